@@ -1,0 +1,2 @@
+//! Lightfall.
+fn main() {}
