@@ -1,0 +1,72 @@
+//! The key table: what each key does to the scene. The handler and the hint on the screen both read it.
+
+use crate::render::CurrentScene;
+use crate::scene::{Scene, SkyMode, View, presets};
+use bevy::prelude::*;
+use bevy_egui::input::egui_wants_any_keyboard_input;
+
+/// One key of the table.
+pub struct Key {
+    /// The physical key.
+    pub code: KeyCode,
+    /// Its name, as printed on it.
+    pub name: &'static str,
+    /// What it does, in a word or two; keys with the same words are one entry of the hint.
+    pub does: &'static str,
+    /// The change of the scene.
+    pub edit: fn(&mut Scene),
+}
+
+/// Every key that changes the scene. Those that move the camera are in `pilot.rs`.
+pub const KEYS: &[Key] = &[
+    Key { code: KeyCode::Digit1, name: "1", does: PRESETS, edit: |scene| preset(scene, 1) },
+    Key { code: KeyCode::Digit2, name: "2", does: PRESETS, edit: |scene| preset(scene, 2) },
+    Key { code: KeyCode::Digit3, name: "3", does: PRESETS, edit: |scene| preset(scene, 3) },
+    Key { code: KeyCode::Digit4, name: "4", does: PRESETS, edit: |scene| preset(scene, 4) },
+    Key { code: KeyCode::Digit5, name: "5", does: PRESETS, edit: |scene| preset(scene, 5) },
+    Key { code: KeyCode::Digit6, name: "6", does: PRESETS, edit: |scene| preset(scene, 6) },
+    Key { code: KeyCode::Digit7, name: "7", does: PRESETS, edit: |scene| preset(scene, 7) },
+    Key { code: KeyCode::F2, name: "F2", does: "disk", edit: |scene| scene.disk.enabled = !scene.disk.enabled },
+    Key { code: KeyCode::F7, name: "F7", does: "cells", edit: |scene| scene.picture.bypass = !scene.picture.bypass },
+    Key { code: KeyCode::F11, name: "F11", does: "unfinished rays", edit: toggle_unfinished },
+    Key { code: KeyCode::KeyG, name: "G", does: "sky", edit: cycle_sky },
+];
+
+const PRESETS: &str = "presets";
+
+fn preset(scene: &mut Scene, number: usize) {
+    if let Some(preset) = presets::scene(number) {
+        *scene = preset;
+    }
+}
+
+fn toggle_unfinished(scene: &mut Scene) {
+    scene.view = match scene.view {
+        View::Colour => View::Unfinished,
+        View::Unfinished => View::Colour,
+    };
+}
+
+fn cycle_sky(scene: &mut Scene) {
+    scene.sky.mode = match scene.sky.mode {
+        SkyMode::Stars => SkyMode::Grid,
+        SkyMode::Grid => SkyMode::Off,
+        SkyMode::Off => SkyMode::Stars,
+    };
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.add_systems(PreUpdate, apply.run_if(not(egui_wants_any_keyboard_input)).after(bevy::input::InputSystems));
+}
+
+fn apply(keys: Res<ButtonInput<KeyCode>>, mut scene: ResMut<CurrentScene>) {
+    // Alt+F-keys and the like belong to the desktop.
+    if keys.any_pressed([KeyCode::AltLeft, KeyCode::AltRight, KeyCode::SuperLeft, KeyCode::SuperRight]) {
+        return;
+    }
+    for key in KEYS {
+        if keys.just_pressed(key.code) {
+            (key.edit)(&mut scene);
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! Whether there is a display to open a window on, asked before the window system is started.
+
+/// Whether a window can be opened here; if not, the reason.
+///
+/// # Errors
+/// One clause that says what is missing.
+#[cfg(target_os = "linux")]
+pub fn has_display() -> Result<(), String> {
+    let set = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty());
+    if let Some(name) = set("WAYLAND_DISPLAY")
+        && let Some(folder) = set("XDG_RUNTIME_DIR")
+        && std::os::unix::net::UnixStream::connect(std::path::Path::new(&folder).join(name)).is_ok()
+    {
+        return Ok(());
+    }
+    match set("DISPLAY") {
+        None => Err("neither DISPLAY nor WAYLAND_DISPLAY names one".into()),
+        Some(name) => match x11rb::connect(None) {
+            Ok(_) => Ok(()),
+            Err(error) => Err(format!("the X server {} does not answer: {error}", name.to_string_lossy())),
+        },
+    }
+}
+
+/// Elsewhere the desktop is always there.
+///
+/// # Errors
+/// None.
+#[cfg(not(target_os = "linux"))]
+pub fn has_display() -> Result<(), String> {
+    Ok(())
+}

@@ -1,0 +1,38 @@
+//! The line at the bottom of the window that says which keys there are.
+
+use super::controls::KEYS;
+use bevy::prelude::*;
+use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+
+const FLYING: &str = "WASD fly · Space/Ctrl up/down · Q/E roll · right mouse or Tab look · wheel speed · Shift/Alt fast/slow";
+
+pub(super) fn plugin(app: &mut App) {
+    app.add_systems(EguiPrimaryContextPass, show);
+}
+
+/// The line, made from the key table: keys in a row that do the same are one entry.
+fn line() -> String {
+    let entries = KEYS.chunk_by(|a, b| a.does == b.does).map(|keys| {
+        let (first, last) = (keys[0].name, keys[keys.len() - 1].name);
+        let span = if keys.len() > 1 { format!("{first}-{last}") } else { first.to_owned() };
+        format!("{span} {}", keys[0].does)
+    });
+    std::iter::once(FLYING.to_owned()).chain(entries).collect::<Vec<_>>().join(" · ")
+}
+
+fn show(mut contexts: EguiContexts, mut text: Local<String>) -> Result {
+    if text.is_empty() {
+        *text = line();
+    }
+    let context = contexts.ctx_mut()?;
+    egui::Area::new("hint".into())
+        .anchor(egui::Align2::CENTER_BOTTOM, [0.0, -8.0])
+        .interactable(false)
+        .order(egui::Order::Foreground)
+        .show(context, |ui| {
+            egui::Frame::new().fill(egui::Color32::from_black_alpha(160)).inner_margin(6).corner_radius(4).show(ui, |ui| {
+                ui.label(egui::RichText::new(text.as_str()).size(13.0).color(egui::Color32::from_gray(210)));
+            });
+        });
+    Ok(())
+}

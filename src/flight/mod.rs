@@ -1,0 +1,62 @@
+//! The window program: fly the camera, press the keys, see the scene.
+
+mod controls;
+mod display;
+mod hint;
+mod pilot;
+
+pub use controls::{KEYS, Key};
+pub use display::has_display;
+
+use crate::picture::quiet_log;
+use crate::render::{CurrentScene, LightfallRenderPlugin, Screen};
+use crate::scene::Scene;
+use bevy::camera::RenderTarget;
+use bevy::prelude::*;
+use bevy::window::{PresentMode, WindowResolution};
+use bevy_egui::{EguiGlobalSettings, EguiPlugin, PrimaryEguiContext};
+
+/// Three output pixels to a cell of the default grid, which fits a common laptop's screen.
+const WINDOW_SIZE: [u32; 2] = [1440, 810];
+
+/// Nearest to the hole that flying brings the camera, in r_s: there a static observer is still an ordinary place.
+pub const NEAREST: f64 = 1.08;
+
+/// Opens the window and flies until it is closed.
+pub fn fly(scene: Scene) -> AppExit {
+    App::new()
+        .add_plugins(DefaultPlugins.set(quiet_log()).set(WindowPlugin {
+            primary_window: Some(Window {
+                title: title(&scene),
+                name: Some("lightfall".into()),
+                resolution: WindowResolution::new(WINDOW_SIZE[0], WINDOW_SIZE[1]),
+                present_mode: PresentMode::AutoVsync,
+                ..default()
+            }),
+            ..default()
+        }))
+        .add_plugins(EguiPlugin::default())
+        .insert_resource(EguiGlobalSettings { auto_create_primary_context: false, ..default() })
+        .add_plugins(LightfallRenderPlugin { scene, target: RenderTarget::default() })
+        .add_plugins((controls::plugin, pilot::plugin, hint::plugin))
+        .add_systems(Update, (attach_ui, retitle.run_if(resource_changed::<CurrentScene>)))
+        .run()
+}
+
+/// The user interface belongs to the screen, at its native resolution, and not to the picture.
+fn attach_ui(mut commands: Commands, screens: Query<Entity, Added<Screen>>) {
+    for screen in &screens {
+        commands.entity(screen).insert(PrimaryEguiContext);
+    }
+}
+
+fn title(scene: &Scene) -> String {
+    if scene.title.is_empty() { "Lightfall".into() } else { format!("Lightfall: {}", scene.title) }
+}
+
+fn retitle(scene: Res<CurrentScene>, mut window: Single<&mut Window>) {
+    let title = title(&scene);
+    if window.title != title {
+        window.title = title;
+    }
+}

@@ -1,0 +1,128 @@
+//! Flying by hand: keys and mouse move and turn the camera; the result is written to the scene, in f64.
+
+use super::NEAREST;
+use crate::render::CurrentScene;
+use bevy::input::mouse::{AccumulatedMouseMotion, AccumulatedMouseScroll, MouseScrollUnit};
+use bevy::math::{DMat3, DVec3};
+use bevy::prelude::*;
+use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow};
+use bevy_egui::input::{egui_wants_any_keyboard_input, egui_wants_any_pointer_input};
+
+/// How the hand is on the stick.
+#[derive(Resource)]
+struct Pilot {
+    /// Multiplies the speed, set by the wheel.
+    throttle: f64,
+    /// Whether the mouse looks around without a button being held.
+    free_look: bool,
+}
+
+/// Speed, as a share of the distance to the horizon, per second.
+const SPEED: f64 = 0.4;
+/// Shift flies faster, Alt slower, by this factor.
+const GEAR: f64 = 4.0;
+/// Speed changes by this factor per notch of the wheel, within a range.
+const THROTTLE_NOTCH: f64 = 1.15;
+const THROTTLE_RANGE: [f64; 2] = [0.02, 50.0];
+/// Pixels of a touchpad's scroll that count as one notch.
+const PIXELS_PER_NOTCH: f32 = 40.0;
+/// Radians a second about the line of sight.
+const ROLL_SPEED: f64 = 0.9;
+/// Share of the vertical field of view that one pixel of mouse motion turns.
+const LOOK_SHARE: f64 = 1.0 / 500.0;
+/// Farthest the camera flies, as in Scene's limits.
+const FARTHEST: f64 = 1e7;
+/// A frame that took longer than this moves the camera no farther, so that slow machines stay steerable.
+const LONGEST_FRAME: f64 = 0.25;
+
+pub(super) fn plugin(app: &mut App) {
+    app.insert_resource(Pilot { throttle: 1.0, free_look: false }).add_systems(
+        Update,
+        (
+            set_throttle.run_if(not(egui_wants_any_pointer_input)),
+            hold_mouse,
+            steer.run_if(not(egui_wants_any_keyboard_input)),
+        )
+            .chain(),
+    );
+}
+
+fn set_throttle(scroll: Res<AccumulatedMouseScroll>, mut pilot: ResMut<Pilot>) {
+    let notches = match scroll.unit {
+        MouseScrollUnit::Line => scroll.delta.y,
+        MouseScrollUnit::Pixel => scroll.delta.y / PIXELS_PER_NOTCH,
+    };
+    if notches != 0.0 {
+        let [slowest, fastest] = THROTTLE_RANGE;
+        pilot.throttle = (pilot.throttle * THROTTLE_NOTCH.powf(f64::from(notches))).clamp(slowest, fastest);
+    }
+}
+
+/// Tab takes and gives back the mouse, Esc and losing the focus give it back.
+fn hold_mouse(
+    keys: Res<ButtonInput<KeyCode>>,
+    buttons: Res<ButtonInput<MouseButton>>,
+    mut pilot: ResMut<Pilot>,
+    window: Single<(&Window, &mut CursorOptions), With<PrimaryWindow>>,
+) {
+    let (window, mut cursor) = window.into_inner();
+    if keys.just_pressed(KeyCode::Tab) {
+        pilot.free_look = !pilot.free_look;
+    }
+    if keys.just_pressed(KeyCode::Escape) || !window.focused {
+        pilot.free_look = false;
+    }
+    let held = window.focused && (pilot.free_look || buttons.pressed(MouseButton::Right));
+    let mode = if held { CursorGrabMode::Locked } else { CursorGrabMode::None };
+    if cursor.grab_mode != mode || cursor.visible == held {
+        cursor.grab_mode = mode;
+        cursor.visible = !held;
+    }
+}
+
+fn steer(
+    keys: Res<ButtonInput<KeyCode>>,
+    buttons: Res<ButtonInput<MouseButton>>,
+    motion: Res<AccumulatedMouseMotion>,
+    time: Res<Time>,
+    pilot: Res<Pilot>,
+    mut scene: ResMut<CurrentScene>,
+) {
+    let seconds = time.delta_secs_f64().min(LONGEST_FRAME);
+    let axis = |plus: &[KeyCode], minus: &[KeyCode]| {
+        f64::from(keys.any_pressed(plus.iter().copied())) - f64::from(keys.any_pressed(minus.iter().copied()))
+    };
+    // Camera frame: right, up, forward.
+    let thrust = DVec3::new(
+        axis(&[KeyCode::KeyD], &[KeyCode::KeyA]),
+        axis(&[KeyCode::Space], &[KeyCode::ControlLeft, KeyCode::ControlRight]),
+        axis(&[KeyCode::KeyW], &[KeyCode::KeyS]),
+    );
+    let gear = GEAR.powf(axis(&[KeyCode::ShiftLeft, KeyCode::ShiftRight], &[KeyCode::AltLeft, KeyCode::AltRight]));
+    let roll = axis(&[KeyCode::KeyE], &[KeyCode::KeyQ]) * ROLL_SPEED * seconds;
+    let looking = pilot.free_look || buttons.pressed(MouseButton::Right);
+    let look = if looking { motion.delta.as_dvec2() } else { bevy::math::DVec2::ZERO };
+    if thrust == DVec3::ZERO && roll == 0.0 && look == bevy::math::DVec2::ZERO {
+        return;
+    }
+    let camera = &mut scene.camera;
+    let mut world_from_camera = camera.legs() * camera.legs_from_camera();
+    let turn = look * camera.fov_deg.to_radians() * LOOK_SHARE;
+    world_from_camera *= turned(turn.x, -turn.y, roll);
+    let speed = SPEED * (camera.r - 1.0).max(NEAREST - 1.0) * gear * pilot.throttle;
+    let moved = camera.direction() * camera.r + world_from_camera * thrust.normalize_or_zero() * speed * seconds;
+    let position = if thrust == DVec3::ZERO { camera.direction() * camera.r } else { kept_outside(moved, camera.direction()) };
+    camera.set_pose(position, world_from_camera);
+}
+
+/// Turning the camera right, then up, then clockwise, as a matrix of its own axes (right, up, forward).
+fn turned(right: f64, up: f64, clockwise: f64) -> DMat3 {
+    // Right, up, forward is a left-handed triple, so a positive turn of glam's is the other way round about each axis.
+    DMat3::from_rotation_y(right) * DMat3::from_rotation_x(-up) * DMat3::from_rotation_z(-clockwise)
+}
+
+/// The nearest allowed place to `position`; a camera that would fly through the centre stays on its side.
+fn kept_outside(position: DVec3, side: DVec3) -> DVec3 {
+    let distance = position.length();
+    if distance > 0.0 { position / distance * distance.clamp(NEAREST, FARTHEST) } else { side * NEAREST }
+}

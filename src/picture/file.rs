@@ -1,0 +1,105 @@
+//! Picture files: they appear whole or not at all.
+
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Why a picture could not be made or written; each is one sentence.
+#[derive(Debug, thiserror::Error)]
+pub enum PictureError {
+    /// The name has no extension that this program writes.
+    #[error("{path}: unknown picture format {extension:?}; allowed is .png")]
+    Extension {
+        /// The file asked for.
+        path: PathBuf,
+        /// Its extension, without the dot.
+        extension: String,
+    },
+    /// The folder or file cannot be written.
+    #[error("{path}: cannot be written: {source}")]
+    Write {
+        /// The file asked for.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// The picture could not be encoded.
+    #[error("{path}: the picture could not be encoded: {reason}")]
+    Encode {
+        /// The file asked for.
+        path: PathBuf,
+        /// What the encoder says.
+        reason: String,
+    },
+    /// The device cannot draw a picture this large.
+    #[error("{field} = {width}x{height}: this device draws pictures of 1 to {limit} pixels a side")]
+    Size {
+        /// Which size.
+        field: &'static str,
+        /// Width asked for.
+        width: u32,
+        /// Height asked for.
+        height: u32,
+        /// Largest side.
+        limit: u32,
+    },
+    /// The chain failed.
+    #[error("the picture could not be drawn: {0}")]
+    Draw(String),
+}
+
+/// Checks that a picture can be written at `path`, before any work is done for it.
+///
+/// # Errors
+/// An unknown extension, or a folder that does not exist or cannot be written.
+pub fn check_path(path: &Path) -> Result<(), PictureError> {
+    let extension = path.extension().unwrap_or_default().to_string_lossy().into_owned();
+    if !extension.eq_ignore_ascii_case("png") {
+        return Err(PictureError::Extension { path: path.into(), extension });
+    }
+    if path.is_dir() {
+        let source = std::io::Error::new(std::io::ErrorKind::IsADirectory, "it is a folder");
+        return Err(PictureError::Write { path: path.into(), source });
+    }
+    part_file(path).map(drop)
+}
+
+/// Writes 8-bit RGB rows, top first, as a PNG. The file appears under its name only when it is complete.
+///
+/// # Errors
+/// What the encoder or the file system says, with the file's name.
+pub fn write_png(path: &Path, width: u32, height: u32, rgb: &[u8]) -> Result<(), PictureError> {
+    let mut part = part_file(path)?;
+    let mut bytes = Vec::new();
+    PngEncoder::new(&mut bytes)
+        .write_image(rgb, width, height, ExtendedColorType::Rgb8)
+        .map_err(|error| PictureError::Encode { path: path.into(), reason: error.to_string() })?;
+    let failed = |source| PictureError::Write { path: path.into(), source };
+    part.write_all(&bytes).map_err(failed)?;
+    part.as_file().sync_all().map_err(failed)?;
+    let file = part.persist(path).map_err(|error| failed(error.error))?;
+    share(&file).map_err(failed)
+}
+
+/// A temporary file is private to its owner; a picture has the rights of any other new file.
+#[cfg(unix)]
+fn share(file: &std::fs::File) -> std::io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    file.set_permissions(std::fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn share(_: &std::fs::File) -> std::io::Result<()> {
+    Ok(())
+}
+
+/// A temporary file beside `path`, removed unless it is given that name in the end.
+fn part_file(path: &Path) -> Result<tempfile::NamedTempFile, PictureError> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    tempfile::Builder::new()
+        .prefix(".lightfall-")
+        .suffix(".part")
+        .tempfile_in(folder)
+        .map_err(|source| PictureError::Write { path: path.into(), source })
+}

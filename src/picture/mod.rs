@@ -1,0 +1,8 @@
+//! Pictures without a window: the same chain, drawn to an image and written as a whole file.
+
+mod file;
+mod still;
+
+pub use file::{PictureError, check_path, write_png};
+pub(crate) use still::quiet_log;
+pub use still::{PassTime, Still, render, render_timed};

@@ -1,0 +1,193 @@
+//! One picture of a scene, by the very chain of the window, with no window.
+
+use super::PictureError;
+use crate::render::{LightfallRenderPlugin, pipelines_ready};
+use crate::scene::Scene;
+use bevy::app::PluginsState;
+use bevy::asset::RenderAssetUsages;
+use bevy::camera::RenderTarget;
+use bevy::diagnostic::DiagnosticsStore;
+use bevy::log::LogPlugin;
+use bevy::prelude::*;
+use bevy::render::RenderPlugin;
+use bevy::render::diagnostic::RenderDiagnosticsPlugin;
+use bevy::render::gpu_readback::{Readback, ReadbackComplete};
+use bevy::render::pipelined_rendering::PipelinedRenderingPlugin;
+use bevy::render::render_resource::{PollType, TextureFormat, TextureUsages};
+use bevy::render::renderer::RenderDevice;
+use bevy::window::ExitCondition;
+use bevy::winit::WinitPlugin;
+
+/// A finished picture.
+pub struct Still {
+    /// Width, in pixels.
+    pub width: u32,
+    /// Height, in pixels.
+    pub height: u32,
+    /// 8-bit sRGB, rows from the top, three bytes a pixel.
+    pub rgb: Vec<u8>,
+}
+
+/// GPU time of one pass.
+pub struct PassTime {
+    /// Name of the pass.
+    pub pass: String,
+    /// Median over the timed frames, in milliseconds.
+    pub median_ms: f64,
+}
+
+/// Frames after which a picture that still isn't there is given up; compiling every pipeline takes a handful.
+const MOST_UPDATES: usize = 600;
+
+/// Bytes that a row of a texture copy is padded to (WebGPU's COPY_BYTES_PER_ROW_ALIGNMENT).
+const ROW_ALIGNMENT: usize = 256;
+
+/// Draws one picture of the scene at the given output size. The same scene and size give the same bytes.
+///
+/// # Errors
+/// A size the device can't do, or a chain that failed.
+pub fn render(scene: &Scene, size: UVec2) -> Result<Still, PictureError> {
+    let mut app = headless(scene, size, false)?;
+    warm_up(&mut app)?;
+    read_back(&mut app, size)
+}
+
+/// Like [`render`], and draws the scene `frames` more times to tell each pass's GPU time.
+///
+/// # Errors
+/// As [`render`]; a device without timestamps gives an empty list.
+pub fn render_timed(scene: &Scene, size: UVec2, frames: usize) -> Result<(Still, Vec<PassTime>), PictureError> {
+    let mut app = headless(scene, size, true)?;
+    warm_up(&mut app)?;
+    let still = read_back(&mut app, size)?;
+    let mut samples: std::collections::BTreeMap<String, Vec<f64>> = default();
+    for _ in 0..frames {
+        update(&mut app)?;
+        for diagnostic in app.world().resource::<DiagnosticsStore>().iter() {
+            let path = diagnostic.path().as_str();
+            if let (Some(pass), Some(value)) =
+                (path.strip_prefix("render/").and_then(|path| path.strip_suffix("/elapsed_gpu")), diagnostic.value())
+            {
+                samples.entry(pass.into()).or_default().push(value);
+            }
+        }
+    }
+    let times = samples
+        .into_iter()
+        .map(|(pass, mut values)| {
+            values.sort_by(f64::total_cmp);
+            PassTime { pass, median_ms: values[values.len() / 2] }
+        })
+        .collect();
+    Ok((still, times))
+}
+
+#[derive(Resource)]
+struct Output(Handle<Image>);
+
+#[derive(Resource, Default)]
+struct Finished(Option<Vec<u8>>);
+
+fn headless(scene: &Scene, size: UVec2, timed: bool) -> Result<App, PictureError> {
+    let mut app = App::new();
+    app.add_plugins(
+        DefaultPlugins
+            .set(WindowPlugin { primary_window: None, exit_condition: ExitCondition::DontExit, ..default() })
+            .set(RenderPlugin { synchronous_pipeline_compilation: true, ..default() })
+            .set(quiet_log())
+            .disable::<WinitPlugin>()
+            .disable::<PipelinedRenderingPlugin>(),
+    );
+    if timed {
+        app.add_plugins(RenderDiagnosticsPlugin);
+    }
+    while app.plugins_state() == PluginsState::Adding {
+        bevy::tasks::tick_global_task_pools_on_main_thread();
+    }
+    // The device exists once the plugins are ready; the limit must be known before a texture is asked for.
+    let limit = device_limit(&mut app);
+    for (field, size) in [("size", size), ("picture", UVec2::new(scene.picture.width, scene.picture.height))] {
+        if size.min_element() == 0 || size.max_element() > limit {
+            return Err(PictureError::Size { field, width: size.x, height: size.y, limit });
+        }
+    }
+    let mut image = Image::new_target_texture(size.x, size.y, TextureFormat::Rgba8UnormSrgb, None);
+    image.asset_usage = RenderAssetUsages::RENDER_WORLD;
+    image.texture_descriptor.usage |= TextureUsages::COPY_SRC;
+    let output = app.world_mut().resource_mut::<Assets<Image>>().add(image);
+    app.insert_resource(Output(output.clone())).init_resource::<Finished>().add_plugins(LightfallRenderPlugin {
+        scene: scene.clone(),
+        target: RenderTarget::Image(output.into()),
+    });
+    app.finish();
+    app.cleanup();
+    Ok(app)
+}
+
+/// Largest side of a texture on a default device.
+fn device_limit(app: &mut App) -> u32 {
+    let device = app.world().get_resource::<RenderDevice>().map(|device| device.limits().max_texture_dimension_2d);
+    device.unwrap_or_else(|| bevy::render::settings::WgpuSettings::default().limits.max_texture_dimension_2d)
+}
+
+/// Warnings and errors only, on the standard error stream, unless RUST_LOG says otherwise.
+pub(crate) fn quiet_log() -> LogPlugin {
+    LogPlugin { filter: "error,lightfall=warn".into(), level: bevy::log::Level::WARN, ..default() }
+}
+
+fn update(app: &mut App) -> Result<(), PictureError> {
+    app.update();
+    if let Some(exit) = app.should_exit()
+        && exit.is_error()
+    {
+        return Err(PictureError::Draw("the graphics device reported an error".into()));
+    }
+    if let Some(device) = app.world().get_resource::<RenderDevice>() {
+        let waited = device.poll(PollType::Wait { submission_index: None, timeout: None });
+        waited.map_err(|error| PictureError::Draw(error.to_string()))?;
+    }
+    Ok(())
+}
+
+/// Updates until every pipeline exists, so that the picture is complete the first time it is taken.
+fn warm_up(app: &mut App) -> Result<(), PictureError> {
+    for _ in 0..MOST_UPDATES {
+        update(app)?;
+        if pipelines_ready(app).map_err(PictureError::Draw)? {
+            return Ok(());
+        }
+    }
+    Err(PictureError::Draw("its pipelines did not become ready".into()))
+}
+
+fn read_back(app: &mut App, size: UVec2) -> Result<Still, PictureError> {
+    let output = app.world().resource::<Output>().0.clone();
+    let reader = app
+        .world_mut()
+        .spawn(Readback::texture(output))
+        .observe(|complete: On<ReadbackComplete>, mut finished: ResMut<Finished>| {
+            finished.0 = Some(complete.data.clone());
+        })
+        .id();
+    for _ in 0..MOST_UPDATES {
+        update(app)?;
+        if let Some(bytes) = app.world_mut().resource_mut::<Finished>().0.take() {
+            app.world_mut().despawn(reader);
+            return Ok(still(size, &bytes));
+        }
+    }
+    Err(PictureError::Draw("it did not arrive from the graphics device".into()))
+}
+
+/// Drops the padding of rows and the alpha channel.
+fn still(size: UVec2, bytes: &[u8]) -> Still {
+    let row = size.x as usize * 4;
+    let padded = if bytes.len() == row * size.y as usize { row } else { row.next_multiple_of(ROW_ALIGNMENT) };
+    let rgb = bytes
+        .chunks(padded)
+        .take(size.y as usize)
+        .flat_map(|line| line[..row].chunks_exact(4))
+        .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]])
+        .collect();
+    Still { width: size.x, height: size.y, rgb }
+}

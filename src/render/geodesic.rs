@@ -1,0 +1,196 @@
+//! The geodesic pass: a fullscreen triangle at the far plane, so that the depth test lets only uncovered pixels through.
+
+use super::{CurrentScene, Eye};
+use crate::gpu::{GpuScene, Variant};
+use crate::physics::spectrum;
+use bevy::core_pipeline::core_3d::{CORE_3D_DEPTH_FORMAT, main_opaque_pass_3d, main_transparent_pass_3d};
+use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
+use bevy::platform::collections::HashMap;
+use bevy::prelude::*;
+use bevy::render::diagnostic::RecordDiagnostics;
+use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
+use bevy::render::render_resource::binding_types::{uniform_buffer, uniform_buffer_sized};
+use bevy::render::render_resource::*;
+use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
+use bevy::render::view::{ViewDepthTexture, ViewTarget};
+use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
+
+/// The shader that the current scene needs; written in the main world, where shader assets live.
+#[derive(Resource, Clone, ExtractResource)]
+struct GeodesicShader {
+    variant: Variant,
+    shader: Handle<Shader>,
+}
+
+/// Every variant joined so far, so that going back to one costs nothing.
+#[derive(Resource, Default)]
+struct JoinedShaders(HashMap<Variant, Handle<Shader>>);
+
+/// What the pass needs on the GPU.
+#[derive(Resource)]
+struct GeodesicPass {
+    layout: BindGroupLayoutDescriptor,
+    spectrum: Buffer,
+    scene: UniformBuffer<GpuScene>,
+    pipelines: HashMap<Variant, CachedRenderPipelineId>,
+    /// The last variant whose pipeline was complete: it goes on drawing while another is being compiled.
+    current: Option<CachedRenderPipelineId>,
+    bind_group: Option<BindGroup>,
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<JoinedShaders>()
+        .add_plugins(ExtractResourcePlugin::<GeodesicShader>::default())
+        .add_systems(PostUpdate, join_shader.run_if(resource_changed::<CurrentScene>));
+    let Some(render_app) = app.get_sub_app_mut(RenderApp) else { return };
+    render_app
+        .add_systems(RenderStartup, init)
+        .add_systems(Render, prepare.in_set(RenderSystems::PrepareResources))
+        .add_systems(
+            Core3d,
+            draw.in_set(Core3dSystems::MainPass).after(main_opaque_pass_3d).before(main_transparent_pass_3d),
+        );
+}
+
+/// Joins the parts that the scene needs into one shader, once per variant.
+fn join_shader(
+    mut commands: Commands,
+    scene: Res<CurrentScene>,
+    mut joined: ResMut<JoinedShaders>,
+    mut shaders: ResMut<Assets<Shader>>,
+) {
+    let variant = Variant::picture(&scene);
+    let shader = joined
+        .0
+        .entry(variant)
+        .or_insert_with(|| shaders.add(Shader::from_wgsl(variant.source(), "lightfall/geodesic.wgsl")))
+        .clone();
+    commands.insert_resource(GeodesicShader { variant, shader });
+}
+
+fn init(mut commands: Commands, device: Res<RenderDevice>) {
+    let table: Vec<u8> = spectrum::table().iter().flatten().flat_map(|value| value.to_le_bytes()).collect();
+    let spectrum = device.create_buffer_with_data(&BufferInitDescriptor {
+        label: Some("spectrum table"),
+        contents: &table,
+        usage: BufferUsages::UNIFORM,
+    });
+    let layout = BindGroupLayoutDescriptor::new(
+        "geodesic layout",
+        &BindGroupLayoutEntries::sequential(
+            ShaderStages::FRAGMENT,
+            (uniform_buffer::<GpuScene>(false), uniform_buffer_sized(false, BufferSize::new(table.len() as u64))),
+        ),
+    );
+    commands.insert_resource(GeodesicPass {
+        layout,
+        spectrum,
+        scene: UniformBuffer::from(GpuScene::default()),
+        pipelines: HashMap::default(),
+        current: None,
+        bind_group: None,
+    });
+}
+
+/// Writes the scene's numbers and picks the pipeline.
+fn prepare(
+    scene: Res<CurrentScene>,
+    shader: Option<Res<GeodesicShader>>,
+    pass: Option<ResMut<GeodesicPass>>,
+    cache: Res<PipelineCache>,
+    device: Res<RenderDevice>,
+    queue: Res<RenderQueue>,
+) {
+    let (Some(shader), Some(mut pass)) = (shader, pass) else { return };
+    if scene.is_changed() || pass.bind_group.is_none() {
+        match GpuScene::new(&scene, UVec2::new(scene.picture.width, scene.picture.height)) {
+            Ok(numbers) => pass.scene.set(numbers),
+            Err(error) => {
+                error_once!("the scene cannot be traced on the GPU: {error}");
+                return;
+            }
+        }
+        pass.scene.write_buffer(&device, &queue);
+    }
+    let GeodesicPass { layout, spectrum, scene, pipelines, current, bind_group } = &mut *pass;
+    if bind_group.is_none() {
+        let Some(numbers) = scene.binding() else { return };
+        *bind_group = Some(device.create_bind_group(
+            "geodesic bindings",
+            &cache.get_bind_group_layout(layout),
+            &BindGroupEntries::sequential((numbers, spectrum.as_entire_binding())),
+        ));
+    }
+    let wanted = *pipelines
+        .entry(shader.variant)
+        .or_insert_with(|| cache.queue_render_pipeline(descriptor(layout.clone(), shader.shader.clone())));
+    if current.is_none() || cache.get_render_pipeline(wanted).is_some() {
+        *current = Some(wanted);
+    }
+}
+
+fn descriptor(layout: BindGroupLayoutDescriptor, shader: Handle<Shader>) -> RenderPipelineDescriptor {
+    RenderPipelineDescriptor {
+        label: Some("geodesic".into()),
+        layout: vec![layout],
+        vertex: VertexState { shader: shader.clone(), entry_point: Some("vertex".into()), ..default() },
+        fragment: Some(FragmentState {
+            shader,
+            entry_point: Some("fragment".into()),
+            targets: vec![Some(ColorTargetState {
+                format: TextureFormat::Rgba16Float,
+                blend: None,
+                write_mask: ColorWrites::ALL,
+            })],
+            ..default()
+        }),
+        // Reverse depth: zero is the far plane and the cleared value, so an equal test keeps what nothing covers.
+        depth_stencil: Some(DepthStencilState {
+            format: CORE_3D_DEPTH_FORMAT,
+            depth_write_enabled: Some(false),
+            depth_compare: Some(CompareFunction::GreaterEqual),
+            stencil: default(),
+            bias: default(),
+        }),
+        ..default()
+    }
+}
+
+fn draw(
+    view: ViewQuery<(&ViewTarget, &ViewDepthTexture), With<Eye>>,
+    pass: Option<Res<GeodesicPass>>,
+    cache: Res<PipelineCache>,
+    mut context: RenderContext,
+) {
+    let Some(pass) = pass else { return };
+    let (target, depth) = view.into_inner();
+    let (Some(pipeline), Some(bind_group)) =
+        (pass.current.and_then(|id| cache.get_render_pipeline(id)), pass.bind_group.as_ref())
+    else {
+        return;
+    };
+    let diagnostics = context.diagnostic_recorder();
+    let diagnostics = diagnostics.as_deref();
+    let mut render_pass = context.begin_tracked_render_pass(RenderPassDescriptor {
+        label: Some("geodesic"),
+        color_attachments: &[Some(target.get_color_attachment())],
+        depth_stencil_attachment: Some(depth.get_attachment(StoreOp::Store)),
+        timestamp_writes: None,
+        occlusion_query_set: None,
+        multiview_mask: None,
+    });
+    let span = diagnostics.pass_span(&mut render_pass, "geodesic");
+    render_pass.set_render_pipeline(pipeline);
+    render_pass.set_bind_group(0, bind_group, &[]);
+    render_pass.draw(0..3, 0..1);
+    span.end(&mut render_pass);
+}
+
+/// Whether the current scene's own pipeline exists and will be drawn.
+pub(super) fn ready(world: &World, cache: &PipelineCache) -> bool {
+    let (Some(shader), Some(pass)) = (world.get_resource::<GeodesicShader>(), world.get_resource::<GeodesicPass>())
+    else {
+        return false;
+    };
+    pass.pipelines.get(&shader.variant).is_some_and(|id| cache.get_render_pipeline(*id).is_some())
+}

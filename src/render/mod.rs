@@ -1,0 +1,69 @@
+//! The passes that turn a [`Scene`] into pixels. The window, stills and tests all run this very chain.
+//!
+//! ```text
+//! eye camera (Core3d, HDR picture size, Rgba16Float, no output of its own)
+//!   probe.rs         main_opaque_pass_3d     the foreground craft, with depth
+//!   geodesic.rs      GEODESIC                traced light where depth is zero
+//!                    main_transparent_pass_3d
+//!   eye.rs           bloom -> tonemapping    Bevy's own
+//! screen camera (Core2d, window or still)
+//!   presentation.rs  PIXELATE                area reduction, quantization, Bayer pattern
+//!                    EXPAND                  nearest expansion, letterbox (or FIT, when bypassed)
+//!                    egui, output            Bevy's own
+//! ```
+
+mod eye;
+mod geodesic;
+mod presentation;
+mod probe;
+
+pub use eye::{Eye, Screen};
+pub use presentation::{Letterbox, letterbox};
+
+use crate::scene::Scene;
+use bevy::camera::RenderTarget;
+use bevy::prelude::*;
+use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
+
+/// The scene that is being drawn. It must have passed [`Scene::check`]; what writes it, checks it.
+#[derive(Resource, Clone, Deref, DerefMut, ExtractResource)]
+pub struct CurrentScene(pub Scene);
+
+/// The whole chain, drawing [`CurrentScene`] to a window or an image.
+pub struct LightfallRenderPlugin {
+    /// What is drawn first.
+    pub scene: Scene,
+    /// Where the last pass writes.
+    pub target: RenderTarget,
+}
+
+impl Plugin for LightfallRenderPlugin {
+    fn build(&self, app: &mut App) {
+        app.insert_resource(CurrentScene(self.scene.clone()))
+            .insert_resource(ClearColor(Color::BLACK))
+            .add_plugins(ExtractResourcePlugin::<CurrentScene>::default())
+            .add_plugins((eye::EyePlugin { target: self.target.clone() }, probe::plugin))
+            .add_plugins((geodesic::plugin, presentation::plugin));
+    }
+}
+
+/// Whether every pipeline that the chain queued exists, asked after an update. An error names what failed.
+///
+/// # Errors
+/// A pipeline that could not be made: a shader error, or a limit of the device.
+pub fn pipelines_ready(app: &App) -> Result<bool, String> {
+    use bevy::render::{RenderApp, render_resource::CachedPipelineState, render_resource::PipelineCache};
+    let Some(cache) = app.get_sub_app(RenderApp).and_then(|render| render.world().get_resource::<PipelineCache>())
+    else {
+        return Ok(false);
+    };
+    for pipeline in cache.pipelines() {
+        if let CachedPipelineState::Err(error) = &pipeline.state
+            && !matches!(error, bevy::shader::ShaderCacheError::ShaderNotLoaded(_))
+        {
+            return Err(format!("a render pipeline could not be made: {error}"));
+        }
+    }
+    let own = app.get_sub_app(RenderApp).is_some_and(|render| geodesic::ready(render.world(), cache));
+    Ok(own && cache.waiting_pipelines().next().is_none())
+}

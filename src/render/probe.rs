@@ -1,0 +1,162 @@
+//! The foreground probe: a small craft of metal, ceramic and dark coating, lit by the disk and the stars. It is
+//! projected ordinarily, neither lensed nor hidden by the hole, and the geodesic pass leaves its pixels alone.
+
+use super::CurrentScene;
+use crate::physics::{disk, spectrum};
+use crate::scene::Scene;
+use bevy::light::GlobalAmbientLight;
+use bevy::prelude::*;
+use std::f32::consts::{FRAC_PI_2, TAU};
+
+/// Marks the craft.
+#[derive(Component)]
+struct Probe;
+
+/// Marks one of the lamps that stand for the disk; the number is its place on the ring.
+#[derive(Component)]
+struct DiskLamp(usize);
+
+/// Lamps on the ring that stands for the disk.
+const LAMPS: usize = 6;
+
+/// Light of the stars from everywhere, in the units of traced light.
+const STARLIGHT: f32 = 0.03;
+
+pub(super) fn plugin(app: &mut App) {
+    app.insert_resource(GlobalAmbientLight {
+        color: Color::srgb(0.8, 0.88, 1.0),
+        brightness: STARLIGHT,
+        ..default()
+    })
+    .add_systems(PostUpdate, (present, place, shine).chain().run_if(resource_changed::<CurrentScene>));
+}
+
+/// Builds the craft and its lamps when the scene has one, and takes them away when it has none.
+fn present(
+    mut commands: Commands,
+    scene: Res<CurrentScene>,
+    parts: Query<Entity, Or<(With<Probe>, With<DiskLamp>)>>,
+    mut meshes: ResMut<Assets<Mesh>>,
+    mut materials: ResMut<Assets<StandardMaterial>>,
+) {
+    if scene.probe.enabled != parts.is_empty() {
+        return;
+    }
+    if !scene.probe.enabled {
+        parts.iter().for_each(|part| commands.entity(part).despawn());
+        return;
+    }
+    commands.spawn((Probe, Transform::default(), Visibility::default())).with_children(|probe| {
+        for (mesh, material, transform) in craft(&mut materials) {
+            probe.spawn((Mesh3d(meshes.add(mesh)), MeshMaterial3d(material), transform));
+        }
+    });
+    for place in 0..LAMPS {
+        commands.spawn((DiskLamp(place), PointLight::default(), Transform::default()));
+    }
+}
+
+/// The parts of a craft one unit long: x out of the hole, y along the long axis.
+fn craft(materials: &mut Assets<StandardMaterial>) -> Vec<(Mesh, Handle<StandardMaterial>, Transform)> {
+    let metal = materials.add(StandardMaterial {
+        base_color: Color::srgb(0.78, 0.77, 0.74),
+        metallic: 1.0,
+        perceptual_roughness: 0.38,
+        ..default()
+    });
+    let ceramic = materials.add(StandardMaterial {
+        base_color: Color::srgb(0.86, 0.84, 0.8),
+        perceptual_roughness: 0.75,
+        double_sided: true,
+        cull_mode: None,
+        ..default()
+    });
+    let coating = materials.add(StandardMaterial {
+        base_color: Color::srgb(0.03, 0.035, 0.06),
+        metallic: 0.3,
+        perceptual_roughness: 0.3,
+        ..default()
+    });
+    let lamp = materials.add(StandardMaterial {
+        base_color: Color::BLACK,
+        emissive: LinearRgba::rgb(3.0, 0.7, 0.25),
+        ..default()
+    });
+    let at = Transform::from_xyz;
+    let mut parts: Vec<(Mesh, _, _)> = vec![
+        (Cylinder::new(0.13, 0.5).mesh().resolution(8).into(), metal.clone(), at(0.0, 0.0, 0.0)),
+        (ConicalFrustum { radius_top: 0.07, radius_bottom: 0.13, height: 0.12 }.into(), ceramic.clone(), at(0.0, 0.31, 0.0)),
+        (ConicalFrustum { radius_top: 0.24, radius_bottom: 0.05, height: 0.1 }.into(), ceramic, at(0.0, 0.45, 0.0)),
+        (Cylinder::new(0.012, 0.2).into(), metal.clone(), at(0.0, 0.55, 0.0)),
+        (ConicalFrustum { radius_top: 0.06, radius_bottom: 0.1, height: 0.12 }.into(), metal.clone(), at(0.0, -0.31, 0.0)),
+        (Sphere::new(0.022).into(), lamp.clone(), at(0.0, 0.66, 0.0)),
+        (Sphere::new(0.018).into(), lamp, at(0.135, -0.12, 0.0)),
+    ];
+    for side in [-1.0, 1.0] {
+        let boom = at(0.0, 0.0, 0.2 * side).with_rotation(Quat::from_rotation_x(FRAC_PI_2));
+        parts.push((Cylinder::new(0.015, 0.16).into(), metal.clone(), boom));
+        parts.push((Cuboid::new(0.012, 0.3, 0.42).into(), coating.clone(), at(0.0, 0.0, 0.49 * side)));
+        parts.push((Cuboid::new(0.02, 0.012, 0.42).into(), metal.clone(), at(0.0, 0.0, 0.49 * side)));
+    }
+    parts
+}
+
+/// Places everything relative to the eye, which stays at the origin: the difference is taken in f64.
+fn place(
+    scene: Res<CurrentScene>,
+    mut craft: Query<&mut Transform, (With<Probe>, Without<DiskLamp>)>,
+    mut lamps: Query<(&DiskLamp, &mut Transform), Without<Probe>>,
+) {
+    let eye = scene.camera.direction() * scene.camera.r;
+    for mut transform in &mut craft {
+        let here = crate::scene::Camera {
+            r: scene.probe.r,
+            theta_deg: scene.probe.theta_deg,
+            phi_deg: scene.probe.phi_deg,
+            ..scene.camera
+        };
+        let [outward, south, east] = [here.legs().x_axis, here.legs().y_axis, here.legs().z_axis];
+        let upright = Quat::from_mat3(&Mat3::from_cols(outward.as_vec3(), -south.as_vec3(), -east.as_vec3()));
+        // Banked and turned a little, so that light falls on several of its faces.
+        let rotation = upright * Quat::from_euler(EulerRot::YZX, 0.7, 0.35, 0.25);
+        *transform = Transform {
+            translation: (here.direction() * here.r - eye).as_vec3(),
+            rotation,
+            scale: Vec3::splat(scene.probe.size as f32),
+        };
+    }
+    let (radius, ..) = disk_lamp(&scene);
+    for (DiskLamp(place), mut transform) in &mut lamps {
+        let angle = TAU * *place as f32 / LAMPS as f32;
+        let on_ring = Vec3::new(angle.cos(), angle.sin(), 0.0) * radius as f32;
+        transform.translation = on_ring - eye.as_vec3();
+    }
+}
+
+/// Gives the lamps the disk's light, and none when there is no disk.
+fn shine(scene: Res<CurrentScene>, mut lamps: Query<&mut PointLight>) {
+    let (_, intensity, colour) = disk_lamp(&scene);
+    for mut lamp in &mut lamps {
+        lamp.color = colour;
+        lamp.intensity = intensity / LAMPS as f32;
+        lamp.range = 1e4;
+    }
+}
+
+/// Where the disk's light is strongest per radius, its luminous power (both faces, unshifted, in the units of traced
+/// light), and its colour there. The lamps stand for the disk only roughly; the traced light is the exact one.
+fn disk_lamp(scene: &Scene) -> (f64, f32, Color) {
+    let inner = disk::inner_edge(scene);
+    // The Newtonian profile F peaks at 49/36 of the inner edge.
+    let radius = inner * 49.0 / 36.0;
+    if !scene.disk.enabled {
+        return (radius, 0.0, Color::BLACK);
+    }
+    let rgb = spectrum::colour_per_flux(disk::temperature(scene, radius));
+    let brightest = rgb.max_element().max(f64::MIN_POSITIVE);
+    let area = std::f64::consts::PI * (scene.disk.outer.powi(2) - inner.powi(2));
+    // Half the peak's flux stands for the mean over the annulus.
+    let radiance = 0.5 * brightest * disk::flux(scene, radius) * disk::HDR_SCALE * scene.disk.brightness;
+    let colour = (rgb / brightest).as_vec3().max(Vec3::ZERO);
+    (radius, (4.0 * radiance * area) as f32, Color::linear_rgb(colour.x, colour.y, colour.z))
+}

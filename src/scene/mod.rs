@@ -1,0 +1,329 @@
+//! The scene: the one description of what is drawn, written by the command line, presets and controls, read by the
+//! passes. Plain data: no Bevy, no GPU types, no files.
+//!
+//! Lengths are in Schwarzschild radii, angles in degrees (suffix `_deg`), temperatures in kelvin. The hole's frame is
+//! right-handed with z along the disk normal; `r`, `theta_deg`, `phi_deg` are Boyer-Lindquist.
+
+use serde::{Deserialize, Serialize};
+
+/// The version of the preset format this program reads and writes.
+pub const SCHEMA: u32 = 1;
+
+/// Everything that decides a picture.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Scene {
+    /// Version of the preset format.
+    pub schema: u32,
+    /// Short name, as `--preset NAME` finds it.
+    pub name: String,
+    /// One line that says what there is to see.
+    pub title: String,
+    /// How light is traced.
+    pub method: Method,
+    /// What the geodesic pass shows.
+    pub view: View,
+    /// The hole.
+    pub hole: Hole,
+    /// Where the camera is and where it looks.
+    pub camera: Camera,
+    /// How the camera moves through the place where it is.
+    pub observer: Observer,
+    /// The thin disk.
+    pub disk: Disk,
+    /// What lies at infinity.
+    pub sky: Sky,
+    /// The foreground probe.
+    pub probe: Probe,
+    /// The way from light to pixels.
+    pub picture: Picture,
+    /// Accuracy against time.
+    pub quality: Quality,
+}
+
+/// How light is traced.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Method {
+    /// The method best suited to the scene among those that are built.
+    #[default]
+    Auto,
+    /// Velocity Verlet in Schwarzschild's areal Cartesian coordinates.
+    Verlet,
+    /// The f64 reference, on the CPU only.
+    Reference,
+}
+
+/// What the geodesic pass shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum View {
+    /// The light itself; unfinished rays are black.
+    #[default]
+    Colour,
+    /// The light itself, with unfinished rays in magenta.
+    Unfinished,
+}
+
+/// The black hole; its Schwarzschild radius is the unit of length.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Hole {
+    /// chi = a/M, in (-1, 1); positive turns with the disk.
+    pub spin: f64,
+}
+
+/// Where the camera is and where it looks. With yaw, pitch and roll zero it looks at the hole's centre, with
+/// decreasing theta up and growing phi to the right.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Camera {
+    /// Boyer-Lindquist radius.
+    pub r: f64,
+    /// Angle from the disk normal.
+    pub theta_deg: f64,
+    /// Azimuth.
+    pub phi_deg: f64,
+    /// Vertical field of view.
+    pub fov_deg: f64,
+    /// Turn to the right, first.
+    pub yaw_deg: f64,
+    /// Turn upward, second.
+    pub pitch_deg: f64,
+    /// Turn clockwise about the line of sight, last.
+    pub roll_deg: f64,
+}
+
+/// How the camera moves.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Observer {
+    /// Which frame of reference.
+    pub kind: ObserverKind,
+    /// One more boost, in that frame: outward, toward growing theta, toward growing phi; units of c.
+    pub velocity: [f64; 3],
+}
+
+/// The frames of reference that have a name.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ObserverKind {
+    /// At rest with respect to infinity.
+    #[default]
+    Static,
+    /// Zero angular momentum.
+    Zamo,
+    /// Prograde circular geodesic in the disk's plane.
+    Orbit,
+    /// Free fall from rest at infinity.
+    Rain,
+}
+
+/// The thin emitting disk in the equatorial plane.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Disk {
+    /// Whether there is one.
+    pub enabled: bool,
+    /// Inner edge; where it lies inside the innermost stable circular orbit, that orbit is the edge.
+    pub inner: f64,
+    /// Outer edge.
+    pub outer: f64,
+    /// Radial profile of the flux.
+    pub model: DiskModel,
+    /// Temperature scale: T = temperature_k F^(1/4).
+    pub temperature_k: f64,
+    /// Artistic HDR scale of the emission.
+    pub brightness: f64,
+    /// Width over which the emission fades in at each edge, as a fraction of the edge's radius.
+    pub edge_taper: f64,
+    /// Share of the light from behind that passes through the disk.
+    pub transmission: f64,
+}
+
+/// Radial profile of the disk's flux.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DiskModel {
+    /// F = (r_in/r)^3 (1 - sqrt(r_in/r)).
+    #[default]
+    Newtonian,
+}
+
+/// What lies at infinity.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Sky {
+    /// What is drawn there.
+    pub mode: SkyMode,
+    /// Which stars.
+    pub seed: u32,
+    /// Scale of the sky's light.
+    pub brightness: f64,
+    /// Whether one bright reference star is added, in any mode but `off`.
+    pub reference_star: bool,
+    /// Its angle from the disk normal.
+    pub reference_theta_deg: f64,
+    /// Its azimuth.
+    pub reference_phi_deg: f64,
+}
+
+/// What is drawn at infinity.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SkyMode {
+    /// Deterministic stars.
+    #[default]
+    Stars,
+    /// A celestial grid.
+    Grid,
+    /// Nothing.
+    Off,
+}
+
+/// A small craft, drawn by ordinary projection in front of the traced light.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Probe {
+    /// Whether there is one.
+    pub enabled: bool,
+    /// Where it hovers.
+    pub r: f64,
+    /// Angle from the disk normal.
+    pub theta_deg: f64,
+    /// Azimuth.
+    pub phi_deg: f64,
+    /// Length of its body.
+    pub size: f64,
+}
+
+/// The way from light to pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Picture {
+    /// Width of the HDR picture, in pixels.
+    pub width: u32,
+    /// Height of the HDR picture, in pixels.
+    pub height: u32,
+    /// Width of the presentation grid, in cells.
+    pub grid_width: u32,
+    /// Height of the presentation grid, in cells.
+    pub grid_height: u32,
+    /// Exposure, in powers of two.
+    pub exposure_ev: f64,
+    /// Strength of the bloom; zero leaves the pass out.
+    pub bloom: f64,
+    /// Number of levels a perceptual channel is rounded to.
+    pub levels: u32,
+    /// Whether the 4x4 Bayer pattern spreads the rounding error.
+    pub dither: bool,
+    /// Whether reduction, quantization and nearest expansion are left out.
+    pub bypass: bool,
+}
+
+/// Accuracy against time.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Quality {
+    /// Scale of the article's step rule; 1.55 cheap, 0.85 balanced, 0.45 high.
+    pub step_scale: f64,
+    /// Most steps a ray may take.
+    pub max_steps: u32,
+    /// Most affine length a ray may cover.
+    pub max_affine: f64,
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Self {
+            schema: SCHEMA,
+            name: "unnamed".into(),
+            title: String::new(),
+            method: Method::default(),
+            view: View::default(),
+            hole: Hole::default(),
+            camera: Camera::default(),
+            observer: Observer::default(),
+            disk: Disk::default(),
+            sky: Sky::default(),
+            probe: Probe::default(),
+            picture: Picture::default(),
+            quality: Quality::default(),
+        }
+    }
+}
+
+#[expect(clippy::derivable_impls, reason = "a spin of zero is a choice, shown beside the other defaults")]
+impl Default for Hole {
+    fn default() -> Self {
+        Self { spin: 0.0 }
+    }
+}
+
+impl Default for Camera {
+    fn default() -> Self {
+        Self { r: 20.0, theta_deg: 80.0, phi_deg: 0.0, fov_deg: 60.0, yaw_deg: 0.0, pitch_deg: 0.0, roll_deg: 0.0 }
+    }
+}
+
+impl Default for Observer {
+    fn default() -> Self {
+        Self { kind: ObserverKind::Static, velocity: [0.0; 3] }
+    }
+}
+
+impl Default for Disk {
+    fn default() -> Self {
+        Self {
+            enabled: true,
+            inner: 3.0,
+            outer: 11.0,
+            model: DiskModel::Newtonian,
+            temperature_k: 18_000.0,
+            brightness: 1.0,
+            edge_taper: 0.03,
+            transmission: 0.04,
+        }
+    }
+}
+
+impl Default for Sky {
+    fn default() -> Self {
+        Self {
+            mode: SkyMode::Stars,
+            seed: 1,
+            brightness: 1.0,
+            reference_star: false,
+            reference_theta_deg: 90.0,
+            reference_phi_deg: 180.0,
+        }
+    }
+}
+
+impl Default for Probe {
+    fn default() -> Self {
+        Self { enabled: false, r: 20.0, theta_deg: 80.0, phi_deg: 0.0, size: 0.2 }
+    }
+}
+
+impl Default for Picture {
+    fn default() -> Self {
+        Self {
+            width: 960,
+            height: 540,
+            grid_width: 480,
+            grid_height: 270,
+            exposure_ev: 0.0,
+            bloom: 0.15,
+            levels: 24,
+            dither: true,
+            bypass: false,
+        }
+    }
+}
+
+impl Default for Quality {
+    fn default() -> Self {
+        Self { step_scale: 0.85, max_steps: 768, max_affine: 2000.0 }
+    }
+}
