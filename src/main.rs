@@ -1,2 +1,151 @@
-//! Lightfall.
-fn main() {}
+//! The command line: does what was asked for, and says how it went.
+
+use glam::UVec2;
+use lightfall::cli::{self, Command, Device, RenderArgs, SceneArgs, TraceArgs};
+use lightfall::flight;
+use lightfall::gpu::{self, Gpu, GpuScene};
+use lightfall::physics::reference::Reference;
+use lightfall::physics::trace::Trace;
+use lightfall::picture::{self, Still};
+use lightfall::report::rays::{self, RayReader, TraceWriter};
+use lightfall::scene::Scene;
+use rayon::prelude::*;
+use std::error::Error;
+use std::io::{self, BufReader, BufWriter, Read};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// What stopped the program: its exit status and one sentence.
+struct Stop(u8, String);
+
+/// A bad command line or preset.
+fn refused(error: impl Error) -> Stop {
+    Stop(2, error.to_string())
+}
+
+/// Any other failure.
+fn failed(error: impl Error) -> Stop {
+    Stop(1, error.to_string())
+}
+
+fn main() -> ExitCode {
+    let command = match cli::read(std::env::args_os()) {
+        Ok(command) => command,
+        Err(error) => {
+            // Help and the version are results, everything else is not; clap knows which. A closed stream is no news.
+            let _ = error.print();
+            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+        }
+    };
+    let done = match command {
+        Command::Fly(args) => fly(&args),
+        Command::Render(args) => render(&args),
+        Command::Trace(args) => trace(&args),
+        Command::Presets(command) => {
+            cli::presets(&command, &mut io::stdout().lock()).map_err(|error| Stop(error.exit_code(), error.to_string()))
+        }
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Stop(status, sentence)) => {
+            eprintln!("lightfall: {sentence}");
+            ExitCode::from(status)
+        }
+    }
+}
+
+fn scene(args: &SceneArgs) -> Result<Scene, Stop> {
+    cli::scene(args).map_err(|error| Stop(error.exit_code(), error.to_string()))
+}
+
+/// A scene that the GPU can draw, and a GPU to draw it.
+fn drawable(args: &SceneArgs) -> Result<Scene, Stop> {
+    let scene = scene(args)?;
+    GpuScene::new(&scene, UVec2::new(scene.picture.width, scene.picture.height)).map_err(refused)?;
+    Gpu::headless().map_err(failed)?;
+    Ok(scene)
+}
+
+fn fly(args: &SceneArgs) -> Result<(), Stop> {
+    let scene = drawable(args)?;
+    if let Err(reason) = flight::has_display() {
+        eprintln!("lightfall: no display ({reason}); rendering the scene to a picture instead");
+        let file = unused_name(&scene.name);
+        let still = picture::render(&scene, UVec2::new(scene.picture.width, scene.picture.height)).map_err(failed)?;
+        return write(&file, &still);
+    }
+    match flight::fly(scene) {
+        bevy::app::AppExit::Success => Ok(()),
+        bevy::app::AppExit::Error(status) => Err(Stop(status.get(), "the window ended with an error, see above".into())),
+    }
+}
+
+/// A name in the current folder that no file has: a picture nobody asked for by name replaces nothing.
+fn unused_name(scene: &str) -> PathBuf {
+    let safe: String = scene.chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).collect();
+    let numbered = (2..).map(|number| format!("lightfall-{safe}-{number}.png"));
+    let names = std::iter::once(format!("lightfall-{safe}.png")).chain(numbered).map(PathBuf::from);
+    names.into_iter().find(|name| !name.exists()).unwrap_or_else(|| "lightfall.png".into())
+}
+
+fn render(args: &RenderArgs) -> Result<(), Stop> {
+    // The file first: a picture that cannot be kept is not worth the work.
+    let scene = scene(&args.scene)?;
+    picture::check_path(&args.out).map_err(failed)?;
+    let scene = drawable(&args.scene).map(|_| scene)?;
+    let size = args.size.unwrap_or(UVec2::new(scene.picture.width, scene.picture.height));
+    let still = if args.timings {
+        let (still, times) = picture::render_timed(&scene, size, TIMED_FRAMES).map_err(failed)?;
+        eprintln!("{:>10}  pass (GPU time, median of {TIMED_FRAMES} frames)", "ms");
+        for pass in times {
+            eprintln!("{:>10.3}  {}", pass.median_ms, pass.pass);
+        }
+        still
+    } else {
+        picture::render(&scene, size).map_err(failed)?
+    };
+    write(&args.out, &still)
+}
+
+/// Frames that `render --timings` takes the median of.
+const TIMED_FRAMES: usize = 15;
+
+fn write(file: &Path, still: &Still) -> Result<(), Stop> {
+    picture::write_png(file, still.width, still.height, &still.rgb).map_err(failed)?;
+    println!("{}", file.display());
+    Ok(())
+}
+
+fn trace(args: &TraceArgs) -> Result<(), Stop> {
+    let scene = scene(&args.scene)?;
+    let (input, name): (Box<dyn Read>, String) = if args.rays.as_os_str() == "-" {
+        (Box::new(io::stdin()), "standard input".into())
+    } else {
+        let name = args.rays.display().to_string();
+        let file = std::fs::File::open(&args.rays).map_err(|error| Stop(1, format!("{name}: cannot be read: {error}")))?;
+        (Box::new(file), name)
+    };
+    let directions = RayReader::new(BufReader::new(input), name).collect::<Result<Vec<_>, _>>().map_err(failed)?;
+    let traces: Vec<Trace> = match args.device {
+        Device::Cpu => {
+            let reference = Reference::new(&scene).map_err(refused)?;
+            directions.par_iter().map(|&direction| reference.trace(direction)).collect()
+        }
+        Device::Gpu => {
+            GpuScene::for_rays(&scene).map_err(refused)?;
+            let gpu = Gpu::headless().map_err(failed)?;
+            gpu::rays::trace(&gpu, &scene, &directions).map_err(failed)?
+        }
+    };
+    match write_traces(&traces) {
+        // Whoever reads has read enough.
+        Err(error) if rays::is_closed_pipe(&error) => Ok(()),
+        written => written.map_err(|error| Stop(1, format!("standard output: {error}"))),
+    }
+}
+
+fn write_traces(traces: &[Trace]) -> io::Result<()> {
+    let mut writer = TraceWriter::new(BufWriter::new(io::stdout().lock()))?;
+    traces.iter().try_for_each(|trace| writer.write(trace))?;
+    writer.finish()
+}

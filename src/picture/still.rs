@@ -94,10 +94,16 @@ fn headless(scene: &Scene, size: UVec2, timed: bool) -> Result<App, PictureError
         DefaultPlugins
             .set(WindowPlugin { primary_window: None, exit_condition: ExitCondition::DontExit, ..default() })
             .set(RenderPlugin { synchronous_pipeline_compilation: true, ..default() })
-            .set(quiet_log())
+            .build()
+            .disable::<LogPlugin>()
             .disable::<WinitPlugin>()
             .disable::<PipelinedRenderingPlugin>(),
     );
+    // A process has one log, however many pictures it draws.
+    static LOG: std::sync::Once = std::sync::Once::new();
+    LOG.call_once(|| {
+        app.add_plugins(quiet_log());
+    });
     if timed {
         app.add_plugins(RenderDiagnosticsPlugin);
     }

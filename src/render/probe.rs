@@ -2,6 +2,7 @@
 //! projected ordinarily, neither lensed nor hidden by the hole, and the geodesic pass leaves its pixels alone.
 
 use super::CurrentScene;
+use crate::gpu::DISK_HDR_SCALE;
 use crate::physics::{disk, spectrum};
 use crate::scene::Scene;
 use bevy::light::GlobalAmbientLight;
@@ -133,7 +134,7 @@ fn place(
     }
 }
 
-/// Gives the lamps the disk's light, and none when there is no disk.
+/// Gives the lamps the disk's light. Hiding the disk leaves them on, so that the craft looks the same with and without.
 fn shine(scene: Res<CurrentScene>, mut lamps: Query<&mut PointLight>) {
     let (_, intensity, colour) = disk_lamp(&scene);
     for mut lamp in &mut lamps {
@@ -149,14 +150,11 @@ fn disk_lamp(scene: &Scene) -> (f64, f32, Color) {
     let inner = disk::inner_edge(scene);
     // The Newtonian profile F peaks at 49/36 of the inner edge.
     let radius = inner * 49.0 / 36.0;
-    if !scene.disk.enabled {
-        return (radius, 0.0, Color::BLACK);
-    }
-    let rgb = spectrum::colour_per_flux(disk::temperature(scene, radius));
+    let rgb = bevy::math::DVec3::from(spectrum::colour(disk::temperature(&scene.disk, radius, inner)));
     let brightest = rgb.max_element().max(f64::MIN_POSITIVE);
     let area = std::f64::consts::PI * (scene.disk.outer.powi(2) - inner.powi(2));
     // Half the peak's flux stands for the mean over the annulus.
-    let radiance = 0.5 * brightest * disk::flux(scene, radius) * disk::HDR_SCALE * scene.disk.brightness;
+    let radiance = 0.5 * brightest * disk::flux(scene.disk.model, radius, inner) * DISK_HDR_SCALE * scene.disk.brightness;
     let colour = (rgb / brightest).as_vec3().max(Vec3::ZERO);
     (radius, (4.0 * radiance * area) as f32, Color::linear_rgb(colour.x, colour.y, colour.z))
 }

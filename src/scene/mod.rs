@@ -4,6 +4,19 @@
 //! Lengths are in Schwarzschild radii, angles in degrees (suffix `_deg`), temperatures in kelvin. The hole's frame is
 //! right-handed with z along the disk normal; `r`, `theta_deg`, `phi_deg` are Boyer-Lindquist.
 
+mod camera;
+mod error;
+mod fields;
+mod limits;
+mod load;
+mod pose;
+pub mod presets;
+mod save;
+
+pub use error::{Because, Refusal, SceneError};
+pub use fields::{FIELDS, Field, Kind, LONGEST_TEXT, Range, field};
+pub use load::{Override, load};
+
 use serde::{Deserialize, Serialize};
 
 /// The version of the preset format this program reads and writes.
@@ -253,7 +266,6 @@ impl Default for Scene {
     }
 }
 
-#[expect(clippy::derivable_impls, reason = "a spin of zero is a choice, shown beside the other defaults")]
 impl Default for Hole {
     fn default() -> Self {
         Self { spin: 0.0 }

@@ -1,0 +1,56 @@
+// The thin disk: where a ray crosses it, and how much its matter's motion shifts the light.
+
+// Bisections of a crossing's bracket.
+const BISECTIONS: u32 = 10u;
+
+// The cubic that has the segment's positions and velocities at its ends (Hermite), at a share t of its length.
+fn hermite(segment: Segment, t: f32) -> vec3<f32> {
+    let s = 1.0 - t;
+    return (s * s * (1.0 + 2.0 * t)) * segment.x0 + (t * t * (3.0 - 2.0 * t)) * segment.x1
+        + (segment.h * s * t) * (s * segment.v0 - t * segment.v1);
+}
+
+// Adds the segment's crossing of the annulus, if it has one. A crossing belongs to the segment within which or at whose
+// end it lies, never to the one that starts there: so none counts twice, and a camera in the plane does not see the disk
+// at its own place. A ray in the plane has no crossing.
+fn record_crossing(result: ptr<function, Trace>, segment: Segment, energy: f32, lambda: f32) {
+    let z0 = segment.x0.z;
+    let z1 = segment.x1.z;
+    let crosses = z0 != 0.0 && (z1 == 0.0 || (z0 > 0.0) != (z1 > 0.0));
+    if !crosses || (*result).hit_count >= 2u {
+        return;
+    }
+    var low = 0.0;
+    var high = 1.0;
+    for (var i = 0u; i < BISECTIONS; i++) {
+        let middle = 0.5 * (low + high);
+        let beyond = (hermite(segment, middle).z > 0.0) != (z0 > 0.0);
+        low = select(middle, low, beyond);
+        high = select(high, middle, beyond);
+    }
+    let position = hermite(segment, 0.5 * (low + high));
+    let r = length(position);
+    if r <= scene.disk_inner || r >= scene.disk_outer {
+        return;
+    }
+    let hit = Hit(position, disk_redshift(r, energy, lambda));
+    if (*result).hit_count == 0u {
+        (*result).hits[0] = hit;
+    } else {
+        (*result).hits[1] = hit;
+    }
+    (*result).hit_count += 1u;
+}
+
+// Observed over emitted frequency of light from matter on a circular orbit (Cunningham 1975; Misner, Thorne & Wheeler
+// 1973 section 25.5 for the orbit):
+//
+//   g = 1 / (E u^t (1 - Omega lambda)),   Omega = sqrt(M / r^3),   u^t = 1 / sqrt(1 - 3 M / r),   lambda = L/E
+//
+// E is per unit frequency for the camera. The article's 1 + Omega L_n is the same: its L_n is that of the backward ray,
+// which is -lambda.
+fn disk_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
+    let omega = sqrt(MASS / (r * r * r));
+    let inverse_ut = sqrt(max(1.0 - 3.0 * MASS / r, TINY));
+    return inverse_ut / (energy * max(1.0 - omega * lambda, 1e-4));
+}

@@ -1,0 +1,26 @@
+// The disk's light.
+
+// Share of the emission at radius r that the fades at both edges leave.
+fn edge_fade(r: f32) -> f32 {
+    let inner = (r - scene.disk_inner) / max(scene.disk_inner_fade, 1e-6);
+    let outer = (scene.disk_outer - r) / max(scene.disk_outer_fade, 1e-6);
+    let share = clamp(vec2<f32>(inner, outer), vec2<f32>(0.0), vec2<f32>(1.0));
+    let smooth_share = share * share * (3.0 - 2.0 * share);
+    return smooth_share.x * smooth_share.y;
+}
+
+// Linear light of a crossing. Flux and temperature in the matter's frame (Shakura & Sunyaev 1973, Newtonian, no torque
+// at the inner edge; Stefan-Boltzmann):
+//
+//   F = (r_in / r)^3 (1 - sqrt(r_in / r)),   T = T_scale F^(1/4)
+//
+// Thermal light keeps Planck's shape at the temperature g T, and its bolometric intensity changes by g^4 (Misner, Thorne &
+// Wheeler 1973 eq. 22.49: I_nu / nu^3 is the same for everyone).
+fn disk_light(hit: Hit) -> vec3<f32> {
+    let r = length(hit.position);
+    let x = scene.disk_inner / max(r, TINY);
+    let flux = max(x * x * x * (1.0 - sqrt(x)), 0.0);
+    let temperature = scene.disk_temperature * sqrt(sqrt(flux));
+    let g2 = square(hit.g);
+    return thermal_colour(temperature * hit.g) * (flux * g2 * g2 * scene.disk_brightness * edge_fade(r));
+}

@@ -1,0 +1,26 @@
+// From a looking direction to the photon that arrives from it. The matrix knows who is looking; nothing else does.
+
+fn photon_from(direction: vec3<f32>) -> Photon {
+    let one_d = vec4<f32>(1.0, direction);
+    return Photon(
+        dot(scene.energy, one_d),
+        dot(scene.radial, one_d),
+        vec3<f32>(dot(scene.w_x, one_d), dot(scene.w_y, one_d), dot(scene.w_z, one_d)),
+    );
+}
+
+// Unit looking direction (right, up, forward) of a place on the picture, in pixels from its upper left corner.
+fn pixel_direction(pixel: vec2<f32>) -> vec3<f32> {
+    let across = pixel / scene.picture_size * vec2<f32>(2.0, -2.0) + vec2<f32>(-1.0, 1.0);
+    return normalize(vec3<f32>(across * scene.tan_half_fov, 1.0));
+}
+
+// E, kept from zero: next to the horizon an observer can meet light that has none.
+fn photon_energy(photon: Photon) -> f32 {
+    return max(photon.energy, 1e-6);
+}
+
+// L = p_phi = r (n x w)_z.
+fn photon_angular_momentum(photon: Photon) -> f32 {
+    return scene.camera_radius * cross(scene.camera_direction, photon.w).z;
+}

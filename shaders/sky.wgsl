@@ -1,0 +1,40 @@
+// The sky as the camera sees it. What is at infinity is fixed in world direction; the observer shifts it: with
+// g = 1/E, observed over emitted frequency, thermal light keeps its shape at g T and its intensity changes by g^4.
+
+// Temperature of the reference star in kelvin, its brightness, and its angular radius: a quarter of a degree.
+const REFERENCE_TEMPERATURE: f32 = 8000.0;
+const REFERENCE_BRIGHTNESS: f32 = 4.0;
+const REFERENCE_RADIUS: f32 = 0.00436332;
+// Largest image of a star or line: charts leave so much room around every star.
+const WIDEST_SPOT: f32 = 0.008;
+
+// Radius on the sky of the image of a point or line. The image is one and a half pixels wide for the camera; a moving or
+// deep observer sees the sky shrunk by g, so that there the same pixels span more of it.
+fn spot_radius(g: f32) -> f32 {
+    return clamp(scene.spot_radius * g, TINY, WIDEST_SPOT);
+}
+
+// Share of the light at a squared distance from the middle of an image that ends smoothly at its radius.
+fn spot_profile(distance2: f32, radius: f32) -> f32 {
+    let inside = max(1.0 - distance2 / (radius * radius), 0.0);
+    return inside * inside * inside;
+}
+
+fn reference_star(direction: vec3<f32>, g: f32) -> vec3<f32> {
+    let offset = direction - scene.reference_star;
+    let share = clamp((REFERENCE_RADIUS - length(offset)) / (0.25 * REFERENCE_RADIUS), 0.0, 1.0);
+    if share == 0.0 {
+        return vec3<f32>(0.0);
+    }
+    return thermal_colour(REFERENCE_TEMPERATURE * g) * (REFERENCE_BRIGHTNESS * share);
+}
+
+fn sky_light(direction: vec3<f32>, shift: f32) -> vec3<f32> {
+    let g = min(shift, 1e6);
+    var light = sky_background(direction, g);
+    if REFERENCE_STAR {
+        light += reference_star(direction, g);
+    }
+    let g2 = g * g;
+    return light * (g2 * g2 * scene.sky_brightness);
+}

@@ -1,0 +1,40 @@
+// A celestial grid: circles of latitude and meridians every 15 degrees. The lines are drawn and not light of any
+// temperature, so the shift changes their brightness alone.
+
+const GRID_SPACING: f32 = PI / 12.0;
+const GRID_LINE: vec3<f32> = vec3<f32>(0.05, 0.10, 0.16);
+const GRID_STRONG_LINE: vec3<f32> = vec3<f32>(0.16, 0.28, 0.40);
+const GRID_EQUATOR: vec3<f32> = vec3<f32>(0.80, 0.30, 0.06);
+const GRID_PRIME_MERIDIAN: vec3<f32> = vec3<f32>(0.10, 0.70, 0.22);
+// Every third line is strong; meridians other than those end at the last circle, lest they crowd the poles.
+const GRID_STRONG: i32 = 3;
+const GRID_LAST_CIRCLE_SINE: f32 = 0.2588190;
+
+fn line_colour(index: i32, coloured: i32, colour: vec3<f32>) -> vec3<f32> {
+    if index == coloured {
+        return colour;
+    }
+    return select(GRID_LINE, GRID_STRONG_LINE, index % GRID_STRONG == 0);
+}
+
+fn sky_background(direction: vec3<f32>, g: f32) -> vec3<f32> {
+    let radius = spot_radius(g);
+    let sine = length(direction.xy);
+    // Circles: angles are true distances. The poles themselves are no circles.
+    let theta = arctangent2(sine, direction.z);
+    let circle = i32(round(theta / GRID_SPACING));
+    let circle_distance = theta - f32(circle) * GRID_SPACING;
+    var light = vec3<f32>(0.0);
+    if circle > 0 && circle < 12 {
+        light = line_colour(circle, 6, GRID_EQUATOR) * spot_profile(square(circle_distance), radius);
+    }
+    // Meridians: the distance from one is sin(theta) times the difference in azimuth.
+    let phi = arctangent2(direction.y, direction.x);
+    let meridian = i32(round(phi / GRID_SPACING));
+    let meridian_distance = sine * (phi - f32(meridian) * GRID_SPACING);
+    if meridian % GRID_STRONG == 0 || sine > GRID_LAST_CIRCLE_SINE {
+        let line = line_colour(meridian, 0, GRID_PRIME_MERIDIAN) * spot_profile(square(meridian_distance), radius);
+        light = max(light, line);
+    }
+    return light;
+}

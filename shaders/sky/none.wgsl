@@ -1,0 +1,5 @@
+// An empty sky.
+
+fn sky_light(direction: vec3<f32>, g: f32) -> vec3<f32> {
+    return vec3<f32>(0.0);
+}

@@ -1,0 +1,123 @@
+// Stars, the same for the same seed, and a faint band of those too many to tell apart.
+//
+// Three layers of stars overlap, each on the six gnomonic charts of a cube that is turned against the other two. A chart
+// is cut into cells and a cell holds at most one star, far enough from its edges that the whole image lies inside. So a
+// pixel asks one cell a layer, no image is ever cut, and where charts meet or poles lie nothing is to be seen.
+
+const CELLS: f32 = 36.0;
+// Faintest and brightest star, as a bolometric flux; in between, N(> F) grows like F^(-3/2), as for stars evenly spread
+// through space.
+const FAINTEST: f32 = 0.10;
+const BRIGHTEST_STAR: f32 = 60.0;
+// Coldest star in kelvin, and the ratio to the hottest.
+const COLDEST: f32 = 2800.0;
+const HOTTEST_RATIO: f32 = 10.0;
+// The band: its pole, its half width as a sine of latitude, its light, and how much rarer stars are off it.
+const BAND_POLE: vec3<f32> = vec3<f32>(2.0, 3.0, 6.0) / 7.0;
+const BAND_WIDTH: f32 = 0.16;
+const BAND_LIGHT: f32 = 0.012;
+const BAND_TEMPERATURE: f32 = 5200.0;
+const OFF_BAND: f32 = 0.55;
+
+// Three numbers from three, each depending on all: multiply, add crosswise, fold (a permuted congruential generator after
+// Jarzynski & Olano 2020, "Hash Functions for GPU Rendering", section 4.2).
+fn hash(key: vec3<u32>) -> vec3<u32> {
+    var v = key * 1664525u + 1013904223u;
+    for (var turn = 0u; turn < 2u; turn++) {
+        v.x += v.y * v.z;
+        v.y += v.z * v.x;
+        v.z += v.x * v.y;
+        if turn == 0u {
+            v ^= v >> vec3<u32>(16u);
+        }
+    }
+    return v;
+}
+
+// Lower and upper half of a number's bits, each in [0, 1).
+fn halves(bits: u32) -> vec2<f32> {
+    return vec2<f32>(f32(bits & 0xffffu), f32(bits >> 16u)) / 65536.0;
+}
+
+// How dense the band is at a sine of latitude.
+fn band_profile(sine: f32) -> f32 {
+    let inside = 1.0 / (1.0 + square(sine / BAND_WIDTH));
+    return inside * inside;
+}
+
+// The component that is largest, 0 to 2, and a turn of the axes that makes it the third.
+fn largest_axis(d: vec3<f32>) -> u32 {
+    let size = abs(d);
+    if size.x >= size.y && size.x >= size.z {
+        return 0u;
+    }
+    return select(2u, 1u, size.y >= size.z);
+}
+
+fn turn_to_third(d: vec3<f32>, axis: u32) -> vec3<f32> {
+    return select(select(d.xyz, d.zxy, axis == 1u), d.yzx, axis == 0u);
+}
+
+// Light of one layer; `frame` turns its cube.
+fn star_layer(direction: vec3<f32>, g: f32, frame: mat3x3<f32>, layer: u32) -> vec3<f32> {
+    let turned = frame * direction;
+    let axis = largest_axis(turned);
+    let d = turn_to_third(turned, axis);
+    let face = axis * 2u + select(0u, 1u, d.z < 0.0);
+    let place = clamp((d.xy / max(abs(d.z), 0.5) * 0.5 + 0.5) * CELLS, vec2<f32>(0.0), vec2<f32>(CELLS - 1.0));
+    let cell = floor(place);
+    let bits = hash(vec3<u32>(vec2<u32>(cell), face + 6u * layer) + vec3<u32>(0u, 0u, scene.sky_seed * 32u));
+
+    // The star keeps as far from the cell's edges as its image is wide; toward the corners of a face one radian spans up
+    // to three units of the chart.
+    let radius = spot_radius(g);
+    let half_cell = 1.0 / CELLS;
+    let middle = (cell + 0.5) * (2.0 * half_cell) - 1.0;
+    let outermost = abs(middle) + half_cell;
+    let room = max(half_cell - WIDEST_SPOT * (1.0 + dot(outermost, outermost)), 0.0);
+    let uv = middle + room * (2.0 * halves(bits.x) - 1.0);
+    let stretch = inverseSqrt(1.0 + dot(uv, uv));
+    let star = stretch * vec3<f32>(uv, sign(d.z));
+    let offset = d - star;
+    let distance2 = dot(offset, offset);
+    if distance2 >= radius * radius {
+        return vec3<f32>(0.0);
+    }
+    // A star is there as often as its cell is large, and more often on the band.
+    let density = mix(OFF_BAND, 1.0, band_profile(dot(star, turn_to_third(frame * BAND_POLE, axis))));
+    let chances = halves(bits.z);
+    if chances.x >= stretch * stretch * stretch * density {
+        return vec3<f32>(0.0);
+    }
+    let rank = (f32(bits.y >> 8u) + 0.5) / 16777216.0;
+    let flux = min(FAINTEST * pow(rank, -2.0 / 3.0), BRIGHTEST_STAR);
+    let temperature = COLDEST * pow(HOTTEST_RATIO, square(chances.y));
+    // The same flux through an image that is wider on the sky.
+    let spread = square(scene.spot_radius / radius) * scene.star_brightness;
+    return thermal_colour(temperature * g) * (flux * spread * spot_profile(distance2, radius));
+}
+
+// The band's glow, mottled, with a dark lane along its middle.
+fn band_light(direction: vec3<f32>, g: f32) -> vec3<f32> {
+    let sine = dot(direction, BAND_POLE);
+    let profile = band_profile(sine);
+    if profile < 0.02 {
+        return vec3<f32>(0.0);
+    }
+    let q = 7.0 * direction;
+    let folds = sin(q.x + 1.9 * sin(1.4 * q.y + q.z)) * sin(1.1 * q.z + 2.1 * sin(1.6 * q.x - q.y));
+    let lane = 1.0 - 0.7 / (1.0 + square((sine + 0.03 * folds) / 0.035));
+    return thermal_colour(BAND_TEMPERATURE * g) * (BAND_LIGHT * (profile - 0.02) * lane * (1.0 + 0.6 * folds));
+}
+
+// Two turned cubes besides the upright one: rational rotations, exact but for rounding.
+const FRAME_OF_THREE: mat3x3<f32> =
+    mat3x3<f32>(2.0 / 3.0, 2.0 / 3.0, -1.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0);
+const FRAME_OF_SEVEN: mat3x3<f32> =
+    mat3x3<f32>(2.0 / 7.0, 3.0 / 7.0, 6.0 / 7.0, 3.0 / 7.0, -6.0 / 7.0, 2.0 / 7.0, 6.0 / 7.0, 2.0 / 7.0, -3.0 / 7.0);
+const UPRIGHT: mat3x3<f32> = mat3x3<f32>(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
+
+fn sky_background(direction: vec3<f32>, g: f32) -> vec3<f32> {
+    return band_light(direction, g) + star_layer(direction, g, UPRIGHT, 0u)
+        + star_layer(direction, g, FRAME_OF_THREE, 1u) + star_layer(direction, g, FRAME_OF_SEVEN, 2u);
+}

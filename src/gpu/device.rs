@@ -1,0 +1,95 @@
+//! A graphics device without a window.
+
+use super::GpuError;
+use std::env;
+use wgpu::{Adapter, AdapterInfo, Backends, Device, Instance, Queue, ShaderModule};
+
+/// A device, its queue, and which adapter they belong to.
+#[derive(Debug)]
+pub struct Gpu {
+    /// The device.
+    pub device: Device,
+    /// Its queue.
+    pub queue: Queue,
+    /// Name, driver and backend of the adapter.
+    pub info: AdapterInfo,
+}
+
+fn instance() -> Instance {
+    Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env())
+}
+
+/// Every adapter that the backends of this build offer; `WGPU_BACKEND` narrows the choice.
+pub fn adapters() -> Vec<AdapterInfo> {
+    let adapters = pollster::block_on(instance().enumerate_adapters(Backends::all()));
+    adapters.iter().map(Adapter::get_info).collect()
+}
+
+impl Gpu {
+    /// The device that Bevy would choose: the fastest adapter, or the first whose name contains `WGPU_ADAPTER_NAME`, a
+    /// software one if `WGPU_FORCE_FALLBACK_ADAPTER` is 1.
+    ///
+    /// # Errors
+    /// No adapter, or one that gives no device.
+    pub fn headless() -> Result<Self, GpuError> {
+        pollster::block_on(async {
+            let instance = instance();
+            let name = env::var("WGPU_ADAPTER_NAME").ok().filter(|name| !name.is_empty());
+            let adapter = match &name {
+                Some(name) => {
+                    let wanted = name.to_lowercase();
+                    let adapters = instance.enumerate_adapters(Backends::all()).await;
+                    adapters.into_iter().find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted))
+                }
+                None => {
+                    let options = wgpu::RequestAdapterOptions {
+                        power_preference: wgpu::PowerPreference::from_env()
+                            .unwrap_or(wgpu::PowerPreference::HighPerformance),
+                        force_fallback_adapter: env::var("WGPU_FORCE_FALLBACK_ADAPTER").is_ok_and(|flag| flag == "1"),
+                        compatible_surface: None,
+                    };
+                    instance.request_adapter(&options).await.ok()
+                }
+            };
+            let adapter = adapter.ok_or(GpuError::NoAdapter(name))?;
+            let descriptor = wgpu::DeviceDescriptor {
+                label: Some("lightfall"),
+                required_features: adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
+                required_limits: adapter.limits(),
+                ..Default::default()
+            };
+            let (device, queue) =
+                adapter.request_device(&descriptor).await.map_err(|error| GpuError::Device(error.to_string()))?;
+            Ok(Self { device, queue, info: adapter.get_info() })
+        })
+    }
+
+    /// The adapter in one line.
+    pub fn describe(&self) -> String {
+        let AdapterInfo { name, driver, driver_info, backend, .. } = &self.info;
+        format!("{name}, {driver} {driver_info}, {backend}")
+    }
+
+    /// A compiled shader, without the run-time checks that Bevy leaves out too, so that what is tested and measured is
+    /// what is drawn.
+    ///
+    /// # Errors
+    /// The compiler's message.
+    pub fn shader(&self, label: &str, source: &str) -> Result<ShaderModule, GpuError> {
+        let scope = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let module = self.unchecked(wgpu::ShaderModuleDescriptor {
+            label: Some(label),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
+        });
+        match pollster::block_on(scope.pop()) {
+            Some(error) => Err(GpuError::Shader(error.to_string())),
+            None => Ok(module),
+        }
+    }
+
+    #[expect(unsafe_code, reason = "the only way to the module that Bevy makes, too")]
+    fn unchecked(&self, descriptor: wgpu::ShaderModuleDescriptor<'_>) -> ShaderModule {
+        // SAFETY: the shaders are this crate's own; each bounds its loops by constants and its indices by lengths.
+        unsafe { self.device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked()) }
+    }
+}

@@ -1,0 +1,49 @@
+//! The GPU without Bevy: WGSL parts joined into variants, the scene as a uniform, a device without a window, rays in and
+//! traces out.
+
+mod device;
+pub mod kernel;
+pub mod rays;
+mod scene;
+mod shader;
+
+pub use device::{Gpu, adapters};
+pub use scene::{DISK_HDR_SCALE, GpuScene};
+pub use shader::{Entry, Tracer, Variant};
+
+use crate::physics::observer::ObserverError;
+use thiserror::Error;
+
+/// Why the GPU cannot do what was asked.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum GpuError {
+    /// No graphics driver offers an adapter.
+    #[error(
+        "no Vulkan adapter was found{}: install a graphics driver; on Debian and Ubuntu the packages libvulkan1 and \
+         mesa-vulkan-drivers give one that needs no graphics card", wanted(.0)
+    )]
+    NoAdapter(Option<String>),
+    /// The adapter gives no device, or the device failed.
+    #[error("the graphics device failed: {0}")]
+    Device(String),
+    /// A shader that does not compile, with its file and line where these are known.
+    #[error("a shader does not compile: {0}")]
+    Shader(String),
+    /// A spin that the method does not know.
+    #[error(
+        "hole.spin = {0} is refused: method verlet traces holes without spin only, so it must be 0 (`trace --device cpu` \
+         answers for any spin)"
+    )]
+    Spin(f64),
+    /// A method that does not run on the GPU.
+    #[error("method = \"reference\" is refused: it runs on the CPU only, so here it must be auto or verlet")]
+    MethodOfCpu,
+    /// An observer that cannot be.
+    #[error(transparent)]
+    Observer(#[from] ObserverError),
+}
+
+/// What the environment asked for, in words.
+fn wanted(name: &Option<String>) -> String {
+    name.as_ref().map_or_else(String::new, |name| format!(" whose name contains WGPU_ADAPTER_NAME = {name}"))
+}

@@ -1,0 +1,121 @@
+//! The uniform: a scene turned into numbers in f64 and rounded to f32 once. Its mirror is `Scene` in shaders/scene.wgsl,
+//! which says what each number means; tests/gpu/layout.rs compares the two.
+
+use super::GpuError;
+use crate::physics::{disk, observer::observer_matrix};
+use crate::scene::{Method, Scene};
+use encase::ShaderType;
+use glam::{DMat3, DVec2, DVec3, DVec4, UVec2, Vec2, Vec3, Vec4};
+
+/// Linear light of the disk per unit of `disk.brightness` and relative flux. The profile peaks at 0.057, and light as
+/// bright as white paper is 1.
+pub const DISK_HDR_SCALE: f64 = 10.0;
+
+/// Images of stars and lines are this many pixels in radius: with fewer they flicker as the camera turns.
+const SPOT_PIXELS: f64 = 1.5;
+
+/// Height of the picture for which a star's brightness is given. Its flux does not depend on the picture, so a pixel
+/// half as wide is four times as bright.
+const SPOT_HEIGHT: f64 = 540.0;
+
+/// A scene in the GPU's numbers.
+#[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
+#[derive(ShaderType, Clone, Debug, Default, PartialEq)]
+pub struct GpuScene {
+    pub energy: Vec4,
+    pub radial: Vec4,
+    pub w_x: Vec4,
+    pub w_y: Vec4,
+    pub w_z: Vec4,
+    pub camera_direction: Vec3,
+    pub camera_radius: f32,
+    pub picture_size: Vec2,
+    pub tan_half_fov: Vec2,
+    pub step_scale: f32,
+    pub max_steps: u32,
+    pub max_affine: f32,
+    pub escape_radius: f32,
+    pub disk_inner: f32,
+    pub disk_outer: f32,
+    pub disk_inner_fade: f32,
+    pub disk_outer_fade: f32,
+    pub disk_temperature: f32,
+    pub disk_brightness: f32,
+    pub disk_transmission: f32,
+    pub sky_brightness: f32,
+    pub reference_star: Vec3,
+    pub spot_radius: f32,
+    pub star_brightness: f32,
+    pub sky_seed: u32,
+}
+
+impl GpuScene {
+    /// The numbers for a picture of `size` pixels: directions are (right, up, forward) of the camera.
+    ///
+    /// # Errors
+    /// A method or spin that no shader knows, or an observer that cannot be.
+    pub fn new(scene: &Scene, size: UVec2) -> Result<Self, GpuError> {
+        Self::looking(scene, size, scene.camera.legs_from_camera())
+    }
+
+    /// The numbers for rays whose directions are on the observer's own legs: (outward, theta, phi).
+    ///
+    /// # Errors
+    /// As [`GpuScene::new`].
+    pub fn for_rays(scene: &Scene) -> Result<Self, GpuError> {
+        Self::looking(scene, UVec2::new(scene.picture.width, scene.picture.height), DMat3::IDENTITY)
+    }
+
+    fn looking(scene: &Scene, size: UVec2, legs_from_direction: DMat3) -> Result<Self, GpuError> {
+        match scene.method {
+            Method::Reference => return Err(GpuError::MethodOfCpu),
+            Method::Auto | Method::Verlet if scene.hole.spin != 0.0 => return Err(GpuError::Spin(scene.hole.spin)),
+            Method::Auto | Method::Verlet => {}
+        }
+        let Scene { camera, observer, disk, sky, quality, .. } = scene;
+        let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
+        let matrix = observer_matrix(scene.hole.spin, observer.kind, observer.velocity, camera.r, theta, phi)?;
+        let [energy, radial, w_x, w_y, w_z] = matrix.rows.map(|[one, r, theta, phi]| {
+            let row = legs_from_direction.transpose() * DVec3::new(r, theta, phi);
+            DVec4::new(one, row.x, row.y, row.z).as_vec4()
+        });
+        let size = size.max(UVec2::ONE).as_dvec2();
+        let tan_half_fov = (camera.fov_deg.to_radians() / 2.0).tan();
+        let spot_radius = SPOT_PIXELS * 2.0 * tan_half_fov / size.y;
+        let inner = disk::inner_edge(scene);
+        Ok(Self {
+            energy,
+            radial,
+            w_x,
+            w_y,
+            w_z,
+            camera_direction: camera.direction().as_vec3(),
+            camera_radius: camera.r as f32,
+            picture_size: size.as_vec2(),
+            tan_half_fov: DVec2::new(tan_half_fov * size.x / size.y, tan_half_fov).as_vec2(),
+            step_scale: quality.step_scale as f32,
+            max_steps: quality.max_steps,
+            max_affine: quality.max_affine as f32,
+            // Far enough that what bending is left does not show, and beyond the disk whether it is shown or not.
+            escape_radius: f64::max(1.15 * camera.r, 3.0 * disk.outer) as f32,
+            disk_inner: inner as f32,
+            disk_outer: disk.outer as f32,
+            disk_inner_fade: (disk.edge_taper * inner) as f32,
+            disk_outer_fade: (disk.edge_taper * disk.outer) as f32,
+            disk_temperature: disk.temperature_k as f32,
+            disk_brightness: (DISK_HDR_SCALE * disk.brightness) as f32,
+            disk_transmission: disk.transmission as f32,
+            sky_brightness: sky.brightness as f32,
+            reference_star: reference_star(sky.reference_theta_deg, sky.reference_phi_deg).as_vec3(),
+            spot_radius: spot_radius as f32,
+            star_brightness: (size.y / SPOT_HEIGHT).powi(2) as f32,
+            sky_seed: sky.seed,
+        })
+    }
+}
+
+/// Unit vector toward a place at infinity.
+fn reference_star(theta_deg: f64, phi_deg: f64) -> DVec3 {
+    let [direction, ..] = crate::physics::observer::celestial_frame(theta_deg.to_radians(), phi_deg.to_radians());
+    direction
+}

@@ -1,0 +1,178 @@
+//! WGSL parts joined into variants: what a scene does not need is not in its shader's text, and the rest is decided by
+//! `const` flags, which compilers drop.
+
+use crate::physics::spectrum::{TABLE_COLDEST, TABLE_HOTTEST, TABLE_LEN};
+use crate::scene::{Scene, SkyMode, View};
+use std::fmt::Write;
+
+/// A shader: which parts are joined, and which flags are set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Variant {
+    /// What it answers.
+    pub entry: Entry,
+    /// How it traces.
+    pub tracer: Tracer,
+    /// Whether rays can meet a disk.
+    pub disk: bool,
+    /// What lies at infinity; off where nothing is drawn.
+    pub sky: SkyMode,
+    /// Whether the reference star is in the sky.
+    pub reference_star: bool,
+    /// Whether rays without an answer are magenta.
+    pub show_unfinished: bool,
+    /// Whether rays are followed beyond two crossings of the disk.
+    pub follow_beyond_hits: bool,
+}
+
+/// What a shader answers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Entry {
+    /// Light of a pixel: entry points `vertex` and `fragment`.
+    Picture,
+    /// Records of rays: entry point `rays`, in workgroups of 64.
+    Rays,
+}
+
+/// The methods that exist as WGSL.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Tracer {
+    /// Velocity Verlet; spin zero only.
+    Verlet,
+}
+
+/// Least light, as a share, for which a ray is followed beyond two crossings of the disk: half of an 8-bit level.
+const NEGLIGIBLE: f64 = 0.002;
+
+/// A part: its file below shaders/, and its text.
+type Part = (&'static str, &'static str);
+
+macro_rules! part {
+    ($file:literal) => {
+        ($file, include_str!(concat!("../../shaders/", $file)))
+    };
+}
+
+/// The file name that stands for the constants written here.
+const PRELUDE: &str = "constants of the variant";
+
+impl Variant {
+    /// The shader that draws the scene.
+    pub fn picture(scene: &Scene) -> Self {
+        Self {
+            entry: Entry::Picture,
+            tracer: Tracer::Verlet,
+            disk: scene.disk.enabled,
+            sky: scene.sky.mode,
+            reference_star: scene.sky.reference_star && scene.sky.mode != SkyMode::Off,
+            show_unfinished: scene.view == View::Unfinished,
+            follow_beyond_hits: !scene.disk.enabled || scene.disk.transmission.powi(2) > NEGLIGIBLE,
+        }
+    }
+
+    /// The shader that traces rays through the scene and records everything about them.
+    pub fn rays(scene: &Scene) -> Self {
+        Self {
+            entry: Entry::Rays,
+            sky: SkyMode::Off,
+            reference_star: false,
+            show_unfinished: false,
+            follow_beyond_hits: true,
+            ..Self::picture(scene)
+        }
+    }
+
+    /// Every variant that a scene can ask for.
+    pub fn all() -> Vec<Self> {
+        let mut all = Vec::new();
+        let mut scene = Scene::default();
+        for (enabled, transmission) in [(false, 0.0), (true, 0.0), (true, 1.0)] {
+            (scene.disk.enabled, scene.disk.transmission) = (enabled, transmission);
+            all.push(Self::rays(&scene));
+            for mode in [SkyMode::Stars, SkyMode::Grid, SkyMode::Off] {
+                for reference_star in [false, true] {
+                    for view in [View::Colour, View::Unfinished] {
+                        (scene.sky.mode, scene.sky.reference_star, scene.view) = (mode, reference_star, view);
+                        all.push(Self::picture(&scene));
+                    }
+                }
+            }
+        }
+        let mut seen = std::collections::HashSet::new();
+        all.retain(|variant| seen.insert(*variant));
+        all
+    }
+
+    /// The whole WGSL text.
+    pub fn source(self) -> String {
+        let mut source = self.prelude();
+        for (_, text) in self.parts() {
+            source.push_str(text);
+        }
+        source
+    }
+
+    /// Which file, and which line of it, a line of the text comes from; both counted from 1.
+    pub fn locate(self, line: usize) -> (&'static str, usize) {
+        let mut first = 1;
+        let mut place = (PRELUDE, line);
+        let prelude = self.prelude();
+        for (file, text) in std::iter::once((PRELUDE, prelude.as_str())).chain(self.parts()) {
+            if line >= first {
+                place = (file, line - first + 1);
+            }
+            first += text.lines().count();
+        }
+        place
+    }
+
+    /// The parts in their order.
+    fn parts(self) -> Vec<Part> {
+        let mut parts = vec![part!("scene.wgsl"), part!("observer.wgsl")];
+        parts.push(if self.disk { part!("disk.wgsl") } else { part!("disk/none.wgsl") });
+        parts.push(match self.tracer {
+            Tracer::Verlet => part!("method/verlet.wgsl"),
+        });
+        match self.entry {
+            Entry::Rays => parts.push(part!("rays.wgsl")),
+            Entry::Picture => {
+                if self.disk || self.sky != SkyMode::Off {
+                    parts.push(part!("spectrum.wgsl"));
+                }
+                if self.disk {
+                    parts.push(part!("disk/emission.wgsl"));
+                }
+                match self.sky {
+                    SkyMode::Off => parts.push(part!("sky/none.wgsl")),
+                    SkyMode::Stars => parts.extend([part!("sky.wgsl"), part!("sky/stars.wgsl")]),
+                    SkyMode::Grid => {
+                        parts.extend([part!("elementary.wgsl"), part!("sky.wgsl"), part!("sky/grid.wgsl")]);
+                    }
+                }
+                parts.push(part!("geodesic.wgsl"));
+            }
+        }
+        parts
+    }
+
+    /// The flags, and what the parts must share with the CPU.
+    fn prelude(self) -> String {
+        let mut text = String::new();
+        for (name, value) in [
+            ("REFERENCE_STAR", self.reference_star),
+            ("SHOW_UNFINISHED", self.show_unfinished),
+            ("FOLLOW_BEYOND_HITS", self.follow_beyond_hits),
+            ("DIAGNOSTICS", self.entry == Entry::Rays),
+        ] {
+            constant(&mut text, name, "bool", value);
+        }
+        constant(&mut text, "SPECTRUM_LEN", "u32", format!("{TABLE_LEN}u"));
+        constant(&mut text, "SPECTRUM_COLDEST", "f32", format!("{TABLE_COLDEST:?}"));
+        constant(&mut text, "SPECTRUM_HOTTEST", "f32", format!("{TABLE_HOTTEST:?}"));
+        constant(&mut text, "SPECTRUM_LN_RANGE", "f32", format!("{:?}", (TABLE_HOTTEST / TABLE_COLDEST).ln()));
+        text
+    }
+}
+
+fn constant(text: &mut String, name: &str, kind: &str, value: impl std::fmt::Display) {
+    writeln!(text, "const {name}: {kind} = {value};").expect("writing to a string cannot fail");
+}

@@ -1,0 +1,146 @@
+//! Kerr's geometry: its special radii and metric functions, in units of r_s.
+
+/// The hole's mass, in units of r_s.
+pub const MASS: f64 = 0.5;
+
+/// A Kerr hole. *Prograde* means toward growing phi, as the disk turns, whatever the sign of the spin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kerr {
+    /// chi = a/M, in (-1, 1); positive turns with the disk.
+    pub spin: f64,
+}
+
+impl Kerr {
+    /// a = chi M, in r_s.
+    #[must_use]
+    pub fn a(self) -> f64 {
+        self.spin * MASS
+    }
+
+    /// The outer horizon: r_+ = M (1 + sqrt(1 - chi^2)). Bardeen, Press & Teukolsky 1972, section II.
+    #[must_use]
+    pub fn horizon(self) -> f64 {
+        MASS * (1.0 + ((1.0 - self.spin) * (1.0 + self.spin)).sqrt())
+    }
+
+    /// The inner horizon, from r_+ r_- = a^2, which does not cancel for small spin.
+    #[must_use]
+    pub fn inner_horizon(self) -> f64 {
+        self.a().powi(2) / self.horizon()
+    }
+
+    /// The static limit: r = M (1 + sqrt(1 - chi^2 cos^2 theta)), where -g_tt = 0. Bardeen, Press & Teukolsky 1972,
+    /// section II.
+    #[must_use]
+    pub fn static_limit(self, cos_theta: f64) -> f64 {
+        let c = self.spin * cos_theta;
+        MASS * (1.0 + ((1.0 - c) * (1.0 + c)).sqrt())
+    }
+
+    /// Delta = (r - r_+)(r - r_-), in r_s^2.
+    #[must_use]
+    pub fn delta(self, r: f64) -> f64 {
+        (r - self.horizon()) * (r - self.inner_horizon())
+    }
+
+    /// Sigma = r^2 + a^2 cos^2 theta, in r_s^2.
+    #[must_use]
+    pub fn sigma(self, r: f64, cos_theta: f64) -> f64 {
+        r * r + (self.a() * cos_theta).powi(2)
+    }
+
+    /// Kerr's ingoing azimuth less Boyer-Lindquist's: the integral of a/Delta dr,
+    /// (a / (r_+ - r_-)) ln|(r - r_+) / (r - r_-)|, zero at infinity. Misner, Thorne & Wheeler 1973 box 33.2.
+    #[must_use]
+    pub fn ingoing_azimuth_lead(self, r: f64) -> f64 {
+        let (outer, inner) = (self.horizon(), self.inner_horizon());
+        self.a() / (outer - inner) * ((r - outer) / (r - inner)).abs().ln()
+    }
+
+    /// The prograde equatorial photon orbit: r = 2M (1 + cos((2/3) arccos(-chi))), written as a square. Bardeen, Press
+    /// & Teukolsky 1972 eq. 2.18.
+    #[must_use]
+    pub fn photon_orbit_prograde(self) -> f64 {
+        4.0 * MASS * ((-self.spin).acos() / 3.0).cos().powi(2)
+    }
+
+    /// The retrograde equatorial photon orbit; the prograde one of the mirrored hole.
+    #[must_use]
+    pub fn photon_orbit_retrograde(self) -> f64 {
+        Kerr { spin: -self.spin }.photon_orbit_prograde()
+    }
+
+    /// The photon orbit with L = 0, which passes over both poles:
+    /// r = M (1 + 2 sqrt(1 - chi^2/3) cos((1/3) arccos((1 - chi^2) / (1 - chi^2/3)^(3/2)))). Derived by
+    /// setting the angular momentum of the spherical photon orbits (Teo 2003) to zero.
+    #[must_use]
+    pub fn photon_orbit_polar(self) -> f64 {
+        let third = 1.0 - self.spin.powi(2) / 3.0;
+        let cosine = (1.0 - self.spin) * (1.0 + self.spin) / third.powf(1.5);
+        MASS * (1.0 + 2.0 * third.sqrt() * (cosine.min(1.0).acos() / 3.0).cos())
+    }
+
+    /// L/E of the prograde equatorial photon orbit: 6M cos((1/3) arccos(-chi)) - a. Derived from
+    /// Bardeen, Press & Teukolsky 1972 eq. 2.18.
+    #[must_use]
+    pub fn critical_impact_prograde(self) -> f64 {
+        6.0 * MASS * ((-self.spin).acos() / 3.0).cos() - self.a()
+    }
+
+    /// L/E of the retrograde equatorial photon orbit (negative).
+    #[must_use]
+    pub fn critical_impact_retrograde(self) -> f64 {
+        -Kerr { spin: -self.spin }.critical_impact_prograde()
+    }
+
+    /// The innermost stable circular orbit of matter that turns with the disk. Bardeen, Press & Teukolsky 1972
+    /// eq. 2.21, with p = (1 + chi)^(1/3), q = (1 - chi)^(1/3):
+    ///
+    /// Z1 = 1 + p q (p + q),  Z2 = sqrt(3 chi^2 + Z1^2),  r = M (3 + Z2 - s),  s = +-sqrt((3 - Z1)(3 + Z1 + 2 Z2)).
+    ///
+    /// Since p^3 + q^3 = 2, 3 - Z1 = (p + q)(p - q)^2, which keeps its digits for small spin and gives s the spin's
+    /// sign; since (3 + Z2)^2 - s^2 = (Z1 + Z2)^2, the difference becomes a quotient for positive spin.
+    #[must_use]
+    pub fn isco(self) -> f64 {
+        let (p, q) = ((1.0 + self.spin).cbrt(), (1.0 - self.spin).cbrt());
+        let z1 = 1.0 + p * q * (p + q);
+        let z2 = (3.0 * self.spin.powi(2) + z1 * z1).sqrt();
+        let p_minus_q = 2.0 * self.spin / (p * p + p * q + q * q);
+        let s = p_minus_q * ((p + q) * (3.0 + z1 + 2.0 * z2)).sqrt();
+        if s > 0.0 { MASS * (z1 + z2).powi(2) / (3.0 + z2 + s) } else { MASS * (3.0 + z2 - s) }
+    }
+
+    /// The prograde circular geodesic of radius `r` in the equatorial plane, or nothing where there is none that is
+    /// timelike (at and inside the photon orbit).
+    #[must_use]
+    pub fn circular_orbit(self, r: f64) -> Option<CircularOrbit> {
+        let (chi, y) = (self.spin, (MASS / r).sqrt());
+        // 1 - 3 y^2 + 2 chi y^3, arranged to keep its digits for chi -> 1, r -> M.
+        let one_minus_y = (r - MASS) / r / (1.0 + y);
+        let square = one_minus_y.powi(2) * (1.0 + 2.0 * y) - 2.0 * (1.0 - chi) * y.powi(3);
+        if !(r > self.photon_orbit_prograde() && square > 0.0) {
+            return None;
+        }
+        let (norm, y3) = (square.sqrt(), y.powi(3));
+        Some(CircularOrbit {
+            angular_velocity: y3 / (MASS * (1.0 + chi * y3)),
+            u_t: (1.0 + chi * y3) / norm,
+            energy: (1.0 - 2.0 * y * y + chi * y3) / norm,
+            angular_momentum: MASS / y * (1.0 - 2.0 * chi * y3 + (chi * y * y).powi(2)) / norm,
+        })
+    }
+}
+
+/// A prograde circular geodesic in the equatorial plane, per unit rest mass. With y = sqrt(M/r), Bardeen, Press &
+/// Teukolsky 1972 eqs. 2.12, 2.13 and 2.16.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CircularOrbit {
+    /// Omega = dphi/dt = y^3 / (M (1 + chi y^3)), in 1/r_s.
+    pub angular_velocity: f64,
+    /// u^t = (1 + chi y^3) / sqrt(1 - 3 y^2 + 2 chi y^3).
+    pub u_t: f64,
+    /// E = -u_t (covariant) = (1 - 2 y^2 + chi y^3) / sqrt(1 - 3 y^2 + 2 chi y^3).
+    pub energy: f64,
+    /// L = u_phi = (M/y) (1 - 2 chi y^3 + chi^2 y^4) / sqrt(1 - 3 y^2 + 2 chi y^3), in r_s.
+    pub angular_momentum: f64,
+}

@@ -1,0 +1,163 @@
+//! The reference: what becomes of a ray, in f64, for any spin.
+//!
+//! A ray ends where u = 0, which is infinity itself, or where its capture is certain; there is neither a radius of escape
+//! nor a margin at the horizon. Both ends, and the crossings of the disk's plane, are roots of the step's own series.
+//!
+//! A crossing belongs to the step at whose end or within which it lies, never to the one that starts there: so none
+//! counts twice, and a camera in the plane does not see the disk at its own place. A ray that lies in the plane has no
+//! isolated crossing and so no hit.
+
+use crate::{
+    physics::{
+        disk,
+        kerr::Kerr,
+        mino::{Constants, Expansion, State},
+        observer::{ObserverError, ObserverMatrix, celestial_frame, observer_matrix},
+        trace::{Hit, Outcome, Trace},
+    },
+    scene::Scene,
+};
+use glam::{DMat3, DVec3};
+use std::f64::consts::{PI, TAU};
+
+/// More steps than any ray needs: one within 1e-15 of the critical curve takes some hundred.
+const MAX_STEPS: u32 = 10_000;
+
+/// A scene's rays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reference {
+    surroundings: Surroundings,
+    observer: ObserverMatrix,
+    r: f64,
+    n: DVec3,
+}
+
+/// What a ray can meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surroundings {
+    /// The hole.
+    pub kerr: Kerr,
+    /// Inner and outer edge of the disk, in r_s, if there is one.
+    pub annulus: Option<[f64; 2]>,
+}
+
+impl Reference {
+    /// Prepares the rays of `scene`.
+    ///
+    /// # Errors
+    /// If the scene's observer cannot exist.
+    pub fn new(scene: &Scene) -> Result<Self, ObserverError> {
+        let (camera, observer) = (&scene.camera, &scene.observer);
+        let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
+        let matrix = observer_matrix(scene.hole.spin, observer.kind, observer.velocity, camera.r, theta, phi)?;
+        let annulus = scene.disk.enabled.then(|| [disk::inner_edge(scene), scene.disk.outer]);
+        let surroundings = Surroundings { kerr: Kerr { spin: scene.hole.spin }, annulus };
+        let [n, ..] = celestial_frame(theta, phi);
+        Ok(Self { surroundings, observer: matrix, r: camera.r, n })
+    }
+
+    /// Follows the ray that arrives from `direction`, on the observer's legs; any length but zero. A direction that is
+    /// zero or not finite is `Unfinished`, with a residual that is not a number.
+    #[must_use]
+    pub fn trace(&self, direction: DVec3) -> Trace {
+        let Some(direction) = (direction / direction.abs().max_element()).try_normalize() else {
+            return Trace { outcome: Outcome::Unfinished, sky: None, hits: [None; 2], steps: 0, residual: f64::NAN };
+        };
+        let photon = self.observer.photon(direction);
+        let (constants, start) = Constants::of_photon(self.surroundings.kerr, &photon, self.r, self.n);
+        self.surroundings.trace(&constants, start)
+    }
+}
+
+impl Surroundings {
+    /// Follows the backward ray with these constants from `start` to its end.
+    #[must_use]
+    pub fn trace(&self, constants: &Constants, start: State) -> Trace {
+        let u_horizon = 1.0 / self.kerr.horizon();
+        // Hits lie between these; without a disk there are none.
+        let [u_outer, u_inner] = self.annulus.map_or([0.0, 0.0], |[inner, outer]| [1.0 / outer, 1.0 / inner]);
+        let mut trace = Trace {
+            outcome: Outcome::Unfinished,
+            sky: None,
+            hits: [None; 2],
+            steps: 0,
+            residual: constants.residual(&start),
+        };
+        let mut state = start;
+        if state.u >= u_horizon && (state.du >= 0.0 || constants.ingoing_energy(u_horizon) <= 0.0) {
+            // From a place inside, only light that fell in through the outer horizon can come from the outside.
+            return Trace { outcome: Outcome::Captured, ..trace };
+        }
+        while trace.steps < MAX_STEPS {
+            let nothing_more_to_hit = state.u >= u_inner || trace.hits[1].is_some();
+            let inward = state.du > 0.0;
+            if inward
+                && (state.u >= u_horizon || nothing_more_to_hit && constants.cannot_turn_within(state.u, u_horizon))
+            {
+                return Trace { outcome: Outcome::Captured, ..trace };
+            }
+            let expansion = constants.expand(&state);
+            let reach = constants.reach(&expansion);
+            let to_infinity = time_to_infinity(&expansion, reach);
+            let end_time = to_infinity.unwrap_or(reach);
+            let end = expansion.at(end_time);
+            if !(end_time > 0.0 && end.n.is_finite() && end.u.is_finite()) {
+                return trace;
+            }
+            trace.steps += 1;
+            trace.residual = trace.residual.max(constants.residual(&end));
+            if let Some(time) = time_to_plane(&expansion, end.n.z, end_time) {
+                let crossing = expansion.at(time);
+                if crossing.u > u_outer && crossing.u < u_inner {
+                    let hit = self.hit(constants, &crossing);
+                    let free = trace.hits.iter_mut().find(|slot| slot.is_none());
+                    if let (Some(slot), Some(hit)) = (free, hit) {
+                        *slot = Some(hit);
+                    }
+                }
+            }
+            if to_infinity.is_some() {
+                // Light of negative energy never was at infinity.
+                if constants.energy <= 0.0 {
+                    return Trace { outcome: Outcome::Captured, ..trace };
+                }
+                let sky = DMat3::from_rotation_z(end.chi) * end.n;
+                return Trace { outcome: Outcome::Sky, sky: Some(sky.normalize()), ..trace };
+            }
+            state = end;
+        }
+        trace
+    }
+
+    fn hit(&self, constants: &Constants, crossing: &State) -> Option<Hit> {
+        let r = 1.0 / crossing.u;
+        let orbit = self.kerr.circular_orbit(r)?;
+        let lead = if constants.ingoing { self.kerr.ingoing_azimuth_lead(r) } else { 0.0 };
+        let azimuth = crossing.n.y.atan2(crossing.n.x) + crossing.chi - lead;
+        let g = disk::redshift(&orbit, constants.energy, constants.angular_momentum);
+        Some(Hit { r, phi: wrapped(azimuth), g })
+    }
+}
+
+/// The Mino time within `reach` at which an outgoing ray is at u = 0, if it gets there. As the step may be long enough to
+/// pass infinity and come back, u's minimum is looked at too; there is at most one.
+fn time_to_infinity(expansion: &Expansion, reach: f64) -> Option<f64> {
+    if expansion.u.0[1] >= 0.0 {
+        return None;
+    }
+    let (u, du) = expansion.u.at(reach);
+    let beyond = if u <= 0.0 || du <= 0.0 { reach } else { expansion.u.derivative().root(reach) };
+    (expansion.u.at(beyond).0 <= 0.0).then(|| expansion.u.root(beyond))
+}
+
+/// The Mino time within (0, `end_time`] at which the ray crosses the disk's plane, n_z being `z_end` at the end.
+fn time_to_plane(expansion: &Expansion, z_end: f64, end_time: f64) -> Option<f64> {
+    let z = expansion.n[2].0[0];
+    (z > 0.0 && z_end <= 0.0 || z < 0.0 && z_end >= 0.0).then(|| expansion.n[2].root(end_time))
+}
+
+/// The same angle in (-pi, pi].
+fn wrapped(angle: f64) -> f64 {
+    let angle = PI - (PI - angle).rem_euclid(TAU);
+    if angle <= -PI { PI } else { angle }
+}

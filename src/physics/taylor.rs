@@ -1,0 +1,64 @@
+//! Truncated power series: values, products, roots.
+
+/// Highest power kept. The cost of a step grows with its square, its length like eps^(1/ORDER); the product is flat
+/// between 18 and 26.
+pub const ORDER: usize = 22;
+
+/// The series c_0 + c_1 t + ... + c_ORDER t^ORDER.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Taylor(pub [f64; ORDER + 1]);
+
+impl Taylor {
+    /// The series that vanishes.
+    pub const ZERO: Self = Self([0.0; ORDER + 1]);
+
+    /// Value and derivative at `t`.
+    #[must_use]
+    pub fn at(&self, t: f64) -> (f64, f64) {
+        self.0.iter().rev().fold((0.0, 0.0), |(value, slope), &c| (value * t + c, slope * t + value))
+    }
+
+    /// The derivative's series.
+    #[must_use]
+    pub fn derivative(&self) -> Self {
+        let mut series = Self::ZERO;
+        for (k, power) in (1..=ORDER).zip(1_u32..) {
+            series.0[k - 1] = f64::from(power) * self.0[k];
+        }
+        series
+    }
+
+    /// Where the series vanishes between 0 and `end`, given that its values there differ in sign or that it vanishes at
+    /// `end`: Newton's method, with a bisection wherever Newton leaves the bracket or does not halve it.
+    #[must_use]
+    pub fn root(&self, end: f64) -> f64 {
+        let rising = self.0[0] < 0.0;
+        let (mut low, mut high) = (0.0, end);
+        let mut t = 0.5 * end;
+        // Two thousand bisections would exhaust f64; Newton needs about six.
+        for _ in 0..200 {
+            let (value, slope) = self.at(t);
+            if value == 0.0 {
+                return t;
+            }
+            if (value < 0.0) == rising {
+                low = t;
+            } else {
+                high = t;
+            }
+            let newton = t - value / slope;
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            if (next - t).abs() <= f64::EPSILON * t || next == low || next == high {
+                return next;
+            }
+            t = next;
+        }
+        t
+    }
+}
+
+/// The coefficient of t^k in the product of two series, whose first k + 1 coefficients are given.
+#[must_use]
+pub fn product_coefficient(left: &[f64], right: &[f64], k: usize) -> f64 {
+    left[..=k].iter().zip(right[..=k].iter().rev()).map(|(l, r)| l * r).sum()
+}

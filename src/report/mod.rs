@@ -1,0 +1,3 @@
+//! Reports: what was computed, in forms that other programs read.
+
+pub mod rays;

@@ -1,0 +1,46 @@
+//! Where the camera looks: its axes, in f64.
+
+use super::Camera;
+use crate::physics::observer::celestial_frame;
+use glam::{DMat3, DVec3};
+
+impl Camera {
+    /// Unit vector from the hole to the camera, toward Boyer-Lindquist theta and phi, in the hole's frame.
+    pub fn direction(&self) -> DVec3 {
+        self.legs().x_axis
+    }
+
+    /// The observer's legs as unit vectors of the hole's frame, one a column: outward, toward growing theta, toward
+    /// growing phi. On the axis the last is the direction of azimuth `phi_deg` + 90 degrees.
+    pub fn legs(&self) -> DMat3 {
+        let [outward, theta_hat, phi_hat] = celestial_frame(self.theta_deg.to_radians(), self.phi_deg.to_radians());
+        DMat3::from_cols(outward, theta_hat, phi_hat)
+    }
+
+    /// The camera's axes right, up, forward on the observer's legs (outward, theta, phi), one a column.
+    ///
+    /// Without turns it looks at the hole: forward is inward, up is decreasing theta, right is growing phi. It is turned
+    /// about its own axes: to the right, then up, then clockwise as seen from behind it.
+    pub fn legs_from_camera(&self) -> DMat3 {
+        let [yaw, pitch, roll] = [self.yaw_deg, self.pitch_deg, self.roll_deg].map(|degrees| sin_cos_deg(degrees));
+        let [right, up, forward] = [DVec3::Z, -DVec3::Y, -DVec3::X];
+        let turn = |(sin, cos): (f64, f64), to: DVec3, from: DVec3| (cos * to + sin * from, cos * from - sin * to);
+        let (forward, right) = turn(yaw, forward, right);
+        let (forward, up) = turn(pitch, forward, up);
+        let (up, right) = turn(roll, up, right);
+        DMat3::from_cols(right, up, forward)
+    }
+}
+
+/// Sine and cosine of an angle in degrees, exact at multiples of 90, so that a camera that looks at the hole looks at
+/// nothing else.
+fn sin_cos_deg(degrees: f64) -> (f64, f64) {
+    let quarters = (degrees / 90.0).round();
+    let (sin, cos) = (degrees - 90.0 * quarters).to_radians().sin_cos();
+    match quarters.rem_euclid(4.0) {
+        0.0 => (sin, cos),
+        1.0 => (cos, -sin),
+        2.0 => (-sin, -cos),
+        _ => (-cos, sin),
+    }
+}

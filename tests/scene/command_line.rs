@@ -1,0 +1,221 @@
+//! What can be typed after `lightfall`, and what it means.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::Path;
+
+use clap::error::ErrorKind;
+use lightfall::cli::{self, Command, Device, PresetsCommand, SceneArgs};
+use lightfall::scene::presets::PRESETS;
+use lightfall::scene::{Method, Scene};
+
+fn read(line: &str) -> Command {
+    cli::read(line.split(' ')).unwrap()
+}
+
+fn refuse(line: &str) -> clap::Error {
+    let error = cli::read(line.split(' ')).unwrap_err();
+    assert_eq!(error.exit_code(), 2, "{line}");
+    error
+}
+
+fn fly(line: &str) -> SceneArgs {
+    let Command::Fly(scene) = read(line) else { panic!("{line} does not fly") };
+    scene
+}
+
+fn fault(args: &SceneArgs) -> String {
+    let error = cli::scene(args).unwrap_err();
+    assert_eq!(error.exit_code(), 2);
+    error.to_string()
+}
+
+fn of_preset(preset: &Path) -> SceneArgs {
+    SceneArgs { preset: Some(preset.into()), ..SceneArgs::default() }
+}
+
+fn answer(line: &str) -> String {
+    let Command::Presets(command) = read(line) else { panic!("{line} is about presets") };
+    let mut out = Vec::new();
+    cli::presets(&command, &mut out).unwrap();
+    String::from_utf8(out).unwrap()
+}
+
+#[test]
+fn without_a_word_it_flies_from_preset_two() {
+    assert_eq!(cli::scene(&fly("lightfall")).unwrap(), PRESETS[1].scene(&[]).unwrap());
+}
+
+#[test]
+fn a_preset_is_taken_by_number_name_or_path() {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    fs::write(&file, PRESETS[4].text).unwrap();
+    let path = file.path().to_str().unwrap();
+    for preset in ["5", "einstein-ring", path] {
+        assert_eq!(cli::scene(&fly(&format!("lightfall --preset {preset}"))).unwrap().name, "einstein-ring");
+    }
+}
+
+#[test]
+fn scene_options_stand_before_the_command_or_after_it() {
+    let expected = {
+        let mut scene = PRESETS[2].scene(&[]).unwrap();
+        (scene.hole.spin, scene.method, scene.camera.r, scene.camera.fov_deg) = (-0.5, Method::Verlet, 9.0, 40.0);
+        scene
+    };
+    for line in [
+        "lightfall --preset 3 --spin -.5 --method verlet --set camera.r=9 --set camera.fov_deg=40 render -o a.png",
+        "lightfall render --preset 3 --spin=-0.5 --method verlet --set camera.r=9 --set camera.fov_deg=40 -o a.png",
+        "lightfall --set camera.r=8 --preset 3 --set camera.fov_deg=40 render -o a.png --spin -0.5 --method verlet \
+         --set camera.r=9",
+    ] {
+        let Command::Render(render) = read(line) else { panic!("{line} renders") };
+        assert_eq!(cli::scene(&render.scene).unwrap(), expected, "{line}");
+        assert_eq!(render.out, Path::new("a.png"));
+    }
+}
+
+#[test]
+fn one_preset_given_twice_is_refused() {
+    for line in ["lightfall --preset 1 render --preset 2 -o a.png", "lightfall --spin 0 trace --spin 0 --rays -"] {
+        assert_eq!(refuse(line).kind(), ErrorKind::ArgumentConflict);
+    }
+    assert_eq!(refuse("lightfall --preset 2 presets list").kind(), ErrorKind::ArgumentConflict);
+}
+
+#[test]
+fn render_reads_a_size() {
+    let Command::Render(render) = read("lightfall render -o a.png --size 1920x1080") else { panic!() };
+    assert_eq!(render.size.unwrap().to_array(), [1920, 1080]);
+    for size in ["0x5", "5", "x", "axb", "16385x1", "-1x5", "1x2x3", "99999999999x1", "5x"] {
+        let error = refuse(&format!("lightfall render -o a.png --size={size}")).to_string();
+        assert!(error.contains("a size is WxH, such as 960x540, each from 1 to 16384"), "{error}");
+    }
+}
+
+#[test]
+fn trace_asks_the_gpu_unless_told_otherwise() {
+    for (line, device) in [("", Device::Gpu), (" --device gpu", Device::Gpu), (" --device cpu", Device::Cpu)] {
+        let Command::Trace(trace) = read(&format!("lightfall trace --rays -{line}")) else { panic!() };
+        assert_eq!((trace.device, trace.rays.as_path()), (device, Path::new("-")));
+    }
+    assert_eq!(refuse("lightfall trace").kind(), ErrorKind::MissingRequiredArgument);
+    assert_eq!(refuse("lightfall render").kind(), ErrorKind::MissingRequiredArgument);
+    assert_eq!(refuse("lightfall trace --rays - --device tpu").kind(), ErrorKind::InvalidValue);
+}
+
+#[test]
+fn help_and_version_are_no_failures() {
+    for line in ["lightfall --help", "lightfall render -h", "lightfall --version", "lightfall presets --help"] {
+        assert_eq!(cli::read(line.split(' ')).unwrap_err().exit_code(), 0, "{line}");
+    }
+    let help = cli::read(["lightfall", "-h"]).unwrap_err().to_string();
+    assert!(help.contains("Examples:") && help.contains("one of auto, verlet, reference"), "{help}");
+}
+
+#[test]
+fn wrong_values_of_the_short_forms_name_the_short_form() {
+    for (line, sentence) in [
+        ("--spin 1", "--spin: hole.spin = 1 is refused: it must be a number above -1 and below 1"),
+        ("--spin fast", "--spin: hole.spin = \"fast\" is refused: it must be a number above -1 and below 1"),
+        ("--method euler", "--method: method = \"euler\" is refused: it must be one of auto, verlet, reference"),
+        ("--set camera.r", "--set: camera.r is not of the form KEY=VALUE, such as camera.r=20"),
+    ] {
+        assert_eq!(fault(&fly(&format!("lightfall {line}"))), sentence);
+    }
+}
+
+#[test]
+fn a_preset_that_does_not_exist_is_answered_with_those_that_do() {
+    let presets = "1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit";
+    for given in ["8", "edge_on", "-1", ""] {
+        let sentence = format!("--preset {given}: there is no such file, and the presets are {presets}");
+        assert_eq!(fault(&of_preset(Path::new(given))), sentence);
+    }
+}
+
+#[test]
+fn a_preset_file_that_cannot_be_read_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("my.toml");
+    let named = |rest: &str| format!("{}: {rest}", path.display());
+    assert!(fault(&of_preset(&path)).starts_with(&named("cannot be read: ")));
+    assert!(fault(&of_preset(folder.path())).contains(": cannot be read: "));
+    fs::write(&path, [b'#', 0xff, b'\n']).unwrap();
+    assert_eq!(fault(&of_preset(&path)), named("is not UTF-8 text; a preset is a short TOML text"));
+    fs::write(&path, vec![b'#'; (1 << 20) + 1]).unwrap();
+    assert_eq!(fault(&of_preset(&path)), named("is longer than 1048576 bytes; a preset is a short TOML text"));
+    fs::write(&path, "camera.r = 0.5").unwrap();
+    let sentence = "camera.r = 0.5 is refused: it must be a number above 1 and at most 10000000 r_s (outside the \
+                    horizon at hole.spin = 0)";
+    assert_eq!(fault(&of_preset(&path)), named(sentence));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_preset_file_without_an_end_is_not_read_to_its_end() {
+    let sentence = "/dev/zero: is longer than 1048576 bytes; a preset is a short TOML text";
+    assert_eq!(fault(&of_preset(Path::new("/dev/zero"))), sentence);
+}
+
+#[test]
+fn presets_are_listed_with_number_name_and_title() {
+    let list = answer("lightfall presets list");
+    let lines: Vec<&str> = list.lines().collect();
+    assert_eq!(lines.len(), 7);
+    for (line, preset) in lines.iter().zip(PRESETS) {
+        let mut words = line.split_whitespace();
+        assert_eq!(words.next(), Some(preset.number.to_string().as_str()));
+        assert_eq!(words.next(), Some(preset.name));
+        assert!(line.ends_with(&preset.scene(&[]).unwrap().title));
+    }
+}
+
+#[test]
+fn a_preset_that_is_shown_is_a_preset_file_of_the_same_scene() {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    for preset in PRESETS {
+        fs::write(&file, answer(&format!("lightfall presets show {}", preset.name))).unwrap();
+        assert_eq!(cli::scene(&of_preset(file.path())).unwrap(), preset.scene(&[]).unwrap());
+        assert_eq!(
+            answer(&format!("lightfall presets check {}", file.path().display())),
+            format!("{}: ok\n", file.path().display())
+        );
+    }
+}
+
+#[test]
+fn a_wrong_preset_file_does_not_pass_the_check() {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    fs::write(&file, "hole.spin = 3").unwrap();
+    let error = cli::presets(&PresetsCommand::Check { file: file.path().into() }, &mut Vec::new()).unwrap_err();
+    assert_eq!(error.exit_code(), 2);
+    let sentence = "hole.spin = 3 is refused: it must be a number above -1 and below 1";
+    assert_eq!(error.to_string(), format!("{}: {sentence}", file.path().display()));
+}
+
+/// A writer that always fails in one way.
+struct Fails(io::ErrorKind);
+
+impl Write for Fails {
+    fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+        Err(self.0.into())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Err(self.0.into())
+    }
+}
+
+#[test]
+fn that_nobody_reads_on_is_no_failure_but_a_full_disk_is() {
+    assert!(cli::presets(&PresetsCommand::List, &mut Fails(io::ErrorKind::BrokenPipe)).is_ok());
+    let error = cli::presets(&PresetsCommand::List, &mut Fails(io::ErrorKind::StorageFull)).unwrap_err();
+    assert_eq!(error.exit_code(), 1);
+}
+
+#[test]
+fn the_scene_of_no_options_at_all_is_checked_too() {
+    assert_eq!(cli::scene(&SceneArgs::default()).unwrap().check(), Ok(()));
+    assert_ne!(cli::scene(&SceneArgs::default()).unwrap(), Scene::default());
+}

@@ -1,0 +1,167 @@
+//! A display of the test's own: Xvfb, the program's window on it, keys by xdotool, pictures from the X server.
+
+use std::io::{BufRead, BufReader};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+use x11rb::connection::Connection;
+use x11rb::protocol::xproto::{ConnectionExt, ImageFormat};
+use x11rb::rust_connection::RustConnection;
+
+/// Screen large enough for the default window.
+const SCREEN: (u16, u16) = (1500, 900);
+/// Time a software renderer may need for a first picture, or for one more.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// What the screen shows.
+#[derive(Clone, PartialEq)]
+pub struct Shot {
+    pub width: usize,
+    pub height: usize,
+    bgrx: Vec<u8>,
+}
+
+impl Shot {
+    pub fn pixel(&self, x: usize, y: usize) -> [u8; 3] {
+        let at = 4 * (y * self.width + x);
+        [self.bgrx[at + 2], self.bgrx[at + 1], self.bgrx[at]]
+    }
+
+    /// Share of the pixels of a rectangle that differ from another shot's.
+    pub fn changed(&self, other: &Self, x: std::ops::Range<usize>, y: std::ops::Range<usize>) -> f64 {
+        let count = x.len() * y.len();
+        let differ = y.flat_map(|y| x.clone().map(move |x| (x, y)));
+        differ.filter(|&(x, y)| self.pixel(x, y) != other.pixel(x, y)).count() as f64 / count as f64
+    }
+
+    /// Number of different colours.
+    pub fn colours(&self) -> usize {
+        let pixels = (0..self.height).flat_map(|y| (0..self.width).map(move |x| (x, y)));
+        pixels.map(|(x, y)| self.pixel(x, y)).collect::<std::collections::BTreeSet<_>>().len()
+    }
+}
+
+/// The display, and the program on it; both end with this value.
+pub struct Desktop {
+    server: Child,
+    program: Child,
+    display: String,
+    connection: RustConnection,
+    root: u32,
+    window: String,
+}
+
+impl Desktop {
+    /// Opens a display and the program's window on it. None, with the reason printed, where that is impossible and not
+    /// required.
+    pub fn open(arguments: &[&str]) -> Option<Self> {
+        for tool in ["Xvfb", "xdotool"] {
+            if Command::new("sh").args(["-c", &format!("command -v {tool}")]).output().is_ok_and(|out| out.status.success()) {
+                continue;
+            }
+            let required = std::env::var_os("LIGHTFALL_REQUIRE_GPU").is_some_and(|value| value == "1");
+            assert!(!required, "{tool} is missing; ./check installs it");
+            println!("skipped: no {tool}");
+            return None;
+        }
+        let mut server = Command::new("Xvfb")
+            .args(["-displayfd", "1", "-nolisten", "tcp", "-screen", "0", &format!("{}x{}x24", SCREEN.0, SCREEN.1)])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let mut number = String::new();
+        BufReader::new(server.stdout.take().unwrap()).read_line(&mut number).unwrap();
+        let display = format!(":{}", number.trim());
+        let program = Command::new(env!("CARGO_BIN_EXE_lightfall"))
+            .args(arguments)
+            .env("DISPLAY", &display)
+            .env_remove("WAYLAND_DISPLAY")
+            .spawn()
+            .unwrap();
+        let (connection, screen) = x11rb::connect(Some(&display)).unwrap();
+        let root = connection.setup().roots[screen].root;
+        let mut desktop = Self { server, program, display, connection, root, window: String::new() };
+        desktop.window = desktop.wait_for_window();
+        // No window manager runs here, so nobody else gives the window the keyboard.
+        desktop.xdotool(&["windowfocus", "--sync", &desktop.window.clone()]);
+        Some(desktop)
+    }
+
+    fn xdotool(&self, arguments: &[&str]) -> String {
+        let output = Command::new("xdotool").args(arguments).env("DISPLAY", &self.display).output().unwrap();
+        String::from_utf8_lossy(&output.stdout).trim().to_owned()
+    }
+
+    fn wait_for_window(&mut self) -> String {
+        let start = Instant::now();
+        loop {
+            let found = self.xdotool(&["search", "--name", "Lightfall"]);
+            if let Some(window) = found.lines().next() {
+                return window.to_owned();
+            }
+            assert!(self.running(), "the program ended before its window opened");
+            assert!(start.elapsed() < PATIENCE, "no window");
+            std::thread::sleep(Duration::from_millis(50));
+        }
+    }
+
+    pub fn running(&mut self) -> bool {
+        self.program.try_wait().unwrap().is_none()
+    }
+
+    /// Presses and lets go of a key, named as X names it.
+    pub fn press(&self, key: &str) {
+        self.xdotool(&["key", "--delay", "60", key]);
+    }
+
+    /// Holds a key down for a while.
+    pub fn hold(&self, key: &str, time: Duration) {
+        self.xdotool(&["keydown", key]);
+        std::thread::sleep(time);
+        self.xdotool(&["keyup", key]);
+    }
+
+    pub fn look(&self, right: i32, down: i32) {
+        self.xdotool(&["mousemove_relative", "--", &right.to_string(), &down.to_string()]);
+    }
+
+    pub fn title(&self) -> String {
+        self.xdotool(&["getwindowname", &self.window])
+    }
+
+    pub fn shot(&self) -> Shot {
+        let (width, height) = SCREEN;
+        let image = self
+            .connection
+            .get_image(ImageFormat::Z_PIXMAP, self.root, 0, 0, width, height, !0)
+            .unwrap()
+            .reply()
+            .unwrap();
+        Shot { width: width.into(), height: height.into(), bgrx: image.data }
+    }
+
+    /// The screen once two looks in a row, well apart, are the same and pass the condition.
+    pub fn settled(&self, what: &str, condition: impl Fn(&Shot) -> bool) -> Shot {
+        let start = Instant::now();
+        let mut last = self.shot();
+        loop {
+            std::thread::sleep(Duration::from_millis(1200));
+            let now = self.shot();
+            if now == last && condition(&now) {
+                return now;
+            }
+            assert!(start.elapsed() < PATIENCE, "{what}: the picture did not come to rest as expected");
+            last = now;
+        }
+    }
+}
+
+impl Drop for Desktop {
+    fn drop(&mut self) {
+        for child in [&mut self.program, &mut self.server] {
+            // Ended already is as good as ended now.
+            let _ = child.kill();
+            let _ = child.wait();
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! The real window on a display of its own, driven as a player would.
+#![cfg(target_os = "linux")]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod desktop;
+
+use desktop::{Desktop, Shot};
+use std::process::Command;
+use std::time::Duration;
+
+/// The default window.
+const WINDOW: (usize, usize) = (1440, 810);
+/// Rows at the bottom that the hint may cover.
+const HINT: usize = 60;
+
+/// Share of the picture, without the hint, that differs between two shots.
+fn changed(a: &Shot, b: &Shot) -> f64 {
+    a.changed(b, 0..WINDOW.0, 0..WINDOW.1 - HINT)
+}
+
+#[test]
+fn keys_change_what_they_say_and_the_window_stays() {
+    let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let start = desktop.settled("first picture", |shot| shot.colours() > 50);
+    let top_left = |shot: &Shot| start.changed(shot, 0..120, 0..80);
+    let middle = |shot: &Shot| start.changed(shot, 480..960, 270..540);
+    let hint = |shot: &Shot| start.changed(shot, 0..WINDOW.0, WINDOW.1 - HINT..WINDOW.1);
+
+    // The dither pattern stands still: settled() has just seen two equal pictures more than a second apart. Now the keys,
+    // each pressed twice (or, for G, three times), which leads back.
+    desktop.press("F2");
+    let no_disk = desktop.settled("F2", |shot| middle(shot) > 0.2);
+    assert!(middle(&no_disk) > 4.0 * top_left(&no_disk), "F2 changed the sky as much as the disk");
+    desktop.press("F2");
+    desktop.settled("F2 again", |shot| *shot == start);
+
+    desktop.press("F7");
+    let bypassed = desktop.settled("F7", |shot| changed(shot, &start) > 0.1);
+    assert!(bypassed.colours() > 2 * start.colours(), "F7 left the colours quantized");
+    desktop.press("F7");
+    desktop.settled("F7 again", |shot| *shot == start);
+
+    desktop.press("g");
+    let grid = desktop.settled("G, grid", |shot| changed(shot, &start) > 0.02);
+    assert!(top_left(&grid) > 0.02, "G did not change the sky");
+    assert!(hint(&grid) < 0.5, "G changed the hint");
+    desktop.press("g");
+    let dark = desktop.settled("G, off", |shot| changed(shot, &grid) > 0.02);
+    assert!((0..80).all(|y| (0..120).all(|x| dark.pixel(x, y).iter().all(|&channel| channel < 32))));
+    desktop.press("g");
+    desktop.settled("G, stars", |shot| *shot == start);
+
+    // Flying forward makes things larger; looking around moves them; neither key closes the window.
+    desktop.hold("w", Duration::from_millis(1500));
+    let nearer = desktop.settled("W", |shot| changed(shot, &start) > 0.1);
+    desktop.press("Tab");
+    desktop.look(90, 0);
+    let turned = desktop.settled("Tab and mouse", |shot| changed(shot, &nearer) > 0.05);
+    desktop.press("Escape");
+    desktop.look(90, 0);
+    desktop.settled("Esc frees the mouse", |shot| changed(shot, &turned) < 1e-3);
+    assert!(desktop.running(), "Esc closed the program");
+
+    for number in 1..=7 {
+        desktop.press(&number.to_string());
+        desktop.settled(&format!("preset {number}"), |shot| changed(shot, &turned) > 0.02);
+        let title = lightfall::scene::presets::find(&number.to_string()).unwrap().scene(&[]).unwrap().title;
+        assert_eq!(desktop.title(), format!("Lightfall: {title}"));
+    }
+    assert!(desktop.running());
+}
+
+#[test]
+fn unfinished_rays_turn_magenta_with_f11() {
+    // Twenty steps are too few for most rays.
+    let Some(desktop) = Desktop::open(&["--preset", "2", "--set", "quality.max_steps=20"]) else { return };
+    let magenta = |shot: &Shot| {
+        let pixels = (0..WINDOW.1 - HINT).flat_map(|y| (0..WINDOW.0).map(move |x| (x, y)));
+        pixels.filter(|&(x, y)| matches!(shot.pixel(x, y), [200.., ..=90, 200..])).count()
+    };
+    let plain = desktop.settled("first picture", |shot| shot.colours() > 10);
+    assert_eq!(magenta(&plain), 0);
+    desktop.press("F11");
+    desktop.settled("F11", |shot| magenta(shot) > 10_000);
+    desktop.press("F11");
+    desktop.settled("F11 again", |shot| *shot == plain);
+}
+
+#[test]
+fn without_a_display_it_says_so_and_writes_a_picture() {
+    if Desktop::open(&["--preset", "2"]).is_none() {
+        return;
+    }
+    for display in [None, Some(":4095")] {
+        let folder = tempfile::tempdir().unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_lightfall"));
+        command.args(["--preset", "3"]).current_dir(&folder).env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY");
+        if let Some(display) = display {
+            command.env("DISPLAY", display);
+        }
+        let output = command.output().unwrap();
+        let (told, said) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+        assert!(output.status.success(), "{said}");
+        assert!(said.contains("no display"), "{said}");
+        let file = folder.path().join(told.trim());
+        assert!(file.is_file(), "{told:?} does not name a file; {said}");
+        let picture = image::open(file).unwrap().to_rgb8();
+        assert!(picture.pixels().any(|pixel| pixel.0.iter().all(|&channel| channel > 100)), "the picture is dark");
+    }
+}
