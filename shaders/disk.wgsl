@@ -10,36 +10,33 @@ fn hermite(segment: Segment, t: f32) -> vec3<f32> {
         + (segment.h * s * t) * (s * segment.v0 - t * segment.v1);
 }
 
-// Adds the segment's crossing of the annulus, if it has one. A crossing belongs to the segment within which or at whose
-// end it lies, never to the one that starts there: so none counts twice, and a camera in the plane does not see the disk
-// at its own place. A ray in the plane has no crossing.
-fn record_crossing(result: ptr<function, Trace>, segment: Segment, energy: f32, lambda: f32) {
-    let z0 = segment.x0.z;
+// Adds the segment's crossing of the annulus, if it has one; its g is left to shift_hits. A crossing belongs to the
+// segment within which or at whose end it lies, never to the one that starts there: so none counts twice, and a camera
+// in the plane does not see the disk at its own place. A ray in the plane has no crossing.
+fn record_crossing(result: ptr<function, Trace>, segment: Segment) {
+    let above = segment.x0.z > 0.0;
     let z1 = segment.x1.z;
-    let crosses = z0 != 0.0 && (z1 == 0.0 || (z0 > 0.0) != (z1 > 0.0));
-    if !crosses || (*result).hit_count >= 2u {
-        return;
-    }
+    let crosses = segment.x0.z != 0.0 && (z1 == 0.0 || above != (z1 > 0.0)) && (*result).hit_count < 2u;
     var low = 0.0;
     var high = 1.0;
-    for (var i = 0u; i < BISECTIONS; i++) {
+    // No turns where nothing is crossed: drivers that mask both sides of a branch do skip a loop.
+    let turns = select(0u, BISECTIONS, crosses);
+    for (var i = 0u; i < turns; i++) {
         let middle = 0.5 * (low + high);
-        let beyond = (hermite(segment, middle).z > 0.0) != (z0 > 0.0);
+        let beyond = (hermite(segment, middle).z > 0.0) != above;
         low = select(middle, low, beyond);
         high = select(high, middle, beyond);
     }
     let position = hermite(segment, 0.5 * (low + high));
-    let r = length(position);
-    if r <= scene.disk_inner || r >= scene.disk_outer {
-        return;
+    let r2 = dot(position, position);
+    if crosses && r2 > square(scene.disk_inner) && r2 < square(scene.disk_outer) {
+        if (*result).hit_count == 0u {
+            (*result).hits[0].position = position;
+        } else {
+            (*result).hits[1].position = position;
+        }
+        (*result).hit_count += 1u;
     }
-    let hit = Hit(position, disk_redshift(r, energy, lambda));
-    if (*result).hit_count == 0u {
-        (*result).hits[0] = hit;
-    } else {
-        (*result).hits[1] = hit;
-    }
-    (*result).hit_count += 1u;
 }
 
 // Observed over emitted frequency of light from matter on a circular orbit (Cunningham 1975; Misner, Thorne & Wheeler
@@ -50,7 +47,14 @@ fn record_crossing(result: ptr<function, Trace>, segment: Segment, energy: f32, 
 // E is per unit frequency for the camera. The article's 1 + Omega L_n is the same: its L_n is that of the backward ray,
 // which is -lambda.
 fn disk_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
-    let omega = sqrt(MASS / (r * r * r));
-    let inverse_ut = sqrt(max(1.0 - 3.0 * MASS / r, TINY));
+    let m_over_r = MASS / max(r, 1.0);
+    let omega = m_over_r * sqrt(m_over_r) / MASS;
+    let inverse_ut = sqrt(max(1.0 - 3.0 * m_over_r, TINY));
     return inverse_ut / (energy * max(1.0 - omega * lambda, 1e-4));
+}
+
+// Gives the recorded crossings their g.
+fn shift_hits(result: ptr<function, Trace>, energy: f32, lambda: f32) {
+    (*result).hits[0].g = disk_redshift(length((*result).hits[0].position), energy, lambda);
+    (*result).hits[1].g = disk_redshift(length((*result).hits[1].position), energy, lambda);
 }

@@ -20,16 +20,17 @@ const LONGEST_STEP: f32 = 12.0;
 const LONGEST_STEP_SHARE: f32 = 0.15;
 const DISPLACEMENT_SHARE: f32 = 0.12;
 
-fn acceleration(x: vec3<f32>, l2: f32) -> vec3<f32> {
-    let inverse_r2 = 1.0 / max(dot(x, x), 0.25);
-    return (-1.5 * l2 * inverse_r2 * inverse_r2 * sqrt(inverse_r2)) * x;
+// The factor of x in the acceleration, from 1/r: -(3/2) L^2 / r^5.
+fn pull(l2: f32, inverse_r: f32) -> f32 {
+    let inverse_r2 = inverse_r * inverse_r;
+    return -1.5 * l2 * inverse_r2 * inverse_r2 * inverse_r;
 }
 
 // The step rule: shorter where light bends, and never a large share of the radius.
-fn step_length(r: f32, speed: f32, impact: f32) -> f32 {
+fn step_length(r: f32, v: vec3<f32>, impact: f32) -> f32 {
     let wanted = scene.step_scale * min(RADIUS_SHARE * r, BENDING_SHARE * r * r / (impact + IMPACT_REGULARIZER));
     let allowed = clamp(wanted, SHORTEST_STEP, max(LONGEST_STEP, LONGEST_STEP_SHARE * r));
-    return min(allowed, DISPLACEMENT_SHARE * r / max(speed, 1.0));
+    return min(allowed, DISPLACEMENT_SHARE * r * inverseSqrt(max(dot(v, v), 1.0)));
 }
 
 // By how much the null condition is violated, as a share of its larger side.
@@ -50,13 +51,14 @@ fn trace(photon: Photon) -> Trace {
     let impact_vector = -scene.camera_radius / energy * cross(scene.camera_direction, photon.w);
     let l2 = dot(impact_vector, impact_vector);
     let impact = sqrt(l2);
-    let lambda = -impact_vector.z;
-    var a = acceleration(x, l2);
-    var affine = 0.0;
     let max_steps = min(scene.max_steps, MOST_STEPS);
+    var inverse_r = 1.0 / scene.camera_radius;
+    var affine = 0.0;
+    var captured = false;
+    var escaped = false;
 
     for (var i = 0u; i <= MOST_STEPS; i++) {
-        let r = length(x);
+        let r = 1.0 / inverse_r;
         let outward = dot(x, v) >= 0.0;
         if DIAGNOSTICS {
             let drift = length(cross(x, v) - impact_vector) / max(impact, 1e-3);
@@ -64,40 +66,39 @@ fn trace(photon: Photon) -> Trace {
             result.angular_momentum_drift = max(result.angular_momentum_drift, drift);
         }
         // A camera may stand within the capture radius: its outgoing rays still have their chance.
-        if r <= CAPTURE_RADIUS && !outward {
-            result.outcome = OUTCOME_CAPTURED;
+        captured = r <= CAPTURE_RADIUS && !outward;
+        escaped = r >= scene.escape_radius && outward;
+        let enough = !FOLLOW_BEYOND_HITS && result.hit_count == 2u;
+        if captured || escaped || enough || i >= max_steps || affine >= scene.max_affine {
             break;
         }
-        if r >= scene.escape_radius && outward {
-            result.outcome = OUTCOME_SKY;
-            result.sky = safe_normalize(v);
-            break;
-        }
-        if i >= max_steps || affine >= scene.max_affine {
-            break;
-        }
-        var h = step_length(r, length(v), impact);
-        var next_x = x + h * v + (0.5 * h * h) * a;
+        let pull0 = pull(l2, inverse_r);
+        var h = step_length(r, v, impact);
+        var next_x = x + h * (v + (0.5 * h * pull0) * x);
+        var next_r2 = dot(next_x, next_x);
         // The trial endpoint stays outside the horizon, where the acceleration has a meaning.
-        for (var halving = 0u; halving < MOST_HALVINGS; halving++) {
-            if dot(next_x, next_x) > 1.0 {
-                break;
-            }
+        for (var halving = 0u; halving < MOST_HALVINGS && next_r2 <= 1.0; halving++) {
             h *= 0.5;
-            next_x = x + h * v + (0.5 * h * h) * a;
+            next_x = x + h * (v + (0.5 * h * pull0) * x);
+            next_r2 = dot(next_x, next_x);
         }
-        let next_a = acceleration(next_x, l2);
-        let next_v = v + (0.5 * h) * (a + next_a);
+        let next_inverse_r = inverseSqrt(max(next_r2, 0.25));
+        let next_v = v + (0.5 * h) * (pull0 * x + pull(l2, next_inverse_r) * next_x);
+        record_crossing(&result, Segment(x, v, next_x, next_v, h));
         result.steps += 1u;
         affine += h;
-        record_crossing(&result, Segment(x, v, next_x, next_v, h), energy, lambda);
-        if !FOLLOW_BEYOND_HITS && result.hit_count == 2u {
-            result.outcome = OUTCOME_HIDDEN;
-            break;
-        }
         x = next_x;
         v = next_v;
-        a = next_a;
+        inverse_r = next_inverse_r;
+    }
+    shift_hits(&result, energy, -impact_vector.z);
+    if captured {
+        result.outcome = OUTCOME_CAPTURED;
+    } else if escaped {
+        result.outcome = OUTCOME_SKY;
+        result.sky = safe_normalize(v);
+    } else if !FOLLOW_BEYOND_HITS && result.hit_count == 2u {
+        result.outcome = OUTCOME_HIDDEN;
     }
     return result;
 }

@@ -9,7 +9,7 @@
 //! * n'' = a^2 E^2 n_z e_z - (K + 2 a^2 E^2 n_z^2) n, with |n'|^2 = K + a^2 E^2 n_z^2 and (n x n')_z = -L;
 //! * phi = psi + chi, with chi' = -a u (E - a L u) / (1 - u + a^2 u^2).
 //!
-//! Derived from Carter 1968 eqs. 56-59 (Bardeen, Press & Teukolsky 1972 eqs. 2.9-2.10) by u = 1/r and by writing theta's
+//! Derived from Carter's separated equations (1968; Bardeen, Press & Teukolsky 1972 eqs. 2.9-2.10) by u = 1/r and by writing theta's
 //! and L/sin^2(theta)'s part of phi's equation as one vector: Neumann's problem on the sphere. The constants are not
 //! divided by E, which may vanish or be negative in the ergosphere.
 //!
@@ -19,8 +19,8 @@
 //!
 //! The method is a Taylor series of high order about every step's start, by recurrences on these right-hand sides: the
 //! equations are so short that a step costs little, the steps are long (about one radian), the series itself is the
-//! dense output on which events are found to full precision, and there is no error estimate to tune. DOP853 needs some
-//! five times as many steps at 1e-13, and its dense output is of seventh order only.
+//! dense output on which events are found to full precision, and there is no error estimate to tune. (DOP853's dense output
+//! is of seventh order, below that of its steps.)
 
 use crate::physics::{
     kerr::Kerr,
@@ -96,7 +96,7 @@ impl Constants {
     /// the hole if `inward`. Outside the horizon only. Where U(u) is negative there is no such photon; u' is then zero.
     ///
     /// p_phi / sin(theta) = -alpha and p_theta = beta, so lambda = -alpha sin(theta) and
-    /// eta = (alpha^2 - a^2) cos^2(theta) + beta^2: Bardeen 1973, Cunningham & Bardeen 1973 eq. 28. Giving alpha and beta,
+    /// eta = (alpha^2 - a^2) cos^2(theta) + beta^2 (Bardeen 1973). Giving alpha and beta,
     /// not lambda and eta, leaves no square root of a difference in theta's velocity.
     #[must_use]
     pub fn of_screen(
@@ -165,7 +165,8 @@ impl Constants {
     #[must_use]
     pub fn residual(&self, s: &State) -> f64 {
         let terms: f64 = self.potential_coefficients().iter().rev().fold(0.0, |sum, c| sum * s.u.abs() + c.abs());
-        let radial = (s.du * s.du - self.potential(s.u)).abs() / terms;
+        // All terms vanish for light that stays on the horizon and is shifted to nothing.
+        let radial = if terms > 0.0 { (s.du * s.du - self.potential(s.u)).abs() / terms } else { 0.0 };
         let turning = (self.a * self.energy).powi(2);
         let scale = self.k.abs() + turning;
         if scale == 0.0 {
@@ -225,7 +226,7 @@ impl Constants {
     /// How far in Mino time an expansion may be trusted and a step may go.
     ///
     /// The bound 1/sqrt(K + (1 + a^2) E^2) keeps a step below one radian. Since n_z'' = -q n_z with q <= K + a^2 E^2, by
-    /// Sturm's comparison n_z vanishes at most once a step; likewise u'.
+    /// Sturm's comparison n_z vanishes at most once a step.
     #[must_use]
     pub fn reach(&self, expansion: &Expansion) -> f64 {
         let mut reach = 1.0 / (self.k + (1.0 + self.a.powi(2)) * self.energy.powi(2)).sqrt();

@@ -139,15 +139,11 @@ impl Surroundings {
     }
 }
 
-/// The Mino time within `reach` at which an outgoing ray is at u = 0, if it gets there. As the step may be long enough to
-/// pass infinity and come back, u's minimum is looked at too; there is at most one.
+/// The Mino time within `reach` at which an outgoing ray is at u = 0, if it gets there. A step, of one radian at most, is
+/// too short to pass infinity and come back, which takes more than two.
 fn time_to_infinity(expansion: &Expansion, reach: f64) -> Option<f64> {
-    if expansion.u.0[1] >= 0.0 {
-        return None;
-    }
-    let (u, du) = expansion.u.at(reach);
-    let beyond = if u <= 0.0 || du <= 0.0 { reach } else { expansion.u.derivative().root(reach) };
-    (expansion.u.at(beyond).0 <= 0.0).then(|| expansion.u.root(beyond))
+    let outward = expansion.u.0[1] < 0.0;
+    (outward && expansion.u.at(reach).0 <= 0.0).then(|| expansion.u.root(reach))
 }
 
 /// The Mino time within (0, `end_time`] at which the ray crosses the disk's plane, n_z being `z_end` at the end.

@@ -9,23 +9,10 @@ pub const ORDER: usize = 22;
 pub struct Taylor(pub [f64; ORDER + 1]);
 
 impl Taylor {
-    /// The series that vanishes.
-    pub const ZERO: Self = Self([0.0; ORDER + 1]);
-
     /// Value and derivative at `t`.
     #[must_use]
     pub fn at(&self, t: f64) -> (f64, f64) {
         self.0.iter().rev().fold((0.0, 0.0), |(value, slope), &c| (value * t + c, slope * t + value))
-    }
-
-    /// The derivative's series.
-    #[must_use]
-    pub fn derivative(&self) -> Self {
-        let mut series = Self::ZERO;
-        for (k, power) in (1..=ORDER).zip(1_u32..) {
-            series.0[k - 1] = f64::from(power) * self.0[k];
-        }
-        series
     }
 
     /// Where the series vanishes between 0 and `end`, given that its values there differ in sign or that it vanishes at
@@ -35,7 +22,7 @@ impl Taylor {
         let rising = self.0[0] < 0.0;
         let (mut low, mut high) = (0.0, end);
         let mut t = 0.5 * end;
-        // Two thousand bisections would exhaust f64; Newton needs about six.
+        // Newton needs about six; bisection alone would need some sixty.
         for _ in 0..200 {
             let (value, slope) = self.at(t);
             if value == 0.0 {

@@ -54,7 +54,7 @@ fn spawn(mut commands: Commands, target: Res<ScreenTarget>, scene: Res<CurrentSc
         RenderTarget::None { size: UVec2::new(scene.picture.width, scene.picture.height) },
         Hdr,
         Msaa::Off,
-        Tonemapping::AcesFitted,
+        Tonemapping::KhronosPbrNeutral,
         DebandDither::Disabled,
         Exposure { ev100: UNIT_EV100 },
     ));

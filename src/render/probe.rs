@@ -6,6 +6,7 @@ use crate::gpu::DISK_HDR_SCALE;
 use crate::physics::{disk, spectrum};
 use crate::scene::Scene;
 use bevy::light::GlobalAmbientLight;
+use bevy::math::DVec3;
 use bevy::prelude::*;
 use std::f32::consts::{FRAC_PI_2, TAU};
 
@@ -13,15 +14,20 @@ use std::f32::consts::{FRAC_PI_2, TAU};
 #[derive(Component)]
 struct Probe;
 
-/// Marks one of the lamps that stand for the disk; the number is its place on the ring.
+/// Marks one of the lamps that stand for the disk: its ring and its place on it.
 #[derive(Component)]
-struct DiskLamp(usize);
+struct DiskLamp {
+    ring: usize,
+    place: usize,
+}
 
-/// Lamps on the ring that stands for the disk.
+/// Rings of lamps that stand for the disk, and lamps on each.
+const RINGS: usize = 3;
 const LAMPS: usize = 6;
 
-/// Light of the stars from everywhere, in the units of traced light.
-const STARLIGHT: f32 = 0.03;
+/// Light of the stars from everywhere, in the units of traced light; a good deal more than they give, so that the shape
+/// of the dark side shows.
+const STARLIGHT: f32 = 0.12;
 
 pub(super) fn plugin(app: &mut App) {
     app.insert_resource(GlobalAmbientLight {
@@ -52,8 +58,8 @@ fn present(
             probe.spawn((Mesh3d(meshes.add(mesh)), MeshMaterial3d(material), transform));
         }
     });
-    for place in 0..LAMPS {
-        commands.spawn((DiskLamp(place), PointLight::default(), Transform::default()));
+    for (ring, place) in (0..RINGS).flat_map(|ring| (0..LAMPS).map(move |place| (ring, place))) {
+        commands.spawn((DiskLamp { ring, place }, PointLight::default(), Transform::default()));
     }
 }
 
@@ -126,35 +132,42 @@ fn place(
             scale: Vec3::splat(scene.probe.size as f32),
         };
     }
-    let (radius, ..) = disk_lamp(&scene);
-    for (DiskLamp(place), mut transform) in &mut lamps {
-        let angle = TAU * *place as f32 / LAMPS as f32;
+    for (DiskLamp { ring, place }, mut transform) in &mut lamps {
+        // Lamps of neighbouring rings stand in each other's gaps.
+        let angle = TAU * (*place as f32 + 0.5 * (*ring % 2) as f32) / LAMPS as f32;
+        let (radius, _) = annulus(&scene, *ring);
         let on_ring = Vec3::new(angle.cos(), angle.sin(), 0.0) * radius as f32;
         transform.translation = on_ring - eye.as_vec3();
     }
 }
 
 /// Gives the lamps the disk's light. Hiding the disk leaves them on, so that the craft looks the same with and without.
-fn shine(scene: Res<CurrentScene>, mut lamps: Query<&mut PointLight>) {
-    let (_, intensity, colour) = disk_lamp(&scene);
-    for mut lamp in &mut lamps {
+fn shine(scene: Res<CurrentScene>, mut lamps: Query<(&DiskLamp, &mut PointLight)>) {
+    for (DiskLamp { ring, .. }, mut lamp) in &mut lamps {
+        let (power, colour) = ring_light(&scene, *ring);
         lamp.color = colour;
-        lamp.intensity = intensity / LAMPS as f32;
+        lamp.intensity = power / LAMPS as f32;
         lamp.range = 1e4;
     }
 }
 
-/// Where the disk's light is strongest per radius, its luminous power (both faces, unshifted, in the units of traced
-/// light), and its colour there. The lamps stand for the disk only roughly; the traced light is the exact one.
-fn disk_lamp(scene: &Scene) -> (f64, f32, Color) {
+/// Radius in the middle and area of the annulus of the disk that a ring of lamps stands for.
+fn annulus(scene: &Scene, ring: usize) -> (f64, f64) {
     let inner = disk::inner_edge(scene);
-    // The Newtonian profile F peaks at 49/36 of the inner edge.
-    let radius = inner * 49.0 / 36.0;
-    let rgb = bevy::math::DVec3::from(spectrum::colour(disk::temperature(&scene.disk, radius, inner)));
+    let edge = |ring: usize| inner + (scene.disk.outer - inner).max(0.0) * ring as f64 / RINGS as f64;
+    let (low, high) = (edge(ring), edge(ring + 1));
+    (0.5 * (low + high), std::f64::consts::PI * (high * high - low * low))
+}
+
+/// Luminous power of an annulus (both faces, unshifted, in the units of traced light) and its colour. The lamps stand
+/// for the disk only roughly; the traced light is the exact one.
+fn ring_light(scene: &Scene, ring: usize) -> (f32, Color) {
+    let inner = disk::inner_edge(scene);
+    let (radius, area) = annulus(scene, ring);
+    let rgb = DVec3::from(spectrum::colour(disk::temperature(&scene.disk, radius, inner)));
     let brightest = rgb.max_element().max(f64::MIN_POSITIVE);
-    let area = std::f64::consts::PI * (scene.disk.outer.powi(2) - inner.powi(2));
-    // Half the peak's flux stands for the mean over the annulus.
-    let radiance = 0.5 * brightest * disk::flux(scene.disk.model, radius, inner) * DISK_HDR_SCALE * scene.disk.brightness;
+    let radiance = brightest * disk::flux(scene.disk.model, radius, inner) * DISK_HDR_SCALE * scene.disk.brightness;
     let colour = (rgb / brightest).as_vec3().max(Vec3::ZERO);
-    (radius, (4.0 * radiance * area) as f32, Color::linear_rgb(colour.x, colour.y, colour.z))
+    // A Lambertian face of radiance B and area A gives pi B A; the lamp's 4 pi I spreads both over the whole sphere.
+    ((2.0 * std::f64::consts::PI * radiance * area) as f32, Color::linear_rgb(colour.x, colour.y, colour.z))
 }

@@ -1,8 +1,9 @@
-use crate::assert_close;
+use crate::{assert_close, reference::directions};
 use lightfall::{
     physics::{disk, kerr::Kerr, reference::Reference},
     scene::{Disk, DiskModel, Scene},
 };
+use std::f64::consts::PI;
 
 /// chi, r/M, then g of the most blue-shifted, the most red-shifted and the L = 0 ray to an observer at infinity in the
 /// plane: reference/numerics.md 4.9.
@@ -79,4 +80,31 @@ fn disk_flux_peaks_where_the_zero_torque_profile_does() {
     assert_eq!([flux(3.0), flux(2.0)], [0.0, 0.0]);
     let temperature = disk::temperature(&Disk::default(), peak, 3.0);
     assert_close("temperature", temperature, 18_000.0 * flux(peak).sqrt().sqrt(), 1e-14);
+}
+
+/// The two hits are crossings in the order of the backward ray, within the annulus, and a third is not recorded over them:
+/// the same annulus cut at the first hit's radius keeps exactly the other.
+#[test]
+fn disk_hits_are_the_first_two_crossings_of_the_annulus() {
+    let view = Scene::default();
+    let reference = Reference::new(&view).unwrap();
+    let mut double = 0;
+    for d in directions(20_000).filter(|d| d.x < -0.8) {
+        let [first, second] = reference.trace(d).hits;
+        assert!(first.is_some() || second.is_none());
+        for hit in [first, second].into_iter().flatten() {
+            assert!(hit.r > 3.0 && hit.r < 11.0 && hit.phi > -PI && hit.phi <= PI, "{d}: {hit:?}");
+        }
+        if let (Some(first), Some(second)) = (first, second) {
+            double += 1;
+            let mut narrow = view.clone();
+            if first.r < second.r {
+                narrow.disk.inner = 0.5 * (first.r + second.r);
+            } else {
+                narrow.disk.outer = 0.5 * (first.r + second.r);
+            }
+            assert_eq!(Reference::new(&narrow).unwrap().trace(d).hits[0], Some(second), "{d}");
+        }
+    }
+    assert!(double > 20, "only {double} rays hit twice");
 }

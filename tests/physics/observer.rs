@@ -35,7 +35,7 @@ fn observers() -> Vec<(f64, ObserverKind, [f64; 3], f64, f64)> {
 }
 
 /// The product of two momenta given as columns of the matrix, by the inverse metric in Boyer-Lindquist's own components
-/// (Bardeen, Press & Teukolsky 1972 eq. 2.4): independent of how the rows were made.
+/// (Bardeen, Press & Teukolsky 1972 section II): independent of how the rows were made.
 fn product(spin: f64, r: f64, theta: f64, left: [f64; 4], right: [f64; 4]) -> f64 {
     let (a, sin, cos) = (spin / 2.0, theta.sin(), theta.cos());
     let (sigma, delta) = (r * r + (a * cos).powi(2), r * r - r + a * a);
@@ -115,7 +115,7 @@ fn photons_of_every_observer_are_null_at_the_poles_and_inside_the_horizon_too() 
 }
 
 /// Each kind is the ZAMO seen through one boost: along phi with the speed (Omega - omega) sin(theta) A / (Sigma
-/// sqrt(Delta)) of whatever turns with Omega (Bardeen, Press & Teukolsky 1972 eq. 3.10), or inward with
+/// sqrt(Delta)) of whatever turns with Omega (Bardeen, Press & Teukolsky 1972 section III), or inward with
 /// sqrt(1 - 1/gamma^2), gamma = 1/N for free fall from rest.
 #[test]
 fn observer_kinds_are_pure_boosts_of_the_zamo() {
