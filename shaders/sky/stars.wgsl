@@ -7,7 +7,7 @@
 const CELLS: f32 = 36.0;
 // Faintest and brightest star, as a bolometric flux; in between, N(> F) grows like F^(-3/2), as for stars evenly spread
 // through space.
-const FAINTEST: f32 = 0.10;
+const FAINTEST: f32 = 0.15;
 const BRIGHTEST_STAR: f32 = 60.0;
 // Coldest star in kelvin, and the ratio to the hottest.
 const COLDEST: f32 = 2800.0;
@@ -15,7 +15,7 @@ const HOTTEST_RATIO: f32 = 10.0;
 // The band: its pole, its half width as a sine of latitude, its light, and how much rarer stars are off it.
 const BAND_POLE: vec3<f32> = vec3<f32>(2.0, 3.0, 6.0) / 7.0;
 const BAND_WIDTH: f32 = 0.16;
-const BAND_LIGHT: f32 = 0.012;
+const BAND_LIGHT: f32 = 0.03;
 const BAND_TEMPERATURE: f32 = 5200.0;
 const OFF_BAND: f32 = 0.55;
 
