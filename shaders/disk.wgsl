@@ -1,5 +1,7 @@
 // The thin disk: where a ray crosses it, and how much its matter's motion shifts the light.
 
+const HAS_DISK: bool = true;
+
 // Bisections of a crossing's bracket.
 const BISECTIONS: u32 = 10u;
 
@@ -51,6 +53,18 @@ fn disk_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
     let omega = m_over_r * sqrt(m_over_r) / MASS;
     let inverse_ut = sqrt(max(1.0 - 3.0 * m_over_r, TINY));
     return inverse_ut / (energy * max(1.0 - omega * lambda, 1e-4));
+}
+
+// Adds a crossing of the annulus, in order; E is per unit frequency for the camera, lambda = L/E. What comes after the
+// second is left out.
+fn add_hit(result: ptr<function, Trace>, position: vec3<f32>, energy: f32, lambda: f32) {
+    let hit = Hit(position, disk_redshift(length(position), energy, lambda));
+    if (*result).hit_count == 0u {
+        (*result).hits[0] = hit;
+    } else if (*result).hit_count == 1u {
+        (*result).hits[1] = hit;
+    }
+    (*result).hit_count = min((*result).hit_count + 1u, 2u);
 }
 
 // Gives the recorded crossings their g.

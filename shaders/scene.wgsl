@@ -15,6 +15,9 @@ struct Scene {
     // Where the camera is: unit vector from the hole, and radius.
     camera_direction: vec3<f32>,
     camera_radius: f32,
+    // Of (E^2, radial^2, |w|^2): |w|^2 (b_c^2/b^2 - 1), b_c the impact parameter of the photon sphere. Then 1/r.
+    discriminant: vec3<f32>,
+    camera_u: f32,
     // Size of the picture in pixels; tangents of half the field of view, horizontal and vertical.
     picture_size: vec2<f32>,
     tan_half_fov: vec2<f32>,

@@ -1,6 +1,10 @@
 // No disk: nothing is crossed and nothing shines.
 
+const HAS_DISK: bool = false;
+
 fn record_crossing(result: ptr<function, Trace>, segment: Segment) {}
+
+fn add_hit(result: ptr<function, Trace>, position: vec3<f32>, energy: f32, lambda: f32) {}
 
 fn shift_hits(result: ptr<function, Trace>, energy: f32, lambda: f32) {}
 

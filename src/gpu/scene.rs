@@ -2,7 +2,7 @@
 //! which says what each number means; tests/gpu/layout.rs compares the two.
 
 use super::GpuError;
-use crate::physics::{disk, observer::observer_matrix};
+use crate::physics::{disk, observer::observer_matrix, schwarzschild};
 use crate::scene::{Method, Scene};
 use encase::ShaderType;
 use glam::{DMat3, DVec2, DVec3, DVec4, UVec2, Vec2, Vec3, Vec4};
@@ -29,6 +29,8 @@ pub struct GpuScene {
     pub w_z: Vec4,
     pub camera_direction: Vec3,
     pub camera_radius: f32,
+    pub discriminant: Vec3,
+    pub camera_u: f32,
     pub picture_size: Vec2,
     pub tan_half_fov: Vec2,
     pub step_scale: f32,
@@ -69,8 +71,8 @@ impl GpuScene {
     fn looking(scene: &Scene, size: UVec2, legs_from_direction: DMat3) -> Result<Self, GpuError> {
         match scene.method {
             Method::Reference => return Err(GpuError::MethodOfCpu),
-            Method::Auto | Method::Verlet if scene.hole.spin != 0.0 => return Err(GpuError::Spin(scene.hole.spin)),
-            Method::Auto | Method::Verlet => {}
+            _ if scene.hole.spin != 0.0 => return Err(GpuError::Spin(scene.hole.spin)),
+            Method::Auto | Method::Verlet | Method::Closed => {}
         }
         let Scene { camera, observer, disk, sky, quality, .. } = scene;
         let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
@@ -91,6 +93,8 @@ impl GpuScene {
             w_z,
             camera_direction: camera.direction().as_vec3(),
             camera_radius: camera.r as f32,
+            discriminant: schwarzschild::discriminant_of_photon(camera.r).as_vec3(),
+            camera_u: (1.0 / camera.r) as f32,
             picture_size: size.as_vec2(),
             tan_half_fov: DVec2::new(tan_half_fov * size.x / size.y, tan_half_fov).as_vec2(),
             step_scale: quality.step_scale as f32,

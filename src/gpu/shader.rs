@@ -2,7 +2,7 @@
 //! `const` flags, which compilers drop.
 
 use crate::physics::spectrum::{TABLE_COLDEST, TABLE_HOTTEST, TABLE_LEN};
-use crate::scene::{Scene, SkyMode, View};
+use crate::scene::{Method, Scene, SkyMode, View};
 use std::fmt::Write;
 
 /// A shader: which parts are joined, and which flags are set.
@@ -38,6 +38,18 @@ pub enum Entry {
 pub enum Tracer {
     /// Velocity Verlet; spin zero only.
     Verlet,
+    /// Solved in closed form; spin zero only.
+    Closed,
+}
+
+impl Tracer {
+    /// The one that answers for a scene's method; what no shader can do is refused by [`GpuScene`](super::GpuScene).
+    fn of(method: Method) -> Self {
+        match method {
+            Method::Verlet => Self::Verlet,
+            Method::Auto | Method::Closed | Method::Reference => Self::Closed,
+        }
+    }
 }
 
 /// Least light, as a share, for which a ray is followed beyond two crossings of the disk: half of an 8-bit level.
@@ -60,7 +72,7 @@ impl Variant {
     pub fn picture(scene: &Scene) -> Self {
         Self {
             entry: Entry::Picture,
-            tracer: Tracer::Verlet,
+            tracer: Tracer::of(scene.method),
             disk: scene.disk.enabled,
             sky: scene.sky.mode,
             reference_star: scene.sky.reference_star && scene.sky.mode != SkyMode::Off,
@@ -85,8 +97,10 @@ impl Variant {
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         let mut scene = Scene::default();
-        for (enabled, transmission) in [(false, 0.0), (true, 0.0), (true, 1.0)] {
-            (scene.disk.enabled, scene.disk.transmission) = (enabled, transmission);
+        let disks = [(false, 0.0), (true, 0.0), (true, 1.0)];
+        let methods = [Method::Verlet, Method::Closed];
+        for (method, (enabled, transmission)) in methods.into_iter().flat_map(|method| disks.map(|disk| (method, disk))) {
+            (scene.method, scene.disk.enabled, scene.disk.transmission) = (method, enabled, transmission);
             all.push(Self::rays(&scene));
             for mode in [SkyMode::Stars, SkyMode::Grid, SkyMode::Off] {
                 for reference_star in [false, true] {
@@ -127,11 +141,12 @@ impl Variant {
 
     /// The parts in their order.
     fn parts(self) -> Vec<Part> {
-        let mut parts = vec![part!("scene.wgsl"), part!("observer.wgsl")];
+        let mut parts = vec![part!("scene.wgsl"), part!("elementary.wgsl"), part!("observer.wgsl")];
         parts.push(if self.disk { part!("disk.wgsl") } else { part!("disk/none.wgsl") });
-        parts.push(match self.tracer {
-            Tracer::Verlet => part!("method/verlet.wgsl"),
-        });
+        match self.tracer {
+            Tracer::Verlet => parts.push(part!("method/verlet.wgsl")),
+            Tracer::Closed => parts.extend([part!("elliptic.wgsl"), part!("method/closed.wgsl")]),
+        }
         match self.entry {
             Entry::Rays => parts.push(part!("rays.wgsl")),
             Entry::Picture => {
@@ -144,9 +159,7 @@ impl Variant {
                 match self.sky {
                     SkyMode::Off => parts.push(part!("sky/none.wgsl")),
                     SkyMode::Stars => parts.extend([part!("sky.wgsl"), part!("sky/stars.wgsl")]),
-                    SkyMode::Grid => {
-                        parts.extend([part!("elementary.wgsl"), part!("sky.wgsl"), part!("sky/grid.wgsl")]);
-                    }
+                    SkyMode::Grid => parts.extend([part!("sky.wgsl"), part!("sky/grid.wgsl")]),
                 }
                 parts.push(part!("geodesic.wgsl"));
             }

@@ -4,6 +4,7 @@
 //! D = b_c^2/b^2 - 1, with b_c^2 = 27/4: D > 0 plunges, D < 0 has turning points.
 
 use crate::physics::elliptic::carlson_rf;
+use glam::DVec3;
 use std::f64::consts::{FRAC_PI_3, PI};
 
 /// b_c = 3 sqrt(3) / 2, the impact parameter of the photon sphere, in r_s.
@@ -13,6 +14,26 @@ pub const CRITICAL_IMPACT: f64 = 2.598_076_211_353_316;
 #[must_use]
 pub fn discriminant(b: f64) -> f64 {
     (CRITICAL_IMPACT - b) * (CRITICAL_IMPACT + b) / (b * b)
+}
+
+/// The coefficients with which D |w|^2 is linear in (E^2, radial^2, |w|^2) of a photon at radius `r` (r_s), as an observer's
+/// matrix gives it. By the null condition E^2 = radial^2 + (1 - u)|w|^2, u = 1/r, there is a choice:
+///
+/// * b_c^2 u^2 E^2 - |w|^2, which keeps the digits of a shadow smaller than a quadrant for an observer at rest, S < 1/2;
+/// * (radial^2 - C E^2) / (1 - u), which keeps those of one near a hemisphere,
+///
+/// with S = (27/4) u^2 (1 - u) the squared sine of that shadow's half-angle and C = 1 - S = (27/4)(u - 2/3)^2 (u + 1/3).
+/// Derived.
+#[must_use]
+pub fn discriminant_of_photon(r: f64) -> DVec3 {
+    let u = 1.0 / r;
+    let critical = CRITICAL_IMPACT * CRITICAL_IMPACT;
+    let cosine2 = critical * (u - 2.0 / 3.0).powi(2) * (u + 1.0 / 3.0);
+    if cosine2 > 0.5 {
+        DVec3::new(critical * u * u, 0.0, -1.0)
+    } else {
+        DVec3::new(-cosine2, 1.0, 0.0) / (1.0 - u)
+    }
 }
 
 /// Bending, in radians, of light that comes from infinity with impact parameter `b` (r_s) and goes back there; nothing

@@ -171,7 +171,7 @@ pub const FIELDS: &[Field] = &[
     integer("schema", Range::closed(super::SCHEMA as f64, super::SCHEMA as f64), "", "Version of the preset format"),
     text("name", "Short name"),
     text("title", "One line that says what there is to see"),
-    choice("method", &["auto", "verlet", "reference"], "How light is traced"),
+    choice("method", &["auto", "verlet", "closed", "reference"], "How light is traced"),
     choice("view", &["colour", "unfinished"], "What is shown; `unfinished` paints rays without an answer magenta"),
     float(
         "hole.spin",

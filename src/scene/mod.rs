@@ -63,6 +63,8 @@ pub enum Method {
     Auto,
     /// Velocity Verlet in Schwarzschild's areal Cartesian coordinates.
     Verlet,
+    /// Schwarzschild's null geodesics in closed form.
+    Closed,
     /// The f64 reference, on the CPU only.
     Reference,
 }

@@ -1,0 +1,154 @@
+// Schwarzschild's null geodesics solved: no steps, no end of patience, no radius that stands for infinity.
+//
+// In its plane an orbit obeys, with u = 1/r and phi the angle from the camera (Darwin 1959; r_s = 1),
+//
+//   (du/dphi)^2 = f(u) = q - u^2 + u^3,   q = 1/b^2,
+//
+// and everything depends on D = b_c^2 q - 1, b_c^2 = 27/4: where D > 0 the ray goes through, where D < 0 it turns. The
+// cubic has one root -k < 0 whatever D is, k^2 (1 + k) = q; the others are (1 + k)/2 +- sqrt(v)/2 with
+//
+//   v = (1 + k)(1 - 3 k) = -4 D (1 + k) / (2 + 3 k)^2,
+//
+// a conjugate pair where D > 0. Taking v from D keeps its digits next to the critical curve. Derived.
+// The record's `steps` is 0 where the outcome alone was wanted and 1 where an angle was worked out; its residual is 0.
+
+// Nearer to the critical curve rays are not told apart: 1e-7 of the shadow's radius at most.
+const LEAST_DISCRIMINANT: f32 = 1e-14;
+// For the square of w, per unit frequency: b = 1e-12 of the radius.
+const LEAST_W2: f32 = 1e-24;
+// No ray is within the disk's inner edge, 3 at least, and there again later, on the same leg, so far on: on its way from
+// u = 0 to 1/3, phi <= b sqrt(2)/3 where D > 0, as then u^2 (1 - u) <= q/2.
+const DISK_ANGLE: f32 = 0.471404521;
+
+struct Orbit {
+    // u and du/dphi at the camera, phi along the backward ray.
+    u: f32,
+    slope: f32,
+    // 1/b, 1/b^2, b_c^2/b^2 - 1.
+    inverse_b: f32,
+    q: f32,
+    discriminant: f32,
+}
+
+// k. First guesses within 4e-4 (minimax polynomials in 1/b, and in its power -2/3), then one step of Newton's method.
+fn orbit_root(inverse_b: f32, q: f32) -> f32 {
+    let small = inverse_b * (0.99991836 + inverse_b * (-0.49241213 + inverse_b * (0.50929576 - inverse_b * 0.34869361)));
+    let s = exp2(log2(inverse_b) * -0.666666667);
+    let large = q * s * s * (0.99962648 + s * (-0.32762602 + s * (0.09698567 - s * 0.01438903)));
+    let k = select(large, small, inverse_b < 0.385);
+    return (k * k * (2.0 * k + 1.0) + q) / (k * (3.0 * k + 2.0));
+}
+
+// The angle phi at which the backward ray is at infinity; for rays that get there. Each leg is one R_F (DLMF 19.29.4):
+//
+//   outward from u0:  2 u0 R_F(X, X - u0^2 ((1 + 3 k)/2 +- sqrt(v)/2)),
+//                     X = k ((u0 + k) sqrt(1 + k) + |du/dphi|)^2 / (u0 + k)
+//   0 -> u2:          2 sqrt(u2) R_F(u21 u3, u21 u32, k u32),   u2 and u3 the pair, u32 = u3 - u2 = sqrt(v), u21 = u2 + k
+//   u0 -> u2:         2 sqrt(d) R_F(u21 (u32 + d), u21 u32, (u0 + k) u32),   d = u2 - u0 from d (d + u32) = f(u0)/(u0 + k)
+fn angle_to_infinity(orbit: Orbit) -> f32 {
+    let inward = orbit.slope > 0.0;
+    let k = orbit_root(orbit.inverse_b, orbit.q);
+    let t = 2.0 + 3.0 * k;
+    let v = -4.0 * orbit.discriminant * (1.0 + k) / (t * t);
+    let above = orbit.u + k;
+    // Those of the second and the third leg have a meaning where D < 0 only.
+    let u32 = sqrt(max(v, 0.0));
+    let u2 = 2.0 * k * (1.0 + k) / (1.0 + k + u32);
+    let u21 = u2 + k;
+    let rest = orbit.slope * orbit.slope / above;
+    let d = 2.0 * rest / (u32 + sqrt(u32 * u32 + 4.0 * rest) + TINY);
+    let x_out = k * square(above * sqrt(1.0 + k) + abs(orbit.slope)) / above;
+    let u2_camera = orbit.u * orbit.u;
+    let x = select(x_out, u21 * (u32 + d), inward);
+    let mean = select(x_out - u2_camera * (0.5 + 1.5 * k), 0.5 * u32 * (u21 + above), inward);
+    let h2 = select(0.25 * u2_camera * u2_camera * v, square(0.5 * u32 * d), inward);
+    var angle = select(orbit.u, sqrt(d), inward) * carlson_rf_pair(x, mean, h2);
+    if inward {
+        angle += sqrt(u2) * carlson_rf_pair(u21 * (u2 + u32), 0.5 * u32 * (u21 + k), square(0.5 * u32 * u2));
+    }
+    return 2.0 * angle;
+}
+
+// u at the angle phi after a place with u0, du/dphi: Biermann's and Weierstrass's solution of (du/dphi)^2 = f(u) (Whittaker
+// & Watson 1927 section 20.6), with P = P(phi) and x0 = (u0 - 1/3)/4:
+//
+//   u = u0 + (-P' du/dphi + f'(u0) (P - x0)/2 + f(u0)/4) / (2 (P - x0)^2)
+fn u_after(phi: f32, u0: f32, slope: f32, g3: f32) -> f32 {
+    let p = weierstrass(phi, g3);
+    let phi2 = phi * phi;
+    let x = 1.0 + p.even - phi2 * 0.25 * (u0 - 0.333333333);
+    let rise = phi * slope;
+    let numerator = rise * (1.0 + p.odd + 0.125 * phi2 * rise) + 0.25 * phi2 * u0 * (3.0 * u0 - 2.0) * x;
+    return u0 + numerator / (x * x);
+}
+
+fn add_crossing(result: ptr<function, Trace>, u: f32, direction: vec3<f32>, energy: f32, lambda: f32) {
+    if u * scene.disk_outer > 1.0 && u * scene.disk_inner < 1.0 {
+        add_hit(result, direction / u, energy, lambda);
+    }
+}
+
+fn trace(photon: Photon) -> Trace {
+    var result = untraced();
+    let n = scene.camera_direction;
+    let energy = photon_energy(photon);
+    let w = photon.w - dot(photon.w, n) * n;
+    let w2 = max(dot(w, w), LEAST_W2);
+    let inverse_w = inverseSqrt(w2);
+    // The plane of the orbit: from the camera's direction toward where the backward ray turns.
+    let tangent = -inverse_w * w;
+    let scale = scene.camera_u * inverse_w;
+    let inverse_b = energy * scale;
+    let d = dot(scene.discriminant, vec3<f32>(energy * energy, photon.radial * photon.radial, w2)) * inverse_w * inverse_w;
+    let turns = d < 0.0;
+    let discriminant = select(max(d, LEAST_DISCRIMINANT), min(d, -LEAST_DISCRIMINANT), turns);
+    let orbit = Orbit(scene.camera_u, photon.radial * scale, inverse_b, inverse_b * inverse_b, discriminant);
+
+    // What turns stays on its side of the photon sphere; what does not goes on as it began.
+    let inward = orbit.slope > 0.0;
+    let escapes = select(!inward, scene.camera_radius > 1.5, turns);
+    result.outcome = select(OUTCOME_CAPTURED, OUTCOME_SKY, escapes);
+
+    // The disk's plane is met at crossing_angle + m pi, in the direction across for even m.
+    let side = select(select(-1.0, 1.0, tangent.z > 0.0), sign(n.z), n.z != 0.0);
+    let crossing_angle = select(arctangent2(abs(n.z), -side * tangent.z), PI, n.z == 0.0);
+    let coplanar = n.z == 0.0 && tangent.z == 0.0;
+    // Inside the disk's inner edge, only the way out can meet it.
+    let outside_inner_edge = scene.camera_u < 0.333333333;
+    let meets_first = !turns && inward && crossing_angle < DISK_ANGLE / inverse_b && outside_inner_edge;
+    let may_hit = HAS_DISK && !coplanar && (escapes || meets_first);
+    if !(escapes || may_hit) {
+        return result;
+    }
+    result.steps = 1u;
+    var angle = crossing_angle;
+    if escapes {
+        angle = angle_to_infinity(orbit);
+    }
+    if may_hit {
+        let across = (side * inverseSqrt(max(n.z * n.z + tangent.z * tangent.z, TINY)))
+            * (vec3<f32>(-tangent.z * n.xy + n.z * tangent.xy, 0.0));
+        let lambda = photon_angular_momentum(photon) / energy;
+        let g3 = 0.00462962963 - 0.0625 * min(orbit.q, 1e4);
+        // No ray meets the annulus more than once on its way in and once on its way out, for each of these takes less than
+        // pi: only the first and the last crossing can be hits.
+        let last = floor((angle - crossing_angle) / PI);
+        if last >= 0.0 && outside_inner_edge {
+            add_crossing(&result, u_after(crossing_angle, orbit.u, orbit.slope, g3), across, energy, lambda);
+        }
+        if escapes && last >= select(0.0, 1.0, outside_inner_edge) {
+            let beyond = angle - crossing_angle - last * PI;
+            let u = u_after(beyond, 0.0, inverse_b, g3);
+            add_crossing(&result, u, select(across, -across, (i32(last) & 1) == 1), energy, lambda);
+        }
+    }
+    if escapes {
+        if !FOLLOW_BEYOND_HITS && result.hit_count == 2u {
+            result.outcome = OUTCOME_HIDDEN;
+        } else {
+            let turn = sine_cosine(angle);
+            result.sky = turn.y * n + turn.x * tangent;
+        }
+    }
+    return result;
+}
