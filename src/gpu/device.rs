@@ -15,13 +15,20 @@ pub struct Gpu {
     pub info: AdapterInfo,
 }
 
+/// The backends that the program draws with: those of `WGPU_BACKEND`, else the first-class ones. OpenGL is left out, for
+/// it lacks what the passes need and is noisy to ask.
+pub fn backends() -> Backends {
+    Backends::from_env().unwrap_or(Backends::PRIMARY)
+}
+
 fn instance() -> Instance {
-    Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env())
+    let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+    Instance::new(wgpu::InstanceDescriptor { backends: backends(), ..descriptor })
 }
 
 /// Every adapter that the backends of this build offer; `WGPU_BACKEND` narrows the choice.
 pub fn adapters() -> Vec<AdapterInfo> {
-    let adapters = pollster::block_on(instance().enumerate_adapters(Backends::all()));
+    let adapters = pollster::block_on(instance().enumerate_adapters(backends()));
     adapters.iter().map(Adapter::get_info).collect()
 }
 
@@ -38,7 +45,7 @@ impl Gpu {
             let adapter = match &name {
                 Some(name) => {
                     let wanted = name.to_lowercase();
-                    let adapters = instance.enumerate_adapters(Backends::all()).await;
+                    let adapters = instance.enumerate_adapters(backends()).await;
                     adapters.into_iter().find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted))
                 }
                 None => {

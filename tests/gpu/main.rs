@@ -1,16 +1,17 @@
-//! The shaders, run on whatever adapter there is. Without one the tests say so and pass, unless LIGHTFALL_REQUIRE_GPU=1.
+//! The shaders, run on whatever adapter there is. Without one the tests say so and pass, unless
+//! LIGHTFALL_REQUIRE_GPU=1.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
-// mod camera;
-// mod disk;
-// mod elementary;
+mod camera;
+mod disk;
+mod elementary;
 mod layout;
-// mod observers;
-// mod refusals;
+mod observers;
+mod refusals;
 mod shaders;
-// mod sky;
-// mod spectrum;
-// mod verlet;
+mod sky;
+mod spectrum;
+mod verlet;
 
 use glam::DVec3;
 use lightfall::gpu::{Gpu, GpuError};
