@@ -174,7 +174,7 @@ fn the_grid_has_its_lines_every_fifteen_degrees_and_keeps_its_width_to_the_poles
     // The lit share of a small circle is that of eight lines of constant width: it grows as 1/sin(theta).
     let lit = |theta: f64| {
         let circle: Vec<(f64, f64)> = (0..20_000).map(|i| (theta, f64::from(i) * 0.018)).collect();
-        brightness(&circle).iter().filter(|light| **light > 0.0).count() as f64 / 20_000.0
+        brightness(&circle).iter().filter(|light| **light > fill).count() as f64 / 20_000.0
             * TAU
             * theta.to_radians().sin()
     };
