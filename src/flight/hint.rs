@@ -4,7 +4,8 @@ use super::controls::KEYS;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 
-const FLYING: &str = "WASD fly · Space/Ctrl up/down · Q/E roll · right mouse or Tab look · wheel speed · Shift/Alt fast/slow";
+const FLYING: &str =
+    "WASD fly · Space/Ctrl up/down · Q/E roll · right mouse or Tab look · wheel speed · Shift/Alt fast/slow";
 
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show);
@@ -30,9 +31,12 @@ fn show(mut contexts: EguiContexts, mut text: Local<String>) -> Result {
         .interactable(false)
         .order(egui::Order::Foreground)
         .show(context, |ui| {
-            egui::Frame::new().fill(egui::Color32::from_black_alpha(160)).inner_margin(6).corner_radius(4).show(ui, |ui| {
-                ui.label(egui::RichText::new(text.as_str()).size(13.0).color(egui::Color32::from_gray(210)));
-            });
+            egui::Frame::new().fill(egui::Color32::from_black_alpha(160)).inner_margin(6).corner_radius(4).show(
+                ui,
+                |ui| {
+                    ui.label(egui::RichText::new(text.as_str()).size(13.0).color(egui::Color32::from_gray(210)));
+                },
+            );
         });
     Ok(())
 }

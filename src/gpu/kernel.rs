@@ -103,7 +103,8 @@ impl Kernel {
             return Err(failed(&error));
         }
         polled.map_err(|error| failed(&error))?;
-        receiver.try_recv().map_err(|error| failed(&error))?.map_err(|error| failed(&error))?;
+        // The submission is done; another thread that polls the same device may still be about to say so.
+        receiver.recv().map_err(|error| failed(&error))?.map_err(|error| failed(&error))?;
         let mut records = vec![O::default(); input.len()];
         let bytes = readable.slice(..).get_mapped_range();
         StorageBuffer::new(&bytes[..]).read(&mut records).map_err(|error| failed(&error))?;

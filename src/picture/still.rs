@@ -120,10 +120,9 @@ fn headless(scene: &Scene, size: UVec2, timed: bool) -> Result<App, PictureError
     image.asset_usage = RenderAssetUsages::RENDER_WORLD;
     image.texture_descriptor.usage |= TextureUsages::COPY_SRC;
     let output = app.world_mut().resource_mut::<Assets<Image>>().add(image);
-    app.insert_resource(Output(output.clone())).init_resource::<Finished>().add_plugins(LightfallRenderPlugin {
-        scene: scene.clone(),
-        target: RenderTarget::Image(output.into()),
-    });
+    app.insert_resource(Output(output.clone()))
+        .init_resource::<Finished>()
+        .add_plugins(LightfallRenderPlugin { scene: scene.clone(), target: RenderTarget::Image(output.into()) });
     app.finish();
     app.cleanup();
     Ok(app)

@@ -47,7 +47,8 @@ fn the_shadow_has_the_area_that_theory_gives() {
     scene.sky.mode = SkyMode::Grid;
     scene.camera.fov_deg = 24.0;
     let still = render(&scene, size).unwrap();
-    let dark = (0..size.y).flat_map(|y| (0..size.x).map(move |x| (x, y))).filter(|&(x, y)| pixel(&still, x, y) == [0; 3]);
+    let dark =
+        (0..size.y).flat_map(|y| (0..size.x).map(move |x| (x, y))).filter(|&(x, y)| pixel(&still, x, y) == [0; 3]);
     // A cone of half-angle alpha about the line of sight is a circle of radius tan(alpha) on the picture's plane.
     let alpha = lightfall::physics::schwarzschild::shadow_half_angle_static(scene.camera.r);
     let pixels_per_unit = f64::from(size.y) / 2.0 / (scene.camera.fov_deg.to_radians() / 2.0).tan();
