@@ -41,8 +41,8 @@ fn record_crossing(result: ptr<function, Trace>, segment: Segment) {
     }
 }
 
-// Observed over emitted frequency of light from matter on a circular orbit (Cunningham 1975; Misner, Thorne & Wheeler
-// 1973 section 25.5 for the orbit):
+// Observed over emitted frequency of light from matter on a circular orbit (Cunningham 1975; for the orbit Bardeen,
+// Press & Teukolsky 1972 eqs. 2.12 to 2.16 without spin):
 //
 //   g = 1 / (E u^t (1 - Omega lambda)),   Omega = sqrt(M / r^3),   u^t = 1 / sqrt(1 - 3 M / r),   lambda = L/E
 //

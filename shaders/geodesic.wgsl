@@ -1,5 +1,5 @@
-// The picture: pixel -> photon -> trace -> light. A triangle at the far plane covers the picture, so the depth test lets
-// only those pixels through that nothing stands in front of.
+// The picture: pixel -> photon -> trace -> light. A triangle at the far plane covers the picture, so the depth test
+// lets only those pixels through that nothing stands in front of.
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
@@ -28,7 +28,7 @@ fn light_along(photon: Photon) -> vec3<f32> {
         light += transmission * sky_light(ray.sky, 1.0 / photon_energy(photon));
     }
     if SHOW_UNFINISHED && ray.outcome == OUTCOME_UNFINISHED {
-        light = MAGENTA;
+        light = scene.mark_brightness * MAGENTA;
     }
     return light;
 }

@@ -26,7 +26,8 @@ struct Scene {
     max_steps: u32,
     max_affine: f32,
     escape_radius: f32,
-    // The disk: edges, widths of the fade at each edge, temperature scale in kelvin, scale of the emission, transmission.
+    // The disk: edges, widths of the fade at each edge, temperature scale in kelvin, scale of the emission,
+    // transmission.
     disk_inner: f32,
     disk_outer: f32,
     disk_inner_fade: f32,
@@ -40,6 +41,8 @@ struct Scene {
     spot_radius: f32,
     star_brightness: f32,
     sky_seed: u32,
+    // Light of a mark that must be seen whatever the exposure.
+    mark_brightness: f32,
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;

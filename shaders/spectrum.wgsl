@@ -4,8 +4,8 @@
 
 @group(0) @binding(1) var<uniform> spectrum: array<vec4<f32>, SPECTRUM_LEN>;
 
-// Linear sRGB per unit of relative bolometric flux; 6500 K has luminance one. Temperatures outside the table count as its
-// ends, and colours outside the gamut are clipped.
+// Linear sRGB per unit of relative bolometric flux; 6500 K has luminance one. Temperatures outside the table count as
+// its ends, and colours outside the gamut are clipped.
 fn thermal_colour(temperature: f32) -> vec3<f32> {
     let last = f32(SPECTRUM_LEN - 1u);
     let share = log(clamp(temperature, SPECTRUM_COLDEST, SPECTRUM_HOTTEST) / SPECTRUM_COLDEST) / SPECTRUM_LN_RANGE;

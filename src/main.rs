@@ -76,7 +76,9 @@ fn fly(args: &SceneArgs) -> Result<(), Stop> {
     }
     match flight::fly(scene) {
         bevy::app::AppExit::Success => Ok(()),
-        bevy::app::AppExit::Error(status) => Err(Stop(status.get(), "the window ended with an error, see above".into())),
+        bevy::app::AppExit::Error(status) => {
+            Err(Stop(status.get(), "the window ended with an error, see above".into()))
+        }
     }
 }
 
@@ -122,7 +124,8 @@ fn trace(args: &TraceArgs) -> Result<(), Stop> {
         (Box::new(io::stdin()), "standard input".into())
     } else {
         let name = args.rays.display().to_string();
-        let file = std::fs::File::open(&args.rays).map_err(|error| Stop(1, format!("{name}: cannot be read: {error}")))?;
+        let file =
+            std::fs::File::open(&args.rays).map_err(|error| Stop(1, format!("{name}: cannot be read: {error}")))?;
         (Box::new(file), name)
     };
     let directions = RayReader::new(BufReader::new(input), name).collect::<Result<Vec<_>, _>>().map_err(failed)?;

@@ -14,8 +14,8 @@ fn edge_fade(r: f32) -> f32 {
 //
 //   F = (r_in / r)^3 (1 - sqrt(r_in / r)),   T = T_scale F^(1/4)
 //
-// Thermal light keeps Planck's shape at the temperature g T, and its bolometric intensity changes by g^4 (Misner, Thorne &
-// Wheeler 1973 eq. 22.49: I_nu / nu^3 is the same for everyone).
+// Thermal light keeps Planck's shape at the temperature g T, and its bolometric intensity changes by g^4 since
+// I_nu / nu^3 is the same for everyone (Misner, Thorne & Wheeler 1973, section 22.6).
 fn disk_light(hit: Hit) -> vec3<f32> {
     let r = length(hit.position);
     let x = scene.disk_inner / max(r, TINY);

@@ -2,9 +2,9 @@
 //
 //   d2x/dlambda2 = -(3/2) L^2 x / r^5,      v_r^2 + (1 - 1/r) L^2 / r^2 = 1,      L = x cross v
 //
-// The second equation is the null condition with |E| = 1 (Misner, Thorne & Wheeler 1973 eq. 25.55); the first follows by
-// differentiation, the centrifugal term being the part of a Cartesian acceleration that moves no photon.
-// The affine parameter lambda grows backward along the ray.
+// The second equation is the null condition with |E| = 1 (Misner, Thorne & Wheeler 1973, section 25.6). Derived from it
+// by differentiation is the radial part of the first: the centrifugal term L^2 / r^3 is what Cartesian coordinates have
+// anyway, the relativistic one remains. The affine parameter lambda grows backward along the ray.
 
 // At this radius an ingoing ray counts as captured: no ray turns outward within the photon sphere, at 1.5.
 const CAPTURE_RADIUS: f32 = 1.015;

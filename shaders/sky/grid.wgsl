@@ -2,6 +2,8 @@
 // temperature, so the shift changes their brightness alone.
 
 const GRID_SPACING: f32 = PI / 12.0;
+// Between the lines: enough light that the hole's shadow stands out against it.
+const GRID_FILL: vec3<f32> = vec3<f32>(0.004, 0.008, 0.015);
 const GRID_LINE: vec3<f32> = vec3<f32>(0.05, 0.10, 0.16);
 const GRID_STRONG_LINE: vec3<f32> = vec3<f32>(0.16, 0.28, 0.40);
 const GRID_EQUATOR: vec3<f32> = vec3<f32>(0.80, 0.30, 0.06);
@@ -36,5 +38,5 @@ fn sky_background(direction: vec3<f32>, g: f32) -> vec3<f32> {
         let line = line_colour(meridian, 0, GRID_PRIME_MERIDIAN) * spot_profile(square(meridian_distance), radius);
         light = max(light, line);
     }
-    return light;
+    return GRID_FILL + light;
 }

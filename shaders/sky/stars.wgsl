@@ -1,8 +1,9 @@
 // Stars, the same for the same seed, and a faint band of those too many to tell apart.
 //
-// Three layers of stars overlap, each on the six gnomonic charts of a cube that is turned against the other two. A chart
-// is cut into cells and a cell holds at most one star, far enough from its edges that the whole image lies inside. So a
-// pixel asks one cell a layer, no image is ever cut, and where charts meet or poles lie nothing is to be seen.
+// Three layers of stars overlap, each on the six gnomonic charts of a cube that is turned against the other two. A
+// chart is cut into cells and a cell holds at most one star, far enough from its edges that the whole image lies
+// inside. So a pixel asks one cell a layer, no image is ever cut, and where charts meet or poles lie nothing is to be
+// seen.
 
 const CELLS: f32 = 36.0;
 // Faintest and brightest star, as a bolometric flux; in between, N(> F) grows like F^(-3/2), as for stars evenly spread
@@ -16,11 +17,11 @@ const HOTTEST_RATIO: f32 = 10.0;
 const BAND_POLE: vec3<f32> = vec3<f32>(2.0, 3.0, 6.0) / 7.0;
 const BAND_WIDTH: f32 = 0.16;
 const BAND_LIGHT: f32 = 0.03;
-const BAND_TEMPERATURE: f32 = 5200.0;
+const BAND_TEMPERATURE: f32 = 6500.0;
 const OFF_BAND: f32 = 0.55;
 
-// Three numbers from three, each depending on all: multiply, add crosswise, fold (a permuted congruential generator after
-// Jarzynski & Olano 2020, "Hash Functions for GPU Rendering", section 4.2).
+// Three numbers from three, each depending on all: multiply, add crosswise, fold (a permuted congruential generator
+// after Jarzynski & Olano 2020, "Hash Functions for GPU Rendering").
 fn hash(key: vec3<u32>) -> vec3<u32> {
     var v = key * 1664525u + 1013904223u;
     for (var turn = 0u; turn < 2u; turn++) {
@@ -66,10 +67,10 @@ fn star_layer(direction: vec3<f32>, g: f32, frame: mat3x3<f32>, layer: u32) -> v
     let face = axis * 2u + select(0u, 1u, d.z < 0.0);
     let place = clamp((d.xy / max(abs(d.z), 0.5) * 0.5 + 0.5) * CELLS, vec2<f32>(0.0), vec2<f32>(CELLS - 1.0));
     let cell = floor(place);
-    let bits = hash(vec3<u32>(vec2<u32>(cell), face + 6u * layer) + vec3<u32>(0u, 0u, scene.sky_seed * 32u));
+    let bits = hash(vec3<u32>(u32(cell.x + CELLS * cell.y), face + 6u * layer, scene.sky_seed));
 
-    // The star keeps as far from the cell's edges as its image is wide; toward the corners of a face one radian spans up
-    // to three units of the chart.
+    // The star keeps as far from the cell's edges as its image is wide; toward the corners of a face one radian spans
+    // up to three units of the chart.
     let radius = spot_radius(g);
     let half_cell = 1.0 / CELLS;
     let middle = (cell + 0.5) * (2.0 * half_cell) - 1.0;

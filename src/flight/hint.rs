@@ -4,7 +4,10 @@ use super::controls::KEYS;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 
-const FLYING: &str = "WASD fly · Space/Ctrl up/down · Q/E roll · right mouse or Tab look · wheel speed · Shift/Alt fast/slow";
+const FLYING: &str = "WASD fly · Space/Ctrl up/down · Q/E roll · right mouse or Tab look · wheel speed · Shift/Alt fast/slow · Esc frees the mouse";
+
+/// Room around the line, in points.
+const MARGIN: f32 = 8.0;
 
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show);
@@ -25,14 +28,19 @@ fn show(mut contexts: EguiContexts, mut text: Local<String>) -> Result {
         *text = line();
     }
     let context = contexts.ctx_mut()?;
+    let widest = context.content_rect().width() - 2.0 * MARGIN;
     egui::Area::new("hint".into())
-        .anchor(egui::Align2::CENTER_BOTTOM, [0.0, -8.0])
+        .anchor(egui::Align2::CENTER_BOTTOM, [0.0, -MARGIN])
         .interactable(false)
         .order(egui::Order::Foreground)
         .show(context, |ui| {
-            egui::Frame::new().fill(egui::Color32::from_black_alpha(160)).inner_margin(6).corner_radius(4).show(ui, |ui| {
-                ui.label(egui::RichText::new(text.as_str()).size(13.0).color(egui::Color32::from_gray(210)));
-            });
+            ui.set_max_width(widest);
+            egui::Frame::new().fill(egui::Color32::from_black_alpha(160)).inner_margin(6).corner_radius(4).show(
+                ui,
+                |ui| {
+                    ui.label(egui::RichText::new(text.as_str()).size(13.0).color(egui::Color32::from_gray(210)));
+                },
+            );
         });
     Ok(())
 }

@@ -9,7 +9,7 @@ pub use controls::{KEYS, Key};
 pub use display::has_display;
 
 use crate::picture::quiet_log;
-use crate::render::{CurrentScene, LightfallRenderPlugin, Screen};
+use crate::render::{CurrentScene, LightfallRenderPlugin, Screen, render_plugin};
 use crate::scene::Scene;
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
@@ -25,7 +25,7 @@ pub const NEAREST: f64 = 1.08;
 /// Opens the window and flies until it is closed.
 pub fn fly(scene: Scene) -> AppExit {
     App::new()
-        .add_plugins(DefaultPlugins.set(quiet_log()).set(WindowPlugin {
+        .add_plugins(DefaultPlugins.set(quiet_log()).set(render_plugin(false)).set(WindowPlugin {
             primary_window: Some(Window {
                 title: title(&scene),
                 name: Some("lightfall".into()),

@@ -111,7 +111,8 @@ fn steer(
     world_from_camera *= turned(turn.x, -turn.y, roll);
     let speed = SPEED * (camera.r - 1.0).max(NEAREST - 1.0) * gear * pilot.throttle;
     let moved = camera.direction() * camera.r + world_from_camera * thrust.normalize_or_zero() * speed * seconds;
-    let position = if thrust == DVec3::ZERO { camera.direction() * camera.r } else { kept_outside(moved, camera.direction()) };
+    let position =
+        if thrust == DVec3::ZERO { camera.direction() * camera.r } else { kept_outside(moved, camera.direction()) };
     camera.set_pose(position, world_from_camera);
 }
 

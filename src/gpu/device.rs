@@ -2,6 +2,7 @@
 
 use super::GpuError;
 use std::env;
+use std::sync::Mutex;
 use wgpu::{Adapter, AdapterInfo, Backends, Device, Instance, Queue, ShaderModule};
 
 /// A device, its queue, and which adapter they belong to.
@@ -13,15 +14,24 @@ pub struct Gpu {
     pub queue: Queue,
     /// Name, driver and backend of the adapter.
     pub info: AdapterInfo,
+    /// Held while an error scope is open.
+    scope: Mutex<()>,
+}
+
+/// The backends that the program draws with: those of `WGPU_BACKEND`, else the first-class ones. OpenGL is left out, for
+/// it lacks what the passes need and is noisy to ask.
+pub fn backends() -> Backends {
+    Backends::from_env().unwrap_or(Backends::PRIMARY)
 }
 
 fn instance() -> Instance {
-    Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env())
+    let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+    Instance::new(wgpu::InstanceDescriptor { backends: backends(), ..descriptor })
 }
 
 /// Every adapter that the backends of this build offer; `WGPU_BACKEND` narrows the choice.
 pub fn adapters() -> Vec<AdapterInfo> {
-    let adapters = pollster::block_on(instance().enumerate_adapters(Backends::all()));
+    let adapters = pollster::block_on(instance().enumerate_adapters(backends()));
     adapters.iter().map(Adapter::get_info).collect()
 }
 
@@ -38,7 +48,7 @@ impl Gpu {
             let adapter = match &name {
                 Some(name) => {
                     let wanted = name.to_lowercase();
-                    let adapters = instance.enumerate_adapters(Backends::all()).await;
+                    let adapters = instance.enumerate_adapters(backends()).await;
                     adapters.into_iter().find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted))
                 }
                 None => {
@@ -60,7 +70,7 @@ impl Gpu {
             };
             let (device, queue) =
                 adapter.request_device(&descriptor).await.map_err(|error| GpuError::Device(error.to_string()))?;
-            Ok(Self { device, queue, info: adapter.get_info() })
+            Ok(Self { device, queue, info: adapter.get_info(), scope: Mutex::new(()) })
         })
     }
 
@@ -76,15 +86,18 @@ impl Gpu {
     /// # Errors
     /// The compiler's message.
     pub fn shader(&self, label: &str, source: &str) -> Result<ShaderModule, GpuError> {
+        let source = wgpu::ShaderSource::Wgsl(source.into());
+        let module = self.validated(|| self.unchecked(wgpu::ShaderModuleDescriptor { label: Some(label), source }));
+        module.map_err(GpuError::Shader)
+    }
+
+    /// What `work` gives, or what the device has to say against it.
+    pub(super) fn validated<T>(&self, work: impl FnOnce() -> T) -> Result<T, String> {
+        // A device's error scopes may be one stack for all threads, so only one is open at a time.
+        let _alone = self.scope.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         let scope = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let module = self.unchecked(wgpu::ShaderModuleDescriptor {
-            label: Some(label),
-            source: wgpu::ShaderSource::Wgsl(source.into()),
-        });
-        match pollster::block_on(scope.pop()) {
-            Some(error) => Err(GpuError::Shader(error.to_string())),
-            None => Ok(module),
-        }
+        let done = work();
+        pollster::block_on(scope.pop()).map_or(Ok(done), |error| Err(error.to_string()))
     }
 
     #[expect(unsafe_code, reason = "the only way to the module that Bevy makes, too")]

@@ -32,22 +32,21 @@ impl Kernel {
     /// A text that does not compile.
     pub fn new(gpu: &Gpu, source: &str, entry: &str, uniforms: &[(u32, Vec<u8>)]) -> Result<Self, GpuError> {
         let module = gpu.shader(entry, source)?;
-        let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let uniforms =
-            uniforms.iter().map(|(binding, bytes)| (*binding, buffer(gpu, "uniform", bytes, BufferUsages::UNIFORM)));
-        let uniforms = uniforms.collect();
-        let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: Some(entry),
-            layout: None,
-            module: &module,
-            entry_point: Some(entry),
-            compilation_options: Default::default(),
-            cache: None,
-        });
-        match pollster::block_on(scope.pop()) {
-            Some(error) => Err(GpuError::Shader(error.to_string())),
-            None => Ok(Self { pipeline, uniforms }),
-        }
+        gpu.validated(|| {
+            let uniforms = uniforms
+                .iter()
+                .map(|(binding, bytes)| (*binding, buffer(gpu, "uniform", bytes, BufferUsages::UNIFORM)));
+            let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: Some(entry),
+                layout: None,
+                module: &module,
+                entry_point: Some(entry),
+                compilation_options: Default::default(),
+                cache: None,
+            });
+            Self { pipeline, uniforms: uniforms.collect() }
+        })
+        .map_err(GpuError::Shader)
     }
 
     /// Runs it over `input`; nothing in, nothing out.
@@ -66,15 +65,32 @@ impl Kernel {
         let mut bytes = StorageBuffer::new(Vec::new());
         bytes.write(&input.to_vec()).map_err(|error| failed(&error))?;
         let size = O::SHADER_SIZE.get() * input.len() as u64;
-        let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let input_buffer = buffer(gpu, "input", &bytes.into_inner(), BufferUsages::STORAGE);
+        let readable =
+            gpu.validated(|| self.dispatch(gpu, &bytes.into_inner(), input.len(), size)).map_err(GpuError::Device)?;
+        let (sender, receiver) = std::sync::mpsc::channel();
+        readable.slice(..).map_async(wgpu::MapMode::Read, move |result| {
+            // Nobody listens once the device has failed; the error is reported there.
+            let _ = sender.send(result);
+        });
+        gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| failed(&error))?;
+        // The submission is done; another thread that polls the same device may still be about to say so.
+        receiver.recv().map_err(|error| failed(&error))?.map_err(|error| failed(&error))?;
+        let mut records = vec![O::default(); input.len()];
+        let bytes = readable.slice(..).get_mapped_range();
+        StorageBuffer::new(&bytes[..]).read(&mut records).map_err(|error| failed(&error))?;
+        Ok(records)
+    }
+
+    /// Submits one run over `count` elements; the answer, of `size` bytes, will be in the buffer.
+    fn dispatch(&self, gpu: &Gpu, input: &[u8], count: usize, size: u64) -> Buffer {
+        let input = buffer(gpu, "input", input, BufferUsages::STORAGE);
         let make = |label, usage| {
             let descriptor = wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false };
             gpu.device.create_buffer(&descriptor)
         };
         let output = make("output", BufferUsages::STORAGE | BufferUsages::COPY_SRC);
         let readable = make("readable output", BufferUsages::COPY_DST | BufferUsages::MAP_READ);
-        let arrays = [(2, &input_buffer), (3, &output)];
+        let arrays = [(2, &input), (3, &output)];
         let bindings = self.uniforms.iter().map(|(binding, buffer)| (*binding, buffer)).chain(arrays);
         let entries: Vec<_> = bindings
             .map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() })
@@ -89,25 +105,11 @@ impl Kernel {
             let mut pass = encoder.begin_compute_pass(&Default::default());
             pass.set_pipeline(&self.pipeline);
             pass.set_bind_group(0, &bind_group, &[]);
-            pass.dispatch_workgroups(input.len().div_ceil(WORKGROUP) as u32, 1, 1);
+            pass.dispatch_workgroups(count.div_ceil(WORKGROUP) as u32, 1, 1);
         }
         encoder.copy_buffer_to_buffer(&output, 0, &readable, 0, size);
         gpu.queue.submit([encoder.finish()]);
-        let (sender, receiver) = std::sync::mpsc::channel();
-        readable.slice(..).map_async(wgpu::MapMode::Read, move |result| {
-            // Nobody listens once the device has failed; the error is reported there.
-            let _ = sender.send(result);
-        });
-        let polled = gpu.device.poll(wgpu::PollType::wait_indefinitely());
-        if let Some(error) = pollster::block_on(scope.pop()) {
-            return Err(failed(&error));
-        }
-        polled.map_err(|error| failed(&error))?;
-        receiver.try_recv().map_err(|error| failed(&error))?.map_err(|error| failed(&error))?;
-        let mut records = vec![O::default(); input.len()];
-        let bytes = readable.slice(..).get_mapped_range();
-        StorageBuffer::new(&bytes[..]).read(&mut records).map_err(|error| failed(&error))?;
-        Ok(records)
+        readable
     }
 }
 

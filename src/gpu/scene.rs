@@ -18,6 +18,9 @@ const SPOT_PIXELS: f64 = 1.5;
 /// half as wide is four times as bright.
 const SPOT_HEIGHT: f64 = 540.0;
 
+/// Light of a mark after exposure: below what tone mapping begins to bleach.
+const MARK_BRIGHTNESS: f64 = 0.7;
+
 /// A scene in the GPU's numbers.
 #[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
@@ -49,6 +52,7 @@ pub struct GpuScene {
     pub spot_radius: f32,
     pub star_brightness: f32,
     pub sky_seed: u32,
+    pub mark_brightness: f32,
 }
 
 impl GpuScene {
@@ -114,6 +118,7 @@ impl GpuScene {
             spot_radius: spot_radius as f32,
             star_brightness: (size.y / SPOT_HEIGHT).powi(2) as f32,
             sky_seed: sky.seed,
+            mark_brightness: (MARK_BRIGHTNESS / scene.picture.exposure_ev.exp2()) as f32,
         })
     }
 }

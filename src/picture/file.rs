@@ -101,5 +101,6 @@ fn part_file(path: &Path) -> Result<tempfile::NamedTempFile, PictureError> {
         .prefix(".lightfall-")
         .suffix(".part")
         .tempfile_in(folder)
-        .map_err(|source| PictureError::Write { path: path.into(), source })
+        // Its own message names the temporary file, which nobody asked for.
+        .map_err(|error| PictureError::Write { path: path.into(), source: error.kind().into() })
 }

@@ -1,7 +1,7 @@
 //! One picture of a scene, by the very chain of the window, with no window.
 
 use super::PictureError;
-use crate::render::{LightfallRenderPlugin, pipelines_ready};
+use crate::render::{LightfallRenderPlugin, pipelines_ready, render_plugin};
 use crate::scene::Scene;
 use bevy::app::PluginsState;
 use bevy::asset::RenderAssetUsages;
@@ -9,7 +9,6 @@ use bevy::camera::RenderTarget;
 use bevy::diagnostic::DiagnosticsStore;
 use bevy::log::LogPlugin;
 use bevy::prelude::*;
-use bevy::render::RenderPlugin;
 use bevy::render::diagnostic::RenderDiagnosticsPlugin;
 use bevy::render::gpu_readback::{Readback, ReadbackComplete};
 use bevy::render::pipelined_rendering::PipelinedRenderingPlugin;
@@ -93,7 +92,7 @@ fn headless(scene: &Scene, size: UVec2, timed: bool) -> Result<App, PictureError
     app.add_plugins(
         DefaultPlugins
             .set(WindowPlugin { primary_window: None, exit_condition: ExitCondition::DontExit, ..default() })
-            .set(RenderPlugin { synchronous_pipeline_compilation: true, ..default() })
+            .set(render_plugin(true))
             .build()
             .disable::<LogPlugin>()
             .disable::<WinitPlugin>()
@@ -121,10 +120,9 @@ fn headless(scene: &Scene, size: UVec2, timed: bool) -> Result<App, PictureError
     image.asset_usage = RenderAssetUsages::RENDER_WORLD;
     image.texture_descriptor.usage |= TextureUsages::COPY_SRC;
     let output = app.world_mut().resource_mut::<Assets<Image>>().add(image);
-    app.insert_resource(Output(output.clone())).init_resource::<Finished>().add_plugins(LightfallRenderPlugin {
-        scene: scene.clone(),
-        target: RenderTarget::Image(output.into()),
-    });
+    app.insert_resource(Output(output.clone()))
+        .init_resource::<Finished>()
+        .add_plugins(LightfallRenderPlugin { scene: scene.clone(), target: RenderTarget::Image(output.into()) });
     app.finish();
     app.cleanup();
     Ok(app)

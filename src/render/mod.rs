@@ -23,7 +23,9 @@ pub use presentation::{Letterbox, letterbox};
 use crate::scene::Scene;
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
+use bevy::render::RenderPlugin;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
+use bevy::render::settings::WgpuSettings;
 
 /// The scene that is being drawn. It must have passed [`Scene::check`]; what writes it, checks it.
 #[derive(Resource, Clone, Deref, DerefMut, ExtractResource)]
@@ -45,6 +47,13 @@ impl Plugin for LightfallRenderPlugin {
             .add_plugins((eye::EyePlugin { target: self.target.clone() }, probe::plugin))
             .add_plugins((geodesic::plugin, presentation::plugin));
     }
+}
+
+/// Bevy's renderer on the same backends as [`Gpu::headless`](crate::gpu::Gpu::headless). A still waits for its pipelines, a
+/// window does not.
+pub fn render_plugin(synchronous_pipeline_compilation: bool) -> RenderPlugin {
+    let settings = WgpuSettings { backends: Some(crate::gpu::backends()), ..default() };
+    RenderPlugin { render_creation: settings.into(), synchronous_pipeline_compilation, ..default() }
 }
 
 /// Whether every pipeline that the chain queued exists, asked after an update. An error names what failed.

@@ -30,12 +30,8 @@ const LAMPS: usize = 6;
 const STARLIGHT: f32 = 0.12;
 
 pub(super) fn plugin(app: &mut App) {
-    app.insert_resource(GlobalAmbientLight {
-        color: Color::srgb(0.8, 0.88, 1.0),
-        brightness: STARLIGHT,
-        ..default()
-    })
-    .add_systems(PostUpdate, (present, place, shine).chain().run_if(resource_changed::<CurrentScene>));
+    app.insert_resource(GlobalAmbientLight { color: Color::srgb(0.8, 0.88, 1.0), brightness: STARLIGHT, ..default() })
+        .add_systems(PostUpdate, (present, place, shine).chain().run_if(resource_changed::<CurrentScene>));
 }
 
 /// Builds the craft and its lamps when the scene has one, and takes them away when it has none.
@@ -92,10 +88,18 @@ fn craft(materials: &mut Assets<StandardMaterial>) -> Vec<(Mesh, Handle<Standard
     let at = Transform::from_xyz;
     let mut parts: Vec<(Mesh, _, _)> = vec![
         (Cylinder::new(0.13, 0.5).mesh().resolution(8).into(), metal.clone(), at(0.0, 0.0, 0.0)),
-        (ConicalFrustum { radius_top: 0.07, radius_bottom: 0.13, height: 0.12 }.into(), ceramic.clone(), at(0.0, 0.31, 0.0)),
+        (
+            ConicalFrustum { radius_top: 0.07, radius_bottom: 0.13, height: 0.12 }.into(),
+            ceramic.clone(),
+            at(0.0, 0.31, 0.0),
+        ),
         (ConicalFrustum { radius_top: 0.24, radius_bottom: 0.05, height: 0.1 }.into(), ceramic, at(0.0, 0.45, 0.0)),
         (Cylinder::new(0.012, 0.2).into(), metal.clone(), at(0.0, 0.55, 0.0)),
-        (ConicalFrustum { radius_top: 0.06, radius_bottom: 0.1, height: 0.12 }.into(), metal.clone(), at(0.0, -0.31, 0.0)),
+        (
+            ConicalFrustum { radius_top: 0.06, radius_bottom: 0.1, height: 0.12 }.into(),
+            metal.clone(),
+            at(0.0, -0.31, 0.0),
+        ),
         (Sphere::new(0.022).into(), lamp.clone(), at(0.0, 0.66, 0.0)),
         (Sphere::new(0.018).into(), lamp, at(0.135, -0.12, 0.0)),
     ];

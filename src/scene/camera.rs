@@ -22,7 +22,7 @@ impl Camera {
     /// Without turns it looks at the hole: forward is inward, up is decreasing theta, right is growing phi. It is turned
     /// about its own axes: to the right, then up, then clockwise as seen from behind it.
     pub fn legs_from_camera(&self) -> DMat3 {
-        let [yaw, pitch, roll] = [self.yaw_deg, self.pitch_deg, self.roll_deg].map(|degrees| sin_cos_deg(degrees));
+        let [yaw, pitch, roll] = [self.yaw_deg, self.pitch_deg, self.roll_deg].map(sin_cos_deg);
         let [right, up, forward] = [DVec3::Z, -DVec3::Y, -DVec3::X];
         let turn = |(sin, cos): (f64, f64), to: DVec3, from: DVec3| (cos * to + sin * from, cos * from - sin * to);
         let (forward, right) = turn(yaw, forward, right);

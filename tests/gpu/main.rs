@@ -1,36 +1,22 @@
-//! The shaders, run on whatever adapter there is. Without one the tests say so and pass, unless LIGHTFALL_REQUIRE_GPU=1.
+//! The shaders, run on whatever adapter there is. Without one the tests say so and pass, unless
+//! LIGHTFALL_REQUIRE_GPU=1.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
-// mod camera;
-// mod disk;
-// mod elementary;
+mod adapter;
+mod camera;
+mod disk;
+mod elementary;
 mod layout;
-// mod observers;
-// mod refusals;
+mod observers;
+mod refusals;
 mod shaders;
-// mod sky;
-// mod spectrum;
-// mod verlet;
+mod sky;
+mod spectrum;
+mod verlet;
 
+use adapter::gpu;
 use glam::DVec3;
-use lightfall::gpu::{Gpu, GpuError};
 use lightfall::scene::Scene;
-use std::sync::OnceLock;
-
-/// The device that all tests share; none where there is no adapter and none is required.
-fn gpu() -> Option<&'static Gpu> {
-    static SHARED: OnceLock<Result<Gpu, GpuError>> = OnceLock::new();
-    let required = std::env::var("LIGHTFALL_REQUIRE_GPU").is_ok_and(|value| value == "1");
-    match SHARED.get_or_init(Gpu::headless) {
-        Ok(gpu) => Some(gpu),
-        Err(error) if required => panic!("LIGHTFALL_REQUIRE_GPU is 1, but {error}"),
-        Err(GpuError::NoAdapter(_)) => {
-            println!("skipped: no adapter");
-            None
-        }
-        Err(error) => panic!("{error}"),
-    }
-}
 
 /// A scene with nothing but the hole and a static camera at `r`, balanced quality.
 fn bare_hole(r: f64) -> Scene {

@@ -115,7 +115,7 @@ fn a_field_that_another_one_limits_is_answered_with_the_other_one() {
         ),
         (
             "picture.grid_height = 541",
-            "picture.grid_height = 541 is refused: it must be an integer from 1 to 540 cells (picture.height is 540)",
+            "picture.grid_height = 541 is refused: it must be an integer from 9 to 540 cells (picture.height is 540)",
         ),
     ] {
         assert_eq!(preset(text), format!("my.toml: {sentence}"));

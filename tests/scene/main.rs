@@ -4,5 +4,6 @@
 mod command_line;
 mod fields;
 mod load;
+mod pose;
 mod presets;
 mod rays;

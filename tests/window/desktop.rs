@@ -55,7 +55,11 @@ impl Desktop {
     /// required.
     pub fn open(arguments: &[&str]) -> Option<Self> {
         for tool in ["Xvfb", "xdotool"] {
-            if Command::new("sh").args(["-c", &format!("command -v {tool}")]).output().is_ok_and(|out| out.status.success()) {
+            if Command::new("sh")
+                .args(["-c", &format!("command -v {tool}")])
+                .output()
+                .is_ok_and(|out| out.status.success())
+            {
                 continue;
             }
             let required = std::env::var_os("LIGHTFALL_REQUIRE_GPU").is_some_and(|value| value == "1");

@@ -1,0 +1,36 @@
+//! Elementary functions against f64's.
+
+use crate::gpu;
+use glam::Vec4;
+use lightfall::gpu::kernel::Kernel;
+
+#[test]
+fn the_arctangent_has_its_stated_error() {
+    let Some(gpu) = gpu() else { return };
+    let source = concat!(
+        "const PI: f32 = 3.14159265358979; const TINY: f32 = 1e-30;\n",
+        include_str!("../../shaders/elementary.wgsl"),
+        "@group(0) @binding(2) var<storage, read> points: array<vec4<f32>>;
+         @group(0) @binding(3) var<storage, read_write> angles: array<f32>;
+         @compute @workgroup_size(64) fn angles_of(@builtin(global_invocation_id) id: vec3<u32>) {
+             if id.x < arrayLength(&points) {
+                 angles[id.x] = arctangent2(points[id.x].y, points[id.x].x);
+             }
+         }"
+    );
+    let kernel = Kernel::new(gpu, source, "angles_of", &[]).unwrap();
+    let mut points: Vec<Vec4> = (0..20_000_u32)
+        .map(|i| {
+            let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 20_000.0).sin_cos();
+            let length = 10.0_f64.powi(i as i32 % 13 - 6);
+            Vec4::new((length * cos) as f32, (length * sin) as f32, 0.0, 0.0)
+        })
+        .collect();
+    points
+        .extend([(0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)].map(|(x, y)| Vec4::new(x, y, 0.0, 0.0)));
+    let angles: Vec<f32> = kernel.run(gpu, &points).unwrap();
+    for (point, angle) in points.iter().zip(angles) {
+        let truth = f64::from(point.y).atan2(f64::from(point.x));
+        assert!((f64::from(angle) - truth).abs() < 5e-7, "{point}: {angle} against {truth}");
+    }
+}
