@@ -10,12 +10,12 @@
 //   v = (1 + k)(1 - 3 k) = -4 D (1 + k) / (2 + 3 k)^2,
 //
 // a conjugate pair where D > 0. Taking v from D keeps its digits next to the critical curve. Derived.
-// The record's `steps` is 0 where the outcome alone was wanted and 1 where an angle was worked out; its residual is 0.
+// Nothing is stepped and no constraint can drift: the record's steps and residuals are 0.
 
 // Nearer to the critical curve rays are not told apart: 1e-7 of the shadow's radius at most.
 const LEAST_DISCRIMINANT: f32 = 1e-14;
-// For the square of w, per unit frequency: b = 1e-12 of the radius.
-const LEAST_W2: f32 = 1e-24;
+// Rays that pass the centre closer than this, in r_s, count as straight: their bending is less still.
+const LEAST_IMPACT: f32 = 1e-8;
 // No ray is within the disk's inner edge, 3 at least, and there again later, on the same leg, so far on: on its way from
 // u = 0 to 1/3, phi <= b sqrt(2)/3 where D > 0, as then u^2 (1 - u) <= q/2.
 const DISK_ANGLE: f32 = 0.471404521;
@@ -51,13 +51,14 @@ fn angle_to_infinity(orbit: Orbit) -> f32 {
     let t = 2.0 + 3.0 * k;
     let v = -4.0 * orbit.discriminant * (1.0 + k) / (t * t);
     let above = orbit.u + k;
+    let inverse_above = 1.0 / above;
     // Those of the second and the third leg have a meaning where D < 0 only.
     let u32 = sqrt(max(v, 0.0));
     let u2 = 2.0 * k * (1.0 + k) / (1.0 + k + u32);
     let u21 = u2 + k;
-    let rest = orbit.slope * orbit.slope / above;
+    let rest = orbit.slope * orbit.slope * inverse_above;
     let d = 2.0 * rest / (u32 + sqrt(u32 * u32 + 4.0 * rest) + TINY);
-    let x_out = k * square(above * sqrt(1.0 + k) + abs(orbit.slope)) / above;
+    let x_out = k * square(above * sqrt(1.0 + k) + abs(orbit.slope)) * inverse_above;
     let u2_camera = orbit.u * orbit.u;
     let x = select(x_out, u21 * (u32 + d), inward);
     let mean = select(x_out - u2_camera * (0.5 + 1.5 * k), 0.5 * u32 * (u21 + above), inward);
@@ -93,7 +94,7 @@ fn trace(photon: Photon) -> Trace {
     let n = scene.camera_direction;
     let energy = photon_energy(photon);
     let w = photon.w - dot(photon.w, n) * n;
-    let w2 = max(dot(w, w), LEAST_W2);
+    let w2 = max(dot(w, w), square(LEAST_IMPACT * energy * scene.camera_u));
     let inverse_w = inverseSqrt(w2);
     // The plane of the orbit: from the camera's direction toward where the backward ray turns.
     let tangent = -inverse_w * w;
@@ -120,7 +121,6 @@ fn trace(photon: Photon) -> Trace {
     if !(escapes || may_hit) {
         return result;
     }
-    result.steps = 1u;
     var angle = crossing_angle;
     if escapes {
         angle = angle_to_infinity(orbit);
@@ -132,7 +132,7 @@ fn trace(photon: Photon) -> Trace {
         let g3 = 0.00462962963 - 0.0625 * min(orbit.q, 1e4);
         // No ray meets the annulus more than once on its way in and once on its way out, for each of these takes less than
         // pi: only the first and the last crossing can be hits.
-        let last = floor((angle - crossing_angle) / PI);
+        let last = floor((angle - crossing_angle) * (1.0 / PI));
         if last >= 0.0 && outside_inner_edge {
             add_crossing(&result, u_after(crossing_angle, orbit.u, orbit.slope, g3), across, energy, lambda);
         }

@@ -4,8 +4,10 @@
 
 mod adapter;
 mod camera;
+mod closed;
 mod disk;
 mod elementary;
+mod elliptic;
 mod layout;
 mod observers;
 mod refusals;
@@ -16,11 +18,11 @@ mod verlet;
 
 use adapter::gpu;
 use glam::DVec3;
-use lightfall::scene::Scene;
+use lightfall::scene::{Method, Scene};
 
-/// A scene with nothing but the hole and a static camera at `r`, balanced quality.
+/// A scene with nothing but the hole and a static camera at `r`, traced by the article's method in balanced quality.
 fn bare_hole(r: f64) -> Scene {
-    let mut scene = Scene::default();
+    let mut scene = Scene { method: Method::Verlet, ..Scene::default() };
     scene.camera.r = r;
     scene.camera.theta_deg = 80.2;
     scene.camera.phi_deg = 25.0;

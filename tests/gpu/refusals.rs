@@ -11,14 +11,14 @@ fn refusal(change: fn(&mut Scene)) -> String {
 
 #[test]
 fn a_spinning_hole_is_refused_by_a_method_that_knows_none() {
-    let sentence = "hole.spin = 0.9 is refused: method verlet traces holes without spin only, so it must be 0 (`trace \
-                    --device cpu` answers for any spin)";
+    let sentence = "hole.spin = 0.9 is refused: methods verlet and closed trace holes without spin only, so it must be 0 \
+                    (`trace --device cpu` answers for any spin)";
     assert_eq!(refusal(|scene| scene.hole.spin = 0.9), sentence);
 }
 
 #[test]
 fn the_reference_is_refused_on_the_gpu() {
-    let sentence = "method = \"reference\" is refused: it runs on the CPU only, so here it must be auto or verlet";
+    let sentence = "method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet or closed";
     assert_eq!(refusal(|scene| scene.method = Method::Reference), sentence);
 }
 
