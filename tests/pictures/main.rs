@@ -186,7 +186,7 @@ fn odd_sizes_are_drawn_with_bars_where_the_cells_do_not_fit() {
     let size = DVec2::new(f64::from(still.width), f64::from(still.height));
     assert_eq!(size, DVec2::new(1000.0, 601.0));
     // Two output pixels to a cell: 960 x 540, 20 pixels of bar on the left, 30 above.
-    let bar = |x: u32, y: u32| x < 20 || x >= 980 || y < 30 || y >= 570;
+    let bar = |x: u32, y: u32| !((20..980).contains(&x) && (30..570).contains(&y));
     let mut lit = 0;
     for y in 0..still.height {
         for x in 0..still.width {
