@@ -1,12 +1,13 @@
-// Elliptic functions, as the closed form needs them: for cubics of which one real root is known and the other two may be
-// a conjugate pair. Both functions take such a pair by what is real of it, so one text serves either sign of D.
+// Elliptic functions for cubics of which one real root is known and the other two may be a conjugate pair. Both take such
+// a pair by what is real of it, so one text serves either sign of D.
 
 // Duplications: enough for 5e-7 of the result down to |D| = 1e-6, with the series below.
 const DUPLICATIONS: u32 = 3u;
 
-// Carlson's R_F(x, y, z), y and z being mean +- sqrt(h2); h2 < 0 where they are conjugate. x > 0, mean >= 0.
-// Duplication (DLMF 19.26.18) with lambda = sqrt(x) (sqrt y + sqrt z) + sqrt(y z) written by the pair's mean and product,
-// which leaves two roots a turn:
+// Carlson's R_F(x, y, z), y and z being mean +- sqrt(h2), for x > 0; where h2 < 0 they are conjugate, and then mean may
+// be negative.
+// Duplication (DLMF 19.26.18) with lambda = sqrt(x) (sqrt y + sqrt z) + sqrt(y z) written by the pair's mean and
+// product, which leaves two roots a turn:
 //
 //   p = sqrt(mean^2 - h2),   lambda = sqrt(2 x (mean + p)) + p;   x, mean -> (. + lambda) / 4,   h2 -> h2 / 16
 //
@@ -43,7 +44,7 @@ struct Weierstrass {
 }
 
 // P(z; g2, g3) with g2 = 1/12, which is what every null orbit has, for 0 <= z <= pi and orbits that stay finite there.
-// Laurent's series (DLMF 23.9.2, 23.9.4) at z/2, then one duplication (DLMF 23.10.7, 23.10.8), both written for what is left
+// Laurent's series (DLMF section 23.9) at z/2, then one duplication (section 23.10(ii)), both written for what is left
 // beside the poles, so that nothing cancels.
 fn weierstrass(z: f32, g3: f32) -> Weierstrass {
     const C2: f32 = 0.00416666667;
@@ -56,7 +57,8 @@ fn weierstrass(z: f32, g3: f32) -> Weierstrass {
     let y = 0.25 * z * z;
     let y2 = y * y;
     let even = y2 * (C2 + y * (c3 + y * (C4 + y * (c5 + y * (c6 + y * (c7 + y * c8))))));
-    let odd = -y2 * (C2 + y * (2.0 * c3 + y * (3.0 * C4 + y * (4.0 * c5 + y * (5.0 * c6 + y * (6.0 * c7 + y * 7.0 * c8))))));
+    let odd = -y2
+        * (C2 + y * (2.0 * c3 + y * (3.0 * C4 + y * (4.0 * c5 + y * (5.0 * c6 + y * (6.0 * c7 + y * 7.0 * c8))))));
     // -P'' / P' at z/2 is (6 / z) (1 + slope).
     let slope = (even * (2.0 + even) - y2 * 0.00694444444 - odd) / (1.0 + odd);
     let twice = 9.0 * slope * (2.0 + slope) - 8.0 * even;

@@ -16,8 +16,8 @@
 const LEAST_DISCRIMINANT: f32 = 1e-14;
 // Rays that pass the centre closer than this, in r_s, count as straight: their bending is less still.
 const LEAST_IMPACT: f32 = 1e-8;
-// No ray is within the disk's inner edge, 3 at least, and there again later, on the same leg, so far on: on its way from
-// u = 0 to 1/3, phi <= b sqrt(2)/3 where D > 0, as then u^2 (1 - u) <= q/2.
+// A ray with D > 0 has gone through the disk's range of radii, from u = 0 to 1/3 at most, within this times b: there
+// u^2 (1 - u) <= 2/27 <= q/2, so that phi <= (1/3) sqrt(2/q).
 const DISK_ANGLE: f32 = 0.471404521;
 
 struct Orbit {
@@ -32,7 +32,8 @@ struct Orbit {
 
 // k. First guesses within 4e-4 (minimax polynomials in 1/b, and in its power -2/3), then one step of Newton's method.
 fn orbit_root(inverse_b: f32, q: f32) -> f32 {
-    let small = inverse_b * (0.99991836 + inverse_b * (-0.49241213 + inverse_b * (0.50929576 - inverse_b * 0.34869361)));
+    let x = inverse_b;
+    let small = x * (0.99991836 + x * (-0.49241213 + x * (0.50929576 - x * 0.34869361)));
     let s = exp2(log2(inverse_b) * -0.666666667);
     let large = q * s * s * (0.99962648 + s * (-0.32762602 + s * (0.09698567 - s * 0.01438903)));
     let k = select(large, small, inverse_b < 0.385);
@@ -43,8 +44,12 @@ fn orbit_root(inverse_b: f32, q: f32) -> f32 {
 //
 //   outward from u0:  2 u0 R_F(X, X - u0^2 ((1 + 3 k)/2 +- sqrt(v)/2)),
 //                     X = k ((u0 + k) sqrt(1 + k) + |du/dphi|)^2 / (u0 + k)
-//   0 -> u2:          2 sqrt(u2) R_F(u21 u3, u21 u32, k u32),   u2 and u3 the pair, u32 = u3 - u2 = sqrt(v), u21 = u2 + k
-//   u0 -> u2:         2 sqrt(d) R_F(u21 (u32 + d), u21 u32, (u0 + k) u32),   d = u2 - u0 from d (d + u32) = f(u0)/(u0 + k)
+//   0 -> u2:          2 sqrt(u2) R_F(rise u3, rise gap, k gap),
+//                     u2 and u3 the pair, gap = u3 - u2 = sqrt(v), rise = u2 + k
+//   u0 -> u2:         2 sqrt(d) R_F(rise (gap + d), rise gap, (u0 + k) gap),
+//                     d = u2 - u0 from d (d + gap) = f(u0)/(u0 + k)
+//
+// In this form no argument is a difference of nearly equal numbers.
 fn angle_to_infinity(orbit: Orbit) -> f32 {
     let inward = orbit.slope > 0.0;
     let k = orbit_root(orbit.inverse_b, orbit.q);
@@ -52,28 +57,32 @@ fn angle_to_infinity(orbit: Orbit) -> f32 {
     let v = -4.0 * orbit.discriminant * (1.0 + k) / (t * t);
     let above = orbit.u + k;
     let inverse_above = 1.0 / above;
-    // Those of the second and the third leg have a meaning where D < 0 only.
-    let u32 = sqrt(max(v, 0.0));
-    let u2 = 2.0 * k * (1.0 + k) / (1.0 + k + u32);
-    let u21 = u2 + k;
+    // What belongs to the second and the third leg has a meaning where D < 0 only.
+    let gap = sqrt(max(v, 0.0));
+    let u2 = 2.0 * k * (1.0 + k) / (1.0 + k + gap);
+    let rise = u2 + k;
     let rest = orbit.slope * orbit.slope * inverse_above;
-    let d = 2.0 * rest / (u32 + sqrt(u32 * u32 + 4.0 * rest) + TINY);
+    let d = 2.0 * rest / (gap + sqrt(gap * gap + 4.0 * rest) + TINY);
     let x_out = k * square(above * sqrt(1.0 + k) + abs(orbit.slope)) * inverse_above;
-    let u2_camera = orbit.u * orbit.u;
-    let x = select(x_out, u21 * (u32 + d), inward);
-    let mean = select(x_out - u2_camera * (0.5 + 1.5 * k), 0.5 * u32 * (u21 + above), inward);
-    let h2 = select(0.25 * u2_camera * u2_camera * v, square(0.5 * u32 * d), inward);
+    let camera_u2 = orbit.u * orbit.u;
+    // The first or the third leg.
+    let x = select(x_out, rise * (gap + d), inward);
+    let mean = select(x_out - camera_u2 * (0.5 + 1.5 * k), 0.5 * gap * (rise + above), inward);
+    let h2 = select(0.25 * camera_u2 * camera_u2 * v, square(0.5 * gap * d), inward);
     var angle = select(orbit.u, sqrt(d), inward) * carlson_rf_pair(x, mean, h2);
     if inward {
-        angle += sqrt(u2) * carlson_rf_pair(u21 * (u2 + u32), 0.5 * u32 * (u21 + k), square(0.5 * u32 * u2));
+        angle += sqrt(u2) * carlson_rf_pair(rise * (u2 + gap), 0.5 * gap * (rise + k), square(0.5 * gap * u2));
     }
     return 2.0 * angle;
 }
 
-// u at the angle phi after a place with u0, du/dphi: Biermann's and Weierstrass's solution of (du/dphi)^2 = f(u) (Whittaker
-// & Watson 1927 section 20.6), with P = P(phi) and x0 = (u0 - 1/3)/4:
+// u at the angle phi after a place with u0, du/dphi: Biermann's and Weierstrass's solution of (du/dphi)^2 = f(u)
+// (Whittaker & Watson 1927 section 20.6), with P = P(phi; g2, g3), g2 = 1/12, g3 = 1/216 - q/16, x0 = (u0 - 1/3)/4:
 //
 //   u = u0 + (-P' du/dphi + f'(u0) (P - x0)/2 + f(u0)/4) / (2 (P - x0)^2)
+//
+// It needs the angle alone, not where on its orbit the place is, and holds through turning points and for either sign of
+// D: so a crossing costs no elliptic integral and no modulus.
 fn u_after(phi: f32, u0: f32, slope: f32, g3: f32) -> f32 {
     let p = weierstrass(phi, g3);
     let phi2 = phi * phi;
@@ -100,7 +109,8 @@ fn trace(photon: Photon) -> Trace {
     let tangent = -inverse_w * w;
     let scale = scene.camera_u * inverse_w;
     let inverse_b = energy * scale;
-    let d = dot(scene.discriminant, vec3<f32>(energy * energy, photon.radial * photon.radial, w2)) * inverse_w * inverse_w;
+    let squares = vec3<f32>(energy * energy, photon.radial * photon.radial, w2);
+    let d = dot(scene.discriminant, squares) * inverse_w * inverse_w;
     let turns = d < 0.0;
     let discriminant = select(max(d, LEAST_DISCRIMINANT), min(d, -LEAST_DISCRIMINANT), turns);
     let orbit = Orbit(scene.camera_u, photon.radial * scale, inverse_b, inverse_b * inverse_b, discriminant);
@@ -110,7 +120,7 @@ fn trace(photon: Photon) -> Trace {
     let escapes = select(!inward, scene.camera_radius > 1.5, turns);
     result.outcome = select(OUTCOME_CAPTURED, OUTCOME_SKY, escapes);
 
-    // The disk's plane is met at crossing_angle + m pi, in the direction across for even m.
+    // The disk's plane is met at crossing_angle + m pi, crossing_angle in (0, pi]; a ray in the plane does not cross it.
     let side = select(select(-1.0, 1.0, tangent.z > 0.0), sign(n.z), n.z != 0.0);
     let crossing_angle = select(arctangent2(abs(n.z), -side * tangent.z), PI, n.z == 0.0);
     let coplanar = n.z == 0.0 && tangent.z == 0.0;
@@ -130,8 +140,8 @@ fn trace(photon: Photon) -> Trace {
             * (vec3<f32>(-tangent.z * n.xy + n.z * tangent.xy, 0.0));
         let lambda = photon_angular_momentum(photon) / energy;
         let g3 = 0.00462962963 - 0.0625 * min(orbit.q, 1e4);
-        // No ray meets the annulus more than once on its way in and once on its way out, for each of these takes less than
-        // pi: only the first and the last crossing can be hits.
+        // The way from u = 0 to 1/3, or to a turn before, takes 2.1 rad at most, and the plane is met every pi. So no ray
+        // meets the annulus more than once on its way in and once on its way out: as its first and its last crossing.
         let last = floor((angle - crossing_angle) * (1.0 / PI));
         if last >= 0.0 && outside_inner_edge {
             add_crossing(&result, u_after(crossing_angle, orbit.u, orbit.slope, g3), across, energy, lambda);

@@ -99,7 +99,8 @@ impl Variant {
         let mut scene = Scene::default();
         let disks = [(false, 0.0), (true, 0.0), (true, 1.0)];
         let methods = [Method::Verlet, Method::Closed];
-        for (method, (enabled, transmission)) in methods.into_iter().flat_map(|method| disks.map(|disk| (method, disk))) {
+        for (method, (enabled, transmission)) in methods.into_iter().flat_map(|method| disks.map(|disk| (method, disk)))
+        {
             (scene.method, scene.disk.enabled, scene.disk.transmission) = (method, enabled, transmission);
             all.push(Self::rays(&scene));
             for mode in [SkyMode::Stars, SkyMode::Grid, SkyMode::Off] {

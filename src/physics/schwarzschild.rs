@@ -29,11 +29,7 @@ pub fn discriminant_of_photon(r: f64) -> DVec3 {
     let u = 1.0 / r;
     let critical = CRITICAL_IMPACT * CRITICAL_IMPACT;
     let cosine2 = critical * (u - 2.0 / 3.0).powi(2) * (u + 1.0 / 3.0);
-    if cosine2 > 0.5 {
-        DVec3::new(critical * u * u, 0.0, -1.0)
-    } else {
-        DVec3::new(-cosine2, 1.0, 0.0) / (1.0 - u)
-    }
+    if cosine2 > 0.5 { DVec3::new(critical * u * u, 0.0, -1.0) } else { DVec3::new(-cosine2, 1.0, 0.0) / (1.0 - u) }
 }
 
 /// Bending, in radians, of light that comes from infinity with impact parameter `b` (r_s) and goes back there; nothing

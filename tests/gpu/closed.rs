@@ -4,7 +4,7 @@ use crate::{beside_the_hole, gpu, pixel_directions};
 use glam::DVec3;
 use lightfall::gpu::{Gpu, rays};
 use lightfall::physics::reference::Reference;
-use lightfall::physics::schwarzschild::{shadow_half_angle_rain, shadow_half_angle_static};
+use lightfall::physics::schwarzschild::{deflection, shadow_half_angle_rain, shadow_half_angle_static};
 use lightfall::physics::trace::{Hit, Outcome, Trace};
 use lightfall::scene::{Method, ObserverKind, Scene};
 use std::f64::consts::{PI, TAU};
@@ -187,6 +187,14 @@ fn every_ray_has_an_answer_from_every_place() {
             }
         }
     }
+}
+
+#[test]
+fn the_way_from_infinity_to_the_smallest_disk_is_shorter_than_from_crossing_to_crossing() {
+    // The ray that turns at the innermost stable orbit, u = 1/3, has 1/b^2 = 1/9 - 1/27. Rays with larger b turn before
+    // and bend less; those with smaller b get there in less angle, as du/dphi is larger at every u.
+    let b = 13.5_f64.sqrt();
+    assert!((deflection(b).unwrap() + PI) / 2.0 < 2.1);
 }
 
 #[test]

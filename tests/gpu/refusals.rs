@@ -18,7 +18,8 @@ fn a_spinning_hole_is_refused_by_a_method_that_knows_none() {
 
 #[test]
 fn the_reference_is_refused_on_the_gpu() {
-    let sentence = "method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet or closed";
+    let sentence =
+        "method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet or closed";
     assert_eq!(refusal(|scene| scene.method = Method::Reference), sentence);
 }
 
