@@ -73,7 +73,8 @@ fn keys_change_what_they_say_and_the_window_stays() {
 #[test]
 fn unfinished_rays_turn_magenta_with_f11() {
     // Twenty steps are too few for most rays.
-    let Some(desktop) = Desktop::open(&["--preset", "2", "--method", "verlet", "--set", "quality.max_steps=20"]) else { return };
+    let few_steps = ["--preset", "2", "--method", "verlet", "--set", "quality.max_steps=20"];
+    let Some(desktop) = Desktop::open(&few_steps) else { return };
     let magenta = |shot: &Shot| {
         let pixels = (0..WINDOW.1 - HINT).flat_map(|y| (0..WINDOW.0).map(move |x| (x, y)));
         pixels.filter(|&(x, y)| matches!(shot.pixel(x, y), [200..=255, 0..=90, 200..=255])).count()
