@@ -31,12 +31,12 @@ pub enum GpuError {
     Shader(String),
     /// A spin that the method does not know.
     #[error(
-        "hole.spin = {0} is refused: method verlet traces holes without spin only, so it must be 0 (`trace --device cpu` \
-         answers for any spin)"
+        "hole.spin = {0} is refused: method verlet traces holes without spin only, so it must be 0 (methods mino and \
+         kerr-schild trace any spin)"
     )]
     Spin(f64),
     /// A method that does not run on the GPU.
-    #[error("method = \"reference\" is refused: it runs on the CPU only, so here it must be auto or verlet")]
+    #[error("method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet, mino or kerr-schild")]
     MethodOfCpu,
     /// An observer that cannot be.
     #[error(transparent)]

@@ -2,7 +2,7 @@
 //! which says what each number means; tests/gpu/layout.rs compares the two.
 
 use super::GpuError;
-use crate::physics::{disk, observer::observer_matrix};
+use crate::physics::{disk, kerr::Kerr, observer::observer_matrix};
 use crate::scene::{Method, Scene};
 use encase::ShaderType;
 use glam::{DMat3, DVec2, DVec3, DVec4, UVec2, Vec2, Vec3, Vec4};
@@ -47,6 +47,12 @@ pub struct GpuScene {
     pub spot_radius: f32,
     pub star_brightness: f32,
     pub sky_seed: u32,
+    pub spin_length: f32,
+    pub horizon: f32,
+    pub inner_horizon: f32,
+    pub spin_gap: f32,
+    pub azimuth_lead: f32,
+    pub mino_step: f32,
 }
 
 impl GpuScene {
@@ -69,8 +75,8 @@ impl GpuScene {
     fn looking(scene: &Scene, size: UVec2, legs_from_direction: DMat3) -> Result<Self, GpuError> {
         match scene.method {
             Method::Reference => return Err(GpuError::MethodOfCpu),
-            Method::Auto | Method::Verlet if scene.hole.spin != 0.0 => return Err(GpuError::Spin(scene.hole.spin)),
-            Method::Auto | Method::Verlet => {}
+            Method::Verlet if scene.hole.spin != 0.0 => return Err(GpuError::Spin(scene.hole.spin)),
+            Method::Auto | Method::Verlet | Method::Mino | Method::KerrSchild => {}
         }
         let Scene { camera, observer, disk, sky, quality, .. } = scene;
         let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
@@ -83,6 +89,7 @@ impl GpuScene {
         let tan_half_fov = (camera.fov_deg.to_radians() / 2.0).tan();
         let spot_radius = SPOT_PIXELS * 2.0 * tan_half_fov / size.y;
         let inner = disk::inner_edge(scene);
+        let kerr = Kerr { spin: scene.hole.spin };
         Ok(Self {
             energy,
             radial,
@@ -110,6 +117,12 @@ impl GpuScene {
             spot_radius: spot_radius as f32,
             star_brightness: (size.y / SPOT_HEIGHT).powi(2) as f32,
             sky_seed: sky.seed,
+            spin_length: kerr.a() as f32,
+            horizon: kerr.horizon() as f32,
+            inner_horizon: kerr.inner_horizon() as f32,
+            spin_gap: (1.0 - kerr.spin) as f32,
+            azimuth_lead: kerr.ingoing_azimuth_lead(camera.r) as f32,
+            mino_step: 0.3,
         })
     }
 }

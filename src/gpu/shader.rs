@@ -2,7 +2,7 @@
 //! `const` flags, which compilers drop.
 
 use crate::physics::spectrum::{TABLE_COLDEST, TABLE_HOTTEST, TABLE_LEN};
-use crate::scene::{Scene, SkyMode, View};
+use crate::scene::{Method, Scene, SkyMode, View};
 use std::fmt::Write;
 
 /// A shader: which parts are joined, and which flags are set.
@@ -12,6 +12,8 @@ pub struct Variant {
     pub entry: Entry,
     /// How it traces.
     pub tracer: Tracer,
+    /// Whether the hole spins.
+    pub spinning: bool,
     /// Whether rays can meet a disk.
     pub disk: bool,
     /// What lies at infinity; off where nothing is drawn.
@@ -38,6 +40,22 @@ pub enum Entry {
 pub enum Tracer {
     /// Velocity Verlet; spin zero only.
     Verlet,
+    /// Taylor series in Mino time.
+    Mino,
+    /// Runge-Kutta in Kerr-Schild coordinates.
+    KerrSchild,
+}
+
+impl Tracer {
+    /// The one that traces the scene's rays. A method that none stands for is refused where the scene's numbers are made.
+    fn of(scene: &Scene) -> Self {
+        match scene.method {
+            Method::Mino => Self::Mino,
+            Method::KerrSchild => Self::KerrSchild,
+            Method::Auto if scene.hole.spin != 0.0 => Self::Mino,
+            Method::Auto | Method::Verlet | Method::Reference => Self::Verlet,
+        }
+    }
 }
 
 /// Least light, as a share, for which a ray is followed beyond two crossings of the disk: half of an 8-bit level.
@@ -60,7 +78,8 @@ impl Variant {
     pub fn picture(scene: &Scene) -> Self {
         Self {
             entry: Entry::Picture,
-            tracer: Tracer::Verlet,
+            tracer: Tracer::of(scene),
+            spinning: scene.hole.spin != 0.0,
             disk: scene.disk.enabled,
             sky: scene.sky.mode,
             reference_star: scene.sky.reference_star && scene.sky.mode != SkyMode::Off,
@@ -85,14 +104,23 @@ impl Variant {
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         let mut scene = Scene::default();
-        for (enabled, transmission) in [(false, 0.0), (true, 0.0), (true, 1.0)] {
-            (scene.disk.enabled, scene.disk.transmission) = (enabled, transmission);
-            all.push(Self::rays(&scene));
-            for mode in [SkyMode::Stars, SkyMode::Grid, SkyMode::Off] {
-                for reference_star in [false, true] {
-                    for view in [View::Colour, View::Unfinished] {
-                        (scene.sky.mode, scene.sky.reference_star, scene.view) = (mode, reference_star, view);
-                        all.push(Self::picture(&scene));
+        for (method, spin) in [
+            (Method::Verlet, 0.0),
+            (Method::Mino, 0.0),
+            (Method::Mino, 0.5),
+            (Method::KerrSchild, 0.0),
+            (Method::KerrSchild, 0.5),
+        ] {
+            (scene.method, scene.hole.spin) = (method, spin);
+            for (enabled, transmission) in [(false, 0.0), (true, 0.0), (true, 1.0)] {
+                (scene.disk.enabled, scene.disk.transmission) = (enabled, transmission);
+                all.push(Self::rays(&scene));
+                for mode in [SkyMode::Stars, SkyMode::Grid, SkyMode::Off] {
+                    for reference_star in [false, true] {
+                        for view in [View::Colour, View::Unfinished] {
+                            (scene.sky.mode, scene.sky.reference_star, scene.view) = (mode, reference_star, view);
+                            all.push(Self::picture(&scene));
+                        }
                     }
                 }
             }
@@ -127,10 +155,12 @@ impl Variant {
 
     /// The parts in their order.
     fn parts(self) -> Vec<Part> {
-        let mut parts = vec![part!("scene.wgsl"), part!("observer.wgsl")];
+        let mut parts = vec![part!("scene.wgsl"), part!("elementary.wgsl"), part!("observer.wgsl")];
         parts.push(if self.disk { part!("disk.wgsl") } else { part!("disk/none.wgsl") });
         parts.push(match self.tracer {
             Tracer::Verlet => part!("method/verlet.wgsl"),
+            Tracer::Mino => part!("method/mino.wgsl"),
+            Tracer::KerrSchild => part!("method/kerr_schild.wgsl"),
         });
         match self.entry {
             Entry::Rays => parts.push(part!("rays.wgsl")),
@@ -144,9 +174,7 @@ impl Variant {
                 match self.sky {
                     SkyMode::Off => parts.push(part!("sky/none.wgsl")),
                     SkyMode::Stars => parts.extend([part!("sky.wgsl"), part!("sky/stars.wgsl")]),
-                    SkyMode::Grid => {
-                        parts.extend([part!("elementary.wgsl"), part!("sky.wgsl"), part!("sky/grid.wgsl")]);
-                    }
+                    SkyMode::Grid => parts.extend([part!("sky.wgsl"), part!("sky/grid.wgsl")]),
                 }
                 parts.push(part!("geodesic.wgsl"));
             }
@@ -158,6 +186,7 @@ impl Variant {
     fn prelude(self) -> String {
         let mut text = String::new();
         for (name, value) in [
+            ("SPINNING", self.spinning),
             ("REFERENCE_STAR", self.reference_star),
             ("SHOW_UNFINISHED", self.show_unfinished),
             ("FOLLOW_BEYOND_HITS", self.follow_beyond_hits),
