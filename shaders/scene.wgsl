@@ -37,9 +37,11 @@ struct Scene {
     spot_radius: f32,
     star_brightness: f32,
     sky_seed: u32,
-    // The hole: a = chi/2, the horizons' radii r_+ and r_-, 1 - chi.
+    // The hole: a = chi/2, the horizons' radii r_+ and r_-, 1 - chi; 1/r_+, and what rounding left of it.
     spin_length: f32,
     horizon: f32,
+    horizon_u: f32,
+    horizon_u_rest: f32,
     inner_horizon: f32,
     spin_gap: f32,
     // By how much Kerr's ingoing azimuth is ahead of Boyer-Lindquist's at the camera.

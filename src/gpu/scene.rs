@@ -49,6 +49,8 @@ pub struct GpuScene {
     pub sky_seed: u32,
     pub spin_length: f32,
     pub horizon: f32,
+    pub horizon_u: f32,
+    pub horizon_u_rest: f32,
     pub inner_horizon: f32,
     pub spin_gap: f32,
     pub azimuth_lead: f32,
@@ -90,6 +92,7 @@ impl GpuScene {
         let spot_radius = SPOT_PIXELS * 2.0 * tan_half_fov / size.y;
         let inner = disk::inner_edge(scene);
         let kerr = Kerr { spin: scene.hole.spin };
+        let horizon_u = 1.0 / kerr.horizon();
         Ok(Self {
             energy,
             radial,
@@ -119,6 +122,8 @@ impl GpuScene {
             sky_seed: sky.seed,
             spin_length: kerr.a() as f32,
             horizon: kerr.horizon() as f32,
+            horizon_u: horizon_u as f32,
+            horizon_u_rest: (horizon_u - f64::from(horizon_u as f32)) as f32,
             inner_horizon: kerr.inner_horizon() as f32,
             spin_gap: (1.0 - kerr.spin) as f32,
             azimuth_lead: kerr.ingoing_azimuth_lead(camera.r) as f32,
