@@ -1,171 +1,186 @@
-const MOST_STEPS: u32 = 1024u;
-const ENERGY_WEIGHT: f32 = 4.0;
+// Kerr's null geodesics in Mino time, on the celestial sphere, for any spin; src/physics/mino.rs is the f64 twin and says
+// where the equations come from. With u = 1/r, the unit vector n of azimuth psi, and phi = psi + chi, along the backward
+// ray (2 M = 1):
+//
+//   u'^2 = U(u) = W^2 - K' u^2 D,   W = E + B u^2,   D = 1 - u + a^2 u^2 = (1 - r_+ u)(1 - r_- u),
+//   n''  = a^2 E^2 n_z e_z - (K + 2 a^2 E^2 n_z^2) n,   chi' = a (E - W/D),
+//   B = a (a E - L),   K' = Q + (L - a E)^2,   K = K' - 2 E B + a^2 E^2.
+//
+// U is Carter's (1968) R(r)/r^4 = ((E (r^2 + a^2) - a L)^2 - (r^2 - r + a^2) K')/r^4. Kept like this and not as a polynomial, it
+// makes E, B and K' the only constants: whatever their rounding, they are those of some ray nearby. Next to the horizon of
+// a fast hole W and D are differences of numbers near one, so there the radial variable is u - 1/r_+, D's root is
+// exact, and u' is taken from U anew at each step.
+//
+// The step is Nystroem's of fifth order (Nystroem 1925; Hairer, Norsett & Wanner 1993, section II.14), four accelerations;
+// its dense output is the quintic with the values, slopes and accelerations of both ends. The constants are scaled such
+// that the step in Mino time is an angle: docs/PHYSICS.md has the measurements that chose them.
 
-struct Ray {
-    e: f32,
-    b: f32,
-    k: f32,
+// More than a ray within f32's rounding of the critical curve takes at the shortest step.
+const MOST_STEPS: u32 = 1024u;
+// By how much E^2 adds to K in the scale: radial rays, with K = 0, cover no more than du = step/2 in a step.
+const ENERGY_WEIGHT: f32 = 4.0;
+// Where U is below this share of W^2, a turning point is near and U is no longer a good measure of u'.
+const TURNING_SHARE: f32 = 0.0625;
+
+struct Constants {
+    energy: f32,
+    // B and K'.
+    drag: f32,
+    k_prime: f32,
+    // a^2 E^2 - K, and a^2 E^2.
     stiffness: f32,
     axial: f32,
 }
-struct Coefficients {
-    pull: f32,
-    linear: f32,
-    quadratic: f32,
-    cubic: vec2<f32>,
+
+// The constants about u = base: everything as a polynomial of v = u - base.
+struct Motion {
+    // v'' = U'/2.
+    pull: vec4<f32>,
     stiffness: f32,
     axial: f32,
-    w0: f32,
-    w1: f32,
-    w2: f32,
-    d0: f32,
-    d1: f32,
-    d2: f32,
-    swirl: f32,
+    // W and D.
+    w: vec3<f32>,
+    d: vec3<f32>,
 }
-struct Series {
-    y0: vec2<f32>,
-    y1: vec2<f32>,
-    y2: vec2<f32>,
-    y3: vec2<f32>,
-    y4: vec2<f32>,
-    y5: vec2<f32>,
-    y6: vec2<f32>,
-    y7: vec2<f32>,
-    y8: vec2<f32>,
-    y9: vec2<f32>,
-    y10: vec2<f32>,
-    x0: vec2<f32>,
-    x1: vec2<f32>,
-    x2: vec2<f32>,
-    x3: vec2<f32>,
-    x4: vec2<f32>,
-    x5: vec2<f32>,
-    x6: vec2<f32>,
-    x7: vec2<f32>,
-    x8: vec2<f32>,
-    x9: vec2<f32>,
-    x10: vec2<f32>,
+
+// One step: (v, n_z, n_x, n_y) as a polynomial of the share of the step.
+struct Curve {
+    c0: vec4<f32>,
+    c1: vec4<f32>,
+    c2: vec4<f32>,
+    c3: vec4<f32>,
+    c4: vec4<f32>,
+    c5: vec4<f32>,
 }
-fn about(ray: Ray, base: f32) -> Coefficients {
-    let a = scene.spin_length;
+
+fn motion_about(base: f32, c: Constants) -> Motion {
+    let a2 = square(scene.spin_length);
     let shifted = base > 0.0;
-    let w = ray.e + ray.b * base * base;
-    let d0 = select(1.0, 0.0, shifted);
-    let d1 = select(-1.0, scene.inner_horizon - scene.horizon, shifted);
-    let quartic = ray.b * ray.b - a * a * ray.k;
-    return Coefficients(
-        base * (2.0 * w * ray.b - ray.k * (d0 + 0.5 * base * d1)),
-        4.0 * square(ray.b * base) + 2.0 * w * ray.b - ray.k * (d0 + base * (2.0 * d1 + a * a * base)),
-        1.5 * ray.k + 6.0 * quartic * base,
-        vec2<f32>(2.0 * quartic, -2.0 * ray.axial),
-        ray.stiffness,
-        ray.axial,
-        w,
-        2.0 * ray.b * base,
-        ray.b,
-        d0,
-        d1,
-        a * a,
-        ray.e,
+    // D's root at 1/r_+ is exact, and r_+ + r_- = 1.
+    let d = vec3<f32>(select(1.0, 0.0, shifted), select(-1.0, scene.inner_horizon - scene.horizon, shifted), a2);
+    let w = c.energy + c.drag * base * base;
+    let quartic = c.drag * c.drag - a2 * c.k_prime;
+    let pull = vec4<f32>(
+        base * (2.0 * w * c.drag - c.k_prime * (d.x + 0.5 * base * d.y)),
+        4.0 * square(c.drag * base) + 2.0 * w * c.drag - c.k_prime * (d.x + base * (2.0 * d.y + a2 * base)),
+        1.5 * c.k_prime + 6.0 * quartic * base,
+        2.0 * quartic,
     );
+    return Motion(pull, c.stiffness, c.axial, vec3<f32>(w, 2.0 * c.drag * base, c.drag), d);
 }
-fn w_at(c: Coefficients, v: f32) -> f32 { return c.w0 + v * (c.w1 + v * c.w2); }
-fn delta_at(c: Coefficients, v: f32) -> f32 { return c.d0 + v * (c.d1 + v * c.d2); }
-fn expand(c: Coefficients, y0: vec2<f32>, y1: vec2<f32>, x0: vec2<f32>, x1: vec2<f32>) -> Series {
-    let s0 = y0 * y0;
-    let p0 = vec2<f32>(c.linear + c.quadratic * y0.x, c.stiffness) + c.cubic * s0;
-    let q0 = p0.y - c.axial;
-    let y2 = (vec2<f32>(c.pull, 0.0) + p0 * y0) / 2.0;
-    let x2 = (q0 * x0) / 2.0;
-    let s1 = 2.0 * y0 * y1;
-    let p1 = vec2<f32>(c.quadratic * y1.x, 0.0) + c.cubic * s1;
-    let y3 = (p0 * y1 + p1 * y0) / 6.0;
-    let x3 = (q0 * x1 + p1.y * x0) / 6.0;
-    let s2 = 2.0 * y0 * y2 + y1 * y1;
-    let p2 = vec2<f32>(c.quadratic * y2.x, 0.0) + c.cubic * s2;
-    let y4 = (p0 * y2 + p1 * y1 + p2 * y0) / 12.0;
-    let x4 = (q0 * x2 + p1.y * x1 + p2.y * x0) / 12.0;
-    let s3 = 2.0 * (y0 * y3 + y1 * y2);
-    let p3 = vec2<f32>(c.quadratic * y3.x, 0.0) + c.cubic * s3;
-    let y5 = (p0 * y3 + p1 * y2 + p2 * y1 + p3 * y0) / 20.0;
-    let x5 = (q0 * x3 + p1.y * x2 + p2.y * x1 + p3.y * x0) / 20.0;
-    let s4 = 2.0 * (y0 * y4 + y1 * y3) + y2 * y2;
-    let p4 = vec2<f32>(c.quadratic * y4.x, 0.0) + c.cubic * s4;
-    let y6 = (p0 * y4 + p1 * y3 + p2 * y2 + p3 * y1 + p4 * y0) / 30.0;
-    let x6 = (q0 * x4 + p1.y * x3 + p2.y * x2 + p3.y * x1 + p4.y * x0) / 30.0;
-    let s5 = 2.0 * (y0 * y5 + y1 * y4 + y2 * y3);
-    let p5 = vec2<f32>(c.quadratic * y5.x, 0.0) + c.cubic * s5;
-    let y7 = (p0 * y5 + p1 * y4 + p2 * y3 + p3 * y2 + p4 * y1 + p5 * y0) / 42.0;
-    let x7 = (q0 * x5 + p1.y * x4 + p2.y * x3 + p3.y * x2 + p4.y * x1 + p5.y * x0) / 42.0;
-    let s6 = 2.0 * (y0 * y6 + y1 * y5 + y2 * y4) + y3 * y3;
-    let p6 = vec2<f32>(c.quadratic * y6.x, 0.0) + c.cubic * s6;
-    let y8 = (p0 * y6 + p1 * y5 + p2 * y4 + p3 * y3 + p4 * y2 + p5 * y1 + p6 * y0) / 56.0;
-    let x8 = (q0 * x6 + p1.y * x5 + p2.y * x4 + p3.y * x3 + p4.y * x2 + p5.y * x1 + p6.y * x0) / 56.0;
-    let s7 = 2.0 * (y0 * y7 + y1 * y6 + y2 * y5 + y3 * y4);
-    let p7 = vec2<f32>(c.quadratic * y7.x, 0.0) + c.cubic * s7;
-    let y9 = (p0 * y7 + p1 * y6 + p2 * y5 + p3 * y4 + p4 * y3 + p5 * y2 + p6 * y1 + p7 * y0) / 72.0;
-    let x9 = (q0 * x7 + p1.y * x6 + p2.y * x5 + p3.y * x4 + p4.y * x3 + p5.y * x2 + p6.y * x1 + p7.y * x0) / 72.0;
-    let s8 = 2.0 * (y0 * y8 + y1 * y7 + y2 * y6 + y3 * y5) + y4 * y4;
-    let p8 = vec2<f32>(c.quadratic * y8.x, 0.0) + c.cubic * s8;
-    let y10 = (p0 * y8 + p1 * y7 + p2 * y6 + p3 * y5 + p4 * y4 + p5 * y3 + p6 * y2 + p7 * y1 + p8 * y0) / 90.0;
-    let x10 = (q0 * x8 + p1.y * x7 + p2.y * x6 + p3.y * x5 + p4.y * x4 + p5.y * x3 + p6.y * x2 + p7.y * x1 + p8.y * x0) / 90.0;
-    return Series(y0, y1, y2, y3, y4, y5, y6, y7, y8, y9, y10, x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10);
+
+fn quadratic(c: vec3<f32>, v: f32) -> f32 {
+    return c.x + v * (c.y + v * c.z);
 }
-fn y_at(s: Series, t: f32) -> vec2<f32> { return ((((((((((s.y10) * t + s.y9) * t + s.y8) * t + s.y7) * t + s.y6) * t + s.y5) * t + s.y4) * t + s.y3) * t + s.y2) * t + s.y1) * t + s.y0; }
-fn dy_at(s: Series, t: f32) -> vec2<f32> { return (((((((((10.0 * s.y10) * t + 9.0 * s.y9) * t + 8.0 * s.y8) * t + 7.0 * s.y7) * t + 6.0 * s.y6) * t + 5.0 * s.y5) * t + 4.0 * s.y4) * t + 3.0 * s.y3) * t + 2.0 * s.y2) * t + s.y1; }
-fn x_at(s: Series, t: f32) -> vec2<f32> { return ((((((((((s.x10) * t + s.x9) * t + s.x8) * t + s.x7) * t + s.x6) * t + s.x5) * t + s.x4) * t + s.x3) * t + s.x2) * t + s.x1) * t + s.x0; }
-fn dx_at(s: Series, t: f32) -> vec2<f32> { return (((((((((10.0 * s.x10) * t + 9.0 * s.x9) * t + 8.0 * s.x8) * t + 7.0 * s.x7) * t + 6.0 * s.x6) * t + 5.0 * s.x5) * t + 4.0 * s.x4) * t + 3.0 * s.x3) * t + 2.0 * s.x2) * t + s.x1; }
-fn dchi(c: Coefficients, v: f32) -> f32 { return scene.spin_length * (c.swirl - w_at(c, v) / delta_at(c, v)); }
-fn chi_over(c: Coefficients, s: Series, t: f32) -> f32 {
-    return t * (0.1739274226 * (dchi(c, y_at(s, 0.0694318442 * t).x) + dchi(c, y_at(s, 0.9305681558 * t).x))
-        + 0.3260725774 * (dchi(c, y_at(s, 0.3300094782 * t).x) + dchi(c, y_at(s, 0.6699905218 * t).x)));
+
+fn acceleration(m: Motion, y: vec4<f32>) -> vec4<f32> {
+    let radial = m.pull.x + y.x * (m.pull.y + y.x * (m.pull.z + y.x * m.pull.w));
+    let polar = m.stiffness - 2.0 * m.axial * y.y * y.y;
+    return vec4<f32>(radial, polar * y.y, (polar - m.axial) * y.zw);
 }
+
+// The step from the state y and its change dy over a step, were it constant; and what these are at the end.
+fn nystroem_step(
+    m: Motion,
+    h: f32,
+    y: vec4<f32>,
+    dy: vec4<f32>,
+    end: ptr<function, vec4<f32>>,
+    end_dy: ptr<function, vec4<f32>>,
+) -> Curve {
+    let h2 = h * h;
+    let k1 = h2 * acceleration(m, y);
+    let k2 = h2 * acceleration(m, y + 0.2 * dy + 0.02 * k1);
+    let k3 = h2 * acceleration(m, y + (2.0 / 3.0) * dy + (7.0 * k2 - k1) / 27.0);
+    let k4 = h2 * acceleration(m, y + dy + 0.3 * k1 + (9.0 * k3 - 2.0 * k2) / 35.0);
+    *end = y + dy + (14.0 * k1 + 100.0 * k2 + 54.0 * k3) / 336.0;
+    *end_dy = dy + (14.0 * k1 + 125.0 * k2 + 162.0 * k3 + 35.0 * k4) / 336.0;
+    // What the end has beyond the parabola of the start: values, slopes, half the second derivatives.
+    let parabola = 0.5 * k1;
+    let r0 = (*end - y) - dy - parabola;
+    let r1 = (*end_dy - dy) - k1;
+    let r2 = 0.5 * h2 * acceleration(m, *end) - parabola;
+    return Curve(y, dy, parabola, 10.0 * r0 - 4.0 * r1 + r2, 7.0 * r1 - 15.0 * r0 - 2.0 * r2, 6.0 * r0 - 3.0 * r1 + r2);
+}
+
+fn curve_at(c: Curve, t: f32) -> vec4<f32> {
+    return c.c0 + t * (c.c1 + t * (c.c2 + t * (c.c3 + t * (c.c4 + t * c.c5))));
+}
+
+fn curve_slope(c: Curve, t: f32) -> vec4<f32> {
+    return c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3 + t * (4.0 * c.c4 + t * (5.0 * c.c5))));
+}
+
+fn radial_at(c: Curve, t: f32) -> f32 {
+    return c.c0.x + t * (c.c1.x + t * (c.c2.x + t * (c.c3.x + t * (c.c4.x + t * c.c5.x))));
+}
+
+fn azimuth_rate(m: Motion, energy: f32, v: f32) -> f32 {
+    return scene.spin_length * (energy - quadratic(m.w, v) / quadratic(m.d, v));
+}
+
+// By how much chi grows from the start of a step to its share t, by Gauss and Legendre with four nodes.
+fn azimuth_gain(m: Motion, energy: f32, c: Curve, t: f32) -> f32 {
+    let outer = azimuth_rate(m, energy, radial_at(c, 0.0694318442 * t))
+        + azimuth_rate(m, energy, radial_at(c, 0.9305681558 * t));
+    let inner = azimuth_rate(m, energy, radial_at(c, 0.3300094782 * t))
+        + azimuth_rate(m, energy, radial_at(c, 0.6699905218 * t));
+    return scene.mino_step * t * (0.1739274226 * outer + 0.3260725774 * inner);
+}
+
+// The same angle within [-pi, pi]; 2 pi in two parts, the first of few digits.
 fn wrapped(angle: f32) -> f32 {
     let turns = round(angle / (2.0 * PI));
     return (angle - turns * 6.28125) - turns * 1.93530718e-3;
 }
 
-fn cannot_turn(c: Coefficients, k: f32, v: f32, base: f32, du: f32, high: f32) -> bool {
-    let u = v + base;
-    let h = high - u;
-    let c0 = square(w_at(c, v)) - k * u * u * delta_at(c, v);
-    let c1 = 2.0 * h * (c.pull + v * (c.linear + v * (c.quadratic + v * c.cubic.x)));
-    let c2 = h * h * (c.linear + v * (2.0 * c.quadratic + v * 3.0 * c.cubic.x));
-    let c3 = h * h * h * (2.0 * c.quadratic + 6.0 * v * c.cubic.x) / 3.0;
-    let c4 = 0.5 * h * h * h * h * c.cubic.x;
-    let b1 = c0 + 0.25 * c1;
-    let b2 = c0 + 0.5 * c1 + c2 / 6.0;
-    let b3 = c0 + 0.75 * c1 + 0.5 * c2 + 0.25 * c3;
-    let b4 = c0 + c1 + c2 + c3 + c4;
-    return min(min(min(c0, b1), min(b2, b3)), b4) > 0.0;
+// U(u), where W^2 is given.
+fn speed2(m: Motion, k_prime: f32, base: f32, v: f32, w2: f32) -> f32 {
+    return w2 - k_prime * square(base + v) * quadratic(m.d, v);
+}
+
+// Whether U is positive from v up to v + width, so that no ray turns there. May answer no where it is yes, never the other
+// way: a polynomial lies above the least of its Bernstein coefficients (Farouki & Rajan 1987).
+fn cannot_turn(m: Motion, u2: f32, v: f32, width: f32) -> bool {
+    let p = m.pull;
+    let c1 = 2.0 * width * (p.x + v * (p.y + v * (p.z + v * p.w)));
+    let c2 = width * width * (p.y + v * (2.0 * p.z + v * 3.0 * p.w));
+    let c3 = width * width * width * (2.0 / 3.0) * (p.z + 3.0 * v * p.w);
+    let c4 = square(width * width) * 0.5 * p.w;
+    let b12 = min(u2 + 0.25 * c1, u2 + 0.5 * c1 + c2 / 6.0);
+    let b34 = min(u2 + 0.75 * c1 + 0.5 * c2 + 0.25 * c3, u2 + c1 + c2 + c3 + c4);
+    return min(u2, min(b12, b34)) > 0.0;
 }
 
 fn trace(photon: Photon) -> Trace {
     var result = untraced();
     let n = scene.camera_direction;
     let a = scene.spin_length;
-    let w0 = scene.camera_radius * photon.w;
-    let scale = inverseSqrt(max(dot(w0, w0) + (ENERGY_WEIGHT - square(a * n.z)) * square(photon.energy), TINY));
+    let h = scene.mino_step;
+
+    // w = K's vector; the scale makes sqrt(K + ENERGY_WEIGHT E^2) one.
+    let w_camera = scene.camera_radius * photon.w;
+    let k_camera = dot(w_camera, w_camera) - square(a * n.z * photon.energy);
+    let scale = inverseSqrt(max(k_camera + ENERGY_WEIGHT * square(photon.energy), TINY));
     let energy = scale * photon.energy;
-    let ae = a * energy;
-    let w = scale * w0;
-    let dragged = w - ae * vec3<f32>(-n.y, n.x, 0.0);
-    let l = n.x * w.y - n.y * w.x;
-    let across = n.x * dragged.y - n.y * dragged.x - ae * n.z * n.z;
-    let kp = dot(dragged, dragged);
-    let ray = Ray(energy, -a * across, kp, -2.0 * a * across * energy - kp, ae * ae);
+    let w = scale * w_camera;
+    // K' = |w - a E e_z x n|^2, and L - a E is that vector's moment about the axis, less a E n_z^2.
+    let dragged = w - a * energy * vec3<f32>(-n.y, n.x, 0.0);
+    let k_prime = dot(dragged, dragged);
+    let drag = -a * (n.x * dragged.y - n.y * dragged.x - a * energy * n.z * n.z);
+    let angular_momentum = n.x * w.y - n.y * w.x;
+    let constants = Constants(energy, drag, k_prime, 2.0 * energy * drag - k_prime, square(a * energy));
+
     let u_horizon = scene.horizon_u;
     let u_inner = select(0.0, 1.0 / scene.disk_inner, HAS_DISK);
-    let h = scene.mino_step;
     var base = 0.0;
-    var y = vec2<f32>(1.0 / scene.camera_radius, n.z);
-    var dy = vec2<f32>(scale * photon.radial, -w.z);
-    var x = n.xy;
-    var dx = -w.xy;
+    var y = vec4<f32>(1.0 / scene.camera_radius, n.z, n.xy);
+    var dy = h * vec4<f32>(scale * photon.radial, -w.z, -w.xy);
     var chi = 0.0;
+
     for (var i = 0u; i < MOST_STEPS; i++) {
         if SPINNING {
+            // 1/r_+ in two parts, so that the distance to the horizon keeps its digits.
             if base == 0.0 && y.x > 0.5 * u_horizon {
                 base = u_horizon;
                 y.x = (y.x - u_horizon) - scene.horizon_u_rest;
@@ -174,9 +189,19 @@ fn trace(photon: Photon) -> Trace {
                 y.x = (y.x + scene.horizon_u_rest) + u_horizon;
             }
         }
-        let u0 = y.x + base;
-        let c = about(ray, base);
-        if dy.x > 0.0 && (u0 >= u_horizon || (u0 >= u_inner || result.hit_count == 2u) && cannot_turn(c, ray.k, y.x, base, dy.x, u_horizon)) {
+        let m = motion_about(base, constants);
+        let u = base + y.x;
+        let w2 = square(quadratic(m.w, y.x));
+        let u2 = speed2(m, k_prime, base, y.x, w2);
+        if DIAGNOSTICS {
+            let radial = abs(square(dy.x / h) - u2) / max(w2 + abs(w2 - u2), TINY);
+            let length = abs(dot(y.yzw, y.yzw) - 1.0);
+            result.residual = max(result.residual, max(radial, length));
+            let axial = abs((y.z * dy.w - y.w * dy.z) / h + angular_momentum);
+            result.angular_momentum_drift = max(result.angular_momentum_drift, axial);
+        }
+        let nothing_more_to_hit = u >= u_inner || result.hit_count == 2u;
+        if dy.x > 0.0 && (u >= u_horizon || nothing_more_to_hit && cannot_turn(m, u2, y.x, u_horizon - u)) {
             result.outcome = OUTCOME_CAPTURED;
             break;
         }
@@ -184,55 +209,53 @@ fn trace(photon: Photon) -> Trace {
             result.outcome = OUTCOME_HIDDEN;
             break;
         }
-        if SPINNING && base > 0.0 {
-            let w2 = square(w_at(c, y.x));
-            let speed2 = w2 - ray.k * u0 * u0 * delta_at(c, y.x);
-            if speed2 > 0.0625 * w2 {
-                dy.x = select(-1.0, 1.0, dy.x > 0.0) * sqrt(speed2);
-            }
+        if SPINNING && base > 0.0 && u2 > TURNING_SHARE * w2 {
+            dy.x = select(-h, h, dy.x > 0.0) * sqrt(u2);
         }
-        let s = expand(c, y, dy, x, dx);
+        var end: vec4<f32>;
+        var end_dy: vec4<f32>;
+        let curve = nystroem_step(m, h, y, dy, &end, &end_dy);
         result.steps += 1u;
-        var t = h;
-        let u_end = y_at(s, h).x + base;
-        let escapes = dy.x < 0.0 && u_end <= 0.0;
+
+        // An outgoing ray that is at u = 0 within the step; u'' vanishes there, so Newton's method converges at once.
+        let escapes = dy.x < 0.0 && base + end.x <= 0.0;
+        var share = 1.0;
         if escapes {
-            t = h * u0 / (u0 - u_end);
+            share = u / (y.x - end.x);
             for (var j = 0u; j < 3u; j++) {
-                t = clamp(t - (y_at(s, t).x + base) / dy_at(s, t).x, 0.0, h);
+                share = clamp(share - (base + radial_at(curve, share)) / curve_slope(curve, share).x, 0.0, 1.0);
             }
+            end = curve_at(curve, share);
         }
-        let end = y_at(s, t);
-        if y.y > 0.0 && end.y <= 0.0 || y.y < 0.0 && end.y >= 0.0 {
-            var tc = t * y.y / (y.y - end.y);
+        if HAS_DISK && crosses_plane(y.y, end.y) && result.hit_count < 2u {
+            // So does n_z'' in the plane.
+            var t = share * y.y / (y.y - end.y);
             for (var j = 0u; j < 2u; j++) {
-                tc = clamp(tc - y_at(s, tc).y / dy_at(s, tc).y, 0.0, t);
+                t = clamp(t - curve_at(curve, t).y / curve_slope(curve, t).y, 0.0, share);
             }
-            let u = y_at(s, tc).x + base;
-            var place = x_at(s, tc);
-            if DIAGNOSTICS && SPINNING {
-                place = turned(place, sine_cosine(wrapped(chi + chi_over(c, s, tc))));
-            }
-            if in_annulus(1.0 / u) && result.hit_count < 2u {
-                add_hit(&result, vec3<f32>(place * (inverseSqrt(max(dot(place, place), TINY)) / u), 0.0), photon.energy, l / energy);
+            let crossing = curve_at(curve, t);
+            let r = 1.0 / (base + crossing.x);
+            if in_annulus(r) {
+                var place = crossing.zw * inverseSqrt(max(dot(crossing.zw, crossing.zw), TINY));
+                // Pictures know no azimuth of a hit.
+                if SPINNING && DIAGNOSTICS {
+                    place = turned(place, sine_cosine(wrapped(chi + azimuth_gain(m, energy, curve, t))));
+                }
+                add_hit(&result, vec3<f32>(r * place, 0.0), photon.energy, angular_momentum / energy);
             }
         }
-        x = x_at(s, t);
         if SPINNING {
-            chi = wrapped(chi + chi_over(c, s, t));
+            chi = wrapped(chi + azimuth_gain(m, energy, curve, share));
         }
         if escapes {
-            if energy > 0.0 {
-                result.outcome = OUTCOME_SKY;
-                result.sky = safe_normalize(vec3<f32>(turned(x, sine_cosine(chi)), end.y));
-            } else {
-                result.outcome = OUTCOME_CAPTURED;
-            }
+            // Light of negative energy never was at infinity.
+            result.outcome = select(OUTCOME_CAPTURED, OUTCOME_SKY, energy > 0.0);
+            let across = select(end.zw, turned(end.zw, sine_cosine(chi)), SPINNING);
+            result.sky = select(vec3<f32>(0.0), safe_normalize(vec3<f32>(across, end.y)), energy > 0.0);
             break;
         }
-        dy = dy_at(s, t);
-        dx = dx_at(s, t);
         y = end;
+        dy = end_dy;
     }
     return result;
 }

@@ -36,7 +36,9 @@ pub enum GpuError {
     )]
     Spin(f64),
     /// A method that does not run on the GPU.
-    #[error("method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet, mino or kerr-schild")]
+    #[error(
+        "method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet, mino or kerr-schild"
+    )]
     MethodOfCpu,
     /// An observer that cannot be.
     #[error(transparent)]

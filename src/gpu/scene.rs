@@ -127,9 +127,18 @@ impl GpuScene {
             inner_horizon: kerr.inner_horizon() as f32,
             spin_gap: (1.0 - kerr.spin) as f32,
             azimuth_lead: kerr.ingoing_azimuth_lead(camera.r) as f32,
-            mino_step: 0.3,
+            mino_step: mino_step(quality.max_error_px * 2.0 * tan_half_fov / size.y) as f32,
         })
     }
+}
+
+/// The step of method mino, in radians, for rays that may be wrong by a turn of `turn` radians.
+///
+/// Measured: the turn that explains a ray's error is at most 1.5e-4 step^5, the order of the dense output. Below a step of
+/// 0.25 nothing is left but f32's rounding; up to 0.4 the shadow's edge is right to 2e-6 rad and to 1e-5 of the shadow's
+/// size, which is asked for whatever the setting.
+fn mino_step(turn: f64) -> f64 {
+    (turn / 1.5e-4).powf(0.2).clamp(0.25, 0.4)
 }
 
 /// Unit vector toward a place at infinity.

@@ -226,7 +226,7 @@ pub const FIELDS: &[Field] = &[
     integer("picture.levels", Range::closed(2.0, 256.0), "levels", "How many levels a channel is rounded to"),
     boolean("picture.dither", "Whether a 4x4 Bayer pattern spreads the rounding error"),
     boolean("picture.bypass", "Whether the pixel treatment is left out"),
-    float("quality.max_error_px", Range::closed(1e-3, 1.0), "pixels", "Largest error of a ray, for method mino"),
+    float("quality.max_error_px", Range::closed(1e-4, 1.0), "pixels", "Largest error of a ray, for method mino"),
     float(
         "quality.step_scale",
         Range::above(0.0, 16.0),

@@ -4,7 +4,9 @@
 // mod camera;
 // mod disk;
 // mod elementary;
+mod kerr_schild;
 mod layout;
+mod mino;
 // mod observers;
 // mod refusals;
 mod shaders;
