@@ -12,9 +12,9 @@ fn hermite(segment: Segment, t: f32) -> vec3<f32> {
         + (segment.h * s * t) * (s * segment.v0 - t * segment.v1);
 }
 
-// Whether a step from the height z0 to z1 crosses the plane. A crossing belongs to the step within which or at whose end
-// it lies, never to the one that starts there: so none counts twice, and a camera in the plane does not see the disk at
-// its own place. A ray in the plane has no crossing.
+// Whether a step from the height z0 to z1 crosses the plane. A crossing belongs to the step within which or at whose
+// end it lies, never to the one that starts there: so none counts twice, and a camera in the plane does not see the disk
+// at its own place. A ray in the plane has no crossing.
 fn crosses_plane(z0: f32, z1: f32) -> bool {
     return z0 != 0.0 && (z1 == 0.0 || (z0 > 0.0) != (z1 > 0.0));
 }
@@ -56,7 +56,8 @@ fn record_crossing(result: ptr<function, Trace>, segment: Segment) {
 // Observed over emitted frequency of light from matter on a circular orbit (Cunningham 1975; Bardeen, Press & Teukolsky
 // 1972 eqs. 2.12, 2.13 and 2.16 for the orbit), with y = sqrt(M / r) and lambda = L/E:
 //
-//   g = 1 / (E u^t (1 - Omega lambda)),   Omega = y^3 / (M (1 + chi y^3)),   u^t = (1 + chi y^3) / sqrt(1 - 3 y^2 + 2 chi y^3)
+//   g = 1 / (E u^t (1 - Omega lambda)),   Omega = y^3 / (M (1 + chi y^3)),
+//   u^t = (1 + chi y^3) / sqrt(1 - 3 y^2 + 2 chi y^3)
 //
 // E is per unit frequency for the camera. The article's 1 + Omega L_n is the same: its L_n is that of the backward ray,
 // which is -lambda. The root's argument is taken as (1 - y)^2 (1 + 2 y) - 2 (1 - chi) y^3, which keeps its digits for

@@ -1,19 +1,19 @@
-// Kerr's null geodesics in Mino time, on the celestial sphere, for any spin; src/physics/mino.rs is the f64 twin and says
-// where the equations come from. With u = 1/r, the unit vector n of azimuth psi, and phi = psi + chi, along the backward
-// ray (2 M = 1):
+// Kerr's null geodesics in Mino time, on the celestial sphere, for any spin; src/physics/mino.rs is the f64 twin and
+// says where the equations come from. With u = 1/r, the unit vector n of azimuth psi, and phi = psi + chi, along the
+// backward ray (2 M = 1):
 //
 //   u'^2 = U(u) = W^2 - K' u^2 D,   W = E + B u^2,   D = 1 - u + a^2 u^2 = (1 - r_+ u)(1 - r_- u),
 //   n''  = a^2 E^2 n_z e_z - (K + 2 a^2 E^2 n_z^2) n,   chi' = a (E - W/D),
 //   B = a (a E - L),   K' = Q + (L - a E)^2,   K = K' - 2 E B + a^2 E^2.
 //
-// U is Carter's (1968) R(r)/r^4 = ((E (r^2 + a^2) - a L)^2 - (r^2 - r + a^2) K')/r^4. Kept like this and not as a polynomial, it
-// makes E, B and K' the only constants: whatever their rounding, they are those of some ray nearby. Next to the horizon of
-// a fast hole W and D are differences of numbers near one, so there the radial variable is u - 1/r_+, D's root is
-// exact, and u' is taken from U anew at each step.
+// U is Carter's (1968) R(r)/r^4 = ((E (r^2 + a^2) - a L)^2 - (r^2 - r + a^2) K')/r^4. Kept like this and not as a
+// polynomial, it makes E, B and K' the only constants: whatever their rounding, they are those of some ray nearby. Next
+// to the horizon of a fast hole W and D are differences of numbers near one, so there the radial variable is u - 1/r_+,
+// D's root is exact, and u' is taken from U anew at each step.
 //
-// The step is Nystroem's of fifth order (Nystroem 1925; Hairer, Norsett & Wanner 1993, section II.14), four accelerations;
-// its dense output is the quintic with the values, slopes and accelerations of both ends. The constants are scaled such
-// that the step in Mino time is an angle: docs/PHYSICS.md has the measurements that chose them.
+// The step is Nystroem's of fifth order (Nystroem 1925; Hairer, Norsett & Wanner 1993, section II.14), four
+// accelerations; its dense output is the quintic with the values, slopes and accelerations of both ends. The constants
+// are scaled such that the step in Mino time is an angle: docs/PHYSICS.md has the measurements that chose them.
 
 // More than a ray within f32's rounding of the critical curve takes at the shortest step.
 const MOST_STEPS: u32 = 1024u;
@@ -139,8 +139,8 @@ fn speed2(m: Motion, k_prime: f32, base: f32, v: f32, w2: f32) -> f32 {
     return w2 - k_prime * square(base + v) * quadratic(m.d, v);
 }
 
-// Whether U is positive from v up to v + width, so that no ray turns there. May answer no where it is yes, never the other
-// way: a polynomial lies above the least of its Bernstein coefficients (Farouki & Rajan 1987).
+// Whether U is positive from v up to v + width, so that no ray turns there. May answer no where it is yes, never the
+// other way: a polynomial lies above the least of its Bernstein coefficients (Farouki & Rajan 1987).
 fn cannot_turn(m: Motion, u2: f32, v: f32, width: f32) -> bool {
     let p = m.pull;
     let c1 = 2.0 * width * (p.x + v * (p.y + v * (p.z + v * p.w)));
@@ -158,7 +158,7 @@ fn trace(photon: Photon) -> Trace {
     let a = scene.spin_length;
     let h = scene.mino_step;
 
-    // w = K's vector; the scale makes sqrt(K + ENERGY_WEIGHT E^2) one.
+    // K = |w|^2 - a^2 E^2 n_z^2, with the length's unit back in w; the scale makes K + ENERGY_WEIGHT E^2 one.
     let w_camera = scene.camera_radius * photon.w;
     let k_camera = dot(w_camera, w_camera) - square(a * n.z * photon.energy);
     let scale = inverseSqrt(max(k_camera + ENERGY_WEIGHT * square(photon.energy), TINY));
@@ -170,6 +170,9 @@ fn trace(photon: Photon) -> Trace {
     let drag = -a * (n.x * dragged.y - n.y * dragged.x - a * energy * n.z * n.z);
     let angular_momentum = n.x * w.y - n.y * w.x;
     let constants = Constants(energy, drag, k_prime, 2.0 * energy * drag - k_prime, square(a * energy));
+
+    // Next to the horizon an observer can meet light that has no energy.
+    let lambda = angular_momentum / select(energy, TINY, abs(energy) < TINY);
 
     let u_horizon = scene.horizon_u;
     let u_inner = select(0.0, 1.0 / scene.disk_inner, HAS_DISK);
@@ -241,7 +244,7 @@ fn trace(photon: Photon) -> Trace {
                 if SPINNING && DIAGNOSTICS {
                     place = turned(place, sine_cosine(wrapped(chi + azimuth_gain(m, energy, curve, t))));
                 }
-                add_hit(&result, vec3<f32>(r * place, 0.0), photon.energy, angular_momentum / energy);
+                add_hit(&result, vec3<f32>(r * place, 0.0), photon.energy, lambda);
             }
         }
         if SPINNING {

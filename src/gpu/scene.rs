@@ -143,9 +143,9 @@ impl GpuScene {
 
 /// The step of method mino, in radians, for rays that may be wrong by a turn of `turn` radians.
 ///
-/// Measured: the turn that explains a ray's error is at most 1.5e-4 step^5, the order of the dense output. Below a step of
-/// 0.25 nothing is left but f32's rounding; up to 0.4 the shadow's edge is right to 2e-6 rad and to 1e-5 of the shadow's
-/// size, which is asked for whatever the setting.
+/// Measured: the turn that explains a ray's error is about 1.5e-4 step^5, the order of the dense output. Below a step of 0.25
+/// nothing is left but f32's rounding; up to 0.4 the shadow's edge is right to 2e-6 rad and to 1e-5 of the shadow's size,
+/// which is asked for whatever the setting.
 fn mino_step(turn: f64) -> f64 {
     (turn / 1.5e-4).powf(0.2).clamp(0.25, 0.4)
 }

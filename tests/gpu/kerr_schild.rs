@@ -32,8 +32,8 @@ fn errors(scene: &Scene, directions: &[DVec3]) -> Option<(f64, f64, usize)> {
     Some((median(&sky), median(&radius), unfinished))
 }
 
-/// Rays leave at 33 r_s here, with what bending is left there: 3.6e-4 rad at the median, whatever the spin. Better is as
-/// wrong as worse, for then it is not the article's method.
+/// Rays leave at 33 r_s here, with what bending is left there: 3.6e-4 rad at the median, whatever the spin. Better is
+/// as wrong as worse, for then it is not the article's method.
 #[test]
 fn its_error_is_that_of_the_articles_radius_of_escape() {
     let directions = pixel_directions(&scene(0.9), 48, 27);
@@ -44,8 +44,8 @@ fn its_error_is_that_of_the_articles_radius_of_escape() {
     }
 }
 
-/// Followed out to 3000 r_s the bending left is some (33/3000)^2 of that, and f32's rounding of some hundred steps is what
-/// remains: so the equations, the start and the azimuths are right.
+/// Followed out to 3000 r_s the bending left is some (33/3000)^2 of that, and f32's rounding of some hundred steps is
+/// what remains: so the equations, the start and the azimuths are right.
 #[test]
 fn its_rays_are_right_once_they_are_followed_far() {
     let directions = pixel_directions(&scene(0.9), 48, 27);
