@@ -196,7 +196,7 @@ pub const FIELDS: &[Field] = &[
     boolean("disk.enabled", "Whether there is a disk"),
     float("disk.inner", EDGE, "r_s", "Inner edge; never inside the innermost stable circular orbit"),
     float("disk.outer", EDGE, "r_s", "Outer edge"),
-    choice("disk.model", &["newtonian"], "Radial profile of the flux"),
+    choice("disk.model", &["newtonian", "page-thorne"], "Radial profile of the flux"),
     float(
         "disk.temperature_k",
         Range::closed(100.0, 1e6),

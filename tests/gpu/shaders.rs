@@ -60,5 +60,8 @@ fn what_a_scene_does_not_need_is_not_in_its_text() {
         assert_eq!(source.contains("fn hermite"), variant.disk, "{variant:?}");
         assert_eq!(source.contains("var<uniform> spectrum"), pictures && (variant.disk || sky), "{variant:?}");
         assert_eq!(source.contains("fn spot_radius"), sky, "{variant:?}");
+        let relativistic = variant.disk_model == lightfall::scene::DiskModel::PageThorne;
+        assert_eq!(source.contains("var<uniform> page_thorne"), relativistic, "{variant:?}");
+        assert!(!relativistic || pictures && variant.disk, "{variant:?}");
     }
 }
