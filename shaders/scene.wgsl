@@ -86,6 +86,9 @@ struct Trace {
     // DIAGNOSTICS.
     residual: f32,
     angular_momentum_drift: f32,
+    // Angle swept about the hole, in radians, up to the first of the crossings or, without any, to infinity: its whole
+    // half-turns are the order of the image. Zero where nothing is seen, and unless DIAGNOSTICS.
+    turn: f32,
 }
 
 // One step of a ray: positions and velocities at its ends, and its affine length.
@@ -99,7 +102,7 @@ struct Segment {
 
 fn untraced() -> Trace {
     let nothing = Hit(vec3<f32>(0.0), 0.0);
-    return Trace(vec3<f32>(0.0), OUTCOME_UNFINISHED, array<Hit, 2>(nothing, nothing), 0u, 0u, 0.0, 0.0);
+    return Trace(vec3<f32>(0.0), OUTCOME_UNFINISHED, array<Hit, 2>(nothing, nothing), 0u, 0u, 0.0, 0.0, 0.0);
 }
 
 // Divisors and roots that must not vanish: the smallest number here is far above f32's subnormals.

@@ -28,8 +28,12 @@ pub const KEYS: &[Key] = &[
     Key { code: KeyCode::Digit7, name: "7", does: PRESETS, edit: |scene| preset(scene, 7) },
     Key { code: KeyCode::F2, name: "F2", does: "disk", edit: |scene| scene.disk.enabled = !scene.disk.enabled },
     Key { code: KeyCode::F7, name: "F7", does: "cells", edit: |scene| scene.picture.bypass = !scene.picture.bypass },
-    Key { code: KeyCode::F11, name: "F11", does: "unfinished rays", edit: toggle_unfinished },
+    Key { code: KeyCode::F11, name: "F11", does: "unfinished rays", edit: |scene| toggle(scene, View::Unfinished) },
     Key { code: KeyCode::KeyG, name: "G", does: "sky", edit: cycle_sky },
+    Key { code: KeyCode::KeyB, name: "B", does: "classes", edit: |scene| toggle(scene, View::Classes) },
+    Key { code: KeyCode::KeyM, name: "M", does: "residual", edit: |scene| toggle(scene, View::Residual) },
+    Key { code: KeyCode::KeyN, name: "N", does: "order", edit: |scene| toggle(scene, View::Order) },
+    Key { code: KeyCode::KeyV, name: "V", does: "redshift", edit: |scene| toggle(scene, View::Redshift) },
 ];
 
 const PRESETS: &str = "presets";
@@ -42,11 +46,9 @@ fn preset(scene: &mut Scene, number: usize) {
     }
 }
 
-fn toggle_unfinished(scene: &mut Scene) {
-    scene.view = match scene.view {
-        View::Colour => View::Unfinished,
-        View::Unfinished => View::Colour,
-    };
+/// Shows a view, or the light again where that view is shown already.
+fn toggle(scene: &mut Scene, view: View) {
+    scene.view = if scene.view == view { View::Colour } else { view };
 }
 
 fn cycle_sky(scene: &mut Scene) {

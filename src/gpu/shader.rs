@@ -18,8 +18,8 @@ pub struct Variant {
     pub sky: SkyMode,
     /// Whether the reference star is in the sky.
     pub reference_star: bool,
-    /// Whether rays without an answer are magenta.
-    pub show_unfinished: bool,
+    /// What the picture shows.
+    pub view: View,
     /// Whether rays are followed beyond two crossings of the disk.
     pub follow_beyond_hits: bool,
 }
@@ -70,14 +70,16 @@ const PRELUDE: &str = "constants of the variant";
 impl Variant {
     /// The shader that draws the scene.
     pub fn picture(scene: &Scene) -> Self {
+        let marks = !shows_light(scene.view);
+        let sky = if marks { SkyMode::Off } else { scene.sky.mode };
         Self {
             entry: Entry::Picture,
             tracer: Tracer::of(scene.method),
             disk: scene.disk.enabled,
-            sky: scene.sky.mode,
-            reference_star: scene.sky.reference_star && scene.sky.mode != SkyMode::Off,
-            show_unfinished: scene.view == View::Unfinished,
-            follow_beyond_hits: !scene.disk.enabled || scene.disk.transmission.powi(2) > NEGLIGIBLE,
+            sky,
+            reference_star: scene.sky.reference_star && sky != SkyMode::Off,
+            view: scene.view,
+            follow_beyond_hits: marks || !scene.disk.enabled || scene.disk.transmission.powi(2) > NEGLIGIBLE,
         }
     }
 
@@ -87,7 +89,7 @@ impl Variant {
             entry: Entry::Rays,
             sky: SkyMode::Off,
             reference_star: false,
-            show_unfinished: false,
+            view: View::Colour,
             follow_beyond_hits: true,
             ..Self::picture(scene)
         }
@@ -105,7 +107,7 @@ impl Variant {
             all.push(Self::rays(&scene));
             for mode in [SkyMode::Stars, SkyMode::Grid, SkyMode::Off] {
                 for reference_star in [false, true] {
-                    for view in [View::Colour, View::Unfinished] {
+                    for view in View::ALL {
                         (scene.sky.mode, scene.sky.reference_star, scene.view) = (mode, reference_star, view);
                         all.push(Self::picture(&scene));
                     }
@@ -151,10 +153,11 @@ impl Variant {
         match self.entry {
             Entry::Rays => parts.push(part!("rays.wgsl")),
             Entry::Picture => {
-                if self.disk || self.sky != SkyMode::Off {
+                let disk_light = self.disk && shows_light(self.view);
+                if disk_light || self.sky != SkyMode::Off {
                     parts.push(part!("spectrum.wgsl"));
                 }
-                if self.disk {
+                if disk_light {
                     parts.push(part!("disk/emission.wgsl"));
                 }
                 match self.sky {
@@ -162,6 +165,13 @@ impl Variant {
                     SkyMode::Stars => parts.extend([part!("sky.wgsl"), part!("sky/stars.wgsl")]),
                     SkyMode::Grid => parts.extend([part!("sky.wgsl"), part!("sky/grid.wgsl")]),
                 }
+                parts.push(match self.view {
+                    View::Colour | View::Unfinished => part!("view/colour.wgsl"),
+                    View::Classes => part!("view/classes.wgsl"),
+                    View::Residual => part!("view/residual.wgsl"),
+                    View::Order => part!("view/order.wgsl"),
+                    View::Redshift => part!("view/redshift.wgsl"),
+                });
                 parts.push(part!("geodesic.wgsl"));
             }
         }
@@ -173,9 +183,9 @@ impl Variant {
         let mut text = String::new();
         for (name, value) in [
             ("REFERENCE_STAR", self.reference_star),
-            ("SHOW_UNFINISHED", self.show_unfinished),
+            ("SHOW_UNFINISHED", self.view == View::Unfinished),
             ("FOLLOW_BEYOND_HITS", self.follow_beyond_hits),
-            ("DIAGNOSTICS", self.entry == Entry::Rays),
+            ("DIAGNOSTICS", self.entry == Entry::Rays || matches!(self.view, View::Residual | View::Order)),
         ] {
             constant(&mut text, name, "bool", value);
         }
@@ -185,6 +195,11 @@ impl Variant {
         constant(&mut text, "SPECTRUM_LN_RANGE", "f32", format!("{:?}", (TABLE_HOTTEST / TABLE_COLDEST).ln()));
         text
     }
+}
+
+/// Whether a view shows the light of disk and sky, and not the colours of marks.
+fn shows_light(view: View) -> bool {
+    matches!(view, View::Colour | View::Unfinished)
 }
 
 fn constant(text: &mut String, name: &str, kind: &str, value: impl std::fmt::Display) {

@@ -172,7 +172,11 @@ pub const FIELDS: &[Field] = &[
     text("name", "Short name"),
     text("title", "One line that says what there is to see"),
     choice("method", &["auto", "verlet", "closed", "reference"], "How light is traced"),
-    choice("view", &["colour", "unfinished"], "What is shown; `unfinished` paints rays without an answer magenta"),
+    choice(
+        "view",
+        &["colour", "unfinished", "classes", "residual", "order", "redshift"],
+        "What is shown: the light, the light with rays without an answer in magenta, or a diagnostic",
+    ),
     float(
         "hole.spin",
         Range { low: Excluded(-1.0), high: Excluded(1.0) },

@@ -78,6 +78,20 @@ pub enum View {
     Colour,
     /// The light itself, with unfinished rays in magenta.
     Unfinished,
+    /// What becomes of each ray: outcome, and number of crossings of the disk.
+    Classes,
+    /// Largest residual of the null constraint along each ray.
+    Residual,
+    /// Order of the image: half-turns about the hole up to what is seen first.
+    Order,
+    /// Observed over emitted frequency of what is seen first, disk or sky.
+    Redshift,
+}
+
+impl View {
+    /// Every view.
+    pub const ALL: [Self; 6] =
+        [Self::Colour, Self::Unfinished, Self::Classes, Self::Residual, Self::Order, Self::Redshift];
 }
 
 /// The black hole; its Schwarzschild radius is the unit of length.

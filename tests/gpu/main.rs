@@ -15,6 +15,7 @@ mod shaders;
 mod sky;
 mod spectrum;
 mod verlet;
+mod views;
 
 use adapter::gpu;
 use glam::DVec3;
