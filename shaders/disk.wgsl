@@ -52,7 +52,7 @@ fn disk_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
     let m_over_r = MASS / max(r, 1.0);
     let omega = m_over_r * sqrt(m_over_r) / MASS;
     let inverse_ut = sqrt(max(1.0 - 3.0 * m_over_r, TINY));
-    return inverse_ut / (energy * max(1.0 - omega * lambda, 1e-4));
+    return disk_shift(inverse_ut / (energy * max(1.0 - omega * lambda, 1e-4)), r, lambda);
 }
 
 // Adds a crossing of the annulus, in order; E is per unit frequency for the camera, lambda = L/E. What comes after the

@@ -12,6 +12,8 @@ struct Scene {
     w_x: vec4<f32>,
     w_y: vec4<f32>,
     w_z: vec4<f32>,
+    // Without ABERRATION, frequency for the camera of that photon, which is then divided by it: dot(row, (1, d)).
+    frequency: vec4<f32>,
     // Where the camera is: unit vector from the hole, and radius.
     camera_direction: vec3<f32>,
     camera_radius: f32,
@@ -43,6 +45,12 @@ struct Scene {
     sky_seed: u32,
     // Light of a mark that must be seen whatever the exposure.
     mark_brightness: f32,
+    // Of the observer with zero angular momentum at the camera: lapse, and angular velocity (zero without LENSING).
+    camera_lapse: f32,
+    camera_dragging: f32,
+    // The hole: a = chi/2, and the radius r_+ of its horizon.
+    spin_length: f32,
+    horizon: f32,
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;

@@ -40,10 +40,6 @@ fn null_residual(x: vec3<f32>, v: vec3<f32>, l2: f32) -> f32 {
     return abs(sum - 1.0) / max(sum, 1.0);
 }
 
-fn angle_between(a: vec3<f32>, b: vec3<f32>) -> f32 {
-    return arctangent2(length(cross(a, b)), dot(a, b));
-}
-
 fn trace(photon: Photon) -> Trace {
     var result = untraced();
     let energy = photon_energy(photon);

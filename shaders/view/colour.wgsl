@@ -14,7 +14,7 @@ fn light_along(photon: Photon) -> vec3<f32> {
         transmission *= scene.disk_transmission;
     }
     if ray.outcome == OUTCOME_SKY {
-        light += transmission * sky_light(ray.sky, 1.0 / photon_energy(photon));
+        light += transmission * sky_light(ray.sky, sky_shift(photon));
     }
     if SHOW_UNFINISHED && ray.outcome == OUTCOME_UNFINISHED {
         light = mark(MAGENTA);

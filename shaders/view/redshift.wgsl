@@ -17,7 +17,7 @@ fn light_along(photon: Photon) -> vec3<f32> {
         return mark(shift_colour(ray.hits[0].g));
     }
     if ray.outcome == OUTCOME_SKY {
-        return mark(shift_colour(1.0 / photon_energy(photon)));
+        return mark(shift_colour(sky_shift(photon)));
     }
     return mark(select(vec3<f32>(0.0), MAGENTA, ray.outcome == OUTCOME_UNFINISHED));
 }

@@ -30,13 +30,19 @@ pub const KEYS: &[Key] = &[
     Key { code: KeyCode::F7, name: "F7", does: "cells", edit: |scene| scene.picture.bypass = !scene.picture.bypass },
     Key { code: KeyCode::F11, name: "F11", does: "unfinished rays", edit: |scene| toggle(scene, View::Unfinished) },
     Key { code: KeyCode::KeyG, name: "G", does: "sky", edit: cycle_sky },
-    Key { code: KeyCode::KeyB, name: "B", does: "classes", edit: |scene| toggle(scene, View::Classes) },
-    Key { code: KeyCode::KeyM, name: "M", does: "residual", edit: |scene| toggle(scene, View::Residual) },
-    Key { code: KeyCode::KeyN, name: "N", does: "order", edit: |scene| toggle(scene, View::Order) },
-    Key { code: KeyCode::KeyV, name: "V", does: "redshift", edit: |scene| toggle(scene, View::Redshift) },
+    Key { code: KeyCode::KeyL, name: "L", does: EFFECTS, edit: |scene| flip(&mut scene.effects.lensing) },
+    Key { code: KeyCode::KeyZ, name: "Z", does: EFFECTS, edit: |scene| flip(&mut scene.effects.doppler) },
+    Key { code: KeyCode::KeyX, name: "X", does: EFFECTS, edit: |scene| flip(&mut scene.effects.beaming) },
+    Key { code: KeyCode::KeyC, name: "C", does: EFFECTS, edit: |scene| flip(&mut scene.effects.gravitational_shift) },
+    Key { code: KeyCode::KeyB, name: "B", does: VIEWS, edit: |scene| toggle(scene, View::Classes) },
+    Key { code: KeyCode::KeyM, name: "M", does: VIEWS, edit: |scene| toggle(scene, View::Residual) },
+    Key { code: KeyCode::KeyN, name: "N", does: VIEWS, edit: |scene| toggle(scene, View::Order) },
+    Key { code: KeyCode::KeyV, name: "V", does: VIEWS, edit: |scene| toggle(scene, View::Redshift) },
 ];
 
 const PRESETS: &str = "presets";
+const EFFECTS: &str = "lensing, Doppler, beaming, gravity";
+const VIEWS: &str = "ray classes, residual, order, redshift";
 
 fn preset(scene: &mut Scene, number: usize) {
     let preset = presets::PRESETS.iter().find(|preset| preset.number == number);
@@ -44,6 +50,10 @@ fn preset(scene: &mut Scene, number: usize) {
     if let Some(Ok(preset)) = preset.map(|preset| preset.scene(&[])) {
         *scene = preset;
     }
+}
+
+fn flip(effect: &mut bool) {
+    *effect = !*effect;
 }
 
 /// Shows a view, or the light again where that view is shown already.

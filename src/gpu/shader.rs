@@ -2,7 +2,7 @@
 //! `const` flags, which compilers drop.
 
 use crate::physics::spectrum::{TABLE_COLDEST, TABLE_HOTTEST, TABLE_LEN};
-use crate::scene::{Method, Scene, SkyMode, View};
+use crate::scene::{Effects, Method, Scene, SkyMode, View};
 use std::fmt::Write;
 
 /// A shader: which parts are joined, and which flags are set.
@@ -20,6 +20,8 @@ pub struct Variant {
     pub reference_star: bool,
     /// What the picture shows.
     pub view: View,
+    /// Which effects there are.
+    pub effects: Effects,
     /// Whether rays are followed beyond two crossings of the disk.
     pub follow_beyond_hits: bool,
 }
@@ -40,12 +42,15 @@ pub enum Tracer {
     Verlet,
     /// Solved in closed form; spin zero only.
     Closed,
+    /// Not bent at all: the choice without lensing, whatever the method.
+    Straight,
 }
 
 impl Tracer {
     /// The one that answers for a scene's method; what no shader can do is refused by [`GpuScene`](super::GpuScene).
-    fn of(method: Method) -> Self {
-        match method {
+    fn of(scene: &Scene) -> Self {
+        match scene.method {
+            _ if !scene.effects.lensing => Self::Straight,
             Method::Verlet => Self::Verlet,
             Method::Auto | Method::Closed | Method::Reference => Self::Closed,
         }
@@ -74,11 +79,13 @@ impl Variant {
         let sky = if marks { SkyMode::Off } else { scene.sky.mode };
         Self {
             entry: Entry::Picture,
-            tracer: Tracer::of(scene.method),
+            tracer: Tracer::of(scene),
             disk: scene.disk.enabled,
             sky,
             reference_star: scene.sky.reference_star && sky != SkyMode::Off,
             view: scene.view,
+            // Brightness has no meaning for marks.
+            effects: Effects { beaming: scene.effects.beaming || marks, ..scene.effects },
             follow_beyond_hits: marks || !scene.disk.enabled || scene.disk.transmission.powi(2) > NEGLIGIBLE,
         }
     }
@@ -90,12 +97,13 @@ impl Variant {
             sky: SkyMode::Off,
             reference_star: false,
             view: View::Colour,
+            effects: Effects { beaming: true, ..scene.effects },
             follow_beyond_hits: true,
             ..Self::picture(scene)
         }
     }
 
-    /// Every variant that a scene can ask for.
+    /// Every variant that a scene can ask for, but that sets of effects with some switched off come under one sky only.
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         let mut scene = Scene::default();
@@ -112,6 +120,13 @@ impl Variant {
                         all.push(Self::picture(&scene));
                     }
                 }
+            }
+            (scene.sky.mode, scene.view) = (SkyMode::Stars, View::Colour);
+            for set in 0..32 {
+                let [lensing, doppler, beaming, gravitational_shift, aberration] =
+                    std::array::from_fn(|effect| set >> effect & 1 == 1);
+                scene.effects = Effects { lensing, doppler, beaming, gravitational_shift, aberration };
+                all.extend([Self::rays(&scene), Self::picture(&scene)]);
             }
         }
         let mut seen = std::collections::HashSet::new();
@@ -144,10 +159,12 @@ impl Variant {
 
     /// The parts in their order.
     fn parts(self) -> Vec<Part> {
-        let mut parts = vec![part!("scene.wgsl"), part!("elementary.wgsl"), part!("observer.wgsl")];
+        let mut parts =
+            vec![part!("scene.wgsl"), part!("elementary.wgsl"), part!("observer.wgsl"), part!("shift.wgsl")];
         parts.push(if self.disk { part!("disk.wgsl") } else { part!("disk/none.wgsl") });
         match self.tracer {
             Tracer::Verlet => parts.push(part!("method/verlet.wgsl")),
+            Tracer::Straight => parts.push(part!("method/straight.wgsl")),
             Tracer::Closed => parts.extend([part!("elliptic.wgsl"), part!("method/closed.wgsl")]),
         }
         match self.entry {
@@ -185,6 +202,11 @@ impl Variant {
             ("REFERENCE_STAR", self.reference_star),
             ("SHOW_UNFINISHED", self.view == View::Unfinished),
             ("FOLLOW_BEYOND_HITS", self.follow_beyond_hits),
+            ("LENSING", self.effects.lensing),
+            ("DOPPLER", self.effects.doppler),
+            ("BEAMING", self.effects.beaming),
+            ("GRAVITATIONAL_SHIFT", self.effects.gravitational_shift),
+            ("ABERRATION", self.effects.aberration),
             ("DIAGNOSTICS", self.entry == Entry::Rays || matches!(self.view, View::Residual | View::Order)),
         ] {
             constant(&mut text, name, "bool", value);

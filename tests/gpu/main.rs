@@ -6,6 +6,7 @@ mod adapter;
 mod camera;
 mod closed;
 mod disk;
+mod effects;
 mod elementary;
 mod elliptic;
 mod layout;
