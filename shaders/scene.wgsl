@@ -48,9 +48,17 @@ struct Scene {
     // Of the observer with zero angular momentum at the camera: lapse, and angular velocity (zero without LENSING).
     camera_lapse: f32,
     camera_dragging: f32,
-    // The hole: a = chi/2, and the radius r_+ of its horizon.
+    // The hole: a = chi/2, the horizons' radii r_+ and r_-, 1 - chi; 1/r_+, and what rounding left of it.
     spin_length: f32,
     horizon: f32,
+    horizon_u: f32,
+    horizon_u_rest: f32,
+    inner_horizon: f32,
+    spin_gap: f32,
+    // By how much Kerr's ingoing azimuth is ahead of Boyer-Lindquist's at the camera.
+    azimuth_lead: f32,
+    // Step in Mino time, in radians.
+    mino_step: f32,
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;
@@ -94,8 +102,8 @@ struct Trace {
     // DIAGNOSTICS.
     residual: f32,
     angular_momentum_drift: f32,
-    // Angle swept about the hole, in radians, up to the first of the crossings or, without any, to infinity: its whole
-    // half-turns are the order of the image. Zero where nothing is seen, and unless DIAGNOSTICS.
+    // Angle swept about the hole, in radians, up to the first of the crossings or, without any, to infinity, without
+    // what the hole's spin drags along: its whole half-turns are the order of the image. Zero where nothing is seen, and unless DIAGNOSTICS.
     turn: f32,
 }
 
@@ -122,4 +130,9 @@ fn safe_normalize(v: vec3<f32>) -> vec3<f32> {
 
 fn square(x: f32) -> f32 {
     return x * x;
+}
+
+// A vector turned about z.
+fn turned(v: vec2<f32>, sine_cosine: vec2<f32>) -> vec2<f32> {
+    return vec2<f32>(sine_cosine.y * v.x - sine_cosine.x * v.y, sine_cosine.x * v.x + sine_cosine.y * v.y);
 }

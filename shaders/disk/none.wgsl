@@ -2,6 +2,18 @@
 
 const HAS_DISK: bool = false;
 
+fn crosses_plane(z0: f32, z1: f32) -> bool {
+    return false;
+}
+
+fn in_annulus(r: f32) -> bool {
+    return false;
+}
+
+fn plane_crossing(segment: Segment, crosses: bool) -> vec3<f32> {
+    return vec3<f32>(0.0);
+}
+
 fn record_crossing(result: ptr<function, Trace>, segment: Segment) {}
 
 fn add_hit(result: ptr<function, Trace>, position: vec3<f32>, energy: f32, lambda: f32) {}

@@ -31,12 +31,15 @@ pub enum GpuError {
     Shader(String),
     /// A spin that the method does not know.
     #[error(
-        "hole.spin = {0} is refused: methods verlet and closed trace holes without spin only, so it must be 0 \
-         (`trace --device cpu` answers for any spin)"
+        "hole.spin = {0} is refused: methods verlet and closed trace holes without spin only, so it must be 0 (methods \
+         auto, mino and kerr-schild trace any spin)"
     )]
     Spin(f64),
     /// A method that does not run on the GPU.
-    #[error("method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet or closed")]
+    #[error(
+        "method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet, closed, mino or \
+         kerr-schild"
+    )]
     MethodOfCpu,
     /// An observer that cannot be.
     #[error(transparent)]

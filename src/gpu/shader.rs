@@ -12,6 +12,8 @@ pub struct Variant {
     pub entry: Entry,
     /// How it traces.
     pub tracer: Tracer,
+    /// Whether the hole spins.
+    pub spinning: bool,
     /// Whether rays can meet a disk.
     pub disk: bool,
     /// What lies at infinity; off where nothing is drawn.
@@ -42,16 +44,23 @@ pub enum Tracer {
     Verlet,
     /// Solved in closed form; spin zero only.
     Closed,
+    /// Mino time, any spin.
+    Mino,
+    /// Runge-Kutta in Kerr-Schild coordinates.
+    KerrSchild,
     /// Not bent at all: the choice without lensing, whatever the method.
     Straight,
 }
 
 impl Tracer {
-    /// The one that answers for a scene's method; what no shader can do is refused by [`GpuScene`](super::GpuScene).
+    /// The one that answers for a scene; what no shader can do is refused by [`GpuScene`](super::GpuScene).
     fn of(scene: &Scene) -> Self {
         match scene.method {
             _ if !scene.effects.lensing => Self::Straight,
             Method::Verlet => Self::Verlet,
+            Method::Mino => Self::Mino,
+            Method::KerrSchild => Self::KerrSchild,
+            Method::Auto if scene.hole.spin != 0.0 => Self::Mino,
             Method::Auto | Method::Closed | Method::Reference => Self::Closed,
         }
     }
@@ -80,6 +89,7 @@ impl Variant {
         Self {
             entry: Entry::Picture,
             tracer: Tracer::of(scene),
+            spinning: scene.hole.spin != 0.0,
             disk: scene.disk.enabled,
             sky,
             reference_star: scene.sky.reference_star && sky != SkyMode::Off,
@@ -108,10 +118,19 @@ impl Variant {
         let mut all = Vec::new();
         let mut scene = Scene::default();
         let disks = [(false, 0.0), (true, 0.0), (true, 1.0)];
-        let methods = [Method::Verlet, Method::Closed];
-        for (method, (enabled, transmission)) in methods.into_iter().flat_map(|method| disks.map(|disk| (method, disk)))
+        let methods = [
+            (Method::Verlet, 0.0),
+            (Method::Closed, 0.0),
+            (Method::Mino, 0.0),
+            (Method::Mino, 0.5),
+            (Method::KerrSchild, 0.0),
+            (Method::KerrSchild, 0.5),
+        ];
+        for ((method, spin), (enabled, transmission)) in
+            methods.into_iter().flat_map(|method| disks.map(|disk| (method, disk)))
         {
-            (scene.method, scene.disk.enabled, scene.disk.transmission) = (method, enabled, transmission);
+            (scene.method, scene.hole.spin) = (method, spin);
+            (scene.disk.enabled, scene.disk.transmission) = (enabled, transmission);
             all.push(Self::rays(&scene));
             for mode in [SkyMode::Stars, SkyMode::Grid, SkyMode::Off] {
                 for reference_star in [false, true] {
@@ -166,6 +185,8 @@ impl Variant {
             Tracer::Verlet => parts.push(part!("method/verlet.wgsl")),
             Tracer::Straight => parts.push(part!("method/straight.wgsl")),
             Tracer::Closed => parts.extend([part!("elliptic.wgsl"), part!("method/closed.wgsl")]),
+            Tracer::Mino => parts.push(part!("method/mino.wgsl")),
+            Tracer::KerrSchild => parts.push(part!("method/kerr_schild.wgsl")),
         }
         match self.entry {
             Entry::Rays => parts.push(part!("rays.wgsl")),
@@ -199,6 +220,7 @@ impl Variant {
     fn prelude(self) -> String {
         let mut text = String::new();
         for (name, value) in [
+            ("SPINNING", self.spinning),
             ("REFERENCE_STAR", self.reference_star),
             ("SHOW_UNFINISHED", self.view == View::Unfinished),
             ("FOLLOW_BEYOND_HITS", self.follow_beyond_hits),

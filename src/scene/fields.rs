@@ -171,7 +171,7 @@ pub const FIELDS: &[Field] = &[
     integer("schema", Range::closed(super::SCHEMA as f64, super::SCHEMA as f64), "", "Version of the preset format"),
     text("name", "Short name"),
     text("title", "One line that says what there is to see"),
-    choice("method", &["auto", "verlet", "closed", "reference"], "How light is traced"),
+    choice("method", &["auto", "verlet", "closed", "mino", "kerr-schild", "reference"], "How light is traced"),
     choice(
         "view",
         &["colour", "unfinished", "classes", "residual", "order", "redshift"],
@@ -235,11 +235,12 @@ pub const FIELDS: &[Field] = &[
     integer("picture.levels", Range::closed(2.0, 256.0), "levels", "How many levels a channel is rounded to"),
     boolean("picture.dither", "Whether a 4x4 Bayer pattern spreads the rounding error"),
     boolean("picture.bypass", "Whether the pixel treatment is left out"),
+    float("quality.max_error_px", Range::closed(1e-4, 1.0), "pixels", "Largest error of a ray, for method mino"),
     float(
         "quality.step_scale",
         Range::above(0.0, 16.0),
         "",
-        "Scale of the step rule: 1.55 cheap, 0.85 balanced, 0.45 high",
+        "Scale of the step rule of verlet and kerr-schild: 1.55 cheap, 0.85 balanced, 0.45 high",
     ),
     integer("quality.max_steps", Range::closed(1.0, 768.0), "steps", "Most steps a ray may take"),
     float("quality.max_affine", Range::above(0.0, 1e9), "r_s", "Most affine length a ray may cover"),

@@ -67,6 +67,10 @@ pub enum Method {
     Verlet,
     /// Schwarzschild's null geodesics in closed form.
     Closed,
+    /// Kerr's null geodesics in Mino time, by Taylor series.
+    Mino,
+    /// Kerr's null geodesics in ingoing Kerr-Schild coordinates, by Runge-Kutta.
+    KerrSchild,
     /// The f64 reference, on the CPU only.
     Reference,
 }
@@ -272,6 +276,9 @@ pub struct Picture {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Quality {
+    /// Largest error that a method with a setting for it may make, in pixels of the picture: the turn of a pixel's ray
+    /// that would explain it.
+    pub max_error_px: f64,
     /// Scale of the article's step rule; 1.55 cheap, 0.85 balanced, 0.45 high.
     pub step_scale: f64,
     /// Most steps a ray may take.
@@ -377,6 +384,6 @@ impl Default for Picture {
 
 impl Default for Quality {
     fn default() -> Self {
-        Self { step_scale: 0.85, max_steps: 768, max_affine: 2000.0 }
+        Self { max_error_px: 0.05, step_scale: 0.85, max_steps: 768, max_affine: 2000.0 }
     }
 }

@@ -12,14 +12,18 @@ fn refusal(change: fn(&mut Scene)) -> String {
 #[test]
 fn a_spinning_hole_is_refused_by_a_method_that_knows_none() {
     let sentence = "hole.spin = 0.9 is refused: methods verlet and closed trace holes without spin only, so it must be 0 \
-                    (`trace --device cpu` answers for any spin)";
-    assert_eq!(refusal(|scene| scene.hole.spin = 0.9), sentence);
+                    (methods auto, mino and kerr-schild trace any spin)";
+    for method in [Method::Verlet, Method::Closed] {
+        let mut scene = Scene { method, ..Scene::default() };
+        scene.hole.spin = 0.9;
+        assert_eq!(GpuScene::for_rays(&scene).unwrap_err().to_string(), sentence);
+    }
 }
 
 #[test]
 fn the_reference_is_refused_on_the_gpu() {
-    let sentence =
-        "method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet or closed";
+    let sentence = "method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet, \
+         closed, mino or kerr-schild";
     assert_eq!(refusal(|scene| scene.method = Method::Reference), sentence);
 }
 

@@ -91,19 +91,21 @@ fn the_methods_agree_on_the_angle_that_a_ray_sweeps() {
     let mut scene = views_of(Method::Closed, 768);
     let directions = pixel_directions(&scene, 64, 36);
     let closed = records(gpu, &scene, &directions).unwrap();
-    (scene.method, scene.quality.step_scale) = (Method::Verlet, 0.3);
-    let verlet = records(gpu, &scene, &directions).unwrap();
     let kind = |record: &GpuTrace| (record.outcome, record.hit_count);
-    let both: Vec<f32> = closed
-        .iter()
-        .zip(&verlet)
-        .filter(|(closed, verlet)| kind(closed) == kind(verlet))
-        .map(|(closed, verlet)| (closed.turn - verlet.turn).abs())
-        .collect();
-    assert!(both.len() > 2000, "{} rays of 2304 are of one kind", both.len());
-    let far = both.iter().filter(|difference| **difference > 0.01).count();
-    // Verlet's own error, which grows without bound toward the shadow's edge; half-turns are 3.14.
-    assert!(far < 30, "{far} rays differ by more than 0.01 rad");
+    for method in [Method::Verlet, Method::Mino, Method::KerrSchild] {
+        (scene.method, scene.quality.step_scale) = (method, 0.3);
+        let others = records(gpu, &scene, &directions).unwrap();
+        let both: Vec<f32> = closed
+            .iter()
+            .zip(&others)
+            .filter(|(closed, other)| kind(closed) == kind(other))
+            .map(|(closed, other)| (closed.turn - other.turn).abs())
+            .collect();
+        assert!(both.len() > 2000, "{method:?}: {} rays of 2304 are of one kind", both.len());
+        let far = both.iter().filter(|difference| **difference > 0.01).count();
+        // The methods' own errors, which grow without bound toward the shadow's edge; half-turns are 3.14.
+        assert!(far < 30, "{method:?}: {far} rays differ by more than 0.01 rad");
+    }
     // Without a disk the angle belongs to the sky: its plane, turned by it from the camera, is where the ray ends.
     scene.disk.enabled = false;
     scene.method = Method::Closed;

@@ -110,7 +110,8 @@ fn help_and_version_are_no_failures() {
         assert_eq!(cli::read(line.split(' ')).unwrap_err().exit_code(), 0, "{line}");
     }
     let help = cli::read(["lightfall", "-h"]).unwrap_err().to_string();
-    assert!(help.contains("Examples:") && help.contains("one of auto, verlet, closed, reference"), "{help}");
+    let words = "one of auto, verlet, closed, mino, kerr-schild, reference";
+    assert!(help.contains("Examples:") && help.contains(words), "{help}");
 }
 
 #[test]
@@ -118,7 +119,10 @@ fn wrong_values_of_the_short_forms_name_the_short_form() {
     for (line, sentence) in [
         ("--spin 1", "--spin: hole.spin = 1 is refused: it must be a number above -1 and below 1"),
         ("--spin fast", "--spin: hole.spin = \"fast\" is refused: it must be a number above -1 and below 1"),
-        ("--method euler", "--method: method = \"euler\" is refused: it must be one of auto, verlet, closed, reference"),
+        (
+            "--method euler",
+            "--method: method = \"euler\" is refused: it must be one of auto, verlet, closed, mino, kerr-schild, reference",
+        ),
         ("--set camera.r", "--set: camera.r is not of the form KEY=VALUE, such as camera.r=20"),
     ] {
         assert_eq!(fault(&fly(&format!("lightfall {line}"))), sentence);

@@ -79,7 +79,10 @@ fn a_value_of_the_wrong_type_is_answered_with_what_it_must_be() {
         ("disk.enabled = 1", "disk.enabled = 1 is refused: it must be true or false"),
         ("hole.spin = \"fast\"", "hole.spin = \"fast\" is refused: it must be a number above -1 and below 1"),
         ("picture.width = 960.0", "picture.width = 960 is refused: it must be an integer from 1 to 16384 pixels"),
-        ("method = \"euler\"", "method = \"euler\" is refused: it must be one of auto, verlet, closed, reference"),
+        (
+            "method = \"euler\"",
+            "method = \"euler\" is refused: it must be one of auto, verlet, closed, mino, kerr-schild, reference",
+        ),
         ("sky.mode = true", "sky.mode = true is refused: it must be one of stars, grid, off"),
         ("name = 7", "name = 7 is refused: it must be one line of text, at most 200 characters"),
         ("name = \"a\\nb\"", "name = \"a\\nb\" is refused: it must be one line of text, at most 200 characters"),
