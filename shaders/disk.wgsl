@@ -71,7 +71,8 @@ fn disk_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
     // 1 + chi y^3, with chi = a / M.
     let stretch = 1.0 + scene.spin_length / MASS * y3;
     let omega = y3 / (MASS * stretch);
-    return sqrt(max(root2, TINY)) / (stretch * max(energy * (1.0 - omega * lambda), 1e-6));
+    let g = sqrt(max(root2, TINY)) / (stretch * max(energy * (1.0 - omega * lambda), 1e-6));
+    return disk_shift(g, r, lambda);
 }
 
 // Adds a crossing of the annulus, in order; E is per unit frequency for the camera, lambda = L/E. What comes after the

@@ -24,6 +24,11 @@ fn arctangent2(y: f32, x: f32) -> f32 {
     return select(angle, -angle, y < 0.0);
 }
 
+// Angle between two vectors, in [0, pi].
+fn angle_between(a: vec3<f32>, b: vec3<f32>) -> f32 {
+    return arctangent2(length(cross(a, b)), dot(a, b));
+}
+
 // Sine and cosine (x, y) of an angle of up to some tens of radians, at most 2e-7 off plus what rounding the angle does.
 // The nearest multiple of pi/2 is taken off in two parts, the first of few digits; then polynomials on [-pi/4, pi/4],
 // minimax, their own errors below 4e-9.

@@ -2,11 +2,16 @@
 
 fn photon_from(direction: vec3<f32>) -> Photon {
     let one_d = vec4<f32>(1.0, direction);
-    return Photon(
+    let photon = Photon(
         dot(scene.energy, one_d),
         dot(scene.radial, one_d),
         vec3<f32>(dot(scene.w_x, one_d), dot(scene.w_y, one_d), dot(scene.w_z, one_d)),
     );
+    if ABERRATION {
+        return photon;
+    }
+    let frequency = dot(scene.frequency, one_d);
+    return Photon(photon.energy / frequency, photon.radial / frequency, photon.w / frequency);
 }
 
 // Unit looking direction (right, up, forward) of a place on the picture, in pixels from its upper left corner.

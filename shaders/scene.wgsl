@@ -12,6 +12,8 @@ struct Scene {
     w_x: vec4<f32>,
     w_y: vec4<f32>,
     w_z: vec4<f32>,
+    // Without ABERRATION, frequency for the camera of that photon, which is then divided by it: dot(row, (1, d)).
+    frequency: vec4<f32>,
     // Where the camera is: unit vector from the hole, and radius.
     camera_direction: vec3<f32>,
     camera_radius: f32,
@@ -43,6 +45,9 @@ struct Scene {
     sky_seed: u32,
     // Light of a mark that must be seen whatever the exposure.
     mark_brightness: f32,
+    // Of the observer with zero angular momentum at the camera: lapse, and angular velocity (zero without LENSING).
+    camera_lapse: f32,
+    camera_dragging: f32,
     // The hole: a = chi/2, the horizons' radii r_+ and r_-, 1 - chi; 1/r_+, and what rounding left of it.
     spin_length: f32,
     horizon: f32,
@@ -97,6 +102,9 @@ struct Trace {
     // DIAGNOSTICS.
     residual: f32,
     angular_momentum_drift: f32,
+    // Angle swept about the hole, in radians, up to the first of the crossings or, without any, to infinity, without
+    // what the hole's spin drags along: its whole half-turns are the order of the image. Zero where nothing is seen, and unless DIAGNOSTICS.
+    turn: f32,
 }
 
 // One step of a ray: positions and velocities at its ends, and its affine length.
@@ -110,7 +118,7 @@ struct Segment {
 
 fn untraced() -> Trace {
     let nothing = Hit(vec3<f32>(0.0), 0.0);
-    return Trace(vec3<f32>(0.0), OUTCOME_UNFINISHED, array<Hit, 2>(nothing, nothing), 0u, 0u, 0.0, 0.0);
+    return Trace(vec3<f32>(0.0), OUTCOME_UNFINISHED, array<Hit, 2>(nothing, nothing), 0u, 0u, 0.0, 0.0, 0.0);
 }
 
 // Divisors and roots that must not vanish: the smallest number here is far above f32's subnormals.

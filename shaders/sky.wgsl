@@ -1,5 +1,5 @@
-// The sky as the camera sees it. What is at infinity is fixed in world direction; the observer shifts it: with
-// g = 1/E, observed over emitted frequency, thermal light keeps its shape at g T and its intensity changes by g^4.
+// The sky as the camera sees it. What is at infinity is fixed in world direction; the observer shifts it: with g,
+// observed over emitted frequency (1/E), thermal light keeps its shape at g T and is beamed.
 
 // Temperature of the reference star in kelvin, its brightness, and its angular radius: a quarter of a degree.
 const REFERENCE_TEMPERATURE: f32 = 8000.0;
@@ -35,6 +35,5 @@ fn sky_light(direction: vec3<f32>, shift: f32) -> vec3<f32> {
     if REFERENCE_STAR {
         light += reference_star(direction, g);
     }
-    let g2 = g * g;
-    return light * (g2 * g2 * scene.sky_brightness);
+    return light * (beamed(g) * scene.sky_brightness);
 }

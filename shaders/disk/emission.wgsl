@@ -10,12 +10,10 @@ fn edge_fade(r: f32) -> f32 {
 }
 
 // Linear light of a crossing. The flux F in the matter's frame is the disk model's; T = T_scale F^(1/4), after
-// Stefan-Boltzmann. Thermal light keeps Planck's shape at the temperature g T, and its bolometric intensity changes by
-// g^4 since I_nu / nu^3 is the same for everyone (Misner, Thorne & Wheeler 1973, section 22.6).
+// Stefan-Boltzmann. Thermal light keeps Planck's shape at the temperature g T, and is beamed.
 fn disk_light(hit: Hit) -> vec3<f32> {
     let r = length(hit.position);
     let flux = disk_flux(r);
     let temperature = scene.disk_temperature * sqrt(sqrt(flux));
-    let g2 = square(hit.g);
-    return thermal_colour(temperature * hit.g) * (flux * g2 * g2 * scene.disk_brightness * edge_fade(r));
+    return thermal_colour(temperature * hit.g) * (flux * beamed(hit.g) * scene.disk_brightness * edge_fade(r));
 }

@@ -145,14 +145,18 @@ fn trace(photon: Photon) -> Trace {
         let last = floor((angle - crossing_angle) * (1.0 / PI));
         if last >= 0.0 && outside_inner_edge {
             add_crossing(&result, u_after(crossing_angle, orbit.u, orbit.slope, g3), across, energy, lambda);
+            result.turn = select(0.0, crossing_angle, result.hit_count == 1u);
         }
         if escapes && last >= select(0.0, 1.0, outside_inner_edge) {
             let beyond = angle - crossing_angle - last * PI;
             let u = u_after(beyond, 0.0, inverse_b, g3);
+            let first = result.hit_count == 0u;
             add_crossing(&result, u, select(across, -across, (i32(last) & 1) == 1), energy, lambda);
+            result.turn = select(result.turn, crossing_angle + last * PI, first && result.hit_count == 1u);
         }
     }
     if escapes {
+        result.turn = select(result.turn, angle, result.hit_count == 0u);
         if !FOLLOW_BEYOND_HITS && result.hit_count == 2u {
             result.outcome = OUTCOME_HIDDEN;
         } else {

@@ -166,6 +166,7 @@ fn trace(photon: Photon) -> Trace {
     let axial = axial_angular_momentum(state);
     let max_steps = min(scene.max_steps, MOST_STEPS);
     var affine = 0.0;
+    var turn = 0.0;
     var captured = false;
     var escaped = false;
     var v = vec3<f32>(0.0);
@@ -197,8 +198,14 @@ fn trace(photon: Photon) -> Trace {
             let place = plane_crossing(Segment(state.x, v, next.x, next_v, h), crosses);
             let hit = boyer_lindquist(place);
             if in_annulus(length(hit)) {
+                if DIAGNOSTICS && result.hit_count == 0u {
+                    result.turn = turn + angle_between(state.x, place);
+                }
                 add_hit(&result, hit, photon_energy(photon), photon_angular_momentum(photon) / photon_energy(photon));
             }
+        }
+        if DIAGNOSTICS {
+            turn += angle_between(state.x, next.x);
         }
         result.steps += 1u;
         affine += h;
@@ -208,6 +215,9 @@ fn trace(photon: Photon) -> Trace {
         result.outcome = OUTCOME_CAPTURED;
     } else if escaped {
         result.outcome = OUTCOME_SKY;
+        if DIAGNOSTICS && result.hit_count == 0u {
+            result.turn = turn + angle_between(state.x, v);
+        }
         result.sky = safe_normalize(vec3<f32>(turned(v.xy, sine_cosine(scene.azimuth_lead)), v.z));
     } else if !FOLLOW_BEYOND_HITS && result.hit_count == 2u {
         result.outcome = OUTCOME_HIDDEN;

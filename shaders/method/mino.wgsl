@@ -180,6 +180,7 @@ fn trace(photon: Photon) -> Trace {
     var y = vec4<f32>(1.0 / scene.camera_radius, n.z, n.xy);
     var dy = h * vec4<f32>(scale * photon.radial, -w.z, -w.xy);
     var chi = 0.0;
+    var turn = 0.0;
 
     for (var i = 0u; i < MOST_STEPS; i++) {
         if SPINNING {
@@ -244,16 +245,23 @@ fn trace(photon: Photon) -> Trace {
                 if SPINNING && DIAGNOSTICS {
                     place = turned(place, sine_cosine(wrapped(chi + azimuth_gain(m, energy, curve, t))));
                 }
+                if DIAGNOSTICS && result.hit_count == 0u {
+                    result.turn = turn + angle_between(y.yzw, crossing.yzw);
+                }
                 add_hit(&result, vec3<f32>(r * place, 0.0), photon.energy, lambda);
             }
         }
         if SPINNING {
             chi = wrapped(chi + azimuth_gain(m, energy, curve, share));
         }
+        if DIAGNOSTICS {
+            turn += angle_between(y.yzw, end.yzw);
+        }
         if escapes {
             // Light of negative energy never was at infinity.
             result.outcome = select(OUTCOME_CAPTURED, OUTCOME_SKY, energy > 0.0);
             let across = select(end.zw, turned(end.zw, sine_cosine(chi)), SPINNING);
+            result.turn = select(result.turn, turn, energy > 0.0 && result.hit_count == 0u);
             result.sky = select(vec3<f32>(0.0), safe_normalize(vec3<f32>(across, end.y)), energy > 0.0);
             break;
         }

@@ -54,6 +54,7 @@ fn trace(photon: Photon) -> Trace {
     let max_steps = min(scene.max_steps, MOST_STEPS);
     var inverse_r = 1.0 / scene.camera_radius;
     var affine = 0.0;
+    var turn = 0.0;
     var captured = false;
     var escaped = false;
 
@@ -84,7 +85,11 @@ fn trace(photon: Photon) -> Trace {
         }
         let next_inverse_r = inverseSqrt(max(next_r2, 0.25));
         let next_v = v + (0.5 * h) * (pull0 * x + pull(l2, next_inverse_r) * next_x);
+        let unseen = result.hit_count == 0u;
         record_crossing(&result, Segment(x, v, next_x, next_v, h));
+        if DIAGNOSTICS && unseen {
+            turn += angle_between(x, select(next_x, result.hits[0].position, result.hit_count == 1u));
+        }
         result.steps += 1u;
         affine += h;
         x = next_x;
@@ -92,6 +97,11 @@ fn trace(photon: Photon) -> Trace {
         inverse_r = next_inverse_r;
     }
     shift_hits(&result, energy, -impact_vector.z);
+    if DIAGNOSTICS {
+        let at_infinity = escaped && result.hit_count == 0u;
+        turn += select(0.0, angle_between(x, v), at_infinity);
+        result.turn = select(0.0, turn, at_infinity || result.hit_count > 0u);
+    }
     if captured {
         result.outcome = OUTCOME_CAPTURED;
     } else if escaped {

@@ -30,11 +30,21 @@ pub const KEYS: &[Key] = &[
     Key { code: KeyCode::Digit9, name: "9", does: PRESETS, edit: |scene| preset(scene, 9) },
     Key { code: KeyCode::F2, name: "F2", does: "disk", edit: |scene| scene.disk.enabled = !scene.disk.enabled },
     Key { code: KeyCode::F7, name: "F7", does: "cells", edit: |scene| scene.picture.bypass = !scene.picture.bypass },
-    Key { code: KeyCode::F11, name: "F11", does: "unfinished rays", edit: toggle_unfinished },
+    Key { code: KeyCode::F11, name: "F11", does: "unfinished rays", edit: |scene| toggle(scene, View::Unfinished) },
     Key { code: KeyCode::KeyG, name: "G", does: "sky", edit: cycle_sky },
+    Key { code: KeyCode::KeyL, name: "L", does: EFFECTS, edit: |scene| flip(&mut scene.effects.lensing) },
+    Key { code: KeyCode::KeyZ, name: "Z", does: EFFECTS, edit: |scene| flip(&mut scene.effects.doppler) },
+    Key { code: KeyCode::KeyX, name: "X", does: EFFECTS, edit: |scene| flip(&mut scene.effects.beaming) },
+    Key { code: KeyCode::KeyC, name: "C", does: EFFECTS, edit: |scene| flip(&mut scene.effects.gravitational_shift) },
+    Key { code: KeyCode::KeyB, name: "B", does: VIEWS, edit: |scene| toggle(scene, View::Classes) },
+    Key { code: KeyCode::KeyM, name: "M", does: VIEWS, edit: |scene| toggle(scene, View::Residual) },
+    Key { code: KeyCode::KeyN, name: "N", does: VIEWS, edit: |scene| toggle(scene, View::Order) },
+    Key { code: KeyCode::KeyV, name: "V", does: VIEWS, edit: |scene| toggle(scene, View::Redshift) },
 ];
 
 const PRESETS: &str = "presets";
+const EFFECTS: &str = "lensing, Doppler, beaming, gravity";
+const VIEWS: &str = "ray classes, residual, order, redshift";
 
 fn preset(scene: &mut Scene, number: usize) {
     let preset = presets::PRESETS.iter().find(|preset| preset.number == number);
@@ -44,11 +54,13 @@ fn preset(scene: &mut Scene, number: usize) {
     }
 }
 
-fn toggle_unfinished(scene: &mut Scene) {
-    scene.view = match scene.view {
-        View::Colour => View::Unfinished,
-        View::Unfinished => View::Colour,
-    };
+fn flip(effect: &mut bool) {
+    *effect = !*effect;
+}
+
+/// Shows a view, or the light again where that view is shown already.
+fn toggle(scene: &mut Scene, view: View) {
+    scene.view = if scene.view == view { View::Colour } else { view };
 }
 
 fn cycle_sky(scene: &mut Scene) {

@@ -15,11 +15,16 @@ pub(super) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show);
 }
 
-/// The line, made from the key table: keys in a row that do the same are one entry.
+/// The line, made from the key table: keys in a row that do the same are one entry, numbers as a span.
 fn line() -> String {
     let entries = KEYS.chunk_by(|a, b| a.does == b.does).map(|keys| {
         let (first, last) = (keys[0].name, keys[keys.len() - 1].name);
-        let span = if keys.len() > 1 { format!("{first}-{last}") } else { first.to_owned() };
+        let numbers = first.starts_with(|letter: char| letter.is_ascii_digit());
+        let span = if keys.len() > 1 && numbers {
+            format!("{first}-{last}")
+        } else {
+            keys.iter().map(|key| key.name).collect::<Vec<_>>().join(" ")
+        };
         format!("{span} {}", keys[0].does)
     });
     std::iter::once(FLYING.to_owned()).chain(entries).collect::<Vec<_>>().join(" · ")

@@ -30,6 +30,7 @@ pub struct GpuTrace {
     pub steps: u32,
     pub residual: f32,
     pub angular_momentum_drift: f32,
+    pub turn: f32,
 }
 
 /// Traces the rays that leave the scene's camera in these directions, on the observer's legs (outward, toward growing

@@ -2,7 +2,7 @@
 //! which says what each number means; tests/gpu/layout.rs compares the two.
 
 use super::GpuError;
-use crate::physics::{disk, kerr::Kerr, observer::observer_matrix, schwarzschild};
+use crate::physics::{disk, kerr::Kerr, schwarzschild, shift::Shift, sight::Sight};
 use crate::scene::{Method, Scene};
 use encase::ShaderType;
 use glam::{DMat3, DVec2, DVec3, DVec4, UVec2, Vec2, Vec3, Vec4};
@@ -30,6 +30,7 @@ pub struct GpuScene {
     pub w_x: Vec4,
     pub w_y: Vec4,
     pub w_z: Vec4,
+    pub frequency: Vec4,
     pub camera_direction: Vec3,
     pub camera_radius: f32,
     pub discriminant: Vec3,
@@ -53,6 +54,8 @@ pub struct GpuScene {
     pub star_brightness: f32,
     pub sky_seed: u32,
     pub mark_brightness: f32,
+    pub camera_lapse: f32,
+    pub camera_dragging: f32,
     pub spin_length: f32,
     pub horizon: f32,
     pub horizon_u: f32,
@@ -83,16 +86,19 @@ impl GpuScene {
     fn looking(scene: &Scene, size: UVec2, legs_from_direction: DMat3) -> Result<Self, GpuError> {
         match scene.method {
             Method::Reference => return Err(GpuError::MethodOfCpu),
-            Method::Verlet | Method::Closed if scene.hole.spin != 0.0 => return Err(GpuError::Spin(scene.hole.spin)),
+            Method::Verlet | Method::Closed if scene.hole.spin != 0.0 && scene.effects.lensing => {
+                return Err(GpuError::Spin(scene.hole.spin));
+            }
             Method::Auto | Method::Verlet | Method::Closed | Method::Mino | Method::KerrSchild => {}
         }
-        let Scene { camera, observer, disk, sky, quality, .. } = scene;
-        let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
-        let matrix = observer_matrix(scene.hole.spin, observer.kind, observer.velocity, camera.r, theta, phi)?;
-        let [energy, radial, w_x, w_y, w_z] = matrix.rows.map(|[one, r, theta, phi]| {
+        let Scene { camera, disk, sky, quality, .. } = scene;
+        let Sight { matrix, frequency } = Sight::new(scene)?;
+        let turned = |[one, r, theta, phi]: [f64; 4]| {
             let row = legs_from_direction.transpose() * DVec3::new(r, theta, phi);
             DVec4::new(one, row.x, row.y, row.z).as_vec4()
-        });
+        };
+        let [energy, radial, w_x, w_y, w_z] = matrix.rows.map(turned);
+        let rest = Shift::new(scene).camera();
         let size = size.max(UVec2::ONE).as_dvec2();
         let tan_half_fov = (camera.fov_deg.to_radians() / 2.0).tan();
         let spot_radius = SPOT_PIXELS * 2.0 * tan_half_fov / size.y;
@@ -105,6 +111,7 @@ impl GpuScene {
             w_x,
             w_y,
             w_z,
+            frequency: turned(frequency),
             camera_direction: camera.direction().as_vec3(),
             camera_radius: camera.r as f32,
             discriminant: schwarzschild::discriminant_of_photon(camera.r).as_vec3(),
@@ -129,6 +136,8 @@ impl GpuScene {
             star_brightness: (size.y / SPOT_HEIGHT).powi(2) as f32,
             sky_seed: sky.seed,
             mark_brightness: (MARK_BRIGHTNESS / scene.picture.exposure_ev.exp2()) as f32,
+            camera_lapse: rest.lapse as f32,
+            camera_dragging: rest.dragging as f32,
             spin_length: kerr.a() as f32,
             horizon: kerr.horizon() as f32,
             horizon_u: horizon_u as f32,

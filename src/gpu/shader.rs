@@ -3,7 +3,7 @@
 
 use crate::physics::disk;
 use crate::physics::spectrum::{TABLE_COLDEST, TABLE_HOTTEST, TABLE_LEN};
-use crate::scene::{DiskModel, Method, Scene, SkyMode, View};
+use crate::scene::{DiskModel, Effects, Method, Scene, SkyMode, View};
 use std::fmt::Write;
 
 /// A shader: which parts are joined, and which flags are set.
@@ -23,8 +23,10 @@ pub struct Variant {
     pub sky: SkyMode,
     /// Whether the reference star is in the sky.
     pub reference_star: bool,
-    /// Whether rays without an answer are magenta.
-    pub show_unfinished: bool,
+    /// What the picture shows.
+    pub view: View,
+    /// Which effects there are.
+    pub effects: Effects,
     /// Whether rays are followed beyond two crossings of the disk.
     pub follow_beyond_hits: bool,
 }
@@ -49,12 +51,15 @@ pub enum Tracer {
     Mino,
     /// Runge-Kutta in Kerr-Schild coordinates.
     KerrSchild,
+    /// Not bent at all: the choice without lensing, whatever the method.
+    Straight,
 }
 
 impl Tracer {
     /// The one that answers for a scene; what no shader can do is refused by [`GpuScene`](super::GpuScene).
     fn of(scene: &Scene) -> Self {
         match scene.method {
+            _ if !scene.effects.lensing => Self::Straight,
             Method::Verlet => Self::Verlet,
             Method::Mino => Self::Mino,
             Method::KerrSchild => Self::KerrSchild,
@@ -82,16 +87,20 @@ const PRELUDE: &str = "constants of the variant";
 impl Variant {
     /// The shader that draws the scene.
     pub fn picture(scene: &Scene) -> Self {
+        let marks = !shows_light(scene.view);
+        let sky = if marks { SkyMode::Off } else { scene.sky.mode };
         Self {
             entry: Entry::Picture,
             tracer: Tracer::of(scene),
             spinning: scene.hole.spin != 0.0,
             disk: scene.disk.enabled,
-            disk_model: if scene.disk.enabled { scene.disk.model } else { DiskModel::default() },
-            sky: scene.sky.mode,
-            reference_star: scene.sky.reference_star && scene.sky.mode != SkyMode::Off,
-            show_unfinished: scene.view == View::Unfinished,
-            follow_beyond_hits: !scene.disk.enabled || scene.disk.transmission.powi(2) > NEGLIGIBLE,
+            disk_model: if scene.disk.enabled && !marks { scene.disk.model } else { DiskModel::default() },
+            sky,
+            reference_star: scene.sky.reference_star && sky != SkyMode::Off,
+            view: scene.view,
+            // Brightness has no meaning for marks.
+            effects: Effects { beaming: scene.effects.beaming || marks, ..scene.effects },
+            follow_beyond_hits: marks || !scene.disk.enabled || scene.disk.transmission.powi(2) > NEGLIGIBLE,
         }
     }
 
@@ -102,13 +111,14 @@ impl Variant {
             disk_model: DiskModel::default(),
             sky: SkyMode::Off,
             reference_star: false,
-            show_unfinished: false,
+            view: View::Colour,
+            effects: Effects { beaming: true, ..scene.effects },
             follow_beyond_hits: true,
             ..Self::picture(scene)
         }
     }
 
-    /// Every variant that a scene can ask for.
+    /// Every variant that a scene can ask for, but that sets of effects with some switched off come under one sky only.
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         let mut scene = Scene::default();
@@ -129,14 +139,22 @@ impl Variant {
             all.push(Self::rays(&scene));
             for mode in [SkyMode::Stars, SkyMode::Grid, SkyMode::Off] {
                 for reference_star in [false, true] {
-                    for view in [View::Colour, View::Unfinished] {
+                    for view in View::ALL {
                         (scene.sky.mode, scene.sky.reference_star, scene.view) = (mode, reference_star, view);
                         all.push(Self::picture(&scene));
                     }
                 }
             }
+            (scene.sky.mode, scene.view) = (SkyMode::Stars, View::Colour);
+            for set in 0..32 {
+                let [lensing, doppler, beaming, gravitational_shift, aberration] =
+                    std::array::from_fn(|effect| set >> effect & 1 == 1);
+                scene.effects = Effects { lensing, doppler, beaming, gravitational_shift, aberration };
+                all.extend([Self::rays(&scene), Self::picture(&scene)]);
+            }
         }
-        let shining: Vec<Self> = all.iter().copied().filter(|v| v.disk && v.entry == Entry::Picture).collect();
+        let shining: Vec<Self> =
+            all.iter().copied().filter(|v| v.disk && shows_light(v.view) && v.entry == Entry::Picture).collect();
         all.extend(shining.into_iter().map(|variant| Self { disk_model: DiskModel::PageThorne, ..variant }));
         let mut seen = std::collections::HashSet::new();
         all.retain(|variant| seen.insert(*variant));
@@ -168,10 +186,12 @@ impl Variant {
 
     /// The parts in their order.
     fn parts(self) -> Vec<Part> {
-        let mut parts = vec![part!("scene.wgsl"), part!("elementary.wgsl"), part!("observer.wgsl")];
+        let mut parts =
+            vec![part!("scene.wgsl"), part!("elementary.wgsl"), part!("observer.wgsl"), part!("shift.wgsl")];
         parts.push(if self.disk { part!("disk.wgsl") } else { part!("disk/none.wgsl") });
         match self.tracer {
             Tracer::Verlet => parts.push(part!("method/verlet.wgsl")),
+            Tracer::Straight => parts.push(part!("method/straight.wgsl")),
             Tracer::Closed => parts.extend([part!("elliptic.wgsl"), part!("method/closed.wgsl")]),
             Tracer::Mino => parts.push(part!("method/mino.wgsl")),
             Tracer::KerrSchild => parts.push(part!("method/kerr_schild.wgsl")),
@@ -179,10 +199,11 @@ impl Variant {
         match self.entry {
             Entry::Rays => parts.push(part!("rays.wgsl")),
             Entry::Picture => {
-                if self.disk || self.sky != SkyMode::Off {
+                let disk_light = self.disk && shows_light(self.view);
+                if disk_light || self.sky != SkyMode::Off {
                     parts.push(part!("spectrum.wgsl"));
                 }
-                if self.disk {
+                if disk_light {
                     parts.push(match self.disk_model {
                         DiskModel::Newtonian => part!("disk/newtonian.wgsl"),
                         DiskModel::PageThorne => part!("disk/page_thorne.wgsl"),
@@ -194,6 +215,13 @@ impl Variant {
                     SkyMode::Stars => parts.extend([part!("sky.wgsl"), part!("sky/stars.wgsl")]),
                     SkyMode::Grid => parts.extend([part!("sky.wgsl"), part!("sky/grid.wgsl")]),
                 }
+                parts.push(match self.view {
+                    View::Colour | View::Unfinished => part!("view/colour.wgsl"),
+                    View::Classes => part!("view/classes.wgsl"),
+                    View::Residual => part!("view/residual.wgsl"),
+                    View::Order => part!("view/order.wgsl"),
+                    View::Redshift => part!("view/redshift.wgsl"),
+                });
                 parts.push(part!("geodesic.wgsl"));
             }
         }
@@ -206,9 +234,14 @@ impl Variant {
         for (name, value) in [
             ("SPINNING", self.spinning),
             ("REFERENCE_STAR", self.reference_star),
-            ("SHOW_UNFINISHED", self.show_unfinished),
+            ("SHOW_UNFINISHED", self.view == View::Unfinished),
             ("FOLLOW_BEYOND_HITS", self.follow_beyond_hits),
-            ("DIAGNOSTICS", self.entry == Entry::Rays),
+            ("LENSING", self.effects.lensing),
+            ("DOPPLER", self.effects.doppler),
+            ("BEAMING", self.effects.beaming),
+            ("GRAVITATIONAL_SHIFT", self.effects.gravitational_shift),
+            ("ABERRATION", self.effects.aberration),
+            ("DIAGNOSTICS", self.entry == Entry::Rays || matches!(self.view, View::Residual | View::Order)),
         ] {
             constant(&mut text, name, "bool", value);
         }
@@ -219,6 +252,11 @@ impl Variant {
         constant(&mut text, "SPECTRUM_LN_RANGE", "f32", format!("{:?}", (TABLE_HOTTEST / TABLE_COLDEST).ln()));
         text
     }
+}
+
+/// Whether a view shows the light of disk and sky, and not the colours of marks.
+fn shows_light(view: View) -> bool {
+    matches!(view, View::Colour | View::Unfinished)
 }
 
 fn constant(text: &mut String, name: &str, kind: &str, value: impl std::fmt::Display) {

@@ -12,7 +12,10 @@ use crate::{
         disk,
         kerr::Kerr,
         mino::{Constants, Expansion, State},
-        observer::{ObserverError, ObserverMatrix, celestial_frame, observer_matrix},
+        observer::{ObserverError, celestial_frame},
+        shift::Shift,
+        sight::Sight,
+        straight,
         trace::{Hit, Outcome, Trace},
     },
     scene::Scene,
@@ -27,7 +30,9 @@ const MAX_STEPS: u32 = 10_000;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference {
     surroundings: Surroundings,
-    observer: ObserverMatrix,
+    sight: Sight,
+    shift: Shift,
+    lensing: bool,
     r: f64,
     n: DVec3,
 }
@@ -47,13 +52,13 @@ impl Reference {
     /// # Errors
     /// If the scene's observer cannot exist.
     pub fn new(scene: &Scene) -> Result<Self, ObserverError> {
-        let (camera, observer) = (&scene.camera, &scene.observer);
-        let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
-        let matrix = observer_matrix(scene.hole.spin, observer.kind, observer.velocity, camera.r, theta, phi)?;
+        let camera = &scene.camera;
+        let sight = Sight::new(scene)?;
         let annulus = scene.disk.enabled.then(|| [disk::inner_edge(scene), scene.disk.outer]);
         let surroundings = Surroundings { kerr: Kerr { spin: scene.hole.spin }, annulus };
-        let [n, ..] = celestial_frame(theta, phi);
-        Ok(Self { surroundings, observer: matrix, r: camera.r, n })
+        let [n, ..] = celestial_frame(camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
+        let (shift, lensing) = (Shift::new(scene), scene.effects.lensing);
+        Ok(Self { surroundings, sight, shift, lensing, r: camera.r, n })
     }
 
     /// Follows the ray that arrives from `direction`, on the observer's legs; any length but zero. A direction that is
@@ -63,9 +68,19 @@ impl Reference {
         let Some(direction) = (direction / direction.abs().max_element()).try_normalize() else {
             return Trace { outcome: Outcome::Unfinished, sky: None, hits: [None; 2], steps: 0, residual: f64::NAN };
         };
-        let photon = self.observer.photon(direction);
-        let (constants, start) = Constants::of_photon(self.surroundings.kerr, &photon, self.r, self.n);
-        self.surroundings.trace(&constants, start)
+        let photon = self.sight.photon(direction);
+        let Surroundings { kerr, annulus } = self.surroundings;
+        let (mut trace, lambda) = if self.lensing {
+            let (constants, start) = Constants::of_photon(kerr, &photon, self.r, self.n);
+            (self.surroundings.trace(&constants, start), constants.angular_momentum / constants.energy)
+        } else {
+            // Without the frame-dragging no shift depends on it.
+            (straight::trace(kerr, annulus, &photon, self.r, self.n), 0.0)
+        };
+        for hit in trace.hits.iter_mut().flatten() {
+            hit.g = self.shift.of_disk(hit.g, hit.r, lambda);
+        }
+        trace
     }
 }
 

@@ -42,6 +42,8 @@ pub struct Scene {
     pub camera: Camera,
     /// How the camera moves through the place where it is.
     pub observer: Observer,
+    /// Which effects there are; without one of them the physics is broken on purpose.
+    pub effects: Effects,
     /// The thin disk.
     pub disk: Disk,
     /// What lies at infinity.
@@ -82,6 +84,20 @@ pub enum View {
     Colour,
     /// The light itself, with unfinished rays in magenta.
     Unfinished,
+    /// What becomes of each ray: outcome, and number of crossings of the disk.
+    Classes,
+    /// Largest residual of the null constraint along each ray.
+    Residual,
+    /// Order of the image: half-turns about the hole up to what is seen first.
+    Order,
+    /// Observed over emitted frequency of what is seen first, disk or sky.
+    Redshift,
+}
+
+impl View {
+    /// Every view.
+    pub const ALL: [Self; 6] =
+        [Self::Colour, Self::Unfinished, Self::Classes, Self::Residual, Self::Order, Self::Redshift];
 }
 
 /// The black hole; its Schwarzschild radius is the unit of length.
@@ -136,6 +152,22 @@ pub enum ObserverKind {
     Orbit,
     /// Free fall from rest at infinity.
     Rain,
+}
+
+/// Which effects there are. Switching one off breaks the physics on purpose, to show what it does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Effects {
+    /// Light is bent; without, rays are straight lines of flat space.
+    pub lensing: bool,
+    /// The motion of the matter and of the camera shifts light.
+    pub doppler: bool,
+    /// The shift g multiplies bolometric intensity by g^4; without, it changes colour only.
+    pub beaming: bool,
+    /// The potentials at the source and at the camera shift light.
+    pub gravitational_shift: bool,
+    /// The camera's motion displaces directions; without, they are those of an observer with zero angular momentum.
+    pub aberration: bool,
 }
 
 /// The thin emitting disk in the equatorial plane.
@@ -268,6 +300,7 @@ impl Default for Scene {
             hole: Hole::default(),
             camera: Camera::default(),
             observer: Observer::default(),
+            effects: Effects::default(),
             disk: Disk::default(),
             sky: Sky::default(),
             probe: Probe::default(),
@@ -292,6 +325,12 @@ impl Default for Camera {
 impl Default for Observer {
     fn default() -> Self {
         Self { kind: ObserverKind::Static, velocity: [0.0; 3] }
+    }
+}
+
+impl Default for Effects {
+    fn default() -> Self {
+        Self { lensing: true, doppler: true, beaming: true, gravitational_shift: true, aberration: true }
     }
 }
 

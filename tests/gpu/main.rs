@@ -6,6 +6,7 @@ mod adapter;
 mod camera;
 mod closed;
 mod disk;
+mod effects;
 mod elementary;
 mod elliptic;
 mod kerr_schild;
@@ -17,6 +18,7 @@ mod shaders;
 mod sky;
 mod spectrum;
 mod verlet;
+mod views;
 
 use adapter::gpu;
 use glam::DVec3;

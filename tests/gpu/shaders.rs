@@ -1,6 +1,7 @@
 //! The text of every variant, without a GPU.
 
 use lightfall::gpu::{Entry, Variant};
+use lightfall::scene::{SkyMode, View};
 
 #[test]
 fn naga_accepts_every_variant() {
@@ -56,9 +57,11 @@ fn what_a_scene_does_not_need_is_not_in_its_text() {
     for variant in Variant::all() {
         let source = variant.source();
         let pictures = variant.entry == Entry::Picture;
-        let sky = pictures && variant.sky != lightfall::scene::SkyMode::Off;
+        let sky = pictures && variant.sky != SkyMode::Off;
         assert_eq!(source.contains("fn hermite"), variant.disk, "{variant:?}");
-        assert_eq!(source.contains("var<uniform> spectrum"), pictures && (variant.disk || sky), "{variant:?}");
+        let light = matches!(variant.view, View::Colour | View::Unfinished);
+        let spectrum = pictures && light && (variant.disk || sky);
+        assert_eq!(source.contains("var<uniform> spectrum"), spectrum, "{variant:?}");
         assert_eq!(source.contains("fn spot_radius"), sky, "{variant:?}");
         let relativistic = variant.disk_model == lightfall::scene::DiskModel::PageThorne;
         assert_eq!(source.contains("var<uniform> page_thorne"), relativistic, "{variant:?}");

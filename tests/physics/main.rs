@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a failed unwrap is a failed test")]
 
 mod disk;
+mod effects;
 mod elliptic;
 mod kerr;
 mod kerr_schild;

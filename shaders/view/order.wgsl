@@ -1,0 +1,21 @@
+// Order of the image: whole half-turns about the hole up to what is seen first, disk or sky. Order 0 is grey, 1 orange,
+// 2 blue, 3 and more white, which colour-blind eyes tell apart; the sky is darker than the disk. What is captured unseen
+// is black.
+
+fn light_along(photon: Photon) -> vec3<f32> {
+    let ray = trace(photon);
+    let seen = ray.hit_count > 0u;
+    if ray.outcome == OUTCOME_UNFINISHED && !seen {
+        return mark(MAGENTA);
+    }
+    if ray.outcome == OUTCOME_CAPTURED && !seen {
+        return vec3<f32>(0.0);
+    }
+    // From a camera in the disk's plane, the disk is met after whole half-turns exactly.
+    let order = floor((ray.turn - 1e-5) / PI);
+    var colour = vec3<f32>(0.20);
+    colour = select(colour, vec3<f32>(0.79, 0.35, 0.0), order >= 1.0);
+    colour = select(colour, vec3<f32>(0.0, 0.17, 0.45), order >= 2.0);
+    colour = select(colour, vec3<f32>(0.95), order >= 3.0);
+    return mark(select(0.25, 1.0, seen) * colour);
+}
