@@ -33,11 +33,13 @@ struct GeodesicPass {
     spectrum: Buffer,
     /// The relativistic disk's flux; always bound, read by the variants that need it.
     page_thorne: Buffer,
-    scene: UniformBuffer<GpuScene>,
+    numbers: UniformBuffer<GpuScene>,
     pipelines: HashMap<Variant, CachedRenderPipelineId>,
-    /// The last variant whose pipeline was complete: it goes on drawing while another is being compiled.
+    /// The pipeline of the scene whose numbers are in the buffer.
     current: Option<CachedRenderPipelineId>,
     bind_group: Option<BindGroup>,
+    /// Whether the scene has changed since its numbers were written.
+    stale: bool,
 }
 
 pub(super) fn plugin(app: &mut App) {
@@ -103,10 +105,11 @@ fn init(mut commands: Commands, device: Res<RenderDevice>) {
         layout,
         spectrum,
         page_thorne,
-        scene: UniformBuffer::from(GpuScene::default()),
+        numbers: UniformBuffer::from(GpuScene::default()),
         pipelines: HashMap::default(),
         current: None,
         bind_group: None,
+        stale: true,
     });
 }
 
@@ -120,22 +123,30 @@ fn prepare(
     queue: Res<RenderQueue>,
 ) {
     let (Some(shader), Some(mut pass)) = (shader, pass) else { return };
-    if scene.is_changed() || pass.bind_group.is_none() {
-        match GpuScene::new(&scene, UVec2::new(scene.picture.width, scene.picture.height)) {
-            Ok(numbers) => pass.scene.set(numbers),
-            Err(error) => {
-                error_once!("the scene cannot be traced on the GPU: {error}");
-                return;
-            }
-        }
-        pass.scene.write_buffer(&device, &queue);
-        if let disk::Profile::PageThorne(disk) = disk::Profile::new(&scene) {
-            queue.write_buffer(&pass.page_thorne, 0, &bytes(&disk.table()));
+    let GeodesicPass { layout, spectrum, page_thorne, numbers, pipelines, current, bind_group, stale } = &mut *pass;
+    *stale |= scene.is_changed();
+    let wanted = *pipelines
+        .entry(shader.variant)
+        .or_insert_with(|| cache.queue_render_pipeline(descriptor(layout.clone(), shader.shader.clone())));
+    // A scene is not begun before its own shader is there: until then the last picture stays as it was.
+    if !*stale || cache.get_render_pipeline(wanted).is_none() {
+        return;
+    }
+    match GpuScene::new(&scene, UVec2::new(scene.picture.width, scene.picture.height)) {
+        Ok(fresh) => numbers.set(fresh),
+        Err(error) => {
+            error_once!("the scene cannot be traced on the GPU: {error}");
+            return;
         }
     }
-    let GeodesicPass { layout, spectrum, page_thorne, scene, pipelines, current, bind_group } = &mut *pass;
-    if bind_group.is_none() {
-        let Some(numbers) = scene.binding() else { return };
+    numbers.write_buffer(&device, &queue);
+    if let disk::Profile::PageThorne(disk) = disk::Profile::new(&scene) {
+        queue.write_buffer(page_thorne, 0, &bytes(&disk.table()));
+    }
+    (*stale, *current) = (false, Some(wanted));
+    if bind_group.is_none()
+        && let Some(numbers) = numbers.binding()
+    {
         *bind_group = Some(device.create_bind_group(
             "geodesic bindings",
             &cache.get_bind_group_layout(layout),
@@ -145,12 +156,6 @@ fn prepare(
                 (4, page_thorne.as_entire_binding()),
             )),
         ));
-    }
-    let wanted = *pipelines
-        .entry(shader.variant)
-        .or_insert_with(|| cache.queue_render_pipeline(descriptor(layout.clone(), shader.shader.clone())));
-    if current.is_none() || cache.get_render_pipeline(wanted).is_some() {
-        *current = Some(wanted);
     }
 }
 
