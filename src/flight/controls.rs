@@ -1,7 +1,7 @@
 //! The key table: what each key does to the scene. The handler and the hint on the screen both read it.
 
 use crate::render::CurrentScene;
-use crate::scene::{Scene, SkyMode, View, presets};
+use crate::scene::{Method, Scene, SkyMode, View, presets};
 use bevy::prelude::*;
 use bevy_egui::input::egui_wants_any_keyboard_input;
 
@@ -32,6 +32,8 @@ pub const KEYS: &[Key] = &[
     Key { code: KeyCode::F7, name: "F7", does: "cells", edit: |scene| scene.picture.bypass = !scene.picture.bypass },
     Key { code: KeyCode::F11, name: "F11", does: "unfinished rays", edit: |scene| toggle(scene, View::Unfinished) },
     Key { code: KeyCode::KeyG, name: "G", does: "sky", edit: cycle_sky },
+    Key { code: KeyCode::KeyT, name: "T", does: "spin", edit: toggle_spin },
+    Key { code: KeyCode::KeyU, name: "U", does: "disk from the ISCO", edit: |scene| flip(&mut scene.disk.follow_isco) },
     Key { code: KeyCode::KeyL, name: "L", does: EFFECTS, edit: |scene| flip(&mut scene.effects.lensing) },
     Key { code: KeyCode::KeyZ, name: "Z", does: EFFECTS, edit: |scene| flip(&mut scene.effects.doppler) },
     Key { code: KeyCode::KeyX, name: "X", does: EFFECTS, edit: |scene| flip(&mut scene.effects.beaming) },
@@ -39,7 +41,7 @@ pub const KEYS: &[Key] = &[
     Key { code: KeyCode::KeyB, name: "B", does: VIEWS, edit: |scene| toggle(scene, View::Classes) },
     Key { code: KeyCode::KeyM, name: "M", does: VIEWS, edit: |scene| toggle(scene, View::Residual) },
     Key { code: KeyCode::KeyN, name: "N", does: VIEWS, edit: |scene| toggle(scene, View::Order) },
-    Key { code: KeyCode::KeyV, name: "V", does: VIEWS, edit: |scene| toggle(scene, View::Redshift) },
+    Key { code: KeyCode::KeyR, name: "R", does: VIEWS, edit: |scene| toggle(scene, View::Redshift) },
 ];
 
 const PRESETS: &str = "presets";
@@ -54,8 +56,19 @@ fn preset(scene: &mut Scene, number: usize) {
     }
 }
 
-fn flip(effect: &mut bool) {
-    *effect = !*effect;
+fn flip(switch: &mut bool) {
+    *switch = !*switch;
+}
+
+/// Spin that T switches on.
+const SPIN: f64 = 0.9;
+
+fn toggle_spin(scene: &mut Scene) {
+    scene.hole.spin = if scene.hole.spin == 0.0 { SPIN } else { 0.0 };
+    // Some methods know no spin.
+    if matches!(scene.method, Method::Verlet | Method::Closed) {
+        scene.method = Method::Auto;
+    }
 }
 
 /// Shows a view, or the light again where that view is shown already.

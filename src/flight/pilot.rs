@@ -2,6 +2,7 @@
 
 use super::NEAREST;
 use crate::render::CurrentScene;
+use crate::scene::ObserverKind;
 use bevy::input::mouse::{AccumulatedMouseMotion, AccumulatedMouseScroll, MouseScrollUnit};
 use bevy::math::{DMat3, DVec3};
 use bevy::prelude::*;
@@ -104,6 +105,10 @@ fn steer(
     let look = if looking { motion.delta.as_dvec2() } else { bevy::math::DVec2::ZERO };
     if thrust == DVec3::ZERO && roll == 0.0 && look == bevy::math::DVec2::ZERO {
         return;
+    }
+    // Hands on the stick take the camera off its circular orbit.
+    if thrust != DVec3::ZERO && scene.observer.kind == ObserverKind::Orbit {
+        scene.observer.kind = ObserverKind::Static;
     }
     let camera = &mut scene.camera;
     let mut world_from_camera = camera.legs() * camera.legs_from_camera();

@@ -7,10 +7,12 @@ pub use page_thorne::{PageThorne, TABLE_LEN};
 use crate::physics::kerr::{CircularOrbit, Kerr};
 use crate::scene::{Disk, DiskModel, Scene};
 
-/// The disk's inner edge, in r_s: `disk.inner`, or the innermost stable circular orbit where that lies farther out.
+/// The disk's inner edge, in r_s: `disk.inner`, or the innermost stable circular orbit where that lies farther out or
+/// `disk.follow_isco` asks for it.
 #[must_use]
 pub fn inner_edge(scene: &Scene) -> f64 {
-    scene.disk.inner.max(Kerr { spin: scene.hole.spin }.isco())
+    let isco = Kerr { spin: scene.hole.spin }.isco();
+    if scene.disk.follow_isco { isco } else { scene.disk.inner.max(isco) }
 }
 
 /// The largest value of [`newtonian_flux`], at r = (49/36) r_in: (36/49)^3 / 7.

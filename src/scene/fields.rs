@@ -204,6 +204,10 @@ pub const FIELDS: &[Field] = &[
     boolean("effects.aberration", "Whether motion displaces directions; off breaks the physics on purpose"),
     boolean("disk.enabled", "Whether there is a disk"),
     float("disk.inner", EDGE, "r_s", "Inner edge; never inside the innermost stable circular orbit"),
+    boolean(
+        "disk.follow_isco",
+        "Whether the inner edge is the innermost stable circular orbit, whatever disk.inner says",
+    ),
     float("disk.outer", EDGE, "r_s", "Outer edge"),
     choice("disk.model", &["newtonian", "page-thorne"], "Radial profile of the flux"),
     float(

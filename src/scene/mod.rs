@@ -178,6 +178,8 @@ pub struct Disk {
     pub enabled: bool,
     /// Inner edge; where it lies inside the innermost stable circular orbit, that orbit is the edge.
     pub inner: f64,
+    /// Whether the inner edge is the innermost stable circular orbit, whatever `inner` says.
+    pub follow_isco: bool,
     /// Outer edge.
     pub outer: f64,
     /// Radial profile of the flux.
@@ -339,6 +341,7 @@ impl Default for Disk {
         Self {
             enabled: true,
             inner: 3.0,
+            follow_isco: false,
             outer: 11.0,
             model: DiskModel::Newtonian,
             temperature_k: 18_000.0,

@@ -19,6 +19,19 @@ const REDSHIFT: [[f64; 5]; 5] = [
     [0.998, 6.0, 1.347_858_348_41, 0.494_611_816_926, 0.746_674_190_559],
 ];
 
+#[test]
+fn disk_edges_are_never_inside_the_innermost_stable_orbit_and_follow_it_where_asked() {
+    for spin in [-0.9, 0.0, 0.998] {
+        let isco = Kerr { spin }.isco();
+        let mut scene = Scene::default();
+        scene.hole.spin = spin;
+        for (inner, follow, edge) in [(0.1, false, isco), (8.0, false, 8.0), (8.0, true, isco)] {
+            (scene.disk.inner, scene.disk.follow_isco) = (inner, follow);
+            assert_eq!(disk::inner_edge(&scene), edge);
+        }
+    }
+}
+
 /// The extreme rays leave along or against the motion: lambda = (r^2 + a^2 +- a sqrt(Delta)) / (a +- sqrt(Delta)). The
 /// table carries twelve digits, so half a unit of the last is 5e-12.
 #[test]
