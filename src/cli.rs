@@ -49,7 +49,13 @@ pub enum Command {
     /// Trace rays, CSV in and CSV out.
     #[command(
         after_help = "A ray is a line er,etheta,ephi: the looking direction on the observer's legs, outward, toward \
-                            growing theta, toward growing phi, of any length but zero. A header line is optional."
+                            growing theta, toward growing phi, of any length but zero. A header line is optional.\n\nOne line a \
+                            ray: outcome (sky, captured, unfinished); sky_*, the unit vector toward the source at \
+                            infinity in the hole's frame, z along the disk normal, the camera at azimuth \
+                            camera.phi_deg; hit*_r in r_s, hit*_phi in radians and hit*_g, observed over emitted \
+                            frequency, of the first two crossings of the disk's annulus along the backward ray; steps; \
+                            residual, the largest normalized residual of the null condition. What there is not is \
+                            empty. The CPU always answers by the f64 reference, for any method and spin."
     )]
     Trace(TraceArgs),
     /// List, show or check presets.
@@ -82,7 +88,8 @@ pub struct RenderArgs {
     /// Picture to write; the ending decides the format. A file of this name is replaced
     #[arg(short, long = "out", value_name = "FILE")]
     pub out: PathBuf,
-    /// Size of the picture, in pixels [default: that of the scene's HDR picture]
+    /// Size of the output, in pixels, onto which the picture is enlarged as in a window [default: that of the picture].
+    /// How finely it is drawn say picture.width and picture.height, and picture.bypass=true takes the cells away
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<UVec2>,
     /// Also say, on standard error, how long the GPU takes for each pass

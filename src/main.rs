@@ -11,7 +11,7 @@ use lightfall::report::rays::{self, RayReader, TraceWriter};
 use lightfall::scene::Scene;
 use rayon::prelude::*;
 use std::error::Error;
-use std::io::{self, BufReader, BufWriter, Read};
+use std::io::{self, BufReader, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -29,6 +29,7 @@ fn failed(error: impl Error) -> Stop {
 }
 
 fn main() -> ExitCode {
+    quieten_driver();
     let command = match cli::read(std::env::args_os()) {
         Ok(command) => command,
         Err(error) => {
@@ -51,6 +52,15 @@ fn main() -> ExitCode {
             eprintln!("lightfall: {sentence}");
             ExitCode::from(status)
         }
+    }
+}
+
+/// Without a desktop session Mesa's chooser between graphics cards complains about Wayland, and calls it an error.
+#[expect(unsafe_code, reason = "the environment is the only way to reach the driver, and changing it is unsafe")]
+fn quieten_driver() {
+    if cfg!(target_os = "linux") && std::env::var_os("XDG_RUNTIME_DIR").is_none() {
+        // SAFETY: nothing has been started yet, so this is the only thread.
+        unsafe { std::env::set_var("NODEVICE_SELECT", "1") };
     }
 }
 
@@ -114,8 +124,10 @@ const TIMED_FRAMES: usize = 15;
 
 fn write(file: &Path, still: &Still) -> Result<(), Stop> {
     picture::write_png(file, still.width, still.height, &still.rgb).map_err(failed)?;
-    println!("{}", file.display());
-    Ok(())
+    match writeln!(io::stdout(), "{}", file.display()) {
+        Err(error) if !rays::is_closed_pipe(&error) => Err(Stop(1, format!("standard output: {error}"))),
+        _ => Ok(()),
+    }
 }
 
 fn trace(args: &TraceArgs) -> Result<(), Stop> {

@@ -9,16 +9,11 @@ fn edge_fade(r: f32) -> f32 {
     return smooth_share.x * smooth_share.y;
 }
 
-// Linear light of a crossing. Flux and temperature in the matter's frame (Shakura & Sunyaev 1973, Newtonian, no torque
-// at the inner edge; Stefan-Boltzmann):
-//
-//   F = (r_in / r)^3 (1 - sqrt(r_in / r)),   T = T_scale F^(1/4)
-//
-// Thermal light keeps Planck's shape at the temperature g T, and is beamed.
+// Linear light of a crossing. The flux F in the matter's frame is the disk model's; T = T_scale F^(1/4), after
+// Stefan-Boltzmann. Thermal light keeps Planck's shape at the temperature g T, and is beamed.
 fn disk_light(hit: Hit) -> vec3<f32> {
     let r = length(hit.position);
-    let x = scene.disk_inner / max(r, TINY);
-    let flux = max(x * x * x * (1.0 - sqrt(x)), 0.0);
+    let flux = disk_flux(r);
     let temperature = scene.disk_temperature * sqrt(sqrt(flux));
     return thermal_colour(temperature * hit.g) * (flux * beamed(hit.g) * scene.disk_brightness * edge_fade(r));
 }

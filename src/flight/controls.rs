@@ -26,6 +26,8 @@ pub const KEYS: &[Key] = &[
     Key { code: KeyCode::Digit5, name: "5", does: PRESETS, edit: |scene| preset(scene, 5) },
     Key { code: KeyCode::Digit6, name: "6", does: PRESETS, edit: |scene| preset(scene, 6) },
     Key { code: KeyCode::Digit7, name: "7", does: PRESETS, edit: |scene| preset(scene, 7) },
+    Key { code: KeyCode::Digit8, name: "8", does: PRESETS, edit: |scene| preset(scene, 8) },
+    Key { code: KeyCode::Digit9, name: "9", does: PRESETS, edit: |scene| preset(scene, 9) },
     Key { code: KeyCode::F2, name: "F2", does: "disk", edit: |scene| scene.disk.enabled = !scene.disk.enabled },
     Key { code: KeyCode::F7, name: "F7", does: "cells", edit: |scene| scene.picture.bypass = !scene.picture.bypass },
     Key { code: KeyCode::F11, name: "F11", does: "unfinished rays", edit: |scene| toggle(scene, View::Unfinished) },
@@ -41,8 +43,8 @@ pub const KEYS: &[Key] = &[
 ];
 
 const PRESETS: &str = "presets";
-const EFFECTS: &str = "lensing, Doppler, beaming, gravity";
-const VIEWS: &str = "ray classes, residual, order, redshift";
+const EFFECTS: &str = "effects";
+const VIEWS: &str = "views";
 
 fn preset(scene: &mut Scene, number: usize) {
     let preset = presets::PRESETS.iter().find(|preset| preset.number == number);

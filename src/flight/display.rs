@@ -7,15 +7,17 @@
 #[cfg(target_os = "linux")]
 pub fn has_display() -> Result<(), String> {
     let set = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty());
-    if let Some(name) = set("WAYLAND_DISPLAY")
+    let wayland = set("WAYLAND_DISPLAY");
+    if let Some(name) = &wayland
         && let Some(folder) = set("XDG_RUNTIME_DIR")
         && std::os::unix::net::UnixStream::connect(std::path::Path::new(&folder).join(name)).is_ok()
     {
         return Ok(());
     }
-    match set("DISPLAY") {
-        None => Err("neither DISPLAY nor WAYLAND_DISPLAY names one".into()),
-        Some(name) => match x11rb::connect(None) {
+    match (set("DISPLAY"), wayland) {
+        (None, None) => Err("neither DISPLAY nor WAYLAND_DISPLAY names one".into()),
+        (None, Some(name)) => Err(format!("the Wayland server {} does not answer", name.to_string_lossy())),
+        (Some(name), _) => match x11rb::connect(None) {
             Ok(_) => Ok(()),
             Err(error) => Err(format!("the X server {} does not answer: {error}", name.to_string_lossy())),
         },

@@ -1,6 +1,8 @@
-//! The line at the bottom of the window that says which keys there are.
+//! The lines at the bottom of the window: where the camera is, and which keys there are.
 
 use super::controls::KEYS;
+use super::pilot::Pilot;
+use crate::render::CurrentScene;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 
@@ -28,9 +30,18 @@ fn line() -> String {
     std::iter::once(FLYING.to_owned()).chain(entries).collect::<Vec<_>>().join(" · ")
 }
 
-fn show(mut contexts: EguiContexts, mut text: Local<String>) -> Result {
-    if text.is_empty() {
-        *text = line();
+/// Where the camera is, how fast it flies, and what it looks at.
+fn whereabouts(scene: &CurrentScene, pilot: &Pilot) -> String {
+    let camera = scene.camera;
+    format!(
+        "{} · r {:.3} r_s · theta {:.1}° · phi {:.1}° · spin {} · speed {:.2}x",
+        scene.name, camera.r, camera.theta_deg, camera.phi_deg, scene.hole.spin, pilot.throttle
+    )
+}
+
+fn show(mut contexts: EguiContexts, mut keys: Local<String>, scene: Res<CurrentScene>, pilot: Res<Pilot>) -> Result {
+    if keys.is_empty() {
+        *keys = line();
     }
     let context = contexts.ctx_mut()?;
     let widest = context.content_rect().width() - 2.0 * MARGIN;
@@ -43,7 +54,9 @@ fn show(mut contexts: EguiContexts, mut text: Local<String>) -> Result {
             egui::Frame::new().fill(egui::Color32::from_black_alpha(160)).inner_margin(6).corner_radius(4).show(
                 ui,
                 |ui| {
-                    ui.label(egui::RichText::new(text.as_str()).size(13.0).color(egui::Color32::from_gray(210)));
+                    for line in [&whereabouts(&scene, &pilot), &*keys] {
+                        ui.label(egui::RichText::new(line).size(13.0).color(egui::Color32::from_gray(210)));
+                    }
                 },
             );
         });

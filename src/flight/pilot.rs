@@ -10,9 +10,9 @@ use bevy_egui::input::{egui_wants_any_keyboard_input, egui_wants_any_pointer_inp
 
 /// How the hand is on the stick.
 #[derive(Resource)]
-struct Pilot {
+pub(super) struct Pilot {
     /// Multiplies the speed, set by the wheel.
-    throttle: f64,
+    pub(super) throttle: f64,
     /// Whether the mouse looks around without a button being held.
     free_look: bool,
 }

@@ -1,8 +1,9 @@
 //! WGSL parts joined into variants: what a scene does not need is not in its shader's text, and the rest is decided by
 //! `const` flags, which compilers drop.
 
+use crate::physics::disk;
 use crate::physics::spectrum::{TABLE_COLDEST, TABLE_HOTTEST, TABLE_LEN};
-use crate::scene::{Effects, Method, Scene, SkyMode, View};
+use crate::scene::{DiskModel, Effects, Method, Scene, SkyMode, View};
 use std::fmt::Write;
 
 /// A shader: which parts are joined, and which flags are set.
@@ -16,6 +17,8 @@ pub struct Variant {
     pub spinning: bool,
     /// Whether rays can meet a disk.
     pub disk: bool,
+    /// What the disk's flux is; the default where none is drawn.
+    pub disk_model: DiskModel,
     /// What lies at infinity; off where nothing is drawn.
     pub sky: SkyMode,
     /// Whether the reference star is in the sky.
@@ -91,6 +94,7 @@ impl Variant {
             tracer: Tracer::of(scene),
             spinning: scene.hole.spin != 0.0,
             disk: scene.disk.enabled,
+            disk_model: if scene.disk.enabled && !marks { scene.disk.model } else { DiskModel::default() },
             sky,
             reference_star: scene.sky.reference_star && sky != SkyMode::Off,
             view: scene.view,
@@ -104,6 +108,7 @@ impl Variant {
     pub fn rays(scene: &Scene) -> Self {
         Self {
             entry: Entry::Rays,
+            disk_model: DiskModel::default(),
             sky: SkyMode::Off,
             reference_star: false,
             view: View::Colour,
@@ -148,6 +153,9 @@ impl Variant {
                 all.extend([Self::rays(&scene), Self::picture(&scene)]);
             }
         }
+        let shining: Vec<Self> =
+            all.iter().copied().filter(|v| v.disk && v.entry == Entry::Picture && shows_light(v.view)).collect();
+        all.extend(shining.into_iter().map(|variant| Self { disk_model: DiskModel::PageThorne, ..variant }));
         let mut seen = std::collections::HashSet::new();
         all.retain(|variant| seen.insert(*variant));
         all
@@ -196,6 +204,10 @@ impl Variant {
                     parts.push(part!("spectrum.wgsl"));
                 }
                 if disk_light {
+                    parts.push(match self.disk_model {
+                        DiskModel::Newtonian => part!("disk/newtonian.wgsl"),
+                        DiskModel::PageThorne => part!("disk/page_thorne.wgsl"),
+                    });
                     parts.push(part!("disk/emission.wgsl"));
                 }
                 match self.sky {
@@ -233,6 +245,7 @@ impl Variant {
         ] {
             constant(&mut text, name, "bool", value);
         }
+        constant(&mut text, "PAGE_THORNE_LEN", "u32", format!("{}u", disk::TABLE_LEN));
         constant(&mut text, "SPECTRUM_LEN", "u32", format!("{TABLE_LEN}u"));
         constant(&mut text, "SPECTRUM_COLDEST", "f32", format!("{TABLE_COLDEST:?}"));
         constant(&mut text, "SPECTRUM_HOTTEST", "f32", format!("{TABLE_HOTTEST:?}"));

@@ -59,7 +59,7 @@ pub enum ObserverError {
         value: f64,
     },
     /// No observer of any kind is supported so deep inside.
-    #[error("camera.r is {r}; it must be greater than {inner}, the inner horizon")]
+    #[error("camera.r is {r}; it must be greater than {inner:.6}, the inner horizon")]
     TooDeep {
         /// The camera's radius.
         r: f64,
@@ -68,7 +68,7 @@ pub enum ObserverError {
     },
     /// Nothing can stand still here.
     #[error(
-        "camera.r is {r} with observer.kind = \"static\"; it must be greater than {limit}, the static limit at this \
+        "camera.r is {r} with observer.kind = \"static\"; it must be greater than {limit:.6}, the static limit at this \
          camera.theta_deg (\"zamo\" and \"rain\" may go deeper)"
     )]
     Static {
@@ -79,7 +79,7 @@ pub enum ObserverError {
     },
     /// Nothing can stay outside here.
     #[error(
-        "camera.r is {r} with observer.kind = \"zamo\"; it must be greater than {horizon}, the horizon (\"rain\" may go \
+        "camera.r is {r} with observer.kind = \"zamo\"; it must be greater than {horizon:.6}, the horizon (\"rain\" may go \
          deeper)"
     )]
     Zamo {
@@ -89,7 +89,9 @@ pub enum ObserverError {
         horizon: f64,
     },
     /// There is no timelike circular orbit of this radius.
-    #[error("camera.r is {r} with observer.kind = \"orbit\"; it must be greater than {photon_orbit}, the photon orbit")]
+    #[error(
+        "camera.r is {r} with observer.kind = \"orbit\"; it must be greater than {photon_orbit:.6}, the photon orbit"
+    )]
     Orbit {
         /// The camera's radius.
         r: f64,

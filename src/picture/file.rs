@@ -2,7 +2,7 @@
 
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// Why a picture could not be made or written; each is one sentence.
@@ -59,7 +59,7 @@ pub fn check_path(path: &Path) -> Result<(), PictureError> {
         return Err(PictureError::Extension { path: path.into(), extension });
     }
     if path.is_dir() {
-        let source = std::io::Error::new(std::io::ErrorKind::IsADirectory, "it is a folder");
+        let source = std::io::Error::new(ErrorKind::IsADirectory, "it is a folder");
         return Err(PictureError::Write { path: path.into(), source });
     }
     part_file(path).map(drop)
@@ -97,10 +97,12 @@ fn share(_: &std::fs::File) -> std::io::Result<()> {
 /// A temporary file beside `path`, removed unless it is given that name in the end.
 fn part_file(path: &Path) -> Result<tempfile::NamedTempFile, PictureError> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    tempfile::Builder::new()
-        .prefix(".lightfall-")
-        .suffix(".part")
-        .tempfile_in(folder)
+    tempfile::Builder::new().prefix(".lightfall-").suffix(".part").tempfile_in(folder).map_err(|error| {
         // Its own message names the temporary file, which nobody asked for.
-        .map_err(|error| PictureError::Write { path: path.into(), source: error.kind().into() })
+        let source = match error.kind() {
+            ErrorKind::NotFound => std::io::Error::new(ErrorKind::NotFound, "there is no such folder"),
+            kind => kind.into(),
+        };
+        PictureError::Write { path: path.into(), source }
+    })
 }

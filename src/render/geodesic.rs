@@ -2,7 +2,7 @@
 
 use super::{CurrentScene, Eye};
 use crate::gpu::{GpuScene, Variant};
-use crate::physics::spectrum;
+use crate::physics::{disk, spectrum};
 use bevy::core_pipeline::core_3d::{CORE_3D_DEPTH_FORMAT, main_opaque_pass_3d, main_transparent_pass_3d};
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::platform::collections::HashMap;
@@ -31,11 +31,15 @@ struct JoinedShaders(HashMap<Variant, Handle<Shader>>);
 struct GeodesicPass {
     layout: BindGroupLayoutDescriptor,
     spectrum: Buffer,
-    scene: UniformBuffer<GpuScene>,
+    /// The relativistic disk's flux; always bound, read by the variants that need it.
+    page_thorne: Buffer,
+    numbers: UniformBuffer<GpuScene>,
     pipelines: HashMap<Variant, CachedRenderPipelineId>,
-    /// The last variant whose pipeline was complete: it goes on drawing while another is being compiled.
+    /// The pipeline of the scene whose numbers are in the buffer.
     current: Option<CachedRenderPipelineId>,
     bind_group: Option<BindGroup>,
+    /// Whether the scene has changed since its numbers were written.
+    stale: bool,
 }
 
 pub(super) fn plugin(app: &mut App) {
@@ -68,27 +72,44 @@ fn join_shader(
     commands.insert_resource(GeodesicShader { variant, shader });
 }
 
+/// A table as it lies in a uniform.
+fn bytes(table: &[[f32; 4]]) -> Vec<u8> {
+    table.iter().flatten().flat_map(|value| value.to_le_bytes()).collect()
+}
+
 fn init(mut commands: Commands, device: Res<RenderDevice>) {
-    let table: Vec<u8> = spectrum::table().iter().flatten().flat_map(|value| value.to_le_bytes()).collect();
+    let table = bytes(&spectrum::table());
     let spectrum = device.create_buffer_with_data(&BufferInitDescriptor {
         label: Some("spectrum table"),
         contents: &table,
         usage: BufferUsages::UNIFORM,
     });
+    let page_thorne = device.create_buffer(&BufferDescriptor {
+        label: Some("Page-Thorne table"),
+        size: size_of::<[[f32; 4]; disk::TABLE_LEN]>() as u64,
+        usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
     let layout = BindGroupLayoutDescriptor::new(
         "geodesic layout",
-        &BindGroupLayoutEntries::sequential(
+        &BindGroupLayoutEntries::with_indices(
             ShaderStages::FRAGMENT,
-            (uniform_buffer::<GpuScene>(false), uniform_buffer_sized(false, BufferSize::new(table.len() as u64))),
+            (
+                (0, uniform_buffer::<GpuScene>(false)),
+                (1, uniform_buffer_sized(false, BufferSize::new(spectrum.size()))),
+                (4, uniform_buffer_sized(false, BufferSize::new(page_thorne.size()))),
+            ),
         ),
     );
     commands.insert_resource(GeodesicPass {
         layout,
         spectrum,
-        scene: UniformBuffer::from(GpuScene::default()),
+        page_thorne,
+        numbers: UniformBuffer::from(GpuScene::default()),
         pipelines: HashMap::default(),
         current: None,
         bind_group: None,
+        stale: true,
     });
 }
 
@@ -102,30 +123,39 @@ fn prepare(
     queue: Res<RenderQueue>,
 ) {
     let (Some(shader), Some(mut pass)) = (shader, pass) else { return };
-    if scene.is_changed() || pass.bind_group.is_none() {
-        match GpuScene::new(&scene, UVec2::new(scene.picture.width, scene.picture.height)) {
-            Ok(numbers) => pass.scene.set(numbers),
-            Err(error) => {
-                error_once!("the scene cannot be traced on the GPU: {error}");
-                return;
-            }
-        }
-        pass.scene.write_buffer(&device, &queue);
-    }
-    let GeodesicPass { layout, spectrum, scene, pipelines, current, bind_group } = &mut *pass;
-    if bind_group.is_none() {
-        let Some(numbers) = scene.binding() else { return };
-        *bind_group = Some(device.create_bind_group(
-            "geodesic bindings",
-            &cache.get_bind_group_layout(layout),
-            &BindGroupEntries::sequential((numbers, spectrum.as_entire_binding())),
-        ));
-    }
+    let GeodesicPass { layout, spectrum, page_thorne, numbers, pipelines, current, bind_group, stale } = &mut *pass;
+    *stale |= scene.is_changed();
     let wanted = *pipelines
         .entry(shader.variant)
         .or_insert_with(|| cache.queue_render_pipeline(descriptor(layout.clone(), shader.shader.clone())));
-    if current.is_none() || cache.get_render_pipeline(wanted).is_some() {
-        *current = Some(wanted);
+    // A scene is not begun before its own shader is there: until then the last picture stays as it was.
+    if !*stale || cache.get_render_pipeline(wanted).is_none() {
+        return;
+    }
+    match GpuScene::new(&scene, UVec2::new(scene.picture.width, scene.picture.height)) {
+        Ok(fresh) => numbers.set(fresh),
+        Err(error) => {
+            error_once!("the scene cannot be traced on the GPU: {error}");
+            return;
+        }
+    }
+    numbers.write_buffer(&device, &queue);
+    if let disk::Profile::PageThorne(disk) = disk::Profile::new(&scene) {
+        queue.write_buffer(page_thorne, 0, &bytes(&disk.table()));
+    }
+    (*stale, *current) = (false, Some(wanted));
+    if bind_group.is_none()
+        && let Some(numbers) = numbers.binding()
+    {
+        *bind_group = Some(device.create_bind_group(
+            "geodesic bindings",
+            &cache.get_bind_group_layout(layout),
+            &BindGroupEntries::with_indices((
+                (0, numbers),
+                (1, spectrum.as_entire_binding()),
+                (4, page_thorne.as_entire_binding()),
+            )),
+        ));
     }
 }
 

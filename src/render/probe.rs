@@ -166,11 +166,11 @@ fn annulus(scene: &Scene, ring: usize) -> (f64, f64) {
 /// Luminous power of an annulus (both faces, unshifted, in the units of traced light) and its colour. The lamps stand
 /// for the disk only roughly; the traced light is the exact one.
 fn ring_light(scene: &Scene, ring: usize) -> (f32, Color) {
-    let inner = disk::inner_edge(scene);
     let (radius, area) = annulus(scene, ring);
-    let rgb = DVec3::from(spectrum::colour(disk::temperature(&scene.disk, radius, inner)));
+    let flux = disk::Profile::new(scene).flux(radius);
+    let rgb = DVec3::from(spectrum::colour(disk::temperature(&scene.disk, flux)));
     let brightest = rgb.max_element().max(f64::MIN_POSITIVE);
-    let radiance = brightest * disk::flux(scene.disk.model, radius, inner) * DISK_HDR_SCALE * scene.disk.brightness;
+    let radiance = brightest * flux * DISK_HDR_SCALE * scene.disk.brightness;
     let colour = (rgb / brightest).as_vec3().max(Vec3::ZERO);
     // A Lambertian face of radiance B and area A gives pi B A; the lamp's 4 pi I spreads both over the whole sphere.
     ((2.0 * std::f64::consts::PI * radiance * area) as f32, Color::linear_rgb(colour.x, colour.y, colour.z))

@@ -205,8 +205,13 @@ pub const FIELDS: &[Field] = &[
     boolean("disk.enabled", "Whether there is a disk"),
     float("disk.inner", EDGE, "r_s", "Inner edge; never inside the innermost stable circular orbit"),
     float("disk.outer", EDGE, "r_s", "Outer edge"),
-    choice("disk.model", &["newtonian"], "Radial profile of the flux"),
-    float("disk.temperature_k", Range::closed(100.0, 1e6), "K", "Temperature scale: T = temperature_k F^(1/4)"),
+    choice("disk.model", &["newtonian", "page-thorne"], "Radial profile of the flux"),
+    float(
+        "disk.temperature_k",
+        Range::closed(100.0, 1e6),
+        "K",
+        "Temperature scale: T = temperature_k F^(1/4); a hotter disk keeps its total flux, ever less of it visible",
+    ),
     float("disk.brightness", SCALE, "", "Artistic scale of the emission"),
     float(
         "disk.edge_taper",

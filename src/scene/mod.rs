@@ -199,6 +199,8 @@ pub enum DiskModel {
     /// F = (r_in/r)^3 (1 - sqrt(r_in/r)).
     #[default]
     Newtonian,
+    /// Relativistic, around Kerr: Page & Thorne 1974, with the same peak.
+    PageThorne,
 }
 
 /// What lies at infinity.

@@ -27,7 +27,7 @@ macro_rules! presets {
 }
 
 /// The presets in the order of their numbers.
-pub const PRESETS: [Preset; 7] = presets![
+pub const PRESETS: [Preset; 9] = presets![
     1 "telescope",
     2 "edge-on",
     3 "above",
@@ -35,6 +35,8 @@ pub const PRESETS: [Preset; 7] = presets![
     5 "einstein-ring",
     6 "probe",
     7 "limit",
+    8 "extremal",
+    9 "falling",
 ];
 
 /// The preset with this number or name.

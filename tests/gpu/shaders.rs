@@ -63,5 +63,8 @@ fn what_a_scene_does_not_need_is_not_in_its_text() {
         let spectrum = pictures && light && (variant.disk || sky);
         assert_eq!(source.contains("var<uniform> spectrum"), spectrum, "{variant:?}");
         assert_eq!(source.contains("fn spot_radius"), sky, "{variant:?}");
+        let relativistic = variant.disk_model == lightfall::scene::DiskModel::PageThorne;
+        assert_eq!(source.contains("var<uniform> page_thorne"), relativistic, "{variant:?}");
+        assert!(!relativistic || pictures && variant.disk, "{variant:?}");
     }
 }

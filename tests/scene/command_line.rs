@@ -131,7 +131,7 @@ fn wrong_values_of_the_short_forms_name_the_short_form() {
 
 #[test]
 fn a_preset_that_does_not_exist_is_answered_with_those_that_do() {
-    let presets = "1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit";
+    let presets = "1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit, 8 extremal, 9 falling";
     for given in ["8", "edge_on", "-1", ""] {
         let sentence = format!("--preset {given}: there is no such file, and the presets are {presets}");
         assert_eq!(fault(&of_preset(Path::new(given))), sentence);

@@ -66,7 +66,7 @@ fn keys_change_what_they_say_and_the_window_stays() {
     desktop.settled("Esc frees the mouse", |shot| changed(shot, &turned) < 1e-3);
     assert!(desktop.running(), "Esc closed the program");
 
-    for number in 1..=7 {
+    for number in 1..=9 {
         desktop.press(&number.to_string());
         desktop.settled(&format!("preset {number}"), |shot| changed(shot, &turned) > 0.02);
         let title = lightfall::scene::presets::find(&number.to_string()).unwrap().scene(&[]).unwrap().title;
