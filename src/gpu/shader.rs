@@ -154,7 +154,7 @@ impl Variant {
             }
         }
         let shining: Vec<Self> =
-            all.iter().copied().filter(|v| v.disk && v.entry == Entry::Picture && shows_light(v.view)).collect();
+            all.iter().copied().filter(|v| v.disk && shows_light(v.view) && v.entry == Entry::Picture).collect();
         all.extend(shining.into_iter().map(|variant| Self { disk_model: DiskModel::PageThorne, ..variant }));
         let mut seen = std::collections::HashSet::new();
         all.retain(|variant| seen.insert(*variant));
