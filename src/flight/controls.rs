@@ -45,8 +45,8 @@ pub const KEYS: &[Key] = &[
 ];
 
 const PRESETS: &str = "presets";
-const EFFECTS: &str = "lensing, Doppler, beaming, gravity";
-const VIEWS: &str = "ray classes, residual, order, redshift";
+const EFFECTS: &str = "effects";
+const VIEWS: &str = "views";
 
 fn preset(scene: &mut Scene, number: usize) {
     let preset = presets::PRESETS.iter().find(|preset| preset.number == number);
