@@ -174,7 +174,7 @@ fn the_mirrored_hole_shows_the_mirrored_sky() {
 }
 
 /// chi, inclination, alpha, beta, then x and y of the first crossing of the plane, lengths in M, for an observer at
-/// 1000 M: reference/numerics.md 4.6, kgeo's table, which agrees with ipole, to six digits.
+/// 1000 M: kgeo's table, which agrees with ipole, to six digits.
 const CROSSINGS: [[f64; 6]; 8] = [
     [0.42, 60.0, -17.0, 0.0, -0.052_233_6, -16.034_2],
     [0.42, 60.0, -9.0, 0.0, -0.103_693, -8.097_84],

@@ -2,7 +2,7 @@ use crate::assert_close;
 use lightfall::physics::kerr::Kerr;
 
 /// chi; then r_+, photon orbits (prograde, retrograde, polar), their critical L/E, ISCO pro and retro, in M.
-/// reference/numerics.md 4.4: computed with mpmath to 25 digits from Bardeen, Press & Teukolsky 1972.
+/// Computed with mpmath to 25 digits from Bardeen, Press & Teukolsky 1972.
 const RADII: [[f64; 9]; 9] = [
     [0.0, 2.0, 3.0, 3.0, 3.0, 5.196152422707, -5.196152422707, 6.0, 6.0],
     [

@@ -26,7 +26,7 @@ fn error_of_bending(b: f64, bending: f64) -> f64 {
     (sky - DVec3::new(turn.cos(), turn.sin(), 0.0)).length()
 }
 
-/// reference/numerics.md 4.1 and 4.2 carry sixteen digits; 1e-12 rad is some thousand roundings over up to twenty-six
+/// The tables (mpmath) carry sixteen digits; 1e-12 rad is some thousand roundings over up to twenty-six
 /// steps, and near the critical curve b's own rounding is amplified by b/(b - b_c).
 #[test]
 fn light_from_infinity_is_bent_as_in_the_table() {
@@ -53,7 +53,7 @@ fn light_from_infinity_is_bent_as_in_closed_form() {
     println!("worst difference from the closed form: {worst:e} rad");
 }
 
-/// chi, L/E in M, bending in the plane from infinity to infinity; reference/numerics.md 4.5, by mpmath quadrature.
+/// chi, L/E in M, bending in the plane from infinity to infinity, by mpmath quadrature.
 const KERR_BENDING: [[f64; 3]; 21] = [
     [0.5, 5.0, 1.885_834_349_170_52],
     [0.5, 6.0, 1.226_399_798_008_43],
@@ -90,7 +90,7 @@ fn light_in_the_plane_of_a_spinning_hole_is_bent_as_in_the_table() {
 }
 
 /// chi, inclination, alpha, beta, then x and y of the first crossing of the plane; lengths in M. The observer is at
-/// r = 1000 M. reference/numerics.md 4.6: kgeo's table (which agrees with ipole) to its six digits, here to ten.
+/// r = 1000 M: kgeo's table (which agrees with ipole) to its six digits, here to ten.
 const CROSSINGS: [[f64; 6]; 8] = [
     [0.42, 60.0, -17.0, 0.0, -0.052_233_590_8, -16.034_233_4],
     [0.42, 60.0, -9.0, 0.0, -0.103_693_371_1, -8.097_835_112_7],
@@ -114,7 +114,7 @@ fn light_crosses_the_plane_where_other_codes_say() {
     }
 }
 
-/// b (M) of the direct, second and third image of a ring of radius r seen along the axis: reference/numerics.md 4.2. The
+/// b (M) of the direct, second and third image of a ring of radius r seen along the axis, by mpmath. The
 /// annulus is narrow, so that the crossing before it does not count.
 #[test]
 fn rings_seen_along_the_axis_appear_at_the_tabulated_impact_parameters() {
@@ -133,7 +133,7 @@ fn rings_seen_along_the_axis_appear_at_the_tabulated_impact_parameters() {
     }
 }
 
-/// reference/numerics.md 4.7: the edge of the shadow for an observer at infinity. With beta = 0 or alpha = 2a held, the
+/// The edge of the shadow for an observer at infinity. With beta = 0 or alpha = 2a held, the
 /// other is bisected to the last bit; the table's digits decide the tolerance.
 #[test]
 fn shadow_of_a_spinning_hole_has_the_tabulated_edge() {

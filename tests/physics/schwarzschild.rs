@@ -4,7 +4,7 @@ use lightfall::physics::schwarzschild::{
 };
 use std::f64::consts::PI;
 
-/// b in M, bending in radians: reference/numerics.md 4.1, computed with mpmath to 25 digits.
+/// b in M, bending in radians, computed with mpmath to 25 digits.
 pub const DEFLECTION: [[f64; 2]; 18] = [
     [5.1962, 11.200_883_845_258_15],
     [5.19616, 13.038_050_086_939_78],
@@ -26,11 +26,11 @@ pub const DEFLECTION: [[f64; 2]; 18] = [
     [2000.0, 0.002_002_950_587_099_01],
 ];
 
-/// b in M at which light is bent by n pi, n = 1 to 5: reference/numerics.md 4.2.
+/// b in M at which light is bent by n pi, n = 1 to 5, computed with mpmath to 25 digits.
 pub const RINGS: [f64; 5] =
     [5.356_958_630_741_789, 5.202_680_402_810_456, 5.196_433_501_105_725, 5.196_164_566_759_376, 5.196_152_947_493_144];
 
-/// r; shadow half-angle in degrees for an observer at rest and one in free fall: reference/numerics.md 4.3.
+/// r; shadow half-angle in degrees for an observer at rest and one in free fall, computed with mpmath to 25 digits.
 pub const SHADOW: [[f64; 3]; 11] = [
     [1.02, 159.104_168_156, 41.770_444_165_7],
     [1.2, 117.885_566_836, 39.027_772_324_2],
