@@ -43,7 +43,7 @@ fn shadow_half_angle(scene: &Scene) -> f64 {
     })
 }
 
-/// a table of twelve digits (mpmath) and the closed form, for a free-falling observer inside the horizon too.
+/// A table of twelve digits (mpmath) and the closed form, for a free-falling observer inside the horizon too.
 /// 1e-12: outcomes flip where D = 0 to some roundings.
 #[test]
 fn shadow_half_angles_are_those_of_the_closed_form() {
