@@ -51,7 +51,7 @@ fn show(mut contexts: EguiContexts, mut keys: Local<String>, scene: Res<CurrentS
         .order(egui::Order::Foreground)
         .show(context, |ui| {
             ui.set_max_width(widest);
-            egui::Frame::new().fill(egui::Color32::from_black_alpha(160)).inner_margin(6).corner_radius(4).show(
+            egui::Frame::new().fill(egui::Color32::from_black_alpha(200)).inner_margin(6).corner_radius(4).show(
                 ui,
                 |ui| {
                     for line in [&whereabouts(&scene, &pilot), &*keys] {
