@@ -23,7 +23,7 @@ struct Scene {
     // Size of the picture in pixels; tangents of half the field of view, horizontal and vertical.
     picture_size: vec2<f32>,
     tan_half_fov: vec2<f32>,
-    // Verlet's step policy.
+    // The step policy of verlet and kerr-schild.
     step_scale: f32,
     max_steps: u32,
     max_affine: f32,

@@ -10,6 +10,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use glam::UVec2;
 use thiserror::Error;
 
+use crate::gpu::{GpuError, GpuScene};
 use crate::report::rays::is_closed_pipe;
 use crate::scene::{Field, Override, Scene, SceneError, field, load, presets};
 
@@ -173,6 +174,14 @@ pub enum CliError {
         /// The file.
         path: PathBuf,
     },
+    /// A preset whose fields do not go together.
+    #[error("{}: {reason}", path.display())]
+    Undrawable {
+        /// The file.
+        path: PathBuf,
+        /// What does not.
+        reason: String,
+    },
     /// The answer cannot be written.
     #[error("standard output: {0}")]
     Output(io::Error),
@@ -255,7 +264,12 @@ pub fn presets(command: &PresetsCommand, out: &mut impl Write) -> Result<(), Cli
         }
         PresetsCommand::Show { preset } => named(preset, &[])?.to_preset(),
         PresetsCommand::Check { file } => {
-            from_file(file, &[])?;
+            let scene = from_file(file, &[])?;
+            match GpuScene::for_rays(&scene) {
+                // The reference traces on the CPU, and that is a use of a preset.
+                Ok(_) | Err(GpuError::MethodOfCpu) => {}
+                Err(error) => return Err(CliError::Undrawable { path: file.clone(), reason: error.to_string() }),
+            }
             format!("{}: ok\n", file.display())
         }
     };

@@ -68,16 +68,17 @@ fn scene(args: &SceneArgs) -> Result<Scene, Stop> {
     cli::scene(args).map_err(|error| Stop(error.exit_code(), error.to_string()))
 }
 
-/// A scene that the GPU can draw, and a GPU to draw it.
-fn drawable(args: &SceneArgs) -> Result<Scene, Stop> {
-    let scene = scene(args)?;
-    GpuScene::new(&scene, UVec2::new(scene.picture.width, scene.picture.height)).map_err(refused)?;
-    Gpu::headless().map_err(failed)?;
-    Ok(scene)
+/// Whether this is a scene that the GPU can draw, of a size that it can do, and whether there is a GPU.
+fn check_drawable(scene: &Scene) -> Result<(), Stop> {
+    let size = UVec2::new(scene.picture.width, scene.picture.height);
+    GpuScene::new(scene, size).map_err(refused)?;
+    picture::check_size("picture", size).map_err(failed)?;
+    Gpu::headless().map_err(failed).map(drop)
 }
 
 fn fly(args: &SceneArgs) -> Result<(), Stop> {
-    let scene = drawable(args)?;
+    let scene = scene(args)?;
+    check_drawable(&scene)?;
     if let Err(reason) = flight::has_display() {
         eprintln!("lightfall: no display ({reason}); rendering the scene to a picture instead");
         let file = unused_name(&scene.name);
@@ -86,9 +87,7 @@ fn fly(args: &SceneArgs) -> Result<(), Stop> {
     }
     match flight::fly(scene) {
         bevy::app::AppExit::Success => Ok(()),
-        bevy::app::AppExit::Error(status) => {
-            Err(Stop(status.get(), "the window ended with an error, see above".into()))
-        }
+        bevy::app::AppExit::Error(_) => Err(Stop(1, "the window ended with an error, see above".into())),
     }
 }
 
@@ -104,7 +103,7 @@ fn render(args: &RenderArgs) -> Result<(), Stop> {
     // The file first: a picture that cannot be kept is not worth the work.
     let scene = scene(&args.scene)?;
     picture::check_path(&args.out).map_err(failed)?;
-    let scene = drawable(&args.scene).map(|_| scene)?;
+    check_drawable(&scene)?;
     let size = args.size.unwrap_or(UVec2::new(scene.picture.width, scene.picture.height));
     let still = if args.timings {
         let (still, times) = picture::render_timed(&scene, size, TIMED_FRAMES).map_err(failed)?;

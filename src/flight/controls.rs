@@ -1,5 +1,6 @@
 //! The key table: what each key does to the scene. The handler and the hint on the screen both read it.
 
+use crate::gpu::GpuScene;
 use crate::render::CurrentScene;
 use crate::scene::{Method, Scene, SkyMode, View, presets};
 use bevy::prelude::*;
@@ -85,17 +86,38 @@ fn cycle_sky(scene: &mut Scene) {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.add_systems(PreUpdate, apply.run_if(not(egui_wants_any_keyboard_input)).after(bevy::input::InputSystems));
+    app.init_resource::<Notice>()
+        .add_systems(PreUpdate, apply.run_if(not(egui_wants_any_keyboard_input)).after(bevy::input::InputSystems));
 }
 
-fn apply(keys: Res<ButtonInput<KeyCode>>, mut scene: ResMut<CurrentScene>) {
+/// Why the last key was refused; empty when it was not.
+#[derive(Resource, Default)]
+pub(super) struct Notice(pub(super) String);
+
+/// What a key makes of a scene, if such a scene can be drawn.
+///
+/// # Errors
+/// Why it cannot, in one sentence.
+pub fn pressed(key: &Key, scene: &Scene) -> Result<Scene, String> {
+    let mut changed = scene.clone();
+    (key.edit)(&mut changed);
+    changed.check().map_err(|refusal| refusal.to_string())?;
+    let size = UVec2::new(changed.picture.width, changed.picture.height);
+    GpuScene::new(&changed, size).map_err(|error| error.to_string())?;
+    Ok(changed)
+}
+
+fn apply(keys: Res<ButtonInput<KeyCode>>, mut scene: ResMut<CurrentScene>, mut notice: ResMut<Notice>) {
     // Alt+F-keys and the like belong to the desktop.
     if keys.any_pressed([KeyCode::AltLeft, KeyCode::AltRight, KeyCode::SuperLeft, KeyCode::SuperRight]) {
         return;
     }
     for key in KEYS {
         if keys.just_pressed(key.code) {
-            (key.edit)(&mut scene);
+            match pressed(key, &scene) {
+                Ok(changed) => (scene.0, notice.0) = (changed, String::new()),
+                Err(reason) => notice.0 = format!("{}: {reason}", key.name),
+            }
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The lines at the bottom of the window: where the camera is, and which keys there are.
 
-use super::controls::KEYS;
+use super::controls::{KEYS, Notice};
 use super::pilot::Pilot;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
@@ -39,7 +39,13 @@ fn whereabouts(scene: &CurrentScene, pilot: &Pilot) -> String {
     )
 }
 
-fn show(mut contexts: EguiContexts, mut keys: Local<String>, scene: Res<CurrentScene>, pilot: Res<Pilot>) -> Result {
+fn show(
+    mut contexts: EguiContexts,
+    mut keys: Local<String>,
+    scene: Res<CurrentScene>,
+    pilot: Res<Pilot>,
+    notice: Res<Notice>,
+) -> Result {
     if keys.is_empty() {
         *keys = line();
     }
@@ -54,7 +60,8 @@ fn show(mut contexts: EguiContexts, mut keys: Local<String>, scene: Res<CurrentS
             egui::Frame::new().fill(egui::Color32::from_black_alpha(200)).inner_margin(6).corner_radius(4).show(
                 ui,
                 |ui| {
-                    for line in [&whereabouts(&scene, &pilot), &*keys] {
+                    let lines = [&whereabouts(&scene, &pilot), &notice.0, &*keys];
+                    for line in lines.into_iter().filter(|line| !line.is_empty()) {
                         ui.label(egui::RichText::new(line).size(13.0).color(egui::Color32::from_gray(210)));
                     }
                 },

@@ -5,7 +5,7 @@ mod display;
 mod hint;
 mod pilot;
 
-pub use controls::{KEYS, Key};
+pub use controls::{KEYS, Key, pressed};
 pub use display::has_display;
 
 use crate::picture::quiet_log;

@@ -1,6 +1,7 @@
 //! Flying by hand: keys and mouse move and turn the camera; the result is written to the scene, in f64.
 
 use super::NEAREST;
+use crate::physics::kerr::Kerr;
 use crate::render::CurrentScene;
 use crate::scene::ObserverKind;
 use bevy::input::mouse::{AccumulatedMouseMotion, AccumulatedMouseScroll, MouseScrollUnit};
@@ -110,14 +111,18 @@ fn steer(
     if thrust != DVec3::ZERO && scene.observer.kind == ObserverKind::Orbit {
         scene.observer.kind = ObserverKind::Static;
     }
+    let horizon = Kerr { spin: scene.hole.spin }.horizon();
     let camera = &mut scene.camera;
     let mut world_from_camera = camera.legs() * camera.legs_from_camera();
     let turn = look * camera.fov_deg.to_radians() * LOOK_SHARE;
     world_from_camera *= turned(turn.x, -turn.y, roll);
-    let speed = SPEED * (camera.r - 1.0).max(NEAREST - 1.0) * gear * pilot.throttle;
+    let speed = SPEED * (camera.r - horizon).max(NEAREST - 1.0) * gear * pilot.throttle;
     let moved = camera.direction() * camera.r + world_from_camera * thrust.normalize_or_zero() * speed * seconds;
-    let position =
-        if thrust == DVec3::ZERO { camera.direction() * camera.r } else { kept_outside(moved, camera.direction()) };
+    let position = if thrust == DVec3::ZERO {
+        camera.direction() * camera.r
+    } else {
+        kept_outside(moved, camera.direction(), camera.r.min(NEAREST))
+    };
     camera.set_pose(position, world_from_camera);
 }
 
@@ -127,8 +132,9 @@ fn turned(right: f64, up: f64, clockwise: f64) -> DMat3 {
     DMat3::from_rotation_y(right) * DMat3::from_rotation_x(-up) * DMat3::from_rotation_z(-clockwise)
 }
 
-/// The nearest allowed place to `position`; a camera that would fly through the centre stays on its side.
-fn kept_outside(position: DVec3, side: DVec3) -> DVec3 {
+/// The allowed place nearest to `position`: not within `nearest`, which is where the camera is if it began within the usual
+/// limit. A camera that would fly through the centre stays on its side.
+fn kept_outside(position: DVec3, side: DVec3, nearest: f64) -> DVec3 {
     let distance = position.length();
-    if distance > 0.0 { position / distance * distance.clamp(NEAREST, FARTHEST) } else { side * NEAREST }
+    if distance > 0.0 { position / distance * distance.clamp(nearest, FARTHEST) } else { side * nearest }
 }

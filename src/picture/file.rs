@@ -78,19 +78,7 @@ pub fn write_png(path: &Path, width: u32, height: u32, rgb: &[u8]) -> Result<(),
     let failed = |source| PictureError::Write { path: path.into(), source };
     part.write_all(&bytes).map_err(failed)?;
     part.as_file().sync_all().map_err(failed)?;
-    let file = part.persist(path).map_err(|error| failed(error.error))?;
-    share(&file).map_err(failed)
-}
-
-/// A temporary file is private to its owner; a picture has the rights of any other new file.
-#[cfg(unix)]
-fn share(file: &std::fs::File) -> std::io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    file.set_permissions(std::fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-fn share(_: &std::fs::File) -> std::io::Result<()> {
+    part.persist(path).map_err(|error| failed(error.error))?;
     Ok(())
 }
 

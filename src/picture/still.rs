@@ -1,6 +1,7 @@
 //! One picture of a scene, by the very chain of the window, with no window.
 
 use super::PictureError;
+use crate::gpu::GpuScene;
 use crate::render::{LightfallRenderPlugin, pipelines_ready, render_plugin};
 use crate::scene::Scene;
 use bevy::app::PluginsState;
@@ -14,6 +15,7 @@ use bevy::render::gpu_readback::{Readback, ReadbackComplete};
 use bevy::render::pipelined_rendering::PipelinedRenderingPlugin;
 use bevy::render::render_resource::{PollType, TextureFormat, TextureUsages};
 use bevy::render::renderer::RenderDevice;
+use bevy::render::settings::WgpuLimits;
 use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
 
@@ -109,13 +111,10 @@ fn headless(scene: &Scene, size: UVec2, timed: bool) -> Result<App, PictureError
     while app.plugins_state() == PluginsState::Adding {
         bevy::tasks::tick_global_task_pools_on_main_thread();
     }
-    // The device exists once the plugins are ready; the limit must be known before a texture is asked for.
-    let limit = device_limit(&mut app);
-    for (field, size) in [("size", size), ("picture", UVec2::new(scene.picture.width, scene.picture.height))] {
-        if size.min_element() == 0 || size.max_element() > limit {
-            return Err(PictureError::Size { field, width: size.x, height: size.y, limit });
-        }
-    }
+    check_size("size", size)?;
+    let picture = UVec2::new(scene.picture.width, scene.picture.height);
+    check_size("picture", picture)?;
+    GpuScene::new(scene, picture).map_err(|error| PictureError::Draw(error.to_string()))?;
     let mut image = Image::new_target_texture(size.x, size.y, TextureFormat::Rgba8UnormSrgb, None);
     image.asset_usage = RenderAssetUsages::RENDER_WORLD;
     image.texture_descriptor.usage |= TextureUsages::COPY_SRC;
@@ -128,10 +127,16 @@ fn headless(scene: &Scene, size: UVec2, timed: bool) -> Result<App, PictureError
     Ok(app)
 }
 
-/// Largest side of a texture on a default device.
-fn device_limit(app: &mut App) -> u32 {
-    let device = app.world().get_resource::<RenderDevice>().map(|device| device.limits().max_texture_dimension_2d);
-    device.unwrap_or_else(|| bevy::render::settings::WgpuSettings::default().limits.max_texture_dimension_2d)
+/// Checks that a device can draw a picture of this size; `field` names it in the error.
+///
+/// # Errors
+/// A side of zero, or longer than every device that the passes run on can do.
+pub fn check_size(field: &'static str, size: UVec2) -> Result<(), PictureError> {
+    let limit = WgpuLimits::default().max_texture_dimension_2d;
+    if size.min_element() == 0 || size.max_element() > limit {
+        return Err(PictureError::Size { field, width: size.x, height: size.y, limit });
+    }
+    Ok(())
 }
 
 /// Warnings and errors only, on the standard error stream, unless RUST_LOG says otherwise.

@@ -1,7 +1,7 @@
 //! The two cameras: the eye, which sees the scene at the HDR picture's size, and the screen, which shows it.
 
 use super::CurrentScene;
-use bevy::camera::{CameraOutputMode, ClearColorConfig, Exposure, Hdr, RenderTarget};
+use bevy::camera::{CameraOutputMode, CameraUpdateSystems, ClearColorConfig, Exposure, Hdr, RenderTarget};
 use bevy::core_pipeline::tonemapping::{DebandDither, Tonemapping};
 use bevy::post_process::bloom::Bloom;
 use bevy::prelude::*;
@@ -23,6 +23,9 @@ const NEAR: f32 = 1e-3;
 /// presentation grid can show and is where most of the time goes (docs/PASSES.md).
 const BLOOM_LEVEL: u32 = 256;
 
+/// Widest bloom texture, in pixels.
+const WIDEST_BLOOM: u32 = 8192;
+
 /// With this exposure value Bevy's photometric scale is one, so that lamps and traced light share their units.
 const UNIT_EV100: f32 = -0.263_034_4;
 
@@ -40,7 +43,14 @@ impl Plugin for EyePlugin {
         app.add_plugins((ExtractComponentPlugin::<Eye>::default(), ExtractComponentPlugin::<Screen>::default()))
             .insert_resource(ScreenTarget(self.target.clone()))
             .add_systems(Startup, spawn)
-            .add_systems(PostUpdate, follow.run_if(resource_changed::<CurrentScene>));
+            .add_systems(
+                PostUpdate,
+                // In time for what Bevy makes of transforms and cameras, or the eye would lag the traced light by a frame.
+                follow
+                    .run_if(resource_changed::<CurrentScene>)
+                    .before(TransformSystems::Propagate)
+                    .before(CameraUpdateSystems),
+            );
     }
 }
 
@@ -93,10 +103,12 @@ fn follow(
     transform.rotation = Quat::from_mat3(&Mat3::from_cols(right.as_vec3(), up.as_vec3(), -forward.as_vec3()));
     *grading =
         ColorGrading { global: ColorGradingGlobal { exposure: picture.exposure_ev as f32, ..default() }, ..default() };
-    if picture.bloom > 0.0 {
+    // A wide picture's bloom has fewer rows, lest its texture be wider than a device can do; below eight there is none.
+    let level = BLOOM_LEVEL.min((u64::from(WIDEST_BLOOM) * u64::from(size.y) / u64::from(size.x.max(1))) as u32);
+    if picture.bloom > 0.0 && level >= 8 {
         commands.entity(entity).insert(Bloom {
             intensity: picture.bloom as f32,
-            max_mip_dimension: BLOOM_LEVEL,
+            max_mip_dimension: level,
             ..Bloom::NATURAL
         });
     } else {

@@ -222,5 +222,5 @@ pub(super) fn ready(world: &World, cache: &PipelineCache) -> bool {
     else {
         return false;
     };
-    pass.pipelines.get(&shader.variant).is_some_and(|id| cache.get_render_pipeline(*id).is_some())
+    !pass.stale && pass.pipelines.get(&shader.variant).is_some_and(|id| cache.get_render_pipeline(*id).is_some())
 }

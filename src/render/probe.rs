@@ -31,7 +31,13 @@ const STARLIGHT: f32 = 0.12;
 
 pub(super) fn plugin(app: &mut App) {
     app.insert_resource(GlobalAmbientLight { color: Color::srgb(0.8, 0.88, 1.0), brightness: STARLIGHT, ..default() })
-        .add_systems(PostUpdate, (present, place, shine).chain().run_if(resource_changed::<CurrentScene>));
+        .add_systems(
+            PostUpdate,
+            (present, place, shine)
+                .chain()
+                .run_if(resource_changed::<CurrentScene>)
+                .before(TransformSystems::Propagate),
+        );
 }
 
 /// Builds the craft and its lamps when the scene has one, and takes them away when it has none.

@@ -251,6 +251,6 @@ pub const FIELDS: &[Field] = &[
         "",
         "Scale of the step rule of verlet and kerr-schild: 1.55 cheap, 0.85 balanced, 0.45 high",
     ),
-    integer("quality.max_steps", Range::closed(1.0, 768.0), "steps", "Most steps a ray may take"),
-    float("quality.max_affine", Range::above(0.0, 1e9), "r_s", "Most affine length a ray may cover"),
+    integer("quality.max_steps", Range::closed(1.0, 768.0), "steps", "Most steps of verlet and kerr-schild"),
+    float("quality.max_affine", Range::above(0.0, 1e9), "r_s", "Most affine length of verlet and kerr-schild"),
 ];

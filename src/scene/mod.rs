@@ -68,7 +68,7 @@ pub enum Method {
     Verlet,
     /// Schwarzschild's null geodesics in closed form.
     Closed,
-    /// Kerr's null geodesics in Mino time, by Taylor series.
+    /// Kerr's null geodesics in Mino time.
     Mino,
     /// Kerr's null geodesics in ingoing Kerr-Schild coordinates, by Runge-Kutta.
     KerrSchild,

@@ -1,7 +1,7 @@
 //! The key table: what each key does to a scene.
 
-use lightfall::flight::KEYS;
-use lightfall::scene::{Scene, presets};
+use lightfall::flight::{self, KEYS};
+use lightfall::scene::{ObserverKind, Scene, presets};
 
 fn pressed(scene: &Scene, name: &str, times: usize) -> Scene {
     let key = KEYS.iter().find(|key| key.name == name).unwrap();
@@ -26,6 +26,22 @@ fn keys_that_switch_lead_back_when_pressed_again() {
         assert_eq!(pressed(&Scene::default(), name, 2), Scene::default(), "{name}");
     }
     assert_eq!(pressed(&Scene::default(), "G", 3), Scene::default());
+}
+
+#[test]
+fn a_key_that_would_lead_where_nothing_can_be_drawn_is_refused_with_the_reason() {
+    // A camera that only spin keeps outside the horizon.
+    let mut deep = Scene::default();
+    deep.hole.spin = 0.9;
+    deep.camera.r = 0.9;
+    deep.observer.kind = ObserverKind::Zamo;
+    let spin = KEYS.iter().find(|key| key.name == "T").unwrap();
+    assert!(flight::pressed(spin, &deep).unwrap_err().starts_with("camera.r = 0.9 is refused"));
+    for key in KEYS {
+        for preset in presets::PRESETS {
+            assert!(flight::pressed(key, &preset.scene(&[]).unwrap()).is_ok(), "{} in {}", key.name, preset.name);
+        }
+    }
 }
 
 #[test]
