@@ -70,6 +70,10 @@ pub fn check_path(path: &Path) -> Result<(), PictureError> {
 /// # Errors
 /// What the encoder or the file system says, with the file's name.
 pub fn write_png(path: &Path, width: u32, height: u32, rgb: &[u8]) -> Result<(), PictureError> {
+    if rgb.len() as u64 != 3 * u64::from(width) * u64::from(height) {
+        let reason = format!("{} bytes do not make {width}x{height} pixels", rgb.len());
+        return Err(PictureError::Encode { path: path.into(), reason });
+    }
     let mut part = part_file(path)?;
     let mut bytes = Vec::new();
     PngEncoder::new(&mut bytes)
@@ -85,7 +89,12 @@ pub fn write_png(path: &Path, width: u32, height: u32, rgb: &[u8]) -> Result<(),
 /// A temporary file beside `path`, removed unless it is given that name in the end.
 fn part_file(path: &Path) -> Result<tempfile::NamedTempFile, PictureError> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    tempfile::Builder::new().prefix(".lightfall-").suffix(".part").tempfile_in(folder).map_err(|error| {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".lightfall-").suffix(".part");
+    // A temporary file is private to its owner; a picture has the rights of any other new file: these, less the umask's.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder).map_err(|error| {
         // Its own message names the temporary file, which nobody asked for.
         let source = match error.kind() {
             ErrorKind::NotFound => std::io::Error::new(ErrorKind::NotFound, "there is no such folder"),

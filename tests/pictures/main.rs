@@ -6,7 +6,7 @@ mod adapter;
 
 use adapter::gpu;
 use glam::{DVec2, UVec2};
-use lightfall::picture::{Still, render};
+use lightfall::picture::{Still, check_path, render, write_png};
 use lightfall::scene::{Scene, SkyMode, presets};
 
 fn preset(number: usize) -> Scene {
@@ -196,4 +196,29 @@ fn odd_sizes_are_drawn_with_bars_where_the_cells_do_not_fit() {
         }
     }
     assert!(lit > 20_000);
+}
+
+#[test]
+fn a_picture_file_appears_whole_or_not_at_all() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = |name: &str| folder.path().join(name);
+    let sentence = |name: &str| check_path(&here(name)).unwrap_err().to_string();
+    assert!(sentence("a.bmp").ends_with("unknown picture format \"bmp\"; allowed is .png"));
+    assert!(sentence("nowhere/a.png").ends_with("cannot be written: there is no such folder"));
+    std::fs::create_dir(here("folder.png")).unwrap();
+    assert!(sentence("folder.png").ends_with("cannot be written: it is a folder"));
+
+    // Too few bytes for its size: refused, with nothing left behind.
+    assert!(write_png(&here("short.png"), 2, 1, &[0; 3]).is_err());
+    check_path(&here("a.png")).unwrap();
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "something was left behind");
+
+    let rgb = [10, 20, 30, 40, 50, 60];
+    write_png(&here("a.png"), 2, 1, &rgb).unwrap();
+    write_png(&here("a.png"), 2, 1, &rgb).unwrap();
+    assert_eq!(image::open(here("a.png")).unwrap().to_rgb8().into_raw(), rgb);
+    // As readable as any other new file.
+    std::fs::write(here("other"), b"").unwrap();
+    let rights = |name: &str| std::fs::metadata(here(name)).unwrap().permissions();
+    assert_eq!(rights("a.png"), rights("other"));
 }
