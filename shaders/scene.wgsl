@@ -103,7 +103,8 @@ struct Trace {
     residual: f32,
     angular_momentum_drift: f32,
     // Angle swept about the hole, in radians, up to the first of the crossings or, without any, to infinity, without
-    // what the hole's spin drags along: its whole half-turns are the order of the image. Zero where nothing is seen, and unless DIAGNOSTICS.
+    // what the hole's spin drags along: its whole half-turns are the order of the image. Zero where nothing is seen, and
+    // unless DIAGNOSTICS.
     turn: f32,
 }
 

@@ -73,7 +73,7 @@ fn check_drawable(scene: &Scene) -> Result<(), Stop> {
     let size = UVec2::new(scene.picture.width, scene.picture.height);
     GpuScene::new(scene, size).map_err(refused)?;
     picture::check_size("picture", size).map_err(failed)?;
-    Gpu::headless().map_err(failed).map(drop)
+    gpu::check_adapter().map_err(failed)
 }
 
 fn fly(args: &SceneArgs) -> Result<(), Stop> {

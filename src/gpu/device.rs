@@ -29,39 +29,45 @@ fn instance() -> Instance {
     Instance::new(wgpu::InstanceDescriptor { backends: backends(), ..descriptor })
 }
 
-/// Every adapter that the backends of this build offer; `WGPU_BACKEND` narrows the choice.
-pub fn adapters() -> Vec<AdapterInfo> {
-    let adapters = pollster::block_on(instance().enumerate_adapters(backends()));
-    adapters.iter().map(Adapter::get_info).collect()
+/// The adapter that Bevy would choose: the fastest, or the first whose name contains `WGPU_ADAPTER_NAME`, a software one if
+/// `WGPU_FORCE_FALLBACK_ADAPTER` is 1.
+async fn adapter() -> Result<Adapter, GpuError> {
+    let instance = instance();
+    let name = env::var("WGPU_ADAPTER_NAME").ok().filter(|name| !name.is_empty());
+    let adapter = match &name {
+        Some(name) => {
+            let wanted = name.to_lowercase();
+            let adapters = instance.enumerate_adapters(backends()).await;
+            adapters.into_iter().find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted))
+        }
+        None => {
+            let options = wgpu::RequestAdapterOptions {
+                power_preference: wgpu::PowerPreference::from_env().unwrap_or(wgpu::PowerPreference::HighPerformance),
+                force_fallback_adapter: env::var("WGPU_FORCE_FALLBACK_ADAPTER").is_ok_and(|flag| flag == "1"),
+                compatible_surface: None,
+            };
+            instance.request_adapter(&options).await.ok()
+        }
+    };
+    adapter.ok_or(GpuError::NoAdapter(name))
+}
+
+/// Whether there is an adapter to draw with.
+///
+/// # Errors
+/// There is none.
+pub fn check_adapter() -> Result<(), GpuError> {
+    pollster::block_on(adapter()).map(drop)
 }
 
 impl Gpu {
-    /// The device that Bevy would choose: the fastest adapter, or the first whose name contains `WGPU_ADAPTER_NAME`, a
-    /// software one if `WGPU_FORCE_FALLBACK_ADAPTER` is 1.
+    /// The device of the adapter that Bevy would choose; see [`check_adapter`].
     ///
     /// # Errors
     /// No adapter, or one that gives no device.
     pub fn headless() -> Result<Self, GpuError> {
         pollster::block_on(async {
-            let instance = instance();
-            let name = env::var("WGPU_ADAPTER_NAME").ok().filter(|name| !name.is_empty());
-            let adapter = match &name {
-                Some(name) => {
-                    let wanted = name.to_lowercase();
-                    let adapters = instance.enumerate_adapters(backends()).await;
-                    adapters.into_iter().find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted))
-                }
-                None => {
-                    let options = wgpu::RequestAdapterOptions {
-                        power_preference: wgpu::PowerPreference::from_env()
-                            .unwrap_or(wgpu::PowerPreference::HighPerformance),
-                        force_fallback_adapter: env::var("WGPU_FORCE_FALLBACK_ADAPTER").is_ok_and(|flag| flag == "1"),
-                        compatible_surface: None,
-                    };
-                    instance.request_adapter(&options).await.ok()
-                }
-            };
-            let adapter = adapter.ok_or(GpuError::NoAdapter(name))?;
+            let adapter = adapter().await?;
             let descriptor = wgpu::DeviceDescriptor {
                 label: Some("lightfall"),
                 required_features: adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
@@ -72,12 +78,6 @@ impl Gpu {
                 adapter.request_device(&descriptor).await.map_err(|error| GpuError::Device(error.to_string()))?;
             Ok(Self { device, queue, info: adapter.get_info(), scope: Mutex::new(()) })
         })
-    }
-
-    /// The adapter in one line.
-    pub fn describe(&self) -> String {
-        let AdapterInfo { name, driver, driver_info, backend, .. } = &self.info;
-        format!("{name}, {driver} {driver_info}, {backend}")
     }
 
     /// A compiled shader, without the run-time checks that Bevy leaves out too, so that what is tested and measured is
