@@ -8,9 +8,11 @@ mod kerr;
 mod kerr_schild;
 mod mino;
 mod observer;
+mod readout;
 mod reference;
 mod schwarzschild;
 mod spectrum;
+mod timelike;
 
 /// Asserts that `found` is `expected` within `relative` of it.
 #[track_caller]
