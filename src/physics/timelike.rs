@@ -195,7 +195,9 @@ impl Fall {
         let turn = after.transpose() * carried * self.turn;
         (self.frame, self.turn) = ([theta, psi], DMat3::IDENTITY);
         let camera = &mut scene.camera;
-        (camera.r, camera.theta_deg, camera.phi_deg) = (r, theta.to_degrees(), degrees(psi + chi - lead));
+        // Where motion ends, one over one over r may be less than r.
+        camera.r = r.clamp(innermost(kerr), FARTHEST);
+        (camera.theta_deg, camera.phi_deg) = (theta.to_degrees(), degrees(psi + chi - lead));
         (scene.observer.kind, scene.observer.velocity) = (ObserverKind::Rain, velocity);
         turn_camera(camera, turn);
     }
