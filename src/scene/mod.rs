@@ -8,6 +8,7 @@ mod camera;
 mod defaults;
 mod error;
 mod fields;
+pub mod journey;
 mod limits;
 mod load;
 mod pose;

@@ -12,6 +12,7 @@ mod readout;
 mod reference;
 mod schwarzschild;
 mod spectrum;
+mod thrown;
 mod timelike;
 
 /// Asserts that `found` is `expected` within `relative` of it.

@@ -195,10 +195,7 @@ fn an_override_needs_a_key_and_an_equals_sign() {
     assert_eq!(set("camera.r"), "--set: camera.r is not of the form KEY=VALUE, such as camera.r=20");
     assert_eq!(set("=3"), "--set: =3 is not of the form KEY=VALUE, such as camera.r=20");
     assert_eq!(set(""), "--set:  is not of the form KEY=VALUE, such as camera.r=20");
-    assert_eq!(
-        set("camera.r="),
-        "--set: camera.r = \"\" is refused: it must be a number from 0.1 to 10000000 r_s"
-    );
+    assert_eq!(set("camera.r="), "--set: camera.r = \"\" is refused: it must be a number from 0.1 to 10000000 r_s");
 }
 
 #[test]

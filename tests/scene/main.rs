@@ -3,6 +3,7 @@
 
 mod command_line;
 mod fields;
+mod journey;
 mod keys;
 mod load;
 mod pose;
