@@ -1,12 +1,29 @@
 //! The window program: fly the camera, press the keys, see the scene.
 
+mod bindings;
 mod controls;
 mod display;
+mod edits;
+mod help;
 mod hint;
+mod history;
+mod keyboard;
+mod keys;
+mod notice;
+mod panel;
 mod pilot;
+mod screenshot;
+mod settings;
+mod window;
 
-pub use controls::{KEYS, Key, pressed};
+pub use bindings::Bindings;
+pub use controls::{Action, CONTROLS, Command, Control, Group, Motion, control_named};
 pub use display::has_display;
+pub use edits::edited;
+pub use history::{History, drawable};
+pub use keys::{key_name, key_named, key_names};
+pub use panel::shown_number;
+pub use settings::{Automatic, Settings};
 
 use crate::picture::quiet_log;
 use crate::render::{CurrentScene, LightfallRenderPlugin, Screen, render_plugin};
@@ -37,8 +54,10 @@ pub fn fly(scene: Scene) -> AppExit {
         }))
         .add_plugins(EguiPlugin::default())
         .insert_resource(EguiGlobalSettings { auto_create_primary_context: false, ..default() })
+        .insert_resource(History::new(scene.clone()))
         .add_plugins(LightfallRenderPlugin { scene, target: RenderTarget::default() })
-        .add_plugins((controls::plugin, pilot::plugin, hint::plugin))
+        .add_plugins((notice::plugin, window::plugin, keyboard::plugin, pilot::plugin))
+        .add_plugins((screenshot::plugin, hint::plugin, help::plugin, panel::plugin))
         .add_systems(Update, (attach_ui, retitle.run_if(resource_changed::<CurrentScene>)))
         .run()
 }

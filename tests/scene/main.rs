@@ -3,8 +3,10 @@
 
 mod command_line;
 mod fields;
+mod history;
 mod keys;
 mod load;
 mod pose;
 mod presets;
 mod rays;
+mod settings;
