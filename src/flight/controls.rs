@@ -1,123 +1,267 @@
-//! The key table: what each key does to the scene. The handler and the hint on the screen both read it.
+//! The key table: every control, what it does and which keys it has by default. The handlers, the help and the settings
+//! all read it from here.
 
-use crate::gpu::GpuScene;
-use crate::render::CurrentScene;
-use crate::scene::{Method, Scene, SkyMode, View, presets};
-use bevy::prelude::*;
-use bevy_egui::input::egui_wants_any_keyboard_input;
+use super::edits;
+use crate::scene::{Scene, View};
+use bevy::prelude::{KeyCode, Message};
 
-/// One key of the table.
-pub struct Key {
-    /// The physical key.
-    pub code: KeyCode,
-    /// Its name, as printed on it.
-    pub name: &'static str,
-    /// What it does, in a word or two; keys with the same words are one entry of the hint.
+/// One control.
+#[derive(Clone, Copy, Debug)]
+pub struct Control {
+    /// Its name in the settings file.
+    pub id: &'static str,
+    /// Its keys, by their place on the keyboard, where the settings say nothing else.
+    pub keys: &'static [KeyCode],
+    /// Whether Alt must be held with them. Without, a key with Alt belongs to the desktop.
+    pub alt: bool,
+    /// Under which heading the help shows it.
+    pub group: Group,
+    /// What it does, in a few words; controls in a row with the same words are one entry of the help.
     pub does: &'static str,
-    /// The change of the scene.
-    pub edit: fn(&mut Scene),
+    /// What happens.
+    pub action: Action,
 }
 
-/// Every key that changes the scene. Those that move the camera are in `pilot.rs`.
-pub const KEYS: &[Key] = &[
-    Key { code: KeyCode::Digit1, name: "1", does: PRESETS, edit: |scene| preset(scene, 1) },
-    Key { code: KeyCode::Digit2, name: "2", does: PRESETS, edit: |scene| preset(scene, 2) },
-    Key { code: KeyCode::Digit3, name: "3", does: PRESETS, edit: |scene| preset(scene, 3) },
-    Key { code: KeyCode::Digit4, name: "4", does: PRESETS, edit: |scene| preset(scene, 4) },
-    Key { code: KeyCode::Digit5, name: "5", does: PRESETS, edit: |scene| preset(scene, 5) },
-    Key { code: KeyCode::Digit6, name: "6", does: PRESETS, edit: |scene| preset(scene, 6) },
-    Key { code: KeyCode::Digit7, name: "7", does: PRESETS, edit: |scene| preset(scene, 7) },
-    Key { code: KeyCode::Digit8, name: "8", does: PRESETS, edit: |scene| preset(scene, 8) },
-    Key { code: KeyCode::Digit9, name: "9", does: PRESETS, edit: |scene| preset(scene, 9) },
-    Key { code: KeyCode::F2, name: "F2", does: "disk", edit: |scene| scene.disk.enabled = !scene.disk.enabled },
-    Key { code: KeyCode::F7, name: "F7", does: "cells", edit: |scene| scene.picture.bypass = !scene.picture.bypass },
-    Key { code: KeyCode::F11, name: "F11", does: "unfinished rays", edit: |scene| toggle(scene, View::Unfinished) },
-    Key { code: KeyCode::KeyG, name: "G", does: "sky", edit: cycle_sky },
-    Key { code: KeyCode::KeyT, name: "T", does: "spin", edit: toggle_spin },
-    Key { code: KeyCode::KeyU, name: "U", does: "disk from the ISCO", edit: |scene| flip(&mut scene.disk.follow_isco) },
-    Key { code: KeyCode::KeyL, name: "L", does: EFFECTS, edit: |scene| flip(&mut scene.effects.lensing) },
-    Key { code: KeyCode::KeyZ, name: "Z", does: EFFECTS, edit: |scene| flip(&mut scene.effects.doppler) },
-    Key { code: KeyCode::KeyX, name: "X", does: EFFECTS, edit: |scene| flip(&mut scene.effects.beaming) },
-    Key { code: KeyCode::KeyC, name: "C", does: EFFECTS, edit: |scene| flip(&mut scene.effects.gravitational_shift) },
-    Key { code: KeyCode::KeyB, name: "B", does: VIEWS, edit: |scene| toggle(scene, View::Classes) },
-    Key { code: KeyCode::KeyM, name: "M", does: VIEWS, edit: |scene| toggle(scene, View::Residual) },
-    Key { code: KeyCode::KeyN, name: "N", does: VIEWS, edit: |scene| toggle(scene, View::Order) },
-    Key { code: KeyCode::KeyR, name: "R", does: VIEWS, edit: |scene| toggle(scene, View::Redshift) },
-];
-
-const PRESETS: &str = "presets";
-const EFFECTS: &str = "effects";
-const VIEWS: &str = "views";
-
-fn preset(scene: &mut Scene, number: usize) {
-    let preset = presets::PRESETS.iter().find(|preset| preset.number == number);
-    // A built-in preset without overrides always loads; a test says so.
-    if let Some(Ok(preset)) = preset.map(|preset| preset.scene(&[])) {
-        *scene = preset;
-    }
+/// The headings of the help.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// Moving and looking.
+    Flight,
+    /// What there is.
+    Scene,
+    /// What light does.
+    Light,
+    /// What is shown of it.
+    View,
+    /// From light to pixels.
+    Picture,
+    /// Everything around the picture.
+    Window,
 }
 
-fn flip(switch: &mut bool) {
-    *switch = !*switch;
-}
+impl Group {
+    /// Every heading, in the order of the help.
+    pub const ALL: [Self; 6] = [Self::Flight, Self::Scene, Self::Light, Self::View, Self::Picture, Self::Window];
 
-/// Spin that T switches on.
-const SPIN: f64 = 0.9;
-
-fn toggle_spin(scene: &mut Scene) {
-    scene.hole.spin = if scene.hole.spin == 0.0 { SPIN } else { 0.0 };
-    // Some methods know no spin.
-    if matches!(scene.method, Method::Verlet | Method::Closed) {
-        scene.method = Method::Auto;
-    }
-}
-
-/// Shows a view, or the light again where that view is shown already.
-fn toggle(scene: &mut Scene, view: View) {
-    scene.view = if scene.view == view { View::Colour } else { view };
-}
-
-fn cycle_sky(scene: &mut Scene) {
-    scene.sky.mode = match scene.sky.mode {
-        SkyMode::Stars => SkyMode::Grid,
-        SkyMode::Grid => SkyMode::Off,
-        SkyMode::Off => SkyMode::Stars,
-    };
-}
-
-pub(super) fn plugin(app: &mut App) {
-    app.init_resource::<Notice>()
-        .add_systems(PreUpdate, apply.run_if(not(egui_wants_any_keyboard_input)).after(bevy::input::InputSystems));
-}
-
-/// Why the last key was refused; empty when it was not.
-#[derive(Resource, Default)]
-pub(super) struct Notice(pub(super) String);
-
-/// What a key makes of a scene, if such a scene can be drawn.
-///
-/// # Errors
-/// Why it cannot, in one sentence.
-pub fn pressed(key: &Key, scene: &Scene) -> Result<Scene, String> {
-    let mut changed = scene.clone();
-    (key.edit)(&mut changed);
-    changed.check().map_err(|refusal| refusal.to_string())?;
-    let size = UVec2::new(changed.picture.width, changed.picture.height);
-    GpuScene::new(&changed, size).map_err(|error| error.to_string())?;
-    Ok(changed)
-}
-
-fn apply(keys: Res<ButtonInput<KeyCode>>, mut scene: ResMut<CurrentScene>, mut notice: ResMut<Notice>) {
-    // Alt+F-keys and the like belong to the desktop.
-    if keys.any_pressed([KeyCode::AltLeft, KeyCode::AltRight, KeyCode::SuperLeft, KeyCode::SuperRight]) {
-        return;
-    }
-    for key in KEYS {
-        if keys.just_pressed(key.code) {
-            match pressed(key, &scene) {
-                Ok(changed) => (scene.0, notice.0) = (changed, String::new()),
-                Err(reason) => notice.0 = format!("{}: {reason}", key.name),
-            }
+    /// The heading itself.
+    #[must_use]
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Flight => "Flying",
+            Self::Scene => "Scene",
+            Self::Light => "Light: off breaks the physics on purpose",
+            Self::View => "Views",
+            Self::Picture => "Picture",
+            Self::Window => "Window",
         }
     }
+}
+
+/// What a control does.
+#[derive(Clone, Copy, Debug)]
+pub enum Action {
+    /// Changes the scene, given the one that was loaded.
+    Edit(fn(&mut Scene, &Scene)),
+    /// Puts the preset with this number in its place.
+    Load(usize),
+    /// Does something beside the scene.
+    Do(Command),
+    /// Moves the camera for as long as it is held.
+    Hold(Motion),
+}
+
+/// What a control does beside the scene.
+#[derive(Message, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Command {
+    /// The overlay of all controls.
+    Help,
+    /// The panel.
+    Panel,
+    /// Everything but the picture.
+    Hide,
+    /// The ray inspector.
+    Inspect,
+    /// A picture file of what the window shows.
+    Screenshot,
+    /// The whole monitor, or a window.
+    Fullscreen,
+    /// Without the last change of the scene.
+    Undo,
+    /// The mouse looks around, or not.
+    MouseLook,
+    /// Free the mouse; close what is open.
+    Escape,
+    /// Exposure by itself.
+    AutomaticExposure,
+    /// The guided journey starts, or stops.
+    Journey,
+    /// The journey begins again.
+    JourneyAgain,
+    /// The observer is let go and moves by herself, or stays.
+    LetGo,
+    /// Her time runs faster.
+    TimeFaster,
+    /// Her time runs slower.
+    TimeSlower,
+}
+
+/// Ways to move while a key is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "their names say it")]
+pub enum Motion {
+    Forward,
+    Backward,
+    Left,
+    Right,
+    Up,
+    Down,
+    RollLeft,
+    RollRight,
+    Faster,
+    Slower,
+}
+
+const PRESETS: &str = "presets";
+const FLY: &str = "fly";
+const UP_DOWN: &str = "up, down";
+const ROLL: &str = "roll";
+const EXPOSURE: &str = "brighter, darker";
+const TIME: &str = "own time slower, faster";
+
+const fn control(
+    id: &'static str,
+    keys: &'static [KeyCode],
+    group: Group,
+    does: &'static str,
+    action: Action,
+) -> Control {
+    Control { id, keys, alt: false, group, does, action }
+}
+
+const fn hold(id: &'static str, keys: &'static [KeyCode], does: &'static str, motion: Motion) -> Control {
+    control(id, keys, Group::Flight, does, Action::Hold(motion))
+}
+
+const fn preset(id: &'static str, keys: &'static [KeyCode], number: usize) -> Control {
+    control(id, keys, Group::Scene, PRESETS, Action::Load(number))
+}
+
+const fn scene(
+    id: &'static str,
+    keys: &'static [KeyCode],
+    does: &'static str,
+    edit: fn(&mut Scene, &Scene),
+) -> Control {
+    control(id, keys, Group::Scene, does, Action::Edit(edit))
+}
+
+const fn light(
+    id: &'static str,
+    keys: &'static [KeyCode],
+    does: &'static str,
+    edit: fn(&mut Scene, &Scene),
+) -> Control {
+    control(id, keys, Group::Light, does, Action::Edit(edit))
+}
+
+const fn view(id: &'static str, keys: &'static [KeyCode], does: &'static str, edit: fn(&mut Scene, &Scene)) -> Control {
+    control(id, keys, Group::View, does, Action::Edit(edit))
+}
+
+const fn picture(
+    id: &'static str,
+    keys: &'static [KeyCode],
+    does: &'static str,
+    edit: fn(&mut Scene, &Scene),
+) -> Control {
+    control(id, keys, Group::Picture, does, Action::Edit(edit))
+}
+
+const fn window(id: &'static str, keys: &'static [KeyCode], does: &'static str, command: Command) -> Control {
+    control(id, keys, Group::Window, does, Action::Do(command))
+}
+
+/// Every control, in the order of the help.
+pub const CONTROLS: &[Control] = &[
+    hold("fly.forward", &[KeyCode::KeyW], FLY, Motion::Forward),
+    hold("fly.left", &[KeyCode::KeyA], FLY, Motion::Left),
+    hold("fly.backward", &[KeyCode::KeyS], FLY, Motion::Backward),
+    hold("fly.right", &[KeyCode::KeyD], FLY, Motion::Right),
+    hold("fly.up", &[KeyCode::Space], UP_DOWN, Motion::Up),
+    hold("fly.down", &[KeyCode::ControlLeft, KeyCode::ControlRight], UP_DOWN, Motion::Down),
+    hold("fly.roll_left", &[KeyCode::KeyQ], ROLL, Motion::RollLeft),
+    hold("fly.roll_right", &[KeyCode::KeyE], ROLL, Motion::RollRight),
+    hold("fly.faster", &[KeyCode::ShiftLeft, KeyCode::ShiftRight], "fly faster", Motion::Faster),
+    hold("fly.slower", &[KeyCode::AltLeft, KeyCode::AltRight], "fly slower", Motion::Slower),
+    control("fly.mouse", &[KeyCode::Tab], Group::Flight, "mouse looks around", Action::Do(Command::MouseLook)),
+    control("fly.escape", &[KeyCode::Escape], Group::Flight, "free the mouse", Action::Do(Command::Escape)),
+    control("journey.fly", &[KeyCode::KeyJ], Group::Flight, "journey: start, stop", Action::Do(Command::Journey)),
+    control(
+        "journey.again",
+        &[KeyCode::Enter],
+        Group::Flight,
+        "journey from its start",
+        Action::Do(Command::JourneyAgain),
+    ),
+    control("motion.let_go", &[KeyCode::KeyF], Group::Flight, "let go: fall or orbit", Action::Do(Command::LetGo)),
+    control("motion.slower", &[KeyCode::Comma], Group::Flight, TIME, Action::Do(Command::TimeSlower)),
+    control("motion.faster", &[KeyCode::Period], Group::Flight, TIME, Action::Do(Command::TimeFaster)),
+    preset("preset.1", &[KeyCode::Digit1], 1),
+    preset("preset.2", &[KeyCode::Digit2], 2),
+    preset("preset.3", &[KeyCode::Digit3], 3),
+    preset("preset.4", &[KeyCode::Digit4], 4),
+    preset("preset.5", &[KeyCode::Digit5], 5),
+    preset("preset.6", &[KeyCode::Digit6], 6),
+    preset("preset.7", &[KeyCode::Digit7], 7),
+    preset("preset.8", &[KeyCode::Digit8], 8),
+    preset("preset.9", &[KeyCode::Digit9], 9),
+    control("scene.undo", &[KeyCode::Backspace], Group::Scene, "undo the last change", Action::Do(Command::Undo)),
+    scene("scene.disk", &[KeyCode::F2], "disk", |scene, _| edits::flip(&mut scene.disk.enabled)),
+    scene("scene.isco", &[KeyCode::KeyU], "disk from the innermost stable orbit", |scene, _| {
+        edits::flip(&mut scene.disk.follow_isco);
+    }),
+    scene("scene.sky", &[KeyCode::F3], "sky", edits::switch_sky),
+    scene("scene.sky_mode", &[KeyCode::KeyG], "sky: stars, grid, nothing", |scene, _| edits::next_sky(scene)),
+    scene("scene.probe", &[KeyCode::F4], "probe", |scene, _| edits::flip(&mut scene.probe.enabled)),
+    scene("scene.spin", &[KeyCode::KeyT], "spin", edits::switch_spin),
+    scene("scene.observer", &[KeyCode::KeyO], "observer: at rest, zamo, orbit, free fall", |scene, _| {
+        edits::next_observer(scene);
+    }),
+    light("light.lensing", &[KeyCode::KeyL], "lensing", |scene, _| edits::flip(&mut scene.effects.lensing)),
+    light("light.doppler", &[KeyCode::KeyZ], "Doppler shift", |scene, _| edits::flip(&mut scene.effects.doppler)),
+    light("light.beaming", &[KeyCode::KeyX], "beaming", |scene, _| edits::flip(&mut scene.effects.beaming)),
+    light("light.gravitational_shift", &[KeyCode::KeyC], "gravitational shift", |scene, _| {
+        edits::flip(&mut scene.effects.gravitational_shift);
+    }),
+    view("view.unfinished", &[KeyCode::F11], "unfinished rays in magenta", |scene, _| {
+        edits::toggle(scene, View::Unfinished);
+    }),
+    view("view.classes", &[KeyCode::KeyB], "ray classes", |scene, _| edits::toggle(scene, View::Classes)),
+    view("view.residual", &[KeyCode::KeyM], "residual of the null constraint", |scene, _| {
+        edits::toggle(scene, View::Residual);
+    }),
+    view("view.order", &[KeyCode::KeyN], "order of the image", |scene, _| edits::toggle(scene, View::Order)),
+    view("view.redshift", &[KeyCode::KeyR], "redshift g", |scene, _| edits::toggle(scene, View::Redshift)),
+    picture("picture.bloom", &[KeyCode::F5], "bloom", edits::switch_bloom),
+    picture("picture.bypass", &[KeyCode::F7], "cells, or the picture as it is", |scene, _| {
+        edits::flip(&mut scene.picture.bypass);
+    }),
+    picture("picture.dither", &[KeyCode::F8], "dither", |scene, _| edits::flip(&mut scene.picture.dither)),
+    picture("picture.levels", &[KeyCode::KeyV], "few tones, or all", edits::switch_levels),
+    picture("picture.brighter", &[KeyCode::Equal, KeyCode::NumpadAdd], EXPOSURE, |scene, _| edits::expose(scene, 1.0)),
+    picture("picture.darker", &[KeyCode::Minus, KeyCode::NumpadSubtract], EXPOSURE, |scene, _| {
+        edits::expose(scene, -1.0)
+    }),
+    window("window.help", &[KeyCode::F1], "this help", Command::Help),
+    window("window.panel", &[KeyCode::KeyP], "panel: every setting", Command::Panel),
+    window("window.inspector", &[KeyCode::KeyI], "ray inspector: then click a pixel", Command::Inspect),
+    window("window.hide", &[KeyCode::KeyH], "hide everything but the picture", Command::Hide),
+    window("window.screenshot", &[KeyCode::F12, KeyCode::PrintScreen], "screenshot", Command::Screenshot),
+    Control { alt: true, ..window("window.fullscreen", &[KeyCode::Enter], "whole screen", Command::Fullscreen) },
+];
+
+/// The control with this name.
+#[must_use]
+pub fn control_named(id: &str) -> Option<&'static Control> {
+    CONTROLS.iter().find(|control| control.id == id)
 }

@@ -1,66 +1,97 @@
-//! The lines at the bottom of the window: where the camera is, and which keys there are.
+//! The lines at the bottom of the window: where the camera is, what was just said, and where to begin.
 
-use super::controls::{KEYS, Notice};
+use super::bindings::Bindings;
+use super::motion::Voyage;
+use super::notice::Notice;
+use super::panel;
 use super::pilot::Pilot;
+use super::window::Shown;
 use crate::render::CurrentScene;
+use crate::scene::ObserverKind;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 
-const FLYING: &str = "WASD fly · Space/Ctrl up/down · Q/E roll · right mouse or Tab look · wheel speed · Shift/Alt fast/slow · Esc frees the mouse";
+/// Controls that somebody new has to know of, by name, and what to call them; the help has all.
+const FIRST: [(&[&str], &str); 8] = [
+    (&["fly.forward", "fly.left", "fly.backward", "fly.right"], "fly"),
+    (&["preset.1", "preset.9"], "presets"),
+    (&["scene.spin"], "spin"),
+    (&["picture.bypass"], "cells"),
+    (&["window.panel"], "panel"),
+    (&["window.inspector"], "inspect a ray"),
+    (&["window.screenshot"], "screenshot"),
+    (&["window.help"], "all keys"),
+];
 
-/// Room around the line, in points.
+/// Room around the lines, in points.
 const MARGIN: f32 = 8.0;
 
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show);
 }
 
-/// The line, made from the key table: keys in a row that do the same are one entry, numbers as a span.
-fn line() -> String {
-    let entries = KEYS.chunk_by(|a, b| a.does == b.does).map(|keys| {
-        let (first, last) = (keys[0].name, keys[keys.len() - 1].name);
-        let numbers = first.starts_with(|letter: char| letter.is_ascii_digit());
-        let span = if keys.len() > 1 && numbers {
-            format!("{first}-{last}")
-        } else {
-            keys.iter().map(|key| key.name).collect::<Vec<_>>().join(" ")
+/// Where to begin, with the keys as they are bound.
+fn beginning(bindings: &Bindings) -> String {
+    let mut entries = vec!["right mouse button look".to_owned(), "wheel speed".to_owned()];
+    for (place, (ids, does)) in FIRST.iter().enumerate() {
+        let name = |id: &&str| super::controls::control_named(id).map(|control| bindings.in_words(control));
+        let names: Vec<_> = ids.iter().filter_map(name).map(|keys| keys.replace(", ", " ")).collect();
+        let keys = match ids.len() {
+            2 => names.join("-"),
+            _ => names.concat(),
         };
-        format!("{span} {}", keys[0].does)
-    });
-    std::iter::once(FLYING.to_owned()).chain(entries).collect::<Vec<_>>().join(" · ")
+        // Flying first, before the mouse.
+        entries.insert(if place == 0 { 0 } else { entries.len() }, format!("{keys} {does}"));
+    }
+    entries.join(" · ")
 }
 
 /// Where the camera is, how fast it flies, and what it looks at.
 fn whereabouts(scene: &CurrentScene, pilot: &Pilot) -> String {
     let camera = scene.camera;
+    let observer = match scene.observer.kind {
+        ObserverKind::Static => "at rest",
+        ObserverKind::Zamo => "zamo",
+        ObserverKind::Orbit => "in orbit",
+        ObserverKind::Rain => "in free fall",
+    };
     format!(
-        "{} · r {:.3} r_s · theta {:.1}° · phi {:.1}° · spin {} · speed {:.2}x",
+        "{} · r {:.3} r_s · theta {:.1}° · phi {:.1}° · {observer} · spin {} · speed {:.2}x",
         scene.name, camera.r, camera.theta_deg, camera.phi_deg, scene.hole.spin, pilot.throttle
     )
 }
 
 fn show(
     mut contexts: EguiContexts,
-    mut keys: Local<String>,
     scene: Res<CurrentScene>,
     pilot: Res<Pilot>,
     notice: Res<Notice>,
+    voyage: Res<Voyage>,
+    shown: Res<Shown>,
+    bindings: Res<Bindings>,
 ) -> Result {
-    if keys.is_empty() {
-        *keys = line();
+    if shown.hidden {
+        return Ok(());
     }
     let context = contexts.ctx_mut()?;
-    let widest = context.content_rect().width() - 2.0 * MARGIN;
+    // In what the panel leaves free.
+    let covered = if shown.panel { panel::WIDTH } else { 0.0 };
+    let widest = (context.content_rect().width() - covered - 2.0 * MARGIN).max(100.0);
     egui::Area::new("hint".into())
-        .anchor(egui::Align2::CENTER_BOTTOM, [0.0, -MARGIN])
+        .anchor(egui::Align2::CENTER_BOTTOM, [-0.5 * covered, -MARGIN])
         .interactable(false)
-        .order(egui::Order::Foreground)
+        .order(egui::Order::Background)
         .show(context, |ui| {
             ui.set_max_width(widest);
             egui::Frame::new().fill(egui::Color32::from_black_alpha(200)).inner_margin(6).corner_radius(4).show(
                 ui,
                 |ui| {
-                    let lines = [&whereabouts(&scene, &pilot), &notice.0, &*keys];
+                    let lines = [
+                        &*whereabouts(&scene, &pilot),
+                        &*voyage.clocks(scene.camera.r),
+                        notice.text(),
+                        &*beginning(&bindings),
+                    ];
                     for line in lines.into_iter().filter(|line| !line.is_empty()) {
                         ui.label(egui::RichText::new(line).size(13.0).color(egui::Color32::from_gray(210)));
                     }

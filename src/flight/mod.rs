@@ -1,20 +1,45 @@
 //! The window program: fly the camera, press the keys, see the scene.
 
+mod bindings;
+mod card;
 mod controls;
 mod display;
+mod edits;
+mod flown;
+mod help;
 mod hint;
+mod history;
+mod journey;
+mod keyboard;
+mod keys;
+mod motion;
+mod notice;
+mod panel;
 mod pilot;
+mod screenshot;
+mod settings;
+mod window;
 
-pub use controls::{KEYS, Key, pressed};
+pub use bindings::Bindings;
+pub use controls::{Action, CONTROLS, Command, Control, Group, Motion, control_named};
 pub use display::has_display;
+pub use edits::edited;
+pub use history::{History, drawable};
+pub use journey::{Guide, Moment};
+pub use keys::{key_name, key_named, key_names};
+pub use motion::Voyage;
+pub use panel::shown_number;
+pub use settings::{Automatic, Settings};
 
 use crate::picture::quiet_log;
 use crate::render::{CurrentScene, LightfallRenderPlugin, Screen, render_plugin};
 use crate::scene::Scene;
+use crate::scene::journey::Journey;
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
 use bevy::window::{PresentMode, WindowResolution};
 use bevy_egui::{EguiGlobalSettings, EguiPlugin, PrimaryEguiContext};
+use flown::Flown;
 
 /// Three output pixels to a cell of the default grid, which fits a common laptop's screen.
 const WINDOW_SIZE: [u32; 2] = [1440, 810];
@@ -22,8 +47,15 @@ const WINDOW_SIZE: [u32; 2] = [1440, 810];
 /// Nearest to the hole that flying brings the camera, in r_s: there a static observer is still an ordinary place.
 pub const NEAREST: f64 = 1.08;
 
-/// Opens the window and flies until it is closed.
-pub fn fly(scene: Scene) -> AppExit {
+/// A frame that took longer than this, in seconds, moves the camera no farther, so that slow machines stay steerable.
+const LONGEST_FRAME: f64 = 0.25;
+
+/// Opens the window and flies until it is closed. The journey begins at once if it is `guided`, else when it is asked for.
+pub fn fly(scene: Scene, journey: Journey, guided: bool) -> AppExit {
+    let mut guide = Guide::new(journey);
+    if guided {
+        guide.restart();
+    }
     App::new()
         .add_plugins(DefaultPlugins.set(quiet_log()).set(render_plugin(false)).set(WindowPlugin {
             primary_window: Some(Window {
@@ -37,8 +69,12 @@ pub fn fly(scene: Scene) -> AppExit {
         }))
         .add_plugins(EguiPlugin::default())
         .insert_resource(EguiGlobalSettings { auto_create_primary_context: false, ..default() })
+        .insert_resource(History::new(scene.clone()))
+        .insert_resource(guide)
         .add_plugins(LightfallRenderPlugin { scene, target: RenderTarget::default() })
-        .add_plugins((controls::plugin, pilot::plugin, hint::plugin))
+        .add_plugins((notice::plugin, window::plugin, keyboard::plugin, pilot::plugin))
+        .add_plugins((card::plugin, journey::plugin, motion::plugin))
+        .add_plugins((screenshot::plugin, hint::plugin, help::plugin, panel::plugin))
         .add_systems(Update, (attach_ui, retitle.run_if(resource_changed::<CurrentScene>)))
         .run()
 }

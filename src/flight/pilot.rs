@@ -1,6 +1,8 @@
 //! Flying by hand: keys and mouse move and turn the camera; the result is written to the scene, in f64.
 
-use super::NEAREST;
+use super::controls::{Command, Motion};
+use super::keyboard::{Held, Typing};
+use super::{LONGEST_FRAME, NEAREST};
 use crate::physics::kerr::Kerr;
 use crate::render::CurrentScene;
 use crate::scene::ObserverKind;
@@ -8,7 +10,7 @@ use bevy::input::mouse::{AccumulatedMouseMotion, AccumulatedMouseScroll, MouseSc
 use bevy::math::{DMat3, DVec3};
 use bevy::prelude::*;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow};
-use bevy_egui::input::{egui_wants_any_keyboard_input, egui_wants_any_pointer_input};
+use bevy_egui::input::egui_wants_any_pointer_input;
 
 /// How the hand is on the stick.
 #[derive(Resource)]
@@ -34,8 +36,6 @@ const ROLL_SPEED: f64 = 0.9;
 const LOOK_SHARE: f64 = 1.0 / 500.0;
 /// Farthest the camera flies, as in Scene's limits.
 const FARTHEST: f64 = 1e7;
-/// A frame that took longer than this moves the camera no farther, so that slow machines stay steerable.
-const LONGEST_FRAME: f64 = 0.25;
 
 pub(super) fn plugin(app: &mut App) {
     app.insert_resource(Pilot { throttle: 1.0, free_look: false }).add_systems(
@@ -43,7 +43,7 @@ pub(super) fn plugin(app: &mut App) {
         (
             set_throttle.run_if(not(egui_wants_any_pointer_input)),
             hold_mouse,
-            steer.run_if(not(egui_wants_any_keyboard_input)),
+            steer.run_if(|typing: Res<Typing>| !typing.0),
         )
             .chain(),
     );
@@ -60,18 +60,22 @@ fn set_throttle(scroll: Res<AccumulatedMouseScroll>, mut pilot: ResMut<Pilot>) {
     }
 }
 
-/// Tab takes and gives back the mouse, Esc and losing the focus give it back.
+/// A key takes and gives back the mouse, another and losing the focus give it back.
 fn hold_mouse(
-    keys: Res<ButtonInput<KeyCode>>,
+    mut commands: MessageReader<Command>,
     buttons: Res<ButtonInput<MouseButton>>,
     mut pilot: ResMut<Pilot>,
     window: Single<(&Window, &mut CursorOptions), With<PrimaryWindow>>,
 ) {
     let (window, mut cursor) = window.into_inner();
-    if keys.just_pressed(KeyCode::Tab) {
-        pilot.free_look = !pilot.free_look;
+    for command in commands.read() {
+        match command {
+            Command::MouseLook => pilot.free_look = !pilot.free_look,
+            Command::Escape => pilot.free_look = false,
+            _ => {}
+        }
     }
-    if keys.just_pressed(KeyCode::Escape) || !window.focused {
+    if !window.focused {
         pilot.free_look = false;
     }
     let held = window.focused && (pilot.free_look || buttons.pressed(MouseButton::Right));
@@ -83,7 +87,7 @@ fn hold_mouse(
 }
 
 fn steer(
-    keys: Res<ButtonInput<KeyCode>>,
+    held: Held,
     buttons: Res<ButtonInput<MouseButton>>,
     motion: Res<AccumulatedMouseMotion>,
     time: Res<Time>,
@@ -91,17 +95,14 @@ fn steer(
     mut scene: ResMut<CurrentScene>,
 ) {
     let seconds = time.delta_secs_f64().min(LONGEST_FRAME);
-    let axis = |plus: &[KeyCode], minus: &[KeyCode]| {
-        f64::from(keys.any_pressed(plus.iter().copied())) - f64::from(keys.any_pressed(minus.iter().copied()))
-    };
     // Camera frame: right, up, forward.
     let thrust = DVec3::new(
-        axis(&[KeyCode::KeyD], &[KeyCode::KeyA]),
-        axis(&[KeyCode::Space], &[KeyCode::ControlLeft, KeyCode::ControlRight]),
-        axis(&[KeyCode::KeyW], &[KeyCode::KeyS]),
+        held.axis(Motion::Right, Motion::Left),
+        held.axis(Motion::Up, Motion::Down),
+        held.axis(Motion::Forward, Motion::Backward),
     );
-    let gear = GEAR.powf(axis(&[KeyCode::ShiftLeft, KeyCode::ShiftRight], &[KeyCode::AltLeft, KeyCode::AltRight]));
-    let roll = axis(&[KeyCode::KeyE], &[KeyCode::KeyQ]) * ROLL_SPEED * seconds;
+    let gear = GEAR.powf(held.axis(Motion::Faster, Motion::Slower));
+    let roll = held.axis(Motion::RollRight, Motion::RollLeft) * ROLL_SPEED * seconds;
     let looking = pilot.free_look || buttons.pressed(MouseButton::Right);
     let look = if looking { motion.delta.as_dvec2() } else { bevy::math::DVec2::ZERO };
     if thrust == DVec3::ZERO && roll == 0.0 && look == bevy::math::DVec2::ZERO {

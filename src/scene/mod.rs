@@ -6,6 +6,7 @@
 
 mod camera;
 mod defaults;
+mod edit;
 mod error;
 mod fields;
 pub mod journey;

@@ -1,31 +1,92 @@
-//! The key table: what each key does to a scene.
+//! The key table: what each control does to a scene, and which keys it has.
 
-use lightfall::flight::{self, KEYS};
+use lightfall::flight::{Action, Bindings, CONTROLS, control_named, edited, key_name, key_named, key_names};
 use lightfall::scene::{ObserverKind, Scene, presets};
+use std::collections::BTreeMap;
 
-fn pressed(scene: &Scene, name: &str, times: usize) -> Scene {
-    let key = KEYS.iter().find(|key| key.name == name).unwrap();
-    let mut scene = scene.clone();
-    (0..times).for_each(|_| (key.edit)(&mut scene));
-    scene
+/// The scene after a control was used some times, where `loaded` is what was loaded.
+fn used_from(loaded: &Scene, scene: &Scene, id: &str, times: usize) -> Scene {
+    let control = control_named(id).unwrap();
+    (0..times).fold(scene.clone(), |scene, _| edited(control, &scene, loaded).unwrap().unwrap())
+}
+
+fn used(scene: &Scene, id: &str, times: usize) -> Scene {
+    used_from(scene, scene, id, times)
 }
 
 #[test]
-fn every_key_changes_the_scene_into_one_that_is_allowed() {
-    let scene = Scene::default();
-    for key in KEYS {
-        let changed = pressed(&scene, key.name, 1);
-        assert_ne!(changed, scene, "{} changes nothing", key.name);
-        assert!(changed.check().is_ok(), "{} leads where no scene may be", key.name);
+fn every_control_of_the_scene_changes_it_into_one_that_can_be_drawn_from_any_preset() {
+    for preset in presets::PRESETS {
+        let scene = preset.scene(&[]).unwrap();
+        for control in CONTROLS {
+            let changes = matches!(control.action, Action::Edit(_) | Action::Load(_));
+            match edited(control, &scene, &scene) {
+                None => assert!(!changes, "{} changes no scene", control.id),
+                // Only its own number leaves a preset as it is.
+                Some(Ok(changed)) if control.keys[0] == key_named(&preset.number.to_string()).unwrap() => {
+                    assert_eq!(changed, scene);
+                }
+                // Where only free fall is possible, there is no other observer.
+                Some(Ok(changed)) => assert!(changed != scene, "{} in {}", control.id, preset.name),
+                Some(Err(error)) => panic!("{} in {}: {error}", control.id, preset.name),
+            }
+        }
     }
 }
 
 #[test]
-fn keys_that_switch_lead_back_when_pressed_again() {
-    for name in ["F2", "F7", "F11", "T", "U", "L", "Z", "X", "C", "B", "M", "N", "R"] {
-        assert_eq!(pressed(&Scene::default(), name, 2), Scene::default(), "{name}");
+fn switches_lead_back_when_used_again_from_any_preset() {
+    let switches = [
+        "scene.disk",
+        "scene.isco",
+        "scene.sky",
+        "scene.probe",
+        "scene.spin",
+        "light.lensing",
+        "light.doppler",
+        "light.beaming",
+        "light.gravitational_shift",
+        "view.unfinished",
+        "view.classes",
+        "view.residual",
+        "view.order",
+        "view.redshift",
+        "picture.bloom",
+        "picture.bypass",
+        "picture.dither",
+        "picture.levels",
+    ];
+    for preset in presets::PRESETS {
+        let scene = preset.scene(&[]).unwrap();
+        for id in switches {
+            assert_eq!(used(&scene, id, 2), scene, "{id} in {}", preset.name);
+        }
+        assert_eq!(used(&scene, "scene.sky_mode", 3), scene, "{}", preset.name);
+        let [brighter, darker] = ["picture.brighter", "picture.darker"];
+        assert_eq!(used(&used(&scene, brighter, 3), darker, 3), scene, "{}", preset.name);
     }
-    assert_eq!(pressed(&Scene::default(), "G", 3), Scene::default());
+}
+
+#[test]
+fn spin_comes_back_as_the_preset_has_it() {
+    let extremal = presets::find("extremal").unwrap().scene(&[]).unwrap();
+    assert!(extremal.hole.spin > 0.95);
+    let without = used(&extremal, "scene.spin", 1);
+    assert_eq!(without.hole.spin, 0.0);
+    assert_eq!(used_from(&extremal, &without, "scene.spin", 1).hole.spin, extremal.hole.spin);
+}
+
+#[test]
+fn observers_follow_each_other_as_far_as_they_can_exist() {
+    let mut scene = Scene::default();
+    let kinds = |scene: &Scene, times| used(scene, "scene.observer", times).observer.kind;
+    // Off the disk's plane there is no orbit.
+    assert_eq!(
+        [1, 2, 3].map(|times| kinds(&scene, times)),
+        [ObserverKind::Zamo, ObserverKind::Rain, ObserverKind::Static]
+    );
+    scene.camera.theta_deg = 90.0;
+    assert_eq!(kinds(&scene, 2), ObserverKind::Orbit);
 }
 
 #[test]
@@ -35,25 +96,68 @@ fn a_key_that_would_lead_where_nothing_can_be_drawn_is_refused_with_the_reason()
     deep.hole.spin = 0.9;
     deep.camera.r = 0.9;
     deep.observer.kind = ObserverKind::Zamo;
-    let spin = KEYS.iter().find(|key| key.name == "T").unwrap();
-    assert!(flight::pressed(spin, &deep).unwrap_err().starts_with("camera.r = 0.9 is refused"));
-    for key in KEYS {
-        for preset in presets::PRESETS {
-            assert!(flight::pressed(key, &preset.scene(&[]).unwrap()).is_ok(), "{} in {}", key.name, preset.name);
+    let refused = edited(control_named("scene.spin").unwrap(), &deep, &deep).unwrap().unwrap_err();
+    assert!(refused.starts_with("camera.r = 0.9 is refused"), "{refused}");
+}
+
+#[test]
+fn controls_have_names_and_keys_of_their_own() {
+    for (i, control) in CONTROLS.iter().enumerate() {
+        assert!(!control.keys.is_empty() && !control.does.is_empty(), "{}", control.id);
+        for other in &CONTROLS[..i] {
+            assert_ne!(other.id, control.id);
+            let shared = control.keys.iter().any(|code| other.keys.contains(code));
+            assert!(!shared || other.alt != control.alt, "{} and {} share a key", other.id, control.id);
+        }
+        for code in control.keys {
+            assert!(key_name(*code).is_some(), "a key of {} has no name", control.id);
         }
     }
 }
 
 #[test]
-fn keys_have_names_and_codes_of_their_own() {
-    for (i, key) in KEYS.iter().enumerate() {
-        assert!(KEYS[..i].iter().all(|other| other.name != key.name && other.code != key.code), "{}", key.name);
+fn names_of_keys_are_read_back_as_the_same_keys() {
+    for name in key_names() {
+        assert_eq!(key_named(name).and_then(key_name), Some(name));
+        assert_eq!(key_named(&name.to_lowercase()).and_then(key_name), Some(name));
     }
+    assert_eq!(key_named("Any"), None);
 }
 
 #[test]
 fn number_keys_load_the_presets() {
     for preset in presets::PRESETS {
-        assert_eq!(pressed(&Scene::default(), &preset.number.to_string(), 1), preset.scene(&[]).unwrap());
+        assert_eq!(used(&Scene::default(), &format!("preset.{}", preset.number), 1), preset.scene(&[]).unwrap());
     }
+}
+
+fn settings(id: &str, keys: &[&str]) -> BTreeMap<String, Vec<String>> {
+    BTreeMap::from([(id.to_owned(), keys.iter().map(|key| (*key).to_owned()).collect())])
+}
+
+#[test]
+fn settings_bind_keys_anew_and_say_what_is_wrong_with_them() {
+    let bound = Bindings::new(&settings("view.classes", &["K", "F10"])).unwrap();
+    assert_eq!(bound.of("view.classes"), ["K", "F10"].map(|name| key_named(name).unwrap()));
+    assert_eq!(bound.settings(), settings("view.classes", &["K", "F10"]));
+    assert_eq!(Bindings::new(&BTreeMap::new()).unwrap(), Bindings::default());
+    for (id, keys, said) in [
+        ("view.clases", ["K"], "there is no control view.clases"),
+        ("view.classes", ["Any"], "view.classes is given the key \"Any\", which is none"),
+        ("view.classes", ["W"], "W is given to both fly.forward and view.classes"),
+    ] {
+        let error = Bindings::new(&settings(id, &keys)).unwrap_err();
+        assert!(error.contains(said), "{error}");
+    }
+}
+
+#[test]
+fn a_key_bound_by_hand_is_taken_from_whoever_had_it() {
+    let mut bindings = Bindings::default();
+    let w = key_named("W").unwrap();
+    bindings.bind("window.help", w);
+    assert_eq!(bindings.of("window.help"), [w]);
+    assert!(bindings.of("fly.forward").is_empty());
+    // What was written into the settings is read back as the same.
+    assert_eq!(Bindings::new(&bindings.settings()).unwrap(), bindings);
 }

@@ -3,9 +3,12 @@
 
 mod command_line;
 mod fields;
+mod flights;
+mod history;
 mod journey;
 mod keys;
 mod load;
 mod pose;
 mod presets;
 mod rays;
+mod settings;

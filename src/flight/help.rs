@@ -1,0 +1,77 @@
+//! The overlay of all controls, made from the key table itself.
+
+use super::bindings::Bindings;
+use super::controls::{Control, Group};
+use super::window::Shown;
+use bevy::prelude::*;
+use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+
+/// What the mouse does; the key table is about keys.
+const MOUSE: [[&str; 2]; 2] = [["right mouse button", "look around"], ["wheel", "speed"]];
+
+pub(super) fn plugin(app: &mut App) {
+    app.add_systems(EguiPrimaryContextPass, show);
+}
+
+/// The rows under one heading: keys, and what they do. Controls in a row that do the same are one row.
+fn rows(bindings: &Bindings, group: Group) -> Vec<[String; 2]> {
+    let controls: Vec<&Control> =
+        bindings.iter().map(|(control, _)| control).filter(|control| control.group == group).collect();
+    let entries = controls.chunk_by(|a, b| a.does == b.does).map(|entry| {
+        let names: Vec<_> = entry.iter().map(|control| bindings.in_words(control)).filter(|n| !n.is_empty()).collect();
+        let numbers = names.len() > 2 && names.iter().all(|name| name.len() == 1 && name.parse::<u8>().is_ok());
+        let keys = match (numbers, names.as_slice()) {
+            (true, [first, .., last]) => format!("{first} to {last}"),
+            _ => names.join(" "),
+        };
+        [keys, entry[0].does.to_owned()]
+    });
+    let mouse = MOUSE.iter().filter(|_| group == Group::Flight).map(|row| row.map(str::to_owned));
+    entries.chain(mouse).collect()
+}
+
+fn show(mut contexts: EguiContexts, mut shown: ResMut<Shown>, bindings: Res<Bindings>) -> Result {
+    if !shown.help || shown.hidden {
+        return Ok(());
+    }
+    let context = contexts.ctx_mut()?;
+    let mut open = true;
+    egui::Window::new("Help")
+        .open(&mut open)
+        .collapsible(false)
+        .resizable(false)
+        .anchor(egui::Align2::CENTER_CENTER, [0.0, -20.0])
+        .show(context, |ui| {
+            let tallest = (context.content_rect().height() - 180.0).max(100.0);
+            egui::ScrollArea::both().max_height(tallest).show(ui, |ui| {
+                ui.horizontal_top(|ui| {
+                    column(ui, &bindings, &[Group::Flight, Group::Light]);
+                    ui.add_space(24.0);
+                    column(ui, &bindings, &[Group::Scene, Group::View]);
+                    ui.add_space(24.0);
+                    column(ui, &bindings, &[Group::Picture, Group::Window]);
+                });
+            });
+            ui.label("Keys are bound anew in the panel, on its page Settings.");
+        });
+    if !open {
+        shown.help = false;
+    }
+    Ok(())
+}
+
+fn column(ui: &mut egui::Ui, bindings: &Bindings, groups: &[Group]) {
+    ui.vertical(|ui| {
+        for group in groups {
+            ui.strong(group.title());
+            egui::Grid::new(group.title()).num_columns(2).spacing([12.0, 3.0]).show(ui, |ui| {
+                for [keys, does] in rows(bindings, *group) {
+                    ui.monospace(keys);
+                    ui.label(does);
+                    ui.end_row();
+                }
+            });
+            ui.add_space(10.0);
+        }
+    });
+}

@@ -1,0 +1,96 @@
+//! What has been done to the scene, so that it can be undone.
+
+use crate::gpu::GpuScene;
+use crate::scene::Scene;
+use bevy::prelude::{Resource, UVec2};
+use std::collections::VecDeque;
+use std::time::Duration;
+
+/// Most changes that are kept.
+pub const LONGEST: usize = 64;
+
+/// Changes of the same fields within this time, as a slider that is dragged makes them, are one.
+const ONE_CHANGE: Duration = Duration::from_millis(700);
+
+/// The scene as it was loaded, and the changes since.
+#[derive(Resource, Clone, Debug)]
+pub struct History {
+    /// What switches and `reset` come back to.
+    loaded: Scene,
+    past: VecDeque<Change>,
+}
+
+/// One change: the scene on both sides of it. Only the fields that differ are taken back, so that flying on in between
+/// stays as it is.
+#[derive(Clone, Debug)]
+struct Change {
+    before: Scene,
+    after: Scene,
+    /// What was loaded before.
+    loaded: Scene,
+    at: Duration,
+}
+
+impl History {
+    /// Begins with a scene that was just loaded.
+    #[must_use]
+    pub fn new(loaded: Scene) -> Self {
+        Self { loaded, past: VecDeque::new() }
+    }
+
+    /// The scene as it was loaded.
+    #[must_use]
+    pub fn loaded(&self) -> &Scene {
+        &self.loaded
+    }
+
+    /// Notes a change made at the time `at` since some start.
+    pub fn note(&mut self, before: &Scene, after: &Scene, at: Duration) {
+        if before == after {
+            return;
+        }
+        let keys = |a: &Scene, b: &Scene| a.differences(b).into_iter().map(|(key, _)| key).collect::<Vec<_>>();
+        if let Some(last) = self.past.back_mut()
+            && at.saturating_sub(last.at) < ONE_CHANGE
+            && last.loaded == self.loaded
+            && last.after == *before
+            && keys(&last.before, &last.after) == keys(before, after)
+        {
+            (last.after, last.at) = (after.clone(), at);
+            return;
+        }
+        if self.past.len() == LONGEST {
+            self.past.pop_front();
+        }
+        self.past.push_back(Change { before: before.clone(), after: after.clone(), loaded: self.loaded.clone(), at });
+    }
+
+    /// Notes that another scene was loaded in place of `before`.
+    pub fn note_loaded(&mut self, before: &Scene, after: &Scene, at: Duration) {
+        self.note(before, after, at);
+        self.loaded = after.clone();
+    }
+
+    /// What the scene `now` is without the last change; none if there is no change left. The change is forgotten, also
+    /// where it cannot be undone.
+    ///
+    /// # Errors
+    /// Why the scene without it cannot be drawn.
+    pub fn undo(&mut self, now: &Scene) -> Option<Result<Scene, String>> {
+        let Change { before, after, loaded, .. } = self.past.pop_back()?;
+        let undone = now.with(before.differences(&after)).map_err(|refusal| refusal.to_string());
+        Some(undone.and_then(drawable).inspect(|_| self.loaded = loaded))
+    }
+}
+
+/// The scene itself, if it can be drawn.
+///
+/// # Errors
+/// Why it cannot, in one sentence.
+pub fn drawable(scene: Scene) -> Result<Scene, String> {
+    scene.check().map_err(|refusal| refusal.to_string())?;
+    let size = UVec2::new(scene.picture.width, scene.picture.height);
+    crate::picture::check_size("picture", size).map_err(|error| error.to_string())?;
+    GpuScene::new(&scene, size).map_err(|error| error.to_string())?;
+    Ok(scene)
+}

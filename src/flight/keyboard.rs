@@ -1,0 +1,160 @@
+//! From pressed keys to what the key table says of them.
+
+use super::bindings::Bindings;
+use super::controls::{Action, Command, Motion};
+use super::edits::edited;
+use super::history::{History, drawable};
+use super::notice::Notice;
+use super::panel::Rebinding;
+use crate::render::CurrentScene;
+use crate::scene::Scene;
+use bevy::ecs::system::SystemParam;
+use bevy::prelude::*;
+use bevy_egui::{EguiContexts, EguiPrimaryContextPass};
+
+/// Whether the keyboard belongs to a text field, or waits for the new key of a control.
+#[derive(Resource, Default)]
+pub(super) struct Typing(pub(super) bool);
+
+/// Keys that are held, by what they do.
+#[derive(SystemParam)]
+pub(super) struct Held<'w> {
+    keys: Res<'w, ButtonInput<KeyCode>>,
+    bindings: Res<'w, Bindings>,
+}
+
+impl Held<'_> {
+    /// One direction's keys against the other's: 1, 0 or -1.
+    pub(super) fn axis(&self, plus: Motion, minus: Motion) -> f64 {
+        f64::from(self.motion(plus)) - f64::from(self.motion(minus))
+    }
+
+    fn motion(&self, motion: Motion) -> bool {
+        let holds = |action| matches!(action, Action::Hold(held) if held == motion);
+        self.bindings
+            .iter()
+            .any(|(control, codes)| holds(control.action) && self.keys.any_pressed(codes.iter().copied()))
+    }
+}
+
+/// The scene, and the way to change it so that it can be undone. Every change but flying goes through here.
+#[derive(SystemParam)]
+pub(super) struct SceneEditor<'w> {
+    pub(super) scene: ResMut<'w, CurrentScene>,
+    history: ResMut<'w, History>,
+    notice: ResMut<'w, Notice>,
+    time: Res<'w, Time<Real>>,
+}
+
+impl SceneEditor<'_> {
+    /// The scene as it was loaded.
+    pub(super) fn loaded(&self) -> &Scene {
+        self.history.loaded()
+    }
+
+    /// Puts a changed scene in place, or says why that cannot be, `who` asking for it.
+    pub(super) fn change(&mut self, who: &str, changed: Result<Scene, String>) {
+        if let Err(reason) = self.try_change(changed) {
+            self.refuse(who, &reason);
+        }
+    }
+
+    /// As [`change`](Self::change), for who says it himself.
+    ///
+    /// # Errors
+    /// Why it cannot be.
+    pub(super) fn try_change(&mut self, changed: Result<Scene, String>) -> Result<(), String> {
+        let changed = changed.and_then(drawable)?;
+        self.history.note(&self.scene, &changed, self.time.elapsed());
+        self.accept(changed);
+        Ok(())
+    }
+
+    /// As [`change`](Self::change), for a scene that is another one altogether.
+    pub(super) fn load(&mut self, who: &str, loaded: Result<Scene, String>) {
+        match loaded.and_then(drawable) {
+            Ok(loaded) => {
+                self.history.note_loaded(&self.scene, &loaded, self.time.elapsed());
+                self.accept(loaded);
+            }
+            Err(reason) => self.refuse(who, &reason),
+        }
+    }
+
+    /// Takes the last change back.
+    pub(super) fn undo(&mut self) {
+        match self.history.undo(&self.scene) {
+            None => self.notice.say("There is nothing to undo"),
+            Some(Ok(undone)) => self.accept(undone),
+            Some(Err(reason)) => self.refuse("Undo", &reason),
+        }
+    }
+
+    /// Says something at the bottom of the window.
+    pub(super) fn say(&mut self, text: impl Into<String>) {
+        self.notice.say(text);
+    }
+
+    fn accept(&mut self, changed: Scene) {
+        self.scene.0 = changed;
+        self.notice.clear();
+    }
+
+    fn refuse(&mut self, who: &str, reason: &str) {
+        self.notice.say(if who.is_empty() { reason.to_owned() } else { format!("{who}: {reason}") });
+    }
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<Typing>()
+        .add_message::<Command>()
+        .add_systems(PreUpdate, apply.after(bevy::input::InputSystems))
+        .add_systems(Update, undo)
+        .add_systems(EguiPrimaryContextPass, notice_typing);
+}
+
+/// Only text fields take the keyboard: any other part of the panel that egui gives the focus to loses it again, so that
+/// flying goes on.
+fn notice_typing(mut contexts: EguiContexts, mut typing: ResMut<Typing>, rebinding: Res<Rebinding>) -> Result {
+    let context = contexts.ctx_mut()?;
+    let in_text = context.text_edit_focused();
+    typing.0 = in_text || rebinding.waits();
+    if !in_text && let Some(focused) = context.memory(|memory| memory.focused()) {
+        context.memory_mut(|memory| memory.surrender_focus(focused));
+    }
+    Ok(())
+}
+
+fn apply(
+    keys: Res<ButtonInput<KeyCode>>,
+    bindings: Res<Bindings>,
+    typing: Res<Typing>,
+    mut editor: SceneEditor,
+    mut commands: MessageWriter<Command>,
+) {
+    if typing.0 || keys.any_pressed([KeyCode::SuperLeft, KeyCode::SuperRight]) {
+        return;
+    }
+    let alt = keys.any_pressed([KeyCode::AltLeft, KeyCode::AltRight]);
+    for (control, codes) in bindings.iter() {
+        // Without Alt in the table, a key with Alt is the desktop's.
+        if control.alt != alt || !keys.any_just_pressed(codes.iter().copied()) {
+            continue;
+        }
+        if let Action::Do(command) = control.action {
+            commands.write(command);
+        }
+        let Some(changed) = edited(control, &editor.scene, editor.loaded()) else { continue };
+        let who = bindings.in_words(control);
+        match control.action {
+            Action::Load(_) => editor.load(&who, changed),
+            _ => editor.change(&who, changed),
+        }
+    }
+}
+
+fn undo(mut commands: MessageReader<Command>, mut editor: SceneEditor) {
+    for _ in commands.read().filter(|command| **command == Command::Undo) {
+        editor.undo();
+    }
+}

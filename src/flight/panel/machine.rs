@@ -1,0 +1,141 @@
+//! The page about the machine: how fast it is, what the passes cost, which adapter draws and what it compiled.
+
+use crate::gpu::Variant;
+use crate::render::CurrentScene;
+use crate::scene::{DiskModel, SkyMode};
+use bevy::diagnostic::DiagnosticsStore;
+use bevy::ecs::system::SystemParam;
+use bevy::prelude::*;
+use bevy::render::diagnostic::RenderDiagnosticsPlugin;
+use bevy::render::renderer::RenderAdapterInfo;
+use bevy_egui::egui;
+use std::time::{Duration, Instant};
+
+/// A pass that has not run for this long is not one that runs.
+const STALE: Duration = Duration::from_secs(2);
+/// Weight of the newest frame in the mean.
+const FRESH: f64 = 0.1;
+
+/// Mean time of a frame, in seconds.
+#[derive(Resource, Default)]
+pub struct FrameTime(pub f64);
+
+/// What the page reads.
+#[derive(SystemParam)]
+pub struct Machine<'w> {
+    passes: Res<'w, DiagnosticsStore>,
+    adapter: Option<Res<'w, RenderAdapterInfo>>,
+    frame: Res<'w, FrameTime>,
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.add_plugins(RenderDiagnosticsPlugin).init_resource::<FrameTime>().add_systems(First, measure);
+}
+
+fn measure(time: Res<Time<Real>>, mut frame: ResMut<FrameTime>) {
+    let seconds = time.delta_secs_f64();
+    frame.0 = if frame.0 == 0.0 { seconds } else { frame.0 + FRESH * (seconds - frame.0) };
+}
+
+impl Machine<'_> {
+    /// Each pass that ran lately, with its smoothed GPU time in milliseconds.
+    fn passes(&self) -> Vec<(&str, f64)> {
+        let now = Instant::now();
+        let pass = |diagnostic: &'_ bevy::diagnostic::Diagnostic| {
+            let fresh = diagnostic.measurement().is_some_and(|last| now.duration_since(last.time) < STALE);
+            diagnostic.smoothed().filter(|_| fresh)
+        };
+        let mut passes: Vec<_> = self
+            .passes
+            .iter()
+            .filter_map(|diagnostic| {
+                let name = diagnostic.path().as_str().strip_prefix("render/")?.strip_suffix("/elapsed_gpu")?;
+                Some((name, pass(diagnostic)?))
+            })
+            .collect();
+        passes.sort_by(|a, b| b.1.total_cmp(&a.1));
+        passes
+    }
+}
+
+pub(super) fn show(ui: &mut egui::Ui, machine: &Machine, scene: &CurrentScene) {
+    ui.strong("Speed");
+    let milliseconds = 1e3 * machine.frame.0;
+    ui.label(format!("{:.1} frames a second, {milliseconds:.1} ms each", 1e3 / milliseconds.max(1e-3)));
+    let picture = scene.picture;
+    ui.label(format!("drawn with {} x {} pixels", picture.width, picture.height));
+    ui.add_space(8.0);
+    ui.strong("GPU time of the passes");
+    let passes = machine.passes();
+    egui::Grid::new("passes").num_columns(2).spacing([16.0, 3.0]).striped(true).show(ui, |ui| {
+        for (name, time) in &passes {
+            ui.label(*name);
+            ui.monospace(format!("{time:8.3} ms"));
+            ui.end_row();
+        }
+    });
+    if passes.is_empty() {
+        ui.weak("No pass ran lately, or the adapter does not measure time.");
+    }
+    ui.add_space(8.0);
+    ui.strong("Graphics adapter");
+    if let Some(info) = &machine.adapter {
+        ui.label(&info.name);
+        ui.label(format!("{} through {}", kind(info.device_type), info.backend));
+        ui.label(format!("{} {}", info.driver, info.driver_info));
+    }
+    ui.weak("Another one: lightfall --list-gpus, lightfall --gpu NAME");
+    ui.add_space(8.0);
+    ui.strong("Compiled for this scene");
+    for [what, how] in compiled(&Variant::picture(scene)) {
+        ui.horizontal(|ui| {
+            ui.add_sized([90.0, 18.0], egui::Label::new(what).halign(egui::Align::LEFT));
+            ui.label(how);
+        });
+    }
+}
+
+fn kind(kind: wgpu::DeviceType) -> &'static str {
+    match kind {
+        wgpu::DeviceType::Cpu => "software",
+        wgpu::DeviceType::IntegratedGpu => "part of the processor",
+        wgpu::DeviceType::DiscreteGpu => "a card of its own",
+        wgpu::DeviceType::VirtualGpu => "virtual",
+        wgpu::DeviceType::Other => "of another kind",
+    }
+}
+
+/// What the shader of a scene has in it, and what is left out.
+fn compiled(variant: &Variant) -> Vec<[String; 2]> {
+    let effects = variant.effects;
+    let off: Vec<_> = [
+        ("lensing", effects.lensing),
+        ("Doppler", effects.doppler),
+        ("beaming", effects.beaming),
+        ("gravity", effects.gravitational_shift),
+        ("aberration", effects.aberration),
+    ]
+    .into_iter()
+    .filter_map(|(name, on)| (!on).then_some(name))
+    .collect();
+    let disk = match (variant.disk, variant.disk_model) {
+        (false, _) => "left out",
+        (true, DiskModel::Newtonian) => "Newtonian flux",
+        (true, DiskModel::PageThorne) => "relativistic flux",
+    };
+    let sky = match variant.sky {
+        SkyMode::Off => "left out",
+        SkyMode::Stars => "stars",
+        SkyMode::Grid => "grid",
+    };
+    let row = |what: &str, how: String| [what.to_owned(), how];
+    vec![
+        row("tracer", format!("{:?}", variant.tracer).to_lowercase()),
+        row("spin", if variant.spinning { "in".into() } else { "left out".into() }),
+        row("disk", disk.into()),
+        row("sky", sky.into()),
+        row("rays", if variant.follow_beyond_hits { "to their end".into() } else { "to the second crossing".into() }),
+        row("effects", if off.is_empty() { "all".into() } else { format!("without {}", off.join(", ")) }),
+        row("view", format!("{:?}", variant.view).to_lowercase()),
+    ]
+}

@@ -1,0 +1,98 @@
+//! The panel: every field of the scene, presets, what the machine does, what is exact, and the settings.
+
+mod fields;
+mod honesty;
+mod machine;
+mod preferences;
+mod presets;
+
+pub use fields::shown_number;
+pub(super) use preferences::Rebinding;
+
+use super::bindings::Bindings;
+use super::keyboard::SceneEditor;
+use super::window::{Preferences, Shown};
+use bevy::prelude::*;
+use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+
+/// Width of the panel, in points.
+pub(super) const WIDTH: f32 = 370.0;
+
+/// The pages.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Page {
+    #[default]
+    Scene,
+    Presets,
+    Machine,
+    Honesty,
+    Settings,
+}
+
+const PAGES: [(Page, &str); 5] = [
+    (Page::Scene, "Scene"),
+    (Page::Presets, "Presets"),
+    (Page::Machine, "Machine"),
+    (Page::Honesty, "What is exact"),
+    (Page::Settings, "Settings"),
+];
+
+/// What the panel remembers from frame to frame.
+#[derive(Resource, Default)]
+struct Panel {
+    page: Page,
+    fields: fields::State,
+    presets: presets::State,
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<Panel>()
+        .init_resource::<Rebinding>()
+        .add_plugins(machine::plugin)
+        .add_systems(Update, presets::drop_file)
+        .add_systems(EguiPrimaryContextPass, show);
+}
+
+fn show(
+    mut contexts: EguiContexts,
+    mut shown: ResMut<Shown>,
+    mut panel: ResMut<Panel>,
+    mut editor: SceneEditor,
+    mut preferences: ResMut<Preferences>,
+    mut bindings: ResMut<Bindings>,
+    mut rebinding: ResMut<Rebinding>,
+    keys: Res<ButtonInput<KeyCode>>,
+    machine: machine::Machine,
+) -> Result {
+    if !shown.panel || shown.hidden {
+        rebinding.stop();
+        return Ok(());
+    }
+    let context = contexts.ctx_mut()?;
+    let layer = egui::UiBuilder::new().layer_id(egui::LayerId::background()).max_rect(context.content_rect());
+    let mut background = egui::Ui::new(context.clone(), "panel background".into(), layer);
+    let frame = egui::Frame::side_top_panel(&context.global_style()).fill(egui::Color32::from_black_alpha(238));
+    let Panel { page, fields, presets } = &mut *panel;
+    egui::Panel::right("panel").exact_size(WIDTH).resizable(false).frame(frame).show(&mut background, |ui| {
+        ui.horizontal_wrapped(|ui| {
+            for (each, title) in PAGES {
+                ui.selectable_value(page, each, title);
+            }
+            if ui.button("×").on_hover_text("Close").clicked() {
+                shown.panel = false;
+            }
+        });
+        ui.separator();
+        if *page != Page::Settings {
+            rebinding.stop();
+        }
+        egui::ScrollArea::vertical().id_salt(*page as u8).auto_shrink(false).show(ui, |ui| match page {
+            Page::Scene => fields::show(ui, fields, &mut editor),
+            Page::Presets => presets::show(ui, presets, &mut editor),
+            Page::Machine => machine::show(ui, &machine, &editor.scene),
+            Page::Honesty => honesty::show(ui),
+            Page::Settings => preferences::show(ui, &mut preferences, &mut bindings, &mut rebinding, &keys),
+        });
+    });
+    Ok(())
+}

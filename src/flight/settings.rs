@@ -1,0 +1,155 @@
+//! What the program remembers from one start to the next: a TOML file in the platform's folder for settings.
+
+use super::bindings::Bindings;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// Everything that is remembered. A file may leave out what it does not change.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Settings {
+    /// Size of the text and the panel, as a multiple of the desktop's.
+    pub ui_scale: f32,
+    /// Whether the picture gets coarser while something moves, so that the frame rate is held.
+    pub automatic_resolution: Automatic,
+    /// The frame rate that is held, in frames a second.
+    pub frame_rate: f64,
+    /// Most frames a second; 0 leaves it to the monitor.
+    pub most_frames: f64,
+    /// Whether the exposure follows the light.
+    pub automatic_exposure: bool,
+    /// Whether motion that nobody steers is kept calm: no roll in journeys, no exposure that changes by itself.
+    pub reduced_motion: bool,
+    /// Keys of the controls that differ from the key table.
+    pub keys: BTreeMap<String, Vec<String>>,
+}
+
+/// Whether something is done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Automatic {
+    /// Where the graphics adapter is software or part of the processor.
+    #[default]
+    Auto,
+    /// Always.
+    On,
+    /// Never.
+    Off,
+}
+
+/// Sizes of the text that still fit into a window.
+pub const UI_SCALES: [f32; 2] = [0.6, 2.5];
+/// Frame rates that can be asked for.
+pub const FRAME_RATES: [f64; 2] = [5.0, 240.0];
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            ui_scale: 1.0,
+            automatic_resolution: Automatic::Auto,
+            frame_rate: 30.0,
+            most_frames: 0.0,
+            automatic_exposure: false,
+            reduced_motion: false,
+            keys: BTreeMap::new(),
+        }
+    }
+}
+
+impl Settings {
+    /// Reads the text of a settings file.
+    ///
+    /// # Errors
+    /// One sentence that names the fault.
+    pub fn read(text: &str) -> Result<Self, String> {
+        let settings: Self = toml::from_str(text).map_err(|error| {
+            let line = error.span().map_or(1, |span| 1 + text[..span.start.min(text.len())].matches('\n').count());
+            format!("line {line}: {}", error.message().lines().collect::<Vec<_>>().join(", "))
+        })?;
+        settings.check().map(|()| settings)
+    }
+
+    fn check(&self) -> Result<(), String> {
+        let within = |name: &str, value: f64, [low, high]: [f64; 2]| match value {
+            value if (low..=high).contains(&value) => Ok(()),
+            value => Err(format!("{name} = {value} is refused: it must be a number from {low} to {high}")),
+        };
+        within("ui_scale", f64::from(self.ui_scale), UI_SCALES.map(|scale| (f64::from(scale) * 1e4).round() / 1e4))?;
+        within("frame_rate", self.frame_rate, FRAME_RATES)?;
+        if self.most_frames != 0.0 {
+            within("most_frames", self.most_frames, FRAME_RATES)
+                .map_err(|error| format!("{error}, or 0 for as many as the monitor shows"))?;
+        }
+        Bindings::new(&self.keys).map(drop)
+    }
+
+    /// Reads a settings file. Without one, the defaults; a broken one is renamed, and the defaults serve. The second value
+    /// says what was wrong.
+    #[must_use]
+    pub fn load(file: &Path) -> (Self, Option<String>) {
+        let read = match std::fs::read_to_string(file) {
+            Ok(text) => Self::read(&text),
+            Err(error) if error.kind() == ErrorKind::NotFound => return (Self::default(), None),
+            Err(error) => Err(format!("cannot be read: {error}")),
+        };
+        match read {
+            Ok(settings) => (settings, None),
+            Err(fault) => (Self::default(), Some(format!("{}: {fault}; {}", file.display(), set_aside(file)))),
+        }
+    }
+
+    /// Writes the settings; the file appears whole or not at all.
+    ///
+    /// # Errors
+    /// What the file system says, with the file's name.
+    pub fn save(&self, file: &Path) -> Result<(), String> {
+        let text = format!("# Settings of Lightfall. What is left out has its default.\n\n{}", self.text());
+        let folder = file.parent().unwrap_or(Path::new("."));
+        let written = std::fs::create_dir_all(folder).and_then(|()| {
+            let mut part = tempfile::Builder::new().prefix(".settings-").tempfile_in(folder)?;
+            part.write_all(text.as_bytes())?;
+            part.persist(file).map_err(|error| error.error)?;
+            Ok(())
+        });
+        written.map_err(|error| format!("{}: the settings cannot be written: {error}", file.display()))
+    }
+
+    fn text(&self) -> String {
+        toml::to_string_pretty(self).expect("settings are made of numbers, words and tables only")
+    }
+}
+
+/// Renames a file that is no use, so that nothing a user wrote is lost, and says how that went.
+fn set_aside(file: &Path) -> String {
+    let names = (1..1000).map(|number| file.with_extension(format!("broken-{number}.toml")));
+    let Some(aside) = names.into_iter().find(|name| !name.exists()) else {
+        return "default settings are used".into();
+    };
+    match std::fs::rename(file, &aside) {
+        Ok(()) => format!("it is kept as {}, and default settings are used", aside.display()),
+        Err(_) => "default settings are used".into(),
+    }
+}
+
+/// Where the settings are; none on a system without such a place.
+#[must_use]
+pub fn settings_file() -> Option<PathBuf> {
+    Some(directories::ProjectDirs::from("", "", "lightfall")?.config_dir().join("settings.toml"))
+}
+
+/// Where the user's own presets are; none on a system without such a place.
+#[must_use]
+pub fn presets_folder() -> Option<PathBuf> {
+    Some(directories::ProjectDirs::from("", "", "lightfall")?.config_dir().join("presets"))
+}
+
+/// Where pictures go: the user's folder for them, else the home folder, else the one the program runs in.
+#[must_use]
+pub fn pictures_folder() -> PathBuf {
+    let folders = directories::UserDirs::new();
+    let pictures = folders.as_ref().and_then(|folders| folders.picture_dir().filter(|folder| folder.is_dir()));
+    let home = folders.as_ref().map(|folders| folders.home_dir()).filter(|folder| folder.is_dir());
+    pictures.or(home).unwrap_or(Path::new(".")).to_owned()
+}

@@ -1,0 +1,146 @@
+//! The window around the picture: which overlays are open, the whole screen, settings kept over restarts.
+
+use super::bindings::Bindings;
+use super::controls::Command;
+use super::notice::Notice;
+use super::settings::{Settings, settings_file};
+use bevy::prelude::*;
+use bevy::window::{MonitorSelection, PrimaryWindow, WindowMode};
+use bevy_egui::{EguiContexts, EguiPrimaryContextPass, PrimaryEguiContext, egui};
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// What is open over the picture.
+#[derive(Resource, Default)]
+pub(super) struct Shown {
+    pub(super) help: bool,
+    pub(super) panel: bool,
+    pub(super) inspector: bool,
+    /// Whether all of it, and the lines at the bottom, are hidden for now.
+    pub(super) hidden: bool,
+}
+
+/// The settings, and the file that they are kept in.
+#[derive(Resource)]
+pub(super) struct Preferences {
+    pub(super) settings: Settings,
+    /// As they are in the file.
+    saved: Settings,
+    file: Option<PathBuf>,
+    /// When they were last seen to change, since the start.
+    changed: Option<Duration>,
+}
+
+/// Time that settings must have been left alone before they are written.
+const CALM: Duration = Duration::from_secs(1);
+
+impl Preferences {
+    /// Reads them; the second value says what was wrong with the file.
+    pub(super) fn load() -> (Self, Option<String>) {
+        let file = settings_file();
+        let (settings, fault) = file.as_deref().map_or_else(Default::default, Settings::load);
+        (Self { saved: settings.clone(), settings, file, changed: None }, fault)
+    }
+
+    fn save(&mut self) -> Result<(), String> {
+        self.changed = None;
+        if self.settings == self.saved {
+            return Ok(());
+        }
+        self.saved = self.settings.clone();
+        self.file.as_deref().map_or(Ok(()), |file| self.settings.save(file))
+    }
+}
+
+pub(super) fn plugin(app: &mut App) {
+    let (preferences, fault) = Preferences::load();
+    // Checked as the file was read.
+    let bindings = Bindings::new(&preferences.settings.keys).unwrap_or_default();
+    app.insert_resource(preferences).insert_resource(bindings).init_resource::<Shown>();
+    if let Some(fault) = fault {
+        app.world_mut().get_resource_or_init::<Notice>().say(fault);
+    }
+    app.add_systems(Update, (obey, keep))
+        .add_systems(Last, keep_at_exit)
+        .add_systems(EguiPrimaryContextPass, style.run_if(any_with_component::<PrimaryEguiContext>));
+}
+
+fn obey(
+    mut commands: MessageReader<Command>,
+    mut shown: ResMut<Shown>,
+    mut window: Single<&mut Window, With<PrimaryWindow>>,
+) {
+    for command in commands.read() {
+        match command {
+            Command::Hide => shown.hidden = !shown.hidden,
+            Command::Help => toggle(&mut shown, |shown| &mut shown.help),
+            Command::Panel => toggle(&mut shown, |shown| &mut shown.panel),
+            Command::Inspect => toggle(&mut shown, |shown| &mut shown.inspector),
+            Command::Escape => shown.help = false,
+            Command::Fullscreen => {
+                window.mode = match window.mode {
+                    WindowMode::Windowed => WindowMode::BorderlessFullscreen(MonitorSelection::Current),
+                    _ => WindowMode::Windowed,
+                };
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Opens or closes an overlay. One that is asked for while everything is hidden is meant to be seen.
+fn toggle(shown: &mut Shown, overlay: fn(&mut Shown) -> &mut bool) {
+    let open = !*overlay(shown) || shown.hidden;
+    *overlay(shown) = open;
+    shown.hidden &= !open;
+}
+
+/// Writes the settings once they have been left alone for a moment.
+fn keep(
+    time: Res<Time<Real>>,
+    mut preferences: ResMut<Preferences>,
+    bindings: Res<Bindings>,
+    mut notice: ResMut<Notice>,
+) {
+    if bindings.is_changed() && !bindings.is_added() {
+        preferences.settings.keys = bindings.settings();
+    }
+    if preferences.settings == preferences.saved {
+        return;
+    }
+    match preferences.changed {
+        None => preferences.changed = Some(time.elapsed()),
+        Some(changed) if time.elapsed() > changed + CALM => {
+            if let Err(fault) = preferences.save() {
+                notice.say(fault);
+            }
+        }
+        Some(_) => {}
+    }
+}
+
+fn keep_at_exit(mut exits: MessageReader<AppExit>, mut preferences: ResMut<Preferences>) {
+    if exits.read().next().is_some()
+        && let Err(fault) = preferences.save()
+    {
+        error!("{fault}");
+    }
+}
+
+/// Text that reads on any picture, at the size that the settings say.
+fn style(mut contexts: EguiContexts, preferences: Res<Preferences>, mut scale: Local<f32>) -> Result {
+    let context = contexts.ctx_mut()?;
+    if *scale == 0.0 {
+        let mut visuals = egui::Visuals::dark();
+        visuals.override_text_color = Some(egui::Color32::from_gray(215));
+        visuals.weak_text_color = Some(egui::Color32::from_gray(165));
+        visuals.window_fill = egui::Color32::from_black_alpha(238);
+        context.set_visuals(visuals);
+    }
+    let wanted = preferences.settings.ui_scale;
+    if *scale != wanted {
+        context.set_zoom_factor(wanted);
+        *scale = wanted;
+    }
+    Ok(())
+}

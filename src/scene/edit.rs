@@ -1,0 +1,38 @@
+//! Changes of single fields by their keys, as the panel and the undo make them.
+
+use toml::{Table, Value};
+
+use super::Scene;
+use super::error::Refusal;
+use super::fields::field;
+
+impl Scene {
+    /// This scene with some fields set otherwise. A key that is none is passed over.
+    ///
+    /// # Errors
+    /// The first value of the wrong type, or the first field that is not allowed beside the others.
+    pub fn with<'a>(&self, changes: impl IntoIterator<Item = (&'a str, Value)>) -> Result<Self, Refusal> {
+        let mut table = Table::try_from(self).expect("a scene is made of numbers, words and tables only");
+        for (key, value) in changes {
+            let Some(field) = field(key) else { continue };
+            field.check_type(&value)?;
+            let place = match key.split_once('.') {
+                None => table.get_mut(key),
+                Some((outer, inner)) => table.get_mut(outer).and_then(|outer| outer.get_mut(inner)),
+            };
+            *place.expect("every key of the field table is a field of the scene") = value;
+        }
+        let scene: Self = table.try_into().expect("every value was checked against the field table");
+        scene.check()?;
+        Ok(scene)
+    }
+
+    /// The fields in which `after` differs from this scene, each with its value here.
+    #[must_use]
+    pub fn differences(&self, after: &Self) -> Vec<(&'static str, Value)> {
+        let both = self.values().zip(after.values());
+        both.filter(|((_, before), (_, after))| before != after)
+            .map(|((field, before), _)| (field.key, before))
+            .collect()
+    }
+}

@@ -1,0 +1,85 @@
+//! Undoing: what was changed comes back, and only that.
+
+use lightfall::flight::History;
+use lightfall::scene::{Scene, presets};
+use std::time::Duration;
+
+fn seconds(seconds: u64) -> Duration {
+    Duration::from_secs(seconds)
+}
+
+#[test]
+fn the_last_change_is_taken_back_and_what_was_flown_since_stays() {
+    let start = Scene::default();
+    let mut history = History::new(start.clone());
+    let mut scene = start.clone();
+    scene.disk.enabled = false;
+    history.note(&start, &scene, seconds(1));
+    scene.camera.r = 7.0;
+    let undone = history.undo(&scene).unwrap().unwrap();
+    assert!(undone.disk.enabled);
+    assert_eq!(undone.camera.r, 7.0);
+    assert!(history.undo(&undone).is_none(), "there was one change only");
+}
+
+#[test]
+fn loading_a_preset_is_a_change_too_and_brings_back_what_was_loaded_before() {
+    let start = Scene::default();
+    let mut history = History::new(start.clone());
+    let preset = presets::PRESETS[7].scene(&[]).unwrap();
+    history.note_loaded(&start, &preset, seconds(1));
+    assert_eq!(*history.loaded(), preset);
+    assert_eq!(history.undo(&preset).unwrap().unwrap(), start);
+    assert_eq!(*history.loaded(), start);
+}
+
+#[test]
+fn a_slider_that_is_dragged_is_one_change() {
+    let start = Scene::default();
+    let mut history = History::new(start.clone());
+    let mut scene = start.clone();
+    for step in 1..20 {
+        let before = scene.clone();
+        scene.disk.outer += 1.0;
+        history.note(&before, &scene, Duration::from_millis(16 * step));
+    }
+    assert_eq!(history.undo(&scene).unwrap().unwrap(), start);
+    // Another field at once, or the same one later, is another change.
+    let mut other = start.clone();
+    other.disk.inner = 4.0;
+    history.note(&start, &other, seconds(1));
+    let mut both = other.clone();
+    both.disk.outer = 20.0;
+    history.note(&other, &both, seconds(1));
+    let mut later = both.clone();
+    later.disk.outer = 30.0;
+    history.note(&both, &later, seconds(9));
+    let undone = history.undo(&later).unwrap().unwrap();
+    assert_eq!(undone, both);
+    assert_eq!(history.undo(&undone).unwrap().unwrap(), other);
+}
+
+#[test]
+fn no_more_changes_are_kept_than_fit() {
+    let mut scene = Scene::default();
+    let mut history = History::new(scene.clone());
+    for step in 0..200 {
+        let before = scene.clone();
+        scene.disk.enabled = !scene.disk.enabled;
+        history.note(&before, &scene, seconds(step));
+    }
+    let count = std::iter::from_fn(|| history.undo(&scene)).count();
+    assert_eq!(count, 64);
+}
+
+#[test]
+fn a_change_that_cannot_be_undone_says_why() {
+    // Without the spin that was added, the camera that flew in since would be inside the horizon.
+    let start = Scene::default();
+    let mut spinning = start.clone();
+    spinning.hole.spin = 0.9;
+    let mut history = History::new(start.clone());
+    history.note(&start, &spinning, seconds(1));
+    spinning.camera.r = 0.9;
+    assert!(history.undo(&spinning).unwrap().unwrap_err().contains("camera.r = 0.9 is refused"));
+}
