@@ -22,14 +22,21 @@ pub struct Journey {
     pub title: String,
     /// Seconds from the first keyframe to the last.
     pub duration: f64,
-    /// ln r; for observers who fall from rest at infinity there may be another.
+    tracks: Tracks,
+    /// For observers who fall from rest at infinity.
+    tracks_in_rain: Tracks,
+    /// From when on the observer is of which kind.
+    kinds: Vec<(f64, ObserverKind)>,
+}
+
+/// What is led along.
+#[derive(Clone, Debug, PartialEq)]
+struct Tracks {
+    /// ln r.
     radius: Option<Track>,
-    radius_in_rain: Option<Track>,
     angles: [Option<Track>; ANGLES.len()],
     field_of_view: Option<Track>,
     velocity: [Option<Track>; 3],
-    /// From when on the observer is of which kind.
-    kinds: Vec<(f64, ObserverKind)>,
 }
 
 /// An angle of the camera: its name in a keyframe, and its field.
@@ -56,8 +63,13 @@ impl Journey {
             None => {}
         }
         let rain = scene.observer.kind == ObserverKind::Rain;
-        let radius = if rain { self.radius_in_rain.as_ref().or(self.radius.as_ref()) } else { self.radius.as_ref() };
-        if let Some(radius) = radius {
+        if rain { &self.tracks_in_rain } else { &self.tracks }.apply(time, scene);
+    }
+}
+
+impl Tracks {
+    fn apply(&self, time: f64, scene: &mut Scene) {
+        if let Some(radius) = &self.radius {
             scene.camera.r = radius.at(time).exp();
         }
         for ((name, field), track) in ANGLES.iter().zip(&self.angles) {

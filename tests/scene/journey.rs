@@ -121,14 +121,16 @@ fn the_way_to_the_start_is_short_and_gentle() {
 #[test]
 fn a_journey_of_ones_own_says_what_it_names_and_leaves_the_rest() {
     let text = "schema = 1\ntitle = \"Fall\"\n[[keyframe]]\ntime = 10\nr = 8\nobserver = \"static\"\n[[keyframe]]\ntime = 14\n\
-                r = 2\n[[keyframe]]\ntime = 15\nobserver = \"rain\"\nvelocity = [0.1, 0, 0]\nfov_deg = 90\nphi_deg = 725\n";
+                r = 2\n[[keyframe]]\ntime = 15\nobserver = \"rain\"\nvelocity = [0.1, 0, 0]\nfov_deg = 90\nphi_deg = 725\n\
+                rain = { r = 1.5, fov_deg = 80 }\n";
     let journey = journey::load("mine.toml", text).unwrap();
     assert_eq!((journey.title.as_str(), journey.duration), ("Fall", 5.0));
     let before = at(&journey, 2.0, ObserverKind::Zamo);
     assert!((before.camera.r - 4.0).abs() < 1e-12 && before.observer.kind == ObserverKind::Static);
     let after = at(&journey, 5.0, ObserverKind::Zamo);
     assert_eq!((after.observer.kind, after.observer.velocity), (ObserverKind::Rain, [0.1, 0.0, 0.0]));
-    assert_eq!((after.camera.fov_deg, after.camera.phi_deg), (90.0, 5.0));
+    assert_eq!((after.camera.fov_deg, after.camera.phi_deg), (80.0, 5.0));
+    assert!((after.camera.r - 1.5).abs() < 1e-12, "what is otherwise in rain");
     assert_eq!(after.camera.theta_deg, preset().camera.theta_deg);
 }
 
@@ -166,8 +168,13 @@ fn faults_of_a_journey_are_told_with_their_keyframe() {
         ),
         (
             format!("{two}time = 1\nradius = 3"),
-            "j.toml: keyframe 2: there is no radius; a keyframe has time and any of r, r_rain, theta_deg, phi_deg, yaw_deg, \
-             pitch_deg, roll_deg, fov_deg, observer, velocity",
+            "j.toml: keyframe 2: there is no radius; a keyframe has time, any of r, theta_deg, phi_deg, yaw_deg, \
+             pitch_deg, roll_deg, fov_deg, observer, velocity, and a table rain of those but the observer for who falls \
+             from rest at infinity",
+        ),
+        (
+            format!("{two}time = 1\nrain.theta_deg = 200"),
+            "j.toml: keyframe 2: theta_deg = 200 is refused: it must be a number from 0 to 180 degrees",
         ),
         (
             format!("{two}time = 1\ntheta_deg = 181"),
@@ -192,6 +199,10 @@ fn faults_of_a_journey_are_told_with_their_keyframe() {
         ),
     ] {
         assert_eq!(fault(&text), sentence);
+    }
+    for faulty in ["rain = 3", "rain.observer = \"rain\"", "rain.time = 3"] {
+        let sentence = fault(&format!("{two}time = 1\n{faulty}"));
+        assert!(sentence.starts_with("j.toml: keyframe 2: there is no "), "{sentence}");
     }
     assert!(fault("[[keyframe]\n").starts_with("j.toml: line 1, column "));
 }

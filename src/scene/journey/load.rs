@@ -1,6 +1,6 @@
 //! From the text of a journey to the journey.
 
-use super::{ANGLES, Journey, Track};
+use super::{ANGLES, Journey, Track, Tracks};
 use crate::scene::error::{Refusal, SceneError};
 use crate::scene::fields::{Field, Kind, Range, field};
 use crate::scene::limits::{given, shortened};
@@ -17,9 +17,8 @@ const LONGEST: f64 = 86_400.0;
 
 /// What a keyframe may have: its name there, and the field of a scene that says what it may be. Angles may be of any number of
 /// turns here.
-const NAMES: [(&str, &str); 10] = [
+const NAMES: [(&str, &str); 9] = [
     ("r", "camera.r"),
-    ("r_rain", "camera.r"),
     ("theta_deg", "camera.theta_deg"),
     ("phi_deg", ""),
     ("yaw_deg", ""),
@@ -69,7 +68,11 @@ pub enum JourneyError {
         allowed: String,
     },
     /// A keyframe with something it cannot have.
-    #[error("{origin}: keyframe {number}: there is no {key}; a keyframe has time and any of {}", names())]
+    #[error(
+        "{origin}: keyframe {number}: there is no {key}; a keyframe has time, any of {}, and a table rain of those but \
+             the observer for who falls from rest at infinity",
+        names()
+    )]
     UnknownKey {
         /// Where it was written.
         origin: String,
@@ -131,7 +134,8 @@ pub fn load(origin: &str, text: &str) -> Result<Journey, JourneyError> {
     for (index, frame) in frames.into_iter().enumerate() {
         keyframes.push(keyframe(origin, index + 1, frame, keyframes.last().map(|last| last.time))?);
     }
-    check_velocities(origin, &keyframes)?;
+    check_velocities(origin, keyframes.iter().map(|frame| frame.values.get("velocity")))?;
+    check_velocities(origin, keyframes.iter().map(|frame| frame.values_in_rain.get("velocity")))?;
     Ok(journey(title, &keyframes))
 }
 
@@ -139,16 +143,43 @@ pub fn load(origin: &str, text: &str) -> Result<Journey, JourneyError> {
 struct Keyframe {
     time: f64,
     values: Table,
+    /// The same, with what is otherwise in rain.
+    values_in_rain: Table,
 }
 
-fn keyframe(origin: &str, number: usize, frame: Table, before: Option<f64>) -> Result<Keyframe, JourneyError> {
+fn keyframe(origin: &str, number: usize, mut frame: Table, before: Option<f64>) -> Result<Keyframe, JourneyError> {
     let origin = || origin.to_owned();
-    let (mut time, mut values) = (None, Table::new());
-    for (key, value) in frame {
-        if key == "time" {
-            time = Some(value);
-            continue;
+    let time = frame.remove("time").map(|time| widened(Kind::Float(Range::FINITE), time));
+    let seconds = time.as_ref().and_then(Value::as_float).unwrap_or(f64::NAN);
+    let allowed = match before {
+        Some(last) if seconds.is_nan() || seconds <= last => {
+            format!("a number of seconds above {last}, that of the keyframe before")
         }
+        _ => format!("a number of seconds from 0 to {LONGEST}"),
+    };
+    if !(0.0..=LONGEST).contains(&seconds) || before.is_some_and(|last| seconds <= last) {
+        let given = time.as_ref().map_or("nothing".into(), given);
+        return Err(JourneyError::Time { origin: origin(), number, given, allowed });
+    }
+    let in_rain = match frame.remove("rain") {
+        Some(Value::Table(in_rain)) => in_rain,
+        Some(_) => return Err(JourneyError::UnknownKey { origin: origin(), number, key: "value rain".into() }),
+        None => Table::new(),
+    };
+    if in_rain.contains_key("observer") {
+        return Err(JourneyError::UnknownKey { origin: origin(), number, key: "rain.observer".into() });
+    }
+    let values = checked(&origin(), number, frame)?;
+    let mut values_in_rain = values.clone();
+    values_in_rain.extend(checked(&origin(), number, in_rain)?);
+    Ok(Keyframe { time: seconds, values, values_in_rain })
+}
+
+/// The values of a keyframe, each by its name.
+fn checked(origin: &str, number: usize, frame: Table) -> Result<Table, JourneyError> {
+    let origin = || origin.to_owned();
+    let mut values = Table::new();
+    for (key, value) in frame {
         let Some((name, like)) = NAMES.into_iter().find(|(name, _)| *name == key) else {
             return Err(JourneyError::UnknownKey { origin: origin(), number, key: shortened(&key) });
         };
@@ -166,27 +197,21 @@ fn keyframe(origin: &str, number: usize, frame: Table, before: Option<f64>) -> R
         }
         values.insert(key, value);
     }
-    let time = time.map(|time| widened(Kind::Float(Range::FINITE), time));
-    let seconds = time.as_ref().and_then(Value::as_float).unwrap_or(f64::NAN);
-    let allowed = match before {
-        Some(last) if seconds.is_nan() || seconds <= last => {
-            format!("a number of seconds above {last}, that of the keyframe before")
-        }
-        _ if (0.0..=LONGEST).contains(&seconds) => return Ok(Keyframe { time: seconds, values }),
-        _ => format!("a number of seconds from 0 to {LONGEST}"),
-    };
-    let given = time.as_ref().map_or("nothing".into(), given);
-    Err(JourneyError::Time { origin: origin(), number, given, allowed })
+    Ok(values)
 }
 
 /// Each component stays between those of two keyframes, but all three at their largest must still be slower than light.
-fn check_velocities(origin: &str, keyframes: &[Keyframe]) -> Result<(), JourneyError> {
-    let named = || keyframes.iter().enumerate().filter_map(|(i, frame)| Some((i + 1, frame.values.get("velocity")?)));
-    for ((_, start), (number, end)) in named().zip(named().skip(1)) {
+fn check_velocities<'a>(
+    origin: &str,
+    velocities: impl Iterator<Item = Option<&'a Value>> + Clone,
+) -> Result<(), JourneyError> {
+    let named = velocities.enumerate().filter_map(|(i, velocity)| Some((i + 1, velocity?)));
+    for ((_, start), (number, end)) in named.clone().zip(named.skip(1)) {
         let largest = |axis| component(start, axis).abs().max(component(end, axis).abs());
         if (0..3).map(|axis| largest(axis).powi(2)).sum::<f64>() >= 1.0 {
+            let before = given(start);
             let allowed =
-                format!("nearer to that of the keyframe before, {}: on the way there it would reach 1 c", given(start));
+                format!("nearer to that of the keyframe before, {before}: on the way there it would reach 1 c");
             let (origin, given) = (origin.into(), given(end));
             return Err(JourneyError::Value { origin, number, key: "velocity", given, allowed });
         }
@@ -200,30 +225,31 @@ fn component(velocity: &Value, axis: usize) -> f64 {
 
 fn journey(title: String, keyframes: &[Keyframe]) -> Journey {
     let start = keyframes[0].time;
-    let points = |of: &dyn Fn(&Table) -> Option<f64>| {
-        let points = keyframes.iter().filter_map(|frame| Some((frame.time - start, of(&frame.values)?)));
-        points.collect::<Vec<_>>()
-    };
-    let track = |of: &dyn Fn(&Table) -> Option<f64>| Track::through(&points(of));
-    let number = |values: &Table, name: &str| values.get(name).and_then(Value::as_float);
-    let r = |values: &Table| Some(number(values, "r")?.ln());
-    let r_rain = |values: &Table| number(values, "r_rain").map(f64::ln);
     let kind = |frame: &Keyframe| {
         let kind = ObserverKind::deserialize(frame.values.get("observer")?.clone()).ok()?;
         Some((frame.time - start, kind))
     };
+    let of = |values: fn(&Keyframe) -> &Table| {
+        tracks(&keyframes.iter().map(|frame| (frame.time - start, values(frame))).collect::<Vec<_>>())
+    };
     Journey {
         title,
         duration: keyframes[keyframes.len() - 1].time - start,
-        radius: track(&r),
-        radius_in_rain: keyframes
-            .iter()
-            .any(|frame| frame.values.contains_key("r_rain"))
-            .then(|| track(&|values| r_rain(values).or_else(|| r(values))))
-            .flatten(),
+        tracks: of(|frame| &frame.values),
+        tracks_in_rain: of(|frame| &frame.values_in_rain),
+        kinds: keyframes.iter().filter_map(kind).collect(),
+    }
+}
+
+fn tracks(keyframes: &[(f64, &Table)]) -> Tracks {
+    let track = |of: &dyn Fn(&Table) -> Option<f64>| {
+        Track::through(&keyframes.iter().filter_map(|(time, values)| Some((*time, of(values)?))).collect::<Vec<_>>())
+    };
+    let number = |values: &Table, name: &str| values.get(name).and_then(Value::as_float);
+    Tracks {
+        radius: track(&|values| number(values, "r").map(f64::ln)),
         angles: ANGLES.map(|(name, _)| track(&|values| number(values, name))),
         field_of_view: track(&|values| number(values, "fov_deg")),
         velocity: [0, 1, 2].map(|axis| track(&|values| Some(component(values.get("velocity")?, axis)))),
-        kinds: keyframes.iter().filter_map(kind).collect(),
     }
 }
