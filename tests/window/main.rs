@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod desktop;
+mod flights;
 
 use desktop::{Desktop, Shot};
 use std::process::Command;
