@@ -5,7 +5,7 @@ use super::{Gpu, GpuError, GpuScene, Variant};
 use crate::physics::trace::{Hit, Outcome, Trace};
 use crate::scene::Scene;
 use encase::ShaderType;
-use glam::{DVec3, Vec3, Vec4};
+use glam::{DVec3, UVec2, Vec3, Vec4};
 use std::f64::consts::{PI, TAU};
 
 /// Rays of one dispatch, so that a slow device answers well before its driver loses patience.
@@ -47,15 +47,43 @@ pub fn trace(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<Trace
 /// # Errors
 /// As [`trace`].
 pub fn records(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<GpuTrace>, GpuError> {
-    let numbers = GpuScene::for_rays(scene)?;
-    let variant = Variant::rays(scene);
-    let kernel = Kernel::new(gpu, &variant.source(), "rays", &[(0, uniform(&numbers))])?;
-    let mut records = Vec::with_capacity(directions.len());
-    for batch in directions.chunks(MOST_RAYS) {
-        let batch: Vec<Vec4> = batch.iter().map(|direction| unit(*direction).as_vec3().extend(0.0)).collect();
-        records.extend(kernel.run::<Vec4, GpuTrace>(gpu, &batch)?);
+    let directions: Vec<Vec3> = directions.iter().map(|direction| unit(*direction).as_vec3()).collect();
+    RayKernel::new(gpu, scene)?.run(gpu, &GpuScene::for_rays(scene)?, &directions)
+}
+
+/// The compiled variant of a scene, for rays that are given as a picture's are.
+#[derive(Debug)]
+pub struct RayKernel(Kernel);
+
+impl RayKernel {
+    /// Compiles the scene's variant.
+    ///
+    /// # Errors
+    /// A scene the GPU cannot trace.
+    pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
+        let numbers = GpuScene::for_rays(scene)?;
+        Ok(Self(Kernel::new(gpu, &Variant::rays(scene).source(), "rays", &[(0, uniform(&numbers))])?))
     }
-    Ok(records)
+
+    /// Traces rays through a scene of this variant; unit directions are (right, up, forward) of its camera. One record a
+    /// ray, in order.
+    ///
+    /// # Errors
+    /// As [`trace`].
+    pub fn trace(&self, gpu: &Gpu, scene: &Scene, directions: &[Vec3]) -> Result<Vec<Trace>, GpuError> {
+        let numbers = GpuScene::new(scene, UVec2::new(scene.picture.width, scene.picture.height))?;
+        Ok(self.run(gpu, &numbers, directions)?.iter().map(Trace::from).collect())
+    }
+
+    fn run(&self, gpu: &Gpu, numbers: &GpuScene, directions: &[Vec3]) -> Result<Vec<GpuTrace>, GpuError> {
+        self.0.write_uniform(gpu, 0, &uniform(numbers));
+        let mut records = Vec::with_capacity(directions.len());
+        for batch in directions.chunks(MOST_RAYS) {
+            let batch: Vec<Vec4> = batch.iter().map(|direction| direction.extend(0.0)).collect();
+            records.extend(self.0.run::<Vec4, GpuTrace>(gpu, &batch)?);
+        }
+        Ok(records)
+    }
 }
 
 /// A direction of length one, whatever its length was; zero stays zero.
