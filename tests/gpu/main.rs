@@ -14,6 +14,7 @@ mod layout;
 mod mino;
 mod observers;
 mod refusals;
+mod report;
 mod shaders;
 mod sky;
 mod spectrum;
