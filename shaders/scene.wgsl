@@ -48,11 +48,12 @@ struct Scene {
     // Of the observer with zero angular momentum at the camera: lapse, and angular velocity (zero without LENSING).
     camera_lapse: f32,
     camera_dragging: f32,
-    // The hole: a = chi/2, the horizons' radii r_+ and r_-, 1 - chi; 1/r_+, and what rounding left of it.
+    // The hole: a = chi/2, the horizons' radii r_+ and r_-, 1 - chi; 1/r_+, and what rounding left of it; r_+ - r_-.
     spin_length: f32,
     horizon: f32,
     horizon_u: f32,
     horizon_u_rest: f32,
+    horizon_gap: f32,
     inner_horizon: f32,
     spin_gap: f32,
     // By how much Kerr's ingoing azimuth is ahead of Boyer-Lindquist's at the camera.
