@@ -5,13 +5,18 @@
 // Every number here was worked out in f64 on the CPU (src/gpu/scene.rs) and rounded once.
 
 struct Scene {
-    // Rows of the observer's matrix: the photon that arrives from the unit looking direction d is dot(row, (1, d)).
-    // Pixels give d as (right, up, forward) of the camera, ray files as (outward, theta, phi) of the observer.
+    // The observer's matrix takes the unit looking direction d to the photon that arrives from it. Pixels give d as
+    // (right, up, forward) of the camera, ray files as (outward, theta, phi) of the observer. Rows and bends are for
+    // off = d - dimmest: dot(row, (1, off)) + bend |off|^2/2.
     energy: vec4<f32>,
     radial: vec4<f32>,
     w_x: vec4<f32>,
     w_y: vec4<f32>,
     w_z: vec4<f32>,
+    // Of radial, w_x, w_y, w_z; the direction from which light has the least energy; and the bend of the energy.
+    bend: vec4<f32>,
+    dimmest: vec3<f32>,
+    energy_bend: f32,
     // Without ABERRATION, frequency for the camera of that photon, which is then divided by it: dot(row, (1, d)).
     frequency: vec4<f32>,
     // Where the camera is: unit vector from the hole, and radius.

@@ -30,6 +30,9 @@ pub struct GpuScene {
     pub w_x: Vec4,
     pub w_y: Vec4,
     pub w_z: Vec4,
+    pub bend: Vec4,
+    pub dimmest: Vec3,
+    pub energy_bend: f32,
     pub frequency: Vec4,
     pub camera_direction: Vec3,
     pub camera_radius: f32,
@@ -96,9 +99,13 @@ impl GpuScene {
         let Sight { matrix, frequency } = Sight::new(scene)?;
         let turned = |[one, r, theta, phi]: [f64; 4]| {
             let row = legs_from_direction.transpose() * DVec3::new(r, theta, phi);
-            DVec4::new(one, row.x, row.y, row.z).as_vec4()
+            DVec4::new(one, row.x, row.y, row.z)
         };
-        let [energy, radial, w_x, w_y, w_z] = matrix.rows.map(turned);
+        let rows = matrix.rows.map(turned);
+        let dimmest = dimmest(rows[0]).unwrap_or(legs_from_direction.transpose() * DVec3::NEG_X).as_vec3();
+        let about = rows.map(|row| about(row, dimmest.as_dvec3()));
+        let [energy, radial, w_x, w_y, w_z] = about.map(|(row, _)| row.as_vec4());
+        let [energy_bend, bends @ ..] = about.map(|(_, bend)| bend as f32);
         let rest = Shift::new(scene).camera();
         let size = size.max(UVec2::ONE).as_dvec2();
         let tan_half_fov = (camera.fov_deg.to_radians() / 2.0).tan();
@@ -112,7 +119,10 @@ impl GpuScene {
             w_x,
             w_y,
             w_z,
-            frequency: turned(frequency),
+            bend: Vec4::from_array(bends),
+            dimmest,
+            energy_bend,
+            frequency: turned(frequency).as_vec4(),
             camera_direction: camera.direction().as_vec3(),
             camera_radius: camera.r as f32,
             discriminant: schwarzschild::discriminant_of_photon(camera.r).as_vec3(),
@@ -150,6 +160,22 @@ impl GpuScene {
             mino_step: mino_step(quality.max_error_px * 2.0 * tan_half_fov / size.y) as f32,
         })
     }
+}
+
+/// The direction from which light has the least energy, by the row that gives it; none if all of it has the same.
+fn dimmest(energy: DVec4) -> Option<DVec3> {
+    let slope = DVec3::new(energy.y, energy.z, energy.w);
+    (slope.length() > 1e-6 * energy.x.abs()).then(|| -slope.normalize())
+}
+
+/// What takes (1, off), off = d - m, to dot(row, (1, d)) less its bend times |off|^2/2, and the bend, for unit d: with
+/// row = (s, b m + q), q across m, that is s + b m.m + b m.off + q.off, and m.off = (1 - |m|^2 - |off|^2)/2.
+fn about(row: DVec4, m: DVec3) -> (DVec4, f64) {
+    let slope = DVec3::new(row.y, row.z, row.w);
+    let along = slope.dot(m) / m.length_squared();
+    let across = slope - along * m;
+    let there = row.x + 0.5 * along * (1.0 + m.length_squared());
+    (DVec4::new(there, across.x, across.y, across.z), -along)
 }
 
 /// The step of method mino, in radians, for rays that may be wrong by a turn of `turn` radians.
