@@ -22,9 +22,11 @@ struct Scene {
     // Where the camera is: unit vector from the hole, and radius.
     camera_direction: vec3<f32>,
     camera_radius: f32,
-    // Of (E^2, radial^2, |w|^2): |w|^2 (b_c^2/b^2 - 1), b_c the impact parameter of the photon sphere. Then 1/r.
+    // Of (E^2, radial^2, |w|^2): |w|^2 (b_c^2/b^2 - 1), b_c the impact parameter of the photon sphere. Then 1/r, and by
+    // how much that is less than at the photon sphere, 2/3.
     discriminant: vec3<f32>,
     camera_u: f32,
+    photon_sphere_depth: f32,
     // Size of the picture in pixels; tangents of half the field of view, horizontal and vertical.
     picture_size: vec2<f32>,
     tan_half_fov: vec2<f32>,
