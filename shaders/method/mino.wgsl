@@ -121,15 +121,19 @@ fn curve_slope(c: Curve, t: f32) -> vec4<f32> {
     return c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3 + t * (4.0 * c.c4 + t * (5.0 * c.c5))));
 }
 
-// By how much chi grows from the start of a step to its share t, by Gauss and Legendre with three nodes.
+// By how much chi grows from the start of a step to its share t, by Gauss and Legendre with four nodes.
 fn azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
-    let v = vec3<f32>(curve_at(c, 0.1127016654 * t).x, curve_at(c, 0.5 * t).x, curve_at(c, 0.8872983346 * t).x);
+    let outer = vec2<f32>(curve_at(c, 0.0694318442 * t).x, curve_at(c, 0.9305681558 * t).x);
+    let inner = vec2<f32>(curve_at(c, 0.3300094782 * t).x, curve_at(c, 0.6699905218 * t).x);
+    let sum = 0.1739274226 * dragging_sum(m, outer) + 0.3260725774 * dragging_sum(m, inner);
+    return scene.spin_length * h * t * sum;
+}
+
+// E - W/D at two places, added; one division for both.
+fn dragging_sum(m: Motion, v: vec2<f32>) -> f32 {
     let above = m.dragging.x + v * (m.dragging.y + v * m.dragging.z);
     let below = m.d.x + v * (m.d.y + v * m.d.z);
-    // One division for all three.
-    let outer = 0.277777778 * below.y * (above.x * below.z + above.z * below.x);
-    let sum = outer + 0.444444444 * above.y * (below.x * below.z);
-    return scene.spin_length * h * t * sum / (below.x * below.y * below.z);
+    return (above.x * below.y + above.y * below.x) / (below.x * below.y);
 }
 
 // An angle of two parts, the first a multiple of 1/16, within [-pi, pi]; 2 pi in two parts too, the first of few digits.
