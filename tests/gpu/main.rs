@@ -15,6 +15,7 @@ mod layout;
 mod mino;
 mod observers;
 mod refusals;
+mod report;
 mod shaders;
 mod sky;
 mod spectrum;
