@@ -2,7 +2,7 @@
 
 use super::PictureError;
 use crate::gpu::GpuScene;
-use crate::render::{AlwaysDraw, LightfallRenderPlugin, is_drawn, render_plugin};
+use crate::render::{AlwaysDraw, CurrentScene, LightfallRenderPlugin, is_drawn, render_plugin};
 use crate::scene::Scene;
 use bevy::app::PluginsState;
 use bevy::asset::RenderAssetUsages;
@@ -48,6 +48,62 @@ const MOST_UPDATES: usize = 600;
 /// Bytes that a row of a texture copy is padded to (WebGPU's COPY_BYTES_PER_ROW_ALIGNMENT).
 const ROW_ALIGNMENT: usize = 256;
 
+/// The chain without a window, drawing one scene after another at one output size.
+pub struct Studio {
+    app: App,
+    size: UVec2,
+}
+
+impl Studio {
+    /// Draws a first scene; later ones come from the same device and its compiled passes.
+    ///
+    /// # Errors
+    /// A size the device can't do, or a chain that failed.
+    pub fn open(scene: &Scene, size: UVec2) -> Result<Self, PictureError> {
+        let mut studio = Self { app: headless(scene, size, true)?, size };
+        studio.settle()?;
+        Ok(studio)
+    }
+
+    /// Shows a scene from the next frame on.
+    pub fn show(&mut self, scene: &Scene) {
+        self.app.world_mut().resource_mut::<CurrentScene>().0 = scene.clone();
+    }
+
+    /// Draws frames until the scene is drawn whole.
+    ///
+    /// # Errors
+    /// A chain that failed.
+    pub fn settle(&mut self) -> Result<(), PictureError> {
+        warm_up(&mut self.app)
+    }
+
+    /// The picture of the next frame.
+    ///
+    /// # Errors
+    /// A chain that failed.
+    pub fn picture(&mut self) -> Result<Still, PictureError> {
+        read_back(&mut self.app, self.size)
+    }
+
+    /// Draws the scene `frames` more times to tell each pass's GPU time, and as many frames in which nothing changes. A
+    /// device without timestamps gives an empty list.
+    ///
+    /// # Errors
+    /// A chain that failed.
+    pub fn time(&mut self, frames: usize) -> Result<Vec<PassTime>, PictureError> {
+        self.app.world_mut().resource_mut::<AlwaysDraw>().0 = true;
+        let drawn = medians(&mut self.app, frames)?;
+        self.app.world_mut().resource_mut::<AlwaysDraw>().0 = false;
+        let kept = medians(&mut self.app, frames)?;
+        let times = drawn.into_iter().map(|(pass, median_ms)| {
+            let kept_ms = kept.get(&pass).copied().unwrap_or_default();
+            PassTime { pass, median_ms, kept_ms }
+        });
+        Ok(times.collect())
+    }
+}
+
 /// Draws one picture of the scene at the given output size. The same scene and size give the same bytes.
 ///
 /// # Errors
@@ -58,24 +114,13 @@ pub fn render(scene: &Scene, size: UVec2) -> Result<Still, PictureError> {
     read_back(&mut app, size)
 }
 
-/// Like [`render`], and draws the scene `frames` more times to tell each pass's GPU time; then as many frames in which
-/// nothing changes.
+/// Like [`render`], with the GPU time of each pass, see [`Studio::time`].
 ///
 /// # Errors
-/// As [`render`]; a device without timestamps gives an empty list.
+/// As [`render`].
 pub fn render_timed(scene: &Scene, size: UVec2, frames: usize) -> Result<(Still, Vec<PassTime>), PictureError> {
-    let mut app = headless(scene, size, true)?;
-    warm_up(&mut app)?;
-    let still = read_back(&mut app, size)?;
-    app.world_mut().resource_mut::<AlwaysDraw>().0 = true;
-    let drawn = medians(&mut app, frames)?;
-    app.world_mut().resource_mut::<AlwaysDraw>().0 = false;
-    let kept = medians(&mut app, frames)?;
-    let times = drawn.into_iter().map(|(pass, median_ms)| {
-        let kept_ms = kept.get(&pass).copied().unwrap_or_default();
-        PassTime { pass, median_ms, kept_ms }
-    });
-    Ok((still, times.collect()))
+    let mut studio = Studio::open(scene, size)?;
+    Ok((studio.picture()?, studio.time(frames)?))
 }
 
 /// Frames until what the device measured has arrived.

@@ -58,14 +58,16 @@ impl Chain {
 
     /// The passes in their order, by the names that `render --timings` gives them.
     pub fn passes(&self) -> Vec<&'static str> {
-        let foreground: &[_] = if self.probe { &["early_mesh_preprocessing", "clustering"] } else { &[] };
+        let lamps: &[_] = if self.probe { &["clustering"] } else { &[] };
         let bloom: &[_] = if self.bloom.is_some() { &["bloom"] } else { &[] };
-        [foreground, &["main_opaque_pass_3d", "geodesic"], bloom, &["tonemapping"], self.screen_passes(), &["upscaling"]].concat()
+        let cells: &[_] = if self.cells.is_some() { &["pixelate"] } else { &[] };
+        let eye = [lamps, &["main_opaque_pass_3d", "geodesic"], bloom, &["tonemapping"]].concat();
+        [&eye, cells, self.kept_passes()].concat()
     }
 
-    /// Those of them that the screen runs to show a new picture; a kept one needs the last of them only.
-    pub fn screen_passes(&self) -> &'static [&'static str] {
-        if self.cells.is_some() { &["pixelate", "expand"] } else { &["fit"] }
+    /// Those of them that still run while nothing changes: what shows a kept picture.
+    pub fn kept_passes(&self) -> &'static [&'static str] {
+        if self.cells.is_some() { &["expand", "upscaling"] } else { &["fit", "upscaling"] }
     }
 
     /// The textures between the passes.

@@ -98,8 +98,10 @@ fn follow(
     let world_from_camera = scene.camera.legs() * scene.camera.legs_from_camera();
     let [right, up, forward] = [world_from_camera.x_axis, world_from_camera.y_axis, world_from_camera.z_axis];
     transform.rotation = Quat::from_mat3(&Mat3::from_cols(right.as_vec3(), up.as_vec3(), -forward.as_vec3()));
-    *grading =
-        ColorGrading { global: ColorGradingGlobal { exposure: scene.picture.exposure_ev as f32, ..default() }, ..default() };
+    *grading = ColorGrading {
+        global: ColorGradingGlobal { exposure: scene.picture.exposure_ev as f32, ..default() },
+        ..default()
+    };
     if let Some(rows) = chain.bloom {
         commands.entity(entity).insert(Bloom {
             intensity: scene.picture.bloom as f32,

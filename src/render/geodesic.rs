@@ -71,10 +71,7 @@ pub(super) fn plugin(app: &mut App) {
     app.init_resource::<JoinedShaders>()
         .add_plugins(ExtractResourcePlugin::<GeodesicShader>::default())
         // A shader that takes a place is to be known to the pipelines in the same frame as that it is wanted.
-        .add_systems(
-            PostUpdate,
-            join_shader.run_if(resource_changed::<CurrentScene>).before(AssetEventSystems),
-        );
+        .add_systems(PostUpdate, join_shader.run_if(resource_changed::<CurrentScene>).before(AssetEventSystems));
     let Some(render_app) = app.get_sub_app_mut(RenderApp) else { return };
     render_app
         .add_systems(RenderStartup, init)
@@ -170,7 +167,8 @@ fn prepare(
     queue: Res<RenderQueue>,
 ) {
     let (Some(shader), Some(mut pass)) = (shader, pass) else { return };
-    let GeodesicPass { layout, spectrum, page_thorne, numbers, pipelines, current, bind_group, stale, drew } = &mut *pass;
+    let GeodesicPass { layout, spectrum, page_thorne, numbers, pipelines, current, bind_group, stale, drew } =
+        &mut *pass;
     *stale |= scene.is_changed();
     *drew = false;
     let wanted = *pipelines

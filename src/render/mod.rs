@@ -16,12 +16,14 @@ mod chain;
 mod eye;
 mod geodesic;
 mod kept;
+mod needs;
 mod presentation;
 mod probe;
 
 pub use chain::{Chain, Written};
 pub use eye::{Eye, Screen};
 pub use kept::AlwaysDraw;
+pub use needs::needs;
 pub use presentation::{Letterbox, letterbox};
 
 use crate::scene::Scene;

@@ -41,14 +41,16 @@ pub(super) fn plugin(app: &mut App) {
                 .before(TransformSystems::Propagate),
         );
     let Some(render_app) = app.get_sub_app_mut(RenderApp) else { return };
-    render_app.add_systems(
-        Render,
-        leave_out_lamps.after(RenderSystems::ExtractCommands).before(RenderSystems::CreateViews),
-    );
+    render_app
+        .add_systems(Render, leave_out_lamps.after(RenderSystems::ExtractCommands).before(RenderSystems::CreateViews));
 }
 
 /// Without a foreground there is nothing to light, and lamps need not be sorted into the eye's clusters.
-fn leave_out_lamps(mut commands: Commands, scene: Res<CurrentScene>, eye: Query<Entity, (With<Eye>, With<ExtractedClusterConfig>)>) {
+fn leave_out_lamps(
+    mut commands: Commands,
+    scene: Res<CurrentScene>,
+    eye: Query<Entity, (With<Eye>, With<ExtractedClusterConfig>)>,
+) {
     if !Chain::of(&scene).probe {
         eye.iter().for_each(|eye| {
             commands.entity(eye).remove::<ExtractedClusterConfig>();
