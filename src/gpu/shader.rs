@@ -40,6 +40,8 @@ pub enum Entry {
     Picture,
     /// Records of rays: entry point `rays`, in workgroups of 64.
     Rays,
+    /// One vector a pixel, for the time it takes: entry points `timed`, in workgroups of 8 by 8, `vertex` and `fragment`.
+    Timed,
 }
 
 /// The methods that exist as WGSL.
@@ -122,6 +124,18 @@ impl Variant {
         }
     }
 
+    /// The shader that traces a picture's rays and draws nothing, to be timed.
+    pub fn timed(scene: &Scene) -> Self {
+        Self {
+            entry: Entry::Timed,
+            disk_model: DiskModel::default(),
+            sky: SkyMode::Off,
+            reference_star: false,
+            view: View::Colour,
+            ..Self::picture(&Scene { view: View::Colour, ..scene.clone() })
+        }
+    }
+
     /// Every variant that a scene can ask for, but that sets of effects with some switched off come under one sky only.
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
@@ -140,7 +154,7 @@ impl Variant {
         {
             (scene.method, scene.hole.spin) = (method, spin);
             (scene.disk.enabled, scene.disk.transmission) = (enabled, transmission);
-            all.push(Self::rays(&scene));
+            all.extend([Self::rays(&scene), Self::timed(&scene)]);
             for mode in [SkyMode::Stars, SkyMode::Grid, SkyMode::Off] {
                 for reference_star in [false, true] {
                     for view in View::ALL {
@@ -202,6 +216,7 @@ impl Variant {
         }
         match self.entry {
             Entry::Rays => parts.push(part!("rays.wgsl")),
+            Entry::Timed => parts.push(part!("timed.wgsl")),
             Entry::Picture => {
                 let disk_light = self.disk && shows_light(self.view);
                 if disk_light || self.sky != SkyMode::Off {

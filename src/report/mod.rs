@@ -1,4 +1,6 @@
 //! Reports: what was computed, in forms that other programs read.
 
+pub mod bench;
 pub mod error;
+pub mod extremes;
 pub mod rays;
