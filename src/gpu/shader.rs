@@ -253,7 +253,8 @@ impl Variant {
         [
             ("SPINNING", self.spinning),
             ("AZIMUTH", records),
-            ("SKY_DIRECTION", records || self.sky != SkyMode::Off),
+            // What is timed does all the work that a picture with a sky does.
+            ("SKY_DIRECTION", self.entry != Entry::Picture || self.sky != SkyMode::Off),
             ("REFERENCE_STAR", self.reference_star),
             ("SHOW_UNFINISHED", self.view == View::Unfinished),
             ("FOLLOW_BEYOND_HITS", self.follow_beyond_hits),
