@@ -12,6 +12,7 @@ mod elliptic;
 mod kerr_schild;
 mod layout;
 mod mino;
+mod needs;
 mod observers;
 mod refusals;
 mod report;
