@@ -2,6 +2,7 @@
 //! `const` flags, which compilers drop.
 
 use crate::physics::disk;
+use crate::physics::kerr::Kerr;
 use crate::physics::spectrum::{TABLE_COLDEST, TABLE_HOTTEST, TABLE_LEN};
 use crate::scene::{DiskModel, Effects, Method, Scene, SkyMode, View};
 use std::fmt::Write;
@@ -15,6 +16,8 @@ pub struct Variant {
     pub tracer: Tracer,
     /// Whether the hole spins.
     pub spinning: bool,
+    /// Whether the camera is next to the horizon of a spinning hole, where azimuths need care.
+    pub near_horizon: bool,
     /// Whether rays can meet a disk.
     pub disk: bool,
     /// What the disk's flux is; the default where none is drawn.
@@ -27,7 +30,9 @@ pub struct Variant {
     pub view: View,
     /// Which effects there are.
     pub effects: Effects,
-    /// Whether rays are followed beyond two crossings of the disk.
+    /// How many crossings of the disk count: two, or one where no light to speak of passes through.
+    pub most_hits: u32,
+    /// Whether rays are followed beyond those.
     pub follow_beyond_hits: bool,
 }
 
@@ -71,8 +76,12 @@ impl Tracer {
     }
 }
 
-/// Least light, as a share, for which a ray is followed beyond two crossings of the disk: half of an 8-bit level.
+/// Least light, as a share, for which a ray is followed beyond crossings of the disk: half of an 8-bit level.
 const NEGLIGIBLE: f64 = 0.002;
+
+/// Below this multiple of the horizon's radius the azimuth of light that leaves is summed in coordinates that are regular
+/// there: from farther out the pole of its rate is too far off to disturb four Gaussian nodes a step.
+const NEAR_HORIZON: f64 = 1.5;
 
 /// A part: its file below shaders/, and its text.
 type Part = (&'static str, &'static str);
@@ -95,6 +104,8 @@ impl Variant {
             entry: Entry::Picture,
             tracer: Tracer::of(scene),
             spinning: scene.hole.spin != 0.0,
+            near_horizon: scene.hole.spin != 0.0
+                && scene.camera.r < NEAR_HORIZON * Kerr { spin: scene.hole.spin }.horizon(),
             disk: scene.disk.enabled,
             disk_model: if scene.disk.enabled && !marks { scene.disk.model } else { DiskModel::default() },
             sky,
@@ -102,6 +113,7 @@ impl Variant {
             view: scene.view,
             // Brightness has no meaning for marks.
             effects: Effects { beaming: scene.effects.beaming || marks, ..scene.effects },
+            most_hits: if !marks && scene.disk.enabled && scene.disk.transmission <= NEGLIGIBLE { 1 } else { 2 },
             follow_beyond_hits: marks || !scene.disk.enabled || scene.disk.transmission.powi(2) > NEGLIGIBLE,
         }
     }
@@ -115,6 +127,7 @@ impl Variant {
             reference_star: false,
             view: View::Colour,
             effects: Effects { beaming: true, ..scene.effects },
+            most_hits: 2,
             follow_beyond_hits: true,
             ..Self::picture(scene)
         }
@@ -136,7 +149,7 @@ impl Variant {
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         let mut scene = Scene::default();
-        let disks = [(false, 0.0), (true, 0.0), (true, 1.0)];
+        let disks = [(false, 0.0), (true, 0.0), (true, 0.04), (true, 1.0)];
         let methods = [
             (Method::Verlet, 0.0),
             (Method::Closed, 0.0),
@@ -243,11 +256,15 @@ impl Variant {
         parts
     }
 
-    /// The flags, and what the parts must share with the CPU.
-    fn prelude(self) -> String {
-        let mut text = String::new();
-        for (name, value) in [
+    /// The flags, by their names in the shaders. Compilers drop what stands behind one that is not set.
+    pub fn flags(self) -> [(&'static str, bool); 13] {
+        let records = self.entry == Entry::Rays;
+        [
             ("SPINNING", self.spinning),
+            ("NEAR_HORIZON", self.near_horizon),
+            ("AZIMUTH", records),
+            // What is timed does all the work that a picture with a sky does.
+            ("SKY_DIRECTION", self.entry != Entry::Picture || self.sky != SkyMode::Off),
             ("REFERENCE_STAR", self.reference_star),
             ("SHOW_UNFINISHED", self.view == View::Unfinished),
             ("FOLLOW_BEYOND_HITS", self.follow_beyond_hits),
@@ -256,10 +273,22 @@ impl Variant {
             ("BEAMING", self.effects.beaming),
             ("GRAVITATIONAL_SHIFT", self.effects.gravitational_shift),
             ("ABERRATION", self.effects.aberration),
-            ("DIAGNOSTICS", self.entry == Entry::Rays || matches!(self.view, View::Residual | View::Order)),
-        ] {
+            ("DIAGNOSTICS", records || matches!(self.view, View::Residual | View::Order)),
+        ]
+    }
+
+    /// The files below shaders/ whose text is in this one's, in their order.
+    pub fn files(self) -> Vec<&'static str> {
+        self.parts().into_iter().map(|(file, _)| file).collect()
+    }
+
+    /// The flags, and what the parts must share with the CPU.
+    fn prelude(self) -> String {
+        let mut text = String::new();
+        for (name, value) in self.flags() {
             constant(&mut text, name, "bool", value);
         }
+        constant(&mut text, "MOST_HITS", "u32", format!("{}u", self.most_hits));
         constant(&mut text, "PAGE_THORNE_LEN", "u32", format!("{}u", disk::TABLE_LEN));
         constant(&mut text, "SPECTRUM_LEN", "u32", format!("{TABLE_LEN}u"));
         constant(&mut text, "SPECTRUM_COLDEST", "f32", format!("{TABLE_COLDEST:?}"));
