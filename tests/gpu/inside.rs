@@ -47,7 +47,7 @@ fn inside_the_horizon_the_sky_and_the_disk_are_where_the_reference_has_them() {
             }
             let place = format!("{velocity:?} at {r}");
             // f32's rounding, times what lensing stretches it by where the ray circles the hole first.
-            assert!(median(&sky) < 5e-7 && quantile(&sky, 0.99) < 1e-5, "{place}: sky {:e}", quantile(&sky, 0.99));
+            assert!(median(&sky) < 5e-7 && quantile(&sky, 0.99) < 3e-5, "{place}: sky {:e}", quantile(&sky, 0.99));
             assert!(median(&hits) < 2e-5 && quantile(&hits, 0.99) < 3e-4, "{place}: hits {:e}", quantile(&hits, 0.99));
             assert!(differing <= 1 && seen[0].abs_diff(seen[1]) <= 1, "{place}: {differing} outcomes, hits {seen:?}");
             assert!(sky.len() > 900, "{place}: {} rays to the sky", sky.len());
