@@ -10,6 +10,7 @@ pub mod elliptic;
 pub mod kerr;
 pub mod mino;
 pub mod observer;
+pub mod path;
 pub mod reference;
 pub mod schwarzschild;
 pub mod shift;

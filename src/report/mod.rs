@@ -1,3 +1,4 @@
 //! Reports: what was computed, in forms that other programs read.
 
+pub mod inspection;
 pub mod rays;

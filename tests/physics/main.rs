@@ -8,6 +8,7 @@ mod kerr;
 mod kerr_schild;
 mod mino;
 mod observer;
+mod path;
 mod reference;
 mod schwarzschild;
 mod spectrum;
