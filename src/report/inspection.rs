@@ -121,13 +121,12 @@ pub struct Inspected {
 }
 
 impl Inspected {
-    /// Inspects the ray of `scene` that arrives from `direction`, on the observer's legs, any length but zero; the path goes
+    /// Inspects the ray of `scene` that arrives from `direction`, on the observer's legs, a unit vector; the path goes
     /// as far out as `farthest`, in r_s.
     ///
     /// # Errors
     /// If the scene's observer cannot exist.
     pub fn new(scene: &Scene, direction: DVec3, pixel: Option<[f64; 2]>, farthest: f64) -> Result<Self, ObserverError> {
-        let direction = (direction / direction.abs().max_element()).normalize();
         let (cpu, path) = Path::of(&Reference::new(scene)?, direction, farthest);
         let profile = Profile::new(scene);
         let temperature = |hit: Option<Hit>| hit.map(|hit| disk::temperature(&scene.disk, profile.flux(hit.r)));

@@ -98,7 +98,7 @@ fn without_spin_light_from_the_disk_takes_the_time_of_the_orbit_equation() {
     (scene.camera.r, scene.camera.theta_deg) = (30.0, 20.0);
     let mut counted = 0;
     for aside in [0.10, 0.15, 0.2, 0.25] {
-        let inspected = Inspected::new(&scene, DVec3::new(-1.0, aside, 0.05), None, 60.0).unwrap();
+        let inspected = Inspected::new(&scene, DVec3::new(-1.0, aside, 0.05).normalize(), None, 60.0).unwrap();
         let numbers = &inspected.numbers;
         let (Some(r), Some(delay)) = (numbers.cpu.hit1_r, numbers.hit1_delay) else { continue };
         if numbers.closest_r < r * (1.0 - 1e-9) && numbers.half_turns > 1.0 {
