@@ -5,7 +5,7 @@ use super::{Gpu, GpuError, GpuScene, Variant};
 use crate::physics::trace::{Hit, Outcome, Trace};
 use crate::scene::Scene;
 use encase::ShaderType;
-use glam::{DVec3, Vec3, Vec4};
+use glam::{DVec3, UVec2, Vec3, Vec4};
 use std::f64::consts::{PI, TAU};
 
 /// Rays of one dispatch, so that a slow device answers well before its driver loses patience.
@@ -47,12 +47,24 @@ pub fn trace(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<Trace
 /// # Errors
 /// As [`trace`].
 pub fn records(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<GpuTrace>, GpuError> {
-    let numbers = GpuScene::for_rays(scene)?;
-    let variant = Variant::rays(scene);
-    let kernel = Kernel::new(gpu, &variant.source(), "rays", &[(0, uniform(&numbers))])?;
+    let directions: Vec<Vec3> = directions.iter().map(|direction| unit(*direction).as_vec3()).collect();
+    run(gpu, scene, &GpuScene::for_rays(scene)?, &directions)
+}
+
+/// As [`trace`], of unit directions that are (right, up, forward) of the camera, as a picture's are.
+///
+/// # Errors
+/// As [`trace`].
+pub fn trace_from_camera(gpu: &Gpu, scene: &Scene, directions: &[Vec3]) -> Result<Vec<Trace>, GpuError> {
+    let numbers = GpuScene::new(scene, UVec2::new(scene.picture.width, scene.picture.height))?;
+    Ok(run(gpu, scene, &numbers, directions)?.iter().map(Trace::from).collect())
+}
+
+fn run(gpu: &Gpu, scene: &Scene, numbers: &GpuScene, directions: &[Vec3]) -> Result<Vec<GpuTrace>, GpuError> {
+    let kernel = Kernel::new(gpu, &Variant::rays(scene).source(), "rays", &[(0, uniform(numbers))])?;
     let mut records = Vec::with_capacity(directions.len());
     for batch in directions.chunks(MOST_RAYS) {
-        let batch: Vec<Vec4> = batch.iter().map(|direction| unit(*direction).as_vec3().extend(0.0)).collect();
+        let batch: Vec<Vec4> = batch.iter().map(|direction| direction.extend(0.0)).collect();
         records.extend(kernel.run::<Vec4, GpuTrace>(gpu, &batch)?);
     }
     Ok(records)

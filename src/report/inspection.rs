@@ -5,6 +5,7 @@ use crate::physics::observer::ObserverError;
 use crate::physics::path::Path;
 use crate::physics::reference::Reference;
 use crate::physics::trace::{Hit, Outcome, Trace};
+use crate::report::error::{Ray, Truth};
 use crate::scene::Scene;
 use glam::DVec3;
 use serde::Serialize;
@@ -52,19 +53,21 @@ pub struct Inspection {
     pub difference: Option<Difference>,
 }
 
-/// How far the GPU is from the reference, for one ray.
+/// How far the GPU is from the reference, for one ray: see [`RayError`](super::error::RayError).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Difference {
     /// Whether both say what becomes of the ray, and how many times it meets the disk.
-    pub same_outcome: bool,
+    pub same_class: bool,
     /// Angle between the two directions at infinity, in radians.
-    pub angle: Option<f64>,
+    pub sky: Option<f64>,
+    /// Largest relative difference of the hits' radii.
+    pub hit_r: Option<f64>,
+    /// Largest relative difference of the hits' g.
+    pub hit_g: Option<f64>,
+    /// The turn of the ray that explains the difference, in radians; none where no turn does.
+    pub backward: Option<f64>,
     /// The same as a multiple of the angle that a pixel in the picture's middle covers.
-    pub angle_px: Option<f64>,
-    /// Relative difference of the first hit's radius.
-    pub hit1_r: Option<f64>,
-    /// Relative difference of the first hit's g.
-    pub hit1_g: Option<f64>,
+    pub backward_px: Option<f64>,
 }
 
 /// A trace in the fields of `lightfall trace`.
@@ -117,7 +120,8 @@ pub struct Inspected {
     pub numbers: Inspection,
     /// The path of the reference.
     pub path: Path,
-    cpu: Trace,
+    /// What became of the ray.
+    pub trace: Trace,
 }
 
 impl Inspected {
@@ -150,24 +154,28 @@ impl Inspected {
             hit2_delay: path.delays[1],
             difference: None,
         };
-        Ok(Self { numbers, path, cpu })
+        Ok(Self { numbers, path, trace: cpu })
     }
 
-    /// Adds what the GPU answers for the same ray of a picture whose middle pixel covers `pixel_angle` radians.
-    pub fn compare(&mut self, gpu: &Trace, pixel_angle: f64) {
-        let cpu = &self.cpu;
-        let count = |trace: &Trace| trace.hits.iter().flatten().count();
-        let angle = cpu.sky.zip(gpu.sky).map(|(a, b)| a.cross(b).length().atan2(a.dot(b)));
-        let relative =
-            |part: fn(Hit) -> f64| cpu.hits[0].zip(gpu.hits[0]).map(|(cpu, gpu)| (part(gpu) - part(cpu)) / part(cpu));
+    /// Adds what the GPU answers for the same ray of a picture of `scene` that is `height` pixels high.
+    ///
+    /// # Errors
+    /// If the scene's observer cannot exist.
+    pub fn compare(&mut self, scene: &Scene, ray: Ray, gpu: &Trace, height: f64) -> Result<(), ObserverError> {
         self.numbers.gpu = Some(Record::from(gpu));
-        self.numbers.difference = Some(Difference {
-            same_outcome: cpu.outcome == gpu.outcome && count(cpu) == count(gpu),
-            angle,
-            angle_px: angle.map(|angle| angle / pixel_angle),
-            hit1_r: relative(|hit| hit.r),
-            hit1_g: relative(|hit| hit.g),
+        let errors = Truth::of(scene, vec![ray])?.judge(std::slice::from_ref(gpu));
+        self.numbers.difference = errors.first().map(|error| {
+            let backward = Some(error.backward).filter(|turn| turn.is_finite());
+            Difference {
+                same_class: !error.misclassified,
+                sky: error.sky,
+                hit_r: error.hit_r,
+                hit_g: error.hit_g,
+                backward,
+                backward_px: backward.map(|turn| turn / scene.camera.pixel_angle(height)),
+            }
         });
+        Ok(())
     }
 }
 

@@ -17,13 +17,12 @@ impl Camera {
         DMat3::from_cols(outward, theta_hat, phi_hat)
     }
 
-    /// Unit looking direction, on the observer's legs, of a place on a picture of `size` pixels, in pixels from its upper left
+    /// Unit looking direction (right, up, forward) of a place on a picture of `size` pixels, in pixels from its upper left
     /// corner; the same as in shaders/observer.wgsl.
     pub fn looking(&self, pixel: DVec2, size: DVec2) -> DVec3 {
         let up = self.half_height();
-        let across =
-            (pixel / size * DVec2::new(2.0, -2.0) + DVec2::new(-1.0, 1.0)) * DVec2::new(up * size.x / size.y, up);
-        self.legs_from_camera() * across.extend(1.0).normalize()
+        let across = pixel / size * DVec2::new(2.0, -2.0) + DVec2::new(-1.0, 1.0);
+        (across * DVec2::new(up * size.x / size.y, up)).extend(1.0).normalize()
     }
 
     /// The angle that a pixel in the middle of a picture `height` pixels high covers, in radians.

@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 fn directions(scene: &Scene) -> Vec<DVec3> {
     let size = DVec2::new(960.0, 540.0);
     let place = |i: usize| DVec2::new((i % 10) as f64 + 0.37, (i / 10) as f64 + 0.41) / DVec2::new(10.0, 6.0);
-    (0..60).map(|i| scene.camera.looking(place(i) * size, size)).collect()
+    (0..60).map(|i| scene.camera.legs_from_camera() * scene.camera.looking(place(i) * size, size)).collect()
 }
 
 fn presets() -> impl Iterator<Item = Scene> {

@@ -1,0 +1,140 @@
+//! How wrong a method is: its answers beside those of the f64 reference, on rays that look for trouble.
+//!
+//! Close to the critical curve every half-turn multiplies an error by e^pi whatever the method, so three things are said side
+//! by side: the forward error, which is what the picture shows; the backward error, which is the method's own: by how much
+//! the ray would have to be turned for the reference to give that answer, up to an angle no greater than the turn; and the
+//! confusion matrix of outcomes.
+
+mod backward;
+mod edge;
+mod sample;
+mod summary;
+
+pub use edge::Shadow;
+pub use sample::{Ray, critical, on_picture};
+pub use summary::{Errors, Quantiles};
+
+use crate::physics::observer::ObserverError;
+use crate::physics::reference::Reference;
+use crate::physics::trace::{Outcome, Trace};
+use crate::scene::Scene;
+use glam::{DMat3, DVec3};
+use rayon::prelude::*;
+
+/// Rays of a scene's camera and what the reference says of them.
+pub struct Truth {
+    pub(super) eye: Eye,
+    /// The rays, in order.
+    pub rays: Vec<Ray>,
+    /// The reference's answers.
+    pub traces: Vec<Trace>,
+}
+
+/// The reference behind the scene's camera: directions are (right, up, forward).
+pub(super) struct Eye {
+    reference: Reference,
+    legs_from_camera: DMat3,
+    /// Scale of turns that matter, in radians: a thousandth of the picture's half height.
+    scale: f64,
+}
+
+impl Eye {
+    /// The eye of a scene's camera.
+    pub(super) fn new(scene: &Scene) -> Result<Self, ObserverError> {
+        let half_height = (scene.camera.fov_deg.to_radians() / 2.0).tan();
+        Ok(Self {
+            reference: Reference::new(scene)?,
+            legs_from_camera: scene.camera.legs_from_camera(),
+            scale: 1e-3 * half_height.min(1.0),
+        })
+    }
+
+    /// What becomes of the ray that arrives from a direction of the camera's.
+    pub(super) fn trace(&self, direction: DVec3) -> Trace {
+        self.reference.trace(self.legs_from_camera * direction)
+    }
+}
+
+/// What is wrong with one answer.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RayError {
+    /// Angle between the sky directions, in radians, where both answers are the sky.
+    pub sky: Option<f64>,
+    /// Largest relative error of the radius of the hits that both answers have.
+    pub hit_r: Option<f64>,
+    /// Largest relative error of their g.
+    pub hit_g: Option<f64>,
+    /// The turn of the ray that explains the answer, in radians: zero where there is nothing to explain, infinite where no
+    /// turn does (an unfinished ray, a number that is none).
+    pub backward: f64,
+    /// Whether outcome or number of hits differ.
+    pub misclassified: bool,
+}
+
+impl Truth {
+    /// Traces the rays by the reference.
+    ///
+    /// # Errors
+    /// If the scene's observer cannot exist.
+    pub fn of(scene: &Scene, rays: Vec<Ray>) -> Result<Self, ObserverError> {
+        let eye = Eye::new(scene)?;
+        let traces = rays.par_iter().map(|ray| eye.trace(ray.direction())).collect();
+        Ok(Self { eye, rays, traces })
+    }
+
+    /// Judges a method's answers to the same rays, ray by ray.
+    ///
+    /// # Panics
+    /// If there are not as many answers as rays.
+    #[must_use]
+    pub fn judge(&self, given: &[Trace]) -> Vec<RayError> {
+        assert_eq!(given.len(), self.rays.len(), "one answer a ray");
+        let known = self.rays.par_iter().zip(&self.traces);
+        known.zip(given).map(|((ray, truth), given)| self.judge_ray(ray, truth, given)).collect()
+    }
+
+    fn judge_ray(&self, ray: &Ray, truth: &Trace, given: &Trace) -> RayError {
+        let misclassified = given.outcome != truth.outcome || hits(given) != hits(truth);
+        let pairs = || truth.hits.iter().zip(&given.hits).filter_map(|(truth, given)| truth.zip(*given));
+        let largest = |of: fn((f64, f64)) -> f64, pairs: &mut dyn Iterator<Item = (f64, f64)>| {
+            pairs.map(of).fold(None, |most: Option<f64>, error| Some(most.map_or(error, |most| greater(most, error))))
+        };
+        let relative = |(truth, given): (f64, f64)| (given / truth - 1.0).abs();
+        let mut error = RayError {
+            sky: truth.sky.zip(given.sky).map(|(truth, given)| angle_between(truth, given)),
+            hit_r: largest(relative, &mut pairs().map(|(truth, given)| (truth.r, given.r))),
+            hit_g: largest(relative, &mut pairs().map(|(truth, given)| (truth.g, given.g))),
+            backward: 0.0,
+            misclassified,
+        };
+        error.backward = if given.outcome == Outcome::Unfinished || !all_finite(given) {
+            f64::INFINITY
+        } else if misclassified {
+            backward::of_class(&self.eye, ray, given)
+        } else {
+            backward::of_answer(&self.eye, ray, given)
+        };
+        error
+    }
+}
+
+/// How many hits an answer has.
+fn hits(trace: &Trace) -> usize {
+    trace.hits.iter().flatten().count()
+}
+
+/// Whether every number of an answer is one.
+pub(super) fn all_finite(trace: &Trace) -> bool {
+    let hits = trace.hits.iter().flatten().all(|hit| (hit.r * hit.phi * hit.g).is_finite());
+    hits && trace.sky.is_none_or(DVec3::is_finite) && trace.residual.is_finite()
+}
+
+/// The greater of two numbers; what is no number is greater than any.
+fn greater(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}
+
+/// The angle between two directions, to f64's digits however small it is.
+pub(super) fn angle_between(a: DVec3, b: DVec3) -> f64 {
+    a.cross(b).length().atan2(a.dot(b))
+}
