@@ -35,8 +35,25 @@ error. Exit status: 0 all done, 2 a bad command line or preset, 1 any other fail
 struct Cli {
     #[command(flatten)]
     scene: SceneArgs,
+    #[command(flatten)]
+    gpu: GpuArgs,
     #[command(subcommand)]
     command: Option<Command>,
+}
+
+/// Which graphics adapter is used, for every command.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Args)]
+#[command(next_help_heading = "Graphics adapter")]
+pub struct GpuArgs {
+    /// Use the first adapter whose name contains this; as WGPU_ADAPTER_NAME
+    #[arg(long, value_name = "NAME", global = true)]
+    pub gpu: Option<String>,
+    /// Use this graphics interface; as WGPU_BACKEND
+    #[arg(long, value_name = "NAME", global = true, value_parser = ["vulkan", "metal", "dx12", "gl"])]
+    pub backend: Option<String>,
+    /// List the adapters and do nothing else
+    #[arg(long)]
+    pub list_gpus: bool,
 }
 
 /// What is asked for.
@@ -45,6 +62,9 @@ pub enum Command {
     /// Fly: what happens without a command.
     #[command(skip)]
     Fly(SceneArgs),
+    /// List graphics adapters: what `--list-gpus` asks for.
+    #[command(skip)]
+    ListGpus,
     /// Render one picture into a file, without a window.
     Render(RenderArgs),
     /// Trace rays, CSV in and CSV out.
@@ -199,7 +219,21 @@ impl CliError {
 /// # Errors
 /// Clap's, with its own text and exit status; a request for help or the version is one of them, with status 0.
 pub fn read<I: IntoIterator<Item: Into<OsString> + Clone>>(args: I) -> Result<Command, clap::Error> {
-    let Cli { scene: before, command } = Cli::try_parse_from(args)?;
+    read_all(args).map(|(_, command)| command)
+}
+
+/// As [`read`], with the graphics adapter that is meant.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_all<I: IntoIterator<Item: Into<OsString> + Clone>>(args: I) -> Result<(GpuArgs, Command), clap::Error> {
+    let Cli { scene, gpu, command } = Cli::try_parse_from(args)?;
+    let command = if gpu.list_gpus { Command::ListGpus } else { asked(scene, command)? };
+    Ok((gpu, command))
+}
+
+/// The command, with the scene options that stand before it.
+fn asked(before: SceneArgs, command: Option<Command>) -> Result<Command, clap::Error> {
     let Some(mut command) = command else { return Ok(Command::Fly(before)) };
     let conflict = |message: &str| Cli::command().error(ErrorKind::ArgumentConflict, message);
     match &mut command {
@@ -208,6 +242,7 @@ pub fn read<I: IntoIterator<Item: Into<OsString> + Clone>>(args: I) -> Result<Co
             let message = "--preset, --spin and --method may be given once: before the command or after it";
             *after = before.followed_by(after).ok_or_else(|| conflict(message))?;
         }
+        Command::ListGpus => {}
         Command::Presets(_) if before == SceneArgs::default() => {}
         Command::Presets(_) => return Err(conflict("`presets` takes no scene options")),
     }

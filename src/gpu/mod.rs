@@ -7,7 +7,7 @@ pub mod rays;
 mod scene;
 mod shader;
 
-pub use device::{Gpu, backends, check_adapter};
+pub use device::{Gpu, adapters, backends, check_adapter};
 pub use scene::{DISK_HDR_SCALE, GpuScene};
 pub use shader::{Entry, Tracer, Variant};
 

@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 /// Places of a step that are kept.
 const PLACES: usize = 24;
 /// The path of a captured ray ends this close to the horizon, as a share of its radius: azimuths grow without end there.
-const HORIZON_MARGIN: f64 = 1e-3;
+const HORIZON_MARGIN: f64 = 0.02;
 /// Most places of a path; a ray that winds about the hole for ever is cut off.
 const MOST_PLACES: usize = 4000;
 /// Angles that are a whole number of half-turns but for rounding belong to the lower order: from a camera in the disk's

@@ -1,8 +1,8 @@
 //! The page about the machine: how fast it is, what the passes cost, which adapter draws and what it compiled.
 
+use crate::flight::pace::Pace;
 use crate::gpu::Variant;
-use crate::render::CurrentScene;
-use crate::scene::{DiskModel, SkyMode};
+use crate::scene::{DiskModel, Scene, SkyMode};
 use bevy::diagnostic::DiagnosticsStore;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
@@ -26,6 +26,7 @@ pub struct Machine<'w> {
     passes: Res<'w, DiagnosticsStore>,
     adapter: Option<Res<'w, RenderAdapterInfo>>,
     frame: Res<'w, FrameTime>,
+    pace: Res<'w, Pace>,
 }
 
 pub(super) fn plugin(app: &mut App) {
@@ -58,12 +59,15 @@ impl Machine<'_> {
     }
 }
 
-pub(super) fn show(ui: &mut egui::Ui, machine: &Machine, scene: &CurrentScene) {
+pub(super) fn show(ui: &mut egui::Ui, machine: &Machine, drawn: &Scene, meant: &Scene) {
     ui.strong("Speed");
     let milliseconds = 1e3 * machine.frame.0;
-    ui.label(format!("{:.1} frames a second, {milliseconds:.1} ms each", 1e3 / milliseconds.max(1e-3)));
-    let picture = scene.picture;
-    ui.label(format!("drawn with {} x {} pixels", picture.width, picture.height));
+    let resting = if machine.pace.resting { ", for nothing moves" } else { "" };
+    ui.label(format!("{:.1} frames a second, {milliseconds:.1} ms each{resting}", 1e3 / milliseconds.max(1e-3)));
+    let (scene, drawn, meant) = (drawn, drawn.picture, meant.picture);
+    let coarser =
+        if drawn == meant { String::new() } else { format!(" in place of {} x {}", meant.width, meant.height) };
+    ui.label(format!("drawn with {} x {} pixels{coarser}", drawn.width, drawn.height));
     ui.add_space(8.0);
     ui.strong("GPU time of the passes");
     let passes = machine.passes();

@@ -10,6 +10,7 @@ pub use fields::shown_number;
 pub(super) use preferences::Rebinding;
 
 use super::bindings::Bindings;
+use super::dock::{Side, docked};
 use super::keyboard::SceneEditor;
 use super::window::{Preferences, Shown};
 use bevy::prelude::*;
@@ -69,11 +70,8 @@ fn show(
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
-    let layer = egui::UiBuilder::new().layer_id(egui::LayerId::background()).max_rect(context.content_rect());
-    let mut background = egui::Ui::new(context.clone(), "panel background".into(), layer);
-    let frame = egui::Frame::side_top_panel(&context.global_style()).fill(egui::Color32::from_black_alpha(238));
     let Panel { page, fields, presets } = &mut *panel;
-    egui::Panel::right("panel").exact_size(WIDTH).resizable(false).frame(frame).show(&mut background, |ui| {
+    docked(context, "panel", Side::Right, WIDTH, |ui| {
         ui.horizontal_wrapped(|ui| {
             for (each, title) in PAGES {
                 ui.selectable_value(page, each, title);
@@ -89,7 +87,7 @@ fn show(
         egui::ScrollArea::vertical().id_salt(*page as u8).auto_shrink(false).show(ui, |ui| match page {
             Page::Scene => fields::show(ui, fields, &mut editor),
             Page::Presets => presets::show(ui, presets, &mut editor),
-            Page::Machine => machine::show(ui, &machine, &editor.scene),
+            Page::Machine => machine::show(ui, &machine, editor.drawn(), &editor.meant()),
             Page::Honesty => honesty::show(ui),
             Page::Settings => preferences::show(ui, &mut preferences, &mut bindings, &mut rebinding, &keys),
         });
