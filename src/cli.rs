@@ -12,6 +12,7 @@ use thiserror::Error;
 
 use crate::gpu::{GpuError, GpuScene};
 use crate::report::rays::is_closed_pipe;
+use crate::scene::journey::{self, Journey, JourneyError};
 use crate::scene::{Field, Override, Scene, SceneError, field, load, presets};
 
 /// Most bytes of a preset file.
@@ -37,6 +38,10 @@ struct Cli {
     scene: SceneArgs,
     #[command(flatten)]
     gpu: GpuArgs,
+    /// Fly a guided journey at once, from a TOML file of keyframes; assets/journeys/default.toml is a pattern, and what J
+    /// flies otherwise
+    #[arg(long, value_name = "FILE")]
+    journey: Option<PathBuf>,
     #[command(subcommand)]
     command: Option<Command>,
 }
@@ -61,7 +66,7 @@ pub struct GpuArgs {
 pub enum Command {
     /// Fly: what happens without a command.
     #[command(skip)]
-    Fly(SceneArgs),
+    Fly(FlyArgs),
     /// List graphics adapters: what `--list-gpus` asks for.
     #[command(skip)]
     ListGpus,
@@ -101,6 +106,17 @@ pub struct SceneArgs {
     #[arg(long, help = format!("Short for --set method=METHOD, after all --set; {}",
                                field("method").map(Field::allowed).unwrap_or_default()))]
     pub method: Option<String>,
+}
+
+/// What `lightfall` is told without a command.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Args)]
+pub struct FlyArgs {
+    /// Which scene.
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// File of the journey to fly at once.
+    #[arg(skip)]
+    pub journey: Option<PathBuf>,
 }
 
 /// What `lightfall render` is told.
@@ -168,6 +184,9 @@ pub enum CliError {
     /// The preset or what overrides it is wrong.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// The journey is wrong.
+    #[error(transparent)]
+    Journey(#[from] JourneyError),
     /// No built-in preset and no file has this name.
     #[error("--preset {given}: there is no such file, and the presets are {}", all_presets())]
     UnknownPreset {
@@ -183,13 +202,13 @@ pub enum CliError {
         error: io::Error,
     },
     /// A preset file is longer than any preset.
-    #[error("{}: is longer than {LONGEST_PRESET} bytes; a preset is a short TOML text", path.display())]
+    #[error("{}: is longer than {LONGEST_PRESET} bytes; presets and journeys are short TOML texts", path.display())]
     TooLong {
         /// The file.
         path: PathBuf,
     },
     /// A preset file is not text.
-    #[error("{}: is not UTF-8 text; a preset is a short TOML text", path.display())]
+    #[error("{}: is not UTF-8 text; presets and journeys are short TOML texts", path.display())]
     NotText {
         /// The file.
         path: PathBuf,
@@ -227,17 +246,20 @@ pub fn read<I: IntoIterator<Item: Into<OsString> + Clone>>(args: I) -> Result<Co
 /// # Errors
 /// As [`read`].
 pub fn read_all<I: IntoIterator<Item: Into<OsString> + Clone>>(args: I) -> Result<(GpuArgs, Command), clap::Error> {
-    let Cli { scene, gpu, command } = Cli::try_parse_from(args)?;
-    let command = if gpu.list_gpus { Command::ListGpus } else { asked(scene, command)? };
+    let Cli { scene, gpu, journey, command } = Cli::try_parse_from(args)?;
+    let command = if gpu.list_gpus { Command::ListGpus } else { asked(scene, journey, command)? };
     Ok((gpu, command))
 }
 
 /// The command, with the scene options that stand before it.
-fn asked(before: SceneArgs, command: Option<Command>) -> Result<Command, clap::Error> {
-    let Some(mut command) = command else { return Ok(Command::Fly(before)) };
+fn asked(before: SceneArgs, journey: Option<PathBuf>, command: Option<Command>) -> Result<Command, clap::Error> {
+    let Some(mut command) = command else { return Ok(Command::Fly(FlyArgs { scene: before, journey })) };
     let conflict = |message: &str| Cli::command().error(ErrorKind::ArgumentConflict, message);
+    if journey.is_some() {
+        return Err(conflict("--journey is for flying, without a command"));
+    }
     match &mut command {
-        Command::Fly(scene) => *scene = before,
+        Command::Fly(fly) => fly.scene = before,
         Command::Render(RenderArgs { scene: after, .. }) | Command::Trace(TraceArgs { scene: after, .. }) => {
             let message = "--preset, --spin and --method may be given once: before the command or after it";
             *after = before.followed_by(after).ok_or_else(|| conflict(message))?;
@@ -327,8 +349,24 @@ fn named(preset: &OsStr, overrides: &[Override]) -> Result<Scene, CliError> {
     from_file(path, overrides)
 }
 
+/// The journey of a file, or the built-in one.
+///
+/// # Errors
+/// One sentence that names the file and what is wrong with it.
+pub fn journey(file: Option<&Path>) -> Result<Journey, CliError> {
+    Ok(match file {
+        None => journey::load("the built-in journey", journey::DEFAULT)?,
+        Some(path) => journey::load(&path.display().to_string(), &read_text(path)?)?,
+    })
+}
+
 /// The scene of a preset file.
 fn from_file(path: &Path, overrides: &[Override]) -> Result<Scene, CliError> {
+    Ok(load(&path.display().to_string(), &read_text(path)?, overrides)?)
+}
+
+/// The text of a file that is meant to be a short one.
+fn read_text(path: &Path) -> Result<String, CliError> {
     let mut bytes = Vec::new();
     // Bounded, for there are files without an end.
     let read = File::open(path).and_then(|file| file.take(LONGEST_PRESET + 1).read_to_end(&mut bytes));
@@ -336,8 +374,7 @@ fn from_file(path: &Path, overrides: &[Override]) -> Result<Scene, CliError> {
     if bytes.len() as u64 > LONGEST_PRESET {
         return Err(CliError::TooLong { path: path.into() });
     }
-    let text = String::from_utf8(bytes).map_err(|_| CliError::NotText { path: path.into() })?;
-    Ok(load(&path.display().to_string(), &text, overrides)?)
+    String::from_utf8(bytes).map_err(|_| CliError::NotText { path: path.into() })
 }
 
 /// Reads a size such as `960x540`.

@@ -1,7 +1,7 @@
 //! The command line: does what was asked for, and says how it went.
 
 use glam::UVec2;
-use lightfall::cli::{self, Command, Device, GpuArgs, RenderArgs, SceneArgs, TraceArgs};
+use lightfall::cli::{self, Command, Device, FlyArgs, GpuArgs, RenderArgs, SceneArgs, TraceArgs};
 use lightfall::flight;
 use lightfall::gpu::{self, Gpu, GpuScene};
 use lightfall::physics::reference::Reference;
@@ -103,8 +103,9 @@ fn check_drawable(scene: &Scene) -> Result<(), Stop> {
     gpu::check_adapter().map_err(failed)
 }
 
-fn fly(args: &SceneArgs) -> Result<(), Stop> {
-    let scene = scene(args)?;
+fn fly(args: &FlyArgs) -> Result<(), Stop> {
+    let scene = scene(&args.scene)?;
+    let journey = cli::journey(args.journey.as_deref()).map_err(|error| Stop(error.exit_code(), error.to_string()))?;
     check_drawable(&scene)?;
     if let Err(reason) = flight::has_display() {
         eprintln!("lightfall: no display ({reason}); rendering the scene to a picture instead");
@@ -112,7 +113,7 @@ fn fly(args: &SceneArgs) -> Result<(), Stop> {
         let still = picture::render(&scene, UVec2::new(scene.picture.width, scene.picture.height)).map_err(failed)?;
         return write(&file, &still);
     }
-    match flight::fly(scene) {
+    match flight::fly(scene, journey, args.journey.is_some()) {
         bevy::app::AppExit::Success => Ok(()),
         bevy::app::AppExit::Error(_) => Err(Stop(1, "the window ended with an error, see above".into())),
     }

@@ -93,6 +93,16 @@ pub enum Command {
     Escape,
     /// Exposure by itself.
     AutomaticExposure,
+    /// The guided journey starts, or stops.
+    Journey,
+    /// The journey begins again.
+    JourneyAgain,
+    /// The observer is let go and moves by herself, or stays.
+    LetGo,
+    /// Her time runs faster.
+    TimeFaster,
+    /// Her time runs slower.
+    TimeSlower,
 }
 
 /// Ways to move while a key is held.
@@ -116,6 +126,7 @@ const FLY: &str = "fly";
 const UP_DOWN: &str = "up, down";
 const ROLL: &str = "roll";
 const EXPOSURE: &str = "brighter, darker";
+const TIME: &str = "own time slower, faster";
 
 const fn control(
     id: &'static str,
@@ -184,6 +195,17 @@ pub const CONTROLS: &[Control] = &[
     hold("fly.slower", &[KeyCode::AltLeft, KeyCode::AltRight], "fly slower", Motion::Slower),
     control("fly.mouse", &[KeyCode::Tab], Group::Flight, "mouse looks around", Action::Do(Command::MouseLook)),
     control("fly.escape", &[KeyCode::Escape], Group::Flight, "free the mouse", Action::Do(Command::Escape)),
+    control("journey.fly", &[KeyCode::KeyJ], Group::Flight, "journey: start, stop", Action::Do(Command::Journey)),
+    control(
+        "journey.again",
+        &[KeyCode::Enter],
+        Group::Flight,
+        "journey from its start",
+        Action::Do(Command::JourneyAgain),
+    ),
+    control("motion.let_go", &[KeyCode::KeyF], Group::Flight, "let go: fall or orbit", Action::Do(Command::LetGo)),
+    control("motion.slower", &[KeyCode::Comma], Group::Flight, TIME, Action::Do(Command::TimeSlower)),
+    control("motion.faster", &[KeyCode::Period], Group::Flight, TIME, Action::Do(Command::TimeFaster)),
     preset("preset.1", &[KeyCode::Digit1], 1),
     preset("preset.2", &[KeyCode::Digit2], 2),
     preset("preset.3", &[KeyCode::Digit3], 3),

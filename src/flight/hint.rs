@@ -2,6 +2,7 @@
 
 use super::bindings::Bindings;
 use super::inspector;
+use super::motion::Voyage;
 use super::notice::Notice;
 use super::panel;
 use super::pilot::Pilot;
@@ -68,6 +69,7 @@ fn show(
     scene: Res<CurrentScene>,
     pilot: Res<Pilot>,
     notice: Res<Notice>,
+    voyage: Res<Voyage>,
     shown: Res<Shown>,
     bindings: Res<Bindings>,
 ) -> Result {
@@ -89,7 +91,12 @@ fn show(
                 ui,
                 |ui| {
                     let first = if widest > NARROW { beginning(&bindings) } else { String::new() };
-                    let lines = [&*whereabouts(&scene, &pilot), notice.text(), &*first];
+                    let lines = [
+                        &*whereabouts(&scene, &pilot),
+                        &*voyage.clocks(scene.camera.r),
+                        notice.text(),
+                        &*first,
+                    ];
                     for line in lines.into_iter().filter(|line| !line.is_empty()) {
                         ui.label(egui::RichText::new(line).size(13.0).color(egui::Color32::from_gray(210)));
                     }

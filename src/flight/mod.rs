@@ -1,16 +1,20 @@
 //! The window program: fly the camera, press the keys, see the scene.
 
 mod bindings;
+mod card;
 mod controls;
 mod display;
 mod dock;
 mod edits;
+mod flown;
 mod help;
 mod hint;
 mod history;
 mod inspector;
+mod journey;
 mod keyboard;
 mod keys;
+mod motion;
 mod notice;
 mod pace;
 mod panel;
@@ -26,7 +30,9 @@ pub use display::has_display;
 pub use edits::edited;
 pub use history::{History, drawable};
 pub use inspector::pixel_at;
+pub use journey::{Guide, Moment};
 pub use keys::{key_name, key_named, key_names};
+pub use motion::Voyage;
 pub use panel::shown_number;
 pub use resolution::Resolution;
 pub use settings::{Automatic, Settings};
@@ -34,10 +40,12 @@ pub use settings::{Automatic, Settings};
 use crate::picture::quiet_log;
 use crate::render::{CurrentScene, LightfallRenderPlugin, Screen, render_plugin};
 use crate::scene::Scene;
+use crate::scene::journey::Journey;
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
 use bevy::window::{PresentMode, WindowResolution};
 use bevy_egui::{EguiGlobalSettings, EguiPlugin, PrimaryEguiContext};
+use flown::Flown;
 
 /// Three output pixels to a cell of the default grid, which fits a common laptop's screen.
 const WINDOW_SIZE: [u32; 2] = [1440, 810];
@@ -45,8 +53,15 @@ const WINDOW_SIZE: [u32; 2] = [1440, 810];
 /// Nearest to the hole that flying brings the camera, in r_s: there a static observer is still an ordinary place.
 pub const NEAREST: f64 = 1.08;
 
-/// Opens the window and flies until it is closed.
-pub fn fly(scene: Scene) -> AppExit {
+/// A frame that took longer than this, in seconds, moves the camera no farther, so that slow machines stay steerable.
+const LONGEST_FRAME: f64 = 0.25;
+
+/// Opens the window and flies until it is closed. The journey begins at once if it is `guided`, else when it is asked for.
+pub fn fly(scene: Scene, journey: Journey, guided: bool) -> AppExit {
+    let mut guide = Guide::new(journey);
+    if guided {
+        guide.restart();
+    }
     App::new()
         .add_plugins(DefaultPlugins.set(quiet_log()).set(render_plugin(false)).set(WindowPlugin {
             primary_window: Some(Window {
@@ -62,6 +77,7 @@ pub fn fly(scene: Scene) -> AppExit {
         .insert_resource(EguiGlobalSettings { auto_create_primary_context: false, ..default() })
         .insert_resource(History::new(scene.clone()))
         .insert_resource(Resolution::new(&scene))
+        .insert_resource(guide)
         .add_plugins(LightfallRenderPlugin { scene, target: RenderTarget::default() })
         .add_plugins((
             notice::plugin,
@@ -71,6 +87,7 @@ pub fn fly(scene: Scene) -> AppExit {
             pace::plugin,
             resolution::plugin,
         ))
+        .add_plugins((card::plugin, journey::plugin, motion::plugin))
         .add_plugins((screenshot::plugin, hint::plugin, help::plugin, panel::plugin, inspector::plugin))
         .add_systems(Update, (attach_ui, retitle.run_if(resource_changed::<CurrentScene>)))
         .run()

@@ -1,8 +1,8 @@
 //! Flying by hand: keys and mouse move and turn the camera; the result is written to the scene, in f64.
 
-use super::NEAREST;
 use super::controls::{Command, Motion};
 use super::keyboard::{Held, Typing};
+use super::{LONGEST_FRAME, NEAREST};
 use crate::physics::kerr::Kerr;
 use crate::render::CurrentScene;
 use crate::scene::ObserverKind;
@@ -36,8 +36,6 @@ const ROLL_SPEED: f64 = 0.9;
 const LOOK_SHARE: f64 = 1.0 / 500.0;
 /// Farthest the camera flies, as in Scene's limits.
 const FARTHEST: f64 = 1e7;
-/// A frame that took longer than this moves the camera no farther, so that slow machines stay steerable.
-const LONGEST_FRAME: f64 = 0.25;
 
 pub(super) fn plugin(app: &mut App) {
     app.insert_resource(Pilot { throttle: 1.0, free_look: false }).add_systems(

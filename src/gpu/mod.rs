@@ -35,6 +35,15 @@ pub enum GpuError {
          auto, mino and kerr-schild trace any spin)"
     )]
     Spin(f64),
+    /// A camera inside the horizon, where the method cannot begin.
+    #[error(
+        "camera.r = {r} is refused: it is inside the horizon, from where only method closed, or auto, traces, and holes \
+         without spin only"
+    )]
+    Inside {
+        /// The camera's radius.
+        r: f64,
+    },
     /// A method that does not run on the GPU.
     #[error(
         "method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet, closed, mino or \

@@ -92,6 +92,11 @@ impl GpuScene {
             Method::Auto | Method::Verlet | Method::Closed | Method::Mino | Method::KerrSchild => {}
         }
         let Scene { camera, disk, sky, quality, .. } = scene;
+        // Verlet and Kerr-Schild capture there, Mino's steps are too long, and with spin there is no azimuth phi.
+        let traces_inside = scene.hole.spin == 0.0 && matches!(scene.method, Method::Auto | Method::Closed);
+        if camera.r <= (Kerr { spin: scene.hole.spin }).horizon() && !traces_inside {
+            return Err(GpuError::Inside { r: camera.r });
+        }
         let Sight { matrix, frequency } = Sight::new(scene)?;
         let turned = |[one, r, theta, phi]: [f64; 4]| {
             let row = legs_from_direction.transpose() * DVec3::new(r, theta, phi);

@@ -57,6 +57,16 @@ impl Kerr {
         self.a() / (outer - inner) * ((r - outer) / (r - inner)).abs().ln()
     }
 
+    /// Kerr's ingoing time v less Boyer-Lindquist's t: the integral of (r^2 + a^2)/Delta dr,
+    /// r + (r_+ ln|r - r_+| - r_- ln|r - r_-|) / (r_+ - r_-) with 2M = 1. Misner, Thorne & Wheeler 1973 box 33.2.
+    #[must_use]
+    pub fn ingoing_time_lead(self, r: f64) -> f64 {
+        let (outer, inner) = (self.horizon(), self.inner_horizon());
+        // Without spin the inner horizon is at zero and has no share.
+        let inside = if inner > 0.0 { inner * (r - inner).abs().ln() } else { 0.0 };
+        r + (outer * (r - outer).abs().ln() - inside) / (outer - inner)
+    }
+
     /// The prograde equatorial photon orbit: r = 2M (1 + cos((2/3) arccos(-chi))), written as a square. Bardeen, Press
     /// & Teukolsky 1972 eq. 2.18.
     #[must_use]

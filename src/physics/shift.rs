@@ -29,7 +29,8 @@ pub struct Shift {
 /// The observer with zero angular momentum at some place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RestFrame {
-    /// N = sqrt(Sigma Delta / A), A = (r^2 + a^2)^2 - a^2 Delta sin^2 theta.
+    /// N = sqrt(Sigma Delta / A), A = (r^2 + a^2)^2 - a^2 Delta sin^2 theta. Zero inside the horizon, where there is no such
+    /// observer.
     pub lapse: f64,
     /// omega = 2 M a r / A, in 1/r_s.
     pub dragging: f64,
@@ -38,13 +39,13 @@ pub struct RestFrame {
 }
 
 impl RestFrame {
-    /// At `r`, where the cosine of the angle from the axis is `cos_theta`; outside the horizon.
+    /// At `r`, where the cosine of the angle from the axis is `cos_theta`.
     #[must_use]
     pub fn at(kerr: Kerr, r: f64, cos_theta: f64) -> Self {
         let (a2, sigma) = (kerr.a().powi(2), kerr.sigma(r, cos_theta));
         let area = sigma * (r * r + a2) + 2.0 * MASS * r * a2 * (1.0 - cos_theta * cos_theta);
         Self {
-            lapse: (sigma * kerr.delta(r) / area).sqrt(),
+            lapse: (sigma * kerr.delta(r) / area).max(0.0).sqrt(),
             dragging: 2.0 * MASS * kerr.a() * r / area,
             width: (area / sigma).sqrt(),
         }

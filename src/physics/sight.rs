@@ -26,13 +26,18 @@ impl Sight {
     /// Of the scene's camera.
     ///
     /// # Errors
-    /// If the scene's observer cannot exist.
+    /// If the scene's observer cannot exist, or is inside the horizon without some effect that needs one outside.
     pub fn new(scene: &Scene) -> Result<Self, ObserverError> {
         let (camera, observer, effects) = (&scene.camera, &scene.observer, scene.effects);
         let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
         let of = |kind, velocity| observer_matrix(scene.hole.spin, kind, velocity, camera.r, theta, phi);
         let matrix = of(observer.kind, observer.velocity)?;
         let whole = Self { matrix, frequency: [1.0, 0.0, 0.0, 0.0] };
+        let horizon = Kerr { spin: scene.hole.spin }.horizon();
+        let parted = !(effects.lensing && effects.aberration && effects.doppler && effects.gravitational_shift);
+        if camera.r <= horizon && parted {
+            return Err(ObserverError::Inside { r: camera.r, horizon });
+        }
         if effects.lensing && effects.aberration {
             return Ok(whole);
         }

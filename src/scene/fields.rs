@@ -161,8 +161,8 @@ const SHARE: Range = Range::closed(0.0, 1.0);
 const SCALE: Range = Range::closed(0.0, 1e3);
 /// A side of a picture: the most that graphics hardware commonly allows.
 const SIDE: Range = Range::closed(1.0, 16384.0);
-/// A radius outside the horizon of every spin; the hole's own horizon narrows it (see `limits`).
-const OUTSIDE: Range = Range::above(0.5, 1e7);
+/// A radius where a camera may be around some hole; the hole's own horizons narrow it (see `limits`).
+const CAMERA: Range = Range::closed(0.1, 1e7);
 /// A vertical field of view, from a millionth of a radian up.
 const FIELD_OF_VIEW: Range = Range::closed(1e-6_f64.to_degrees(), 179.0);
 
@@ -183,7 +183,12 @@ pub const FIELDS: &[Field] = &[
         "",
         "chi = a/M; positive turns with the disk",
     ),
-    float("camera.r", OUTSIDE, "r_s", "Boyer-Lindquist radius of the camera, outside the horizon"),
+    float(
+        "camera.r",
+        CAMERA,
+        "r_s",
+        "Boyer-Lindquist radius of the camera, outside the horizon unless observer.kind is rain",
+    ),
     float("camera.theta_deg", POLAR, "degrees", "Angle from the disk normal"),
     float("camera.phi_deg", TURN, "degrees", "Azimuth"),
     float("camera.fov_deg", FIELD_OF_VIEW, "degrees", "Vertical field of view"),

@@ -4,10 +4,10 @@ use std::ops::Bound::{Excluded, Included};
 
 use toml::Value;
 
-use super::Scene;
 use super::error::{Because, Refusal};
 use super::fields::{EDGE, FIELDS, Field, Kind, LONGEST_TEXT, Range, number};
-use crate::physics::kerr::Kerr;
+use super::{ObserverKind, Scene};
+use crate::physics::{kerr::Kerr, timelike::innermost};
 
 impl Scene {
     /// Checks every field against its range and against the fields it depends on.
@@ -43,9 +43,13 @@ impl Scene {
         let because = |key, reason| Some(Because { key, reason });
         match field.key {
             "camera.r" => {
-                let horizon = Kerr { spin: self.hole.spin }.horizon();
-                let reason = format!("outside the horizon at hole.spin = {}", number(self.hole.spin));
-                (Range { low: Excluded(horizon), ..range }, because("hole.spin", reason))
+                let (kerr, spin) = (Kerr { spin: self.hole.spin }, number(self.hole.spin));
+                if self.observer.kind == ObserverKind::Rain {
+                    let reason = format!("nine tenths of the way between the horizons at hole.spin = {spin}");
+                    return (Range { low: Included(innermost(kerr)), ..range }, because("hole.spin", reason));
+                }
+                let reason = format!("outside the horizon at hole.spin = {spin}");
+                (Range { low: Excluded(kerr.horizon()), ..range }, because("hole.spin", reason))
             }
             "disk.inner" if EDGE.contains(self.disk.outer) => {
                 let reason = format!("disk.outer is {}", number(self.disk.outer));

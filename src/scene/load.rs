@@ -150,7 +150,7 @@ fn parse(kind: Kind, text: &str) -> Value {
 }
 
 /// Whole numbers are numbers too, where a number is asked for.
-fn widened(kind: Kind, value: Value) -> Value {
+pub(super) fn widened(kind: Kind, value: Value) -> Value {
     match (kind, value) {
         (Kind::Float(_), Value::Integer(number)) => Value::Float(number as f64),
         (Kind::Velocity, Value::Array(values)) => {
@@ -161,7 +161,7 @@ fn widened(kind: Kind, value: Value) -> Value {
 }
 
 /// A fault of TOML with the line and column where it was noticed.
-fn syntax(origin: &str, text: &str, error: &toml::de::Error) -> SceneError {
+pub(super) fn syntax(origin: &str, text: &str, error: &toml::de::Error) -> SceneError {
     let at = error.span().map_or(0, |span| span.start.min(text.len()));
     let before = String::from_utf8_lossy(&text.as_bytes()[..at]);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);

@@ -9,6 +9,7 @@ mod defaults;
 mod edit;
 mod error;
 mod fields;
+pub mod journey;
 mod limits;
 mod load;
 mod pose;
@@ -119,7 +120,7 @@ pub struct Camera {
     pub r: f64,
     /// Angle from the disk normal.
     pub theta_deg: f64,
-    /// Azimuth.
+    /// Azimuth; at and inside the horizon Kerr's ingoing one.
     pub phi_deg: f64,
     /// Vertical field of view.
     pub fov_deg: f64,

@@ -14,7 +14,12 @@ impl Camera {
         if position.x != 0.0 || position.y != 0.0 {
             self.phi_deg = position.y.atan2(position.x).to_degrees();
         }
-        let legs_from_camera = self.legs().transpose() * world_from_camera;
+        self.set_turns(self.legs().transpose() * world_from_camera);
+    }
+
+    /// Turns the camera such that its axes right, up, forward on the observer's legs are these columns. The inverse of
+    /// [`Camera::legs_from_camera`].
+    pub fn set_turns(&mut self, legs_from_camera: DMat3) {
         // In the axes of a camera that looks at the hole: right is growing phi, up is decreasing theta.
         let level = |leg: DVec3| DVec3::new(leg.z, -leg.y, -leg.x);
         let (forward, up) = (level(legs_from_camera.z_axis), level(legs_from_camera.y_axis));

@@ -9,9 +9,12 @@ mod kerr_schild;
 mod mino;
 mod observer;
 mod path;
+mod readout;
 mod reference;
 mod schwarzschild;
 mod spectrum;
+mod thrown;
+mod timelike;
 
 /// Asserts that `found` is `expected` within `relative` of it.
 #[track_caller]

@@ -5,7 +5,8 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use clap::error::ErrorKind;
-use lightfall::cli::{self, Command, Device, PresetsCommand, SceneArgs};
+use lightfall::cli::{self, Command, Device, FlyArgs, PresetsCommand, SceneArgs};
+use lightfall::scene::journey;
 use lightfall::scene::presets::PRESETS;
 use lightfall::scene::{Method, Scene};
 
@@ -20,7 +21,7 @@ fn refuse(line: &str) -> clap::Error {
 }
 
 fn fly(line: &str) -> SceneArgs {
-    let Command::Fly(scene) = read(line) else { panic!("{line} does not fly") };
+    let Command::Fly(FlyArgs { scene, .. }) = read(line) else { panic!("{line} does not fly") };
     scene
 }
 
@@ -146,9 +147,12 @@ fn a_preset_file_that_cannot_be_read_is_named() {
     assert!(fault(&of_preset(&path)).starts_with(&named("cannot be read: ")));
     assert!(fault(&of_preset(folder.path())).contains(": cannot be read: "));
     fs::write(&path, [b'#', 0xff, b'\n']).unwrap();
-    assert_eq!(fault(&of_preset(&path)), named("is not UTF-8 text; a preset is a short TOML text"));
+    assert_eq!(fault(&of_preset(&path)), named("is not UTF-8 text; presets and journeys are short TOML texts"));
     fs::write(&path, vec![b'#'; (1 << 20) + 1]).unwrap();
-    assert_eq!(fault(&of_preset(&path)), named("is longer than 1048576 bytes; a preset is a short TOML text"));
+    assert_eq!(
+        fault(&of_preset(&path)),
+        named("is longer than 1048576 bytes; presets and journeys are short TOML texts")
+    );
     fs::write(&path, "camera.r = 0.5").unwrap();
     let sentence = "camera.r = 0.5 is refused: it must be a number above 1 and at most 10000000 r_s (outside the \
                     horizon at hole.spin = 0)";
@@ -158,7 +162,7 @@ fn a_preset_file_that_cannot_be_read_is_named() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_preset_file_without_an_end_is_not_read_to_its_end() {
-    let sentence = "/dev/zero: is longer than 1048576 bytes; a preset is a short TOML text";
+    let sentence = "/dev/zero: is longer than 1048576 bytes; presets and journeys are short TOML texts";
     assert_eq!(fault(&of_preset(Path::new("/dev/zero"))), sentence);
 }
 
@@ -222,4 +226,23 @@ fn that_nobody_reads_on_is_no_failure_but_a_full_disk_is() {
 fn the_scene_of_no_options_at_all_is_checked_too() {
     assert_eq!(cli::scene(&SceneArgs::default()).unwrap().check(), Ok(()));
     assert_ne!(cli::scene(&SceneArgs::default()).unwrap(), Scene::default());
+}
+
+#[test]
+fn a_journey_is_flown_from_its_file_and_its_faults_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.toml");
+    let Command::Fly(FlyArgs { journey, scene }) = read("lightfall --journey mine.toml --spin 0.5") else { panic!() };
+    assert_eq!((journey.unwrap(), scene.spin.unwrap().as_str()), (Path::new("mine.toml").into(), "0.5"));
+    assert!(refuse("lightfall --journey mine.toml render -o x.png").to_string().contains("--journey is for flying"));
+    assert_eq!(cli::journey(None).unwrap().duration, 150.0);
+    assert!(
+        cli::journey(Some(&file)).unwrap_err().to_string().starts_with(&format!("{}: cannot be read", file.display()))
+    );
+    fs::write(&file, "[[keyframe]]\ntime = 0\nr = 3\n[[keyframe]]\ntime = 2\nr = 0").unwrap();
+    let error = cli::journey(Some(&file)).unwrap_err();
+    assert_eq!(error.exit_code(), 2);
+    assert!(error.to_string().ends_with("keyframe 2: r = 0 is refused: it must be a number from 0.1 to 10000000 r_s"));
+    fs::write(&file, journey::DEFAULT).unwrap();
+    assert_eq!(cli::journey(Some(&file)).unwrap(), cli::journey(None).unwrap());
 }

@@ -86,7 +86,7 @@ fn a_value_of_the_wrong_type_is_answered_with_what_it_must_be() {
         ("sky.mode = true", "sky.mode = true is refused: it must be one of stars, grid, off"),
         ("name = 7", "name = 7 is refused: it must be one line of text, at most 200 characters"),
         ("name = \"a\\nb\"", "name = \"a\\nb\" is refused: it must be one line of text, at most 200 characters"),
-        ("[camera.r]", "camera.r = {...} is refused: it must be a number above 0.5 and at most 10000000 r_s"),
+        ("[camera.r]", "camera.r = {...} is refused: it must be a number from 0.1 to 10000000 r_s"),
         ("camera = 3", "camera = 3 is refused: camera is a table of fields, such as camera.r"),
         ("[[camera]]", "camera = [{...}] is refused: camera is a table of fields, such as camera.r"),
     ] {
@@ -107,6 +107,12 @@ fn a_field_that_another_one_limits_is_answered_with_the_other_one() {
             "hole.spin = 0.6\ncamera.r = 0.9",
             "camera.r = 0.9 is refused: it must be a number above 0.9 and at most 10000000 r_s (outside the horizon \
              at hole.spin = 0.6)",
+        ),
+        (
+            // Free fall goes on inside.
+            "camera.r = 0.09\nobserver.kind = \"rain\"",
+            "camera.r = 0.09 is refused: it must be a number from 0.1 to 10000000 r_s (nine tenths of the way between \
+             the horizons at hole.spin = 0)",
         ),
         (
             "disk.inner = 11",
@@ -189,10 +195,7 @@ fn an_override_needs_a_key_and_an_equals_sign() {
     assert_eq!(set("camera.r"), "--set: camera.r is not of the form KEY=VALUE, such as camera.r=20");
     assert_eq!(set("=3"), "--set: =3 is not of the form KEY=VALUE, such as camera.r=20");
     assert_eq!(set(""), "--set:  is not of the form KEY=VALUE, such as camera.r=20");
-    assert_eq!(
-        set("camera.r="),
-        "--set: camera.r = \"\" is refused: it must be a number above 0.5 and at most 10000000 r_s"
-    );
+    assert_eq!(set("camera.r="), "--set: camera.r = \"\" is refused: it must be a number from 0.1 to 10000000 r_s");
 }
 
 #[test]

@@ -3,7 +3,9 @@
 
 mod command_line;
 mod fields;
+mod flights;
 mod history;
+mod journey;
 mod keys;
 mod load;
 mod pose;

@@ -1,0 +1,180 @@
+//! The guided journey in the window: starts, stops, begins again, and gives way to the hand.
+
+use super::card::Card;
+use super::controls::Command;
+use super::history::drawable;
+use super::notice::Notice;
+use super::window::Preferences;
+use super::{Flown, LONGEST_FRAME};
+use crate::physics::kerr::Kerr;
+use crate::render::CurrentScene;
+use crate::scene::journey::{Journey, between};
+use crate::scene::{Camera, Scene};
+use bevy::prelude::*;
+
+/// Seconds in which the camera comes from where it is to where the journey is.
+const APPROACH: f64 = 4.0;
+
+/// A journey, and how far it has been flown.
+#[derive(Resource, Clone, Debug)]
+pub struct Guide {
+    journey: Journey,
+    /// Seconds along the journey.
+    time: f64,
+    flight: Option<Flight>,
+}
+
+/// A journey under way.
+#[derive(Clone, Debug)]
+struct Flight {
+    /// Where the camera was, and since how many seconds it leaves there.
+    from: Camera,
+    since: f64,
+    last: Option<Flown>,
+}
+
+/// What a moment of a guided flight comes to.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Moment {
+    /// Nothing: there is no flight, or somebody else has moved the camera and keeps it.
+    None,
+    /// The scene as it is now.
+    Scene(Box<Scene>),
+    /// As before, and that is the end of it.
+    End(Box<Scene>),
+    /// It cannot go on, for this reason.
+    Refused(String),
+}
+
+impl Guide {
+    /// A journey that has not begun.
+    #[must_use]
+    pub fn new(journey: Journey) -> Self {
+        Self { journey, time: 0.0, flight: None }
+    }
+
+    /// Whether it is under way.
+    #[must_use]
+    pub fn flies(&self) -> bool {
+        self.flight.is_some()
+    }
+
+    /// Seconds along the journey.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Goes on from where the journey was left, coming gently from where the camera is; after its end from the beginning.
+    pub fn start(&mut self, scene: &Scene) {
+        if self.time >= self.journey.duration {
+            self.time = 0.0;
+        }
+        self.flight = Some(Flight { from: scene.camera, since: 0.0, last: None });
+    }
+
+    /// Begins again, with the camera at the beginning.
+    pub fn restart(&mut self) {
+        self.time = 0.0;
+        self.flight = Some(Flight { from: Camera::default(), since: APPROACH, last: None });
+    }
+
+    /// Leaves the camera where it is.
+    pub fn stop(&mut self) {
+        self.flight = None;
+    }
+
+    /// Lets `seconds` pass. A camera that is not where it was left has been taken over by somebody, and the flight is over.
+    /// A calm flight does not roll.
+    pub fn pass(&mut self, seconds: f64, scene: &Scene, calm: bool) -> Moment {
+        let Some(flight) = &mut self.flight else { return Moment::None };
+        if flight.last.as_ref().is_some_and(|last| !last.left_alone(scene)) {
+            self.flight = None;
+            return Moment::None;
+        }
+        // The first moment shows where it begins.
+        if flight.last.is_some() {
+            self.time += seconds;
+            flight.since += seconds;
+        }
+        let mut next = scene.clone();
+        self.journey.apply(self.time, &mut next);
+        if calm {
+            next.camera.roll_deg = scene.camera.roll_deg;
+        }
+        next.camera = between(&flight.from, &next.camera, flight.since / APPROACH);
+        match drawable(next) {
+            Ok(next) => {
+                flight.last = Some(Flown::new(&next));
+                let ended = self.time >= self.journey.duration;
+                if ended {
+                    self.flight = None;
+                }
+                if ended { Moment::End(Box::new(next)) } else { Moment::Scene(Box::new(next)) }
+            }
+            Err(reason) => {
+                self.flight = None;
+                Moment::Refused(reason)
+            }
+        }
+    }
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.add_systems(Update, (obey, fly).chain());
+}
+
+fn obey(
+    mut commands: MessageReader<Command>,
+    mut guide: ResMut<Guide>,
+    scene: Res<CurrentScene>,
+    mut card: ResMut<Card>,
+) {
+    for command in commands.read() {
+        match command {
+            Command::Journey if guide.flies() => guide.stop(),
+            Command::Journey => guide.start(&scene),
+            Command::JourneyAgain => guide.restart(),
+            _ => continue,
+        }
+        card.close();
+    }
+}
+
+fn fly(
+    time: Res<Time>,
+    mut guide: ResMut<Guide>,
+    mut scene: ResMut<CurrentScene>,
+    preferences: Res<Preferences>,
+    mut notice: ResMut<Notice>,
+    mut card: ResMut<Card>,
+) {
+    if !guide.flies() {
+        return;
+    }
+    let seconds = time.delta_secs_f64().min(LONGEST_FRAME);
+    match guide.pass(seconds, &scene, preferences.settings.reduced_motion) {
+        Moment::None => {}
+        Moment::Scene(next) => scene.0 = *next,
+        Moment::End(next) => {
+            scene.0 = *next;
+            card.show("The journey ends here", &ending(&scene));
+        }
+        Moment::Refused(reason) => notice.say(format!("The journey cannot go on here: {reason}")),
+    }
+}
+
+/// Where a journey has ended, in a sentence.
+fn ending(scene: &Scene) -> String {
+    let (r, horizon) = (scene.camera.r, Kerr { spin: scene.hole.spin }.horizon());
+    if r < horizon {
+        format!(
+            "r = {r:.3} r_s, inside the horizon at {horizon:.3}. What you see fell in after you; nothing that you send reaches \
+             the outside, and every way leads further in."
+        )
+    } else {
+        format!(
+            "r = {r:.3} r_s. The horizon is at {horizon:.3}: here hovering takes a thrust that grows without limit."
+        )
+    }
+}

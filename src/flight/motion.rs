@@ -1,0 +1,185 @@
+//! Real motion in the window: let go, and the camera moves as an observer who falls or circles, in her own time.
+
+use super::card::Card;
+use super::controls::Command;
+use super::history::drawable;
+use super::notice::Notice;
+use super::{Flown, LONGEST_FRAME, Moment};
+use crate::physics::kerr::Kerr;
+use crate::physics::observer::ObserverError;
+use crate::physics::timelike::{Limit, Worldline};
+use crate::render::CurrentScene;
+use crate::scene::Scene;
+use bevy::prelude::*;
+
+/// Own time that passes in a second, over the time r^(3/2) in which things fall from r: so a fall takes about as long from
+/// anywhere, and a turn of an orbit a minute and a half.
+const PACE: f64 = 0.1;
+/// The pace changes by this factor, within a range.
+const PACE_NOTCH: f64 = 2.0;
+const SLOWEST: f64 = PACE / 1024.0;
+const FASTEST: f64 = PACE * 1024.0;
+
+/// An observer on her way, if one was let go.
+#[derive(Resource, Clone, Debug)]
+pub struct Voyage {
+    way: Option<Way>,
+    pace: f64,
+}
+
+#[derive(Clone, Debug)]
+struct Way {
+    worldline: Worldline,
+    spin: f64,
+    last: Flown,
+    limit: Option<Limit>,
+}
+
+impl Default for Voyage {
+    fn default() -> Self {
+        Self { way: None, pace: PACE }
+    }
+}
+
+impl Voyage {
+    /// Whether she is on her way.
+    #[must_use]
+    pub fn moves(&self) -> bool {
+        self.way.is_some()
+    }
+
+    /// Her motion, with the clocks.
+    #[must_use]
+    pub fn worldline(&self) -> Option<&Worldline> {
+        self.way.as_ref().map(|way| &way.worldline)
+    }
+
+    /// Own time, in r_s, that passes in a second at the radius `r` (r_s).
+    #[must_use]
+    pub fn rate(&self, r: f64) -> f64 {
+        self.pace * r.powf(1.5)
+    }
+
+    /// Faster or slower by so many notches.
+    pub fn turn_pace(&mut self, notches: i32) {
+        self.pace = (self.pace * PACE_NOTCH.powi(notches)).clamp(SLOWEST, FASTEST);
+    }
+
+    /// Lets the scene's observer go.
+    ///
+    /// # Errors
+    /// If the scene's observer cannot exist.
+    pub fn start(&mut self, scene: &Scene) -> Result<(), ObserverError> {
+        let worldline = Worldline::start(scene)?;
+        self.way = Some(Way { worldline, spin: scene.hole.spin, last: Flown::new(scene), limit: None });
+        Ok(())
+    }
+
+    /// Stays where she is.
+    pub fn stop(&mut self) {
+        self.way = None;
+    }
+
+    /// Lets `seconds` pass at the pace that is set. A camera that is not where it was left has been taken over by somebody, and
+    /// the motion is over; looking around is left to everybody.
+    pub fn pass(&mut self, seconds: f64, scene: &Scene) -> Moment {
+        let rate = self.rate(scene.camera.r);
+        let Some(way) = &mut self.way else { return Moment::None };
+        if !way.last.place_left_alone(scene) || way.spin != scene.hole.spin {
+            self.way = None;
+            return Moment::None;
+        }
+        let (mut worldline, mut next) = (way.worldline.clone(), scene.clone());
+        let limit = worldline.advance(rate * seconds, &mut next);
+        match drawable(next) {
+            Ok(next) => {
+                (way.worldline, way.last) = (worldline, Flown::new(&next));
+                way.limit = limit;
+                if limit.is_some() { Moment::End(Box::new(next)) } else { Moment::Scene(Box::new(next)) }
+            }
+            Err(reason) => {
+                self.way = None;
+                Moment::Refused(reason)
+            }
+        }
+    }
+
+    /// The clocks, in a line; empty without motion.
+    #[must_use]
+    pub fn clocks(&self, r: f64) -> String {
+        let Some(Way { worldline, .. }) = &self.way else { return String::new() };
+        let far = match worldline.far_time() {
+            Some(far) => format!("far time {far:.3}"),
+            None => format!("ingoing time {:.3}", worldline.ingoing_time()),
+        };
+        format!(
+            "{} · own time {:.3} r_s/c · {far} r_s/c · {:.3} r_s/c a second",
+            if worldline.circles() { "circling" } else { "falling freely" },
+            worldline.own_time(),
+            self.rate(r)
+        )
+    }
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<Voyage>().add_systems(Update, (obey, go).chain());
+}
+
+fn obey(
+    mut commands: MessageReader<Command>,
+    mut voyage: ResMut<Voyage>,
+    scene: Res<CurrentScene>,
+    mut notice: ResMut<Notice>,
+    mut card: ResMut<Card>,
+) {
+    for command in commands.read() {
+        match command {
+            Command::LetGo if voyage.moves() => voyage.stop(),
+            Command::LetGo => {
+                card.close();
+                if let Err(error) = voyage.start(&scene) {
+                    notice.say(error.to_string());
+                }
+            }
+            Command::TimeFaster => voyage.turn_pace(1),
+            Command::TimeSlower => voyage.turn_pace(-1),
+            _ => {}
+        }
+    }
+}
+
+fn go(
+    time: Res<Time>,
+    mut voyage: ResMut<Voyage>,
+    mut scene: ResMut<CurrentScene>,
+    mut notice: ResMut<Notice>,
+    mut card: ResMut<Card>,
+) {
+    if !voyage.moves() {
+        return;
+    }
+    match voyage.pass(time.delta_secs_f64().min(LONGEST_FRAME), &scene) {
+        Moment::None => {}
+        Moment::Scene(next) => scene.0 = *next,
+        Moment::End(next) => {
+            scene.0 = *next;
+            card.show("The fall ends here", &ending(&voyage, &scene));
+            voyage.stop();
+        }
+        Moment::Refused(reason) => notice.say(format!("The fall cannot be followed farther: {reason}")),
+    }
+}
+
+/// Where and when a fall has ended.
+fn ending(voyage: &Voyage, scene: &Scene) -> String {
+    let Some(Way { worldline, limit, .. }) = &voyage.way else { return String::new() };
+    let (r, own) = (scene.camera.r, worldline.own_time());
+    match limit {
+        Some(Limit::Inner) => format!(
+            "r = {r:.3} r_s, inside the horizon at {:.3}, {own:.3} r_s/c of your own time after letting go. From here on the \
+             tide and the blueshift grow without limit, and no picture would be true.",
+            Kerr { spin: scene.hole.spin }.horizon()
+        ),
+        _ => format!("r = {r:.3e} r_s, {own:.3e} r_s/c of your own time after letting go: as far as a camera goes."),
+    }
+}

@@ -1,0 +1,70 @@
+//! The same numbers for a hole of some mass, in metres, seconds and g.
+
+use super::Readout;
+
+/// The speed of light, in m/s; exact.
+pub const LIGHT_SPEED: f64 = 299_792_458.0;
+/// The sun's G M, in m^3/s^2: the nominal value, IAU 2015 resolution B3.
+pub const SOLAR_GM: f64 = 1.327_124_4e20;
+/// Standard gravity, in m/s^2; exact.
+pub const STANDARD_GRAVITY: f64 = 9.806_65;
+
+/// A hole's mass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HoleMass {
+    /// Whose it is.
+    pub name: &'static str,
+    /// In suns.
+    pub suns: f64,
+}
+
+/// Masses to choose from: Sagittarius A* (GRAVITY Collaboration 2022), M87* (Event Horizon Telescope Collaboration 2019), and
+/// one as dead stars leave behind.
+pub const MASSES: [HoleMass; 3] = [
+    HoleMass { name: "Sgr A*", suns: 4.30e6 },
+    HoleMass { name: "M87*", suns: 6.5e9 },
+    HoleMass { name: "10 suns", suns: 10.0 },
+];
+
+impl HoleMass {
+    /// r_s = 2 G M / c^2, in m.
+    #[must_use]
+    pub fn metres(self) -> f64 {
+        2.0 * SOLAR_GM * self.suns / (LIGHT_SPEED * LIGHT_SPEED)
+    }
+
+    /// r_s / c, in s.
+    #[must_use]
+    pub fn seconds(self) -> f64 {
+        self.metres() / LIGHT_SPEED
+    }
+
+    /// An acceleration of one c^2/r_s, in g.
+    #[must_use]
+    pub fn gees(self) -> f64 {
+        LIGHT_SPEED * LIGHT_SPEED / self.metres() / STANDARD_GRAVITY
+    }
+}
+
+/// What of a read-out has a unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SiReadout {
+    /// Boyer-Lindquist radius, in km.
+    pub r_km: f64,
+    /// Proper acceleration, in g.
+    pub acceleration_g: f64,
+    /// Largest stretch by the tide, in g a metre.
+    pub tide_g_per_metre: f64,
+}
+
+impl Readout {
+    /// The same for a hole of this mass.
+    #[must_use]
+    pub fn in_si(&self, mass: HoleMass) -> SiReadout {
+        SiReadout {
+            r_km: self.r * mass.metres() / 1000.0,
+            acceleration_g: self.acceleration * mass.gees(),
+            tide_g_per_metre: self.tide * mass.gees() / mass.metres(),
+        }
+    }
+}

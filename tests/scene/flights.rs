@@ -1,0 +1,169 @@
+//! Flights that nobody steers: the guided journey and real motion, moment by moment, and how they give way.
+
+use lightfall::flight::{Guide, Moment, Voyage};
+use lightfall::scene::{ObserverKind, Scene, journey, presets};
+
+const FRAME: f64 = 1.0 / 60.0;
+
+fn preset(name: &str) -> Scene {
+    presets::find(name).unwrap().scene(&[]).unwrap()
+}
+
+fn guide() -> Guide {
+    Guide::new(journey::load("default.toml", journey::DEFAULT).unwrap())
+}
+
+/// The scene after a moment that goes on.
+#[track_caller]
+fn next(moment: Moment) -> Scene {
+    match moment {
+        Moment::Scene(scene) => *scene,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// By how much what the camera sees has moved: in ln r and in its axes.
+fn moved(a: &Scene, b: &Scene) -> f64 {
+    let axes = |scene: &Scene| scene.camera.legs() * scene.camera.legs_from_camera();
+    let [one, two] = [axes(a), axes(b)];
+    (a.camera.r / b.camera.r).ln().abs() + (one.z_axis - two.z_axis).length() + (one.y_axis - two.y_axis).length()
+}
+
+#[test]
+fn a_journey_comes_gently_from_anywhere_and_goes_to_its_end_without_a_jump() {
+    for (name, kind) in [("above", ObserverKind::Static), ("limit", ObserverKind::Rain)] {
+        let mut scene = preset(name);
+        scene.observer.kind = kind;
+        let (mut guide, start) = (guide(), scene.clone());
+        guide.start(&scene);
+        scene = next(guide.pass(FRAME, &scene, false));
+        assert!(moved(&start, &scene) < 1e-9, "it begins where the camera is");
+        let mut frames = 0;
+        loop {
+            let before = scene.clone();
+            let moment = guide.pass(FRAME, &scene, false);
+            let ended = matches!(moment, Moment::End(_));
+            match moment {
+                Moment::Scene(after) | Moment::End(after) => scene = *after,
+                other => panic!("{other:?} after {frames} frames"),
+            }
+            // A tenth a frame is fast, but no jump: the way to the start is twenty times as far as the camera stood.
+            assert!(moved(&before, &scene) < 0.1, "{} after {frames} frames", moved(&before, &scene));
+            frames += 1;
+            if ended {
+                break;
+            }
+        }
+        assert!((149.0..151.0).contains(&(f64::from(frames) * FRAME)));
+        assert_eq!(scene.camera.r < 1.0, kind == ObserverKind::Rain);
+        assert!(!guide.flies() && guide.pass(FRAME, &scene, false) == Moment::None);
+    }
+}
+
+#[test]
+fn whoever_moves_the_camera_has_it_and_can_give_it_back() {
+    let mut scene = preset("edge-on");
+    let mut guide = guide();
+    guide.restart();
+    for _ in 0..600 {
+        scene = next(guide.pass(FRAME, &scene, false));
+    }
+    let time = guide.time();
+    assert!((time - 10.0).abs() < 0.1);
+    // Other changes than of the camera do not end it.
+    scene.disk.enabled = false;
+    scene = next(guide.pass(FRAME, &scene, false));
+    assert!(!scene.disk.enabled);
+    scene.camera.yaw_deg += 0.01;
+    assert_eq!(guide.pass(FRAME, &scene, false), Moment::None);
+    assert!(!guide.flies());
+    scene.camera.r = 7.0;
+    guide.start(&scene);
+    let again = next(guide.pass(FRAME, &scene, false));
+    assert!(moved(&scene, &again) < 1e-9 && (guide.time() - time).abs() < 0.1, "it goes on where it was left");
+    guide.restart();
+    assert_eq!((guide.time(), next(guide.pass(FRAME, &scene, false)).camera.r.round()), (0.0, 160.0));
+}
+
+#[test]
+fn a_calm_journey_does_not_roll() {
+    let mut scene = preset("edge-on");
+    let mut guide = guide();
+    guide.restart();
+    let mut rolls = [0.0_f64; 2];
+    for (roll, calm) in rolls.iter_mut().zip([false, true]) {
+        guide.restart();
+        scene.camera.roll_deg = 0.0;
+        for _ in 0..6000 {
+            scene = next(guide.pass(FRAME, &scene, calm));
+            *roll = roll.max(scene.camera.roll_deg.abs());
+        }
+    }
+    assert!(rolls[0] > 5.0 && rolls[1] == 0.0, "{rolls:?}");
+}
+
+#[test]
+fn who_is_let_go_in_free_fall_ends_inside() {
+    let mut scene = preset("falling");
+    let mut voyage = Voyage::default();
+    voyage.start(&scene).unwrap();
+    let mut frames = 0;
+    loop {
+        match voyage.pass(FRAME, &scene) {
+            Moment::Scene(after) => scene = *after,
+            Moment::End(after) => {
+                scene = *after;
+                break;
+            }
+            other => panic!("{other:?}"),
+        }
+        frames += 1;
+        assert!(frames < 60 * 60, "{:?}", scene.camera);
+        let own = (1.4_f64.powf(1.5) - scene.camera.r.powf(1.5)) / 1.5;
+        assert!((voyage.worldline().unwrap().own_time() - own).abs() < 1e-9);
+    }
+    assert!((scene.camera.r - 0.1).abs() < 1e-12 && frames > 300);
+    assert!(voyage.clocks(scene.camera.r).contains("ingoing time"));
+}
+
+#[test]
+fn motion_goes_on_while_looking_around_and_ends_under_the_hand() {
+    let mut scene = preset("edge-on");
+    (scene.camera.theta_deg, scene.observer.kind) = (90.0, ObserverKind::Orbit);
+    let mut voyage = Voyage::default();
+    voyage.start(&scene).unwrap();
+    scene = next(voyage.pass(1.0, &scene));
+    assert!(voyage.clocks(scene.camera.r).starts_with("circling"));
+    scene.camera.yaw_deg = 33.0;
+    let after = next(voyage.pass(1.0, &scene));
+    assert!(after.camera.yaw_deg == 33.0 && after.camera.phi_deg != scene.camera.phi_deg);
+    // Twice the pace, twice the way.
+    let way = after.camera.phi_deg - scene.camera.phi_deg;
+    voyage.turn_pace(1);
+    let faster = next(voyage.pass(1.0, &after));
+    assert!(((faster.camera.phi_deg - after.camera.phi_deg) / way - 2.0).abs() < 1e-9);
+    let mut taken = faster.clone();
+    taken.camera.r += 0.1;
+    assert_eq!(voyage.pass(1.0, &taken), Moment::None);
+    assert!(!voyage.moves());
+}
+
+#[test]
+fn a_fall_that_cannot_be_drawn_farther_stops_at_its_last_true_picture_and_says_why() {
+    let mut scene = preset("falling");
+    (scene.hole.spin, scene.camera.theta_deg) = (0.9, 60.0);
+    let mut voyage = Voyage::default();
+    voyage.start(&scene).unwrap();
+    for _ in 0..6000 {
+        match voyage.pass(FRAME, &scene) {
+            Moment::Scene(after) => scene = *after,
+            Moment::Refused(reason) => {
+                assert!(reason.contains("inside the horizon"), "{reason}");
+                assert!(scene.camera.r > lightfall::physics::kerr::Kerr { spin: 0.9 }.horizon());
+                return;
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+    panic!("it never came to the horizon");
+}

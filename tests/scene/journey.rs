@@ -1,0 +1,208 @@
+//! Journeys: the file, its faults, and that nothing jumps.
+
+use lightfall::gpu::GpuScene;
+use lightfall::physics::kerr::Kerr;
+use lightfall::scene::journey::{self, Journey, Track, between};
+use lightfall::scene::{ObserverKind, Scene, presets};
+
+fn default() -> Journey {
+    journey::load("default.toml", journey::DEFAULT).unwrap()
+}
+
+fn preset() -> Scene {
+    presets::PRESETS[presets::DEFAULT - 1].scene(&[]).unwrap()
+}
+
+fn at(journey: &Journey, time: f64, kind: ObserverKind) -> Scene {
+    at_from(&preset(), journey, time, kind)
+}
+
+fn at_from(scene: &Scene, journey: &Journey, time: f64, kind: ObserverKind) -> Scene {
+    let mut scene = scene.clone();
+    scene.observer.kind = kind;
+    journey.apply(time, &mut scene);
+    scene
+}
+
+/// What a viewer sees move: ln r, the angles without whole turns, the field of view, the velocity.
+fn numbers(scene: &Scene) -> Vec<f64> {
+    let camera = scene.camera;
+    let turns = [camera.phi_deg, camera.yaw_deg, camera.pitch_deg, camera.roll_deg].map(f64::to_radians);
+    let mut all = vec![camera.r.ln(), camera.theta_deg.to_radians(), camera.fov_deg.to_radians()];
+    all.extend(turns.into_iter().flat_map(|turn| [turn.cos(), turn.sin()]));
+    all.extend(scene.observer.velocity);
+    all
+}
+
+/// Central differences of a millisecond, at every keyframe, which are at whole seconds, and in between: accelerations stay
+/// within what a gentle flight has, so neither places nor speeds jump.
+#[test]
+fn the_default_journey_is_continuous_with_its_speed() {
+    let journey = default();
+    for kind in [ObserverKind::Static, ObserverKind::Rain] {
+        let (h, preset) = (1e-3, preset());
+        for step in 0..=(50.0 * journey.duration) as i32 {
+            let time = f64::from(step) / 50.0;
+            let [a, b, c] = [-h, 0.0, h].map(|d| numbers(&at_from(&preset, &journey, time + d, kind)));
+            for ((a, b), c) in a.into_iter().zip(b).zip(c) {
+                assert!((c - b).abs() < 0.6 * h, "jump at {time}: {b} {c}");
+                let change = (c - 2.0 * b + a).abs();
+                assert!(change < 1.0 * h * h, "kink at {time}: {change:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_default_journey_goes_where_it_should_and_all_of_it_can_be_drawn() {
+    let journey = default();
+    assert!((140.0..160.0).contains(&journey.duration));
+    for kind in [ObserverKind::Static, ObserverKind::Zamo, ObserverKind::Orbit, ObserverKind::Rain] {
+        for step in 0..=1500 {
+            let scene = at(&journey, journey.duration * f64::from(step) / 1500.0, kind);
+            assert_eq!(scene.check(), Ok(()));
+            GpuScene::for_rays(&scene).unwrap();
+        }
+    }
+    let still = |time| at(&journey, time, ObserverKind::Static).camera;
+    assert_eq!(still(0.0).r, 160.0_f64.ln().exp());
+    let ends = [ObserverKind::Static, ObserverKind::Rain].map(|kind| at(&journey, journey.duration, kind).camera.r);
+    assert!((ends[0] - 1.12).abs() < 1e-12, "near the limit");
+    assert!(ends[1] < Kerr { spin: 0.0 }.horizon() / 2.0, "beyond it");
+    let thetas: Vec<f64> = (0..150).map(|time| still(f64::from(time)).theta_deg).collect();
+    assert!(thetas.iter().any(|theta| *theta < 35.0) && thetas.iter().any(|theta| *theta > 80.0));
+    // Led along, a circular orbit is left.
+    assert_eq!(at(&journey, 50.0, ObserverKind::Orbit).observer.kind, ObserverKind::Static);
+    // Before and after, it stays at its ends.
+    assert_eq!(at(&journey, -5.0, ObserverKind::Rain), at(&journey, 0.0, ObserverKind::Rain));
+    assert_eq!(at(&journey, 1e9, ObserverKind::Rain), at(&journey, journey.duration, ObserverKind::Rain));
+}
+
+#[test]
+fn tracks_meet_their_points_and_never_overshoot() {
+    let points = [(0.0, 1.0), (1.0, 5.0), (1.5, 5.0), (4.0, -2.0), (9.0, -2.5), (9.1, 7.0)];
+    let track = Track::through(&points).unwrap();
+    for pair in points.windows(2) {
+        let [(start, from), (end, to)] = [pair[0], pair[1]];
+        assert!((track.at(start) - from).abs() < 1e-14 && (track.at(end) - to).abs() < 1e-14);
+        let mut last = from;
+        for i in 0..=1000 {
+            let value = track.at(start + (end - start) * f64::from(i) / 1000.0);
+            assert!(
+                (value - last) * (to - from) >= -1e-13
+                    && (from.min(to) - 1e-12..=from.max(to) + 1e-12).contains(&value)
+            );
+            last = value;
+        }
+    }
+    assert_eq!(Track::through(&[]), None);
+    assert_eq!(Track::through(&[(3.0, 2.0)]).unwrap().at(-7.0), 2.0);
+    // A straight line in between is kept straight.
+    let line = Track::through(&[(0.0, 0.0), (1.0, 1.0), (2.0, 2.0), (3.0, 3.0)]).unwrap();
+    assert!((line.at(1.3) - 1.3).abs() < 1e-14);
+}
+
+#[test]
+fn the_way_to_the_start_is_short_and_gentle() {
+    let (mut from, mut to) = (Scene::default().camera, Scene::default().camera);
+    (from.r, from.phi_deg, to.r, to.phi_deg, to.yaw_deg) = (4.0, 170.0, 64.0, -170.0, 30.0);
+    assert_eq!(between(&from, &to, 0.0), from);
+    assert_eq!(between(&from, &to, 1.0), to);
+    let half = between(&from, &to, 0.5);
+    assert!(
+        (half.r - 16.0).abs() < 1e-12
+            && (half.phi_deg.abs() - 180.0).abs() < 1e-9
+            && (half.yaw_deg - 15.0).abs() < 1e-12
+    );
+    let near = between(&from, &to, 1e-4);
+    assert!((near.r - from.r).abs() < 1e-6, "it begins at rest");
+}
+
+#[test]
+fn a_journey_of_ones_own_says_what_it_names_and_leaves_the_rest() {
+    let text = "schema = 1\ntitle = \"Fall\"\n[[keyframe]]\ntime = 10\nr = 8\nobserver = \"static\"\n[[keyframe]]\ntime = 14\n\
+                r = 2\n[[keyframe]]\ntime = 15\nobserver = \"rain\"\nvelocity = [0.1, 0, 0]\nfov_deg = 90\nphi_deg = 725\n\
+                rain = { r = 1.5, fov_deg = 80 }\n";
+    let journey = journey::load("mine.toml", text).unwrap();
+    assert_eq!((journey.title.as_str(), journey.duration), ("Fall", 5.0));
+    let before = at(&journey, 2.0, ObserverKind::Zamo);
+    assert!((before.camera.r - 4.0).abs() < 1e-12 && before.observer.kind == ObserverKind::Static);
+    let after = at(&journey, 5.0, ObserverKind::Zamo);
+    assert_eq!((after.observer.kind, after.observer.velocity), (ObserverKind::Rain, [0.1, 0.0, 0.0]));
+    assert_eq!((after.camera.fov_deg, after.camera.phi_deg), (80.0, 5.0));
+    assert!((after.camera.r - 1.5).abs() < 1e-12, "what is otherwise in rain");
+    assert_eq!(after.camera.theta_deg, preset().camera.theta_deg);
+}
+
+#[test]
+fn faults_of_a_journey_are_told_with_their_keyframe() {
+    let two = "[[keyframe]]\ntime = 0\n[[keyframe]]\n";
+    let fault = |text: &str| journey::load("j.toml", text).unwrap_err().to_string();
+    for (text, sentence) in [
+        (String::new(), "j.toml: a journey has from 2 to 1000 tables [[keyframe]], and here are 0"),
+        ("[[keyframe]]\ntime = 1".into(), "j.toml: a journey has from 2 to 1000 tables [[keyframe]], and here are 1"),
+        (
+            "schema = 2".into(),
+            "j.toml: schema = 2 is another version of the preset format; this program reads schema 1",
+        ),
+        (
+            "speed = 3".into(),
+            "j.toml: speed = 3 is refused: a journey has schema = 1, title = \"...\" and tables [[keyframe]]",
+        ),
+        (
+            "keyframe = 3".into(),
+            "j.toml: keyframe = 3 is refused: a journey has schema = 1, title = \"...\" and tables [[keyframe]]",
+        ),
+        (
+            two.into(),
+            "j.toml: keyframe 2: time = nothing is refused: it must be a number of seconds above 0, that of the keyframe \
+             before",
+        ),
+        (
+            format!("{two}time = 0.0"),
+            "j.toml: keyframe 2: time = 0 is refused: it must be a number of seconds above 0, that of the keyframe before",
+        ),
+        (
+            format!("{two}time = inf"),
+            "j.toml: keyframe 2: time = inf is refused: it must be a number of seconds from 0 to 86400",
+        ),
+        (
+            format!("{two}time = 1\nradius = 3"),
+            "j.toml: keyframe 2: there is no radius; a keyframe has time, any of r, theta_deg, phi_deg, yaw_deg, \
+             pitch_deg, roll_deg, fov_deg, observer, velocity, and a table rain of those but the observer for who falls \
+             from rest at infinity",
+        ),
+        (
+            format!("{two}time = 1\nrain.theta_deg = 200"),
+            "j.toml: keyframe 2: theta_deg = 200 is refused: it must be a number from 0 to 180 degrees",
+        ),
+        (
+            format!("{two}time = 1\ntheta_deg = 181"),
+            "j.toml: keyframe 2: theta_deg = 181 is refused: it must be a number from 0 to 180 degrees",
+        ),
+        (
+            format!("{two}time = 1\nr = \"near\""),
+            "j.toml: keyframe 2: r = \"near\" is refused: it must be a number from 0.1 to 10000000 r_s",
+        ),
+        (
+            format!("{two}time = 1\nyaw_deg = nan"),
+            "j.toml: keyframe 2: yaw_deg = NaN is refused: it must be a number of degrees",
+        ),
+        (
+            format!("{two}time = 1\nobserver = \"fast\""),
+            "j.toml: keyframe 2: observer = \"fast\" is refused: it must be one of static, zamo, orbit, rain",
+        ),
+        (
+            "[[keyframe]]\ntime = 0\nvelocity = [0.8, 0, 0]\n[[keyframe]]\ntime = 1\nvelocity = [0, 0.8, 0]".into(),
+            "j.toml: keyframe 2: velocity = [0, 0.8, 0] is refused: it must be nearer to that of the keyframe before, \
+             [0.8, 0, 0]: on the way there it would reach 1 c",
+        ),
+    ] {
+        assert_eq!(fault(&text), sentence);
+    }
+    for faulty in ["rain = 3", "rain.observer = \"rain\"", "rain.time = 3"] {
+        let sentence = fault(&format!("{two}time = 1\n{faulty}"));
+        assert!(sentence.starts_with("j.toml: keyframe 2: there is no "), "{sentence}");
+    }
+    assert!(fault("[[keyframe]\n").starts_with("j.toml: line 1, column "));
+}
