@@ -101,6 +101,26 @@ fn the_first_picture_comes_soon_and_hands_are_felt_while_a_shader_is_made() {
 }
 
 #[test]
+fn a_still_window_answers_at_once_however_long_its_scene_takes() {
+    // The slowest method: some hundred milliseconds a frame on a software renderer, and a window shows a frame two later.
+    let slow = ["--preset", "2", "--method", "kerr-schild", "--spin", "0.9", "--set", "quality.step_scale=0.45"];
+    let Some(desktop) = Desktop::open(&slow) else { return };
+    let hint = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, WINDOW.1 - HINT..WINDOW.1) > 0.0;
+    let before = desktop.settled("first picture", |shot| shot.colours() > 200);
+    let answers: Vec<Duration> = (0..5)
+        .map(|_| {
+            let before = desktop.settled("rest", |_| true);
+            desktop.wheel();
+            desktop.until("the wheel", |shot| hint(shot, &before))
+        })
+        .collect();
+    println!("the wheel is felt after {answers:.2?}");
+    let best = answers.iter().min().unwrap();
+    assert!(*best < Duration::from_millis(300), "the wheel was felt after {best:.2?} at best: the eye does not rest");
+    assert!(changed(&before, &desktop.shot()) == 0.0, "the picture changed while nothing did");
+}
+
+#[test]
 fn unfinished_rays_turn_magenta_with_f11() {
     // Twenty steps are too few for most rays.
     let few_steps = ["--preset", "2", "--method", "verlet", "--set", "quality.max_steps=20"];
