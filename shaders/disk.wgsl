@@ -41,7 +41,7 @@ fn plane_crossing(segment: Segment, crosses: bool) -> vec3<f32> {
 
 // Adds the segment's crossing of the annulus, if it has one, where positions are r n; its g is left to shift_hits.
 fn record_crossing(result: ptr<function, Trace>, segment: Segment) {
-    let crosses = crosses_plane(segment.x0.z, segment.x1.z) && (*result).hit_count < 2u;
+    let crosses = crosses_plane(segment.x0.z, segment.x1.z) && (*result).hit_count < MOST_HITS;
     let position = plane_crossing(segment, crosses);
     if crosses && in_annulus(length(position)) {
         if (*result).hit_count == 0u {
@@ -76,7 +76,7 @@ fn disk_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
 }
 
 // Adds a crossing of the annulus, in order; E is per unit frequency for the camera, lambda = L/E. What comes after the
-// second is left out.
+// last that matters is left out.
 fn add_hit(result: ptr<function, Trace>, position: vec3<f32>, energy: f32, lambda: f32) {
     let hit = Hit(position, disk_redshift(length(position), energy, lambda));
     if (*result).hit_count == 0u {
@@ -84,7 +84,7 @@ fn add_hit(result: ptr<function, Trace>, position: vec3<f32>, energy: f32, lambd
     } else if (*result).hit_count == 1u {
         (*result).hits[1] = hit;
     }
-    (*result).hit_count = min((*result).hit_count + 1u, 2u);
+    (*result).hit_count = min((*result).hit_count + 1u, MOST_HITS);
 }
 
 // Gives the recorded crossings their g.

@@ -170,6 +170,9 @@ pub enum PresetsCommand {
         /// Number, name or TOML file
         #[arg(value_name = "NAME")]
         preset: OsString,
+        /// Show instead what drawing it compiles in, leaves out and runs
+        #[arg(long)]
+        needs: bool,
     },
     /// Check a preset file
     Check {
@@ -319,7 +322,10 @@ pub fn presets(command: &PresetsCommand, out: &mut impl Write) -> Result<(), Cli
             }
             list
         }
-        PresetsCommand::Show { preset } => named(preset, &[])?.to_preset(),
+        PresetsCommand::Show { preset, needs } => {
+            let scene = named(preset, &[])?;
+            if *needs { crate::render::needs(&scene) } else { scene.to_preset() }
+        }
         PresetsCommand::Check { file } => {
             let scene = from_file(file, &[])?;
             match GpuScene::for_rays(&scene) {

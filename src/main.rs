@@ -6,7 +6,7 @@ use lightfall::flight;
 use lightfall::gpu::{self, Gpu, GpuScene};
 use lightfall::physics::reference::Reference;
 use lightfall::physics::trace::Trace;
-use lightfall::picture::{self, Still};
+use lightfall::picture::{self, PassTime, Still};
 use lightfall::report::rays::{self, RayReader, TraceWriter};
 use lightfall::scene::Scene;
 use rayon::prelude::*;
@@ -135,9 +135,9 @@ fn render(args: &RenderArgs) -> Result<(), Stop> {
     let size = args.size.unwrap_or(UVec2::new(scene.picture.width, scene.picture.height));
     let still = if args.timings {
         let (still, times) = picture::render_timed(&scene, size, TIMED_FRAMES).map_err(failed)?;
-        eprintln!("{:>10}  pass (GPU time, median of {TIMED_FRAMES} frames)", "ms");
-        for pass in times {
-            eprintln!("{:>10.3}  {}", pass.median_ms, pass.pass);
+        eprintln!("{:>10}{:>10}  pass (GPU time in ms, median of {TIMED_FRAMES} frames)", "drawn", "kept");
+        for PassTime { pass, median_ms, kept_ms } in times {
+            eprintln!("{median_ms:>10.3}{kept_ms:>10.3}  {pass}");
         }
         still
     } else {

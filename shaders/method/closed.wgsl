@@ -98,6 +98,15 @@ fn add_crossing(result: ptr<function, Trace>, u: f32, direction: vec3<f32>, ener
     }
 }
 
+// Where the plane of the orbit cuts the disk's, on the side of the odd crossings; pictures know no azimuth of a hit.
+fn crossing_direction(n: vec3<f32>, tangent: vec3<f32>, side: f32) -> vec3<f32> {
+    if !AZIMUTH {
+        return vec3<f32>(1.0, 0.0, 0.0);
+    }
+    return (side * inverseSqrt(max(n.z * n.z + tangent.z * tangent.z, TINY)))
+        * (vec3<f32>(-tangent.z * n.xy + n.z * tangent.xy, 0.0));
+}
+
 fn trace(photon: Photon) -> Trace {
     var result = untraced();
     let n = scene.camera_direction;
@@ -136,8 +145,7 @@ fn trace(photon: Photon) -> Trace {
         angle = angle_to_infinity(orbit);
     }
     if may_hit {
-        let across = (side * inverseSqrt(max(n.z * n.z + tangent.z * tangent.z, TINY)))
-            * (vec3<f32>(-tangent.z * n.xy + n.z * tangent.xy, 0.0));
+        let across = crossing_direction(n, tangent, side);
         let lambda = photon_angular_momentum(photon) / energy;
         let g3 = 0.00462962963 - 0.0625 * min(orbit.q, 1e4);
         // The way from u = 0 to 1/3, or to a turn before, takes 2.1 rad at most, and the plane is met every pi. So no ray
@@ -147,7 +155,7 @@ fn trace(photon: Photon) -> Trace {
             add_crossing(&result, u_after(crossing_angle, orbit.u, orbit.slope, g3), across, energy, lambda);
             result.turn = select(0.0, crossing_angle, result.hit_count == 1u);
         }
-        if escapes && last >= select(0.0, 1.0, outside_inner_edge) {
+        if escapes && last >= select(0.0, 1.0, outside_inner_edge) && result.hit_count < MOST_HITS {
             let beyond = angle - crossing_angle - last * PI;
             let u = u_after(beyond, 0.0, inverse_b, g3);
             let first = result.hit_count == 0u;
@@ -157,9 +165,9 @@ fn trace(photon: Photon) -> Trace {
     }
     if escapes {
         result.turn = select(result.turn, angle, result.hit_count == 0u);
-        if !FOLLOW_BEYOND_HITS && result.hit_count == 2u {
+        if !FOLLOW_BEYOND_HITS && result.hit_count == MOST_HITS {
             result.outcome = OUTCOME_HIDDEN;
-        } else {
+        } else if SKY_DIRECTION {
             let turn = sine_cosine(angle);
             result.sky = turn.y * n + turn.x * tangent;
         }

@@ -182,7 +182,7 @@ fn trace(photon: Photon) -> Trace {
         let outward = dot(state.x, v) > 0.0;
         captured = metric.r <= CAPTURE_MARGIN * scene.horizon && !outward;
         escaped = metric.r >= scene.escape_radius && outward;
-        let enough = !FOLLOW_BEYOND_HITS && result.hit_count == 2u;
+        let enough = !FOLLOW_BEYOND_HITS && result.hit_count == MOST_HITS;
         if captured || escaped || enough || i >= max_steps || affine >= scene.max_affine {
             break;
         }
@@ -192,7 +192,7 @@ fn trace(photon: Photon) -> Trace {
         if !(dot(next.x, next.x) < 1e20 && dot(next.p, next.p) < 1e20) {
             break;
         }
-        let crosses = crosses_plane(state.x.z, next.x.z) && result.hit_count < 2u;
+        let crosses = crosses_plane(state.x.z, next.x.z) && result.hit_count < MOST_HITS;
         if crosses {
             let next_v = velocity(metric_at(next.x), next.p);
             let place = plane_crossing(Segment(state.x, v, next.x, next_v, h), crosses);
@@ -219,7 +219,7 @@ fn trace(photon: Photon) -> Trace {
             result.turn = turn + angle_between(state.x, v);
         }
         result.sky = safe_normalize(vec3<f32>(turned(v.xy, sine_cosine(scene.azimuth_lead)), v.z));
-    } else if !FOLLOW_BEYOND_HITS && result.hit_count == 2u {
+    } else if !FOLLOW_BEYOND_HITS && result.hit_count == MOST_HITS {
         result.outcome = OUTCOME_HIDDEN;
     }
     return result;

@@ -204,12 +204,12 @@ fn trace(photon: Photon) -> Trace {
             let axial = abs((y.z * dy.w - y.w * dy.z) / h + angular_momentum);
             result.angular_momentum_drift = max(result.angular_momentum_drift, axial);
         }
-        let nothing_more_to_hit = u >= u_inner || result.hit_count == 2u;
+        let nothing_more_to_hit = u >= u_inner || result.hit_count == MOST_HITS;
         if dy.x > 0.0 && (u >= u_horizon || nothing_more_to_hit && cannot_turn(m, u2, y.x, u_horizon - u)) {
             result.outcome = OUTCOME_CAPTURED;
             break;
         }
-        if !FOLLOW_BEYOND_HITS && result.hit_count == 2u {
+        if !FOLLOW_BEYOND_HITS && result.hit_count == MOST_HITS {
             result.outcome = OUTCOME_HIDDEN;
             break;
         }
@@ -231,7 +231,7 @@ fn trace(photon: Photon) -> Trace {
             }
             end = curve_at(curve, share);
         }
-        if HAS_DISK && crosses_plane(y.y, end.y) && result.hit_count < 2u {
+        if HAS_DISK && crosses_plane(y.y, end.y) && result.hit_count < MOST_HITS {
             // So does n_z'' in the plane.
             var t = share * y.y / (y.y - end.y);
             for (var j = 0u; j < 2u; j++) {
@@ -242,7 +242,7 @@ fn trace(photon: Photon) -> Trace {
             if in_annulus(r) {
                 var place = crossing.zw * inverseSqrt(max(dot(crossing.zw, crossing.zw), TINY));
                 // Pictures know no azimuth of a hit.
-                if SPINNING && DIAGNOSTICS {
+                if SPINNING && AZIMUTH {
                     place = turned(place, sine_cosine(wrapped(chi + azimuth_gain(m, energy, curve, t))));
                 }
                 if DIAGNOSTICS && result.hit_count == 0u {
@@ -251,7 +251,8 @@ fn trace(photon: Photon) -> Trace {
                 add_hit(&result, vec3<f32>(r * place, 0.0), photon.energy, lambda);
             }
         }
-        if SPINNING {
+        // A picture without a sky asks for no azimuth at all.
+        if SPINNING && SKY_DIRECTION {
             chi = wrapped(chi + azimuth_gain(m, energy, curve, share));
         }
         if DIAGNOSTICS {

@@ -69,7 +69,7 @@ fn trace(photon: Photon) -> Trace {
         // A camera may stand within the capture radius: its outgoing rays still have their chance.
         captured = r <= CAPTURE_RADIUS && !outward;
         escaped = r >= scene.escape_radius && outward;
-        let enough = !FOLLOW_BEYOND_HITS && result.hit_count == 2u;
+        let enough = !FOLLOW_BEYOND_HITS && result.hit_count == MOST_HITS;
         if captured || escaped || enough || i >= max_steps || affine >= scene.max_affine {
             break;
         }
@@ -107,7 +107,7 @@ fn trace(photon: Photon) -> Trace {
     } else if escaped {
         result.outcome = OUTCOME_SKY;
         result.sky = safe_normalize(v);
-    } else if !FOLLOW_BEYOND_HITS && result.hit_count == 2u {
+    } else if !FOLLOW_BEYOND_HITS && result.hit_count == MOST_HITS {
         result.outcome = OUTCOME_HIDDEN;
     }
     return result;

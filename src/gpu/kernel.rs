@@ -33,9 +33,9 @@ impl Kernel {
     pub fn new(gpu: &Gpu, source: &str, entry: &str, uniforms: &[(u32, Vec<u8>)]) -> Result<Self, GpuError> {
         let module = gpu.shader(entry, source)?;
         gpu.validated(|| {
-            let uniforms = uniforms
-                .iter()
-                .map(|(binding, bytes)| (*binding, buffer(gpu, "uniform", bytes, BufferUsages::UNIFORM)));
+            let uniforms = uniforms.iter().map(|(binding, bytes)| {
+                (*binding, buffer(gpu, "uniform", bytes, BufferUsages::UNIFORM | BufferUsages::COPY_DST))
+            });
             let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
                 label: Some(entry),
                 layout: None,
@@ -47,6 +47,13 @@ impl Kernel {
             Self { pipeline, uniforms: uniforms.collect() }
         })
         .map_err(GpuError::Shader)
+    }
+
+    /// Gives a uniform other bytes, as many as it has.
+    pub fn write_uniform(&self, gpu: &Gpu, binding: u32, bytes: &[u8]) {
+        for (_, buffer) in self.uniforms.iter().filter(|(at, _)| *at == binding) {
+            gpu.queue.write_buffer(buffer, 0, bytes);
+        }
     }
 
     /// Runs it over `input`; nothing in, nothing out.

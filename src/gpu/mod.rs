@@ -6,6 +6,7 @@ pub mod kernel;
 pub mod rays;
 mod scene;
 mod shader;
+pub mod timing;
 
 pub use device::{Gpu, adapters, backends, check_adapter};
 pub use scene::{DISK_HDR_SCALE, GpuScene};

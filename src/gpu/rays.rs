@@ -48,26 +48,42 @@ pub fn trace(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<Trace
 /// As [`trace`].
 pub fn records(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<GpuTrace>, GpuError> {
     let directions: Vec<Vec3> = directions.iter().map(|direction| unit(*direction).as_vec3()).collect();
-    run(gpu, scene, &GpuScene::for_rays(scene)?, &directions)
+    RayKernel::new(gpu, scene)?.run(gpu, &GpuScene::for_rays(scene)?, &directions)
 }
 
-/// As [`trace`], of unit directions that are (right, up, forward) of the camera, as a picture's are.
-///
-/// # Errors
-/// As [`trace`].
-pub fn trace_from_camera(gpu: &Gpu, scene: &Scene, directions: &[Vec3]) -> Result<Vec<Trace>, GpuError> {
-    let numbers = GpuScene::new(scene, UVec2::new(scene.picture.width, scene.picture.height))?;
-    Ok(run(gpu, scene, &numbers, directions)?.iter().map(Trace::from).collect())
-}
+/// The compiled variant of a scene, for rays that are given as a picture's are.
+#[derive(Debug)]
+pub struct RayKernel(Kernel);
 
-fn run(gpu: &Gpu, scene: &Scene, numbers: &GpuScene, directions: &[Vec3]) -> Result<Vec<GpuTrace>, GpuError> {
-    let kernel = Kernel::new(gpu, &Variant::rays(scene).source(), "rays", &[(0, uniform(numbers))])?;
-    let mut records = Vec::with_capacity(directions.len());
-    for batch in directions.chunks(MOST_RAYS) {
-        let batch: Vec<Vec4> = batch.iter().map(|direction| direction.extend(0.0)).collect();
-        records.extend(kernel.run::<Vec4, GpuTrace>(gpu, &batch)?);
+impl RayKernel {
+    /// Compiles the scene's variant.
+    ///
+    /// # Errors
+    /// A scene the GPU cannot trace.
+    pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
+        let numbers = GpuScene::for_rays(scene)?;
+        Ok(Self(Kernel::new(gpu, &Variant::rays(scene).source(), "rays", &[(0, uniform(&numbers))])?))
     }
-    Ok(records)
+
+    /// Traces rays through a scene of this variant; unit directions are (right, up, forward) of its camera. One record a
+    /// ray, in order.
+    ///
+    /// # Errors
+    /// As [`trace`].
+    pub fn trace(&self, gpu: &Gpu, scene: &Scene, directions: &[Vec3]) -> Result<Vec<Trace>, GpuError> {
+        let numbers = GpuScene::new(scene, UVec2::new(scene.picture.width, scene.picture.height))?;
+        Ok(self.run(gpu, &numbers, directions)?.iter().map(Trace::from).collect())
+    }
+
+    fn run(&self, gpu: &Gpu, numbers: &GpuScene, directions: &[Vec3]) -> Result<Vec<GpuTrace>, GpuError> {
+        self.0.write_uniform(gpu, 0, &uniform(numbers));
+        let mut records = Vec::with_capacity(directions.len());
+        for batch in directions.chunks(MOST_RAYS) {
+            let batch: Vec<Vec4> = batch.iter().map(|direction| direction.extend(0.0)).collect();
+            records.extend(self.0.run::<Vec4, GpuTrace>(gpu, &batch)?);
+        }
+        Ok(records)
+    }
 }
 
 /// A direction of length one, whatever its length was; zero stays zero.

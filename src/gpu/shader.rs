@@ -27,7 +27,9 @@ pub struct Variant {
     pub view: View,
     /// Which effects there are.
     pub effects: Effects,
-    /// Whether rays are followed beyond two crossings of the disk.
+    /// How many crossings of the disk count: two, or one where no light to speak of passes through.
+    pub most_hits: u32,
+    /// Whether rays are followed beyond those.
     pub follow_beyond_hits: bool,
 }
 
@@ -38,6 +40,8 @@ pub enum Entry {
     Picture,
     /// Records of rays: entry point `rays`, in workgroups of 64.
     Rays,
+    /// One vector a pixel, for the time it takes: entry points `timed`, in workgroups of 8 by 8, `vertex` and `fragment`.
+    Timed,
 }
 
 /// The methods that exist as WGSL.
@@ -69,7 +73,7 @@ impl Tracer {
     }
 }
 
-/// Least light, as a share, for which a ray is followed beyond two crossings of the disk: half of an 8-bit level.
+/// Least light, as a share, for which a ray is followed beyond crossings of the disk: half of an 8-bit level.
 const NEGLIGIBLE: f64 = 0.002;
 
 /// A part: its file below shaders/, and its text.
@@ -100,6 +104,7 @@ impl Variant {
             view: scene.view,
             // Brightness has no meaning for marks.
             effects: Effects { beaming: scene.effects.beaming || marks, ..scene.effects },
+            most_hits: if !marks && scene.disk.enabled && scene.disk.transmission <= NEGLIGIBLE { 1 } else { 2 },
             follow_beyond_hits: marks || !scene.disk.enabled || scene.disk.transmission.powi(2) > NEGLIGIBLE,
         }
     }
@@ -113,8 +118,21 @@ impl Variant {
             reference_star: false,
             view: View::Colour,
             effects: Effects { beaming: true, ..scene.effects },
+            most_hits: 2,
             follow_beyond_hits: true,
             ..Self::picture(scene)
+        }
+    }
+
+    /// The shader that traces a picture's rays and draws nothing, to be timed.
+    pub fn timed(scene: &Scene) -> Self {
+        Self {
+            entry: Entry::Timed,
+            disk_model: DiskModel::default(),
+            sky: SkyMode::Off,
+            reference_star: false,
+            view: View::Colour,
+            ..Self::picture(&Scene { view: View::Colour, ..scene.clone() })
         }
     }
 
@@ -122,7 +140,7 @@ impl Variant {
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         let mut scene = Scene::default();
-        let disks = [(false, 0.0), (true, 0.0), (true, 1.0)];
+        let disks = [(false, 0.0), (true, 0.0), (true, 0.04), (true, 1.0)];
         let methods = [
             (Method::Verlet, 0.0),
             (Method::Closed, 0.0),
@@ -136,7 +154,7 @@ impl Variant {
         {
             (scene.method, scene.hole.spin) = (method, spin);
             (scene.disk.enabled, scene.disk.transmission) = (enabled, transmission);
-            all.push(Self::rays(&scene));
+            all.extend([Self::rays(&scene), Self::timed(&scene)]);
             for mode in [SkyMode::Stars, SkyMode::Grid, SkyMode::Off] {
                 for reference_star in [false, true] {
                     for view in View::ALL {
@@ -198,6 +216,7 @@ impl Variant {
         }
         match self.entry {
             Entry::Rays => parts.push(part!("rays.wgsl")),
+            Entry::Timed => parts.push(part!("timed.wgsl")),
             Entry::Picture => {
                 let disk_light = self.disk && shows_light(self.view);
                 if disk_light || self.sky != SkyMode::Off {
@@ -228,11 +247,13 @@ impl Variant {
         parts
     }
 
-    /// The flags, and what the parts must share with the CPU.
-    fn prelude(self) -> String {
-        let mut text = String::new();
-        for (name, value) in [
+    /// The flags, by their names in the shaders. Compilers drop what stands behind one that is not set.
+    pub fn flags(self) -> [(&'static str, bool); 12] {
+        let records = self.entry == Entry::Rays;
+        [
             ("SPINNING", self.spinning),
+            ("AZIMUTH", records),
+            ("SKY_DIRECTION", records || self.sky != SkyMode::Off),
             ("REFERENCE_STAR", self.reference_star),
             ("SHOW_UNFINISHED", self.view == View::Unfinished),
             ("FOLLOW_BEYOND_HITS", self.follow_beyond_hits),
@@ -241,10 +262,22 @@ impl Variant {
             ("BEAMING", self.effects.beaming),
             ("GRAVITATIONAL_SHIFT", self.effects.gravitational_shift),
             ("ABERRATION", self.effects.aberration),
-            ("DIAGNOSTICS", self.entry == Entry::Rays || matches!(self.view, View::Residual | View::Order)),
-        ] {
+            ("DIAGNOSTICS", records || matches!(self.view, View::Residual | View::Order)),
+        ]
+    }
+
+    /// The files below shaders/ whose text is in this one's, in their order.
+    pub fn files(self) -> Vec<&'static str> {
+        self.parts().into_iter().map(|(file, _)| file).collect()
+    }
+
+    /// The flags, and what the parts must share with the CPU.
+    fn prelude(self) -> String {
+        let mut text = String::new();
+        for (name, value) in self.flags() {
             constant(&mut text, name, "bool", value);
         }
+        constant(&mut text, "MOST_HITS", "u32", format!("{}u", self.most_hits));
         constant(&mut text, "PAGE_THORNE_LEN", "u32", format!("{}u", disk::TABLE_LEN));
         constant(&mut text, "SPECTRUM_LEN", "u32", format!("{TABLE_LEN}u"));
         constant(&mut text, "SPECTRUM_COLDEST", "f32", format!("{TABLE_COLDEST:?}"));

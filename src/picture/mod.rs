@@ -5,4 +5,4 @@ mod still;
 
 pub use file::{PictureError, check_path, write_png};
 pub(crate) use still::quiet_log;
-pub use still::{PassTime, Still, check_size, render, render_timed};
+pub use still::{PassTime, Still, Studio, check_size, render, render_timed};

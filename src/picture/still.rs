@@ -2,7 +2,7 @@
 
 use super::PictureError;
 use crate::gpu::GpuScene;
-use crate::render::{LightfallRenderPlugin, pipelines_ready, render_plugin};
+use crate::render::{AlwaysDraw, CurrentScene, LightfallRenderPlugin, is_drawn, render_plugin};
 use crate::scene::Scene;
 use bevy::app::PluginsState;
 use bevy::asset::RenderAssetUsages;
@@ -18,6 +18,8 @@ use bevy::render::renderer::RenderDevice;
 use bevy::render::settings::WgpuLimits;
 use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
+use std::collections::BTreeMap;
+use std::time::Instant;
 
 /// A finished picture.
 pub struct Still {
@@ -30,11 +32,14 @@ pub struct Still {
 }
 
 /// GPU time of one pass.
+#[derive(Clone, Debug, PartialEq)]
 pub struct PassTime {
     /// Name of the pass.
     pub pass: String,
     /// Median over the timed frames, in milliseconds.
     pub median_ms: f64,
+    /// The same over frames in which nothing changed; zero where the pass did not run in them.
+    pub kept_ms: f64,
 }
 
 /// Frames after which a picture that still isn't there is given up; compiling every pipeline takes a handful.
@@ -42,6 +47,62 @@ const MOST_UPDATES: usize = 600;
 
 /// Bytes that a row of a texture copy is padded to (WebGPU's COPY_BYTES_PER_ROW_ALIGNMENT).
 const ROW_ALIGNMENT: usize = 256;
+
+/// The chain without a window, drawing one scene after another at one output size.
+pub struct Studio {
+    app: App,
+    size: UVec2,
+}
+
+impl Studio {
+    /// Draws a first scene; later ones come from the same device and its compiled passes.
+    ///
+    /// # Errors
+    /// A size the device can't do, or a chain that failed.
+    pub fn open(scene: &Scene, size: UVec2) -> Result<Self, PictureError> {
+        let mut studio = Self { app: headless(scene, size, true)?, size };
+        studio.settle()?;
+        Ok(studio)
+    }
+
+    /// Shows a scene from the next frame on.
+    pub fn show(&mut self, scene: &Scene) {
+        self.app.world_mut().resource_mut::<CurrentScene>().0 = scene.clone();
+    }
+
+    /// Draws frames until the scene is drawn whole.
+    ///
+    /// # Errors
+    /// A chain that failed.
+    pub fn settle(&mut self) -> Result<(), PictureError> {
+        warm_up(&mut self.app)
+    }
+
+    /// The picture of the next frame.
+    ///
+    /// # Errors
+    /// A chain that failed.
+    pub fn picture(&mut self) -> Result<Still, PictureError> {
+        read_back(&mut self.app, self.size)
+    }
+
+    /// Draws the scene `frames` more times to tell each pass's GPU time, and as many frames in which nothing changes. A
+    /// device without timestamps gives an empty list.
+    ///
+    /// # Errors
+    /// A chain that failed.
+    pub fn time(&mut self, frames: usize) -> Result<Vec<PassTime>, PictureError> {
+        self.app.world_mut().resource_mut::<AlwaysDraw>().0 = true;
+        let drawn = medians(&mut self.app, frames)?;
+        self.app.world_mut().resource_mut::<AlwaysDraw>().0 = false;
+        let kept = medians(&mut self.app, frames)?;
+        let times = drawn.into_iter().map(|(pass, median_ms)| {
+            let kept_ms = kept.get(&pass).copied().unwrap_or_default();
+            PassTime { pass, median_ms, kept_ms }
+        });
+        Ok(times.collect())
+    }
+}
 
 /// Draws one picture of the scene at the given output size. The same scene and size give the same bytes.
 ///
@@ -53,34 +114,42 @@ pub fn render(scene: &Scene, size: UVec2) -> Result<Still, PictureError> {
     read_back(&mut app, size)
 }
 
-/// Like [`render`], and draws the scene `frames` more times to tell each pass's GPU time.
+/// Like [`render`], with the GPU time of each pass, see [`Studio::time`].
 ///
 /// # Errors
-/// As [`render`]; a device without timestamps gives an empty list.
+/// As [`render`].
 pub fn render_timed(scene: &Scene, size: UVec2, frames: usize) -> Result<(Still, Vec<PassTime>), PictureError> {
-    let mut app = headless(scene, size, true)?;
-    warm_up(&mut app)?;
-    let still = read_back(&mut app, size)?;
-    let mut samples: std::collections::BTreeMap<String, Vec<f64>> = default();
+    let mut studio = Studio::open(scene, size)?;
+    Ok((studio.picture()?, studio.time(frames)?))
+}
+
+/// Frames until what the device measured has arrived.
+const LATEST_MEASUREMENT: usize = 6;
+
+/// Median GPU time of each pass that runs in the next frames, in milliseconds.
+fn medians(app: &mut App, frames: usize) -> Result<BTreeMap<String, f64>, PictureError> {
+    for _ in 0..LATEST_MEASUREMENT {
+        update(app)?;
+    }
+    let mut samples: BTreeMap<String, Vec<f64>> = default();
     for _ in 0..frames {
-        update(&mut app)?;
+        let begin = Instant::now();
+        update(app)?;
         for diagnostic in app.world().resource::<DiagnosticsStore>().iter() {
             let path = diagnostic.path().as_str();
-            if let (Some(pass), Some(value)) =
-                (path.strip_prefix("render/").and_then(|path| path.strip_suffix("/elapsed_gpu")), diagnostic.value())
-            {
-                samples.entry(pass.into()).or_default().push(value);
+            let pass = path.strip_prefix("render/").and_then(|path| path.strip_suffix("/elapsed_gpu"));
+            // What a pass took when it last ran stays there.
+            let fresh = diagnostic.measurement().filter(|measurement| measurement.time >= begin);
+            if let (Some(pass), Some(measurement)) = (pass, fresh) {
+                samples.entry(pass.into()).or_default().push(measurement.value);
             }
         }
     }
-    let times = samples
-        .into_iter()
-        .map(|(pass, mut values)| {
-            values.sort_by(f64::total_cmp);
-            PassTime { pass, median_ms: values[values.len() / 2] }
-        })
-        .collect();
-    Ok((still, times))
+    let median = |mut values: Vec<f64>| {
+        values.sort_by(f64::total_cmp);
+        values[values.len() / 2]
+    };
+    Ok(samples.into_iter().map(|(pass, values)| (pass, median(values))).collect())
 }
 
 #[derive(Resource)]
@@ -158,15 +227,15 @@ fn update(app: &mut App) -> Result<(), PictureError> {
     Ok(())
 }
 
-/// Updates until every pipeline exists, so that the picture is complete the first time it is taken.
+/// Updates until the scene is drawn, so that the picture is complete the first time it is taken.
 fn warm_up(app: &mut App) -> Result<(), PictureError> {
     for _ in 0..MOST_UPDATES {
         update(app)?;
-        if pipelines_ready(app).map_err(PictureError::Draw)? {
+        if is_drawn(app).map_err(PictureError::Draw)? {
             return Ok(());
         }
     }
-    Err(PictureError::Draw("its pipelines did not become ready".into()))
+    Err(PictureError::Draw("its passes did not become ready".into()))
 }
 
 fn read_back(app: &mut App, size: UVec2) -> Result<Still, PictureError> {

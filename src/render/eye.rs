@@ -1,8 +1,10 @@
 //! The two cameras: the eye, which sees the scene at the HDR picture's size, and the screen, which shows it.
 
 use super::CurrentScene;
+use super::chain::Chain;
 use bevy::camera::{CameraOutputMode, CameraUpdateSystems, ClearColorConfig, Exposure, Hdr, RenderTarget};
 use bevy::core_pipeline::tonemapping::{DebandDither, Tonemapping};
+use bevy::light::cluster::ClusterConfig;
 use bevy::post_process::bloom::Bloom;
 use bevy::prelude::*;
 use bevy::render::extract_component::{ExtractComponent, ExtractComponentPlugin};
@@ -18,13 +20,6 @@ pub struct Screen;
 
 /// Light in front of the eye, nearest distance drawn, in r_s.
 const NEAR: f32 = 1e-3;
-
-/// Bloom's largest level has half the default picture's height: a level finer than that changes nothing that the
-/// presentation grid can show and is where most of the time goes (docs/PASSES.md).
-const BLOOM_LEVEL: u32 = 256;
-
-/// Widest bloom texture, in pixels.
-const WIDEST_BLOOM: u32 = 8192;
 
 /// With this exposure value Bevy's photometric scale is one, so that lamps and traced light share their units.
 const UNIT_EV100: f32 = -0.263_034_4;
@@ -67,6 +62,8 @@ fn spawn(mut commands: Commands, target: Res<ScreenTarget>, scene: Res<CurrentSc
         Tonemapping::KhronosPbrNeutral,
         DebandDither::Disabled,
         Exposure { ev100: UNIT_EV100 },
+        // Every lamp lights the whole of the foreground.
+        ClusterConfig::Single,
     ));
     commands.spawn((
         Screen,
@@ -86,8 +83,8 @@ fn follow(
     eye: Single<(Entity, &mut RenderTarget, &mut Transform, &mut Projection, &mut ColorGrading), With<Eye>>,
 ) {
     let (entity, mut target, mut transform, mut projection, mut grading) = eye.into_inner();
-    let picture = scene.picture;
-    let size = UVec2::new(picture.width, picture.height);
+    let chain = Chain::of(&scene);
+    let size = chain.picture;
     if !matches!(*target, RenderTarget::None { size: old } if old == size) {
         *target = RenderTarget::None { size };
     }
@@ -101,14 +98,14 @@ fn follow(
     let world_from_camera = scene.camera.legs() * scene.camera.legs_from_camera();
     let [right, up, forward] = [world_from_camera.x_axis, world_from_camera.y_axis, world_from_camera.z_axis];
     transform.rotation = Quat::from_mat3(&Mat3::from_cols(right.as_vec3(), up.as_vec3(), -forward.as_vec3()));
-    *grading =
-        ColorGrading { global: ColorGradingGlobal { exposure: picture.exposure_ev as f32, ..default() }, ..default() };
-    // A wide picture's bloom has fewer rows, lest its texture be wider than a device can do; below eight there is none.
-    let level = BLOOM_LEVEL.min((u64::from(WIDEST_BLOOM) * u64::from(size.y) / u64::from(size.x.max(1))) as u32);
-    if picture.bloom > 0.0 && level >= 8 {
+    *grading = ColorGrading {
+        global: ColorGradingGlobal { exposure: scene.picture.exposure_ev as f32, ..default() },
+        ..default()
+    };
+    if let Some(rows) = chain.bloom {
         commands.entity(entity).insert(Bloom {
-            intensity: picture.bloom as f32,
-            max_mip_dimension: level,
+            intensity: scene.picture.bloom as f32,
+            max_mip_dimension: rows,
             ..Bloom::NATURAL
         });
     } else {

@@ -1,8 +1,10 @@
 //! The geodesic pass: a fullscreen triangle at the far plane, so that the depth test lets only uncovered pixels through.
 
+use super::kept::Sight;
 use super::{CurrentScene, Eye};
 use crate::gpu::{GpuScene, Variant};
 use crate::physics::{disk, spectrum};
+use bevy::asset::AssetEventSystems;
 use bevy::core_pipeline::core_3d::{CORE_3D_DEPTH_FORMAT, main_opaque_pass_3d, main_transparent_pass_3d};
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::platform::collections::HashMap;
@@ -14,38 +16,62 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The shader that the current scene needs; written in the main world, where shader assets live.
 #[derive(Resource, Clone, ExtractResource)]
-struct GeodesicShader {
+pub(super) struct GeodesicShader {
     variant: Variant,
     shader: Handle<Shader>,
+    /// Whether its pipeline exists; both worlds hold it.
+    ready: Arc<AtomicBool>,
 }
 
-/// Every variant joined so far, so that going back to one costs nothing.
+impl GeodesicShader {
+    /// Whether its pipeline exists.
+    pub(super) fn is_ready(&self) -> bool {
+        self.ready.load(Ordering::Acquire)
+    }
+}
+
+/// The variants joined so far, so that going back to one costs nothing; the last used last.
 #[derive(Resource, Default)]
-struct JoinedShaders(HashMap<Variant, Handle<Shader>>);
+pub(super) struct JoinedShaders(Vec<GeodesicShader>);
+
+/// Most variants that are kept, each a compiled pipeline: more than keys and presets lead through in a while.
+const MOST_VARIANTS: usize = 48;
 
 /// What the pass needs on the GPU.
 #[derive(Resource)]
-struct GeodesicPass {
+pub(super) struct GeodesicPass {
     layout: BindGroupLayoutDescriptor,
     spectrum: Buffer,
     /// The relativistic disk's flux; always bound, read by the variants that need it.
     page_thorne: Buffer,
     numbers: UniformBuffer<GpuScene>,
-    pipelines: HashMap<Variant, CachedRenderPipelineId>,
+    pipelines: HashMap<AssetId<Shader>, CachedRenderPipelineId>,
     /// The pipeline of the scene whose numbers are in the buffer.
     current: Option<CachedRenderPipelineId>,
     bind_group: Option<BindGroup>,
     /// Whether the scene has changed since its numbers were written.
     stale: bool,
+    /// Whether this frame has drawn with them.
+    drew: bool,
+}
+
+impl GeodesicPass {
+    /// Whether this frame has drawn the light of the present scene.
+    pub(super) fn has_drawn_scene(&self) -> bool {
+        self.drew && !self.stale
+    }
 }
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<JoinedShaders>()
         .add_plugins(ExtractResourcePlugin::<GeodesicShader>::default())
-        .add_systems(PostUpdate, join_shader.run_if(resource_changed::<CurrentScene>));
+        // A shader that takes a place is to be known to the pipelines in the same frame as that it is wanted.
+        .add_systems(PostUpdate, join_shader.run_if(resource_changed::<CurrentScene>).before(AssetEventSystems));
     let Some(render_app) = app.get_sub_app_mut(RenderApp) else { return };
     render_app
         .add_systems(RenderStartup, init)
@@ -56,20 +82,33 @@ pub(super) fn plugin(app: &mut App) {
         );
 }
 
-/// Joins the parts that the scene needs into one shader, once per variant.
-fn join_shader(
+/// Joins the parts that the scene needs into one shader, once per variant. The longest unused gives up its place.
+pub(super) fn join_shader(
     mut commands: Commands,
     scene: Res<CurrentScene>,
     mut joined: ResMut<JoinedShaders>,
     mut shaders: ResMut<Assets<Shader>>,
 ) {
     let variant = Variant::picture(&scene);
-    let shader = joined
-        .0
-        .entry(variant)
-        .or_insert_with(|| shaders.add(Shader::from_wgsl(variant.source(), "lightfall/geodesic.wgsl")))
-        .clone();
-    commands.insert_resource(GeodesicShader { variant, shader });
+    let JoinedShaders(joined) = &mut *joined;
+    let shader = match joined.iter().position(|known| known.variant == variant) {
+        Some(place) => joined.remove(place),
+        None => {
+            let text = Shader::from_wgsl(variant.source(), "lightfall/geodesic.wgsl");
+            let shader = if joined.len() < MOST_VARIANTS {
+                shaders.add(text)
+            } else {
+                let GeodesicShader { shader, .. } = joined.remove(0);
+                if let Err(error) = shaders.insert(shader.id(), text) {
+                    error!("a shader could not be replaced: {error}");
+                }
+                shader
+            };
+            GeodesicShader { variant, shader, ready: default() }
+        }
+    };
+    joined.push(shader.clone());
+    commands.insert_resource(shader);
 }
 
 /// A table as it lies in a uniform.
@@ -77,7 +116,11 @@ fn bytes(table: &[[f32; 4]]) -> Vec<u8> {
     table.iter().flatten().flat_map(|value| value.to_le_bytes()).collect()
 }
 
-fn init(mut commands: Commands, device: Res<RenderDevice>) {
+fn init(mut commands: Commands, device: Res<RenderDevice>, sight: Option<Res<Sight>>) {
+    // After the loss of a device there is no picture any more.
+    if let Some(sight) = sight {
+        sight.forget();
+    }
     let table = bytes(&spectrum::table());
     let spectrum = device.create_buffer_with_data(&BufferInitDescriptor {
         label: Some("spectrum table"),
@@ -110,6 +153,7 @@ fn init(mut commands: Commands, device: Res<RenderDevice>) {
         current: None,
         bind_group: None,
         stale: true,
+        drew: false,
     });
 }
 
@@ -123,13 +167,17 @@ fn prepare(
     queue: Res<RenderQueue>,
 ) {
     let (Some(shader), Some(mut pass)) = (shader, pass) else { return };
-    let GeodesicPass { layout, spectrum, page_thorne, numbers, pipelines, current, bind_group, stale } = &mut *pass;
+    let GeodesicPass { layout, spectrum, page_thorne, numbers, pipelines, current, bind_group, stale, drew } =
+        &mut *pass;
     *stale |= scene.is_changed();
+    *drew = false;
     let wanted = *pipelines
-        .entry(shader.variant)
+        .entry(shader.shader.id())
         .or_insert_with(|| cache.queue_render_pipeline(descriptor(layout.clone(), shader.shader.clone())));
     // A scene is not begun before its own shader is there: until then the last picture stays as it was.
-    if !*stale || cache.get_render_pipeline(wanted).is_none() {
+    let ready = cache.get_render_pipeline(wanted).is_some();
+    shader.ready.store(ready, Ordering::Release);
+    if !*stale || !ready {
         return;
     }
     match GpuScene::new(&scene, UVec2::new(scene.picture.width, scene.picture.height)) {
@@ -188,11 +236,11 @@ fn descriptor(layout: BindGroupLayoutDescriptor, shader: Handle<Shader>) -> Rend
 
 fn draw(
     view: ViewQuery<(&ViewTarget, &ViewDepthTexture), With<Eye>>,
-    pass: Option<Res<GeodesicPass>>,
+    pass: Option<ResMut<GeodesicPass>>,
     cache: Res<PipelineCache>,
     mut context: RenderContext,
 ) {
-    let Some(pass) = pass else { return };
+    let Some(mut pass) = pass else { return };
     let (target, depth) = view.into_inner();
     let (Some(pipeline), Some(bind_group)) =
         (pass.current.and_then(|id| cache.get_render_pipeline(id)), pass.bind_group.as_ref())
@@ -214,13 +262,6 @@ fn draw(
     render_pass.set_bind_group(0, bind_group, &[]);
     render_pass.draw(0..3, 0..1);
     span.end(&mut render_pass);
-}
-
-/// Whether the current scene's own pipeline exists and will be drawn.
-pub(super) fn ready(world: &World, cache: &PipelineCache) -> bool {
-    let (Some(shader), Some(pass)) = (world.get_resource::<GeodesicShader>(), world.get_resource::<GeodesicPass>())
-    else {
-        return false;
-    };
-    !pass.stale && pass.pipelines.get(&shader.variant).is_some_and(|id| cache.get_render_pipeline(*id).is_some())
+    drop(render_pass);
+    pass.drew = true;
 }

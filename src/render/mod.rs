@@ -1,7 +1,7 @@
 //! The passes that turn a [`Scene`] into pixels. The window, stills and tests all run this very chain.
 //!
 //! ```text
-//! eye camera (Core3d, HDR picture size, Rgba16Float, no output of its own)
+//! eye camera (Core3d, HDR picture size, Rgba16Float, no output of its own; kept.rs: at rest while nothing changes)
 //!   probe.rs         main_opaque_pass_3d     the foreground craft, with depth
 //!   geodesic.rs      GEODESIC                traced light where depth is zero
 //!                    main_transparent_pass_3d
@@ -12,12 +12,18 @@
 //!                    egui, output            Bevy's own
 //! ```
 
+mod chain;
 mod eye;
 mod geodesic;
+mod kept;
+mod needs;
 mod presentation;
 mod probe;
 
+pub use chain::{Chain, Written};
 pub use eye::{Eye, Screen};
+pub use kept::AlwaysDraw;
+pub use needs::needs;
 pub use presentation::{Letterbox, letterbox};
 
 use crate::scene::Scene;
@@ -45,7 +51,7 @@ impl Plugin for LightfallRenderPlugin {
             .insert_resource(ClearColor(Color::BLACK))
             .add_plugins(ExtractResourcePlugin::<CurrentScene>::default())
             .add_plugins((eye::EyePlugin { target: self.target.clone() }, probe::plugin))
-            .add_plugins((geodesic::plugin, presentation::plugin));
+            .add_plugins((geodesic::plugin, kept::plugin, presentation::plugin));
     }
 }
 
@@ -56,11 +62,11 @@ pub fn render_plugin(synchronous_pipeline_compilation: bool) -> RenderPlugin {
     RenderPlugin { render_creation: settings.into(), synchronous_pipeline_compilation, ..default() }
 }
 
-/// Whether every pipeline that the chain queued exists, asked after an update. An error names what failed.
+/// Whether the whole of the present scene has been drawn, asked after an update. An error names what failed.
 ///
 /// # Errors
 /// A pipeline that could not be made: a shader error, or a limit of the device.
-pub fn pipelines_ready(app: &App) -> Result<bool, String> {
+pub fn is_drawn(app: &App) -> Result<bool, String> {
     use bevy::render::{RenderApp, render_resource::CachedPipelineState, render_resource::PipelineCache};
     let Some(cache) = app.get_sub_app(RenderApp).and_then(|render| render.world().get_resource::<PipelineCache>())
     else {
@@ -73,6 +79,5 @@ pub fn pipelines_ready(app: &App) -> Result<bool, String> {
             return Err(format!("a render pipeline could not be made: {error}"));
         }
     }
-    let own = app.get_sub_app(RenderApp).is_some_and(|render| geodesic::ready(render.world(), cache));
-    Ok(own && cache.waiting_pipelines().next().is_none())
+    Ok(app.world().get_resource::<kept::Sight>().is_some_and(kept::Sight::is_drawn))
 }

@@ -1,6 +1,6 @@
 //! The presentation: the tone-mapped picture reduced to a grid of cells, quantized, and expanded to the output.
 
-use super::{CurrentScene, Eye, Screen};
+use super::{Chain, CurrentScene, Eye, Screen};
 use crate::scene::Picture;
 use bevy::asset::uuid_handle;
 use bevy::core_pipeline::core_2d::main_transparent_pass_2d;
@@ -13,7 +13,6 @@ use bevy::render::diagnostic::RecordDiagnostics;
 use bevy::render::render_resource::binding_types::{sampler, texture_2d, uniform_buffer};
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
-use bevy::render::texture::{CachedTexture, TextureCache};
 use bevy::render::view::{ExtractedView, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 
@@ -56,6 +55,15 @@ struct Presentation {
     dither: u32,
 }
 
+/// The presentation grid, and what it was filled with.
+struct Cells {
+    view: TextureView,
+    /// Size, levels and pattern.
+    numbers: (UVec2, f32, u32),
+    /// Whether they show the eye's last picture.
+    filled: bool,
+}
+
 /// The three fragment entries.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Stage {
@@ -80,8 +88,8 @@ struct PresentationPass {
     sampler: Sampler,
     numbers: UniformBuffer<Presentation>,
     pipelines: HashMap<(Stage, TextureFormat), CachedRenderPipelineId>,
-    /// The cells, absent when they are bypassed.
-    grid: Option<CachedTexture>,
+    /// The cells, absent when they are bypassed; kept as long as the picture is.
+    cells: Option<Cells>,
     /// Format of the screen's main texture.
     output: TextureFormat,
 }
@@ -128,7 +136,7 @@ fn init(mut commands: Commands, device: Res<RenderDevice>) {
         sampler,
         numbers: UniformBuffer::from(Presentation::default()),
         pipelines: HashMap::default(),
-        grid: None,
+        cells: None,
         output: TextureFormat::Rgba8UnormSrgb,
     });
 }
@@ -136,42 +144,37 @@ fn init(mut commands: Commands, device: Res<RenderDevice>) {
 fn prepare(
     scene: Res<CurrentScene>,
     screen: Query<(&ExtractedCamera, &ExtractedView), With<Screen>>,
+    eye: Query<(&ViewTarget, Has<ExtractedCamera>), With<Eye>>,
     pass: Option<ResMut<PresentationPass>>,
-    mut textures: ResMut<TextureCache>,
     cache: Res<PipelineCache>,
     device: Res<RenderDevice>,
     queue: Res<RenderQueue>,
 ) {
-    let (Some(mut pass), Ok((camera, view))) = (pass, screen.single()) else { return };
+    let (Some(mut pass), Ok((camera, view)), Ok((eye, awake))) = (pass, screen.single(), eye.single()) else { return };
     let Some(output) = camera.physical_target_size.filter(|size| size.min_element() > 0) else { return };
-    let picture = scene.picture;
+    // The picture at hand may be a kept one, of another size than the scene asks for by now.
+    let size = eye.main_texture().size();
+    let picture = Picture { width: size.width, height: size.height, ..scene.picture };
     let Letterbox { offset, extent } = letterbox(&picture, output);
-    let grid = UVec2::new(picture.grid_width, picture.grid_height);
-    pass.numbers.set(Presentation {
+    let numbers = Presentation {
         picture: UVec2::new(picture.width, picture.height),
-        grid,
+        grid: UVec2::new(picture.grid_width, picture.grid_height),
         offset,
         extent,
         levels: picture.levels as f32,
         dither: u32::from(picture.dither),
-    });
-    pass.numbers.write_buffer(&device, &queue);
+    };
     pass.output = view.target_format;
-    pass.grid = (!picture.bypass).then(|| {
-        textures.get(
-            &device,
-            TextureDescriptor {
-                label: Some("presentation grid"),
-                size: grid.to_extents(),
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: TextureDimension::D2,
-                format: GRID_FORMAT,
-                usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
-                view_formats: &[],
-            },
-        )
+    pass.cells = Chain::of(&scene).cells.map(|size| {
+        let numbers = (size, numbers.levels, numbers.dither);
+        match pass.cells.take() {
+            Some(cells) if cells.numbers == numbers => Cells { filled: cells.filled && !awake, ..cells },
+            Some(cells) if cells.numbers.0 == size => Cells { numbers, filled: false, ..cells },
+            _ => Cells { view: grid(&device, size), numbers, filled: false },
+        }
     });
+    pass.numbers.set(numbers);
+    pass.numbers.write_buffer(&device, &queue);
     let PresentationPass { layout, pipelines, output, .. } = &mut *pass;
     let stages: &[_] = if picture.bypass {
         &[(Stage::Fit, *output)]
@@ -183,6 +186,20 @@ fn prepare(
             .entry((stage, format))
             .or_insert_with(|| cache.queue_render_pipeline(descriptor(layout.clone(), stage, format)));
     }
+}
+
+fn grid(device: &RenderDevice, size: UVec2) -> TextureView {
+    let texture = device.create_texture(&TextureDescriptor {
+        label: Some("presentation grid"),
+        size: size.to_extents(),
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: TextureDimension::D2,
+        format: GRID_FORMAT,
+        usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    });
+    texture.create_view(&default())
 }
 
 fn descriptor(layout: BindGroupLayoutDescriptor, stage: Stage, format: TextureFormat) -> RenderPipelineDescriptor {
@@ -200,17 +217,20 @@ fn descriptor(layout: BindGroupLayoutDescriptor, stage: Stage, format: TextureFo
     }
 }
 
-/// Picture -> cells.
+/// Picture -> cells; a kept picture's are there already.
 fn pixelate(
     _screen: ViewQuery<&ViewTarget, With<Screen>>,
     eye: Query<&ViewTarget, With<Eye>>,
-    pass: Option<Res<PresentationPass>>,
+    pass: Option<ResMut<PresentationPass>>,
     cache: Res<PipelineCache>,
     mut context: RenderContext,
 ) {
-    let (Some(pass), Ok(eye)) = (pass, eye.single()) else { return };
-    let Some(grid) = &pass.grid else { return };
-    run(&pass, &cache, &mut context, (Stage::Pixelate, GRID_FORMAT), eye.main_texture_view(), &grid.default_view);
+    let (Some(mut pass), Ok(eye)) = (pass, eye.single()) else { return };
+    let Some(Cells { view, filled: false, .. }) = &pass.cells else { return };
+    let filled = run(&pass, &cache, &mut context, (Stage::Pixelate, GRID_FORMAT), eye.main_texture_view(), view);
+    if let Some(cells) = &mut pass.cells {
+        cells.filled = filled;
+    }
 }
 
 /// Cells, or the picture itself when they are bypassed, -> output.
@@ -223,13 +243,14 @@ fn expand(
 ) {
     let screen = screen.into_inner();
     let (Some(pass), Ok(eye)) = (pass, eye.single()) else { return };
-    let (stage, source) = match &pass.grid {
-        Some(grid) => (Stage::Expand, &grid.default_view),
+    let (stage, source) = match &pass.cells {
+        Some(cells) => (Stage::Expand, &cells.view),
         None => (Stage::Fit, eye.main_texture_view()),
     };
     run(&pass, &cache, &mut context, (stage, pass.output), source, screen.main_texture_view());
 }
 
+/// Draws one stage, and says whether it could: its pipeline may still be in the making.
 fn run(
     pass: &PresentationPass,
     cache: &PipelineCache,
@@ -237,11 +258,11 @@ fn run(
     key: (Stage, TextureFormat),
     source: &TextureView,
     destination: &TextureView,
-) {
+) -> bool {
     let (Some(pipeline), Some(numbers)) =
         (pass.pipelines.get(&key).and_then(|id| cache.get_render_pipeline(*id)), pass.numbers.binding())
     else {
-        return;
+        return false;
     };
     let name = key.0.entry_point();
     let bind_group = context.render_device().create_bind_group(
@@ -269,4 +290,5 @@ fn run(
     render_pass.set_bind_group(0, &bind_group, &[]);
     render_pass.draw(0..3, 0..1);
     span.end(&mut render_pass);
+    true
 }

@@ -1,13 +1,15 @@
 //! The foreground probe: a small craft of metal, ceramic and dark coating, lit by the disk and the stars. It is
 //! projected ordinarily, neither lensed nor hidden by the hole, and the geodesic pass leaves its pixels alone.
 
-use super::CurrentScene;
+use super::{Chain, CurrentScene, Eye};
 use crate::gpu::DISK_HDR_SCALE;
 use crate::physics::{disk, spectrum};
 use crate::scene::Scene;
 use bevy::light::GlobalAmbientLight;
 use bevy::math::DVec3;
+use bevy::pbr::ExtractedClusterConfig;
 use bevy::prelude::*;
+use bevy::render::{Render, RenderApp, RenderSystems};
 use std::f32::consts::{FRAC_PI_2, TAU};
 
 /// Marks the craft.
@@ -38,6 +40,22 @@ pub(super) fn plugin(app: &mut App) {
                 .run_if(resource_changed::<CurrentScene>)
                 .before(TransformSystems::Propagate),
         );
+    let Some(render_app) = app.get_sub_app_mut(RenderApp) else { return };
+    render_app
+        .add_systems(Render, leave_out_lamps.after(RenderSystems::ExtractCommands).before(RenderSystems::CreateViews));
+}
+
+/// Without a foreground there is nothing to light, and lamps need not be sorted into the eye's clusters.
+fn leave_out_lamps(
+    mut commands: Commands,
+    scene: Res<CurrentScene>,
+    eye: Query<Entity, (With<Eye>, With<ExtractedClusterConfig>)>,
+) {
+    if !Chain::of(&scene).probe {
+        eye.iter().for_each(|eye| {
+            commands.entity(eye).remove::<ExtractedClusterConfig>();
+        });
+    }
 }
 
 /// Builds the craft and its lamps when the scene has one, and takes them away when it has none.
@@ -48,10 +66,11 @@ fn present(
     mut meshes: ResMut<Assets<Mesh>>,
     mut materials: ResMut<Assets<StandardMaterial>>,
 ) {
-    if scene.probe.enabled != parts.is_empty() {
+    let wanted = Chain::of(&scene).probe;
+    if wanted != parts.is_empty() {
         return;
     }
-    if !scene.probe.enabled {
+    if !wanted {
         parts.iter().for_each(|part| commands.entity(part).despawn());
         return;
     }

@@ -12,6 +12,7 @@ mod fields;
 pub mod journey;
 mod limits;
 mod load;
+mod method;
 mod pose;
 pub mod presets;
 mod save;
@@ -19,6 +20,7 @@ mod save;
 pub use error::{Because, Refusal, SceneError};
 pub use fields::{FIELDS, Field, Kind, LONGEST_TEXT, Range, field};
 pub use load::{Override, load};
+pub use method::Method;
 
 use serde::{Deserialize, Serialize};
 
@@ -57,25 +59,6 @@ pub struct Scene {
     pub picture: Picture,
     /// Accuracy against time.
     pub quality: Quality,
-}
-
-/// How light is traced.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Method {
-    /// The method best suited to the scene among those that are built.
-    #[default]
-    Auto,
-    /// Velocity Verlet in Schwarzschild's areal Cartesian coordinates.
-    Verlet,
-    /// Schwarzschild's null geodesics in closed form.
-    Closed,
-    /// Kerr's null geodesics in Mino time.
-    Mino,
-    /// Kerr's null geodesics in ingoing Kerr-Schild coordinates, by Runge-Kutta.
-    KerrSchild,
-    /// The f64 reference, on the CPU only.
-    Reference,
 }
 
 /// What the geodesic pass shows.

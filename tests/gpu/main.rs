@@ -13,6 +13,7 @@ mod inside;
 mod kerr_schild;
 mod layout;
 mod mino;
+mod needs;
 mod observers;
 mod refusals;
 mod shaders;

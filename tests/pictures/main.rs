@@ -3,6 +3,7 @@
 
 #[path = "../gpu/adapter.rs"]
 mod adapter;
+mod kept;
 
 use adapter::gpu;
 use glam::{DVec2, UVec2};

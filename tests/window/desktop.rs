@@ -44,6 +44,8 @@ impl Shot {
 pub struct Desktop {
     server: Child,
     program: Child,
+    /// When the program was started.
+    pub started: Instant,
     display: String,
     connection: RustConnection,
     root: u32,
@@ -76,6 +78,7 @@ impl Desktop {
         let mut number = String::new();
         BufReader::new(server.stdout.take().unwrap()).read_line(&mut number).unwrap();
         let display = format!(":{}", number.trim());
+        let started = Instant::now();
         let program = Command::new(env!("CARGO_BIN_EXE_lightfall"))
             .args(arguments)
             .env("DISPLAY", &display)
@@ -84,7 +87,7 @@ impl Desktop {
             .unwrap();
         let (connection, screen) = x11rb::connect(Some(&display)).unwrap();
         let root = connection.setup().roots[screen].root;
-        let mut desktop = Self { server, program, display, connection, root, window: String::new() };
+        let mut desktop = Self { server, program, started, display, connection, root, window: String::new() };
         desktop.window = desktop.wait_for_window();
         // No window manager runs here, so nobody else gives the window the keyboard.
         desktop.xdotool(&["windowfocus", "--sync", &desktop.window.clone()]);
@@ -113,6 +116,20 @@ impl Desktop {
 
     pub fn running(&mut self) -> bool {
         self.program.try_wait().unwrap().is_none()
+    }
+
+    /// Turns the mouse wheel away from the hand by one notch.
+    pub fn wheel(&self) {
+        self.xdotool(&["click", "4"]);
+    }
+
+    /// How long it takes, from now, until the screen passes the condition.
+    pub fn until(&self, what: &str, condition: impl Fn(&Shot) -> bool) -> Duration {
+        let start = Instant::now();
+        while !condition(&self.shot()) {
+            assert!(start.elapsed() < PATIENCE, "{what}: the screen did not come to show it");
+        }
+        start.elapsed()
     }
 
     /// Presses and lets go of a key, named as X names it.

@@ -76,6 +76,51 @@ fn keys_change_what_they_say_and_the_window_stays() {
 }
 
 #[test]
+fn the_first_picture_comes_soon_and_hands_are_felt_while_a_shader_is_made() {
+    let Some(desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let window = desktop.started.elapsed();
+    let lit = |shot: &Shot| {
+        let pixels = (0..WINDOW.1 - HINT).flat_map(|y| (0..WINDOW.0).map(move |x| (x, y)));
+        pixels.filter(|&(x, y)| shot.pixel(x, y).iter().any(|&channel| channel > 100)).count()
+    };
+    desktop.until("first picture", |shot| lit(shot) > 10_000);
+    println!("window after {window:.2?}, first picture after {:.2?}", desktop.started.elapsed());
+    let plain = desktop.settled("rest", |shot| shot.colours() > 50);
+    let hint = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, WINDOW.1 - HINT..WINDOW.1) > 0.0;
+    // The wheel changes the speed that the hint tells; T asks for a method that has not been compiled yet.
+    desktop.wheel();
+    let usual = desktop.until("the wheel", |shot| hint(shot, &plain));
+    let before = desktop.settled("rest", |shot| hint(shot, &plain));
+    desktop.press("t");
+    desktop.wheel();
+    let busy = desktop.until("the wheel while a shader is made", |shot| hint(shot, &before));
+    let spinning = desktop.until("the new picture", |shot| changed(shot, &before) > 0.02);
+    println!("the wheel is felt after {usual:.2?}, after T {busy:.2?}; the new picture {spinning:.2?} later");
+    // Two of the software renderer's slowest frames; a frozen window would wait for the compiler, too.
+    assert!(busy < Duration::from_secs(5), "the window was frozen for {busy:.2?}");
+}
+
+#[test]
+fn a_still_window_answers_at_once_however_long_its_scene_takes() {
+    // The slowest method: some hundred milliseconds a frame on a software renderer, and a window shows a frame two later.
+    let slow = ["--preset", "2", "--method", "kerr-schild", "--spin", "0.9", "--set", "quality.step_scale=0.45"];
+    let Some(desktop) = Desktop::open(&slow) else { return };
+    let hint = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, WINDOW.1 - HINT..WINDOW.1) > 0.0;
+    let before = desktop.settled("first picture", |shot| shot.colours() > 200);
+    let answers: Vec<Duration> = (0..5)
+        .map(|_| {
+            let before = desktop.settled("rest", |_| true);
+            desktop.wheel();
+            desktop.until("the wheel", |shot| hint(shot, &before))
+        })
+        .collect();
+    println!("the wheel is felt after {answers:.2?}");
+    let best = answers.iter().min().unwrap();
+    assert!(*best < Duration::from_millis(300), "the wheel was felt after {best:.2?} at best: the eye does not rest");
+    assert!(changed(&before, &desktop.shot()) == 0.0, "the picture changed while nothing did");
+}
+
+#[test]
 fn unfinished_rays_turn_magenta_with_f11() {
     // Twenty steps are too few for most rays.
     let few_steps = ["--preset", "2", "--method", "verlet", "--set", "quality.max_steps=20"];

@@ -20,9 +20,9 @@ const ROUNDING: f64 = 1e-9;
 /// Beyond this many distances to the edge, an explanation may not be the nearest.
 const FAR: f64 = 3.0;
 /// How far the search for other numbers of turns goes: toward the edge, in powers of e of the distance to it, and in all, in
-/// halves of that.
+/// tenths of that.
 const SCANNED_INWARD: f64 = 6.0;
-const SCANNED: u32 = 30;
+const SCANNED: u32 = 160;
 /// Rings and spokes of the search for another class, and the factor between rings.
 const SPOKES: u32 = 8;
 const RING_FACTOR: f64 = 3.0;
@@ -76,10 +76,11 @@ impl Chart {
         }
     }
 
-    /// How far the second coordinate may go in one step of Newton's method, a hundredth of a radian along an edge; the first
-    /// may by one.
-    fn reach(&self) -> f64 {
-        if matches!(self.kind, Kind::Edge(..)) { (0.01 / self.scale).max(1.0) } else { 1.0 }
+    /// How far the coordinates may go in one step of Newton's method: a hundredth of a radian, but no more than a factor e of
+    /// the distance to an edge.
+    fn reach(&self) -> DVec2 {
+        let far = (0.01 / self.scale).max(1.0);
+        if matches!(self.kind, Kind::Edge(..)) { DVec2::new(1.0, far) } else { DVec2::splat(far) }
     }
 
     /// The turn from the ray to the direction at two coordinates, in radians.
@@ -137,7 +138,7 @@ fn explained(eye: &Eye, ray: &Ray, miss: impl Fn(&Trace) -> Option<DVec2>) -> f6
     }
     // The answer may be one of another number of turns about the hole: those lie in a row toward the edge, and away from it.
     let missed = (0..=SCANNED).map(|i| {
-        let x = 0.5 * f64::from(i) - SCANNED_INWARD;
+        let x = 0.1 * f64::from(i) - SCANNED_INWARD;
         (x, at(DVec2::new(x, 0.0)).map_or(f64::INFINITY, DVec2::length))
     });
     let missed: Vec<(f64, f64)> = missed.collect();
@@ -165,9 +166,7 @@ fn newton(chart: &Chart, at: &impl Fn(DVec2) -> Option<DVec2>, start: DVec2) -> 
     let (mut place, mut left) = (start, at(start)?);
     for _ in 0..MOST_STEPS {
         let step = smallest(chart, place, left, jacobian(at, place, left)?)? - place;
-        // No more than a factor e of the distance to an edge at a time.
-        let reach = DVec2::new(1.0, chart.reach());
-        let next = place + step / f64::max(1.0, (step / reach).length());
+        let next = place + step / f64::max(1.0, (step / chart.reach()).length());
         let settled = step.length() <= SETTLED * next.length().max(DIFFERENCE);
         left = at(next)?;
         place = next;

@@ -11,7 +11,7 @@ mod sample;
 mod summary;
 
 pub use edge::Shadow;
-pub use sample::{Ray, critical, on_picture};
+pub use sample::{Ray, critical, everywhere, on_picture};
 pub use summary::{Errors, Quantiles};
 
 use crate::physics::observer::ObserverError;
@@ -34,7 +34,7 @@ pub struct Truth {
 pub(super) struct Eye {
     reference: Reference,
     legs_from_camera: DMat3,
-    /// Scale of turns that matter, in radians: a thousandth of the picture's half height.
+    /// Scale of turns that matter, in radians: a thousandth of the picture's half height, but no less than f32 tells apart.
     scale: f64,
 }
 
@@ -45,7 +45,7 @@ impl Eye {
         Ok(Self {
             reference: Reference::new(scene)?,
             legs_from_camera: scene.camera.legs_from_camera(),
-            scale: 1e-3 * half_height.min(1.0),
+            scale: (1e-3 * half_height).clamp(1e-7, 1e-3),
         })
     }
 

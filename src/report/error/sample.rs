@@ -13,6 +13,9 @@ const RAYS_A_DIRECTION: usize = 8;
 /// Steps of the R2 sequence, the plastic number's inverse powers (Roberts 2018): evenly spread without a lattice.
 const PLASTIC: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_2];
 
+/// The golden ratio less one.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
 /// One ray of a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
@@ -57,6 +60,18 @@ pub fn on_picture(scene: &Scene, count: usize) -> Vec<Ray> {
     let ray = |i: usize| {
         let [x, y] = PLASTIC.map(|step| (0.5 + step * (i + 1) as f64).fract());
         Ray::toward(DVec3::new((2.0 * x - 1.0) * right, (1.0 - 2.0 * y) * up, 1.0))
+    };
+    (0..count).map(ray).collect()
+}
+
+/// `count` rays spread evenly over the whole sky, on Fibonacci's spiral.
+#[must_use]
+pub fn everywhere(count: usize) -> Vec<Ray> {
+    let ray = |i: usize| {
+        let z = 1.0 - (2 * i + 1) as f64 / count as f64;
+        let (sin, cos) = (TAU * (i as f64 * GOLDEN).fract()).sin_cos();
+        let across = (1.0 - z * z).sqrt();
+        Ray::toward(DVec3::new(across * cos, across * sin, z))
     };
     (0..count).map(ray).collect()
 }

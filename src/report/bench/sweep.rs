@@ -1,0 +1,76 @@
+//! Which methods can trace a scene, and the settings each is measured at.
+
+use crate::gpu::GpuScene;
+use crate::scene::{Method, Scene};
+use glam::UVec2;
+
+/// Step scales of the article's methods, from its cheapest to where their 768 steps no longer suffice; the middle three are
+/// its own: cheap, balanced, high.
+const STEP_SCALES: [f64; 8] = [3.0, 1.55, 0.85, 0.45, 0.25, 0.14, 0.08, 0.045];
+/// The named ones.
+const FEW_STEP_SCALES: [f64; 3] = [1.55, 0.85, 0.45];
+/// Allowed errors of mino, in pixels.
+const ERRORS: [f64; 8] = [1.0, 0.3, 0.1, 0.05, 0.01, 0.003, 0.001, 0.0001];
+/// The least effort, the default, and the most.
+const FEW_ERRORS: [f64; 3] = [1.0, 0.05, 0.0001];
+
+/// A method at one of its settings.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setting {
+    /// The field that is set, if the method has one.
+    pub key: Option<&'static str>,
+    /// Its value.
+    pub value: f64,
+    /// The scene with method and setting.
+    pub scene: Scene,
+    /// Whether `auto` would draw the scene just so.
+    pub auto: bool,
+}
+
+/// The methods that can trace a scene on the GPU.
+#[must_use]
+pub fn methods_for(scene: &Scene) -> Vec<Method> {
+    if scene.hole.spin == 0.0 {
+        vec![Method::Closed, Method::Mino, Method::Verlet, Method::KerrSchild]
+    } else {
+        vec![Method::Mino, Method::KerrSchild]
+    }
+}
+
+/// A method's settings for a scene, few or many; those that make no difference are left out.
+#[must_use]
+pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
+    let auto = if scene.hole.spin == 0.0 { Method::Closed } else { Method::Mino };
+    let set = |key: Option<&'static str>, value: f64, change: fn(&mut Scene, f64)| {
+        let mut scene = Scene { method, ..scene.clone() };
+        change(&mut scene, value);
+        Setting { key, value, scene, auto: false }
+    };
+    let mut all: Vec<Setting> = match method {
+        Method::Verlet | Method::KerrSchild => {
+            let values: &[f64] = if few { &FEW_STEP_SCALES } else { &STEP_SCALES };
+            let change: fn(&mut Scene, f64) = |scene, value| scene.quality.step_scale = value;
+            values.iter().map(|value| set(Some("quality.step_scale"), *value, change)).collect()
+        }
+        Method::Mino => {
+            let values: &[f64] = if few { &FEW_ERRORS } else { &ERRORS };
+            let change: fn(&mut Scene, f64) = |scene, value| scene.quality.max_error_px = value;
+            let own = scene.quality.max_error_px;
+            let own = std::iter::once(set(Some("quality.max_error_px"), own, change));
+            own.chain(values.iter().map(|value| set(Some("quality.max_error_px"), *value, change))).collect()
+        }
+        Method::Auto | Method::Closed | Method::Reference => vec![set(None, f64::NAN, |_, _| {})],
+    };
+    let numbers = |setting: &Setting| GpuScene::new(&setting.scene, UVec2::new(1920, 1080)).ok();
+    let mut kept: Vec<Option<GpuScene>> = Vec::new();
+    all.retain(|setting| {
+        let numbers = numbers(setting);
+        let new = !kept.contains(&numbers);
+        kept.push(numbers);
+        new
+    });
+    if let Some(first) = all.first_mut().filter(|_| method == auto) {
+        first.auto = true;
+    }
+    all
+}

@@ -1,0 +1,65 @@
+//! Where methods break: a matrix of the hardest places, each method held against a stated bar, and a search at random for
+//! what the matrix forgot.
+
+mod cells;
+mod hunt;
+mod verdict;
+
+pub use cells::{Cell, cells};
+pub use hunt::{Found, Hunt};
+pub use verdict::{Bar, Verdict, bar, markdown};
+
+use super::bench::methods_for;
+use super::error::{Errors, Ray, Truth};
+use crate::gpu::rays::RayKernel;
+use crate::gpu::{Gpu, GpuError, Variant};
+use crate::physics::trace::Trace;
+use crate::scene::{Method, Scene};
+use std::collections::HashMap;
+
+/// Compiled shaders by variant: most cells share a few.
+#[derive(Default)]
+struct Kernels(HashMap<Variant, RayKernel>);
+
+impl Kernels {
+    /// What the scene's method answers to the rays of `truth`.
+    fn traces(&mut self, gpu: &Gpu, scene: &Scene, truth: &Truth) -> Result<Vec<Trace>, GpuError> {
+        let given: Vec<_> = truth.rays.iter().map(Ray::given).collect();
+        let kernel = match self.0.entry(Variant::rays(scene)) {
+            std::collections::hash_map::Entry::Occupied(known) => known.into_mut(),
+            std::collections::hash_map::Entry::Vacant(new) => new.insert(RayKernel::new(gpu, scene)?),
+        };
+        kernel.trace(gpu, scene, &given)
+    }
+}
+
+/// Measures every method in every cell; `done` is told of each verdict.
+///
+/// # Errors
+/// A device that failed; a cell that cannot be traced, which none of the program's is.
+pub fn run(
+    gpu: &Gpu,
+    cells: &[Cell],
+    methods: &[Method],
+    mut done: impl FnMut(&Verdict),
+) -> Result<Vec<Verdict>, GpuError> {
+    let mut kernels = Kernels::default();
+    let mut all = Vec::new();
+    for cell in cells {
+        let truth = Truth::of(&cell.scene, cell.rays.clone())?;
+        for method in methods_for(&cell.scene).into_iter().filter(|method| methods.contains(method)) {
+            let scene = Scene { method, ..cell.scene.clone() };
+            let verdict = Verdict::new(cell, &scene, &Errors::of(&truth, &kernels.traces(gpu, &scene, &truth)?));
+            done(&verdict);
+            all.push(verdict);
+        }
+    }
+    Ok(all)
+}
+
+/// How many verdicts there will be.
+#[must_use]
+pub fn verdicts(cells: &[Cell], methods: &[Method]) -> usize {
+    let of = |cell: &Cell| methods_for(&cell.scene).into_iter().filter(|method| methods.contains(method)).count();
+    cells.iter().map(of).sum()
+}

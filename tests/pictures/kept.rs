@@ -1,0 +1,214 @@
+//! The kept picture: after a change it is never stale, without one nothing is drawn, and what is off does not run.
+
+use super::preset;
+use crate::adapter::gpu;
+use glam::UVec2;
+use lightfall::picture::{PassTime, Studio, render};
+use lightfall::render::Chain;
+use lightfall::scene::{DiskModel, Method, ObserverKind, Scene, SkyMode, View};
+
+const SIZE: UVec2 = UVec2::new(320, 180);
+
+/// A small picture with everything in it: disk, stars, bloom, cells and probe.
+fn small() -> Scene {
+    let mut scene = preset(6);
+    (scene.picture.width, scene.picture.height) = (320, 180);
+    (scene.picture.grid_width, scene.picture.grid_height) = (160, 90);
+    scene
+}
+
+/// Changes of the numbers that a pass is given, one of each kind: no pipeline has to be made for them.
+const OF_NUMBERS: [(&str, fn(&mut Scene)); 20] = [
+    ("camera.r", |scene| scene.camera.r = 15.5),
+    ("camera.phi_deg", |scene| scene.camera.phi_deg = 2.0),
+    ("camera.yaw_deg", |scene| scene.camera.yaw_deg = 3.0),
+    ("camera.roll_deg", |scene| scene.camera.roll_deg = 10.0),
+    ("camera.fov_deg", |scene| scene.camera.fov_deg = 50.0),
+    ("observer.kind", |scene| scene.observer.kind = ObserverKind::Rain),
+    ("observer.velocity", |scene| scene.observer.velocity = [0.0, 0.0, 0.3]),
+    ("disk.inner", |scene| scene.disk.inner = 4.0),
+    ("disk.temperature_k", |scene| scene.disk.temperature_k = 5000.0),
+    ("disk.brightness", |scene| scene.disk.brightness = 3.0),
+    ("sky.seed", |scene| scene.sky.seed = 7),
+    ("sky.brightness", |scene| scene.sky.brightness = 4.0),
+    ("probe.phi_deg", |scene| scene.probe.phi_deg = 0.0),
+    ("probe.size", |scene| scene.probe.size = 0.5),
+    ("picture.exposure_ev", |scene| scene.picture.exposure_ev = 3.0),
+    ("picture.bloom", |scene| scene.picture.bloom = 0.5),
+    ("picture.levels", |scene| scene.picture.levels = 5),
+    ("picture.dither", |scene| scene.picture.dither = false),
+    ("picture.grid_width", |scene| scene.picture.grid_width = 80),
+    ("picture.width", |scene| (scene.picture.width, scene.picture.height) = (640, 360)),
+];
+
+/// Changes for which a pipeline is made when they are asked for first.
+const OF_PIPELINES: [(&str, fn(&mut Scene)); 9] = [
+    ("hole.spin", |scene| scene.hole.spin = 0.9),
+    ("method", |scene| scene.method = Method::Verlet),
+    ("view", |scene| scene.view = View::Order),
+    ("effects.lensing", |scene| scene.effects.lensing = false),
+    ("disk.enabled", |scene| scene.disk.enabled = false),
+    ("disk.model", |scene| scene.disk.model = DiskModel::PageThorne),
+    ("disk.transmission", |scene| scene.disk.transmission = 0.0),
+    ("sky.mode", |scene| scene.sky.mode = SkyMode::Grid),
+    ("picture.bypass", |scene| scene.picture.bypass = true),
+];
+
+fn changed(change: fn(&mut Scene)) -> Scene {
+    let mut scene = small();
+    change(&mut scene);
+    scene
+}
+
+#[test]
+fn the_frame_after_a_change_is_the_changed_scene() {
+    if gpu().is_none() {
+        return;
+    }
+    let base = small();
+    let mut studio = Studio::open(&base, SIZE).unwrap();
+    let kept = studio.picture().unwrap().rgb;
+    for (what, change) in OF_NUMBERS {
+        let scene = changed(change);
+        // Made by a chain of its own, which has nothing to keep.
+        let fresh = render(&scene, SIZE).unwrap().rgb;
+        assert!(fresh != kept, "{what} changes nothing, so it tests nothing");
+        studio.show(&scene);
+        assert!(studio.picture().unwrap().rgb == fresh, "{what}: the next frame is not the changed scene's");
+        studio.settle().unwrap();
+        studio.show(&base);
+        assert!(studio.picture().unwrap().rgb == kept, "{what}: the next frame is not the scene's before the change");
+        studio.settle().unwrap();
+    }
+}
+
+#[test]
+fn a_change_that_needs_a_pipeline_keeps_the_picture_until_it_is_there_and_is_at_once_there_the_second_time() {
+    if gpu().is_none() {
+        return;
+    }
+    let base = small();
+    let mut studio = Studio::open(&base, SIZE).unwrap();
+    let kept = studio.picture().unwrap().rgb;
+    for (what, change) in OF_PIPELINES {
+        let scene = changed(change);
+        let fresh = render(&scene, SIZE).unwrap().rgb;
+        assert!(fresh != kept, "{what} changes nothing, so it tests nothing");
+        studio.show(&scene);
+        // The screen's own stages are compiled apart and may need a frame in which they draw nothing.
+        let next = studio.picture().unwrap().rgb;
+        assert!(what == "picture.bypass" || next == kept || next == fresh, "{what}: neither the old scene nor the new");
+        studio.settle().unwrap();
+        assert!(studio.picture().unwrap().rgb == fresh, "{what}: a settled scene is not the fresh one");
+        studio.show(&base);
+        assert!(studio.picture().unwrap().rgb == kept, "{what}: going back");
+        studio.settle().unwrap();
+        studio.show(&scene);
+        assert!(studio.picture().unwrap().rgb == fresh, "{what}: the second time");
+        studio.settle().unwrap();
+        studio.show(&base);
+        studio.settle().unwrap();
+    }
+}
+
+#[test]
+fn a_probe_that_comes_after_a_long_rest_is_there_whole_and_goes_again() {
+    if gpu().is_none() {
+        return;
+    }
+    let (with, mut without) = (small(), small());
+    without.probe.enabled = false;
+    let mut studio = Studio::open(&without, SIZE).unwrap();
+    let bare = render(&without, SIZE).unwrap().rgb;
+    let whole = render(&with, SIZE).unwrap().rgb;
+    for _ in 0..2 {
+        for (scene, fresh) in [(&with, &whole), (&without, &bare)] {
+            studio.show(scene);
+            studio.settle().unwrap();
+            assert!(studio.picture().unwrap().rgb == *fresh, "probe {}", scene.probe.enabled);
+            // A rest of many frames, in which Bevy forgets the eye's textures.
+            studio.time(5).unwrap();
+        }
+    }
+}
+
+#[test]
+fn more_variants_than_are_kept_are_all_drawn_right() {
+    if gpu().is_none() {
+        return;
+    }
+    let mut base = small();
+    base.probe.enabled = false;
+    base.sky.reference_star = true;
+    let mut studio = Studio::open(&base, SIZE).unwrap();
+    let first = studio.picture().unwrap().rgb;
+    let mut scenes = Vec::new();
+    for set in 0..32 {
+        for mode in [SkyMode::Grid, SkyMode::Off] {
+            let mut scene = base.clone();
+            scene.sky.mode = mode;
+            let on = |effect: u32| set >> effect & 1 == 1;
+            let effects = &mut scene.effects;
+            (effects.lensing, effects.doppler, effects.beaming) = (on(0), on(1), on(2));
+            (effects.gravitational_shift, effects.aberration) = (on(3), on(4));
+            scenes.push(scene);
+        }
+    }
+    for scene in &scenes {
+        studio.show(scene);
+        studio.settle().unwrap();
+    }
+    // Their places have been taken meanwhile.
+    for scene in [&scenes[0], &scenes[63]] {
+        studio.show(scene);
+        studio.settle().unwrap();
+        assert!(studio.picture().unwrap().rgb == render(scene, SIZE).unwrap().rgb);
+    }
+    studio.show(&base);
+    studio.settle().unwrap();
+    assert!(studio.picture().unwrap().rgb == first);
+}
+
+/// Bevy's own, which run empty in any chain on some devices.
+const EMPTY: [&str; 3] = ["bin_unpacking", "early_mesh_preprocessing", "main_transparent_pass_2d"];
+
+#[test]
+fn the_passes_that_run_are_those_that_the_chain_names_and_a_still_frame_traces_nothing() {
+    if gpu().is_none() {
+        return;
+    }
+    let scenes: [(&str, fn(&mut Scene)); 5] = [
+        ("everything", |_| {}),
+        ("without probe", |scene| scene.probe.enabled = false),
+        ("without bloom", |scene| scene.picture.bloom = 0.0),
+        ("without cells", |scene| scene.picture.bypass = true),
+        ("without any of these", |scene| {
+            scene.probe.enabled = false;
+            scene.picture.bloom = 0.0;
+            scene.picture.bypass = true;
+        }),
+    ];
+    let mut studio = Studio::open(&small(), SIZE).unwrap();
+    for (what, change) in scenes {
+        let scene = changed(change);
+        studio.show(&scene);
+        studio.settle().unwrap();
+        let times = studio.time(5).unwrap();
+        if times.is_empty() {
+            println!("skipped: the device has no timestamps");
+            return;
+        }
+        let sorted = |mut names: Vec<String>| {
+            names.retain(|name| !EMPTY.contains(&name.as_str()));
+            names.sort();
+            names
+        };
+        let ran = |time: fn(&PassTime) -> f64| {
+            sorted(times.iter().filter(|pass| time(pass) > 0.0).map(|pass| pass.pass.clone()).collect())
+        };
+        let chain = Chain::of(&scene);
+        let named = |names: &[&str]| sorted(names.iter().map(ToString::to_string).collect());
+        assert_eq!(ran(|pass| pass.median_ms), named(&chain.passes()), "{what}, drawn");
+        assert_eq!(ran(|pass| pass.kept_ms), named(chain.kept_passes()), "{what}, kept");
+    }
+}
