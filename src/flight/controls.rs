@@ -252,6 +252,13 @@ pub const CONTROLS: &[Control] = &[
     picture("picture.darker", &[KeyCode::Minus, KeyCode::NumpadSubtract], EXPOSURE, |scene, _| {
         edits::expose(scene, -1.0)
     }),
+    control(
+        "picture.automatic_exposure",
+        &[KeyCode::F9],
+        Group::Picture,
+        "exposure by itself",
+        Action::Do(Command::AutomaticExposure),
+    ),
     window("window.help", &[KeyCode::F1], "this help", Command::Help),
     window("window.panel", &[KeyCode::KeyP], "panel: every setting", Command::Panel),
     window("window.inspector", &[KeyCode::KeyI], "ray inspector: then click a pixel", Command::Inspect),

@@ -91,12 +91,8 @@ fn show(
                 ui,
                 |ui| {
                     let first = if widest > NARROW { beginning(&bindings) } else { String::new() };
-                    let lines = [
-                        &*whereabouts(&scene, &pilot),
-                        &*voyage.clocks(scene.camera.r),
-                        notice.text(),
-                        &*first,
-                    ];
+                    let lines =
+                        [&*whereabouts(&scene, &pilot), &*voyage.clocks(scene.camera.r), notice.text(), &*first];
                     for line in lines.into_iter().filter(|line| !line.is_empty()) {
                         ui.label(egui::RichText::new(line).size(13.0).color(egui::Color32::from_gray(210)));
                     }

@@ -6,6 +6,7 @@ mod controls;
 mod display;
 mod dock;
 mod edits;
+mod exposure;
 mod flown;
 mod help;
 mod hint;
@@ -87,7 +88,7 @@ pub fn fly(scene: Scene, journey: Journey, guided: bool) -> AppExit {
             pace::plugin,
             resolution::plugin,
         ))
-        .add_plugins((card::plugin, journey::plugin, motion::plugin))
+        .add_plugins((card::plugin, journey::plugin, motion::plugin, exposure::plugin))
         .add_plugins((screenshot::plugin, hint::plugin, help::plugin, panel::plugin, inspector::plugin))
         .add_systems(Update, (attach_ui, retitle.run_if(resource_changed::<CurrentScene>)))
         .run()

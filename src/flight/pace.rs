@@ -46,9 +46,10 @@ fn watch(
     mut last: Local<Option<crate::scene::Scene>>,
 ) {
     let now = time.elapsed();
-    // The size of the picture alone, which the automatic resolution sets, is no movement.
+    // The size of picture and cells, which the automatic resolution sets, is no movement.
     let mut seen = scene.0.clone();
     (seen.picture.width, seen.picture.height) = (1, 1);
+    (seen.picture.grid_width, seen.picture.grid_height) = (1, 1);
     if last.as_ref() != Some(&seen) {
         pace.changed = now;
         *last = Some(seen);

@@ -7,6 +7,7 @@
 
 pub mod disk;
 pub mod elliptic;
+pub mod exposure;
 pub mod kerr;
 pub mod mino;
 pub mod observer;

@@ -23,7 +23,7 @@ pub(super) const WIDTH: f32 = 390.0;
 /// Fans: how many rays a side.
 const FANS: [u32; 3] = [1, 3, 5];
 /// Height of the drawing, as a share of the window's, at most.
-const DRAWING: f32 = 0.42;
+const DRAWING: f32 = 0.37;
 
 /// What the inspector remembers.
 #[derive(Resource)]
@@ -149,12 +149,6 @@ fn show(
             return;
         };
         let Some(first) = rays.first() else { return };
-        heading(ui, first, seen, &scene, gpu);
-        let tallest = ui.max_rect().height() * DRAWING;
-        let left = (ui.available_height() - tallest - 84.0).max(80.0);
-        egui::ScrollArea::vertical().id_salt("numbers").max_height(left).auto_shrink([false, true]).show(ui, |ui| {
-            numbers::show(ui, &first.numbers, gpu);
-        });
         ui.horizontal(|ui| {
             if ui.button("Copy text").clicked() {
                 worker.copy(first.numbers.to_text());
@@ -164,6 +158,14 @@ fn show(
                 worker.copy(first.numbers.to_json());
                 notice.say("The ray's numbers are on the clipboard, as JSON");
             }
+        });
+        heading(ui, first, seen, &scene, gpu);
+        let tallest = ui.max_rect().height() * DRAWING;
+        let left = (ui.available_height() - tallest - 60.0).max(80.0);
+        egui::ScrollArea::vertical().id_salt("numbers").max_height(left).auto_shrink([false, true]).show(ui, |ui| {
+            numbers::show(ui, &first.numbers, gpu);
+        });
+        ui.horizontal(|ui| {
             for (view, name) in [(View::Side, "Side"), (View::Top, "Top"), (View::Orbit, "3-D")] {
                 ui.selectable_value(&mut sketch.view, view, name);
             }
@@ -171,7 +173,7 @@ fn show(
                 sketch.half_width = None;
             }
         });
-        let height = (ui.available_height() - 42.0).clamp(60.0, tallest);
+        let height = (ui.available_height() - 26.0).clamp(60.0, tallest);
         sketch.show(ui, seen, rays, egui::vec2(ui.available_width(), height));
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 9.0;

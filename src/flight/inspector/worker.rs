@@ -1,7 +1,8 @@
 //! The thread that traces inspected rays again: at once by the f64 reference, then on a GPU device of its own, so that no
 //! frame waits for it.
 
-use crate::gpu::{self, Gpu, GpuError};
+use crate::gpu::rays::RayKernel;
+use crate::gpu::{Gpu, GpuError};
 use crate::report::error::Ray;
 use crate::report::inspection::Inspected;
 use crate::scene::Scene;
@@ -153,7 +154,7 @@ fn on_gpu(device: &mut Option<Gpu>, scene: &Scene, ray: Ray) -> Result<crate::ph
         Some(gpu) => gpu,
         none => none.insert(Gpu::headless()?),
     };
-    let traces = gpu::rays::trace_from_camera(gpu, scene, &[ray.given()])?;
+    let traces = RayKernel::new(gpu, scene)?.trace(gpu, scene, &[ray.given()])?;
     traces.into_iter().next().ok_or_else(|| GpuError::Device("it gave no answer".into()))
 }
 
