@@ -106,9 +106,9 @@ fn fit(
     *done = true;
     let room = monitor.physical_size().as_vec2() / window.scale_factor();
     let size = window.size();
-    // Room for the frame and the desktop's bars.
-    let fitting = (size * (0.94 * room / size).min_element()).round();
-    if fitting.x < size.x {
+    if size.cmpgt(room).any() {
+        // Room for the frame and the desktop's bars.
+        let fitting = (size * (0.94 * room / size).min_element()).round();
         window.resolution.set(fitting.x, fitting.y);
     }
 }
