@@ -4,7 +4,6 @@ use crate::{bare_hole, gpu, median, quantile};
 use glam::DVec3;
 use lightfall::gpu::{GpuScene, rays};
 use lightfall::physics::reference::Reference;
-use lightfall::physics::trace::Outcome;
 use lightfall::scene::{Method, ObserverKind, Scene};
 
 fn fallen(method: Method, r: f64, velocity: [f64; 3]) -> Scene {

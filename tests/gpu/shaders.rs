@@ -25,6 +25,7 @@ fn check(variant: Variant) -> Result<(), String> {
     let expected: &[&str] = match variant.entry {
         Entry::Picture => &["vertex", "fragment"],
         Entry::Rays => &["rays"],
+        Entry::Timed => &["timed", "vertex", "fragment"],
     };
     if entries == expected { Ok(()) } else { Err(at(None, format!("entry points are {entries:?}"))) }
 }

@@ -4,6 +4,7 @@
 
 mod controls;
 mod desktop;
+mod flights;
 mod inspector;
 mod safety;
 

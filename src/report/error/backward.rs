@@ -14,10 +14,10 @@ const MOST_STEPS: u32 = 24;
 /// twelve digits leave enough of the difference.
 const DIFFERENCE: f64 = 1e-4;
 /// Share of the way at which Newton's method has arrived.
-const SETTLED: f64 = 1e-3;
-/// What the reference's own rounding leaves of a miss next to the edge.
-const ROUNDING: f64 = 1e-9;
-/// Beyond this many distances to the edge, an explanation may not be the nearest.
+const SETTLED: f64 = 1e-6;
+/// Within this share of the distance to the edge the plane is as good a chart as the edge's own; beyond so many of them an
+/// explanation may not be the nearest.
+const NEAR: f64 = 0.1;
 const FAR: f64 = 3.0;
 /// How far the search for other numbers of turns goes: toward the edge, in powers of e of the distance to it, and in all, in
 /// tenths of that.
@@ -108,33 +108,30 @@ fn sky_miss(wanted: DVec3, found: DVec3) -> DVec2 {
     DVec2::new(miss.dot(u), miss.dot(v))
 }
 
-/// By how much a hit misses another, as a share of its radius, outward and along the azimuth.
+/// By how much a hit misses another, as a share of its 1/r, which unlike r is smooth to infinity, and along the azimuth.
 fn hit_miss(wanted: &Hit, found: &Hit) -> DVec2 {
     let azimuth = (found.phi - wanted.phi + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;
-    DVec2::new(found.r / wanted.r - 1.0, azimuth)
+    DVec2::new(1.0 - wanted.r / found.r, azimuth)
 }
 
-/// The smallest turn of a ray after which `miss` is no greater than the turn itself; infinite where none is found.
+/// The smallest angle found for which a turn of the ray by no more leaves a `miss` of no more; infinite where the miss has no
+/// meaning anywhere near.
 ///
 /// That is the mixed forward-backward error (Higham 2002, section 1.5): nearly the right answer to nearly the right
 /// question. Behind the hole there are points onto which whole rings of rays are focused, and next to them no turn
 /// explains an answer's last digit; elsewhere it is the turn that explains the answer, but for a factor of two at most.
+/// Every place that is tried bounds it from above, so a search that fails can but overstate it.
 fn explained(eye: &Eye, ray: &Ray, miss: impl Fn(&Trace) -> Option<DVec2>) -> f64 {
     let plane = Chart::plane(ray, eye.scale);
-    let in_plane = newton(&plane, &|place| miss(&eye.trace(plane.at(place))), DVec2::ZERO);
-    let in_plane = in_plane.map_or(f64::INFINITY, |place| plane.turn(place));
-    let Some(chart) = Chart::edge(ray) else { return in_plane };
-    if in_plane < 0.1 * chart.scale {
-        return in_plane;
-    }
+    let mut least = newton(&plane, &|place| miss(&eye.trace(plane.at(place))), DVec2::ZERO);
+    let Some(chart) = Chart::edge(ray) else { return least };
     let at = |place: DVec2| miss(&eye.trace(chart.at(place)));
-    let solve = |start: f64| {
-        let start = along_edge(&at, start)?;
-        newton(&chart, &at, start).map(|place| chart.turn(place))
-    };
-    let nearest = solve(0.0).map_or(in_plane, |turn| in_plane.min(turn));
-    if nearest < FAR * chart.scale {
-        return nearest;
+    let solve = |start: f64| newton(&chart, &at, along_edge(&at, start));
+    if least > NEAR * chart.scale {
+        least = least.min(solve(0.0));
+    }
+    if least < FAR * chart.scale {
+        return least;
     }
     // The answer may be one of another number of turns about the hole: those lie in a row toward the edge, and away from it.
     let missed = (0..=SCANNED).map(|i| {
@@ -143,38 +140,42 @@ fn explained(eye: &Eye, ray: &Ray, miss: impl Fn(&Trace) -> Option<DVec2>) -> f6
     });
     let missed: Vec<(f64, f64)> = missed.collect();
     let lowest = missed.windows(3).filter(|three| three[1].1 <= three[0].1 && three[1].1 <= three[2].1);
-    lowest.filter_map(|three| solve(three[1].0)).fold(nearest, f64::min)
+    lowest.map(|three| solve(three[1].0)).fold(least, f64::min)
 }
 
 /// The place nearest to explaining an answer on the line toward the edge, from a place there (Gauss and Newton).
-fn along_edge(at: &impl Fn(DVec2) -> Option<DVec2>, start: f64) -> Option<DVec2> {
+fn along_edge(at: &impl Fn(DVec2) -> Option<DVec2>, start: f64) -> DVec2 {
     let mut x = start;
     for _ in 0..8 {
-        let left = at(DVec2::new(x, 0.0))?;
-        let slope = (at(DVec2::new(x + DIFFERENCE, 0.0))? - left) / DIFFERENCE;
-        let step = -(slope.dot(left) / slope.length_squared()).clamp(-1.0, 1.0);
-        if !step.is_finite() || step.abs() < SETTLED {
-            break;
+        let step = at(DVec2::new(x, 0.0)).zip(at(DVec2::new(x + DIFFERENCE, 0.0))).map(|(left, beside)| {
+            let slope = (beside - left) / DIFFERENCE;
+            -(slope.dot(left) / slope.length_squared()).clamp(-1.0, 1.0)
+        });
+        match step {
+            Some(step) if step.abs() > DIFFERENCE => x += step,
+            _ => break,
         }
-        x += step;
     }
-    Some(DVec2::new(x, 0.0))
+    DVec2::new(x, 0.0)
 }
 
-/// Newton's method for the smallest place that explains an answer.
-fn newton(chart: &Chart, at: &impl Fn(DVec2) -> Option<DVec2>, start: DVec2) -> Option<DVec2> {
-    let (mut place, mut left) = (start, at(start)?);
+/// Newton's method for the smallest place that explains an answer: the least bound met on the way.
+fn newton(chart: &Chart, at: &impl Fn(DVec2) -> Option<DVec2>, start: DVec2) -> f64 {
+    let mut least = f64::INFINITY;
+    let mut place = start;
     for _ in 0..MOST_STEPS {
-        let step = smallest(chart, place, left, jacobian(at, place, left)?)? - place;
-        let next = place + step / f64::max(1.0, (step / chart.reach()).length());
-        let settled = step.length() <= SETTLED * next.length().max(DIFFERENCE);
-        left = at(next)?;
-        place = next;
-        if settled {
-            return (left.length() <= 2.0 * chart.scale * place.length() + ROUNDING).then_some(place);
+        let Some(left) = at(place) else { break };
+        least = least.min(f64::max(chart.turn(place), left.length()));
+        let Some(step) = jacobian(at, place, left).and_then(|jacobian| smallest(chart, place, left, jacobian)) else {
+            break;
+        };
+        let step = step - place;
+        place += step / f64::max(1.0, (step / chart.reach()).length());
+        if step.length() <= SETTLED * place.length() {
+            break;
         }
     }
-    None
+    least
 }
 
 /// The nearest place to the ray from which a miss that is linear in the place is no greater than the turn to there.

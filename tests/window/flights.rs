@@ -1,0 +1,53 @@
+//! The camera flies by itself: the journey, and real motion.
+
+use crate::changed;
+use crate::desktop::Desktop;
+use std::time::Duration;
+
+fn moves(desktop: &Desktop) -> bool {
+    let before = desktop.shot();
+    std::thread::sleep(Duration::from_millis(1500));
+    changed(&before, &desktop.shot()) > 1e-3
+}
+
+#[test]
+fn the_journey_starts_stops_and_gives_way_to_the_hand() {
+    let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let start = desktop.settled("first picture", |shot| shot.colours() > 50);
+    desktop.press("j");
+    assert!(moves(&desktop), "J starts no journey");
+    desktop.press("j");
+    let stopped = desktop.settled("J again", |shot| changed(shot, &start) > 0.01);
+    desktop.press("j");
+    assert!(moves(&desktop), "J does not go on");
+    desktop.hold("s", Duration::from_millis(400));
+    desktop.settled("flying backward takes over", |shot| changed(shot, &stopped) > 0.01);
+    desktop.press("Return");
+    assert!(moves(&desktop), "Enter starts no journey");
+    desktop.press("j");
+    let far = desktop.settled("near the journey's start", |shot| changed(shot, &start) > 0.01);
+    // From 160 r_s the whole of it is small: the lower edge of the picture is sky.
+    let edge = |y: usize| (0..1440).all(|x| far.pixel(x, y).iter().all(|&channel| channel < 200));
+    assert!(edge(700) && edge(650), "no view from afar");
+    assert!(desktop.running());
+}
+
+#[test]
+fn who_is_let_go_falls_through_the_horizon_and_a_card_says_where_it_ends() {
+    let Some(mut desktop) = Desktop::open(&["--preset", "9"]) else { return };
+    let start = desktop.settled("first picture", |shot| shot.colours() > 20);
+    desktop.press("f");
+    assert!(moves(&desktop), "F lets nothing go");
+    desktop.press("f");
+    let held = desktop.settled("F again", |shot| changed(shot, &start) > 0.01);
+    desktop.press("f");
+    // Eight times as fast.
+    for _ in 0..3 {
+        desktop.press("period");
+    }
+    let end = desktop.settled("the end of the fall", |shot| changed(shot, &held) > 0.01);
+    // The next key puts the card away, which covers the middle. This one does nothing else.
+    desktop.press("Escape");
+    desktop.settled("the card goes", |shot| shot.changed(&end, 500..940, 350..460) > 0.1);
+    assert!(desktop.running());
+}
