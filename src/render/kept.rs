@@ -1,7 +1,7 @@
-//! The kept picture: while nothing that the eye sees changes, the eye rests, and the picture it drew last is what the screen
-//! goes on showing. A resting eye runs no pass at all: no foreground, no geodesics, no bloom, no tone mapping.
+//! The kept picture: while nothing that the eye sees changes, the eye rests, and the picture it drew last is what the
+//! screen goes on showing. A resting eye runs no pass at all: no foreground, no geodesics, no bloom, no tone mapping.
 //!
-//! The main world tells what is to be seen ([`Sight`]) and wakes the eye in the very frame of a change; the render world
+//! The main world tells what is to be seen (`Sight`) and wakes the eye in the very frame of a change; the render world
 //! says when a frame has drawn all of it. A sight of which the shader is still being made is waited for with the eye at
 //! rest: until then the last picture stays, whole and of one scene.
 
@@ -46,8 +46,9 @@ impl Sight {
     }
 }
 
-/// Frames more that a foreground is drawn before its picture is kept: its meshes and materials reach the GPU some frames after
-/// they are made, the lamps' clusters are as large as a former frame found necessary, and nothing tells when that is over.
+/// Frames more that a foreground is drawn before its picture is kept: its meshes and materials reach the GPU some
+/// frames after they are made, the lamps' clusters are as large as a former frame found necessary, and nothing tells
+/// when that is over.
 const SETTLING: u32 = 8;
 
 pub(super) fn plugin(app: &mut App) {
@@ -60,8 +61,8 @@ pub(super) fn plugin(app: &mut App) {
     render_app.add_systems(Render, confirm.in_set(RenderSystems::Cleanup));
 }
 
-/// A scene without what the eye's passes know nothing of: words, and what the screen does with the finished picture. All
-/// else counts as seen, needed by the scene or not: a field too many costs a frame, one too few a wrong picture.
+/// A scene without what the eye's passes know nothing of: words, and what the screen does with the finished picture.
+/// All else counts as seen, needed by the scene or not: a field too many costs a frame, one too few a wrong picture.
 fn seen(scene: &Scene) -> Scene {
     let none = Scene::default();
     let mut seen = Scene { schema: none.schema, name: none.name, title: none.title, ..scene.clone() };
