@@ -1,16 +1,22 @@
 // From a looking direction to the photon that arrives from it. The matrix knows who is looking; nothing else does.
 
+// For a fast observer almost all light comes from ahead, and what comes from elsewhere is a small difference of large
+// numbers. Yet all its numbers are smooth about the direction in which light has the least energy: so they are reckoned
+// from there, with |d| = 1 for the component along it, and keep their digits next to it.
 fn photon_from(direction: vec3<f32>) -> Photon {
-    let one_d = vec4<f32>(1.0, direction);
+    let off = direction - scene.dimmest;
+    let one_off = vec4<f32>(1.0, off);
+    let half = 0.5 * dot(off, off);
+    let w = vec3<f32>(dot(scene.w_x, one_off), dot(scene.w_y, one_off), dot(scene.w_z, one_off));
     let photon = Photon(
-        dot(scene.energy, one_d),
-        dot(scene.radial, one_d),
-        vec3<f32>(dot(scene.w_x, one_d), dot(scene.w_y, one_d), dot(scene.w_z, one_d)),
+        dot(scene.energy, one_off) + scene.energy_bend * half,
+        dot(scene.radial, one_off) + scene.bend.x * half,
+        w + scene.bend.yzw * half,
     );
     if ABERRATION {
         return photon;
     }
-    let frequency = dot(scene.frequency, one_d);
+    let frequency = dot(scene.frequency, vec4<f32>(1.0, direction));
     return Photon(photon.energy / frequency, photon.radial / frequency, photon.w / frequency);
 }
 

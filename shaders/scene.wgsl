@@ -5,21 +5,28 @@
 // Every number here was worked out in f64 on the CPU (src/gpu/scene.rs) and rounded once.
 
 struct Scene {
-    // Rows of the observer's matrix: the photon that arrives from the unit looking direction d is dot(row, (1, d)).
-    // Pixels give d as (right, up, forward) of the camera, ray files as (outward, theta, phi) of the observer.
+    // The observer's matrix takes the unit looking direction d to the photon that arrives from it. Pixels give d as
+    // (right, up, forward) of the camera, ray files as (outward, theta, phi) of the observer. Rows and bends are for
+    // off = d - dimmest: dot(row, (1, off)) + bend |off|^2/2.
     energy: vec4<f32>,
     radial: vec4<f32>,
     w_x: vec4<f32>,
     w_y: vec4<f32>,
     w_z: vec4<f32>,
+    // Of radial, w_x, w_y, w_z; the direction from which light has the least energy; and the bend of the energy.
+    bend: vec4<f32>,
+    dimmest: vec3<f32>,
+    energy_bend: f32,
     // Without ABERRATION, frequency for the camera of that photon, which is then divided by it: dot(row, (1, d)).
     frequency: vec4<f32>,
     // Where the camera is: unit vector from the hole, and radius.
     camera_direction: vec3<f32>,
     camera_radius: f32,
-    // Of (E^2, radial^2, |w|^2): |w|^2 (b_c^2/b^2 - 1), b_c the impact parameter of the photon sphere. Then 1/r.
+    // Of (E^2, radial^2, |w|^2): |w|^2 (b_c^2/b^2 - 1), b_c the impact parameter of the photon sphere. Then 1/r, and by
+    // how much that is less than at the photon sphere, 2/3.
     discriminant: vec3<f32>,
     camera_u: f32,
+    photon_sphere_depth: f32,
     // Size of the picture in pixels; tangents of half the field of view, horizontal and vertical.
     picture_size: vec2<f32>,
     tan_half_fov: vec2<f32>,
@@ -48,11 +55,12 @@ struct Scene {
     // Of the observer with zero angular momentum at the camera: lapse, and angular velocity (zero without LENSING).
     camera_lapse: f32,
     camera_dragging: f32,
-    // The hole: a = chi/2, the horizons' radii r_+ and r_-, 1 - chi; 1/r_+, and what rounding left of it.
+    // The hole: a = chi/2, the horizons' radii r_+ and r_-, 1 - chi; 1/r_+, and what rounding left of it; r_+ - r_-.
     spin_length: f32,
     horizon: f32,
     horizon_u: f32,
     horizon_u_rest: f32,
+    horizon_gap: f32,
     inner_horizon: f32,
     spin_gap: f32,
     // By how much Kerr's ingoing azimuth is ahead of Boyer-Lindquist's at the camera.

@@ -1,5 +1,9 @@
 //! The command line: what can be asked for, and which scene is meant.
 
+mod measure;
+
+pub use measure::{BenchArgs, EntryArg, ExtremesArgs};
+
 use std::ffi::{OsStr, OsString};
 use std::fs::File;
 use std::io::{self, Read, Write};
@@ -84,6 +88,10 @@ pub enum Command {
                             empty. The CPU always answers by the f64 reference, for any method and spin."
     )]
     Trace(TraceArgs),
+    /// Measure error against run time, for each scene, method and setting.
+    Bench(BenchArgs),
+    /// Measure where methods break, in the hardest places.
+    Extremes(ExtremesArgs),
     /// List, show or check presets.
     #[command(subcommand)]
     Presets(PresetsCommand),
@@ -269,7 +277,10 @@ fn asked(before: SceneArgs, journey: Option<PathBuf>, command: Option<Command>) 
         }
         Command::ListGpus => {}
         Command::Presets(_) if before == SceneArgs::default() => {}
+        Command::Bench(_) | Command::Extremes(_) if before == SceneArgs::default() => {}
         Command::Presets(_) => return Err(conflict("`presets` takes no scene options")),
+        Command::Bench(_) => return Err(conflict("`bench` takes its scenes by --scenes")),
+        Command::Extremes(_) => return Err(conflict("`extremes` takes no scene options: its cells are its scenes")),
     }
     Ok(command)
 }

@@ -1,5 +1,7 @@
 //! The command line: does what was asked for, and says how it went.
 
+mod commands;
+
 use glam::UVec2;
 use lightfall::cli::{self, Command, Device, FlyArgs, GpuArgs, RenderArgs, SceneArgs, TraceArgs};
 use lightfall::flight;
@@ -46,6 +48,8 @@ fn main() -> ExitCode {
         Command::ListGpus => list_adapters(),
         Command::Render(args) => render(&args),
         Command::Trace(args) => trace(&args),
+        Command::Bench(args) => commands::bench(&args),
+        Command::Extremes(args) => commands::extremes(&args),
         Command::Presets(command) => {
             cli::presets(&command, &mut io::stdout().lock()).map_err(|error| Stop(error.exit_code(), error.to_string()))
         }

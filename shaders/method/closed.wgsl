@@ -42,8 +42,10 @@ fn orbit_root(inverse_b: f32, q: f32) -> f32 {
 
 // The angle phi at which the backward ray is at infinity; for rays that get there. Each leg is one R_F (DLMF 19.29.4):
 //
-//   outward from u0:  2 u0 R_F(X, X - u0^2 ((1 + 3 k)/2 +- sqrt(v)/2)),
-//                     X = k ((u0 + k) sqrt(1 + k) + |du/dphi|)^2 / (u0 + k)
+//   outward from u0:  2 u0 R_F(X, Y +- u0^2 sqrt(v)/2),
+//                     X = k ((u0 + k) sqrt(1 + k) + |du/dphi|)^2 / (u0 + k),
+//                     Y = (1 + k) (2 k - u0) (2 k + u0)/2 + 2 k sqrt(1 + k) |du/dphi|,
+//                     2 k - u0 = 2/3 - u0 - (2/3) v/(1 + k)
 //   0 -> u2:          2 sqrt(u2) R_F(rise u3, rise gap, k gap),
 //                     u2 and u3 the pair, gap = u3 - u2 = sqrt(v), rise = u2 + k
 //   u0 -> u2:         2 sqrt(d) R_F(rise (gap + d), rise gap, (u0 + k) gap),
@@ -63,11 +65,15 @@ fn angle_to_infinity(orbit: Orbit) -> f32 {
     let rise = u2 + k;
     let rest = orbit.slope * orbit.slope * inverse_above;
     let d = 2.0 * rest / (gap + sqrt(gap * gap + 4.0 * rest) + TINY);
-    let x_out = k * square(above * sqrt(1.0 + k) + abs(orbit.slope)) * inverse_above;
+    let root = sqrt(1.0 + k);
+    let x_out = k * square(above * root + abs(orbit.slope)) * inverse_above;
+    // The photon sphere is at u = 2/3; far from it k is small, and better taken itself.
+    let beyond = select(2.0 * k - orbit.u, scene.photon_sphere_depth - 0.666666667 * v / (1.0 + k), k > 0.25);
+    let mean_out = 0.5 * (1.0 + k) * beyond * (2.0 * k + orbit.u) + 2.0 * k * root * abs(orbit.slope);
     let camera_u2 = orbit.u * orbit.u;
     // The first or the third leg.
     let x = select(x_out, rise * (gap + d), inward);
-    let mean = select(x_out - camera_u2 * (0.5 + 1.5 * k), 0.5 * gap * (rise + above), inward);
+    let mean = select(mean_out, 0.5 * gap * (rise + above), inward);
     let h2 = select(0.25 * camera_u2 * camera_u2 * v, square(0.5 * gap * d), inward);
     var angle = select(orbit.u, sqrt(d), inward) * carlson_rf_pair(x, mean, h2);
     if inward {

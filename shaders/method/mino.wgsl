@@ -3,22 +3,29 @@
 // backward ray (2 M = 1):
 //
 //   u'^2 = U(u) = W^2 - K' u^2 D,   W = E + B u^2,   D = 1 - u + a^2 u^2 = (1 - r_+ u)(1 - r_- u),
+//   u''  = u (2 B W - K' S),   S = D + u dD/du / 2,
 //   n''  = a^2 E^2 n_z e_z - (K + 2 a^2 E^2 n_z^2) n,   chi' = a (E - W/D),
 //   B = a (a E - L),   K' = Q + (L - a E)^2,   K = K' - 2 E B + a^2 E^2.
 //
 // U is Carter's (1968) R(r)/r^4 = ((E (r^2 + a^2) - a L)^2 - (r^2 - r + a^2) K')/r^4. Kept like this and not as a
-// polynomial, it makes E, B and K' the only constants: whatever their rounding, they are those of some ray nearby. Next
-// to the horizon of a fast hole W and D are differences of numbers near one, so there the radial variable is u - 1/r_+,
-// D's root is exact, and u' is taken from U anew at each step.
+// polynomial, it makes E, B and K' the only constants: whatever their rounding, they are those of some ray nearby, and
+// the circle on which a critical ray lingers is where it should be. Next to the horizon of a fast hole W and D are
+// differences of numbers near one, so there the radial variable is u - 1/r_+, D's root is exact, and u' is taken from U
+// anew at each step.
 //
 // The step is Nystroem's of fifth order (Nystroem 1925; Hairer, Norsett & Wanner 1993, section II.14), four
-// accelerations; its dense output is the quintic with the values, slopes and accelerations of both ends. The constants
-// are scaled such that the step in Mino time is an angle: docs/PHYSICS.md has the measurements that chose them.
+// accelerations, the first of which is the last one's end; its dense output is the quintic with the values, slopes and
+// accelerations of both ends. The constants are scaled such that the step in Mino time is an angle: docs/PHYSICS.md has
+// the measurements that chose them.
 
 // More than a ray within f32's rounding of the critical curve takes at the shortest step.
 const MOST_STEPS: u32 = 1024u;
 // By how much E^2 adds to K in the scale: radial rays, with K = 0, cover no more than du = step/2 in a step.
 const ENERGY_WEIGHT: f32 = 4.0;
+// Rays with sqrt(K)/E below this may come near the critical curve, where it is 3.5 at most. Their step is no longer than
+// this, lest the shadow's edge be off.
+const FAR_IMPACT: f32 = 4.0;
+const NEAR_STEP: f32 = 0.4;
 // Where U is below this share of W^2, a turning point is near and U is no longer a good measure of u'.
 const TURNING_SHARE: f32 = 0.0625;
 
@@ -32,18 +39,28 @@ struct Constants {
     axial: f32,
 }
 
-// The constants about u = base: everything as a polynomial of v = u - base.
+// The motion about u = base, by v = u - base.
 struct Motion {
-    // v'' = U'/2.
-    pull: vec4<f32>,
-    stiffness: f32,
-    axial: f32,
-    // W and D.
+    base: f32,
+    constants: Constants,
+    // Coefficients of W, D, S, and of E D - W.
     w: vec3<f32>,
     d: vec3<f32>,
+    s: vec3<f32>,
+    dragging: vec3<f32>,
 }
 
-// One step: (v, n_z, n_x, n_y) as a polynomial of the share of the step.
+// The ends of a step: (v, n_z, n_x, n_y), its change over a step, were it constant, and that one's.
+struct Step {
+    y0: vec4<f32>,
+    dy0: vec4<f32>,
+    k0: vec4<f32>,
+    y1: vec4<f32>,
+    dy1: vec4<f32>,
+    k1: vec4<f32>,
+}
+
+// What is between them, as a polynomial of the share of the step.
 struct Curve {
     c0: vec4<f32>,
     c1: vec4<f32>,
@@ -55,52 +72,45 @@ struct Curve {
 
 fn motion_about(base: f32, c: Constants) -> Motion {
     let a2 = square(scene.spin_length);
-    let shifted = base > 0.0;
-    // D's root at 1/r_+ is exact, and r_+ + r_- = 1.
-    let d = vec3<f32>(select(1.0, 0.0, shifted), select(-1.0, scene.inner_horizon - scene.horizon, shifted), a2);
-    let w = c.energy + c.drag * base * base;
-    let quartic = c.drag * c.drag - a2 * c.k_prime;
-    let pull = vec4<f32>(
-        base * (2.0 * w * c.drag - c.k_prime * (d.x + 0.5 * base * d.y)),
-        4.0 * square(c.drag * base) + 2.0 * w * c.drag - c.k_prime * (d.x + base * (2.0 * d.y + a2 * base)),
-        1.5 * c.k_prime + 6.0 * quartic * base,
-        2.0 * quartic,
-    );
-    return Motion(pull, c.stiffness, c.axial, vec3<f32>(w, 2.0 * c.drag * base, c.drag), d);
+    let w = vec3<f32>(c.energy + c.drag * base * base, 2.0 * c.drag * base, c.drag);
+    // D's root at 1/r_+ is exact.
+    let d = select(vec3<f32>(1.0, -1.0, a2), vec3<f32>(0.0, -scene.horizon_gap, a2), base > 0.0);
+    let s = vec3<f32>(d.x + 0.5 * base * d.y, 1.5 * d.y + base * a2, 2.0 * a2);
+    return Motion(base, c, w, d, s, c.energy * d - w);
 }
 
 fn quadratic(c: vec3<f32>, v: f32) -> f32 {
     return c.x + v * (c.y + v * c.z);
 }
 
-fn acceleration(m: Motion, y: vec4<f32>) -> vec4<f32> {
-    let radial = m.pull.x + y.x * (m.pull.y + y.x * (m.pull.z + y.x * m.pull.w));
-    let polar = m.stiffness - 2.0 * m.axial * y.y * y.y;
-    return vec4<f32>(radial, polar * y.y, (polar - m.axial) * y.zw);
+// u''/u.
+fn pull(m: Motion, v: f32) -> f32 {
+    return 2.0 * m.constants.drag * quadratic(m.w, v) - m.constants.k_prime * quadratic(m.s, v);
 }
 
-// The step from the state y and its change dy over a step, were it constant; and what these are at the end.
-fn nystroem_step(
-    m: Motion,
-    h: f32,
-    y: vec4<f32>,
-    dy: vec4<f32>,
-    end: ptr<function, vec4<f32>>,
-    end_dy: ptr<function, vec4<f32>>,
-) -> Curve {
-    let h2 = h * h;
-    let k1 = h2 * acceleration(m, y);
+fn acceleration(m: Motion, y: vec4<f32>) -> vec4<f32> {
+    let polar = m.constants.stiffness - 2.0 * m.constants.axial * y.y * y.y;
+    return vec4<f32>((m.base + y.x) * pull(m, y.x), polar * y.y, (polar - m.constants.axial) * y.zw);
+}
+
+// From the state y, its change dy over a step, were it constant, and the acceleration k1 there, in the same unit.
+fn nystroem_step(m: Motion, h2: f32, y: vec4<f32>, dy: vec4<f32>, k1: vec4<f32>) -> Step {
     let k2 = h2 * acceleration(m, y + 0.2 * dy + 0.02 * k1);
-    let k3 = h2 * acceleration(m, y + (2.0 / 3.0) * dy + (7.0 * k2 - k1) / 27.0);
-    let k4 = h2 * acceleration(m, y + dy + 0.3 * k1 + (9.0 * k3 - 2.0 * k2) / 35.0);
-    *end = y + dy + (14.0 * k1 + 100.0 * k2 + 54.0 * k3) / 336.0;
-    *end_dy = dy + (14.0 * k1 + 125.0 * k2 + 162.0 * k3 + 35.0 * k4) / 336.0;
+    let k3 = h2 * acceleration(m, y + (2.0 / 3.0) * dy + ((7.0 / 27.0) * k2 - (1.0 / 27.0) * k1));
+    let k4 = h2 * acceleration(m, y + dy + 0.3 * k1 + ((9.0 / 35.0) * k3 - (2.0 / 35.0) * k2));
+    let end = y + (dy + ((14.0 / 336.0) * k1 + (100.0 / 336.0) * k2 + (54.0 / 336.0) * k3));
+    let change = (14.0 / 336.0) * k1 + (125.0 / 336.0) * k2 + (162.0 / 336.0) * k3 + (35.0 / 336.0) * k4;
+    return Step(y, dy, k1, end, dy + change, h2 * acceleration(m, end));
+}
+
+// Of its four components only those are computed that are used.
+fn curve(s: Step) -> Curve {
     // What the end has beyond the parabola of the start: values, slopes, half the second derivatives.
-    let parabola = 0.5 * k1;
-    let r0 = (*end - y) - dy - parabola;
-    let r1 = (*end_dy - dy) - k1;
-    let r2 = 0.5 * h2 * acceleration(m, *end) - parabola;
-    return Curve(y, dy, parabola, 10.0 * r0 - 4.0 * r1 + r2, 7.0 * r1 - 15.0 * r0 - 2.0 * r2, 6.0 * r0 - 3.0 * r1 + r2);
+    let r0 = (s.y1 - s.y0) - s.dy0 - 0.5 * s.k0;
+    let r1 = (s.dy1 - s.dy0) - s.k0;
+    let r2 = 0.5 * (s.k1 - s.k0);
+    let c3 = 10.0 * r0 - 4.0 * r1 + r2;
+    return Curve(s.y0, s.dy0, 0.5 * s.k0, c3, 7.0 * r1 - 15.0 * r0 - 2.0 * r2, 6.0 * r0 - 3.0 * r1 + r2);
 }
 
 fn curve_at(c: Curve, t: f32) -> vec4<f32> {
@@ -111,42 +121,45 @@ fn curve_slope(c: Curve, t: f32) -> vec4<f32> {
     return c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3 + t * (4.0 * c.c4 + t * (5.0 * c.c5))));
 }
 
-fn radial_at(c: Curve, t: f32) -> f32 {
-    return c.c0.x + t * (c.c1.x + t * (c.c2.x + t * (c.c3.x + t * (c.c4.x + t * c.c5.x))));
-}
-
-fn azimuth_rate(m: Motion, energy: f32, v: f32) -> f32 {
-    return scene.spin_length * (energy - quadratic(m.w, v) / quadratic(m.d, v));
-}
-
 // By how much chi grows from the start of a step to its share t, by Gauss and Legendre with four nodes.
-fn azimuth_gain(m: Motion, energy: f32, c: Curve, t: f32) -> f32 {
-    let outer = azimuth_rate(m, energy, radial_at(c, 0.0694318442 * t))
-        + azimuth_rate(m, energy, radial_at(c, 0.9305681558 * t));
-    let inner = azimuth_rate(m, energy, radial_at(c, 0.3300094782 * t))
-        + azimuth_rate(m, energy, radial_at(c, 0.6699905218 * t));
-    return scene.mino_step * t * (0.1739274226 * outer + 0.3260725774 * inner);
+fn azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
+    let outer = vec2<f32>(curve_at(c, 0.0694318442 * t).x, curve_at(c, 0.9305681558 * t).x);
+    let inner = vec2<f32>(curve_at(c, 0.3300094782 * t).x, curve_at(c, 0.6699905218 * t).x);
+    let sum = 0.1739274226 * dragging_sum(m, outer) + 0.3260725774 * dragging_sum(m, inner);
+    return scene.spin_length * h * t * sum;
 }
 
-// The same angle within [-pi, pi]; 2 pi in two parts, the first of few digits.
-fn wrapped(angle: f32) -> f32 {
-    let turns = round(angle / (2.0 * PI));
-    return (angle - turns * 6.28125) - turns * 1.93530718e-3;
+// E - W/D at two places, added; one division for both.
+fn dragging_sum(m: Motion, v: vec2<f32>) -> f32 {
+    let above = m.dragging.x + v * (m.dragging.y + v * m.dragging.z);
+    let below = m.d.x + v * (m.d.y + v * m.d.z);
+    return (above.x * below.y + above.y * below.x) / (below.x * below.y);
+}
+
+// An angle of two parts, the first a multiple of 1/16, within [-pi, pi]; 2 pi in two parts too, the first of few digits.
+fn wrapped(whole: f32, rest: f32) -> f32 {
+    let turns = round(whole * 0.159154943);
+    return (whole - turns * 6.28125) + (rest - turns * 1.93530718e-3);
 }
 
 // U(u), where W^2 is given.
-fn speed2(m: Motion, k_prime: f32, base: f32, v: f32, w2: f32) -> f32 {
-    return w2 - k_prime * square(base + v) * quadratic(m.d, v);
+fn speed2(m: Motion, v: f32, w2: f32) -> f32 {
+    return w2 - m.constants.k_prime * square(m.base + v) * quadratic(m.d, v);
 }
 
 // Whether U is positive from v up to v + width, so that no ray turns there. May answer no where it is yes, never the
 // other way: a polynomial lies above the least of its Bernstein coefficients (Farouki & Rajan 1987).
-fn cannot_turn(m: Motion, u2: f32, v: f32, width: f32) -> bool {
-    let p = m.pull;
-    let c1 = 2.0 * width * (p.x + v * (p.y + v * (p.z + v * p.w)));
-    let c2 = width * width * (p.y + v * (2.0 * p.z + v * 3.0 * p.w));
-    let c3 = width * width * width * (2.0 / 3.0) * (p.z + 3.0 * v * p.w);
-    let c4 = square(width * width) * 0.5 * p.w;
+fn cannot_turn(m: Motion, v: f32, width: f32) -> bool {
+    let u = m.base + v;
+    let u2 = speed2(m, v, square(quadratic(m.w, v)));
+    // dU/du = 2 u p, and p's own derivatives.
+    let p = pull(m, v);
+    let p2 = 2.0 * (2.0 * square(m.constants.drag) - m.constants.k_prime * m.s.z);
+    let p1 = 2.0 * m.constants.drag * m.w.y - m.constants.k_prime * m.s.y + p2 * v;
+    let c1 = 2.0 * width * u * p;
+    let c2 = width * width * (p + u * p1);
+    let c3 = width * width * width * (2.0 * p1 + u * p2) / 3.0;
+    let c4 = 0.25 * square(width * width) * p2;
     let b12 = min(u2 + 0.25 * c1, u2 + 0.5 * c1 + c2 / 6.0);
     let b34 = min(u2 + 0.75 * c1 + 0.5 * c2 + 0.25 * c3, u2 + c1 + c2 + c3 + c4);
     return min(u2, min(b12, b34)) > 0.0;
@@ -156,7 +169,6 @@ fn trace(photon: Photon) -> Trace {
     var result = untraced();
     let n = scene.camera_direction;
     let a = scene.spin_length;
-    let h = scene.mino_step;
 
     // K = |w|^2 - a^2 E^2 n_z^2, with the length's unit back in w; the scale makes K + ENERGY_WEIGHT E^2 one.
     let w_camera = scene.camera_radius * photon.w;
@@ -174,30 +186,30 @@ fn trace(photon: Photon) -> Trace {
     // Next to the horizon an observer can meet light that has no energy.
     let lambda = angular_momentum / select(energy, TINY, abs(energy) < TINY);
 
+    let far = k_camera > square(FAR_IMPACT * photon.energy);
+    let h = select(min(scene.mino_step, NEAR_STEP), scene.mino_step, far);
     let u_horizon = scene.horizon_u;
     let u_inner = select(0.0, 1.0 / scene.disk_inner, HAS_DISK);
-    var base = 0.0;
+    var m = motion_about(0.0, constants);
     var y = vec4<f32>(1.0 / scene.camera_radius, n.z, n.xy);
     var dy = h * vec4<f32>(scale * photon.radial, -w.z, -w.xy);
+    var k = h * h * acceleration(m, y);
+    // In two parts, for it can be many turns.
     var chi = 0.0;
+    var chi_whole = 0.0;
     var turn = 0.0;
 
     for (var i = 0u; i < MOST_STEPS; i++) {
-        if SPINNING {
-            // 1/r_+ in two parts, so that the distance to the horizon keeps its digits.
-            if base == 0.0 && y.x > 0.5 * u_horizon {
-                base = u_horizon;
-                y.x = (y.x - u_horizon) - scene.horizon_u_rest;
-            } else if base > 0.0 && y.x < -0.5 * u_horizon {
-                base = 0.0;
-                y.x = (y.x + scene.horizon_u_rest) + u_horizon;
-            }
+        // 1/r_+ in two parts, so that the distance to the horizon keeps its digits.
+        let nearer = SPINNING && m.base == 0.0 && y.x > 0.5 * u_horizon;
+        if nearer || SPINNING && m.base > 0.0 && y.x < -0.5 * u_horizon {
+            y.x = select((y.x + scene.horizon_u_rest) + u_horizon, (y.x - u_horizon) - scene.horizon_u_rest, nearer);
+            m = motion_about(select(0.0, u_horizon, nearer), constants);
         }
-        let m = motion_about(base, constants);
-        let u = base + y.x;
-        let w2 = square(quadratic(m.w, y.x));
-        let u2 = speed2(m, k_prime, base, y.x, w2);
+        let u = m.base + y.x;
         if DIAGNOSTICS {
+            let w2 = square(quadratic(m.w, y.x));
+            let u2 = speed2(m, y.x, w2);
             let radial = abs(square(dy.x / h) - u2) / max(w2 + abs(w2 - u2), TINY);
             let length = abs(dot(y.yzw, y.yzw) - 1.0);
             result.residual = max(result.residual, max(radial, length));
@@ -205,7 +217,7 @@ fn trace(photon: Photon) -> Trace {
             result.angular_momentum_drift = max(result.angular_momentum_drift, axial);
         }
         let nothing_more_to_hit = u >= u_inner || result.hit_count == MOST_HITS;
-        if dy.x > 0.0 && (u >= u_horizon || nothing_more_to_hit && cannot_turn(m, u2, y.x, u_horizon - u)) {
+        if dy.x > 0.0 && (u >= u_horizon || nothing_more_to_hit && cannot_turn(m, y.x, u_horizon - u)) {
             result.outcome = OUTCOME_CAPTURED;
             break;
         }
@@ -213,37 +225,43 @@ fn trace(photon: Photon) -> Trace {
             result.outcome = OUTCOME_HIDDEN;
             break;
         }
-        if SPINNING && base > 0.0 && u2 > TURNING_SHARE * w2 {
-            dy.x = select(-h, h, dy.x > 0.0) * sqrt(u2);
+        if SPINNING && m.base > 0.0 {
+            let w2 = square(quadratic(m.w, y.x));
+            let u2 = speed2(m, y.x, w2);
+            if u2 > TURNING_SHARE * w2 {
+                dy.x = select(-h, h, dy.x > 0.0) * sqrt(u2);
+            }
         }
-        var end: vec4<f32>;
-        var end_dy: vec4<f32>;
-        let curve = nystroem_step(m, h, y, dy, &end, &end_dy);
+        let step = nystroem_step(m, h * h, y, dy, k);
+        var end = step.y1;
         result.steps += 1u;
 
         // An outgoing ray that is at u = 0 within the step; u'' vanishes there, so Newton's method converges at once.
-        let escapes = dy.x < 0.0 && base + end.x <= 0.0;
+        let escapes = dy.x < 0.0 && m.base + end.x <= 0.0;
         var share = 1.0;
         if escapes {
+            let path = curve(step);
             share = u / (y.x - end.x);
             for (var j = 0u; j < 3u; j++) {
-                share = clamp(share - (base + radial_at(curve, share)) / curve_slope(curve, share).x, 0.0, 1.0);
+                share = clamp(share - (m.base + curve_at(path, share).x) / curve_slope(path, share).x, 0.0, 1.0);
             }
-            end = curve_at(curve, share);
+            end = curve_at(path, share);
         }
         if HAS_DISK && crosses_plane(y.y, end.y) && result.hit_count < MOST_HITS {
+            let path = curve(step);
             // So does n_z'' in the plane.
             var t = share * y.y / (y.y - end.y);
             for (var j = 0u; j < 2u; j++) {
-                t = clamp(t - curve_at(curve, t).y / curve_slope(curve, t).y, 0.0, share);
+                t = clamp(t - curve_at(path, t).y / curve_slope(path, t).y, 0.0, share);
             }
-            let crossing = curve_at(curve, t);
-            let r = 1.0 / (base + crossing.x);
+            let crossing = curve_at(path, t);
+            let r = 1.0 / (m.base + crossing.x);
             if in_annulus(r) {
                 var place = crossing.zw * inverseSqrt(max(dot(crossing.zw, crossing.zw), TINY));
                 // Pictures know no azimuth of a hit.
                 if SPINNING && AZIMUTH {
-                    place = turned(place, sine_cosine(wrapped(chi + azimuth_gain(m, energy, curve, t))));
+                    let azimuth = wrapped(chi_whole, chi + azimuth_gain(m, path, h, t));
+                    place = turned(place, sine_cosine(azimuth));
                 }
                 if DIAGNOSTICS && result.hit_count == 0u {
                     result.turn = turn + angle_between(y.yzw, crossing.yzw);
@@ -253,7 +271,10 @@ fn trace(photon: Photon) -> Trace {
         }
         // A picture without a sky asks for no azimuth at all.
         if SPINNING && SKY_DIRECTION {
-            chi = wrapped(chi + azimuth_gain(m, energy, curve, share));
+            chi += azimuth_gain(m, curve(step), h, share);
+            let whole = 0.0625 * round(16.0 * chi);
+            chi_whole += whole;
+            chi -= whole;
         }
         if DIAGNOSTICS {
             turn += angle_between(y.yzw, end.yzw);
@@ -261,13 +282,14 @@ fn trace(photon: Photon) -> Trace {
         if escapes {
             // Light of negative energy never was at infinity.
             result.outcome = select(OUTCOME_CAPTURED, OUTCOME_SKY, energy > 0.0);
-            let across = select(end.zw, turned(end.zw, sine_cosine(chi)), SPINNING);
+            let across = select(end.zw, turned(end.zw, sine_cosine(wrapped(chi_whole, chi))), SPINNING);
             result.turn = select(result.turn, turn, energy > 0.0 && result.hit_count == 0u);
             result.sky = select(vec3<f32>(0.0), safe_normalize(vec3<f32>(across, end.y)), energy > 0.0);
             break;
         }
         y = end;
-        dy = end_dy;
+        dy = step.dy1;
+        k = step.k1;
     }
     return result;
 }

@@ -74,13 +74,25 @@ pub fn write_png(path: &Path, width: u32, height: u32, rgb: &[u8]) -> Result<(),
         let reason = format!("{} bytes do not make {width}x{height} pixels", rgb.len());
         return Err(PictureError::Encode { path: path.into(), reason });
     }
-    let mut part = part_file(path)?;
     let mut bytes = Vec::new();
     PngEncoder::new(&mut bytes)
         .write_image(rgb, width, height, ExtendedColorType::Rgb8)
         .map_err(|error| PictureError::Encode { path: path.into(), reason: error.to_string() })?;
+    write_whole(path, &bytes)
+}
+
+/// Writes a text. The file appears under its name only when it is complete.
+///
+/// # Errors
+/// What the file system says, with the file's name.
+pub fn write_text(path: &Path, text: &str) -> Result<(), PictureError> {
+    write_whole(path, text.as_bytes())
+}
+
+fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), PictureError> {
+    let mut part = part_file(path)?;
     let failed = |source| PictureError::Write { path: path.into(), source };
-    part.write_all(&bytes).map_err(failed)?;
+    part.write_all(bytes).map_err(failed)?;
     part.as_file().sync_all().map_err(failed)?;
     part.persist(path).map_err(|error| failed(error.error))?;
     Ok(())

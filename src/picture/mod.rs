@@ -3,6 +3,6 @@
 mod file;
 mod still;
 
-pub use file::{PictureError, check_path, write_png};
+pub use file::{PictureError, check_path, write_png, write_text};
 pub(crate) use still::quiet_log;
 pub use still::{PassTime, Still, Studio, check_size, render, render_timed};

@@ -16,6 +16,7 @@ mod mino;
 mod needs;
 mod observers;
 mod refusals;
+mod report;
 mod shaders;
 mod sky;
 mod spectrum;

@@ -3,6 +3,7 @@
 
 mod disk;
 mod effects;
+mod error;
 mod elliptic;
 mod kerr;
 mod kerr_schild;

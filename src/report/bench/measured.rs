@@ -18,6 +18,8 @@ pub struct Measured {
     pub setting: Option<&'static str>,
     /// The setting's value.
     pub value: Option<f64>,
+    /// Whether it is the scene's own setting.
+    pub own_setting: bool,
     /// Whether `auto` draws the scene just so.
     pub auto: bool,
     /// Median time of tracing the picture's rays, in milliseconds, and its spread from the 10th to the 90th percentile.
@@ -81,6 +83,7 @@ impl Measured {
             method: scene.method.name().into(),
             setting: setting.key,
             value: setting.key.map(|_| setting.value),
+            own_setting: setting.own,
             auto: setting.auto,
             trace_ms: timing.median_ms,
             trace_spread_ms: timing.spread_ms,

@@ -23,6 +23,8 @@ pub struct Setting {
     pub value: f64,
     /// The scene with method and setting.
     pub scene: Scene,
+    /// Whether it is the scene's own setting.
+    pub own: bool,
     /// Whether `auto` would draw the scene just so.
     pub auto: bool,
 }
@@ -41,10 +43,12 @@ pub fn methods_for(scene: &Scene) -> Vec<Method> {
 #[must_use]
 pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
     let auto = if scene.hole.spin == 0.0 { Method::Closed } else { Method::Mino };
+    let subject = scene;
     let set = |key: Option<&'static str>, value: f64, change: fn(&mut Scene, f64)| {
-        let mut scene = Scene { method, ..scene.clone() };
+        let mut scene = Scene { method, ..subject.clone() };
         change(&mut scene, value);
-        Setting { key, value, scene, auto: false }
+        let own = scene.quality == subject.quality;
+        Setting { key, value, scene, own, auto: false }
     };
     let mut all: Vec<Setting> = match method {
         Method::Verlet | Method::KerrSchild => {

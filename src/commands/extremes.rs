@@ -1,0 +1,72 @@
+//! `lightfall extremes`.
+
+use super::{circumstances, make_folder, print, progress, write};
+use crate::{Stop, failed};
+use lightfall::cli::ExtremesArgs;
+use lightfall::gpu::Gpu;
+use lightfall::report::bench::{csv, json};
+use lightfall::report::extremes::{Found, Hunt, cells, markdown, run, verdicts};
+use lightfall::scene::Method;
+
+/// The worst rays of a hunt that are told, whether they are within their bar or not.
+const TOLD: usize = 10;
+
+/// Measures the matrix, or hunts; prints and writes.
+pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
+    make_folder(args.out.as_deref())?;
+    let gpu = Gpu::headless().map_err(failed)?;
+    if let Some(rays) = args.hunt {
+        return hunt(&gpu, &Hunt { rays: rays as usize, seed: args.seed }, args.json);
+    }
+    let all = [Method::Closed, Method::Mino, Method::Verlet, Method::KerrSchild];
+    let methods = if args.methods.is_empty() { &all[..] } else { &args.methods };
+    let bar = progress(1);
+    bar.set_message("looking for the shadows' edges");
+    bar.tick();
+    let cells = cells(args.rays as usize);
+    bar.set_length(verdicts(&cells, methods) as u64);
+    let measured = run(&gpu, &cells, methods, |verdict| {
+        bar.set_message(format!("{}: {}, {}", verdict.group, verdict.cell, verdict.method));
+        bar.inc(1);
+    });
+    let verdicts = measured.map_err(failed)?;
+    bar.finish_and_clear();
+
+    let circumstances = circumstances(&gpu, format!("{} rays a cell", args.rays), "compute");
+    let (json, markdown) = (json(&circumstances, &verdicts), markdown(&verdicts));
+    if let Some(folder) = &args.out {
+        write(folder, "extremes.csv", &csv(&circumstances, &verdicts))?;
+        write(folder, "extremes.json", &json)?;
+        write(folder, "extremes.md", &markdown)?;
+    }
+    print(if args.json { &json } else { &markdown })?;
+    let solved = |method: &str| method == Method::Closed.name() || method == Method::Mino.name();
+    let failing = verdicts.iter().filter(|verdict| solved(verdict.method) && !verdict.holds).count();
+    let own = verdicts.iter().filter(|verdict| solved(verdict.method)).count();
+    eprintln!("lightfall: closed and mino hold {} of their {own} cells", own - failing);
+    if failing > 0 { Err(Stop(1, format!("{failing} cells do not hold, see the table"))) } else { Ok(()) }
+}
+
+fn hunt(gpu: &Gpu, hunt: &Hunt, as_json: bool) -> Result<(), Stop> {
+    let bar = progress(hunt.scenes());
+    let mut worst = 0.0;
+    let found = hunt.run(gpu, |found| {
+        worst = f64::max(worst, found.excess);
+        bar.set_message(format!("the worst ray so far is at {worst:.2} of its bar"));
+        bar.inc(1);
+    });
+    let found = found.map_err(failed)?;
+    bar.finish_and_clear();
+    let beyond = found.iter().filter(|found| found.excess > 1.0).count();
+    eprintln!("lightfall: of {} random scenes, {beyond} have a ray beyond its bar", found.len());
+    let told = &found[..found.len().min(TOLD.max(beyond))];
+    if as_json {
+        let rows = told.iter().map(|found| {
+            serde_json::json!({ "backward": found.backward, "excess": found.excess, "command": found.command() })
+        });
+        return print(&format!("{:#}\n", serde_json::Value::Array(rows.collect())));
+    }
+    let line =
+        |found: &Found| format!("# {:.2e} rad, {:.2} of its bar\n{}\n", found.backward, found.excess, found.command());
+    print(&told.iter().map(line).collect::<String>())
+}

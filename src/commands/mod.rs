@@ -1,0 +1,71 @@
+//! The longer commands: measures, tells how far it is, writes the reports.
+
+mod bench;
+mod extremes;
+
+pub use bench::bench;
+pub use extremes::extremes;
+
+use crate::{Stop, failed};
+use indicatif::{ProgressBar, ProgressStyle};
+use lightfall::gpu::Gpu;
+use lightfall::picture;
+use lightfall::report::bench::Circumstances;
+use lightfall::report::rays::is_closed_pipe;
+use std::io::{self, Write};
+use std::path::Path;
+use std::process::Command;
+
+/// A bar on standard error with what is being done and the time that is left; silent where nobody watches.
+fn progress(length: usize) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len}, {eta} left: {wide_msg}");
+    ProgressBar::new(length as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+fn circumstances(gpu: &Gpu, size: String, entry: &str) -> Circumstances {
+    let info = &gpu.info;
+    Circumstances {
+        adapter: info.name.clone(),
+        driver: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
+        backend: info.backend.to_string(),
+        size,
+        entry: entry.into(),
+        commit: commit(),
+        command: command(),
+    }
+}
+
+/// The revision of the sources, where they and git are at hand.
+fn commit() -> String {
+    let described = Command::new("git")
+        .args(["-C", env!("CARGO_MANIFEST_DIR"), "describe", "--always", "--dirty", "--abbrev=12"])
+        .output();
+    let described = described.ok().filter(|output| output.status.success());
+    let text = described.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
+    text.filter(|text| !text.is_empty()).unwrap_or_else(|| format!("version {}", env!("CARGO_PKG_VERSION")))
+}
+
+/// The command line, with the program's own name first.
+fn command() -> String {
+    std::iter::once("lightfall".to_owned()).chain(std::env::args().skip(1)).collect::<Vec<_>>().join(" ")
+}
+
+/// Makes the folder of the reports, before any work is done for them.
+fn make_folder(folder: Option<&Path>) -> Result<(), Stop> {
+    let Some(folder) = folder else { return Ok(()) };
+    std::fs::create_dir_all(folder).map_err(|error| Stop(1, format!("--out {}: {error}", folder.display())))
+}
+
+/// Writes a report's file, whole or not at all.
+fn write(folder: &Path, name: &str, text: &str) -> Result<(), Stop> {
+    picture::write_text(&folder.join(name), text).map_err(failed)
+}
+
+/// Prints a result.
+fn print(text: &str) -> Result<(), Stop> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if !is_closed_pipe(&error) => Err(Stop(1, format!("standard output: {error}"))),
+        _ => Ok(()),
+    }
+}
