@@ -1,8 +1,8 @@
 //! The program's own measurements, held against what it promises.
 
 use crate::gpu;
-use lightfall::report::bench::{Plan, auto_margin, csv, markdown, plot, subjects};
 use lightfall::report::bench::{Circumstances, settings};
+use lightfall::report::bench::{Plan, auto_margin, csv, markdown, plot, subjects};
 use lightfall::report::extremes::{Hunt, cells, run};
 use lightfall::scene::Method;
 

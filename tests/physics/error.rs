@@ -36,14 +36,27 @@ fn a_known_turn_of_every_ray_is_found_to_within_the_factor_of_two_that_the_mixed
             let errors = truth.judge(&answers_to_turned_rays(&scene, &truth, angle));
             let seen = truth.traces.iter().zip(&errors).filter(|(truth, _)| truth.sky.is_some());
             // A hundredth more for what Newton's method leaves; next to a caustic a smaller turn explains as much.
-            let seen: Vec<f64> = seen.filter(|(_, error)| !error.misclassified).map(|(_, error)| error.backward).collect();
+            let seen: Vec<f64> =
+                seen.filter(|(_, error)| !error.misclassified).map(|(_, error)| error.backward).collect();
             assert!(seen.len() > 200, "{} rays see the sky", seen.len());
             let quantiles = Quantiles::of(seen.iter().copied());
             println!("chi {spin}, {angle:e}: {quantiles:?}");
-            assert!(quantiles.p99 <= 1.01 * angle, "chi {spin}: a turn of {angle:e} was found to be {:e}", quantiles.p99);
+            assert!(
+                quantiles.p99 <= 1.01 * angle,
+                "chi {spin}: a turn of {angle:e} was found to be {:e}",
+                quantiles.p99
+            );
             // Near an edge the shortest explanation is sought by logarithms of distances, and may be missed by that much.
-            assert!(quantiles.max <= 1.5 * angle, "chi {spin}: a turn of {angle:e} was found to be {:e}", quantiles.max);
-            assert!(quantiles.p50 >= 0.5 * angle, "chi {spin}: a turn of {angle:e} was found to be {:e}", quantiles.p50);
+            assert!(
+                quantiles.max <= 1.5 * angle,
+                "chi {spin}: a turn of {angle:e} was found to be {:e}",
+                quantiles.max
+            );
+            assert!(
+                quantiles.p50 >= 0.5 * angle,
+                "chi {spin}: a turn of {angle:e} was found to be {:e}",
+                quantiles.p50
+            );
         }
     }
 }
@@ -63,7 +76,8 @@ fn a_ray_on_the_wrong_side_of_the_edge_is_off_by_its_distance_from_it() {
         let distance = ray.distance_to_edge().expect("critical rays know their edge");
         assert_eq!(trace.outcome == Outcome::Sky, distance > 0.0, "beyond the edge, and only there, is the sky");
         let axis = ray.direction().cross(shadow_centre).normalize();
-        let across = DQuat::from_axis_angle(axis, distance + 0.2 * distance.abs() * distance.signum()) * ray.direction();
+        let across =
+            DQuat::from_axis_angle(axis, distance + 0.2 * distance.abs() * distance.signum()) * ray.direction();
         let given = reference.trace(legs * across);
         if given.outcome == trace.outcome {
             continue;

@@ -3,8 +3,8 @@
 
 mod disk;
 mod effects;
-mod error;
 mod elliptic;
+mod error;
 mod kerr;
 mod kerr_schild;
 mod mino;

@@ -209,7 +209,7 @@ pub fn shown_number(number: f64) -> String {
     }
     if number == 0.0 {
         "0".into()
-    } else if size < 1e-3 || size >= 1e9 {
+    } else if !(1e-3..1e9).contains(&size) {
         format!("{number:e}")
     } else {
         format!("{number}")
