@@ -15,6 +15,8 @@ const COARSEST: f64 = 0.25;
 const STEP: f64 = 1.0 / 16.0;
 /// Frames of a movement between two looks at the clock; the first ones still wait for the full picture.
 const FRAMES: u32 = 4;
+/// Time of a frame, in seconds, that is too long to fly by.
+const SLIDE_SHOW: f64 = 0.1;
 /// A frame rate this much better than the wanted one allows a finer picture.
 const SPARE: f64 = 1.35;
 
@@ -59,6 +61,11 @@ impl Resolution {
         let mut scene = meant;
         set_sizes(&mut scene.picture, self.drawn, self.cells);
         scene
+    }
+
+    /// The share at which every cell has one pixel left.
+    fn one_pixel_a_cell(&self) -> f64 {
+        (self.grid.as_dvec2() / self.full.as_dvec2()).max_element()
     }
 
     /// Chooses the size for this frame. `share` of a side; the cells stay as they are as long as each has a pixel.
@@ -112,7 +119,11 @@ fn adapt(
         if *frames >= FRAMES {
             let frame = *seconds / f64::from(*frames);
             resolution.counted = (0, 0.0);
-            resolution.share = better(resolution.share, frame * settings.frame_rate);
+            let share = better(resolution.share, frame * settings.frame_rate);
+            // Fewer pixels than cells only where flying would be a slide show.
+            let finest =
+                if frame > SLIDE_SHOW || scene.picture.bypass { COARSEST } else { resolution.one_pixel_a_cell() };
+            resolution.share = share.max(finest);
         }
     } else {
         resolution.counted = (0, 0.0);

@@ -46,7 +46,8 @@ impl Chain {
         let picture = UVec2::new(scene.picture.width, scene.picture.height);
         // A wide picture's bloom has fewer rows, lest its texture be wider than a device can do.
         let widest = u64::from(WIDEST_BLOOM) * u64::from(picture.y) / u64::from(picture.x.max(1));
-        let rows = u64::from(BLOOM_LEVEL).min(widest) as u32;
+        // A coarse picture's too: half its rows are as fine as bloom ever is.
+        let rows = u64::from(BLOOM_LEVEL).min(widest).min(u64::from(picture.y.div_ceil(2))) as u32;
         let grid = UVec2::new(scene.picture.grid_width, scene.picture.grid_height);
         Self {
             picture,

@@ -23,7 +23,7 @@ pub(super) const WIDTH: f32 = 390.0;
 /// Fans: how many rays a side.
 const FANS: [u32; 3] = [1, 3, 5];
 /// Height of the drawing, as a share of the window's, at most.
-const DRAWING: f32 = 0.37;
+const DRAWING: f32 = 0.35;
 
 /// What the inspector remembers.
 #[derive(Resource)]
