@@ -243,6 +243,9 @@ pub const CONTROLS: &[Control] = &[
     view("view.order", &[KeyCode::KeyN], "order of the image", |scene, _| edits::toggle(scene, View::Order)),
     view("view.redshift", &[KeyCode::KeyR], "redshift g", |scene, _| edits::toggle(scene, View::Redshift)),
     picture("picture.bloom", &[KeyCode::F5], "bloom", edits::switch_bloom),
+    picture("picture.antialias", &[KeyCode::F6], "smooth edges of the probe", |scene, _| {
+        edits::flip(&mut scene.probe.antialias);
+    }),
     picture("picture.bypass", &[KeyCode::F7], "cells, or the picture as it is", |scene, _| {
         edits::flip(&mut scene.picture.bypass);
     }),

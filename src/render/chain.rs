@@ -21,6 +21,8 @@ pub struct Chain {
     pub picture: UVec2,
     /// Whether there is a foreground, with its lamps.
     pub probe: bool,
+    /// Samples of a pixel's foreground: one, or four where its edges are smoothed.
+    pub samples: u32,
     /// Rows of bloom's largest level, where there is bloom.
     pub bloom: Option<u32>,
     /// Size of the presentation grid, where the picture is shown in cells.
@@ -52,6 +54,7 @@ impl Chain {
         Self {
             picture,
             probe: scene.probe.enabled,
+            samples: if scene.probe.enabled && scene.probe.antialias { 4 } else { 1 },
             bloom: (scene.picture.bloom > 0.0 && rows >= LEAST_BLOOM).then_some(rows),
             cells: (!scene.picture.bypass).then_some(grid),
         }
@@ -79,6 +82,9 @@ impl Chain {
             of_picture("tone-mapped picture", "rgba16float"),
             of_picture("depth", "depth32float"),
         ];
+        if self.samples > 1 {
+            textures.push(of_picture("HDR picture of four samples", "rgba16float"));
+        }
         textures.extend(self.bloom.map(|rows| Written {
             name: "bloom",
             // As Bevy sizes it.

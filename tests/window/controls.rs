@@ -44,6 +44,7 @@ fn switches_change_the_picture_and_lead_back() {
         ("view.redshift", 2),
         ("picture.bloom", 2),
         ("picture.bypass", 2),
+        ("picture.antialias", 2),
         ("picture.dither", 2),
         ("picture.levels", 2),
     ] {
