@@ -129,6 +129,37 @@ fn azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
     return scene.spin_length * h * t * sum;
 }
 
+// The same for a step outward next to the horizon, where W/D has a pole. There W^2 - U = K' u^2 D makes
+//
+//   chi' = a (E - K' u^2 / (W + |u'|)) - a |u'| / D,
+//
+// the first part regular, as in Kerr's ingoing coordinates, the second a difference of azimuth_lead.
+fn regular_azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
+    var nodes = array<vec2<f32>, 4>(
+        vec2<f32>(0.0694318442, 0.1739274226),
+        vec2<f32>(0.3300094782, 0.3260725774),
+        vec2<f32>(0.6699905218, 0.3260725774),
+        vec2<f32>(0.9305681558, 0.1739274226),
+    );
+    var sum = 0.0;
+    for (var i = 0u; i < 4u; i++) {
+        let share = t * nodes[i].x;
+        let v = curve_at(c, share).x;
+        let speed = max(-curve_slope(c, share).x / h, 0.0);
+        let pulled = m.constants.k_prime * square(m.base + v);
+        sum += nodes[i].y * (m.constants.energy - pulled / max(quadratic(m.w, v) + speed, TINY));
+    }
+    return scene.spin_length * h * t * sum;
+}
+
+// By how much the azimuth of Kerr's ingoing coordinates is ahead of Boyer-Lindquist's: a / (r_+ - r_-) times the
+// logarithm of (1 - r_+ u) / (1 - r_- u).
+fn azimuth_lead(m: Motion, v: f32) -> f32 {
+    let outer = select(1.0 - scene.horizon * v, -scene.horizon * v, m.base > 0.0);
+    let inner = 1.0 - scene.inner_horizon * (m.base + v);
+    return scene.spin_length / (scene.horizon - scene.inner_horizon) * log(max(outer, TINY) / inner);
+}
+
 // E - W/D at two places, added; one division for both.
 fn dragging_sum(m: Motion, v: vec2<f32>) -> f32 {
     let above = m.dragging.x + v * (m.dragging.y + v * m.dragging.z);
@@ -198,6 +229,7 @@ fn trace(photon: Photon) -> Trace {
     var chi = 0.0;
     var chi_whole = 0.0;
     var turn = 0.0;
+    var lead = scene.azimuth_lead;
 
     for (var i = 0u; i < MOST_STEPS; i++) {
         // 1/r_+ in two parts, so that the distance to the horizon keeps its digits.
@@ -247,6 +279,7 @@ fn trace(photon: Photon) -> Trace {
             }
             end = curve_at(path, share);
         }
+        let regular = NEAR_HORIZON && dy.x < 0.0 && step.dy1.x < 0.0;
         if HAS_DISK && crosses_plane(y.y, end.y) && result.hit_count < MOST_HITS {
             let path = curve(step);
             // So does n_z'' in the plane.
@@ -260,8 +293,11 @@ fn trace(photon: Photon) -> Trace {
                 var place = crossing.zw * inverseSqrt(max(dot(crossing.zw, crossing.zw), TINY));
                 // Pictures know no azimuth of a hit.
                 if SPINNING && AZIMUTH {
-                    let azimuth = wrapped(chi_whole, chi + azimuth_gain(m, path, h, t));
-                    place = turned(place, sine_cosine(azimuth));
+                    var gain = azimuth_gain(m, path, h, t);
+                    if regular {
+                        gain = regular_azimuth_gain(m, path, h, t) + (lead - azimuth_lead(m, crossing.x));
+                    }
+                    place = turned(place, sine_cosine(wrapped(chi_whole, chi + gain)));
                 }
                 if DIAGNOSTICS && result.hit_count == 0u {
                     result.turn = turn + angle_between(y.yzw, crossing.yzw);
@@ -271,7 +307,16 @@ fn trace(photon: Photon) -> Trace {
         }
         // A picture without a sky asks for no azimuth at all.
         if SPINNING && SKY_DIRECTION {
-            chi += azimuth_gain(m, curve(step), h, share);
+            if regular {
+                let next_lead = azimuth_lead(m, end.x);
+                chi += regular_azimuth_gain(m, curve(step), h, share) + (lead - next_lead);
+                lead = next_lead;
+            } else {
+                chi += azimuth_gain(m, curve(step), h, share);
+                if NEAR_HORIZON {
+                    lead = azimuth_lead(m, end.x);
+                }
+            }
             let whole = 0.0625 * round(16.0 * chi);
             chi_whole += whole;
             chi -= whole;

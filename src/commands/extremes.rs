@@ -40,7 +40,7 @@ pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
         write(folder, "extremes.md", &markdown)?;
     }
     print(if args.json { &json } else { &markdown })?;
-    let solved = |method: &str| method == Method::Closed.name() || method == Method::Mino.name();
+    let solved = |method: &str| method.starts_with(Method::Closed.name()) || method.starts_with(Method::Mino.name());
     let failing = verdicts.iter().filter(|verdict| solved(verdict.method) && !verdict.holds).count();
     let own = verdicts.iter().filter(|verdict| solved(verdict.method)).count();
     eprintln!("lightfall: closed and mino hold {} of their {own} cells", own - failing);

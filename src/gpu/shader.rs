@@ -2,6 +2,7 @@
 //! `const` flags, which compilers drop.
 
 use crate::physics::disk;
+use crate::physics::kerr::Kerr;
 use crate::physics::spectrum::{TABLE_COLDEST, TABLE_HOTTEST, TABLE_LEN};
 use crate::scene::{DiskModel, Effects, Method, Scene, SkyMode, View};
 use std::fmt::Write;
@@ -15,6 +16,8 @@ pub struct Variant {
     pub tracer: Tracer,
     /// Whether the hole spins.
     pub spinning: bool,
+    /// Whether the camera is next to the horizon of a spinning hole, where azimuths need care.
+    pub near_horizon: bool,
     /// Whether rays can meet a disk.
     pub disk: bool,
     /// What the disk's flux is; the default where none is drawn.
@@ -76,6 +79,10 @@ impl Tracer {
 /// Least light, as a share, for which a ray is followed beyond crossings of the disk: half of an 8-bit level.
 const NEGLIGIBLE: f64 = 0.002;
 
+/// Below this multiple of the horizon's radius the azimuth of light that leaves is summed in coordinates that are regular
+/// there: from farther out the pole of its rate is too far off to disturb four Gaussian nodes a step.
+const NEAR_HORIZON: f64 = 1.5;
+
 /// A part: its file below shaders/, and its text.
 type Part = (&'static str, &'static str);
 
@@ -97,6 +104,8 @@ impl Variant {
             entry: Entry::Picture,
             tracer: Tracer::of(scene),
             spinning: scene.hole.spin != 0.0,
+            near_horizon: scene.hole.spin != 0.0
+                && scene.camera.r < NEAR_HORIZON * Kerr { spin: scene.hole.spin }.horizon(),
             disk: scene.disk.enabled,
             disk_model: if scene.disk.enabled && !marks { scene.disk.model } else { DiskModel::default() },
             sky,
@@ -248,12 +257,14 @@ impl Variant {
     }
 
     /// The flags, by their names in the shaders. Compilers drop what stands behind one that is not set.
-    pub fn flags(self) -> [(&'static str, bool); 12] {
+    pub fn flags(self) -> [(&'static str, bool); 13] {
         let records = self.entry == Entry::Rays;
         [
             ("SPINNING", self.spinning),
+            ("NEAR_HORIZON", self.near_horizon),
             ("AZIMUTH", records),
-            ("SKY_DIRECTION", records || self.sky != SkyMode::Off),
+            // What is timed does all the work that a picture with a sky does.
+            ("SKY_DIRECTION", self.entry != Entry::Picture || self.sky != SkyMode::Off),
             ("REFERENCE_STAR", self.reference_star),
             ("SHOW_UNFINISHED", self.view == View::Unfinished),
             ("FOLLOW_BEYOND_HITS", self.follow_beyond_hits),

@@ -98,7 +98,7 @@ impl Hunt {
 impl Found {
     fn new(scene: &Scene, ray: &Ray, backward: f64) -> Self {
         let direction = scene.camera.legs_from_camera() * ray.direction();
-        Self { scene: scene.clone(), direction, backward, excess: backward / bar(scene.method).backward }
+        Self { scene: scene.clone(), direction, backward, excess: backward / bar(scene).backward }
     }
 
     /// The command that traces this ray again.

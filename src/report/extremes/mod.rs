@@ -47,8 +47,7 @@ pub fn run(
     let mut all = Vec::new();
     for cell in cells {
         let truth = Truth::of(&cell.scene, cell.rays.clone())?;
-        for method in methods_for(&cell.scene).into_iter().filter(|method| methods.contains(method)) {
-            let scene = Scene { method, ..cell.scene.clone() };
+        for scene in variations(&cell.scene, methods) {
             let verdict = Verdict::new(cell, &scene, &Errors::of(&truth, &kernels.traces(gpu, &scene, &truth)?));
             done(&verdict);
             all.push(verdict);
@@ -57,9 +56,18 @@ pub fn run(
     Ok(all)
 }
 
+/// The scene by each of the methods that can trace it, by mino twice.
+fn variations(scene: &Scene, methods: &[Method]) -> Vec<Scene> {
+    let able = methods_for(scene).into_iter().filter(|method| methods.contains(method));
+    able.flat_map(|method| {
+        let tightest = (method == Method::Mino).then(|| verdict::tightest(scene));
+        std::iter::once(Scene { method, ..scene.clone() }).chain(tightest)
+    })
+    .collect()
+}
+
 /// How many verdicts there will be.
 #[must_use]
 pub fn verdicts(cells: &[Cell], methods: &[Method]) -> usize {
-    let of = |cell: &Cell| methods_for(&cell.scene).into_iter().filter(|method| methods.contains(method)).count();
-    cells.iter().map(of).sum()
+    cells.iter().map(|cell| variations(&cell.scene, methods).len()).sum()
 }

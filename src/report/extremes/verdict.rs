@@ -3,9 +3,18 @@
 use super::Cell;
 use crate::report::bench::short;
 use crate::report::error::Errors;
-use crate::scene::{Method, Scene};
+use crate::scene::{Method, Quality, Scene};
 use serde::Serialize;
 use std::fmt::Write;
+
+/// The name of mino at its tightest setting.
+const TIGHTEST: &str = "mino, tightest";
+
+/// The scene with mino's tightest setting.
+pub(super) fn tightest(scene: &Scene) -> Scene {
+    let quality = Quality { max_error_px: 1e-4, ..scene.quality };
+    Scene { method: Method::Mino, quality, ..scene.clone() }
+}
 
 /// What a method must keep to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,15 +23,19 @@ pub struct Bar {
     pub backward: f64,
 }
 
-/// The bar of a method. The solved methods are held to what f32 leaves of a direction; the article's to a pixel of their
-/// own pictures, 960x540 at 60 degrees.
+/// The bar of a scene's method. The solved methods are held to what f32 leaves of a direction, mino at least to its own
+/// setting in pixels of the scene's picture; the article's to a pixel of their own pictures, 960x540 at 60 degrees.
 #[must_use]
-pub fn bar(method: Method) -> Bar {
-    match method {
-        Method::Closed => Bar { backward: 1e-6 },
-        Method::Auto | Method::Mino | Method::Reference => Bar { backward: 2e-6 },
-        Method::Verlet | Method::KerrSchild => Bar { backward: 2.1e-3 },
-    }
+pub fn bar(scene: &Scene) -> Bar {
+    let backward = match scene.method {
+        Method::Closed => 1e-6,
+        Method::Auto | Method::Mino | Method::Reference => {
+            let pixel = 2.0 * (scene.camera.fov_deg.to_radians() / 2.0).tan() / f64::from(scene.picture.height);
+            f64::max(2e-6, scene.quality.max_error_px * pixel)
+        }
+        Method::Verlet | Method::KerrSchild => 2.1e-3,
+    };
+    Bar { backward }
 }
 
 /// A method in a cell.
@@ -32,7 +45,7 @@ pub struct Verdict {
     pub group: &'static str,
     /// How extreme.
     pub cell: String,
-    /// The method.
+    /// The method; mino at its tightest setting has a name of its own.
     pub method: &'static str,
     /// How many rays.
     pub rays: usize,
@@ -62,7 +75,7 @@ pub struct Verdict {
 
 impl Verdict {
     pub(super) fn new(cell: &Cell, scene: &Scene, errors: &Errors) -> Self {
-        let bar = bar(scene.method).backward;
+        let bar = bar(scene).backward;
         // A cell of rays that see nothing has no backward error at all, and that is none.
         let some = |value: f64| if value.is_nan() { 0.0 } else { value };
         let backward_max = some(errors.backward.max);
@@ -70,7 +83,7 @@ impl Verdict {
         Self {
             group: cell.group,
             cell: cell.name.clone(),
-            method: scene.method.name(),
+            method: if *scene == tightest(scene) { TIGHTEST } else { scene.method.name() },
             rays: errors.rays,
             unfinished: errors.unfinished(),
             not_finite: errors.not_finite,
