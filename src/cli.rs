@@ -40,6 +40,8 @@ error. Exit status: 0 all done, 2 a bad command line or preset, 1 any other fail
 struct Cli {
     #[command(flatten)]
     scene: SceneArgs,
+    #[command(flatten)]
+    gpu: GpuArgs,
     /// Fly a guided journey at once, from a TOML file of keyframes; assets/journeys/default.toml is a pattern, and what J
     /// flies otherwise
     #[arg(long, value_name = "FILE")]
@@ -48,12 +50,30 @@ struct Cli {
     command: Option<Command>,
 }
 
+/// Which graphics adapter is used, for every command.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Args)]
+#[command(next_help_heading = "Graphics adapter")]
+pub struct GpuArgs {
+    /// Use the first adapter whose name contains this; as WGPU_ADAPTER_NAME
+    #[arg(long, value_name = "NAME", global = true)]
+    pub gpu: Option<String>,
+    /// Use this graphics interface; as WGPU_BACKEND
+    #[arg(long, value_name = "NAME", global = true, value_parser = ["vulkan", "metal", "dx12", "gl"])]
+    pub backend: Option<String>,
+    /// List the adapters and do nothing else
+    #[arg(long)]
+    pub list_gpus: bool,
+}
+
 /// What is asked for.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Fly: what happens without a command.
     #[command(skip)]
     Fly(FlyArgs),
+    /// List graphics adapters: what `--list-gpus` asks for.
+    #[command(skip)]
+    ListGpus,
     /// Render one picture into a file, without a window.
     Render(RenderArgs),
     /// Trace rays, CSV in and CSV out.
@@ -229,7 +249,21 @@ impl CliError {
 /// # Errors
 /// Clap's, with its own text and exit status; a request for help or the version is one of them, with status 0.
 pub fn read<I: IntoIterator<Item: Into<OsString> + Clone>>(args: I) -> Result<Command, clap::Error> {
-    let Cli { scene: before, journey, command } = Cli::try_parse_from(args)?;
+    read_all(args).map(|(_, command)| command)
+}
+
+/// As [`read`], with the graphics adapter that is meant.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_all<I: IntoIterator<Item: Into<OsString> + Clone>>(args: I) -> Result<(GpuArgs, Command), clap::Error> {
+    let Cli { scene, gpu, journey, command } = Cli::try_parse_from(args)?;
+    let command = if gpu.list_gpus { Command::ListGpus } else { asked(scene, journey, command)? };
+    Ok((gpu, command))
+}
+
+/// The command, with the scene options that stand before it.
+fn asked(before: SceneArgs, journey: Option<PathBuf>, command: Option<Command>) -> Result<Command, clap::Error> {
     let Some(mut command) = command else { return Ok(Command::Fly(FlyArgs { scene: before, journey })) };
     let conflict = |message: &str| Cli::command().error(ErrorKind::ArgumentConflict, message);
     if journey.is_some() {
@@ -241,6 +275,7 @@ pub fn read<I: IntoIterator<Item: Into<OsString> + Clone>>(args: I) -> Result<Co
             let message = "--preset, --spin and --method may be given once: before the command or after it";
             *after = before.followed_by(after).ok_or_else(|| conflict(message))?;
         }
+        Command::ListGpus => {}
         Command::Presets(_) if before == SceneArgs::default() => {}
         Command::Bench(_) | Command::Extremes(_) if before == SceneArgs::default() => {}
         Command::Presets(_) => return Err(conflict("`presets` takes no scene options")),

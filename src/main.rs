@@ -3,7 +3,7 @@
 mod commands;
 
 use glam::UVec2;
-use lightfall::cli::{self, Command, Device, FlyArgs, RenderArgs, SceneArgs, TraceArgs};
+use lightfall::cli::{self, Command, Device, FlyArgs, GpuArgs, RenderArgs, SceneArgs, TraceArgs};
 use lightfall::flight;
 use lightfall::gpu::{self, Gpu, GpuScene};
 use lightfall::physics::reference::Reference;
@@ -32,8 +32,11 @@ fn failed(error: impl Error) -> Stop {
 
 fn main() -> ExitCode {
     quieten_driver();
-    let command = match cli::read(std::env::args_os()) {
-        Ok(command) => command,
+    let command = match cli::read_all(std::env::args_os()) {
+        Ok((gpu, command)) => {
+            choose_adapter(&gpu);
+            command
+        }
         Err(error) => {
             // Help and the version are results, everything else is not; clap knows which. A closed stream is no news.
             let _ = error.print();
@@ -42,6 +45,7 @@ fn main() -> ExitCode {
     };
     let done = match command {
         Command::Fly(args) => fly(&args),
+        Command::ListGpus => list_adapters(),
         Command::Render(args) => render(&args),
         Command::Trace(args) => trace(&args),
         Command::Bench(args) => commands::bench(&args),
@@ -65,6 +69,29 @@ fn quieten_driver() {
     if cfg!(target_os = "linux") && std::env::var_os("XDG_RUNTIME_DIR").is_none() {
         // SAFETY: nothing has been started yet, so this is the only thread.
         unsafe { std::env::set_var("NODEVICE_SELECT", "1") };
+    }
+}
+
+/// What the command line says of the adapter, where Bevy and wgpu look for it.
+#[expect(unsafe_code, reason = "the environment is where Bevy takes the adapter from, and changing it is unsafe")]
+fn choose_adapter(gpu: &GpuArgs) {
+    for (name, value) in [("WGPU_ADAPTER_NAME", &gpu.gpu), ("WGPU_BACKEND", &gpu.backend)] {
+        if let Some(value) = value {
+            // SAFETY: nothing has been started yet, so this is the only thread.
+            unsafe { std::env::set_var(name, value) };
+        }
+    }
+}
+
+fn list_adapters() -> Result<(), Stop> {
+    let adapters = gpu::adapters();
+    if adapters.is_empty() {
+        return Err(failed(gpu::GpuError::NoAdapter(None)));
+    }
+    let lines: String = adapters.iter().map(|adapter| format!("{adapter}\n")).collect();
+    match io::stdout().lock().write_all(lines.as_bytes()) {
+        Err(error) if !rays::is_closed_pipe(&error) => Err(Stop(1, format!("standard output: {error}"))),
+        _ => Ok(()),
     }
 }
 

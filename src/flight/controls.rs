@@ -243,6 +243,9 @@ pub const CONTROLS: &[Control] = &[
     view("view.order", &[KeyCode::KeyN], "order of the image", |scene, _| edits::toggle(scene, View::Order)),
     view("view.redshift", &[KeyCode::KeyR], "redshift g", |scene, _| edits::toggle(scene, View::Redshift)),
     picture("picture.bloom", &[KeyCode::F5], "bloom", edits::switch_bloom),
+    picture("picture.antialias", &[KeyCode::F6], "smooth edges of the probe", |scene, _| {
+        edits::flip(&mut scene.probe.antialias);
+    }),
     picture("picture.bypass", &[KeyCode::F7], "cells, or the picture as it is", |scene, _| {
         edits::flip(&mut scene.picture.bypass);
     }),
@@ -252,6 +255,13 @@ pub const CONTROLS: &[Control] = &[
     picture("picture.darker", &[KeyCode::Minus, KeyCode::NumpadSubtract], EXPOSURE, |scene, _| {
         edits::expose(scene, -1.0)
     }),
+    control(
+        "picture.automatic_exposure",
+        &[KeyCode::F9],
+        Group::Picture,
+        "exposure by itself",
+        Action::Do(Command::AutomaticExposure),
+    ),
     window("window.help", &[KeyCode::F1], "this help", Command::Help),
     window("window.panel", &[KeyCode::KeyP], "panel: every setting", Command::Panel),
     window("window.inspector", &[KeyCode::KeyI], "ray inspector: then click a pixel", Command::Inspect),

@@ -38,9 +38,11 @@ fn show(mut contexts: EguiContexts, mut shown: ResMut<Shown>, bindings: Res<Bind
     let mut open = true;
     egui::Window::new("Help")
         .open(&mut open)
+        .order(egui::Order::Foreground)
         .collapsible(false)
         .resizable(false)
         .anchor(egui::Align2::CENTER_CENTER, [0.0, -20.0])
+        .default_width((context.content_rect().width() - 40.0).min(1000.0))
         .show(context, |ui| {
             let tallest = (context.content_rect().height() - 180.0).max(100.0);
             egui::ScrollArea::both().max_height(tallest).show(ui, |ui| {

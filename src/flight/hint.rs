@@ -1,6 +1,7 @@
 //! The lines at the bottom of the window: where the camera is, what was just said, and where to begin.
 
 use super::bindings::Bindings;
+use super::inspector;
 use super::motion::Voyage;
 use super::notice::Notice;
 use super::panel;
@@ -25,6 +26,8 @@ const FIRST: [(&[&str], &str); 8] = [
 
 /// Room around the lines, in points.
 const MARGIN: f32 = 8.0;
+/// Between panels that leave less than this, in points, there is no room to say where to begin.
+const NARROW: f32 = 560.0;
 
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show);
@@ -74,11 +77,12 @@ fn show(
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
-    // In what the panel leaves free.
-    let covered = if shown.panel { panel::WIDTH } else { 0.0 };
-    let widest = (context.content_rect().width() - covered - 2.0 * MARGIN).max(100.0);
+    // In what the panels leave free.
+    let right = if shown.panel { panel::WIDTH } else { 0.0 };
+    let left = if shown.inspector { inspector::WIDTH } else { 0.0 };
+    let widest = (context.content_rect().width() - left - right - 2.0 * MARGIN).max(100.0);
     egui::Area::new("hint".into())
-        .anchor(egui::Align2::CENTER_BOTTOM, [-0.5 * covered, -MARGIN])
+        .anchor(egui::Align2::CENTER_BOTTOM, [0.5 * (left - right), -MARGIN])
         .interactable(false)
         .order(egui::Order::Background)
         .show(context, |ui| {
@@ -86,12 +90,9 @@ fn show(
             egui::Frame::new().fill(egui::Color32::from_black_alpha(200)).inner_margin(6).corner_radius(4).show(
                 ui,
                 |ui| {
-                    let lines = [
-                        &*whereabouts(&scene, &pilot),
-                        &*voyage.clocks(scene.camera.r),
-                        notice.text(),
-                        &*beginning(&bindings),
-                    ];
+                    let first = if widest > NARROW { beginning(&bindings) } else { String::new() };
+                    let lines =
+                        [&*whereabouts(&scene, &pilot), &*voyage.clocks(scene.camera.r), notice.text(), &*first];
                     for line in lines.into_iter().filter(|line| !line.is_empty()) {
                         ui.label(egui::RichText::new(line).size(13.0).color(egui::Color32::from_gray(210)));
                     }

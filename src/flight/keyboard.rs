@@ -6,6 +6,7 @@ use super::edits::edited;
 use super::history::{History, drawable};
 use super::notice::Notice;
 use super::panel::Rebinding;
+use super::resolution::Resolution;
 use crate::render::CurrentScene;
 use crate::scene::Scene;
 use bevy::ecs::system::SystemParam;
@@ -40,13 +41,24 @@ impl Held<'_> {
 /// The scene, and the way to change it so that it can be undone. Every change but flying goes through here.
 #[derive(SystemParam)]
 pub(super) struct SceneEditor<'w> {
-    pub(super) scene: ResMut<'w, CurrentScene>,
+    scene: ResMut<'w, CurrentScene>,
+    resolution: ResMut<'w, Resolution>,
     history: ResMut<'w, History>,
     notice: ResMut<'w, Notice>,
     time: Res<'w, Time<Real>>,
 }
 
 impl SceneEditor<'_> {
+    /// The scene as it is meant, at its full resolution.
+    pub(super) fn meant(&self) -> Scene {
+        self.resolution.meant(&self.scene)
+    }
+
+    /// The scene as it is drawn just now.
+    pub(super) fn drawn(&self) -> &Scene {
+        &self.scene
+    }
+
     /// The scene as it was loaded.
     pub(super) fn loaded(&self) -> &Scene {
         self.history.loaded()
@@ -65,7 +77,8 @@ impl SceneEditor<'_> {
     /// Why it cannot be.
     pub(super) fn try_change(&mut self, changed: Result<Scene, String>) -> Result<(), String> {
         let changed = changed.and_then(drawable)?;
-        self.history.note(&self.scene, &changed, self.time.elapsed());
+        let before = self.meant();
+        self.history.note(&before, &changed, self.time.elapsed());
         self.accept(changed);
         Ok(())
     }
@@ -74,7 +87,8 @@ impl SceneEditor<'_> {
     pub(super) fn load(&mut self, who: &str, loaded: Result<Scene, String>) {
         match loaded.and_then(drawable) {
             Ok(loaded) => {
-                self.history.note_loaded(&self.scene, &loaded, self.time.elapsed());
+                let before = self.meant();
+                self.history.note_loaded(&before, &loaded, self.time.elapsed());
                 self.accept(loaded);
             }
             Err(reason) => self.refuse(who, &reason),
@@ -83,7 +97,8 @@ impl SceneEditor<'_> {
 
     /// Takes the last change back.
     pub(super) fn undo(&mut self) {
-        match self.history.undo(&self.scene) {
+        let now = self.meant();
+        match self.history.undo(&now) {
             None => self.notice.say("There is nothing to undo"),
             Some(Ok(undone)) => self.accept(undone),
             Some(Err(reason)) => self.refuse("Undo", &reason),
@@ -96,7 +111,7 @@ impl SceneEditor<'_> {
     }
 
     fn accept(&mut self, changed: Scene) {
-        self.scene.0 = changed;
+        self.scene.0 = self.resolution.drawn(changed);
         self.notice.clear();
     }
 
@@ -144,7 +159,7 @@ fn apply(
         if let Action::Do(command) = control.action {
             commands.write(command);
         }
-        let Some(changed) = edited(control, &editor.scene, editor.loaded()) else { continue };
+        let Some(changed) = edited(control, &editor.meant(), editor.loaded()) else { continue };
         let who = bindings.in_words(control);
         match control.action {
             Action::Load(_) => editor.load(&who, changed),

@@ -4,18 +4,23 @@ mod bindings;
 mod card;
 mod controls;
 mod display;
+mod dock;
 mod edits;
+mod exposure;
 mod flown;
 mod help;
 mod hint;
 mod history;
+mod inspector;
 mod journey;
 mod keyboard;
 mod keys;
 mod motion;
 mod notice;
+mod pace;
 mod panel;
 mod pilot;
+mod resolution;
 mod screenshot;
 mod settings;
 mod window;
@@ -25,10 +30,12 @@ pub use controls::{Action, CONTROLS, Command, Control, Group, Motion, control_na
 pub use display::has_display;
 pub use edits::edited;
 pub use history::{History, drawable};
+pub use inspector::pixel_at;
 pub use journey::{Guide, Moment};
 pub use keys::{key_name, key_named, key_names};
 pub use motion::Voyage;
 pub use panel::shown_number;
+pub use resolution::Resolution;
 pub use settings::{Automatic, Settings};
 
 use crate::picture::quiet_log;
@@ -70,11 +77,19 @@ pub fn fly(scene: Scene, journey: Journey, guided: bool) -> AppExit {
         .add_plugins(EguiPlugin::default())
         .insert_resource(EguiGlobalSettings { auto_create_primary_context: false, ..default() })
         .insert_resource(History::new(scene.clone()))
+        .insert_resource(Resolution::new(&scene))
         .insert_resource(guide)
         .add_plugins(LightfallRenderPlugin { scene, target: RenderTarget::default() })
-        .add_plugins((notice::plugin, window::plugin, keyboard::plugin, pilot::plugin))
-        .add_plugins((card::plugin, journey::plugin, motion::plugin))
-        .add_plugins((screenshot::plugin, hint::plugin, help::plugin, panel::plugin))
+        .add_plugins((
+            notice::plugin,
+            window::plugin,
+            keyboard::plugin,
+            pilot::plugin,
+            pace::plugin,
+            resolution::plugin,
+        ))
+        .add_plugins((card::plugin, journey::plugin, motion::plugin, exposure::plugin))
+        .add_plugins((screenshot::plugin, hint::plugin, help::plugin, panel::plugin, inspector::plugin))
         .add_systems(Update, (attach_ui, retitle.run_if(resource_changed::<CurrentScene>)))
         .run()
 }

@@ -1,6 +1,7 @@
 //! What the program remembers from one start to the next: a TOML file in the platform's folder for settings.
 
 use super::bindings::Bindings;
+use crate::physics::readout::si::MASSES;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io::{ErrorKind, Write};
@@ -22,6 +23,8 @@ pub struct Settings {
     pub automatic_exposure: bool,
     /// Whether motion that nobody steers is kept calm: no roll in journeys, no exposure that changes by itself.
     pub reduced_motion: bool,
+    /// The hole's mass for the read-outs, in suns.
+    pub hole_mass_suns: f64,
     /// Keys of the controls that differ from the key table.
     pub keys: BTreeMap<String, Vec<String>>,
 }
@@ -41,6 +44,8 @@ pub enum Automatic {
 
 /// Sizes of the text that still fit into a window.
 pub const UI_SCALES: [f32; 2] = [0.6, 2.5];
+/// Masses that can be chosen, in suns.
+pub const HOLE_MASSES: [f64; 2] = [0.1, 1e11];
 /// Frame rates that can be asked for.
 pub const FRAME_RATES: [f64; 2] = [5.0, 240.0];
 
@@ -53,6 +58,7 @@ impl Default for Settings {
             most_frames: 0.0,
             automatic_exposure: false,
             reduced_motion: false,
+            hole_mass_suns: MASSES[0].suns,
             keys: BTreeMap::new(),
         }
     }
@@ -82,6 +88,7 @@ impl Settings {
             within("most_frames", self.most_frames, FRAME_RATES)
                 .map_err(|error| format!("{error}, or 0 for as many as the monitor shows"))?;
         }
+        within("hole_mass_suns", self.hole_mass_suns, HOLE_MASSES)?;
         Bindings::new(&self.keys).map(drop)
     }
 
@@ -149,7 +156,10 @@ pub fn presets_folder() -> Option<PathBuf> {
 #[must_use]
 pub fn pictures_folder() -> PathBuf {
     let folders = directories::UserDirs::new();
-    let pictures = folders.as_ref().and_then(|folders| folders.picture_dir().filter(|folder| folder.is_dir()));
-    let home = folders.as_ref().map(|folders| folders.home_dir()).filter(|folder| folder.is_dir());
-    pictures.or(home).unwrap_or(Path::new(".")).to_owned()
+    let home = folders.as_ref().map(|folders| folders.home_dir().to_owned());
+    let named = folders.as_ref().and_then(|folders| folders.picture_dir().map(Path::to_owned));
+    // Desktops that name none still mostly have one of this name.
+    let usual = home.as_ref().map(|home| home.join("Pictures"));
+    let known = [named, usual, home].into_iter().flatten().find(|folder| folder.is_dir());
+    known.unwrap_or_else(|| PathBuf::from("."))
 }

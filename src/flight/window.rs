@@ -5,7 +5,7 @@ use super::controls::Command;
 use super::notice::Notice;
 use super::settings::{Settings, settings_file};
 use bevy::prelude::*;
-use bevy::window::{MonitorSelection, PrimaryWindow, WindowMode};
+use bevy::window::{Monitor, MonitorSelection, PrimaryMonitor, PrimaryWindow, WindowMode};
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, PrimaryEguiContext, egui};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -60,7 +60,7 @@ pub(super) fn plugin(app: &mut App) {
     if let Some(fault) = fault {
         app.world_mut().get_resource_or_init::<Notice>().say(fault);
     }
-    app.add_systems(Update, (obey, keep))
+    app.add_systems(Update, (obey, keep, fit))
         .add_systems(Last, keep_at_exit)
         .add_systems(EguiPrimaryContextPass, style.run_if(any_with_component::<PrimaryEguiContext>));
 }
@@ -93,6 +93,24 @@ fn toggle(shown: &mut Shown, overlay: fn(&mut Shown) -> &mut bool) {
     let open = !*overlay(shown) || shown.hidden;
     *overlay(shown) = open;
     shown.hidden &= !open;
+}
+
+/// The window's size at first, made smaller where the monitor has no room for it.
+fn fit(
+    monitors: Query<(&Monitor, Has<PrimaryMonitor>)>,
+    mut window: Single<&mut Window, With<PrimaryWindow>>,
+    mut done: Local<bool>,
+) {
+    let primary = monitors.iter().find(|(_, primary)| *primary).or_else(|| monitors.iter().next());
+    let Some((monitor, _)) = primary.filter(|_| !*done) else { return };
+    *done = true;
+    let room = monitor.physical_size().as_vec2() / window.scale_factor();
+    let size = window.size();
+    if size.cmpgt(room).any() {
+        // Room for the frame and the desktop's bars.
+        let fitting = (size * (0.94 * room / size).min_element()).round();
+        window.resolution.set(fitting.x, fitting.y);
+    }
 }
 
 /// Writes the settings once they have been left alone for a moment.
@@ -134,7 +152,7 @@ fn style(mut contexts: EguiContexts, preferences: Res<Preferences>, mut scale: L
         let mut visuals = egui::Visuals::dark();
         visuals.override_text_color = Some(egui::Color32::from_gray(215));
         visuals.weak_text_color = Some(egui::Color32::from_gray(165));
-        visuals.window_fill = egui::Color32::from_black_alpha(238);
+        visuals.window_fill = egui::Color32::from_rgb(10, 10, 13);
         context.set_visuals(visuals);
     }
     let wanted = preferences.settings.ui_scale;

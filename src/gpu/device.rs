@@ -60,6 +60,23 @@ pub fn check_adapter() -> Result<(), GpuError> {
     pollster::block_on(adapter()).map(drop)
 }
 
+/// Every adapter that could be chosen, one line each: name, kind and driver.
+pub fn adapters() -> Vec<String> {
+    let adapters = pollster::block_on(instance().enumerate_adapters(backends()));
+    let line = |adapter: Adapter| {
+        let info = adapter.get_info();
+        let kind = match info.device_type {
+            wgpu::DeviceType::Cpu => "software",
+            wgpu::DeviceType::IntegratedGpu => "integrated",
+            wgpu::DeviceType::DiscreteGpu => "discrete",
+            wgpu::DeviceType::VirtualGpu => "virtual",
+            wgpu::DeviceType::Other => "other",
+        };
+        format!("{} ({kind}, {}, {} {})", info.name, info.backend, info.driver, info.driver_info)
+    };
+    adapters.into_iter().map(line).collect()
+}
+
 impl Gpu {
     /// The device of the adapter that Bevy would choose; see [`check_adapter`].
     ///

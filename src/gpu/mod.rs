@@ -8,7 +8,7 @@ mod scene;
 mod shader;
 pub mod timing;
 
-pub use device::{Gpu, backends, check_adapter};
+pub use device::{Gpu, adapters, backends, check_adapter};
 pub use scene::{DISK_HDR_SCALE, GpuScene};
 pub use shader::{Entry, Tracer, Variant};
 

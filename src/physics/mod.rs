@@ -7,9 +7,11 @@
 
 pub mod disk;
 pub mod elliptic;
+pub mod exposure;
 pub mod kerr;
 pub mod mino;
 pub mod observer;
+pub mod path;
 pub mod readout;
 pub mod reference;
 pub mod schwarzschild;

@@ -12,7 +12,7 @@ use crate::{
         disk,
         kerr::Kerr,
         mino::{Constants, Expansion, State},
-        observer::{ObserverError, celestial_frame},
+        observer::{ObserverError, Photon, celestial_frame},
         shift::Shift,
         sight::Sight,
         straight,
@@ -68,7 +68,7 @@ impl Reference {
         let Some(direction) = (direction / direction.abs().max_element()).try_normalize() else {
             return Trace { outcome: Outcome::Unfinished, sky: None, hits: [None; 2], steps: 0, residual: f64::NAN };
         };
-        let photon = self.sight.photon(direction);
+        let photon = self.photon(direction);
         let Surroundings { kerr, annulus } = self.surroundings;
         let (mut trace, lambda) = if self.lensing {
             let (constants, start) = Constants::of_photon(kerr, &photon, self.r, self.n);
@@ -84,10 +84,42 @@ impl Reference {
     }
 }
 
+impl Reference {
+    /// The photon that arrives from a unit direction.
+    #[must_use]
+    pub fn photon(&self, direction: DVec3) -> Photon {
+        self.sight.photon(direction)
+    }
+
+    /// The hole and the disk.
+    #[must_use]
+    pub fn surroundings(&self) -> Surroundings {
+        self.surroundings
+    }
+
+    /// Where the camera is: radius, in r_s, and unit vector.
+    #[must_use]
+    pub fn camera(&self) -> (f64, DVec3) {
+        (self.r, self.n)
+    }
+
+    /// Whether light is bent.
+    #[must_use]
+    pub fn lensing(&self) -> bool {
+        self.lensing
+    }
+}
+
 impl Surroundings {
     /// Follows the backward ray with these constants from `start` to its end.
     #[must_use]
     pub fn trace(&self, constants: &Constants, start: State) -> Trace {
+        self.follow(constants, start, |_, _, _| {})
+    }
+
+    /// As [`trace`](Self::trace), and shows every step on the way: where it starts, its series, and the Mino time that it
+    /// takes.
+    pub fn follow(&self, constants: &Constants, start: State, mut visit: impl FnMut(&State, &Expansion, f64)) -> Trace {
         let u_horizon = 1.0 / self.kerr.horizon();
         // Hits lie between these; without a disk there are none.
         let [u_outer, u_inner] = self.annulus.map_or([0.0, 0.0], |[inner, outer]| [1.0 / outer, 1.0 / inner]);
@@ -119,6 +151,7 @@ impl Surroundings {
             if !(end_time > 0.0 && end.n.is_finite() && end.u.is_finite()) {
                 return trace;
             }
+            visit(&state, &expansion, end_time);
             trace.steps += 1;
             trace.residual = trace.residual.max(constants.residual(&end));
             if let Some(time) = time_to_plane(&expansion, end.n.z, end_time) {

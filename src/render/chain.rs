@@ -21,6 +21,8 @@ pub struct Chain {
     pub picture: UVec2,
     /// Whether there is a foreground, with its lamps.
     pub probe: bool,
+    /// Samples of a pixel's foreground: one, or four where its edges are smoothed.
+    pub samples: u32,
     /// Rows of bloom's largest level, where there is bloom.
     pub bloom: Option<u32>,
     /// Size of the presentation grid, where the picture is shown in cells.
@@ -46,11 +48,13 @@ impl Chain {
         let picture = UVec2::new(scene.picture.width, scene.picture.height);
         // A wide picture's bloom has fewer rows, lest its texture be wider than a device can do.
         let widest = u64::from(WIDEST_BLOOM) * u64::from(picture.y) / u64::from(picture.x.max(1));
-        let rows = u64::from(BLOOM_LEVEL).min(widest) as u32;
+        // A coarse picture's too: half its rows are as fine as bloom ever is.
+        let rows = u64::from(BLOOM_LEVEL).min(widest).min(u64::from(picture.y.div_ceil(2))) as u32;
         let grid = UVec2::new(scene.picture.grid_width, scene.picture.grid_height);
         Self {
             picture,
             probe: scene.probe.enabled,
+            samples: if scene.probe.enabled && scene.probe.antialias { 4 } else { 1 },
             bloom: (scene.picture.bloom > 0.0 && rows >= LEAST_BLOOM).then_some(rows),
             cells: (!scene.picture.bypass).then_some(grid),
         }
@@ -78,6 +82,9 @@ impl Chain {
             of_picture("tone-mapped picture", "rgba16float"),
             of_picture("depth", "depth32float"),
         ];
+        if self.samples > 1 {
+            textures.push(of_picture("HDR picture of four samples", "rgba16float"));
+        }
         textures.extend(self.bloom.map(|rows| Written {
             name: "bloom",
             // As Bevy sizes it.

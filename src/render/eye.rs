@@ -80,10 +80,14 @@ fn spawn(mut commands: Commands, target: Res<ScreenTarget>, scene: Res<CurrentSc
 fn follow(
     mut commands: Commands,
     scene: Res<CurrentScene>,
-    eye: Single<(Entity, &mut RenderTarget, &mut Transform, &mut Projection, &mut ColorGrading), With<Eye>>,
+    eye: Single<(Entity, &mut RenderTarget, &mut Transform, &mut Projection, &mut ColorGrading, &mut Msaa), With<Eye>>,
 ) {
-    let (entity, mut target, mut transform, mut projection, mut grading) = eye.into_inner();
+    let (entity, mut target, mut transform, mut projection, mut grading, mut msaa) = eye.into_inner();
     let chain = Chain::of(&scene);
+    let samples = if chain.samples > 1 { Msaa::Sample4 } else { Msaa::Off };
+    if *msaa != samples {
+        *msaa = samples;
+    }
     let size = chain.picture;
     if !matches!(*target, RenderTarget::None { size: old } if old == size) {
         *target = RenderTarget::None { size };

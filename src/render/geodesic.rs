@@ -1,5 +1,6 @@
 //! The geodesic pass: a fullscreen triangle at the far plane, so that the depth test lets only uncovered pixels through.
 
+use super::chain::Chain;
 use super::kept::Sight;
 use super::{CurrentScene, Eye};
 use crate::gpu::{GpuScene, Variant};
@@ -23,6 +24,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 #[derive(Resource, Clone, ExtractResource)]
 pub(super) struct GeodesicShader {
     variant: Variant,
+    /// Samples of a pixel, which a pipeline is made for.
+    samples: u32,
     shader: Handle<Shader>,
     /// Whether its pipeline exists; both worlds hold it.
     ready: Arc<AtomicBool>,
@@ -50,9 +53,11 @@ pub(super) struct GeodesicPass {
     /// The relativistic disk's flux; always bound, read by the variants that need it.
     page_thorne: Buffer,
     numbers: UniformBuffer<GpuScene>,
-    pipelines: HashMap<AssetId<Shader>, CachedRenderPipelineId>,
+    pipelines: HashMap<(AssetId<Shader>, u32), CachedRenderPipelineId>,
     /// The pipeline of the scene whose numbers are in the buffer.
     current: Option<CachedRenderPipelineId>,
+    /// How many samples that pipeline is made for.
+    samples: u32,
     bind_group: Option<BindGroup>,
     /// Whether the scene has changed since its numbers were written.
     stale: bool,
@@ -89,9 +94,9 @@ pub(super) fn join_shader(
     mut joined: ResMut<JoinedShaders>,
     mut shaders: ResMut<Assets<Shader>>,
 ) {
-    let variant = Variant::picture(&scene);
+    let (variant, samples) = (Variant::picture(&scene), Chain::of(&scene).samples);
     let JoinedShaders(joined) = &mut *joined;
-    let shader = match joined.iter().position(|known| known.variant == variant) {
+    let shader = match joined.iter().position(|known| known.variant == variant && known.samples == samples) {
         Some(place) => joined.remove(place),
         None => {
             let text = Shader::from_wgsl(variant.source(), "lightfall/geodesic.wgsl");
@@ -104,7 +109,7 @@ pub(super) fn join_shader(
                 }
                 shader
             };
-            GeodesicShader { variant, shader, ready: default() }
+            GeodesicShader { variant, samples, shader, ready: default() }
         }
     };
     joined.push(shader.clone());
@@ -151,6 +156,7 @@ fn init(mut commands: Commands, device: Res<RenderDevice>, sight: Option<Res<Sig
         numbers: UniformBuffer::from(GpuScene::default()),
         pipelines: HashMap::default(),
         current: None,
+        samples: 1,
         bind_group: None,
         stale: true,
         drew: false,
@@ -167,13 +173,13 @@ fn prepare(
     queue: Res<RenderQueue>,
 ) {
     let (Some(shader), Some(mut pass)) = (shader, pass) else { return };
-    let GeodesicPass { layout, spectrum, page_thorne, numbers, pipelines, current, bind_group, stale, drew } =
+    let GeodesicPass { layout, spectrum, page_thorne, numbers, pipelines, current, samples, bind_group, stale, drew } =
         &mut *pass;
     *stale |= scene.is_changed();
     *drew = false;
-    let wanted = *pipelines
-        .entry(shader.shader.id())
-        .or_insert_with(|| cache.queue_render_pipeline(descriptor(layout.clone(), shader.shader.clone())));
+    let wanted = *pipelines.entry((shader.shader.id(), shader.samples)).or_insert_with(|| {
+        cache.queue_render_pipeline(descriptor(layout.clone(), shader.shader.clone(), shader.samples))
+    });
     // A scene is not begun before its own shader is there: until then the last picture stays as it was.
     let ready = cache.get_render_pipeline(wanted).is_some();
     shader.ready.store(ready, Ordering::Release);
@@ -191,7 +197,7 @@ fn prepare(
     if let disk::Profile::PageThorne(disk) = disk::Profile::new(&scene) {
         queue.write_buffer(page_thorne, 0, &bytes(&disk.table()));
     }
-    (*stale, *current) = (false, Some(wanted));
+    (*stale, *current, *samples) = (false, Some(wanted), shader.samples);
     if bind_group.is_none()
         && let Some(numbers) = numbers.binding()
     {
@@ -207,7 +213,8 @@ fn prepare(
     }
 }
 
-fn descriptor(layout: BindGroupLayoutDescriptor, shader: Handle<Shader>) -> RenderPipelineDescriptor {
+/// With several samples the shader still runs once a pixel; only the foreground's edges are finer.
+fn descriptor(layout: BindGroupLayoutDescriptor, shader: Handle<Shader>, samples: u32) -> RenderPipelineDescriptor {
     RenderPipelineDescriptor {
         label: Some("geodesic".into()),
         layout: vec![layout],
@@ -230,6 +237,7 @@ fn descriptor(layout: BindGroupLayoutDescriptor, shader: Handle<Shader>) -> Rend
             stencil: default(),
             bias: default(),
         }),
+        multisample: MultisampleState { count: samples, ..default() },
         ..default()
     }
 }
@@ -247,6 +255,10 @@ fn draw(
     else {
         return;
     };
+    // A pipeline for another number of samples waits until the picture has it, too.
+    if (pass.samples > 1) != target.sampled_main_texture().is_some() {
+        return;
+    }
     let diagnostics = context.diagnostic_recorder();
     let diagnostics = diagnostics.as_deref();
     let mut render_pass = context.begin_tracked_render_pass(RenderPassDescriptor {

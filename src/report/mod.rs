@@ -3,4 +3,5 @@
 pub mod bench;
 pub mod error;
 pub mod extremes;
+pub mod inspection;
 pub mod rays;

@@ -81,7 +81,7 @@ impl Default for Sky {
 
 impl Default for Probe {
     fn default() -> Self {
-        Self { enabled: false, r: 20.0, theta_deg: 80.0, phi_deg: 0.0, size: 0.2 }
+        Self { enabled: false, r: 20.0, theta_deg: 80.0, phi_deg: 0.0, size: 0.2, antialias: false }
     }
 }
 

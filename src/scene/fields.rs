@@ -240,6 +240,7 @@ pub const FIELDS: &[Field] = &[
     float("probe.theta_deg", POLAR, "degrees", "The probe's angle from the disk normal"),
     float("probe.phi_deg", TURN, "degrees", "The probe's azimuth"),
     float("probe.size", Range::above(0.0, 1e3), "r_s", "Length of the probe's body"),
+    boolean("probe.antialias", "Whether the probe's edges are smoothed, by four samples a pixel"),
     integer("picture.width", SIDE, "pixels", "Width of the HDR picture"),
     integer("picture.height", SIDE, "pixels", "Height of the HDR picture"),
     integer("picture.grid_width", SIDE, "cells", "Width of the presentation grid; not more than picture.width"),

@@ -236,6 +236,8 @@ pub struct Probe {
     pub phi_deg: f64,
     /// Length of its body.
     pub size: f64,
+    /// Whether its edges are smoothed, by four samples a pixel.
+    pub antialias: bool,
 }
 
 /// The way from light to pixels.

@@ -9,6 +9,7 @@ mod kerr;
 mod kerr_schild;
 mod mino;
 mod observer;
+mod path;
 mod readout;
 mod reference;
 mod schwarzschild;

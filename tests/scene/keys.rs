@@ -53,6 +53,7 @@ fn switches_lead_back_when_used_again_from_any_preset() {
         "view.redshift",
         "picture.bloom",
         "picture.bypass",
+        "picture.antialias",
         "picture.dither",
         "picture.levels",
     ];

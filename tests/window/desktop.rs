@@ -46,6 +46,8 @@ pub struct Desktop {
     program: Child,
     /// When the program was started.
     pub started: Instant,
+    /// The user's home, with an empty folder for pictures and one for settings.
+    pub home: tempfile::TempDir,
     display: String,
     connection: RustConnection,
     root: u32,
@@ -78,16 +80,22 @@ impl Desktop {
         let mut number = String::new();
         BufReader::new(server.stdout.take().unwrap()).read_line(&mut number).unwrap();
         let display = format!(":{}", number.trim());
+        let home = tempfile::tempdir().unwrap();
+        std::fs::create_dir(home.path().join("Pictures")).unwrap();
+        let said = std::fs::File::create(home.path().join("said")).unwrap();
         let started = Instant::now();
         let program = Command::new(env!("CARGO_BIN_EXE_lightfall"))
             .args(arguments)
             .env("DISPLAY", &display)
             .env_remove("WAYLAND_DISPLAY")
+            .env("HOME", home.path())
+            .env("XDG_CONFIG_HOME", home.path().join("config"))
+            .stderr(said)
             .spawn()
             .unwrap();
         let (connection, screen) = x11rb::connect(Some(&display)).unwrap();
         let root = connection.setup().roots[screen].root;
-        let mut desktop = Self { server, program, started, display, connection, root, window: String::new() };
+        let mut desktop = Self { server, program, started, home, display, connection, root, window: String::new() };
         desktop.window = desktop.wait_for_window();
         // No window manager runs here, so nobody else gives the window the keyboard.
         desktop.xdotool(&["windowfocus", "--sync", &desktop.window.clone()]);
@@ -130,6 +138,71 @@ impl Desktop {
             assert!(start.elapsed() < PATIENCE, "{what}: the screen did not come to show it");
         }
         start.elapsed()
+    }
+
+    /// What the program has said on standard error.
+    pub fn said(&self) -> String {
+        std::fs::read_to_string(self.home.path().join("said")).unwrap()
+    }
+
+    /// Memory that the program holds, in bytes.
+    pub fn memory(&self) -> usize {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", self.program.id())).unwrap();
+        let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:")).unwrap();
+        1024 * line.trim().trim_end_matches(" kB").parse::<usize>().unwrap()
+    }
+
+    /// Clicks with the left button at a place of the window.
+    pub fn click(&self, x: i32, y: i32) {
+        self.xdotool(&["mousemove", &x.to_string(), &y.to_string()]);
+        // The program sees the pointer before it sees the button, as from a hand.
+        std::thread::sleep(Duration::from_millis(150));
+        self.xdotool(&["click", "1"]);
+    }
+
+    /// Types a text.
+    pub fn type_text(&self, text: &str) {
+        self.xdotool(&["type", "--delay", "60", text]);
+    }
+
+    pub fn resize(&self, width: i32, height: i32) {
+        self.xdotool(&["windowsize", &self.window, &width.to_string(), &height.to_string()]);
+    }
+
+    /// Takes the window from the screen, or puts it back.
+    pub fn minimise(&self, away: bool) {
+        self.xdotool(&[if away { "windowunmap" } else { "windowmap" }, "--sync", &self.window]);
+        if !away {
+            self.xdotool(&["windowfocus", "--sync", &self.window]);
+        }
+    }
+
+    /// The text on the clipboard; none while it holds no text.
+    pub fn clipboard(&self) -> Option<String> {
+        use x11rb::protocol::Event;
+        use x11rb::protocol::xproto::{AtomEnum, CreateWindowAux, WindowClass};
+        let connection = &self.connection;
+        let atom = |name: &str| connection.intern_atom(false, name.as_bytes()).unwrap().reply().unwrap().atom;
+        let [clipboard, text, property] = ["CLIPBOARD", "UTF8_STRING", "LIGHTFALL_TEST"].map(atom);
+        let window = connection.generate_id().unwrap();
+        let aux = CreateWindowAux::new();
+        connection.create_window(0, window, self.root, 0, 0, 1, 1, 0, WindowClass::INPUT_ONLY, 0, &aux).unwrap();
+        connection.convert_selection(window, clipboard, text, property, x11rb::CURRENT_TIME).unwrap();
+        connection.flush().unwrap();
+        let start = Instant::now();
+        let given = loop {
+            match connection.poll_for_event().unwrap() {
+                Some(Event::SelectionNotify(notify)) => break notify.property != x11rb::NONE,
+                _ if start.elapsed() > Duration::from_secs(5) => break false,
+                _ => std::thread::sleep(Duration::from_millis(5)),
+            }
+        };
+        let bytes = given.then(|| {
+            let reply = connection.get_property(true, window, property, AtomEnum::ANY, 0, 1 << 20).unwrap();
+            reply.reply().unwrap().value
+        });
+        connection.destroy_window(window).unwrap();
+        bytes.map(|bytes| String::from_utf8(bytes).unwrap())
     }
 
     /// Presses and lets go of a key, named as X names it.

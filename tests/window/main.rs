@@ -2,8 +2,11 @@
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod controls;
 mod desktop;
 mod flights;
+mod inspector;
+mod safety;
 
 use desktop::{Desktop, Shot};
 use std::process::Command;

@@ -1,7 +1,7 @@
 //! The page of the scene: one row for every field of the field table, so that a new field shows by itself.
 
 use crate::flight::keyboard::SceneEditor;
-use crate::scene::{FIELDS, Field, Kind, Range, Scene};
+use crate::scene::{FIELDS, Field, Kind, Range};
 use bevy_egui::egui;
 use std::ops::Bound::{Excluded, Included, Unbounded};
 use toml::Value;
@@ -12,6 +12,8 @@ const LONGEST_SLIDER: f64 = 1000.0;
 const OPEN_END: f64 = 1e-4;
 /// Width of a row's value, in points.
 const VALUE_WIDTH: f32 = 190.0;
+/// Width kept for the button that resets it.
+const RESET_WIDTH: f32 = 36.0;
 
 /// What the page remembers.
 #[derive(Default)]
@@ -33,7 +35,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
         }
         ui.weak("Point at a name to see what it means.");
     });
-    ui.spacing_mut().slider_width = 95.0;
+    ui.spacing_mut().slider_width = 100.0;
     let scene = editor.meant();
     let values: Vec<(&Field, Value)> = scene.values().collect();
     let loaded: Vec<Value> = editor.loaded().values().map(|(_, value)| value).collect();
@@ -80,19 +82,20 @@ fn tables() -> Vec<(&'static str, usize, usize)> {
 fn row(ui: &mut egui::Ui, field: &Field, value: &Value, range: Range, loaded: &Value) -> Option<Value> {
     let name = field.key.split_once('.').map_or(field.key, |(_, name)| name);
     let mut change = None;
+    let width = ui.available_width().min(ui.clip_rect().right() - ui.cursor().left()) - VALUE_WIDTH - RESET_WIDTH;
     ui.horizontal(|ui| {
         ui.set_min_height(22.0);
+        ui.spacing_mut().item_spacing.x = 4.0;
         let text = egui::RichText::new(name);
         let text = if value == loaded { text } else { text.strong() };
         let about = format!("{}\n{} = {}", field.about, field.key, field.allowed());
-        let width = ui.available_width() - VALUE_WIDTH - 26.0;
         let left = egui::Layout::left_to_right(egui::Align::Center);
         ui.allocate_ui_with_layout(egui::vec2(width, 20.0), left, |ui| {
             ui.set_min_width(width);
             ui.add(egui::Label::new(text).truncate()).on_hover_text(about);
         });
-        ui.scope(|ui| {
-            ui.set_width(VALUE_WIDTH);
+        ui.allocate_ui_with_layout(egui::vec2(VALUE_WIDTH, 20.0), left, |ui| {
+            ui.set_min_width(VALUE_WIDTH);
             change = widget(ui, field, value, range);
         });
         if value != loaded && ui.small_button("⟲").on_hover_text("As it was loaded").clicked() {
@@ -196,18 +199,19 @@ fn ends(range: Range) -> Option<(f64, f64)> {
     Some((low, high))
 }
 
-/// A number in few digits, but in all that it has where these are few: what is shown is what an edit begins from.
+/// A number in four decimals at most, or, where that would hide it, in all of its digits.
 #[must_use]
 pub fn shown_number(number: f64) -> String {
-    let rounded = format!("{number:.6}");
-    let trimmed = if rounded.contains('.') { rounded.trim_end_matches('0').trim_end_matches('.') } else { &rounded };
     let size = number.abs();
-    if number == 0.0 || (1e-3..1e9).contains(&size) { trimmed.replace("-0", "-0") } else { format!("{number:e}") }
-}
-
-impl SceneEditor<'_> {
-    /// The scene as it is meant, at its full resolution.
-    pub(super) fn meant(&self) -> Scene {
-        self.scene.0.clone()
+    if (0.01..1e9).contains(&size) {
+        let rounded = format!("{number:.4}");
+        return rounded.trim_end_matches('0').trim_end_matches('.').to_owned();
+    }
+    if number == 0.0 {
+        "0".into()
+    } else if !(1e-3..1e9).contains(&size) {
+        format!("{number:e}")
+    } else {
+        format!("{number}")
     }
 }

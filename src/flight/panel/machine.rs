@@ -1,8 +1,9 @@
 //! The page about the machine: how fast it is, what the passes cost, which adapter draws and what it compiled.
 
+use crate::flight::pace::Pace;
 use crate::gpu::Variant;
-use crate::render::CurrentScene;
-use crate::scene::{DiskModel, SkyMode};
+use crate::render::{Chain, needs};
+use crate::scene::Scene;
 use bevy::diagnostic::DiagnosticsStore;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
@@ -16,6 +17,17 @@ const STALE: Duration = Duration::from_secs(2);
 /// Weight of the newest frame in the mean.
 const FRESH: f64 = 0.1;
 
+/// Width of the names in what a scene needs.
+const NAME_WIDTH: usize = 16;
+
+/// What the page remembers.
+#[derive(Default)]
+pub(super) struct State {
+    /// What the scene needs, line by line, and of which variant and chain that is said.
+    lines: Vec<(String, String)>,
+    of: Option<(Variant, Chain)>,
+}
+
 /// Mean time of a frame, in seconds.
 #[derive(Resource, Default)]
 pub struct FrameTime(pub f64);
@@ -26,6 +38,7 @@ pub struct Machine<'w> {
     passes: Res<'w, DiagnosticsStore>,
     adapter: Option<Res<'w, RenderAdapterInfo>>,
     frame: Res<'w, FrameTime>,
+    pace: Res<'w, Pace>,
 }
 
 pub(super) fn plugin(app: &mut App) {
@@ -58,12 +71,15 @@ impl Machine<'_> {
     }
 }
 
-pub(super) fn show(ui: &mut egui::Ui, machine: &Machine, scene: &CurrentScene) {
+pub(super) fn show(ui: &mut egui::Ui, state: &mut State, machine: &Machine, drawn: &Scene, meant: &Scene) {
     ui.strong("Speed");
     let milliseconds = 1e3 * machine.frame.0;
-    ui.label(format!("{:.1} frames a second, {milliseconds:.1} ms each", 1e3 / milliseconds.max(1e-3)));
-    let picture = scene.picture;
-    ui.label(format!("drawn with {} x {} pixels", picture.width, picture.height));
+    let resting = if machine.pace.resting { ", for nothing moves" } else { "" };
+    ui.label(format!("{:.1} frames a second, {milliseconds:.1} ms each{resting}", 1e3 / milliseconds.max(1e-3)));
+    let (scene, drawn, meant) = (drawn, drawn.picture, meant.picture);
+    let coarser =
+        if drawn == meant { String::new() } else { format!(" in place of {} x {}", meant.width, meant.height) };
+    ui.label(format!("drawn with {} x {} pixels{coarser}", drawn.width, drawn.height));
     ui.add_space(8.0);
     ui.strong("GPU time of the passes");
     let passes = machine.passes();
@@ -86,12 +102,32 @@ pub(super) fn show(ui: &mut egui::Ui, machine: &Machine, scene: &CurrentScene) {
     }
     ui.weak("Another one: lightfall --list-gpus, lightfall --gpu NAME");
     ui.add_space(8.0);
-    ui.strong("Compiled for this scene");
-    for [what, how] in compiled(&Variant::picture(scene)) {
-        ui.horizontal(|ui| {
-            ui.add_sized([90.0, 18.0], egui::Label::new(what).halign(egui::Align::LEFT));
-            ui.label(how);
+    ui.strong("What this scene needs");
+    for (what, how) in state.lines(scene) {
+        ui.horizontal_top(|ui| {
+            let left = egui::Layout::left_to_right(egui::Align::Min);
+            ui.allocate_ui_with_layout(egui::vec2(104.0, 18.0), left, |ui| {
+                ui.set_min_width(104.0);
+                ui.weak(what);
+            });
+            ui.add(egui::Label::new(how).wrap());
         });
+    }
+}
+
+impl State {
+    /// The lines of `lightfall presets show NAME --needs`, made again when they have changed.
+    fn lines(&mut self, scene: &Scene) -> &[(String, String)] {
+        let of = (Variant::picture(scene), Chain::of(scene));
+        if self.of != Some(of) {
+            let line = |line: &str| {
+                let (what, how) = line.split_at_checked(NAME_WIDTH).unwrap_or((line, ""));
+                (what.trim().to_owned(), how.trim().to_owned())
+            };
+            // The first line names the scene.
+            (self.lines, self.of) = (needs(scene).lines().skip(1).map(line).collect(), Some(of));
+        }
+        &self.lines
     }
 }
 
@@ -103,39 +139,4 @@ fn kind(kind: wgpu::DeviceType) -> &'static str {
         wgpu::DeviceType::VirtualGpu => "virtual",
         wgpu::DeviceType::Other => "of another kind",
     }
-}
-
-/// What the shader of a scene has in it, and what is left out.
-fn compiled(variant: &Variant) -> Vec<[String; 2]> {
-    let effects = variant.effects;
-    let off: Vec<_> = [
-        ("lensing", effects.lensing),
-        ("Doppler", effects.doppler),
-        ("beaming", effects.beaming),
-        ("gravity", effects.gravitational_shift),
-        ("aberration", effects.aberration),
-    ]
-    .into_iter()
-    .filter_map(|(name, on)| (!on).then_some(name))
-    .collect();
-    let disk = match (variant.disk, variant.disk_model) {
-        (false, _) => "left out",
-        (true, DiskModel::Newtonian) => "Newtonian flux",
-        (true, DiskModel::PageThorne) => "relativistic flux",
-    };
-    let sky = match variant.sky {
-        SkyMode::Off => "left out",
-        SkyMode::Stars => "stars",
-        SkyMode::Grid => "grid",
-    };
-    let row = |what: &str, how: String| [what.to_owned(), how];
-    vec![
-        row("tracer", format!("{:?}", variant.tracer).to_lowercase()),
-        row("spin", if variant.spinning { "in".into() } else { "left out".into() }),
-        row("disk", disk.into()),
-        row("sky", sky.into()),
-        row("rays", if variant.follow_beyond_hits { "to their end".into() } else { "to the second crossing".into() }),
-        row("effects", if off.is_empty() { "all".into() } else { format!("without {}", off.join(", ")) }),
-        row("view", format!("{:?}", variant.view).to_lowercase()),
-    ]
 }

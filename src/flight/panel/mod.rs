@@ -5,18 +5,21 @@ mod honesty;
 mod machine;
 mod preferences;
 mod presets;
+mod readouts;
 
 pub use fields::shown_number;
 pub(super) use preferences::Rebinding;
 
 use super::bindings::Bindings;
+use super::dock::{Side, docked};
 use super::keyboard::SceneEditor;
+use super::motion::Voyage;
 use super::window::{Preferences, Shown};
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 
 /// Width of the panel, in points.
-pub(super) const WIDTH: f32 = 370.0;
+pub(super) const WIDTH: f32 = 384.0;
 
 /// The pages.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -24,16 +27,18 @@ enum Page {
     #[default]
     Scene,
     Presets,
+    Readouts,
     Machine,
     Honesty,
     Settings,
 }
 
-const PAGES: [(Page, &str); 5] = [
+const PAGES: [(Page, &str); 6] = [
     (Page::Scene, "Scene"),
     (Page::Presets, "Presets"),
+    (Page::Readouts, "Read-outs"),
     (Page::Machine, "Machine"),
-    (Page::Honesty, "What is exact"),
+    (Page::Honesty, "Truth"),
     (Page::Settings, "Settings"),
 ];
 
@@ -43,6 +48,8 @@ struct Panel {
     page: Page,
     fields: fields::State,
     presets: presets::State,
+    readouts: readouts::State,
+    machine: machine::State,
 }
 
 pub(super) fn plugin(app: &mut App) {
@@ -63,18 +70,17 @@ fn show(
     mut rebinding: ResMut<Rebinding>,
     keys: Res<ButtonInput<KeyCode>>,
     machine: machine::Machine,
+    voyage: Res<Voyage>,
 ) -> Result {
     if !shown.panel || shown.hidden {
         rebinding.stop();
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
-    let layer = egui::UiBuilder::new().layer_id(egui::LayerId::background()).max_rect(context.content_rect());
-    let mut background = egui::Ui::new(context.clone(), "panel background".into(), layer);
-    let frame = egui::Frame::side_top_panel(&context.global_style()).fill(egui::Color32::from_black_alpha(238));
-    let Panel { page, fields, presets } = &mut *panel;
-    egui::Panel::right("panel").exact_size(WIDTH).resizable(false).frame(frame).show(&mut background, |ui| {
-        ui.horizontal_wrapped(|ui| {
+    let Panel { page, fields, presets, readouts, machine: needs } = &mut *panel;
+    docked(context, "panel", Side::Right, WIDTH, |ui| {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
             for (each, title) in PAGES {
                 ui.selectable_value(page, each, title);
             }
@@ -89,7 +95,10 @@ fn show(
         egui::ScrollArea::vertical().id_salt(*page as u8).auto_shrink(false).show(ui, |ui| match page {
             Page::Scene => fields::show(ui, fields, &mut editor),
             Page::Presets => presets::show(ui, presets, &mut editor),
-            Page::Machine => machine::show(ui, &machine, &editor.scene),
+            Page::Readouts => {
+                readouts::show(ui, readouts, editor.drawn(), &voyage, &mut preferences.settings);
+            }
+            Page::Machine => machine::show(ui, needs, &machine, editor.drawn(), &editor.meant()),
             Page::Honesty => honesty::show(ui),
             Page::Settings => preferences::show(ui, &mut preferences, &mut bindings, &mut rebinding, &keys),
         });

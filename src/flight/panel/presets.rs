@@ -27,10 +27,11 @@ pub(super) struct State {
 
 pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEditor) {
     ui.strong("Built in");
+    let name = editor.meant().name;
     for preset in presets::PRESETS {
         let Ok(scene) = preset.scene(&[]) else { continue };
         let text = format!("{}  {}", preset.number, preset.name);
-        if ui.selectable_label(editor.scene.name == preset.name, text).on_hover_text(&scene.title).clicked() {
+        if ui.selectable_label(name == preset.name, text).on_hover_text(&scene.title).clicked() {
             editor.load("", Ok(scene));
             state.own = None;
         }

@@ -1,0 +1,58 @@
+//! Automatic exposure: slowly toward what the light meter says, never faster than eyes find calm.
+
+use super::controls::Command;
+use super::notice::Notice;
+use super::window::Preferences;
+use crate::gpu::DISK_HDR_SCALE;
+use crate::physics::exposure::suiting;
+use crate::render::CurrentScene;
+use bevy::prelude::*;
+
+/// Powers of two a second, at most.
+const SLEW: f64 = 0.6;
+/// Seconds between two looks at the meter.
+const LOOK: f64 = 0.25;
+/// Differences below this are left alone, so that a picture at rest stays at rest.
+const ENOUGH: f64 = 0.05;
+/// Exposures that are chosen by itself.
+const RANGE: [f64; 2] = [-8.0, 8.0];
+
+pub(super) fn plugin(app: &mut App) {
+    app.add_systems(Update, (switch, follow).chain());
+}
+
+fn switch(mut commands: MessageReader<Command>, mut preferences: ResMut<Preferences>, mut notice: ResMut<Notice>) {
+    for _ in commands.read().filter(|command| **command == Command::AutomaticExposure) {
+        let settings = &mut preferences.settings;
+        settings.automatic_exposure = !settings.automatic_exposure;
+        notice.say(match (settings.automatic_exposure, settings.reduced_motion) {
+            (false, _) => "The exposure stays as it is",
+            (true, false) => "The exposure follows the light of the disk",
+            (true, true) => "The exposure would follow the light, but motion is reduced in the settings",
+        });
+    }
+}
+
+fn follow(
+    time: Res<Time>,
+    preferences: Res<Preferences>,
+    mut scene: ResMut<CurrentScene>,
+    mut meter: Local<(f64, Option<f64>)>,
+) {
+    let settings = &preferences.settings;
+    if !settings.automatic_exposure || settings.reduced_motion {
+        return;
+    }
+    let (age, wanted) = &mut *meter;
+    *age += time.delta_secs_f64();
+    if *age > LOOK {
+        // A scene whose observer cannot exist is not drawn either.
+        (*age, *wanted) = (0.0, suiting(&scene, DISK_HDR_SCALE).ok().flatten());
+    }
+    let Some(wanted) = wanted.map(|wanted| wanted.clamp(RANGE[0], RANGE[1])) else { return };
+    let missing = wanted - scene.picture.exposure_ev;
+    if missing.abs() > ENOUGH {
+        let step = SLEW * time.delta_secs_f64().min(LOOK);
+        scene.picture.exposure_ev += missing.clamp(-step, step);
+    }
+}

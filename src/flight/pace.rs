@@ -1,0 +1,83 @@
+//! How often there is a new frame: as often as the monitor shows while something moves, a few a second while nothing does.
+
+use super::keyboard::Typing;
+use super::window::Preferences;
+use crate::render::CurrentScene;
+use bevy::prelude::*;
+use bevy::winit::{UpdateMode, WinitSettings};
+use std::time::{Duration, Instant};
+
+/// What moved this recently, moves.
+const MOVING: Duration = Duration::from_millis(400);
+/// Time after the last input or change in which every frame is drawn: pipelines compile, overlays open.
+const AWAKE: Duration = Duration::from_secs(3);
+/// Time between two frames while nothing happens; input ends it at once.
+const RESTING: Duration = Duration::from_millis(200);
+
+/// How it goes.
+#[derive(Resource, Default)]
+pub struct Pace {
+    /// Whether the scene has changed just now.
+    pub moving: bool,
+    /// Whether frames are far apart because nothing happens.
+    pub resting: bool,
+    /// Frames since the movement began.
+    pub frames: u32,
+    /// Times since the start of the last change of the scene, and of the last sign of life.
+    changed: Duration,
+    alive: Duration,
+    /// When the last frame began, for the cap.
+    began: Option<Instant>,
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<Pace>().add_systems(PostUpdate, watch).add_systems(Last, (choose, cap).chain());
+}
+
+/// Notes what changes the scene and what keeps the program awake.
+fn watch(
+    time: Res<Time<Real>>,
+    scene: Res<CurrentScene>,
+    keys: Res<ButtonInput<KeyCode>>,
+    buttons: Res<ButtonInput<MouseButton>>,
+    mut moves: MessageReader<CursorMoved>,
+    typing: Res<Typing>,
+    mut pace: ResMut<Pace>,
+    mut last: Local<Option<crate::scene::Scene>>,
+) {
+    let now = time.elapsed();
+    // The size of picture and cells, which the automatic resolution sets, is no movement.
+    let mut seen = scene.0.clone();
+    (seen.picture.width, seen.picture.height) = (1, 1);
+    (seen.picture.grid_width, seen.picture.grid_height) = (1, 1);
+    if last.as_ref() != Some(&seen) {
+        pace.changed = now;
+        *last = Some(seen);
+    }
+    let held = keys.get_pressed().next().is_some() || buttons.get_pressed().next().is_some();
+    if pace.changed == now || held || typing.0 || moves.read().next().is_some() {
+        pace.alive = now;
+    }
+    let moving = now.saturating_sub(pace.changed) < MOVING;
+    pace.frames = if moving && pace.moving { pace.frames + 1 } else { 0 };
+    pace.moving = moving;
+    pace.resting = now.saturating_sub(pace.alive) > AWAKE;
+}
+
+fn choose(pace: Res<Pace>, mut winit: ResMut<WinitSettings>) {
+    let mode = if pace.resting { UpdateMode::reactive(RESTING) } else { UpdateMode::Continuous };
+    if winit.focused_mode != mode {
+        (winit.focused_mode, winit.unfocused_mode) = (mode, mode);
+    }
+}
+
+/// Waits as long as a frame is meant to last.
+fn cap(preferences: Res<Preferences>, mut pace: ResMut<Pace>) {
+    let most = preferences.settings.most_frames;
+    if most > 0.0
+        && let Some(began) = pace.began
+    {
+        std::thread::sleep(Duration::from_secs_f64(1.0 / most).saturating_sub(began.elapsed()));
+    }
+    pace.began = Some(Instant::now());
+}

@@ -1,0 +1,117 @@
+//! The controls in the window: keys, overlays, screenshots.
+
+use crate::desktop::{Desktop, Shot};
+use crate::{HINT, WINDOW, changed};
+use lightfall::flight::control_named;
+
+/// Width of the panel on the right, with some room.
+const PANEL: usize = 400;
+
+/// As X names the first key of a control.
+fn x_name(id: &str) -> String {
+    let control = control_named(id).unwrap();
+    let name = lightfall::flight::key_name(control.keys[0]).unwrap();
+    let name = match name {
+        "+" => "equal",
+        "-" => "minus",
+        "Backspace" => "BackSpace",
+        letter if letter.len() == 1 => return letter.to_lowercase(),
+        other => other,
+    };
+    name.into()
+}
+
+#[test]
+fn switches_change_the_picture_and_lead_back() {
+    // A scene in which each of them shows: the disk does not begin at the innermost stable orbit, the probe is in view.
+    let scene = ["--preset", "probe", "--set", "disk.inner=4.5", "--set", "observer.velocity=0,0.1,0.3"];
+    let Some(desktop) = Desktop::open(&scene) else { return };
+    // Twice, for on a busy machine the probe comes some frames after the light.
+    desktop.settled("first picture", |shot| shot.colours() > 50);
+    let start = desktop.settled("at rest", |shot| shot.colours() > 50);
+    for (id, times) in [
+        ("scene.disk", 2),
+        ("scene.isco", 2),
+        ("scene.sky", 2),
+        ("scene.sky_mode", 3),
+        ("scene.probe", 2),
+        ("scene.spin", 2),
+        ("light.lensing", 2),
+        ("light.doppler", 2),
+        ("light.beaming", 2),
+        ("light.gravitational_shift", 2),
+        ("view.classes", 2),
+        ("view.residual", 2),
+        ("view.order", 2),
+        ("view.redshift", 2),
+        ("picture.bloom", 2),
+        ("picture.bypass", 2),
+        ("picture.antialias", 2),
+        ("picture.dither", 2),
+        ("picture.levels", 2),
+    ] {
+        let key = x_name(id);
+        desktop.press(&key);
+        desktop.settled(id, |shot| changed(shot, &start) > 1e-4);
+        (1..times).for_each(|_| desktop.press(&key));
+        desktop.settled(&format!("{id} again"), |shot| changed(shot, &start) == 0.0);
+    }
+    // Brighter, and undone.
+    desktop.press(&x_name("picture.brighter"));
+    desktop.settled("brighter", |shot| changed(shot, &start) > 0.01);
+    desktop.press(&x_name("scene.undo"));
+    desktop.settled("undone", |shot| changed(shot, &start) == 0.0);
+    assert!(!desktop.said().contains("ERROR"), "{}", desktop.said());
+}
+
+#[test]
+fn overlays_open_and_close_and_text_fields_keep_the_keyboard() {
+    let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let start = desktop.settled("first picture", |shot| shot.colours() > 50);
+    let right = |a: &Shot, b: &Shot| a.changed(b, WINDOW.0 - PANEL..WINDOW.0, 0..WINDOW.1);
+    let left = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0 - PANEL, 0..WINDOW.1 - HINT);
+    desktop.press("F1");
+    desktop.settled("help", |shot| changed(shot, &start) > 0.1);
+    desktop.press("F1");
+    desktop.settled("no help", |shot| *shot == start);
+    desktop.press("p");
+    let panel = desktop.settled("panel", |shot| right(shot, &start) > 0.5);
+    assert_eq!(left(&panel, &start), 0.0, "the panel covers more than its side");
+    // Into the field `name`: g, F2 and p would change the sky, the disk and the panel.
+    desktop.click(1300, 92);
+    desktop.type_text("gp");
+    desktop.press("F2");
+    let typed = desktop.settled("typed", |shot| *shot != panel);
+    assert_eq!(left(&typed, &start), 0.0, "a key acted although a text field had the keyboard");
+    // Beside it the keyboard is the picture's again.
+    desktop.click(1300, 800);
+    desktop.press("F2");
+    desktop.settled("F2", |shot| left(shot, &start) > 0.1);
+    desktop.press("F2");
+    desktop.press("h");
+    let bare = desktop.settled("hidden", |shot| right(shot, &panel) > 0.5);
+    assert_eq!(left(&bare, &start), 0.0);
+    desktop.press("h");
+    desktop.settled("shown again", |shot| right(shot, &start) > 0.5);
+    desktop.press("p");
+    desktop.settled("no panel", |shot| changed(shot, &start) == 0.0);
+    assert!(desktop.running());
+}
+
+#[test]
+fn screenshots_are_files_that_replace_no_other() {
+    let Some(desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let start = desktop.settled("first picture", |shot| shot.colours() > 50);
+    let pictures = desktop.home.path().join("Pictures");
+    for number in 1..=2 {
+        desktop.press("F12");
+        desktop.settled("the path is shown", |shot| *shot != start);
+        let file = pictures.join(format!("lightfall-edge-on-{number:04}.png"));
+        let picture = image::open(file).unwrap().to_rgb8();
+        assert_eq!((picture.width() as usize, picture.height() as usize), WINDOW);
+        for (x, y) in [(700, 300), (300, 430), (1000, 100)] {
+            assert_eq!(picture.get_pixel(x, y).0, start.pixel(x as usize, y as usize), "pixel {x}, {y}");
+        }
+    }
+    assert_eq!(std::fs::read_dir(pictures).unwrap().count(), 2);
+}

@@ -1,0 +1,70 @@
+//! The ray inspector in the window: what it copies is what the reference and the GPU answer.
+
+use crate::desktop::{Desktop, Shot};
+use glam::DVec2;
+use lightfall::report::error::Ray;
+use lightfall::report::inspection::Inspected;
+use lightfall::scene::presets;
+use std::time::{Duration, Instant};
+
+/// Width of the inspector's panel, with some room.
+const INSPECTOR: usize = 420;
+
+#[test]
+fn a_click_tells_the_ray_of_that_pixel_and_copies_it() {
+    let Some(desktop) = Desktop::open(&["--preset", "2", "--spin", "0.7"]) else { return };
+    let start = desktop.settled("first picture", |shot| shot.colours() > 50);
+    desktop.press("i");
+    let shows = |shot: &Shot, other: &Shot| shot.changed(other, 0..INSPECTOR, 0..400);
+    let empty = desktop.settled("inspector", |shot| shows(shot, &start) > 0.3);
+    let scene = presets::find("2").unwrap().scene(&[]).unwrap();
+    let mut scene = scene;
+    scene.hole.spin = 0.7;
+    for (x, y) in [(720, 180), (760, 400), (1000, 440), (1300, 60)] {
+        desktop.click(x, y);
+        desktop.settled("numbers", |shot| shows(shot, &empty) > 0.02);
+        let json = copied(&desktop);
+        // Three pixels of the window are two of the picture.
+        let pixel = (DVec2::new(f64::from(x), f64::from(y)) * (960.0 / 1440.0)).floor() + 0.5;
+        assert_eq!(json["pixel"], serde_json::json!([pixel.x, pixel.y]));
+        let ray = Ray::toward(scene.camera.looking(pixel, DVec2::new(960.0, 540.0)));
+        let direction = scene.camera.legs_from_camera() * ray.direction();
+        let expected = Inspected::new(&scene, direction, Some(pixel.to_array()), 120.0).unwrap().numbers;
+        let expected = serde_json::to_value(&expected).unwrap();
+        for field in ["cpu", "impact_parameter", "lambda", "eta", "closest_r", "half_turns", "order", "hit1_delay"] {
+            same(field, &json[field], &expected[field]);
+        }
+        assert_eq!(json["difference"]["same_class"], true, "{json}");
+        assert_eq!(json["gpu"]["outcome"], json["cpu"]["outcome"]);
+        // What method mino states of itself.
+        assert!(json["difference"]["backward"].as_f64().unwrap() < 1e-5, "{json}");
+    }
+}
+
+/// The JSON that is copied once the GPU has answered.
+fn copied(desktop: &Desktop) -> serde_json::Value {
+    let start = Instant::now();
+    loop {
+        desktop.click(123, 45);
+        std::thread::sleep(Duration::from_millis(300));
+        let text = desktop.clipboard();
+        let json = text.and_then(|text| serde_json::from_str::<serde_json::Value>(&text).ok()).unwrap_or_default();
+        if !json["gpu"].is_null() {
+            return json;
+        }
+        assert!(start.elapsed() < Duration::from_secs(40), "no JSON with the GPU's answer: {json}");
+    }
+}
+
+/// Whether two values are the same, numbers but for the last place, which a JSON reader may miss.
+fn same(field: &str, a: &serde_json::Value, b: &serde_json::Value) {
+    match (a.as_f64(), b.as_f64()) {
+        (Some(x), Some(y)) => assert!((x - y).abs() <= 4.0 * f64::EPSILON * y.abs(), "{field}: {x} and not {y}"),
+        _ if a.is_object() => {
+            for (name, value) in a.as_object().unwrap() {
+                same(name, value, &b[name]);
+            }
+        }
+        _ => assert_eq!(a, b, "{field}"),
+    }
+}
