@@ -166,7 +166,7 @@ fn smallest(chart: &Chart, place: DVec2, left: DVec2, jacobian: DMat2) -> Option
         damped.inverse() * (jacobian.transpose() * aim)
     };
     let allowed = |x: DVec2| chart.scale * x.length();
-    let mut bracket = [-60.0, 5.0];
+    let mut bracket = [-30.0, 5.0];
     for _ in 0..40 {
         let middle = 0.5 * (bracket[0] + bracket[1]);
         let x = solution(middle);
