@@ -26,7 +26,7 @@ pub struct BenchArgs {
     /// Entry of the shader that is timed
     #[arg(long, value_enum, default_value_t = EntryArg::Compute)]
     pub entry: EntryArg,
-    /// Rays whose error is measured in each scene [default: 8192, with --quick 1024]
+    /// Rays whose error is measured in each scene [default: 8192, with --quick 512]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(16..=1_000_000))]
     pub rays: Option<u32>,
     /// Few settings, few rays, small pictures: under a minute even without a graphics card
