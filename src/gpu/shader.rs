@@ -1,6 +1,7 @@
 //! WGSL parts joined into variants: what a scene does not need is not in its shader's text, and the rest is decided by
 //! `const` flags, which compilers drop.
 
+use super::ErrorCells;
 use crate::physics::disk;
 use crate::physics::kerr::Kerr;
 use crate::physics::spectrum::{TABLE_COLDEST, TABLE_HOTTEST, TABLE_LEN};
@@ -106,7 +107,7 @@ impl Variant {
             spinning: scene.hole.spin != 0.0,
             near_horizon: scene.hole.spin != 0.0
                 && scene.camera.r < NEAR_HORIZON * Kerr { spin: scene.hole.spin }.horizon(),
-            disk: scene.disk.enabled,
+            disk: scene.disk.enabled && traces(scene.view),
             disk_model: if scene.disk.enabled && !marks { scene.disk.model } else { DiskModel::default() },
             sky,
             reference_star: scene.sky.reference_star && sky != SkyMode::Off,
@@ -129,7 +130,7 @@ impl Variant {
             effects: Effects { beaming: true, ..scene.effects },
             most_hits: 2,
             follow_beyond_hits: true,
-            ..Self::picture(scene)
+            ..Self::picture(&Scene { view: View::Colour, ..scene.clone() })
         }
     }
 
@@ -213,15 +214,9 @@ impl Variant {
 
     /// The parts in their order.
     fn parts(self) -> Vec<Part> {
-        let mut parts =
-            vec![part!("scene.wgsl"), part!("elementary.wgsl"), part!("observer.wgsl"), part!("shift.wgsl")];
-        parts.push(if self.disk { part!("disk.wgsl") } else { part!("disk/none.wgsl") });
-        match self.tracer {
-            Tracer::Verlet => parts.push(part!("method/verlet.wgsl")),
-            Tracer::Straight => parts.push(part!("method/straight.wgsl")),
-            Tracer::Closed => parts.extend([part!("elliptic.wgsl"), part!("method/closed.wgsl")]),
-            Tracer::Mino => parts.push(part!("method/mino.wgsl")),
-            Tracer::KerrSchild => parts.push(part!("method/kerr_schild.wgsl")),
+        let mut parts = vec![part!("scene.wgsl")];
+        if traces(self.view) {
+            parts.extend(self.tracing());
         }
         match self.entry {
             Entry::Rays => parts.push(part!("rays.wgsl")),
@@ -249,9 +244,27 @@ impl Variant {
                     View::Residual => part!("view/residual.wgsl"),
                     View::Order => part!("view/order.wgsl"),
                     View::Redshift => part!("view/redshift.wgsl"),
+                    View::Error => part!("view/error.wgsl"),
                 });
+                if traces(self.view) {
+                    parts.push(part!("view/traced.wgsl"));
+                }
                 parts.push(part!("geodesic.wgsl"));
             }
+        }
+        parts
+    }
+
+    /// The parts that trace a ray.
+    fn tracing(self) -> Vec<Part> {
+        let mut parts = vec![part!("elementary.wgsl"), part!("observer.wgsl"), part!("shift.wgsl")];
+        parts.push(if self.disk { part!("disk.wgsl") } else { part!("disk/none.wgsl") });
+        match self.tracer {
+            Tracer::Verlet => parts.push(part!("method/verlet.wgsl")),
+            Tracer::Straight => parts.push(part!("method/straight.wgsl")),
+            Tracer::Closed => parts.extend([part!("elliptic.wgsl"), part!("method/closed.wgsl")]),
+            Tracer::Mino => parts.push(part!("method/mino.wgsl")),
+            Tracer::KerrSchild => parts.push(part!("method/kerr_schild.wgsl")),
         }
         parts
     }
@@ -288,6 +301,11 @@ impl Variant {
         for (name, value) in self.flags() {
             constant(&mut text, name, "bool", value);
         }
+        if !traces(self.view) {
+            for (name, kind, value) in ErrorCells::constants() {
+                constant(&mut text, name, kind, value);
+            }
+        }
         constant(&mut text, "MOST_HITS", "u32", format!("{}u", self.most_hits));
         constant(&mut text, "PAGE_THORNE_LEN", "u32", format!("{}u", disk::TABLE_LEN));
         constant(&mut text, "SPECTRUM_LEN", "u32", format!("{TABLE_LEN}u"));
@@ -301,6 +319,11 @@ impl Variant {
 /// Whether a view shows the light of disk and sky, and not the colours of marks.
 fn shows_light(view: View) -> bool {
     matches!(view, View::Colour | View::Unfinished)
+}
+
+/// Whether a view shows what its shader traces, and not what was worked out before.
+fn traces(view: View) -> bool {
+    view != View::Error
 }
 
 fn constant(text: &mut String, name: &str, kind: &str, value: impl std::fmt::Display) {

@@ -8,10 +8,12 @@
 mod backward;
 mod chart;
 mod edge;
+mod picture;
 mod sample;
 mod summary;
 
 pub use edge::Shadow;
+pub use picture::over_picture;
 pub use sample::{Ray, critical, everywhere, on_picture};
 pub use summary::{Errors, Quantiles};
 
