@@ -20,6 +20,7 @@ mod notice;
 mod pace;
 mod panel;
 mod pilot;
+mod recovery;
 mod resolution;
 mod screenshot;
 mod settings;
@@ -45,6 +46,7 @@ use crate::scene::journey::Journey;
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
 use bevy::window::{PresentMode, WindowResolution};
+use bevy::winit::WinitPlugin;
 use bevy_egui::{EguiGlobalSettings, EguiPlugin, PrimaryEguiContext};
 use flown::Flown;
 
@@ -59,39 +61,43 @@ const LONGEST_FRAME: f64 = 0.25;
 
 /// Opens the window and flies until it is closed. The journey begins at once if it is `guided`, else when it is asked for.
 pub fn fly(scene: Scene, journey: Journey, guided: bool) -> AppExit {
+    program(scene, journey, guided).run()
+}
+
+/// The whole window program, as [`fly`] runs it.
+pub fn program(scene: Scene, journey: Journey, guided: bool) -> App {
     let mut guide = Guide::new(journey);
     if guided {
         guide.restart();
     }
-    App::new()
-        .add_plugins(DefaultPlugins.set(quiet_log()).set(render_plugin(false)).set(WindowPlugin {
-            primary_window: Some(Window {
-                title: title(&scene),
-                name: Some("lightfall".into()),
-                resolution: WindowResolution::new(WINDOW_SIZE[0], WINDOW_SIZE[1]),
-                present_mode: PresentMode::AutoVsync,
-                ..default()
-            }),
+    let mut app = App::new();
+    app.add_plugins(DefaultPlugins.set(quiet_log()).set(render_plugin(false)).set(any_thread()).set(WindowPlugin {
+        primary_window: Some(Window {
+            title: title(&scene),
+            name: Some("lightfall".into()),
+            resolution: WindowResolution::new(WINDOW_SIZE[0], WINDOW_SIZE[1]),
+            present_mode: PresentMode::AutoVsync,
             ..default()
-        }))
-        .add_plugins(EguiPlugin::default())
-        .insert_resource(EguiGlobalSettings { auto_create_primary_context: false, ..default() })
-        .insert_resource(History::new(scene.clone()))
-        .insert_resource(Resolution::new(&scene))
-        .insert_resource(guide)
-        .add_plugins(LightfallRenderPlugin { scene, target: RenderTarget::default() })
-        .add_plugins((
-            notice::plugin,
-            window::plugin,
-            keyboard::plugin,
-            pilot::plugin,
-            pace::plugin,
-            resolution::plugin,
-        ))
-        .add_plugins((card::plugin, journey::plugin, motion::plugin, exposure::plugin))
-        .add_plugins((screenshot::plugin, hint::plugin, help::plugin, panel::plugin, inspector::plugin))
-        .add_systems(Update, (attach_ui, retitle.run_if(resource_changed::<CurrentScene>)))
-        .run()
+        }),
+        ..default()
+    }))
+    .add_plugins(EguiPlugin::default())
+    .insert_resource(EguiGlobalSettings { auto_create_primary_context: false, ..default() })
+    .insert_resource(History::new(scene.clone()))
+    .insert_resource(Resolution::new(&scene))
+    .insert_resource(guide)
+    .add_plugins(LightfallRenderPlugin { scene, target: RenderTarget::default() })
+    .add_plugins((notice::plugin, window::plugin, keyboard::plugin, pilot::plugin, pace::plugin, resolution::plugin))
+    .add_plugins(recovery::RecoveryPlugin)
+    .add_plugins((card::plugin, journey::plugin, motion::plugin, exposure::plugin))
+    .add_plugins((screenshot::plugin, hint::plugin, help::plugin, panel::plugin, inspector::plugin))
+    .add_systems(Update, (attach_ui, retitle.run_if(resource_changed::<CurrentScene>)));
+    app
+}
+
+/// Where the system does not mind, the program may be run by a thread that is not the first, as tests are.
+fn any_thread() -> WinitPlugin {
+    WinitPlugin { run_on_any_thread: true, ..default() }
 }
 
 /// The user interface belongs to the screen, at its native resolution, and not to the picture.

@@ -1,12 +1,10 @@
 //! WGSL parts joined into variants: what a scene does not need is not in its shader's text, and the rest is decided by
 //! `const` flags, which compilers drop.
 
-use super::ErrorCells;
-use crate::physics::disk;
+mod prelude;
+
 use crate::physics::kerr::Kerr;
-use crate::physics::spectrum::{TABLE_COLDEST, TABLE_HOTTEST, TABLE_LEN};
 use crate::scene::{DiskModel, Effects, Method, Scene, SkyMode, View};
-use std::fmt::Write;
 
 /// A shader: which parts are joined, and which flags are set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -269,50 +267,9 @@ impl Variant {
         parts
     }
 
-    /// The flags, by their names in the shaders. Compilers drop what stands behind one that is not set.
-    pub fn flags(self) -> [(&'static str, bool); 13] {
-        let records = self.entry == Entry::Rays;
-        [
-            ("SPINNING", self.spinning),
-            ("NEAR_HORIZON", self.near_horizon),
-            ("AZIMUTH", records),
-            // What is timed does all the work that a picture with a sky does.
-            ("SKY_DIRECTION", self.entry != Entry::Picture || self.sky != SkyMode::Off),
-            ("REFERENCE_STAR", self.reference_star),
-            ("SHOW_UNFINISHED", self.view == View::Unfinished),
-            ("FOLLOW_BEYOND_HITS", self.follow_beyond_hits),
-            ("LENSING", self.effects.lensing),
-            ("DOPPLER", self.effects.doppler),
-            ("BEAMING", self.effects.beaming),
-            ("GRAVITATIONAL_SHIFT", self.effects.gravitational_shift),
-            ("ABERRATION", self.effects.aberration),
-            ("DIAGNOSTICS", records || matches!(self.view, View::Residual | View::Order)),
-        ]
-    }
-
     /// The files below shaders/ whose text is in this one's, in their order.
     pub fn files(self) -> Vec<&'static str> {
         self.parts().into_iter().map(|(file, _)| file).collect()
-    }
-
-    /// The flags, and what the parts must share with the CPU.
-    fn prelude(self) -> String {
-        let mut text = String::new();
-        for (name, value) in self.flags() {
-            constant(&mut text, name, "bool", value);
-        }
-        if !traces(self.view) {
-            for (name, kind, value) in ErrorCells::constants() {
-                constant(&mut text, name, kind, value);
-            }
-        }
-        constant(&mut text, "MOST_HITS", "u32", format!("{}u", self.most_hits));
-        constant(&mut text, "PAGE_THORNE_LEN", "u32", format!("{}u", disk::TABLE_LEN));
-        constant(&mut text, "SPECTRUM_LEN", "u32", format!("{TABLE_LEN}u"));
-        constant(&mut text, "SPECTRUM_COLDEST", "f32", format!("{TABLE_COLDEST:?}"));
-        constant(&mut text, "SPECTRUM_HOTTEST", "f32", format!("{TABLE_HOTTEST:?}"));
-        constant(&mut text, "SPECTRUM_LN_RANGE", "f32", format!("{:?}", (TABLE_HOTTEST / TABLE_COLDEST).ln()));
-        text
     }
 }
 
@@ -324,8 +281,4 @@ fn shows_light(view: View) -> bool {
 /// Whether a view shows what its shader traces, and not what was worked out before.
 fn traces(view: View) -> bool {
     view != View::Error
-}
-
-fn constant(text: &mut String, name: &str, kind: &str, value: impl std::fmt::Display) {
-    writeln!(text, "const {name}: {kind} = {value};").expect("writing to a string cannot fail");
 }

@@ -1,6 +1,8 @@
 //! How long the GPU takes to trace a picture's rays, and nothing else: the variant that draws the picture, with one vector a
 //! pixel in place of its light.
 
+mod work;
+
 use super::kernel::uniform;
 use super::{Gpu, GpuError, GpuScene, Variant};
 use crate::scene::Scene;
@@ -8,6 +10,7 @@ use glam::UVec2;
 use std::time::{Duration, Instant};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{BindGroup, Buffer, BufferUsages, CommandEncoder, QuerySet};
+use work::{Work, compute, fragment};
 
 /// Invocations of a workgroup, as shaders/timed.wgsl declares it.
 const WORKGROUP: u32 = 64;
@@ -75,14 +78,6 @@ pub struct Stopwatch {
     /// Two timestamps, where they are resolved, and where they are read.
     timestamps: Option<(QuerySet, Buffer, Buffer)>,
 }
-
-enum Work {
-    Compute(wgpu::ComputePipeline),
-    Fragment(wgpu::RenderPipeline, wgpu::TextureView),
-}
-
-/// The texture that a fragment entry writes, as the picture's.
-const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 
 impl Stopwatch {
     /// Compiles the variant of the scene.
@@ -234,55 +229,6 @@ impl Stopwatch {
             }
         }
     }
-}
-
-fn compute(gpu: &Gpu, module: &wgpu::ShaderModule) -> (Work, wgpu::BindGroupLayout) {
-    let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: Some("timed"),
-        layout: None,
-        module,
-        entry_point: Some("timed"),
-        compilation_options: Default::default(),
-        cache: None,
-    });
-    let layout = pipeline.get_bind_group_layout(0);
-    (Work::Compute(pipeline), layout)
-}
-
-fn fragment(gpu: &Gpu, module: &wgpu::ShaderModule, size: UVec2) -> (Work, wgpu::BindGroupLayout) {
-    let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("timed"),
-        layout: None,
-        vertex: wgpu::VertexState {
-            module,
-            entry_point: Some("vertex"),
-            compilation_options: Default::default(),
-            buffers: &[],
-        },
-        primitive: Default::default(),
-        depth_stencil: None,
-        multisample: Default::default(),
-        fragment: Some(wgpu::FragmentState {
-            module,
-            entry_point: Some("fragment"),
-            compilation_options: Default::default(),
-            targets: &[Some(FORMAT.into())],
-        }),
-        multiview_mask: None,
-        cache: None,
-    });
-    let layout = pipeline.get_bind_group_layout(0);
-    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("timed"),
-        size: wgpu::Extent3d { width: size.x, height: size.y, depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: FORMAT,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
-        view_formats: &[],
-    });
-    (Work::Fragment(pipeline, texture.create_view(&Default::default())), layout)
 }
 
 /// Two timestamps, on a device that has them. Those of a software device are left alone: Mesa's are taken when a compute

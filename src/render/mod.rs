@@ -20,6 +20,7 @@ mod kept;
 mod needs;
 mod presentation;
 mod probe;
+pub mod recovery;
 
 pub use chain::{Chain, Written};
 pub use errors::AwaitErrors;
@@ -60,8 +61,11 @@ impl Plugin for LightfallRenderPlugin {
 /// Bevy's renderer on the same backends as [`Gpu::headless`](crate::gpu::Gpu::headless). A still waits for its pipelines, a
 /// window does not.
 pub fn render_plugin(synchronous_pipeline_compilation: bool) -> RenderPlugin {
-    let settings = WgpuSettings { backends: Some(crate::gpu::backends()), ..default() };
-    RenderPlugin { render_creation: settings.into(), synchronous_pipeline_compilation, ..default() }
+    RenderPlugin { render_creation: wgpu_settings().into(), synchronous_pipeline_compilation, ..default() }
+}
+
+fn wgpu_settings() -> WgpuSettings {
+    WgpuSettings { backends: Some(crate::gpu::backends()), ..default() }
 }
 
 /// Whether the whole of the present scene has been drawn, asked after an update. An error names what failed.

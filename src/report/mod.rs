@@ -5,3 +5,4 @@ pub mod error;
 pub mod extremes;
 pub mod inspection;
 pub mod rays;
+pub mod steps;

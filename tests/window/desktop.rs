@@ -1,6 +1,7 @@
 //! A display of the test's own: Xvfb, the program's window on it, keys by xdotool, pictures from the X server.
 
 use std::io::{BufRead, BufReader};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use x11rb::connection::Connection;
@@ -58,6 +59,11 @@ impl Desktop {
     /// Opens a display and the program's window on it. None, with the reason printed, where that is impossible and not
     /// required.
     pub fn open(arguments: &[&str]) -> Option<Self> {
+        Self::open_program(Path::new(env!("CARGO_BIN_EXE_lightfall")), arguments)
+    }
+
+    /// As [`open`](Self::open), for another program with a window of the same name.
+    pub fn open_program(program: &Path, arguments: &[&str]) -> Option<Self> {
         for tool in ["Xvfb", "xdotool"] {
             if Command::new("sh")
                 .args(["-c", &format!("command -v {tool}")])
@@ -84,7 +90,7 @@ impl Desktop {
         std::fs::create_dir(home.path().join("Pictures")).unwrap();
         let said = std::fs::File::create(home.path().join("said")).unwrap();
         let started = Instant::now();
-        let program = Command::new(env!("CARGO_BIN_EXE_lightfall"))
+        let program = Command::new(program)
             .args(arguments)
             .env("DISPLAY", &display)
             .env_remove("WAYLAND_DISPLAY")

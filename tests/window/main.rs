@@ -4,6 +4,7 @@
 
 mod controls;
 mod desktop;
+mod device_loss;
 mod flights;
 mod inspector;
 mod safety;

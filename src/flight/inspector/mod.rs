@@ -16,7 +16,8 @@ use bevy_egui::input::egui_wants_any_pointer_input;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use drawing::{LEGEND, Sketch, View, path_colour};
 use glam::DVec2;
-use worker::{Answer, GpuState, Job, Worker};
+pub(super) use worker::Worker;
+use worker::{Answer, GpuState, Job};
 
 /// Width of the inspector's panel, in points.
 pub(super) const WIDTH: f32 = 390.0;

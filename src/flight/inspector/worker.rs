@@ -5,6 +5,7 @@ use crate::gpu::rays::RayKernel;
 use crate::gpu::{Gpu, GpuError};
 use crate::report::error::Ray;
 use crate::report::inspection::Inspected;
+use crate::report::steps::StepCount;
 use crate::scene::Scene;
 use bevy::prelude::Resource;
 use std::sync::Mutex;
@@ -37,23 +38,41 @@ pub(super) enum GpuState {
 
 enum Order {
     Trace(Box<Job>),
+    Count(Box<Scene>),
     Copy(String),
 }
 
 /// The way to the thread and back.
 #[derive(Resource)]
-pub(super) struct Worker {
+pub(in crate::flight) struct Worker {
     orders: Sender<Order>,
     answers: Mutex<Receiver<Result<Answer, String>>>,
+    counts: Mutex<Receiver<Result<StepCount, String>>>,
+}
+
+/// Where the thread's answers go.
+struct Answers {
+    rays: Sender<Result<Answer, String>>,
+    steps: Sender<Result<StepCount, String>>,
 }
 
 impl Worker {
     /// Starts the thread.
     pub(super) fn start() -> Self {
         let (orders, work) = channel();
-        let (answer, answers) = channel();
-        std::thread::spawn(move || run(&work, &answer));
-        Self { orders, answers: Mutex::new(answers) }
+        let ((rays, answers), (steps, counts)) = (channel(), channel());
+        std::thread::spawn(move || run(&work, &Answers { rays, steps }));
+        Self { orders, answers: Mutex::new(answers), counts: Mutex::new(counts) }
+    }
+
+    /// Asks how many steps the rays of a scene's picture take.
+    pub(in crate::flight) fn count(&self, scene: Scene) {
+        let _ = self.orders.send(Order::Count(Box::new(scene)));
+    }
+
+    /// The newest count, if there is a new one.
+    pub(in crate::flight) fn counted(&self) -> Option<Result<StepCount, String>> {
+        self.counts.lock().unwrap_or_else(std::sync::PoisonError::into_inner).try_iter().last()
     }
 
     /// Asks for rays.
@@ -74,7 +93,7 @@ impl Worker {
     }
 }
 
-fn run(work: &Receiver<Order>, answer: &Sender<Result<Answer, String>>) {
+fn run(work: &Receiver<Order>, answer: &Answers) {
     let mut device = None;
     let mut clipboard = None;
     while let Ok(mut order) = work.recv() {
@@ -82,6 +101,7 @@ fn run(work: &Receiver<Order>, answer: &Sender<Result<Answer, String>>) {
         loop {
             match work.try_recv() {
                 Ok(next @ Order::Trace(_)) if matches!(order, Order::Trace(_)) => order = next,
+                Ok(next @ Order::Count(_)) if matches!(order, Order::Count(_)) => order = next,
                 Ok(next) => {
                     serve(order, &mut device, &mut clipboard, answer);
                     order = next;
@@ -97,11 +117,19 @@ fn serve(
     order: Order,
     device: &mut Option<Gpu>,
     clipboard: &mut Option<arboard::Clipboard>,
-    answer: &Sender<Result<Answer, String>>,
+    Answers { rays: answer, steps }: &Answers,
 ) {
     let fault = match order {
         Order::Trace(job) => trace(*job, device, answer),
         Order::Copy(text) => copy(text, clipboard),
+        Order::Count(scene) => {
+            let counted = opened(device).and_then(|gpu| StepCount::of(gpu, &scene));
+            if counted.is_err() {
+                *device = None;
+            }
+            let _ = steps.send(counted.map_err(|error| error.to_string()));
+            Ok(())
+        }
     };
     if let Err(fault) = fault {
         // Nobody listens once the window is closed.
@@ -150,12 +178,17 @@ fn trace(
 }
 
 fn on_gpu(device: &mut Option<Gpu>, scene: &Scene, ray: Ray) -> Result<crate::physics::trace::Trace, GpuError> {
-    let gpu = match device {
-        Some(gpu) => gpu,
-        none => none.insert(Gpu::headless()?),
-    };
+    let gpu = opened(device)?;
     let traces = RayKernel::new(gpu, scene)?.trace(gpu, scene, &[ray.given()])?;
     traces.into_iter().next().ok_or_else(|| GpuError::Device("it gave no answer".into()))
+}
+
+/// The device, opened at the first use of it.
+fn opened(device: &mut Option<Gpu>) -> Result<&Gpu, GpuError> {
+    Ok(match device {
+        Some(gpu) => gpu,
+        none => none.insert(Gpu::headless()?),
+    })
 }
 
 fn copy(text: String, clipboard: &mut Option<arboard::Clipboard>) -> Result<(), String> {

@@ -1,5 +1,6 @@
 //! The page of the scene: one row for every field of the field table, so that a new field shows by itself.
 
+use super::steps::Steps;
 use crate::flight::keyboard::SceneEditor;
 use crate::scene::{FIELDS, Field, Kind, Range};
 use bevy_egui::egui;
@@ -15,6 +16,9 @@ const VALUE_WIDTH: f32 = 190.0;
 /// Width kept for the button that resets it.
 const RESET_WIDTH: f32 = 36.0;
 
+/// The fields under which it says how many steps that comes to.
+const STEPPED: [&str; 2] = ["method", "quality.max_error_px"];
+
 /// What the page remembers.
 #[derive(Default)]
 pub(super) struct State {
@@ -22,7 +26,7 @@ pub(super) struct State {
     refused: Option<(&'static str, String)>,
 }
 
-pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEditor) {
+pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEditor, steps: &Steps) {
     ui.horizontal(|ui| {
         if ui.button("Reset all").on_hover_text("Everything as it was loaded").clicked() {
             let loaded = editor.loaded().clone();
@@ -51,6 +55,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
                 change = fresh.map(|fresh| (field.key, fresh)).or(change.take());
                 if let Some((_, reason)) = state.refused.as_ref().filter(|(key, _)| *key == field.key) {
                     ui.colored_label(ui.visuals().error_fg_color, reason);
+                }
+                if STEPPED.contains(&field.key) {
+                    ui.weak(steps.in_words()).on_hover_text("What method and error setting come to in this picture");
                 }
             }
         });

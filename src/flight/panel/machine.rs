@@ -100,7 +100,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, machine: &Machine, draw
         ui.label(format!("{} through {}", kind(info.device_type), info.backend));
         ui.label(format!("{} {}", info.driver, info.driver_info));
     }
-    ui.weak("Another one: lightfall --list-gpus, lightfall --gpu NAME");
+    ui.weak("Another one at the next start: lightfall --list-gpus, lightfall --gpu NAME");
     ui.add_space(8.0);
     ui.strong("What this scene needs");
     for (what, how) in state.lines(scene) {

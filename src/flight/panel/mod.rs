@@ -6,6 +6,7 @@ mod machine;
 mod preferences;
 mod presets;
 mod readouts;
+mod steps;
 
 pub use fields::shown_number;
 pub(super) use preferences::Rebinding;
@@ -55,7 +56,7 @@ struct Panel {
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Panel>()
         .init_resource::<Rebinding>()
-        .add_plugins(machine::plugin)
+        .add_plugins((machine::plugin, steps::plugin))
         .add_systems(Update, presets::drop_file)
         .add_systems(EguiPrimaryContextPass, show);
 }
@@ -71,6 +72,7 @@ fn show(
     keys: Res<ButtonInput<KeyCode>>,
     machine: machine::Machine,
     voyage: Res<Voyage>,
+    steps: Res<steps::Steps>,
 ) -> Result {
     if !shown.panel || shown.hidden {
         rebinding.stop();
@@ -93,7 +95,7 @@ fn show(
             rebinding.stop();
         }
         egui::ScrollArea::vertical().id_salt(*page as u8).auto_shrink(false).show(ui, |ui| match page {
-            Page::Scene => fields::show(ui, fields, &mut editor),
+            Page::Scene => fields::show(ui, fields, &mut editor, &steps),
             Page::Presets => presets::show(ui, presets, &mut editor),
             Page::Readouts => {
                 readouts::show(ui, readouts, editor.drawn(), &voyage, &mut preferences.settings);

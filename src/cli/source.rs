@@ -1,0 +1,161 @@
+//! Where scenes and journeys come from: a name, a file, and what overrides single fields.
+
+use super::args::{PresetsCommand, SceneArgs};
+use crate::gpu::{GpuError, GpuScene};
+use crate::report::rays::is_closed_pipe;
+use crate::scene::journey::{self, Journey, JourneyError};
+use crate::scene::{Override, Scene, SceneError, load, presets};
+use std::ffi::OsStr;
+use std::fs::File;
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// Most bytes of a preset file.
+const LONGEST_PRESET: u64 = 1 << 20;
+
+/// Why the command line does not give a scene, or what was asked could not be written.
+#[derive(Debug, Error)]
+pub enum CliError {
+    /// The preset or what overrides it is wrong.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The journey is wrong.
+    #[error(transparent)]
+    Journey(#[from] JourneyError),
+    /// No built-in preset and no file has this name.
+    #[error("--preset {given}: there is no such file, and the presets are {}", all_presets())]
+    UnknownPreset {
+        /// What was given.
+        given: String,
+    },
+    /// A preset file cannot be read.
+    #[error("{}: cannot be read: {error}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+    /// A preset file is longer than any preset.
+    #[error("{}: is longer than {LONGEST_PRESET} bytes; presets and journeys are short TOML texts", path.display())]
+    TooLong {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A preset file is not text.
+    #[error("{}: is not UTF-8 text; presets and journeys are short TOML texts", path.display())]
+    NotText {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A preset whose fields do not go together.
+    #[error("{}: {reason}", path.display())]
+    Undrawable {
+        /// The file.
+        path: PathBuf,
+        /// What does not.
+        reason: String,
+    },
+    /// The answer cannot be written.
+    #[error("standard output: {0}")]
+    Output(io::Error),
+}
+
+impl CliError {
+    /// Exit status: 2 for a bad command line or preset, 1 for any other failure.
+    pub fn exit_code(&self) -> u8 {
+        if matches!(self, Self::Output(_)) { 1 } else { 2 }
+    }
+}
+
+/// The scene that is meant; reads the preset's file where it is one.
+///
+/// # Errors
+/// One sentence that names the file or option and what is wrong with it.
+pub fn scene(args: &SceneArgs) -> Result<Scene, CliError> {
+    let overrides = args.overrides()?;
+    match &args.preset {
+        None => Ok(presets::PRESETS[presets::DEFAULT - 1].scene(&overrides)?),
+        Some(preset) => named(preset, &overrides),
+    }
+}
+
+/// Does what `lightfall presets` is asked for, and answers into `out`.
+///
+/// # Errors
+/// A preset that does not exist, cannot be read or is wrong; or `out` cannot be written. That nobody reads any more is
+/// no error.
+pub fn presets(command: &PresetsCommand, out: &mut impl Write) -> Result<(), CliError> {
+    let answer = match command {
+        PresetsCommand::List => {
+            let mut list = String::new();
+            for preset in presets::PRESETS {
+                list += &format!("{}  {:14} {}\n", preset.number, preset.name, preset.scene(&[])?.title);
+            }
+            list
+        }
+        PresetsCommand::Show { preset, needs } => {
+            let scene = named(preset, &[])?;
+            if *needs { crate::render::needs(&scene) } else { scene.to_preset() }
+        }
+        PresetsCommand::Check { file } => {
+            let scene = from_file(file, &[])?;
+            match GpuScene::for_rays(&scene) {
+                // The reference traces on the CPU, and that is a use of a preset.
+                Ok(_) | Err(GpuError::MethodOfCpu) => {}
+                Err(error) => return Err(CliError::Undrawable { path: file.clone(), reason: error.to_string() }),
+            }
+            format!("{}: ok\n", file.display())
+        }
+    };
+    match out.write_all(answer.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if !is_closed_pipe(&error) => Err(CliError::Output(error)),
+        _ => Ok(()),
+    }
+}
+
+/// The scene of a built-in preset's number or name, else of a file.
+fn named(preset: &OsStr, overrides: &[Override]) -> Result<Scene, CliError> {
+    if let Some(preset) = preset.to_str().and_then(presets::find) {
+        return Ok(preset.scene(overrides)?);
+    }
+    let path = Path::new(preset);
+    let looks_like_a_path = path.components().count() > 1 || path.extension().is_some();
+    if !looks_like_a_path && !path.exists() {
+        return Err(CliError::UnknownPreset { given: preset.display().to_string() });
+    }
+    from_file(path, overrides)
+}
+
+/// The journey of a file, or the built-in one.
+///
+/// # Errors
+/// One sentence that names the file and what is wrong with it.
+pub fn journey(file: Option<&Path>) -> Result<Journey, CliError> {
+    Ok(match file {
+        None => journey::load("the built-in journey", journey::DEFAULT)?,
+        Some(path) => journey::load(&path.display().to_string(), &read_text(path)?)?,
+    })
+}
+
+/// The scene of a preset file.
+fn from_file(path: &Path, overrides: &[Override]) -> Result<Scene, CliError> {
+    Ok(load(&path.display().to_string(), &read_text(path)?, overrides)?)
+}
+
+/// The text of a file that is meant to be a short one.
+fn read_text(path: &Path) -> Result<String, CliError> {
+    let mut bytes = Vec::new();
+    // Bounded, for there are files without an end.
+    let read = File::open(path).and_then(|file| file.take(LONGEST_PRESET + 1).read_to_end(&mut bytes));
+    read.map_err(|error| CliError::Unreadable { path: path.into(), error })?;
+    if bytes.len() as u64 > LONGEST_PRESET {
+        return Err(CliError::TooLong { path: path.into() });
+    }
+    String::from_utf8(bytes).map_err(|_| CliError::NotText { path: path.into() })
+}
+
+fn all_presets() -> String {
+    presets::PRESETS.map(|preset| format!("{} {}", preset.number, preset.name)).join(", ")
+}

@@ -1,0 +1,68 @@
+//! The graphics device is lost while somebody flies.
+
+use crate::changed;
+use crate::desktop::Desktop;
+use bevy::prelude::*;
+use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
+use bevy::render::render_resource::PollType;
+use bevy::render::renderer::RenderDevice;
+use bevy::render::{Render, RenderApp, RenderSystems};
+use lightfall::scene::{journey, presets};
+
+/// Whether the device is to be destroyed in this frame.
+#[derive(Resource, Clone, Default, ExtractResource)]
+struct Destroy(bool);
+
+fn destroy(wanted: If<Res<Destroy>>, device: Res<RenderDevice>) {
+    if wanted.0.0 {
+        // Between two frames: within one, Bevy's own clock of the passes reads a buffer that is gone with the device.
+        device.wgpu_device().destroy();
+        // What this answers is the loss itself.
+        let _ = device.poll(PollType::wait_indefinitely());
+    }
+}
+
+/// The program with one key more: Home destroys the device. No test of its own: the one below starts it as another process,
+/// for a window wants a main thread, and a display of its own.
+#[test]
+#[ignore = "started by the test of device loss"]
+fn program_that_loses_its_device() {
+    let scene = presets::find("2").unwrap().scene(&[]).unwrap();
+    let journey = journey::load("the built-in journey", journey::DEFAULT).unwrap();
+    let mut app = lightfall::flight::program(scene, journey, false);
+    app.init_resource::<Destroy>().add_plugins(ExtractResourcePlugin::<Destroy>::default()).add_systems(
+        Update,
+        |keys: Res<ButtonInput<KeyCode>>, mut destroy: ResMut<Destroy>| {
+            destroy.0 = keys.just_pressed(KeyCode::Home);
+        },
+    );
+    app.sub_app_mut(RenderApp).add_systems(Render, destroy.in_set(RenderSystems::Cleanup));
+    assert_eq!(app.run(), AppExit::Success);
+}
+
+#[test]
+fn a_lost_device_is_replaced_and_the_scene_is_kept() {
+    let program = std::env::current_exe().unwrap();
+    let only =
+        ["--exact", "device_loss::program_that_loses_its_device", "--ignored", "--test-threads=1", "--nocapture"];
+    let Some(mut desktop) = Desktop::open_program(&program, &only) else { return };
+    desktop.settled("first picture", |shot| shot.colours() > 50);
+    // A scene that is not the one it began with, meshes and lamps in it, and a panel over it.
+    desktop.press("6");
+    desktop.press("t");
+    desktop.press("p");
+    let before = desktop.settled("spin and panel", |shot| shot.colours() > 50);
+    for loss in 1..=2 {
+        desktop.press("Home");
+        std::thread::sleep(std::time::Duration::from_secs(1));
+        desktop.settled(&format!("loss {loss}"), |shot| changed(shot, &before) == 0.0);
+        assert_eq!(desktop.said().matches("opening it again").count(), loss, "{}", desktop.said());
+        assert!(desktop.running(), "{}", desktop.said());
+    }
+    // It still does what it is told.
+    desktop.press("F2");
+    desktop.settled("F2", |shot| changed(shot, &before) > 0.05);
+    desktop.press("F2");
+    desktop.settled("F2 again", |shot| changed(shot, &before) == 0.0);
+    assert!(!desktop.said().contains("panicked"), "{}", desktop.said());
+}
