@@ -97,7 +97,7 @@ pub fn program(scene: Scene, journey: Journey, guided: bool) -> App {
 
 /// Where the system does not mind, the program may be run by a thread that is not the first, as tests are.
 fn any_thread() -> WinitPlugin {
-    WinitPlugin { run_on_any_thread: true, ..default() }
+    WinitPlugin { run_on_any_thread: true }
 }
 
 /// The user interface belongs to the screen, at its native resolution, and not to the picture.

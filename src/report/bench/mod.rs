@@ -130,6 +130,7 @@ pub fn subjects() -> Vec<Subject> {
     };
     let twin = Override { option: "--set", key: "hole.spin".into(), value: "0.9".into() };
     let spinning = presets::PRESETS.iter().filter(|preset| preset.number == presets::DEFAULT);
-    let spinning = spinning.filter_map(|found| preset(found, &format!("{}-spinning", found.name), &[twin.clone()]));
+    let spinning =
+        spinning.filter_map(|found| preset(found, &format!("{}-spinning", found.name), std::slice::from_ref(&twin)));
     presets::PRESETS.iter().filter_map(|found| preset(found, found.name, &[])).chain(spinning).collect()
 }
