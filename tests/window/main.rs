@@ -7,6 +7,7 @@ mod desktop;
 mod device_loss;
 mod flights;
 mod inspector;
+mod latency;
 mod safety;
 
 use desktop::{Desktop, Shot};

@@ -22,6 +22,7 @@ impl Steps {
     pub(super) fn in_words(&self) -> String {
         match &self.count {
             None => "steps: being counted".into(),
+            Some(Ok(count)) if count.most == 0 => "solved in closed form, without steps".into(),
             Some(Ok(count)) => {
                 format!("{:.1} steps a ray, {} at most, of {} rays", count.mean, count.most, count.rays)
             }

@@ -1,0 +1,79 @@
+//! How long a hand waits for its picture, in frames of the program itself.
+
+use crate::desktop::Desktop;
+use crate::{HINT, WINDOW};
+use bevy::diagnostic::FrameCount;
+use bevy::prelude::*;
+use bevy::render::view::window::screenshot::{Screenshot, ScreenshotCaptured};
+use lightfall::scene::{journey, presets};
+
+/// What the window showed before.
+#[derive(Resource, Default)]
+struct Before(Option<Vec<u8>>);
+
+/// The frame in which the key came.
+#[derive(Resource, Default)]
+struct Pressed(u32);
+
+/// Home keeps the window's picture; from the key for more light on, each frame is held against it.
+fn watch(
+    mut commands: Commands,
+    keys: Res<ButtonInput<KeyCode>>,
+    frame: Res<FrameCount>,
+    before: Res<Before>,
+    mut pressed: ResMut<Pressed>,
+) {
+    if keys.just_pressed(KeyCode::Home) {
+        commands.spawn(Screenshot::primary_window()).observe(
+            |shot: On<ScreenshotCaptured>, mut before: ResMut<Before>| {
+                before.0.clone_from(&shot.image.data);
+                eprintln!("kept");
+            },
+        );
+    }
+    if keys.just_pressed(KeyCode::Equal) {
+        pressed.0 = frame.0;
+    }
+    let later = frame.0 - pressed.0;
+    if pressed.0 > 0 && later < 4 && before.0.is_some() {
+        commands.spawn(Screenshot::primary_window()).observe(
+            move |shot: On<ScreenshotCaptured>, before: Res<Before>| {
+                let same = picture(shot.image.data.as_deref()) == picture(before.0.as_deref());
+                eprintln!("frame {later}: {}", if same { "as before" } else { "changed" });
+            },
+        );
+    }
+}
+
+/// The upper rows of the window, without the lines of text at the bottom.
+fn picture(window: Option<&[u8]>) -> Option<&[u8]> {
+    window.map(|bytes| &bytes[..bytes.len() / WINDOW.1 * (WINDOW.1 - 2 * HINT)])
+}
+
+/// The program, with [`watch`]. No test of its own: the one below starts it as another process.
+#[test]
+#[ignore = "started by the test of latency"]
+fn program_that_watches_its_frames() {
+    let scene = presets::find("2").unwrap().scene(&[]).unwrap();
+    let journey = journey::load("the built-in journey", journey::DEFAULT).unwrap();
+    let mut app = lightfall::flight::program(scene, journey, false);
+    app.init_resource::<Before>().init_resource::<Pressed>().add_systems(Update, watch);
+    assert_eq!(app.run(), AppExit::Success);
+}
+
+#[test]
+fn a_key_is_in_the_picture_of_the_same_frame_or_the_next() {
+    let program = std::env::current_exe().unwrap();
+    let only = ["--exact", "latency::program_that_watches_its_frames", "--ignored", "--test-threads=1", "--nocapture"];
+    let Some(desktop) = Desktop::open_program(&program, &only) else { return };
+    desktop.settled("first picture", |shot| shot.colours() > 50);
+    desktop.press("Home");
+    let before = desktop.settled("kept", |_| desktop.said().contains("kept"));
+    desktop.press("equal");
+    desktop.settled("more light", |shot| *shot != before && desktop.said().contains("frame 3"));
+    let said = desktop.said();
+    println!("{said}");
+    // The screen shows a frame while the program works on the next one: in frame 0 or 1 is on the screen within two frames.
+    let first = (0..4).find(|frame| said.contains(&format!("frame {frame}: changed")));
+    assert!(first.is_some_and(|frame| frame <= 1), "the key was first seen in frame {first:?} after it: {said}");
+}
