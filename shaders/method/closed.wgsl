@@ -109,8 +109,9 @@ fn crossing_direction(n: vec3<f32>, tangent: vec3<f32>, side: f32) -> vec3<f32> 
     if !AZIMUTH {
         return vec3<f32>(1.0, 0.0, 0.0);
     }
-    return (side * inverseSqrt(max(n.z * n.z + tangent.z * tangent.z, TINY)))
-        * (vec3<f32>(-tangent.z * n.xy + n.z * tangent.xy, 0.0));
+    // By the larger first, for a tilt may be so small that its square is nothing.
+    let tilt = vec2<f32>(n.z, tangent.z) / max(max(abs(n.z), abs(tangent.z)), TINY);
+    return (side * inverseSqrt(max(dot(tilt, tilt), TINY))) * (vec3<f32>(-tilt.y * n.xy + tilt.x * tangent.xy, 0.0));
 }
 
 fn trace(photon: Photon) -> Trace {

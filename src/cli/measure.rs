@@ -62,13 +62,13 @@ pub struct ExtremesArgs {
     /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace the scene]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = method)]
     pub methods: Vec<Method>,
-    /// Rays of a cell
+    /// Rays of a cell, from 16
     #[arg(long, value_name = "N", default_value_t = 96, value_parser = clap::value_parser!(u32).range(16..=100_000))]
     pub rays: u32,
-    /// Instead of the extremes: a grid of ordinary places, six spins, nine radii, five inclinations
+    /// Instead of the extremes: a grid of ordinary places, of spins, radii and inclinations
     #[arg(long, conflicts_with = "hunt")]
     pub grid: bool,
-    /// Instead of the matrix: trace N rays through random scenes by `auto`'s methods, and tell the worst
+    /// Instead of the matrix: trace N rays through random scenes by `auto`'s methods, and tell the worst; 2000 a scene
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000_000))]
     pub hunt: Option<u32>,
     /// Where the random numbers of the hunt begin: the same seed finds the same rays

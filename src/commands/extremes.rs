@@ -44,7 +44,7 @@ pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     let failing = verdicts.iter().filter(|verdict| solved(verdict.method) && !verdict.holds).count();
     let own = verdicts.iter().filter(|verdict| solved(verdict.method)).count();
     eprintln!("lightfall: closed and mino hold {} of their {own} cells", own - failing);
-    if failing > 0 { Err(Stop(1, format!("{failing} cells do not hold, see the table"))) } else { Ok(()) }
+    if failing > 0 { Err(Stop(1, format!("cells that do not hold: {failing}; see the table"))) } else { Ok(()) }
 }
 
 fn hunt(gpu: &Gpu, hunt: &Hunt, as_json: bool) -> Result<(), Stop> {

@@ -14,7 +14,6 @@ use lightfall::report::bench::Circumstances;
 use lightfall::report::rays::is_closed_pipe;
 use std::io::{self, Write};
 use std::path::Path;
-use std::process::Command;
 
 /// A bar on standard error with what is being done and the time that is left; silent where nobody watches.
 fn progress(length: usize) -> ProgressBar {
@@ -35,18 +34,11 @@ fn circumstances(gpu: &Gpu, size: String, entry: &str) -> Circumstances {
     }
 }
 
-/// The revision of the sources: what LIGHTFALL_COMMIT says, for a program that was carried elsewhere, else what git says where
-/// it and the sources are at hand.
+/// The revision of the sources, where who runs the program says it in LIGHTFALL_COMMIT; else the version. Sources that lie
+/// about may be others than those that the program was built from, so they are not asked.
 fn commit() -> String {
-    if let Some(commit) = std::env::var("LIGHTFALL_COMMIT").ok().filter(|commit| !commit.is_empty()) {
-        return commit;
-    }
-    let described = Command::new("git")
-        .args(["-C", env!("CARGO_MANIFEST_DIR"), "describe", "--always", "--dirty", "--abbrev=12"])
-        .output();
-    let described = described.ok().filter(|output| output.status.success());
-    let text = described.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
-    text.filter(|text| !text.is_empty()).unwrap_or_else(|| format!("version {}", env!("CARGO_PKG_VERSION")))
+    let said = std::env::var("LIGHTFALL_COMMIT").ok().filter(|commit| !commit.is_empty());
+    said.unwrap_or_else(|| format!("version {}", env!("CARGO_PKG_VERSION")))
 }
 
 /// The command line, with the program's own name first.

@@ -208,13 +208,17 @@ pub(super) fn of_class(eye: &Eye, ray: &Ray, given: &Trace) -> f64 {
     let same_toward = |spoke: u32, turn: f64| same(&eye.trace(toward(spoke, turn)));
     let mut ring = NEAREST_RING;
     while ring < f64::min(FARTHEST_RING, on_lines) {
-        if let Some(spoke) = (0..SPOKES).find(|spoke| same_toward(*spoke, ring)) {
+        let bisected = |spoke: u32| {
             let mut bracket = [ring / RING_FACTOR, ring];
             for _ in 0..BISECTIONS {
                 let middle = (bracket[0] * bracket[1]).sqrt();
                 bracket[usize::from(same_toward(spoke, middle))] = middle;
             }
-            return bracket[1].min(on_lines);
+            bracket[1]
+        };
+        let nearest = (0..SPOKES).filter(|spoke| same_toward(*spoke, ring)).map(bisected).fold(f64::INFINITY, f64::min);
+        if nearest.is_finite() {
+            return nearest.min(on_lines);
         }
         ring *= RING_FACTOR;
     }

@@ -115,7 +115,7 @@ impl Found {
         let [v_r, v_theta, v_phi] = observer.velocity;
         format!(
             "echo {x:?},{y:?},{z:?} | lightfall trace --rays - --method {} --spin {:?} --set camera.r={:?} \
-             --set camera.theta_deg={:?} --set observer.kind={kind} --set observer.velocity=[{v_r:?},{v_theta:?},{v_phi:?}] \
+             --set camera.theta_deg={:?} --set observer.kind={kind} --set 'observer.velocity=[{v_r:?},{v_theta:?},{v_phi:?}]' \
              --set disk.inner={:?} --set disk.outer={:?}",
             method.name(),
             hole.spin,
