@@ -1,4 +1,5 @@
-// The picture: pixel -> photon -> trace -> light or, in a diagnostic view, the colour of a mark (view/). A triangle at the
+// The picture: pixel -> photon -> trace -> light or, in a diagnostic view, the colour of a mark (view/; view/traced.wgsl
+// goes this way, view/error.wgsl reads a table instead). A triangle at the
 // far plane covers the picture, so the depth test lets only those pixels through that nothing stands in front of.
 
 @vertex
@@ -19,7 +20,7 @@ fn mark(colour: vec3<f32>) -> vec3<f32> {
 
 @fragment
 fn fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
-    let light = light_along(photon_from(pixel_direction(position.xy)));
+    let light = light_at(position.xy);
     // A comparison with what is not a number is false, so none can leave here.
     return vec4<f32>(select(vec3<f32>(0.0), min(light, vec3<f32>(BRIGHTEST)), light > vec3<f32>(0.0)), 1.0);
 }

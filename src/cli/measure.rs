@@ -26,7 +26,7 @@ pub struct BenchArgs {
     /// Entry of the shader that is timed
     #[arg(long, value_enum, default_value_t = EntryArg::Compute)]
     pub entry: EntryArg,
-    /// Rays whose error is measured in each scene [default: 8192, with --quick 1024]
+    /// Rays whose error is measured in each scene [default: 8192, with --quick 512]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(16..=1_000_000))]
     pub rays: Option<u32>,
     /// Few settings, few rays, small pictures: under a minute even without a graphics card
@@ -65,6 +65,9 @@ pub struct ExtremesArgs {
     /// Rays of a cell
     #[arg(long, value_name = "N", default_value_t = 96, value_parser = clap::value_parser!(u32).range(16..=100_000))]
     pub rays: u32,
+    /// Instead of the extremes: a grid of ordinary places, six spins, nine radii, five inclinations
+    #[arg(long, conflicts_with = "hunt")]
+    pub grid: bool,
     /// Instead of the matrix: trace N rays through random scenes by `auto`'s methods, and tell the worst
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000_000))]
     pub hunt: Option<u32>,

@@ -5,7 +5,7 @@ use crate::{Stop, failed};
 use lightfall::cli::ExtremesArgs;
 use lightfall::gpu::Gpu;
 use lightfall::report::bench::{csv, json};
-use lightfall::report::extremes::{Found, Hunt, cells, markdown, run, verdicts};
+use lightfall::report::extremes::{Found, Hunt, cells, grid, markdown, run, verdicts};
 use lightfall::scene::Method;
 
 /// The worst rays of a hunt that are told, whether they are within their bar or not.
@@ -23,7 +23,7 @@ pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     let bar = progress(1);
     bar.set_message("looking for the shadows' edges");
     bar.tick();
-    let cells = cells(args.rays as usize);
+    let cells = if args.grid { grid } else { cells }(args.rays as usize);
     bar.set_length(verdicts(&cells, methods) as u64);
     let measured = run(&gpu, &cells, methods, |verdict| {
         bar.set_message(format!("{}: {}, {}", verdict.group, verdict.cell, verdict.method));

@@ -35,8 +35,12 @@ fn circumstances(gpu: &Gpu, size: String, entry: &str) -> Circumstances {
     }
 }
 
-/// The revision of the sources, where they and git are at hand.
+/// The revision of the sources: what LIGHTFALL_COMMIT says, for a program that was carried elsewhere, else what git says where
+/// it and the sources are at hand.
 fn commit() -> String {
+    if let Some(commit) = std::env::var("LIGHTFALL_COMMIT").ok().filter(|commit| !commit.is_empty()) {
+        return commit;
+    }
     let described = Command::new("git")
         .args(["-C", env!("CARGO_MANIFEST_DIR"), "describe", "--always", "--dirty", "--abbrev=12"])
         .output();

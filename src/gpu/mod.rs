@@ -2,6 +2,7 @@
 //! traces out.
 
 mod device;
+mod errors;
 pub mod kernel;
 pub mod rays;
 mod scene;
@@ -9,6 +10,7 @@ mod shader;
 pub mod timing;
 
 pub use device::{Gpu, adapters, backends, check_adapter};
+pub use errors::{ERROR_GRID, ErrorCells};
 pub use scene::{DISK_HDR_SCALE, GpuScene};
 pub use shader::{Entry, Tracer, Variant};
 

@@ -105,7 +105,7 @@ impl Variant {
             spinning: scene.hole.spin != 0.0,
             near_horizon: scene.hole.spin != 0.0
                 && scene.camera.r < NEAR_HORIZON * Kerr { spin: scene.hole.spin }.horizon(),
-            disk: scene.disk.enabled,
+            disk: scene.disk.enabled && traces(scene.view),
             disk_model: if scene.disk.enabled && !marks { scene.disk.model } else { DiskModel::default() },
             sky,
             reference_star: scene.sky.reference_star && sky != SkyMode::Off,
@@ -128,7 +128,7 @@ impl Variant {
             effects: Effects { beaming: true, ..scene.effects },
             most_hits: 2,
             follow_beyond_hits: true,
-            ..Self::picture(scene)
+            ..Self::picture(&Scene { view: View::Colour, ..scene.clone() })
         }
     }
 
@@ -212,15 +212,9 @@ impl Variant {
 
     /// The parts in their order.
     fn parts(self) -> Vec<Part> {
-        let mut parts =
-            vec![part!("scene.wgsl"), part!("elementary.wgsl"), part!("observer.wgsl"), part!("shift.wgsl")];
-        parts.push(if self.disk { part!("disk.wgsl") } else { part!("disk/none.wgsl") });
-        match self.tracer {
-            Tracer::Verlet => parts.push(part!("method/verlet.wgsl")),
-            Tracer::Straight => parts.push(part!("method/straight.wgsl")),
-            Tracer::Closed => parts.extend([part!("elliptic.wgsl"), part!("method/closed.wgsl")]),
-            Tracer::Mino => parts.push(part!("method/mino.wgsl")),
-            Tracer::KerrSchild => parts.push(part!("method/kerr_schild.wgsl")),
+        let mut parts = vec![part!("scene.wgsl")];
+        if traces(self.view) {
+            parts.extend(self.tracing());
         }
         match self.entry {
             Entry::Rays => parts.push(part!("rays.wgsl")),
@@ -248,9 +242,27 @@ impl Variant {
                     View::Residual => part!("view/residual.wgsl"),
                     View::Order => part!("view/order.wgsl"),
                     View::Redshift => part!("view/redshift.wgsl"),
+                    View::Error => part!("view/error.wgsl"),
                 });
+                if traces(self.view) {
+                    parts.push(part!("view/traced.wgsl"));
+                }
                 parts.push(part!("geodesic.wgsl"));
             }
+        }
+        parts
+    }
+
+    /// The parts that trace a ray.
+    fn tracing(self) -> Vec<Part> {
+        let mut parts = vec![part!("elementary.wgsl"), part!("observer.wgsl"), part!("shift.wgsl")];
+        parts.push(if self.disk { part!("disk.wgsl") } else { part!("disk/none.wgsl") });
+        match self.tracer {
+            Tracer::Verlet => parts.push(part!("method/verlet.wgsl")),
+            Tracer::Straight => parts.push(part!("method/straight.wgsl")),
+            Tracer::Closed => parts.extend([part!("elliptic.wgsl"), part!("method/closed.wgsl")]),
+            Tracer::Mino => parts.push(part!("method/mino.wgsl")),
+            Tracer::KerrSchild => parts.push(part!("method/kerr_schild.wgsl")),
         }
         parts
     }
@@ -264,4 +276,9 @@ impl Variant {
 /// Whether a view shows the light of disk and sky, and not the colours of marks.
 fn shows_light(view: View) -> bool {
     matches!(view, View::Colour | View::Unfinished)
+}
+
+/// Whether a view shows what its shader traces, and not what was worked out before.
+fn traces(view: View) -> bool {
+    view != View::Error
 }

@@ -2,7 +2,7 @@
 
 use super::PictureError;
 use crate::gpu::GpuScene;
-use crate::render::{AlwaysDraw, CurrentScene, LightfallRenderPlugin, is_drawn, render_plugin};
+use crate::render::{AlwaysDraw, AwaitErrors, CurrentScene, LightfallRenderPlugin, is_drawn, render_plugin};
 use crate::scene::Scene;
 use bevy::app::PluginsState;
 use bevy::asset::RenderAssetUsages;
@@ -190,6 +190,7 @@ fn headless(scene: &Scene, size: UVec2, timed: bool) -> Result<App, PictureError
     let output = app.world_mut().resource_mut::<Assets<Image>>().add(image);
     app.insert_resource(Output(output.clone()))
         .init_resource::<Finished>()
+        .insert_resource(AwaitErrors(true))
         .add_plugins(LightfallRenderPlugin { scene: scene.clone(), target: RenderTarget::Image(output.into()) });
     app.finish();
     app.cleanup();

@@ -1,10 +1,12 @@
 //! The geodesic pass: a fullscreen triangle at the far plane, so that the depth test lets only uncovered pixels through.
 
 use super::chain::Chain;
+use super::errors::Errors;
 use super::kept::Sight;
 use super::{CurrentScene, Eye};
-use crate::gpu::{GpuScene, Variant};
+use crate::gpu::{ErrorCells, GpuScene, Variant};
 use crate::physics::{disk, spectrum};
+use crate::scene::View;
 use bevy::asset::AssetEventSystems;
 use bevy::core_pipeline::core_3d::{CORE_3D_DEPTH_FORMAT, main_opaque_pass_3d, main_transparent_pass_3d};
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
@@ -52,6 +54,8 @@ pub(super) struct GeodesicPass {
     spectrum: Buffer,
     /// The relativistic disk's flux; always bound, read by the variants that need it.
     page_thorne: Buffer,
+    /// The grid of the view `error`; likewise.
+    errors: Buffer,
     numbers: UniformBuffer<GpuScene>,
     pipelines: HashMap<(AssetId<Shader>, u32), CachedRenderPipelineId>,
     /// The pipeline of the scene whose numbers are in the buffer.
@@ -132,12 +136,17 @@ fn init(mut commands: Commands, device: Res<RenderDevice>, sight: Option<Res<Sig
         contents: &table,
         usage: BufferUsages::UNIFORM,
     });
-    let page_thorne = device.create_buffer(&BufferDescriptor {
-        label: Some("Page-Thorne table"),
-        size: size_of::<[[f32; 4]; disk::TABLE_LEN]>() as u64,
-        usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    });
+    let uniform = |label, size: usize| {
+        let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
+        device.create_buffer(&BufferDescriptor {
+            label: Some(label),
+            size: size as u64,
+            usage,
+            mapped_at_creation: false,
+        })
+    };
+    let page_thorne = uniform("Page-Thorne table", size_of::<[[f32; 4]; disk::TABLE_LEN]>());
+    let errors = uniform("grid of errors", ErrorCells::SIZE);
     let layout = BindGroupLayoutDescriptor::new(
         "geodesic layout",
         &BindGroupLayoutEntries::with_indices(
@@ -146,6 +155,7 @@ fn init(mut commands: Commands, device: Res<RenderDevice>, sight: Option<Res<Sig
                 (0, uniform_buffer::<GpuScene>(false)),
                 (1, uniform_buffer_sized(false, BufferSize::new(spectrum.size()))),
                 (4, uniform_buffer_sized(false, BufferSize::new(page_thorne.size()))),
+                (5, uniform_buffer_sized(false, BufferSize::new(errors.size()))),
             ),
         ),
     );
@@ -153,6 +163,7 @@ fn init(mut commands: Commands, device: Res<RenderDevice>, sight: Option<Res<Sig
         layout,
         spectrum,
         page_thorne,
+        errors,
         numbers: UniformBuffer::from(GpuScene::default()),
         pipelines: HashMap::default(),
         current: None,
@@ -167,15 +178,27 @@ fn init(mut commands: Commands, device: Res<RenderDevice>, sight: Option<Res<Sig
 fn prepare(
     scene: Res<CurrentScene>,
     shader: Option<Res<GeodesicShader>>,
+    known: Res<Errors>,
     pass: Option<ResMut<GeodesicPass>>,
     cache: Res<PipelineCache>,
     device: Res<RenderDevice>,
     queue: Res<RenderQueue>,
 ) {
     let (Some(shader), Some(mut pass)) = (shader, pass) else { return };
-    let GeodesicPass { layout, spectrum, page_thorne, numbers, pipelines, current, samples, bind_group, stale, drew } =
-        &mut *pass;
-    *stale |= scene.is_changed();
+    let GeodesicPass {
+        layout,
+        spectrum,
+        page_thorne,
+        errors,
+        numbers,
+        pipelines,
+        current,
+        samples,
+        bind_group,
+        stale,
+        drew,
+    } = &mut *pass;
+    *stale |= scene.is_changed() || known.is_changed();
     *drew = false;
     let wanted = *pipelines.entry((shader.shader.id(), shader.samples)).or_insert_with(|| {
         cache.queue_render_pipeline(descriptor(layout.clone(), shader.shader.clone(), shader.samples))
@@ -197,6 +220,9 @@ fn prepare(
     if let disk::Profile::PageThorne(disk) = disk::Profile::new(&scene) {
         queue.write_buffer(page_thorne, 0, &bytes(&disk.table()));
     }
+    if scene.view == View::Error {
+        queue.write_buffer(errors, 0, &known.cells.bytes());
+    }
     (*stale, *current, *samples) = (false, Some(wanted), shader.samples);
     if bind_group.is_none()
         && let Some(numbers) = numbers.binding()
@@ -208,6 +234,7 @@ fn prepare(
                 (0, numbers),
                 (1, spectrum.as_entire_binding()),
                 (4, page_thorne.as_entire_binding()),
+                (5, errors.as_entire_binding()),
             )),
         ));
     }

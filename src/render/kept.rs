@@ -6,9 +6,10 @@
 //! rest: until then the last picture stays, whole and of one scene.
 
 use super::chain::Chain;
+use super::errors::{self, Errors};
 use super::geodesic::{GeodesicPass, GeodesicShader, join_shader};
 use super::{CurrentScene, Eye};
-use crate::scene::Scene;
+use crate::scene::{Scene, View};
 use bevy::camera::CameraUpdateSystems;
 use bevy::prelude::*;
 use bevy::render::camera::ExtractedCamera;
@@ -56,7 +57,7 @@ pub(super) fn plugin(app: &mut App) {
     app.init_resource::<AlwaysDraw>()
         .insert_resource(sight)
         .add_plugins(ExtractResourcePlugin::<Sight>::default())
-        .add_systems(PostUpdate, look.after(join_shader).before(CameraUpdateSystems));
+        .add_systems(PostUpdate, look.after(join_shader).after(errors::follow).before(CameraUpdateSystems));
     let Some(render_app) = app.get_sub_app_mut(RenderApp) else { return };
     render_app.add_systems(Render, confirm.in_set(RenderSystems::Cleanup));
 }
@@ -78,6 +79,7 @@ fn seen(scene: &Scene) -> Scene {
 fn look(
     scene: Res<CurrentScene>,
     shader: Res<GeodesicShader>,
+    errors: Res<Errors>,
     always: Res<AlwaysDraw>,
     mut sight: ResMut<Sight>,
     mut kept_any: Local<bool>,
@@ -85,7 +87,8 @@ fn look(
 ) {
     *kept_any |= sight.is_drawn();
     // What writes the scene may have written what was there already.
-    if scene.is_changed() && sight.scene != seen(&scene) {
+    let other = scene.is_changed() && sight.scene != seen(&scene);
+    if other || errors.is_changed() && scene.view == View::Error {
         *sight = Sight::new(&scene);
     }
     // Before there is anything to keep, the eye looks into the dark, so that the other passes' pipelines are made, too.

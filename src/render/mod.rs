@@ -3,7 +3,7 @@
 //! ```text
 //! eye camera (Core3d, HDR picture size, Rgba16Float, no output of its own; kept.rs: at rest while nothing changes)
 //!   probe.rs         main_opaque_pass_3d     the foreground craft, with depth
-//!   geodesic.rs      GEODESIC                traced light where depth is zero
+//!   geodesic.rs      GEODESIC                traced light where depth is zero (errors.rs: what the view `error` shows)
 //!                    main_transparent_pass_3d
 //!   eye.rs           bloom -> tonemapping    Bevy's own
 //! screen camera (Core2d, window or still)
@@ -13,6 +13,7 @@
 //! ```
 
 mod chain;
+mod errors;
 mod eye;
 mod geodesic;
 mod kept;
@@ -22,6 +23,7 @@ mod probe;
 pub mod recovery;
 
 pub use chain::{Chain, Written};
+pub use errors::AwaitErrors;
 pub use eye::{Eye, Screen};
 pub use kept::AlwaysDraw;
 pub use needs::needs;
@@ -52,7 +54,7 @@ impl Plugin for LightfallRenderPlugin {
             .insert_resource(ClearColor(Color::BLACK))
             .add_plugins(ExtractResourcePlugin::<CurrentScene>::default())
             .add_plugins((eye::EyePlugin { target: self.target.clone() }, probe::plugin))
-            .add_plugins((geodesic::plugin, kept::plugin, presentation::plugin));
+            .add_plugins((geodesic::plugin, errors::plugin, kept::plugin, presentation::plugin));
     }
 }
 
@@ -69,7 +71,7 @@ fn wgpu_settings() -> WgpuSettings {
 /// Whether the whole of the present scene has been drawn, asked after an update. An error names what failed.
 ///
 /// # Errors
-/// A pipeline that could not be made: a shader error, or a limit of the device.
+/// A pipeline that could not be made: a shader error, or a limit of the device. Errors that could not be worked out.
 pub fn is_drawn(app: &App) -> Result<bool, String> {
     use bevy::render::{RenderApp, render_resource::CachedPipelineState, render_resource::PipelineCache};
     let Some(cache) = app.get_sub_app(RenderApp).and_then(|render| render.world().get_resource::<PipelineCache>())
@@ -83,5 +85,13 @@ pub fn is_drawn(app: &App) -> Result<bool, String> {
             return Err(format!("a render pipeline could not be made: {error}"));
         }
     }
-    Ok(app.world().get_resource::<kept::Sight>().is_some_and(kept::Sight::is_drawn))
+    let world = app.world();
+    let (Some(scene), Some(work), Some(sight)) = (
+        world.get_resource::<CurrentScene>(),
+        world.get_resource::<errors::Work>(),
+        world.get_resource::<kept::Sight>(),
+    ) else {
+        return Ok(false);
+    };
+    Ok(work.is_done(scene)? && sight.is_drawn())
 }

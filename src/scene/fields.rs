@@ -174,7 +174,7 @@ pub const FIELDS: &[Field] = &[
     choice("method", &["auto", "verlet", "closed", "mino", "kerr-schild", "reference"], "How light is traced"),
     choice(
         "view",
-        &["colour", "unfinished", "classes", "residual", "order", "redshift"],
+        &["colour", "unfinished", "classes", "residual", "order", "redshift", "error"],
         "What is shown: the light, the light with rays without an answer in magenta, or a diagnostic",
     ),
     float(

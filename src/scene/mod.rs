@@ -78,12 +78,14 @@ pub enum View {
     Order,
     /// Observed over emitted frequency of what is seen first, disk or sky.
     Redshift,
+    /// Backward error against the reference, in pixels, on a coarse grid.
+    Error,
 }
 
 impl View {
     /// Every view.
-    pub const ALL: [Self; 6] =
-        [Self::Colour, Self::Unfinished, Self::Classes, Self::Residual, Self::Order, Self::Redshift];
+    pub const ALL: [Self; 7] =
+        [Self::Colour, Self::Unfinished, Self::Classes, Self::Residual, Self::Order, Self::Redshift, Self::Error];
 }
 
 /// The black hole; its Schwarzschild radius is the unit of length.

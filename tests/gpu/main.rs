@@ -9,6 +9,7 @@ mod disk;
 mod effects;
 mod elementary;
 mod elliptic;
+mod errors;
 mod inside;
 mod kerr_schild;
 mod layout;

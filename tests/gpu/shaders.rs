@@ -67,5 +67,9 @@ fn what_a_scene_does_not_need_is_not_in_its_text() {
         let relativistic = variant.disk_model == lightfall::scene::DiskModel::PageThorne;
         assert_eq!(source.contains("var<uniform> page_thorne"), relativistic, "{variant:?}");
         assert!(!relativistic || pictures && variant.disk, "{variant:?}");
+        // What shows errors that are known already traces nothing.
+        let traces = !pictures || variant.view != View::Error;
+        assert_eq!(source.contains("fn trace("), traces, "{variant:?}");
+        assert_eq!(source.contains("var<uniform> errors"), !traces, "{variant:?}");
     }
 }

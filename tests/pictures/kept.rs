@@ -42,10 +42,11 @@ const OF_NUMBERS: [(&str, fn(&mut Scene)); 20] = [
 ];
 
 /// Changes for which a pipeline is made when they are asked for first.
-const OF_PIPELINES: [(&str, fn(&mut Scene)); 9] = [
+const OF_PIPELINES: [(&str, fn(&mut Scene)); 10] = [
     ("hole.spin", |scene| scene.hole.spin = 0.9),
     ("method", |scene| scene.method = Method::Verlet),
     ("view", |scene| scene.view = View::Order),
+    ("view, of errors", |scene| scene.view = View::Error),
     ("effects.lensing", |scene| scene.effects.lensing = false),
     ("disk.enabled", |scene| scene.disk.enabled = false),
     ("disk.model", |scene| scene.disk.model = DiskModel::PageThorne),
@@ -211,4 +212,29 @@ fn the_passes_that_run_are_those_that_the_chain_names_and_a_still_frame_traces_n
         assert_eq!(ran(|pass| pass.median_ms), named(&chain.passes()), "{what}, drawn");
         assert_eq!(ran(|pass| pass.kept_ms), named(chain.kept_passes()), "{what}, kept");
     }
+}
+
+#[test]
+fn a_picture_of_errors_is_worked_out_anew_when_rays_change_and_not_when_only_light_does() {
+    if gpu().is_none() {
+        return;
+    }
+    let mut scene = small();
+    (scene.view, scene.method, scene.probe.enabled) = (View::Error, Method::Verlet, false);
+    let mut studio = Studio::open(&scene, SIZE).unwrap();
+    let first = studio.picture().unwrap().rgb;
+    // Marks show no light of the disk and of the sky.
+    (scene.disk.temperature_k, scene.sky.mode) = (9000.0, SkyMode::Off);
+    studio.show(&scene);
+    assert!(studio.picture().unwrap().rgb == first, "light changed the errors");
+    studio.settle().unwrap();
+    scene.camera.r = 30.0;
+    studio.show(&scene);
+    let moved = studio.picture().unwrap().rgb;
+    assert!(moved != first, "the errors of another place are the same");
+    assert!(moved == render(&scene, SIZE).unwrap().rgb, "the next frame is not the moved scene's");
+    studio.settle().unwrap();
+    scene.quality.step_scale = 0.5;
+    studio.show(&scene);
+    assert!(studio.picture().unwrap().rgb == render(&scene, SIZE).unwrap().rgb, "the errors of other steps");
 }

@@ -8,7 +8,7 @@ mod kept;
 use adapter::gpu;
 use glam::{DVec2, UVec2};
 use lightfall::picture::{Still, check_path, render, write_png};
-use lightfall::scene::{Scene, SkyMode, presets};
+use lightfall::scene::{Method, Scene, SkyMode, View, presets};
 
 fn preset(number: usize) -> Scene {
     presets::find(&number.to_string()).unwrap().scene(&[]).unwrap()
@@ -57,6 +57,21 @@ fn the_shadow_has_the_area_that_theory_gives() {
     let expected = alpha.tan() * pixels_per_unit;
     // The edge itself is exact; pixels count whole, and faint light beside it may be rounded to black: 2 pixels.
     assert!((radius - expected).abs() < 2.0, "radius {radius} pixels, theory {expected}");
+}
+
+#[test]
+fn a_stepping_methods_errors_are_brighter_than_those_of_the_closed_form() {
+    if gpu().is_none() {
+        return;
+    }
+    let light = |method: Method| {
+        let (scene, size) = plain(Scene { view: View::Error, method, ..preset(2) });
+        mean(&render(&scene, size).unwrap(), 0..size.x, 0..size.y)
+    };
+    let (verlet, closed) = (light(Method::Verlet), light(Method::Closed));
+    // A hundredth of a pixel and more against less than a thousandth: more than a quarter of the scale, which is even in
+    // lightness, and so at least four times the light.
+    assert!(closed > 0.0 && verlet > 4.0 * closed, "verlet {verlet}, closed {closed}");
 }
 
 #[test]

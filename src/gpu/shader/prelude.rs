@@ -1,6 +1,7 @@
 //! The constants at the top of a variant: its flags, and what its parts must share with the CPU.
 
-use super::{Entry, Variant};
+use super::{Entry, Variant, traces};
+use crate::gpu::ErrorCells;
 use crate::physics::disk;
 use crate::physics::spectrum::{TABLE_COLDEST, TABLE_HOTTEST, TABLE_LEN};
 use crate::scene::{SkyMode, View};
@@ -33,6 +34,11 @@ impl Variant {
         let mut text = String::new();
         for (name, value) in self.flags() {
             constant(&mut text, name, "bool", value);
+        }
+        if !traces(self.view) {
+            for (name, kind, value) in ErrorCells::constants() {
+                constant(&mut text, name, kind, value);
+            }
         }
         constant(&mut text, "MOST_HITS", "u32", format!("{}u", self.most_hits));
         constant(&mut text, "PAGE_THORNE_LEN", "u32", format!("{}u", disk::TABLE_LEN));

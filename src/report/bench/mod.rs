@@ -65,7 +65,7 @@ impl Plan {
                 least_runs: if quick { 3 } else { 5 },
                 longest: Duration::from_millis(if quick { 30 } else { 300 }),
             },
-            rays: if quick { 1024 } else { 8192 },
+            rays: if quick { 512 } else { 8192 },
             few_settings: quick,
         }
     }

@@ -1,9 +1,9 @@
 //! The backward error: by how much a ray must be turned for the reference to give the method's answer, up to an angle no
 //! greater than that turn.
 
-use super::edge::Edge;
+use super::chart::Chart;
 use super::sample::Ray;
-use super::{Eye, angle_between, hits};
+use super::{Eye, hits};
 use crate::physics::trace::{Hit, Trace};
 use glam::{DMat2, DVec2, DVec3};
 use std::f64::consts::TAU;
@@ -19,10 +19,14 @@ const SETTLED: f64 = 1e-6;
 /// explanation may not be the nearest.
 const NEAR: f64 = 0.1;
 const FAR: f64 = 3.0;
-/// How far the search for other numbers of turns goes: toward the edge, in powers of e of the distance to it, and in all, in
-/// tenths of that.
-const SCANNED_INWARD: f64 = 6.0;
-const SCANNED: u32 = 160;
+/// A backward error so large, and a forward one so much larger, are worth a search for the edge.
+const LEAST_WORTH: f64 = 1e-6;
+const AMPLIFIED: f64 = 30.0;
+/// Steps of the sky along the line toward the edge: for a direction on it, and for the narrow image of a ring of the disk.
+const SKY_STEP: f64 = 0.2;
+const FINE_SKY_STEP: f64 = 0.01;
+/// The places on the line toward the edge where an answer is missed least, and which are looked at closer.
+const MOST_DIPS: usize = 5;
 /// Rings and spokes of the search for another class, and the factor between rings.
 const SPOKES: u32 = 8;
 const RING_FACTOR: f64 = 3.0;
@@ -30,73 +34,20 @@ const NEAREST_RING: f64 = 1e-10;
 const FARTHEST_RING: f64 = 0.3;
 const BISECTIONS: u32 = 8;
 
-/// Rays around one ray, by two coordinates that are zero there.
-///
-/// Next to the edge of the shadow the bending goes with the logarithm of the distance to it (Darwin 1959), so there the
-/// first coordinate is that logarithm: what is asked for is then nearly linear in both, and Newton's method is at home.
-pub(super) struct Chart {
-    direction: DVec3,
-    kind: Kind,
-    /// The unit of both coordinates, in radians.
-    scale: f64,
-}
-
-enum Kind {
-    /// Two directions at right angles to the ray.
-    Plane([DVec3; 2]),
-    /// An edge, and the ray's position angle at it.
-    Edge(Edge, f64, f64),
-}
-
-impl Chart {
-    /// The chart about a ray that knows of no edge, with a unit in radians.
-    pub(super) fn plane(ray: &Ray, scale: f64) -> Self {
-        let direction = ray.direction();
-        Self { direction, kind: Kind::Plane(direction.any_orthonormal_pair().into()), scale }
-    }
-
-    /// The chart about a ray next to an edge.
-    pub(super) fn edge(ray: &Ray) -> Option<Self> {
-        let direction = ray.direction();
-        let edge = ray.edge?;
-        let [position_angle, beyond] = edge.place(direction);
-        let arc = edge.at(position_angle).sin();
-        let kind = Kind::Edge(edge, position_angle, arc);
-        (beyond != 0.0 && arc > 0.0).then(|| Self { direction, kind, scale: beyond.abs() })
-    }
-
-    /// The direction at two coordinates.
-    fn at(&self, place: DVec2) -> DVec3 {
-        match &self.kind {
-            Kind::Plane([u, v]) => (self.direction + self.scale * (place.x * *u + place.y * *v)).normalize(),
-            Kind::Edge(edge, position_angle, arc) => {
-                let [_, beyond] = edge.place(self.direction);
-                edge.direction(position_angle + place.y * self.scale / arc, beyond * place.x.exp())
-            }
-        }
-    }
-
-    /// How far the coordinates may go in one step of Newton's method: a hundredth of a radian, but no more than a factor e of
-    /// the distance to an edge.
-    fn reach(&self) -> DVec2 {
-        let far = (0.01 / self.scale).max(1.0);
-        if matches!(self.kind, Kind::Edge(..)) { DVec2::new(1.0, far) } else { DVec2::splat(far) }
-    }
-
-    /// The turn from the ray to the direction at two coordinates, in radians.
-    fn turn(&self, place: DVec2) -> f64 {
-        angle_between(self.direction, self.at(place))
-    }
-}
-
 /// The turn that explains an answer of the right class: the largest of those that explain its parts.
-pub(super) fn of_answer(eye: &Eye, ray: &Ray, given: &Trace) -> f64 {
+///
+/// What is off by less than `fine` is not looked at closer: its own size, which bounds the turn, will do.
+pub(super) fn of_answer(eye: &Eye, ray: &Ray, truth: &Trace, given: &Trace, fine: f64) -> f64 {
     let mut most = 0.0;
+    let mut part = |miss: &dyn Fn(&Trace) -> Option<DVec2>| {
+        let forward = miss(truth).map_or(f64::INFINITY, DVec2::length);
+        most = super::greater(most, if forward < fine { forward } else { explained(eye, ray, miss) });
+    };
     if let Some(sky) = given.sky {
-        most = explained(eye, ray, |trace| trace.sky.map(|found| sky_miss(sky, found)));
+        part(&|trace| trace.sky.map(|found| sky_miss(sky, found)));
     }
     for (i, hit) in given.hits.iter().enumerate().filter_map(|(i, hit)| hit.map(|hit| (i, hit))) {
-        most = super::greater(most, explained(eye, ray, |trace| trace.hits[i].map(|found| hit_miss(&hit, &found))));
+        part(&|trace| trace.hits[i].map(|found| hit_miss(&hit, &found)));
     }
     most
 }
@@ -121,10 +72,14 @@ fn hit_miss(wanted: &Hit, found: &Hit) -> DVec2 {
 /// question. Behind the hole there are points onto which whole rings of rays are focused, and next to them no turn
 /// explains an answer's last digit; elsewhere it is the turn that explains the answer, but for a factor of two at most.
 /// Every place that is tried bounds it from above, so a search that fails can but overstate it.
-fn explained(eye: &Eye, ray: &Ray, miss: impl Fn(&Trace) -> Option<DVec2>) -> f64 {
+fn explained(eye: &Eye, ray: &Ray, miss: &dyn Fn(&Trace) -> Option<DVec2>) -> f64 {
     let plane = Chart::plane(ray, eye.scale);
     let mut least = newton(&plane, &|place| miss(&eye.trace(plane.at(place))), DVec2::ZERO);
-    let Some(chart) = Chart::edge(ray) else { return least };
+    // Edges are dear to find: only for answers far off to which a small turn leads, as next to an edge.
+    let forward = miss(&eye.trace(ray.direction())).map_or(f64::INFINITY, DVec2::length);
+    let amplified = least > LEAST_WORTH && (forward > AMPLIFIED * least || least > FARTHEST_RING);
+    let ray = if amplified { eye.with_edge(ray) } else { *ray };
+    let Some(chart) = Chart::edge(&ray) else { return least };
     let at = |place: DVec2| miss(&eye.trace(chart.at(place)));
     let solve = |start: f64| newton(&chart, &at, along_edge(&at, start));
     if least > NEAR * chart.scale {
@@ -134,13 +89,36 @@ fn explained(eye: &Eye, ray: &Ray, miss: impl Fn(&Trace) -> Option<DVec2>) -> f6
         return least;
     }
     // The answer may be one of another number of turns about the hole: those lie in a row toward the edge, and away from it.
-    let missed = (0..=SCANNED).map(|i| {
-        let x = 0.1 * f64::from(i) - SCANNED_INWARD;
-        (x, at(DVec2::new(x, 0.0)).map_or(f64::INFINITY, DVec2::length))
+    let [inward, outward] = [-1.0, 1.0].map(|side| {
+        let line = chart.line(eye, side, least, SKY_STEP);
+        line.into_iter().map(|(x, trace)| (x, miss(&trace))).collect::<Vec<_>>()
     });
-    let missed: Vec<(f64, f64)> = missed.collect();
-    let lowest = missed.windows(3).filter(|three| three[1].1 <= three[0].1 && three[1].1 <= three[2].1);
-    lowest.map(|three| solve(three[1].0)).fold(least, f64::min)
+    if winds_around(&inward) {
+        least = least.min(chart.scale);
+    }
+    let mut dips = dips(&inward);
+    dips.extend(self::dips(&outward));
+    dips.sort_by(|a, b| a.1.total_cmp(&b.1));
+    dips.into_iter().take(MOST_DIPS).map(|dip| solve(dip.0)).fold(least, f64::min)
+}
+
+/// Whether rays toward the edge miss an answer on all of its sides. Each e-fold of the distance to the edge adds as much of an
+/// orbit as the one before, without end: rays that pass an answer on all sides do so again and again, as close as one likes
+/// in the end, and so the distance to the edge bounds its error.
+fn winds_around(inward: &[(f64, Option<DVec2>)]) -> bool {
+    let misses = || inward.iter().filter_map(|(_, miss)| *miss);
+    let on_both_sides = |component: fn(DVec2) -> f64| {
+        misses().any(|miss| component(miss) > 0.0) && misses().any(|miss| component(miss) < 0.0)
+    };
+    on_both_sides(|miss| miss.x) && on_both_sides(|miss| miss.y)
+}
+
+/// The places of a line where an answer is missed less than before and after, with what is missed there.
+fn dips(line: &[(f64, Option<DVec2>)]) -> Vec<(f64, f64)> {
+    let lengths: Vec<(f64, f64)> =
+        line.iter().map(|(x, miss)| (*x, miss.map_or(f64::INFINITY, DVec2::length))).collect();
+    let low = lengths.windows(3).filter(|three| three[1].1 <= three[0].1 && three[1].1 <= three[2].1);
+    low.map(|three| three[1]).filter(|dip| dip.1.is_finite()).collect()
 }
 
 /// The place nearest to explaining an answer on the line toward the edge, from a place there (Gauss and Newton).
@@ -188,7 +166,7 @@ fn smallest(chart: &Chart, place: DVec2, left: DVec2, jacobian: DMat2) -> Option
         damped.inverse() * (jacobian.transpose() * aim)
     };
     let allowed = |x: DVec2| chart.scale * x.length();
-    let mut bracket = [-60.0, 5.0];
+    let mut bracket = [-30.0, 5.0];
     for _ in 0..40 {
         let middle = 0.5 * (bracket[0] + bracket[1]);
         let x = solution(middle);
@@ -210,29 +188,35 @@ fn jacobian(at: &impl Fn(DVec2) -> Option<DVec2>, place: DVec2, left: DVec2) -> 
 }
 
 /// The smallest turn found after which the reference gives the same outcome and number of hits; infinite where there is none
-/// within 0.3 rad. Rings of directions, then bisection toward the ray: right to a third or so.
+/// within 0.3 rad. Along the line toward the edge, where images of the disk crowd; and on rings of directions, then by
+/// bisection toward the ray: right to a third or so.
 pub(super) fn of_class(eye: &Eye, ray: &Ray, given: &Trace) -> f64 {
+    let same = |trace: &Trace| trace.outcome == given.outcome && hits(trace) == hits(given);
+    let on_lines = Chart::edge(&eye.with_edge(ray)).map_or(f64::INFINITY, |chart| {
+        let nearest = |side: f64| {
+            let mut line = chart.line(eye, side, FARTHEST_RING, FINE_SKY_STEP).into_iter();
+            line.find(|(_, trace)| same(trace)).map_or(f64::INFINITY, |(x, _)| chart.turn(DVec2::new(x, 0.0)))
+        };
+        f64::min(nearest(-1.0), nearest(1.0))
+    });
     let direction = ray.direction();
-    let same = |direction: DVec3| {
-        let trace = eye.trace(direction);
-        trace.outcome == given.outcome && hits(&trace) == hits(given)
-    };
     let (u, v) = direction.any_orthonormal_pair();
     let toward = |spoke: u32, turn: f64| {
         let (sin, cos) = (TAU * f64::from(spoke) / f64::from(SPOKES)).sin_cos();
         turn.cos() * direction + turn.sin() * (cos * u + sin * v)
     };
+    let same_toward = |spoke: u32, turn: f64| same(&eye.trace(toward(spoke, turn)));
     let mut ring = NEAREST_RING;
-    while ring < FARTHEST_RING {
-        if let Some(spoke) = (0..SPOKES).find(|spoke| same(toward(*spoke, ring))) {
+    while ring < f64::min(FARTHEST_RING, on_lines) {
+        if let Some(spoke) = (0..SPOKES).find(|spoke| same_toward(*spoke, ring)) {
             let mut bracket = [ring / RING_FACTOR, ring];
             for _ in 0..BISECTIONS {
                 let middle = (bracket[0] * bracket[1]).sqrt();
-                bracket[usize::from(same(toward(spoke, middle)))] = middle;
+                bracket[usize::from(same_toward(spoke, middle))] = middle;
             }
-            return bracket[1];
+            return bracket[1].min(on_lines);
         }
         ring *= RING_FACTOR;
     }
-    f64::INFINITY
+    on_lines
 }

@@ -80,6 +80,12 @@ impl Shadow {
         Edge { centre: self.centre, along: self.direction(position_angle, 0.25 * TAU), angle: [here, slope, bend] }
     }
 
+    /// The edge between the centre and a direction, or beyond it.
+    pub(super) fn edge_toward(&self, eye: &Eye, direction: DVec3) -> Edge {
+        let (u, v) = self.centre.any_orthonormal_pair();
+        self.edge(eye, direction.dot(v).atan2(direction.dot(u)))
+    }
+
     /// Where the outcome changes, as the logarithm of the tangent of half the angle from the centre.
     fn bisected(&self, eye: &Eye, position_angle: f64, mut bracket: [f64; 2]) -> f64 {
         for _ in 0..BISECTIONS {

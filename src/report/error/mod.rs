@@ -6,11 +6,14 @@
 //! confusion matrix of outcomes.
 
 mod backward;
+mod chart;
 mod edge;
+mod picture;
 mod sample;
 mod summary;
 
 pub use edge::Shadow;
+pub use picture::over_picture;
 pub use sample::{Ray, critical, everywhere, on_picture};
 pub use summary::{Errors, Quantiles};
 
@@ -33,6 +36,7 @@ pub struct Truth {
 /// The reference behind the scene's camera: directions are (right, up, forward).
 pub(super) struct Eye {
     reference: Reference,
+    shadow: Option<Shadow>,
     legs_from_camera: DMat3,
     /// Scale of turns that matter, in radians: a thousandth of the picture's half height, but no less than f32 tells apart.
     scale: f64,
@@ -42,11 +46,20 @@ impl Eye {
     /// The eye of a scene's camera.
     pub(super) fn new(scene: &Scene) -> Result<Self, ObserverError> {
         let half_height = (scene.camera.fov_deg.to_radians() / 2.0).tan();
-        Ok(Self {
+        let mut eye = Self {
             reference: Reference::new(scene)?,
+            shadow: None,
             legs_from_camera: scene.camera.legs_from_camera(),
             scale: (1e-3 * half_height).clamp(1e-7, 1e-3),
-        })
+        };
+        eye.shadow = Shadow::of(scene, &eye);
+        Ok(eye)
+    }
+
+    /// The same ray, with the edge of the shadow on its side, if there is one.
+    pub(super) fn with_edge(&self, ray: &Ray) -> Ray {
+        let edge = ray.edge.or_else(|| self.shadow.map(|shadow| shadow.edge_toward(self, ray.direction())));
+        Ray { edge, ..*ray }
     }
 
     /// What becomes of the ray that arrives from a direction of the camera's.
@@ -88,12 +101,22 @@ impl Truth {
     /// If there are not as many answers as rays.
     #[must_use]
     pub fn judge(&self, given: &[Trace]) -> Vec<RayError> {
-        assert_eq!(given.len(), self.rays.len(), "one answer a ray");
-        let known = self.rays.par_iter().zip(&self.traces);
-        known.zip(given).map(|((ray, truth), given)| self.judge_ray(ray, truth, given)).collect()
+        self.judge_beyond(0.0, given)
     }
 
-    fn judge_ray(&self, ray: &Ray, truth: &Trace, given: &Trace) -> RayError {
+    /// As [`Truth::judge`], but where an answer is off by less than `fine` radians, that itself is its backward error: it
+    /// bounds it, and a search for what is worse than that has no need of more.
+    ///
+    /// # Panics
+    /// If there are not as many answers as rays.
+    #[must_use]
+    pub fn judge_beyond(&self, fine: f64, given: &[Trace]) -> Vec<RayError> {
+        assert_eq!(given.len(), self.rays.len(), "one answer a ray");
+        let known = self.rays.par_iter().zip(&self.traces);
+        known.zip(given).map(|((ray, truth), given)| self.judge_ray(ray, truth, given, fine)).collect()
+    }
+
+    fn judge_ray(&self, ray: &Ray, truth: &Trace, given: &Trace, fine: f64) -> RayError {
         let misclassified = given.outcome != truth.outcome || hits(given) != hits(truth);
         let pairs = || truth.hits.iter().zip(&given.hits).filter_map(|(truth, given)| truth.zip(*given));
         let largest = |of: fn((f64, f64)) -> f64, pairs: &mut dyn Iterator<Item = (f64, f64)>| {
@@ -112,7 +135,7 @@ impl Truth {
         } else if misclassified {
             backward::of_class(&self.eye, ray, given)
         } else {
-            backward::of_answer(&self.eye, ray, given)
+            backward::of_answer(&self.eye, ray, truth, given, fine)
         };
         error
     }

@@ -1,7 +1,7 @@
 //! Which rays a method is judged by: half all over the picture, half crowding the edge of the shadow.
 
 use super::Eye;
-use super::edge::{Edge, Shadow};
+use super::edge::Edge;
 use crate::scene::Scene;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -20,7 +20,7 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// (right, up, forward) of the camera, rounded to f32: what every method is given, the reference too.
-    given: Vec3,
+    pub(super) given: Vec3,
     /// The shadow's edge on the great circle from its centre through the ray.
     pub(super) edge: Option<Edge>,
 }
@@ -79,10 +79,8 @@ pub fn everywhere(count: usize) -> Vec<Ray> {
 /// `count` rays at distances from the shadow's edge that are spread evenly in their logarithm over `range`, as shares of the
 /// shadow's radius (or of the rest of the sky, where that is smaller), on both sides and all around. Without a shadow: none.
 pub fn critical(scene: &Scene, count: usize, range: [f64; 2]) -> Vec<Ray> {
-    let Some((eye, shadow)) = Eye::new(scene).ok().and_then(|eye| Shadow::of(scene, &eye).map(|shadow| (eye, shadow)))
-    else {
-        return Vec::new();
-    };
+    let Ok(eye) = Eye::new(scene) else { return Vec::new() };
+    let Some(shadow) = eye.shadow else { return Vec::new() };
     let directions = count.div_ceil(RAYS_A_DIRECTION);
     let [nearest, farthest] = range.map(f64::ln);
     let ray = |(direction, i): (usize, usize), edge: Edge| {

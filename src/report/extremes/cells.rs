@@ -38,7 +38,7 @@ pub fn cells(count: usize) -> Vec<Cell> {
 }
 
 /// The view that everything is a variation of: 20 r_s from the hole, somewhat above the disk.
-fn view(spin: f64, r: f64) -> Scene {
+pub(super) fn view(spin: f64, r: f64) -> Scene {
     let mut scene = Scene::default();
     scene.hole.spin = spin;
     scene.disk.follow_isco = true;
@@ -47,7 +47,7 @@ fn view(spin: f64, r: f64) -> Scene {
 }
 
 /// Half of the rays all over the sky, half next to the shadow's edge.
-fn everywhere_and_critical(scene: &Scene, count: usize) -> Vec<Ray> {
+pub(super) fn everywhere_and_critical(scene: &Scene, count: usize) -> Vec<Ray> {
     let mut rays = everywhere(count / 2);
     rays.extend(critical(scene, count / 2, NEAR));
     rays

@@ -82,7 +82,7 @@ impl Hunt {
             rays.extend(critical(&scene, RAYS_A_SCENE / 2, [1e-7, 0.3]));
             let truth = Truth::of(&scene, rays)?;
             let traces = kernels.traces(gpu, &scene, &truth)?;
-            let errors = truth.judge(&traces);
+            let errors = truth.judge_beyond(0.5 * bar(&scene).backward, &traces);
             let most = errors.iter().zip(&truth.rays).max_by(|a, b| a.0.backward.total_cmp(&b.0.backward));
             if let Some((error, ray)) = most {
                 let found = Found::new(&scene, ray, error.backward);

@@ -2,10 +2,12 @@
 //! what the matrix forgot.
 
 mod cells;
+mod grid;
 mod hunt;
 mod verdict;
 
 pub use cells::{Cell, cells};
+pub use grid::grid;
 pub use hunt::{Found, Hunt};
 pub use verdict::{Bar, Verdict, bar, markdown};
 

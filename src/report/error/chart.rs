@@ -1,0 +1,94 @@
+//! Coordinates of the rays around one ray.
+
+use super::edge::Edge;
+use super::sample::Ray;
+use super::{Eye, angle_between};
+use crate::physics::trace::Trace;
+use glam::{DVec2, DVec3};
+
+/// Steps along the line toward an edge, in powers of e of the distance to it, how far the line goes in these, and how many
+/// steps it has.
+const LEAST_STEP: f64 = 1e-4;
+const LONGEST_STEP: f64 = 0.1;
+const FARTHEST: f64 = 12.0;
+const MOST_SCANNED: u32 = 300;
+
+/// Rays around one ray, by two coordinates that are zero there.
+///
+/// Next to the edge of the shadow the bending goes with the logarithm of the distance to it (Darwin 1959), so there the
+/// first coordinate is that logarithm: what is asked for is then nearly linear in both, and Newton's method is at home.
+pub(super) struct Chart {
+    direction: DVec3,
+    kind: Kind,
+    /// The unit of both coordinates, in radians: next to an edge the distance to it.
+    pub(super) scale: f64,
+}
+
+enum Kind {
+    /// Two directions at right angles to the ray.
+    Plane([DVec3; 2]),
+    /// An edge, and the ray's position angle at it.
+    Edge(Edge, f64, f64),
+}
+
+impl Chart {
+    /// The chart about a ray that knows of no edge, with a unit in radians.
+    pub(super) fn plane(ray: &Ray, scale: f64) -> Self {
+        let direction = ray.direction();
+        Self { direction, kind: Kind::Plane(direction.any_orthonormal_pair().into()), scale }
+    }
+
+    /// The chart about a ray next to an edge.
+    pub(super) fn edge(ray: &Ray) -> Option<Self> {
+        let direction = ray.direction();
+        let edge = ray.edge?;
+        let [position_angle, beyond] = edge.place(direction);
+        let arc = edge.at(position_angle).sin();
+        let kind = Kind::Edge(edge, position_angle, arc);
+        (beyond != 0.0 && arc > 0.0).then(|| Self { direction, kind, scale: beyond.abs() })
+    }
+
+    /// The direction at two coordinates.
+    pub(super) fn at(&self, place: DVec2) -> DVec3 {
+        match &self.kind {
+            Kind::Plane([u, v]) => (self.direction + self.scale * (place.x * *u + place.y * *v)).normalize(),
+            Kind::Edge(edge, position_angle, arc) => {
+                let [_, beyond] = edge.place(self.direction);
+                edge.direction(position_angle + place.y * self.scale / arc, beyond * place.x.exp())
+            }
+        }
+    }
+
+    /// How far the coordinates may go in one step of Newton's method: a hundredth of a radian, but no more than a factor e of
+    /// the distance to an edge.
+    pub(super) fn reach(&self) -> DVec2 {
+        let far = (0.01 / self.scale).max(1.0);
+        if matches!(self.kind, Kind::Edge(..)) { DVec2::new(1.0, far) } else { DVec2::splat(far) }
+    }
+
+    /// The turn from the ray to the direction at two coordinates, in radians.
+    pub(super) fn turn(&self, place: DVec2) -> f64 {
+        angle_between(self.direction, self.at(place))
+    }
+
+    /// The rays along the line toward the edge (`side` -1) or away from it (1), as far as a turn by no more than `farthest`
+    /// goes, by their first coordinates. Next to a fast hole a small part of the distance to the edge is many turns, so
+    /// steps are such that the sky moves by `sky_step` radians.
+    pub(super) fn line(&self, eye: &Eye, side: f64, farthest: f64, sky_step: f64) -> Vec<(f64, Trace)> {
+        let (mut x, mut step) = (0.0, LEAST_STEP);
+        let mut line: Vec<(f64, Trace)> = Vec::new();
+        for _ in 0..MOST_SCANNED {
+            let place = DVec2::new(x, 0.0);
+            if self.turn(place) > farthest || x.abs() > FARTHEST {
+                break;
+            }
+            let trace = eye.trace(self.at(place));
+            let before = line.last().and_then(|(_, before)| before.sky);
+            let moved = before.zip(trace.sky).map_or(0.0, |(before, sky)| angle_between(before, sky));
+            step = (step * (sky_step / moved).clamp(0.5, 2.0)).clamp(LEAST_STEP, LONGEST_STEP);
+            line.push((x, trace));
+            x += side * step;
+        }
+        line
+    }
+}
