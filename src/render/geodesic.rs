@@ -1,5 +1,7 @@
 //! The geodesic pass: a fullscreen triangle at the far plane, so that the depth test lets only uncovered pixels through.
 
+mod pipeline;
+
 use super::chain::Chain;
 use super::errors::Errors;
 use super::kept::Sight;
@@ -8,7 +10,7 @@ use crate::gpu::{ErrorCells, GpuScene, Variant};
 use crate::physics::{disk, spectrum};
 use crate::scene::View;
 use bevy::asset::AssetEventSystems;
-use bevy::core_pipeline::core_3d::{CORE_3D_DEPTH_FORMAT, main_opaque_pass_3d, main_transparent_pass_3d};
+use bevy::core_pipeline::core_3d::{main_opaque_pass_3d, main_transparent_pass_3d};
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
@@ -19,6 +21,7 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
+use pipeline::descriptor;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -237,35 +240,6 @@ fn prepare(
                 (5, errors.as_entire_binding()),
             )),
         ));
-    }
-}
-
-/// With several samples the shader still runs once a pixel; only the foreground's edges are finer.
-fn descriptor(layout: BindGroupLayoutDescriptor, shader: Handle<Shader>, samples: u32) -> RenderPipelineDescriptor {
-    RenderPipelineDescriptor {
-        label: Some("geodesic".into()),
-        layout: vec![layout],
-        vertex: VertexState { shader: shader.clone(), entry_point: Some("vertex".into()), ..default() },
-        fragment: Some(FragmentState {
-            shader,
-            entry_point: Some("fragment".into()),
-            targets: vec![Some(ColorTargetState {
-                format: TextureFormat::Rgba16Float,
-                blend: None,
-                write_mask: ColorWrites::ALL,
-            })],
-            ..default()
-        }),
-        // Reverse depth: zero is the far plane and the cleared value, so an equal test keeps what nothing covers.
-        depth_stencil: Some(DepthStencilState {
-            format: CORE_3D_DEPTH_FORMAT,
-            depth_write_enabled: Some(false),
-            depth_compare: Some(CompareFunction::GreaterEqual),
-            stencil: default(),
-            bias: default(),
-        }),
-        multisample: MultisampleState { count: samples, ..default() },
-        ..default()
     }
 }
 

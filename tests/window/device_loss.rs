@@ -1,7 +1,7 @@
 //! The graphics device is lost while somebody flies.
 
-use crate::changed;
-use crate::desktop::Desktop;
+use crate::desktop::{Desktop, Shot};
+use crate::{HINT, WINDOW};
 use bevy::prelude::*;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
 use bevy::render::render_resource::PollType;
@@ -52,6 +52,8 @@ fn a_lost_device_is_replaced_and_the_scene_is_kept() {
     desktop.press("t");
     desktop.press("p");
     let before = desktop.settled("spin and panel", |shot| shot.colours() > 50);
+    // Without the lines at the bottom: the window says there what happened.
+    let changed = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, 0..WINDOW.1 - 2 * HINT);
     for loss in 1..=2 {
         desktop.press("Home");
         std::thread::sleep(std::time::Duration::from_secs(1));
