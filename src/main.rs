@@ -13,7 +13,7 @@ use lightfall::report::rays::{self, RayReader, TraceWriter};
 use lightfall::scene::Scene;
 use rayon::prelude::*;
 use std::error::Error;
-use std::io::{self, BufReader, BufWriter, Read, Write};
+use std::io::{self, BufReader, BufWriter, Read};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -89,10 +89,7 @@ fn list_adapters() -> Result<(), Stop> {
         return Err(failed(gpu::GpuError::NoAdapter(None)));
     }
     let lines: String = adapters.iter().map(|adapter| format!("{adapter}\n")).collect();
-    match io::stdout().lock().write_all(lines.as_bytes()) {
-        Err(error) if !rays::is_closed_pipe(&error) => Err(Stop(1, format!("standard output: {error}"))),
-        _ => Ok(()),
-    }
+    commands::print(&lines)
 }
 
 fn scene(args: &SceneArgs) -> Result<Scene, Stop> {
@@ -155,10 +152,7 @@ const TIMED_FRAMES: usize = 15;
 
 fn write(file: &Path, still: &Still) -> Result<(), Stop> {
     picture::write_png(file, still.width, still.height, &still.rgb).map_err(failed)?;
-    match writeln!(io::stdout(), "{}", file.display()) {
-        Err(error) if !rays::is_closed_pipe(&error) => Err(Stop(1, format!("standard output: {error}"))),
-        _ => Ok(()),
-    }
+    commands::print(&format!("{}\n", file.display()))
 }
 
 fn trace(args: &TraceArgs) -> Result<(), Stop> {

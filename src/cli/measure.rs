@@ -114,7 +114,6 @@ fn subject(text: &str) -> Result<Subject, String> {
 
 /// A method that runs on the GPU.
 fn method(text: &str) -> Result<Method, String> {
-    let on_gpu = [Method::Closed, Method::Mino, Method::Verlet, Method::KerrSchild];
-    let allowed = on_gpu.map(Method::name).join(", ");
-    Method::named(text).filter(|method| on_gpu.contains(method)).ok_or(format!("the methods are {allowed}"))
+    let allowed = Method::ON_GPU.map(Method::name).join(", ");
+    Method::named(text).filter(|method| Method::ON_GPU.contains(method)).ok_or(format!("the methods are {allowed}"))
 }

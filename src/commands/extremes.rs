@@ -18,8 +18,7 @@ pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     if let Some(rays) = args.hunt {
         return hunt(&gpu, &Hunt { rays: rays as usize, seed: args.seed }, args.json);
     }
-    let all = [Method::Closed, Method::Mino, Method::Verlet, Method::KerrSchild];
-    let methods = if args.methods.is_empty() { &all[..] } else { &args.methods };
+    let methods = if args.methods.is_empty() { &Method::ON_GPU[..] } else { &args.methods };
     let bar = progress(1);
     bar.set_message("looking for the shadows' edges");
     bar.tick();

@@ -114,7 +114,7 @@ impl GpuScene {
         let [energy_bend, bends @ ..] = about.map(|(_, bend)| bend as f32);
         let rest = Shift::new(scene).camera();
         let size = size.max(UVec2::ONE).as_dvec2();
-        let tan_half_fov = (camera.fov_deg.to_radians() / 2.0).tan();
+        let tan_half_fov = camera.half_height();
         let spot_radius = SPOT_PIXELS * 2.0 * tan_half_fov / size.y;
         let inner = disk::inner_edge(scene);
         let kerr = Kerr { spin: scene.hole.spin };

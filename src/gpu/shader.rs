@@ -42,7 +42,7 @@ pub enum Entry {
     Picture,
     /// Records of rays: entry point `rays`, in workgroups of 64.
     Rays,
-    /// One vector a pixel, for the time it takes: entry points `timed`, in workgroups of 8 by 8, `vertex` and `fragment`.
+    /// One vector a pixel, for the time it takes: entry points `timed`, in workgroups of 64, `vertex` and `fragment`.
     Timed,
 }
 

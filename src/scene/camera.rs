@@ -31,7 +31,7 @@ impl Camera {
     }
 
     /// Half of the picture's height at distance one.
-    fn half_height(&self) -> f64 {
+    pub fn half_height(&self) -> f64 {
         (self.fov_deg.to_radians() / 2.0).tan()
     }
 

@@ -22,6 +22,15 @@ pub enum Method {
 }
 
 impl Method {
+    /// Those that a shader traces by, the solved ones first.
+    pub const ON_GPU: [Self; 4] = [Self::Closed, Self::Mino, Self::Verlet, Self::KerrSchild];
+
+    /// What `auto` means for a hole of spin `chi`.
+    #[must_use]
+    pub fn for_spin(chi: f64) -> Self {
+        if chi == 0.0 { Self::Closed } else { Self::Mino }
+    }
+
     /// Every method.
     pub const ALL: [Self; 6] = [Self::Auto, Self::Verlet, Self::Closed, Self::Mino, Self::KerrSchild, Self::Reference];
 

@@ -76,7 +76,7 @@ impl Measured {
     pub(super) fn new(name: &str, setting: &Setting, timing: Timing, truth: &Truth, traces: &[Trace]) -> Self {
         let errors = Errors::of(truth, traces);
         let scene = &setting.scene;
-        let pixel = 2.0 * (scene.camera.fov_deg.to_radians() / 2.0).tan() / f64::from(scene.picture.height);
+        let pixel = scene.camera.pixel_angle(f64::from(scene.picture.height));
         let [steps_mean, steps_max] = errors.steps;
         Self {
             scene: name.into(),

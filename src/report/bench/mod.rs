@@ -58,7 +58,7 @@ impl Plan {
     pub fn new(quick: bool) -> Self {
         Self {
             subjects: subjects(),
-            methods: vec![Method::Closed, Method::Mino, Method::Verlet, Method::KerrSchild],
+            methods: Method::ON_GPU.to_vec(),
             size: if quick { UVec2::new(160, 90) } else { UVec2::new(1920, 1080) },
             stage: Stage::Compute,
             effort: Effort {

@@ -32,17 +32,13 @@ pub struct Setting {
 /// The methods that can trace a scene on the GPU.
 #[must_use]
 pub fn methods_for(scene: &Scene) -> Vec<Method> {
-    if scene.hole.spin == 0.0 {
-        vec![Method::Closed, Method::Mino, Method::Verlet, Method::KerrSchild]
-    } else {
-        vec![Method::Mino, Method::KerrSchild]
-    }
+    if scene.hole.spin == 0.0 { Method::ON_GPU.to_vec() } else { vec![Method::Mino, Method::KerrSchild] }
 }
 
 /// A method's settings for a scene, few or many; those that make no difference are left out.
 #[must_use]
 pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
-    let auto = if scene.hole.spin == 0.0 { Method::Closed } else { Method::Mino };
+    let auto = Method::for_spin(scene.hole.spin);
     let subject = scene;
     let set = |key: Option<&'static str>, value: f64, change: fn(&mut Scene, f64)| {
         let mut scene = Scene { method, ..subject.clone() };

@@ -45,12 +45,11 @@ pub(super) struct Eye {
 impl Eye {
     /// The eye of a scene's camera.
     pub(super) fn new(scene: &Scene) -> Result<Self, ObserverError> {
-        let half_height = (scene.camera.fov_deg.to_radians() / 2.0).tan();
         let mut eye = Self {
             reference: Reference::new(scene)?,
             shadow: None,
             legs_from_camera: scene.camera.legs_from_camera(),
-            scale: (1e-3 * half_height).clamp(1e-7, 1e-3),
+            scale: (1e-3 * scene.camera.half_height()).clamp(1e-7, 1e-3),
         };
         eye.shadow = Shadow::of(scene, &eye);
         Ok(eye)

@@ -3,7 +3,7 @@
 use super::Eye;
 use super::edge::Edge;
 use crate::scene::Scene;
-use glam::{DVec3, Vec3};
+use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -54,12 +54,10 @@ impl Ray {
 /// `count` rays spread evenly over the scene's picture.
 #[must_use]
 pub fn on_picture(scene: &Scene, count: usize) -> Vec<Ray> {
-    let (width, height) = (f64::from(scene.picture.width), f64::from(scene.picture.height));
-    let up = (scene.camera.fov_deg.to_radians() / 2.0).tan();
-    let right = up * width / height;
+    let size = DVec2::new(f64::from(scene.picture.width), f64::from(scene.picture.height));
     let ray = |i: usize| {
-        let [x, y] = PLASTIC.map(|step| (0.5 + step * (i + 1) as f64).fract());
-        Ray::toward(DVec3::new((2.0 * x - 1.0) * right, (1.0 - 2.0 * y) * up, 1.0))
+        let share = DVec2::from_array(PLASTIC.map(|step| (0.5 + step * (i + 1) as f64).fract()));
+        Ray::toward(scene.camera.looking(share * size, size))
     };
     (0..count).map(ray).collect()
 }

@@ -136,7 +136,7 @@ fn scene(random: &mut Random) -> Scene {
             share if share < 0.6 => random.between(-0.99, 0.99),
             _ => (1.0 - random.log_between(1e-6, 0.5)) * if random.one_in(2) { -1.0 } else { 1.0 },
         };
-        scene.method = if scene.hole.spin == 0.0 { Method::Closed } else { Method::Mino };
+        scene.method = Method::for_spin(scene.hole.spin);
         let horizon = Kerr { spin: scene.hole.spin }.horizon();
         scene.camera.r = horizon * (1.0 + random.log_between(1e-4, 1e6));
         scene.camera.theta_deg = match random.unit() {

@@ -30,7 +30,7 @@ pub fn bar(scene: &Scene) -> Bar {
     let backward = match scene.method {
         Method::Closed => 1e-6,
         Method::Auto | Method::Mino | Method::Reference => {
-            let pixel = 2.0 * (scene.camera.fov_deg.to_radians() / 2.0).tan() / f64::from(scene.picture.height);
+            let pixel = scene.camera.pixel_angle(f64::from(scene.picture.height));
             f64::max(2e-6, scene.quality.max_error_px * pixel)
         }
         Method::Verlet | Method::KerrSchild => 2.1e-3,
