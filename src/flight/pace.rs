@@ -23,8 +23,9 @@ pub struct Pace {
     pub resting: bool,
     /// Frames since the movement began.
     pub frames: u32,
-    /// Times since the start of the last change of the scene, and of the last sign of life.
-    changed: Duration,
+    /// Time of the last change of the scene, if there was one: the scene that the program starts with is none.
+    changed: Option<Duration>,
+    /// Time of the last sign of life.
     alive: Duration,
     /// When the last frame began, for the cap.
     began: Option<Instant>,
@@ -51,14 +52,16 @@ fn watch(
     (seen.picture.width, seen.picture.height) = (1, 1);
     (seen.picture.grid_width, seen.picture.grid_height) = (1, 1);
     if last.as_ref() != Some(&seen) {
-        pace.changed = now;
+        if last.is_some() {
+            pace.changed = Some(now);
+        }
         *last = Some(seen);
     }
     let held = keys.get_pressed().next().is_some() || buttons.get_pressed().next().is_some();
-    if pace.changed == now || held || typing.0 || moves.read().next().is_some() {
+    if pace.changed == Some(now) || held || typing.0 || moves.read().next().is_some() {
         pace.alive = now;
     }
-    let moving = now.saturating_sub(pace.changed) < MOVING;
+    let moving = pace.changed.is_some_and(|changed| now.saturating_sub(changed) < MOVING);
     pace.frames = if moving && pace.moving { pace.frames + 1 } else { 0 };
     pace.moving = moving;
     pace.resting = now.saturating_sub(pace.alive) > AWAKE;

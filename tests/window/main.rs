@@ -112,17 +112,20 @@ fn a_still_window_answers_at_once_however_long_its_scene_takes() {
     let slow = ["--preset", "2", "--method", "kerr-schild", "--spin", "0.9", "--set", "quality.step_scale=0.45"];
     let Some(desktop) = Desktop::open(&slow) else { return };
     let hint = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, WINDOW.1 - HINT..WINDOW.1) > 0.0;
-    let before = desktop.settled("first picture", |shot| shot.colours() > 200);
-    let answers: Vec<Duration> = (0..5)
-        .map(|_| {
-            let before = desktop.settled("rest", |_| true);
-            desktop.wheel();
-            desktop.until("the wheel", |shot| hint(shot, &before))
-        })
-        .collect();
+    desktop.settled("first picture", |shot| shot.colours() > 200);
+    let answer = || {
+        let before = desktop.settled("rest", |_| true);
+        desktop.wheel();
+        desktop.until("the wheel", |shot| hint(shot, &before))
+    };
+    // A machine that is busy with other things may still be drawing: it rests once it answers fast.
+    let quick = Duration::from_millis(300);
+    let rests = (0..10).any(|_| answer() < quick);
+    assert!(rests, "the wheel is never felt within {quick:?}: the eye does not rest");
+    let before = desktop.shot();
+    let answers: Vec<Duration> = (0..5).map(|_| answer()).collect();
     println!("the wheel is felt after {answers:.2?}");
-    let best = answers.iter().min().unwrap();
-    assert!(*best < Duration::from_millis(300), "the wheel was felt after {best:.2?} at best: the eye does not rest");
+    assert!(answers.iter().any(|&after| after < quick), "the wheel is felt after {answers:.2?}");
     assert!(changed(&before, &desktop.shot()) == 0.0, "the picture changed while nothing did");
 }
 
