@@ -26,9 +26,24 @@ Examples:
 Lengths are in Schwarzschild radii, angles in degrees. Results go to standard output, everything else to standard
 error. Exit status: 0 all done, 2 a bad command line or preset, 1 any other failure.";
 
+/// What there is to say of a build that reads no gamepad.
+pub const NO_GAMEPAD: Option<&str> = if cfg!(feature = "gamepad") {
+    None
+} else {
+    Some(
+        "This build reads no gamepad: ./play makes one that does where libudev-dev and pkg-config are installed, \
+         and so does `cargo build --release --features gamepad`.",
+    )
+};
+
+/// What stands under the help.
+fn after_help() -> String {
+    [EXAMPLES].into_iter().chain(NO_GAMEPAD).collect::<Vec<_>>().join("\n\n")
+}
+
 // The whole command line, as it is written; `read` makes a `Command` of it. No doc comment: clap would print it.
 #[derive(Debug, Parser)]
-#[command(name = "lightfall", version, about, after_help = EXAMPLES)]
+#[command(name = "lightfall", version, about, after_help = after_help())]
 struct Cli {
     #[command(flatten)]
     scene: SceneArgs,

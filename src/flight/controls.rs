@@ -64,6 +64,8 @@ pub enum Action {
     Edit(fn(&mut Scene, &Scene)),
     /// Puts the preset with this number in its place.
     Load(usize),
+    /// Puts the preset so many places on in its place, round and round.
+    Turn(i32),
     /// Does something beside the scene.
     Do(Command),
     /// Moves the camera for as long as it is held.
@@ -122,6 +124,7 @@ pub enum Motion {
 }
 
 const PRESETS: &str = "presets";
+const TURN: &str = "previous, next preset";
 const FLY: &str = "fly";
 const UP_DOWN: &str = "up, down";
 const ROLL: &str = "roll";
@@ -144,6 +147,10 @@ const fn hold(id: &'static str, keys: &'static [KeyCode], does: &'static str, mo
 
 const fn preset(id: &'static str, keys: &'static [KeyCode], number: usize) -> Control {
     control(id, keys, Group::Scene, PRESETS, Action::Load(number))
+}
+
+const fn turn(id: &'static str, keys: &'static [KeyCode], places: i32) -> Control {
+    control(id, keys, Group::Scene, TURN, Action::Turn(places))
 }
 
 const fn scene(
@@ -215,6 +222,8 @@ pub const CONTROLS: &[Control] = &[
     preset("preset.7", &[KeyCode::Digit7], 7),
     preset("preset.8", &[KeyCode::Digit8], 8),
     preset("preset.9", &[KeyCode::Digit9], 9),
+    turn("preset.previous", &[KeyCode::PageUp], -1),
+    turn("preset.next", &[KeyCode::PageDown], 1),
     control("scene.undo", &[KeyCode::Backspace], Group::Scene, "undo the last change", Action::Do(Command::Undo)),
     scene("scene.disk", &[KeyCode::F2], "disk", |scene, _| edits::flip(&mut scene.disk.enabled)),
     scene("scene.isco", &[KeyCode::KeyU], "disk from the innermost stable orbit", |scene, _| {

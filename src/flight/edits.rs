@@ -24,14 +24,26 @@ pub fn edited(control: &Control, scene: &Scene, loaded: &Scene) -> Option<Result
         Action::Edit(edit) => edit(&mut changed, loaded),
         Action::Load(number) => {
             let preset = presets::PRESETS.iter().find(|preset| preset.number == number)?;
-            match preset.scene(&[]) {
-                Ok(preset) => changed = preset,
-                Err(error) => return Some(Err(error.to_string())),
-            }
+            return Some(preset.scene(&[]).map_err(|error| error.to_string()).and_then(drawable));
+        }
+        Action::Turn(places) => {
+            let preset = &presets::PRESETS[turned(&scene.name, places)];
+            return Some(preset.scene(&[]).map_err(|error| error.to_string()).and_then(drawable));
         }
         Action::Do(_) | Action::Hold(_) => return None,
     }
     Some(drawable(changed))
+}
+
+/// The place of the preset that is so many places on from the one of this name; one end or the other from a scene that is none
+/// of them.
+fn turned(name: &str, places: i32) -> usize {
+    let count = presets::PRESETS.len();
+    match presets::PRESETS.iter().position(|preset| preset.name == name) {
+        Some(now) => (now as i32 + places).rem_euclid(count as i32) as usize,
+        None if places > 0 => 0,
+        None => count - 1,
+    }
 }
 
 pub(super) fn flip(switch: &mut bool) {

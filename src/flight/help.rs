@@ -1,20 +1,23 @@
 //! The overlay of all controls, made from the key table itself.
 
-use super::bindings::Bindings;
+use super::bindings::{Bindings, PadBindings};
 use super::controls::{Control, Group};
+use super::gamepad::Pads;
 use super::window::Shown;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 
-/// What the mouse does; the key table is about keys.
-const MOUSE: [[&str; 2]; 2] = [["right mouse button", "look around"], ["wheel", "speed"]];
+/// What the mouse and the right stick do; the tables are about keys and buttons.
+const MOUSE: [[&str; 3]; 2] = [["right mouse button", "right stick", "look around"], ["wheel", "", "speed"]];
+/// The control that stands for those of the left stick.
+const LEFT_STICK: &str = "fly.forward";
 
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show);
 }
 
-/// The rows under one heading: keys, and what they do. Controls in a row that do the same are one row.
-fn rows(bindings: &Bindings, group: Group) -> Vec<[String; 2]> {
+/// The rows under one heading: keys, buttons of a gamepad, and what they do. Controls in a row that do the same are one row.
+fn rows(bindings: &Bindings, buttons: &PadBindings, group: Group) -> Vec<[String; 3]> {
     let controls: Vec<&Control> =
         bindings.iter().map(|(control, _)| control).filter(|control| control.group == group).collect();
     let entries = controls.chunk_by(|a, b| a.does == b.does).map(|entry| {
@@ -24,17 +27,26 @@ fn rows(bindings: &Bindings, group: Group) -> Vec<[String; 2]> {
             (true, [first, .., last]) => format!("{first} to {last}"),
             _ => names.join(" "),
         };
-        [keys, entry[0].does.to_owned()]
+        let stick = entry.iter().any(|control| control.id == LEFT_STICK).then(|| "left stick".to_owned());
+        let on_pad = entry.iter().map(|control| buttons.in_words(control)).filter(|n| !n.is_empty()).chain(stick);
+        [keys, on_pad.collect::<Vec<_>>().join(" "), entry[0].does.to_owned()]
     });
     let mouse = MOUSE.iter().filter(|_| group == Group::Flight).map(|row| row.map(str::to_owned));
     entries.chain(mouse).collect()
 }
 
-fn show(mut contexts: EguiContexts, mut shown: ResMut<Shown>, bindings: Res<Bindings>) -> Result {
+fn show(
+    mut contexts: EguiContexts,
+    mut shown: ResMut<Shown>,
+    bindings: Res<Bindings>,
+    buttons: Res<PadBindings>,
+    pads: Pads,
+) -> Result {
     if !shown.help || shown.hidden {
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
+    let column = |ui: &mut egui::Ui, groups: &[Group]| column(ui, &bindings, &buttons, pads.any(), groups);
     let mut open = true;
     egui::Window::new("Help")
         .open(&mut open)
@@ -47,11 +59,11 @@ fn show(mut contexts: EguiContexts, mut shown: ResMut<Shown>, bindings: Res<Bind
             let tallest = (context.content_rect().height() - 180.0).max(100.0);
             egui::ScrollArea::both().max_height(tallest).show(ui, |ui| {
                 ui.horizontal_top(|ui| {
-                    column(ui, &bindings, &[Group::Flight, Group::Light]);
+                    column(ui, &[Group::Flight, Group::Light]);
                     ui.add_space(24.0);
-                    column(ui, &bindings, &[Group::Scene, Group::View]);
+                    column(ui, &[Group::Scene, Group::View]);
                     ui.add_space(24.0);
-                    column(ui, &bindings, &[Group::Picture, Group::Window]);
+                    column(ui, &[Group::Picture, Group::Window]);
                 });
             });
             ui.label("Keys are bound anew in the panel, on its page Settings.");
@@ -62,13 +74,17 @@ fn show(mut contexts: EguiContexts, mut shown: ResMut<Shown>, bindings: Res<Bind
     Ok(())
 }
 
-fn column(ui: &mut egui::Ui, bindings: &Bindings, groups: &[Group]) {
+/// The rows of some groups; without a gamepad, its buttons are no news.
+fn column(ui: &mut egui::Ui, bindings: &Bindings, buttons: &PadBindings, pad: bool, groups: &[Group]) {
     ui.vertical(|ui| {
         for group in groups {
             ui.strong(group.title());
-            egui::Grid::new(group.title()).num_columns(2).spacing([12.0, 3.0]).show(ui, |ui| {
-                for [keys, does] in rows(bindings, *group) {
+            egui::Grid::new(group.title()).spacing([12.0, 3.0]).show(ui, |ui| {
+                for [keys, on_pad, does] in rows(bindings, buttons, *group) {
                     ui.monospace(keys);
+                    if pad {
+                        ui.weak(on_pad);
+                    }
                     ui.label(does);
                     ui.end_row();
                 }

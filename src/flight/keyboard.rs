@@ -1,8 +1,9 @@
-//! From pressed keys to what the key table says of them.
+//! From pressed keys and buttons to what the key table says of them.
 
 use super::bindings::Bindings;
 use super::controls::{Action, Command, Motion};
 use super::edits::edited;
+use super::gamepad::Pads;
 use super::history::{History, drawable};
 use super::notice::Notice;
 use super::panel::Rebinding;
@@ -17,24 +18,26 @@ use bevy_egui::{EguiContexts, EguiPrimaryContextPass};
 #[derive(Resource, Default)]
 pub(super) struct Typing(pub(super) bool);
 
-/// Keys that are held, by what they do.
+/// Keys and buttons that are held, by what they do.
 #[derive(SystemParam)]
-pub(super) struct Held<'w> {
+pub(super) struct Held<'w, 's> {
     keys: Res<'w, ButtonInput<KeyCode>>,
     bindings: Res<'w, Bindings>,
+    pub(super) typing: Res<'w, Typing>,
+    pub(super) pads: Pads<'w, 's>,
 }
 
-impl Held<'_> {
-    /// One direction's keys against the other's: 1, 0 or -1.
+impl Held<'_, '_> {
+    /// One direction's keys against the other's: from 1 to -1.
     pub(super) fn axis(&self, plus: Motion, minus: Motion) -> f64 {
-        f64::from(self.motion(plus)) - f64::from(self.motion(minus))
+        self.motion(plus) - self.motion(minus)
     }
 
-    fn motion(&self, motion: Motion) -> bool {
+    fn motion(&self, motion: Motion) -> f64 {
         let holds = |action| matches!(action, Action::Hold(held) if held == motion);
-        self.bindings
-            .iter()
-            .any(|(control, codes)| holds(control.action) && self.keys.any_pressed(codes.iter().copied()))
+        let mut controls = self.bindings.iter().filter(|(control, _)| holds(control.action));
+        let key = !self.typing.0 && controls.any(|(_, codes)| self.keys.any_pressed(codes.iter().copied()));
+        if key { 1.0 } else { self.pads.motion(motion) }
     }
 }
 
@@ -144,25 +147,23 @@ fn apply(
     keys: Res<ButtonInput<KeyCode>>,
     bindings: Res<Bindings>,
     typing: Res<Typing>,
+    pads: Pads,
     mut editor: SceneEditor,
     mut commands: MessageWriter<Command>,
 ) {
-    if typing.0 || keys.any_pressed([KeyCode::SuperLeft, KeyCode::SuperRight]) {
-        return;
-    }
+    let listens = !typing.0 && !keys.any_pressed([KeyCode::SuperLeft, KeyCode::SuperRight]);
     let alt = keys.any_pressed([KeyCode::AltLeft, KeyCode::AltRight]);
     for (control, codes) in bindings.iter() {
         // Without Alt in the table, a key with Alt is the desktop's.
-        if control.alt != alt || !keys.any_just_pressed(codes.iter().copied()) {
-            continue;
-        }
+        let by_key = listens && control.alt == alt && keys.any_just_pressed(codes.iter().copied());
+        let by_key = by_key.then(|| bindings.in_words(control));
+        let Some(who) = by_key.or_else(|| pads.pressed(control)) else { continue };
         if let Action::Do(command) = control.action {
             commands.write(command);
         }
         let Some(changed) = edited(control, &editor.meant(), editor.loaded()) else { continue };
-        let who = bindings.in_words(control);
         match control.action {
-            Action::Load(_) => editor.load(&who, changed),
+            Action::Load(_) | Action::Turn(_) => editor.load(&who, changed),
             _ => editor.change(&who, changed),
         }
     }

@@ -1,13 +1,17 @@
 //! The window program: fly the camera, press the keys, see the scene.
 
+mod adapter;
 mod bindings;
+mod buttons;
 mod card;
+mod clipboard;
 mod controls;
 mod display;
 mod dock;
 mod edits;
 mod exposure;
 mod flown;
+mod gamepad;
 mod help;
 mod hint;
 mod history;
@@ -26,15 +30,18 @@ mod screenshot;
 mod settings;
 mod window;
 
-pub use bindings::Bindings;
+pub use bindings::{Bindings, Bound, PadBindings, Switch};
+pub use buttons::{button_name, button_named, button_names};
 pub use controls::{Action, CONTROLS, Command, Control, Group, Motion, control_named};
 pub use display::has_display;
 pub use edits::edited;
+pub use gamepad::{deflection, squeeze};
 pub use history::{History, drawable};
 pub use inspector::pixel_at;
 pub use journey::{Guide, Moment};
 pub use keys::{key_name, key_named, key_names};
 pub use motion::Voyage;
+pub use pace::Pace;
 pub use panel::shown_number;
 pub use resolution::Resolution;
 pub use settings::{Automatic, Settings};
@@ -70,7 +77,11 @@ pub fn program(scene: Scene, journey: Journey, guided: bool) -> App {
     if guided {
         guide.restart();
     }
+    let (mut preferences, fault) = window::Preferences::load();
+    // Before the renderer opens a device.
+    let adapter = adapter::AdapterChoice::apply(&mut preferences);
     let mut app = App::new();
+    window::insert(&mut app, preferences, fault);
     app.add_plugins(DefaultPlugins.set(quiet_log()).set(render_plugin(false)).set(any_thread()).set(WindowPlugin {
         primary_window: Some(Window {
             title: title(&scene),
@@ -86,11 +97,12 @@ pub fn program(scene: Scene, journey: Journey, guided: bool) -> App {
     .insert_resource(History::new(scene.clone()))
     .insert_resource(Resolution::new(&scene))
     .insert_resource(guide)
+    .insert_resource(adapter)
     .add_plugins(LightfallRenderPlugin { scene, target: RenderTarget::default() })
     .add_plugins((notice::plugin, window::plugin, keyboard::plugin, pilot::plugin, pace::plugin, resolution::plugin))
-    .add_plugins(recovery::RecoveryPlugin)
+    .add_plugins((recovery::RecoveryPlugin, adapter::plugin, gamepad::plugin))
     .add_plugins((card::plugin, journey::plugin, motion::plugin, exposure::plugin))
-    .add_plugins((screenshot::plugin, hint::plugin, help::plugin, panel::plugin, inspector::plugin))
+    .add_plugins((screenshot::plugin, hint::plugin, help::plugin, panel::plugin, inspector::plugin, clipboard::plugin))
     .add_systems(Update, (attach_ui, retitle.run_if(resource_changed::<CurrentScene>)));
     app
 }

@@ -20,6 +20,12 @@ impl Notice {
         *self = Self { text: text.into(), ends: None };
     }
 
+    /// Says something beside what is being said.
+    pub(super) fn add(&mut self, text: &str) {
+        let both = if self.text.is_empty() { text.to_owned() } else { format!("{} · {text}", self.text) };
+        self.say(both);
+    }
+
     /// Takes back what was said.
     pub(super) fn clear(&mut self) {
         self.say("");

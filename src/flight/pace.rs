@@ -1,5 +1,6 @@
 //! How often there is a new frame: as often as the monitor shows while something moves, a few a second while nothing does.
 
+use super::gamepad::Pads;
 use super::keyboard::Typing;
 use super::window::Preferences;
 use crate::render::CurrentScene;
@@ -13,6 +14,8 @@ const MOVING: Duration = Duration::from_millis(400);
 const AWAKE: Duration = Duration::from_secs(3);
 /// Time between two frames while nothing happens; input ends it at once.
 const RESTING: Duration = Duration::from_millis(200);
+/// The same where there is a gamepad: the window system does not tell of its input, so it is looked at.
+const LOOKING: Duration = Duration::from_millis(33);
 
 /// How it goes.
 #[derive(Resource, Default)]
@@ -43,6 +46,7 @@ fn watch(
     buttons: Res<ButtonInput<MouseButton>>,
     mut moves: MessageReader<CursorMoved>,
     typing: Res<Typing>,
+    pads: Pads,
     mut pace: ResMut<Pace>,
     mut last: Local<Option<crate::scene::Scene>>,
 ) {
@@ -57,7 +61,7 @@ fn watch(
         }
         *last = Some(seen);
     }
-    let held = keys.get_pressed().next().is_some() || buttons.get_pressed().next().is_some();
+    let held = keys.get_pressed().next().is_some() || buttons.get_pressed().next().is_some() || pads.in_use();
     if pace.changed == Some(now) || held || typing.0 || moves.read().next().is_some() {
         pace.alive = now;
     }
@@ -67,8 +71,9 @@ fn watch(
     pace.resting = now.saturating_sub(pace.alive) > AWAKE;
 }
 
-fn choose(pace: Res<Pace>, mut winit: ResMut<WinitSettings>) {
-    let mode = if pace.resting { UpdateMode::reactive(RESTING) } else { UpdateMode::Continuous };
+fn choose(pace: Res<Pace>, pads: Pads, mut winit: ResMut<WinitSettings>) {
+    let resting = if pads.any() { LOOKING } else { RESTING };
+    let mode = if pace.resting { UpdateMode::reactive(resting) } else { UpdateMode::Continuous };
     if winit.focused_mode != mode {
         (winit.focused_mode, winit.unfocused_mode) = (mode, mode);
     }

@@ -1,13 +1,13 @@
-//! Flying by hand: keys and mouse move and turn the camera; the result is written to the scene, in f64.
+//! Flying by hand: keys, mouse and gamepad move and turn the camera; the result is written to the scene, in f64.
 
 use super::controls::{Command, Motion};
-use super::keyboard::{Held, Typing};
+use super::keyboard::Held;
 use super::{LONGEST_FRAME, NEAREST};
 use crate::physics::kerr::Kerr;
 use crate::render::CurrentScene;
 use crate::scene::ObserverKind;
 use bevy::input::mouse::{AccumulatedMouseMotion, AccumulatedMouseScroll, MouseScrollUnit};
-use bevy::math::{DMat3, DVec3};
+use bevy::math::{DMat3, DVec2, DVec3};
 use bevy::prelude::*;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow};
 use bevy_egui::input::egui_wants_any_pointer_input;
@@ -34,19 +34,14 @@ const PIXELS_PER_NOTCH: f32 = 40.0;
 const ROLL_SPEED: f64 = 0.9;
 /// Share of the vertical field of view that one pixel of mouse motion turns.
 const LOOK_SHARE: f64 = 1.0 / 500.0;
+/// Share of it that a stick turns in a second.
+const STICK_SHARE: f64 = 1.0;
 /// Farthest the camera flies, as in Scene's limits.
 const FARTHEST: f64 = 1e7;
 
 pub(super) fn plugin(app: &mut App) {
-    app.insert_resource(Pilot { throttle: 1.0, free_look: false }).add_systems(
-        Update,
-        (
-            set_throttle.run_if(not(egui_wants_any_pointer_input)),
-            hold_mouse,
-            steer.run_if(|typing: Res<Typing>| !typing.0),
-        )
-            .chain(),
-    );
+    app.insert_resource(Pilot { throttle: 1.0, free_look: false })
+        .add_systems(Update, (set_throttle.run_if(not(egui_wants_any_pointer_input)), hold_mouse, steer).chain());
 }
 
 fn set_throttle(scroll: Res<AccumulatedMouseScroll>, mut pilot: ResMut<Pilot>) {
@@ -95,17 +90,20 @@ fn steer(
     mut scene: ResMut<CurrentScene>,
 ) {
     let seconds = time.delta_secs_f64().min(LONGEST_FRAME);
+    let (left, right) = (held.pads.left_stick(), held.pads.right_stick());
     // Camera frame: right, up, forward.
     let thrust = DVec3::new(
-        held.axis(Motion::Right, Motion::Left),
+        held.axis(Motion::Right, Motion::Left) + left.x,
         held.axis(Motion::Up, Motion::Down),
-        held.axis(Motion::Forward, Motion::Backward),
+        held.axis(Motion::Forward, Motion::Backward) + left.y,
     );
     let gear = GEAR.powf(held.axis(Motion::Faster, Motion::Slower));
     let roll = held.axis(Motion::RollRight, Motion::RollLeft) * ROLL_SPEED * seconds;
-    let looking = pilot.free_look || buttons.pressed(MouseButton::Right);
-    let look = if looking { motion.delta.as_dvec2() } else { bevy::math::DVec2::ZERO };
-    if thrust == DVec3::ZERO && roll == 0.0 && look == bevy::math::DVec2::ZERO {
+    let looking = !held.typing.0 && (pilot.free_look || buttons.pressed(MouseButton::Right));
+    let mouse = if looking { motion.delta.as_dvec2() } else { DVec2::ZERO };
+    // Right and up, as shares of the field of view.
+    let look = mouse * DVec2::new(LOOK_SHARE, -LOOK_SHARE) + right * STICK_SHARE * seconds;
+    if thrust == DVec3::ZERO && roll == 0.0 && look == DVec2::ZERO {
         return;
     }
     // Hands on the stick take the camera off its circular orbit.
@@ -115,10 +113,10 @@ fn steer(
     let horizon = Kerr { spin: scene.hole.spin }.horizon();
     let camera = &mut scene.camera;
     let mut world_from_camera = camera.legs() * camera.legs_from_camera();
-    let turn = look * camera.fov_deg.to_radians() * LOOK_SHARE;
-    world_from_camera *= turned(turn.x, -turn.y, roll);
+    let turn = look * camera.fov_deg.to_radians();
+    world_from_camera *= turned(turn.x, turn.y, roll);
     let speed = SPEED * (camera.r - horizon).max(NEAREST - 1.0) * gear * pilot.throttle;
-    let moved = camera.direction() * camera.r + world_from_camera * thrust.normalize_or_zero() * speed * seconds;
+    let moved = camera.direction() * camera.r + world_from_camera * thrust.clamp_length_max(1.0) * speed * seconds;
     let position = if thrust == DVec3::ZERO {
         camera.direction() * camera.r
     } else {

@@ -1,6 +1,7 @@
 //! What the program remembers from one start to the next: a TOML file in the platform's folder for settings.
 
-use super::bindings::Bindings;
+use super::bindings::{Bindings, PadBindings};
+use crate::gpu::AdapterName;
 use crate::physics::readout::si::MASSES;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -25,8 +26,12 @@ pub struct Settings {
     pub reduced_motion: bool,
     /// The hole's mass for the read-outs, in suns.
     pub hole_mass_suns: f64,
+    /// The graphics adapter that the window is drawn with, from the next start on; none for the best.
+    pub adapter: Option<AdapterName>,
     /// Keys of the controls that differ from the key table.
     pub keys: BTreeMap<String, Vec<String>>,
+    /// Buttons of a gamepad, likewise.
+    pub buttons: BTreeMap<String, Vec<String>>,
 }
 
 /// Whether something is done.
@@ -59,7 +64,9 @@ impl Default for Settings {
             automatic_exposure: false,
             reduced_motion: false,
             hole_mass_suns: MASSES[0].suns,
+            adapter: None,
             keys: BTreeMap::new(),
+            buttons: BTreeMap::new(),
         }
     }
 }
@@ -89,7 +96,8 @@ impl Settings {
                 .map_err(|error| format!("{error}, or 0 for as many as the monitor shows"))?;
         }
         within("hole_mass_suns", self.hole_mass_suns, HOLE_MASSES)?;
-        Bindings::new(&self.keys).map(drop)
+        Bindings::new(&self.keys)?;
+        PadBindings::new(&self.buttons).map(drop)
     }
 
     /// Reads a settings file. Without one, the defaults; a broken one is renamed, and the defaults serve. The second value

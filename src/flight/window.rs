@@ -1,6 +1,6 @@
 //! The window around the picture: which overlays are open, the whole screen, settings kept over restarts.
 
-use super::bindings::Bindings;
+use super::bindings::{Bindings, PadBindings};
 use super::controls::Command;
 use super::notice::Notice;
 use super::settings::{Settings, settings_file};
@@ -52,14 +52,18 @@ impl Preferences {
     }
 }
 
-pub(super) fn plugin(app: &mut App) {
-    let (preferences, fault) = Preferences::load();
+/// The settings as they were loaded, with what was wrong with their file.
+pub(super) fn insert(app: &mut App, preferences: Preferences, fault: Option<String>) {
     // Checked as the file was read.
     let bindings = Bindings::new(&preferences.settings.keys).unwrap_or_default();
-    app.insert_resource(preferences).insert_resource(bindings).init_resource::<Shown>();
+    let buttons = PadBindings::new(&preferences.settings.buttons).unwrap_or_default();
+    app.insert_resource(preferences).insert_resource(bindings).insert_resource(buttons).init_resource::<Shown>();
     if let Some(fault) = fault {
         app.world_mut().get_resource_or_init::<Notice>().say(fault);
     }
+}
+
+pub(super) fn plugin(app: &mut App) {
     app.add_systems(Update, (obey, keep, fit))
         .add_systems(Last, keep_at_exit)
         .add_systems(EguiPrimaryContextPass, style.run_if(any_with_component::<PrimaryEguiContext>));
@@ -118,10 +122,14 @@ fn keep(
     time: Res<Time<Real>>,
     mut preferences: ResMut<Preferences>,
     bindings: Res<Bindings>,
+    buttons: Res<PadBindings>,
     mut notice: ResMut<Notice>,
 ) {
     if bindings.is_changed() && !bindings.is_added() {
         preferences.settings.keys = bindings.settings();
+    }
+    if buttons.is_changed() && !buttons.is_added() {
+        preferences.settings.buttons = buttons.settings();
     }
     if preferences.settings == preferences.saved {
         return;

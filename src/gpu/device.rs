@@ -1,9 +1,9 @@
 //! A graphics device without a window.
 
 use super::GpuError;
-use std::env;
+use super::adapter::adapter;
 use std::sync::Mutex;
-use wgpu::{Adapter, AdapterInfo, Backends, Device, Instance, Queue, ShaderModule};
+use wgpu::{AdapterInfo, Device, Queue, ShaderModule};
 
 /// A device, its queue, and which adapter they belong to.
 #[derive(Debug)]
@@ -18,67 +18,8 @@ pub struct Gpu {
     scope: Mutex<()>,
 }
 
-/// The backends that the program draws with: those of `WGPU_BACKEND`, else the first-class ones. OpenGL is left out, for
-/// it lacks what the passes need and is noisy to ask.
-pub fn backends() -> Backends {
-    Backends::from_env().unwrap_or(Backends::PRIMARY)
-}
-
-fn instance() -> Instance {
-    let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
-    Instance::new(wgpu::InstanceDescriptor { backends: backends(), ..descriptor })
-}
-
-/// The adapter that Bevy would choose: the fastest, or the first whose name contains `WGPU_ADAPTER_NAME`, a software one if
-/// `WGPU_FORCE_FALLBACK_ADAPTER` is 1.
-async fn adapter() -> Result<Adapter, GpuError> {
-    let instance = instance();
-    let name = env::var("WGPU_ADAPTER_NAME").ok().filter(|name| !name.is_empty());
-    let adapter = match &name {
-        Some(name) => {
-            let wanted = name.to_lowercase();
-            let adapters = instance.enumerate_adapters(backends()).await;
-            adapters.into_iter().find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted))
-        }
-        None => {
-            let options = wgpu::RequestAdapterOptions {
-                power_preference: wgpu::PowerPreference::from_env().unwrap_or(wgpu::PowerPreference::HighPerformance),
-                force_fallback_adapter: env::var("WGPU_FORCE_FALLBACK_ADAPTER").is_ok_and(|flag| flag == "1"),
-                compatible_surface: None,
-            };
-            instance.request_adapter(&options).await.ok()
-        }
-    };
-    adapter.ok_or(GpuError::NoAdapter(name))
-}
-
-/// Whether there is an adapter to draw with.
-///
-/// # Errors
-/// There is none.
-pub fn check_adapter() -> Result<(), GpuError> {
-    pollster::block_on(adapter()).map(drop)
-}
-
-/// Every adapter that could be chosen, one line each: name, kind and driver.
-pub fn adapters() -> Vec<String> {
-    let adapters = pollster::block_on(instance().enumerate_adapters(backends()));
-    let line = |adapter: Adapter| {
-        let info = adapter.get_info();
-        let kind = match info.device_type {
-            wgpu::DeviceType::Cpu => "software",
-            wgpu::DeviceType::IntegratedGpu => "integrated",
-            wgpu::DeviceType::DiscreteGpu => "discrete",
-            wgpu::DeviceType::VirtualGpu => "virtual",
-            wgpu::DeviceType::Other => "other",
-        };
-        format!("{} ({kind}, {}, {} {})", info.name, info.backend, info.driver, info.driver_info)
-    };
-    adapters.into_iter().map(line).collect()
-}
-
 impl Gpu {
-    /// The device of the adapter that Bevy would choose; see [`check_adapter`].
+    /// The device of the adapter that Bevy would choose; see [`check_adapter`](super::check_adapter).
     ///
     /// # Errors
     /// No adapter, or one that gives no device.

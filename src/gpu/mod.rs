@@ -1,6 +1,7 @@
 //! The GPU without Bevy: WGSL parts joined into variants, the scene as a uniform, a device without a window, rays in and
 //! traces out.
 
+mod adapter;
 mod device;
 mod errors;
 pub mod kernel;
@@ -9,7 +10,8 @@ mod scene;
 mod shader;
 pub mod timing;
 
-pub use device::{Gpu, adapters, backends, check_adapter};
+pub use adapter::{AdapterName, Listed, adapters, check_adapter, chosen, kind, named_by_environment, prefer};
+pub use device::Gpu;
 pub use errors::{ERROR_GRID, ErrorCells};
 pub use scene::{DISK_HDR_SCALE, GpuScene};
 pub use shader::{Entry, Tracer, Variant};

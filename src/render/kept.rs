@@ -25,7 +25,7 @@ pub struct AlwaysDraw(pub bool);
 
 /// What the eye is to see. Each change makes a new one, so that no answer is taken for that to another question.
 #[derive(Resource, Clone, ExtractResource)]
-pub(super) struct Sight {
+pub struct Sight {
     scene: Scene,
     /// Whether a frame has drawn all of it; both worlds hold it.
     drawn: Arc<AtomicBool>,
@@ -37,7 +37,8 @@ impl Sight {
     }
 
     /// Whether a frame has drawn all of it.
-    pub(super) fn is_drawn(&self) -> bool {
+    #[must_use]
+    pub fn is_drawn(&self) -> bool {
         self.drawn.load(Ordering::Acquire)
     }
 

@@ -25,7 +25,7 @@ pub mod recovery;
 pub use chain::{Chain, Written};
 pub use errors::AwaitErrors;
 pub use eye::{Eye, Screen};
-pub use kept::AlwaysDraw;
+pub use kept::{AlwaysDraw, Sight};
 pub use needs::needs;
 pub use presentation::{Letterbox, letterbox};
 
@@ -65,7 +65,8 @@ pub fn render_plugin(synchronous_pipeline_compilation: bool) -> RenderPlugin {
 }
 
 fn wgpu_settings() -> WgpuSettings {
-    WgpuSettings { backends: Some(crate::gpu::backends()), ..default() }
+    let (backends, adapter_name) = crate::gpu::chosen();
+    WgpuSettings { backends: Some(backends), adapter_name, ..default() }
 }
 
 /// Whether the whole of the present scene has been drawn, asked after an update. An error names what failed.
@@ -89,7 +90,7 @@ pub fn is_drawn(app: &App) -> Result<bool, String> {
     let (Some(scene), Some(work), Some(sight)) = (
         world.get_resource::<CurrentScene>(),
         world.get_resource::<errors::Work>(),
-        world.get_resource::<kept::Sight>(),
+        world.get_resource::<Sight>(),
     ) else {
         return Ok(false);
     };

@@ -4,6 +4,7 @@ mod drawing;
 mod numbers;
 mod worker;
 
+use super::clipboard::Clipboard;
 use super::dock::{Side, docked};
 use super::notice::Notice;
 use super::window::Shown;
@@ -123,6 +124,7 @@ fn show(
     window: Single<&Window, With<PrimaryWindow>>,
     scene: Res<CurrentScene>,
     worker: Res<Worker>,
+    clipboard: Res<Clipboard>,
     mut shown: ResMut<Shown>,
     mut inspector: ResMut<Inspector>,
     mut notice: ResMut<Notice>,
@@ -152,11 +154,11 @@ fn show(
         let Some(first) = rays.first() else { return };
         ui.horizontal(|ui| {
             if ui.button("Copy text").clicked() {
-                worker.copy(first.numbers.to_text());
+                clipboard.copy(first.numbers.to_text());
                 notice.say("The ray's numbers are on the clipboard, as text");
             }
             if ui.button("Copy JSON").clicked() {
-                worker.copy(first.numbers.to_json());
+                clipboard.copy(first.numbers.to_json());
                 notice.say("The ray's numbers are on the clipboard, as JSON");
             }
         });

@@ -39,7 +39,6 @@ pub(super) enum GpuState {
 enum Order {
     Trace(Box<Job>),
     Count(Box<Scene>),
-    Copy(String),
 }
 
 /// The way to the thread and back.
@@ -81,11 +80,6 @@ impl Worker {
         let _ = self.orders.send(Order::Trace(Box::new(job)));
     }
 
-    /// Puts a text on the clipboard, which has to stay with whoever put it there.
-    pub(super) fn copy(&self, text: String) {
-        let _ = self.orders.send(Order::Copy(text));
-    }
-
     /// The newest answer, if there is a new one; as an error, what could not be done.
     pub(super) fn answer(&self) -> Option<Result<Answer, String>> {
         let answers = self.answers.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -95,7 +89,6 @@ impl Worker {
 
 fn run(work: &Receiver<Order>, answer: &Answers) {
     let mut device = None;
-    let mut clipboard = None;
     while let Ok(mut order) = work.recv() {
         // Of several rays that were asked for in the meantime only the last is still wanted.
         loop {
@@ -103,25 +96,19 @@ fn run(work: &Receiver<Order>, answer: &Answers) {
                 Ok(next @ Order::Trace(_)) if matches!(order, Order::Trace(_)) => order = next,
                 Ok(next @ Order::Count(_)) if matches!(order, Order::Count(_)) => order = next,
                 Ok(next) => {
-                    serve(order, &mut device, &mut clipboard, answer);
+                    serve(order, &mut device, answer);
                     order = next;
                 }
                 Err(TryRecvError::Empty | TryRecvError::Disconnected) => break,
             }
         }
-        serve(order, &mut device, &mut clipboard, answer);
+        serve(order, &mut device, answer);
     }
 }
 
-fn serve(
-    order: Order,
-    device: &mut Option<Gpu>,
-    clipboard: &mut Option<arboard::Clipboard>,
-    Answers { rays: answer, steps }: &Answers,
-) {
+fn serve(order: Order, device: &mut Option<Gpu>, Answers { rays: answer, steps }: &Answers) {
     let fault = match order {
         Order::Trace(job) => trace(*job, device, answer),
-        Order::Copy(text) => copy(text, clipboard),
         Order::Count(scene) => {
             let counted = opened(device).and_then(|gpu| StepCount::of(gpu, &scene));
             if counted.is_err() {
@@ -189,13 +176,4 @@ fn opened(device: &mut Option<Gpu>) -> Result<&Gpu, GpuError> {
         Some(gpu) => gpu,
         none => none.insert(Gpu::headless()?),
     })
-}
-
-fn copy(text: String, clipboard: &mut Option<arboard::Clipboard>) -> Result<(), String> {
-    let failed = |error: arboard::Error| format!("The clipboard cannot be reached: {error}");
-    let board = match clipboard {
-        Some(board) => board,
-        none => none.insert(arboard::Clipboard::new().map_err(failed)?),
-    };
-    board.set_text(text).map_err(failed)
 }

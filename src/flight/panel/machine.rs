@@ -1,7 +1,8 @@
 //! The page about the machine: how fast it is, what the passes cost, which adapter draws and what it compiled.
 
+use crate::flight::adapter::AdapterChoice;
 use crate::flight::pace::Pace;
-use crate::gpu::Variant;
+use crate::gpu::{self, AdapterName, Listed, Variant};
 use crate::render::{Chain, needs};
 use crate::scene::Scene;
 use bevy::diagnostic::DiagnosticsStore;
@@ -10,6 +11,7 @@ use bevy::prelude::*;
 use bevy::render::diagnostic::RenderDiagnosticsPlugin;
 use bevy::render::renderer::RenderAdapterInfo;
 use bevy_egui::egui;
+use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 
 /// A pass that has not run for this long is not one that runs.
@@ -26,6 +28,8 @@ pub(super) struct State {
     /// What the scene needs, line by line, and of which variant and chain that is said.
     lines: Vec<(String, String)>,
     of: Option<(Variant, Chain)>,
+    /// The adapters that there are; looked for when the page is first opened, in a thread of its own.
+    adapters: Option<Arc<OnceLock<Vec<Listed>>>>,
 }
 
 /// Mean time of a frame, in seconds.
@@ -39,6 +43,7 @@ pub struct Machine<'w> {
     adapter: Option<Res<'w, RenderAdapterInfo>>,
     frame: Res<'w, FrameTime>,
     pace: Res<'w, Pace>,
+    choice: Res<'w, AdapterChoice>,
 }
 
 pub(super) fn plugin(app: &mut App) {
@@ -71,7 +76,14 @@ impl Machine<'_> {
     }
 }
 
-pub(super) fn show(ui: &mut egui::Ui, state: &mut State, machine: &Machine, drawn: &Scene, meant: &Scene) {
+pub(super) fn show(
+    ui: &mut egui::Ui,
+    state: &mut State,
+    machine: &Machine,
+    chosen: &mut Option<AdapterName>,
+    drawn: &Scene,
+    meant: &Scene,
+) {
     ui.strong("Speed");
     let milliseconds = 1e3 * machine.frame.0;
     let resting = if machine.pace.resting { ", for nothing moves" } else { "" };
@@ -96,11 +108,10 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, machine: &Machine, draw
     ui.add_space(8.0);
     ui.strong("Graphics adapter");
     if let Some(info) = &machine.adapter {
-        ui.label(&info.name);
-        ui.label(format!("{} through {}", kind(info.device_type), info.backend));
+        ui.label(format!("{} ({} through {})", info.name, gpu::kind(info.device_type), info.backend));
         ui.label(format!("{} {}", info.driver, info.driver_info));
     }
-    ui.weak("Another one at the next start: lightfall --list-gpus, lightfall --gpu NAME");
+    adapters(ui, state, machine, chosen);
     ui.add_space(8.0);
     ui.strong("What this scene needs");
     for (what, how) in state.lines(scene) {
@@ -112,6 +123,32 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, machine: &Machine, draw
             });
             ui.add(egui::Label::new(how).wrap());
         });
+    }
+}
+
+/// Which adapter the next start is to use.
+fn adapters(ui: &mut egui::Ui, state: &mut State, machine: &Machine, chosen: &mut Option<AdapterName>) {
+    let list = state.adapters.get_or_insert_with(|| {
+        let list = Arc::new(OnceLock::new());
+        let found = Arc::clone(&list);
+        std::thread::spawn(move || found.set(gpu::adapters()));
+        list
+    });
+    let present = machine.adapter.as_deref().map(|info| AdapterName::of(info));
+    ui.weak("From the next start on:");
+    ui.radio_value(chosen, None, "the best that there is");
+    let listed = list.get().map_or(&[][..], Vec::as_slice);
+    for Listed { name, kind, driver } in listed {
+        let mark = if present.as_ref() == Some(name) { ", in use now" } else { "" };
+        ui.radio_value(chosen, Some(name.clone()), format!("{name}{mark}")).on_hover_text(format!("{kind}, {driver}"));
+    }
+    if let Some(gone) = chosen.clone().filter(|gone| list.get().is_some() && listed.iter().all(|it| it.name != *gone)) {
+        ui.radio_value(chosen, Some(gone.clone()), format!("{gone}, not there"));
+    }
+    if let Some(variable) = gpu::named_by_environment() {
+        ui.weak(format!("This start was told by the command line or {variable}."));
+    } else if *chosen != machine.choice.used {
+        ui.weak("Kept in the settings; it holds from the next start.");
     }
 }
 
@@ -128,15 +165,5 @@ impl State {
             (self.lines, self.of) = (needs(scene).lines().skip(1).map(line).collect(), Some(of));
         }
         &self.lines
-    }
-}
-
-fn kind(kind: wgpu::DeviceType) -> &'static str {
-    match kind {
-        wgpu::DeviceType::Cpu => "software",
-        wgpu::DeviceType::IntegratedGpu => "part of the processor",
-        wgpu::DeviceType::DiscreteGpu => "a card of its own",
-        wgpu::DeviceType::VirtualGpu => "virtual",
-        wgpu::DeviceType::Other => "of another kind",
     }
 }

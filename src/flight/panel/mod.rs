@@ -11,7 +11,7 @@ mod steps;
 pub use fields::shown_number;
 pub(super) use preferences::Rebinding;
 
-use super::bindings::Bindings;
+use super::bindings::{Bindings, PadBindings};
 use super::dock::{Side, docked};
 use super::keyboard::SceneEditor;
 use super::motion::Voyage;
@@ -68,6 +68,8 @@ fn show(
     mut editor: SceneEditor,
     mut preferences: ResMut<Preferences>,
     mut bindings: ResMut<Bindings>,
+    mut buttons: ResMut<PadBindings>,
+    pads: Query<&Gamepad>,
     mut rebinding: ResMut<Rebinding>,
     keys: Res<ButtonInput<KeyCode>>,
     machine: machine::Machine,
@@ -100,9 +102,14 @@ fn show(
             Page::Readouts => {
                 readouts::show(ui, readouts, editor.drawn(), &voyage, &mut preferences.settings);
             }
-            Page::Machine => machine::show(ui, needs, &machine, editor.drawn(), &editor.meant()),
+            Page::Machine => {
+                let chosen = &mut preferences.settings.adapter;
+                machine::show(ui, needs, &machine, chosen, editor.drawn(), &editor.meant());
+            }
             Page::Honesty => honesty::show(ui),
-            Page::Settings => preferences::show(ui, &mut preferences, &mut bindings, &mut rebinding, &keys),
+            Page::Settings => {
+                preferences::show(ui, &mut preferences, &mut bindings, &mut buttons, &mut rebinding, &keys, &pads);
+            }
         });
     });
     Ok(())

@@ -1,19 +1,19 @@
-//! The page of settings, which outlast the program: size of the text, speed, calm, and keys.
+//! The page of settings, which outlast the program: size of the text, speed, calm, keys and buttons.
 
-use crate::flight::bindings::Bindings;
-use crate::flight::controls::{Group, control_named};
-use crate::flight::keys::key_name;
+use crate::cli;
+use crate::flight::bindings::{Bindings, Bound, PadBindings, Switch};
+use crate::flight::controls::Group;
 use crate::flight::settings::{Automatic, FRAME_RATES, UI_SCALES, pictures_folder, settings_file};
 use crate::flight::window::Preferences;
 use bevy::prelude::*;
 use bevy_egui::egui;
 
-/// The control that waits for its new key, by name.
+/// The control that waits for its new key or button, by name.
 #[derive(Resource, Default)]
 pub struct Rebinding(Option<&'static str>);
 
 impl Rebinding {
-    /// Whether one waits; the keyboard then does nothing else.
+    /// Whether one waits; keyboard and gamepad then do nothing else.
     pub fn waits(&self) -> bool {
         self.0.is_some()
     }
@@ -27,8 +27,10 @@ pub(super) fn show(
     ui: &mut egui::Ui,
     preferences: &mut Preferences,
     bindings: &mut ResMut<Bindings>,
+    buttons: &mut ResMut<PadBindings>,
     rebinding: &mut Rebinding,
     keys: &ButtonInput<KeyCode>,
+    pads: &Query<&Gamepad>,
 ) {
     let settings = &mut preferences.settings;
     ui.strong("Comfort");
@@ -83,13 +85,18 @@ pub(super) fn show(
         ui.strong("Keys");
         if ui.button("All as they were").clicked() {
             **bindings = Bindings::default();
+            **buttons = PadBindings::default();
         }
     });
-    ui.weak("Press a button, then the new key; Esc leaves it as it was.");
-    capture(bindings, rebinding, keys);
+    ui.weak("Click on one, then press the new key, or a button of the gamepad; Esc leaves it as it was.");
+    if let Some(reason) = cli::NO_GAMEPAD {
+        ui.weak(reason);
+    }
+    capture(bindings, rebinding, keys.get_just_pressed());
+    capture(buttons, rebinding, pads.iter().flat_map(Gamepad::get_just_pressed));
     for group in Group::ALL {
         egui::CollapsingHeader::new(group.title()).show(ui, |ui| {
-            egui::Grid::new(group.title()).num_columns(2).spacing([12.0, 4.0]).show(ui, |ui| {
+            egui::Grid::new(group.title()).spacing([12.0, 4.0]).show(ui, |ui| {
                 for (control, _) in bindings.iter().filter(|(control, _)| control.group == group) {
                     let words = bindings.in_words(control);
                     let waits = rebinding.0 == Some(control.id);
@@ -100,6 +107,9 @@ pub(super) fn show(
                     };
                     if ui.add_sized([110.0, 20.0], egui::Button::selectable(waits, text)).clicked() {
                         rebinding.0 = Some(control.id);
+                    }
+                    if !pads.is_empty() {
+                        ui.weak(buttons.in_words(control));
                     }
                     ui.add(egui::Label::new(control.id).truncate()).on_hover_text(control.does);
                     ui.end_row();
@@ -114,16 +124,24 @@ pub(super) fn show(
     ui.weak(format!("Screenshots go to {}", pictures_folder().display()));
 }
 
+/// The key that binds nothing.
+const LEAVE: &str = "Esc";
+
 fn scale_id() -> egui::Id {
     egui::Id::new("scale that is dragged")
 }
 
-/// Binds the key that is pressed while a control waits for one.
-fn capture(bindings: &mut ResMut<Bindings>, rebinding: &mut Rebinding, keys: &ButtonInput<KeyCode>) {
+/// Binds the first of the switches that were just pressed while a control waits for one.
+fn capture<'a, S: Switch>(
+    bindings: &mut ResMut<Bound<S>>,
+    rebinding: &mut Rebinding,
+    pressed: impl IntoIterator<Item = &'a S>,
+) {
     let Some(id) = rebinding.0 else { return };
-    let Some(pressed) = keys.get_just_pressed().find(|code| key_name(**code).is_some()) else { return };
-    let escape = *pressed == KeyCode::Escape && control_named(id).is_some_and(|control| control.id != "fly.escape");
-    if !escape {
+    let Some(pressed) = pressed.into_iter().find(|switch| switch.name().is_some()) else { return };
+    // Esc means to leave it, but where it is that very key's control.
+    let leaves = S::named(LEAVE) == Some(*pressed) && id != "fly.escape";
+    if !leaves {
         bindings.bind(id, *pressed);
     }
     rebinding.stop();
