@@ -30,10 +30,7 @@ error. Exit status: 0 all done, 2 a bad command line or preset, 1 any other fail
 pub const NO_GAMEPAD: Option<&str> = if cfg!(feature = "gamepad") {
     None
 } else {
-    Some(
-        "This build reads no gamepad: ./play makes one that does where libudev-dev and pkg-config are installed, \
-         and so does `cargo build --release --features gamepad`.",
-    )
+    Some("This build reads no gamepad; ./play makes one that does where libudev-dev and pkg-config are installed.")
 };
 
 /// What stands under the help.

@@ -87,11 +87,9 @@ pub fn is_drawn(app: &App) -> Result<bool, String> {
         }
     }
     let world = app.world();
-    let (Some(scene), Some(work), Some(sight)) = (
-        world.get_resource::<CurrentScene>(),
-        world.get_resource::<errors::Work>(),
-        world.get_resource::<Sight>(),
-    ) else {
+    let (Some(scene), Some(work), Some(sight)) =
+        (world.get_resource::<CurrentScene>(), world.get_resource::<errors::Work>(), world.get_resource::<Sight>())
+    else {
         return Ok(false);
     };
     Ok(work.is_done(scene)? && sight.is_drawn())

@@ -4,6 +4,7 @@
 
 mod adapter;
 mod camera;
+mod choice;
 mod closed;
 mod disk;
 mod effects;

@@ -132,6 +132,21 @@ fn number_keys_load_the_presets() {
     }
 }
 
+#[test]
+fn page_up_and_down_go_round_the_presets() {
+    let count = presets::PRESETS.len();
+    let mut scene = presets::PRESETS[0].scene(&[]).unwrap();
+    for place in (1..count).chain([0]) {
+        scene = used(&scene, "preset.next", 1);
+        assert_eq!(scene, presets::PRESETS[place].scene(&[]).unwrap());
+    }
+    assert_eq!(used(&scene, "preset.previous", 1), presets::PRESETS[count - 1].scene(&[]).unwrap());
+    // From a scene of one's own, to either end.
+    scene.name = "mine".into();
+    assert_eq!(used(&scene, "preset.next", 1), presets::PRESETS[0].scene(&[]).unwrap());
+    assert_eq!(used(&scene, "preset.previous", 1), presets::PRESETS[count - 1].scene(&[]).unwrap());
+}
+
 fn settings(id: &str, keys: &[&str]) -> BTreeMap<String, Vec<String>> {
     BTreeMap::from([(id.to_owned(), keys.iter().map(|key| (*key).to_owned()).collect())])
 }

@@ -4,6 +4,7 @@
 mod command_line;
 mod fields;
 mod flights;
+mod gamepad;
 mod history;
 mod journey;
 mod keys;

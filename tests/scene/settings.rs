@@ -1,6 +1,7 @@
 //! The settings file: read back as it was written, and never fatal.
 
 use lightfall::flight::{Automatic, Settings};
+use lightfall::gpu::AdapterName;
 
 #[test]
 fn settings_are_read_back_as_they_were_written() {
@@ -8,6 +9,8 @@ fn settings_are_read_back_as_they_were_written() {
     let file = folder.path().join("deep/er/settings.toml");
     let mut settings = Settings { ui_scale: 1.25, automatic_resolution: Automatic::Off, ..Settings::default() };
     settings.keys.insert("window.help".into(), vec!["F10".into()]);
+    settings.buttons.insert("window.help".into(), vec!["Guide".into()]);
+    settings.adapter = Some(AdapterName { name: "A card \"2\"".into(), backend: "vulkan".into() });
     settings.save(&file).unwrap();
     assert_eq!(Settings::load(&file), (settings, None));
 }
@@ -27,6 +30,8 @@ fn a_broken_file_is_set_aside_and_reported() {
         ("frame_rate = nan", "frame_rate = NaN is refused"),
         ("most_frames = -1.0", "or 0 for as many as the monitor shows"),
         ("[keys]\n\"window.help\" = [\"W\"]", "W is given to both"),
+        ("[buttons]\n\"window.help\" = [\"A\"]", "A is given to both"),
+        ("[adapter]\nname = \"A card\"", "backend"),
     ] {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("settings.toml");

@@ -1,7 +1,7 @@
 //! A display of the test's own: Xvfb, the program's window on it, keys by xdotool, pictures from the X server.
 
 use std::io::{BufRead, BufReader};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use x11rb::connection::Connection;
@@ -62,8 +62,22 @@ impl Desktop {
         Self::open_program(Path::new(env!("CARGO_BIN_EXE_lightfall")), arguments)
     }
 
+    /// As [`open`](Self::open), with a settings file.
+    pub fn open_with_settings(settings: &str, arguments: &[&str]) -> Option<Self> {
+        Self::open_prepared(&[("settings.toml", settings.to_owned())], arguments)
+    }
+
+    /// As [`open`](Self::open), with files beside the settings.
+    pub fn open_prepared(files: &[(&str, String)], arguments: &[&str]) -> Option<Self> {
+        Self::start(Path::new(env!("CARGO_BIN_EXE_lightfall")), files, arguments)
+    }
+
     /// As [`open`](Self::open), for another program with a window of the same name.
     pub fn open_program(program: &Path, arguments: &[&str]) -> Option<Self> {
+        Self::start(program, &[], arguments)
+    }
+
+    fn start(program: &Path, files: &[(&str, String)], arguments: &[&str]) -> Option<Self> {
         for tool in ["Xvfb", "xdotool"] {
             if Command::new("sh")
                 .args(["-c", &format!("command -v {tool}")])
@@ -88,6 +102,11 @@ impl Desktop {
         let display = format!(":{}", number.trim());
         let home = tempfile::tempdir().unwrap();
         std::fs::create_dir(home.path().join("Pictures")).unwrap();
+        let config = home.path().join("config");
+        std::fs::create_dir_all(config.join("lightfall")).unwrap();
+        for (name, text) in files {
+            std::fs::write(config.join("lightfall").join(name), text).unwrap();
+        }
         let said = std::fs::File::create(home.path().join("said")).unwrap();
         let started = Instant::now();
         let program = Command::new(program)
@@ -95,7 +114,7 @@ impl Desktop {
             .env("DISPLAY", &display)
             .env_remove("WAYLAND_DISPLAY")
             .env("HOME", home.path())
-            .env("XDG_CONFIG_HOME", home.path().join("config"))
+            .env("XDG_CONFIG_HOME", config)
             .stderr(said)
             .spawn()
             .unwrap();
@@ -144,6 +163,16 @@ impl Desktop {
             assert!(start.elapsed() < PATIENCE, "{what}: the screen did not come to show it");
         }
         start.elapsed()
+    }
+
+    /// The settings file.
+    pub fn settings(&self) -> PathBuf {
+        self.home.path().join("config/lightfall/settings.toml")
+    }
+
+    /// The display's name.
+    pub fn display(&self) -> &str {
+        &self.display
     }
 
     /// What the program has said on standard error.
@@ -214,6 +243,11 @@ impl Desktop {
     /// Presses and lets go of a key, named as X names it.
     pub fn press(&self, key: &str) {
         self.xdotool(&["key", "--delay", "60", key]);
+    }
+
+    /// Presses keys together, e.g. `ctrl+v`, slowly enough that a frame sees the first before it sees the last.
+    pub fn chord(&self, keys: &str) {
+        self.xdotool(&["key", "--delay", "250", keys]);
     }
 
     /// Holds a key down for a while.

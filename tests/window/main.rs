@@ -2,10 +2,13 @@
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod adapter;
+mod clipboard;
 mod controls;
 mod desktop;
 mod device_loss;
 mod flights;
+mod gamepad;
 mod inspector;
 mod latency;
 mod safety;

@@ -1,0 +1,161 @@
+//! A gamepad in the window. Its messages are Bevy's own, as the reader of the hardware writes them; no hardware is needed.
+
+use crate::desktop::{Desktop, Shot};
+use crate::{HINT, WINDOW};
+use bevy::input::gamepad::{GamepadConnection, GamepadConnectionEvent, RawGamepadEvent};
+use bevy::input::gamepad::{GamepadInput, RawGamepadAxisChangedEvent, RawGamepadButtonChangedEvent};
+use bevy::prelude::*;
+use lightfall::flight::{Guide, Pace};
+use lightfall::render::CurrentScene;
+use lightfall::scene::{journey, presets};
+use std::time::{Duration, Instant};
+
+/// What a key has the pad do: which part of it is pushed for a second, so long after the key.
+const HANDS: [(KeyCode, GamepadInput, u64); 6] = [
+    (KeyCode::Insert, GamepadInput::Axis(GamepadAxis::LeftStickY), 6),
+    (KeyCode::Delete, GamepadInput::Axis(GamepadAxis::RightStickX), 0),
+    (KeyCode::KeyK, GamepadInput::Button(GamepadButton::South), 0),
+    (KeyCode::KeyY, GamepadInput::Button(GamepadButton::DPadRight), 0),
+    (KeyCode::F10, GamepadInput::Button(GamepadButton::Start), 0),
+    (KeyCode::Backquote, GamepadInput::Button(GamepadButton::RightTrigger), 0),
+];
+const PUSHED: Duration = Duration::from_secs(1);
+
+/// The pad, and what is pushed on it: from when on, and whether it is by now.
+#[derive(Resource, Default)]
+struct Hand {
+    pad: Option<Entity>,
+    pushed: Option<(GamepadInput, Instant, bool)>,
+}
+
+fn hand(
+    mut commands: Commands,
+    keys: Res<ButtonInput<KeyCode>>,
+    mut hand: ResMut<Hand>,
+    mut connections: MessageWriter<GamepadConnectionEvent>,
+    mut raw: MessageWriter<RawGamepadEvent>,
+    (scene, guide, pace): (Res<CurrentScene>, Res<Guide>, Res<Pace>),
+) {
+    let pad = *hand.pad.get_or_insert_with(|| commands.spawn_empty().id());
+    if keys.just_pressed(KeyCode::Home) {
+        let connection =
+            GamepadConnection::Connected { name: "Pad of the test".into(), vendor_id: None, product_id: None };
+        connections.write(GamepadConnectionEvent::new(pad, connection));
+    }
+    if keys.just_pressed(KeyCode::End) {
+        connections.write(GamepadConnectionEvent::new(pad, GamepadConnection::Disconnected));
+    }
+    for (key, input, after) in HANDS {
+        if keys.just_pressed(key) {
+            hand.pushed = Some((input, Instant::now() + Duration::from_secs(after), false));
+        }
+    }
+    let Some((input, start, pushed)) = &mut hand.pushed else { return };
+    let push = |value: f32| match *input {
+        GamepadInput::Axis(axis) => RawGamepadEvent::Axis(RawGamepadAxisChangedEvent::new(pad, axis, value)),
+        GamepadInput::Button(button) => RawGamepadEvent::Button(RawGamepadButtonChangedEvent::new(pad, button, value)),
+    };
+    let camera = &scene.camera;
+    let state = format!(
+        "r {} yaw {} fov {} roll {} resting {} journey {} preset {}",
+        camera.r,
+        camera.yaw_deg,
+        camera.fov_deg,
+        camera.roll_deg,
+        pace.resting,
+        guide.flies(),
+        scene.name
+    );
+    if !*pushed && Instant::now() >= *start {
+        eprintln!("before: {state}");
+        raw.write(push(1.0));
+        *pushed = true;
+    } else if *pushed && start.elapsed() > PUSHED {
+        eprintln!("after: {state}");
+        raw.write(push(0.0));
+        hand.pushed = None;
+    }
+}
+
+/// The program with such a pad. No test of its own: the one below starts it as another process.
+#[test]
+#[ignore = "started by the test of the gamepad"]
+fn program_with_a_gamepad() {
+    let scene = presets::find("2").unwrap().scene(&[]).unwrap();
+    let journey = journey::load("the built-in journey", journey::DEFAULT).unwrap();
+    let mut app = lightfall::flight::program(scene, journey, false);
+    app.init_resource::<Hand>().add_systems(First, hand);
+    assert_eq!(app.run(), AppExit::Success);
+}
+
+/// How things were before and after the key's hand was on the pad.
+fn used(desktop: &Desktop, key: &str) -> [Vec<String>; 2] {
+    let count = |said: &str| said.matches("after: ").count();
+    let before = count(&desktop.said());
+    desktop.press(key);
+    let start = Instant::now();
+    while count(&desktop.said()) == before {
+        assert!(start.elapsed() < Duration::from_secs(30), "{key}: {}", desktop.said());
+        std::thread::sleep(Duration::from_millis(100));
+    }
+    let said = desktop.said();
+    ["before: ", "after: "].map(|what| {
+        let line = said.lines().filter_map(|line| line.strip_prefix(what)).next_back().unwrap();
+        line.split(' ').map(str::to_owned).collect()
+    })
+}
+
+/// A value of such a state, by its name.
+fn value<'a>(state: &'a [String], name: &str) -> &'a str {
+    &state[1 + state.iter().position(|word| word == name).unwrap()]
+}
+
+fn number(state: &[String], name: &str) -> f64 {
+    value(state, name).parse().unwrap()
+}
+
+#[test]
+fn a_gamepad_flies_looks_presses_wakes_the_window_and_comes_and_goes() {
+    let program = std::env::current_exe().unwrap();
+    let only = ["--exact", "gamepad::program_with_a_gamepad", "--ignored", "--test-threads=1", "--nocapture"];
+    let Some(desktop) = Desktop::open_program(&program, &only) else { return };
+    let start = desktop.settled("first picture", |shot| shot.colours() > 50);
+    desktop.press("Home");
+    let hint = |shot: &Shot| start.changed(shot, 0..WINDOW.0, WINDOW.1 - 2 * HINT..WINDOW.1) > 0.0;
+    desktop.until("it is said that a pad came", hint);
+
+    // Nothing but the pad tells the resting window to wake. A frame more or less than the second is the machine's.
+    let about = |factor: f64| (0.8..1.6).contains(&factor);
+    let [before, after] = used(&desktop, "Insert");
+    assert_eq!([value(&before, "resting"), value(&after, "resting")], ["true", "false"]);
+    // Nearer by the same share as with a key: 0.4 of the distance to the horizon a second.
+    let nearer = ((number(&before, "r") - 1.0) / (number(&after, "r") - 1.0)).ln() / 0.4;
+    assert!(about(nearer), "{nearer}: {before:?} {after:?}");
+
+    // A field of view a second, to the right.
+    let [before, after] = used(&desktop, "Delete");
+    let turned = (number(&after, "yaw") - number(&before, "yaw")) / number(&before, "fov");
+    assert!(about(turned), "{turned}: {before:?} {after:?}");
+    assert_eq!(number(&before, "r"), number(&after, "r"));
+    let [before, after] = used(&desktop, "grave");
+    assert!(number(&after, "roll") != number(&before, "roll"), "{before:?} {after:?}");
+
+    // The journey by a button; the stick takes over.
+    let [before, after] = used(&desktop, "k");
+    assert_eq!([value(&before, "journey"), value(&after, "journey")], ["false", "true"]);
+    let [before, after] = used(&desktop, "Delete");
+    assert_eq!([value(&before, "journey"), value(&after, "journey")], ["true", "false"]);
+    let [before, after] = used(&desktop, "y");
+    assert_eq!([value(&before, "preset"), value(&after, "preset")], ["edge-on", "above"]);
+
+    let right = |a: &Shot, b: &Shot| a.changed(b, WINDOW.0 - 300..WINDOW.0, 100..WINDOW.1);
+    let closed = desktop.settled("preset 3", |_| true);
+    used(&desktop, "F10");
+    desktop.settled("panel", |shot| right(shot, &closed) > 0.5);
+
+    desktop.press("End");
+    std::thread::sleep(Duration::from_millis(500));
+    let [before, after] = used(&desktop, "Delete");
+    assert_eq!(value(&before, "yaw"), value(&after, "yaw"), "a pad that is gone still turns the camera");
+    assert!(!desktop.said().contains("ERROR") && !desktop.said().contains("panicked"), "{}", desktop.said());
+}
