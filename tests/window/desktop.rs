@@ -245,9 +245,14 @@ impl Desktop {
         self.xdotool(&["key", "--delay", "60", key]);
     }
 
-    /// Presses keys together, e.g. `ctrl+v`, slowly enough that a frame sees the first before it sees the last.
-    pub fn chord(&self, keys: &str) {
-        self.xdotool(&["key", "--delay", "250", keys]);
+    /// Presses a key while another one is held, so slowly that a busy machine has a frame in which both are.
+    pub fn chord(&self, held: &str, key: &str) {
+        let pause = || std::thread::sleep(Duration::from_millis(400));
+        self.xdotool(&["keydown", held]);
+        pause();
+        self.xdotool(&["key", key]);
+        pause();
+        self.xdotool(&["keyup", held]);
     }
 
     /// Holds a key down for a while.
