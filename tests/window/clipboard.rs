@@ -42,7 +42,7 @@ fn text_fields_copy_cut_and_paste_within_the_program_and_with_others() {
     desktop.click(1300, 118);
     let titled = |title: &str| {
         let whole = if title.is_empty() { "Lightfall".to_owned() } else { format!("Lightfall: {title}") };
-        wait(&format!("title {title:?}, and not {:?}", desktop.title()), || desktop.title() == whole);
+        wait(&whole, || desktop.title() == whole);
     };
     desktop.chord("ctrl", "a");
     desktop.type_text("gp");

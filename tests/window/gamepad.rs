@@ -137,7 +137,8 @@ fn a_gamepad_flies_looks_presses_wakes_the_window_and_comes_and_goes() {
     let [before, after] = used(&desktop, "Delete");
     let turned = (number(&after, "yaw") - number(&before, "yaw")) / number(&before, "fov");
     assert!(about(turned), "{turned}: {before:?} {after:?}");
-    assert_eq!(number(&before, "r"), number(&after, "r"));
+    // The place is made of the pose again, and rounded.
+    assert!((number(&before, "r") - number(&after, "r")).abs() < 1e-9, "{before:?} {after:?}");
     let [before, after] = used(&desktop, "grave");
     assert!(number(&after, "roll") != number(&before, "roll"), "{before:?} {after:?}");
 
