@@ -62,19 +62,21 @@ fn show(
         .collapsible(false)
         .resizable(false)
         .anchor(egui::Align2::CENTER_CENTER, [0.0, -20.0])
-        .default_width((context.content_rect().width() - 40.0).min(if pads.any() { 1240.0 } else { 1000.0 }))
+        .default_width((context.content_rect().width() - 40.0).min(1000.0))
         .show(context, |ui| {
             let tallest = (context.content_rect().height() - 180.0).max(100.0);
             egui::ScrollArea::both().max_height(tallest).show(ui, |ui| {
                 ui.horizontal_top(|ui| {
-                    column(ui, &bindings, &[Group::Flight, Group::Light]);
-                    ui.add_space(24.0);
-                    column(ui, &bindings, &[Group::Scene, Group::View]);
-                    ui.add_space(24.0);
-                    column(ui, &bindings, &[Group::Picture, Group::Window]);
-                    if pads.any() {
-                        ui.add_space(24.0);
-                        ui.vertical(|ui| table(ui, "Gamepad", pad_rows(&buttons)));
+                    for (place, groups) in columns(pads.any()).into_iter().enumerate() {
+                        ui.add_space(if place == 0 { 0.0 } else { 24.0 });
+                        ui.vertical(|ui| {
+                            for group in groups {
+                                table(ui, group.title(), rows(&bindings, *group));
+                            }
+                            if place == 2 && pads.any() {
+                                table(ui, "Gamepad", pad_rows(&buttons));
+                            }
+                        });
                     }
                 });
             });
@@ -86,12 +88,13 @@ fn show(
     Ok(())
 }
 
-fn column(ui: &mut egui::Ui, bindings: &Bindings, groups: &[Group]) {
-    ui.vertical(|ui| {
-        for group in groups {
-            table(ui, group.title(), rows(bindings, *group));
-        }
-    });
+/// The headings of each column; a gamepad's own stands under the last.
+fn columns(pad: bool) -> [&'static [Group]; 3] {
+    if pad {
+        [&[Group::Flight, Group::Picture], &[Group::Scene, Group::Light, Group::View], &[Group::Window]]
+    } else {
+        [&[Group::Flight, Group::Light], &[Group::Scene, Group::View], &[Group::Picture, Group::Window]]
+    }
 }
 
 fn table(ui: &mut egui::Ui, title: &str, rows: Vec<[String; 2]>) {
