@@ -6,7 +6,7 @@ use glam::UVec2;
 use lightfall::cli::{BenchArgs, EntryArg};
 use lightfall::gpu::Gpu;
 use lightfall::picture;
-use lightfall::report::bench::{Measured, Plan, auto_margin, csv, json, markdown, plot};
+use lightfall::report::bench::{Circumstances, Measured, Plan, auto_margin, csv, json, markdown, plot};
 use lightfall::scene::{Method, Scene};
 
 /// Frames that a whole frame's time is the median of.
@@ -39,7 +39,10 @@ pub fn bench(args: &BenchArgs) -> Result<(), Stop> {
         EntryArg::Compute => "compute",
         EntryArg::Fragment => "fragment",
     };
-    let circumstances = circumstances(&gpu, format!("{}x{}", plan.size.x, plan.size.y), entry);
+    let circumstances = Circumstances {
+        floor_ms: Some(plan.floor(&gpu).map_err(failed)?),
+        ..circumstances(&gpu, format!("{}x{}", plan.size.x, plan.size.y), entry)
+    };
     let (json, markdown) = (json(&circumstances, &rows), markdown(&circumstances, &rows));
     if let Some(folder) = &args.out {
         write(folder, "bench.csv", &csv(&circumstances, &rows))?;

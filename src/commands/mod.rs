@@ -30,6 +30,7 @@ fn circumstances(gpu: &Gpu, size: String, entry: &str) -> Circumstances {
         size,
         entry: entry.into(),
         commit: commit(),
+        floor_ms: None,
         command: command(),
     }
 }

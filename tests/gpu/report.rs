@@ -1,7 +1,7 @@
 //! The program's own measurements, held against what it promises.
 
 use crate::gpu;
-use lightfall::report::bench::{Circumstances, settings};
+use lightfall::report::bench::{Circumstances, Measured, at_equal_error, settings};
 use lightfall::report::bench::{Plan, auto_margin, csv, markdown, plot, subjects};
 use lightfall::report::extremes::{Hunt, Verdict, cells, run};
 use lightfall::scene::Method;
@@ -15,6 +15,7 @@ fn circumstances() -> Circumstances {
         size: text("160x90"),
         entry: text("compute"),
         commit: text("0123"),
+        floor_ms: Some(0.025),
         command: text("lightfall bench --quick"),
     }
 }
@@ -78,4 +79,34 @@ fn a_hunt_from_the_same_seed_finds_the_same_ray_and_tells_how_to_see_it_again() 
     assert_eq!(found, hunt.run(gpu, |_| {}).unwrap());
     assert!(found[0].command().starts_with("echo ") && found[0].command().contains("lightfall trace --rays -"));
     assert!(found.windows(2).all(|two| two[0].excess >= two[1].excess), "the worst comes first");
+}
+
+/// Rows of a scene by hand: ratios are of the cheapest settings of either at each level of the slower.
+#[test]
+fn methods_are_compared_where_they_are_equally_exact() {
+    let Some(gpu) = gpu() else { return };
+    let plan = Plan { subjects: subjects().into_iter().take(1).collect(), rays: 64, ..Plan::new(true) };
+    let measured = plan.run(gpu, |_| {}).unwrap();
+    let row = |method: &str, trace_ms: f64, backward_p99: f64| Measured {
+        method: method.into(),
+        trace_ms,
+        backward_p99,
+        ..measured[0].clone()
+    };
+    let scene = measured[0].scene.clone();
+    let rows = [
+        row("closed", 2.0, 1e-7),
+        row("verlet", 5.0, 1e-3),
+        // Dearer and worse than the first: it sets no level of its own.
+        row("verlet", 9.0, 2e-3),
+        row("verlet", 21.0, 1e-5),
+        // No bound, no level.
+        row("verlet", 99.0, f64::INFINITY),
+    ];
+    let found = at_equal_error(&rows, &scene, "closed", "verlet", Some(1.0)).unwrap();
+    assert_eq!((found.ratio, found.net_ratio, found.best), ([2.5, 10.5], Some([4.0, 20.0]), [1e-7, 1e-5]));
+    // The other way round there is no level that both reach.
+    assert_eq!(at_equal_error(&rows, &scene, "verlet", "closed", None), None);
+    let text = markdown(&circumstances(), &rows);
+    assert!(text.contains("2.5 to 10.5"), "{text}");
 }
