@@ -86,6 +86,7 @@ fn a_presets_needs_are_what_its_scene_says() {
     assert_eq!(line(&probe, "method"), "closed (asked for: auto)");
     assert!(line(&probe, "passes ").starts_with("clustering, main_opaque_pass_3d, geodesic, bloom, "));
     assert_eq!(line(&probe, "passes left out"), "none");
+    assert!(line(&probe, "passes, empty").ends_with("main_transparent_pass_2d"));
     assert_eq!(line(&probe, "not allocated"), "none");
     assert!(line(&probe, "textures").contains("HDR picture 960x540 rgba16float"));
     assert!(line(&probe, "textures").contains("cells 480x270"));

@@ -32,6 +32,7 @@ fn auto_is_on_the_pareto_front_of_every_scene_of_a_quick_run() {
         let in_time = margin.faster > 0.9;
         assert!(in_time && margin.more_exact > 1.0, "{margin:?}: another method is better in time and error");
         let svg = plot(&subject.name, "a test", &rows).unwrap().expect("there is something to draw");
+        assert!(labels_apart(&svg), "{svg}");
         assert!(svg.starts_with("<svg") && svg.contains("closed") | svg.contains("mino"), "{svg}");
     }
     let text = csv(&circumstances(), &rows);
@@ -78,4 +79,19 @@ fn a_hunt_from_the_same_seed_finds_the_same_ray_and_tells_how_to_see_it_again() 
     assert_eq!(found, hunt.run(gpu, |_| {}).unwrap());
     assert!(found[0].command().starts_with("echo ") && found[0].command().contains("lightfall trace --rays -"));
     assert!(found.windows(2).all(|two| two[0].excess >= two[1].excess), "the worst comes first");
+}
+
+/// Whether no label of a point, which has the colour of its method, covers another one.
+fn labels_apart(svg: &str) -> bool {
+    let label = |text: &str| -> Option<[i32; 4]> {
+        let attribute = |name: &str| text.split_once(&format!("{name}=\""))?.1.split_once('"').map(|(value, _)| value);
+        let ([x, y], words) =
+            ([attribute("x")?, attribute("y")?].map(|at| at.parse().unwrap()), text.split_once(">\n")?.1);
+        let width = 5 * words.lines().next()?.len() as i32;
+        (attribute("fill")? != "#000000").then_some([x, y, x + width, y + 9])
+    };
+    let labels: Vec<[i32; 4]> = svg.split("<text ").skip(1).filter_map(label).collect();
+    let apart = |a: &[i32; 4], b: &[i32; 4]| a[0] >= b[2] || b[0] >= a[2] || a[1] >= b[3] || b[1] >= a[3];
+    assert!(!labels.is_empty(), "no labels in {svg}");
+    labels.iter().enumerate().all(|(i, one)| labels[..i].iter().all(|other| apart(one, other)))
 }

@@ -1,6 +1,7 @@
 //! Error against run time: for each scene, method and setting, how long tracing takes and how wrong it is.
 
 mod frontier;
+mod labels;
 mod measured;
 mod plot;
 mod sweep;
