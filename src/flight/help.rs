@@ -16,7 +16,7 @@ const COLUMNS: [&[&[Group]]; 3] = [
     &[&Group::ALL],
 ];
 /// Width of a column, in points; of what lies about the window, and of its title and last line.
-const COLUMN: f32 = 340.0;
+const COLUMN: f32 = 310.0;
 const EDGE: f32 = 24.0;
 const TITLE: f32 = 76.0;
 
@@ -57,6 +57,8 @@ fn show(mut contexts: EguiContexts, mut shown: ResMut<Shown>, bindings: Res<Bind
         .anchor(egui::Align2::CENTER_CENTER, [0.0, 0.0])
         .show(context, |ui| {
             ui.set_max_width(room.x);
+            // Bars that show, or nobody would know that there is more.
+            ui.spacing_mut().scroll = egui::style::ScrollStyle::solid();
             // Under it there is a line more, above it the title.
             egui::ScrollArea::both().max_height((room.y - TITLE).max(40.0)).show(ui, |ui| {
                 ui.horizontal_top(|ui| {

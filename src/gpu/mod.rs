@@ -1,6 +1,7 @@
 //! The GPU without Bevy: WGSL parts joined into variants, the scene as a uniform, a device without a window, rays in and
 //! traces out.
 
+mod beside;
 mod device;
 mod errors;
 pub mod kernel;
@@ -9,6 +10,7 @@ mod scene;
 mod shader;
 pub mod timing;
 
+pub use beside::beside;
 pub use device::{Gpu, adapters, backends, check_adapter};
 pub use errors::{ERROR_GRID, ErrorCells};
 pub use scene::{DISK_HDR_SCALE, GpuScene};

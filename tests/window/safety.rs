@@ -21,7 +21,9 @@ fn any_size_and_minimising_are_survived() {
     std::thread::sleep(Duration::from_secs(1));
     assert!(desktop.running(), "minimised: {}", desktop.said());
     desktop.minimise(false);
-    ["p", "i", "F1"].map(|key| desktop.press(key));
+    for key in ["p", "i", "F1"] {
+        desktop.press(key);
+    }
     desktop.settled("as before", |shot| changed(shot, &start) == 0.0);
     assert!(!desktop.said().contains("ERROR"), "{}", desktop.said());
 }
