@@ -35,9 +35,9 @@ impl Held<'_> {
 
     fn motion(&self, motion: Motion) -> bool {
         let holds = |action| matches!(action, Action::Hold(held) if held == motion);
-        self.bindings
-            .iter()
-            .any(|(control, codes)| holds(control.action) && self.keys.any_pressed(codes.iter().copied()))
+        // A tap that is over within a slow frame counts for that frame.
+        let held = |code: &KeyCode| self.keys.pressed(*code) || self.keys.just_pressed(*code);
+        self.bindings.iter().any(|(control, codes)| holds(control.action) && codes.iter().any(held))
     }
 }
 
