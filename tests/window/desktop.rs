@@ -8,9 +8,8 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use x11rb::connection::Connection;
-use x11rb::protocol::xproto::{AtomEnum, ConnectionExt, ImageFormat, PropMode};
+use x11rb::protocol::xproto::{ConnectionExt, ImageFormat};
 use x11rb::rust_connection::RustConnection;
-use x11rb::wrapper::ConnectionExt as _;
 
 /// Screen large enough for the default window.
 const SCREEN: (u16, u16) = (1500, 900);
@@ -25,7 +24,7 @@ const LONGEST: Duration = Duration::from_secs(10);
 /// The display, and the program on it; both end with this value.
 pub struct Desktop {
     server: Child,
-    program: Child,
+    pub program: Child,
     /// When the program was started.
     pub started: Instant,
     /// The user's home, with an empty folder for pictures and one for settings.
@@ -34,7 +33,7 @@ pub struct Desktop {
     pub connection: RustConnection,
     pub root: u32,
     screen: (u16, u16),
-    window: String,
+    pub window: String,
     /// None before there is a window.
     frames: Option<Frames>,
 }
@@ -99,7 +98,7 @@ impl Desktop {
         Some(desktop)
     }
 
-    fn xdotool(&self, arguments: &[&str]) -> String {
+    pub fn xdotool(&self, arguments: &[&str]) -> String {
         let output = Command::new("xdotool").args(arguments).env("DISPLAY", &self.display).output().unwrap();
         // A search without a result is no failure of the tool.
         assert!(output.status.success() || arguments[0] == "search", "xdotool {arguments:?} failed");
@@ -187,43 +186,9 @@ impl Desktop {
         }
     }
 
-    /// Sends the program to sleep, as a machine that is suspended does, or wakes it up.
-    pub fn suspend(&self, asleep: bool) {
-        let signal = if asleep { "-STOP" } else { "-CONT" };
-        let sent = Command::new("kill").args([signal, &self.program.id().to_string()]).status().unwrap();
-        assert!(sent.success());
-    }
-
-    /// Tells programs how many points an inch of the monitor has, as desktops do when it is another one.
-    pub fn dots_per_inch(&self, dpi: u32) {
-        let (connection, text) = (&self.connection, format!("Xft.dpi:\t{dpi}\n"));
-        let (resources, string) = (AtomEnum::RESOURCE_MANAGER, AtomEnum::STRING);
-        connection.change_property8(PropMode::REPLACE, self.root, resources, string, text.as_bytes()).unwrap();
-        connection.flush().unwrap();
-    }
-
-    /// Size of the window, in pixels.
-    pub fn size(&self) -> (usize, usize) {
-        let window = self.window.parse().unwrap();
-        let geometry = self.connection.get_geometry(window).unwrap().reply().unwrap();
-        (geometry.width.into(), geometry.height.into())
-    }
-
     /// Types a text.
     pub fn type_text(&self, text: &str) {
         self.xdotool(&["type", "--delay", "60", text]);
-    }
-
-    pub fn resize(&self, width: i32, height: i32) {
-        self.xdotool(&["windowsize", &self.window, &width.to_string(), &height.to_string()]);
-    }
-
-    /// Takes the window from the screen, or puts it back.
-    pub fn minimise(&self, away: bool) {
-        self.xdotool(&[if away { "windowunmap" } else { "windowmap" }, "--sync", &self.window]);
-        if !away {
-            self.xdotool(&["windowfocus", "--sync", &self.window]);
-        }
     }
 
     /// Presses and lets go of a key, named as X names it.

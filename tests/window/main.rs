@@ -10,6 +10,7 @@ mod flights;
 mod frames;
 mod inspector;
 mod latency;
+mod manager;
 mod safety;
 mod shot;
 
