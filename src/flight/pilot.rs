@@ -1,7 +1,7 @@
 //! Flying by hand: keys and mouse move and turn the camera; the result is written to the scene, in f64.
 
 use super::controls::{Command, Motion};
-use super::dock::over_picture;
+use super::dock::{look, over_picture};
 use super::keyboard::{Held, Typing};
 use super::{LONGEST_FRAME, NEAREST};
 use crate::physics::kerr::Kerr;
@@ -40,7 +40,8 @@ const FARTHEST: f64 = 1e7;
 pub(super) fn plugin(app: &mut App) {
     app.insert_resource(Pilot { throttle: 1.0, free_look: false }).add_systems(
         Update,
-        (set_throttle.run_if(over_picture), hold_mouse, steer.run_if(|typing: Res<Typing>| !typing.0)).chain(),
+        (set_throttle.after(look).run_if(over_picture), hold_mouse, steer.run_if(|typing: Res<Typing>| !typing.0))
+            .chain(),
     );
 }
 

@@ -2,6 +2,7 @@
 
 use super::bindings::Bindings;
 use super::controls::Command;
+use super::dock::{OverPicture, look};
 use super::notice::Notice;
 use super::settings::{Settings, settings_file};
 use crate::render::{CurrentScene, letterbox};
@@ -61,7 +62,8 @@ pub(super) fn plugin(app: &mut App) {
     if let Some(fault) = fault {
         app.world_mut().get_resource_or_init::<Notice>().say(fault);
     }
-    app.add_systems(Update, (obey, keep, fit))
+    app.init_resource::<OverPicture>()
+        .add_systems(Update, ((obey, look).chain(), keep, fit))
         .add_systems(Last, keep_at_exit)
         .add_systems(EguiPrimaryContextPass, style.run_if(any_with_component::<PrimaryEguiContext>));
 }

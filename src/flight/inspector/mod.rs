@@ -4,7 +4,7 @@ mod drawing;
 mod numbers;
 mod worker;
 
-use super::dock::{Side, docked, over_picture};
+use super::dock::{Side, docked, look, over_picture};
 use super::notice::Notice;
 use super::window::Shown;
 use crate::render::{CurrentScene, letterbox};
@@ -46,7 +46,7 @@ impl Default for Inspector {
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Inspector>()
         .insert_resource(Worker::start())
-        .add_systems(Update, (click.run_if(over_picture), receive))
+        .add_systems(Update, (click.after(look).run_if(over_picture), receive))
         .add_systems(EguiPrimaryContextPass, show);
 }
 
