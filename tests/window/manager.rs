@@ -25,7 +25,8 @@ impl Desktop {
     /// Sends the program to sleep, as a machine that is suspended does, or wakes it up.
     pub fn suspend(&self, asleep: bool) {
         let signal = if asleep { "-STOP" } else { "-CONT" };
-        let sent = Command::new("kill").args([signal, &self.program.id().to_string()]).status().unwrap();
+        let command = format!("kill {signal} {}", self.program.id());
+        let sent = Command::new("sh").args(["-c", &command]).status().unwrap();
         assert!(sent.success());
     }
 
