@@ -1,7 +1,7 @@
 //! `lightfall bench`.
 
 use super::{circumstances, make_folder, print, progress, write};
-use crate::{Stop, failed};
+use crate::{Stop, failed, without_device};
 use glam::UVec2;
 use lightfall::cli::{BenchArgs, EntryArg};
 use lightfall::gpu::Gpu;
@@ -15,7 +15,7 @@ const FRAMES: usize = 9;
 /// Measures, prints and writes.
 pub fn bench(args: &BenchArgs) -> Result<(), Stop> {
     make_folder(args.out.as_deref())?;
-    let gpu = Gpu::headless().map_err(failed)?;
+    let gpu = Gpu::headless().map_err(without_device)?;
     let plan = args.plan();
     if plan.is_empty() {
         return Err(Stop(

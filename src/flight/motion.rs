@@ -1,5 +1,6 @@
 //! Real motion in the window: let go, and the camera moves as an observer who falls or circles, in her own time.
 
+use super::bindings::Bindings;
 use super::card::Card;
 use super::controls::Command;
 use super::history::drawable;
@@ -80,7 +81,8 @@ impl Voyage {
         self.way = None;
     }
 
-    /// Lets `seconds` pass at the pace that is set. A camera that is not where it was left has been taken over by somebody, and
+    /// Lets `seconds` pass at the pace that is set, but no more than a slow frame's: while the machine slept, her clock stood
+    /// still. A camera that is not where it was left has been taken over by somebody, and
     /// the motion is over; looking around is left to everybody.
     pub fn pass(&mut self, seconds: f64, scene: &Scene) -> Moment {
         let rate = self.rate(scene.camera.r);
@@ -90,7 +92,7 @@ impl Voyage {
             return Moment::None;
         }
         let (mut worldline, mut next) = (way.worldline.clone(), scene.clone());
-        let limit = worldline.advance(rate * seconds, &mut next);
+        let limit = worldline.advance(rate * seconds.min(LONGEST_FRAME), &mut next);
         match drawable(next) {
             Ok(next) => {
                 (way.worldline, way.last) = (worldline, Flown::new(&next));
@@ -129,6 +131,7 @@ fn obey(
     mut commands: MessageReader<Command>,
     mut voyage: ResMut<Voyage>,
     scene: Res<CurrentScene>,
+    bindings: Res<Bindings>,
     mut notice: ResMut<Notice>,
     mut card: ResMut<Card>,
 ) {
@@ -143,7 +146,12 @@ fn obey(
             }
             Command::TimeFaster => voyage.turn_pace(1),
             Command::TimeSlower => voyage.turn_pace(-1),
-            _ => {}
+            _ => continue,
+        }
+        // The clocks in the hint tell the pace; where there are none, this does.
+        if matches!(command, Command::TimeFaster | Command::TimeSlower) && !voyage.moves() {
+            let (rate, key) = (voyage.rate(scene.camera.r), bindings.named("motion.let_go"));
+            notice.say(format!("Own time will pass at {rate:.3} r_s/c a second, once {key} lets go"));
         }
     }
 }
@@ -152,14 +160,15 @@ fn go(
     time: Res<Time>,
     mut voyage: ResMut<Voyage>,
     mut scene: ResMut<CurrentScene>,
+    bindings: Res<Bindings>,
     mut notice: ResMut<Notice>,
     mut card: ResMut<Card>,
 ) {
     if !voyage.moves() {
         return;
     }
-    match voyage.pass(time.delta_secs_f64().min(LONGEST_FRAME), &scene) {
-        Moment::None => {}
+    match voyage.pass(time.delta_secs_f64(), &scene) {
+        Moment::None => notice.say(format!("The clocks stop here: {} lets go again", bindings.named("motion.let_go"))),
         Moment::Scene(next) => scene.0 = *next,
         Moment::End(next) => {
             scene.0 = *next;

@@ -1,6 +1,7 @@
 //! Flying by hand: keys and mouse move and turn the camera; the result is written to the scene, in f64.
 
 use super::controls::{Command, Motion};
+use super::dock::{look, over_picture};
 use super::keyboard::{Held, Typing};
 use super::{LONGEST_FRAME, NEAREST};
 use crate::physics::kerr::Kerr;
@@ -10,7 +11,6 @@ use bevy::input::mouse::{AccumulatedMouseMotion, AccumulatedMouseScroll, MouseSc
 use bevy::math::{DMat3, DVec3};
 use bevy::prelude::*;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow};
-use bevy_egui::input::egui_wants_any_pointer_input;
 
 /// How the hand is on the stick.
 #[derive(Resource)]
@@ -40,11 +40,7 @@ const FARTHEST: f64 = 1e7;
 pub(super) fn plugin(app: &mut App) {
     app.insert_resource(Pilot { throttle: 1.0, free_look: false }).add_systems(
         Update,
-        (
-            set_throttle.run_if(not(egui_wants_any_pointer_input)),
-            hold_mouse,
-            steer.run_if(|typing: Res<Typing>| !typing.0),
-        )
+        (set_throttle.after(look).run_if(over_picture), hold_mouse, steer.run_if(|typing: Res<Typing>| !typing.0))
             .chain(),
     );
 }

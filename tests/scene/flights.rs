@@ -167,3 +167,27 @@ fn a_fall_that_cannot_be_drawn_farther_stops_at_its_last_true_picture_and_says_w
     }
     panic!("it never came to the horizon");
 }
+
+#[test]
+fn a_machine_that_slept_finds_the_flight_where_it_was() {
+    let night = 8.0 * 3600.0;
+    let mut scene = preset("edge-on");
+    let mut guide = guide();
+    guide.restart();
+    for _ in 0..600 {
+        scene = next(guide.pass(FRAME, &scene, false));
+    }
+    assert_eq!(guide.progress(), "9 of 150 s");
+    let (time, before) = (guide.time(), scene.clone());
+    scene = next(guide.pass(night, &scene, false));
+    assert!(guide.time() - time < 0.5 && moved(&before, &scene) < 0.1, "{} s", guide.time() - time);
+
+    let mut scene = preset("falling");
+    let mut voyage = Voyage::default();
+    voyage.start(&scene).unwrap();
+    scene = next(voyage.pass(FRAME, &scene));
+    let (own, r) = (voyage.worldline().unwrap().own_time(), scene.camera.r);
+    scene = next(voyage.pass(night, &scene));
+    let slept = voyage.worldline().unwrap().own_time() - own;
+    assert!(slept < 0.5 * voyage.rate(r) && scene.camera.r > 0.9 * r, "{slept}");
+}

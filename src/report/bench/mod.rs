@@ -2,6 +2,7 @@
 
 mod equal;
 mod frontier;
+mod labels;
 mod measured;
 mod plot;
 mod sweep;
