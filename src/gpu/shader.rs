@@ -17,6 +17,8 @@ pub struct Variant {
     pub spinning: bool,
     /// Whether the camera is next to the horizon of a spinning hole, where azimuths need care.
     pub near_horizon: bool,
+    /// Whether the camera is at or inside the horizon of a hole that method mino traces.
+    pub inside: bool,
     /// Whether rays can meet a disk.
     pub disk: bool,
     /// What the disk's flux is; the default where none is drawn.
@@ -97,14 +99,16 @@ const PRELUDE: &str = "constants of the variant";
 impl Variant {
     /// The shader that draws the scene.
     pub fn picture(scene: &Scene) -> Self {
+        let (tracer, spinning) = (Tracer::of(scene), scene.hole.spin != 0.0);
+        let height = scene.camera.r / Kerr { spin: scene.hole.spin }.horizon();
         let marks = !shows_light(scene.view);
         let sky = if marks { SkyMode::Off } else { scene.sky.mode };
         Self {
             entry: Entry::Picture,
-            tracer: Tracer::of(scene),
-            spinning: scene.hole.spin != 0.0,
-            near_horizon: scene.hole.spin != 0.0
-                && scene.camera.r < NEAR_HORIZON * Kerr { spin: scene.hole.spin }.horizon(),
+            tracer,
+            spinning,
+            near_horizon: spinning && height > 1.0 && height < NEAR_HORIZON,
+            inside: tracer == Tracer::Mino && height <= 1.0,
             disk: scene.disk.enabled && traces(scene.view),
             disk_model: if scene.disk.enabled && !marks { scene.disk.model } else { DiskModel::default() },
             sky,
@@ -144,7 +148,8 @@ impl Variant {
         }
     }
 
-    /// Every variant that a scene can ask for, but that sets of effects with some switched off come under one sky only.
+    /// Every variant that a scene can ask for, but that sets of effects with some switched off come under one sky only, and
+    /// cameras at the horizon see light only.
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         let mut scene = Scene::default();
@@ -182,6 +187,13 @@ impl Variant {
         let shining: Vec<Self> =
             all.iter().copied().filter(|v| v.disk && shows_light(v.view) && v.entry == Entry::Picture).collect();
         all.extend(shining.into_iter().map(|variant| Self { disk_model: DiskModel::PageThorne, ..variant }));
+        let close = |variant: &Self| {
+            let (tracer, view, effects) = (variant.tracer, variant.view, variant.effects);
+            tracer == Tracer::Mino && view == View::Colour && effects == Effects::default()
+        };
+        let close: Vec<Self> = all.iter().copied().filter(close).collect();
+        all.extend(close.iter().filter(|v| v.spinning).map(|variant| Self { near_horizon: true, ..*variant }));
+        all.extend(close.into_iter().map(|variant| Self { inside: true, ..variant }));
         let mut seen = std::collections::HashSet::new();
         all.retain(|variant| seen.insert(*variant));
         all
