@@ -15,10 +15,8 @@ pub struct Variant {
     pub tracer: Tracer,
     /// Whether the hole spins.
     pub spinning: bool,
-    /// Whether the camera is next to the horizon of a spinning hole, where azimuths need care.
+    /// Whether the camera is next to the horizon or inside, where method mino takes care of azimuths and steps.
     pub near_horizon: bool,
-    /// Whether the camera is at or inside the horizon of a hole that method mino traces.
-    pub inside: bool,
     /// Whether rays can meet a disk.
     pub disk: bool,
     /// What the disk's flux is; the default where none is drawn.
@@ -99,16 +97,15 @@ const PRELUDE: &str = "constants of the variant";
 impl Variant {
     /// The shader that draws the scene.
     pub fn picture(scene: &Scene) -> Self {
-        let (tracer, spinning) = (Tracer::of(scene), scene.hole.spin != 0.0);
-        let height = scene.camera.r / Kerr { spin: scene.hole.spin }.horizon();
+        let tracer = Tracer::of(scene);
         let marks = !shows_light(scene.view);
         let sky = if marks { SkyMode::Off } else { scene.sky.mode };
         Self {
             entry: Entry::Picture,
             tracer,
-            spinning,
-            near_horizon: spinning && height > 1.0 && height < NEAR_HORIZON,
-            inside: tracer == Tracer::Mino && height <= 1.0,
+            spinning: scene.hole.spin != 0.0,
+            near_horizon: tracer == Tracer::Mino
+                && scene.camera.r < NEAR_HORIZON * Kerr { spin: scene.hole.spin }.horizon(),
             disk: scene.disk.enabled && traces(scene.view),
             disk_model: if scene.disk.enabled && !marks { scene.disk.model } else { DiskModel::default() },
             sky,
@@ -149,7 +146,7 @@ impl Variant {
     }
 
     /// Every variant that a scene can ask for, but that sets of effects with some switched off come under one sky only, and
-    /// cameras at the horizon see light only.
+    /// cameras next to the horizon see light only.
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         let mut scene = Scene::default();
@@ -192,8 +189,7 @@ impl Variant {
             tracer == Tracer::Mino && view == View::Colour && effects == Effects::default()
         };
         let close: Vec<Self> = all.iter().copied().filter(close).collect();
-        all.extend(close.iter().filter(|v| v.spinning).map(|variant| Self { near_horizon: true, ..*variant }));
-        all.extend(close.into_iter().map(|variant| Self { inside: true, ..variant }));
+        all.extend(close.into_iter().map(|variant| Self { near_horizon: true, ..variant }));
         let mut seen = std::collections::HashSet::new();
         all.retain(|variant| seen.insert(*variant));
         all

@@ -9,12 +9,11 @@ use std::fmt::Write;
 
 impl Variant {
     /// The flags, by their names in the shaders. Compilers drop what stands behind one that is not set.
-    pub fn flags(self) -> [(&'static str, bool); 14] {
+    pub fn flags(self) -> [(&'static str, bool); 13] {
         let records = self.entry == Entry::Rays;
         [
             ("SPINNING", self.spinning),
             ("NEAR_HORIZON", self.near_horizon),
-            ("INSIDE", self.inside),
             ("AZIMUTH", records),
             // What is timed does all the work that a picture with a sky does.
             ("SKY_DIRECTION", self.entry != Entry::Picture || self.sky != SkyMode::Off),
