@@ -31,7 +31,8 @@ const WHOLE_TURN: f64 = 1e-5;
 /// What a ray did on its way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
-    /// Places along the backward ray, from the camera on, in r_s: r times the unit vector toward Boyer-Lindquist theta, phi.
+    /// Places along the backward ray, from the camera on, in r_s: r times the unit vector toward Boyer-Lindquist theta, phi;
+    /// from a camera at or inside the horizon, toward Kerr's ingoing azimuth.
     pub places: Vec<DVec3>,
     /// Smallest r that the ray reaches, in r_s; the horizon's for a captured ray.
     pub closest_r: f64,
