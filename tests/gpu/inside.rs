@@ -87,7 +87,7 @@ fn inside_the_horizon_the_sky_and_the_disk_are_where_the_reference_has_them() {
 #[test]
 fn inside_a_spinning_hole_they_are_too() {
     let Some(gpu) = gpu() else { return };
-    let directions = all_around(1500);
+    let directions = all_around(1000);
     for spin in [0.1, 0.9, -0.9, 0.998, 0.9999] {
         let (horizon, end) = (Kerr { spin }.horizon(), innermost(Kerr { spin }));
         let mut all = Differences::default();
@@ -116,7 +116,7 @@ fn inside_a_spinning_hole_they_are_too() {
         let [middle, most] = [0.5, 0.99].map(|share| quantile(&all.hits, share));
         let azimuth = [0.5, 0.99].map(|share| quantile(&all.azimuths, share));
         println!("{spin}: {} hits, {middle:e} {most:e}, azimuths {azimuth:?}", all.hits.len());
-        assert!(all.hits.len() > 200 && middle < 1e-5 && most < 3e-4, "spin {spin}: hits {middle:e}, {most:e}");
+        assert!(all.hits.len() > 150 && middle < 1e-5 && most < 3e-4, "spin {spin}: hits {middle:e}, {most:e}");
         assert!(azimuth[0] < 2e-6 && azimuth[1] < 3e-4, "spin {spin}: azimuths {azimuth:?}");
     }
 }
