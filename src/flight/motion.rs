@@ -184,11 +184,22 @@ fn ending(voyage: &Voyage, scene: &Scene) -> String {
     let Some(Way { worldline, limit, .. }) = &voyage.way else { return String::new() };
     let (r, own) = (scene.camera.r, worldline.own_time());
     match limit {
-        Some(Limit::Inner) => format!(
-            "r = {r:.3} r_s, inside the horizon at {:.3}, {own:.3} r_s/c of your own time after letting go. From here on the \
-             tide and the blueshift grow without limit, and no picture would be true.",
-            Kerr { spin: scene.hole.spin }.horizon()
-        ),
+        Some(Limit::Inner) => {
+            let kerr = Kerr { spin: scene.hole.spin };
+            let (horizon, inner) = (kerr.horizon(), kerr.inner_horizon());
+            let reason = match kerr.spin == 0.0 {
+                true => {
+                    "From here on the tide and the blueshift grow without limit, and no picture would be true.".into()
+                }
+                false => format!(
+                    "Toward the inner horizon, at {inner:.3}, what falls in after you is blueshifted without limit, and what a \
+                     real hole is like there nobody knows: no picture would be true."
+                ),
+            };
+            format!(
+                "r = {r:.3} r_s, inside the horizon at {horizon:.3}, {own:.3} r_s/c of your own time after letting go. {reason}"
+            )
+        }
         _ => format!("r = {r:.3e} r_s, {own:.3e} r_s/c of your own time after letting go: as far as a camera goes."),
     }
 }

@@ -108,7 +108,8 @@ fn steer(
     if thrust != DVec3::ZERO && scene.observer.kind == ObserverKind::Orbit {
         scene.observer.kind = ObserverKind::Static;
     }
-    let horizon = Kerr { spin: scene.hole.spin }.horizon();
+    let kerr = Kerr { spin: scene.hole.spin };
+    let horizon = kerr.horizon();
     let camera = &mut scene.camera;
     let mut world_from_camera = camera.legs() * camera.legs_from_camera();
     let turn = look * camera.fov_deg.to_radians() * LOOK_SHARE;
@@ -120,7 +121,12 @@ fn steer(
     } else {
         kept_outside(moved, camera.direction(), camera.r.min(NEAREST))
     };
+    let was_inside = camera.r <= horizon;
     camera.set_pose(position, world_from_camera);
+    // Outside, the azimuth is Boyer-Lindquist's and no more the ingoing one; the picture stays.
+    if was_inside && camera.r > horizon {
+        camera.phi_deg = (camera.phi_deg - kerr.ingoing_azimuth_lead(camera.r).to_degrees()) % 360.0;
+    }
 }
 
 /// Turning the camera right, then up, then clockwise, as a matrix of its own axes (right, up, forward).

@@ -53,8 +53,8 @@ pub enum GpuError {
     Spin(f64),
     /// A camera inside the horizon, where the method cannot begin.
     #[error(
-        "camera.r = {r} is refused: it is inside the horizon, from where only method closed, or auto, traces, and holes \
-         without spin only"
+        "camera.r = {r} is refused: it is inside the horizon, from where methods verlet and kerr-schild cannot begin (auto, \
+         mino and, without spin, closed can)"
     )]
     Inside {
         /// The camera's radius.
