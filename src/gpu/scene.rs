@@ -3,7 +3,7 @@
 
 use super::GpuError;
 use crate::physics::{disk, kerr::Kerr, schwarzschild::Plunge, shift::Shift, sight::Sight};
-use crate::scene::{Method, ObserverKind, Scene};
+use crate::scene::{Method, ObserverKind, Quality, Scene};
 use encase::ShaderType;
 use glam::{DMat3, DVec2, DVec3, DVec4, UVec2, Vec2, Vec3, Vec4};
 
@@ -76,6 +76,7 @@ pub struct GpuScene {
     pub spin_gap: f32,
     pub azimuth_lead: f32,
     pub mino_step: f32,
+    pub mino_near_step: f32,
 }
 
 impl GpuScene {
@@ -133,6 +134,7 @@ impl GpuScene {
         let inner = disk::inner_edge(scene);
         let kerr = Kerr { spin: scene.hole.spin };
         let horizon_u = 1.0 / kerr.horizon();
+        let [mino_step, mino_near_step] = mino_steps(quality.max_error_px, 2.0 * tan_half_fov / size.y);
         Ok(Self {
             energy,
             radial,
@@ -182,7 +184,8 @@ impl GpuScene {
             inner_horizon: kerr.inner_horizon() as f32,
             spin_gap: (1.0 - kerr.spin) as f32,
             azimuth_lead: kerr.ingoing_azimuth_lead(camera.r) as f32,
-            mino_step: mino_step(quality.max_error_px * 2.0 * tan_half_fov / size.y) as f32,
+            mino_step: mino_step as f32,
+            mino_near_step: mino_near_step as f32,
         })
     }
 }
@@ -217,13 +220,17 @@ fn about(row: DVec4, m: DVec3) -> (DVec4, f64) {
     (DVec4::new(there, across.x, across.y, across.z), -along)
 }
 
-/// The step of method mino, in radians, for rays that may be wrong by a turn of `turn` radians.
+/// The steps of method mino, in radians, where a pixel is `pixel` radians wide: of rays that pass far from the critical
+/// curve, and of those that may come near it.
 ///
 /// Measured: the turn that explains a ray's error is at most 3e-4 step^5.5. Below a step of 0.25 nothing is left but f32's
-/// rounding; up to 0.53 the disk's places are right to 1e-5 of their radius in the median, which is asked for whatever the
-/// setting. The shader takes no more than 0.4 where a ray may come near the critical curve.
-fn mino_step(turn: f64) -> f64 {
-    (turn / 3e-4).powf(1.0 / 5.5).clamp(0.25, 0.53)
+/// rounding. Up to 0.53 the disk's places are right to 1e-5 of their radius in the median, and up to 0.4 the shadow's edge
+/// to 2e-6 of its own: both are asked for at the default setting, and whoever allows more than it allows more of both.
+fn mino_steps(max_error_px: f64, pixel: f64) -> [f64; 2] {
+    let growth = |error: f64| error.powf(1.0 / 5.5);
+    let wanted = growth(max_error_px * pixel / 3e-4);
+    let looser = growth((max_error_px / Quality::default().max_error_px).max(1.0));
+    [0.53, 0.4].map(|longest| wanted.clamp(0.25, longest * looser))
 }
 
 /// Unit vector toward a place at infinity.

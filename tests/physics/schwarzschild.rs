@@ -2,6 +2,7 @@ use crate::assert_close;
 use lightfall::physics::schwarzschild::{
     CRITICAL_IMPACT, Plunge, deflection, discriminant, shadow_half_angle_rain, shadow_half_angle_static,
 };
+use lightfall::{physics::observer::observer_matrix, scene::ObserverKind};
 use std::f64::consts::PI;
 
 /// b in M, bending in radians, computed with mpmath to 25 digits.
