@@ -3,7 +3,7 @@
 use crate::gpu;
 use lightfall::report::bench::{Circumstances, Measured, at_equal_error, settings};
 use lightfall::report::bench::{Plan, auto_margin, csv, markdown, plot, subjects};
-use lightfall::report::extremes::{Hunt, Verdict, cells, run};
+use lightfall::report::extremes::{Found, Hunt, Verdict, cells, run};
 use lightfall::scene::Method;
 
 fn circumstances() -> Circumstances {
@@ -88,8 +88,14 @@ fn a_hunt_from_the_same_seed_finds_the_same_ray_and_tells_how_to_see_it_again() 
     let found = hunt.run(gpu, |_| {}).unwrap();
     assert_eq!(found.len(), hunt.scenes());
     assert_eq!(found, hunt.run(gpu, |_| {}).unwrap());
-    assert!(found[0].command().starts_with("echo ") && found[0].command().contains("lightfall trace --rays -"));
-    assert!(found.windows(2).all(|two| two[0].excess >= two[1].excess), "the worst comes first");
+    let command = found[0].command();
+    assert!(command.starts_with("for device in gpu cpu; do echo ") && command.contains("lightfall trace --rays -"));
+    let rank = |found: &Found| (found.unexplained > 0, found.excess);
+    assert!(found.windows(2).all(|two| rank(&two[0]) >= rank(&two[1])), "the worst comes first");
+    for found in &found {
+        assert!(found.unexplained <= found.beyond && (found.excess > 1.0) == (found.beyond > 0), "{found:?}");
+        assert_eq!(found.cause.is_some(), found.beyond > 0 && found.unexplained == 0, "{found:?}");
+    }
 }
 
 /// Rows of a scene by hand: ratios are of the cheapest settings of either at each level of the slower.

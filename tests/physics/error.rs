@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec3};
 use lightfall::physics::reference::Reference;
 use lightfall::physics::trace::{Outcome, Trace};
-use lightfall::report::error::{Errors, Quantiles, Truth, critical, everywhere, on_picture};
+use lightfall::report::error::{Errors, Quantiles, Ray, Truth, critical, everywhere, on_picture};
 use lightfall::scene::Scene;
 
 fn scene(spin: f64) -> Scene {
@@ -58,6 +58,34 @@ fn a_known_turn_of_every_ray_is_found_to_within_the_factor_of_two_that_the_mixed
                 quantiles.p50
             );
         }
+    }
+}
+
+/// Next to a fast hole an e-fold of the distance to the edge is hundreds of radians of azimuth, so that an answer tells of the
+/// ray's turns only what is left of them.
+#[test]
+fn a_known_turn_is_found_where_rays_wind_many_times() {
+    for (spin, r) in [(0.999, 12.0), (0.99999, 30.0), (-0.999_999, 1000.0)] {
+        let mut scene = scene(spin);
+        scene.camera.r = r;
+        scene.disk.enabled = false;
+        let truth = Truth::of(&scene, critical(&scene, 64, [1e-5, 0.1])).expect("a static observer");
+        let reference = Reference::new(&scene).expect("a static observer");
+        let legs = scene.camera.legs_from_camera();
+        let turned = |(i, ray): (usize, &Ray)| {
+            let (direction, edge) = (ray.direction(), ray.distance_to_edge().expect("critical rays know their edge"));
+            let axis = DQuat::from_axis_angle(direction, i as f64) * direction.any_orthonormal_vector();
+            reference.trace(legs * (DQuat::from_axis_angle(axis, 0.3 * edge.abs()) * direction))
+        };
+        let given: Vec<Trace> = truth.rays.iter().enumerate().map(turned).collect();
+        let errors = truth.judge(&given);
+        let seen = truth.rays.iter().zip(&errors).filter(|(_, error)| error.sky.is_some() && !error.misclassified);
+        let shares = seen.map(|(ray, error)| error.backward / (0.3 * ray.distance_to_edge().unwrap_or(0.0).abs()));
+        let quantiles = Quantiles::of(shares);
+        println!("chi {spin}: {quantiles:?}");
+        // The turn is found, or a shorter one that explains as much; at worst the distance to the edge, which is 1/0.3 of it.
+        assert!(quantiles.count > 20 && quantiles.p50 < 1.01, "chi {spin}: {quantiles:?}");
+        assert!(quantiles.max < 1.01 / 0.3, "chi {spin}: {quantiles:?}");
     }
 }
 
