@@ -63,7 +63,9 @@ struct Scene {
     horizon_gap: f32,
     inner_horizon: f32,
     spin_gap: f32,
-    // By how much Kerr's ingoing azimuth is ahead of Boyer-Lindquist's at the camera.
+    // By how much the camera's 1/r is less than 1/r_+; by how much Kerr's ingoing azimuth is ahead of Boyer-Lindquist's
+    // there, but for whole turns.
+    horizon_depth: f32,
     azimuth_lead: f32,
     // Step in Mino time, in radians.
     mino_step: f32,

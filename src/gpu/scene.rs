@@ -6,6 +6,7 @@ use crate::physics::{disk, kerr::Kerr, schwarzschild, shift::Shift, sight::Sight
 use crate::scene::{Method, Scene};
 use encase::ShaderType;
 use glam::{DMat3, DVec2, DVec3, DVec4, UVec2, Vec2, Vec3, Vec4};
+use std::f64::consts::TAU;
 
 /// Linear light of the disk per unit of `disk.brightness` and relative flux. The profile peaks at 0.057, and light as
 /// bright as white paper is 1.
@@ -67,6 +68,7 @@ pub struct GpuScene {
     pub horizon_gap: f32,
     pub inner_horizon: f32,
     pub spin_gap: f32,
+    pub horizon_depth: f32,
     pub azimuth_lead: f32,
     pub mino_step: f32,
 }
@@ -163,8 +165,9 @@ impl GpuScene {
             horizon_gap: ((1.0 - kerr.spin) * (1.0 + kerr.spin)).sqrt() as f32,
             inner_horizon: kerr.inner_horizon() as f32,
             spin_gap: (1.0 - kerr.spin) as f32,
-            azimuth_lead: kerr.ingoing_azimuth_lead(camera.r) as f32,
-            mino_step: mino_step(quality.max_error_px * 2.0 * tan_half_fov / size.y) as f32,
+            horizon_depth: (horizon_u - 1.0 / camera.r) as f32,
+            azimuth_lead: turns_off(kerr.ingoing_azimuth_lead(camera.r)) as f32,
+            mino_step: mino_step(quality.max_error_px * 2.0 * tan_half_fov / size.y, kerr, camera.r) as f32,
         })
     }
 }
@@ -189,9 +192,16 @@ fn about(row: DVec4, m: DVec3) -> (DVec4, f64) {
 ///
 /// Measured: the turn that explains a ray's error is at most 3e-4 step^5.5. Below a step of 0.25 nothing is left but f32's
 /// rounding; up to 0.53 the disk's places are right to 1e-5 of their radius in the median, which is asked for whatever the
-/// setting. The shader takes no more than 0.4 where a ray may come near the critical curve.
-fn mino_step(turn: f64) -> f64 {
-    (turn / 3e-4).powf(1.0 / 5.5).clamp(0.25, 0.53)
+/// setting. The shader takes no more than 0.4 where a ray may come near the critical curve. Next to a spinning hole the
+/// error is up to three times that, and all rays may come near the curve.
+fn mino_step(turn: f64, kerr: Kerr, r: f64) -> f64 {
+    let step = (turn / 3e-4).powf(1.0 / 5.5).clamp(0.25, 0.53);
+    if kerr.spin != 0.0 && r < 2.0 * kerr.horizon() { 0.8 * step.min(0.4) } else { step }
+}
+
+/// The angle within [-pi, pi].
+fn turns_off(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
 }
 
 /// Unit vector toward a place at infinity.
