@@ -61,6 +61,24 @@ fn a_known_turn_of_every_ray_is_found_to_within_the_factor_of_two_that_the_mixed
     }
 }
 
+/// Next to an almost extremal hole a hundredth of the distance to the edge is an orbit, so a small turn is many of them away.
+#[test]
+fn a_known_turn_is_found_where_it_is_many_orbits_of_a_fast_hole() {
+    let scene = scene(0.99999);
+    let truth = Truth::of(&scene, critical(&scene, 64, [1e-5, 1e-3])).expect("a static observer");
+    let angle = 1e-7;
+    let errors = truth.judge(&answers_to_turned_rays(&scene, &truth, angle));
+    let seen = truth.traces.iter().zip(&errors).filter(|(truth, error)| truth.sky.is_some() && !error.misclassified);
+    let (mut far, mut worst) = (0, 0.0);
+    for (_, error) in seen {
+        far += usize::from(error.sky.is_some_and(|sky| sky > 0.1));
+        worst = f64::max(worst, error.backward);
+    }
+    assert!(far > 5, "{far} of the answers are far off");
+    // As above.
+    assert!(worst <= 1.5 * angle, "a turn of {angle:e} was found to be {worst:e}");
+}
+
 #[test]
 fn a_ray_on_the_wrong_side_of_the_edge_is_off_by_its_distance_from_it() {
     // Without a disk, whose edges are boundaries of the class, too.

@@ -22,9 +22,13 @@ const FAR: f64 = 3.0;
 /// A backward error so large, and a forward one so much larger, are worth a search for the edge.
 const LEAST_WORTH: f64 = 1e-6;
 const AMPLIFIED: f64 = 30.0;
-/// Steps of the sky along the line toward the edge: for a direction on it, and for the narrow image of a ring of the disk.
-const SKY_STEP: f64 = 0.2;
-const FINE_SKY_STEP: f64 = 0.01;
+/// So is an answer so far off, whatever a first search found.
+const FAR_OFF: f64 = 0.03;
+/// Steps of the sky along the line toward the edge, and how many: for a direction on it, for the narrow image of a ring of
+/// the disk, and for the narrowest.
+const SKY_STEP: (f64, u32) = (0.2, 300);
+const FINE_SKY_STEP: (f64, u32) = (0.01, 300);
+const FINEST_SKY_STEP: (f64, u32) = (5e-4, 6000);
 /// The places on the line toward the edge where an answer is missed least, and which are looked at closer.
 const MOST_DIPS: usize = 5;
 /// Rings and spokes of the search for another class, and the factor between rings.
@@ -77,29 +81,34 @@ fn explained(eye: &Eye, ray: &Ray, miss: &dyn Fn(&Trace) -> Option<DVec2>) -> f6
     let mut least = newton(&plane, &|place| miss(&eye.trace(plane.at(place))), DVec2::ZERO);
     // Edges are dear to find: only for answers far off to which a small turn leads, as next to an edge.
     let forward = miss(&eye.trace(ray.direction())).map_or(f64::INFINITY, DVec2::length);
-    let amplified = least > LEAST_WORTH && (forward > AMPLIFIED * least || least > FARTHEST_RING);
+    let amplified = least > LEAST_WORTH && (forward > AMPLIFIED * least || forward > FAR_OFF);
     let ray = if amplified { eye.with_edge(ray) } else { *ray };
     let Some(chart) = Chart::edge(&ray) else { return least };
     let at = |place: DVec2| miss(&eye.trace(chart.at(place)));
-    let solve = |start: f64| newton(&chart, &at, along_edge(&at, start));
     if least > NEAR * chart.scale {
-        least = least.min(solve(0.0));
+        least = least.min(newton(&chart, &at, along_edge(&at, 0.0)));
     }
     if least < FAR * chart.scale {
         return least;
     }
     // The answer may be one of another number of turns about the hole: those lie in a row toward the edge, and away from it.
     let [inward, outward] = [-1.0, 1.0].map(|side| {
-        let line = chart.line(eye, side, least, SKY_STEP);
+        let line = chart.line(eye, side, least, SKY_STEP.0, SKY_STEP.1);
         line.into_iter().map(|(x, trace)| (x, miss(&trace))).collect::<Vec<_>>()
     });
-    if winds_around(&inward) {
+    // Next to a fast hole a whole orbit is a small part of that row, so a look over all of it is as coarse as it has to be.
+    let whole = chart.line(eye, -1.0, least, f64::INFINITY, SKY_STEP.1);
+    let whole: Vec<_> = whole.into_iter().map(|(x, trace)| (x, miss(&trace))).collect();
+    if winds_around(&inward) || winds_around(&whole) {
         least = least.min(chart.scale);
     }
-    let mut dips = dips(&inward);
-    dips.extend(self::dips(&outward));
-    dips.sort_by(|a, b| a.1.total_cmp(&b.1));
-    dips.into_iter().take(MOST_DIPS).map(|dip| solve(dip.0)).fold(least, f64::min)
+    // The steps are too coarse to say which of them comes nearest.
+    let starts = dips(&inward).into_iter().chain(dips(&outward)).map(|x| along_edge(&at, x));
+    let miss_at = |start: DVec2| at(start).map_or(f64::INFINITY, DVec2::length);
+    let mut starts: Vec<(DVec2, f64)> =
+        starts.map(|start| (start, f64::max(chart.turn(start), miss_at(start)))).collect();
+    starts.sort_by(|a, b| a.1.total_cmp(&b.1));
+    starts.into_iter().take(MOST_DIPS).map(|start| newton(&chart, &at, start.0)).fold(least, f64::min)
 }
 
 /// Whether rays toward the edge miss an answer on all of its sides. Each e-fold of the distance to the edge adds as much of an
@@ -113,12 +122,12 @@ fn winds_around(inward: &[(f64, Option<DVec2>)]) -> bool {
     on_both_sides(|miss| miss.x) && on_both_sides(|miss| miss.y)
 }
 
-/// The places of a line where an answer is missed less than before and after, with what is missed there.
-fn dips(line: &[(f64, Option<DVec2>)]) -> Vec<(f64, f64)> {
+/// The places of a line where an answer is missed less than before and after.
+fn dips(line: &[(f64, Option<DVec2>)]) -> Vec<f64> {
     let lengths: Vec<(f64, f64)> =
         line.iter().map(|(x, miss)| (*x, miss.map_or(f64::INFINITY, DVec2::length))).collect();
     let low = lengths.windows(3).filter(|three| three[1].1 <= three[0].1 && three[1].1 <= three[2].1);
-    low.map(|three| three[1]).filter(|dip| dip.1.is_finite()).collect()
+    low.map(|three| three[1]).filter(|dip| dip.1.is_finite()).map(|dip| dip.0).collect()
 }
 
 /// The place nearest to explaining an answer on the line toward the edge, from a place there (Gauss and Newton).
@@ -130,7 +139,7 @@ fn along_edge(at: &impl Fn(DVec2) -> Option<DVec2>, start: f64) -> DVec2 {
             -(slope.dot(left) / slope.length_squared()).clamp(-1.0, 1.0)
         });
         match step {
-            Some(step) if step.abs() > DIFFERENCE => x += step,
+            Some(step) if step.abs() > SETTLED => x += step,
             _ => break,
         }
     }
@@ -192,13 +201,16 @@ fn jacobian(at: &impl Fn(DVec2) -> Option<DVec2>, place: DVec2, left: DVec2) -> 
 /// bisection toward the ray: right to a third or so.
 pub(super) fn of_class(eye: &Eye, ray: &Ray, given: &Trace) -> f64 {
     let same = |trace: &Trace| trace.outcome == given.outcome && hits(trace) == hits(given);
-    let on_lines = Chart::edge(&eye.with_edge(ray)).map_or(f64::INFINITY, |chart| {
-        let nearest = |side: f64| {
-            let mut line = chart.line(eye, side, FARTHEST_RING, FINE_SKY_STEP).into_iter();
+    let ray = &eye.with_edge(ray);
+    let lines = |(sky_step, most): (f64, u32)| {
+        let chart = Chart::edge(ray);
+        let nearest = |chart: &Chart, side: f64| {
+            let mut line = chart.line(eye, side, FARTHEST_RING, sky_step, most).into_iter();
             line.find(|(_, trace)| same(trace)).map_or(f64::INFINITY, |(x, _)| chart.turn(DVec2::new(x, 0.0)))
         };
-        f64::min(nearest(-1.0), nearest(1.0))
-    });
+        chart.map_or(f64::INFINITY, |chart| f64::min(nearest(&chart, -1.0), nearest(&chart, 1.0)))
+    };
+    let on_lines = lines(FINE_SKY_STEP);
     let direction = ray.direction();
     let (u, v) = direction.any_orthonormal_pair();
     let toward = |spoke: u32, turn: f64| {
@@ -222,5 +234,5 @@ pub(super) fn of_class(eye: &Eye, ray: &Ray, given: &Trace) -> f64 {
         }
         ring *= RING_FACTOR;
     }
-    on_lines
+    if on_lines.is_finite() { on_lines } else { lines(FINEST_SKY_STEP) }
 }

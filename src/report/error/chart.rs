@@ -6,12 +6,10 @@ use super::{Eye, angle_between};
 use crate::physics::trace::Trace;
 use glam::{DVec2, DVec3};
 
-/// Steps along the line toward an edge, in powers of e of the distance to it, how far the line goes in these, and how many
-/// steps it has.
+/// Steps along the line toward an edge, in powers of e of the distance to it, and how far the line goes in these.
 const LEAST_STEP: f64 = 1e-4;
 const LONGEST_STEP: f64 = 0.1;
 const FARTHEST: f64 = 12.0;
-const MOST_SCANNED: u32 = 300;
 
 /// Rays around one ray, by two coordinates that are zero there.
 ///
@@ -73,11 +71,11 @@ impl Chart {
 
     /// The rays along the line toward the edge (`side` -1) or away from it (1), as far as a turn by no more than `farthest`
     /// goes, by their first coordinates. Next to a fast hole a small part of the distance to the edge is many turns, so
-    /// steps are such that the sky moves by `sky_step` radians.
-    pub(super) fn line(&self, eye: &Eye, side: f64, farthest: f64, sky_step: f64) -> Vec<(f64, Trace)> {
+    /// steps are such that the sky moves by `sky_step` radians, and no more than `most`.
+    pub(super) fn line(&self, eye: &Eye, side: f64, farthest: f64, sky_step: f64, most: u32) -> Vec<(f64, Trace)> {
         let (mut x, mut step) = (0.0, LEAST_STEP);
         let mut line: Vec<(f64, Trace)> = Vec::new();
-        for _ in 0..MOST_SCANNED {
+        for _ in 0..most {
             let place = DVec2::new(x, 0.0);
             if self.turn(place) > farthest || x.abs() > FARTHEST {
                 break;
@@ -85,7 +83,7 @@ impl Chart {
             let trace = eye.trace(self.at(place));
             let before = line.last().and_then(|(_, before)| before.sky);
             let moved = before.zip(trace.sky).map_or(0.0, |(before, sky)| angle_between(before, sky));
-            step = (step * (sky_step / moved).clamp(0.5, 2.0)).clamp(LEAST_STEP, LONGEST_STEP);
+            step = (step * (sky_step / moved).clamp(0.5, 2.0)).clamp(LEAST_STEP.min(0.1 * sky_step), LONGEST_STEP);
             line.push((x, trace));
             x += side * step;
         }
