@@ -69,6 +69,7 @@ struct Scene {
     azimuth_lead: f32,
     // Step in Mino time, in radians.
     mino_step: f32,
+    mino_near_step: f32,
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;

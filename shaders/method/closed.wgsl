@@ -33,10 +33,11 @@ struct Orbit {
 // k. First guesses within 4e-4 (minimax polynomials in 1/b, and in its power -2/3), then one step of Newton's method.
 fn orbit_root(inverse_b: f32, q: f32) -> f32 {
     let x = inverse_b;
-    let small = x * (0.99991836 + x * (-0.49241213 + x * (0.50929576 - x * 0.34869361)));
-    let s = exp2(log2(inverse_b) * -0.666666667);
-    let large = q * s * s * (0.99962648 + s * (-0.32762602 + s * (0.09698567 - s * 0.01438903)));
-    let k = select(large, small, inverse_b < 0.385);
+    var k = x * (0.99991836 + x * (-0.49241213 + x * (0.50929576 - x * 0.34869361)));
+    if inverse_b >= 0.385 {
+        let s = exp2(log2(inverse_b) * -0.666666667);
+        k = q * s * s * (0.99962648 + s * (-0.32762602 + s * (0.09698567 - s * 0.01438903)));
+    }
     return (k * k * (2.0 * k + 1.0) + q) / (k * (3.0 * k + 2.0));
 }
 
@@ -53,33 +54,30 @@ fn orbit_root(inverse_b: f32, q: f32) -> f32 {
 //
 // In this form no argument is a difference of nearly equal numbers.
 fn angle_to_infinity(orbit: Orbit) -> f32 {
-    let inward = orbit.slope > 0.0;
     let k = orbit_root(orbit.inverse_b, orbit.q);
     let t = 2.0 + 3.0 * k;
-    let v = -4.0 * orbit.discriminant * (1.0 + k) / (t * t);
+    // v / (1 + k).
+    let share = -4.0 * orbit.discriminant / (t * t);
+    let v = share * (1.0 + k);
     let above = orbit.u + k;
     let inverse_above = 1.0 / above;
-    // What belongs to the second and the third leg has a meaning where D < 0 only.
-    let gap = sqrt(max(v, 0.0));
-    let u2 = 2.0 * k * (1.0 + k) / (1.0 + k + gap);
-    let rise = u2 + k;
-    let rest = orbit.slope * orbit.slope * inverse_above;
-    let d = 2.0 * rest / (gap + sqrt(gap * gap + 4.0 * rest) + TINY);
-    let root = sqrt(1.0 + k);
-    let x_out = k * square(above * root + abs(orbit.slope)) * inverse_above;
-    // The photon sphere is at u = 2/3; far from it k is small, and better taken itself.
-    let beyond = select(2.0 * k - orbit.u, scene.photon_sphere_depth - 0.666666667 * v / (1.0 + k), k > 0.25);
-    let mean_out = 0.5 * (1.0 + k) * beyond * (2.0 * k + orbit.u) + 2.0 * k * root * abs(orbit.slope);
-    let camera_u2 = orbit.u * orbit.u;
-    // The first or the third leg.
-    let x = select(x_out, rise * (gap + d), inward);
-    let mean = select(mean_out, 0.5 * gap * (rise + above), inward);
-    let h2 = select(0.25 * camera_u2 * camera_u2 * v, square(0.5 * gap * d), inward);
-    var angle = select(orbit.u, sqrt(d), inward) * carlson_rf_pair(x, mean, h2);
-    if inward {
-        angle += sqrt(u2) * carlson_rf_pair(rise * (u2 + gap), 0.5 * gap * (rise + k), square(0.5 * gap * u2));
+    if orbit.slope > 0.0 {
+        let gap = sqrt(max(v, 0.0));
+        let u2 = 2.0 * k * (1.0 + k) / (1.0 + k + gap);
+        let rise = u2 + k;
+        let rest = orbit.slope * orbit.slope * inverse_above;
+        let d = 2.0 * rest / (gap + sqrt(gap * gap + 4.0 * rest) + TINY);
+        let h = 0.5 * gap;
+        let from_camera = sqrt(d) * carlson_rf_pair(rise * (gap + d), h * (rise + above), square(h * d));
+        return 2.0 * (from_camera + sqrt(u2) * carlson_rf_pair(rise * (u2 + gap), h * (rise + k), square(h * u2)));
     }
-    return 2.0 * angle;
+    let slope = -orbit.slope;
+    let root = sqrt(1.0 + k);
+    // The photon sphere is at u = 2/3; far from it k is small, and better taken itself.
+    let beyond = select(2.0 * k - orbit.u, scene.photon_sphere_depth - 0.666666667 * share, k > 0.25);
+    let mean = 0.5 * (1.0 + k) * beyond * (2.0 * k + orbit.u) + 2.0 * k * root * slope;
+    let x = k * square(above * root + slope) * inverse_above;
+    return 2.0 * orbit.u * carlson_rf_pair(x, mean, 0.25 * square(orbit.u * orbit.u) * v);
 }
 
 // u at the angle phi after a place with u0, du/dphi: Biermann's and Weierstrass's solution of (du/dphi)^2 = f(u)
@@ -142,7 +140,7 @@ fn trace(photon: Photon) -> Trace {
     let coplanar = n.z == 0.0 && tangent.z == 0.0;
     // Inside the disk's inner edge, only the way out can meet it.
     let outside_inner_edge = scene.camera_u < 0.333333333;
-    let meets_first = !turns && inward && crossing_angle < DISK_ANGLE / inverse_b && outside_inner_edge;
+    let meets_first = !turns && inward && crossing_angle * inverse_b < DISK_ANGLE && outside_inner_edge;
     let may_hit = HAS_DISK && !coplanar && (escapes || meets_first);
     if !(escapes || may_hit) {
         return result;

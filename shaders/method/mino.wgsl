@@ -22,10 +22,9 @@
 const MOST_STEPS: u32 = 1024u;
 // By how much E^2 adds to K in the scale: radial rays, with K = 0, cover no more than du = step/2 in a step.
 const ENERGY_WEIGHT: f32 = 4.0;
-// Rays with sqrt(K)/E below this may come near the critical curve, where it is 3.5 at most. Their step is no longer than
-// this, lest the shadow's edge be off.
+// Rays with sqrt(K)/E below this may come near the critical curve, where it is 3.5 at most. Their step is shorter, lest
+// the shadow's edge be off.
 const FAR_IMPACT: f32 = 4.0;
-const NEAR_STEP: f32 = 0.4;
 // Where U is below this share of W^2, a turning point is near and U is no longer a good measure of u'.
 const TURNING_SHARE: f32 = 0.0625;
 
@@ -178,7 +177,7 @@ fn trace(photon: Photon) -> Trace {
     let lambda = angular_momentum / select(energy, TINY, abs(energy) < TINY);
 
     let far = k_camera > square(FAR_IMPACT * photon.energy);
-    let h = select(min(scene.mino_step, NEAR_STEP), scene.mino_step, far);
+    let h = select(scene.mino_near_step, scene.mino_step, far);
     let u_inner = select(0.0, 1.0 / scene.disk_inner, HAS_DISK);
     var m = motion_about(select(0.0, u_horizon, near), constants);
     var y = vec4<f32>(select(scene.camera_u, -depth, near), n.z, n.xy);

@@ -3,7 +3,7 @@
 
 use super::GpuError;
 use crate::physics::{disk, kerr::Kerr, schwarzschild, shift::Shift, sight::Sight};
-use crate::scene::{Method, Scene};
+use crate::scene::{Method, Quality, Scene};
 use encase::ShaderType;
 use glam::{DMat3, DVec2, DVec3, DVec4, UVec2, Vec2, Vec3, Vec4};
 use std::f64::consts::TAU;
@@ -71,6 +71,7 @@ pub struct GpuScene {
     pub horizon_depth: f32,
     pub azimuth_lead: f32,
     pub mino_step: f32,
+    pub mino_near_step: f32,
 }
 
 impl GpuScene {
@@ -121,6 +122,8 @@ impl GpuScene {
         let inner = disk::inner_edge(scene);
         let kerr = Kerr { spin: scene.hole.spin };
         let horizon_u = 1.0 / kerr.horizon();
+        let pixel = 2.0 * tan_half_fov / size.y;
+        let [mino_step, mino_near_step] = mino_steps(quality.max_error_px, pixel, kerr, camera.r);
         Ok(Self {
             energy,
             radial,
@@ -167,7 +170,8 @@ impl GpuScene {
             spin_gap: (1.0 - kerr.spin) as f32,
             horizon_depth: (horizon_u - 1.0 / camera.r) as f32,
             azimuth_lead: turns_off(kerr.ingoing_azimuth_lead(camera.r)) as f32,
-            mino_step: mino_step(quality.max_error_px * 2.0 * tan_half_fov / size.y, kerr, camera.r) as f32,
+            mino_step: mino_step as f32,
+            mino_near_step: mino_near_step as f32,
         })
     }
 }
@@ -188,15 +192,19 @@ fn about(row: DVec4, m: DVec3) -> (DVec4, f64) {
     (DVec4::new(there, across.x, across.y, across.z), -along)
 }
 
-/// The step of method mino, in radians, for rays that may be wrong by a turn of `turn` radians.
+/// The steps of method mino, in radians, where a pixel is `pixel` radians wide: of rays that pass far from the critical
+/// curve, and of those that may come near it.
 ///
 /// Measured: the turn that explains a ray's error is at most 3e-4 step^5.5. Below a step of 0.25 nothing is left but f32's
-/// rounding; up to 0.53 the disk's places are right to 1e-5 of their radius in the median, which is asked for whatever the
-/// setting. The shader takes no more than 0.4 where a ray may come near the critical curve. Next to a spinning hole the
-/// error is up to three times that, and all rays may come near the curve.
-fn mino_step(turn: f64, kerr: Kerr, r: f64) -> f64 {
-    let step = (turn / 3e-4).powf(1.0 / 5.5).clamp(0.25, 0.53);
-    if kerr.spin != 0.0 && r < 2.0 * kerr.horizon() { 0.8 * step.min(0.4) } else { step }
+/// rounding. Up to 0.53 the disk's places are right to 1e-5 of their radius in the median, and up to 0.4 the shadow's edge
+/// to 2e-6 of its own: both are asked for at the default setting, and whoever allows more than it allows more of both.
+/// With the camera next to a spinning hole the error is up to three times that, and all rays may come near the curve.
+fn mino_steps(max_error_px: f64, pixel: f64, kerr: Kerr, r: f64) -> [f64; 2] {
+    let growth = |error: f64| error.powf(1.0 / 5.5);
+    let wanted = growth(max_error_px * pixel / 3e-4);
+    let looser = growth((max_error_px / Quality::default().max_error_px).max(1.0));
+    let [far, near] = [0.53, 0.4].map(|longest| wanted.clamp(0.25, longest * looser));
+    if kerr.spin != 0.0 && r < 2.0 * kerr.horizon() { [0.8 * near; 2] } else { [far, near] }
 }
 
 /// The angle within [-pi, pi].
