@@ -122,7 +122,8 @@ impl GpuScene {
         let spot_radius = SPOT_PIXELS * 2.0 * tan_half_fov / size.y;
         let inner = disk::inner_edge(scene);
         let horizon_u = 1.0 / kerr.horizon();
-        let [mino_step, mino_near_step] = mino_steps(quality.max_error_px, 2.0 * tan_half_fov / size.y, kerr, camera.r);
+        let pixel = 2.0 * tan_half_fov / size.y;
+        let [mino_step, mino_near_step] = mino_steps(quality.max_error_px, pixel, kerr, camera.r);
         Ok(Self {
             energy,
             radial,
@@ -196,8 +197,8 @@ fn about(row: DVec4, m: DVec3) -> (DVec4, f64) {
 ///
 /// Measured: the turn that explains a ray's error is at most 3e-4 step^5.5. Below a step of 0.25 nothing is left but f32's
 /// rounding. Up to 0.53 the disk's places are right to 1e-5 of their radius in the median, and up to 0.4 the shadow's edge
-/// to 2e-6 of its own: both are asked for at the default setting, and whoever allows more than it allows more of both. Next
-/// to a spinning hole the error is up to three times that, and all rays may come near the curve.
+/// to 2e-6 of its own: both are asked for at the default setting, and whoever allows more than it allows more of both.
+/// With the camera next to a spinning hole the error is up to three times that, and all rays may come near the curve.
 fn mino_steps(max_error_px: f64, pixel: f64, kerr: Kerr, r: f64) -> [f64; 2] {
     let growth = |error: f64| error.powf(1.0 / 5.5);
     let wanted = growth(max_error_px * pixel / 3e-4);
