@@ -165,8 +165,8 @@ fn trace(photon: Photon) -> Trace {
     let near = NEAR_HORIZON && scene.camera_u > 0.5 * u_horizon;
     let depth = scene.horizon_depth;
     var horizon_w = energy + drag * u_horizon * u_horizon;
-    if near {
-        // E and B u^2 may cancel at the camera; u'^2 and K' u^2 D do not.
+    if near && depth > 0.0 {
+        // E and B u^2 may cancel at the camera; u'^2 and K' u^2 D do not, outside.
         let d = depth * (scene.horizon_gap + a * a * depth);
         let w_camera = sqrt(square(scale * photon.radial) + k_prime * square(scene.camera_u) * d);
         horizon_w = w_camera + drag * depth * (2.0 * u_horizon - depth);
@@ -177,7 +177,14 @@ fn trace(photon: Photon) -> Trace {
     let lambda = angular_momentum / select(energy, TINY, abs(energy) < TINY);
 
     let far = k_camera > square(FAR_IMPACT * photon.energy);
-    let h = select(scene.mino_near_step, scene.mino_step, far);
+    var h = select(scene.mino_near_step, scene.mino_step, far);
+    // A camera at or inside the horizon.
+    let inside = NEAR_HORIZON && depth <= 0.0;
+    if inside {
+        // Deep inside u changes by its own measure in less than a radian: a share of that time, by U's growing terms.
+        let u = scene.camera_u;
+        h *= inverseSqrt(max(1.0, u * (6.0 * k_prime + 8.0 * u * (square(drag) + square(a) * k_prime))));
+    }
     let u_inner = select(0.0, 1.0 / scene.disk_inner, HAS_DISK);
     var m = motion_about(select(0.0, u_horizon, near), constants);
     var y = vec4<f32>(select(scene.camera_u, -depth, near), n.z, n.xy);
@@ -192,11 +199,16 @@ fn trace(photon: Photon) -> Trace {
     if ingoing {
         chi = scene.azimuth_lead;
     }
+    if inside && horizon_w <= 0.0 {
+        // Light on its way from the horizon's other branch, through which nothing comes from outside.
+        result.outcome = OUTCOME_CAPTURED;
+        return result;
+    }
 
     for (var i = 0u; i < MOST_STEPS; i++) {
         // 1/r_+ in two parts, so that the distance to the horizon keeps its digits.
         let nearer = SPINNING && m.base == 0.0 && y.x > 0.5 * u_horizon;
-        if nearer || SPINNING && m.base > 0.0 && y.x < -0.5 * u_horizon {
+        if nearer || (SPINNING || NEAR_HORIZON) && m.base > 0.0 && y.x < -0.5 * u_horizon {
             y.x = select((y.x + scene.horizon_u_rest) + u_horizon, (y.x - u_horizon) - scene.horizon_u_rest, nearer);
             m = motion_about(select(0.0, u_horizon, nearer), constants);
         }
@@ -219,7 +231,7 @@ fn trace(photon: Photon) -> Trace {
             result.outcome = OUTCOME_HIDDEN;
             break;
         }
-        if SPINNING && m.base > 0.0 {
+        if (SPINNING || NEAR_HORIZON) && m.base > 0.0 {
             let w2 = square(quadratic(m.w, y.x));
             let u2 = speed2(m, y.x, w2);
             if u2 > TURNING_SHARE * w2 {
