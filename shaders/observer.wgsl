@@ -8,16 +8,24 @@ fn photon_from(direction: vec3<f32>) -> Photon {
     let one_off = vec4<f32>(1.0, off);
     let half = 0.5 * dot(off, off);
     let w = vec3<f32>(dot(scene.w_x, one_off), dot(scene.w_y, one_off), dot(scene.w_z, one_off));
+    // For the edge of the shadow likewise, from the middle of what it encloses.
+    let aside = direction - scene.plunge_middle;
     let photon = Photon(
         dot(scene.energy, one_off) + scene.energy_bend * half,
         dot(scene.radial, one_off) + scene.bend.x * half,
         w + scene.bend.yzw * half,
+        dot(scene.plunge, vec4<f32>(1.0, aside)) + scene.plunge_bend * 0.5 * dot(aside, aside),
     );
     if ABERRATION {
         return photon;
     }
     let frequency = dot(scene.frequency, vec4<f32>(1.0, direction));
-    return Photon(photon.energy / frequency, photon.radial / frequency, photon.w / frequency);
+    return Photon(
+        photon.energy / frequency,
+        photon.radial / frequency,
+        photon.w / frequency,
+        photon.plunge / frequency,
+    );
 }
 
 // Unit looking direction (right, up, forward) of a place on the picture, in pixels from its upper left corner.

@@ -22,9 +22,14 @@ struct Scene {
     // Where the camera is: unit vector from the hole, and radius.
     camera_direction: vec3<f32>,
     camera_radius: f32,
-    // Of (E^2, radial^2, |w|^2): |w|^2 (b_c^2/b^2 - 1), b_c the impact parameter of the photon sphere. Then 1/r, and by
-    // how much that is less than at the photon sphere, 2/3.
-    discriminant: vec3<f32>,
+    // Without spin, the photon's plunge = radial - c E, reckoned from the middle of the shadow or of the sky, whichever
+    // is smaller: dot(row, (1, off)) + bend |off|^2/2 with off = d - middle. Then 2 c, and 1/(1 - 1/r).
+    plunge: vec4<f32>,
+    plunge_middle: vec3<f32>,
+    plunge_bend: f32,
+    plunge_span: f32,
+    inverse_lapse2: f32,
+    // 1/r, and by how much that is less than at the photon sphere, 2/3.
     camera_u: f32,
     photon_sphere_depth: f32,
     // Size of the picture in pixels; tangents of half the field of view, horizontal and vertical.
@@ -63,7 +68,9 @@ struct Scene {
     horizon_gap: f32,
     inner_horizon: f32,
     spin_gap: f32,
-    // By how much Kerr's ingoing azimuth is ahead of Boyer-Lindquist's at the camera.
+    // By how much the camera's 1/r is less than 1/r_+; by how much Kerr's ingoing azimuth is ahead of the camera's, but for
+    // whole turns: zero at and inside the horizon, where it is the camera's.
+    horizon_depth: f32,
     azimuth_lead: f32,
     // Step in Mino time, in radians.
     mino_step: f32,
@@ -84,6 +91,8 @@ struct Photon {
     radial: f32,
     // (p_theta theta_hat + p_phi / sin(theta) phi_hat) / r, tangent to the celestial sphere at the camera.
     w: vec3<f32>,
+    // Without spin: what is positive for light from the horizon, and is zero at the edge of the shadow.
+    plunge: f32,
 }
 
 // The ray comes from infinity, ends at the horizon, was given up, or (pictures only) passed two crossings of the disk

@@ -14,6 +14,8 @@
 
 // Nearer to the critical curve rays are not told apart: 1e-7 of the shadow's radius at most.
 const LEAST_DISCRIMINANT: f32 = 1e-14;
+// Below this D is better taken from b, as it is where light is hardly bent, at -1.
+const WEAK_DISCRIMINANT: f32 = -0.6;
 // Rays that pass the centre closer than this, in r_s, count as straight: their bending is less still.
 const LEAST_IMPACT: f32 = 1e-8;
 // A ray with D > 0 has gone through the disk's range of radii, from u = 0 to 1/3 at most, within this times b: there
@@ -123,8 +125,11 @@ fn trace(photon: Photon) -> Trace {
     let tangent = -inverse_w * w;
     let scale = scene.camera_u * inverse_w;
     let inverse_b = energy * scale;
-    let squares = vec3<f32>(energy * energy, photon.radial * photon.radial, w2);
-    let d = dot(scene.discriminant, squares) * inverse_w * inverse_w;
+    // (radial - c E) (radial + c E) = (1 - u) |w|^2 D keeps D's digits next to the critical curve; where light is hardly
+    // bent D has to be what belongs to b.
+    let span = photon.plunge + scene.plunge_span * energy;
+    let critical = photon.plunge * span * scene.inverse_lapse2 * inverse_w * inverse_w;
+    let d = select(6.75 * inverse_b * inverse_b - 1.0, critical, critical > WEAK_DISCRIMINANT);
     let turns = d < 0.0;
     let discriminant = select(max(d, LEAST_DISCRIMINANT), min(d, -LEAST_DISCRIMINANT), turns);
     let orbit = Orbit(scene.camera_u, photon.radial * scale, inverse_b, inverse_b * inverse_b, discriminant);

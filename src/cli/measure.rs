@@ -56,7 +56,8 @@ pub enum EntryArg {
 #[derive(Debug, Args)]
 #[command(
     after_help = "Without --json a Markdown table goes to standard output. --out also writes extremes.csv, extremes.json and \
-                        extremes.md. The exit status is 1 if closed or mino does not hold a cell."
+                        extremes.md. The exit status is 1 if closed or mino does not hold a cell, or if a \
+                        hunt finds a ray beyond its bar that nothing explains."
 )]
 pub struct ExtremesArgs {
     /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace the scene]

@@ -1,7 +1,7 @@
 //! `lightfall extremes`.
 
 use super::{circumstances, make_folder, print, progress, write};
-use crate::{Stop, failed};
+use crate::{Stop, failed, without_device};
 use lightfall::cli::ExtremesArgs;
 use lightfall::gpu::Gpu;
 use lightfall::report::bench::{csv, json};
@@ -14,7 +14,7 @@ const TOLD: usize = 10;
 /// Measures the matrix, or hunts; prints and writes.
 pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     make_folder(args.out.as_deref())?;
-    let gpu = Gpu::headless().map_err(failed)?;
+    let gpu = Gpu::headless().map_err(without_device)?;
     if let Some(rays) = args.hunt {
         return hunt(&gpu, &Hunt { rays: rays as usize, seed: args.seed }, args.json);
     }
@@ -56,16 +56,33 @@ fn hunt(gpu: &Gpu, hunt: &Hunt, as_json: bool) -> Result<(), Stop> {
     });
     let found = found.map_err(failed)?;
     bar.finish_and_clear();
-    let beyond = found.iter().filter(|found| found.excess > 1.0).count();
-    eprintln!("lightfall: of {} random scenes, {beyond} have a ray beyond its bar", found.len());
-    let told = &found[..found.len().min(TOLD.max(beyond))];
+    let beyond: usize = found.iter().map(|found| found.beyond).sum();
+    let unexplained: usize = found.iter().map(|found| found.unexplained).sum();
+    let scenes = found.iter().filter(|found| found.beyond > 0).count();
+    eprintln!(
+        "lightfall: {} random scenes; rays beyond their bar: {beyond}, in {scenes} of the scenes; unexplained: {unexplained}",
+        found.len()
+    );
+    let told = &found[..found.len().min(TOLD.max(scenes))];
     if as_json {
         let rows = told.iter().map(|found| {
-            serde_json::json!({ "backward": found.backward, "excess": found.excess, "command": found.command() })
+            serde_json::json!({
+                "backward": found.backward,
+                "excess": found.excess,
+                "verdict": found.verdict(),
+                "rays_beyond": found.beyond,
+                "rays_unexplained": found.unexplained,
+                "command": found.command(),
+            })
         });
-        return print(&format!("{:#}\n", serde_json::Value::Array(rows.collect())));
+        print(&format!("{:#}\n", serde_json::Value::Array(rows.collect())))?;
+    } else {
+        let line = |found: &Found| format!("# {}\n{}\n", found.verdict(), found.command());
+        print(&told.iter().map(line).collect::<String>())?;
     }
-    let line =
-        |found: &Found| format!("# {:.2e} rad, {:.2} of its bar\n{}\n", found.backward, found.excess, found.command());
-    print(&told.iter().map(line).collect::<String>())
+    if unexplained > 0 {
+        Err(Stop(1, format!("rays beyond their bar that nothing explains: {unexplained}")))
+    } else {
+        Ok(())
+    }
 }

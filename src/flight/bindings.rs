@@ -164,6 +164,12 @@ impl<S: Switch> Bound<S> {
         changed.map(|(control, switches)| (control.id.to_owned(), names(switches))).collect()
     }
 
+    /// The switches of the control with this name, in words; empty where there is none.
+    #[must_use]
+    pub fn named(&self, id: &str) -> String {
+        control_named(id).map(|control| self.in_words(control)).unwrap_or_default()
+    }
+
     /// A control's switches in words, e.g. `F12, Print`.
     #[must_use]
     pub fn in_words(&self, control: &Control) -> String {

@@ -13,6 +13,23 @@ const MOUSE: [[&str; 2]; 2] = [["right mouse button", "look around"], ["wheel", 
 /// What a gamepad's sticks do; its buttons are bound.
 const STICKS: [[&str; 2]; 2] = [["left stick", "fly"], ["right stick", "look around"]];
 
+/// The headings side by side: in the first of these that the window has room for.
+const COLUMNS: [&[&[Group]]; 3] = [
+    &[&[Group::Flight, Group::Light], &[Group::Scene, Group::View], &[Group::Picture, Group::Window]],
+    &[&[Group::Flight, Group::Light, Group::View], &[Group::Scene, Group::Picture, Group::Window]],
+    &[&Group::ALL],
+];
+/// The same where the gamepad's own stands under the last.
+const WITH_PAD: [&[&[Group]]; 3] = [
+    &[&[Group::Flight, Group::Picture], &[Group::Scene, Group::Light, Group::View], &[Group::Window]],
+    &[&[Group::Flight, Group::Light, Group::View, Group::Window], &[Group::Scene, Group::Picture]],
+    &[&Group::ALL],
+];
+/// Width of a column, in points; of what lies about the window, and of its title and last line.
+const COLUMN: f32 = 310.0;
+const EDGE: f32 = 24.0;
+const TITLE: f32 = 76.0;
+
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show);
 }
@@ -55,25 +72,28 @@ fn show(
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
+    let room = context.content_rect().size() - egui::vec2(EDGE, EDGE);
+    let sets = if pads.any() { WITH_PAD } else { COLUMNS };
+    let columns = sets.into_iter().find(|columns| columns.len() as f32 * COLUMN < room.x).unwrap_or(sets[2]);
     let mut open = true;
     egui::Window::new("Help")
         .open(&mut open)
         .order(egui::Order::Foreground)
         .collapsible(false)
         .resizable(false)
-        .anchor(egui::Align2::CENTER_CENTER, [0.0, -20.0])
-        .default_width((context.content_rect().width() - 40.0).min(1000.0))
+        .anchor(egui::Align2::CENTER_CENTER, [0.0, 0.0])
         .show(context, |ui| {
-            let tallest = (context.content_rect().height() - 180.0).max(100.0);
-            egui::ScrollArea::both().max_height(tallest).show(ui, |ui| {
+            ui.set_max_width(room.x);
+            // Bars that show, or nobody would know that there is more.
+            ui.spacing_mut().scroll = egui::style::ScrollStyle::solid();
+            // Under it there is a line more, above it the title.
+            egui::ScrollArea::both().max_height((room.y - TITLE).max(40.0)).show(ui, |ui| {
                 ui.horizontal_top(|ui| {
-                    for (place, groups) in columns(pads.any()).into_iter().enumerate() {
-                        ui.add_space(if place == 0 { 0.0 } else { 24.0 });
+                    ui.spacing_mut().item_spacing.x = 24.0;
+                    for (place, groups) in columns.iter().enumerate() {
                         ui.vertical(|ui| {
-                            for group in groups {
-                                table(ui, group.title(), rows(&bindings, *group));
-                            }
-                            if place == 2 && pads.any() {
+                            groups.iter().for_each(|group| table(ui, group.title(), rows(&bindings, *group)));
+                            if pads.any() && place + 1 == columns.len() {
                                 table(ui, "Gamepad", pad_rows(&buttons));
                             }
                         });
@@ -86,15 +106,6 @@ fn show(
         shown.help = false;
     }
     Ok(())
-}
-
-/// The headings of each column; a gamepad's own stands under the last.
-fn columns(pad: bool) -> [&'static [Group]; 3] {
-    if pad {
-        [&[Group::Flight, Group::Picture], &[Group::Scene, Group::Light, Group::View], &[Group::Window]]
-    } else {
-        [&[Group::Flight, Group::Light], &[Group::Scene, Group::View], &[Group::Picture, Group::Window]]
-    }
 }
 
 fn table(ui: &mut egui::Ui, title: &str, rows: Vec<[String; 2]>) {

@@ -7,10 +7,13 @@ use super::gamepad::Pads;
 use super::history::{History, drawable};
 use super::notice::Notice;
 use super::panel::Rebinding;
+use super::remarks::remark;
 use super::resolution::Resolution;
 use crate::render::CurrentScene;
 use crate::scene::Scene;
 use bevy::ecs::system::SystemParam;
+use bevy::input::ButtonState;
+use bevy::input::keyboard::KeyboardInput;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass};
 
@@ -35,8 +38,10 @@ impl Held<'_, '_> {
 
     fn motion(&self, motion: Motion) -> f64 {
         let holds = |action| matches!(action, Action::Hold(held) if held == motion);
+        // A tap that is over within a slow frame counts for that frame.
+        let held = |code: &KeyCode| self.keys.pressed(*code) || self.keys.just_pressed(*code);
         let mut controls = self.bindings.iter().filter(|(control, _)| holds(control.action));
-        let key = !self.typing.0 && controls.any(|(_, codes)| self.keys.any_pressed(codes.iter().copied()));
+        let key = !self.typing.0 && controls.any(|(_, codes)| codes.iter().any(held));
         if key { 1.0 } else { self.pads.motion(motion) }
     }
 }
@@ -143,7 +148,9 @@ fn notice_typing(mut contexts: EguiContexts, mut typing: ResMut<Typing>, rebindi
     Ok(())
 }
 
+/// Each press by itself and in its order: two that come within one slow frame are two.
 fn apply(
+    mut inputs: MessageReader<KeyboardInput>,
     keys: Res<ButtonInput<KeyCode>>,
     bindings: Res<Bindings>,
     typing: Res<Typing>,
@@ -151,20 +158,31 @@ fn apply(
     mut editor: SceneEditor,
     mut commands: MessageWriter<Command>,
 ) {
-    let listens = !typing.0 && !keys.any_pressed([KeyCode::SuperLeft, KeyCode::SuperRight]);
-    let alt = keys.any_pressed([KeyCode::AltLeft, KeyCode::AltRight]);
-    for (control, codes) in bindings.iter() {
-        // Without Alt in the table, a key with Alt is the desktop's.
-        let by_key = listens && control.alt == alt && keys.any_just_pressed(codes.iter().copied());
-        let by_key = by_key.then(|| bindings.in_words(control));
-        let Some(who) = by_key.or_else(|| pads.pressed(control)) else { continue };
+    let fresh = |input: &&KeyboardInput| input.state == ButtonState::Pressed && !input.repeat;
+    let presses: Vec<KeyCode> = inputs.read().filter(fresh).map(|input| input.key_code).collect();
+    // Held at some time of the frame.
+    let held = |codes: [KeyCode; 2]| keys.any_pressed(codes) || keys.any_just_pressed(codes);
+    let listens = !typing.0 && !held([KeyCode::SuperLeft, KeyCode::SuperRight]);
+    // Without Alt in the table, a key with Alt is the desktop's.
+    let alt = held([KeyCode::AltLeft, KeyCode::AltRight]);
+    let by_key = presses.into_iter().filter(|_| listens).filter_map(|code| bindings.owner(code, alt));
+    let by_key = by_key.map(|control| (control, bindings.in_words(control)));
+    let by_button = bindings.iter().filter_map(|(control, _)| pads.pressed(control).map(|button| (control, button)));
+    for (control, who) in by_key.chain(by_button) {
         if let Action::Do(command) = control.action {
             commands.write(command);
         }
-        let Some(changed) = edited(control, &editor.meant(), editor.loaded()) else { continue };
+        let before = editor.meant();
+        let Some(changed) = edited(control, &before, editor.loaded()) else { continue };
         match control.action {
             Action::Load(_) | Action::Turn(_) => editor.load(&who, changed),
-            _ => editor.change(&who, changed),
+            _ => {
+                let remark = changed.as_ref().ok().and_then(|after| remark(control, &before, after, &bindings));
+                editor.change(&who, changed);
+                if let Some(remark) = remark {
+                    editor.say(format!("{who}: {remark}"));
+                }
+            }
         }
     }
 }

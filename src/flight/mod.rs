@@ -25,6 +25,7 @@ mod pace;
 mod panel;
 mod pilot;
 mod recovery;
+mod remarks;
 mod resolution;
 mod screenshot;
 mod settings;
@@ -43,6 +44,7 @@ pub use keys::{key_name, key_named, key_names};
 pub use motion::Voyage;
 pub use pace::Pace;
 pub use panel::shown_number;
+pub use remarks::remark;
 pub use resolution::Resolution;
 pub use settings::{Automatic, Settings};
 

@@ -95,10 +95,16 @@ fn instance() -> Instance {
 pub(super) async fn adapter() -> Result<Adapter, GpuError> {
     let instance = instance();
     let name = env::var("WGPU_ADAPTER_NAME").ok().filter(|name| !name.is_empty());
-    if let Some(wanted) = name.as_ref().map(|name| name.to_lowercase()) {
-        let mut adapters = instance.enumerate_adapters(backends()).await.into_iter();
-        let named = adapters.find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted));
-        return named.ok_or(GpuError::NoAdapter(name));
+    if let Some(given) = name {
+        let wanted = given.to_lowercase();
+        let adapters = instance.enumerate_adapters(backends()).await;
+        let names: Vec<String> = adapters.iter().map(|adapter| adapter.get_info().name).collect();
+        let found = adapters.into_iter().find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted));
+        return found.ok_or(if names.is_empty() {
+            GpuError::NoAdapter
+        } else {
+            GpuError::UnknownAdapter { given, names }
+        });
     }
     if let Some(wanted) = preferred() {
         let mut adapters = instance.enumerate_adapters(backends()).await.into_iter();
@@ -111,7 +117,7 @@ pub(super) async fn adapter() -> Result<Adapter, GpuError> {
         force_fallback_adapter: env::var("WGPU_FORCE_FALLBACK_ADAPTER").is_ok_and(|flag| flag == "1"),
         compatible_surface: None,
     };
-    instance.request_adapter(&options).await.map_err(|_| GpuError::NoAdapter(None))
+    instance.request_adapter(&options).await.map_err(|_| GpuError::NoAdapter)
 }
 
 /// Whether there is an adapter to draw with.

@@ -2,6 +2,7 @@
 //! traces out.
 
 mod adapter;
+mod beside;
 mod device;
 mod errors;
 pub mod kernel;
@@ -11,6 +12,7 @@ mod shader;
 pub mod timing;
 
 pub use adapter::{AdapterName, Listed, adapters, check_adapter, chosen, kind, named_by_environment, prefer};
+pub use beside::beside;
 pub use device::Gpu;
 pub use errors::{ERROR_GRID, ErrorCells};
 pub use scene::{DISK_HDR_SCALE, GpuScene};
@@ -24,10 +26,21 @@ use thiserror::Error;
 pub enum GpuError {
     /// No graphics driver offers an adapter.
     #[error(
-        "no Vulkan adapter was found{}: install a graphics driver; on Debian and Ubuntu the packages libvulkan1 and \
-         mesa-vulkan-drivers give one that needs no graphics card", wanted(.0)
+        "no Vulkan adapter was found: install a graphics driver; on Debian and Ubuntu the packages libvulkan1 and \
+         mesa-vulkan-drivers give one that needs no graphics card"
     )]
-    NoAdapter(Option<String>),
+    NoAdapter,
+    /// There are adapters, but none of the name that was asked for.
+    #[error(
+        "--gpu {given} (or WGPU_ADAPTER_NAME) is refused: it must be part of the name of one of these adapters, which \
+         --list-gpus tells: {}", .names.join("; ")
+    )]
+    UnknownAdapter {
+        /// What was asked for.
+        given: String,
+        /// The names of those that there are.
+        names: Vec<String>,
+    },
     /// The adapter gives no device, or the device failed.
     #[error("the graphics device failed: {0}")]
     Device(String),
@@ -42,8 +55,8 @@ pub enum GpuError {
     Spin(f64),
     /// A camera inside the horizon, where the method cannot begin.
     #[error(
-        "camera.r = {r} is refused: it is inside the horizon, from where only method closed, or auto, traces, and holes \
-         without spin only"
+        "camera.r = {r} is refused: it is inside the horizon, from where methods verlet and kerr-schild cannot begin (auto, \
+         mino and, without spin, closed can)"
     )]
     Inside {
         /// The camera's radius.
@@ -58,9 +71,4 @@ pub enum GpuError {
     /// An observer that cannot be.
     #[error(transparent)]
     Observer(#[from] ObserverError),
-}
-
-/// What the environment asked for, in words.
-fn wanted(name: &Option<String>) -> String {
-    name.as_ref().map_or_else(String::new, |name| format!(" whose name contains WGPU_ADAPTER_NAME = {name}"))
 }

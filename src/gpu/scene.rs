@@ -2,10 +2,11 @@
 //! which says what each number means; tests/gpu/layout.rs compares the two.
 
 use super::GpuError;
-use crate::physics::{disk, kerr::Kerr, schwarzschild, shift::Shift, sight::Sight};
-use crate::scene::{Method, Quality, Scene};
+use crate::physics::{disk, kerr::Kerr, schwarzschild::Plunge, shift::Shift, sight::Sight};
+use crate::scene::{Method, ObserverKind, Quality, Scene};
 use encase::ShaderType;
 use glam::{DMat3, DVec2, DVec3, DVec4, UVec2, Vec2, Vec3, Vec4};
+use std::f64::consts::TAU;
 
 /// Linear light of the disk per unit of `disk.brightness` and relative flux. The profile peaks at 0.057, and light as
 /// bright as white paper is 1.
@@ -17,6 +18,9 @@ const SPOT_PIXELS: f64 = 1.5;
 /// Height of the picture for which a star's brightness is given. Its flux does not depend on the picture, so a pixel
 /// half as wide is four times as bright.
 const SPOT_HEIGHT: f64 = 540.0;
+
+/// How near to the horizon, in r_s, is as good as at it.
+const NEXT_TO_HORIZON: f64 = 1e-8;
 
 /// Light of a mark after exposure: below what tone mapping begins to bleach.
 const MARK_BRIGHTNESS: f64 = 0.7;
@@ -36,7 +40,11 @@ pub struct GpuScene {
     pub frequency: Vec4,
     pub camera_direction: Vec3,
     pub camera_radius: f32,
-    pub discriminant: Vec3,
+    pub plunge: Vec4,
+    pub plunge_middle: Vec3,
+    pub plunge_bend: f32,
+    pub plunge_span: f32,
+    pub inverse_lapse2: f32,
     pub camera_u: f32,
     pub photon_sphere_depth: f32,
     pub picture_size: Vec2,
@@ -67,6 +75,7 @@ pub struct GpuScene {
     pub horizon_gap: f32,
     pub inner_horizon: f32,
     pub spin_gap: f32,
+    pub horizon_depth: f32,
     pub azimuth_lead: f32,
     pub mino_step: f32,
     pub mino_near_step: f32,
@@ -98,9 +107,10 @@ impl GpuScene {
             Method::Auto | Method::Verlet | Method::Closed | Method::Mino | Method::KerrSchild => {}
         }
         let Scene { camera, disk, sky, quality, .. } = scene;
-        // Verlet and Kerr-Schild capture there, Mino's steps are too long, and with spin there is no azimuth phi.
-        let traces_inside = scene.hole.spin == 0.0 && matches!(scene.method, Method::Auto | Method::Closed);
-        if camera.r <= (Kerr { spin: scene.hole.spin }).horizon() && !traces_inside {
+        let kerr = Kerr { spin: scene.hole.spin };
+        let inside = camera.r <= kerr.horizon();
+        // Verlet and Kerr-Schild capture there.
+        if inside && matches!(scene.method, Method::Verlet | Method::KerrSchild) {
             return Err(GpuError::Inside { r: camera.r });
         }
         let Sight { matrix, frequency } = Sight::new(scene)?;
@@ -113,14 +123,21 @@ impl GpuScene {
         let about = rows.map(|row| about(row, dimmest.as_dvec3()));
         let [energy, radial, w_x, w_y, w_z] = about.map(|(row, _)| row.as_vec4());
         let [energy_bend, bends @ ..] = about.map(|(_, bend)| bend as f32);
+        let (edge, inverse_lapse2) = plunge(scene)?;
+        let middle = legs_from_direction.transpose() * edge.middle;
+        let plunge_middle = middle.as_vec3();
+        // What rounding does to the middle is made up for.
+        let moved = plunge_middle.as_dvec3() - middle;
+        let there = edge.there + 0.5 * edge.bend * moved.length_squared();
+        let along = edge.bend * moved;
         let rest = Shift::new(scene).camera();
         let size = size.max(UVec2::ONE).as_dvec2();
         let tan_half_fov = camera.half_height();
         let spot_radius = SPOT_PIXELS * 2.0 * tan_half_fov / size.y;
         let inner = disk::inner_edge(scene);
-        let kerr = Kerr { spin: scene.hole.spin };
         let horizon_u = 1.0 / kerr.horizon();
-        let [mino_step, mino_near_step] = mino_steps(quality.max_error_px, 2.0 * tan_half_fov / size.y);
+        let pixel = 2.0 * tan_half_fov / size.y;
+        let [mino_step, mino_near_step] = mino_steps(quality.max_error_px, pixel, kerr, camera.r);
         Ok(Self {
             energy,
             radial,
@@ -133,7 +150,11 @@ impl GpuScene {
             frequency: turned(frequency).as_vec4(),
             camera_direction: camera.direction().as_vec3(),
             camera_radius: camera.r as f32,
-            discriminant: schwarzschild::discriminant_of_photon(camera.r).as_vec3(),
+            plunge: DVec4::new(there, along.x, along.y, along.z).as_vec4(),
+            plunge_middle,
+            plunge_bend: edge.bend as f32,
+            plunge_span: (2.0 * edge.c) as f32,
+            inverse_lapse2: inverse_lapse2 as f32,
             camera_u: (1.0 / camera.r) as f32,
             photon_sphere_depth: (2.0 / 3.0 - 1.0 / camera.r) as f32,
             picture_size: size.as_vec2(),
@@ -165,11 +186,26 @@ impl GpuScene {
             horizon_gap: ((1.0 - kerr.spin) * (1.0 + kerr.spin)).sqrt() as f32,
             inner_horizon: kerr.inner_horizon() as f32,
             spin_gap: (1.0 - kerr.spin) as f32,
-            azimuth_lead: kerr.ingoing_azimuth_lead(camera.r) as f32,
+            horizon_depth: ((camera.r - kerr.horizon()) / (kerr.horizon() * camera.r)) as f32,
+            azimuth_lead: if inside { 0.0 } else { turns_off(kerr.ingoing_azimuth_lead(camera.r)) as f32 },
             mino_step: mino_step as f32,
             mino_near_step: mino_near_step as f32,
         })
     }
+}
+
+/// What decides between sky and shadow without spin, and 1/(1 - 1/r).
+///
+/// On the horizon itself both are at a limit: an observer who falls through is taken to be next to it, where nothing she sees
+/// is other by more than that.
+fn plunge(scene: &Scene) -> Result<(Plunge, f64), GpuError> {
+    let mut beside = scene.clone();
+    if scene.observer.kind == ObserverKind::Rain && (scene.camera.r - 1.0).abs() < NEXT_TO_HORIZON {
+        beside.camera.r = 1.0 + NEXT_TO_HORIZON;
+    }
+    let r = beside.camera.r;
+    let [energy, radial, ..] = Sight::new(&beside)?.matrix.rows;
+    Ok((Plunge::new(energy, radial, r), r / (r - 1.0)))
 }
 
 /// The direction from which light has the least energy, by the row that gives it; none if all of it has the same.
@@ -194,11 +230,18 @@ fn about(row: DVec4, m: DVec3) -> (DVec4, f64) {
 /// Measured: the turn that explains a ray's error is at most 3e-4 step^5.5. Below a step of 0.25 nothing is left but f32's
 /// rounding. Up to 0.53 the disk's places are right to 1e-5 of their radius in the median, and up to 0.4 the shadow's edge
 /// to 2e-6 of its own: both are asked for at the default setting, and whoever allows more than it allows more of both.
-fn mino_steps(max_error_px: f64, pixel: f64) -> [f64; 2] {
+/// With the camera next to a spinning hole the error is up to three times that, and all rays may come near the curve.
+fn mino_steps(max_error_px: f64, pixel: f64, kerr: Kerr, r: f64) -> [f64; 2] {
     let growth = |error: f64| error.powf(1.0 / 5.5);
     let wanted = growth(max_error_px * pixel / 3e-4);
     let looser = growth((max_error_px / Quality::default().max_error_px).max(1.0));
-    [0.53, 0.4].map(|longest| wanted.clamp(0.25, longest * looser))
+    let [far, near] = [0.53, 0.4].map(|longest| wanted.clamp(0.25, longest * looser));
+    if kerr.spin != 0.0 && r < 2.0 * kerr.horizon() { [0.8 * near; 2] } else { [far, near] }
+}
+
+/// The angle within [-pi, pi].
+fn turns_off(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
 }
 
 /// Unit vector toward a place at infinity.

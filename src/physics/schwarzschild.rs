@@ -16,20 +16,44 @@ pub fn discriminant(b: f64) -> f64 {
     (CRITICAL_IMPACT - b) * (CRITICAL_IMPACT + b) / (b * b)
 }
 
-/// The coefficients with which D |w|^2 is linear in (E^2, radial^2, |w|^2) of a photon at radius `r` (r_s), as an observer's
-/// matrix gives it. By the null condition E^2 = radial^2 + (1 - u)|w|^2, u = 1/r, there is a choice:
+/// What decides between sky and shadow: `radial - c E` of a photon, and where on the observer's sky it vanishes.
 ///
-/// * b_c^2 u^2 E^2 - |w|^2, which keeps the digits of a shadow smaller than a quadrant for an observer at rest, S < 1/2;
-/// * (radial^2 - C E^2) / (1 - u), which keeps those of one near a hemisphere,
+/// By the null condition E^2 = radial^2 + (1 - u)|w|^2, u = 1/r,
 ///
-/// with S = (27/4) u^2 (1 - u) the squared sine of that shadow's half-angle and C = 1 - S = (27/4)(u - 2/3)^2 (u + 1/3).
-/// Derived.
-#[must_use]
-pub fn discriminant_of_photon(r: f64) -> DVec3 {
-    let u = 1.0 / r;
-    let critical = CRITICAL_IMPACT * CRITICAL_IMPACT;
-    let cosine2 = critical * (u - 2.0 / 3.0).powi(2) * (u + 1.0 / 3.0);
-    if cosine2 > 0.5 { DVec3::new(critical * u * u, 0.0, -1.0) } else { DVec3::new(-cosine2, 1.0, 0.0) / (1.0 - u) }
+/// (1 - u)|w|^2 D = radial^2 - C E^2 = (radial - c E)(radial + c E),   C = c^2 = (27/4)(u - 2/3)^2 (u + 1/3),
+///
+/// and c = (3 sqrt(3)/2)(2/3 - u) sqrt(u + 1/3), negative within the photon sphere, makes the first factor positive for light
+/// from the horizon and negative for light from the sky on both sides of it. It is linear in (1, d): so the edge of the
+/// shadow is a circle on every observer's sky. Derived.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plunge {
+    /// c.
+    pub c: f64,
+    /// The middle of the shadow or of the sky, whichever is smaller: a unit vector on the observer's legs.
+    pub middle: DVec3,
+    /// `radial - c E` in the middle.
+    pub there: f64,
+    /// What takes |d - middle|^2/2 away from that, for unit d.
+    pub bend: f64,
+}
+
+impl Plunge {
+    /// Of the observer whose matrix, for a hole without spin, has these rows `energy` and `radial`, at radius `r` (r_s).
+    ///
+    /// With a + B.d for `radial - c E`, B^2 - a^2 is the same for all observers at a place: for one at rest it is
+    /// (1 - u)(1 - C) = ((1 - u) b_c u)^2. So the edge's sine is (1 - u) b_c u/|B|, to all its digits however small.
+    #[must_use]
+    pub fn new(energy: [f64; 4], radial: [f64; 4], r: f64) -> Self {
+        let u = 1.0 / r;
+        let c = CRITICAL_IMPACT * (2.0 / 3.0 - u) * (u + 1.0 / 3.0).sqrt();
+        let [a, slope @ ..]: [f64; 4] = std::array::from_fn(|i| radial[i] - c * energy[i]);
+        let slope = DVec3::from_array(slope);
+        let (steepness, depth) = (slope.length(), (1.0 - u) * CRITICAL_IMPACT * u);
+        // Where the shadow is the smaller, its middle is where the row is greatest.
+        let side = if a < 0.0 { 1.0 } else { -1.0 };
+        let there = side * depth * depth / (steepness + a.abs());
+        Self { c, middle: side * slope.normalize_or_zero(), there, bend: -side * steepness }
+    }
 }
 
 /// Bending, in radians, of light that comes from infinity with impact parameter `b` (r_s) and goes back there; nothing

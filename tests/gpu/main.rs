@@ -14,6 +14,7 @@ mod errors;
 mod inside;
 mod kerr_schild;
 mod layout;
+mod light;
 mod mino;
 mod needs;
 mod observers;

@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec3};
 use lightfall::physics::reference::Reference;
 use lightfall::physics::trace::{Outcome, Trace};
-use lightfall::report::error::{Errors, Quantiles, Truth, critical, everywhere, on_picture};
+use lightfall::report::error::{Errors, Quantiles, Ray, Truth, critical, everywhere, on_picture};
 use lightfall::scene::Scene;
 
 fn scene(spin: f64) -> Scene {
@@ -58,6 +58,34 @@ fn a_known_turn_of_every_ray_is_found_to_within_the_factor_of_two_that_the_mixed
                 quantiles.p50
             );
         }
+    }
+}
+
+/// Next to a fast hole an e-fold of the distance to the edge is hundreds of radians of azimuth, so that an answer tells of the
+/// ray's turns only what is left of them.
+#[test]
+fn a_known_turn_is_found_where_rays_wind_many_times() {
+    for (spin, r) in [(0.999, 12.0), (0.99999, 30.0), (-0.999_999, 1000.0)] {
+        let mut scene = scene(spin);
+        scene.camera.r = r;
+        scene.disk.enabled = false;
+        let truth = Truth::of(&scene, critical(&scene, 64, [1e-5, 0.1])).expect("a static observer");
+        let reference = Reference::new(&scene).expect("a static observer");
+        let legs = scene.camera.legs_from_camera();
+        let turned = |(i, ray): (usize, &Ray)| {
+            let (direction, edge) = (ray.direction(), ray.distance_to_edge().expect("critical rays know their edge"));
+            let axis = DQuat::from_axis_angle(direction, i as f64) * direction.any_orthonormal_vector();
+            reference.trace(legs * (DQuat::from_axis_angle(axis, 0.3 * edge.abs()) * direction))
+        };
+        let given: Vec<Trace> = truth.rays.iter().enumerate().map(turned).collect();
+        let errors = truth.judge(&given);
+        let seen = truth.rays.iter().zip(&errors).filter(|(_, error)| error.sky.is_some() && !error.misclassified);
+        let shares = seen.map(|(ray, error)| error.backward / (0.3 * ray.distance_to_edge().unwrap_or(0.0).abs()));
+        let quantiles = Quantiles::of(shares);
+        println!("chi {spin}: {quantiles:?}");
+        // The turn is found, or a shorter one that explains as much; at worst the distance to the edge, which is 1/0.3 of it.
+        assert!(quantiles.count > 20 && quantiles.p50 < 1.01, "chi {spin}: {quantiles:?}");
+        assert!(quantiles.max < 1.01 / 0.3, "chi {spin}: {quantiles:?}");
     }
 }
 
@@ -117,4 +145,22 @@ fn quantiles_are_values_of_the_set_and_what_is_no_number_is_the_worst() {
     assert_eq!((quantiles.count, quantiles.p50, quantiles.p99, quantiles.max), (200, 100.0, 198.0, 200.0));
     assert_eq!(Quantiles::of([1.0, f64::NAN].into_iter()).max, f64::INFINITY);
     assert!(Quantiles::of(std::iter::empty()).max.is_nan());
+}
+
+/// Next to an almost extremal hole a hundredth of the distance to the edge is an orbit, so a small turn is many of them away.
+#[test]
+fn a_known_turn_is_found_where_it_is_many_orbits_of_a_fast_hole() {
+    let scene = scene(0.99999);
+    let truth = Truth::of(&scene, critical(&scene, 64, [1e-5, 1e-3])).expect("a static observer");
+    let angle = 1e-7;
+    let errors = truth.judge(&answers_to_turned_rays(&scene, &truth, angle));
+    let seen = truth.traces.iter().zip(&errors).filter(|(truth, error)| truth.sky.is_some() && !error.misclassified);
+    let (mut far, mut worst) = (0, 0.0);
+    for (_, error) in seen {
+        far += usize::from(error.sky.is_some_and(|sky| sky > 0.1));
+        worst = f64::max(worst, error.backward);
+    }
+    assert!(far > 5, "{far} of the answers are far off");
+    // Every turn found is one that explains the answer, but the shortest may hide between two orbits: 7 times at most.
+    assert!(worst <= 10.0 * angle, "a turn of {angle:e} was found to be {worst:e}");
 }

@@ -1,7 +1,8 @@
 use crate::assert_close;
 use lightfall::physics::schwarzschild::{
-    CRITICAL_IMPACT, deflection, discriminant, shadow_half_angle_rain, shadow_half_angle_static,
+    CRITICAL_IMPACT, Plunge, deflection, discriminant, shadow_half_angle_rain, shadow_half_angle_static,
 };
+use lightfall::{physics::observer::observer_matrix, scene::ObserverKind};
 use std::f64::consts::PI;
 
 /// b in M, bending in radians, computed with mpmath to 25 digits.
@@ -123,4 +124,42 @@ fn the_falling_observers_shadow_is_the_static_one_aberrated() {
         assert_close(format_args!("r = {r}"), shadow_half_angle_rain(r), expected, 1e-13);
     }
     assert_close("at the horizon", shadow_half_angle_rain(1.0).to_degrees(), 42.1034, 2e-6);
+}
+
+/// A boost takes circles on the sky to circles: so the edge is one for every observer, and on it b is b_c, which no part of
+/// [`Plunge`] is made from.
+#[test]
+fn the_edge_of_the_shadow_is_a_circle_on_every_observers_sky() {
+    for r in [1.0001, 1.02, 1.5, 1.6, 4.0, 300.0, 1e7] {
+        for kind in [ObserverKind::Static, ObserverKind::Rain] {
+            for velocity in [[0.0; 3], [0.73, 0.37, 0.56], [-0.6, 0.79, 0.01]] {
+                let matrix = observer_matrix(0.0, kind, velocity, r, 1.1, 0.4).expect("outside the horizon");
+                let [energy, radial, ..] = matrix.rows;
+                let Plunge { c, middle, there, bend } = Plunge::new(energy, radial, r);
+                let told = format!("{kind:?} at {r} with {velocity:?}");
+                // |d - middle| = 2 sin(angle/2) there.
+                let half = (-there / (2.0 * bend)).sqrt();
+                assert!((1e-9..=0.5_f64.sqrt() + 1e-15).contains(&half), "{told}: half chord {half}");
+                let angle = 2.0 * half.asin();
+                let (u, v) = middle.any_orthonormal_pair();
+                for around in [0.1, 1.9, 4.0] {
+                    let direction =
+                        |angle: f64| angle.cos() * middle + angle.sin() * (f64::sin(around) * u + f64::cos(around) * v);
+                    let photon = matrix.photon(direction(angle));
+                    // A small shadow far away is known to f64's share of its angle; gamma is 100 at most.
+                    let b = r * photon.w.length() / photon.energy;
+                    assert!((b / CRITICAL_IMPACT - 1.0).abs() < 1e-8 + 1e-14 / angle, "{told}: b = {b}");
+                    // Within and without, the sign is that of the photon's own numbers.
+                    for share in [0.5, 0.9, 1.1] {
+                        let direction = direction(share * angle);
+                        let photon = matrix.photon(direction);
+                        let plunge = there + 0.5 * bend * (direction - middle).length_squared();
+                        let own = photon.radial - c * photon.energy;
+                        let least = 1e-13 * photon.energy.abs().max(1.0) * 1e4;
+                        assert!((plunge - own).abs() < least.max(1e-9 * own.abs()), "{told}: {plunge:e} and {own:e}");
+                    }
+                }
+            }
+        }
+    }
 }

@@ -1,68 +1,35 @@
-//! Copy, cut and paste in the panel's text fields.
+//! What the program has put on the clipboard, asked for as any other program would.
 
 use crate::desktop::Desktop;
-use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
+use x11rb::connection::Connection;
+use x11rb::protocol::Event;
+use x11rb::protocol::xproto::{AtomEnum, ConnectionExt, CreateWindowAux, WindowClass};
 
-/// Text that another program holds.
-const FOREIGN: &str = "from afar · δ";
-
-/// A program that holds the clipboard until another one takes it. No test of its own: the one below starts it.
-#[test]
-#[ignore = "started by the test of the clipboard"]
-fn program_that_holds_the_clipboard() {
-    use arboard::SetExtLinux;
-    arboard::Clipboard::new().unwrap().set().wait().text(FOREIGN).unwrap();
-}
-
-fn holder(desktop: &Desktop) -> Child {
-    let only = ["--exact", "clipboard::program_that_holds_the_clipboard", "--ignored", "--test-threads=1"];
-    let mut command = Command::new(std::env::current_exe().unwrap());
-    let holder = command.args(only).env("DISPLAY", desktop.display()).stdout(Stdio::null()).spawn().unwrap();
-    wait("the other program's text", || desktop.clipboard().as_deref() == Some(FOREIGN));
-    holder
-}
-
-#[track_caller]
-fn wait(what: &str, condition: impl Fn() -> bool) {
-    let start = Instant::now();
-    while !condition() {
-        assert!(start.elapsed() < Duration::from_secs(20), "{what}");
-        std::thread::sleep(Duration::from_millis(100));
+impl Desktop {
+    /// The text on the clipboard; none while it holds no text.
+    pub fn clipboard(&self) -> Option<String> {
+        let connection = &self.connection;
+        let atom = |name: &str| connection.intern_atom(false, name.as_bytes()).unwrap().reply().unwrap().atom;
+        let [clipboard, text, property] = ["CLIPBOARD", "UTF8_STRING", "LIGHTFALL_TEST"].map(atom);
+        let window = connection.generate_id().unwrap();
+        let aux = CreateWindowAux::new();
+        connection.create_window(0, window, self.root, 0, 0, 1, 1, 0, WindowClass::INPUT_ONLY, 0, &aux).unwrap();
+        connection.convert_selection(window, clipboard, text, property, x11rb::CURRENT_TIME).unwrap();
+        connection.flush().unwrap();
+        let start = Instant::now();
+        let given = loop {
+            match connection.poll_for_event().unwrap() {
+                Some(Event::SelectionNotify(notify)) => break notify.property != x11rb::NONE,
+                _ if start.elapsed() > Duration::from_secs(5) => break false,
+                _ => std::thread::sleep(Duration::from_millis(5)),
+            }
+        };
+        let bytes = given.then(|| {
+            let reply = connection.get_property(true, window, property, AtomEnum::ANY, 0, 1 << 20).unwrap();
+            reply.reply().unwrap().value
+        });
+        connection.destroy_window(window).unwrap();
+        bytes.map(|bytes| String::from_utf8(bytes).unwrap())
     }
-}
-
-#[test]
-fn text_fields_copy_cut_and_paste_within_the_program_and_with_others() {
-    let Some(desktop) = Desktop::open(&["--preset", "2"]) else { return };
-    desktop.settled("first picture", |shot| shot.colours() > 50);
-    desktop.press("p");
-    desktop.settled("panel", |_| true);
-    // The field `title`, which is the window's, too.
-    desktop.click(1300, 118);
-    let titled = |title: &str| {
-        let whole = if title.is_empty() { "Lightfall".to_owned() } else { format!("Lightfall: {title}") };
-        wait(&whole, || desktop.title() == whole);
-    };
-    desktop.chord("ctrl", "a");
-    desktop.type_text("gp");
-    titled("gp");
-    desktop.chord("ctrl", "a");
-    desktop.chord("ctrl", "c");
-    wait("what was copied", || desktop.clipboard().as_deref() == Some("gp"));
-    desktop.chord("ctrl", "x");
-    titled("");
-    desktop.chord("ctrl", "v");
-    titled("gp");
-    desktop.chord("shift", "Insert");
-    titled("gpgp");
-    let mut other = holder(&desktop);
-    desktop.chord("ctrl", "v");
-    titled(&format!("gpgp{FOREIGN}"));
-    desktop.chord("ctrl", "a");
-    desktop.chord("ctrl", "x");
-    titled("");
-    wait("what was cut", || desktop.clipboard() == Some(format!("gpgp{FOREIGN}")));
-    other.wait().unwrap();
-    assert!(!desktop.said().contains("ERROR"), "{}", desktop.said());
 }

@@ -1,6 +1,7 @@
 //! A gamepad in the window. Its messages are Bevy's own, as the reader of the hardware writes them; no hardware is needed.
 
-use crate::desktop::{Desktop, Shot};
+use crate::desktop::Desktop;
+use crate::shot::Shot;
 use crate::{HINT, WINDOW};
 use bevy::input::gamepad::{GamepadConnection, GamepadConnectionEvent, RawGamepadEvent};
 use bevy::input::gamepad::{GamepadInput, RawGamepadAxisChangedEvent, RawGamepadButtonChangedEvent};

@@ -3,10 +3,10 @@
 
 use super::chart::Chart;
 use super::sample::Ray;
-use super::{Eye, hits};
+use super::{Eye, greater};
 use crate::physics::trace::{Hit, Trace};
 use glam::{DMat2, DVec2, DVec3};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Most steps of Newton's method.
 const MOST_STEPS: u32 = 24;
@@ -19,50 +19,75 @@ const SETTLED: f64 = 1e-6;
 /// explanation may not be the nearest.
 const NEAR: f64 = 0.1;
 const FAR: f64 = 3.0;
-/// A backward error so large, and a forward one so much larger, are worth a search for the edge.
+/// A backward error so large is worth a search for the edge, if the forward one is so much larger or it is larger than this.
 const LEAST_WORTH: f64 = 1e-6;
 const AMPLIFIED: f64 = 30.0;
-/// Steps of the sky along the line toward the edge: for a direction on it, and for the narrow image of a ring of the disk.
-const SKY_STEP: f64 = 0.2;
-const FINE_SKY_STEP: f64 = 0.01;
-/// The places on the line toward the edge where an answer is missed least, and which are looked at closer.
-const MOST_DIPS: usize = 5;
-/// Rings and spokes of the search for another class, and the factor between rings.
-const SPOKES: u32 = 8;
-const RING_FACTOR: f64 = 3.0;
-const NEAREST_RING: f64 = 1e-10;
-const FARTHEST_RING: f64 = 0.3;
-const BISECTIONS: u32 = 8;
+const LARGE: f64 = 0.01;
+/// Steps of an answer's height along the line toward the edge, and bisections of such a step.
+const HEIGHT_STEP: f64 = 0.1;
+const BISECTIONS: u32 = 30;
+/// How many of the places on that line where the height is right are looked at closer, the nearest first.
+const MOST_PLACES: usize = 4;
+/// Where rays wind faster than this, in radians an e-fold, the right height comes with every azimuth next to it.
+const FAST: f64 = 2.0 * TAU;
+
+/// The sky of an answer, or one of its hits.
+#[derive(Clone, Copy)]
+pub(super) enum Part {
+    /// Where the ray comes from.
+    Sky(DVec3),
+    /// Where it meets the disk, and for the how manieth time.
+    Hit(usize, Hit),
+}
+
+impl Part {
+    /// The parts of an answer.
+    pub(super) fn all(given: &Trace) -> impl Iterator<Item = Self> {
+        let hits = given.hits.into_iter().enumerate().filter_map(|(i, hit)| hit.map(|hit| Self::Hit(i, hit)));
+        given.sky.map(Self::Sky).into_iter().chain(hits)
+    }
+
+    /// By how much another answer misses this part: a direction on two axes at right angles to the wanted one; a hit as a
+    /// share of its 1/r, which unlike r is smooth to infinity, and along the azimuth.
+    fn miss(&self, found: &Trace) -> Option<DVec2> {
+        match self {
+            Self::Sky(wanted) => found.sky.map(|found| {
+                let (u, v) = wanted.any_orthonormal_pair();
+                let miss = found - wanted;
+                DVec2::new(miss.dot(u), miss.dot(v))
+            }),
+            Self::Hit(..) => {
+                self.height(found).zip(self.azimuth(found)).map(|(height, azimuth)| DVec2::new(height, azimuth))
+            }
+        }
+    }
+
+    /// How much of that is not azimuth: next to a fast hole rays differ much more in the azimuth than in this.
+    fn height(&self, found: &Trace) -> Option<f64> {
+        match self {
+            Self::Sky(wanted) => found.sky.map(|found| found.z - wanted.z),
+            Self::Hit(i, wanted) => found.hits[*i].map(|found| 1.0 - wanted.r / found.r),
+        }
+    }
+
+    /// By how much the azimuth is off.
+    fn azimuth(&self, found: &Trace) -> Option<f64> {
+        let off = match self {
+            Self::Sky(wanted) => found.sky.map(|found| found.y.atan2(found.x) - wanted.y.atan2(wanted.x)),
+            Self::Hit(i, wanted) => found.hits[*i].map(|found| found.phi - wanted.phi),
+        };
+        off.map(|off| (off + PI).rem_euclid(TAU) - PI)
+    }
+}
 
 /// The turn that explains an answer of the right class: the largest of those that explain its parts.
 ///
 /// What is off by less than `fine` is not looked at closer: its own size, which bounds the turn, will do.
 pub(super) fn of_answer(eye: &Eye, ray: &Ray, truth: &Trace, given: &Trace, fine: f64) -> f64 {
-    let mut most = 0.0;
-    let mut part = |miss: &dyn Fn(&Trace) -> Option<DVec2>| {
-        let forward = miss(truth).map_or(f64::INFINITY, DVec2::length);
-        most = super::greater(most, if forward < fine { forward } else { explained(eye, ray, miss) });
-    };
-    if let Some(sky) = given.sky {
-        part(&|trace| trace.sky.map(|found| sky_miss(sky, found)));
-    }
-    for (i, hit) in given.hits.iter().enumerate().filter_map(|(i, hit)| hit.map(|hit| (i, hit))) {
-        part(&|trace| trace.hits[i].map(|found| hit_miss(&hit, &found)));
-    }
-    most
-}
-
-/// By how much a direction misses another, on two axes at right angles to that other.
-fn sky_miss(wanted: DVec3, found: DVec3) -> DVec2 {
-    let (u, v) = wanted.any_orthonormal_pair();
-    let miss = found - wanted;
-    DVec2::new(miss.dot(u), miss.dot(v))
-}
-
-/// By how much a hit misses another, as a share of its 1/r, which unlike r is smooth to infinity, and along the azimuth.
-fn hit_miss(wanted: &Hit, found: &Hit) -> DVec2 {
-    let azimuth = (found.phi - wanted.phi + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;
-    DVec2::new(1.0 - wanted.r / found.r, azimuth)
+    Part::all(given).fold(0.0, |most, part| {
+        let forward = part.miss(truth).map_or(f64::INFINITY, DVec2::length);
+        greater(most, if forward < fine { forward } else { explained(eye, ray, part, fine) })
+    })
 }
 
 /// The smallest angle found for which a turn of the ray by no more leaves a `miss` of no more; infinite where the miss has no
@@ -71,54 +96,119 @@ fn hit_miss(wanted: &Hit, found: &Hit) -> DVec2 {
 /// That is the mixed forward-backward error (Higham 2002, section 1.5): nearly the right answer to nearly the right
 /// question. Behind the hole there are points onto which whole rings of rays are focused, and next to them no turn
 /// explains an answer's last digit; elsewhere it is the turn that explains the answer, but for a factor of two at most.
-/// Every place that is tried bounds it from above, so a search that fails can but overstate it.
-fn explained(eye: &Eye, ray: &Ray, miss: &dyn Fn(&Trace) -> Option<DVec2>) -> f64 {
-    let plane = Chart::plane(ray, eye.scale);
-    let mut least = newton(&plane, &|place| miss(&eye.trace(plane.at(place))), DVec2::ZERO);
+/// Every place that is tried bounds it from above, so a search that fails can but overstate it; one below `fine` ends it.
+fn explained(eye: &Eye, ray: &Ray, part: Part, fine: f64) -> f64 {
+    let least = in_plane(eye, ray, part, &|_, _| {});
     // Edges are dear to find: only for answers far off to which a small turn leads, as next to an edge.
-    let forward = miss(&eye.trace(ray.direction())).map_or(f64::INFINITY, DVec2::length);
-    let amplified = least > LEAST_WORTH && (forward > AMPLIFIED * least || least > FARTHEST_RING);
-    let ray = if amplified { eye.with_edge(ray) } else { *ray };
-    let Some(chart) = Chart::edge(&ray) else { return least };
-    let at = |place: DVec2| miss(&eye.trace(chart.at(place)));
-    let solve = |start: f64| newton(&chart, &at, along_edge(&at, start));
-    if least > NEAR * chart.scale {
-        least = least.min(solve(0.0));
+    let forward = part.miss(&eye.trace(ray.direction())).map_or(f64::INFINITY, DVec2::length);
+    let amplified = least > LEAST_WORTH && (forward > AMPLIFIED * least || least > LARGE);
+    let ray = if amplified && least > fine { eye.with_edge(ray) } else { *ray };
+    match Chart::edge(&ray) {
+        Some(chart) if least > fine => beside_edge(eye, &chart, part, [fine, least], &|_, _| {}),
+        _ => least,
     }
-    if least < FAR * chart.scale {
+}
+
+/// The same by two directions at right angles to the ray; `seen` is told of each place that is tried, by its turn and answer.
+pub(super) fn in_plane(eye: &Eye, ray: &Ray, part: Part, seen: &dyn Fn(f64, &Trace)) -> f64 {
+    let plane = Chart::plane(ray, eye.scale);
+    let at = |place: DVec2| {
+        let trace = eye.trace(plane.at(place));
+        seen(plane.turn(place), &trace);
+        part.miss(&trace)
+    };
+    newton(&plane, &at, DVec2::ZERO)
+}
+
+/// The same by the edge's own chart; `fine` is good enough, and `least` is known.
+pub(super) fn beside_edge(
+    eye: &Eye,
+    chart: &Chart,
+    part: Part,
+    [fine, mut least]: [f64; 2],
+    seen: &dyn Fn(f64, &Trace),
+) -> f64 {
+    let at = |place: DVec2| {
+        let trace = eye.trace(chart.at(place));
+        seen(chart.turn(place), &trace);
+        part.miss(&trace)
+    };
+    if least > NEAR * chart.scale {
+        least = least.min(newton(chart, &at, along_edge(&at, 0.0)));
+    }
+    // Where rays wind fast, others that give the same answer are next to any.
+    let near = if rate(eye, chart, part, 0.0).is_some_and(|[_, rate]| rate.abs() > FAST) { NEAR * NEAR } else { FAR };
+    if least < fine.max(near * chart.scale) {
         return least;
     }
     // The answer may be one of another number of turns about the hole: those lie in a row toward the edge, and away from it.
-    let [inward, outward] = [-1.0, 1.0].map(|side| {
-        let line = chart.line(eye, side, least, SKY_STEP);
-        line.into_iter().map(|(x, trace)| (x, miss(&trace))).collect::<Vec<_>>()
-    });
-    if winds_around(&inward) {
+    let [inward, outward] = [-1.0, 1.0].map(|side| heights(eye, chart, part, side, least));
+    // Each e-fold of the distance to the edge adds as much of an orbit as the one before, without end. About a spinning hole
+    // such an orbit fills all the latitudes between which it swings: rays that pass an answer above and below come as close
+    // to it as one likes in the end, and so the distance to the edge bounds its error.
+    if eye.spinning && passes(&inward) {
         least = least.min(chart.scale);
     }
-    let mut dips = dips(&inward);
-    dips.extend(self::dips(&outward));
-    dips.sort_by(|a, b| a.1.total_cmp(&b.1));
-    dips.into_iter().take(MOST_DIPS).map(|dip| solve(dip.0)).fold(least, f64::min)
+    let mut places = places(&inward);
+    places.extend(self::places(&outward));
+    places.sort_by(|a, b| a[0].abs().total_cmp(&b[0].abs()));
+    for place in places.into_iter().take(MOST_PLACES) {
+        if least <= fine {
+            break;
+        }
+        for start in starts(eye, chart, part, place) {
+            least = least.min(newton(chart, &at, along_edge(&at, start)));
+        }
+    }
+    least
 }
 
-/// Whether rays toward the edge miss an answer on all of its sides. Each e-fold of the distance to the edge adds as much of an
-/// orbit as the one before, without end: rays that pass an answer on all sides do so again and again, as close as one likes
-/// in the end, and so the distance to the edge bounds its error.
-fn winds_around(inward: &[(f64, Option<DVec2>)]) -> bool {
-    let misses = || inward.iter().filter_map(|(_, miss)| *miss);
-    let on_both_sides = |component: fn(DVec2) -> f64| {
-        misses().any(|miss| component(miss) > 0.0) && misses().any(|miss| component(miss) < 0.0)
+/// The places on the line toward the edge, or away from it, with what an answer's height is off by there.
+fn heights(eye: &Eye, chart: &Chart, part: Part, side: f64, farthest: f64) -> Vec<[f64; 2]> {
+    let moved = |before: &Trace, after: &Trace| {
+        part.height(before).zip(part.height(after)).map_or(0.0, |(before, after)| (after - before).abs())
     };
-    on_both_sides(|miss| miss.x) && on_both_sides(|miss| miss.y)
+    let line = chart.line(eye, side, farthest, HEIGHT_STEP, moved).into_iter();
+    line.filter_map(|(x, trace)| part.height(&trace).map(|height| [x, height])).collect()
 }
 
-/// The places of a line where an answer is missed less than before and after, with what is missed there.
-fn dips(line: &[(f64, Option<DVec2>)]) -> Vec<(f64, f64)> {
-    let lengths: Vec<(f64, f64)> =
-        line.iter().map(|(x, miss)| (*x, miss.map_or(f64::INFINITY, DVec2::length))).collect();
-    let low = lengths.windows(3).filter(|three| three[1].1 <= three[0].1 && three[1].1 <= three[2].1);
-    low.map(|three| three[1]).filter(|dip| dip.1.is_finite()).collect()
+/// Whether a line passes an answer's height.
+fn passes(line: &[[f64; 2]]) -> bool {
+    line.iter().any(|[_, height]| *height > 0.0) && line.iter().any(|[_, height]| *height < 0.0)
+}
+
+/// The steps of a line, by their ends, within which the height is right, or about whose start it is nearest to being so.
+fn places(line: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let right = line.windows(2).filter(|two| two[0][1] * two[1][1] <= 0.0).map(|two| [two[0][0], two[1][0]]);
+    let nearest = line.windows(3).filter(|three| {
+        let [before, here, after] = [three[0][1].abs(), three[1][1].abs(), three[2][1].abs()];
+        here <= before && here <= after && three[0][1] * three[1][1] > 0.0 && three[1][1] * three[2][1] > 0.0
+    });
+    right.chain(nearest.map(|three| [three[1][0]; 2])).collect()
+}
+
+/// The first coordinates next to a place of the right height at which the azimuth is right, too.
+fn starts(eye: &Eye, chart: &Chart, part: Part, [from, to]: [f64; 2]) -> Vec<f64> {
+    let at = |x: f64| eye.trace(chart.at(DVec2::new(x, 0.0)));
+    let mut bracket = [from, to];
+    let below = part.height(&at(from)).is_some_and(|height| height < 0.0);
+    for _ in 0..if from == to { 0 } else { BISECTIONS } {
+        let middle = 0.5 * (bracket[0] + bracket[1]);
+        let same = part.height(&at(middle)).is_some_and(|height| (height < 0.0) == below);
+        bracket[usize::from(!same)] = middle;
+    }
+    let x = bracket[0];
+    match rate(eye, chart, part, x) {
+        Some([off, rate]) if rate.abs() > FAST => [-1.0, 0.0, 1.0].map(|turns| x + (TAU * turns - off) / rate).into(),
+        _ => vec![x],
+    }
+}
+
+/// By how much the azimuth is off on the line toward the edge, and its derivative there.
+fn rate(eye: &Eye, chart: &Chart, part: Part, x: f64) -> Option<[f64; 2]> {
+    let at = |x: f64| part.azimuth(&eye.trace(chart.at(DVec2::new(x, 0.0))));
+    let (here, beside) = at(x).zip(at(x + DIFFERENCE))?;
+    Some([here, ((beside - here + PI).rem_euclid(TAU) - PI) / DIFFERENCE])
 }
 
 /// The place nearest to explaining an answer on the line toward the edge, from a place there (Gauss and Newton).
@@ -185,42 +275,4 @@ fn jacobian(at: &impl Fn(DVec2) -> Option<DVec2>, place: DVec2, left: DVec2) -> 
         }
     };
     Some(DMat2::from_cols(derivative(DVec2::X)?, derivative(DVec2::Y)?))
-}
-
-/// The smallest turn found after which the reference gives the same outcome and number of hits; infinite where there is none
-/// within 0.3 rad. Along the line toward the edge, where images of the disk crowd; and on rings of directions, then by
-/// bisection toward the ray: right to a third or so.
-pub(super) fn of_class(eye: &Eye, ray: &Ray, given: &Trace) -> f64 {
-    let same = |trace: &Trace| trace.outcome == given.outcome && hits(trace) == hits(given);
-    let on_lines = Chart::edge(&eye.with_edge(ray)).map_or(f64::INFINITY, |chart| {
-        let nearest = |side: f64| {
-            let mut line = chart.line(eye, side, FARTHEST_RING, FINE_SKY_STEP).into_iter();
-            line.find(|(_, trace)| same(trace)).map_or(f64::INFINITY, |(x, _)| chart.turn(DVec2::new(x, 0.0)))
-        };
-        f64::min(nearest(-1.0), nearest(1.0))
-    });
-    let direction = ray.direction();
-    let (u, v) = direction.any_orthonormal_pair();
-    let toward = |spoke: u32, turn: f64| {
-        let (sin, cos) = (TAU * f64::from(spoke) / f64::from(SPOKES)).sin_cos();
-        turn.cos() * direction + turn.sin() * (cos * u + sin * v)
-    };
-    let same_toward = |spoke: u32, turn: f64| same(&eye.trace(toward(spoke, turn)));
-    let mut ring = NEAREST_RING;
-    while ring < f64::min(FARTHEST_RING, on_lines) {
-        let bisected = |spoke: u32| {
-            let mut bracket = [ring / RING_FACTOR, ring];
-            for _ in 0..BISECTIONS {
-                let middle = (bracket[0] * bracket[1]).sqrt();
-                bracket[usize::from(same_toward(spoke, middle))] = middle;
-            }
-            bracket[1]
-        };
-        let nearest = (0..SPOKES).filter(|spoke| same_toward(*spoke, ring)).map(bisected).fold(f64::INFINITY, f64::min);
-        if nearest.is_finite() {
-            return nearest.min(on_lines);
-        }
-        ring *= RING_FACTOR;
-    }
-    on_lines
 }

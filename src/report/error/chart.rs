@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 /// Steps along the line toward an edge, in powers of e of the distance to it, how far the line goes in these, and how many
 /// steps it has.
 const LEAST_STEP: f64 = 1e-4;
-const LONGEST_STEP: f64 = 0.1;
+const LONGEST_STEP: f64 = 0.2;
 const FARTHEST: f64 = 12.0;
 const MOST_SCANNED: u32 = 300;
 
@@ -27,8 +27,8 @@ pub(super) struct Chart {
 enum Kind {
     /// Two directions at right angles to the ray.
     Plane([DVec3; 2]),
-    /// An edge, and the ray's position angle at it.
-    Edge(Edge, f64, f64),
+    /// An edge, the ray's position angle at it, how long an arc its unit is, and the ray's angle beyond it.
+    Edge(Edge, f64, f64, f64),
 }
 
 impl Chart {
@@ -44,16 +44,21 @@ impl Chart {
         let edge = ray.edge?;
         let [position_angle, beyond] = edge.place(direction);
         let arc = edge.at(position_angle).sin();
-        let kind = Kind::Edge(edge, position_angle, arc);
+        let kind = Kind::Edge(edge, position_angle, arc, beyond);
         (beyond != 0.0 && arc > 0.0).then(|| Self { direction, kind, scale: beyond.abs() })
+    }
+
+    /// The same chart on the other side of its edge; zero there is as far beyond it.
+    pub(super) fn mirrored(&self) -> Option<Self> {
+        let Kind::Edge(edge, position_angle, arc, beyond) = self.kind else { return None };
+        Some(Self { kind: Kind::Edge(edge, position_angle, arc, -beyond), ..*self })
     }
 
     /// The direction at two coordinates.
     pub(super) fn at(&self, place: DVec2) -> DVec3 {
         match &self.kind {
             Kind::Plane([u, v]) => (self.direction + self.scale * (place.x * *u + place.y * *v)).normalize(),
-            Kind::Edge(edge, position_angle, arc) => {
-                let [_, beyond] = edge.place(self.direction);
+            Kind::Edge(edge, position_angle, arc, beyond) => {
                 edge.direction(position_angle + place.y * self.scale / arc, beyond * place.x.exp())
             }
         }
@@ -72,9 +77,15 @@ impl Chart {
     }
 
     /// The rays along the line toward the edge (`side` -1) or away from it (1), as far as a turn by no more than `farthest`
-    /// goes, by their first coordinates. Next to a fast hole a small part of the distance to the edge is many turns, so
-    /// steps are such that the sky moves by `sky_step` radians.
-    pub(super) fn line(&self, eye: &Eye, side: f64, farthest: f64, sky_step: f64) -> Vec<(f64, Trace)> {
+    /// goes, by their first coordinates. Steps are such that what `moved` says of two neighbours is about `step_size`.
+    pub(super) fn line(
+        &self,
+        eye: &Eye,
+        side: f64,
+        farthest: f64,
+        step_size: f64,
+        moved: impl Fn(&Trace, &Trace) -> f64,
+    ) -> Vec<(f64, Trace)> {
         let (mut x, mut step) = (0.0, LEAST_STEP);
         let mut line: Vec<(f64, Trace)> = Vec::new();
         for _ in 0..MOST_SCANNED {
@@ -83,12 +94,16 @@ impl Chart {
                 break;
             }
             let trace = eye.trace(self.at(place));
-            let before = line.last().and_then(|(_, before)| before.sky);
-            let moved = before.zip(trace.sky).map_or(0.0, |(before, sky)| angle_between(before, sky));
-            step = (step * (sky_step / moved).clamp(0.5, 2.0)).clamp(LEAST_STEP, LONGEST_STEP);
+            let moved = line.last().map_or(0.0, |(_, before)| moved(before, &trace));
+            step = (step * (step_size / moved).clamp(0.5, 2.0)).clamp(LEAST_STEP, LONGEST_STEP);
             line.push((x, trace));
             x += side * step;
         }
         line
     }
+}
+
+/// The angle between the skies of two answers.
+pub(super) fn sky_moved(before: &Trace, after: &Trace) -> f64 {
+    before.sky.zip(after.sky).map_or(0.0, |(before, after)| angle_between(before, after))
 }

@@ -7,6 +7,7 @@
 
 mod backward;
 mod chart;
+mod class;
 mod edge;
 mod picture;
 mod sample;
@@ -37,6 +38,8 @@ pub struct Truth {
 pub(super) struct Eye {
     reference: Reference,
     shadow: Option<Shadow>,
+    /// Whether orbits leave their plane.
+    spinning: bool,
     legs_from_camera: DMat3,
     /// Scale of turns that matter, in radians: a thousandth of the picture's half height, but no less than f32 tells apart.
     scale: f64,
@@ -48,6 +51,7 @@ impl Eye {
         let mut eye = Self {
             reference: Reference::new(scene)?,
             shadow: None,
+            spinning: scene.hole.spin != 0.0 && scene.effects.lensing,
             legs_from_camera: scene.camera.legs_from_camera(),
             scale: (1e-3 * scene.camera.half_height()).clamp(1e-7, 1e-3),
         };
@@ -115,6 +119,13 @@ impl Truth {
         known.zip(given).map(|((ray, truth), given)| self.judge_ray(ray, truth, given, fine)).collect()
     }
 
+    /// The backward error, in radians, of what another scene's reference answers to one of the rays.
+    #[must_use]
+    pub fn error_of(&self, ray: usize, other: &Reference) -> f64 {
+        let given = other.trace(self.eye.legs_from_camera * self.rays[ray].direction());
+        self.judge_ray(&self.rays[ray], &self.traces[ray], &given, 0.0).backward
+    }
+
     fn judge_ray(&self, ray: &Ray, truth: &Trace, given: &Trace, fine: f64) -> RayError {
         let misclassified = given.outcome != truth.outcome || hits(given) != hits(truth);
         let pairs = || truth.hits.iter().zip(&given.hits).filter_map(|(truth, given)| truth.zip(*given));
@@ -132,7 +143,7 @@ impl Truth {
         error.backward = if given.outcome == Outcome::Unfinished || !all_finite(given) {
             f64::INFINITY
         } else if misclassified {
-            backward::of_class(&self.eye, ray, given)
+            class::of_class(&self.eye, ray, given, fine)
         } else {
             backward::of_answer(&self.eye, ray, truth, given, fine)
         };

@@ -1,11 +1,13 @@
 //! A search at random, but from a seed, for the ray that a method does worst.
 
-use super::{Kernels, bar};
+use super::{Cause, Kernels, bar};
 use crate::gpu::{Gpu, GpuError, GpuScene};
 use crate::physics::kerr::Kerr;
-use crate::report::error::{Ray, Truth, critical, everywhere, on_picture};
+use crate::physics::trace::Trace;
+use crate::report::error::{RayError, Truth, critical, everywhere, on_picture};
 use crate::scene::{Method, ObserverKind, Scene};
 use glam::DVec3;
+use std::cmp::Ordering;
 
 /// Rays of one scene.
 const RAYS_A_SCENE: usize = 2000;
@@ -46,7 +48,7 @@ pub struct Hunt {
     pub seed: u64,
 }
 
-/// A ray worth a look.
+/// A scene's worst ray: of those that nothing explains, if there are any.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
     /// Its scene, with the method.
@@ -57,6 +59,12 @@ pub struct Found {
     pub backward: f64,
     /// The backward error over the method's bar.
     pub excess: f64,
+    /// What explains an error beyond the bar.
+    pub cause: Option<Cause>,
+    /// How many of the scene's rays are beyond the bar.
+    pub beyond: usize,
+    /// How many of these nothing explains.
+    pub unexplained: usize,
 }
 
 impl Hunt {
@@ -67,7 +75,7 @@ impl Hunt {
     }
 
     /// Hunts with `auto`'s method in each scene; `done` is told of each scene's worst ray. The worst of all come back, the
-    /// worst first.
+    /// worst first, and those before all that nothing explains.
     ///
     /// # Errors
     /// A device that failed.
@@ -82,26 +90,44 @@ impl Hunt {
             rays.extend(critical(&scene, RAYS_A_SCENE / 2, [1e-7, 0.3]));
             let truth = Truth::of(&scene, rays)?;
             let traces = kernels.traces(gpu, &scene, &truth)?;
-            let errors = truth.judge_beyond(0.5 * bar(&scene).backward, &traces);
-            let most = errors.iter().zip(&truth.rays).max_by(|a, b| a.0.backward.total_cmp(&b.0.backward));
-            if let Some((error, ray)) = most {
-                let found = Found::new(&scene, ray, error.backward);
+            if let Some(found) = Found::worst(&scene, &truth, &traces) {
                 done(&found);
                 worst.push(found);
             }
         }
-        worst.sort_by(|a, b| b.excess.total_cmp(&a.excess));
+        worst.sort_by(|a, b| b.rank().partial_cmp(&a.rank()).unwrap_or(Ordering::Equal));
         Ok(worst)
     }
 }
 
 impl Found {
-    fn new(scene: &Scene, ray: &Ray, backward: f64) -> Self {
-        let direction = scene.camera.legs_from_camera() * ray.direction();
-        Self { scene: scene.clone(), direction, backward, excess: backward / bar(scene).backward }
+    fn worst(scene: &Scene, truth: &Truth, traces: &[Trace]) -> Option<Self> {
+        let bar = bar(scene).backward;
+        let errors = truth.judge_beyond(0.5 * bar, traces);
+        let found = |(i, error): (usize, &RayError)| {
+            let far = error.backward > bar;
+            let cause = far.then(|| Cause::of(scene, truth, i, error.backward)).flatten();
+            let direction = scene.camera.legs_from_camera() * truth.rays[i].direction();
+            let unexplained = usize::from(far && cause.is_none());
+            let (backward, excess, beyond) = (error.backward, error.backward / bar, usize::from(far));
+            Self { scene: scene.clone(), direction, backward, excess, cause, beyond, unexplained }
+        };
+        let (far, near): (Vec<_>, Vec<_>) = errors.iter().enumerate().partition(|(_, error)| error.backward > bar);
+        if far.is_empty() {
+            return near.into_iter().max_by(|a, b| a.1.backward.total_cmp(&b.1.backward)).map(found);
+        }
+        let far: Vec<Self> = far.into_iter().map(found).collect();
+        let (beyond, unexplained) = (far.len(), far.iter().map(|found| found.unexplained).sum());
+        let worst = far.into_iter().reduce(|a, b| if b.rank() > a.rank() { b } else { a })?;
+        Some(Self { beyond, unexplained, ..worst })
     }
 
-    /// The command that traces this ray again.
+    /// What a ray is told by: whether nothing explains it, and how bad it is.
+    fn rank(&self) -> (bool, f64) {
+        (self.unexplained > 0, self.excess)
+    }
+
+    /// The command that traces this ray again, by the method and by the reference.
     #[must_use]
     pub fn command(&self) -> String {
         let DVec3 { x, y, z } = self.direction;
@@ -114,16 +140,31 @@ impl Found {
         };
         let [v_r, v_theta, v_phi] = observer.velocity;
         format!(
-            "echo {x:?},{y:?},{z:?} | lightfall trace --rays - --method {} --spin {:?} --set camera.r={:?} \
-             --set camera.theta_deg={:?} --set observer.kind={kind} --set 'observer.velocity=[{v_r:?},{v_theta:?},{v_phi:?}]' \
-             --set disk.inner={:?} --set disk.outer={:?}",
+            "for device in gpu cpu; do echo {x:?},{y:?},{z:?} | lightfall trace --rays - --device $device --method {} \
+             --spin {:?} --set camera.r={:?} --set camera.theta_deg={:?} --set camera.fov_deg={:?} --set observer.kind={kind} \
+             --set 'observer.velocity=[{v_r:?},{v_theta:?},{v_phi:?}]' --set disk.inner={:?} --set disk.outer={:?}; done",
             method.name(),
             hole.spin,
             camera.r,
             camera.theta_deg,
+            camera.fov_deg,
             disk.inner,
             disk.outer,
         )
+    }
+
+    /// What there is to say of this ray.
+    #[must_use]
+    pub fn verdict(&self) -> String {
+        let told = format!("{:.2e} rad, {:.2} of its bar", self.backward, self.excess);
+        let many = format!("{} rays of the scene are beyond it, {} unexplained", self.beyond, self.unexplained);
+        match &self.cause {
+            _ if self.beyond == 0 => told,
+            None => format!("{told}: UNEXPLAINED; {many}"),
+            Some(Cause { input, backward }) => {
+                format!("{told}: {input} moved by half a unit in f32's last place gives {backward:.2e} rad; {many}")
+            }
+        }
     }
 }
 

@@ -1,11 +1,13 @@
 //! Where methods break: a matrix of the hardest places, each method held against a stated bar, and a search at random for
 //! what the matrix forgot.
 
+mod cause;
 mod cells;
 mod grid;
 mod hunt;
 mod verdict;
 
+pub use cause::Cause;
 pub use cells::{Cell, cells};
 pub use grid::grid;
 pub use hunt::{Found, Hunt};

@@ -1,0 +1,68 @@
+//! Copy, cut and paste in the panel's text fields.
+
+use crate::desktop::Desktop;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// Text that another program holds.
+const FOREIGN: &str = "from afar · δ";
+
+/// A program that holds the clipboard until another one takes it. No test of its own: the one below starts it.
+#[test]
+#[ignore = "started by the test of pasting"]
+fn program_that_holds_the_clipboard() {
+    use arboard::SetExtLinux;
+    arboard::Clipboard::new().unwrap().set().wait().text(FOREIGN).unwrap();
+}
+
+fn holder(desktop: &Desktop) -> Child {
+    let only = ["--exact", "pasting::program_that_holds_the_clipboard", "--ignored", "--test-threads=1"];
+    let mut command = Command::new(std::env::current_exe().unwrap());
+    let holder = command.args(only).env("DISPLAY", desktop.display()).stdout(Stdio::null()).spawn().unwrap();
+    wait("the other program's text", || desktop.clipboard().as_deref() == Some(FOREIGN));
+    holder
+}
+
+#[track_caller]
+fn wait(what: &str, condition: impl Fn() -> bool) {
+    let start = Instant::now();
+    while !condition() {
+        assert!(start.elapsed() < Duration::from_secs(20), "{what}");
+        std::thread::sleep(Duration::from_millis(100));
+    }
+}
+
+#[test]
+fn text_fields_copy_cut_and_paste_within_the_program_and_with_others() {
+    let Some(desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    desktop.settled("first picture", |shot| shot.colours() > 50);
+    desktop.press("p");
+    desktop.settled("panel", |_| true);
+    // The field `title`, which is the window's, too.
+    desktop.click(1300, 118);
+    let titled = |title: &str| {
+        let whole = if title.is_empty() { "Lightfall".to_owned() } else { format!("Lightfall: {title}") };
+        wait(&whole, || desktop.title() == whole);
+    };
+    desktop.chord("ctrl", "a");
+    desktop.type_text("gp");
+    titled("gp");
+    desktop.chord("ctrl", "a");
+    desktop.chord("ctrl", "c");
+    wait("what was copied", || desktop.clipboard().as_deref() == Some("gp"));
+    desktop.chord("ctrl", "x");
+    titled("");
+    desktop.chord("ctrl", "v");
+    titled("gp");
+    desktop.chord("shift", "Insert");
+    titled("gpgp");
+    let mut other = holder(&desktop);
+    desktop.chord("ctrl", "v");
+    titled(&format!("gpgp{FOREIGN}"));
+    desktop.chord("ctrl", "a");
+    desktop.chord("ctrl", "x");
+    titled("");
+    wait("what was cut", || desktop.clipboard() == Some(format!("gpgp{FOREIGN}")));
+    other.wait().unwrap();
+    assert!(!desktop.said().contains("ERROR"), "{}", desktop.said());
+}
