@@ -225,14 +225,14 @@ impl Desktop {
         self.xdotool(&["key", "--delay", "60", key]);
     }
 
-    /// Presses a key while another one is held, so slowly that a busy machine has a frame in which both are.
+    /// Presses a key while another one is held: the program has frames in which both are.
     pub fn chord(&self, held: &str, key: &str) {
-        let pause = || std::thread::sleep(Duration::from_millis(400));
         self.xdotool(&["keydown", held]);
-        pause();
+        self.frames(FRAMES);
         self.xdotool(&["key", key]);
-        pause();
+        self.frames(FRAMES);
         self.xdotool(&["keyup", held]);
+        self.frames(FRAMES);
     }
 
     /// Holds a key down for a while.
