@@ -1,7 +1,7 @@
 //! The backward error: by how much a ray must be turned for the reference to give the method's answer, up to an angle no
 //! greater than that turn.
 
-use super::chart::Chart;
+use super::chart::{Chart, DIFFERENCE};
 use super::sample::Ray;
 use super::{Eye, greater};
 use crate::physics::trace::{Hit, Trace};
@@ -10,9 +10,6 @@ use std::f64::consts::{PI, TAU};
 
 /// Most steps of Newton's method.
 const MOST_STEPS: u32 = 24;
-/// Share of a chart's unit over which differences are taken: the derivative is then right to this share, and the reference's
-/// twelve digits leave enough of the difference.
-const DIFFERENCE: f64 = 1e-4;
 /// Share of the way at which Newton's method has arrived.
 const SETTLED: f64 = 1e-6;
 /// Within this share of the distance to the edge the plane is as good a chart as the edge's own; beyond so many of them an
@@ -234,7 +231,8 @@ fn newton(chart: &Chart, at: &impl Fn(DVec2) -> Option<DVec2>, start: DVec2) -> 
     for _ in 0..MOST_STEPS {
         let Some(left) = at(place) else { break };
         least = least.min(f64::max(chart.turn(place), left.length()));
-        let Some(step) = jacobian(at, place, left).and_then(|jacobian| smallest(chart, place, left, jacobian)) else {
+        let Some(step) = jacobian(chart, at, place, left).and_then(|jacobian| smallest(chart, place, left, jacobian))
+        else {
             break;
         };
         let step = step - place;
@@ -249,15 +247,19 @@ fn newton(chart: &Chart, at: &impl Fn(DVec2) -> Option<DVec2>, start: DVec2) -> 
 /// The nearest place to the ray from which a miss that is linear in the place is no greater than the turn to there.
 fn smallest(chart: &Chart, place: DVec2, left: DVec2, jacobian: DMat2) -> Option<DVec2> {
     let aim = jacobian * place - left;
-    let square = jacobian.transpose() * jacobian;
-    let largest = square.x_axis.x + square.y_axis.y;
+    // Columns of length one first: next to an edge a turn across it does so much more than one along it that the square of the
+    // ratio is beyond f64.
+    let lengths = DVec2::new(jacobian.x_axis.length(), jacobian.y_axis.length());
+    let unit = jacobian * DMat2::from_diagonal(1.0 / lengths);
+    let square = unit.transpose() * unit;
+    let largest = lengths.length_squared();
     let solution = |exponent: f64| {
-        let damped = square + DMat2::from_diagonal(DVec2::splat(largest * exponent.exp()));
-        damped.inverse() * (jacobian.transpose() * aim)
+        let damped = square + DMat2::from_diagonal(largest * exponent.exp() / (lengths * lengths));
+        damped.inverse() * (unit.transpose() * aim) / lengths
     };
     let allowed = |x: DVec2| chart.scale * x.length();
-    let mut bracket = [-30.0, 5.0];
-    for _ in 0..40 {
+    let mut bracket = [-70.0, 5.0];
+    for _ in 0..50 {
         let middle = 0.5 * (bracket[0] + bracket[1]);
         let x = solution(middle);
         bracket[usize::from((jacobian * x - aim).length() > allowed(x))] = middle;
@@ -266,10 +268,12 @@ fn smallest(chart: &Chart, place: DVec2, left: DVec2, jacobian: DMat2) -> Option
 }
 
 /// The derivative of the miss, by differences, on whichever side there is something.
-fn jacobian(at: &impl Fn(DVec2) -> Option<DVec2>, place: DVec2, left: DVec2) -> Option<DMat2> {
+fn jacobian(chart: &Chart, at: &impl Fn(DVec2) -> Option<DVec2>, place: DVec2, left: DVec2) -> Option<DMat2> {
+    let differences = chart.differences();
     let derivative = |axis: DVec2| {
         let sided = |h: f64| at(place + h * axis).map(|miss| (miss - left) / h);
-        match (sided(DIFFERENCE), sided(-DIFFERENCE)) {
+        let difference = axis.dot(differences);
+        match (sided(difference), sided(-difference)) {
             (Some(a), Some(b)) => Some(0.5 * (a + b)),
             (a, b) => a.or(b),
         }
