@@ -68,8 +68,10 @@ struct Scene {
     horizon_gap: f32,
     inner_horizon: f32,
     spin_gap: f32,
-    // By how much Kerr's ingoing azimuth is ahead of Boyer-Lindquist's at the camera.
+    // By how much Kerr's ingoing azimuth is ahead of Boyer-Lindquist's at the camera; outside.
     azimuth_lead: f32,
+    // By how much 1/r is greater at the camera than at the horizon: negative outside.
+    camera_depth: f32,
     // Step in Mino time, in radians.
     mino_step: f32,
     mino_near_step: f32,

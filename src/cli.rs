@@ -6,7 +6,7 @@ mod source;
 
 pub use args::{Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs};
 pub use measure::{BenchArgs, EntryArg, ExtremesArgs};
-pub use source::{CliError, journey, presets, scene};
+pub use source::{CliError, journey, presets, print, scene};
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -36,7 +36,7 @@ struct Cli {
     gpu: GpuArgs,
     /// Fly a guided journey at once, from a TOML file of keyframes; assets/journeys/default.toml is a pattern, and what J
     /// flies otherwise
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = "Scene")]
     journey: Option<PathBuf>,
     #[command(subcommand)]
     command: Option<Command>,

@@ -25,6 +25,11 @@ fn refused(error: impl Error) -> Stop {
     Stop(2, error.to_string())
 }
 
+/// No device to work with: a bad command line if there is none of that name.
+fn without_device(error: gpu::GpuError) -> Stop {
+    if matches!(error, gpu::GpuError::UnknownAdapter { .. }) { refused(error) } else { failed(error) }
+}
+
 /// Any other failure.
 fn failed(error: impl Error) -> Stop {
     Stop(1, error.to_string())
@@ -86,7 +91,7 @@ fn choose_adapter(gpu: &GpuArgs) {
 fn list_adapters() -> Result<(), Stop> {
     let adapters = gpu::adapters();
     if adapters.is_empty() {
-        return Err(failed(gpu::GpuError::NoAdapter(None)));
+        return Err(failed(gpu::GpuError::NoAdapter));
     }
     let lines: String = adapters.iter().map(|adapter| format!("{adapter}\n")).collect();
     commands::print(&lines)
@@ -100,8 +105,8 @@ fn scene(args: &SceneArgs) -> Result<Scene, Stop> {
 fn check_drawable(scene: &Scene) -> Result<(), Stop> {
     let size = UVec2::new(scene.picture.width, scene.picture.height);
     GpuScene::new(scene, size).map_err(refused)?;
-    picture::check_size("picture", size).map_err(failed)?;
-    gpu::check_adapter().map_err(failed)
+    picture::check_size("picture", size).map_err(refused)?;
+    gpu::check_adapter().map_err(without_device)
 }
 
 fn fly(args: &FlyArgs) -> Result<(), Stop> {
@@ -131,7 +136,7 @@ fn unused_name(scene: &str) -> PathBuf {
 fn render(args: &RenderArgs) -> Result<(), Stop> {
     // The file first: a picture that cannot be kept is not worth the work.
     let scene = scene(&args.scene)?;
-    picture::check_path(&args.out).map_err(failed)?;
+    picture::check_path(&args.out).map_err(refused)?;
     check_drawable(&scene)?;
     let size = args.size.unwrap_or(UVec2::new(scene.picture.width, scene.picture.height));
     let still = if args.timings {
@@ -162,10 +167,13 @@ fn trace(args: &TraceArgs) -> Result<(), Stop> {
     } else {
         let name = args.rays.display().to_string();
         let file =
-            std::fs::File::open(&args.rays).map_err(|error| Stop(1, format!("{name}: cannot be read: {error}")))?;
+            std::fs::File::open(&args.rays).map_err(|error| Stop(2, format!("{name}: cannot be read: {error}")))?;
         (Box::new(file), name)
     };
-    let directions = RayReader::new(BufReader::new(input), name).collect::<Result<Vec<_>, _>>().map_err(failed)?;
+    let directions = RayReader::new(BufReader::new(input), &name).collect::<Result<Vec<_>, _>>().map_err(failed)?;
+    if directions.is_empty() {
+        eprintln!("lightfall: {name}: there are no rays; a ray is a line er,etheta,ephi, such as 0,-0.1,1");
+    }
     let traces: Vec<Trace> = match args.device {
         Device::Cpu => {
             let reference = Reference::new(&scene).map_err(refused)?;
@@ -173,7 +181,7 @@ fn trace(args: &TraceArgs) -> Result<(), Stop> {
         }
         Device::Gpu => {
             GpuScene::for_rays(&scene).map_err(refused)?;
-            let gpu = Gpu::headless().map_err(failed)?;
+            let gpu = Gpu::headless().map_err(without_device)?;
             gpu::rays::trace(&gpu, &scene, &directions).map_err(failed)?
         }
     };

@@ -217,11 +217,18 @@ fn trace(photon: Photon) -> Trace {
     let lambda = angular_momentum / select(energy, TINY, abs(energy) < TINY);
 
     let far = k_camera > square(FAR_IMPACT * photon.energy);
-    let h = select(scene.mino_near_step, scene.mino_step, far);
+    var h = select(scene.mino_near_step, scene.mino_step, far);
+    // A camera at or inside the horizon.
+    let inside = NEAR_HORIZON && scene.camera_depth >= 0.0;
+    if inside {
+        // Deep inside u changes by its own measure in less than a radian: a share of that time, by U's growing terms.
+        let u = 1.0 / scene.camera_radius;
+        h *= inverseSqrt(max(1.0, u * (6.0 * k_prime + 8.0 * u * (square(drag) + square(a) * k_prime))));
+    }
     let u_horizon = scene.horizon_u;
     let u_inner = select(0.0, 1.0 / scene.disk_inner, HAS_DISK);
-    var m = motion_about(0.0, constants);
-    var y = vec4<f32>(1.0 / scene.camera_radius, n.z, n.xy);
+    var m = motion_about(select(0.0, u_horizon, inside), constants);
+    var y = vec4<f32>(select(1.0 / scene.camera_radius, scene.camera_depth, inside), n.z, n.xy);
     var dy = h * vec4<f32>(scale * photon.radial, -w.z, -w.xy);
     var k = h * h * acceleration(m, y);
     // In two parts, for it can be many turns.
@@ -229,11 +236,18 @@ fn trace(photon: Photon) -> Trace {
     var chi_whole = 0.0;
     var turn = 0.0;
     var lead = scene.azimuth_lead;
+    // Whether chi is the ingoing azimuth's, which is regular at the horizon for the light that falls in through it.
+    var ingoing = inside;
+    if inside && m.w.x <= 0.0 {
+        // Light on its way from the horizon's other branch, through which nothing comes from outside.
+        result.outcome = OUTCOME_CAPTURED;
+        return result;
+    }
 
     for (var i = 0u; i < MOST_STEPS; i++) {
         // 1/r_+ in two parts, so that the distance to the horizon keeps its digits.
         let nearer = SPINNING && m.base == 0.0 && y.x > 0.5 * u_horizon;
-        if nearer || SPINNING && m.base > 0.0 && y.x < -0.5 * u_horizon {
+        if nearer || (SPINNING || NEAR_HORIZON) && m.base > 0.0 && y.x < -0.5 * u_horizon {
             y.x = select((y.x + scene.horizon_u_rest) + u_horizon, (y.x - u_horizon) - scene.horizon_u_rest, nearer);
             m = motion_about(select(0.0, u_horizon, nearer), constants);
         }
@@ -256,7 +270,7 @@ fn trace(photon: Photon) -> Trace {
             result.outcome = OUTCOME_HIDDEN;
             break;
         }
-        if SPINNING && m.base > 0.0 {
+        if (SPINNING || NEAR_HORIZON) && m.base > 0.0 {
             let w2 = square(quadratic(m.w, y.x));
             let u2 = speed2(m, y.x, w2);
             if u2 > TURNING_SHARE * w2 {
@@ -279,6 +293,10 @@ fn trace(photon: Photon) -> Trace {
             end = curve_at(path, share);
         }
         let regular = NEAR_HORIZON && dy.x < 0.0 && step.dy1.x < 0.0;
+        if ingoing && !regular {
+            chi -= azimuth_lead(m, y.x);
+            ingoing = false;
+        }
         if HAS_DISK && crosses_plane(y.y, end.y) && result.hit_count < MOST_HITS {
             let path = curve(step);
             // So does n_z'' in the plane.
@@ -307,7 +325,7 @@ fn trace(photon: Photon) -> Trace {
         // A picture without a sky asks for no azimuth at all.
         if SPINNING && SKY_DIRECTION {
             if regular {
-                let next_lead = azimuth_lead(m, end.x);
+                let next_lead = select(azimuth_lead(m, end.x), 0.0, inside);
                 chi += regular_azimuth_gain(m, curve(step), h, share) + (lead - next_lead);
                 lead = next_lead;
             } else {

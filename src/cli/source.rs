@@ -109,7 +109,15 @@ pub fn presets(command: &PresetsCommand, out: &mut impl Write) -> Result<(), Cli
             format!("{}: ok\n", file.display())
         }
     };
-    match out.write_all(answer.as_bytes()).and_then(|()| out.flush()) {
+    print(&answer, out)
+}
+
+/// Writes a result; that nobody reads any more is no error.
+///
+/// # Errors
+/// `out` cannot be written.
+pub fn print(text: &str, out: &mut impl Write) -> Result<(), CliError> {
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if !is_closed_pipe(&error) => Err(CliError::Output(error)),
         _ => Ok(()),
     }

@@ -1,12 +1,12 @@
 //! `lightfall bench`.
 
 use super::{circumstances, make_folder, print, progress, write};
-use crate::{Stop, failed};
+use crate::{Stop, failed, without_device};
 use glam::UVec2;
 use lightfall::cli::{BenchArgs, EntryArg};
 use lightfall::gpu::Gpu;
 use lightfall::picture;
-use lightfall::report::bench::{Measured, Plan, auto_margin, csv, json, markdown, plot};
+use lightfall::report::bench::{Circumstances, Measured, Plan, auto_margin, csv, json, markdown, plot};
 use lightfall::scene::{Method, Scene};
 
 /// Frames that a whole frame's time is the median of.
@@ -15,7 +15,7 @@ const FRAMES: usize = 9;
 /// Measures, prints and writes.
 pub fn bench(args: &BenchArgs) -> Result<(), Stop> {
     make_folder(args.out.as_deref())?;
-    let gpu = Gpu::headless().map_err(failed)?;
+    let gpu = Gpu::headless().map_err(without_device)?;
     let plan = args.plan();
     if plan.is_empty() {
         return Err(Stop(
@@ -39,7 +39,10 @@ pub fn bench(args: &BenchArgs) -> Result<(), Stop> {
         EntryArg::Compute => "compute",
         EntryArg::Fragment => "fragment",
     };
-    let circumstances = circumstances(&gpu, format!("{}x{}", plan.size.x, plan.size.y), entry);
+    let circumstances = Circumstances {
+        floor_ms: Some(plan.floor(&gpu).map_err(failed)?),
+        ..circumstances(&gpu, format!("{}x{}", plan.size.x, plan.size.y), entry)
+    };
     let (json, markdown) = (json(&circumstances, &rows), markdown(&circumstances, &rows));
     if let Some(folder) = &args.out {
         write(folder, "bench.csv", &csv(&circumstances, &rows))?;

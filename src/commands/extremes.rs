@@ -1,7 +1,7 @@
 //! `lightfall extremes`.
 
 use super::{circumstances, make_folder, print, progress, write};
-use crate::{Stop, failed};
+use crate::{Stop, failed, without_device};
 use lightfall::cli::ExtremesArgs;
 use lightfall::gpu::Gpu;
 use lightfall::report::bench::{csv, json};
@@ -14,7 +14,7 @@ const TOLD: usize = 10;
 /// Measures the matrix, or hunts; prints and writes.
 pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     make_folder(args.out.as_deref())?;
-    let gpu = Gpu::headless().map_err(failed)?;
+    let gpu = Gpu::headless().map_err(without_device)?;
     if let Some(rays) = args.hunt {
         return hunt(&gpu, &Hunt { rays: rays as usize, seed: args.seed }, args.json);
     }

@@ -8,11 +8,11 @@ pub use extremes::extremes;
 
 use crate::{Stop, failed};
 use indicatif::{ProgressBar, ProgressStyle};
+use lightfall::cli;
 use lightfall::gpu::Gpu;
 use lightfall::picture;
 use lightfall::report::bench::Circumstances;
-use lightfall::report::rays::is_closed_pipe;
-use std::io::{self, Write};
+use std::io;
 use std::path::Path;
 
 /// A bar on standard error with what is being done and the time that is left; silent where nobody watches.
@@ -30,6 +30,7 @@ fn circumstances(gpu: &Gpu, size: String, entry: &str) -> Circumstances {
         size,
         entry: entry.into(),
         commit: commit(),
+        floor_ms: None,
         command: command(),
     }
 }
@@ -49,7 +50,13 @@ fn command() -> String {
 /// Makes the folder of the reports, before any work is done for them.
 fn make_folder(folder: Option<&Path>) -> Result<(), Stop> {
     let Some(folder) = folder else { return Ok(()) };
-    std::fs::create_dir_all(folder).map_err(|error| Stop(1, format!("--out {}: {error}", folder.display())))
+    std::fs::create_dir_all(folder).map_err(|error| {
+        let reason = match folder.ancestors().find(|part| part.exists() && !part.is_dir()) {
+            Some(part) => format!("{} is a file, and this must be a folder, or one that can be made", part.display()),
+            None => format!("this folder cannot be made: {error}"),
+        };
+        Stop(2, format!("--out {}: {reason}", folder.display()))
+    })
 }
 
 /// Writes a report's file, whole or not at all.
@@ -57,11 +64,7 @@ fn write(folder: &Path, name: &str, text: &str) -> Result<(), Stop> {
     picture::write_text(&folder.join(name), text).map_err(failed)
 }
 
-/// Prints a result; that nobody reads any more is no error.
+/// Prints a result.
 pub fn print(text: &str) -> Result<(), Stop> {
-    let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if !is_closed_pipe(&error) => Err(Stop(1, format!("standard output: {error}"))),
-        _ => Ok(()),
-    }
+    cli::print(text, &mut io::stdout().lock()).map_err(|error| Stop(error.exit_code(), error.to_string()))
 }

@@ -83,6 +83,12 @@ impl Bindings {
         changed.map(|(control, codes)| (control.id.to_owned(), names(codes))).collect()
     }
 
+    /// The keys of the control with this name, in words; empty where there is none.
+    #[must_use]
+    pub fn named(&self, id: &str) -> String {
+        control_named(id).map(|control| self.in_words(control)).unwrap_or_default()
+    }
+
     /// A control's keys in words, e.g. `F12, Print`.
     #[must_use]
     pub fn in_words(&self, control: &Control) -> String {

@@ -246,7 +246,7 @@ pub const CONTROLS: &[Control] = &[
     picture("picture.antialias", &[KeyCode::F6], "smooth edges of the probe", |scene, _| {
         edits::flip(&mut scene.probe.antialias);
     }),
-    picture("picture.bypass", &[KeyCode::F7], "cells, or the picture as it is", |scene, _| {
+    picture("picture.bypass", &[KeyCode::F7], "whole cells, or the window filled", |scene, _| {
         edits::flip(&mut scene.picture.bypass);
     }),
     picture("picture.dither", &[KeyCode::F8], "dither", |scene, _| edits::flip(&mut scene.picture.dither)),

@@ -1,6 +1,10 @@
 //! Panels along the sides of the window, over the picture.
 
-use bevy_egui::egui;
+use super::window::Shown;
+use super::{inspector, panel};
+use bevy::prelude::*;
+use bevy::window::PrimaryWindow;
+use bevy_egui::{EguiContexts, egui};
 
 /// Which side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,6 +15,35 @@ pub(super) enum Side {
 
 /// Room inside, in points.
 const MARGIN: f32 = 8.0;
+
+/// Whether the mouse is the picture's, and not the user interface's.
+#[derive(Resource, Default)]
+pub(super) struct OverPicture(bool);
+
+/// For systems that ask the mouse only where it is the picture's; they run after [`look`].
+pub(super) fn over_picture(over: Res<OverPicture>) -> bool {
+    over.0
+}
+
+/// Where the mouse is now: egui itself tells only where it was when the last frame was drawn. It knows no panel either that
+/// has just been opened.
+pub(super) fn look(
+    mut contexts: EguiContexts,
+    shown: Res<Shown>,
+    window: Single<&Window, With<PrimaryWindow>>,
+    mut over: ResMut<OverPicture>,
+) {
+    let (Some(mouse), Ok(context)) = (window.cursor_position(), contexts.ctx_mut()) else {
+        over.0 = true;
+        return;
+    };
+    let [x, y] = (mouse / context.zoom_factor()).to_array();
+    let docked = |open: bool, width: f32, from_edge: f32| open && !shown.hidden && from_edge < width;
+    let from_right = context.content_rect().right() - x;
+    let on_panel = docked(shown.inspector, inspector::WIDTH, x) || docked(shown.panel, panel::WIDTH, from_right);
+    let on_area = context.layer_id_at(egui::pos2(x, y)).is_some_and(|layer| layer.order != egui::Order::Background);
+    over.0 = !(on_panel || on_area || context.egui_is_using_pointer());
+}
 
 /// Shows a panel as high as the window. It is an area of egui's own, so that the mouse over it does nothing to the picture.
 pub(super) fn docked(

@@ -9,7 +9,10 @@ use super::controls::{Action, Control};
 /// Spin that is switched on where the scene was loaded without.
 const SPIN: f64 = 0.9;
 /// As many levels as eight bits can tell.
-const ALL_LEVELS: u32 = 256;
+pub(super) const ALL_LEVELS: u32 = 256;
+/// The kinds of observer, in the order of their key.
+pub(super) const OBSERVERS: [ObserverKind; 4] =
+    [ObserverKind::Static, ObserverKind::Zamo, ObserverKind::Orbit, ObserverKind::Rain];
 /// One press of the exposure keys, in powers of two.
 const EXPOSURE_STEP: f64 = 0.25;
 
@@ -69,16 +72,14 @@ pub(super) fn next_sky(scene: &mut Scene) {
 
 /// The next kind of observer that can exist at the camera's place.
 pub(super) fn next_observer(scene: &mut Scene) {
-    const KINDS: [ObserverKind; 4] =
-        [ObserverKind::Static, ObserverKind::Zamo, ObserverKind::Orbit, ObserverKind::Rain];
-    let now = KINDS.iter().position(|kind| *kind == scene.observer.kind).unwrap_or(0);
-    for next in 1..KINDS.len() {
-        scene.observer.kind = KINDS[(now + next) % KINDS.len()];
+    let now = OBSERVERS.iter().position(|kind| *kind == scene.observer.kind).unwrap_or(0);
+    for next in 1..OBSERVERS.len() {
+        scene.observer.kind = OBSERVERS[(now + next) % OBSERVERS.len()];
         if Sight::new(scene).is_ok() {
             return;
         }
     }
-    scene.observer.kind = KINDS[now];
+    scene.observer.kind = OBSERVERS[now];
 }
 
 pub(super) fn switch_bloom(scene: &mut Scene, loaded: &Scene) {

@@ -9,6 +9,17 @@ use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 /// What the mouse does; the key table is about keys.
 const MOUSE: [[&str; 2]; 2] = [["right mouse button", "look around"], ["wheel", "speed"]];
 
+/// The headings side by side: in the first of these that the window has room for.
+const COLUMNS: [&[&[Group]]; 3] = [
+    &[&[Group::Flight, Group::Light], &[Group::Scene, Group::View], &[Group::Picture, Group::Window]],
+    &[&[Group::Flight, Group::Light, Group::View], &[Group::Scene, Group::Picture, Group::Window]],
+    &[&Group::ALL],
+];
+/// Width of a column, in points; of what lies about the window, and of its title and last line.
+const COLUMN: f32 = 310.0;
+const EDGE: f32 = 24.0;
+const TITLE: f32 = 76.0;
+
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show);
 }
@@ -35,23 +46,24 @@ fn show(mut contexts: EguiContexts, mut shown: ResMut<Shown>, bindings: Res<Bind
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
+    let room = context.content_rect().size() - egui::vec2(EDGE, EDGE);
+    let columns = COLUMNS.into_iter().find(|columns| columns.len() as f32 * COLUMN < room.x).unwrap_or(COLUMNS[2]);
     let mut open = true;
     egui::Window::new("Help")
         .open(&mut open)
         .order(egui::Order::Foreground)
         .collapsible(false)
         .resizable(false)
-        .anchor(egui::Align2::CENTER_CENTER, [0.0, -20.0])
-        .default_width((context.content_rect().width() - 40.0).min(1000.0))
+        .anchor(egui::Align2::CENTER_CENTER, [0.0, 0.0])
         .show(context, |ui| {
-            let tallest = (context.content_rect().height() - 180.0).max(100.0);
-            egui::ScrollArea::both().max_height(tallest).show(ui, |ui| {
+            ui.set_max_width(room.x);
+            // Bars that show, or nobody would know that there is more.
+            ui.spacing_mut().scroll = egui::style::ScrollStyle::solid();
+            // Under it there is a line more, above it the title.
+            egui::ScrollArea::both().max_height((room.y - TITLE).max(40.0)).show(ui, |ui| {
                 ui.horizontal_top(|ui| {
-                    column(ui, &bindings, &[Group::Flight, Group::Light]);
-                    ui.add_space(24.0);
-                    column(ui, &bindings, &[Group::Scene, Group::View]);
-                    ui.add_space(24.0);
-                    column(ui, &bindings, &[Group::Picture, Group::Window]);
+                    ui.spacing_mut().item_spacing.x = 24.0;
+                    columns.iter().for_each(|groups| column(ui, &bindings, groups));
                 });
             });
             ui.label("Keys are bound anew in the panel, on its page Settings.");

@@ -2,6 +2,7 @@
 
 use super::bindings::Bindings;
 use super::inspector;
+use super::journey::Guide;
 use super::motion::Voyage;
 use super::notice::Notice;
 use super::panel;
@@ -28,6 +29,8 @@ const FIRST: [(&[&str], &str); 8] = [
 const MARGIN: f32 = 8.0;
 /// Between panels that leave less than this, in points, there is no room to say where to begin.
 const NARROW: f32 = 560.0;
+/// And below this only what was just said is shown.
+const NARROWEST: f32 = 240.0;
 
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show);
@@ -64,12 +67,22 @@ fn whereabouts(scene: &CurrentScene, pilot: &Pilot) -> String {
     )
 }
 
+/// That a journey runs, how far it is, and how it ends; empty while there is none.
+fn journey(guide: &Guide, bindings: &Bindings) -> String {
+    if !guide.flies() {
+        return String::new();
+    }
+    let stop = bindings.named("journey.fly");
+    format!("journey, {} · {stop} stops it, flying or looking around takes over", guide.progress())
+}
+
 fn show(
     mut contexts: EguiContexts,
     scene: Res<CurrentScene>,
     pilot: Res<Pilot>,
     notice: Res<Notice>,
     voyage: Res<Voyage>,
+    guide: Res<Guide>,
     shown: Res<Shown>,
     bindings: Res<Bindings>,
 ) -> Result {
@@ -77,27 +90,40 @@ fn show(
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
-    // In what the panels leave free.
+    // In what the panels leave free; what was just said is said over them where that is too little.
     let right = if shown.panel { panel::WIDTH } else { 0.0 };
     let left = if shown.inspector { inspector::WIDTH } else { 0.0 };
-    let widest = (context.content_rect().width() - left - right - 2.0 * MARGIN).max(100.0);
+    let width = context.content_rect().width() - 2.0 * MARGIN;
+    let free = width - left - right;
+    let (widest, shift, order) = if free > NARROWEST {
+        (free, 0.5 * (left - right), egui::Order::Background)
+    } else {
+        (width, 0.0, egui::Order::Foreground)
+    };
+    let roomy = |least: f32, line: String| if free > least { line } else { String::new() };
+    let mut lines = vec![
+        roomy(NARROWEST, whereabouts(&scene, &pilot)),
+        roomy(NARROWEST, journey(&guide, &bindings)),
+        roomy(NARROWEST, voyage.clocks(scene.camera.r)),
+        notice.text().to_owned(),
+        roomy(NARROW, beginning(&bindings)),
+    ];
+    lines.retain(|line| !line.is_empty());
+    if lines.is_empty() {
+        return Ok(());
+    }
     egui::Area::new("hint".into())
-        .anchor(egui::Align2::CENTER_BOTTOM, [0.5 * (left - right), -MARGIN])
+        .anchor(egui::Align2::CENTER_BOTTOM, [shift, -MARGIN])
         .interactable(false)
-        .order(egui::Order::Background)
+        .order(order)
         .show(context, |ui| {
             ui.set_max_width(widest);
-            egui::Frame::new().fill(egui::Color32::from_black_alpha(200)).inner_margin(6).corner_radius(4).show(
-                ui,
-                |ui| {
-                    let first = if widest > NARROW { beginning(&bindings) } else { String::new() };
-                    let lines =
-                        [&*whereabouts(&scene, &pilot), &*voyage.clocks(scene.camera.r), notice.text(), &*first];
-                    for line in lines.into_iter().filter(|line| !line.is_empty()) {
-                        ui.label(egui::RichText::new(line).size(13.0).color(egui::Color32::from_gray(210)));
-                    }
-                },
-            );
+            let frame = egui::Frame::new().fill(egui::Color32::from_black_alpha(200)).inner_margin(6).corner_radius(4);
+            frame.show(ui, |ui| {
+                for line in lines {
+                    ui.label(egui::RichText::new(line).size(13.0).color(egui::Color32::from_gray(210)));
+                }
+            });
         });
     Ok(())
 }

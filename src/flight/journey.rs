@@ -1,5 +1,6 @@
 //! The guided journey in the window: starts, stops, begins again, and gives way to the hand.
 
+use super::bindings::Bindings;
 use super::card::Card;
 use super::controls::Command;
 use super::history::drawable;
@@ -65,6 +66,12 @@ impl Guide {
         self.time
     }
 
+    /// How far along the journey it is, in words.
+    #[must_use]
+    pub fn progress(&self) -> String {
+        format!("{:.0} of {:.0} s", self.time.floor(), self.journey.duration)
+    }
+
     /// Goes on from where the journey was left, coming gently from where the camera is; after its end from the beginning.
     pub fn start(&mut self, scene: &Scene) {
         if self.time >= self.journey.duration {
@@ -84,7 +91,7 @@ impl Guide {
         self.flight = None;
     }
 
-    /// Lets `seconds` pass. A camera that is not where it was left has been taken over by somebody, and the flight is over.
+    /// Lets `seconds` pass, but no more than a slow frame's: a machine that slept meanwhile did not fly. A camera that is not where it was left has been taken over by somebody, and the flight is over.
     /// A calm flight does not roll.
     pub fn pass(&mut self, seconds: f64, scene: &Scene, calm: bool) -> Moment {
         let Some(flight) = &mut self.flight else { return Moment::None };
@@ -94,8 +101,8 @@ impl Guide {
         }
         // The first moment shows where it begins.
         if flight.last.is_some() {
-            self.time += seconds;
-            flight.since += seconds;
+            self.time += seconds.min(LONGEST_FRAME);
+            flight.since += seconds.min(LONGEST_FRAME);
         }
         let mut next = scene.clone();
         self.journey.apply(self.time, &mut next);
@@ -128,17 +135,31 @@ fn obey(
     mut commands: MessageReader<Command>,
     mut guide: ResMut<Guide>,
     scene: Res<CurrentScene>,
+    bindings: Res<Bindings>,
+    mut notice: ResMut<Notice>,
     mut card: ResMut<Card>,
 ) {
     for command in commands.read() {
         match command {
-            Command::Journey if guide.flies() => guide.stop(),
+            Command::Journey if guide.flies() => {
+                notice.say(format!("The journey stops at {}: {}", guide.progress(), onward(&bindings)));
+                guide.stop();
+                card.close();
+                continue;
+            }
             Command::Journey => guide.start(&scene),
             Command::JourneyAgain => guide.restart(),
             _ => continue,
         }
+        notice.clear();
         card.close();
     }
+}
+
+/// How a journey that was left goes on.
+fn onward(bindings: &Bindings) -> String {
+    let [on, again] = ["journey.fly", "journey.again"].map(|id| bindings.named(id));
+    format!("{on} goes on, {again} begins again")
 }
 
 fn fly(
@@ -146,15 +167,17 @@ fn fly(
     mut guide: ResMut<Guide>,
     mut scene: ResMut<CurrentScene>,
     preferences: Res<Preferences>,
+    bindings: Res<Bindings>,
     mut notice: ResMut<Notice>,
     mut card: ResMut<Card>,
 ) {
     if !guide.flies() {
         return;
     }
-    let seconds = time.delta_secs_f64().min(LONGEST_FRAME);
-    match guide.pass(seconds, &scene, preferences.settings.reduced_motion) {
-        Moment::None => {}
+    match guide.pass(time.delta_secs_f64(), &scene, preferences.settings.reduced_motion) {
+        Moment::None => {
+            notice.say(format!("You fly now. The journey waits at {}: {}", guide.progress(), onward(&bindings)));
+        }
         Moment::Scene(next) => scene.0 = *next,
         Moment::End(next) => {
             scene.0 = *next;

@@ -6,10 +6,13 @@ use super::edits::edited;
 use super::history::{History, drawable};
 use super::notice::Notice;
 use super::panel::Rebinding;
+use super::remarks::remark;
 use super::resolution::Resolution;
 use crate::render::CurrentScene;
 use crate::scene::Scene;
 use bevy::ecs::system::SystemParam;
+use bevy::input::ButtonState;
+use bevy::input::keyboard::KeyboardInput;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass};
 
@@ -32,9 +35,9 @@ impl Held<'_> {
 
     fn motion(&self, motion: Motion) -> bool {
         let holds = |action| matches!(action, Action::Hold(held) if held == motion);
-        self.bindings
-            .iter()
-            .any(|(control, codes)| holds(control.action) && self.keys.any_pressed(codes.iter().copied()))
+        // A tap that is over within a slow frame counts for that frame.
+        let held = |code: &KeyCode| self.keys.pressed(*code) || self.keys.just_pressed(*code);
+        self.bindings.iter().any(|(control, codes)| holds(control.action) && codes.iter().any(held))
     }
 }
 
@@ -140,30 +143,40 @@ fn notice_typing(mut contexts: EguiContexts, mut typing: ResMut<Typing>, rebindi
     Ok(())
 }
 
+/// Each press by itself and in its order: two that come within one slow frame are two.
 fn apply(
+    mut inputs: MessageReader<KeyboardInput>,
     keys: Res<ButtonInput<KeyCode>>,
     bindings: Res<Bindings>,
     typing: Res<Typing>,
     mut editor: SceneEditor,
     mut commands: MessageWriter<Command>,
 ) {
-    if typing.0 || keys.any_pressed([KeyCode::SuperLeft, KeyCode::SuperRight]) {
+    let fresh = |input: &&KeyboardInput| input.state == ButtonState::Pressed && !input.repeat;
+    let presses: Vec<KeyCode> = inputs.read().filter(fresh).map(|input| input.key_code).collect();
+    // Held at some time of the frame.
+    let held = |codes: [KeyCode; 2]| keys.any_pressed(codes) || keys.any_just_pressed(codes);
+    if typing.0 || held([KeyCode::SuperLeft, KeyCode::SuperRight]) {
         return;
     }
-    let alt = keys.any_pressed([KeyCode::AltLeft, KeyCode::AltRight]);
-    for (control, codes) in bindings.iter() {
-        // Without Alt in the table, a key with Alt is the desktop's.
-        if control.alt != alt || !keys.any_just_pressed(codes.iter().copied()) {
-            continue;
-        }
+    // Without Alt in the table, a key with Alt is the desktop's.
+    let alt = held([KeyCode::AltLeft, KeyCode::AltRight]);
+    for control in presses.into_iter().filter_map(|code| bindings.owner(code, alt)) {
         if let Action::Do(command) = control.action {
             commands.write(command);
         }
-        let Some(changed) = edited(control, &editor.meant(), editor.loaded()) else { continue };
+        let before = editor.meant();
+        let Some(changed) = edited(control, &before, editor.loaded()) else { continue };
         let who = bindings.in_words(control);
         match control.action {
             Action::Load(_) => editor.load(&who, changed),
-            _ => editor.change(&who, changed),
+            _ => {
+                let remark = changed.as_ref().ok().and_then(|after| remark(control, &before, after, &bindings));
+                editor.change(&who, changed);
+                if let Some(remark) = remark {
+                    editor.say(format!("{who}: {remark}"));
+                }
+            }
         }
     }
 }

@@ -21,6 +21,7 @@ mod pace;
 mod panel;
 mod pilot;
 mod recovery;
+mod remarks;
 mod resolution;
 mod screenshot;
 mod settings;
@@ -36,6 +37,7 @@ pub use journey::{Guide, Moment};
 pub use keys::{key_name, key_named, key_names};
 pub use motion::Voyage;
 pub use panel::shown_number;
+pub use remarks::remark;
 pub use resolution::Resolution;
 pub use settings::{Automatic, Settings};
 

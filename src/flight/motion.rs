@@ -1,5 +1,6 @@
 //! Real motion in the window: let go, and the camera moves as an observer who falls or circles, in her own time.
 
+use super::bindings::Bindings;
 use super::card::Card;
 use super::controls::Command;
 use super::history::drawable;
@@ -80,7 +81,8 @@ impl Voyage {
         self.way = None;
     }
 
-    /// Lets `seconds` pass at the pace that is set. A camera that is not where it was left has been taken over by somebody, and
+    /// Lets `seconds` pass at the pace that is set, but no more than a slow frame's: while the machine slept, her clock stood
+    /// still. A camera that is not where it was left has been taken over by somebody, and
     /// the motion is over; looking around is left to everybody.
     pub fn pass(&mut self, seconds: f64, scene: &Scene) -> Moment {
         let rate = self.rate(scene.camera.r);
@@ -90,7 +92,7 @@ impl Voyage {
             return Moment::None;
         }
         let (mut worldline, mut next) = (way.worldline.clone(), scene.clone());
-        let limit = worldline.advance(rate * seconds, &mut next);
+        let limit = worldline.advance(rate * seconds.min(LONGEST_FRAME), &mut next);
         match drawable(next) {
             Ok(next) => {
                 (way.worldline, way.last) = (worldline, Flown::new(&next));
@@ -129,6 +131,7 @@ fn obey(
     mut commands: MessageReader<Command>,
     mut voyage: ResMut<Voyage>,
     scene: Res<CurrentScene>,
+    bindings: Res<Bindings>,
     mut notice: ResMut<Notice>,
     mut card: ResMut<Card>,
 ) {
@@ -143,7 +146,12 @@ fn obey(
             }
             Command::TimeFaster => voyage.turn_pace(1),
             Command::TimeSlower => voyage.turn_pace(-1),
-            _ => {}
+            _ => continue,
+        }
+        // The clocks in the hint tell the pace; where there are none, this does.
+        if matches!(command, Command::TimeFaster | Command::TimeSlower) && !voyage.moves() {
+            let (rate, key) = (voyage.rate(scene.camera.r), bindings.named("motion.let_go"));
+            notice.say(format!("Own time will pass at {rate:.3} r_s/c a second, once {key} lets go"));
         }
     }
 }
@@ -152,14 +160,15 @@ fn go(
     time: Res<Time>,
     mut voyage: ResMut<Voyage>,
     mut scene: ResMut<CurrentScene>,
+    bindings: Res<Bindings>,
     mut notice: ResMut<Notice>,
     mut card: ResMut<Card>,
 ) {
     if !voyage.moves() {
         return;
     }
-    match voyage.pass(time.delta_secs_f64().min(LONGEST_FRAME), &scene) {
-        Moment::None => {}
+    match voyage.pass(time.delta_secs_f64(), &scene) {
+        Moment::None => notice.say(format!("The clocks stop here: {} lets go again", bindings.named("motion.let_go"))),
         Moment::Scene(next) => scene.0 = *next,
         Moment::End(next) => {
             scene.0 = *next;
@@ -175,11 +184,22 @@ fn ending(voyage: &Voyage, scene: &Scene) -> String {
     let Some(Way { worldline, limit, .. }) = &voyage.way else { return String::new() };
     let (r, own) = (scene.camera.r, worldline.own_time());
     match limit {
-        Some(Limit::Inner) => format!(
-            "r = {r:.3} r_s, inside the horizon at {:.3}, {own:.3} r_s/c of your own time after letting go. From here on the \
-             tide and the blueshift grow without limit, and no picture would be true.",
-            Kerr { spin: scene.hole.spin }.horizon()
-        ),
+        Some(Limit::Inner) => {
+            let kerr = Kerr { spin: scene.hole.spin };
+            let (horizon, inner) = (kerr.horizon(), kerr.inner_horizon());
+            let reason = match kerr.spin == 0.0 {
+                true => {
+                    "From here on the tide and the blueshift grow without limit, and no picture would be true.".into()
+                }
+                false => format!(
+                    "Toward the inner horizon, at {inner:.3}, what falls in after you is blueshifted without limit, and what a \
+                     real hole is like there nobody knows: no picture would be true."
+                ),
+            };
+            format!(
+                "r = {r:.3} r_s, inside the horizon at {horizon:.3}, {own:.3} r_s/c of your own time after letting go. {reason}"
+            )
+        }
         _ => format!("r = {r:.3e} r_s, {own:.3e} r_s/c of your own time after letting go: as far as a camera goes."),
     }
 }

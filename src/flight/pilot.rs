@@ -1,6 +1,7 @@
 //! Flying by hand: keys and mouse move and turn the camera; the result is written to the scene, in f64.
 
 use super::controls::{Command, Motion};
+use super::dock::{look, over_picture};
 use super::keyboard::{Held, Typing};
 use super::{LONGEST_FRAME, NEAREST};
 use crate::physics::kerr::Kerr;
@@ -10,7 +11,6 @@ use bevy::input::mouse::{AccumulatedMouseMotion, AccumulatedMouseScroll, MouseSc
 use bevy::math::{DMat3, DVec3};
 use bevy::prelude::*;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow};
-use bevy_egui::input::egui_wants_any_pointer_input;
 
 /// How the hand is on the stick.
 #[derive(Resource)]
@@ -40,11 +40,7 @@ const FARTHEST: f64 = 1e7;
 pub(super) fn plugin(app: &mut App) {
     app.insert_resource(Pilot { throttle: 1.0, free_look: false }).add_systems(
         Update,
-        (
-            set_throttle.run_if(not(egui_wants_any_pointer_input)),
-            hold_mouse,
-            steer.run_if(|typing: Res<Typing>| !typing.0),
-        )
+        (set_throttle.after(look).run_if(over_picture), hold_mouse, steer.run_if(|typing: Res<Typing>| !typing.0))
             .chain(),
     );
 }
@@ -112,7 +108,8 @@ fn steer(
     if thrust != DVec3::ZERO && scene.observer.kind == ObserverKind::Orbit {
         scene.observer.kind = ObserverKind::Static;
     }
-    let horizon = Kerr { spin: scene.hole.spin }.horizon();
+    let kerr = Kerr { spin: scene.hole.spin };
+    let horizon = kerr.horizon();
     let camera = &mut scene.camera;
     let mut world_from_camera = camera.legs() * camera.legs_from_camera();
     let turn = look * camera.fov_deg.to_radians() * LOOK_SHARE;
@@ -124,7 +121,12 @@ fn steer(
     } else {
         kept_outside(moved, camera.direction(), camera.r.min(NEAREST))
     };
+    let was_inside = camera.r <= horizon;
     camera.set_pose(position, world_from_camera);
+    // Outside, the azimuth is Boyer-Lindquist's and no more the ingoing one; the picture stays.
+    if was_inside && camera.r > horizon {
+        camera.phi_deg = (camera.phi_deg - kerr.ingoing_azimuth_lead(camera.r).to_degrees()) % 360.0;
+    }
 }
 
 /// Turning the camera right, then up, then clockwise, as a matrix of its own axes (right, up, forward).

@@ -17,6 +17,8 @@ const STEP: f64 = 1.0 / 16.0;
 const FRAMES: u32 = 4;
 /// Time of a frame, in seconds, that is too long to fly by.
 const SLIDE_SHOW: f64 = 0.1;
+/// A frame that seems to take longer, in seconds, was none: the machine slept.
+const LONGEST: f64 = 2.0;
 /// A frame rate this much better than the wanted one allows a finer picture.
 const SPARE: f64 = 1.35;
 
@@ -115,7 +117,7 @@ fn adapt(
     let adapts = wanted && pace.moving;
     if adapts && pace.frames > 1 {
         let (frames, seconds) = &mut resolution.counted;
-        (*frames, *seconds) = (*frames + 1, *seconds + time.delta_secs_f64());
+        (*frames, *seconds) = (*frames + 1, *seconds + time.delta_secs_f64().min(LONGEST));
         if *frames >= FRAMES {
             let frame = *seconds / f64::from(*frames);
             resolution.counted = (0, 0.0);

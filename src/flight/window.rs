@@ -2,8 +2,10 @@
 
 use super::bindings::Bindings;
 use super::controls::Command;
+use super::dock::{OverPicture, look};
 use super::notice::Notice;
 use super::settings::{Settings, settings_file};
+use crate::render::{CurrentScene, letterbox};
 use bevy::prelude::*;
 use bevy::window::{Monitor, MonitorSelection, PrimaryMonitor, PrimaryWindow, WindowMode};
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, PrimaryEguiContext, egui};
@@ -60,7 +62,8 @@ pub(super) fn plugin(app: &mut App) {
     if let Some(fault) = fault {
         app.world_mut().get_resource_or_init::<Notice>().say(fault);
     }
-    app.add_systems(Update, (obey, keep, fit))
+    app.init_resource::<OverPicture>()
+        .add_systems(Update, ((obey, look).chain(), keep, fit))
         .add_systems(Last, keep_at_exit)
         .add_systems(EguiPrimaryContextPass, style.run_if(any_with_component::<PrimaryEguiContext>));
 }
@@ -95,21 +98,21 @@ fn toggle(shown: &mut Shown, overlay: fn(&mut Shown) -> &mut bool) {
     shown.hidden &= !open;
 }
 
-/// The window's size at first, made smaller where the monitor has no room for it.
+/// The window's size at first, made smaller where the monitor has no room for it: so that the picture fills it.
 fn fit(
     monitors: Query<(&Monitor, Has<PrimaryMonitor>)>,
+    scene: Res<CurrentScene>,
     mut window: Single<&mut Window, With<PrimaryWindow>>,
     mut done: Local<bool>,
 ) {
     let primary = monitors.iter().find(|(_, primary)| *primary).or_else(|| monitors.iter().next());
     let Some((monitor, _)) = primary.filter(|_| !*done) else { return };
     *done = true;
-    let room = monitor.physical_size().as_vec2() / window.scale_factor();
-    let size = window.size();
-    if size.cmpgt(room).any() {
+    let room = monitor.physical_size();
+    if window.physical_size().cmpgt(room).any() {
         // Room for the frame and the desktop's bars.
-        let fitting = (size * (0.94 * room / size).min_element()).round();
-        window.resolution.set(fitting.x, fitting.y);
+        let filled = letterbox(&scene.picture, (0.94 * room.as_vec2()).as_uvec2()).extent.as_uvec2();
+        window.resolution.set_physical_resolution(filled.x, filled.y);
     }
 }
 

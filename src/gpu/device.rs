@@ -34,22 +34,19 @@ fn instance() -> Instance {
 async fn adapter() -> Result<Adapter, GpuError> {
     let instance = instance();
     let name = env::var("WGPU_ADAPTER_NAME").ok().filter(|name| !name.is_empty());
-    let adapter = match &name {
-        Some(name) => {
-            let wanted = name.to_lowercase();
-            let adapters = instance.enumerate_adapters(backends()).await;
-            adapters.into_iter().find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted))
-        }
-        None => {
-            let options = wgpu::RequestAdapterOptions {
-                power_preference: wgpu::PowerPreference::from_env().unwrap_or(wgpu::PowerPreference::HighPerformance),
-                force_fallback_adapter: env::var("WGPU_FORCE_FALLBACK_ADAPTER").is_ok_and(|flag| flag == "1"),
-                compatible_surface: None,
-            };
-            instance.request_adapter(&options).await.ok()
-        }
+    let Some(given) = name else {
+        let options = wgpu::RequestAdapterOptions {
+            power_preference: wgpu::PowerPreference::from_env().unwrap_or(wgpu::PowerPreference::HighPerformance),
+            force_fallback_adapter: env::var("WGPU_FORCE_FALLBACK_ADAPTER").is_ok_and(|flag| flag == "1"),
+            compatible_surface: None,
+        };
+        return instance.request_adapter(&options).await.map_err(|_| GpuError::NoAdapter);
     };
-    adapter.ok_or(GpuError::NoAdapter(name))
+    let wanted = given.to_lowercase();
+    let adapters = instance.enumerate_adapters(backends()).await;
+    let names: Vec<String> = adapters.iter().map(|adapter| adapter.get_info().name).collect();
+    let found = adapters.into_iter().find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted));
+    found.ok_or(if names.is_empty() { GpuError::NoAdapter } else { GpuError::UnknownAdapter { given, names } })
 }
 
 /// Whether there is an adapter to draw with.

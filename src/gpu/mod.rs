@@ -1,6 +1,7 @@
 //! The GPU without Bevy: WGSL parts joined into variants, the scene as a uniform, a device without a window, rays in and
 //! traces out.
 
+mod beside;
 mod device;
 mod errors;
 pub mod kernel;
@@ -9,6 +10,7 @@ mod scene;
 mod shader;
 pub mod timing;
 
+pub use beside::beside;
 pub use device::{Gpu, adapters, backends, check_adapter};
 pub use errors::{ERROR_GRID, ErrorCells};
 pub use scene::{DISK_HDR_SCALE, GpuScene};
@@ -22,10 +24,21 @@ use thiserror::Error;
 pub enum GpuError {
     /// No graphics driver offers an adapter.
     #[error(
-        "no Vulkan adapter was found{}: install a graphics driver; on Debian and Ubuntu the packages libvulkan1 and \
-         mesa-vulkan-drivers give one that needs no graphics card", wanted(.0)
+        "no Vulkan adapter was found: install a graphics driver; on Debian and Ubuntu the packages libvulkan1 and \
+         mesa-vulkan-drivers give one that needs no graphics card"
     )]
-    NoAdapter(Option<String>),
+    NoAdapter,
+    /// There are adapters, but none of the name that was asked for.
+    #[error(
+        "--gpu {given} (or WGPU_ADAPTER_NAME) is refused: it must be part of the name of one of these adapters, which \
+         --list-gpus tells: {}", .names.join("; ")
+    )]
+    UnknownAdapter {
+        /// What was asked for.
+        given: String,
+        /// The names of those that there are.
+        names: Vec<String>,
+    },
     /// The adapter gives no device, or the device failed.
     #[error("the graphics device failed: {0}")]
     Device(String),
@@ -40,8 +53,8 @@ pub enum GpuError {
     Spin(f64),
     /// A camera inside the horizon, where the method cannot begin.
     #[error(
-        "camera.r = {r} is refused: it is inside the horizon, from where only method closed, or auto, traces, and holes \
-         without spin only"
+        "camera.r = {r} is refused: it is inside the horizon, from where methods verlet and kerr-schild cannot begin (auto, \
+         mino and, without spin, closed can)"
     )]
     Inside {
         /// The camera's radius.
@@ -56,9 +69,4 @@ pub enum GpuError {
     /// An observer that cannot be.
     #[error(transparent)]
     Observer(#[from] ObserverError),
-}
-
-/// What the environment asked for, in words.
-fn wanted(name: &Option<String>) -> String {
-    name.as_ref().map_or_else(String::new, |name| format!(" whose name contains WGPU_ADAPTER_NAME = {name}"))
 }

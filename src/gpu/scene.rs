@@ -75,6 +75,7 @@ pub struct GpuScene {
     pub inner_horizon: f32,
     pub spin_gap: f32,
     pub azimuth_lead: f32,
+    pub camera_depth: f32,
     pub mino_step: f32,
     pub mino_near_step: f32,
 }
@@ -105,9 +106,10 @@ impl GpuScene {
             Method::Auto | Method::Verlet | Method::Closed | Method::Mino | Method::KerrSchild => {}
         }
         let Scene { camera, disk, sky, quality, .. } = scene;
-        // Verlet and Kerr-Schild capture there, Mino's steps are too long, and with spin there is no azimuth phi.
-        let traces_inside = scene.hole.spin == 0.0 && matches!(scene.method, Method::Auto | Method::Closed);
-        if camera.r <= (Kerr { spin: scene.hole.spin }).horizon() && !traces_inside {
+        let kerr = Kerr { spin: scene.hole.spin };
+        let inside = camera.r <= kerr.horizon();
+        // Verlet and Kerr-Schild capture there.
+        if inside && matches!(scene.method, Method::Verlet | Method::KerrSchild) {
             return Err(GpuError::Inside { r: camera.r });
         }
         let Sight { matrix, frequency } = Sight::new(scene)?;
@@ -132,7 +134,6 @@ impl GpuScene {
         let tan_half_fov = camera.half_height();
         let spot_radius = SPOT_PIXELS * 2.0 * tan_half_fov / size.y;
         let inner = disk::inner_edge(scene);
-        let kerr = Kerr { spin: scene.hole.spin };
         let horizon_u = 1.0 / kerr.horizon();
         let [mino_step, mino_near_step] = mino_steps(quality.max_error_px, 2.0 * tan_half_fov / size.y);
         Ok(Self {
@@ -183,7 +184,8 @@ impl GpuScene {
             horizon_gap: ((1.0 - kerr.spin) * (1.0 + kerr.spin)).sqrt() as f32,
             inner_horizon: kerr.inner_horizon() as f32,
             spin_gap: (1.0 - kerr.spin) as f32,
-            azimuth_lead: kerr.ingoing_azimuth_lead(camera.r) as f32,
+            azimuth_lead: if inside { 0.0 } else { kerr.ingoing_azimuth_lead(camera.r) as f32 },
+            camera_depth: ((kerr.horizon() - camera.r) / (kerr.horizon() * camera.r)) as f32,
             mino_step: mino_step as f32,
             mino_near_step: mino_near_step as f32,
         })

@@ -15,7 +15,7 @@ pub struct Variant {
     pub tracer: Tracer,
     /// Whether the hole spins.
     pub spinning: bool,
-    /// Whether the camera is next to the horizon of a spinning hole, where azimuths need care.
+    /// Whether the camera is next to the horizon or inside, where method mino takes care of azimuths and steps.
     pub near_horizon: bool,
     /// Whether rays can meet a disk.
     pub disk: bool,
@@ -97,13 +97,14 @@ const PRELUDE: &str = "constants of the variant";
 impl Variant {
     /// The shader that draws the scene.
     pub fn picture(scene: &Scene) -> Self {
+        let tracer = Tracer::of(scene);
         let marks = !shows_light(scene.view);
         let sky = if marks { SkyMode::Off } else { scene.sky.mode };
         Self {
             entry: Entry::Picture,
-            tracer: Tracer::of(scene),
+            tracer,
             spinning: scene.hole.spin != 0.0,
-            near_horizon: scene.hole.spin != 0.0
+            near_horizon: tracer == Tracer::Mino
                 && scene.camera.r < NEAR_HORIZON * Kerr { spin: scene.hole.spin }.horizon(),
             disk: scene.disk.enabled && traces(scene.view),
             disk_model: if scene.disk.enabled && !marks { scene.disk.model } else { DiskModel::default() },
@@ -144,7 +145,8 @@ impl Variant {
         }
     }
 
-    /// Every variant that a scene can ask for, but that sets of effects with some switched off come under one sky only.
+    /// Every variant that a scene can ask for, but that sets of effects with some switched off come under one sky only, and
+    /// cameras next to the horizon see light only.
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         let mut scene = Scene::default();
@@ -182,6 +184,12 @@ impl Variant {
         let shining: Vec<Self> =
             all.iter().copied().filter(|v| v.disk && shows_light(v.view) && v.entry == Entry::Picture).collect();
         all.extend(shining.into_iter().map(|variant| Self { disk_model: DiskModel::PageThorne, ..variant }));
+        let close = |variant: &Self| {
+            let (tracer, view, effects) = (variant.tracer, variant.view, variant.effects);
+            tracer == Tracer::Mino && view == View::Colour && effects == Effects::default()
+        };
+        let close: Vec<Self> = all.iter().copied().filter(close).collect();
+        all.extend(close.into_iter().map(|variant| Self { near_horizon: true, ..variant }));
         let mut seen = std::collections::HashSet::new();
         all.retain(|variant| seen.insert(*variant));
         all

@@ -15,7 +15,8 @@
 //!
 //! A camera at or inside the horizon has no Boyer-Lindquist azimuth. It uses Kerr's ingoing one,
 //! phi + integral of a dr / Delta, for which chi' = a E - a K' u^2 / (E + (a^2 E - a L) u^2 - u'): regular for light that
-//! falls in, and the same at infinity.
+//! falls in, and the same at infinity. So does light that leaves from a hair's breadth outside, where the pole of
+//! Boyer-Lindquist's chi' would leave a series nothing to go by.
 //!
 //! The method is a Taylor series of high order about every step's start, by recurrences on these right-hand sides: the
 //! equations are so short that a step costs little, the steps are long (about one radian), the series itself is the
@@ -31,6 +32,9 @@ use glam::DVec3;
 
 /// Largest term left out of a series, relative to what it adds to; well below rounding.
 const TRUNCATION: f64 = 1e-18;
+
+/// Outgoing rays that start within this share of the horizon's radius from it have the ingoing azimuth.
+const HAIR: f64 = 1e-9;
 
 /// A ray's constants of motion, per unit frequency for the camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,14 +85,18 @@ impl Constants {
     pub fn of_photon(kerr: Kerr, photon: &Photon, r: f64, n: DVec3) -> (Self, State) {
         let (a, energy) = (kerr.a(), photon.energy);
         let w = r * photon.w;
+        let (inside, close) = (r <= kerr.horizon(), r <= kerr.horizon() * (1.0 + HAIR));
+        let ingoing = inside || close && photon.radial < 0.0;
         let constants = Self {
             a,
             energy,
             angular_momentum: n.x * w.y - n.y * w.x,
             k: w.length_squared() - (a * energy * n.z).powi(2),
-            ingoing: r <= kerr.horizon(),
+            ingoing,
         };
-        (constants, State { u: 1.0 / r, du: photon.radial, n, dn: -w, chi: 0.0 })
+        // Outside, the camera's own azimuth is Boyer-Lindquist's.
+        let chi = if ingoing && !inside { kerr.ingoing_azimuth_lead(r) } else { 0.0 };
+        (constants, State { u: 1.0 / r, du: photon.radial, n, dn: -w, chi })
     }
 
     /// The constants and the backward start of the photon with E = 1 and Bardeen's screen coordinates alpha, beta (r_s;

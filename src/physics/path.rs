@@ -31,7 +31,8 @@ const WHOLE_TURN: f64 = 1e-5;
 /// What a ray did on its way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
-    /// Places along the backward ray, from the camera on, in r_s: r times the unit vector toward Boyer-Lindquist theta, phi.
+    /// Places along the backward ray, from the camera on, in r_s: r times the unit vector toward Boyer-Lindquist theta, phi;
+    /// from a camera at or inside the horizon, toward Kerr's ingoing azimuth.
     pub places: Vec<DVec3>,
     /// Smallest r that the ray reaches, in r_s; the horizon's for a captured ray.
     pub closest_r: f64,
@@ -123,8 +124,8 @@ fn bent(surroundings: Surroundings, photon: &Photon, r: f64, n: DVec3, trace: &T
 /// Places along a ray to its very end, also where the trace knows the outcome earlier.
 fn places(surroundings: Surroundings, constants: &Constants, start: State, farthest: f64) -> Vec<DVec3> {
     let u_end = (1.0 - HORIZON_MARGIN) / surroundings.kerr.horizon();
-    // From inside the horizon, the path ends at the horizon's other side or not at all.
-    let from_inside = start.u >= u_end;
+    // A path that begins inside the horizon, or next to it, ends there only if it comes back.
+    let mut outside = start.u < u_end;
     let least = 1.0 / farthest;
     let place = |state: &State| DMat3::from_rotation_z(state.chi) * state.n / state.u;
     let mut places = vec![place(&start)];
@@ -134,15 +135,15 @@ fn places(surroundings: Surroundings, constants: &Constants, start: State, farth
         let reach = constants.reach(&expansion);
         for i in 1..=PLACES {
             let next = expansion.at(reach * i as f64 / PLACES as f64);
-            let ended =
-                !next.u.is_finite() || !next.n.is_finite() || (!from_inside && next.u >= u_end && next.du > 0.0);
+            let ended = !next.u.is_finite() || !next.n.is_finite() || (outside && next.u >= u_end && next.du > 0.0);
+            outside |= next.u < u_end;
             if ended || next.u <= least && next.du < 0.0 {
                 return places;
             }
             places.push(place(&next));
         }
         let next = expansion.at(reach);
-        if reach <= 0.0 || (from_inside && next.du > 0.0) {
+        if reach <= 0.0 || (!outside && next.du > 0.0) {
             return places;
         }
         state = next;

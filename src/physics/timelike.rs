@@ -30,7 +30,8 @@ const FARTHEST: f64 = 1e7;
 const NO_TURN: f64 = 1e-12;
 
 /// The least radius to which motion leads, in r_s: nine tenths of the way from the outer horizon to the inner one, which
-/// without spin is the centre. Beyond it tides and blueshift grow without end.
+/// without spin is the centre. Beyond it the tide grows without end, or with spin the blueshift of what falls in along with
+/// the hole's turning, as 1/|Delta|; and a real hole's inner horizon is no vacuum's (Poisson & Israel 1990).
 #[must_use]
 pub fn innermost(kerr: Kerr) -> f64 {
     0.9 * kerr.inner_horizon() + 0.1 * kerr.horizon()

@@ -14,6 +14,9 @@ const WIDEST_BLOOM: u32 = 8192;
 /// Fewest rows of bloom that show.
 const LEAST_BLOOM: u32 = 8;
 
+/// Passes of Bevy's own that run in every chain, on some devices at least, and find nothing to do but to clear.
+pub const EMPTY_PASSES: [&str; 3] = ["bin_unpacking", "early_mesh_preprocessing", "main_transparent_pass_2d"];
+
 /// The parts of the chain that not every scene has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Chain {

@@ -1,9 +1,10 @@
-//! The grid of errors that the view `error` shows, worked out beside the frames by a thread with a GPU device of its own.
+//! The grid of errors that the view `error` shows, worked out beside the frames: by a thread of its own, on a GPU
+//! device beside the window's.
 //!
 //! While a new grid is being worked out, that of the last place stays, and it shows each as it comes. A still waits.
 
 use super::CurrentScene;
-use crate::gpu::{ERROR_GRID, ErrorCells, Gpu, GpuError};
+use crate::gpu::{ERROR_GRID, ErrorCells, GpuError, beside};
 use crate::report::error::over_picture;
 use crate::scene::{Disk, Picture, Scene, View};
 use bevy::prelude::*;
@@ -86,27 +87,14 @@ impl Worker {
 }
 
 fn run(work: &Receiver<Scene>, answer: &Sender<Answer>) {
-    let mut device = None;
     while let Ok(order) = work.recv() {
         // Of several scenes that were asked for in the meantime only the last is still wanted.
         let of = work.try_iter().last().unwrap_or(order);
-        let cells = work_out(&mut device, &of);
-        if cells.is_err() {
-            // A device that failed is not asked again.
-            device = None;
-        }
+        let cells = beside(|gpu| over_picture(gpu, &of, ERROR_GRID)).map(|errors| ErrorCells::new(&errors));
         if answer.send(Answer { of, cells }).is_err() {
             return;
         }
     }
-}
-
-fn work_out(device: &mut Option<Gpu>, scene: &Scene) -> Result<ErrorCells, GpuError> {
-    let gpu = match device {
-        Some(gpu) => gpu,
-        none => none.insert(Gpu::headless()?),
-    };
-    Ok(ErrorCells::new(&over_picture(gpu, scene, ERROR_GRID)?))
 }
 
 pub(super) fn plugin(app: &mut App) {

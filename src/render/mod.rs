@@ -22,7 +22,7 @@ mod presentation;
 mod probe;
 pub mod recovery;
 
-pub use chain::{Chain, Written};
+pub use chain::{Chain, EMPTY_PASSES, Written};
 pub use errors::AwaitErrors;
 pub use eye::{Eye, Screen};
 pub use kept::AlwaysDraw;

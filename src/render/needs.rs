@@ -1,6 +1,6 @@
 //! What a scene needs, in words: from the variant that is compiled and the chain that runs, and from nothing else.
 
-use super::Chain;
+use super::{Chain, EMPTY_PASSES};
 use crate::gpu::{Entry, Variant};
 use crate::scene::Scene;
 use std::collections::BTreeSet;
@@ -30,6 +30,7 @@ pub fn needs(scene: &Scene) -> String {
     line("text left out", &own(left_out(variant)));
     line("passes", &own(passes.clone()));
     line("passes left out", &own(most.passes().into_iter().filter(|pass| !passes.contains(pass)).collect()));
+    line("passes, empty", &own(EMPTY_PASSES.to_vec()));
     line("while still", &own(chain.kept_passes().to_vec()));
     let written = |texture: &super::Written| {
         let levels = if texture.levels > 1 { format!(", {} levels", texture.levels) } else { String::new() };

@@ -10,7 +10,7 @@ pub fn gpu() -> Option<&'static Gpu> {
     match SHARED.get_or_init(Gpu::headless) {
         Ok(gpu) => Some(gpu),
         Err(error) if required => panic!("LIGHTFALL_REQUIRE_GPU is 1, but {error}"),
-        Err(GpuError::NoAdapter(_)) => {
+        Err(GpuError::NoAdapter) => {
             println!("skipped: no adapter");
             None
         }

@@ -1,30 +1,23 @@
 //! The view of errors against the numbers that it shows, and these against errors made on purpose.
 
+use crate::light::light_from;
 use crate::{edge_on, gpu, median};
-use glam::{UVec2, Vec3, Vec4};
-use lightfall::gpu::kernel::{Kernel, uniform};
+use glam::{UVec2, Vec3};
+use lightfall::gpu::kernel::uniform;
 use lightfall::gpu::{ERROR_GRID, ErrorCells, Gpu, GpuScene, Variant};
 use lightfall::report::error::over_picture;
 use lightfall::scene::{Method, Scene, View};
 
 /// The light that the view shows in the middle of each cell, and at its upper left and lower right corner, just inside.
 fn shown(gpu: &Gpu, scene: &Scene, errors: &[Option<f64>]) -> Vec<[Vec3; 3]> {
-    let entry = "@group(0) @binding(2) var<storage, read> places: array<vec4<f32>>;
-        @group(0) @binding(3) var<storage, read_write> lights: array<vec4<f32>>;
-        @compute @workgroup_size(64) fn light_from(@builtin(global_invocation_id) id: vec3<u32>) {
-            if id.x < arrayLength(&places) {
-                lights[id.x] = vec4<f32>(light_at(places[id.x].xy), 0.0);
-            }
-        }";
     let scene = Scene { view: View::Error, ..scene.clone() };
     let size = UVec2::new(scene.picture.width, scene.picture.height);
-    let source = Variant::picture(&scene).source() + entry;
     let uniforms = [(0, uniform(&GpuScene::new(&scene, size).unwrap())), (5, ErrorCells::new(errors).bytes())];
-    let kernel = Kernel::new(gpu, &source, "light_from", &uniforms).unwrap();
     let cell = size.as_vec2() / UVec2::from(ERROR_GRID).as_vec2();
     let cells = (0..ERROR_GRID[1]).flat_map(|y| (0..ERROR_GRID[0]).map(move |x| UVec2::new(x, y).as_vec2()));
     let places = cells.flat_map(|at| [0.5, 0.01, 0.99].map(|inside| ((at + inside) * cell).extend(0.0).extend(0.0)));
-    let lights: Vec<Vec4> = kernel.run(gpu, &places.collect::<Vec<_>>()).unwrap();
+    let source = Variant::picture(&scene).source();
+    let lights = light_from(gpu, &source, "vec4<f32>(light_at(given.xy), 0.0)", &uniforms, places);
     lights.chunks_exact(3).map(|cell| [0, 1, 2].map(|i| cell[i].truncate())).collect()
 }
 

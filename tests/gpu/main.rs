@@ -13,6 +13,7 @@ mod errors;
 mod inside;
 mod kerr_schild;
 mod layout;
+mod light;
 mod mino;
 mod needs;
 mod observers;

@@ -1,8 +1,9 @@
 //! What is left out of a shader changes nothing of what it shows, and what a scene needs is said as it is.
 
+use crate::light::{ALONG, light_from};
 use crate::{edge_on, gpu, pixel_directions};
 use glam::{DVec3, Vec4};
-use lightfall::gpu::kernel::{Kernel, uniform};
+use lightfall::gpu::kernel::uniform;
 use lightfall::gpu::{Gpu, GpuScene, Variant};
 use lightfall::physics::spectrum;
 use lightfall::render::needs;
@@ -10,19 +11,11 @@ use lightfall::scene::{Method, Scene, SkyMode, presets};
 
 /// The light from these directions on the observer's legs, by a text of the picture's shader.
 fn light(gpu: &Gpu, scene: &Scene, source: &str, directions: &[DVec3]) -> Vec<Vec4> {
-    let entry = "@group(0) @binding(2) var<storage, read> directions: array<vec4<f32>>;
-        @group(0) @binding(3) var<storage, read_write> lights: array<vec4<f32>>;
-        @compute @workgroup_size(64) fn light_from(@builtin(global_invocation_id) id: vec3<u32>) {
-            if id.x < arrayLength(&directions) {
-                lights[id.x] = vec4<f32>(light_along(photon_from(directions[id.x].xyz)), 0.0);
-            }
-        }";
     let numbers = GpuScene::for_rays(scene).unwrap();
     let table = spectrum::table().iter().flatten().flat_map(|value| value.to_le_bytes()).collect();
     let uniforms = [(0, uniform(&numbers)), (1, table)];
-    let kernel = Kernel::new(gpu, &(source.to_owned() + entry), "light_from", &uniforms).unwrap();
-    let input: Vec<Vec4> = directions.iter().map(|direction| direction.as_vec3().extend(0.0)).collect();
-    kernel.run(gpu, &input).unwrap()
+    let given = directions.iter().map(|direction| direction.as_vec3().extend(0.0));
+    light_from(gpu, source, ALONG, &uniforms, given)
 }
 
 #[test]
@@ -86,6 +79,7 @@ fn a_presets_needs_are_what_its_scene_says() {
     assert_eq!(line(&probe, "method"), "closed (asked for: auto)");
     assert!(line(&probe, "passes ").starts_with("clustering, main_opaque_pass_3d, geodesic, bloom, "));
     assert_eq!(line(&probe, "passes left out"), "none");
+    assert!(line(&probe, "passes, empty").ends_with("main_transparent_pass_2d"));
     assert_eq!(line(&probe, "not allocated"), "none");
     assert!(line(&probe, "textures").contains("HDR picture 960x540 rgba16float"));
     assert!(line(&probe, "textures").contains("cells 480x270"));

@@ -38,10 +38,12 @@ fn an_observer_that_cannot_be_is_refused_in_its_own_words() {
 
 #[test]
 fn a_missing_driver_is_told_with_the_packages_that_help() {
-    let sentence = GpuError::NoAdapter(None).to_string();
+    let sentence = GpuError::NoAdapter.to_string();
     assert!(sentence.contains("libvulkan1") && sentence.contains("mesa-vulkan-drivers"), "{sentence}");
-    let named = GpuError::NoAdapter(Some("nothing".into())).to_string();
-    assert!(named.contains("WGPU_ADAPTER_NAME = nothing"), "{named}");
+    // An adapter that is only called otherwise needs no driver.
+    let named = GpuError::UnknownAdapter { given: "zzz".into(), names: vec!["llvmpipe".into()] }.to_string();
+    assert!(named.contains("zzz") && named.contains("--list-gpus") && named.contains("llvmpipe"), "{named}");
+    assert!(!named.contains("libvulkan1"), "{named}");
 }
 
 #[test]

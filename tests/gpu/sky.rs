@@ -1,8 +1,9 @@
 //! The sky's stars and grid as functions of direction.
 
+use crate::light::light_from;
 use crate::{bare_hole, gpu};
 use glam::{DVec3, UVec2, Vec4};
-use lightfall::gpu::kernel::{Kernel, uniform};
+use lightfall::gpu::kernel::uniform;
 use lightfall::gpu::{Gpu, GpuScene, Variant};
 use lightfall::physics::spectrum::{TABLE_LEN, table};
 use lightfall::scene::{Scene, SkyMode};
@@ -10,22 +11,16 @@ use std::f64::consts::{PI, TAU};
 
 /// Light of the sky in these directions: `expression` is WGSL of `direction`.
 fn light(gpu: &Gpu, scene: &Scene, expression: &str, directions: &[DVec3]) -> Vec<DVec3> {
-    let entry = "@group(0) @binding(2) var<storage, read> directions: array<vec4<f32>>;
-        @group(0) @binding(3) var<storage, read_write> lights: array<vec4<f32>>;
-        @compute @workgroup_size(64) fn light_from(@builtin(global_invocation_id) id: vec3<u32>) {
-            if id.x < arrayLength(&directions) {
-                let direction = directions[id.x].xyz;
-                lights[id.x] = vec4<f32>(EXPRESSION, scene.spot_radius + spectrum[0].x);
-            }
-        }";
-    let source = Variant::picture(scene).source() + &entry.replace("EXPRESSION", expression);
+    let source = Variant::picture(scene).source();
+    let expression =
+        format!("vec4<f32>({}, scene.spot_radius + spectrum[0].x)", expression.replace("direction", "given.xyz"));
     let entries = table();
     let rows: [Vec4; TABLE_LEN] = std::array::from_fn(|i| Vec4::from_array(entries[i]));
     let numbers = GpuScene::new(scene, UVec2::new(960, 540)).unwrap();
     let uniforms = [(0, uniform(&numbers)), (1, uniform(&rows))];
-    let kernel = Kernel::new(gpu, &source, "light_from", &uniforms).unwrap();
-    let input: Vec<Vec4> = directions.iter().map(|direction| direction.as_vec3().extend(0.0)).collect();
-    kernel.run::<Vec4, Vec4>(gpu, &input).unwrap().iter().map(|light| light.truncate().as_dvec3()).collect()
+    let given = directions.iter().map(|direction| direction.as_vec3().extend(0.0));
+    let lights = light_from(gpu, &source, &expression, &uniforms, given);
+    lights.iter().map(|light| light.truncate().as_dvec3()).collect()
 }
 
 fn sky(mode: SkyMode) -> Scene {

@@ -1,8 +1,9 @@
 //! Diagnostic views against the records of the very rays that they colour.
 
+use crate::light::{ALONG, light_from};
 use crate::{edge_on, gpu, pixel_directions};
-use glam::{DVec3, Vec4};
-use lightfall::gpu::kernel::{Kernel, uniform};
+use glam::DVec3;
+use lightfall::gpu::kernel::uniform;
 use lightfall::gpu::rays::{GpuTrace, records};
 use lightfall::gpu::{Gpu, GpuScene, Variant};
 use lightfall::physics::schwarzschild::shadow_half_angle_static;
@@ -12,18 +13,10 @@ use std::f64::consts::PI;
 
 /// What the picture's own shader shows in these directions on the observer's legs.
 fn shown(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Vec<[u32; 3]> {
-    let entry = "@group(0) @binding(2) var<storage, read> directions: array<vec4<f32>>;
-        @group(0) @binding(3) var<storage, read_write> lights: array<vec4<f32>>;
-        @compute @workgroup_size(64) fn light_from(@builtin(global_invocation_id) id: vec3<u32>) {
-            if id.x < arrayLength(&directions) {
-                lights[id.x] = vec4<f32>(light_along(photon_from(directions[id.x].xyz)), 0.0);
-            }
-        }";
-    let source = Variant::picture(scene).source() + entry;
+    let source = Variant::picture(scene).source();
     let numbers = GpuScene::for_rays(scene).unwrap();
-    let kernel = Kernel::new(gpu, &source, "light_from", &[(0, uniform(&numbers))]).unwrap();
-    let input: Vec<Vec4> = directions.iter().map(|direction| direction.as_vec3().extend(0.0)).collect();
-    let lights: Vec<Vec4> = kernel.run(gpu, &input).unwrap();
+    let given = directions.iter().map(|direction| direction.as_vec3().extend(0.0));
+    let lights = light_from(gpu, &source, ALONG, &[(0, uniform(&numbers))], given);
     lights.iter().map(|light| light.truncate().to_array().map(f32::to_bits)).collect()
 }
 

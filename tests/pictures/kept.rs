@@ -4,7 +4,7 @@ use super::preset;
 use crate::adapter::gpu;
 use glam::UVec2;
 use lightfall::picture::{PassTime, Studio, render};
-use lightfall::render::Chain;
+use lightfall::render::{Chain, EMPTY_PASSES};
 use lightfall::scene::{DiskModel, Method, ObserverKind, Scene, SkyMode, View};
 
 const SIZE: UVec2 = UVec2::new(320, 180);
@@ -170,9 +170,6 @@ fn more_variants_than_are_kept_are_all_drawn_right() {
     assert!(studio.picture().unwrap().rgb == first);
 }
 
-/// Bevy's own, which run empty in any chain on some devices.
-const EMPTY: [&str; 3] = ["bin_unpacking", "early_mesh_preprocessing", "main_transparent_pass_2d"];
-
 #[test]
 fn the_passes_that_run_are_those_that_the_chain_names_and_a_still_frame_traces_nothing() {
     if gpu().is_none() {
@@ -200,7 +197,7 @@ fn the_passes_that_run_are_those_that_the_chain_names_and_a_still_frame_traces_n
             return;
         }
         let sorted = |mut names: Vec<String>| {
-            names.retain(|name| !EMPTY.contains(&name.as_str()));
+            names.retain(|name| !EMPTY_PASSES.contains(&name.as_str()));
             names.sort();
             names
         };

@@ -246,3 +246,10 @@ fn a_journey_is_flown_from_its_file_and_its_faults_are_named() {
     fs::write(&file, journey::DEFAULT).unwrap();
     assert_eq!(cli::journey(Some(&file)).unwrap(), cli::journey(None).unwrap());
 }
+
+#[test]
+fn help_lists_the_journey_with_the_scene() {
+    let help = cli::read(["lightfall", "--help"]).unwrap_err().to_string();
+    let scene = help.split("\n\n").find(|part| part.starts_with("Scene:")).unwrap();
+    assert!(scene.contains("--preset") && scene.contains("--journey") && !scene.contains("--list-gpus"), "{scene}");
+}

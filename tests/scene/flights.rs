@@ -1,7 +1,8 @@
 //! Flights that nobody steers: the guided journey and real motion, moment by moment, and how they give way.
 
 use lightfall::flight::{Guide, Moment, Voyage};
-use lightfall::scene::{ObserverKind, Scene, journey, presets};
+use lightfall::physics::{kerr::Kerr, reference::Reference, timelike::innermost};
+use lightfall::scene::{Method, ObserverKind, Scene, journey, presets};
 
 const FRAME: f64 = 1.0 / 60.0;
 
@@ -126,6 +127,51 @@ fn who_is_let_go_in_free_fall_ends_inside() {
     assert!(voyage.clocks(scene.camera.r).contains("ingoing time"));
 }
 
+/// Through a spinning hole's horizon, dropped and thrown: the sky in the picture moves on as it moved, though the azimuth that
+/// the scene notes becomes another there.
+#[test]
+fn through_a_spinning_holes_horizon_the_picture_goes_on() {
+    for (spin, velocity) in [(0.9, [0.0; 3]), (-0.7, [-0.2, 0.1, 0.4]), (0.998, [0.0, 0.3, 0.0])] {
+        let mut scene = preset("falling");
+        let kerr = Kerr { spin };
+        (scene.hole.spin, scene.camera.theta_deg, scene.observer.velocity) = (spin, 60.0, velocity);
+        scene.camera.r = 1.5 * kerr.horizon();
+        let mut voyage = Voyage::default();
+        voyage.start(&scene).unwrap();
+        voyage.turn_pace(-2);
+        // What is seen where the camera looks, away from the hole, and how far that moved in the frame before.
+        let looked = |scene: &Scene| {
+            let forward = scene.camera.legs_from_camera().z_axis;
+            Reference::new(scene).unwrap().trace(if forward.x > 0.0 { forward } else { -forward }).sky
+        };
+        let (mut last, mut step, mut inside) = (looked(&scene).unwrap(), None::<f64>, 0);
+        for frame in 0.. {
+            assert!(frame < 20_000, "{:?}", scene.camera);
+            let moment = voyage.pass(FRAME, &scene);
+            let ended = matches!(moment, Moment::End(_));
+            match moment {
+                Moment::Scene(after) | Moment::End(after) => scene = *after,
+                other => panic!("spin {spin}: {other:?} at {:?}", scene.camera),
+            }
+            let seen = looked(&scene).unwrap();
+            let moved = (seen - last).length();
+            if !ended {
+                assert!(
+                    step.is_none_or(|step| moved < 1.5 * step + 1e-4),
+                    "{moved} after {step:?} at {:?}",
+                    scene.camera
+                );
+            }
+            (last, step, inside) = (seen, Some(moved), inside + u32::from(scene.camera.r < kerr.horizon()));
+            if ended {
+                break;
+            }
+        }
+        assert_eq!(scene.camera.r, innermost(kerr));
+        assert!(inside > 100 && voyage.clocks(scene.camera.r).contains("ingoing time"), "{inside} frames inside");
+    }
+}
+
 #[test]
 fn motion_goes_on_while_looking_around_and_ends_under_the_hand() {
     let mut scene = preset("edge-on");
@@ -151,7 +197,7 @@ fn motion_goes_on_while_looking_around_and_ends_under_the_hand() {
 #[test]
 fn a_fall_that_cannot_be_drawn_farther_stops_at_its_last_true_picture_and_says_why() {
     let mut scene = preset("falling");
-    (scene.hole.spin, scene.camera.theta_deg) = (0.9, 60.0);
+    (scene.hole.spin, scene.camera.theta_deg, scene.method) = (0.9, 60.0, Method::KerrSchild);
     let mut voyage = Voyage::default();
     voyage.start(&scene).unwrap();
     for _ in 0..6000 {
@@ -159,11 +205,35 @@ fn a_fall_that_cannot_be_drawn_farther_stops_at_its_last_true_picture_and_says_w
             Moment::Scene(after) => scene = *after,
             Moment::Refused(reason) => {
                 assert!(reason.contains("inside the horizon"), "{reason}");
-                assert!(scene.camera.r > lightfall::physics::kerr::Kerr { spin: 0.9 }.horizon());
+                assert!(scene.camera.r > Kerr { spin: 0.9 }.horizon());
                 return;
             }
             other => panic!("{other:?}"),
         }
     }
     panic!("it never came to the horizon");
+}
+
+#[test]
+fn a_machine_that_slept_finds_the_flight_where_it_was() {
+    let night = 8.0 * 3600.0;
+    let mut scene = preset("edge-on");
+    let mut guide = guide();
+    guide.restart();
+    for _ in 0..600 {
+        scene = next(guide.pass(FRAME, &scene, false));
+    }
+    assert_eq!(guide.progress(), "9 of 150 s");
+    let (time, before) = (guide.time(), scene.clone());
+    scene = next(guide.pass(night, &scene, false));
+    assert!(guide.time() - time < 0.5 && moved(&before, &scene) < 0.1, "{} s", guide.time() - time);
+
+    let mut scene = preset("falling");
+    let mut voyage = Voyage::default();
+    voyage.start(&scene).unwrap();
+    scene = next(voyage.pass(FRAME, &scene));
+    let (own, r) = (voyage.worldline().unwrap().own_time(), scene.camera.r);
+    scene = next(voyage.pass(night, &scene));
+    let slept = voyage.worldline().unwrap().own_time() - own;
+    assert!(slept < 0.5 * voyage.rate(r) && scene.camera.r > 0.9 * r, "{slept}");
 }

@@ -1,7 +1,7 @@
 //! The key table: what each control does to a scene, and which keys it has.
 
-use lightfall::flight::{Action, Bindings, CONTROLS, control_named, edited, key_name, key_named, key_names};
-use lightfall::scene::{ObserverKind, Scene, presets};
+use lightfall::flight::{Action, Bindings, CONTROLS, control_named, edited, key_name, key_named, key_names, remark};
+use lightfall::scene::{Method, ObserverKind, Scene, View, presets};
 use std::collections::BTreeMap;
 
 /// The scene after a control was used some times, where `loaded` is what was loaded.
@@ -88,6 +88,62 @@ fn observers_follow_each_other_as_far_as_they_can_exist() {
     );
     scene.camera.theta_deg = 90.0;
     assert_eq!(kinds(&scene, 2), ObserverKind::Orbit);
+}
+
+/// What a control says beside what it does.
+fn said(scene: &Scene, id: &str) -> String {
+    remark(control_named(id).unwrap(), scene, &used(scene, id, 1), &Bindings::default()).unwrap_or_default()
+}
+
+#[test]
+fn an_observer_that_is_passed_over_is_named_with_the_reason() {
+    let mut scene = Scene::default();
+    scene.camera.theta_deg = 83.0;
+    scene.observer.kind = ObserverKind::Zamo;
+    let off_plane =
+        "passed over: camera.theta_deg is 83 with observer.kind = \"orbit\"; it must be 90, the plane of the disk";
+    assert_eq!(said(&scene, "scene.observer"), off_plane);
+    // From at rest to zamo nothing is passed over, and in the plane there is an orbit.
+    scene.observer.kind = ObserverKind::Static;
+    assert_eq!(said(&scene, "scene.observer"), "");
+    (scene.camera.theta_deg, scene.observer.kind) = (90.0, ObserverKind::Zamo);
+    assert_eq!(said(&scene, "scene.observer"), "");
+    // Inside the horizon only free fall is left, and the key leads back to it.
+    (scene.camera.r, scene.observer.kind) = (0.9, ObserverKind::Rain);
+    let inside = said(&scene, "scene.observer");
+    for kind in ["static", "zamo", "orbit"] {
+        assert!(inside.contains(&format!("observer.kind = \"{kind}\"")), "{inside}");
+    }
+}
+
+#[test]
+fn a_key_that_shows_nothing_says_why_and_names_the_key_that_helps() {
+    let without = |change: fn(&mut Scene)| {
+        let mut scene = presets::find("edge-on").unwrap().scene(&[]).unwrap();
+        change(&mut scene);
+        scene
+    };
+    for (change, id, words) in [
+        ((|scene| scene.disk.enabled = false) as fn(&mut Scene), "scene.isco", "the disk is off; F2 shows it"),
+        (|scene| scene.disk.inner = 3.0, "scene.isco", "the disk begins at the innermost stable orbit either way"),
+        (|scene| scene.method = Method::Verlet, "scene.spin", "the method is auto now"),
+        (|scene| scene.view = View::Classes, "light.doppler", "this view shows no light; B goes back to it"),
+        (|scene| scene.view = View::Redshift, "light.beaming", "this view shows no light; R goes back to it"),
+        (|scene| scene.disk.enabled = false, "light.doppler", "nothing that is seen moves"),
+        (|_| {}, "view.unfinished", "no ray is left unfinished by this method"),
+        (|_| {}, "picture.antialias", "there is no probe to smooth; F4 puts it there"),
+        (|scene| scene.picture.bypass = true, "picture.dither", "it shows in cells only; F7 brings them back"),
+        (|scene| scene.picture.bypass = true, "picture.levels", "it shows in cells only; F7 brings them back"),
+    ] {
+        assert_eq!(said(&without(change), id), words, "{id}");
+    }
+    // Where there is something to see, nothing is said.
+    let plain = without(|scene| (scene.disk.inner, scene.probe.enabled) = (4.0, true));
+    for control in CONTROLS.iter().filter(|control| matches!(control.action, Action::Edit(_))) {
+        let silent = !["scene.observer", "view.unfinished"].contains(&control.id);
+        assert!(!silent || said(&plain, control.id).is_empty(), "{}: {}", control.id, said(&plain, control.id));
+    }
+    assert_eq!(said(&without(|scene| scene.method = Method::Verlet), "view.unfinished"), "");
 }
 
 #[test]

@@ -62,6 +62,12 @@ fn a_value_out_of_range_is_answered_with_where_what_and_the_range() {
         ("sky.seed = 4294967296", "sky.seed = 4294967296 is refused: it must be an integer from 0 to 4294967295"),
         ("probe.size = 0.0", "probe.size = 0 is refused: it must be a number above 0 and at most 1000 r_s"),
         ("camera.yaw_deg = nan", "camera.yaw_deg = NaN is refused: it must be a number from -360 to 360 degrees"),
+        // The range that holds here, as of any other number.
+        (
+            "camera.r = nan",
+            "camera.r = NaN is refused: it must be a number above 1 and at most 10000000 r_s (outside the horizon at \
+             hole.spin = 0)",
+        ),
         ("camera.yaw_deg = -inf", "camera.yaw_deg = -inf is refused: it must be a number from -360 to 360 degrees"),
         (
             "observer.velocity = [0, 0.6, 0.8]",

@@ -10,5 +10,6 @@ mod keys;
 mod load;
 mod pose;
 mod presets;
+mod program;
 mod rays;
 mod settings;

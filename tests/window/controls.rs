@@ -1,6 +1,7 @@
 //! The controls in the window: keys, overlays, screenshots.
 
-use crate::desktop::{Desktop, Shot};
+use crate::desktop::Desktop;
+use crate::shot::Shot;
 use crate::{HINT, WINDOW, changed};
 use lightfall::flight::control_named;
 
@@ -26,9 +27,7 @@ fn switches_change_the_picture_and_lead_back() {
     // A scene in which each of them shows: the disk does not begin at the innermost stable orbit, the probe is in view.
     let scene = ["--preset", "probe", "--set", "disk.inner=4.5", "--set", "observer.velocity=0,0.1,0.3"];
     let Some(desktop) = Desktop::open(&scene) else { return };
-    // Twice, for on a busy machine the probe comes some frames after the light.
-    desktop.settled("first picture", |shot| shot.colours() > 50);
-    let start = desktop.settled("at rest", |shot| shot.colours() > 50);
+    let start = desktop.first_picture();
     for (id, times) in [
         ("scene.disk", 2),
         ("scene.isco", 2),
@@ -67,9 +66,10 @@ fn switches_change_the_picture_and_lead_back() {
 #[test]
 fn overlays_open_and_close_and_text_fields_keep_the_keyboard() {
     let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else { return };
-    let start = desktop.settled("first picture", |shot| shot.colours() > 50);
+    let start = desktop.first_picture();
     let right = |a: &Shot, b: &Shot| a.changed(b, WINDOW.0 - PANEL..WINDOW.0, 0..WINDOW.1);
     let left = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0 - PANEL, 0..WINDOW.1 - HINT);
+    let hint = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0 - PANEL, WINDOW.1 - HINT..WINDOW.1) > 0.0;
     desktop.press("F1");
     desktop.settled("help", |shot| changed(shot, &start) > 0.1);
     desktop.press("F1");
@@ -79,9 +79,11 @@ fn overlays_open_and_close_and_text_fields_keep_the_keyboard() {
     assert_eq!(left(&panel, &start), 0.0, "the panel covers more than its side");
     // Into the field `name`: g, F2 and p would change the sky, the disk and the panel.
     desktop.click(1300, 92);
+    let focused = desktop.settled("the field has the keyboard", |shot| *shot != panel);
     desktop.type_text("gp");
     desktop.press("F2");
-    let typed = desktop.settled("typed", |shot| *shot != panel);
+    // The name is also in the hint.
+    let typed = desktop.settled("typed", |shot| hint(shot, &focused));
     assert_eq!(left(&typed, &start), 0.0, "a key acted although a text field had the keyboard");
     // Beside it the keyboard is the picture's again.
     desktop.click(1300, 800);
@@ -101,13 +103,14 @@ fn overlays_open_and_close_and_text_fields_keep_the_keyboard() {
 #[test]
 fn screenshots_are_files_that_replace_no_other() {
     let Some(desktop) = Desktop::open(&["--preset", "2"]) else { return };
-    let start = desktop.settled("first picture", |shot| shot.colours() > 50);
+    let start = desktop.first_picture();
     let pictures = desktop.home.path().join("Pictures");
     for number in 1..=2 {
         desktop.press("F12");
-        desktop.settled("the path is shown", |shot| *shot != start);
         let file = pictures.join(format!("lightfall-edge-on-{number:04}.png"));
-        let picture = image::open(file).unwrap().to_rgb8();
+        desktop.wait("the screenshot", || image::open(&file).is_ok());
+        desktop.settled("the path is shown", |shot| *shot != start);
+        let picture = image::open(&file).unwrap().to_rgb8();
         assert_eq!((picture.width() as usize, picture.height() as usize), WINDOW);
         for (x, y) in [(700, 300), (300, 430), (1000, 100)] {
             assert_eq!(picture.get_pixel(x, y).0, start.pixel(x as usize, y as usize), "pixel {x}, {y}");

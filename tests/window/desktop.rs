@@ -1,5 +1,8 @@
 //! A display of the test's own: Xvfb, the program's window on it, keys by xdotool, pictures from the X server.
 
+use crate::HINT;
+use crate::frames::Frames;
+use crate::shot::Shot;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -10,49 +13,29 @@ use x11rb::rust_connection::RustConnection;
 
 /// Screen large enough for the default window.
 const SCREEN: (u16, u16) = (1500, 900);
-/// Time a software renderer may need for a first picture, or for one more.
-const PATIENCE: Duration = Duration::from_secs(60);
-
-/// What the screen shows.
-#[derive(Clone, PartialEq)]
-pub struct Shot {
-    pub width: usize,
-    pub height: usize,
-    bgrx: Vec<u8>,
-}
-
-impl Shot {
-    pub fn pixel(&self, x: usize, y: usize) -> [u8; 3] {
-        let at = 4 * (y * self.width + x);
-        [self.bgrx[at + 2], self.bgrx[at + 1], self.bgrx[at]]
-    }
-
-    /// Share of the pixels of a rectangle that differ from another shot's.
-    pub fn changed(&self, other: &Self, x: std::ops::Range<usize>, y: std::ops::Range<usize>) -> f64 {
-        let count = x.len() * y.len();
-        let differ = y.flat_map(|y| x.clone().map(move |x| (x, y)));
-        differ.filter(|&(x, y)| self.pixel(x, y) != other.pixel(x, y)).count() as f64 / count as f64
-    }
-
-    /// Number of different colours.
-    pub fn colours(&self) -> usize {
-        let pixels = (0..self.height).flat_map(|y| (0..self.width).map(move |x| (x, y)));
-        pixels.map(|(x, y)| self.pixel(x, y)).collect::<std::collections::BTreeSet<_>>().len()
-    }
-}
+/// Time that a software renderer on a busy machine may need for a first picture, or for one more.
+const PATIENCE: Duration = Duration::from_secs(120);
+/// What stays the same for so long, and over so many frames, stays: the screen shows a frame some frames after its keys.
+const REST: Duration = Duration::from_millis(1200);
+const FRAMES: usize = 4;
+/// Longest time to wait for frames: a window that is not to be seen shows none.
+const LONGEST: Duration = Duration::from_secs(10);
 
 /// The display, and the program on it; both end with this value.
 pub struct Desktop {
     server: Child,
-    program: Child,
+    pub program: Child,
     /// When the program was started.
     pub started: Instant,
     /// The user's home, with an empty folder for pictures and one for settings.
     pub home: tempfile::TempDir,
     display: String,
-    connection: RustConnection,
-    root: u32,
-    window: String,
+    pub connection: RustConnection,
+    pub root: u32,
+    screen: (u16, u16),
+    pub window: String,
+    /// None before there is a window.
+    frames: Option<Frames>,
 }
 
 impl Desktop {
@@ -64,6 +47,11 @@ impl Desktop {
 
     /// As [`open`](Self::open), for another program with a window of the same name.
     pub fn open_program(program: &Path, arguments: &[&str]) -> Option<Self> {
+        Self::open_on(SCREEN, program, arguments)
+    }
+
+    /// As [`open_program`](Self::open_program), on a screen of another size.
+    pub fn open_on(screen: (u16, u16), program: &Path, arguments: &[&str]) -> Option<Self> {
         for tool in ["Xvfb", "xdotool"] {
             if Command::new("sh")
                 .args(["-c", &format!("command -v {tool}")])
@@ -78,7 +66,7 @@ impl Desktop {
             return None;
         }
         let mut server = Command::new("Xvfb")
-            .args(["-displayfd", "1", "-nolisten", "tcp", "-screen", "0", &format!("{}x{}x24", SCREEN.0, SCREEN.1)])
+            .args(["-displayfd", "1", "-nolisten", "tcp", "-screen", "0", &format!("{}x{}x24", screen.0, screen.1)])
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()
@@ -99,16 +87,18 @@ impl Desktop {
             .stderr(said)
             .spawn()
             .unwrap();
-        let (connection, screen) = x11rb::connect(Some(&display)).unwrap();
-        let root = connection.setup().roots[screen].root;
-        let mut desktop = Self { server, program, started, home, display, connection, root, window: String::new() };
+        let (connection, number) = x11rb::connect(Some(&display)).unwrap();
+        let root = connection.setup().roots[number].root;
+        let (window, frames) = (String::new(), None);
+        let mut desktop = Self { server, program, started, home, display, connection, root, screen, window, frames };
         desktop.window = desktop.wait_for_window();
+        desktop.frames = Some(Frames::of(&desktop.display, desktop.window.parse().unwrap()));
         // No window manager runs here, so nobody else gives the window the keyboard.
         desktop.xdotool(&["windowfocus", "--sync", &desktop.window.clone()]);
         Some(desktop)
     }
 
-    fn xdotool(&self, arguments: &[&str]) -> String {
+    pub fn xdotool(&self, arguments: &[&str]) -> String {
         let output = Command::new("xdotool").args(arguments).env("DISPLAY", &self.display).output().unwrap();
         // A search without a result is no failure of the tool.
         assert!(output.status.success() || arguments[0] == "search", "xdotool {arguments:?} failed");
@@ -158,57 +148,47 @@ impl Desktop {
         1024 * line.trim().trim_end_matches(" kB").parse::<usize>().unwrap()
     }
 
-    /// Clicks with the left button at a place of the window.
-    pub fn click(&self, x: i32, y: i32) {
+    /// Moves the pointer to a place of the window.
+    pub fn point(&self, x: i32, y: i32) {
         self.xdotool(&["mousemove", &x.to_string(), &y.to_string()]);
-        // The program sees the pointer before it sees the button, as from a hand.
-        std::thread::sleep(Duration::from_millis(150));
+    }
+
+    /// Clicks with the left button at a place of the window. The program sees the pointer before it sees the button, as
+    /// from a hand, and what the click leads to before anything else comes.
+    pub fn click(&self, x: i32, y: i32) {
+        self.point(x, y);
+        self.frames(FRAMES);
         self.xdotool(&["click", "1"]);
+        self.frames(FRAMES);
+    }
+
+    /// Clicks, and does not wait for the program.
+    pub fn click_at_once(&self, x: i32, y: i32) {
+        self.point(x, y);
+        self.xdotool(&["click", "1"]);
+    }
+
+    /// Waits for so many frames more.
+    pub fn frames(&self, count: usize) {
+        let (Some(frames), start) = (&self.frames, Instant::now()) else { return };
+        let last = frames.shown() + count;
+        while frames.shown() < last && start.elapsed() < LONGEST {
+            std::thread::sleep(Duration::from_millis(10));
+        }
+    }
+
+    /// Waits until something is so.
+    pub fn wait(&self, what: &str, so: impl Fn() -> bool) {
+        let start = Instant::now();
+        while !so() {
+            assert!(start.elapsed() < PATIENCE, "{what} does not come: {}", self.said());
+            std::thread::sleep(Duration::from_millis(50));
+        }
     }
 
     /// Types a text.
     pub fn type_text(&self, text: &str) {
         self.xdotool(&["type", "--delay", "60", text]);
-    }
-
-    pub fn resize(&self, width: i32, height: i32) {
-        self.xdotool(&["windowsize", &self.window, &width.to_string(), &height.to_string()]);
-    }
-
-    /// Takes the window from the screen, or puts it back.
-    pub fn minimise(&self, away: bool) {
-        self.xdotool(&[if away { "windowunmap" } else { "windowmap" }, "--sync", &self.window]);
-        if !away {
-            self.xdotool(&["windowfocus", "--sync", &self.window]);
-        }
-    }
-
-    /// The text on the clipboard; none while it holds no text.
-    pub fn clipboard(&self) -> Option<String> {
-        use x11rb::protocol::Event;
-        use x11rb::protocol::xproto::{AtomEnum, CreateWindowAux, WindowClass};
-        let connection = &self.connection;
-        let atom = |name: &str| connection.intern_atom(false, name.as_bytes()).unwrap().reply().unwrap().atom;
-        let [clipboard, text, property] = ["CLIPBOARD", "UTF8_STRING", "LIGHTFALL_TEST"].map(atom);
-        let window = connection.generate_id().unwrap();
-        let aux = CreateWindowAux::new();
-        connection.create_window(0, window, self.root, 0, 0, 1, 1, 0, WindowClass::INPUT_ONLY, 0, &aux).unwrap();
-        connection.convert_selection(window, clipboard, text, property, x11rb::CURRENT_TIME).unwrap();
-        connection.flush().unwrap();
-        let start = Instant::now();
-        let given = loop {
-            match connection.poll_for_event().unwrap() {
-                Some(Event::SelectionNotify(notify)) => break notify.property != x11rb::NONE,
-                _ if start.elapsed() > Duration::from_secs(5) => break false,
-                _ => std::thread::sleep(Duration::from_millis(5)),
-            }
-        };
-        let bytes = given.then(|| {
-            let reply = connection.get_property(true, window, property, AtomEnum::ANY, 0, 1 << 20).unwrap();
-            reply.reply().unwrap().value
-        });
-        connection.destroy_window(window).unwrap();
-        bytes.map(|bytes| String::from_utf8(bytes).unwrap())
     }
 
     /// Presses and lets go of a key, named as X names it.
@@ -232,22 +212,32 @@ impl Desktop {
     }
 
     pub fn shot(&self) -> Shot {
-        let (width, height) = SCREEN;
+        let (width, height) = self.screen;
         let image = self
             .connection
             .get_image(ImageFormat::Z_PIXMAP, self.root, 0, 0, width, height, !0)
             .unwrap()
             .reply()
             .unwrap();
-        Shot { width: width.into(), height: height.into(), bgrx: image.data }
+        Shot::new(width.into(), height.into(), image.data)
     }
 
-    /// The screen once two looks in a row, well apart, are the same and pass the condition.
+    /// The screen once there is a picture, whole: more than the lines of text at the bottom, and at rest.
+    pub fn first_picture(&self) -> Shot {
+        // On a busy machine bloom and the probe's meshes come some frames after the light.
+        let lit = |shot: &Shot| shot.rows(0..self.size().1.saturating_sub(HINT)).colours() > 2;
+        self.settled("first picture", lit);
+        self.settled("first picture at rest", lit)
+    }
+
+    /// The screen once two looks in a row, some frames and time apart, are the same and pass the condition.
     pub fn settled(&self, what: &str, condition: impl Fn(&Shot) -> bool) -> Shot {
         let start = Instant::now();
         let mut last = self.shot();
         loop {
-            std::thread::sleep(Duration::from_millis(1200));
+            let look = Instant::now();
+            self.frames(FRAMES);
+            std::thread::sleep(REST.saturating_sub(look.elapsed()));
             let now = self.shot();
             if now == last && condition(&now) {
                 return now;

@@ -1,6 +1,7 @@
 //! The graphics device is lost while somebody flies.
 
-use crate::desktop::{Desktop, Shot};
+use crate::desktop::Desktop;
+use crate::shot::Shot;
 use crate::{HINT, WINDOW};
 use bevy::prelude::*;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
@@ -46,7 +47,7 @@ fn a_lost_device_is_replaced_and_the_scene_is_kept() {
     let only =
         ["--exact", "device_loss::program_that_loses_its_device", "--ignored", "--test-threads=1", "--nocapture"];
     let Some(mut desktop) = Desktop::open_program(&program, &only) else { return };
-    desktop.settled("first picture", |shot| shot.colours() > 50);
+    desktop.first_picture();
     // A scene that is not the one it began with, meshes and lamps in it, and a panel over it.
     desktop.press("6");
     desktop.press("t");
@@ -56,9 +57,8 @@ fn a_lost_device_is_replaced_and_the_scene_is_kept() {
     let changed = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, 0..WINDOW.1 - 2 * HINT);
     for loss in 1..=2 {
         desktop.press("Home");
-        std::thread::sleep(std::time::Duration::from_secs(1));
+        desktop.wait("the loss", || desktop.said().matches("opening it again").count() == loss);
         desktop.settled(&format!("loss {loss}"), |shot| changed(shot, &before) == 0.0);
-        assert_eq!(desktop.said().matches("opening it again").count(), loss, "{}", desktop.said());
         assert!(desktop.running(), "{}", desktop.said());
     }
     // It still does what it is told.

@@ -4,26 +4,26 @@ use crate::changed;
 use crate::desktop::Desktop;
 use std::time::Duration;
 
-fn moves(desktop: &Desktop) -> bool {
+/// Waits until the picture moves.
+fn moves(desktop: &Desktop, why: &str) {
     let before = desktop.shot();
-    std::thread::sleep(Duration::from_millis(1500));
-    changed(&before, &desktop.shot()) > 1e-3
+    desktop.until(why, |shot| changed(shot, &before) > 0.02);
 }
 
 #[test]
 fn the_journey_starts_stops_and_gives_way_to_the_hand() {
     let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else { return };
-    let start = desktop.settled("first picture", |shot| shot.colours() > 50);
+    let start = desktop.first_picture();
     desktop.press("j");
-    assert!(moves(&desktop), "J starts no journey");
+    moves(&desktop, "J starts no journey");
     desktop.press("j");
-    let stopped = desktop.settled("J again", |shot| changed(shot, &start) > 0.01);
+    let stopped = desktop.settled("J again", |shot| changed(shot, &start) > 1e-3);
     desktop.press("j");
-    assert!(moves(&desktop), "J does not go on");
+    moves(&desktop, "J does not go on");
     desktop.hold("s", Duration::from_millis(400));
     desktop.settled("flying backward takes over", |shot| changed(shot, &stopped) > 0.01);
     desktop.press("Return");
-    assert!(moves(&desktop), "Enter starts no journey");
+    moves(&desktop, "Enter starts no journey");
     desktop.press("j");
     let far = desktop.settled("near the journey's start", |shot| changed(shot, &start) > 0.01);
     // From 160 r_s the whole of it is small: the lower edge of the picture is sky.
@@ -35,11 +35,11 @@ fn the_journey_starts_stops_and_gives_way_to_the_hand() {
 #[test]
 fn who_is_let_go_falls_through_the_horizon_and_a_card_says_where_it_ends() {
     let Some(mut desktop) = Desktop::open(&["--preset", "9"]) else { return };
-    let start = desktop.settled("first picture", |shot| shot.colours() > 20);
+    let start = desktop.first_picture();
     desktop.press("f");
-    assert!(moves(&desktop), "F lets nothing go");
+    moves(&desktop, "F lets nothing go");
     desktop.press("f");
-    let held = desktop.settled("F again", |shot| changed(shot, &start) > 0.01);
+    let held = desktop.settled("F again", |shot| changed(shot, &start) > 1e-3);
     desktop.press("f");
     // Eight times as fast.
     for _ in 0..3 {

@@ -1,6 +1,7 @@
 //! The ray inspector in the window: what it copies is what the reference and the GPU answer.
 
-use crate::desktop::{Desktop, Shot};
+use crate::desktop::Desktop;
+use crate::shot::Shot;
 use glam::DVec2;
 use lightfall::report::error::Ray;
 use lightfall::report::inspection::Inspected;
@@ -13,7 +14,7 @@ const INSPECTOR: usize = 420;
 #[test]
 fn a_click_tells_the_ray_of_that_pixel_and_copies_it() {
     let Some(desktop) = Desktop::open(&["--preset", "2", "--spin", "0.7"]) else { return };
-    let start = desktop.settled("first picture", |shot| shot.colours() > 50);
+    let start = desktop.first_picture();
     desktop.press("i");
     let shows = |shot: &Shot, other: &Shot| shot.changed(other, 0..INSPECTOR, 0..400);
     let empty = desktop.settled("inspector", |shot| shows(shot, &start) > 0.3);
@@ -39,6 +40,21 @@ fn a_click_tells_the_ray_of_that_pixel_and_copies_it() {
         // What method mino states of itself.
         assert!(json["difference"]["backward"].as_f64().unwrap() < 1e-5, "{json}");
     }
+}
+
+#[test]
+fn the_wheel_over_a_panel_that_just_opened_is_the_panels() {
+    let Some(desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let start = desktop.first_picture();
+    // Within the inspector to be, and the speed that the hint tells stays as it is.
+    desktop.point(200, 300);
+    desktop.press("i");
+    let before = desktop.settled("inspector", |shot| shot.changed(&start, 0..INSPECTOR, 0..400) > 0.3);
+    desktop.press("i");
+    desktop.settled("no inspector", |shot| *shot != before);
+    desktop.press("i");
+    (0..3).for_each(|_| desktop.wheel());
+    desktop.settled("the inspector as before", |shot| *shot == before);
 }
 
 /// The JSON that is copied once the GPU has answered.

@@ -2,22 +2,27 @@
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod clipboard;
 mod controls;
 mod desktop;
 mod device_loss;
 mod flights;
+mod frames;
 mod inspector;
 mod latency;
+mod manager;
 mod safety;
+mod shot;
 
-use desktop::{Desktop, Shot};
+use desktop::Desktop;
+use shot::Shot;
 use std::process::Command;
 use std::time::Duration;
 
 /// The default window.
 const WINDOW: (usize, usize) = (1440, 810);
-/// Rows at the bottom that the hint may cover.
-const HINT: usize = 60;
+/// Rows at the bottom that the hint may cover: four lines of it.
+const HINT: usize = 104;
 
 /// Share of the picture, without the hint, that differs between two shots.
 fn changed(a: &Shot, b: &Shot) -> f64 {
@@ -27,12 +32,12 @@ fn changed(a: &Shot, b: &Shot) -> f64 {
 #[test]
 fn keys_change_what_they_say_and_the_window_stays() {
     let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else { return };
-    let start = desktop.settled("first picture", |shot| shot.colours() > 50);
+    let start = desktop.first_picture();
     let top_left = |shot: &Shot| start.changed(shot, 0..120, 0..80);
     let middle = |shot: &Shot| start.changed(shot, 480..960, 270..540);
     // Pixels of the hint's letters, which are a light grey.
     let letters = |shot: &Shot| {
-        let pixels = (WINDOW.1 - HINT..WINDOW.1).flat_map(|y| (0..WINDOW.0).map(move |x| (x, y)));
+        let pixels = (WINDOW.1 - 60..WINDOW.1).flat_map(|y| (0..WINDOW.0).map(move |x| (x, y)));
         pixels.filter(|&(x, y)| shot.pixel(x, y).iter().all(|channel| (195..=215).contains(channel))).count()
     };
     assert!(letters(&start) > 500, "no hint: {} pixels of letters", letters(&start));
@@ -112,7 +117,7 @@ fn a_still_window_answers_at_once_however_long_its_scene_takes() {
     let slow = ["--preset", "2", "--method", "kerr-schild", "--spin", "0.9", "--set", "quality.step_scale=0.45"];
     let Some(desktop) = Desktop::open(&slow) else { return };
     let hint = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, WINDOW.1 - HINT..WINDOW.1) > 0.0;
-    desktop.settled("first picture", |shot| shot.colours() > 200);
+    desktop.first_picture();
     let answer = || {
         let before = desktop.settled("rest", |_| true);
         desktop.wheel();
@@ -138,7 +143,7 @@ fn unfinished_rays_turn_magenta_with_f11() {
         let pixels = (0..WINDOW.1 - HINT).flat_map(|y| (0..WINDOW.0).map(move |x| (x, y)));
         pixels.filter(|&(x, y)| matches!(shot.pixel(x, y), [200..=255, 0..=90, 200..=255])).count()
     };
-    let plain = desktop.settled("first picture", |shot| shot.colours() > 10);
+    let plain = desktop.first_picture();
     assert_eq!(magenta(&plain), 0);
     desktop.press("F11");
     desktop.settled("F11", |shot| magenta(shot) > 10_000);

@@ -4,7 +4,7 @@ mod drawing;
 mod numbers;
 mod worker;
 
-use super::dock::{Side, docked};
+use super::dock::{Side, docked, look, over_picture};
 use super::notice::Notice;
 use super::window::Shown;
 use crate::render::{CurrentScene, letterbox};
@@ -12,7 +12,6 @@ use crate::report::error::Ray;
 use crate::scene::{Picture, Scene};
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
-use bevy_egui::input::egui_wants_any_pointer_input;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use drawing::{LEGEND, Sketch, View, path_colour};
 use glam::DVec2;
@@ -47,7 +46,7 @@ impl Default for Inspector {
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Inspector>()
         .insert_resource(Worker::start())
-        .add_systems(Update, (click.run_if(not(egui_wants_any_pointer_input)), receive))
+        .add_systems(Update, (click.after(look).run_if(over_picture), receive))
         .add_systems(EguiPrimaryContextPass, show);
 }
 
@@ -163,7 +162,7 @@ fn show(
         heading(ui, first, seen, &scene, gpu);
         let tallest = ui.max_rect().height() * DRAWING;
         let left = (ui.available_height() - tallest - 60.0).max(80.0);
-        egui::ScrollArea::vertical().id_salt("numbers").max_height(left).auto_shrink([false, true]).show(ui, |ui| {
+        egui::ScrollArea::both().id_salt("numbers").max_height(left).auto_shrink([false, true]).show(ui, |ui| {
             numbers::show(ui, &first.numbers, gpu);
         });
         ui.horizontal(|ui| {

@@ -4,6 +4,9 @@ use super::worker::GpuState;
 use crate::report::inspection::{Difference, Inspection, Record};
 use bevy_egui::egui;
 
+/// The row that most people look for.
+const OFF_BY: &str = "GPU's ray is off by";
+
 pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
     egui::Grid::new("numbers").num_columns(2).spacing([10.0, 2.0]).striped(true).show(ui, |ui| {
         let mut row = |name: &str, value: Option<String>| {
@@ -15,6 +18,15 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
         };
         let cpu = &numbers.cpu;
         row("outcome", Some(outcome(cpu).into()));
+        // How true the picture is here comes before what is known of the ray.
+        match gpu {
+            GpuState::Waiting => row(OFF_BY, Some("the GPU is asked".into())),
+            GpuState::Failed(reason) => row(OFF_BY, Some(reason.clone())),
+            GpuState::Done => {}
+        }
+        if let Some(difference) = numbers.difference {
+            compared(&mut row, &difference, numbers);
+        }
         row("order of the image", numbers.order.map(|order| order.to_string()));
         row("half-turns", Some(format!("{:.4}", numbers.half_turns)));
         row("closest r", Some(format!("{} r_s", short(numbers.closest_r))));
@@ -37,14 +49,6 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
         row("reference", Some(format!("{} steps, residual {:.1e}", cpu.steps, cpu.residual)));
         let answer = numbers.gpu.as_ref().map(|gpu| format!("{} steps, residual {:.1e}", gpu.steps, gpu.residual));
         row("GPU", answer);
-        if let Some(difference) = numbers.difference {
-            compared(&mut row, &difference, numbers);
-        }
-        match gpu {
-            GpuState::Waiting => row("GPU", Some("is asked".into())),
-            GpuState::Failed(reason) => row("GPU", Some(reason.clone())),
-            GpuState::Done => {}
-        }
     });
 }
 
@@ -52,10 +56,10 @@ fn compared(row: &mut impl FnMut(&str, Option<String>), difference: &Difference,
     if !difference.same_class {
         row("GPU says", numbers.gpu.as_ref().map(|gpu| outcome(gpu).into()));
     }
+    let backward = difference.backward.zip(difference.backward_px);
+    row(OFF_BY, backward.map(|(turn, pixels)| format!("{turn:.1e} rad = {pixels:.1e} px")));
     row("GPU off in the sky", difference.sky.map(|angle| format!("{angle:.1e} rad")));
     row("GPU off in hit r, g", difference.hit_r.zip(difference.hit_g).map(|(r, g)| format!("{r:.1e}, {g:.1e}")));
-    let backward = difference.backward.zip(difference.backward_px);
-    row("GPU's ray is off by", backward.map(|(turn, pixels)| format!("{turn:.1e} rad = {pixels:.1e} px")));
 }
 
 /// What is seen, in words.

@@ -1,8 +1,9 @@
-//! The thread that traces inspected rays again: at once by the f64 reference, then on a GPU device of its own, so that no
-//! frame waits for it.
+//! The thread that traces inspected rays again: at once by the f64 reference, then on a GPU device beside the window's, so
+//! that no frame waits for it.
 
 use crate::gpu::rays::RayKernel;
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::{GpuError, beside};
+use crate::physics::trace::Trace;
 use crate::report::error::Ray;
 use crate::report::inspection::Inspected;
 use crate::report::steps::StepCount;
@@ -94,7 +95,6 @@ impl Worker {
 }
 
 fn run(work: &Receiver<Order>, answer: &Answers) {
-    let mut device = None;
     let mut clipboard = None;
     while let Ok(mut order) = work.recv() {
         // Of several rays that were asked for in the meantime only the last is still wanted.
@@ -103,30 +103,22 @@ fn run(work: &Receiver<Order>, answer: &Answers) {
                 Ok(next @ Order::Trace(_)) if matches!(order, Order::Trace(_)) => order = next,
                 Ok(next @ Order::Count(_)) if matches!(order, Order::Count(_)) => order = next,
                 Ok(next) => {
-                    serve(order, &mut device, &mut clipboard, answer);
+                    serve(order, &mut clipboard, answer);
                     order = next;
                 }
                 Err(TryRecvError::Empty | TryRecvError::Disconnected) => break,
             }
         }
-        serve(order, &mut device, &mut clipboard, answer);
+        serve(order, &mut clipboard, answer);
     }
 }
 
-fn serve(
-    order: Order,
-    device: &mut Option<Gpu>,
-    clipboard: &mut Option<arboard::Clipboard>,
-    Answers { rays: answer, steps }: &Answers,
-) {
+fn serve(order: Order, clipboard: &mut Option<arboard::Clipboard>, Answers { rays: answer, steps }: &Answers) {
     let fault = match order {
-        Order::Trace(job) => trace(*job, device, answer),
+        Order::Trace(job) => trace(*job, answer),
         Order::Copy(text) => copy(text, clipboard),
         Order::Count(scene) => {
-            let counted = opened(device).and_then(|gpu| StepCount::of(gpu, &scene));
-            if counted.is_err() {
-                *device = None;
-            }
+            let counted = beside(|gpu| StepCount::of(gpu, &scene));
             let _ = steps.send(counted.map_err(|error| error.to_string()));
             Ok(())
         }
@@ -142,11 +134,7 @@ fn farthest(scene: &Scene) -> f64 {
     3.0 * scene.camera.r + 60.0
 }
 
-fn trace(
-    Job { scene, rays }: Job,
-    device: &mut Option<Gpu>,
-    answer: &Sender<Result<Answer, String>>,
-) -> Result<(), String> {
+fn trace(Job { scene, rays }: Job, answer: &Sender<Result<Answer, String>>) -> Result<(), String> {
     let legs = scene.camera.legs_from_camera();
     let inspect = || -> Result<Vec<Inspected>, String> {
         let inspected = rays.iter().map(|(ray, pixel)| {
@@ -161,33 +149,22 @@ fn trace(
     };
     send(&inspected, GpuState::Waiting);
     let (Some((ray, _)), Some(first)) = (rays.first(), inspected.first_mut()) else { return Ok(()) };
-    let state = match on_gpu(device, &scene, *ray) {
+    let state = match on_gpu(&scene, *ray) {
         Ok(trace) => {
             let height = f64::from(scene.picture.height);
             first.compare(&scene, *ray, &trace, height).map_err(|error| error.to_string())?;
             GpuState::Done
         }
-        Err(error) => {
-            // A device that failed is not asked again.
-            *device = None;
-            GpuState::Failed(error.to_string())
-        }
+        Err(error) => GpuState::Failed(error.to_string()),
     };
     send(&inspected, state);
     Ok(())
 }
 
-fn on_gpu(device: &mut Option<Gpu>, scene: &Scene, ray: Ray) -> Result<crate::physics::trace::Trace, GpuError> {
-    let gpu = opened(device)?;
-    let traces = RayKernel::new(gpu, scene)?.trace(gpu, scene, &[ray.given()])?;
-    traces.into_iter().next().ok_or_else(|| GpuError::Device("it gave no answer".into()))
-}
-
-/// The device, opened at the first use of it.
-fn opened(device: &mut Option<Gpu>) -> Result<&Gpu, GpuError> {
-    Ok(match device {
-        Some(gpu) => gpu,
-        none => none.insert(Gpu::headless()?),
+fn on_gpu(scene: &Scene, ray: Ray) -> Result<Trace, GpuError> {
+    beside(|gpu| {
+        let traces = RayKernel::new(gpu, scene)?.trace(gpu, scene, &[ray.given()])?;
+        traces.into_iter().next().ok_or_else(|| GpuError::Device("it gave no answer".into()))
     })
 }
 

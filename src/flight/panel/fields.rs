@@ -2,7 +2,9 @@
 
 use super::steps::Steps;
 use crate::flight::keyboard::SceneEditor;
-use crate::scene::{FIELDS, Field, Kind, Range};
+use crate::render::{Letterbox, letterbox};
+use crate::scene::{FIELDS, Field, Kind, Picture, Range};
+use bevy::math::UVec2;
 use bevy_egui::egui;
 use std::ops::Bound::{Excluded, Included, Unbounded};
 use toml::Value;
@@ -13,6 +15,8 @@ const LONGEST_SLIDER: f64 = 1000.0;
 const OPEN_END: f64 = 1e-4;
 /// Width of a row's value, in points.
 const VALUE_WIDTH: f32 = 190.0;
+/// Width of its name, at least.
+const NAME_WIDTH: f32 = 90.0;
 /// Width kept for the button that resets it.
 const RESET_WIDTH: f32 = 36.0;
 
@@ -26,7 +30,10 @@ pub(super) struct State {
     refused: Option<(&'static str, String)>,
 }
 
-pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEditor, steps: &Steps) {
+/// The field under which it says how the cells lie in the window.
+const SHOWN: &str = "picture.grid_height";
+
+pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEditor, steps: &Steps, window: UVec2) {
     ui.horizontal(|ui| {
         if ui.button("Reset all").on_hover_text("Everything as it was loaded").clicked() {
             let loaded = editor.loaded().clone();
@@ -59,6 +66,11 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
                 if STEPPED.contains(&field.key) {
                     ui.weak(steps.in_words()).on_hover_text("What method and error setting come to in this picture");
                 }
+                if field.key == SHOWN
+                    && let Some(cells) = cells_in_words(&scene.picture, window)
+                {
+                    ui.weak(cells);
+                }
             }
         });
     }
@@ -66,6 +78,20 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
         let changed = scene.with([(key, value)]).map_err(|refusal| refusal.to_string());
         state.refused = editor.try_change(changed).err().map(|reason| (key, reason));
     }
+}
+
+/// How large the cells are in a window of this many pixels, and what bars that leaves; none where they are bypassed.
+fn cells_in_words(picture: &Picture, window: UVec2) -> Option<String> {
+    let Letterbox { extent, .. } = letterbox(picture, window);
+    let (shown, bars) = (extent.as_uvec2(), window.saturating_sub(extent.as_uvec2()) / 2);
+    let whole = shown.x / picture.grid_width.max(1);
+    (!picture.bypass && whole > 0).then(|| {
+        let bars = match (bars.x, bars.y) {
+            (0, 0) => "which fills the window".to_owned(),
+            (x, y) => format!("bars of {x} and {y} px, for cells are whole; F7 fills the window"),
+        };
+        format!("{} x {} px: {whole} px a cell, {bars}", shown.x, shown.y)
+    })
 }
 
 /// Fields before this one are open at first.
@@ -90,6 +116,7 @@ fn row(ui: &mut egui::Ui, field: &Field, value: &Value, range: Range, loaded: &V
     let name = field.key.split_once('.').map_or(field.key, |(_, name)| name);
     let mut change = None;
     let width = ui.available_width().min(ui.clip_rect().right() - ui.cursor().left()) - VALUE_WIDTH - RESET_WIDTH;
+    let width = width.max(NAME_WIDTH);
     ui.horizontal(|ui| {
         ui.set_min_height(22.0);
         ui.spacing_mut().item_spacing.x = 4.0;

@@ -3,9 +3,10 @@
 use bevy_egui::egui;
 
 const EXACT: [&str; 5] = [
-    "Where light goes: every pixel of the background is a null geodesic of Schwarzschild or Kerr. The error that f32 and the \
-     step leave is measured: without spin below 1e-6 rad, with spin some 1e-6 rad, a thousandth of a pixel. The ray inspector \
-     measures it for the pixel you click.",
+    "Where light goes: every pixel of the background is a null geodesic of Schwarzschild or Kerr. The turn of a \
+     pixel's ray that would explain its error is measured. Without spin (closed) it is below 1e-6 rad, a two-thousandth of a \
+     pixel. With spin (mino) it is, for 99 of 100 rays, within 6e-6 rad at the default setting, a few thousandths of a pixel, and \
+     within 2e-6 at the tightest, quality.max_error_px = 0.0001. The ray inspector measures it for the pixel you click.",
     "The shadow's edge, the order of the images, and which rays are captured.",
     "Shift g of the disk's light and of the sky's: gravity, Doppler and aberration together, for any observer.",
     "The observer: at rest, with zero angular momentum, in orbit, in free fall, boosted; its frame decides what is seen.",

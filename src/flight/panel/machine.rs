@@ -14,6 +14,8 @@ use std::time::{Duration, Instant};
 
 /// A pass that has not run for this long is not one that runs.
 const STALE: Duration = Duration::from_secs(2);
+/// Longest time that counts as one frame, in seconds.
+const LONGEST: f64 = 2.0;
 /// Weight of the newest frame in the mean.
 const FRESH: f64 = 0.1;
 
@@ -46,7 +48,8 @@ pub(super) fn plugin(app: &mut App) {
 }
 
 fn measure(time: Res<Time<Real>>, mut frame: ResMut<FrameTime>) {
-    let seconds = time.delta_secs_f64();
+    // A machine that slept did not draw meanwhile.
+    let seconds = time.delta_secs_f64().min(LONGEST);
     frame.0 = if frame.0 == 0.0 { seconds } else { frame.0 + FRESH * (seconds - frame.0) };
 }
 

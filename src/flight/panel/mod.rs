@@ -17,6 +17,7 @@ use super::keyboard::SceneEditor;
 use super::motion::Voyage;
 use super::window::{Preferences, Shown};
 use bevy::prelude::*;
+use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 
 /// Width of the panel, in points.
@@ -63,6 +64,7 @@ pub(super) fn plugin(app: &mut App) {
 
 fn show(
     mut contexts: EguiContexts,
+    window: Single<&Window, With<PrimaryWindow>>,
     mut shown: ResMut<Shown>,
     mut panel: ResMut<Panel>,
     mut editor: SceneEditor,
@@ -81,7 +83,7 @@ fn show(
     let context = contexts.ctx_mut()?;
     let Panel { page, fields, presets, readouts, machine: needs } = &mut *panel;
     docked(context, "panel", Side::Right, WIDTH, |ui| {
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
             for (each, title) in PAGES {
                 ui.selectable_value(page, each, title);
@@ -94,8 +96,8 @@ fn show(
         if *page != Page::Settings {
             rebinding.stop();
         }
-        egui::ScrollArea::vertical().id_salt(*page as u8).auto_shrink(false).show(ui, |ui| match page {
-            Page::Scene => fields::show(ui, fields, &mut editor, &steps),
+        egui::ScrollArea::both().id_salt(*page as u8).auto_shrink(false).show(ui, |ui| match page {
+            Page::Scene => fields::show(ui, fields, &mut editor, &steps, window.physical_size()),
             Page::Presets => presets::show(ui, presets, &mut editor),
             Page::Readouts => {
                 readouts::show(ui, readouts, editor.drawn(), &voyage, &mut preferences.settings);

@@ -1,11 +1,14 @@
 //! Error against run time: for each scene, method and setting, how long tracing takes and how wrong it is.
 
+mod equal;
 mod frontier;
+mod labels;
 mod measured;
 mod plot;
 mod sweep;
 mod table;
 
+pub use equal::{AtEqualError, at_equal_error};
 pub use frontier::{Margin, auto_margin, is_on_front};
 pub use measured::Measured;
 pub use plot::plot;
@@ -80,6 +83,19 @@ impl Plan {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// Time of a run that every method's contains: photons set up and answers written for straight lines without a disk, in
+    /// milliseconds.
+    ///
+    /// # Errors
+    /// A device that failed.
+    pub fn floor(&self, gpu: &Gpu) -> Result<f64, GpuError> {
+        let mut scene = Scene::default();
+        scene.effects.lensing = false;
+        scene.disk.enabled = false;
+        let stopwatch = Stopwatch::new(gpu, &scene, self.size, self.stage)?;
+        Ok(stopwatch.time(gpu, self.effort)?.median_ms)
     }
 
     fn rows_of(&self, subject: &Subject) -> Vec<Setting> {

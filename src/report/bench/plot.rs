@@ -1,10 +1,19 @@
 //! Error against run time as a picture: both logarithmic, one line a method.
 
+use super::labels::placed;
 use super::{Measured, is_on_front};
+use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 const SIZE: (u32, u32) = (860, 520);
+
+/// Width of a character of the labels and height of their line, in pixels.
+const LETTER: [i32; 2] = [6, 10];
+/// Where the legend stands: left, top, right, bottom.
+const LEGEND: [i32; 4] = [716, 34, 848, 140];
+/// Dashes of the front, and the gaps between them, in pixels.
+const DASHES: [i32; 2] = [5, 4];
 
 /// Colours that the colour-blind can tell apart (Okabe & Ito 2008), one a method.
 fn colour(method: &str) -> RGBColor {
@@ -68,14 +77,25 @@ fn draw<'a>(
         .bold_line_style(RGBColor(215, 215, 215))
         .x_desc("time to trace the picture's rays, ms")
         .y_desc("backward error, pixels, 99th percentile")
-        .x_label_formatter(&|x| super::table::short(*x))
-        .y_label_formatter(&|y| super::table::short(*y))
+        .x_label_formatter(&|x| decade(*x))
+        .y_label_formatter(&|y| decade(*y))
         .label_style(("sans-serif", 13))
         .draw()?;
     let ceiling = top / 1.6;
     let height = |row: &Measured| if row.backward_p99_px.is_finite() { row.backward_p99_px } else { ceiling };
     let mut methods: Vec<&str> = own.iter().map(|row| row.method.as_str()).collect();
     methods.dedup();
+    let at = |row: &Measured| chart.backend_coord(&(row.trace_ms, height(row))).into();
+    let points: Vec<[i32; 2]> = own.iter().map(|row| at(row)).collect();
+    let names: Vec<String> =
+        own.iter().map(|row| row.value.map(|value| value.to_string()).unwrap_or_default()).collect();
+    let sizes: Vec<[i32; 2]> = names.iter().map(|name| [LETTER[0] * name.len() as i32, LETTER[1]]).collect();
+    for ((row, name), corner) in own.iter().zip(names).zip(placed(&points, &sizes, LEGEND)) {
+        let colour = colour(&row.method);
+        let style = ("sans-serif", 11).into_font().color(&colour).pos(Pos::new(HPos::Left, VPos::Top));
+        let label = corner.map(|[x, y]| EmptyElement::at((row.trace_ms, height(row))) + Text::new(name, (x, y), style));
+        chart.draw_series(label)?;
+    }
     for method in methods {
         let colour = colour(method);
         let mut points: Vec<&&Measured> = own.iter().filter(|row| row.method == method).collect();
@@ -92,18 +112,15 @@ fn draw<'a>(
             } else {
                 chart.draw_series(std::iter::once(Cross::new(place, 6, colour.stroke_width(2))))?;
             }
-            let name = row.value.map_or_else(String::new, |value| value.to_string());
-            let style = ("sans-serif", 11).into_font().color(&colour).pos(Pos::new(HPos::Left, VPos::Bottom));
-            chart.draw_series(std::iter::once(EmptyElement::at(place) + Text::new(name, (7, -4), style)))?;
         }
     }
     let mut front: Vec<(f64, f64)> =
         own.iter().filter(|row| is_on_front(rows, row)).map(|row| (row.trace_ms, row.backward_p99_px)).collect();
     front.sort_by(|a, b| a.0.total_cmp(&b.0));
     chart
-        .draw_series(DashedLineSeries::new(front, 5, 4, BLACK.stroke_width(1)))?
+        .draw_series(DashedLineSeries::new(front, DASHES[0], DASHES[1], BLACK.stroke_width(1)))?
         .label("Pareto front")
-        .legend(|(x, y)| PathElement::new([(x, y), (x + 16, y)], BLACK));
+        .legend(|(x, y)| DashedPathElement::new([(x - 2, y), (x + 20, y)], DASHES[0], DASHES[1], BLACK));
     chart
         .configure_series_labels()
         .position(SeriesLabelPosition::UpperRight)
@@ -111,4 +128,9 @@ fn draw<'a>(
         .border_style(RGBColor(200, 200, 200))
         .label_font(("sans-serif", 13))
         .draw()
+}
+
+/// A power of ten, as every mark of the axes is one, in plain decimals.
+fn decade(x: f64) -> String {
+    format!("{x:.*}", (-x.log10().round()).max(0.0) as usize)
 }

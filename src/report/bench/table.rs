@@ -1,6 +1,6 @@
 //! The report as CSV and JSON for programs, as Markdown for people.
 
-use super::{Measured, is_on_front};
+use super::{Measured, at_equal_error, is_on_front};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -19,22 +19,29 @@ pub struct Circumstances {
     pub entry: String,
     /// Revision of the program.
     pub commit: String,
+    /// Where times are measured: that of a run which traces straight lines and nothing else, in milliseconds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub floor_ms: Option<f64>,
     /// The command that made the report.
     pub command: String,
 }
 
 impl Circumstances {
     /// Name and value of each.
-    fn lines(&self) -> [(&'static str, &str); 7] {
+    fn lines(&self) -> impl Iterator<Item = (&'static str, String)> {
+        let floor = self.floor_ms.map(|floor| format!("{} (straight lines without a disk)", short(floor)));
         [
-            ("adapter", &self.adapter),
-            ("driver", &self.driver),
-            ("backend", &self.backend),
-            ("size", &self.size),
-            ("entry", &self.entry),
-            ("commit", &self.commit),
-            ("command", &self.command),
+            ("adapter", Some(self.adapter.clone())),
+            ("driver", Some(self.driver.clone())),
+            ("backend", Some(self.backend.clone())),
+            ("size", Some(self.size.clone())),
+            ("entry", Some(self.entry.clone())),
+            ("commit", Some(self.commit.clone())),
+            ("floor_ms", floor),
+            ("command", Some(self.command.clone())),
         ]
+        .into_iter()
+        .filter_map(|(name, value)| Some((name, value?)))
     }
 }
 
@@ -115,7 +122,38 @@ pub fn markdown(circumstances: &Circumstances, rows: &[Measured]) -> String {
         )
         .expect("writing to a string cannot fail");
     }
-    text
+    text + &equal_errors(circumstances, rows)
+}
+
+/// Our methods against the article's, scene by scene, where they are equally exact; nothing where they were not measured.
+fn equal_errors(circumstances: &Circumstances, rows: &[Measured]) -> String {
+    let mut scenes: Vec<&str> = rows.iter().map(|row| row.scene.as_str()).collect();
+    scenes.dedup();
+    let mut text = String::new();
+    for (fast, slow) in [("closed", "verlet"), ("mino", "kerr-schild")] {
+        for scene in &scenes {
+            let Some(found) = at_equal_error(rows, scene, fast, slow, circumstances.floor_ms) else { continue };
+            let range = |[low, high]: [f64; 2]| format!("{low:.1} to {high:.1}");
+            let [ours, theirs] = found.best;
+            writeln!(
+                text,
+                "| {scene} | {fast}, {slow} | {} | {} | {} | {} |",
+                range(found.ratio),
+                found.net_ratio.map(range).unwrap_or_default(),
+                short(theirs),
+                short(ours)
+            )
+            .expect("writing to a string cannot fail");
+        }
+    }
+    if text.is_empty() {
+        return text;
+    }
+    "\nAt equal 99th percentile, at each level that the slower method reaches with some setting:\n\n\
+     | scene | methods | times as fast | without the floor | best level of the slower, rad | of the faster |\n\
+     |---|---|---|---|---|---|\n"
+        .to_owned()
+        + &text
 }
 
 /// A number to two or three digits.
