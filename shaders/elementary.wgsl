@@ -44,3 +44,20 @@ fn sine_cosine(angle: f32) -> vec2<f32> {
     let c = select(cosine, sine, swapped);
     return vec2<f32>(select(s, -s, quarter >= 2), select(c, -c, quarter == 1 || quarter == 2));
 }
+
+// Area tangent of up to 0.172, at most 1e-7 of itself off: its series.
+fn area_tangent(x: f32) -> f32 {
+    let y = x * x;
+    return x + x * y * (0.333333333 + y * (0.2 + y * (0.142857143 + y * 0.111111111)));
+}
+
+// Logarithm of a normal positive number, at most 3e-7 of itself off: the exponent's share in two parts, the first of few
+// digits, and for a mantissa m between sqrt(1/2) and sqrt(2) twice the area tangent of (m - 1)/(m + 1).
+fn logarithm(x: f32) -> f32 {
+    let bits = bitcast<u32>(x);
+    let below_root = (bits & 0x7fffffu) < 0x3504f3u;
+    let exponent = f32(bits >> 23u) - select(126.0, 127.0, below_root);
+    let mantissa = bitcast<f32>((bits & 0x7fffffu) | select(0x3f000000u, 0x3f800000u, below_root));
+    let tangent = (mantissa - 1.0) / (mantissa + 1.0);
+    return exponent * 0.693145752 + (exponent * 1.42860677e-6 + 2.0 * area_tangent(tangent));
+}

@@ -68,10 +68,10 @@ struct Scene {
     horizon_gap: f32,
     inner_horizon: f32,
     spin_gap: f32,
-    // By how much Kerr's ingoing azimuth is ahead of Boyer-Lindquist's at the camera; outside.
+    // By how much the camera's 1/r is less than 1/r_+; by how much Kerr's ingoing azimuth is ahead of the camera's, but for
+    // whole turns: zero at and inside the horizon, where it is the camera's.
+    horizon_depth: f32,
     azimuth_lead: f32,
-    // By how much 1/r is greater at the camera than at the horizon: negative outside.
-    camera_depth: f32,
     // Step in Mino time, in radians.
     mino_step: f32,
     mino_near_step: f32,

@@ -11,7 +11,7 @@
 // polynomial, it makes E, B and K' the only constants: whatever their rounding, they are those of some ray nearby, and
 // the circle on which a critical ray lingers is where it should be. Next to the horizon of a fast hole W and D are
 // differences of numbers near one, so there the radial variable is u - 1/r_+, D's root is exact, and u' is taken from U
-// anew at each step.
+// anew at each step; mino_azimuth.wgsl has the azimuth.
 //
 // The step is Nystroem's of fifth order (Nystroem 1925; Hairer, Norsett & Wanner 1993, section II.14), four
 // accelerations, the first of which is the last one's end; its dense output is the quintic with the values, slopes and
@@ -36,6 +36,8 @@ struct Constants {
     // a^2 E^2 - K, and a^2 E^2.
     stiffness: f32,
     axial: f32,
+    // W at the horizon.
+    horizon_w: f32,
 }
 
 // The motion about u = base, by v = u - base.
@@ -71,7 +73,7 @@ struct Curve {
 
 fn motion_about(base: f32, c: Constants) -> Motion {
     let a2 = square(scene.spin_length);
-    let w = vec3<f32>(c.energy + c.drag * base * base, 2.0 * c.drag * base, c.drag);
+    let w = vec3<f32>(select(c.energy, c.horizon_w, base > 0.0), 2.0 * c.drag * base, c.drag);
     // D's root at 1/r_+ is exact.
     let d = select(vec3<f32>(1.0, -1.0, a2), vec3<f32>(0.0, -scene.horizon_gap, a2), base > 0.0);
     let s = vec3<f32>(d.x + 0.5 * base * d.y, 1.5 * d.y + base * a2, 2.0 * a2);
@@ -120,58 +122,6 @@ fn curve_slope(c: Curve, t: f32) -> vec4<f32> {
     return c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3 + t * (4.0 * c.c4 + t * (5.0 * c.c5))));
 }
 
-// By how much chi grows from the start of a step to its share t, by Gauss and Legendre with four nodes.
-fn azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
-    let outer = vec2<f32>(curve_at(c, 0.0694318442 * t).x, curve_at(c, 0.9305681558 * t).x);
-    let inner = vec2<f32>(curve_at(c, 0.3300094782 * t).x, curve_at(c, 0.6699905218 * t).x);
-    let sum = 0.1739274226 * dragging_sum(m, outer) + 0.3260725774 * dragging_sum(m, inner);
-    return scene.spin_length * h * t * sum;
-}
-
-// The same for a step outward next to the horizon, where W/D has a pole. There W^2 - U = K' u^2 D makes
-//
-//   chi' = a (E - K' u^2 / (W + |u'|)) - a |u'| / D,
-//
-// the first part regular, as in Kerr's ingoing coordinates, the second a difference of azimuth_lead.
-fn regular_azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
-    var nodes = array<vec2<f32>, 4>(
-        vec2<f32>(0.0694318442, 0.1739274226),
-        vec2<f32>(0.3300094782, 0.3260725774),
-        vec2<f32>(0.6699905218, 0.3260725774),
-        vec2<f32>(0.9305681558, 0.1739274226),
-    );
-    var sum = 0.0;
-    for (var i = 0u; i < 4u; i++) {
-        let share = t * nodes[i].x;
-        let v = curve_at(c, share).x;
-        let speed = max(-curve_slope(c, share).x / h, 0.0);
-        let pulled = m.constants.k_prime * square(m.base + v);
-        sum += nodes[i].y * (m.constants.energy - pulled / max(quadratic(m.w, v) + speed, TINY));
-    }
-    return scene.spin_length * h * t * sum;
-}
-
-// By how much the azimuth of Kerr's ingoing coordinates is ahead of Boyer-Lindquist's: a / (r_+ - r_-) times the
-// logarithm of (1 - r_+ u) / (1 - r_- u).
-fn azimuth_lead(m: Motion, v: f32) -> f32 {
-    let outer = select(1.0 - scene.horizon * v, -scene.horizon * v, m.base > 0.0);
-    let inner = 1.0 - scene.inner_horizon * (m.base + v);
-    return scene.spin_length / (scene.horizon - scene.inner_horizon) * log(max(outer, TINY) / inner);
-}
-
-// E - W/D at two places, added; one division for both.
-fn dragging_sum(m: Motion, v: vec2<f32>) -> f32 {
-    let above = m.dragging.x + v * (m.dragging.y + v * m.dragging.z);
-    let below = m.d.x + v * (m.d.y + v * m.d.z);
-    return (above.x * below.y + above.y * below.x) / (below.x * below.y);
-}
-
-// An angle of two parts, the first a multiple of 1/16, within [-pi, pi]; 2 pi in two parts too, the first of few digits.
-fn wrapped(whole: f32, rest: f32) -> f32 {
-    let turns = round(whole * 0.159154943);
-    return (whole - turns * 6.28125) + (rest - turns * 1.93530718e-3);
-}
-
 // U(u), where W^2 is given.
 fn speed2(m: Motion, v: f32, w2: f32) -> f32 {
     return w2 - m.constants.k_prime * square(m.base + v) * quadratic(m.d, v);
@@ -211,7 +161,17 @@ fn trace(photon: Photon) -> Trace {
     let k_prime = dot(dragged, dragged);
     let drag = -a * (n.x * dragged.y - n.y * dragged.x - a * energy * n.z * n.z);
     let angular_momentum = n.x * w.y - n.y * w.x;
-    let constants = Constants(energy, drag, k_prime, 2.0 * energy * drag - k_prime, square(a * energy));
+    let u_horizon = scene.horizon_u;
+    let near = NEAR_HORIZON && scene.camera_u > 0.5 * u_horizon;
+    let depth = scene.horizon_depth;
+    var horizon_w = energy + drag * u_horizon * u_horizon;
+    if near && depth > 0.0 {
+        // E and B u^2 may cancel at the camera; u'^2 and K' u^2 D do not, outside.
+        let d = depth * (scene.horizon_gap + a * a * depth);
+        let w_camera = sqrt(square(scale * photon.radial) + k_prime * square(scene.camera_u) * d);
+        horizon_w = w_camera + drag * depth * (2.0 * u_horizon - depth);
+    }
+    let constants = Constants(energy, drag, k_prime, 2.0 * energy * drag - k_prime, square(a * energy), horizon_w);
 
     // Next to the horizon an observer can meet light that has no energy.
     let lambda = angular_momentum / select(energy, TINY, abs(energy) < TINY);
@@ -219,26 +179,27 @@ fn trace(photon: Photon) -> Trace {
     let far = k_camera > square(FAR_IMPACT * photon.energy);
     var h = select(scene.mino_near_step, scene.mino_step, far);
     // A camera at or inside the horizon.
-    let inside = NEAR_HORIZON && scene.camera_depth >= 0.0;
+    let inside = NEAR_HORIZON && depth <= 0.0;
     if inside {
         // Deep inside u changes by its own measure in less than a radian: a share of that time, by U's growing terms.
-        let u = 1.0 / scene.camera_radius;
+        let u = scene.camera_u;
         h *= inverseSqrt(max(1.0, u * (6.0 * k_prime + 8.0 * u * (square(drag) + square(a) * k_prime))));
     }
-    let u_horizon = scene.horizon_u;
     let u_inner = select(0.0, 1.0 / scene.disk_inner, HAS_DISK);
-    var m = motion_about(select(0.0, u_horizon, inside), constants);
-    var y = vec4<f32>(select(1.0 / scene.camera_radius, scene.camera_depth, inside), n.z, n.xy);
+    var m = motion_about(select(0.0, u_horizon, near), constants);
+    var y = vec4<f32>(select(scene.camera_u, -depth, near), n.z, n.xy);
     var dy = h * vec4<f32>(scale * photon.radial, -w.z, -w.xy);
     var k = h * h * acceleration(m, y);
     // In two parts, for it can be many turns.
     var chi = 0.0;
     var chi_whole = 0.0;
     var turn = 0.0;
-    var lead = scene.azimuth_lead;
-    // Whether chi is the ingoing azimuth's, which is regular at the horizon for the light that falls in through it.
-    var ingoing = inside;
-    if inside && m.w.x <= 0.0 {
+    // Light that comes in from outside has an azimuth without a pole, which the camera's is known in: Kerr's ingoing one.
+    var ingoing = NEAR_HORIZON && photon.radial < 0.0;
+    if ingoing {
+        chi = scene.azimuth_lead;
+    }
+    if inside && horizon_w <= 0.0 {
         // Light on its way from the horizon's other branch, through which nothing comes from outside.
         result.outcome = OUTCOME_CAPTURED;
         return result;
@@ -292,10 +253,10 @@ fn trace(photon: Photon) -> Trace {
             }
             end = curve_at(path, share);
         }
-        let regular = NEAR_HORIZON && dy.x < 0.0 && step.dy1.x < 0.0;
-        if ingoing && !regular {
-            chi -= azimuth_lead(m, y.x);
+        let regular = NEAR_HORIZON && dy.x * step.dy1.x > 0.0;
+        if NEAR_HORIZON && ingoing && !(regular && dy.x < 0.0) {
             ingoing = false;
+            add_angle(&chi_whole, &chi, azimuth_lag_to_infinity(m, y.x));
         }
         if HAS_DISK && crosses_plane(y.y, end.y) && result.hit_count < MOST_HITS {
             let path = curve(step);
@@ -310,11 +271,14 @@ fn trace(photon: Photon) -> Trace {
                 var place = crossing.zw * inverseSqrt(max(dot(crossing.zw, crossing.zw), TINY));
                 // Pictures know no azimuth of a hit.
                 if SPINNING && AZIMUTH {
-                    var gain = azimuth_gain(m, path, h, t);
-                    if regular {
-                        gain = regular_azimuth_gain(m, path, h, t) + (lead - azimuth_lead(m, crossing.x));
+                    var gain = azimuth_gain(m, path, h, t, crossing.x, regular, ingoing);
+                    if ingoing {
+                        gain += azimuth_lag_to_infinity(m, crossing.x);
                     }
-                    place = turned(place, sine_cosine(wrapped(chi_whole, chi + gain)));
+                    var whole = chi_whole;
+                    var rest = chi;
+                    add_angle(&whole, &rest, gain);
+                    place = turned(place, sine_cosine(wrapped(whole, rest)));
                 }
                 if DIAGNOSTICS && result.hit_count == 0u {
                     result.turn = turn + angle_between(y.yzw, crossing.yzw);
@@ -324,19 +288,7 @@ fn trace(photon: Photon) -> Trace {
         }
         // A picture without a sky asks for no azimuth at all.
         if SPINNING && SKY_DIRECTION {
-            if regular {
-                let next_lead = select(azimuth_lead(m, end.x), 0.0, inside);
-                chi += regular_azimuth_gain(m, curve(step), h, share) + (lead - next_lead);
-                lead = next_lead;
-            } else {
-                chi += azimuth_gain(m, curve(step), h, share);
-                if NEAR_HORIZON {
-                    lead = azimuth_lead(m, end.x);
-                }
-            }
-            let whole = 0.0625 * round(16.0 * chi);
-            chi_whole += whole;
-            chi -= whole;
+            add_angle(&chi_whole, &chi, azimuth_gain(m, curve(step), h, share, end.x, regular, ingoing));
         }
         if DIAGNOSTICS {
             turn += angle_between(y.yzw, end.yzw);

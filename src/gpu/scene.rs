@@ -6,6 +6,7 @@ use crate::physics::{disk, kerr::Kerr, schwarzschild::Plunge, shift::Shift, sigh
 use crate::scene::{Method, ObserverKind, Quality, Scene};
 use encase::ShaderType;
 use glam::{DMat3, DVec2, DVec3, DVec4, UVec2, Vec2, Vec3, Vec4};
+use std::f64::consts::TAU;
 
 /// Linear light of the disk per unit of `disk.brightness` and relative flux. The profile peaks at 0.057, and light as
 /// bright as white paper is 1.
@@ -74,8 +75,8 @@ pub struct GpuScene {
     pub horizon_gap: f32,
     pub inner_horizon: f32,
     pub spin_gap: f32,
+    pub horizon_depth: f32,
     pub azimuth_lead: f32,
-    pub camera_depth: f32,
     pub mino_step: f32,
     pub mino_near_step: f32,
 }
@@ -135,7 +136,8 @@ impl GpuScene {
         let spot_radius = SPOT_PIXELS * 2.0 * tan_half_fov / size.y;
         let inner = disk::inner_edge(scene);
         let horizon_u = 1.0 / kerr.horizon();
-        let [mino_step, mino_near_step] = mino_steps(quality.max_error_px, 2.0 * tan_half_fov / size.y);
+        let pixel = 2.0 * tan_half_fov / size.y;
+        let [mino_step, mino_near_step] = mino_steps(quality.max_error_px, pixel, kerr, camera.r);
         Ok(Self {
             energy,
             radial,
@@ -184,8 +186,8 @@ impl GpuScene {
             horizon_gap: ((1.0 - kerr.spin) * (1.0 + kerr.spin)).sqrt() as f32,
             inner_horizon: kerr.inner_horizon() as f32,
             spin_gap: (1.0 - kerr.spin) as f32,
-            azimuth_lead: if inside { 0.0 } else { kerr.ingoing_azimuth_lead(camera.r) as f32 },
-            camera_depth: ((kerr.horizon() - camera.r) / (kerr.horizon() * camera.r)) as f32,
+            horizon_depth: ((camera.r - kerr.horizon()) / (kerr.horizon() * camera.r)) as f32,
+            azimuth_lead: if inside { 0.0 } else { turns_off(kerr.ingoing_azimuth_lead(camera.r)) as f32 },
             mino_step: mino_step as f32,
             mino_near_step: mino_near_step as f32,
         })
@@ -228,11 +230,18 @@ fn about(row: DVec4, m: DVec3) -> (DVec4, f64) {
 /// Measured: the turn that explains a ray's error is at most 3e-4 step^5.5. Below a step of 0.25 nothing is left but f32's
 /// rounding. Up to 0.53 the disk's places are right to 1e-5 of their radius in the median, and up to 0.4 the shadow's edge
 /// to 2e-6 of its own: both are asked for at the default setting, and whoever allows more than it allows more of both.
-fn mino_steps(max_error_px: f64, pixel: f64) -> [f64; 2] {
+/// With the camera next to a spinning hole the error is up to three times that, and all rays may come near the curve.
+fn mino_steps(max_error_px: f64, pixel: f64, kerr: Kerr, r: f64) -> [f64; 2] {
     let growth = |error: f64| error.powf(1.0 / 5.5);
     let wanted = growth(max_error_px * pixel / 3e-4);
     let looser = growth((max_error_px / Quality::default().max_error_px).max(1.0));
-    [0.53, 0.4].map(|longest| wanted.clamp(0.25, longest * looser))
+    let [far, near] = [0.53, 0.4].map(|longest| wanted.clamp(0.25, longest * looser));
+    if kerr.spin != 0.0 && r < 2.0 * kerr.horizon() { [0.8 * near; 2] } else { [far, near] }
+}
+
+/// The angle within [-pi, pi].
+fn turns_off(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
 }
 
 /// Unit vector toward a place at infinity.

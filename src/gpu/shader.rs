@@ -15,7 +15,7 @@ pub struct Variant {
     pub tracer: Tracer,
     /// Whether the hole spins.
     pub spinning: bool,
-    /// Whether the camera is next to the horizon or inside, where method mino takes care of azimuths and steps.
+    /// Whether rays of method mino pass close to the horizon, where their azimuth needs care, or begin inside.
     pub near_horizon: bool,
     /// Whether rays can meet a disk.
     pub disk: bool,
@@ -78,9 +78,18 @@ impl Tracer {
 /// Least light, as a share, for which a ray is followed beyond crossings of the disk: half of an 8-bit level.
 const NEGLIGIBLE: f64 = 0.002;
 
-/// Below this multiple of the horizon's radius the azimuth of light that leaves is summed in coordinates that are regular
-/// there: from farther out the pole of its rate is too far off to disturb four Gaussian nodes a step.
-const NEAR_HORIZON: f64 = 1.5;
+/// Whether rays that see something pass so close to the horizon of a spinning hole that their azimuth must be summed in
+/// coordinates that are regular there. Elsewhere the pole of its rate is too far off to disturb four Gaussian nodes a step, or
+/// from so far what it disturbs is too small a turn of the ray. Without spin only a camera inside begins there.
+fn passes_near_horizon(Scene { hole, camera, .. }: &Scene) -> bool {
+    let farthest = match hole.spin.abs() {
+        0.0 => 1.0,
+        spin if spin > 0.999 => f64::INFINITY,
+        spin if spin > 0.99 => 10.0,
+        _ => 1.5,
+    };
+    camera.r <= farthest * Kerr { spin: hole.spin }.horizon()
+}
 
 /// A part: its file below shaders/, and its text.
 type Part = (&'static str, &'static str);
@@ -104,8 +113,7 @@ impl Variant {
             entry: Entry::Picture,
             tracer,
             spinning: scene.hole.spin != 0.0,
-            near_horizon: tracer == Tracer::Mino
-                && scene.camera.r < NEAR_HORIZON * Kerr { spin: scene.hole.spin }.horizon(),
+            near_horizon: tracer == Tracer::Mino && passes_near_horizon(scene),
             disk: scene.disk.enabled && traces(scene.view),
             disk_model: if scene.disk.enabled && !marks { scene.disk.model } else { DiskModel::default() },
             sky,
@@ -269,7 +277,7 @@ impl Variant {
             Tracer::Verlet => parts.push(part!("method/verlet.wgsl")),
             Tracer::Straight => parts.push(part!("method/straight.wgsl")),
             Tracer::Closed => parts.extend([part!("elliptic.wgsl"), part!("method/closed.wgsl")]),
-            Tracer::Mino => parts.push(part!("method/mino.wgsl")),
+            Tracer::Mino => parts.extend([part!("method/mino_azimuth.wgsl"), part!("method/mino.wgsl")]),
             Tracer::KerrSchild => parts.push(part!("method/kerr_schild.wgsl")),
         }
         parts

@@ -59,3 +59,30 @@ fn sine_and_cosine_have_their_stated_error() {
         assert!(error < 2e-7, "{angle}: {pair} is {error:e} off");
     }
 }
+
+#[test]
+fn the_logarithm_has_its_stated_error() {
+    let Some(gpu) = gpu() else { return };
+    let source = concat!(
+        "const PI: f32 = 3.14159265358979; const TINY: f32 = 1e-30;\n",
+        include_str!("../../shaders/elementary.wgsl"),
+        "@group(0) @binding(2) var<storage, read> numbers: array<f32>;
+         @group(0) @binding(3) var<storage, read_write> logarithms: array<f32>;
+         @compute @workgroup_size(64) fn logarithms_of(@builtin(global_invocation_id) id: vec3<u32>) {
+             if id.x < arrayLength(&numbers) {
+                 logarithms[id.x] = logarithm(numbers[id.x]);
+             }
+         }"
+    );
+    let kernel = Kernel::new(gpu, source, "logarithms_of", &[]).unwrap();
+    // From 1e-30 to 1e30, and closely about 1, where it vanishes.
+    let wide = (-60_000..=60_000).map(|i| 10.0_f64.powf(f64::from(i) * 5e-4) as f32);
+    let close = (-20_000..=20_000).map(|i| 1.0 + i as f32 * 1e-5);
+    let numbers: Vec<f32> = wide.chain(close).collect();
+    let logarithms: Vec<f32> = kernel.run(gpu, &numbers).unwrap();
+    for (number, logarithm) in numbers.iter().zip(logarithms) {
+        let truth = f64::from(*number).ln();
+        // Relative: of lengths of light's way next to a horizon, which are many radians.
+        assert!((f64::from(logarithm) - truth).abs() <= 3e-7 * truth.abs(), "{number}: {logarithm} against {truth}");
+    }
+}

@@ -69,16 +69,25 @@ fn closed_and_mino_hold_every_extreme_cell() {
     // As many rays as the command takes by default.
     let cells = cells(96);
     let verdicts = run(gpu, &cells, &[Method::Closed, Method::Mino], |_| {}).unwrap();
-    // At its tightest, single rays of mino deep in the throat of a fast hole are beyond the bar on one adapter or another
-    // (docs/EXTREMES.md), by no more than this.
-    let nearly = |verdict: &&Verdict| verdict.method == "mino, tightest" && verdict.backward_max < 1e-5;
-    let sound = |verdict: &Verdict| verdict.unfinished == 0 && verdict.not_finite == 0;
-    let passes = |verdict: &&Verdict| verdict.holds || sound(verdict) && nearly(verdict);
-    let failing: Vec<_> = verdicts.iter().filter(|verdict| !passes(verdict)).collect();
+    let failing: Vec<&Verdict> = verdicts.iter().filter(|verdict| !verdict.holds).collect();
     assert!(failing.is_empty(), "{} of {}: {failing:#?}", failing.len(), verdicts.len());
-    let beyond = verdicts.iter().filter(|verdict| !verdict.holds).count();
-    assert!(beyond <= 5, "{beyond} cells have a ray beyond the tightest bar");
     assert!(verdicts.len() > 250 && verdicts.iter().all(|verdict| verdict.rays >= 32));
+}
+
+/// Where azimuths are hardest: in the throats of almost extremal holes, where hundreds of radians of dragging are the
+/// difference that counts, and for a camera next to the horizon. As many rays as docs/EXTREMES.md is of.
+#[test]
+fn every_ray_next_to_a_spinning_horizon_is_within_the_tightest_bar() {
+    let Some(gpu) = gpu() else { return };
+    let mut cells = cells(512);
+    let named = |name: &str| name.contains("0.9999, from") || name == "chi 0.9, 1.0001 r_+, falling";
+    cells.retain(|cell| named(&cell.name));
+    let verdicts = run(gpu, &cells, &[Method::Mino], |_| {}).unwrap();
+    assert_eq!(verdicts.len(), 6, "both signs of 0.9999 and the camera at the horizon, at two settings each");
+    for verdict in verdicts {
+        println!("{} by {}: {:e} rad", verdict.cell, verdict.method, verdict.backward_max);
+        assert!(verdict.holds, "{verdict:#?}");
+    }
 }
 
 #[test]

@@ -146,3 +146,21 @@ fn quantiles_are_values_of_the_set_and_what_is_no_number_is_the_worst() {
     assert_eq!(Quantiles::of([1.0, f64::NAN].into_iter()).max, f64::INFINITY);
     assert!(Quantiles::of(std::iter::empty()).max.is_nan());
 }
+
+/// Next to an almost extremal hole a hundredth of the distance to the edge is an orbit, so a small turn is many of them away.
+#[test]
+fn a_known_turn_is_found_where_it_is_many_orbits_of_a_fast_hole() {
+    let scene = scene(0.99999);
+    let truth = Truth::of(&scene, critical(&scene, 64, [1e-5, 1e-3])).expect("a static observer");
+    let angle = 1e-7;
+    let errors = truth.judge(&answers_to_turned_rays(&scene, &truth, angle));
+    let seen = truth.traces.iter().zip(&errors).filter(|(truth, error)| truth.sky.is_some() && !error.misclassified);
+    let (mut far, mut worst) = (0, 0.0);
+    for (_, error) in seen {
+        far += usize::from(error.sky.is_some_and(|sky| sky > 0.1));
+        worst = f64::max(worst, error.backward);
+    }
+    assert!(far > 5, "{far} of the answers are far off");
+    // Every turn found is one that explains the answer, but the shortest may hide between two orbits: 7 times at most.
+    assert!(worst <= 10.0 * angle, "a turn of {angle:e} was found to be {worst:e}");
+}
