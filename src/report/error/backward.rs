@@ -1,7 +1,7 @@
 //! The backward error: by how much a ray must be turned for the reference to give the method's answer, up to an angle no
 //! greater than that turn.
 
-use super::chart::Chart;
+use super::chart::{Chart, DIFFERENCE};
 use super::sample::Ray;
 use super::{Eye, greater};
 use crate::physics::trace::{Hit, Trace};
@@ -10,11 +10,12 @@ use std::f64::consts::{PI, TAU};
 
 /// Most steps of Newton's method.
 const MOST_STEPS: u32 = 24;
-/// Share of a chart's unit over which differences are taken: the derivative is then right to this share, and the reference's
-/// twelve digits leave enough of the difference.
-const DIFFERENCE: f64 = 1e-4;
 /// Share of the way at which Newton's method has arrived.
 const SETTLED: f64 = 1e-6;
+/// Least damping of a step, as a logarithm. Where rays are focused onto one point nothing explains an answer's last digits, and
+/// a step hardly damped goes far astray; next to an edge a step along it needs it.
+const DAMPED: f64 = -30.0;
+const FREE: f64 = -70.0;
 /// Within this share of the distance to the edge the plane is as good a chart as the edge's own; beyond so many of them an
 /// explanation may not be the nearest.
 const NEAR: f64 = 0.1;
@@ -117,7 +118,7 @@ pub(super) fn in_plane(eye: &Eye, ray: &Ray, part: Part, seen: &dyn Fn(f64, &Tra
         seen(plane.turn(place), &trace);
         part.miss(&trace)
     };
-    newton(&plane, &at, DVec2::ZERO)
+    newton(&plane, &at, DVec2::ZERO, DAMPED)
 }
 
 /// The same by the edge's own chart; `fine` is good enough, and `least` is known.
@@ -134,7 +135,10 @@ pub(super) fn beside_edge(
         part.miss(&trace)
     };
     if least > NEAR * chart.scale {
-        least = least.min(newton(chart, &at, along_edge(&at, 0.0)));
+        least = least.min(newton(chart, &at, along_edge(&at, 0.0), DAMPED));
+    }
+    if least > fine.max(FAR * chart.scale) {
+        least = least.min(newton(chart, &at, along_edge(&at, 0.0), FREE));
     }
     // Where rays wind fast, others that give the same answer are next to any.
     let near = if rate(eye, chart, part, 0.0).is_some_and(|[_, rate]| rate.abs() > FAST) { NEAR * NEAR } else { FAR };
@@ -157,7 +161,7 @@ pub(super) fn beside_edge(
             break;
         }
         for start in starts(eye, chart, part, place) {
-            least = least.min(newton(chart, &at, along_edge(&at, start)));
+            least = least.min(newton(chart, &at, along_edge(&at, start), FREE));
         }
     }
     least
@@ -228,13 +232,15 @@ fn along_edge(at: &impl Fn(DVec2) -> Option<DVec2>, start: f64) -> DVec2 {
 }
 
 /// Newton's method for the smallest place that explains an answer: the least bound met on the way.
-fn newton(chart: &Chart, at: &impl Fn(DVec2) -> Option<DVec2>, start: DVec2) -> f64 {
+fn newton(chart: &Chart, at: &impl Fn(DVec2) -> Option<DVec2>, start: DVec2, damping: f64) -> f64 {
     let mut least = f64::INFINITY;
     let mut place = start;
     for _ in 0..MOST_STEPS {
         let Some(left) = at(place) else { break };
         least = least.min(f64::max(chart.turn(place), left.length()));
-        let Some(step) = jacobian(at, place, left).and_then(|jacobian| smallest(chart, place, left, jacobian)) else {
+        let Some(step) =
+            jacobian(chart, at, place, left).and_then(|jacobian| smallest(chart, place, left, jacobian, damping))
+        else {
             break;
         };
         let step = step - place;
@@ -247,17 +253,22 @@ fn newton(chart: &Chart, at: &impl Fn(DVec2) -> Option<DVec2>, start: DVec2) -> 
 }
 
 /// The nearest place to the ray from which a miss that is linear in the place is no greater than the turn to there.
-fn smallest(chart: &Chart, place: DVec2, left: DVec2, jacobian: DMat2) -> Option<DVec2> {
+fn smallest(chart: &Chart, place: DVec2, left: DVec2, jacobian: DMat2, damping: f64) -> Option<DVec2> {
     let aim = jacobian * place - left;
-    let square = jacobian.transpose() * jacobian;
-    let largest = square.x_axis.x + square.y_axis.y;
+    // Columns of length one first: next to an edge a turn across it does so much more than one along it that the square of the
+    // ratio is beyond f64.
+    // A direction may do nothing at all.
+    let lengths = DVec2::new(jacobian.x_axis.length(), jacobian.y_axis.length()).max(DVec2::splat(1e-100));
+    let unit = jacobian * DMat2::from_diagonal(1.0 / lengths);
+    let square = unit.transpose() * unit;
+    let largest = lengths.length_squared();
     let solution = |exponent: f64| {
-        let damped = square + DMat2::from_diagonal(DVec2::splat(largest * exponent.exp()));
-        damped.inverse() * (jacobian.transpose() * aim)
+        let damped = square + DMat2::from_diagonal(largest * exponent.exp() / (lengths * lengths));
+        damped.inverse() * (unit.transpose() * aim) / lengths
     };
     let allowed = |x: DVec2| chart.scale * x.length();
-    let mut bracket = [-30.0, 5.0];
-    for _ in 0..40 {
+    let mut bracket = [damping, 5.0];
+    for _ in 0..50 {
         let middle = 0.5 * (bracket[0] + bracket[1]);
         let x = solution(middle);
         bracket[usize::from((jacobian * x - aim).length() > allowed(x))] = middle;
@@ -266,10 +277,12 @@ fn smallest(chart: &Chart, place: DVec2, left: DVec2, jacobian: DMat2) -> Option
 }
 
 /// The derivative of the miss, by differences, on whichever side there is something.
-fn jacobian(at: &impl Fn(DVec2) -> Option<DVec2>, place: DVec2, left: DVec2) -> Option<DMat2> {
+fn jacobian(chart: &Chart, at: &impl Fn(DVec2) -> Option<DVec2>, place: DVec2, left: DVec2) -> Option<DMat2> {
+    let differences = chart.differences();
     let derivative = |axis: DVec2| {
         let sided = |h: f64| at(place + h * axis).map(|miss| (miss - left) / h);
-        match (sided(DIFFERENCE), sided(-DIFFERENCE)) {
+        let difference = axis.dot(differences);
+        match (sided(difference), sided(-difference)) {
             (Some(a), Some(b)) => Some(0.5 * (a + b)),
             (a, b) => a.or(b),
         }

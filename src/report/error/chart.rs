@@ -6,6 +6,11 @@ use super::{Eye, angle_between};
 use crate::physics::trace::Trace;
 use glam::{DVec2, DVec3};
 
+/// Share of a chart's unit over which differences are taken: the derivative is then right to this share, and the reference's
+/// twelve digits leave enough of the difference.
+pub(super) const DIFFERENCE: f64 = 1e-4;
+/// The same along an edge, as a share of its radius.
+const ALONG_EDGE: f64 = 1e-5;
 /// Steps along the line toward an edge, in powers of e of the distance to it, how far the line goes in these, and how many
 /// steps it has.
 const LEAST_STEP: f64 = 1e-4;
@@ -69,6 +74,15 @@ impl Chart {
     pub(super) fn reach(&self) -> DVec2 {
         let far = (0.01 / self.scale).max(1.0);
         if matches!(self.kind, Kind::Edge(..)) { DVec2::new(1.0, far) } else { DVec2::splat(far) }
+    }
+
+    /// The coordinates over which to take differences: a small share of the unit, but along an edge no less than a small share
+    /// of its radius, lest next to it the difference be that of the reference's rounding across the edge.
+    pub(super) fn differences(&self) -> DVec2 {
+        match self.kind {
+            Kind::Plane(_) => DVec2::splat(DIFFERENCE),
+            Kind::Edge(_, _, arc, _) => DVec2::new(DIFFERENCE, f64::max(DIFFERENCE, ALONG_EDGE * arc / self.scale)),
+        }
     }
 
     /// The turn from the ray to the direction at two coordinates, in radians.
