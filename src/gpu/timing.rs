@@ -18,8 +18,8 @@ const WORKGROUP: u32 = 64;
 /// Most workgroups along one axis of a dispatch, whatever the device.
 const MOST_COLUMNS: u32 = 1 << 15;
 
-/// Least time to run before anything counts: clocks rise under load.
-const WARM_UP: Duration = Duration::from_millis(60);
+/// Time to run before anything counts, as a multiple of the effort's longest: clocks rise under load, but not at once.
+const WARM_UP: u32 = 2;
 
 /// The CPU's clock is read around as many runs as take this long, so that what it costs to submit them is little.
 const LEAST_SAMPLE: Duration = Duration::from_millis(10);
@@ -123,7 +123,7 @@ impl Stopwatch {
     /// # Errors
     /// A device that failed.
     pub fn time(&self, gpu: &Gpu, effort: Effort) -> Result<Timing, GpuError> {
-        let warm_up = gpu.validated(|| self.warm_up(gpu)).map_err(GpuError::Device)?;
+        let warm_up = gpu.validated(|| self.warm_up(gpu, WARM_UP * effort.longest)).map_err(GpuError::Device)?;
         let one = warm_up.map_err(|error| GpuError::Device(error.to_string()))?;
         let runs = (LEAST_SAMPLE.as_secs_f64() / one.as_secs_f64()).clamp(1.0, MOST_RUNS_A_SAMPLE) as u32;
         let began = Instant::now();
@@ -142,13 +142,13 @@ impl Stopwatch {
     }
 
     /// Runs until nothing is cold any more, and tells how long the last run took.
-    fn warm_up(&self, gpu: &Gpu) -> Result<Duration, wgpu::PollError> {
+    fn warm_up(&self, gpu: &Gpu, least: Duration) -> Result<Duration, wgpu::PollError> {
         let began = Instant::now();
         loop {
             let this = Instant::now();
             self.submit(gpu, 1);
             gpu.device.poll(wgpu::PollType::wait_indefinitely())?;
-            if began.elapsed() > WARM_UP {
+            if began.elapsed() > least {
                 return Ok(this.elapsed());
             }
         }

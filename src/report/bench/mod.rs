@@ -115,6 +115,8 @@ impl Plan {
             let truth = Truth::of(&subject.scene, rays)?;
             let given: Vec<_> = truth.rays.iter().map(super::error::Ray::given).collect();
             let mut made: Option<(Method, Stopwatch, RayKernel)> = None;
+            let mut answers = Vec::new();
+            // All is timed before anything is judged: a GPU that waits for the CPU in between lowers its clocks.
             for setting in self.rows_of(subject) {
                 let scene = &setting.scene;
                 // A method's settings share one shader.
@@ -129,6 +131,9 @@ impl Plan {
                 stopwatch.turn_to(gpu, scene)?;
                 let timing = stopwatch.time(gpu, self.effort)?;
                 let traces = kernel.trace(gpu, scene, &given)?;
+                answers.push((setting, timing, traces));
+            }
+            for (setting, timing, traces) in answers {
                 let measured = Measured::new(&subject.name, &setting, timing, &truth, &traces);
                 done(&measured);
                 all.push(measured);
