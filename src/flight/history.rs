@@ -71,15 +71,16 @@ impl History {
         self.loaded = after.clone();
     }
 
-    /// What the scene `now` is without the last change; none if there is no change left. The change is forgotten, also
-    /// where it cannot be undone.
+    /// What the scene `now` is without the last change; none if there is no change left. Where the camera has gone to a place
+    /// that forbids it, the place of the change comes back, too. The change is forgotten, also where it cannot be undone.
     ///
     /// # Errors
     /// Why the scene without it cannot be drawn.
     pub fn undo(&mut self, now: &Scene) -> Option<Result<Scene, String>> {
         let Change { before, after, loaded, .. } = self.past.pop_back()?;
         let undone = now.with(before.differences(&after)).map_err(|refusal| refusal.to_string());
-        Some(undone.and_then(drawable).inspect(|_| self.loaded = loaded))
+        let undone = undone.and_then(drawable).or_else(|refusal| drawable(before).map_err(|_| refusal));
+        Some(undone.inspect(|_| self.loaded = loaded))
     }
 }
 

@@ -192,7 +192,7 @@ fn ending(voyage: &Voyage, scene: &Scene) -> String {
                     "From here on the tide and the blueshift grow without limit, and no picture would be true.".into()
                 }
                 false => format!(
-                    "Toward the inner horizon, at {inner:.3}, what falls in after you is blueshifted without limit, and what a \
+                    "Toward the inner horizon, at {inner:.3}, light that fell in with the hole's turning is blueshifted without limit, and what a \
                      real hole is like there nobody knows: no picture would be true."
                 ),
             };

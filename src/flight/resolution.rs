@@ -76,9 +76,10 @@ impl Resolution {
         self.drawn = if share >= 1.0 { self.full } else { scaled(self.full, share) };
         self.cells = self.grid.min(self.drawn);
         if self.cells != self.grid {
-            // Both sides by the same share, or cells would not be square.
-            let fits = (self.drawn.as_dvec2() / self.grid.as_dvec2()).min_element();
-            self.cells = scaled(self.grid, fits).min(self.drawn);
+            // Both sides by the same share, or cells would not be square,
+            // and by a whole number, or they would not fill what the finer ones fill.
+            let fits = (self.grid.as_dvec2() / self.drawn.as_dvec2()).max_element().ceil();
+            self.cells = scaled(self.grid, 1.0 / fits).min(self.drawn);
         }
     }
 }

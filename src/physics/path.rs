@@ -124,8 +124,11 @@ fn bent(surroundings: Surroundings, photon: &Photon, r: f64, n: DVec3, trace: &T
 /// Places along a ray to its very end, also where the trace knows the outcome earlier.
 fn places(surroundings: Surroundings, constants: &Constants, start: State, farthest: f64) -> Vec<DVec3> {
     let u_end = (1.0 - HORIZON_MARGIN) / surroundings.kerr.horizon();
-    // A path that begins inside the horizon, or next to it, ends there only if it comes back.
+    // A path that begins inside the horizon, or next to it, ends there only if it comes back. Light from the horizon's other
+    // branch never was outside, and its path ends where that branch is.
     let mut outside = start.u < u_end;
+    let u_horizon = 1.0 / surroundings.kerr.horizon();
+    let kept_inside = start.u >= u_horizon && constants.ingoing_energy(u_horizon) <= 0.0;
     let least = 1.0 / farthest;
     let place = |state: &State| DMat3::from_rotation_z(state.chi) * state.n / state.u;
     let mut places = vec![place(&start)];
@@ -137,7 +140,7 @@ fn places(surroundings: Surroundings, constants: &Constants, start: State, farth
             let next = expansion.at(reach * i as f64 / PLACES as f64);
             let ended = !next.u.is_finite() || !next.n.is_finite() || (outside && next.u >= u_end && next.du > 0.0);
             outside |= next.u < u_end;
-            if ended || next.u <= least && next.du < 0.0 {
+            if ended || next.u <= least && next.du < 0.0 || kept_inside && next.u <= u_horizon {
                 return places;
             }
             places.push(place(&next));

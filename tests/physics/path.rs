@@ -1,11 +1,12 @@
 //! The path of a ray, as the ray inspector shows it, against integrals and closed forms of its own.
 
 use glam::{DVec2, DVec3};
+use lightfall::physics::kerr::Kerr;
 use lightfall::physics::path::Path;
 use lightfall::physics::reference::Reference;
 use lightfall::physics::trace::Outcome;
 use lightfall::report::inspection::Inspected;
-use lightfall::scene::{Scene, presets};
+use lightfall::scene::{ObserverKind, Scene, presets};
 use std::f64::consts::PI;
 
 /// Directions across the picture of a scene, ten by six.
@@ -54,6 +55,39 @@ fn a_path_begins_at_the_camera_and_ends_where_its_trace_ends() {
                 assert!(nearest < path.closest_r * 1.05, "{}: {nearest} {}", scene.name, path.closest_r);
             }
         }
+    }
+}
+
+/// From inside, a backward ray either leads out through the horizon, to the sky or back again, or to where no light from
+/// outside comes: then it stays in.
+#[test]
+fn paths_from_inside_lead_out_only_where_light_came_in() {
+    for spin in [0.0, 0.9] {
+        let mut scene = presets::find("2").unwrap().scene(&[]).unwrap();
+        scene.hole.spin = spin;
+        scene.camera.r = 0.6;
+        scene.observer.kind = ObserverKind::Rain;
+        scene.disk.enabled = false;
+        let horizon = Kerr { spin }.horizon();
+        let reference = Reference::new(&scene).unwrap();
+        let mut seen = [0, 0];
+        // All around her.
+        for i in 0..600 {
+            let (height, turn) = ((f64::from(i) + 0.5) / 300.0 - 1.0, 2.4 * f64::from(i));
+            let across = (1.0 - height * height).sqrt();
+            let direction = DVec3::new(height, across * turn.cos(), across * turn.sin());
+            let (trace, path) = Path::of(&reference, direction, 60.0);
+            let farthest = path.places.iter().map(|place| place.length()).fold(0.0, f64::max);
+            if trace.outcome == Outcome::Sky {
+                assert!(farthest > 10.0, "spin {spin}, {direction}: {farthest}");
+                seen[0] += 1;
+            } else if trace.steps == 0 {
+                // The reference knows without a step that nothing from outside comes from there.
+                assert!(farthest <= horizon * (1.0 + 1e-9), "spin {spin}, {direction}: {farthest}");
+                seen[1] += 1;
+            }
+        }
+        assert!(seen[0] > 5 && seen[1] > 5, "spin {spin}: {seen:?}");
     }
 }
 

@@ -73,7 +73,7 @@ fn no_more_changes_are_kept_than_fit() {
 }
 
 #[test]
-fn a_change_that_cannot_be_undone_says_why() {
+fn a_change_that_the_cameras_place_forbids_to_undo_is_undone_with_the_place() {
     // Without the spin that was added, the camera that flew in since would be inside the horizon.
     let start = Scene::default();
     let mut spinning = start.clone();
@@ -81,5 +81,16 @@ fn a_change_that_cannot_be_undone_says_why() {
     let mut history = History::new(start.clone());
     history.note(&start, &spinning, seconds(1));
     spinning.camera.r = 0.9;
+    assert_eq!(history.undo(&spinning), Some(Ok(start)));
+}
+
+#[test]
+fn a_change_that_cannot_be_undone_says_why() {
+    let mut impossible = Scene::default();
+    impossible.camera.r = 0.9;
+    let mut spinning = impossible.clone();
+    spinning.hole.spin = 0.9;
+    let mut history = History::new(Scene::default());
+    history.note(&impossible, &spinning, seconds(1));
     assert!(history.undo(&spinning).unwrap().unwrap_err().contains("camera.r = 0.9 is refused"));
 }
