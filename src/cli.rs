@@ -19,6 +19,8 @@ Examples:
   lightfall                                      fly, from preset 2
   lightfall --preset einstein-ring               fly, from another place
   lightfall render --preset 2 -o disk.png        one picture
+  lightfall render --preset 2 --aov all -o disk.exr     linear light, and what each pixel's ray tells
+  lightfall render --frames 0..299 -o flight-####.png   ten seconds of the built-in journey
   lightfall render --set camera.r=8 --set camera.theta_deg=60 --set sky.mode=grid -o near.png
   echo 0,0,1 | lightfall trace --rays - --device cpu
   lightfall presets show 2                       every field, with its meaning and range
@@ -63,7 +65,7 @@ pub enum Command {
     /// List graphics adapters: what `--list-gpus` asks for.
     #[command(skip)]
     ListGpus,
-    /// Render one picture into a file, without a window.
+    /// Render a picture, or a journey as a sequence of them, without a window.
     Render(RenderArgs),
     /// Trace rays, CSV in and CSV out.
     #[command(
@@ -108,8 +110,17 @@ pub fn read_all<I: IntoIterator<Item: Into<OsString> + Clone>>(args: I) -> Resul
 fn asked(before: SceneArgs, journey: Option<PathBuf>, command: Option<Command>) -> Result<Command, clap::Error> {
     let Some(mut command) = command else { return Ok(Command::Fly(FlyArgs { scene: before, journey })) };
     let conflict = |message: &str| Cli::command().error(ErrorKind::ArgumentConflict, message);
+    let mut journey = journey;
+    if let Command::Render(RenderArgs { journey: after, frames: Some(_), .. }) = &mut command {
+        if journey.is_some() && after.is_some() {
+            return Err(conflict("--journey may be given once: before the command or after it"));
+        }
+        *after = journey.take().or(after.take());
+    } else if let Command::Render(RenderArgs { journey: after, .. }) = &mut command {
+        journey = journey.or(after.take());
+    }
     if journey.is_some() {
-        return Err(conflict("--journey is for flying, without a command"));
+        return Err(conflict("--journey is for flying, without a command, and for `render` with --frames"));
     }
     match &mut command {
         Command::Fly(fly) => fly.scene = before,

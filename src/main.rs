@@ -3,18 +3,18 @@
 mod commands;
 
 use glam::UVec2;
-use lightfall::cli::{self, Command, Device, FlyArgs, GpuArgs, RenderArgs, SceneArgs, TraceArgs};
+use lightfall::cli::{self, Command, Device, FlyArgs, GpuArgs, SceneArgs, TraceArgs};
 use lightfall::flight;
 use lightfall::gpu::{self, Gpu, GpuScene};
 use lightfall::physics::reference::Reference;
 use lightfall::physics::trace::Trace;
-use lightfall::picture::{self, PassTime, Still};
+use lightfall::picture;
 use lightfall::report::rays::{self, RayReader, TraceWriter};
 use lightfall::scene::Scene;
 use rayon::prelude::*;
 use std::error::Error;
 use std::io::{self, BufReader, BufWriter, Read};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// What stopped the program: its exit status and one sentence.
@@ -51,7 +51,7 @@ fn main() -> ExitCode {
     let done = match command {
         Command::Fly(args) => fly(&args),
         Command::ListGpus => list_adapters(),
-        Command::Render(args) => render(&args),
+        Command::Render(args) => commands::render(&args),
         Command::Trace(args) => trace(&args),
         Command::Bench(args) => commands::bench(&args),
         Command::Extremes(args) => commands::extremes(&args),
@@ -117,7 +117,7 @@ fn fly(args: &FlyArgs) -> Result<(), Stop> {
         eprintln!("lightfall: no display ({reason}); rendering the scene to a picture instead");
         let file = unused_name(&scene.name);
         let still = picture::render(&scene, UVec2::new(scene.picture.width, scene.picture.height)).map_err(failed)?;
-        return write(&file, &still);
+        return commands::write_still(&file, &still, &scene);
     }
     match flight::fly(scene, journey, args.journey.is_some()) {
         bevy::app::AppExit::Success => Ok(()),
@@ -131,33 +131,6 @@ fn unused_name(scene: &str) -> PathBuf {
     let numbered = (2..).map(|number| format!("lightfall-{safe}-{number}.png"));
     let names = std::iter::once(format!("lightfall-{safe}.png")).chain(numbered).map(PathBuf::from);
     names.into_iter().find(|name| !name.exists()).unwrap_or_else(|| "lightfall.png".into())
-}
-
-fn render(args: &RenderArgs) -> Result<(), Stop> {
-    // The file first: a picture that cannot be kept is not worth the work.
-    let scene = scene(&args.scene)?;
-    picture::check_path(&args.out).map_err(refused)?;
-    check_drawable(&scene)?;
-    let size = args.size.unwrap_or(UVec2::new(scene.picture.width, scene.picture.height));
-    let still = if args.timings {
-        let (still, times) = picture::render_timed(&scene, size, TIMED_FRAMES).map_err(failed)?;
-        eprintln!("{:>10}{:>10}  pass (GPU time in ms, median of {TIMED_FRAMES} frames)", "drawn", "kept");
-        for PassTime { pass, median_ms, kept_ms } in times {
-            eprintln!("{median_ms:>10.3}{kept_ms:>10.3}  {pass}");
-        }
-        still
-    } else {
-        picture::render(&scene, size).map_err(failed)?
-    };
-    write(&args.out, &still)
-}
-
-/// Frames that `render --timings` takes the median of.
-const TIMED_FRAMES: usize = 15;
-
-fn write(file: &Path, still: &Still) -> Result<(), Stop> {
-    picture::write_png(file, still.width, still.height, &still.rgb).map_err(failed)?;
-    commands::print(&format!("{}\n", file.display()))
 }
 
 fn trace(args: &TraceArgs) -> Result<(), Stop> {

@@ -1,6 +1,7 @@
 //! What each command is told.
 
 use super::size;
+use crate::picture::{CHANNELS, Channels, Frames, frame_rate};
 use crate::scene::{Field, Override, SceneError, field};
 use clap::{Args, Subcommand, ValueEnum};
 use glam::UVec2;
@@ -26,7 +27,8 @@ pub struct GpuArgs {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Args)]
 #[command(next_help_heading = "Scene")]
 pub struct SceneArgs {
-    /// Preset to start from: a number or name (see `lightfall presets list`) or a TOML file [default: 2]
+    /// Preset to start from: a number or name (see `lightfall presets list`), a TOML file, or a picture drawn
+    /// from one [default: 2]
     #[arg(long, value_name = "N|NAME|PATH")]
     pub preset: Option<OsString>,
     /// Set one field of the preset, e.g. camera.r=20; may be given many times, the last one wins
@@ -54,20 +56,49 @@ pub struct FlyArgs {
 
 /// What `lightfall render` is told.
 #[derive(Debug, Args)]
+#[command(after_help = about_pictures())]
 pub struct RenderArgs {
-    /// Picture to write; the ending decides the format. A file of this name is replaced
+    /// Picture to write; the ending decides the format: .png is what a window would show, .exr linear light and what rays tell.
+    /// A file of this name is replaced
     #[arg(short, long = "out", value_name = "FILE")]
     pub out: PathBuf,
-    /// Size of the output, in pixels, onto which the picture is enlarged as in a window [default: that of the picture].
-    /// How finely it is drawn say picture.width and picture.height, and picture.bypass=true takes the cells away
+    /// Size of the output, in pixels, onto which a .png is enlarged as in a window; how finely it is drawn say picture.width
+    /// and picture.height, and picture.bypass=true takes the cells away. Of an .exr, which has no cells, it is the size that
+    /// is drawn [default: that of the picture]
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<UVec2>,
+    /// Channels that an .exr has besides R, G, B and A, separated by commas: `all`, groups, or single ones, see below
+    #[arg(long, value_name = "LIST")]
+    pub aov: Option<Channels>,
+    /// Draw a journey as numbered pictures: frame k is what there is to see k/N seconds after its start. A and B are both
+    /// included. Frames after the end show the end
+    #[arg(long, value_name = "A..B")]
+    pub frames: Option<Frames>,
+    /// Frames a second
+    #[arg(long, value_name = "N", default_value_t = 30.0, value_parser = frame_rate, requires = "frames")]
+    pub fps: f64,
+    /// TOML file of the journey that --frames draws [default: the built-in one]
+    #[arg(long, value_name = "FILE")]
+    pub journey: Option<PathBuf>,
     /// Also say, on standard error, how long the GPU takes for each pass
-    #[arg(long)]
+    #[arg(long, conflicts_with = "frames")]
     pub timings: bool,
     /// Which scene.
     #[command(flatten)]
     pub scene: SceneArgs,
+}
+
+/// What stands under the help of `lightfall render`.
+fn about_pictures() -> String {
+    let channels = CHANNELS.map(|channel| format!("  {:9} {}\n", channel.name, channel.about)).concat();
+    format!(
+        "Channels (--aov), of the ray through each pixel's middle, whatever is in front of it; NaN where there is none. Groups \
+         are sky, hit1 and hit2:\n{channels}\n\
+         Names of a sequence: the last run of # stands for the number, with as many digits, as in fall-####.png; fall.png gives \
+         fall-0001.png and so on. The exposure is the scene's in all frames. The line that makes a video of them is printed at \
+         the end.\n\n\
+         Pictures hold the preset that drew them: `--preset picture.png` or `--preset picture.exr` takes it."
+    )
 }
 
 /// What `lightfall trace` is told.

@@ -2,6 +2,7 @@
 
 use super::args::{PresetsCommand, SceneArgs};
 use crate::gpu::{GpuError, GpuScene};
+use crate::picture::{embedded_preset, is_picture};
 use crate::report::rays::is_closed_pipe;
 use crate::scene::journey::{self, Journey, JourneyError};
 use crate::scene::{Override, Scene, SceneError, load, presets};
@@ -46,6 +47,15 @@ pub enum CliError {
     /// A preset file is not text.
     #[error("{}: is not UTF-8 text; presets and journeys are short TOML texts", path.display())]
     NotText {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A picture without a preset in it.
+    #[error(
+        "{}: holds no preset; of pictures those do that lightfall has drawn, and that no other program has changed",
+        path.display()
+    )]
+    NoPreset {
         /// The file.
         path: PathBuf,
     },
@@ -147,17 +157,20 @@ pub fn journey(file: Option<&Path>) -> Result<Journey, CliError> {
     })
 }
 
-/// The scene of a preset file.
+/// The scene of a preset file, or of the preset in a picture.
 fn from_file(path: &Path, overrides: &[Override]) -> Result<Scene, CliError> {
     Ok(load(&path.display().to_string(), &read_text(path)?, overrides)?)
 }
 
-/// The text of a file that is meant to be a short one.
+/// The text of a file that is meant to be a short one, or of the preset in a picture.
 fn read_text(path: &Path) -> Result<String, CliError> {
     let mut bytes = Vec::new();
     // Bounded, for there are files without an end.
     let read = File::open(path).and_then(|file| file.take(LONGEST_PRESET + 1).read_to_end(&mut bytes));
     read.map_err(|error| CliError::Unreadable { path: path.into(), error })?;
+    if is_picture(&bytes) {
+        return embedded_preset(&bytes).ok_or(CliError::NoPreset { path: path.into() });
+    }
     if bytes.len() as u64 > LONGEST_PRESET {
         return Err(CliError::TooLong { path: path.into() });
     }

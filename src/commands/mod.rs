@@ -2,9 +2,11 @@
 
 mod bench;
 mod extremes;
+mod render;
 
 pub use bench::bench;
 pub use extremes::extremes;
+pub use render::{render, write_still};
 
 use crate::{Stop, failed};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -29,17 +31,16 @@ fn circumstances(gpu: &Gpu, size: String, entry: &str) -> Circumstances {
         backend: info.backend.to_string(),
         size,
         entry: entry.into(),
-        commit: commit(),
+        commit: commit().unwrap_or_else(|| format!("version {}", env!("CARGO_PKG_VERSION"))),
         floor_ms: None,
         command: command(),
     }
 }
 
-/// The revision of the sources, where who runs the program says it in LIGHTFALL_COMMIT; else the version. Sources that lie
-/// about may be others than those that the program was built from, so they are not asked.
-fn commit() -> String {
-    let said = std::env::var("LIGHTFALL_COMMIT").ok().filter(|commit| !commit.is_empty());
-    said.unwrap_or_else(|| format!("version {}", env!("CARGO_PKG_VERSION")))
+/// The revision of the sources, where who runs the program says it in LIGHTFALL_COMMIT. Sources that lie about may be others
+/// than those that the program was built from, so they are not asked.
+fn commit() -> Option<String> {
+    std::env::var("LIGHTFALL_COMMIT").ok().filter(|commit| !commit.is_empty())
 }
 
 /// The command line, with the program's own name first.

@@ -5,6 +5,7 @@ use super::notice::Notice;
 use super::settings::pictures_folder;
 use crate::picture;
 use crate::render::CurrentScene;
+use crate::scene::Scene;
 use bevy::prelude::*;
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use std::fs::File;
@@ -32,9 +33,9 @@ fn take(mut asked: MessageReader<Command>, mut commands: Commands) {
 
 /// Encodes and writes in a thread of its own, so that no frame waits for it.
 fn write(captured: On<ScreenshotCaptured>, scene: Res<CurrentScene>, answers: Res<Answers>) {
-    let (image, name, sender) = (captured.image.clone(), scene.name.clone(), answers.sender.clone());
+    let (image, scene, sender) = (captured.image.clone(), scene.0.clone(), answers.sender.clone());
     std::thread::spawn(move || {
-        let answer = match written(image, &pictures_folder(), &name) {
+        let answer = match written(image, &pictures_folder(), &scene) {
             Ok(file) => format!("Screenshot: {}", file.display()),
             Err(reason) => format!("Screenshot: {reason}"),
         };
@@ -43,10 +44,10 @@ fn write(captured: On<ScreenshotCaptured>, scene: Res<CurrentScene>, answers: Re
     });
 }
 
-fn written(image: Image, folder: &Path, name: &str) -> Result<PathBuf, String> {
+fn written(image: Image, folder: &Path, scene: &Scene) -> Result<PathBuf, String> {
     let rgb = image.try_into_dynamic().map_err(|error| error.to_string())?.to_rgb8();
-    let file = reserved(folder, name)?;
-    let done = picture::write_png(&file, rgb.width(), rgb.height(), rgb.as_raw());
+    let file = reserved(folder, &scene.name)?;
+    let done = picture::write_png(&file, rgb.width(), rgb.height(), rgb.as_raw(), &scene.to_preset());
     if done.is_err() {
         // Only the empty file that holds the name.
         let _ = std::fs::remove_file(&file);

@@ -1,7 +1,6 @@
 //! Picture files: they appear whole or not at all.
 
-use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder};
+use super::PRESET_KEY;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -9,7 +8,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, thiserror::Error)]
 pub enum PictureError {
     /// The name has no extension that this program writes.
-    #[error("{path}: unknown picture format {extension:?}; allowed is .png")]
+    #[error("{path}: unknown picture format {extension:?}; allowed are .png and .exr")]
     Extension {
         /// The file asked for.
         path: PathBuf,
@@ -47,38 +46,61 @@ pub enum PictureError {
     /// The chain failed.
     #[error("the picture could not be drawn: {0}")]
     Draw(String),
+    /// Somebody has stopped the program.
+    #[error("interrupted; the pictures written before are whole")]
+    Interrupted,
 }
 
-/// Checks that a picture can be written at `path`, before any work is done for it.
+/// What kind of picture a file is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// What a window would show, in 8 bits a channel.
+    Png,
+    /// Linear light, and what rays tell.
+    Exr,
+}
+
+/// Checks that a picture can be written at `path`, before any work is done for it, and tells of which kind it will be.
 ///
 /// # Errors
 /// An unknown extension, or a folder that does not exist or cannot be written.
-pub fn check_path(path: &Path) -> Result<(), PictureError> {
+pub fn check_path(path: &Path) -> Result<Format, PictureError> {
     let extension = path.extension().unwrap_or_default().to_string_lossy().into_owned();
-    if !extension.eq_ignore_ascii_case("png") {
-        return Err(PictureError::Extension { path: path.into(), extension });
-    }
+    let format = match extension.to_ascii_lowercase().as_str() {
+        "png" => Format::Png,
+        "exr" => Format::Exr,
+        _ => return Err(PictureError::Extension { path: path.into(), extension }),
+    };
     if path.is_dir() {
         let source = std::io::Error::new(ErrorKind::IsADirectory, "it is a folder");
         return Err(PictureError::Write { path: path.into(), source });
     }
-    part_file(path).map(drop)
+    part_file(path).map(|_| format)
 }
 
-/// Writes 8-bit RGB rows, top first, as a PNG. The file appears under its name only when it is complete.
+/// Writes 8-bit RGB rows, top first, as a PNG, with the preset that drew them inside. The file appears under its name only
+/// when it is complete.
 ///
 /// # Errors
 /// What the encoder or the file system says, with the file's name.
-pub fn write_png(path: &Path, width: u32, height: u32, rgb: &[u8]) -> Result<(), PictureError> {
-    if rgb.len() as u64 != 3 * u64::from(width) * u64::from(height) {
-        let reason = format!("{} bytes do not make {width}x{height} pixels", rgb.len());
-        return Err(PictureError::Encode { path: path.into(), reason });
-    }
-    let mut bytes = Vec::new();
-    PngEncoder::new(&mut bytes)
-        .write_image(rgb, width, height, ExtendedColorType::Rgb8)
+pub fn write_png(path: &Path, width: u32, height: u32, rgb: &[u8], preset: &str) -> Result<(), PictureError> {
+    let bytes = encoded(width, height, rgb, preset)
         .map_err(|error| PictureError::Encode { path: path.into(), reason: error.to_string() })?;
     write_whole(path, &bytes)
+}
+
+fn encoded(width: u32, height: u32, rgb: &[u8], preset: &str) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.set_filter(png::Filter::Adaptive);
+    encoder.add_itxt_chunk(PRESET_KEY.into(), preset.into())?;
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(rgb)?;
+    writer.finish()?;
+    Ok(bytes)
 }
 
 /// Writes a text. The file appears under its name only when it is complete.
@@ -89,7 +111,8 @@ pub fn write_text(path: &Path, text: &str) -> Result<(), PictureError> {
     write_whole(path, text.as_bytes())
 }
 
-fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), PictureError> {
+/// Writes a file that appears under its name only when it is complete.
+pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), PictureError> {
     let mut part = part_file(path)?;
     let failed = |source| PictureError::Write { path: path.into(), source };
     part.write_all(bytes).map_err(failed)?;

@@ -1,8 +1,18 @@
-//! Pictures without a window: the same chain, drawn to an image and written as a whole file.
+//! Pictures without a window: the same chain, drawn to an image and written as a whole file; and sequences of them.
 
+mod channels;
+mod embedded;
 mod file;
+mod headless;
+mod open_exr;
+mod sequence;
 mod still;
 
-pub use file::{PictureError, check_path, write_png, write_text};
-pub(crate) use still::quiet_log;
-pub use still::{PassTime, Still, Studio, check_size, render, render_timed};
+pub use channels::{CHANNELS, Channel, Channels, PixelRays, Samples};
+pub use embedded::{PRESET_KEY, embedded_preset, is_picture};
+pub use file::{Format, PictureError, check_path, write_png, write_text};
+pub(crate) use headless::quiet_log;
+pub use headless::{Equipment, check_size};
+pub use open_exr::{Linear, write_exr};
+pub use sequence::{Frames, Sequence, frame_rate};
+pub use still::{PassTime, Still, Studio, render, render_timed};

@@ -1,23 +1,13 @@
 //! One picture of a scene, by the very chain of the window, with no window.
 
 use super::PictureError;
-use crate::gpu::GpuScene;
-use crate::render::{AlwaysDraw, AwaitErrors, CurrentScene, LightfallRenderPlugin, is_drawn, render_plugin};
+use super::headless::{Equipment, MOST_UPDATES, Output, headless, update, warm_up};
+use crate::render::{AlwaysDraw, Capture, Captured, CurrentScene, NEAR, ROW_ALIGNMENT};
 use crate::scene::Scene;
-use bevy::app::PluginsState;
-use bevy::asset::RenderAssetUsages;
-use bevy::camera::RenderTarget;
 use bevy::diagnostic::DiagnosticsStore;
-use bevy::log::LogPlugin;
 use bevy::prelude::*;
-use bevy::render::diagnostic::RenderDiagnosticsPlugin;
 use bevy::render::gpu_readback::{Readback, ReadbackComplete};
-use bevy::render::pipelined_rendering::PipelinedRenderingPlugin;
-use bevy::render::render_resource::{PollType, TextureFormat, TextureUsages};
 use bevy::render::renderer::RenderDevice;
-use bevy::render::settings::WgpuLimits;
-use bevy::window::ExitCondition;
-use bevy::winit::WinitPlugin;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -42,12 +32,6 @@ pub struct PassTime {
     pub kept_ms: f64,
 }
 
-/// Frames after which a picture that still isn't there is given up; compiling every pipeline takes a handful.
-const MOST_UPDATES: usize = 600;
-
-/// Bytes that a row of a texture copy is padded to (WebGPU's COPY_BYTES_PER_ROW_ALIGNMENT).
-const ROW_ALIGNMENT: usize = 256;
-
 /// The chain without a window, drawing one scene after another at one output size.
 pub struct Studio {
     app: App,
@@ -55,12 +39,22 @@ pub struct Studio {
 }
 
 impl Studio {
-    /// Draws a first scene; later ones come from the same device and its compiled passes.
+    /// Draws a first scene, and can time its passes; later scenes come from the same device and its compiled passes.
     ///
     /// # Errors
     /// A size the device can't do, or a chain that failed.
     pub fn open(scene: &Scene, size: UVec2) -> Result<Self, PictureError> {
-        let mut studio = Self { app: headless(scene, size, true)?, size };
+        Self::equipped(scene, size, Equipment { timed: true, light: false })
+    }
+
+    /// Draws a first scene, equipped for what is to be made of it and those to come.
+    ///
+    /// # Errors
+    /// As [`Studio::open`].
+    pub fn equipped(scene: &Scene, size: UVec2, equipment: Equipment) -> Result<Self, PictureError> {
+        let mut app = headless(scene, size, equipment)?;
+        app.init_resource::<Finished>();
+        let mut studio = Self { app, size };
         studio.settle()?;
         Ok(studio)
     }
@@ -86,6 +80,40 @@ impl Studio {
         read_back(&mut self.app, self.size)
     }
 
+    /// The linear light that the scene now shown was drawn with, before bloom, exposure and tone mapping; of a studio that keeps
+    /// light.
+    ///
+    /// # Errors
+    /// A chain that failed, or a studio that keeps no light.
+    pub fn light(&mut self) -> Result<Captured, PictureError> {
+        self.settle()?;
+        let world = self.app.world();
+        let (Some(capture), Some(device)) = (world.get_resource::<Capture>(), world.get_resource::<RenderDevice>())
+        else {
+            return Err(PictureError::Draw("nothing keeps its light".into()));
+        };
+        capture.read(device).map_err(PictureError::Draw)
+    }
+
+    /// Distance of the foreground from the camera's plane, in r_s, at the middle of each pixel of the scene now shown, rows
+    /// from the top; infinite where there is none. Of a studio that keeps light.
+    ///
+    /// # Errors
+    /// As [`Studio::light`].
+    pub fn depth(&mut self) -> Result<Vec<f32>, PictureError> {
+        let scene = self.app.world().resource::<CurrentScene>().0.clone();
+        if !scene.probe.enabled {
+            return Ok(vec![f32::INFINITY; scene.picture.width as usize * scene.picture.height as usize]);
+        }
+        // A pixel of several samples has several depths, which no device copies: it is drawn again with one.
+        let mut single = scene.clone();
+        single.probe.antialias = false;
+        self.show(&single);
+        let depth = self.light()?.depth.ok_or(PictureError::Draw("its depth has not been kept".into()))?;
+        self.show(&scene);
+        Ok(depth.into_iter().map(|depth| NEAR / depth).collect())
+    }
+
     /// Draws the scene `frames` more times to tell each pass's GPU time, and as many frames in which nothing changes. A
     /// device without timestamps gives an empty list.
     ///
@@ -109,9 +137,7 @@ impl Studio {
 /// # Errors
 /// A size the device can't do, or a chain that failed.
 pub fn render(scene: &Scene, size: UVec2) -> Result<Still, PictureError> {
-    let mut app = headless(scene, size, false)?;
-    warm_up(&mut app)?;
-    read_back(&mut app, size)
+    Studio::equipped(scene, size, Equipment::default())?.picture()
 }
 
 /// Like [`render`], with the GPU time of each pass, see [`Studio::time`].
@@ -152,92 +178,8 @@ fn medians(app: &mut App, frames: usize) -> Result<BTreeMap<String, f64>, Pictur
     Ok(samples.into_iter().map(|(pass, values)| (pass, median(values))).collect())
 }
 
-#[derive(Resource)]
-struct Output(Handle<Image>);
-
 #[derive(Resource, Default)]
 struct Finished(Option<Vec<u8>>);
-
-fn headless(scene: &Scene, size: UVec2, timed: bool) -> Result<App, PictureError> {
-    let mut app = App::new();
-    app.add_plugins(
-        DefaultPlugins
-            .set(WindowPlugin { primary_window: None, exit_condition: ExitCondition::DontExit, ..default() })
-            .set(render_plugin(true))
-            .build()
-            .disable::<LogPlugin>()
-            .disable::<WinitPlugin>()
-            .disable::<PipelinedRenderingPlugin>(),
-    );
-    // A process has one log, however many pictures it draws.
-    static LOG: std::sync::Once = std::sync::Once::new();
-    LOG.call_once(|| {
-        app.add_plugins(quiet_log());
-    });
-    if timed {
-        app.add_plugins(RenderDiagnosticsPlugin);
-    }
-    while app.plugins_state() == PluginsState::Adding {
-        bevy::tasks::tick_global_task_pools_on_main_thread();
-    }
-    check_size("size", size)?;
-    let picture = UVec2::new(scene.picture.width, scene.picture.height);
-    check_size("picture", picture)?;
-    GpuScene::new(scene, picture).map_err(|error| PictureError::Draw(error.to_string()))?;
-    let mut image = Image::new_target_texture(size.x, size.y, TextureFormat::Rgba8UnormSrgb, None);
-    image.asset_usage = RenderAssetUsages::RENDER_WORLD;
-    image.texture_descriptor.usage |= TextureUsages::COPY_SRC;
-    let output = app.world_mut().resource_mut::<Assets<Image>>().add(image);
-    app.insert_resource(Output(output.clone()))
-        .init_resource::<Finished>()
-        .insert_resource(AwaitErrors(true))
-        .add_plugins(LightfallRenderPlugin { scene: scene.clone(), target: RenderTarget::Image(output.into()) });
-    app.finish();
-    app.cleanup();
-    Ok(app)
-}
-
-/// Checks that a device can draw a picture of this size; `field` names it in the error.
-///
-/// # Errors
-/// A side of zero, or longer than every device that the passes run on can do.
-pub fn check_size(field: &'static str, size: UVec2) -> Result<(), PictureError> {
-    let limit = WgpuLimits::default().max_texture_dimension_2d;
-    if size.min_element() == 0 || size.max_element() > limit {
-        return Err(PictureError::Size { field, width: size.x, height: size.y, limit });
-    }
-    Ok(())
-}
-
-/// Warnings and errors only, on the standard error stream, unless RUST_LOG says otherwise.
-pub(crate) fn quiet_log() -> LogPlugin {
-    LogPlugin { filter: "error,lightfall=warn".into(), level: bevy::log::Level::WARN, ..default() }
-}
-
-fn update(app: &mut App) -> Result<(), PictureError> {
-    app.update();
-    if let Some(exit) = app.should_exit()
-        && exit.is_error()
-    {
-        return Err(PictureError::Draw("the graphics device reported an error".into()));
-    }
-    if let Some(device) = app.world().get_resource::<RenderDevice>() {
-        let waited = device.poll(PollType::Wait { submission_index: None, timeout: None });
-        waited.map_err(|error| PictureError::Draw(error.to_string()))?;
-    }
-    Ok(())
-}
-
-/// Updates until the scene is drawn, so that the picture is complete the first time it is taken.
-fn warm_up(app: &mut App) -> Result<(), PictureError> {
-    for _ in 0..MOST_UPDATES {
-        update(app)?;
-        if is_drawn(app).map_err(PictureError::Draw)? {
-            return Ok(());
-        }
-    }
-    Err(PictureError::Draw("its passes did not become ready".into()))
-}
 
 fn read_back(app: &mut App, size: UVec2) -> Result<Still, PictureError> {
     let output = app.world().resource::<Output>().0.clone();

@@ -1,13 +1,14 @@
 //! The two cameras: the eye, which sees the scene at the HDR picture's size, and the screen, which shows it.
 
-use super::CurrentScene;
 use super::chain::Chain;
+use super::{Capture, CurrentScene};
 use bevy::camera::{CameraOutputMode, CameraUpdateSystems, ClearColorConfig, Exposure, Hdr, RenderTarget};
 use bevy::core_pipeline::tonemapping::{DebandDither, Tonemapping};
 use bevy::light::cluster::ClusterConfig;
 use bevy::post_process::bloom::Bloom;
 use bevy::prelude::*;
 use bevy::render::extract_component::{ExtractComponent, ExtractComponentPlugin};
+use bevy::render::render_resource::TextureUsages;
 use bevy::render::view::{ColorGrading, ColorGradingGlobal, Msaa};
 
 /// Marks the camera that sees the scene.
@@ -19,7 +20,7 @@ pub struct Eye;
 pub struct Screen;
 
 /// Light in front of the eye, nearest distance drawn, in r_s.
-const NEAR: f32 = 1e-3;
+pub const NEAR: f32 = 1e-3;
 
 /// With this exposure value Bevy's photometric scale is one, so that lamps and traced light share their units.
 const UNIT_EV100: f32 = -0.263_034_4;
@@ -49,12 +50,13 @@ impl Plugin for EyePlugin {
     }
 }
 
-fn spawn(mut commands: Commands, target: Res<ScreenTarget>, scene: Res<CurrentScene>) {
+fn spawn(mut commands: Commands, target: Res<ScreenTarget>, scene: Res<CurrentScene>, capture: Option<Res<Capture>>) {
+    let copied = if capture.is_some() { TextureUsages::COPY_SRC } else { TextureUsages::empty() };
     // The eye writes to no output: the screen's passes read its picture. Nothing clears it either, since the probe and
     // the geodesic pass together cover every pixel.
     commands.spawn((
         Eye,
-        Camera3d::default(),
+        Camera3d { depth_texture_usages: (TextureUsages::RENDER_ATTACHMENT | copied).into(), ..default() },
         Camera { order: -1, clear_color: ClearColorConfig::None, output_mode: CameraOutputMode::Skip, ..default() },
         RenderTarget::None { size: UVec2::new(scene.picture.width, scene.picture.height) },
         Hdr,

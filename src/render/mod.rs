@@ -5,6 +5,7 @@
 //!   probe.rs         main_opaque_pass_3d     the foreground craft, with depth
 //!   geodesic.rs      GEODESIC                traced light where depth is zero (errors.rs: what the view `error` shows)
 //!                    main_transparent_pass_3d
+//!   capture.rs       (copy)                  light and depth aside, for a picture of linear light only
 //!   eye.rs           bloom -> tonemapping    Bevy's own
 //! screen camera (Core2d, window or still)
 //!   presentation.rs  PIXELATE                area reduction, quantization, Bayer pattern
@@ -12,6 +13,7 @@
 //!                    egui, output            Bevy's own
 //! ```
 
+mod capture;
 mod chain;
 mod errors;
 mod eye;
@@ -22,9 +24,10 @@ mod presentation;
 mod probe;
 pub mod recovery;
 
+pub use capture::{Capture, Captured, ROW_ALIGNMENT};
 pub use chain::{Chain, EMPTY_PASSES, Written};
 pub use errors::AwaitErrors;
-pub use eye::{Eye, Screen};
+pub use eye::{Eye, NEAR, Screen};
 pub use kept::{AlwaysDraw, Sight};
 pub use needs::needs;
 pub use presentation::{Letterbox, letterbox};
@@ -54,7 +57,7 @@ impl Plugin for LightfallRenderPlugin {
             .insert_resource(ClearColor(Color::BLACK))
             .add_plugins(ExtractResourcePlugin::<CurrentScene>::default())
             .add_plugins((eye::EyePlugin { target: self.target.clone() }, probe::plugin))
-            .add_plugins((geodesic::plugin, errors::plugin, kept::plugin, presentation::plugin));
+            .add_plugins((geodesic::plugin, errors::plugin, capture::plugin, kept::plugin, presentation::plugin));
     }
 }
 

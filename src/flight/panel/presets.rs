@@ -75,12 +75,14 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
     ui.separator();
     ui.strong("From a file");
     ui.horizontal(|ui| {
-        ui.add(egui::TextEdit::singleline(&mut state.path).hint_text("path of a preset").desired_width(220.0));
+        ui.add(
+            egui::TextEdit::singleline(&mut state.path).hint_text("path of a preset or picture").desired_width(220.0),
+        );
         if ui.button("Load").clicked() {
             open(state, editor, &PathBuf::from(state.path.trim()));
         }
     });
-    ui.weak("Or drop a preset file on the window. The same files serve `lightfall --preset` and `lightfall render`.");
+    ui.weak("Or drop a preset file on the window, or a picture that Lightfall drew. The same files serve `lightfall --preset` and `lightfall render`.");
     ui.weak(format!("Your own are in {}", folder.display()));
 }
 
@@ -134,7 +136,7 @@ fn preset_files(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// A preset file dropped on the window is loaded.
+/// A preset file dropped on the window is loaded, or the preset in a picture.
 pub(super) fn drop_file(mut drops: MessageReader<FileDragAndDrop>, mut editor: SceneEditor) {
     for drop in drops.read() {
         if let FileDragAndDrop::DroppedFile { path_buf, .. } = drop {

@@ -1,0 +1,200 @@
+//! What the rays of a picture tell besides light: the channels that an EXR picture can have, by name.
+
+use crate::gpu::rays::RayKernel;
+use crate::gpu::{Gpu, GpuError, Variant};
+use crate::physics::disk::{self, Profile};
+use crate::physics::trace::{Hit, Trace};
+use crate::scene::{Disk, Scene};
+use glam::{DVec2, Vec3};
+use std::str::FromStr;
+
+/// One number a pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct Channel {
+    /// Its name in the file; what stands before a dot is its group.
+    pub name: &'static str,
+    /// What it says, with its unit.
+    pub about: &'static str,
+    value: Value,
+}
+
+/// Where a channel's numbers come from.
+#[derive(Clone, Copy, Debug)]
+enum Value {
+    /// A number of the ray through the pixel's middle, or none.
+    Number(fn(&Seen) -> Option<f64>),
+    /// A whole number of that ray.
+    Count(fn(&Trace) -> u32),
+    /// The foreground's depth.
+    Depth,
+}
+
+/// A ray and the disk that it may meet.
+struct Seen<'a> {
+    trace: &'a Trace,
+    disk: &'a Disk,
+    profile: &'a Profile,
+}
+
+impl Seen<'_> {
+    fn hit(&self, which: usize, part: fn(Hit) -> f64) -> Option<f64> {
+        self.trace.hits[which].map(part)
+    }
+
+    fn temperature(&self, which: usize) -> Option<f64> {
+        self.trace.hits[which].map(|hit| disk::temperature(self.disk, self.profile.flux(hit.r)))
+    }
+}
+
+macro_rules! channels {
+    ($($name:literal $kind:ident $value:expr, $about:literal;)*) => {
+        [$(Channel { name: $name, about: $about, value: Value::$kind($value) },)*
+         Channel {
+             name: "depth",
+             about: "distance of the foreground probe from the camera's plane at the pixel's middle, in r_s; infinite where there \
+                     is none",
+             value: Value::Depth,
+         }]
+    };
+}
+
+/// Every channel besides R, G, B and A.
+pub const CHANNELS: [Channel; 15] = channels![
+    "sky.x" Number |seen| seen.trace.sky.map(|sky| sky.x),
+        "unit vector toward the source at infinity, in the hole's frame with the camera at azimuth camera.phi_deg: x";
+    "sky.y" Number |seen| seen.trace.sky.map(|sky| sky.y), "the same: y";
+    "sky.z" Number |seen| seen.trace.sky.map(|sky| sky.z), "the same: z, along the disk normal";
+    "hit1.r" Number |seen| seen.hit(0, |hit| hit.r), "first crossing of the disk along the backward ray: radius, in r_s";
+    "hit1.phi" Number |seen| seen.hit(0, |hit| hit.phi), "the same: azimuth, in radians, in (-pi, pi]";
+    "hit1.g" Number |seen| seen.hit(0, |hit| hit.g), "the same: observed over emitted frequency";
+    "hit1.T" Number |seen| seen.temperature(0), "the same: temperature of the matter, as emitted, in kelvin; it looks g T hot";
+    "hit2.r" Number |seen| seen.hit(1, |hit| hit.r), "second crossing of the disk: radius, in r_s";
+    "hit2.phi" Number |seen| seen.hit(1, |hit| hit.phi), "the same: azimuth, in radians, in (-pi, pi]";
+    "hit2.g" Number |seen| seen.hit(1, |hit| hit.g), "the same: observed over emitted frequency";
+    "hit2.T" Number |seen| seen.temperature(1), "the same: temperature of the matter, as emitted, in kelvin";
+    "outcome" Count |trace| trace.outcome as u32, "what becomes of the backward ray: 0 sky, 1 captured, 2 unfinished";
+    "steps" Count |trace| trace.steps, "steps that the method took; zero where it is solved without";
+    "residual" Number |seen| Some(seen.trace.residual), "largest normalized residual of the null constraint on the way";
+];
+
+/// A list of channels, each once, in their own order.
+#[derive(Clone, Debug, Default)]
+pub struct Channels(Vec<Channel>);
+
+impl Channels {
+    /// The channels.
+    #[must_use]
+    pub fn list(&self) -> &[Channel] {
+        &self.0
+    }
+
+    /// Whether the foreground's depth is one of them.
+    #[must_use]
+    pub fn with_depth(&self) -> bool {
+        self.0.iter().any(|channel| matches!(channel.value, Value::Depth))
+    }
+}
+
+impl FromStr for Channels {
+    type Err = String;
+
+    /// Reads a list such as `hit1,outcome`: names of channels or groups, or `all`, separated by commas.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let names: Vec<&str> = text.split(',').map(str::trim).collect();
+        let is_meant = |name: &str, channel: &Channel| {
+            name == "all"
+                || name == channel.name
+                || channel.name.split_once('.').is_some_and(|(group, _)| group == name)
+        };
+        match names.iter().find(|name| !CHANNELS.iter().any(|channel| is_meant(name, channel))) {
+            Some(unknown) => {
+                let all = CHANNELS.map(|channel| channel.name).join(", ");
+                Err(format!("there is no channel {unknown:?}; there are all, sky, hit1, hit2, and one by one {all}"))
+            }
+            None => Ok(Self(
+                CHANNELS.into_iter().filter(|channel| names.iter().any(|name| is_meant(name, channel))).collect(),
+            )),
+        }
+    }
+}
+
+/// The numbers of a channel, rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Samples {
+    /// Not a number where there is none.
+    Numbers(Vec<f32>),
+    /// Whole numbers.
+    Counts(Vec<u32>),
+}
+
+/// Rays of one go, so that what they tell never fills the memory.
+const BATCH: usize = 1 << 15;
+
+/// Traces the pixels of pictures, on a device beside the one that draws them.
+#[derive(Debug)]
+pub struct PixelRays {
+    gpu: Gpu,
+    /// The shader of the last scene; the next one often needs the same.
+    kernel: Option<(Variant, RayKernel)>,
+}
+
+impl PixelRays {
+    /// Opens the device.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn open() -> Result<Self, GpuError> {
+        Ok(Self { gpu: Gpu::headless()?, kernel: None })
+    }
+
+    /// The channels' numbers for the scene's picture, each pixel by the ray through its middle, whatever is in front of it.
+    /// `depth` is the foreground's, one number a pixel.
+    ///
+    /// # Errors
+    /// A scene the GPU cannot trace, or a device that failed.
+    pub fn sample(&mut self, scene: &Scene, channels: &Channels, depth: &[f32]) -> Result<Vec<Samples>, GpuError> {
+        let pixels = scene.picture.width as usize * scene.picture.height as usize;
+        let mut samples: Vec<Samples> = channels.list().iter().map(|channel| empty(channel, pixels)).collect();
+        let traced = channels.list().iter().any(|channel| !matches!(channel.value, Value::Depth));
+        for first in (0..pixels).step_by(BATCH) {
+            let batch = first..pixels.min(first + BATCH);
+            let traces = if traced { self.trace(scene, batch.clone())? } else { Vec::new() };
+            let profile = Profile::new(scene);
+            let seen = || traces.iter().map(|trace| Seen { trace, disk: &scene.disk, profile: &profile });
+            for (channel, samples) in channels.list().iter().zip(&mut samples) {
+                match (channel.value, samples) {
+                    (Value::Number(number), Samples::Numbers(numbers)) => {
+                        numbers.extend(seen().map(|seen| number(&seen).map_or(f32::NAN, |number| number as f32)));
+                    }
+                    (Value::Count(count), Samples::Counts(counts)) => counts.extend(traces.iter().map(count)),
+                    (_, Samples::Numbers(numbers)) => numbers.extend(&depth[batch.clone()]),
+                    (_, Samples::Counts(_)) => {}
+                }
+            }
+        }
+        Ok(samples)
+    }
+
+    /// Traces a run of pixels, counted along the rows.
+    fn trace(&mut self, scene: &Scene, pixels: std::ops::Range<usize>) -> Result<Vec<Trace>, GpuError> {
+        let variant = Variant::rays(scene);
+        let kernel = match self.kernel.take() {
+            Some((known, kernel)) if known == variant => kernel,
+            _ => RayKernel::new(&self.gpu, scene)?,
+        };
+        let size = DVec2::new(f64::from(scene.picture.width), f64::from(scene.picture.height));
+        let width = scene.picture.width as usize;
+        let middle = |pixel: usize| DVec2::new((pixel % width) as f64, (pixel / width) as f64) + 0.5;
+        let rays: Vec<Vec3> = pixels.map(|pixel| scene.camera.looking(middle(pixel), size).as_vec3()).collect();
+        let traces = kernel.trace(&self.gpu, scene, &rays);
+        self.kernel = Some((variant, kernel));
+        traces
+    }
+}
+
+fn empty(channel: &Channel, pixels: usize) -> Samples {
+    match channel.value {
+        Value::Count(_) => Samples::Counts(Vec::with_capacity(pixels)),
+        Value::Number(_) | Value::Depth => Samples::Numbers(Vec::with_capacity(pixels)),
+    }
+}

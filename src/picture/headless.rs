@@ -1,0 +1,125 @@
+//! The chain as a program of its own, without a window.
+
+use super::PictureError;
+use crate::gpu::GpuScene;
+use crate::render::{AwaitErrors, Capture, LightfallRenderPlugin, is_drawn, render_plugin};
+use crate::scene::Scene;
+use bevy::app::PluginsState;
+use bevy::asset::RenderAssetUsages;
+use bevy::camera::RenderTarget;
+use bevy::log::LogPlugin;
+use bevy::prelude::*;
+use bevy::render::diagnostic::RenderDiagnosticsPlugin;
+use bevy::render::pipelined_rendering::PipelinedRenderingPlugin;
+use bevy::render::render_resource::{PollType, TextureFormat, TextureUsages};
+use bevy::render::renderer::RenderDevice;
+use bevy::render::settings::WgpuLimits;
+use bevy::window::ExitCondition;
+use bevy::winit::WinitPlugin;
+
+/// Frames after which a picture that still isn't there is given up; compiling every pipeline takes a handful.
+pub(super) const MOST_UPDATES: usize = 600;
+
+/// The exit status by which Bevy says that somebody has pressed Ctrl+C.
+const INTERRUPTED: u8 = 130;
+
+/// What a studio does besides drawing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Equipment {
+    /// Takes the GPU time of each pass.
+    pub timed: bool,
+    /// Keeps the linear light and the depth of each picture.
+    pub light: bool,
+}
+
+/// The image that the screen writes to.
+#[derive(Resource)]
+pub(super) struct Output(pub(super) Handle<Image>);
+
+/// The chain of a first scene, not yet drawn, with an output of `size` pixels.
+///
+/// # Errors
+/// A size the device can't do, or a scene the GPU cannot draw.
+pub(super) fn headless(scene: &Scene, size: UVec2, Equipment { timed, light }: Equipment) -> Result<App, PictureError> {
+    let mut app = App::new();
+    app.add_plugins(
+        DefaultPlugins
+            .set(WindowPlugin { primary_window: None, exit_condition: ExitCondition::DontExit, ..default() })
+            .set(render_plugin(true))
+            .build()
+            .disable::<LogPlugin>()
+            .disable::<WinitPlugin>()
+            .disable::<PipelinedRenderingPlugin>(),
+    );
+    // A process has one log, however many pictures it draws.
+    static LOG: std::sync::Once = std::sync::Once::new();
+    LOG.call_once(|| {
+        app.add_plugins(quiet_log());
+    });
+    if timed {
+        app.add_plugins(RenderDiagnosticsPlugin);
+    }
+    while app.plugins_state() == PluginsState::Adding {
+        bevy::tasks::tick_global_task_pools_on_main_thread();
+    }
+    check_size("size", size)?;
+    let picture = UVec2::new(scene.picture.width, scene.picture.height);
+    check_size("picture", picture)?;
+    GpuScene::new(scene, picture).map_err(|error| PictureError::Draw(error.to_string()))?;
+    let mut image = Image::new_target_texture(size.x, size.y, TextureFormat::Rgba8UnormSrgb, None);
+    image.asset_usage = RenderAssetUsages::RENDER_WORLD;
+    image.texture_descriptor.usage |= TextureUsages::COPY_SRC;
+    let output = app.world_mut().resource_mut::<Assets<Image>>().add(image);
+    if light {
+        app.init_resource::<Capture>();
+    }
+    app.insert_resource(Output(output.clone()))
+        .insert_resource(AwaitErrors(true))
+        .add_plugins(LightfallRenderPlugin { scene: scene.clone(), target: RenderTarget::Image(output.into()) });
+    app.finish();
+    app.cleanup();
+    Ok(app)
+}
+
+/// Checks that a device can draw a picture of this size; `field` names it in the error.
+///
+/// # Errors
+/// A side of zero, or longer than every device that the passes run on can do.
+pub fn check_size(field: &'static str, size: UVec2) -> Result<(), PictureError> {
+    let limit = WgpuLimits::default().max_texture_dimension_2d;
+    if size.min_element() == 0 || size.max_element() > limit {
+        return Err(PictureError::Size { field, width: size.x, height: size.y, limit });
+    }
+    Ok(())
+}
+
+/// Warnings and errors only, on the standard error stream, unless RUST_LOG says otherwise.
+pub(crate) fn quiet_log() -> LogPlugin {
+    LogPlugin { filter: "error,lightfall=warn".into(), level: bevy::log::Level::WARN, ..default() }
+}
+
+/// Draws a frame and waits for it.
+pub(super) fn update(app: &mut App) -> Result<(), PictureError> {
+    app.update();
+    match app.should_exit() {
+        None | Some(AppExit::Success) => {}
+        Some(AppExit::Error(code)) if code.get() == INTERRUPTED => return Err(PictureError::Interrupted),
+        Some(AppExit::Error(_)) => return Err(PictureError::Draw("the graphics device reported an error".into())),
+    }
+    if let Some(device) = app.world().get_resource::<RenderDevice>() {
+        let waited = device.poll(PollType::Wait { submission_index: None, timeout: None });
+        waited.map_err(|error| PictureError::Draw(error.to_string()))?;
+    }
+    Ok(())
+}
+
+/// Updates until the scene is drawn, so that the picture is complete the first time it is taken.
+pub(super) fn warm_up(app: &mut App) -> Result<(), PictureError> {
+    for _ in 0..MOST_UPDATES {
+        update(app)?;
+        if is_drawn(app).map_err(PictureError::Draw)? {
+            return Ok(());
+        }
+    }
+    Err(PictureError::Draw("its passes did not become ready".into()))
+}

@@ -1,0 +1,141 @@
+//! Sequences: a journey as numbered pictures.
+
+use crate::scene::Scene;
+use crate::scene::journey::Journey;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+/// Most frames of one run: an hour and a half at 24 a second.
+const MOST_FRAMES: u32 = 130_000;
+
+/// Least and most frames a second.
+const RATES: [f64; 2] = [0.01, 1000.0];
+
+/// Digits of a frame's number, where the name says nothing of it.
+const DIGITS: usize = 4;
+
+/// Which frames, by number: from the first to the last, both of them included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Frames {
+    /// Number of the first.
+    pub first: u32,
+    /// Number of the last.
+    pub last: u32,
+}
+
+impl FromStr for Frames {
+    type Err = String;
+
+    /// Reads `A..B`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |text: &str| text.parse::<u32>().ok().filter(|number| *number <= 999_999_999);
+        let (first, last) = text.split_once("..").unwrap_or_default();
+        match (number(first), number(last)) {
+            (Some(first), Some(last)) if first <= last && last - first < MOST_FRAMES => Ok(Self { first, last }),
+            (Some(first), Some(last)) if first <= last => {
+                Err(format!("these are {} frames, and one run draws at most {MOST_FRAMES}", last - first + 1))
+            }
+            _ => Err("frames are A..B, such as 0..149: whole numbers, A not above B, both included".into()),
+        }
+    }
+}
+
+/// Reads a number of frames a second.
+///
+/// # Errors
+/// What it may be.
+pub fn frame_rate(text: &str) -> Result<f64, String> {
+    let [least, most] = RATES;
+    let rate = text.parse().ok().filter(|rate: &f64| (least..=most).contains(rate));
+    rate.ok_or(format!("frames a second are a number from {least} to {most}"))
+}
+
+/// A journey as numbered pictures.
+#[derive(Clone, Debug)]
+pub struct Sequence {
+    /// The journey.
+    pub journey: Journey,
+    /// Its frames: number k is what there is to see k / fps seconds after its beginning.
+    pub frames: Frames,
+    /// Frames a second.
+    pub fps: f64,
+    /// The files' folder, the part of their names before and after the number, and its digits.
+    folder: PathBuf,
+    name: [String; 2],
+    digits: usize,
+}
+
+impl Sequence {
+    /// A sequence of pictures named by `pattern`: the last run of `#` in its file name stands for the frame's number, with as
+    /// many digits at least; without any the number is put before the ending, after a dash.
+    ///
+    /// # Errors
+    /// A name that is not Unicode.
+    pub fn new(journey: Journey, frames: Frames, fps: f64, pattern: &Path) -> Result<Self, String> {
+        let name = pattern.file_name().unwrap_or_default().to_str();
+        let name = name.ok_or(format!("{}: the name of a sequence must be Unicode", pattern.display()))?;
+        let (before, digits, after) = match name.rfind('#') {
+            Some(last) => {
+                let before = name[..last].trim_end_matches('#');
+                (before.to_owned(), last + 1 - before.len(), &name[last + 1..])
+            }
+            None => {
+                let dot = name.rfind('.').unwrap_or(name.len());
+                (format!("{}-", &name[..dot]), DIGITS, &name[dot..])
+            }
+        };
+        let folder = pattern.parent().unwrap_or(Path::new("")).to_owned();
+        Ok(Self { journey, frames, fps, folder, name: [before, after.to_owned()], digits })
+    }
+
+    /// What the frame of this number shows, where the journey leads through `scene`. It is not checked.
+    #[must_use]
+    pub fn scene(&self, scene: &Scene, number: u32) -> Scene {
+        let mut scene = scene.clone();
+        self.journey.apply(f64::from(number) / self.fps, &mut scene);
+        scene
+    }
+
+    /// The file of the frame of this number.
+    #[must_use]
+    pub fn file(&self, number: u32) -> PathBuf {
+        let ([before, after], digits) = (&self.name, self.digits);
+        self.folder.join(format!("{before}{number:0digits$}{after}"))
+    }
+
+    /// The number of the first frame at which the journey has ended.
+    #[must_use]
+    pub fn end(&self) -> f64 {
+        (self.journey.duration * self.fps).ceil()
+    }
+
+    /// The line for a shell by which `ffmpeg` makes a video of pictures of this size.
+    #[must_use]
+    pub fn ffmpeg(&self, width: u32, height: u32) -> String {
+        let name = |text: &str| text.replace('%', "%%");
+        let [before, after] = &self.name;
+        let folder = self.folder.to_string_lossy();
+        let numbered = format!("{}%0{}d{}", name(before), self.digits, name(after));
+        let input = Path::new(&name(&folder)).join(numbered);
+        let stem =
+            Some(before.trim_end_matches(['-', '_', '.'])).filter(|stem| !stem.is_empty()).unwrap_or("lightfall");
+        let output = self.folder.join(format!("{stem}.mp4"));
+        // Linear light has to be told from sRGB, and the usual kind of video has sides of even length.
+        let linear = if after.to_lowercase().ends_with(".exr") { " -apply_trc iec61966_2_1" } else { "" };
+        let even = if width % 2 + height % 2 > 0 { " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2'" } else { "" };
+        format!(
+            "ffmpeg{linear} -framerate {} -start_number {} -i {}{even} -c:v libx264 -crf 16 -pix_fmt yuv420p {}",
+            self.fps,
+            self.frames.first,
+            quoted(&input.display().to_string()),
+            quoted(&output.display().to_string()),
+        )
+    }
+}
+
+/// A word as a shell takes it.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "/._-%+=:,@".contains(c);
+    let word = if word.starts_with('-') { format!("./{word}") } else { word.to_owned() };
+    if word.chars().all(plain) { word } else { format!("'{}'", word.replace('\'', "'\\''")) }
+}
