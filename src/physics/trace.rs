@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-/// Where a backward ray ends.
+/// Where a backward ray ends. Shaders and EXR pictures number them from 0, in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Outcome {
     /// It reaches infinity: its light comes from the sky.

@@ -61,20 +61,25 @@ macro_rules! channels {
 /// Every channel besides R, G, B and A.
 pub const CHANNELS: [Channel; 15] = channels![
     "sky.x" Number |seen| seen.trace.sky.map(|sky| sky.x),
-        "unit vector toward the source at infinity, in the hole's frame with the camera at azimuth camera.phi_deg: x";
-    "sky.y" Number |seen| seen.trace.sky.map(|sky| sky.y), "the same: y";
-    "sky.z" Number |seen| seen.trace.sky.map(|sky| sky.z), "the same: z, along the disk normal";
-    "hit1.r" Number |seen| seen.hit(0, |hit| hit.r), "first crossing of the disk along the backward ray: radius, in r_s";
-    "hit1.phi" Number |seen| seen.hit(0, |hit| hit.phi), "the same: azimuth, in radians, in (-pi, pi]";
-    "hit1.g" Number |seen| seen.hit(0, |hit| hit.g), "the same: observed over emitted frequency";
-    "hit1.T" Number |seen| seen.temperature(0), "the same: temperature of the matter, as emitted, in kelvin; it looks g T hot";
-    "hit2.r" Number |seen| seen.hit(1, |hit| hit.r), "second crossing of the disk: radius, in r_s";
-    "hit2.phi" Number |seen| seen.hit(1, |hit| hit.phi), "the same: azimuth, in radians, in (-pi, pi]";
-    "hit2.g" Number |seen| seen.hit(1, |hit| hit.g), "the same: observed over emitted frequency";
-    "hit2.T" Number |seen| seen.temperature(1), "the same: temperature of the matter, as emitted, in kelvin";
+        "x of the unit vector toward the source at infinity, in the hole's frame with the camera at azimuth camera.phi_deg";
+    "sky.y" Number |seen| seen.trace.sky.map(|sky| sky.y), "y of the unit vector toward the source at infinity";
+    "sky.z" Number |seen| seen.trace.sky.map(|sky| sky.z),
+        "z of the unit vector toward the source at infinity, along the disk normal";
+    "hit1.r" Number |seen| seen.hit(0, |hit| hit.r),
+        "radius of the first crossing of the disk along the backward ray, in r_s";
+    "hit1.phi" Number |seen| seen.hit(0, |hit| hit.phi), "azimuth of the first crossing, in radians, in (-pi, pi]";
+    "hit1.g" Number |seen| seen.hit(0, |hit| hit.g), "observed over emitted frequency of light from the first crossing";
+    "hit1.T" Number |seen| seen.temperature(0),
+        "temperature of the matter at the first crossing, in its own frame, in kelvin; it looks g T hot";
+    "hit2.r" Number |seen| seen.hit(1, |hit| hit.r), "radius of the second crossing of the disk, in r_s";
+    "hit2.phi" Number |seen| seen.hit(1, |hit| hit.phi), "azimuth of the second crossing, in radians, in (-pi, pi]";
+    "hit2.g" Number |seen| seen.hit(1, |hit| hit.g), "observed over emitted frequency of light from the second crossing";
+    "hit2.T" Number |seen| seen.temperature(1),
+        "temperature of the matter at the second crossing, in its own frame, in kelvin";
     "outcome" Count |trace| trace.outcome as u32, "what becomes of the backward ray: 0 sky, 1 captured, 2 unfinished";
-    "steps" Count |trace| trace.steps, "steps that the method took; zero where it is solved without";
-    "residual" Number |seen| Some(seen.trace.residual), "largest normalized residual of the null constraint on the way";
+    "steps" Count |trace| trace.steps, "steps that the method took; zero where light is traced in closed form";
+    "residual" Number |seen| Some(seen.trace.residual),
+        "largest normalized residual of the null constraint along the ray; zero where light is traced in closed form";
 ];
 
 /// A list of channels, each once, in their own order.

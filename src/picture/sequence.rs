@@ -120,11 +120,13 @@ impl Sequence {
         let stem =
             Some(before.trim_end_matches(['-', '_', '.'])).filter(|stem| !stem.is_empty()).unwrap_or("lightfall");
         let output = self.folder.join(format!("{stem}.mp4"));
-        // Linear light has to be told from sRGB, and the usual kind of video has sides of even length.
-        let linear = if after.to_lowercase().ends_with(".exr") { " -apply_trc iec61966_2_1" } else { "" };
-        let even = if width % 2 + height % 2 > 0 { " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2'" } else { "" };
+        // Linear light gets sRGB's curve, and the usual kind of video has sides of even length.
+        let linear = after.to_lowercase().ends_with(".exr").then_some("zscale=tin=linear:t=iec61966-2-1,format=gbrp");
+        let even = (width % 2 + height % 2 > 0).then_some("pad=ceil(iw/2)*2:ceil(ih/2)*2");
+        let filters: Vec<_> = linear.into_iter().chain(even).collect();
+        let filters = if filters.is_empty() { String::new() } else { format!(" -vf '{}'", filters.join(",")) };
         format!(
-            "ffmpeg{linear} -framerate {} -start_number {} -i {}{even} -c:v libx264 -crf 16 -pix_fmt yuv420p {}",
+            "ffmpeg -framerate {} -start_number {} -i {}{filters} -c:v libx264 -crf 16 -pix_fmt yuv420p {}",
             self.fps,
             self.frames.first,
             quoted(&input.display().to_string()),

@@ -3,7 +3,10 @@
 
 #[path = "../gpu/adapter.rs"]
 mod adapter;
+mod embedded;
 mod kept;
+mod linear;
+mod sequences;
 
 use adapter::gpu;
 use glam::{DVec2, UVec2};
@@ -219,19 +222,19 @@ fn a_picture_file_appears_whole_or_not_at_all() {
     let folder = tempfile::tempdir().unwrap();
     let here = |name: &str| folder.path().join(name);
     let sentence = |name: &str| check_path(&here(name)).unwrap_err().to_string();
-    assert!(sentence("a.bmp").ends_with("unknown picture format \"bmp\"; allowed is .png"));
+    assert!(sentence("a.bmp").ends_with("unknown picture format \"bmp\"; allowed are .png and .exr"));
     assert!(sentence("nowhere/a.png").ends_with("cannot be written: there is no such folder"));
     std::fs::create_dir(here("folder.png")).unwrap();
     assert!(sentence("folder.png").ends_with("cannot be written: it is a folder"));
 
     // Too few bytes for its size: refused, with nothing left behind.
-    assert!(write_png(&here("short.png"), 2, 1, &[0; 3]).is_err());
+    assert!(write_png(&here("short.png"), 2, 1, &[0; 3], "").is_err());
     check_path(&here("a.png")).unwrap();
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "something was left behind");
 
     let rgb = [10, 20, 30, 40, 50, 60];
-    write_png(&here("a.png"), 2, 1, &rgb).unwrap();
-    write_png(&here("a.png"), 2, 1, &rgb).unwrap();
+    write_png(&here("a.png"), 2, 1, &rgb, "").unwrap();
+    write_png(&here("a.png"), 2, 1, &rgb, "").unwrap();
     assert_eq!(image::open(here("a.png")).unwrap().to_rgb8().into_raw(), rgb);
     // As readable as any other new file.
     std::fs::write(here("other"), b"").unwrap();

@@ -27,7 +27,19 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("afile"), "").unwrap();
     for (line, sentence) in [
-        ("render -o a.xyz", "lightfall: a.xyz: unknown picture format \"xyz\"; allowed is .png\n"),
+        ("render -o a.xyz", "lightfall: a.xyz: unknown picture format \"xyz\"; allowed are .png and .exr\n"),
+        (
+            "render -o a.png --aov sky",
+            "lightfall: --aov is for pictures of linear light: the file's name must end in .exr\n",
+        ),
+        (
+            "render --frames 0..1 -o nowhere/a.exr",
+            "lightfall: nowhere/a-0000.exr: cannot be written: there is no such folder\n",
+        ),
+        (
+            "render --frames 0..1 --method reference -o a.exr",
+            "lightfall: method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet, closed, mino or kerr-schild\n",
+        ),
         ("render -o nowhere/a.png", "lightfall: nowhere/a.png: cannot be written: there is no such folder\n"),
         (
             "bench --quick --out afile",

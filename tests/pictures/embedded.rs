@@ -1,0 +1,48 @@
+//! The preset inside a picture.
+
+use super::linear::{Linear, program, small};
+use crate::adapter::gpu;
+use lightfall::cli::{self, SceneArgs};
+use std::fs;
+
+#[test]
+fn a_picture_holds_the_preset_that_drew_it() {
+    if gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let taken = |file: &str| {
+        let preset = Some(folder.path().join(file).into());
+        cli::scene(&SceneArgs { preset, ..SceneArgs::default() }).map_err(|error| error.to_string())
+    };
+    let mut scene = small(8);
+    scene.title = "μέλας \"hole\", 0.1 + 0.2 — tilted".into();
+    (scene.camera.theta_deg, scene.hole.spin) = (0.1 + 0.2, 1.0 / 3.0);
+    for file in ["a.exr", "a.png"] {
+        program(folder.path(), &scene, &format!("-o {file}"));
+        assert_eq!(taken(file).unwrap(), scene, "{file}");
+        // A broken one gives the very scene or a sentence, wherever it ends and whatever stands there.
+        let whole = fs::read(folder.path().join(file)).unwrap();
+        let header = &whole[..whole.len().min(10_000)];
+        let broken = |bytes: &[u8]| {
+            fs::write(folder.path().join("broken"), bytes).unwrap();
+            taken("broken")
+        };
+        for place in (4..header.len()).step_by(97) {
+            let cut = broken(&header[..place]);
+            assert!(cut.is_err() || cut == Ok(scene.clone()), "{file}, {place} bytes of it");
+            assert!(place > 4000 || cut.is_err(), "{file}, {place} bytes of it");
+            let mut changed = header.to_vec();
+            changed[place] ^= 0x5a;
+            // Whatever it gives: a panic would end the test.
+            drop(broken(&changed));
+        }
+    }
+    let linear = Linear::read(&folder.path().join("a.exr"));
+    assert_eq!(linear.texts["lightfall.method"], "mino");
+    assert_eq!(linear.texts["lightfall.version"], env!("CARGO_PKG_VERSION"));
+    assert!(linear.texts["lightfall.units"].contains("before exposure, bloom and tone mapping"));
+
+    image::RgbImage::new(2, 2).save(folder.path().join("other.png")).unwrap();
+    assert!(taken("other.png").unwrap_err().contains("holds no preset"));
+}
