@@ -32,7 +32,6 @@ mod settings;
 mod window;
 
 pub use bindings::{Bindings, Bound, PadBindings, Switch};
-pub use buttons::{button_name, button_named, button_names};
 pub use controls::{Action, CONTROLS, Command, Control, Group, Motion, control_named};
 pub use display::has_display;
 pub use edits::edited;
@@ -40,7 +39,6 @@ pub use gamepad::{deflection, squeeze};
 pub use history::{History, drawable};
 pub use inspector::pixel_at;
 pub use journey::{Guide, Moment};
-pub use keys::{key_name, key_named, key_names};
 pub use motion::Voyage;
 pub use pace::Pace;
 pub use panel::shown_number;

@@ -1,6 +1,7 @@
 //! The key table: what each control does to a scene, and which keys it has.
 
-use lightfall::flight::{Action, Bindings, CONTROLS, control_named, edited, key_name, key_named, key_names, remark};
+use bevy::prelude::KeyCode;
+use lightfall::flight::{Action, Bindings, CONTROLS, Switch, control_named, edited, remark};
 use lightfall::scene::{Method, ObserverKind, Scene, View, presets};
 use std::collections::BTreeMap;
 
@@ -23,7 +24,7 @@ fn every_control_of_the_scene_changes_it_into_one_that_can_be_drawn_from_any_pre
             match edited(control, &scene, &scene) {
                 None => assert!(!changes, "{} changes no scene", control.id),
                 // Only its own number leaves a preset as it is.
-                Some(Ok(changed)) if control.keys[0] == key_named(&preset.number.to_string()).unwrap() => {
+                Some(Ok(changed)) if control.keys[0] == KeyCode::named(&preset.number.to_string()).unwrap() => {
                     assert_eq!(changed, scene);
                 }
                 // Where only free fall is possible, there is no other observer.
@@ -167,18 +168,18 @@ fn controls_have_names_and_keys_of_their_own() {
             assert!(!shared || other.alt != control.alt, "{} and {} share a key", other.id, control.id);
         }
         for code in control.keys {
-            assert!(key_name(*code).is_some(), "a key of {} has no name", control.id);
+            assert!(KeyCode::name(*code).is_some(), "a key of {} has no name", control.id);
         }
     }
 }
 
 #[test]
 fn names_of_keys_are_read_back_as_the_same_keys() {
-    for name in key_names() {
-        assert_eq!(key_named(name).and_then(key_name), Some(name));
-        assert_eq!(key_named(&name.to_lowercase()).and_then(key_name), Some(name));
+    for name in KeyCode::names() {
+        assert_eq!(KeyCode::named(name).and_then(KeyCode::name), Some(name));
+        assert_eq!(KeyCode::named(&name.to_lowercase()).and_then(KeyCode::name), Some(name));
     }
-    assert_eq!(key_named("Any"), None);
+    assert_eq!(KeyCode::named("Any"), None);
 }
 
 #[test]
@@ -210,7 +211,7 @@ fn settings(id: &str, keys: &[&str]) -> BTreeMap<String, Vec<String>> {
 #[test]
 fn settings_bind_keys_anew_and_say_what_is_wrong_with_them() {
     let bound = Bindings::new(&settings("view.classes", &["K", "F10"])).unwrap();
-    assert_eq!(bound.of("view.classes"), ["K", "F10"].map(|name| key_named(name).unwrap()));
+    assert_eq!(bound.of("view.classes"), ["K", "F10"].map(|name| KeyCode::named(name).unwrap()));
     assert_eq!(bound.settings(), settings("view.classes", &["K", "F10"]));
     assert_eq!(Bindings::new(&BTreeMap::new()).unwrap(), Bindings::default());
     for (id, keys, said) in [
@@ -226,7 +227,7 @@ fn settings_bind_keys_anew_and_say_what_is_wrong_with_them() {
 #[test]
 fn a_key_bound_by_hand_is_taken_from_whoever_had_it() {
     let mut bindings = Bindings::default();
-    let w = key_named("W").unwrap();
+    let w = KeyCode::named("W").unwrap();
     bindings.bind("window.help", w);
     assert_eq!(bindings.of("window.help"), [w]);
     assert!(bindings.of("fly.forward").is_empty());
