@@ -19,6 +19,7 @@ mod inspector;
 mod journey;
 mod keyboard;
 mod keys;
+mod legend;
 mod motion;
 mod notice;
 mod pace;
@@ -39,6 +40,7 @@ pub use gamepad::{deflection, squeeze};
 pub use history::{History, drawable};
 pub use inspector::pixel_at;
 pub use journey::{Guide, Moment};
+pub use legend::{Swatch, legend};
 pub use motion::Voyage;
 pub use pace::Pace;
 pub use panel::shown_number;
@@ -102,7 +104,15 @@ pub fn program(scene: Scene, journey: Journey, guided: bool) -> App {
     .add_plugins((notice::plugin, window::plugin, keyboard::plugin, pilot::plugin, pace::plugin, resolution::plugin))
     .add_plugins((recovery::RecoveryPlugin, adapter::plugin, gamepad::plugin))
     .add_plugins((card::plugin, journey::plugin, motion::plugin, exposure::plugin))
-    .add_plugins((screenshot::plugin, hint::plugin, help::plugin, panel::plugin, inspector::plugin, clipboard::plugin))
+    .add_plugins((
+        screenshot::plugin,
+        hint::plugin,
+        legend::plugin,
+        help::plugin,
+        panel::plugin,
+        inspector::plugin,
+        clipboard::plugin,
+    ))
     .add_systems(Update, (attach_ui, retitle.run_if(resource_changed::<CurrentScene>)));
     app
 }

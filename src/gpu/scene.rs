@@ -24,7 +24,7 @@ const SPOT_HEIGHT: f64 = 540.0;
 const NEXT_TO_HORIZON: f64 = 1e-8;
 
 /// Light of a mark after exposure: below what tone mapping begins to bleach.
-const MARK_BRIGHTNESS: f64 = 0.7;
+pub const MARK_BRIGHTNESS: f64 = 0.7;
 
 /// A scene in the GPU's numbers.
 #[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
