@@ -1,7 +1,7 @@
 //! What the colours of a diagnostic view mean, in the upper left corner while one is shown.
 
+use super::remarks;
 use super::window::Shown;
-use super::{inspector, remarks};
 use crate::render::CurrentScene;
 use crate::scene::{Scene, View};
 use bevy::prelude::*;
@@ -84,9 +84,8 @@ pub(super) fn plugin(app: &mut App) {
 
 fn show(mut contexts: EguiContexts, scene: Res<CurrentScene>, shown: Res<Shown>) -> Result {
     let Some((title, swatches)) = legend(scene.view).filter(|_| !shown.hidden) else { return Ok(()) };
-    let left = if shown.inspector { inspector::WIDTH } else { 0.0 };
     egui::Area::new("legend".into())
-        .fixed_pos([left + MARGIN, MARGIN])
+        .fixed_pos([shown.left() + MARGIN, MARGIN])
         .interactable(false)
         .order(egui::Order::Background)
         .show(contexts.ctx_mut()?, |ui| {
