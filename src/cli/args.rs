@@ -15,7 +15,7 @@ pub struct GpuArgs {
     #[arg(long, value_name = "NAME", global = true)]
     pub gpu: Option<String>,
     /// Use this graphics interface; as WGPU_BACKEND
-    #[arg(long, value_name = "NAME", global = true, value_parser = ["vulkan", "metal", "dx12", "gl"])]
+    #[arg(long, value_name = "NAME", global = true, value_parser = ["vulkan", "metal", "dx12"])]
     pub backend: Option<String>,
     /// List the adapters and do nothing else
     #[arg(long)]

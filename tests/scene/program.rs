@@ -10,6 +10,8 @@ fn program(folder: &Path, line: &str, input: &str) -> (i32, String, String) {
     let mut child = process::Command::new(env!("CARGO_BIN_EXE_lightfall"))
         .args(line.split_whitespace())
         .current_dir(folder)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
         .stdin(process::Stdio::piped())
         .stdout(process::Stdio::piped())
         .stderr(process::Stdio::piped())
@@ -28,6 +30,10 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
     fs::write(folder.path().join("afile"), "").unwrap();
     for (line, sentence) in [
         ("render -o a.xyz", "lightfall: a.xyz: unknown picture format \"xyz\"; allowed is .png\n"),
+        (
+            "render -o a",
+            "lightfall: a: the name has no ending that says which picture format to write; allowed is .png\n",
+        ),
         ("render -o nowhere/a.png", "lightfall: nowhere/a.png: cannot be written: there is no such folder\n"),
         (
             "bench --quick --out afile",
@@ -42,19 +48,66 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
     }
     let (status, _, said) = program(folder.path(), "trace --rays nofile", "");
     assert!(status == 2 && said.starts_with("lightfall: nofile: cannot be read"), "{said}");
-    let (status, _, said) = program(folder.path(), "trace --rays - --gpu zzz", "0,0,1");
-    // Without any driver it is the driver that is missing.
-    if !said.contains("no Vulkan adapter") {
-        assert!(status == 2 && said.contains("--gpu zzz") && said.contains("--list-gpus"), "{said}");
-    }
 }
 
 #[test]
-fn no_rays_are_no_failure_but_are_told() {
+fn an_adapter_or_interface_that_is_not_there_is_answered_with_those_that_are() {
     let folder = tempfile::tempdir().unwrap();
-    for input in ["", "\n", "er,etheta,ephi\n"] {
-        let (status, told, said) = program(folder.path(), "trace --rays - --device cpu", input);
-        assert_eq!((status, told.lines().count()), (0, 1), "{told}");
-        assert!(said.starts_with("lightfall: standard input: there are no rays"), "{said}");
+    // No system has both.
+    let foreign = if cfg!(windows) { "metal" } else { "dx12" };
+    let by_interface = format!("--backend {foreign} (or WGPU_BACKEND) is refused");
+    for (option, told) in
+        [("--gpu zzz", "--gpu zzz (or WGPU_ADAPTER_NAME)"), (&format!("--backend {foreign}"), &by_interface)]
+    {
+        for command in ["trace --rays -", "render -o a.png", "--list-gpus", "bench --quick"] {
+            let (status, answer, said) = program(folder.path(), &format!("{command} {option}"), "0,0,1");
+            // Without any driver it is the driver that is missing.
+            if !said.contains("no Vulkan adapter") {
+                assert!(status == 2 && answer.is_empty() && said.contains(told), "{command} {option}: {said}");
+            }
+        }
     }
+    assert!(!folder.path().join("a.png").exists());
+}
+
+#[test]
+fn rays_that_are_none_are_a_bad_command_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let line = "trace --rays - --device cpu";
+    for input in ["", "\n", "er,etheta,ephi\n"] {
+        let (status, told, said) = program(folder.path(), line, input);
+        assert_eq!((status, told.as_str()), (2, ""));
+        assert!(
+            said.starts_with("lightfall: standard input: there are no rays; a ray is a line er,etheta,ephi"),
+            "{said}"
+        );
+    }
+    let (status, told, said) = program(folder.path(), line, "0,0,1\n0,0,fast\n");
+    let sentence = "lightfall: standard input: line 2: ephi = \"fast\" is refused: it must be a finite number\n";
+    assert_eq!((status, told.as_str(), said.as_str()), (2, "", sentence));
+    assert_eq!(program(folder.path(), line, "0,0,1\n").0, 0);
+}
+
+#[test]
+fn a_journey_is_checked_before_it_is_flown_and_without_a_display_its_first_moment_is_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let frames =
+        |end: &str| format!("[[keyframe]]\ntime = 3\nr = 8\ntheta_deg = 30\n[[keyframe]]\ntime = 9\nr = {end}\n");
+    fs::write(folder.path().join("mine.toml"), frames("0.9")).unwrap();
+    let line = "--journey mine.toml --set picture.width=96 --set picture.height=54 --set picture.grid_width=48 --set \
+                picture.grid_height=27";
+    let (status, told, said) = program(folder.path(), line, "");
+    assert!(status == 2 && told.is_empty(), "{said}");
+    assert!(said.starts_with("lightfall: mine.toml: keyframe 2 (time = 9): camera.r = 0.9 is refused: "), "{said}");
+    fs::write(folder.path().join("mine.toml"), frames("2")).unwrap();
+    let (status, told, said) = program(folder.path(), line, "");
+    if said.contains("no Vulkan adapter") {
+        return;
+    }
+    assert_eq!((status, told.as_str()), (0, "lightfall-mine.png\n"), "{said}");
+    assert!(said.contains("no display") && said.contains("the first moment of mine.toml"), "{said}");
+    let still = "render -o still.png --set camera.r=8 --set camera.theta_deg=30";
+    program(folder.path(), &line.replace("--journey mine.toml", still), "");
+    let [moment, still] = ["lightfall-mine.png", "still.png"].map(|file| fs::read(folder.path().join(file)).unwrap());
+    assert!(moment == still, "not the journey's first moment");
 }
