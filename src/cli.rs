@@ -5,7 +5,7 @@ mod measure;
 mod source;
 
 pub use args::{Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs};
-pub use measure::{BenchArgs, EntryArg, ExtremesArgs};
+pub use measure::{BenchArgs, DoctorArgs, EntryArg, ExtremesArgs};
 pub use source::{CliError, journey, presets, print, scene};
 
 use crate::scene::LONGEST_SIDE;
@@ -82,6 +82,8 @@ pub enum Command {
     Bench(BenchArgs),
     /// Measure where methods break, in the hardest places.
     Extremes(ExtremesArgs),
+    /// Say what this machine is and whether the program runs well on it.
+    Doctor(DoctorArgs),
     /// List, show or check presets.
     #[command(subcommand)]
     Presets(PresetsCommand),
@@ -120,10 +122,11 @@ fn asked(before: SceneArgs, journey: Option<PathBuf>, command: Option<Command>) 
         }
         Command::ListGpus => {}
         Command::Presets(_) if before == SceneArgs::default() => {}
-        Command::Bench(_) | Command::Extremes(_) if before == SceneArgs::default() => {}
+        Command::Bench(_) | Command::Extremes(_) | Command::Doctor(_) if before == SceneArgs::default() => {}
         Command::Presets(_) => return Err(conflict("`presets` takes no scene options")),
         Command::Bench(_) => return Err(conflict("`bench` takes its scenes by --scenes")),
         Command::Extremes(_) => return Err(conflict("`extremes` takes no scene options: its cells are its scenes")),
+        Command::Doctor(_) => return Err(conflict("`doctor` takes no scene options")),
     }
     Ok(command)
 }

@@ -58,6 +58,7 @@ fn main() -> ExitCode {
         Command::Trace(args) => trace(&args),
         Command::Bench(args) => commands::bench(&args),
         Command::Extremes(args) => commands::extremes(&args),
+        Command::Doctor(args) => commands::doctor(&args),
         Command::Presets(command) => {
             cli::presets(&command, &mut io::stdout().lock()).map_err(|error| Stop(error.exit_code(), error.to_string()))
         }
@@ -115,7 +116,7 @@ fn fly(args: &FlyArgs) -> Result<(), Stop> {
     check_drawable(&scene)?;
     let of_file = args.journey.as_deref();
     let journey = cli::journey(of_file, &scene).map_err(|error| Stop(error.exit_code(), error.to_string()))?;
-    if let Err(reason) = flight::has_display() {
+    if let Err(reason) = flight::display() {
         let (name, what) = match of_file {
             None => (scene.name.clone(), "the scene".to_owned()),
             Some(file) => {

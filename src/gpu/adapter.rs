@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::env;
 use std::fmt::{Display, Formatter};
 use std::sync::{Mutex, PoisonError};
-use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, Instance};
+use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, Features, Instance, Limits};
 
 /// An adapter by its full name, and through which interface it is used: on some systems there are several.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -41,6 +41,10 @@ pub struct Listed {
     pub kind: &'static str,
     /// Its driver, with the version.
     pub driver: String,
+    /// Whether it can tell how long passes take.
+    pub timestamps: bool,
+    /// What it allows.
+    pub limits: Limits,
 }
 
 impl Display for Listed {
@@ -153,7 +157,9 @@ pub fn adapters() -> Vec<Listed> {
         let name = AdapterName::of(&info);
         if listed.iter().all(|other| other.name != name) {
             let driver = format!("{} {}", info.driver, info.driver_info);
-            listed.push(Listed { name, kind: kind(info.device_type), driver });
+            let timestamps = adapter.features().contains(Features::TIMESTAMP_QUERY);
+            let limits = adapter.limits();
+            listed.push(Listed { name, kind: kind(info.device_type), driver, timestamps, limits });
         }
     }
     listed

@@ -85,7 +85,9 @@ fn one_preset_given_twice_is_refused() {
     for line in ["lightfall --preset 1 render --preset 2 -o a.png", "lightfall --spin 0 trace --spin 0 --rays -"] {
         assert_eq!(refuse(line).kind(), ErrorKind::ArgumentConflict);
     }
-    assert_eq!(refuse("lightfall --preset 2 presets list").kind(), ErrorKind::ArgumentConflict);
+    for command in ["presets list", "doctor", "bench", "extremes"] {
+        assert_eq!(refuse(&format!("lightfall --preset 2 {command}")).kind(), ErrorKind::ArgumentConflict);
+    }
 }
 
 #[test]

@@ -7,11 +7,17 @@ use std::process;
 
 /// What the program itself says to a command line: its exit status, standard output and standard error.
 fn program(folder: &Path, line: &str, input: &str) -> (i32, String, String) {
+    program_with(&[], folder, line, input)
+}
+
+/// The same with these variables of the environment.
+fn program_with(variables: &[(&str, &Path)], folder: &Path, line: &str, input: &str) -> (i32, String, String) {
     let mut child = process::Command::new(env!("CARGO_BIN_EXE_lightfall"))
         .args(line.split_whitespace())
         .current_dir(folder)
         .env_remove("DISPLAY")
         .env_remove("WAYLAND_DISPLAY")
+        .envs(variables.iter().copied())
         .stdin(process::Stdio::piped())
         .stdout(process::Stdio::piped())
         .stderr(process::Stdio::piped())
@@ -110,4 +116,80 @@ fn a_journey_is_checked_before_it_is_flown_and_without_a_display_its_first_momen
     program(folder.path(), &line.replace("--journey mine.toml", still), "");
     let [moment, still] = ["lightfall-mine.png", "still.png"].map(|file| fs::read(folder.path().join(file)).unwrap());
     assert!(moment == still, "not the journey's first moment");
+}
+
+/// What the doctor says as JSON, in a home of its own.
+#[cfg(target_os = "linux")]
+fn examined(home: &Path, variables: &[(&str, &Path)]) -> (i32, serde_json::Value) {
+    let config = home.join("config");
+    let variables = [&[("HOME", home), ("XDG_CONFIG_HOME", &config)], variables].concat();
+    let (status, told, _) = program_with(&variables, home, "doctor --json", "");
+    (status, serde_json::from_str(&told).unwrap())
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn the_doctor_tells_what_is_there_and_leaves_it_as_it_is() {
+    let home = tempfile::tempdir().unwrap();
+    let (status, report) = examined(home.path(), &[]);
+    let adapters = report["adapters"].as_array().unwrap();
+    if adapters.is_empty() {
+        return;
+    }
+    assert_eq!((status, &report["well"], &report["faults"]), (0, &true.into(), &serde_json::json!([])), "{report:#}");
+    assert_eq!(report["version"], env!("CARGO_PKG_VERSION"));
+    assert_eq!(adapters.iter().filter(|adapter| adapter["used"] == true).count(), 1);
+    assert_eq!(report["settings"]["exists"], false);
+    assert_eq!(report["folders"].as_array().unwrap().iter().filter(|folder| folder["wrong"].is_null()).count(), 3);
+    let trials = report["trials"].as_array().unwrap();
+    assert_eq!(trials.len(), 2);
+    for trial in trials {
+        let number = |key: &str| trial[key].as_f64().unwrap();
+        assert!(trial["holds"] == true && number("rays") >= 500.0 && number("trace_ms_1920x1080") > 0.0, "{trial:#}");
+        // An error of nothing at all would be that of nothing measured: f32 alone leaves 6e-8.
+        assert!(number("backward_max") > 1e-8 && number("backward_max") <= number("stated_max"), "{trial:#}");
+    }
+    // Drivers keep their caches; the program leaves nothing.
+    let left = fs::read_dir(home.path()).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let left: Vec<String> = left.filter(|name| name == "config" || name.contains("lightfall")).collect();
+    assert!(left.is_empty(), "{left:?}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_the_doctor_finds_wrong_is_status_one_with_what_to_do() {
+    let home = tempfile::tempdir().unwrap();
+    let no_driver = home.path().join("none.json");
+    let without = [("VK_DRIVER_FILES", no_driver.as_path()), ("VK_ICD_FILENAMES", &no_driver)];
+    let told = |variables: &[(&str, &Path)]| {
+        let (status, report) = examined(home.path(), &[&without, variables].concat());
+        assert_eq!((status, &report["well"]), (1, &false.into()));
+        report["faults"].as_array().unwrap().iter().map(|fault| fault.as_str().unwrap().to_owned()).collect::<Vec<_>>()
+    };
+    let faults = told(&[]);
+    assert!(faults.len() == 1 && faults[0].starts_with("no Vulkan adapter was found: install"), "{faults:?}");
+    let file = home.path().join("config/lightfall/settings.toml");
+    fs::create_dir_all(file.parent().unwrap()).unwrap();
+    fs::write(&file, "frame_rate = 1").unwrap();
+    let faults = told(&[]);
+    let sentence = format!("{}: frame_rate = 1 is refused: it must be a number from 5 to 240; mend or", file.display());
+    assert!(faults.len() == 2 && faults[1].starts_with(&sentence), "{faults:?}");
+    assert_eq!(fs::read_to_string(&file).unwrap(), "frame_rate = 1", "it is only looked at");
+    // A file where folders should be.
+    let faults = told(&[("XDG_CONFIG_HOME", &file)]);
+    let presets = format!(
+        "{}: {} is a file and no folder, so no presets",
+        file.join("lightfall/presets").display(),
+        file.display()
+    );
+    assert!(faults.iter().any(|fault| fault.starts_with(&presets)), "{faults:?}");
+    // For people: a name and what is found, then what to do.
+    let fresh = home.path().join("fresh");
+    let own = [&without[..], &[("HOME", home.path()), ("XDG_CONFIG_HOME", &fresh)]].concat();
+    let (status, told, said) = program_with(&own, home.path(), "doctor", "");
+    assert!(status == 1 && said == "lightfall: things that are not well: 1; the report says what to do\n", "{said}");
+    assert!(
+        told.contains("\nadapter     none\n") && told.contains("\nNot well:\n* no Vulkan adapter was found"),
+        "{told}"
+    );
 }
