@@ -32,7 +32,7 @@ impl Scene {
                 refusal.because.as_ref().is_some_and(|because| because.keys.contains(key))
             };
             let own = changed.iter().any(|(key, _)| *key == refusal.key);
-            let blamed = changed.iter().filter(|_| !own).find(culprit).cloned();
+            let blamed = changed.iter().filter(|_| !own).find(culprit).cloned().map(Box::new);
             Refusal { blamed, ..refusal }
         })
     }

@@ -15,7 +15,7 @@ pub struct Refusal {
     /// The other fields that decide the range, and why; none where the range stands alone.
     pub because: Option<Because>,
     /// One of those, with its value, if it is the one that was set last: then the fault is its.
-    pub blamed: Option<(&'static str, String)>,
+    pub blamed: Option<Box<(&'static str, String)>>,
 }
 
 /// Why a range depends on other fields.
@@ -32,10 +32,10 @@ fn sentence(
     given: &str,
     allowed: &str,
     because: &Option<Because>,
-    blamed: &Option<(&'static str, String)>,
+    blamed: &Option<Box<(&'static str, String)>>,
 ) -> String {
     let why = because.as_ref().map(|because| format!(" ({})", because.reason)).unwrap_or_default();
-    match blamed {
+    match blamed.as_deref() {
         None => format!("{key} = {given} is refused: it must be {allowed}{why}"),
         Some((culprit, its)) => {
             // Where it alone narrows the range, all has been said.

@@ -125,7 +125,7 @@ fn refused(fields: &BTreeMap<&'static str, Given>, preset: &str, mut refusal: Re
     let last = narrowing.filter_map(|key| Some((*key, fields.get(key)?))).max_by_key(|(_, given)| given.order);
     let to_blame = last.filter(|(_, given)| own.is_none_or(|own| given.order > own.order));
     let written = to_blame.map(|(_, given)| given).or(own);
-    refusal.blamed = to_blame.map(|(key, Given { value, .. })| (key, given(value)));
+    refusal.blamed = to_blame.map(|(key, Given { value, .. })| Box::new((key, given(value))));
     SceneError::Refused { origin: written.map_or(preset, |given| given.origin).into(), refusal: Box::new(refusal) }
 }
 

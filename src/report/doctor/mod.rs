@@ -177,7 +177,7 @@ impl Adapter {
             used,
             timestamps,
             longest_texture_side: limits.max_texture_dimension_2d,
-            largest_storage_buffer: limits.max_storage_buffer_binding_size.into(),
+            largest_storage_buffer: limits.max_storage_buffer_binding_size,
             too_small,
         }
     }
