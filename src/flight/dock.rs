@@ -45,6 +45,19 @@ pub(super) fn look(
     over.0 = !(on_panel || on_area || context.egui_is_using_pointer());
 }
 
+/// In a window too narrow for both panels the one opened last takes the place of the other.
+pub(super) fn make_room(mut contexts: EguiContexts, mut shown: ResMut<Shown>, mut panel_first: Local<bool>) -> Result {
+    if !(shown.panel && shown.inspector) {
+        *panel_first = shown.panel;
+        return Ok(());
+    }
+    if contexts.ctx_mut()?.content_rect().width() < panel::WIDTH + inspector::WIDTH {
+        let closed = if *panel_first { &mut shown.panel } else { &mut shown.inspector };
+        *closed = false;
+    }
+    Ok(())
+}
+
 /// Shows a panel as high as the window. It is an area of egui's own, so that the mouse over it does nothing to the picture.
 pub(super) fn docked(
     context: &egui::Context,

@@ -40,8 +40,8 @@ pub(super) fn plugin(app: &mut App) {
 fn beginning(bindings: &Bindings) -> String {
     let mut entries = vec!["right mouse button look".to_owned(), "wheel speed".to_owned()];
     for (place, (ids, does)) in FIRST.iter().enumerate() {
-        let name = |id: &&str| super::controls::control_named(id).map(|control| bindings.in_words(control));
-        let names: Vec<_> = ids.iter().filter_map(name).map(|keys| keys.replace(", ", " ")).collect();
+        let name = |id: &&str| bindings.named(id);
+        let names: Vec<_> = ids.iter().map(name).map(|keys| keys.replace(", ", " ")).collect();
         let keys = match ids.len() {
             2 => names.join("-"),
             _ => names.concat(),

@@ -72,6 +72,12 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Whether the exposure follows the light.
+    #[must_use]
+    pub fn follows_light(&self) -> bool {
+        self.automatic_exposure && !self.reduced_motion
+    }
+
     /// Reads the text of a settings file.
     ///
     /// # Errors

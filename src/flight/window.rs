@@ -2,7 +2,7 @@
 
 use super::bindings::{Bindings, PadBindings};
 use super::controls::Command;
-use super::dock::{OverPicture, look};
+use super::dock::{OverPicture, look, make_room};
 use super::notice::Notice;
 use super::settings::{Settings, settings_file};
 use crate::render::{CurrentScene, letterbox};
@@ -67,7 +67,7 @@ pub(super) fn insert(app: &mut App, preferences: Preferences, fault: Option<Stri
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<OverPicture>()
-        .add_systems(Update, ((obey, look).chain(), keep, fit))
+        .add_systems(Update, ((obey, make_room, look).chain(), keep, fit))
         .add_systems(Last, keep_at_exit)
         .add_systems(EguiPrimaryContextPass, style.run_if(any_with_component::<PrimaryEguiContext>));
 }

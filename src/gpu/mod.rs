@@ -15,7 +15,7 @@ pub use adapter::{AdapterName, Listed, adapters, check_adapter, chosen, kind, na
 pub use beside::beside;
 pub use device::Gpu;
 pub use errors::{ERROR_GRID, ErrorCells};
-pub use scene::{DISK_HDR_SCALE, GpuScene};
+pub use scene::{DISK_HDR_SCALE, GpuScene, MARK_BRIGHTNESS};
 pub use shader::{Entry, Tracer, Variant};
 
 use crate::physics::observer::ObserverError;
