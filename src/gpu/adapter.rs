@@ -71,18 +71,22 @@ pub fn named_by_environment() -> Option<&'static str> {
 /// The backends that the program draws with: those of `WGPU_BACKEND`, else the first-class ones. OpenGL is left out, for
 /// it lacks what the passes need and is noisy to ask.
 fn backends() -> Backends {
-    Backends::from_env().unwrap_or(Backends::PRIMARY)
+    backends_named().map_or(Backends::PRIMARY, |names| Backends::from_comma_list(&names))
+}
+
+/// What the environment says of the backends; nothing by an empty text.
+fn backends_named() -> Option<String> {
+    env::var("WGPU_BACKEND").ok().filter(|names| !names.is_empty())
 }
 
 /// Why there is no adapter: no driver at all, or none through the interface that the environment names.
 fn none_of_these() -> GpuError {
-    let given = env::var("WGPU_BACKEND").ok().filter(|given| !given.is_empty());
     let others = Instance::enabled_backend_features().difference(backends() | Backends::NOOP);
     let mut there: Vec<&str> =
         found_through(others).iter().map(|adapter| adapter.get_info().backend.to_str()).collect();
     there.sort_unstable();
     there.dedup();
-    match given {
+    match backends_named() {
         Some(given) if !there.is_empty() => GpuError::UnknownBackend { given, there },
         _ => GpuError::NoAdapter,
     }

@@ -8,7 +8,7 @@ use clap::error::ErrorKind;
 use lightfall::cli::{self, Command, Device, FlyArgs, PresetsCommand, SceneArgs};
 use lightfall::scene::journey;
 use lightfall::scene::presets::PRESETS;
-use lightfall::scene::{Method, Scene};
+use lightfall::scene::{LONGEST_SIDE, Method, Scene};
 
 fn read(line: &str) -> Command {
     cli::read(line.split(' ')).unwrap()
@@ -119,6 +119,9 @@ fn help_and_version_are_no_failures() {
     let help = cli::read(["lightfall", "-h"]).unwrap_err().to_string();
     let words = "one of auto, verlet, closed, mino, kerr-schild, reference";
     assert!(help.contains("Examples:") && help.contains(words), "{help}");
+    let render = cli::read(["lightfall", "render", "-h"]).unwrap_err().to_string();
+    assert!(render.contains(&format!("up to {LONGEST_SIDE} a side")), "{render}");
+    assert_eq!(LONGEST_SIDE, wgpu::Limits::default().max_texture_dimension_2d, "what every device can do");
 }
 
 #[test]
