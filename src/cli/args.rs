@@ -15,7 +15,7 @@ pub struct GpuArgs {
     #[arg(long, value_name = "NAME", global = true)]
     pub gpu: Option<String>,
     /// Use this graphics interface; as WGPU_BACKEND
-    #[arg(long, value_name = "NAME", global = true, value_parser = ["vulkan", "metal", "dx12", "gl"])]
+    #[arg(long, value_name = "NAME", global = true, value_parser = ["vulkan", "metal", "dx12"])]
     pub backend: Option<String>,
     /// List the adapters and do nothing else
     #[arg(long)]
@@ -58,8 +58,8 @@ pub struct RenderArgs {
     /// Picture to write; the ending decides the format. A file of this name is replaced
     #[arg(short, long = "out", value_name = "FILE")]
     pub out: PathBuf,
-    /// Size of the output, in pixels, onto which the picture is enlarged as in a window [default: that of the picture].
-    /// How finely it is drawn say picture.width and picture.height, and picture.bypass=true takes the cells away
+    /// Size of the output, in pixels, up to 8192 a side, onto which the picture is enlarged as in a window [default: that of
+    /// the picture]. How finely it is drawn say picture.width and picture.height, and picture.bypass=true takes the cells away
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<UVec2>,
     /// Also say, on standard error, how long the GPU takes for each pass

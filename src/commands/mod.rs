@@ -1,9 +1,11 @@
 //! The longer commands: measures, tells how far it is, writes the reports.
 
 mod bench;
+mod doctor;
 mod extremes;
 
 pub use bench::bench;
+pub use doctor::doctor;
 pub use extremes::extremes;
 
 use crate::{Stop, failed};

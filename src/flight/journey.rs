@@ -9,7 +9,7 @@ use super::window::Preferences;
 use super::{Flown, LONGEST_FRAME};
 use crate::physics::kerr::Kerr;
 use crate::render::CurrentScene;
-use crate::scene::journey::{Journey, between};
+use crate::scene::journey::{Journey, Unflyable, between};
 use crate::scene::{Camera, ObserverKind, Scene};
 use bevy::prelude::*;
 
@@ -70,6 +70,14 @@ impl Guide {
     #[must_use]
     pub fn progress(&self) -> String {
         format!("{:.0} of {:.0} s", self.time.floor(), self.journey.duration)
+    }
+
+    /// Whether what is left of it can be flown in this scene: all of it where it would begin again.
+    ///
+    /// # Errors
+    /// The first moment that cannot, and why.
+    pub fn check(&self, scene: &Scene) -> Result<(), Unflyable> {
+        self.journey.check(scene, self.time, drawable)
     }
 
     /// The journey's title as the beginning of a text; empty if it has none.
@@ -162,6 +170,10 @@ fn obey(
         history.note_departure(&scene, time.elapsed());
         notice.clear();
         card.close();
+        // What can be flown of it is.
+        if let Err(fault) = guide.check(&scene) {
+            notice.say(format!("This journey cannot be flown to its end here: {fault}"));
+        }
     }
 }
 

@@ -34,7 +34,7 @@ mod window;
 
 pub use bindings::{Bindings, Bound, PadBindings, Switch};
 pub use controls::{Action, CONTROLS, Command, Control, Group, Motion, control_named};
-pub use display::has_display;
+pub use display::display;
 pub use edits::edited;
 pub use gamepad::{deflection, squeeze};
 pub use history::{History, drawable};
@@ -46,7 +46,7 @@ pub use pace::Pace;
 pub use panel::shown_number;
 pub use remarks::remark;
 pub use resolution::Resolution;
-pub use settings::{Automatic, Settings};
+pub use settings::{Automatic, Settings, pictures_folder, presets_folder, settings_file};
 
 use crate::picture::quiet_log;
 use crate::render::{CurrentScene, LightfallRenderPlugin, Screen, render_plugin};

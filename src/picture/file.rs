@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, thiserror::Error)]
 pub enum PictureError {
     /// The name has no extension that this program writes.
-    #[error("{path}: unknown picture format {extension:?}; allowed is .png")]
+    #[error("{path}: {}; allowed is .png", ending(.extension))]
     Extension {
         /// The file asked for.
         path: PathBuf,
@@ -47,6 +47,14 @@ pub enum PictureError {
     /// The chain failed.
     #[error("the picture could not be drawn: {0}")]
     Draw(String),
+}
+
+/// What is wrong with the ending of a file's name.
+fn ending(extension: &str) -> String {
+    if extension.is_empty() {
+        return "the name has no ending that says which picture format to write".into();
+    }
+    format!("unknown picture format {extension:?}")
 }
 
 /// Checks that a picture can be written at `path`, before any work is done for it.

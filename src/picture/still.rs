@@ -3,7 +3,7 @@
 use super::PictureError;
 use crate::gpu::GpuScene;
 use crate::render::{AlwaysDraw, AwaitErrors, CurrentScene, LightfallRenderPlugin, is_drawn, render_plugin};
-use crate::scene::Scene;
+use crate::scene::{LONGEST_SIDE, Scene};
 use bevy::app::PluginsState;
 use bevy::asset::RenderAssetUsages;
 use bevy::camera::RenderTarget;
@@ -15,7 +15,6 @@ use bevy::render::gpu_readback::{Readback, ReadbackComplete};
 use bevy::render::pipelined_rendering::PipelinedRenderingPlugin;
 use bevy::render::render_resource::{PollType, TextureFormat, TextureUsages};
 use bevy::render::renderer::RenderDevice;
-use bevy::render::settings::WgpuLimits;
 use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
 use std::collections::BTreeMap;
@@ -202,7 +201,7 @@ fn headless(scene: &Scene, size: UVec2, timed: bool) -> Result<App, PictureError
 /// # Errors
 /// A side of zero, or longer than every device that the passes run on can do.
 pub fn check_size(field: &'static str, size: UVec2) -> Result<(), PictureError> {
-    let limit = WgpuLimits::default().max_texture_dimension_2d;
+    let limit = LONGEST_SIDE;
     if size.min_element() == 0 || size.max_element() > limit {
         return Err(PictureError::Size { field, width: size.x, height: size.y, limit });
     }

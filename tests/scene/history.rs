@@ -106,5 +106,5 @@ fn a_change_that_cannot_be_undone_says_why() {
     spinning.hole.spin = 0.9;
     let mut history = History::new(Scene::default());
     history.note(&impossible, &spinning, seconds(1));
-    assert!(history.undo(&spinning).unwrap().unwrap_err().contains("camera.r = 0.9 is refused"));
+    assert!(history.undo(&spinning).unwrap().unwrap_err().contains("hole.spin = 0 is refused beside camera.r = 0.9"));
 }
