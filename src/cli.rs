@@ -5,9 +5,10 @@ mod measure;
 mod source;
 
 pub use args::{Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs};
-pub use measure::{BenchArgs, EntryArg, ExtremesArgs};
+pub use measure::{BenchArgs, DoctorArgs, EntryArg, ExtremesArgs};
 pub use source::{CliError, journey, presets, print, scene};
 
+use crate::scene::LONGEST_SIDE;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use glam::UVec2;
@@ -26,7 +27,7 @@ Examples:
   lightfall presets show 2                       every field, with its meaning and range
 
 Lengths are in Schwarzschild radii, angles in degrees. Results go to standard output, everything else to standard
-error. Exit status: 0 all done, 2 a bad command line or preset, 1 any other failure.";
+error. Exit status: 0 all done, 2 a bad command line, preset, journey or file of rays, 1 any other failure.";
 
 /// What there is to say of a build that reads no gamepad.
 pub const NO_GAMEPAD: Option<&str> = if cfg!(feature = "gamepad") {
@@ -83,6 +84,8 @@ pub enum Command {
     Bench(BenchArgs),
     /// Measure where methods break, in the hardest places.
     Extremes(ExtremesArgs),
+    /// Say what this machine is and whether the program runs well on it.
+    Doctor(DoctorArgs),
     /// List, show or check presets.
     #[command(subcommand)]
     Presets(PresetsCommand),
@@ -111,13 +114,14 @@ fn asked(before: SceneArgs, journey: Option<PathBuf>, command: Option<Command>) 
     let Some(mut command) = command else { return Ok(Command::Fly(FlyArgs { scene: before, journey })) };
     let conflict = |message: &str| Cli::command().error(ErrorKind::ArgumentConflict, message);
     let mut journey = journey;
-    if let Command::Render(RenderArgs { journey: after, frames: Some(_), .. }) = &mut command {
-        if journey.is_some() && after.is_some() {
+    if let Command::Render(render) = &mut command {
+        if journey.is_some() && render.journey.is_some() {
             return Err(conflict("--journey may be given once: before the command or after it"));
         }
-        *after = journey.take().or(after.take());
-    } else if let Command::Render(RenderArgs { journey: after, .. }) = &mut command {
-        journey = journey.or(after.take());
+        journey = journey.or(render.journey.take());
+        if render.frames.is_some() {
+            render.journey = journey.take();
+        }
     }
     if journey.is_some() {
         return Err(conflict("--journey is for flying, without a command, and for `render` with --frames"));
@@ -130,21 +134,21 @@ fn asked(before: SceneArgs, journey: Option<PathBuf>, command: Option<Command>) 
         }
         Command::ListGpus => {}
         Command::Presets(_) if before == SceneArgs::default() => {}
-        Command::Bench(_) | Command::Extremes(_) if before == SceneArgs::default() => {}
+        Command::Bench(_) | Command::Extremes(_) | Command::Doctor(_) if before == SceneArgs::default() => {}
         Command::Presets(_) => return Err(conflict("`presets` takes no scene options")),
         Command::Bench(_) => return Err(conflict("`bench` takes its scenes by --scenes")),
         Command::Extremes(_) => return Err(conflict("`extremes` takes no scene options: its cells are its scenes")),
+        Command::Doctor(_) => return Err(conflict("`doctor` takes no scene options")),
     }
     Ok(command)
 }
 
 /// Reads a size such as `960x540`.
 fn size(text: &str) -> Result<UVec2, String> {
-    const MOST: u32 = 16384;
-    let side = |side: &str| side.parse().ok().filter(|side| (1..=MOST).contains(side));
+    let side = |side: &str| side.parse().ok().filter(|side| (1..=LONGEST_SIDE).contains(side));
     let (width, height) = text.split_once(['x', 'X']).unwrap_or_default();
     side(width)
         .zip(side(height))
         .map(UVec2::from)
-        .ok_or(format!("a size is WxH, such as 960x540, each from 1 to {MOST}"))
+        .ok_or(format!("a size is WxH, such as 960x540, each from 1 to {LONGEST_SIDE}"))
 }

@@ -25,9 +25,12 @@ fn refused(error: impl Error) -> Stop {
     Stop(2, error.to_string())
 }
 
-/// No device to work with: a bad command line if there is none of that name.
+/// No device to work with: a bad command line if there is none of that name or interface.
 fn without_device(error: gpu::GpuError) -> Stop {
-    if matches!(error, gpu::GpuError::UnknownAdapter { .. }) { refused(error) } else { failed(error) }
+    match error {
+        gpu::GpuError::UnknownAdapter { .. } | gpu::GpuError::UnknownBackend { .. } => refused(error),
+        _ => failed(error),
+    }
 }
 
 /// Any other failure.
@@ -55,6 +58,7 @@ fn main() -> ExitCode {
         Command::Trace(args) => trace(&args),
         Command::Bench(args) => commands::bench(&args),
         Command::Extremes(args) => commands::extremes(&args),
+        Command::Doctor(args) => commands::doctor(&args),
         Command::Presets(command) => {
             cli::presets(&command, &mut io::stdout().lock()).map_err(|error| Stop(error.exit_code(), error.to_string()))
         }
@@ -89,11 +93,9 @@ fn choose_adapter(gpu: &GpuArgs) {
 }
 
 fn list_adapters() -> Result<(), Stop> {
-    let adapters = gpu::adapters();
-    if adapters.is_empty() {
-        return Err(failed(gpu::GpuError::NoAdapter));
-    }
-    let lines: String = adapters.iter().map(|adapter| format!("{adapter}\n")).collect();
+    // Also where a name is given that none of them has.
+    gpu::check_adapter().map_err(without_device)?;
+    let lines: String = gpu::adapters().iter().map(|adapter| format!("{adapter}\n")).collect();
     commands::print(&lines)
 }
 
@@ -110,12 +112,21 @@ fn check_drawable(scene: &Scene) -> Result<(), Stop> {
 }
 
 fn fly(args: &FlyArgs) -> Result<(), Stop> {
-    let scene = scene(&args.scene)?;
-    let journey = cli::journey(args.journey.as_deref()).map_err(|error| Stop(error.exit_code(), error.to_string()))?;
+    let mut scene = scene(&args.scene)?;
     check_drawable(&scene)?;
-    if let Err(reason) = flight::has_display() {
-        eprintln!("lightfall: no display ({reason}); rendering the scene to a picture instead");
-        let file = unused_name(&scene.name);
+    let of_file = args.journey.as_deref();
+    let journey = cli::journey(of_file, &scene).map_err(|error| Stop(error.exit_code(), error.to_string()))?;
+    if let Err(reason) = flight::display() {
+        let (name, what) = match of_file {
+            None => (scene.name.clone(), "the scene".to_owned()),
+            Some(file) => {
+                journey.apply(0.0, &mut scene);
+                let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+                (name, format!("the first moment of {}", file.display()))
+            }
+        };
+        eprintln!("lightfall: no display ({reason}); rendering {what} to a picture instead");
+        let file = unused_name(&name);
         let still = picture::render(&scene, UVec2::new(scene.picture.width, scene.picture.height)).map_err(failed)?;
         return commands::write_still(&file, &still, &scene);
     }
@@ -143,9 +154,10 @@ fn trace(args: &TraceArgs) -> Result<(), Stop> {
             std::fs::File::open(&args.rays).map_err(|error| Stop(2, format!("{name}: cannot be read: {error}")))?;
         (Box::new(file), name)
     };
-    let directions = RayReader::new(BufReader::new(input), &name).collect::<Result<Vec<_>, _>>().map_err(failed)?;
+    let directions = RayReader::new(BufReader::new(input), &name).collect::<Result<Vec<_>, _>>().map_err(refused)?;
     if directions.is_empty() {
-        eprintln!("lightfall: {name}: there are no rays; a ray is a line er,etheta,ephi, such as 0,-0.1,1");
+        // More likely a command before this one that failed than a wish for nothing.
+        return Err(Stop(2, format!("{name}: there are no rays; a ray is a line er,etheta,ephi, such as 0,-0.1,1")));
     }
     let traces: Vec<Trace> = match args.device {
         Device::Cpu => {

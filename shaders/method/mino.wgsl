@@ -168,8 +168,8 @@ fn trace(photon: Photon) -> Trace {
     if near && depth > 0.0 {
         // E and B u^2 may cancel at the camera; u'^2 and K' u^2 D do not, outside.
         let d = depth * (scene.horizon_gap + a * a * depth);
-        let w_camera = sqrt(square(scale * photon.radial) + k_prime * square(scene.camera_u) * d);
-        horizon_w = w_camera + drag * depth * (2.0 * u_horizon - depth);
+        let w_there = sqrt(square(scale * photon.radial) + k_prime * square(scene.camera_u) * d);
+        horizon_w = w_there + drag * depth * (2.0 * u_horizon - depth);
     }
     let constants = Constants(energy, drag, k_prime, 2.0 * energy * drag - k_prime, square(a * energy), horizon_w);
 

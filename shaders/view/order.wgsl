@@ -2,6 +2,13 @@
 // 2 blue, 3 and more white, which colour-blind eyes tell apart; the sky is darker than the disk. What is captured unseen
 // is black.
 
+fn order_colour(order: f32) -> vec3<f32> {
+    var colour = vec3<f32>(0.20);
+    colour = select(colour, vec3<f32>(0.79, 0.35, 0.0), order >= 1.0);
+    colour = select(colour, vec3<f32>(0.0, 0.17, 0.45), order >= 2.0);
+    return select(colour, vec3<f32>(0.95), order >= 3.0);
+}
+
 fn light_along(photon: Photon) -> vec3<f32> {
     let ray = trace(photon);
     let seen = ray.hit_count > 0u;
@@ -12,10 +19,5 @@ fn light_along(photon: Photon) -> vec3<f32> {
         return vec3<f32>(0.0);
     }
     // From a camera in the disk's plane, the disk is met after whole half-turns exactly.
-    let order = floor((ray.turn - 1e-5) / PI);
-    var colour = vec3<f32>(0.20);
-    colour = select(colour, vec3<f32>(0.79, 0.35, 0.0), order >= 1.0);
-    colour = select(colour, vec3<f32>(0.0, 0.17, 0.45), order >= 2.0);
-    colour = select(colour, vec3<f32>(0.95), order >= 3.0);
-    return mark(select(0.25, 1.0, seen) * colour);
+    return mark(select(0.25, 1.0, seen) * order_colour(floor((ray.turn - 1e-5) / PI)));
 }

@@ -16,7 +16,7 @@ pub struct GpuArgs {
     #[arg(long, value_name = "NAME", global = true)]
     pub gpu: Option<String>,
     /// Use this graphics interface; as WGPU_BACKEND
-    #[arg(long, value_name = "NAME", global = true, value_parser = ["vulkan", "metal", "dx12", "gl"])]
+    #[arg(long, value_name = "NAME", global = true, value_parser = ["vulkan", "metal", "dx12"])]
     pub backend: Option<String>,
     /// List the adapters and do nothing else
     #[arg(long)]
@@ -62,9 +62,9 @@ pub struct RenderArgs {
     /// A file of this name is replaced
     #[arg(short, long = "out", value_name = "FILE")]
     pub out: PathBuf,
-    /// Size of the output, in pixels, onto which a .png is enlarged as in a window; how finely it is drawn say picture.width
-    /// and picture.height, and picture.bypass=true takes the cells away. Of an .exr, which has no cells, it is the size that
-    /// is drawn [default: that of the picture]
+    /// Size of the output, in pixels, up to 8192 a side, onto which a .png is enlarged as in a window; how finely it is drawn
+    /// say picture.width and picture.height, and picture.bypass=true takes the cells away. Of an .exr, which has no cells, it
+    /// is the size that is drawn [default: that of the picture]
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<UVec2>,
     /// Channels that an .exr has besides R, G, B and A, separated by commas: `all`, groups, or single ones, see below

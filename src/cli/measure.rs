@@ -1,4 +1,4 @@
-//! What `lightfall bench` and `lightfall extremes` are told.
+//! What `lightfall bench`, `lightfall extremes` and `lightfall doctor` are told.
 
 use crate::gpu::timing::Stage;
 use crate::report::bench::{Plan, Subject, subjects};
@@ -78,6 +78,19 @@ pub struct ExtremesArgs {
     /// Folder for the reports; it is made, and files of the same names are replaced
     #[arg(long, value_name = "DIR", conflicts_with = "hunt")]
     pub out: Option<PathBuf>,
+    /// JSON on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What `lightfall doctor` is told.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The self-test traces rays of presets 2 and 8 as pictures are traced and holds them against the f64 reference; \
+                        docs/ACCURACY.md says what is stated of them. Nothing is changed. The exit status is 1 if something \
+                        that is needed does not work; the report says what, and what to do."
+)]
+pub struct DoctorArgs {
     /// JSON on standard output
     #[arg(long)]
     pub json: bool,

@@ -1,10 +1,11 @@
 //! Where scenes and journeys come from: a name, a file, and what overrides single fields.
 
 use super::args::{PresetsCommand, SceneArgs};
+use crate::flight::drawable;
 use crate::gpu::{GpuError, GpuScene};
 use crate::picture::{embedded_preset, is_picture};
 use crate::report::rays::is_closed_pipe;
-use crate::scene::journey::{self, Journey, JourneyError};
+use crate::scene::journey::{self, Journey, JourneyError, Unflyable};
 use crate::scene::{Override, Scene, SceneError, load, presets};
 use std::ffi::OsStr;
 use std::fs::File;
@@ -24,9 +25,19 @@ pub enum CliError {
     /// The journey is wrong.
     #[error(transparent)]
     Journey(#[from] JourneyError),
+    /// The journey cannot be flown in this scene.
+    #[error("{}: {unflyable}", path.display())]
+    Unflyable {
+        /// The file.
+        path: PathBuf,
+        /// Where, and why.
+        unflyable: Unflyable,
+    },
     /// No built-in preset and no file has this name.
-    #[error("--preset {given}: there is no such file, and the presets are {}", all_presets())]
+    #[error("{asked} {given}: there is no such file, and the presets are {}", all_presets())]
     UnknownPreset {
+        /// Who asked: an option or a command.
+        asked: &'static str,
         /// What was given.
         given: String,
     },
@@ -87,7 +98,7 @@ pub fn scene(args: &SceneArgs) -> Result<Scene, CliError> {
     let overrides = args.overrides()?;
     match &args.preset {
         None => Ok(presets::PRESETS[presets::DEFAULT - 1].scene(&overrides)?),
-        Some(preset) => named(preset, &overrides),
+        Some(preset) => named("--preset", preset, &overrides),
     }
 }
 
@@ -106,7 +117,7 @@ pub fn presets(command: &PresetsCommand, out: &mut impl Write) -> Result<(), Cli
             list
         }
         PresetsCommand::Show { preset, needs } => {
-            let scene = named(preset, &[])?;
+            let scene = named("presets show", preset, &[])?;
             if *needs { crate::render::needs(&scene) } else { scene.to_preset() }
         }
         PresetsCommand::Check { file } => {
@@ -133,28 +144,28 @@ pub fn print(text: &str, out: &mut impl Write) -> Result<(), CliError> {
     }
 }
 
-/// The scene of a built-in preset's number or name, else of a file.
-fn named(preset: &OsStr, overrides: &[Override]) -> Result<Scene, CliError> {
+/// The scene of a built-in preset's number or name, else of a file; errors say who `asked`.
+fn named(asked: &'static str, preset: &OsStr, overrides: &[Override]) -> Result<Scene, CliError> {
     if let Some(preset) = preset.to_str().and_then(presets::find) {
         return Ok(preset.scene(overrides)?);
     }
     let path = Path::new(preset);
     let looks_like_a_path = path.components().count() > 1 || path.extension().is_some();
     if !looks_like_a_path && !path.exists() {
-        return Err(CliError::UnknownPreset { given: preset.display().to_string() });
+        return Err(CliError::UnknownPreset { asked, given: preset.display().to_string() });
     }
     from_file(path, overrides)
 }
 
-/// The journey of a file, or the built-in one.
+/// The journey of a file, which all of it can be flown in `scene`; or the built-in one, which may never be flown.
 ///
 /// # Errors
 /// One sentence that names the file and what is wrong with it.
-pub fn journey(file: Option<&Path>) -> Result<Journey, CliError> {
-    Ok(match file {
-        None => journey::load("the built-in journey", journey::DEFAULT)?,
-        Some(path) => journey::load(&path.display().to_string(), &read_text(path)?)?,
-    })
+pub fn journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, CliError> {
+    let Some(path) = file else { return Ok(journey::load("the built-in journey", journey::DEFAULT)?) };
+    let journey = journey::load(&path.display().to_string(), &read_text(path)?)?;
+    let checked = journey.check(scene, 0.0, drawable);
+    checked.map(|()| journey).map_err(|unflyable| CliError::Unflyable { path: path.into(), unflyable })
 }
 
 /// The scene of a preset file, or of the preset in a picture.

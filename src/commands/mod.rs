@@ -1,10 +1,12 @@
 //! The longer commands: measures, tells how far it is, writes the reports.
 
 mod bench;
+mod doctor;
 mod extremes;
 mod render;
 
 pub use bench::bench;
+pub use doctor::doctor;
 pub use extremes::extremes;
 pub use render::{render, write_still};
 

@@ -5,7 +5,7 @@ use crate::{Stop, check_drawable, failed, refused, scene, without_device};
 use glam::UVec2;
 use indicatif::ProgressBar;
 use lightfall::cli::{self, RenderArgs};
-use lightfall::gpu::GpuScene;
+use lightfall::flight::drawable;
 use lightfall::picture::{
     self, Channels, Equipment, Format, Frames, Linear, PassTime, PictureError, PixelRays, Sequence, Still, Studio,
 };
@@ -19,7 +19,7 @@ const TIMED_FRAMES: usize = 15;
 pub fn render(args: &RenderArgs) -> Result<(), Stop> {
     let mut scene = scene(&args.scene)?;
     // The file first: a picture that cannot be kept is not worth the work.
-    let sequence = args.frames.map(|frames| sequence(args, frames)).transpose()?;
+    let sequence = args.frames.map(|frames| sequence(args, frames, &scene)).transpose()?;
     let first = sequence.as_ref().map_or_else(|| args.out.clone(), |sequence| sequence.file(sequence.frames.first));
     let format = picture::check_path(&first).map_err(refused)?;
     if let (Format::Exr, Some(size)) = (format, args.size) {
@@ -60,8 +60,9 @@ pub fn render(args: &RenderArgs) -> Result<(), Stop> {
     Ok(())
 }
 
-fn sequence(args: &RenderArgs, frames: Frames) -> Result<Sequence, Stop> {
-    let journey = cli::journey(args.journey.as_deref()).map_err(|error| Stop(error.exit_code(), error.to_string()))?;
+fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence, Stop> {
+    let of_file = args.journey.as_deref();
+    let journey = cli::journey(of_file, scene).map_err(|error| Stop(error.exit_code(), error.to_string()))?;
     let sequence = Sequence::new(journey, frames, args.fps, &args.out).map_err(|sentence| Stop(2, sentence))?;
     let end = sequence.end();
     if f64::from(frames.last) > end {
@@ -102,11 +103,8 @@ impl Shots {
         check_drawable(&self.get(self.numbers().start).0)?;
         let Some(sequence) = &self.sequence else { return Ok(()) };
         for number in self.numbers() {
-            let scene = sequence.scene(&self.scene, number);
-            let refused = |sentence: String| Stop(2, format!("frame {number}: {sentence}"));
-            scene.check().map_err(|refusal| refused(refusal.to_string()))?;
-            let size = UVec2::new(scene.picture.width, scene.picture.height);
-            GpuScene::new(&scene, size).map_err(|error| refused(error.to_string()))?;
+            let refused = |sentence| Stop(2, format!("frame {number}: {sentence}"));
+            drawable(sequence.scene(&self.scene, number)).map_err(refused)?;
         }
         Ok(())
     }

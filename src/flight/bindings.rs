@@ -1,8 +1,8 @@
 //! Which keys and which buttons of a gamepad the controls have: those of the tables, unless the settings say otherwise.
 
-use super::buttons::{button_name, button_named, button_names, default_buttons};
+use super::buttons::{self, default_buttons};
 use super::controls::{CONTROLS, Control, control_named};
-use super::keys::{key_name, key_named, key_names};
+use super::keys;
 use bevy::prelude::{GamepadButton, KeyCode, Resource};
 use std::collections::BTreeMap;
 
@@ -11,6 +11,9 @@ pub trait Switch: Copy + PartialEq + Send + Sync + 'static {
     /// What it is called in a sentence; with an s, its table in the settings file.
     const WORD: &'static str;
 
+    /// Every one that a control can be bound to, with its name.
+    const NAMES: &'static [(Self, &'static str)];
+
     /// Those of a control where the settings say nothing else.
     fn defaults(control: &Control) -> &'static [Self];
 
@@ -18,17 +21,24 @@ pub trait Switch: Copy + PartialEq + Send + Sync + 'static {
     fn with_alt(control: &Control) -> bool;
 
     /// Its name; none if nothing can be bound to it.
-    fn name(self) -> Option<&'static str>;
+    fn name(self) -> Option<&'static str> {
+        Self::NAMES.iter().find(|(switch, _)| *switch == self).map(|(_, name)| *name)
+    }
 
-    /// The one with this name.
-    fn named(name: &str) -> Option<Self>;
+    /// The one with this name, however it is capitalized.
+    fn named(name: &str) -> Option<Self> {
+        Self::NAMES.iter().find(|(_, known)| known.eq_ignore_ascii_case(name.trim())).map(|(switch, _)| *switch)
+    }
 
-    /// Every name.
-    fn names() -> Vec<&'static str>;
+    /// Every name, in the order of the table.
+    fn names() -> impl Iterator<Item = &'static str> {
+        Self::NAMES.iter().map(|(_, name)| *name)
+    }
 }
 
 impl Switch for KeyCode {
     const WORD: &'static str = "key";
+    const NAMES: &'static [(Self, &'static str)] = keys::NAMES;
 
     fn defaults(control: &Control) -> &'static [Self] {
         control.keys
@@ -37,22 +47,11 @@ impl Switch for KeyCode {
     fn with_alt(control: &Control) -> bool {
         control.alt
     }
-
-    fn name(self) -> Option<&'static str> {
-        key_name(self)
-    }
-
-    fn named(name: &str) -> Option<Self> {
-        key_named(name)
-    }
-
-    fn names() -> Vec<&'static str> {
-        key_names().collect()
-    }
 }
 
 impl Switch for GamepadButton {
     const WORD: &'static str = "button";
+    const NAMES: &'static [(Self, &'static str)] = buttons::NAMES;
 
     fn defaults(control: &Control) -> &'static [Self] {
         default_buttons(control.id)
@@ -60,18 +59,6 @@ impl Switch for GamepadButton {
 
     fn with_alt(_: &Control) -> bool {
         false
-    }
-
-    fn name(self) -> Option<&'static str> {
-        button_name(self)
-    }
-
-    fn named(name: &str) -> Option<Self> {
-        button_named(name)
-    }
-
-    fn names() -> Vec<&'static str> {
-        button_names().collect()
     }
 }
 
@@ -105,7 +92,7 @@ impl<S: Switch> Bound<S> {
             })?;
             let switches = names.iter().map(|name| {
                 S::named(name).ok_or_else(|| {
-                    let known = S::names().join(" ");
+                    let known = S::names().collect::<Vec<_>>().join(" ");
                     format!("{word}s: {id} is given the {word} \"{name}\", which is none; the {word}s are {known}")
                 })
             });

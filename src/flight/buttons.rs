@@ -4,7 +4,7 @@
 use bevy::prelude::GamepadButton;
 
 /// Every button that a control can be bound to, with its name.
-const NAMES: &[(GamepadButton, &str)] = &[
+pub(super) const NAMES: &[(GamepadButton, &str)] = &[
     (GamepadButton::South, "A"),
     (GamepadButton::East, "B"),
     (GamepadButton::West, "X"),
@@ -51,21 +51,4 @@ const DEFAULTS: &[(&str, &[GamepadButton])] = &[
 #[must_use]
 pub fn default_buttons(id: &str) -> &'static [GamepadButton] {
     DEFAULTS.iter().find(|(control, _)| *control == id).map_or(&[], |(_, buttons)| buttons)
-}
-
-/// The name of a button; none for one that nothing can be bound to.
-#[must_use]
-pub fn button_name(button: GamepadButton) -> Option<&'static str> {
-    NAMES.iter().find(|(named, _)| *named == button).map(|(_, name)| *name)
-}
-
-/// The button with this name, however it is capitalized.
-#[must_use]
-pub fn button_named(name: &str) -> Option<GamepadButton> {
-    NAMES.iter().find(|(_, known)| known.eq_ignore_ascii_case(name.trim())).map(|(button, _)| *button)
-}
-
-/// Every name, in the order of the table.
-pub fn button_names() -> impl Iterator<Item = &'static str> {
-    NAMES.iter().map(|(_, name)| *name)
 }

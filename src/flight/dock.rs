@@ -38,11 +38,23 @@ pub(super) fn look(
         return;
     };
     let [x, y] = (mouse / context.zoom_factor()).to_array();
-    let docked = |open: bool, width: f32, from_edge: f32| open && !shown.hidden && from_edge < width;
-    let from_right = context.content_rect().right() - x;
-    let on_panel = docked(shown.inspector, inspector::WIDTH, x) || docked(shown.panel, panel::WIDTH, from_right);
+    let on_panel = x < shown.left() || context.content_rect().right() - x < shown.right();
     let on_area = context.layer_id_at(egui::pos2(x, y)).is_some_and(|layer| layer.order != egui::Order::Background);
     over.0 = !(on_panel || on_area || context.egui_is_using_pointer());
+}
+
+/// In a window too narrow for both panels the one that was opened first gives way, as long as it is so.
+pub(super) fn make_room(mut contexts: EguiContexts, mut shown: ResMut<Shown>, mut first: Local<Option<Side>>) {
+    let Ok(context) = contexts.ctx_mut() else { return };
+    let both = shown.panel && shown.inspector;
+    if !both {
+        *first = if shown.panel { Some(Side::Right) } else { Some(Side::Left) };
+    }
+    let narrow = context.content_rect().width() < panel::WIDTH + inspector::WIDTH;
+    let gives_way = first.filter(|_| both && narrow);
+    if shown.gives_way != gives_way {
+        shown.gives_way = gives_way;
+    }
 }
 
 /// Shows a panel as high as the window. It is an area of egui's own, so that the mouse over it does nothing to the picture.

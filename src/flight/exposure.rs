@@ -39,8 +39,7 @@ fn follow(
     mut scene: ResMut<CurrentScene>,
     mut meter: Local<(f64, Option<f64>)>,
 ) {
-    let settings = &preferences.settings;
-    if !settings.automatic_exposure || settings.reduced_motion {
+    if !preferences.settings.follows_light() {
         return;
     }
     let (age, wanted) = &mut *meter;

@@ -104,7 +104,7 @@ fn tell(
     for GamepadConnectionEvent { gamepad, connection } in connections.read() {
         let news = match connection {
             GamepadConnection::Connected { name, .. } => {
-                let help = super::control_named("window.help").map(|help| bindings.in_words(help)).unwrap_or_default();
+                let help = bindings.named("window.help");
                 format!("{name}: the left stick flies, the right one looks around; {help} shows its buttons")
             }
             GamepadConnection::Disconnected => {

@@ -1,11 +1,9 @@
 //! The lines at the bottom of the window: where the camera is, what was just said, and where to begin.
 
 use super::bindings::Bindings;
-use super::inspector;
 use super::journey::Guide;
 use super::motion::Voyage;
 use super::notice::Notice;
-use super::panel;
 use super::pilot::Pilot;
 use super::window::Shown;
 use crate::render::CurrentScene;
@@ -40,8 +38,8 @@ pub(super) fn plugin(app: &mut App) {
 fn beginning(bindings: &Bindings) -> String {
     let mut entries = vec!["right mouse button look".to_owned(), "wheel speed".to_owned()];
     for (place, (ids, does)) in FIRST.iter().enumerate() {
-        let name = |id: &&str| super::controls::control_named(id).map(|control| bindings.in_words(control));
-        let names: Vec<_> = ids.iter().filter_map(name).map(|keys| keys.replace(", ", " ")).collect();
+        let name = |id: &&str| bindings.named(id);
+        let names: Vec<_> = ids.iter().map(name).map(|keys| keys.replace(", ", " ")).collect();
         let keys = match ids.len() {
             2 => names.join("-"),
             _ => names.concat(),
@@ -91,8 +89,7 @@ fn show(
     }
     let context = contexts.ctx_mut()?;
     // In what the panels leave free; what was just said is said over them where that is too little.
-    let right = if shown.panel { panel::WIDTH } else { 0.0 };
-    let left = if shown.inspector { inspector::WIDTH } else { 0.0 };
+    let [left, right] = [shown.left(), shown.right()];
     let width = context.content_rect().width() - 2.0 * MARGIN;
     let free = width - left - right;
     let (widest, shift, order) = if free > NARROWEST {

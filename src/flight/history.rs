@@ -25,7 +25,9 @@ pub struct History {
 #[derive(Clone, Debug)]
 struct Change {
     before: Scene,
-    after: Scene,
+    /// None for a departure: where it leads is not known yet, and all that is taken back is where the camera was and how it
+    /// moved.
+    after: Option<Scene>,
     /// What was loaded before.
     loaded: Scene,
     at: Duration,
@@ -53,16 +55,26 @@ impl History {
         if let Some(last) = self.past.back_mut()
             && at.saturating_sub(last.at) < ONE_CHANGE
             && last.loaded == self.loaded
-            && last.after == *before
-            && keys(&last.before, &last.after) == keys(before, after)
+            && let Some(middle) = &last.after
+            && middle == before
+            && keys(&last.before, middle) == keys(before, after)
         {
-            (last.after, last.at) = (after.clone(), at);
+            (last.after, last.at) = (Some(after.clone()), at);
             return;
         }
+        self.push(before, Some(after.clone()), at);
+    }
+
+    /// Notes that the camera is about to be led away from where it is.
+    pub fn note_departure(&mut self, before: &Scene, at: Duration) {
+        self.push(before, None, at);
+    }
+
+    fn push(&mut self, before: &Scene, after: Option<Scene>, at: Duration) {
         if self.past.len() == LONGEST {
             self.past.pop_front();
         }
-        self.past.push_back(Change { before: before.clone(), after: after.clone(), loaded: self.loaded.clone(), at });
+        self.past.push_back(Change { before: before.clone(), after, loaded: self.loaded.clone(), at });
     }
 
     /// Notes that another scene was loaded in place of `before`.
@@ -78,7 +90,10 @@ impl History {
     /// Why the scene without it cannot be drawn.
     pub fn undo(&mut self, now: &Scene) -> Option<Result<Scene, String>> {
         let Change { before, after, loaded, .. } = self.past.pop_back()?;
-        let undone = now.with(before.differences(&after)).map_err(|refusal| refusal.to_string());
+        let undone = match &after {
+            Some(after) => now.with(before.differences(after)).map_err(|refusal| refusal.to_string()),
+            None => Ok(Scene { camera: before.camera, observer: before.observer, ..now.clone() }),
+        };
         let undone = undone.and_then(drawable).or_else(|refusal| drawable(before).map_err(|_| refusal));
         Some(undone.inspect(|_| self.loaded = loaded))
     }

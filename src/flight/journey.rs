@@ -3,14 +3,14 @@
 use super::bindings::Bindings;
 use super::card::Card;
 use super::controls::Command;
-use super::history::drawable;
+use super::history::{History, drawable};
 use super::notice::Notice;
 use super::window::Preferences;
 use super::{Flown, LONGEST_FRAME};
 use crate::physics::kerr::Kerr;
 use crate::render::CurrentScene;
-use crate::scene::journey::{Journey, between};
-use crate::scene::{Camera, Scene};
+use crate::scene::journey::{Journey, Unflyable, between};
+use crate::scene::{Camera, ObserverKind, Scene};
 use bevy::prelude::*;
 
 /// Seconds in which the camera comes from where it is to where the journey is.
@@ -70,6 +70,20 @@ impl Guide {
     #[must_use]
     pub fn progress(&self) -> String {
         format!("{:.0} of {:.0} s", self.time.floor(), self.journey.duration)
+    }
+
+    /// Whether what is left of it can be flown in this scene: all of it where it would begin again.
+    ///
+    /// # Errors
+    /// The first moment that cannot, and why.
+    pub fn check(&self, scene: &Scene) -> Result<(), Unflyable> {
+        self.journey.check(scene, self.time, drawable)
+    }
+
+    /// The journey's title as the beginning of a text; empty if it has none.
+    fn heading(&self) -> String {
+        let title = self.journey.title.trim();
+        if title.is_empty() { String::new() } else { format!("{title}.\n\n") }
     }
 
     /// Goes on from where the journey was left, coming gently from where the camera is; after its end from the beginning.
@@ -135,6 +149,8 @@ fn obey(
     mut commands: MessageReader<Command>,
     mut guide: ResMut<Guide>,
     scene: Res<CurrentScene>,
+    time: Res<Time<Real>>,
+    mut history: ResMut<History>,
     bindings: Res<Bindings>,
     mut notice: ResMut<Notice>,
     mut card: ResMut<Card>,
@@ -151,8 +167,13 @@ fn obey(
             Command::JourneyAgain => guide.restart(),
             _ => continue,
         }
+        history.note_departure(&scene, time.elapsed());
         notice.clear();
         card.close();
+        // What can be flown of it is.
+        if let Err(fault) = guide.check(&scene) {
+            notice.say(format!("This journey cannot be flown to its end here: {fault}"));
+        }
     }
 }
 
@@ -181,23 +202,27 @@ fn fly(
         Moment::Scene(next) => scene.0 = *next,
         Moment::End(next) => {
             scene.0 = *next;
-            card.show("The journey ends here", &ending(&scene));
+            card.show("The journey ends here", &format!("{}{}", guide.heading(), ending(&scene, &bindings)));
         }
         Moment::Refused(reason) => notice.say(format!("The journey cannot go on here: {reason}")),
     }
 }
 
 /// Where a journey has ended, in a sentence.
-fn ending(scene: &Scene) -> String {
+fn ending(scene: &Scene, bindings: &Bindings) -> String {
     let (r, horizon) = (scene.camera.r, Kerr { spin: scene.hole.spin }.horizon());
     if r < horizon {
-        format!(
+        return format!(
             "r = {r:.3} r_s, inside the horizon at {horizon:.3}. What you see fell in after you; nothing that you send reaches \
              the outside, and every way leads further in."
-        )
-    } else {
-        format!(
-            "r = {r:.3} r_s. The horizon is at {horizon:.3}: here hovering takes a thrust that grows without limit."
-        )
+        );
     }
+    let here = match scene.observer.kind {
+        ObserverKind::Static | ObserverKind::Zamo => {
+            "The nearer it is, the more thrust hovering takes, without limit.".into()
+        }
+        ObserverKind::Orbit => format!("You circle it: {} lets the orbit go on.", bindings.named("motion.let_go")),
+        ObserverKind::Rain => format!("You fall freely: {} lets the fall go on.", bindings.named("motion.let_go")),
+    };
+    format!("r = {r:.3} r_s. The horizon is at {horizon:.3}. {here}")
 }

@@ -9,6 +9,7 @@ use super::notice::Notice;
 use super::panel::Rebinding;
 use super::remarks::remark;
 use super::resolution::Resolution;
+use super::window::Preferences;
 use crate::render::CurrentScene;
 use crate::scene::Scene;
 use bevy::ecs::system::SystemParam;
@@ -155,6 +156,7 @@ fn apply(
     bindings: Res<Bindings>,
     typing: Res<Typing>,
     pads: Pads,
+    preferences: Res<Preferences>,
     mut editor: SceneEditor,
     mut commands: MessageWriter<Command>,
 ) {
@@ -168,6 +170,7 @@ fn apply(
     let by_key = presses.into_iter().filter(|_| listens).filter_map(|code| bindings.owner(code, alt));
     let by_key = by_key.map(|control| (control, bindings.in_words(control)));
     let by_button = bindings.iter().filter_map(|(control, _)| pads.pressed(control).map(|button| (control, button)));
+    let metered = preferences.settings.follows_light();
     for (control, who) in by_key.chain(by_button) {
         if let Action::Do(command) = control.action {
             commands.write(command);
@@ -177,7 +180,8 @@ fn apply(
         match control.action {
             Action::Load(_) | Action::Turn(_) => editor.load(&who, changed),
             _ => {
-                let remark = changed.as_ref().ok().and_then(|after| remark(control, &before, after, &bindings));
+                let remark =
+                    changed.as_ref().ok().and_then(|after| remark(control, &before, after, &bindings, metered));
                 editor.change(&who, changed);
                 if let Some(remark) = remark {
                     editor.say(format!("{who}: {remark}"));

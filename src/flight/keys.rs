@@ -3,7 +3,7 @@
 use bevy::prelude::KeyCode;
 
 /// Every key that a control can be bound to, by its place on the keyboard, with its name.
-const NAMES: &[(KeyCode, &str)] = &[
+pub(super) const NAMES: &[(KeyCode, &str)] = &[
     (KeyCode::KeyA, "A"),
     (KeyCode::KeyB, "B"),
     (KeyCode::KeyC, "C"),
@@ -98,20 +98,3 @@ const NAMES: &[(KeyCode, &str)] = &[
     (KeyCode::Numpad8, "Keypad 8"),
     (KeyCode::Numpad9, "Keypad 9"),
 ];
-
-/// The name of a key; none for one that nothing can be bound to.
-#[must_use]
-pub fn key_name(code: KeyCode) -> Option<&'static str> {
-    NAMES.iter().find(|(named, _)| *named == code).map(|(_, name)| *name)
-}
-
-/// The key with this name, however it is capitalized.
-#[must_use]
-pub fn key_named(name: &str) -> Option<KeyCode> {
-    NAMES.iter().find(|(_, known)| known.eq_ignore_ascii_case(name.trim())).map(|(code, _)| *code)
-}
-
-/// Every name, in the order of the table.
-pub fn key_names() -> impl Iterator<Item = &'static str> {
-    NAMES.iter().map(|(_, name)| *name)
-}

@@ -19,6 +19,7 @@ mod inspector;
 mod journey;
 mod keyboard;
 mod keys;
+mod legend;
 mod motion;
 mod notice;
 mod pace;
@@ -32,21 +33,20 @@ mod settings;
 mod window;
 
 pub use bindings::{Bindings, Bound, PadBindings, Switch};
-pub use buttons::{button_name, button_named, button_names};
 pub use controls::{Action, CONTROLS, Command, Control, Group, Motion, control_named};
-pub use display::has_display;
+pub use display::display;
 pub use edits::edited;
 pub use gamepad::{deflection, squeeze};
 pub use history::{History, drawable};
 pub use inspector::pixel_at;
 pub use journey::{Guide, Moment};
-pub use keys::{key_name, key_named, key_names};
+pub use legend::{Swatch, legend};
 pub use motion::Voyage;
 pub use pace::Pace;
 pub use panel::shown_number;
 pub use remarks::remark;
 pub use resolution::Resolution;
-pub use settings::{Automatic, Settings};
+pub use settings::{Automatic, Settings, pictures_folder, presets_folder, settings_file};
 
 use crate::picture::quiet_log;
 use crate::render::{CurrentScene, LightfallRenderPlugin, Screen, render_plugin};
@@ -104,7 +104,15 @@ pub fn program(scene: Scene, journey: Journey, guided: bool) -> App {
     .add_plugins((notice::plugin, window::plugin, keyboard::plugin, pilot::plugin, pace::plugin, resolution::plugin))
     .add_plugins((recovery::RecoveryPlugin, adapter::plugin, gamepad::plugin))
     .add_plugins((card::plugin, journey::plugin, motion::plugin, exposure::plugin))
-    .add_plugins((screenshot::plugin, hint::plugin, help::plugin, panel::plugin, inspector::plugin, clipboard::plugin))
+    .add_plugins((
+        screenshot::plugin,
+        hint::plugin,
+        legend::plugin,
+        help::plugin,
+        panel::plugin,
+        inspector::plugin,
+        clipboard::plugin,
+    ))
     .add_systems(Update, (attach_ui, retitle.run_if(resource_changed::<CurrentScene>)));
     app
 }

@@ -3,7 +3,7 @@
 use super::bindings::Bindings;
 use super::card::Card;
 use super::controls::Command;
-use super::history::drawable;
+use super::history::{History, drawable};
 use super::notice::Notice;
 use super::{Flown, LONGEST_FRAME, Moment};
 use crate::physics::kerr::Kerr;
@@ -131,6 +131,8 @@ fn obey(
     mut commands: MessageReader<Command>,
     mut voyage: ResMut<Voyage>,
     scene: Res<CurrentScene>,
+    time: Res<Time<Real>>,
+    mut history: ResMut<History>,
     bindings: Res<Bindings>,
     mut notice: ResMut<Notice>,
     mut card: ResMut<Card>,
@@ -140,8 +142,9 @@ fn obey(
             Command::LetGo if voyage.moves() => voyage.stop(),
             Command::LetGo => {
                 card.close();
-                if let Err(error) = voyage.start(&scene) {
-                    notice.say(error.to_string());
+                match voyage.start(&scene) {
+                    Ok(()) => history.note_departure(&scene, time.elapsed()),
+                    Err(error) => notice.say(error.to_string()),
                 }
             }
             Command::TimeFaster => voyage.turn_pace(1),

@@ -6,6 +6,7 @@ use super::window::Preferences;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use bevy::winit::{UpdateMode, WinitSettings};
+use bevy_egui::{EguiContext, EguiInput, EguiPreUpdateSet, egui};
 use std::time::{Duration, Instant};
 
 /// What moved this recently, moves.
@@ -35,7 +36,19 @@ pub struct Pace {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.init_resource::<Pace>().add_systems(PostUpdate, watch).add_systems(Last, (choose, cap).chain());
+    app.init_resource::<Pace>()
+        .add_systems(PreUpdate, hush.after(EguiPreUpdateSet::ProcessInput).before(EguiPreUpdateSet::BeginPass))
+        .add_systems(PostUpdate, watch)
+        .add_systems(Last, (choose, cap).chain());
+}
+
+/// Takes from egui what is no news: it is told of Shift, Ctrl and Alt in every frame, and asks for another frame after
+/// whatever it is told, so that without this there would be frames without end.
+fn hush(mut contexts: Query<(&mut EguiContext, &mut EguiInput)>) {
+    for (mut context, mut input) in &mut contexts {
+        let known = context.get_mut().input(|state| state.modifiers);
+        input.events.retain(|event| *event != egui::Event::ModifiersChanged(known));
+    }
 }
 
 /// Notes what changes the scene and what keeps the program awake.

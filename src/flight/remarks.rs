@@ -5,12 +5,14 @@ use super::controls::Control;
 use super::edits::{ALL_LEVELS, OBSERVERS};
 use crate::gpu::{Tracer, Variant};
 use crate::physics::disk::inner_edge;
+use crate::physics::kerr::Kerr;
 use crate::physics::sight::Sight;
 use crate::scene::{ObserverKind, Scene, View};
 
 /// A remark on the change that a control has made; none where the picture says it all. Keys are named as they are bound.
+/// `metered` says whether the exposure follows the light.
 #[must_use]
-pub fn remark(control: &Control, before: &Scene, after: &Scene, bindings: &Bindings) -> Option<String> {
+pub fn remark(control: &Control, before: &Scene, after: &Scene, bindings: &Bindings, metered: bool) -> Option<String> {
     let key = |id| bindings.named(id);
     match control.id {
         "scene.observer" => passed_over(before, after),
@@ -24,8 +26,8 @@ pub fn remark(control: &Control, before: &Scene, after: &Scene, bindings: &Bindi
             Some(format!("this view shows no light{}", back.unwrap_or_default()))
         }
         "light.doppler" if !after.disk.enabled && at_rest(after) => Some("nothing that is seen moves".into()),
-        "view.unfinished" if after.view == View::Unfinished && leaves_none(after) => {
-            Some("no ray is left unfinished by this method".into())
+        "picture.brighter" | "picture.darker" if metered => {
+            Some(format!("the exposure follows the light; {} leaves it to you", key("picture.automatic_exposure")))
         }
         "picture.antialias" if !after.probe.enabled => {
             Some(format!("there is no probe to smooth; {} puts it there", key("scene.probe")))
@@ -45,6 +47,10 @@ fn passed_over(before: &Scene, after: &Scene) -> Option<String> {
     let place = |kind| OBSERVERS.iter().position(|other| *other == kind).unwrap_or(0);
     let (from, to) = (place(before.observer.kind), place(after.observer.kind));
     let steps = if from == to { OBSERVERS.len() } else { (to + OBSERVERS.len() - from) % OBSERVERS.len() };
+    let horizon = Kerr { spin: after.hole.spin }.horizon();
+    if steps == OBSERVERS.len() && after.camera.r < horizon {
+        return Some("inside the horizon everybody falls".into());
+    }
     let reasons = (1..steps).filter_map(|step| {
         let mut other = before.clone();
         other.observer.kind = OBSERVERS[(from + step) % OBSERVERS.len()];
@@ -85,6 +91,12 @@ fn at_rest(scene: &Scene) -> bool {
     still && scene.observer.velocity == [0.0; 3]
 }
 
-fn leaves_none(scene: &Scene) -> bool {
+/// Whether a scene's method gives every ray an answer.
+pub(super) fn leaves_none(scene: &Scene) -> bool {
     matches!(Variant::picture(scene).tracer, Tracer::Closed | Tracer::Mino | Tracer::Straight)
+}
+
+/// Whether a scene's method solves rays instead of stepping them.
+pub(super) fn steps_none(scene: &Scene) -> bool {
+    matches!(Variant::picture(scene).tracer, Tracer::Closed | Tracer::Straight)
 }

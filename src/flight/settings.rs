@@ -72,6 +72,12 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Whether the exposure follows the light.
+    #[must_use]
+    pub fn follows_light(&self) -> bool {
+        self.automatic_exposure && !self.reduced_motion
+    }
+
     /// Reads the text of a settings file.
     ///
     /// # Errors
@@ -104,14 +110,21 @@ impl Settings {
     /// says what was wrong.
     #[must_use]
     pub fn load(file: &Path) -> (Self, Option<String>) {
-        let read = match std::fs::read_to_string(file) {
-            Ok(text) => Self::read(&text),
-            Err(error) if error.kind() == ErrorKind::NotFound => return (Self::default(), None),
-            Err(error) => Err(format!("cannot be read: {error}")),
-        };
-        match read {
-            Ok(settings) => (settings, None),
+        match Self::look(file) {
+            Ok(settings) => (settings.unwrap_or_default(), None),
             Err(fault) => (Self::default(), Some(format!("{}: {fault}; {}", file.display(), set_aside(file)))),
+        }
+    }
+
+    /// What a settings file says; none where there is no such file. It is left as it is.
+    ///
+    /// # Errors
+    /// One clause that names the fault, without the file.
+    pub fn look(file: &Path) -> Result<Option<Self>, String> {
+        match std::fs::read_to_string(file) {
+            Ok(text) => Self::read(&text).map(Some),
+            Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+            Err(error) => Err(format!("cannot be read: {error}")),
         }
     }
 

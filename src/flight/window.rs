@@ -2,9 +2,10 @@
 
 use super::bindings::{Bindings, PadBindings};
 use super::controls::Command;
-use super::dock::{OverPicture, look};
+use super::dock::{OverPicture, Side, look, make_room};
 use super::notice::Notice;
 use super::settings::{Settings, settings_file};
+use super::{inspector, panel};
 use crate::render::{CurrentScene, letterbox};
 use bevy::prelude::*;
 use bevy::window::{Monitor, MonitorSelection, PrimaryMonitor, PrimaryWindow, WindowMode};
@@ -20,6 +21,28 @@ pub(super) struct Shown {
     pub(super) inspector: bool,
     /// Whether all of it, and the lines at the bottom, are hidden for now.
     pub(super) hidden: bool,
+    /// The panel of which side gives way, in a window too narrow for both.
+    pub(super) gives_way: Option<Side>,
+}
+
+impl Shown {
+    /// Width at the left that the inspector takes, in points.
+    pub(super) fn left(&self) -> f32 {
+        if self.inspector_seen() { inspector::WIDTH } else { 0.0 }
+    }
+
+    /// Width at the right that the panel takes, in points.
+    pub(super) fn right(&self) -> f32 {
+        if self.panel_seen() { panel::WIDTH } else { 0.0 }
+    }
+
+    pub(super) fn inspector_seen(&self) -> bool {
+        self.inspector && !self.hidden && self.gives_way != Some(Side::Left)
+    }
+
+    pub(super) fn panel_seen(&self) -> bool {
+        self.panel && !self.hidden && self.gives_way != Some(Side::Right)
+    }
 }
 
 /// The settings, and the file that they are kept in.
@@ -67,7 +90,7 @@ pub(super) fn insert(app: &mut App, preferences: Preferences, fault: Option<Stri
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<OverPicture>()
-        .add_systems(Update, ((obey, look).chain(), keep, fit))
+        .add_systems(Update, ((obey, make_room, look).chain(), keep, fit))
         .add_systems(Last, keep_at_exit)
         .add_systems(EguiPrimaryContextPass, style.run_if(any_with_component::<PrimaryEguiContext>));
 }

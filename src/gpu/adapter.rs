@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::env;
 use std::fmt::{Display, Formatter};
 use std::sync::{Mutex, PoisonError};
-use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, Instance};
+use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, Features, Instance, Limits};
 
 /// An adapter by its full name, and through which interface it is used: on some systems there are several.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -41,6 +41,10 @@ pub struct Listed {
     pub kind: &'static str,
     /// Its driver, with the version.
     pub driver: String,
+    /// Whether it can tell how long passes take.
+    pub timestamps: bool,
+    /// What it allows.
+    pub limits: Limits,
 }
 
 impl Display for Listed {
@@ -67,7 +71,30 @@ pub fn named_by_environment() -> Option<&'static str> {
 /// The backends that the program draws with: those of `WGPU_BACKEND`, else the first-class ones. OpenGL is left out, for
 /// it lacks what the passes need and is noisy to ask.
 fn backends() -> Backends {
-    Backends::from_env().unwrap_or(Backends::PRIMARY)
+    backends_named().map_or(Backends::PRIMARY, |names| Backends::from_comma_list(&names))
+}
+
+/// What the environment says of the backends; nothing by an empty text.
+fn backends_named() -> Option<String> {
+    env::var("WGPU_BACKEND").ok().filter(|names| !names.is_empty())
+}
+
+/// Why there is no adapter: no driver at all, or none through the interface that the environment names.
+fn none_of_these() -> GpuError {
+    let others = Instance::enabled_backend_features().difference(backends() | Backends::NOOP);
+    let mut there: Vec<&str> =
+        found_through(others).iter().map(|adapter| adapter.get_info().backend.to_str()).collect();
+    there.sort_unstable();
+    there.dedup();
+    match backends_named() {
+        Some(given) if !there.is_empty() => GpuError::UnknownBackend { given, there },
+        _ => GpuError::NoAdapter,
+    }
+}
+
+/// Every adapter that is reached through these interfaces.
+fn found_through(backends: Backends) -> Vec<Adapter> {
+    pollster::block_on(instance(backends).enumerate_adapters(backends))
 }
 
 /// What to tell whoever opens a device on his own: the backends, and the name if one is preferred and there.
@@ -85,26 +112,23 @@ fn preferred() -> Option<AdapterName> {
     preferred.filter(|_| named_by_environment().is_none())
 }
 
-fn instance() -> Instance {
+fn instance(backends: Backends) -> Instance {
     let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
-    Instance::new(wgpu::InstanceDescriptor { backends: backends(), ..descriptor })
+    Instance::new(wgpu::InstanceDescriptor { backends, ..descriptor })
 }
 
 /// The adapter that Bevy would choose: the fastest, or the first whose name contains `WGPU_ADAPTER_NAME`, a software one if
 /// `WGPU_FORCE_FALLBACK_ADAPTER` is 1, or the one that is preferred.
 pub(super) async fn adapter() -> Result<Adapter, GpuError> {
-    let instance = instance();
+    let instance = instance(backends());
     let name = env::var("WGPU_ADAPTER_NAME").ok().filter(|name| !name.is_empty());
     if let Some(given) = name {
         let wanted = given.to_lowercase();
         let adapters = instance.enumerate_adapters(backends()).await;
         let names: Vec<String> = adapters.iter().map(|adapter| adapter.get_info().name).collect();
         let found = adapters.into_iter().find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted));
-        return found.ok_or(if names.is_empty() {
-            GpuError::NoAdapter
-        } else {
-            GpuError::UnknownAdapter { given, names }
-        });
+        return found
+            .ok_or_else(|| if names.is_empty() { none_of_these() } else { GpuError::UnknownAdapter { given, names } });
     }
     if let Some(wanted) = preferred() {
         let mut adapters = instance.enumerate_adapters(backends()).await.into_iter();
@@ -117,7 +141,7 @@ pub(super) async fn adapter() -> Result<Adapter, GpuError> {
         force_fallback_adapter: env::var("WGPU_FORCE_FALLBACK_ADAPTER").is_ok_and(|flag| flag == "1"),
         compatible_surface: None,
     };
-    instance.request_adapter(&options).await.map_err(|_| GpuError::NoAdapter)
+    instance.request_adapter(&options).await.map_err(|_| none_of_these())
 }
 
 /// Whether there is an adapter to draw with.
@@ -132,12 +156,14 @@ pub fn check_adapter() -> Result<(), GpuError> {
 #[must_use]
 pub fn adapters() -> Vec<Listed> {
     let mut listed: Vec<Listed> = Vec::new();
-    for adapter in pollster::block_on(instance().enumerate_adapters(backends())) {
+    for adapter in found_through(backends()) {
         let info = adapter.get_info();
         let name = AdapterName::of(&info);
         if listed.iter().all(|other| other.name != name) {
             let driver = format!("{} {}", info.driver, info.driver_info);
-            listed.push(Listed { name, kind: kind(info.device_type), driver });
+            let timestamps = adapter.features().contains(Features::TIMESTAMP_QUERY);
+            let limits = adapter.limits();
+            listed.push(Listed { name, kind: kind(info.device_type), driver, timestamps, limits });
         }
     }
     listed

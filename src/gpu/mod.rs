@@ -15,7 +15,7 @@ pub use adapter::{AdapterName, Listed, adapters, check_adapter, chosen, kind, na
 pub use beside::beside;
 pub use device::Gpu;
 pub use errors::{ERROR_GRID, ErrorCells};
-pub use scene::{DISK_HDR_SCALE, GpuScene};
+pub use scene::{DISK_HDR_SCALE, GpuScene, MARK_BRIGHTNESS};
 pub use shader::{Entry, Tracer, Variant};
 
 use crate::physics::observer::ObserverError;
@@ -30,6 +30,17 @@ pub enum GpuError {
          mesa-vulkan-drivers give one that needs no graphics card"
     )]
     NoAdapter,
+    /// There are adapters, but none through the interface that was asked for.
+    #[error(
+        "--backend {given} (or WGPU_BACKEND) is refused: it must be an interface that an adapter is reached through here, and \
+         that is {}", .there.join(" or ")
+    )]
+    UnknownBackend {
+        /// What was asked for.
+        given: String,
+        /// The interfaces that there are.
+        there: Vec<&'static str>,
+    },
     /// There are adapters, but none of the name that was asked for.
     #[error(
         "--gpu {given} (or WGPU_ADAPTER_NAME) is refused: it must be part of the name of one of these adapters, which \

@@ -2,11 +2,12 @@
 //! which says what each number means; tests/gpu/layout.rs compares the two.
 
 use super::GpuError;
-use crate::physics::{disk, kerr::Kerr, schwarzschild::Plunge, shift::Shift, sight::Sight};
+use crate::physics::{
+    disk, kerr::Kerr, observer::ObserverMatrix, reference::wrapped, schwarzschild::Plunge, shift::Shift, sight::Sight,
+};
 use crate::scene::{Method, ObserverKind, Quality, Scene};
 use encase::ShaderType;
 use glam::{DMat3, DVec2, DVec3, DVec4, UVec2, Vec2, Vec3, Vec4};
-use std::f64::consts::TAU;
 
 /// Linear light of the disk per unit of `disk.brightness` and relative flux. The profile peaks at 0.057, and light as
 /// bright as white paper is 1.
@@ -23,7 +24,7 @@ const SPOT_HEIGHT: f64 = 540.0;
 const NEXT_TO_HORIZON: f64 = 1e-8;
 
 /// Light of a mark after exposure: below what tone mapping begins to bleach.
-const MARK_BRIGHTNESS: f64 = 0.7;
+pub const MARK_BRIGHTNESS: f64 = 0.7;
 
 /// A scene in the GPU's numbers.
 #[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
@@ -123,7 +124,7 @@ impl GpuScene {
         let about = rows.map(|row| about(row, dimmest.as_dvec3()));
         let [energy, radial, w_x, w_y, w_z] = about.map(|(row, _)| row.as_vec4());
         let [energy_bend, bends @ ..] = about.map(|(_, bend)| bend as f32);
-        let (edge, inverse_lapse2) = plunge(scene)?;
+        let (edge, inverse_lapse2) = plunge(scene, &matrix)?;
         let middle = legs_from_direction.transpose() * edge.middle;
         let plunge_middle = middle.as_vec3();
         // What rounding does to the middle is made up for.
@@ -187,7 +188,7 @@ impl GpuScene {
             inner_horizon: kerr.inner_horizon() as f32,
             spin_gap: (1.0 - kerr.spin) as f32,
             horizon_depth: ((camera.r - kerr.horizon()) / (kerr.horizon() * camera.r)) as f32,
-            azimuth_lead: if inside { 0.0 } else { turns_off(kerr.ingoing_azimuth_lead(camera.r)) as f32 },
+            azimuth_lead: if inside { 0.0 } else { wrapped(kerr.ingoing_azimuth_lead(camera.r)) as f32 },
             mino_step: mino_step as f32,
             mino_near_step: mino_near_step as f32,
         })
@@ -198,14 +199,14 @@ impl GpuScene {
 ///
 /// On the horizon itself both are at a limit: an observer who falls through is taken to be next to it, where nothing she sees
 /// is other by more than that.
-fn plunge(scene: &Scene) -> Result<(Plunge, f64), GpuError> {
-    let mut beside = scene.clone();
+fn plunge(scene: &Scene, matrix: &ObserverMatrix) -> Result<(Plunge, f64), GpuError> {
+    let at = |r: f64, [energy, radial, ..]: [[f64; 4]; 5]| (Plunge::new(energy, radial, r), r / (r - 1.0));
     if scene.observer.kind == ObserverKind::Rain && (scene.camera.r - 1.0).abs() < NEXT_TO_HORIZON {
+        let mut beside = scene.clone();
         beside.camera.r = 1.0 + NEXT_TO_HORIZON;
+        return Ok(at(beside.camera.r, Sight::new(&beside)?.matrix.rows));
     }
-    let r = beside.camera.r;
-    let [energy, radial, ..] = Sight::new(&beside)?.matrix.rows;
-    Ok((Plunge::new(energy, radial, r), r / (r - 1.0)))
+    Ok(at(scene.camera.r, matrix.rows))
 }
 
 /// The direction from which light has the least energy, by the row that gives it; none if all of it has the same.
@@ -227,9 +228,10 @@ fn about(row: DVec4, m: DVec3) -> (DVec4, f64) {
 /// The steps of method mino, in radians, where a pixel is `pixel` radians wide: of rays that pass far from the critical
 /// curve, and of those that may come near it.
 ///
-/// Measured: the turn that explains a ray's error is at most 4.5e-4 step^5.5, and mostly below 3e-4 step^5.5. Below a step of 0.25 nothing is left but f32's
-/// rounding. Up to 0.53 the disk's places are right to 1e-5 of their radius in the median, and up to 0.4 the shadow's edge
-/// to 2e-6 of its own: both are asked for at the default setting, and whoever allows more than it allows more of both.
+/// Measured: the turn that explains a ray's error is at most 4.5e-4 step^5.5, and mostly below 3e-4 step^5.5. Below a step
+/// of 0.25 nothing is left but f32's rounding. Up to 0.53 the disk's places are right to 1e-5 of their radius in the median,
+/// and up to 0.4 the shadow's edge to 2e-6 of its own: both are asked for at the default setting, and whoever allows more
+/// than it allows more of both.
 /// With the camera next to a spinning hole the error is up to three times that, and all rays may come near the curve.
 fn mino_steps(max_error_px: f64, pixel: f64, kerr: Kerr, r: f64) -> [f64; 2] {
     let growth = |error: f64| error.powf(1.0 / 5.5);
@@ -237,11 +239,6 @@ fn mino_steps(max_error_px: f64, pixel: f64, kerr: Kerr, r: f64) -> [f64; 2] {
     let looser = growth((max_error_px / Quality::default().max_error_px).max(1.0));
     let [far, near] = [0.53, 0.4].map(|longest| wanted.clamp(0.25, longest * looser));
     if kerr.spin != 0.0 && r < 2.0 * kerr.horizon() { [0.8 * near; 2] } else { [far, near] }
-}
-
-/// The angle within [-pi, pi].
-fn turns_off(angle: f64) -> f64 {
-    angle - TAU * (angle / TAU).round()
 }
 
 /// Unit vector toward a place at infinity.

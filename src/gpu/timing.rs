@@ -21,10 +21,10 @@ const MOST_COLUMNS: u32 = 1 << 15;
 /// Time to run before anything counts, as a multiple of the effort's longest: clocks rise under load, but not at once.
 const WARM_UP: u32 = 2;
 
-/// The CPU's clock is read around as many runs as take this long, so that what it costs to submit them is little.
+/// Runs of a sample: as many as take this long, so that what it costs to submit them is little.
 const LEAST_SAMPLE: Duration = Duration::from_millis(10);
 
-/// But around no more than this.
+/// But no more than this.
 const MOST_RUNS_A_SAMPLE: f64 = 50.0;
 
 /// More samples add nothing to a median.
@@ -124,8 +124,7 @@ impl Stopwatch {
     /// A device that failed.
     pub fn time(&self, gpu: &Gpu, effort: Effort) -> Result<Timing, GpuError> {
         let warm_up = gpu.validated(|| self.warm_up(gpu, WARM_UP * effort.longest)).map_err(GpuError::Device)?;
-        let one = warm_up.map_err(|error| GpuError::Device(error.to_string()))?;
-        let runs = (LEAST_SAMPLE.as_secs_f64() / one.as_secs_f64()).clamp(1.0, MOST_RUNS_A_SAMPLE) as u32;
+        let runs = warm_up.map_err(|error| GpuError::Device(error.to_string()))?;
         let began = Instant::now();
         let mut samples = Vec::new();
         while samples.len() < effort.least_runs || began.elapsed() < effort.longest && samples.len() < MOST_RUNS {
@@ -141,20 +140,24 @@ impl Stopwatch {
         Ok(Timing { median_ms: at(0.5), spread_ms: at(0.9) - at(0.1), clock })
     }
 
-    /// Runs until nothing is cold any more, and tells how long the last run took.
-    fn warm_up(&self, gpu: &Gpu, least: Duration) -> Result<Duration, wgpu::PollError> {
+    /// Runs until nothing is cold any more, and tells how many runs a sample takes.
+    fn warm_up(&self, gpu: &Gpu, least: Duration) -> Result<u32, wgpu::PollError> {
         let began = Instant::now();
+        let mut runs = 1;
         loop {
             let this = Instant::now();
-            self.submit(gpu, 1);
+            self.submit(gpu, runs);
             gpu.device.poll(wgpu::PollType::wait_indefinitely())?;
+            let one = this.elapsed().as_secs_f64() / f64::from(runs);
+            runs = (LEAST_SAMPLE.as_secs_f64() / one).clamp(1.0, MOST_RUNS_A_SAMPLE) as u32;
             if began.elapsed() > least {
-                return Ok(this.elapsed());
+                return Ok(runs);
             }
         }
     }
 
-    /// One sample, in milliseconds a run; by the CPU's clock, around so many runs.
+    /// One sample, in milliseconds a run, of so many runs: by the CPU's clock around all of them, or by the GPU's around the
+    /// last. A GPU that is given a single short run at a time lowers its clock.
     fn sample(&self, gpu: &Gpu, runs: u32) -> Result<f64, GpuError> {
         let failed = |error: &dyn std::fmt::Display| GpuError::Device(error.to_string());
         let wait = || gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| failed(&error));
@@ -164,7 +167,7 @@ impl Stopwatch {
             wait()?;
             return Ok(began.elapsed().as_secs_f64() * 1e3 / f64::from(runs));
         };
-        self.submit(gpu, 1);
+        self.submit(gpu, runs);
         let (sender, receiver) = std::sync::mpsc::channel();
         readable.slice(..).map_async(wgpu::MapMode::Read, move |result| {
             // Nobody listens once the device has failed; the error is reported there.
@@ -180,8 +183,8 @@ impl Stopwatch {
 
     fn submit(&self, gpu: &Gpu, runs: u32) {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        for _ in 0..runs {
-            self.encode(&mut encoder);
+        for run in 1..=runs {
+            self.encode(&mut encoder, run == runs);
         }
         if let Some((queries, resolved, readable)) = &self.timestamps {
             encoder.resolve_query_set(queries, 0..2, resolved, 0);
@@ -190,8 +193,8 @@ impl Stopwatch {
         gpu.queue.submit([encoder.finish()]);
     }
 
-    fn encode(&self, encoder: &mut CommandEncoder) {
-        let queries = self.timestamps.as_ref().map(|(queries, ..)| queries);
+    fn encode(&self, encoder: &mut CommandEncoder, timed: bool) {
+        let queries = self.timestamps.as_ref().filter(|_| timed).map(|(queries, ..)| queries);
         match &self.work {
             Work::Compute(pipeline) => {
                 let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {

@@ -169,6 +169,13 @@ impl Constants {
         self.energy + self.a * (self.a * self.energy - self.angular_momentum) * u * u
     }
 
+    /// Whether a backward ray at a place inside never leads out: from there, only light that fell in through the outer
+    /// horizon can come from the outside.
+    #[must_use]
+    pub fn kept_inside(&self, state: &State, u_horizon: f64) -> bool {
+        state.u >= u_horizon && (state.du >= 0.0 || self.ingoing_energy(u_horizon) <= 0.0)
+    }
+
     /// The largest relative violation of the three constraints: on u'^2, on |n'|^2 and on (n x n')_z, with |n| = 1.
     #[must_use]
     pub fn residual(&self, s: &State) -> f64 {

@@ -128,7 +128,7 @@ fn places(surroundings: Surroundings, constants: &Constants, start: State, farth
     // branch never was outside, and its path ends where that branch is.
     let mut outside = start.u < u_end;
     let u_horizon = 1.0 / surroundings.kerr.horizon();
-    let kept_inside = start.u >= u_horizon && constants.ingoing_energy(u_horizon) <= 0.0;
+    let kept_inside = constants.kept_inside(&start, u_horizon);
     let least = 1.0 / farthest;
     let place = |state: &State| DMat3::from_rotation_z(state.chi) * state.n / state.u;
     let mut places = vec![place(&start)];

@@ -131,8 +131,7 @@ impl Surroundings {
             residual: constants.residual(&start),
         };
         let mut state = start;
-        if state.u >= u_horizon && (state.du >= 0.0 || constants.ingoing_energy(u_horizon) <= 0.0) {
-            // From a place inside, only light that fell in through the outer horizon can come from the outside.
+        if constants.kept_inside(&state, u_horizon) {
             return Trace { outcome: Outcome::Captured, ..trace };
         }
         while trace.steps < MAX_STEPS {
@@ -201,7 +200,7 @@ fn time_to_plane(expansion: &Expansion, z_end: f64, end_time: f64) -> Option<f64
 }
 
 /// The same angle in (-pi, pi].
-fn wrapped(angle: f64) -> f64 {
+pub(crate) fn wrapped(angle: f64) -> f64 {
     let angle = PI - (PI - angle).rem_euclid(TAU);
     if angle <= -PI { PI } else { angle }
 }

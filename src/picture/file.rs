@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, thiserror::Error)]
 pub enum PictureError {
     /// The name has no extension that this program writes.
-    #[error("{path}: unknown picture format {extension:?}; allowed are .png and .exr")]
+    #[error("{path}: {}; allowed are .png and .exr", ending(.extension))]
     Extension {
         /// The file asked for.
         path: PathBuf,
@@ -49,6 +49,14 @@ pub enum PictureError {
     /// Somebody has stopped the program.
     #[error("interrupted; the pictures written before are whole")]
     Interrupted,
+}
+
+/// What is wrong with the ending of a file's name.
+fn ending(extension: &str) -> String {
+    if extension.is_empty() {
+        return "the name has no ending that says which picture format to write".into();
+    }
+    format!("unknown picture format {extension:?}")
 }
 
 /// What kind of picture a file is.

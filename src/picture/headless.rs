@@ -3,7 +3,7 @@
 use super::PictureError;
 use crate::gpu::GpuScene;
 use crate::render::{AwaitErrors, Capture, LightfallRenderPlugin, is_drawn, render_plugin};
-use crate::scene::Scene;
+use crate::scene::{LONGEST_SIDE, Scene};
 use bevy::app::PluginsState;
 use bevy::asset::RenderAssetUsages;
 use bevy::camera::RenderTarget;
@@ -13,7 +13,6 @@ use bevy::render::diagnostic::RenderDiagnosticsPlugin;
 use bevy::render::pipelined_rendering::PipelinedRenderingPlugin;
 use bevy::render::render_resource::{PollType, TextureFormat, TextureUsages};
 use bevy::render::renderer::RenderDevice;
-use bevy::render::settings::WgpuLimits;
 use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
 
@@ -86,7 +85,7 @@ pub(super) fn headless(scene: &Scene, size: UVec2, Equipment { timed, light }: E
 /// # Errors
 /// A side of zero, or longer than every device that the passes run on can do.
 pub fn check_size(field: &'static str, size: UVec2) -> Result<(), PictureError> {
-    let limit = WgpuLimits::default().max_texture_dimension_2d;
+    let limit = LONGEST_SIDE;
     if size.min_element() == 0 || size.max_element() > limit {
         return Err(PictureError::Size { field, width: size.x, height: size.y, limit });
     }

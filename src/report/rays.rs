@@ -28,13 +28,17 @@ const LONGEST_LINE: u64 = 4096;
 #[derive(Debug, Error)]
 pub enum RaysError {
     /// The line does not have three values.
-    #[error("{name}: line {line} has {count} values; a ray has three: er,etheta,ephi")]
+    #[error(
+        "{name}: line {line}: \"{given}\" is refused: a ray has three values, er,etheta,ephi, and here are {count}"
+    )]
     Columns {
         /// The file.
         name: String,
         /// Line, from 1.
         line: u64,
-        /// How many values it has.
+        /// What is there.
+        given: String,
+        /// How many values that is.
         count: usize,
     },
     /// A value is not a finite number.
@@ -50,7 +54,7 @@ pub enum RaysError {
         given: String,
     },
     /// All three values are zero.
-    #[error("{name}: line {line}: 0,0,0 has no direction; a ray may have any length but zero")]
+    #[error("{name}: line {line}: 0,0,0 is refused: it has no direction, and a ray may have any length but zero")]
     Zero {
         /// The file.
         name: String,
@@ -124,21 +128,23 @@ impl<R: BufRead> RayReader<R> {
             if std::mem::take(&mut self.header_may_come) && values == COLUMNS {
                 continue;
             }
-            return self.ray(&values).map(Some);
+            return self.ray(&text, &values).map(Some);
         }
         Ok(None)
     }
 
-    fn ray(&self, values: &[&str]) -> Result<DVec3, RaysError> {
+    fn ray(&self, text: &str, values: &[&str]) -> Result<DVec3, RaysError> {
         let (name, line) = (|| self.name.clone(), self.line);
         if values.len() != COLUMNS.len() {
-            return Err(RaysError::Columns { name: name(), line, count: values.len() });
+            return Err(RaysError::Columns { name: name(), line, given: shortened(text), count: values.len() });
         }
         let mut ray = DVec3::ZERO;
         for (i, (column, text)) in COLUMNS.into_iter().zip(values).enumerate() {
-            ray[i] = text.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| {
-                let given = text.chars().take(40).flat_map(char::escape_debug).collect();
-                RaysError::Number { name: name(), line, column, given }
+            ray[i] = text.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| RaysError::Number {
+                name: name(),
+                line,
+                column,
+                given: shortened(text),
             })?;
         }
         // Divided by the largest component first: squares of 1e300 overflow, those of 1e-300 vanish.
@@ -160,6 +166,11 @@ impl<R: BufRead> Iterator for RayReader<R> {
         self.ended = !matches!(next, Some(Ok(_)));
         next
     }
+}
+
+/// What a file holds, short enough for a sentence.
+fn shortened(text: &str) -> String {
+    text.chars().take(40).flat_map(char::escape_debug).collect()
 }
 
 /// A value without the blanks and quotes that other programs write around it.

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 /// A value that a scene cannot have.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("{key} = {given} is refused: it must be {allowed}{}", in_brackets(.because))]
+#[error("{}", sentence(.key, .given, .allowed, .because, .blamed))]
 pub struct Refusal {
     /// The field.
     pub key: &'static str,
@@ -12,21 +12,37 @@ pub struct Refusal {
     pub given: String,
     /// What it may be, in words.
     pub allowed: String,
-    /// The other field that decides the range, and why; none where the range stands alone.
+    /// The other fields that decide the range, and why; none where the range stands alone.
     pub because: Option<Because>,
+    /// One of those, with its value, if it is the one that was set last: then the fault is its.
+    pub blamed: Option<Box<(&'static str, String)>>,
 }
 
-/// Why a range depends on another field.
+/// Why a range depends on other fields.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Because {
-    /// The other field.
-    pub key: &'static str,
+    /// The other fields.
+    pub keys: Vec<&'static str>,
     /// The reason in words, e.g. `disk.outer is 11`.
     pub reason: String,
 }
 
-fn in_brackets(because: &Option<Because>) -> String {
-    because.as_ref().map(|because| format!(" ({})", because.reason)).unwrap_or_default()
+fn sentence(
+    key: &str,
+    given: &str,
+    allowed: &str,
+    because: &Option<Because>,
+    blamed: &Option<Box<(&'static str, String)>>,
+) -> String {
+    let why = because.as_ref().map(|because| format!(" ({})", because.reason)).unwrap_or_default();
+    match blamed.as_deref() {
+        None => format!("{key} = {given} is refused: it must be {allowed}{why}"),
+        Some((culprit, its)) => {
+            // Where it alone narrows the range, all has been said.
+            let why = if because.as_ref().is_some_and(|because| because.keys == [*culprit]) { "" } else { &why };
+            format!("{culprit} = {its} is refused beside {key} = {given}, which must then be {allowed}{why}")
+        }
+    }
 }
 
 /// Why a preset, with what overrides it, does not make a scene. `origin` is where the fault was written: a file, a

@@ -152,15 +152,17 @@ const fn text(key: &'static str, about: &'static str) -> Field {
 /// A radius in the disk.
 pub(super) const EDGE: Range = Range::above(0.0, 1e6);
 /// From pole to pole.
-const POLAR: Range = Range::closed(0.0, 180.0);
+pub(super) const POLAR: Range = Range::closed(0.0, 180.0);
 /// A turn either way.
 const TURN: Range = Range::closed(-360.0, 360.0);
 /// A share of a whole.
 const SHARE: Range = Range::closed(0.0, 1.0);
 /// An artistic scale of light.
 const SCALE: Range = Range::closed(0.0, 1e3);
-/// A side of a picture: the most that graphics hardware commonly allows.
-const SIDE: Range = Range::closed(1.0, 16384.0);
+/// Longest side of a picture, in pixels: what every device that the passes run on can do (WebGPU's default limit).
+pub const LONGEST_SIDE: u32 = 8192;
+/// A side of a picture.
+const SIDE: Range = Range::closed(1.0, LONGEST_SIDE as f64);
 /// A radius where a camera may be around some hole; the hole's own horizons narrow it (see `limits`).
 const CAMERA: Range = Range::closed(0.1, 1e7);
 /// A vertical field of view, from a millionth of a radian up.

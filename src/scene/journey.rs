@@ -4,9 +4,11 @@
 //! positions and speeds are continuous, nothing overshoots, and the flight begins and ends at rest. Radii are interpolated in
 //! their logarithm. What no keyframe names stays what it is in the scene.
 
+mod check;
 mod load;
 mod track;
 
+pub use check::Unflyable;
 pub use load::{JourneyError, load};
 pub use track::Track;
 
@@ -22,6 +24,8 @@ pub struct Journey {
     pub title: String,
     /// Seconds from the first keyframe to the last.
     pub duration: f64,
+    /// When each keyframe is, in the seconds of its text.
+    times: Vec<f64>,
     tracks: Tracks,
     /// For observers who fall from rest at infinity.
     tracks_in_rain: Tracks,

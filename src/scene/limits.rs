@@ -1,20 +1,21 @@
 //! The limits of a scene: each field inside its range, and the rules that tie one field to another.
 
-use std::ops::Bound::{Excluded, Included};
+use std::ops::Bound::{self, Excluded, Included};
 
 use toml::Value;
 
 use super::error::{Because, Refusal};
-use super::fields::{EDGE, FIELDS, Field, Kind, LONGEST_TEXT, Range, number};
-use super::{ObserverKind, Scene};
+use super::fields::{EDGE, FIELDS, Field, Kind, LONGEST_TEXT, POLAR, Range, number};
+use super::{Effects, ObserverKind, Scene};
+use crate::physics::observer::polar_sin_cos;
 use crate::physics::{kerr::Kerr, timelike::innermost};
 
 impl Scene {
     /// Checks every field against its range and against the fields it depends on.
     ///
     /// # Errors
-    /// The first field, in the order of the table, whose value is not allowed. Whether an observer of the chosen kind
-    /// can exist at the camera's place is not asked here but where the observer's matrix is made.
+    /// The first field, in the order of the table, whose value is not allowed. That a circular orbit is in the disk's plane
+    /// is not asked here but where the observer's matrix is made.
     pub fn check(&self) -> Result<(), Refusal> {
         for (field, value) in self.values() {
             field.check_type(&value)?;
@@ -30,35 +31,66 @@ impl Scene {
                     given: given(&value),
                     allowed: field.allowed_in(range),
                     because,
+                    blamed: None,
                 });
             }
         }
         Ok(())
     }
 
-    /// The range of a field beside the other fields of this scene, and which of them narrows it. Fields that are not
+    /// The range of a field beside the other fields of this scene, and which of them narrow it. Fields that are not
     /// numbers have no range of their own: [`Range::FINITE`].
     pub fn range(&self, field: &Field) -> (Range, Option<Because>) {
         let (Kind::Float(range) | Kind::Integer(range)) = field.kind else { return (Range::FINITE, None) };
-        let because = |key, reason| Some(Because { key, reason });
         match field.key {
             "camera.r" => {
-                let (kerr, spin) = (Kerr { spin: self.hole.spin }, number(self.hole.spin));
-                if self.observer.kind == ObserverKind::Rain {
-                    let reason = format!("nine tenths of the way between the horizons at hole.spin = {spin}");
-                    return (Range { low: Included(innermost(kerr)), ..range }, because("hole.spin", reason));
-                }
-                let reason = format!("outside the horizon at hole.spin = {spin}");
-                (Range { low: Excluded(kerr.horizon()), ..range }, because("hole.spin", reason))
+                let (low, because) = self.nearest_place();
+                (Range { low, ..range }, Some(because))
             }
             "disk.inner" if EDGE.contains(self.disk.outer) => {
                 let reason = format!("disk.outer is {}", number(self.disk.outer));
-                (Range { high: Excluded(self.disk.outer), ..range }, because("disk.outer", reason))
+                let because = Because { keys: vec!["disk.outer"], reason };
+                (Range { high: Excluded(self.disk.outer), ..range }, Some(because))
             }
             "picture.grid_width" => grid_range("picture.width", self.picture.width),
             "picture.grid_height" => grid_range("picture.height", self.picture.height),
             _ => (range, None),
         }
+    }
+
+    /// How near to the hole the camera may be: as near as its observer can exist.
+    fn nearest_place(&self) -> (Bound<f64>, Because) {
+        let (kerr, theta_deg) = (Kerr { spin: self.hole.spin }, self.camera.theta_deg);
+        let at_spin = format!("at hole.spin = {}", number(self.hole.spin));
+        let mut keys = vec!["hole.spin", "observer.kind"];
+        let horizon = Excluded(kerr.horizon());
+        let (low, reason) = match self.observer.kind {
+            ObserverKind::Static if self.hole.spin != 0.0 && POLAR.contains(theta_deg) => {
+                keys.push("camera.theta_deg");
+                let limit = kerr.static_limit(polar_sin_cos(theta_deg.to_radians()).1);
+                let theta_deg = number(theta_deg);
+                let reason = format!(
+                    "nothing is at rest in the ergosphere, which {at_spin} and camera.theta_deg = {theta_deg} reaches so far; \
+                     observers zamo and rain go deeper"
+                );
+                (Excluded(limit), reason)
+            }
+            ObserverKind::Static | ObserverKind::Zamo => (horizon, format!("outside the horizon {at_spin}")),
+            ObserverKind::Orbit => {
+                (Excluded(kerr.photon_orbit_prograde()), format!("outside the prograde photon orbit {at_spin}"))
+            }
+            ObserverKind::Rain => match self.effects.missing_inside() {
+                missing if missing.is_empty() => {
+                    (Included(innermost(kerr)), format!("nine tenths of the way between the horizons {at_spin}"))
+                }
+                missing => {
+                    let reason = format!("outside the horizon {at_spin}, where {} is false", missing.join(", "));
+                    keys.extend(missing);
+                    (horizon, reason)
+                }
+            },
+        };
+        (low, Because { keys, reason })
     }
 
     /// Every field with its value, in the order of the table.
@@ -80,7 +112,21 @@ const PIXELS_PER_CELL: u32 = 64;
 fn grid_range(key: &'static str, side: u32) -> (Range, Option<Because>) {
     let least = f64::from(side.div_ceil(PIXELS_PER_CELL)).max(1.0);
     let most = f64::from(side);
-    (Range { low: Included(least), high: Included(most) }, Some(Because { key, reason: format!("{key} is {side}") }))
+    let because = Because { keys: vec![key], reason: format!("{key} is {side}") };
+    (Range { low: Included(least), high: Included(most) }, Some(because))
+}
+
+impl Effects {
+    /// Those that are off and are told apart by an observer who stays outside the horizon.
+    fn missing_inside(&self) -> Vec<&'static str> {
+        let needed = [
+            ("effects.lensing", self.lensing),
+            ("effects.doppler", self.doppler),
+            ("effects.gravitational_shift", self.gravitational_shift),
+            ("effects.aberration", self.aberration),
+        ];
+        needed.into_iter().filter(|(_, there)| !there).map(|(key, _)| key).collect()
+    }
 }
 
 impl Field {
@@ -104,7 +150,7 @@ impl Field {
         if fits {
             return Ok(());
         }
-        Err(Refusal { key: self.key, given: given(value), allowed: self.allowed(), because: None })
+        Err(Refusal { key: self.key, given: given(value), allowed: self.allowed(), because: None, blamed: None })
     }
 }
 

@@ -41,6 +41,8 @@ impl Override {
 /// A value and where it was written.
 struct Given<'a> {
     origin: &'a str,
+    /// Which override it was, from 1; the preset comes before all of them.
+    order: usize,
     value: Value,
 }
 
@@ -63,15 +65,15 @@ pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, S
         match value {
             Value::Table(inner) if is_table(&key) => {
                 for (name, value) in inner {
-                    insert(&mut fields, origin, &[&key, &name], value)?;
+                    insert(&mut fields, (origin, 0), &[&key, &name], value)?;
                 }
             }
-            value => insert(&mut fields, origin, &[&key], value)?,
+            value => insert(&mut fields, (origin, 0), &[&key], value)?,
         }
     }
-    for Override { option, key, value } in overrides {
+    for (index, Override { option, key, value }) in overrides.iter().enumerate() {
         let value = field(key).map_or_else(|| Value::String(value.clone()), |field| parse(field.kind, value));
-        insert(&mut fields, option, &key.split('.').collect::<Vec<_>>(), value)?;
+        insert(&mut fields, (option, index + 1), &key.split('.').collect::<Vec<_>>(), value)?;
     }
     let scene = scene(&fields);
     scene.check().map_err(|refusal| refused(&fields, origin, refusal))?;
@@ -81,7 +83,7 @@ pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, S
 /// Checks one value's key and type and keeps it, replacing an earlier one.
 fn insert<'a>(
     fields: &mut BTreeMap<&'static str, Given<'a>>,
-    origin: &'a str,
+    (origin, order): (&'a str, usize),
     path: &[&str],
     value: Value,
 ) -> Result<(), SceneError> {
@@ -99,7 +101,7 @@ fn insert<'a>(
     field
         .check_type(&value)
         .map_err(|refusal| SceneError::Refused { origin: origin.into(), refusal: Box::new(refusal) })?;
-    fields.insert(field.key, Given { origin, value });
+    fields.insert(field.key, Given { origin, order, value });
     Ok(())
 }
 
@@ -116,10 +118,14 @@ fn scene(fields: &BTreeMap<&'static str, Given>) -> Scene {
     table.try_into().expect("every value was checked against the field table")
 }
 
-/// The refusal with the origin of the field, or, where the field has its default, of the one that narrows its range.
-fn refused(fields: &BTreeMap<&'static str, Given>, preset: &str, refusal: Refusal) -> SceneError {
-    let partner = refusal.because.as_ref().map(|because| because.key);
-    let written = fields.get(refusal.key).or_else(|| fields.get(partner?));
+/// The refusal with the origin of the field; where one that narrows its range was set after it, that one is to blame.
+fn refused(fields: &BTreeMap<&'static str, Given>, preset: &str, mut refusal: Refusal) -> SceneError {
+    let own = fields.get(refusal.key);
+    let narrowing = refusal.because.iter().flat_map(|because| &because.keys);
+    let last = narrowing.filter_map(|key| Some((*key, fields.get(key)?))).max_by_key(|(_, given)| given.order);
+    let to_blame = last.filter(|(_, given)| own.is_none_or(|own| given.order > own.order));
+    let written = to_blame.map(|(_, given)| given).or(own);
+    refusal.blamed = to_blame.map(|(key, Given { value, .. })| Box::new((key, given(value))));
     SceneError::Refused { origin: written.map_or(preset, |given| given.origin).into(), refusal: Box::new(refusal) }
 }
 

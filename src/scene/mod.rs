@@ -18,7 +18,7 @@ pub mod presets;
 mod save;
 
 pub use error::{Because, Refusal, SceneError};
-pub use fields::{FIELDS, Field, Kind, LONGEST_TEXT, Range, field};
+pub use fields::{FIELDS, Field, Kind, LONGEST_SIDE, LONGEST_TEXT, Range, field};
 pub use load::{Override, load};
 pub use method::Method;
 

@@ -2,23 +2,30 @@
 
 use crate::gpu;
 use glam::{Vec2, Vec4};
+use lightfall::gpu::Gpu;
 use lightfall::gpu::kernel::Kernel;
+
+/// What an expression of WGSL makes of each `given` number, where it is of one type and the answer of another.
+fn of_each(gpu: &Gpu, expression: &str, [given, answer]: [&str; 2]) -> Kernel {
+    let elementary = include_str!("../../shaders/elementary.wgsl");
+    let source = format!(
+        "const PI: f32 = 3.14159265358979; const TINY: f32 = 1e-30;
+         {elementary}
+         @group(0) @binding(2) var<storage, read> inputs: array<{given}>;
+         @group(0) @binding(3) var<storage, read_write> answers: array<{answer}>;
+         @compute @workgroup_size(64) fn of_each(@builtin(global_invocation_id) id: vec3<u32>) {{
+             if id.x < arrayLength(&inputs) {{
+                 let given = inputs[id.x];
+                 answers[id.x] = {expression};
+             }}
+         }}"
+    );
+    Kernel::new(gpu, &source, "of_each", &[]).unwrap()
+}
 
 #[test]
 fn the_arctangent_has_its_stated_error() {
     let Some(gpu) = gpu() else { return };
-    let source = concat!(
-        "const PI: f32 = 3.14159265358979; const TINY: f32 = 1e-30;\n",
-        include_str!("../../shaders/elementary.wgsl"),
-        "@group(0) @binding(2) var<storage, read> points: array<vec4<f32>>;
-         @group(0) @binding(3) var<storage, read_write> angles: array<f32>;
-         @compute @workgroup_size(64) fn angles_of(@builtin(global_invocation_id) id: vec3<u32>) {
-             if id.x < arrayLength(&points) {
-                 angles[id.x] = arctangent2(points[id.x].y, points[id.x].x);
-             }
-         }"
-    );
-    let kernel = Kernel::new(gpu, source, "angles_of", &[]).unwrap();
     let mut points: Vec<Vec4> = (0..20_000_u32)
         .map(|i| {
             let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 20_000.0).sin_cos();
@@ -28,7 +35,8 @@ fn the_arctangent_has_its_stated_error() {
         .collect();
     points
         .extend([(0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)].map(|(x, y)| Vec4::new(x, y, 0.0, 0.0)));
-    let angles: Vec<f32> = kernel.run(gpu, &points).unwrap();
+    let angles: Vec<f32> =
+        of_each(gpu, "arctangent2(given.y, given.x)", ["vec4<f32>", "f32"]).run(gpu, &points).unwrap();
     for (point, angle) in points.iter().zip(angles) {
         let truth = f64::from(point.y).atan2(f64::from(point.x));
         assert!((f64::from(angle) - truth).abs() < 5e-7, "{point}: {angle} against {truth}");
@@ -38,20 +46,8 @@ fn the_arctangent_has_its_stated_error() {
 #[test]
 fn sine_and_cosine_have_their_stated_error() {
     let Some(gpu) = gpu() else { return };
-    let source = concat!(
-        "const PI: f32 = 3.14159265358979; const TINY: f32 = 1e-30;\n",
-        include_str!("../../shaders/elementary.wgsl"),
-        "@group(0) @binding(2) var<storage, read> angles: array<f32>;
-         @group(0) @binding(3) var<storage, read_write> pairs: array<vec2<f32>>;
-         @compute @workgroup_size(64) fn pairs_of(@builtin(global_invocation_id) id: vec3<u32>) {
-             if id.x < arrayLength(&angles) {
-                 pairs[id.x] = sine_cosine(angles[id.x]);
-             }
-         }"
-    );
-    let kernel = Kernel::new(gpu, source, "pairs_of", &[]).unwrap();
     let angles: Vec<f32> = (-50_000..=50_000).map(|i| i as f32 * 4e-4).collect();
-    let pairs: Vec<Vec2> = kernel.run(gpu, &angles).unwrap();
+    let pairs: Vec<Vec2> = of_each(gpu, "sine_cosine(given)", ["f32", "vec2<f32>"]).run(gpu, &angles).unwrap();
     for (angle, pair) in angles.iter().zip(pairs) {
         let (sine, cosine) = f64::from(*angle).sin_cos();
         let error = (f64::from(pair.x) - sine).abs().max((f64::from(pair.y) - cosine).abs());
@@ -63,23 +59,11 @@ fn sine_and_cosine_have_their_stated_error() {
 #[test]
 fn the_logarithm_has_its_stated_error() {
     let Some(gpu) = gpu() else { return };
-    let source = concat!(
-        "const PI: f32 = 3.14159265358979; const TINY: f32 = 1e-30;\n",
-        include_str!("../../shaders/elementary.wgsl"),
-        "@group(0) @binding(2) var<storage, read> numbers: array<f32>;
-         @group(0) @binding(3) var<storage, read_write> logarithms: array<f32>;
-         @compute @workgroup_size(64) fn logarithms_of(@builtin(global_invocation_id) id: vec3<u32>) {
-             if id.x < arrayLength(&numbers) {
-                 logarithms[id.x] = logarithm(numbers[id.x]);
-             }
-         }"
-    );
-    let kernel = Kernel::new(gpu, source, "logarithms_of", &[]).unwrap();
     // From 1e-30 to 1e30, and closely about 1, where it vanishes.
     let wide = (-60_000..=60_000).map(|i| 10.0_f64.powf(f64::from(i) * 5e-4) as f32);
     let close = (-20_000..=20_000).map(|i| 1.0 + i as f32 * 1e-5);
     let numbers: Vec<f32> = wide.chain(close).collect();
-    let logarithms: Vec<f32> = kernel.run(gpu, &numbers).unwrap();
+    let logarithms: Vec<f32> = of_each(gpu, "logarithm(given)", ["f32", "f32"]).run(gpu, &numbers).unwrap();
     for (number, logarithm) in numbers.iter().zip(logarithms) {
         let truth = f64::from(*number).ln();
         // Relative: of lengths of light's way next to a horizon, which are many radians.

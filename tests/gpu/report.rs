@@ -3,8 +3,9 @@
 use crate::gpu;
 use lightfall::report::bench::{Circumstances, Measured, at_equal_error, settings};
 use lightfall::report::bench::{Plan, auto_margin, csv, markdown, plot, subjects};
+use lightfall::report::doctor::{Stated, TRIALS, errors};
 use lightfall::report::extremes::{Found, Hunt, Verdict, cells, run};
-use lightfall::scene::Method;
+use lightfall::scene::{Method, Scene, presets};
 
 fn circumstances() -> Circumstances {
     let text = String::from;
@@ -106,6 +107,22 @@ fn a_hunt_from_the_same_seed_finds_the_same_ray_and_tells_how_to_see_it_again() 
     for found in &found {
         assert!(found.unexplained <= found.beyond && (found.excess > 1.0) == (found.beyond > 0), "{found:?}");
         assert_eq!(found.cause.is_some(), found.beyond > 0 && found.unexplained == 0, "{found:?}");
+    }
+}
+
+/// The self-test is worth what it refuses: here the article's methods, held to what is stated of the solved ones.
+#[test]
+fn a_self_test_of_worse_answers_than_stated_does_not_hold() {
+    let Some(gpu) = gpu() else { return };
+    for (name, worse) in TRIALS.into_iter().zip([Method::Verlet, Method::KerrSchild]) {
+        let scene = presets::find(name).unwrap().scene(&[]).unwrap();
+        let stated = Stated::of(&scene);
+        let own = errors(gpu, &scene).unwrap();
+        assert!(stated.admits(&own) && own.rays >= 500, "{own:#?}");
+        let others = errors(gpu, &Scene { method: worse, ..scene }).unwrap();
+        assert!(!stated.admits(&others) && others.backward.p99 > 10.0 * stated.p99, "{others:#?}");
+        // Kerr-Schild gives up rays of the extremal hole.
+        assert_eq!(others.unfinished() > 0, worse == Method::KerrSchild, "{others:#?}");
     }
 }
 

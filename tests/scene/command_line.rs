@@ -8,7 +8,7 @@ use clap::error::ErrorKind;
 use lightfall::cli::{self, Command, Device, FlyArgs, PresetsCommand, SceneArgs};
 use lightfall::scene::journey;
 use lightfall::scene::presets::PRESETS;
-use lightfall::scene::{Method, Scene};
+use lightfall::scene::{LONGEST_SIDE, Method, Scene};
 
 fn read(line: &str) -> Command {
     cli::read(line.split(' ')).unwrap()
@@ -29,6 +29,10 @@ fn fault(args: &SceneArgs) -> String {
     let error = cli::scene(args).unwrap_err();
     assert_eq!(error.exit_code(), 2);
     error.to_string()
+}
+
+fn preset() -> Scene {
+    PRESETS[1].scene(&[]).unwrap()
 }
 
 fn of_preset(preset: &Path) -> SceneArgs {
@@ -81,16 +85,18 @@ fn one_preset_given_twice_is_refused() {
     for line in ["lightfall --preset 1 render --preset 2 -o a.png", "lightfall --spin 0 trace --spin 0 --rays -"] {
         assert_eq!(refuse(line).kind(), ErrorKind::ArgumentConflict);
     }
-    assert_eq!(refuse("lightfall --preset 2 presets list").kind(), ErrorKind::ArgumentConflict);
+    for command in ["presets list", "doctor", "bench", "extremes"] {
+        assert_eq!(refuse(&format!("lightfall --preset 2 {command}")).kind(), ErrorKind::ArgumentConflict);
+    }
 }
 
 #[test]
 fn render_reads_a_size() {
     let Command::Render(render) = read("lightfall render -o a.png --size 1920x1080") else { panic!() };
     assert_eq!(render.size.unwrap().to_array(), [1920, 1080]);
-    for size in ["0x5", "5", "x", "axb", "16385x1", "-1x5", "1x2x3", "99999999999x1", "5x"] {
+    for size in ["0x5", "5", "x", "axb", "8193x1", "-1x5", "1x2x3", "99999999999x1", "5x"] {
         let error = refuse(&format!("lightfall render -o a.png --size={size}")).to_string();
-        assert!(error.contains("a size is WxH, such as 960x540, each from 1 to 16384"), "{error}");
+        assert!(error.contains("a size is WxH, such as 960x540, each from 1 to 8192"), "{error}");
     }
 }
 
@@ -147,6 +153,9 @@ fn help_and_version_are_no_failures() {
     let help = cli::read(["lightfall", "-h"]).unwrap_err().to_string();
     let words = "one of auto, verlet, closed, mino, kerr-schild, reference";
     assert!(help.contains("Examples:") && help.contains(words), "{help}");
+    let render = cli::read(["lightfall", "render", "-h"]).unwrap_err().to_string();
+    assert!(render.contains(&format!("up to {LONGEST_SIDE} a side")), "{render}");
+    assert_eq!(LONGEST_SIDE, wgpu::Limits::default().max_texture_dimension_2d, "what every device can do");
 }
 
 #[test]
@@ -171,6 +180,14 @@ fn a_preset_that_does_not_exist_is_answered_with_those_that_do() {
         let sentence = format!("--preset {given}: there is no such file, and the presets are {presets}");
         assert_eq!(fault(&of_preset(Path::new(given))), sentence);
     }
+    // Whoever shows one has not written `--preset`.
+    let Command::Presets(show) = read("lightfall presets show edge_on") else { panic!() };
+    let error = cli::presets(&show, &mut Vec::new()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        format!("presets show edge_on: there is no such file, and the presets are {presets}")
+    );
+    assert_eq!(error.exit_code(), 2);
 }
 
 #[test]
@@ -269,16 +286,25 @@ fn a_journey_is_flown_from_its_file_and_its_faults_are_named() {
     let Command::Fly(FlyArgs { journey, scene }) = read("lightfall --journey mine.toml --spin 0.5") else { panic!() };
     assert_eq!((journey.unwrap(), scene.spin.unwrap().as_str()), (Path::new("mine.toml").into(), "0.5"));
     assert!(refuse("lightfall --journey mine.toml render -o x.png").to_string().contains("--journey is for flying"));
-    assert_eq!(cli::journey(None).unwrap().duration, 150.0);
+    assert_eq!(cli::journey(None, &preset()).unwrap().duration, 150.0);
     assert!(
-        cli::journey(Some(&file)).unwrap_err().to_string().starts_with(&format!("{}: cannot be read", file.display()))
+        cli::journey(Some(&file), &preset())
+            .unwrap_err()
+            .to_string()
+            .starts_with(&format!("{}: cannot be read", file.display()))
     );
     fs::write(&file, "[[keyframe]]\ntime = 0\nr = 3\n[[keyframe]]\ntime = 2\nr = 0").unwrap();
-    let error = cli::journey(Some(&file)).unwrap_err();
+    let error = cli::journey(Some(&file), &preset()).unwrap_err();
     assert_eq!(error.exit_code(), 2);
     assert!(error.to_string().ends_with("keyframe 2: r = 0 is refused: it must be a number from 0.1 to 10000000 r_s"));
+    fs::write(&file, "[[keyframe]]\ntime = 0\n[[keyframe]]\ntime = 2\nr = 0.9").unwrap();
+    let error = cli::journey(Some(&file), &preset()).unwrap_err();
+    assert_eq!(error.exit_code(), 2);
+    let sentence = "keyframe 1 (time = 0): camera.r = 0.9 is refused: it must be a number above 1 and at most 10000000 r_s \
+                    (outside the horizon at hole.spin = 0)";
+    assert_eq!(error.to_string(), format!("{}: {sentence}", file.display()));
     fs::write(&file, journey::DEFAULT).unwrap();
-    assert_eq!(cli::journey(Some(&file)).unwrap(), cli::journey(None).unwrap());
+    assert_eq!(cli::journey(Some(&file), &preset()).unwrap(), cli::journey(None, &preset()).unwrap());
 }
 
 #[test]

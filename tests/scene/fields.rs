@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::ops::Bound::{Excluded, Included, Unbounded};
 
-use lightfall::scene::{FIELDS, Field, Kind, Override, Scene, field, load};
+use lightfall::scene::{FIELDS, Field, Kind, ObserverKind, Override, Scene, field, load};
 
 fn set(key: &str, value: &str) -> Result<Scene, String> {
     load("t.toml", "", &[Override::new("--set", key, value)]).map_err(|error| error.to_string())
@@ -58,7 +58,13 @@ fn a_scene_that_no_preset_went_into_is_checked_alike() {
     scene.hole.spin = f64::NAN;
     assert_eq!(scene.check().unwrap_err().key, "hole.spin");
     scene.hole.spin = 0.99;
+    assert_eq!(scene.check().unwrap_err().key, "camera.r", "nothing is at rest in the ergosphere");
+    scene.observer.kind = ObserverKind::Zamo;
     assert_eq!(scene.check(), Ok(()));
+    scene.camera.theta_deg = f64::NAN;
+    assert_eq!(scene.check().unwrap_err().key, "camera.theta_deg");
+    scene.observer.kind = ObserverKind::Static;
+    assert_eq!(scene.check().unwrap_err().key, "camera.theta_deg");
 }
 
 #[test]

@@ -237,3 +237,24 @@ fn a_machine_that_slept_finds_the_flight_where_it_was() {
     let slept = voyage.worldline().unwrap().own_time() - own;
     assert!(slept < 0.5 * voyage.rate(r) && scene.camera.r > 0.9 * r, "{slept}");
 }
+
+#[test]
+fn a_journey_that_cannot_be_flown_to_its_end_is_known_before_and_flown_as_far_as_it_can() {
+    let mut scene = preset("edge-on");
+    (scene.hole.spin, scene.observer.kind) = (0.9, ObserverKind::Rain);
+    let mut guide = guide();
+    guide.start(&scene);
+    // Its last keyframe is deeper inside than the innermost radius of this spin.
+    let fault = guide.check(&scene).unwrap_err();
+    assert!(fault.place.starts_with("keyframe 10 ") && fault.reason.contains("camera.r = 0.3 is refused"), "{fault}");
+    let refused = loop {
+        match guide.pass(0.25, &scene, false) {
+            Moment::Scene(next) => scene = *next,
+            other => break other,
+        }
+    };
+    assert!(matches!(&refused, Moment::Refused(reason) if reason.contains("camera.r = 0.3")), "{refused:?}");
+    assert!(scene.camera.r < Kerr { spin: 0.9 }.horizon() && guide.time() > 140.0);
+    scene.hole.spin = 0.0;
+    assert_eq!(guide.check(&scene), Ok(()));
+}

@@ -1,7 +1,7 @@
 //! What a gamepad's sticks and triggers are worth, and which controls its buttons have.
 
 use bevy::prelude::{GamepadButton, Vec2};
-use lightfall::flight::{CONTROLS, PadBindings, Settings, Switch, button_name, button_named, button_names};
+use lightfall::flight::{CONTROLS, PadBindings, Settings, Switch};
 use lightfall::flight::{control_named, deflection, squeeze};
 use std::collections::BTreeMap;
 
@@ -40,7 +40,7 @@ fn every_default_button_has_a_name_and_one_control_that_there_is() {
     let bindings = PadBindings::default();
     let bound: Vec<GamepadButton> = bindings.iter().flat_map(|(_, buttons)| buttons.to_vec()).collect();
     for (i, button) in bound.iter().enumerate() {
-        assert!(button_name(*button).is_some(), "{button:?}");
+        assert!(GamepadButton::name(*button).is_some(), "{button:?}");
         assert!(!bound[..i].contains(button), "{button:?} has two controls");
     }
     // What the four corners of the pad and both sides are for: speed, roll, presets, panel, journey.
@@ -53,11 +53,11 @@ fn every_default_button_has_a_name_and_one_control_that_there_is() {
 
 #[test]
 fn names_of_buttons_are_read_back_as_the_same_buttons() {
-    for name in button_names() {
-        assert_eq!(button_named(name).and_then(button_name), Some(name));
-        assert_eq!(button_named(&name.to_lowercase()).and_then(button_name), Some(name));
+    for name in GamepadButton::names() {
+        assert_eq!(GamepadButton::named(name).and_then(GamepadButton::name), Some(name));
+        assert_eq!(GamepadButton::named(&name.to_lowercase()).and_then(GamepadButton::name), Some(name));
     }
-    assert_eq!(button_named("Space"), None);
+    assert_eq!(GamepadButton::named("Space"), None);
 }
 
 #[test]

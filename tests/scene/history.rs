@@ -1,7 +1,7 @@
 //! Undoing: what was changed comes back, and only that.
 
 use lightfall::flight::History;
-use lightfall::scene::{Scene, presets};
+use lightfall::scene::{ObserverKind, Scene, presets};
 use std::time::Duration;
 
 fn seconds(seconds: u64) -> Duration {
@@ -20,6 +20,20 @@ fn the_last_change_is_taken_back_and_what_was_flown_since_stays() {
     assert!(undone.disk.enabled);
     assert_eq!(undone.camera.r, 7.0);
     assert!(history.undo(&undone).is_none(), "there was one change only");
+}
+
+#[test]
+fn after_a_fall_or_a_journey_the_camera_comes_back_to_where_it_left_and_other_changes_stay() {
+    let start = Scene::default();
+    let mut history = History::new(start.clone());
+    history.note_departure(&start, seconds(1));
+    let mut fallen = start.clone();
+    (fallen.camera.r, fallen.observer.kind) = (0.4, ObserverKind::Rain);
+    fallen.sky.seed += 1;
+    let undone = history.undo(&fallen).unwrap().unwrap();
+    assert_eq!((undone.camera, undone.observer), (start.camera, start.observer));
+    assert_eq!(undone.sky.seed, fallen.sky.seed);
+    assert!(history.undo(&undone).is_none());
 }
 
 #[test]
@@ -92,5 +106,5 @@ fn a_change_that_cannot_be_undone_says_why() {
     spinning.hole.spin = 0.9;
     let mut history = History::new(Scene::default());
     history.note(&impossible, &spinning, seconds(1));
-    assert!(history.undo(&spinning).unwrap().unwrap_err().contains("camera.r = 0.9 is refused"));
+    assert!(history.undo(&spinning).unwrap().unwrap_err().contains("hole.spin = 0 is refused beside camera.r = 0.9"));
 }

@@ -1,9 +1,10 @@
 //! Journeys: the file, its faults, and that nothing jumps.
 
+use lightfall::flight::drawable;
 use lightfall::gpu::GpuScene;
 use lightfall::physics::kerr::Kerr;
 use lightfall::scene::journey::{self, Journey, Track, between};
-use lightfall::scene::{ObserverKind, Scene, presets};
+use lightfall::scene::{Hole, Method, Observer, ObserverKind, Scene, presets};
 
 fn default() -> Journey {
     journey::load("default.toml", journey::DEFAULT).unwrap()
@@ -205,4 +206,35 @@ fn faults_of_a_journey_are_told_with_their_keyframe() {
         assert!(sentence.starts_with("j.toml: keyframe 2: there is no "), "{sentence}");
     }
     assert!(fault("[[keyframe]\n").starts_with("j.toml: line 1, column "));
+}
+
+fn fault_of(text: &str, scene: &Scene, from: f64) -> Option<String> {
+    let checked = journey::load("j.toml", text).unwrap().check(scene, from, drawable);
+    checked.err().map(|fault| fault.to_string())
+}
+
+#[test]
+fn a_journey_is_refused_where_its_observer_cannot_be() {
+    let at = |spin| Scene { hole: Hole { spin }, ..preset() };
+    assert_eq!(fault_of(journey::DEFAULT, &preset(), 0.0), None);
+    // Each end can be, and on the way the radius falls faster than the ergosphere shrinks toward the axis.
+    let dive = "[[keyframe]]\ntime = 1\nr = 1.02\ntheta_deg = 90\n[[keyframe]]\ntime = 5\nr = 0.73\ntheta_deg = 1";
+    let sentence = fault_of(dive, &at(0.9), 0.0).unwrap();
+    assert!(sentence.starts_with("between keyframes 1 and 2 (time = "), "{sentence}");
+    assert!(sentence.contains(" is refused: it must be a number above 0.9"), "{sentence}");
+    // The observer changes at the keyframe: just before it she is still the old one.
+    let late =
+        "[[keyframe]]\ntime = 0\nr = 2\nobserver = \"static\"\n[[keyframe]]\ntime = 1\nr = 0.999\nobserver = \"rain\"";
+    let sentence = fault_of(late, &at(0.0), 0.0).unwrap();
+    assert!(sentence.starts_with("between keyframes 1 and 2 (time = "), "{sentence}");
+    let early = "[[keyframe]]\ntime = 0\nr = 0.5\nobserver = \"rain\"\n[[keyframe]]\ntime = 1\nobserver = \"zamo\"\n\
+                 [[keyframe]]\ntime = 2\nr = 1.1";
+    assert!(fault_of(early, &at(0.0), 0.0).unwrap().starts_with("keyframe 2 (time = 1): camera.r = "));
+    assert_eq!(fault_of(early, &at(0.0), 1.9), None, "what has been flown already is not asked again");
+    // Other rules than of places: a circular orbit off the plane, and a method that cannot begin inside.
+    let orbit = "[[keyframe]]\ntime = 0\nr = 5\nobserver = \"orbit\"\n[[keyframe]]\ntime = 1\ntheta_deg = 80";
+    assert!(fault_of(orbit, &at(0.0), 0.0).unwrap().contains("it must be 90, the plane of the disk"));
+    let rain = Observer { kind: ObserverKind::Rain, ..preset().observer };
+    let verlet = Scene { method: Method::Verlet, observer: rain, ..preset() };
+    assert!(fault_of(journey::DEFAULT, &verlet, 0.0).unwrap().contains("methods verlet and kerr-schild cannot begin"));
 }

@@ -8,6 +8,7 @@ mod gamepad;
 mod history;
 mod journey;
 mod keys;
+mod limits;
 mod load;
 mod pose;
 mod presets;

@@ -47,7 +47,7 @@ fn presets_are_numbered_from_one_and_found_by_number_and_name() {
 #[test]
 fn an_override_that_does_not_fit_a_preset_is_to_blame() {
     let error = PRESETS[0].scene(&[Override::new("--set", "disk.outer", "1")]).unwrap_err().to_string();
-    assert!(error.starts_with("--set: disk.inner = 3 is refused"), "{error}");
+    assert!(error.starts_with("--set: disk.outer = 1 is refused beside disk.inner = 3"), "{error}");
 }
 
 #[test]

@@ -7,9 +7,17 @@ use std::process;
 
 /// What the program itself says to a command line: its exit status, standard output and standard error.
 fn program(folder: &Path, line: &str, input: &str) -> (i32, String, String) {
+    program_with(&[], folder, line, input)
+}
+
+/// The same with these variables of the environment.
+fn program_with(variables: &[(&str, &Path)], folder: &Path, line: &str, input: &str) -> (i32, String, String) {
     let mut child = process::Command::new(env!("CARGO_BIN_EXE_lightfall"))
         .args(line.split_whitespace())
         .current_dir(folder)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .envs(variables.iter().copied())
         .stdin(process::Stdio::piped())
         .stdout(process::Stdio::piped())
         .stderr(process::Stdio::piped())
@@ -40,6 +48,10 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
             "render --frames 0..1 --method reference -o a.exr",
             "lightfall: method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet, closed, mino or kerr-schild\n",
         ),
+        (
+            "render -o a",
+            "lightfall: a: the name has no ending that says which picture format to write; allowed are .png and .exr\n",
+        ),
         ("render -o nowhere/a.png", "lightfall: nowhere/a.png: cannot be written: there is no such folder\n"),
         (
             "bench --quick --out afile",
@@ -54,19 +66,142 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
     }
     let (status, _, said) = program(folder.path(), "trace --rays nofile", "");
     assert!(status == 2 && said.starts_with("lightfall: nofile: cannot be read"), "{said}");
-    let (status, _, said) = program(folder.path(), "trace --rays - --gpu zzz", "0,0,1");
-    // Without any driver it is the driver that is missing.
-    if !said.contains("no Vulkan adapter") {
-        assert!(status == 2 && said.contains("--gpu zzz") && said.contains("--list-gpus"), "{said}");
-    }
 }
 
 #[test]
-fn no_rays_are_no_failure_but_are_told() {
+fn an_adapter_or_interface_that_is_not_there_is_answered_with_those_that_are() {
     let folder = tempfile::tempdir().unwrap();
-    for input in ["", "\n", "er,etheta,ephi\n"] {
-        let (status, told, said) = program(folder.path(), "trace --rays - --device cpu", input);
-        assert_eq!((status, told.lines().count()), (0, 1), "{told}");
-        assert!(said.starts_with("lightfall: standard input: there are no rays"), "{said}");
+    // No system has both.
+    let foreign = if cfg!(windows) { "metal" } else { "dx12" };
+    let by_interface = format!("--backend {foreign} (or WGPU_BACKEND) is refused");
+    for (option, told) in
+        [("--gpu zzz", "--gpu zzz (or WGPU_ADAPTER_NAME)"), (&format!("--backend {foreign}"), &by_interface)]
+    {
+        for command in ["trace --rays -", "render -o a.png", "--list-gpus", "bench --quick"] {
+            let (status, answer, said) = program(folder.path(), &format!("{command} {option}"), "0,0,1");
+            // Without any driver it is the driver that is missing.
+            if !said.contains("no Vulkan adapter") {
+                assert!(status == 2 && answer.is_empty() && said.contains(told), "{command} {option}: {said}");
+            }
+        }
     }
+    assert!(!folder.path().join("a.png").exists());
+}
+
+#[test]
+fn rays_that_are_none_are_a_bad_command_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let line = "trace --rays - --device cpu";
+    for input in ["", "\n", "er,etheta,ephi\n"] {
+        let (status, told, said) = program(folder.path(), line, input);
+        assert_eq!((status, told.as_str()), (2, ""));
+        assert!(
+            said.starts_with("lightfall: standard input: there are no rays; a ray is a line er,etheta,ephi"),
+            "{said}"
+        );
+    }
+    let (status, told, said) = program(folder.path(), line, "0,0,1\n0,0,fast\n");
+    let sentence = "lightfall: standard input: line 2: ephi = \"fast\" is refused: it must be a finite number\n";
+    assert_eq!((status, told.as_str(), said.as_str()), (2, "", sentence));
+    assert_eq!(program(folder.path(), line, "0,0,1\n").0, 0);
+}
+
+#[test]
+fn a_journey_is_checked_before_it_is_flown_and_without_a_display_its_first_moment_is_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let frames =
+        |end: &str| format!("[[keyframe]]\ntime = 3\nr = 8\ntheta_deg = 30\n[[keyframe]]\ntime = 9\nr = {end}\n");
+    fs::write(folder.path().join("mine.toml"), frames("0.9")).unwrap();
+    let line = "--journey mine.toml --set picture.width=96 --set picture.height=54 --set picture.grid_width=48 --set \
+                picture.grid_height=27";
+    let (status, told, said) = program(folder.path(), line, "");
+    assert!(status == 2 && told.is_empty(), "{said}");
+    assert!(said.starts_with("lightfall: mine.toml: keyframe 2 (time = 9): camera.r = 0.9 is refused: "), "{said}");
+    fs::write(folder.path().join("mine.toml"), frames("2")).unwrap();
+    let (status, told, said) = program(folder.path(), line, "");
+    if said.contains("no Vulkan adapter") {
+        return;
+    }
+    assert_eq!((status, told.as_str()), (0, "lightfall-mine.png\n"), "{said}");
+    assert!(said.contains("no display") && said.contains("the first moment of mine.toml"), "{said}");
+    let still = "render -o still.png --set camera.r=8 --set camera.theta_deg=30";
+    program(folder.path(), &line.replace("--journey mine.toml", still), "");
+    let [moment, still] = ["lightfall-mine.png", "still.png"].map(|file| fs::read(folder.path().join(file)).unwrap());
+    assert!(moment == still, "not the journey's first moment");
+}
+
+/// What the doctor says as JSON, in a home of its own.
+#[cfg(target_os = "linux")]
+fn examined(home: &Path, variables: &[(&str, &Path)]) -> (i32, serde_json::Value) {
+    let config = home.join("config");
+    let variables = [&[("HOME", home), ("XDG_CONFIG_HOME", &config)], variables].concat();
+    let (status, told, _) = program_with(&variables, home, "doctor --json", "");
+    (status, serde_json::from_str(&told).unwrap())
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn the_doctor_tells_what_is_there_and_leaves_it_as_it_is() {
+    let home = tempfile::tempdir().unwrap();
+    let (status, report) = examined(home.path(), &[]);
+    let adapters = report["adapters"].as_array().unwrap();
+    if adapters.is_empty() {
+        return;
+    }
+    assert_eq!((status, &report["well"], &report["faults"]), (0, &true.into(), &serde_json::json!([])), "{report:#}");
+    assert_eq!(report["version"], env!("CARGO_PKG_VERSION"));
+    assert_eq!(adapters.iter().filter(|adapter| adapter["used"] == true).count(), 1);
+    assert_eq!(report["settings"]["exists"], false);
+    assert_eq!(report["folders"].as_array().unwrap().iter().filter(|folder| folder["wrong"].is_null()).count(), 3);
+    let trials = report["trials"].as_array().unwrap();
+    assert_eq!(trials.len(), 2);
+    for trial in trials {
+        let number = |key: &str| trial[key].as_f64().unwrap();
+        assert!(trial["holds"] == true && number("rays") >= 500.0 && number("trace_ms_1920x1080") > 0.0, "{trial:#}");
+        // An error of nothing at all would be that of nothing measured: f32 alone leaves 6e-8.
+        assert!(number("backward_max") > 1e-8 && number("backward_max") <= number("stated_max"), "{trial:#}");
+    }
+    // Drivers keep their caches; the program leaves nothing.
+    let left = fs::read_dir(home.path()).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let left: Vec<String> = left.filter(|name| name == "config" || name.contains("lightfall")).collect();
+    assert!(left.is_empty(), "{left:?}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_the_doctor_finds_wrong_is_status_one_with_what_to_do() {
+    let home = tempfile::tempdir().unwrap();
+    let no_driver = home.path().join("none.json");
+    let without = [("VK_DRIVER_FILES", no_driver.as_path()), ("VK_ICD_FILENAMES", &no_driver)];
+    let told = |variables: &[(&str, &Path)]| {
+        let (status, report) = examined(home.path(), &[&without, variables].concat());
+        assert_eq!((status, &report["well"]), (1, &false.into()));
+        report["faults"].as_array().unwrap().iter().map(|fault| fault.as_str().unwrap().to_owned()).collect::<Vec<_>>()
+    };
+    let faults = told(&[]);
+    assert!(faults.len() == 1 && faults[0].starts_with("no Vulkan adapter was found: install"), "{faults:?}");
+    let file = home.path().join("config/lightfall/settings.toml");
+    fs::create_dir_all(file.parent().unwrap()).unwrap();
+    fs::write(&file, "frame_rate = 1").unwrap();
+    let faults = told(&[]);
+    let sentence = format!("{}: frame_rate = 1 is refused: it must be a number from 5 to 240; mend or", file.display());
+    assert!(faults.len() == 2 && faults[1].starts_with(&sentence), "{faults:?}");
+    assert_eq!(fs::read_to_string(&file).unwrap(), "frame_rate = 1", "it is only looked at");
+    // A file where folders should be.
+    let faults = told(&[("XDG_CONFIG_HOME", &file)]);
+    let presets = format!(
+        "{}: {} is a file and no folder, so no presets",
+        file.join("lightfall/presets").display(),
+        file.display()
+    );
+    assert!(faults.iter().any(|fault| fault.starts_with(&presets)), "{faults:?}");
+    // For people: a name and what is found, then what to do.
+    let fresh = home.path().join("fresh");
+    let own = [&without[..], &[("HOME", home.path()), ("XDG_CONFIG_HOME", &fresh)]].concat();
+    let (status, told, said) = program_with(&own, home.path(), "doctor", "");
+    assert!(status == 1 && said == "lightfall: things that are not well: 1; the report says what to do\n", "{said}");
+    assert!(
+        told.contains("\nadapter     none\n") && told.contains("\nNot well:\n* no Vulkan adapter was found"),
+        "{told}"
+    );
 }

@@ -53,11 +53,13 @@ fn a_ray_of_any_length_becomes_a_unit_vector() {
 #[test]
 fn a_line_that_is_no_ray_is_answered_with_its_number() {
     let number = "it must be a finite number";
+    let columns = "is refused: a ray has three values, er,etheta,ephi, and here are";
+    let zero = "0,0,0 is refused: it has no direction, and a ray may have any length but zero";
     for (text, sentence) in [
-        ("1,0", "line 1 has 2 values; a ray has three: er,etheta,ephi".into()),
-        ("1,0,0\n\n1 0 0", "line 3 has 1 values; a ray has three: er,etheta,ephi".into()),
-        ("er,etheta,ephi\n1,0,0,0", "line 2 has 4 values; a ray has three: er,etheta,ephi".into()),
-        ("1,0,0,", "line 1 has 4 values; a ray has three: er,etheta,ephi".into()),
+        ("1,0", format!("line 1: \"1,0\" {columns} 2")),
+        ("1,0,0\n\n1 0 0", format!("line 3: \"1 0 0\" {columns} 1")),
+        ("er,etheta,ephi\n1,0,0,0", format!("line 2: \"1,0,0,0\" {columns} 4")),
+        ("1,0,0,", format!("line 1: \"1,0,0,\" {columns} 4")),
         ("1,x,0", format!("line 1: etheta = \"x\" is refused: {number}")),
         ("1,0,", format!("line 1: ephi = \"\" is refused: {number}")),
         ("NaN,0,0", format!("line 1: er = \"NaN\" is refused: {number}")),
@@ -66,8 +68,8 @@ fn a_line_that_is_no_ray_is_answered_with_its_number() {
         ("1,0,0\ner,etheta,ephi", format!("line 2: er = \"er\" is refused: {number}")),
         ("er,etheta,ephi\ner,etheta,ephi", format!("line 2: er = \"er\" is refused: {number}")),
         ("ephi,er,etheta\n1,0,0", format!("line 1: er = \"ephi\" is refused: {number}")),
-        ("0,0,0", "line 1: 0,0,0 has no direction; a ray may have any length but zero".into()),
-        ("1,0,0\n-0,0.0,1e-999", "line 2: 0,0,0 has no direction; a ray may have any length but zero".into()),
+        ("0,0,0", format!("line 1: {zero}")),
+        ("1,0,0\n-0,0.0,1e-999", format!("line 2: {zero}")),
         ("1,\"0,0\n1,0,0", format!("line 1: etheta = \"\\\"0\" is refused: {number}")),
     ] {
         assert_eq!(fault(text), format!("rays.csv: {sentence}"), "{text:?}");

@@ -3,7 +3,7 @@
 use crate::desktop::Desktop;
 use crate::shot::Shot;
 use crate::{HINT, WINDOW, changed};
-use lightfall::flight::control_named;
+use lightfall::flight::{Switch, control_named};
 
 /// Width of the panel on the right, with some room.
 const PANEL: usize = 400;
@@ -11,7 +11,7 @@ const PANEL: usize = 400;
 /// As X names the first key of a control.
 fn x_name(id: &str) -> String {
     let control = control_named(id).unwrap();
-    let name = lightfall::flight::key_name(control.keys[0]).unwrap();
+    let name = control.keys[0].name().unwrap();
     let name = match name {
         "+" => "equal",
         "-" => "minus",

@@ -206,6 +206,14 @@ impl Desktop {
         }
     }
 
+    /// Frames that are shown within a time.
+    pub fn shown_within(&self, time: Duration) -> usize {
+        let shown = || self.frames.as_ref().map_or(0, Frames::shown);
+        let before = shown();
+        std::thread::sleep(time);
+        shown() - before
+    }
+
     /// Waits until something is so.
     pub fn wait(&self, what: &str, so: impl Fn() -> bool) {
         let start = Instant::now();

@@ -2,13 +2,12 @@
 
 use crate::desktop::Desktop;
 use crate::shot::Shot;
-use crate::{HINT, WINDOW};
+use crate::{HINT, WINDOW, program};
 use bevy::prelude::*;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
 use bevy::render::render_resource::PollType;
 use bevy::render::renderer::RenderDevice;
 use bevy::render::{Render, RenderApp, RenderSystems};
-use lightfall::scene::{journey, presets};
 
 /// Whether the device is to be destroyed in this frame.
 #[derive(Resource, Clone, Default, ExtractResource)]
@@ -28,9 +27,7 @@ fn destroy(wanted: If<Res<Destroy>>, device: Res<RenderDevice>) {
 #[test]
 #[ignore = "started by the test of device loss"]
 fn program_that_loses_its_device() {
-    let scene = presets::find("2").unwrap().scene(&[]).unwrap();
-    let journey = journey::load("the built-in journey", journey::DEFAULT).unwrap();
-    let mut app = lightfall::flight::program(scene, journey, false);
+    let mut app = program();
     app.init_resource::<Destroy>().add_plugins(ExtractResourcePlugin::<Destroy>::default()).add_systems(
         Update,
         |keys: Res<ButtonInput<KeyCode>>, mut destroy: ResMut<Destroy>| {

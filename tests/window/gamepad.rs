@@ -2,13 +2,12 @@
 
 use crate::desktop::Desktop;
 use crate::shot::Shot;
-use crate::{HINT, WINDOW};
+use crate::{HINT, WINDOW, program};
 use bevy::input::gamepad::{GamepadConnection, GamepadConnectionEvent, RawGamepadEvent};
 use bevy::input::gamepad::{GamepadInput, RawGamepadAxisChangedEvent, RawGamepadButtonChangedEvent};
 use bevy::prelude::*;
 use lightfall::flight::{Guide, Pace};
 use lightfall::render::CurrentScene;
-use lightfall::scene::{journey, presets};
 use std::time::{Duration, Instant};
 
 /// What a key has the pad do: which part of it is pushed for a second, so long after the key.
@@ -82,9 +81,7 @@ fn hand(
 #[test]
 #[ignore = "started by the test of the gamepad"]
 fn program_with_a_gamepad() {
-    let scene = presets::find("2").unwrap().scene(&[]).unwrap();
-    let journey = journey::load("the built-in journey", journey::DEFAULT).unwrap();
-    let mut app = lightfall::flight::program(scene, journey, false);
+    let mut app = program();
     app.init_resource::<Hand>().add_systems(First, hand);
     assert_eq!(app.run(), AppExit::Success);
 }

@@ -1,11 +1,10 @@
 //! How long a hand waits for its picture, in frames of the program itself.
 
 use crate::desktop::Desktop;
-use crate::{HINT, WINDOW};
+use crate::{HINT, WINDOW, program};
 use bevy::diagnostic::FrameCount;
 use bevy::prelude::*;
 use bevy::render::view::window::screenshot::{Screenshot, ScreenshotCaptured};
-use lightfall::scene::{journey, presets};
 
 /// What the window showed before.
 #[derive(Resource, Default)]
@@ -54,9 +53,7 @@ fn picture(window: Option<&[u8]>) -> Option<&[u8]> {
 #[test]
 #[ignore = "started by the test of latency"]
 fn program_that_watches_its_frames() {
-    let scene = presets::find("2").unwrap().scene(&[]).unwrap();
-    let journey = journey::load("the built-in journey", journey::DEFAULT).unwrap();
-    let mut app = lightfall::flight::program(scene, journey, false);
+    let mut app = program();
     app.init_resource::<Before>().init_resource::<Pressed>().add_systems(Update, watch);
     assert_eq!(app.run(), AppExit::Success);
 }

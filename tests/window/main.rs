@@ -14,10 +14,12 @@ mod inspector;
 mod latency;
 mod manager;
 mod pasting;
+mod rest;
 mod safety;
 mod shot;
 
 use desktop::Desktop;
+use lightfall::scene::{journey, presets};
 use shot::Shot;
 use std::process::Command;
 use std::time::Duration;
@@ -26,6 +28,13 @@ use std::time::Duration;
 const WINDOW: (usize, usize) = (1440, 810);
 /// Rows at the bottom that the hint may cover: four lines of it.
 const HINT: usize = 104;
+
+/// The program as `lightfall --preset 2` starts it, for a test to add to.
+fn program() -> bevy::app::App {
+    let scene = presets::find("2").unwrap().scene(&[]).unwrap();
+    let journey = journey::load("the built-in journey", journey::DEFAULT).unwrap();
+    lightfall::flight::program(scene, journey, false)
+}
 
 /// Share of the picture, without the hint, that differs between two shots.
 fn changed(a: &Shot, b: &Shot) -> f64 {
@@ -83,7 +92,7 @@ fn keys_change_what_they_say_and_the_window_stays() {
     for number in 1..=9 {
         desktop.press(&number.to_string());
         desktop.settled(&format!("preset {number}"), |shot| changed(shot, &turned) > 0.02);
-        let title = lightfall::scene::presets::find(&number.to_string()).unwrap().scene(&[]).unwrap().title;
+        let title = presets::find(&number.to_string()).unwrap().scene(&[]).unwrap().title;
         assert_eq!(desktop.title(), format!("Lightfall: {title}"));
     }
     assert!(desktop.running());

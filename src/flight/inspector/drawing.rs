@@ -75,6 +75,8 @@ struct Projection {
     centre: Pos2,
     points_per_length: f64,
     horizon: f64,
+    /// Whether the camera is inside, so that the hole is drawn as a line about what happens there.
+    inside: bool,
 }
 
 impl Projection {
@@ -88,8 +90,11 @@ impl Projection {
         Pos2::new(self.centre.x + far(seen.x), self.centre.y - far(seen.y))
     }
 
-    /// Whether the hole itself is in front of a place.
+    /// Whether the hole itself is in front of a place; for a camera inside it is not.
     fn hidden(&self, place: DVec3) -> bool {
+        if self.inside {
+            return false;
+        }
         let seen = self.seen(place);
         seen.z < 0.0 && seen.x.hypot(seen.y) < self.horizon
     }
@@ -130,11 +135,13 @@ impl Sketch {
             self.turn[0] += f64::from(drag.x) * 0.01;
             self.turn[1] = (self.turn[1] + f64::from(drag.y) * 0.01).clamp(-PI / 2.0, PI / 2.0);
         }
+        let horizon = Kerr { spin: scene.hole.spin }.horizon();
         let projection = Projection {
             axes: self.axes(scene),
             centre: rect.center(),
             points_per_length: f64::from(0.5 * rect.size().min_elem()) / half_width,
-            horizon: Kerr { spin: scene.hole.spin }.horizon(),
+            horizon,
+            inside: scene.camera.r < horizon,
         };
         hole(&painter, &projection, scene);
         for inspected in rays.iter().skip(1).chain(rays.first()) {
@@ -180,7 +187,8 @@ fn hole(painter: &egui::Painter, projection: &Projection, scene: &Scene) {
     let kerr = Kerr { spin: scene.hole.spin };
     let radius = (projection.horizon * projection.points_per_length) as f32;
     let thin = |colour: Color32| Stroke::new(1.0, colour);
-    painter.circle(projection.centre, radius, Color32::BLACK, thin(HORIZON));
+    let fill = if projection.inside { Color32::TRANSPARENT } else { Color32::BLACK };
+    painter.circle(projection.centre, radius, fill, thin(HORIZON));
     if scene.disk.enabled {
         let (inner, outer) = (disk::inner_edge(scene), scene.disk.outer);
         let rings = 14;

@@ -82,7 +82,7 @@ fn click(
     worker: Res<Worker>,
     mut inspector: ResMut<Inspector>,
 ) {
-    if !shown.inspector || shown.hidden || !buttons.just_pressed(MouseButton::Left) {
+    if !shown.inspector_seen() || !buttons.just_pressed(MouseButton::Left) {
         return;
     }
     let pixel =
@@ -128,7 +128,7 @@ fn show(
     mut inspector: ResMut<Inspector>,
     mut notice: ResMut<Notice>,
 ) -> Result {
-    if !shown.inspector || shown.hidden {
+    if !shown.inspector_seen() {
         return Ok(());
     }
     let context = contexts.ctx_mut()?;

@@ -30,7 +30,12 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
         row("order of the image", numbers.order.map(|order| order.to_string()));
         row("half-turns", Some(format!("{:.4}", numbers.half_turns)));
         row("closest r", Some(format!("{} r_s", short(numbers.closest_r))));
-        row("impact parameter b", numbers.impact_parameter.map(|b| format!("{} r_s", short(b))));
+        // Inside the horizon there is light whose energy at infinity is negative; b, L/E and E have one sign.
+        let backward = numbers.impact_parameter.is_some_and(|b| b < 0.0);
+        row(
+            if backward { "b, of energy E < 0" } else { "impact parameter b" },
+            numbers.impact_parameter.map(|b| format!("{} r_s", short(b))),
+        );
         row("lambda = L/E", numbers.lambda.map(|lambda| format!("{} r_s", short(lambda))));
         row("eta = Q/E²", numbers.eta.map(|eta| format!("{} r_s²", short(eta))));
         let sky = [cpu.sky_x, cpu.sky_y, cpu.sky_z].into_iter().collect::<Option<Vec<_>>>();

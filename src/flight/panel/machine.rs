@@ -141,7 +141,7 @@ fn adapters(ui: &mut egui::Ui, state: &mut State, machine: &Machine, chosen: &mu
     ui.weak("From the next start on:");
     ui.radio_value(chosen, None, "the best that there is");
     let listed = list.get().map_or(&[][..], Vec::as_slice);
-    for Listed { name, kind, driver } in listed {
+    for Listed { name, kind, driver, .. } in listed {
         let mark = if present.as_ref() == Some(name) { ", in use now" } else { "" };
         ui.radio_value(chosen, Some(name.clone()), format!("{name}{mark}")).on_hover_text(format!("{kind}, {driver}"));
     }

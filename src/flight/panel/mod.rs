@@ -78,7 +78,7 @@ fn show(
     voyage: Res<Voyage>,
     steps: Res<steps::Steps>,
 ) -> Result {
-    if !shown.panel || shown.hidden {
+    if !shown.panel_seen() {
         rebinding.stop();
         return Ok(());
     }

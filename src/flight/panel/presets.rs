@@ -72,6 +72,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
             }
         }
     });
+    if safe(&state.name) != state.name.trim() {
+        ui.weak(format!("The file will be {}.toml: letters, digits, - and _ only.", safe(&state.name)));
+    }
     ui.separator();
     ui.strong("From a file");
     ui.horizontal(|ui| {

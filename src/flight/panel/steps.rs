@@ -32,7 +32,7 @@ impl Steps {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.init_resource::<Steps>().add_systems(Update, follow.run_if(|shown: Res<Shown>| shown.panel && !shown.hidden));
+    app.init_resource::<Steps>().add_systems(Update, follow.run_if(|shown: Res<Shown>| shown.panel_seen()));
 }
 
 fn follow(worker: Res<Worker>, pace: Res<Pace>, editor: SceneEditor, mut steps: ResMut<Steps>) {

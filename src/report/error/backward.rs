@@ -4,9 +4,10 @@
 use super::chart::{Chart, DIFFERENCE};
 use super::sample::Ray;
 use super::{Eye, greater};
+use crate::physics::reference::wrapped;
 use crate::physics::trace::{Hit, Trace};
 use glam::{DMat2, DVec2, DVec3};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Most steps of Newton's method.
 const MOST_STEPS: u32 = 24;
@@ -77,7 +78,7 @@ impl Part {
             Self::Sky(wanted) => found.sky.map(|found| found.y.atan2(found.x) - wanted.y.atan2(wanted.x)),
             Self::Hit(i, wanted) => found.hits[*i].map(|found| found.phi - wanted.phi),
         };
-        off.map(|off| (off + PI).rem_euclid(TAU) - PI)
+        off.map(wrapped)
     }
 }
 
@@ -113,12 +114,7 @@ fn explained(eye: &Eye, ray: &Ray, part: Part, fine: f64) -> f64 {
 /// The same by two directions at right angles to the ray; `seen` is told of each place that is tried, by its turn and answer.
 pub(super) fn in_plane(eye: &Eye, ray: &Ray, part: Part, seen: &dyn Fn(f64, &Trace)) -> f64 {
     let plane = Chart::plane(ray, eye.scale);
-    let at = |place: DVec2| {
-        let trace = eye.trace(plane.at(place));
-        seen(plane.turn(place), &trace);
-        part.miss(&trace)
-    };
-    newton(&plane, &at, DVec2::ZERO, DAMPED)
+    newton(&plane, &missed(eye, &plane, part, seen), DVec2::ZERO, DAMPED)
 }
 
 /// The same by the edge's own chart; `fine` is good enough, and `least` is known.
@@ -129,11 +125,7 @@ pub(super) fn beside_edge(
     [fine, mut least]: [f64; 2],
     seen: &dyn Fn(f64, &Trace),
 ) -> f64 {
-    let at = |place: DVec2| {
-        let trace = eye.trace(chart.at(place));
-        seen(chart.turn(place), &trace);
-        part.miss(&trace)
-    };
+    let at = missed(eye, chart, part, seen);
     if least > NEAR * chart.scale {
         least = least.min(newton(chart, &at, along_edge(&at, 0.0), DAMPED));
     }
@@ -165,6 +157,15 @@ pub(super) fn beside_edge(
         }
     }
     least
+}
+
+/// By how much the answer at a place of a chart misses a part; `seen` is told of the place.
+fn missed(eye: &Eye, chart: &Chart, part: Part, seen: &dyn Fn(f64, &Trace)) -> impl Fn(DVec2) -> Option<DVec2> {
+    move |place| {
+        let trace = eye.trace(chart.at(place));
+        seen(chart.turn(place), &trace);
+        part.miss(&trace)
+    }
 }
 
 /// The places on the line toward the edge, or away from it, with what an answer's height is off by there.
@@ -212,7 +213,7 @@ fn starts(eye: &Eye, chart: &Chart, part: Part, [from, to]: [f64; 2]) -> Vec<f64
 fn rate(eye: &Eye, chart: &Chart, part: Part, x: f64) -> Option<[f64; 2]> {
     let at = |x: f64| part.azimuth(&eye.trace(chart.at(DVec2::new(x, 0.0))));
     let (here, beside) = at(x).zip(at(x + DIFFERENCE))?;
-    Some([here, ((beside - here + PI).rem_euclid(TAU) - PI) / DIFFERENCE])
+    Some([here, wrapped(beside - here) / DIFFERENCE])
 }
 
 /// The place nearest to explaining an answer on the line toward the edge, from a place there (Gauss and Newton).

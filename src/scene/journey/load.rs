@@ -235,6 +235,7 @@ fn journey(title: String, keyframes: &[Keyframe]) -> Journey {
     Journey {
         title,
         duration: keyframes[keyframes.len() - 1].time - start,
+        times: keyframes.iter().map(|frame| frame.time).collect(),
         tracks: of(|frame| &frame.values),
         tracks_in_rain: of(|frame| &frame.values_in_rain),
         kinds: keyframes.iter().filter_map(kind).collect(),
