@@ -36,7 +36,7 @@ pub fn render(args: &RenderArgs) -> Result<(), Stop> {
     let equipment = Equipment { timed: args.timings, light: format == Format::Exr };
     let (begin, _) = shots.get(shots.numbers().start);
     let mut camera = Camera {
-        studio: Studio::equipped(&begin, size, equipment).map_err(failed)?,
+        studio: Studio::equipped(&begin, size, equipment).map_err(stopped)?,
         format,
         channels: args.aov.clone().unwrap_or_default(),
         rays: None,
@@ -52,7 +52,7 @@ pub fn render(args: &RenderArgs) -> Result<(), Stop> {
     }
     bar.finish_and_clear();
     if args.timings {
-        say_times(&camera.studio.time(TIMED_FRAMES).map_err(failed)?);
+        say_times(&camera.studio.time(TIMED_FRAMES).map_err(stopped)?);
     }
     if let Some(sequence) = &shots.sequence {
         eprintln!("lightfall: a video of them: {}", sequence.ffmpeg(size.x, size.y));

@@ -4,6 +4,7 @@ use crate::desktop::Desktop;
 use crate::shot::Shot;
 use crate::{HINT, WINDOW, changed};
 use lightfall::flight::{Switch, control_named};
+use lightfall::picture::embedded_preset;
 
 /// Width of the panel on the right, with some room.
 const PANEL: usize = 400;
@@ -115,6 +116,8 @@ fn screenshots_are_files_that_replace_no_other() {
         for (x, y) in [(700, 300), (300, 430), (1000, 100)] {
             assert_eq!(picture.get_pixel(x, y).0, start.pixel(x as usize, y as usize), "pixel {x}, {y}");
         }
+        let preset = embedded_preset(&std::fs::read(&file).unwrap()).unwrap();
+        assert!(preset.contains("name = \"edge-on\"") && preset.contains("camera"), "{preset}");
     }
     assert_eq!(std::fs::read_dir(pictures).unwrap().count(), 2);
 }

@@ -85,7 +85,8 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
             open(state, editor, &PathBuf::from(state.path.trim()));
         }
     });
-    ui.weak("Or drop a preset file on the window, or a picture that Lightfall drew. The same files serve `lightfall --preset` and `lightfall render`.");
+    ui.weak("Or drop a preset file on the window, or a picture that Lightfall drew.");
+    ui.weak("The same files serve `lightfall --preset` and `lightfall render`.");
     ui.weak(format!("Your own are in {}", folder.display()));
 }
 
