@@ -13,6 +13,7 @@ pub use load::{JourneyError, load};
 pub use track::Track;
 
 use super::{Camera, ObserverKind, Scene};
+use crate::physics::kerr::Kerr;
 
 /// The built-in journey, part of the program itself.
 pub const DEFAULT: &str = include_str!("../../assets/journeys/default.toml");
@@ -59,6 +60,9 @@ impl Journey {
     ///
     /// A circular orbit cannot be led away from its plane: unless the journey itself says what the observer is, `orbit` becomes
     /// `static`, as under the hand. The scene is not checked.
+    ///
+    /// While the observer is `rain`, keyframes tell Kerr's ingoing azimuth, counted so that it is Boyer-Lindquist's where that
+    /// begins: the other would wind without end toward the horizon of a hole that spins.
     pub fn apply(&self, time: f64, scene: &mut Scene) {
         let kind = self.kinds.iter().rev().find(|(from, _)| *from <= time).or(self.kinds.first());
         match kind {
@@ -67,11 +71,38 @@ impl Journey {
             None => {}
         }
         let rain = scene.observer.kind == ObserverKind::Rain;
-        if rain { &self.tracks_in_rain } else { &self.tracks }.apply(time, scene);
+        let tracks = if rain { &self.tracks_in_rain } else { &self.tracks };
+        tracks.apply(time, scene);
+        if tracks.leads("phi_deg") {
+            let phi = scene.camera.phi_deg - self.azimuth_lead(time, rain, Kerr { spin: scene.hole.spin }).to_degrees();
+            scene.camera.phi_deg = within_half_a_turn(phi);
+        }
+    }
+
+    /// By how much Kerr's ingoing azimuth has grown beyond Boyer-Lindquist's in all the times of `rain` up to now, in radians;
+    /// inside the horizon, where `camera.phi_deg` is the ingoing one, less that one's own lead.
+    fn azimuth_lead(&self, time: f64, rain: bool, kerr: Kerr) -> f64 {
+        let Some(radius) = self.tracks_in_rain.radius.as_ref().filter(|_| kerr.spin != 0.0) else { return 0.0 };
+        let lead = |time: f64| {
+            let r = radius.at(time).exp();
+            if r > kerr.horizon() { kerr.ingoing_azimuth_lead(r) } else { 0.0 }
+        };
+        // What the observer is before the first keyframe that says it.
+        let first = self.kinds.first().map_or(rain, |(_, kind)| *kind == ObserverKind::Rain);
+        let later = self.kinds.iter().skip(1).map(|(from, kind)| (*from, *kind == ObserverKind::Rain));
+        let starts: Vec<_> = std::iter::once((0.0, first)).chain(later).collect();
+        let ends = starts.iter().skip(1).map(|(from, _)| *from).chain([f64::INFINITY]);
+        let times = starts.iter().zip(ends).filter(|((from, rain), _)| *rain && *from <= time);
+        times.map(|((from, _), end)| lead(time.min(end)) - lead(*from)).sum()
     }
 }
 
 impl Tracks {
+    /// Whether any keyframe names this angle.
+    fn leads(&self, name: &str) -> bool {
+        ANGLES.iter().zip(&self.angles).any(|((angle, _), track)| *angle == name && track.is_some())
+    }
+
     fn apply(&self, time: f64, scene: &mut Scene) {
         if let Some(radius) = &self.radius {
             scene.camera.r = radius.at(time).exp();

@@ -242,9 +242,10 @@ fn a_machine_that_slept_finds_the_flight_where_it_was() {
 fn a_journey_that_cannot_be_flown_to_its_end_is_known_before_and_flown_as_far_as_it_can() {
     let mut scene = preset("edge-on");
     (scene.hole.spin, scene.observer.kind) = (0.9, ObserverKind::Rain);
-    let mut guide = guide();
+    // A last keyframe that is deeper inside than the innermost radius of this spin.
+    let deep = journey::DEFAULT.replace("rain = { r = 0.5,", "rain = { r = 0.3,");
+    let mut guide = Guide::new(journey::load("deep.toml", &deep).unwrap());
     guide.start(&scene);
-    // Its last keyframe is deeper inside than the innermost radius of this spin.
     let fault = guide.check(&scene).unwrap_err();
     assert!(fault.place.starts_with("keyframe 10 ") && fault.reason.contains("camera.r = 0.3 is refused"), "{fault}");
     let refused = loop {
