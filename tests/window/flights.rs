@@ -33,21 +33,25 @@ fn the_journey_starts_stops_and_gives_way_to_the_hand() {
 }
 
 #[test]
-fn who_is_let_go_falls_through_the_horizon_and_a_card_says_where_it_ends() {
-    let Some(mut desktop) = Desktop::open(&["--preset", "9"]) else { return };
-    let start = desktop.first_picture();
-    desktop.press("f");
-    moves(&desktop, "F lets nothing go");
-    desktop.press("f");
-    let held = desktop.settled("F again", |shot| changed(shot, &start) > 1e-3);
-    desktop.press("f");
-    // Eight times as fast.
-    for _ in 0..3 {
-        desktop.press("period");
+fn who_is_let_go_falls_through_the_horizon_a_card_says_where_it_ends_and_backspace_leads_back() {
+    for spin in ["0", "0.9"] {
+        let Some(mut desktop) = Desktop::open(&["--preset", "9", "--spin", spin]) else { return };
+        let start = desktop.first_picture();
+        desktop.press("f");
+        moves(&desktop, "F lets nothing go");
+        desktop.press("f");
+        let held = desktop.settled("F again", |shot| changed(shot, &start) > 1e-3);
+        desktop.press("f");
+        // Eight times as fast.
+        for _ in 0..3 {
+            desktop.press("period");
+        }
+        let end = desktop.settled("the end of the fall", |shot| changed(shot, &held) > 0.01);
+        // The next key puts the card away, which covers the middle. This one does nothing else.
+        desktop.press("Escape");
+        desktop.settled("the card goes", |shot| shot.changed(&end, 500..940, 350..460) > 0.1);
+        desktop.press("BackSpace");
+        desktop.settled("back where it was let go", |shot| changed(shot, &held) == 0.0);
+        assert!(desktop.running() && !desktop.said().contains("ERROR"), "spin {spin}: {}", desktop.said());
     }
-    let end = desktop.settled("the end of the fall", |shot| changed(shot, &held) > 0.01);
-    // The next key puts the card away, which covers the middle. This one does nothing else.
-    desktop.press("Escape");
-    desktop.settled("the card goes", |shot| shot.changed(&end, 500..940, 350..460) > 0.1);
-    assert!(desktop.running());
 }
