@@ -28,6 +28,8 @@ const LARGE: f64 = 0.01;
 /// Steps of an answer's height along the line toward the edge, and bisections of such a step.
 const HEIGHT_STEP: f64 = 0.1;
 const BISECTIONS: u32 = 30;
+/// How often a step that leads to where the miss has no meaning is halved.
+const HALVINGS: i32 = 8;
 /// How many of the places on that line where the height is right are looked at closer, the nearest first.
 const MOST_PLACES: usize = 4;
 /// Where rays wind faster than this, in radians an e-fold, the right height comes with every azimuth next to it.
@@ -218,35 +220,46 @@ fn rate(eye: &Eye, chart: &Chart, part: Part, x: f64) -> Option<[f64; 2]> {
 
 /// The place nearest to explaining an answer on the line toward the edge, from a place there (Gauss and Newton).
 fn along_edge(at: &impl Fn(DVec2) -> Option<DVec2>, start: f64) -> DVec2 {
-    let mut x = start;
+    let mut place = DVec2::new(start, 0.0);
+    let Some(mut left) = at(place) else { return place };
     for _ in 0..8 {
-        let step = at(DVec2::new(x, 0.0)).zip(at(DVec2::new(x + DIFFERENCE, 0.0))).map(|(left, beside)| {
-            let slope = (beside - left) / DIFFERENCE;
-            -(slope.dot(left) / slope.length_squared()).clamp(-1.0, 1.0)
-        });
-        match step {
-            Some(step) if step.abs() > DIFFERENCE => x += step,
-            _ => break,
+        let Some(slope) =
+            [DIFFERENCE, -DIFFERENCE].into_iter().find_map(|h| Some((at(place + h * DVec2::X)? - left) / h))
+        else {
+            break;
+        };
+        let step = -(slope.dot(left) / slope.length_squared()).clamp(-1.0, 1.0);
+        match (step.abs() > DIFFERENCE).then(|| advance(at, place, step * DVec2::X)).flatten() {
+            Some(next) => (place, left) = next,
+            None => break,
         }
     }
-    DVec2::new(x, 0.0)
+    place
+}
+
+/// The place a step away, or as much of it as remains where the miss has a meaning, and the miss there: an image of the disk
+/// ends where the answer may lie next to its end, and a step goes beyond.
+fn advance(at: &impl Fn(DVec2) -> Option<DVec2>, place: DVec2, step: DVec2) -> Option<(DVec2, DVec2)> {
+    (0..HALVINGS).map(|i| place + step * 0.5_f64.powi(i)).find_map(|next| at(next).map(|left| (next, left)))
 }
 
 /// Newton's method for the smallest place that explains an answer: the least bound met on the way.
 fn newton(chart: &Chart, at: &impl Fn(DVec2) -> Option<DVec2>, start: DVec2, damping: f64) -> f64 {
-    let mut least = f64::INFINITY;
-    let mut place = start;
-    for _ in 0..MOST_STEPS {
-        let Some(left) = at(place) else { break };
-        least = least.min(f64::max(chart.turn(place), left.length()));
-        let Some(step) =
+    let Some(left) = at(start) else { return f64::INFINITY };
+    let mut least = f64::max(chart.turn(start), left.length());
+    let (mut place, mut left) = (start, left);
+    for _ in 1..MOST_STEPS {
+        let Some(aim) =
             jacobian(chart, at, place, left).and_then(|jacobian| smallest(chart, place, left, jacobian, damping))
         else {
             break;
         };
-        let step = step - place;
-        place += step / f64::max(1.0, (step / chart.reach()).length());
-        if step.length() <= SETTLED * place.length() {
+        let step = aim - place;
+        let before = place;
+        let Some(next) = advance(at, place, step / f64::max(1.0, (step / chart.reach()).length())) else { break };
+        (place, left) = next;
+        least = least.min(f64::max(chart.turn(place), left.length()));
+        if (place - before).length() <= SETTLED * place.length() {
             break;
         }
     }
