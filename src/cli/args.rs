@@ -65,17 +65,18 @@ pub struct RenderArgs {
     /// Size of the output, in pixels, up to 8192 a side, onto which a .png is enlarged as in a window; how finely it is drawn
     /// say picture.width and picture.height, and picture.bypass=true takes the cells away. Of an .exr, which has no cells, it
     /// is the size that is drawn [default: that of the picture]
-    #[arg(long, value_name = "WxH", value_parser = size)]
+    #[arg(long, value_name = "WxH", value_parser = size, allow_hyphen_values = true)]
     pub size: Option<UVec2>,
     /// Channels that an .exr has besides R, G, B and A, separated by commas: `all`, groups, or single ones, see below
     #[arg(long, value_name = "LIST")]
     pub aov: Option<Channels>,
     /// Draw a journey as numbered pictures: frame k is what there is to see k/N seconds after its start. A and B are both
     /// included. Frames after the end show the end
-    #[arg(long, value_name = "A..B")]
+    #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
     pub frames: Option<Frames>,
     /// Frames a second
-    #[arg(long, value_name = "N", default_value_t = 30.0, value_parser = frame_rate, requires = "frames")]
+    #[arg(long, value_name = "N", default_value_t = 30.0, value_parser = frame_rate, requires = "frames",
+          allow_negative_numbers = true)]
     pub fps: f64,
     /// TOML file of the journey that --frames draws [default: the built-in one]
     #[arg(long, value_name = "FILE")]
@@ -131,7 +132,7 @@ pub enum PresetsCommand {
     List,
     /// Show every field of a preset, with its meaning and range, as a preset file
     Show {
-        /// Number, name or TOML file
+        /// Number, name, TOML file, or a picture that holds its preset
         #[arg(value_name = "NAME")]
         preset: OsString,
         /// Show instead what drawing it compiles in, leaves out and runs
@@ -140,7 +141,7 @@ pub enum PresetsCommand {
     },
     /// Check a preset file
     Check {
-        /// TOML file
+        /// TOML file, or a picture that holds its preset
         file: PathBuf,
     },
 }

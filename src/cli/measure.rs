@@ -27,7 +27,7 @@ pub struct BenchArgs {
     #[arg(long, value_enum, default_value_t = EntryArg::Compute)]
     pub entry: EntryArg,
     /// Rays whose error is measured in each scene [default: 8192, with --quick 512]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(16..=1_000_000))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(16..=1_000_000))]
     pub rays: Option<u32>,
     /// Few settings, few rays, small pictures: under a minute even without a graphics card
     #[arg(long)]
@@ -64,13 +64,13 @@ pub struct ExtremesArgs {
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = method)]
     pub methods: Vec<Method>,
     /// Rays of a cell, from 16
-    #[arg(long, value_name = "N", default_value_t = 96, value_parser = clap::value_parser!(u32).range(16..=100_000))]
+    #[arg(long, value_name = "N", default_value_t = 96, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(16..=100_000))]
     pub rays: u32,
     /// Instead of the extremes: a grid of ordinary places, of spins, radii and inclinations
     #[arg(long, conflicts_with = "hunt")]
     pub grid: bool,
     /// Instead of the matrix: trace N rays through random scenes by `auto`'s methods, and tell the worst; 2000 a scene
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000_000))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=100_000_000))]
     pub hunt: Option<u32>,
     /// Where the random numbers of the hunt begin: the same seed finds the same rays
     #[arg(long, value_name = "SEED", default_value_t = 1, requires = "hunt")]

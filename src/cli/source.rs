@@ -1,7 +1,7 @@
 //! Where scenes and journeys come from: a name, a file, and what overrides single fields.
 
 use super::args::{PresetsCommand, SceneArgs};
-use crate::flight::drawable;
+use crate::flight::{drawable, preset_files, presets_folder};
 use crate::gpu::{GpuError, GpuScene};
 use crate::picture::{embedded_preset, is_picture};
 use crate::report::rays::is_closed_pipe;
@@ -114,6 +114,9 @@ pub fn presets(command: &PresetsCommand, out: &mut impl Write) -> Result<(), Cli
             for preset in presets::PRESETS {
                 list += &format!("{}  {:14} {}\n", preset.number, preset.name, preset.scene(&[])?.title);
             }
+            for file in own_presets() {
+                list += &format!("-  {:14} {}\n", file.file_stem().unwrap_or_default().display(), file.display());
+            }
             list
         }
         PresetsCommand::Show { preset, needs } => {
@@ -152,9 +155,24 @@ fn named(asked: &'static str, preset: &OsStr, overrides: &[Override]) -> Result<
     let path = Path::new(preset);
     let looks_like_a_path = path.components().count() > 1 || path.extension().is_some();
     if !looks_like_a_path && !path.exists() {
+        if let Some(own) = own_preset(preset) {
+            return from_file(&own, overrides);
+        }
         return Err(CliError::UnknownPreset { asked, given: preset.display().to_string() });
     }
     from_file(path, overrides)
+}
+
+/// The user's own presets, as the panel saves them.
+fn own_presets() -> Vec<PathBuf> {
+    presets_folder().map(|folder| preset_files(&folder)).unwrap_or_default()
+}
+
+/// The user's own preset of this name, as the panel saves them.
+fn own_preset(name: &OsStr) -> Option<PathBuf> {
+    let mut file = presets_folder()?.join(name).into_os_string();
+    file.push(".toml");
+    Some(PathBuf::from(file)).filter(|file| file.is_file())
 }
 
 /// The journey of a file, which all of it can be flown in `scene`; or the built-in one, which may never be flown.

@@ -43,15 +43,12 @@ pub(super) fn look(
     over.0 = !(on_panel || on_area || context.egui_is_using_pointer());
 }
 
-/// In a window too narrow for both panels the one that was opened first gives way, as long as it is so.
-pub(super) fn make_room(mut contexts: EguiContexts, mut shown: ResMut<Shown>, mut first: Local<Option<Side>>) {
+/// In a window too narrow for both panels the one that was opened last is shown, as long as it is so.
+pub(super) fn make_room(mut contexts: EguiContexts, mut shown: ResMut<Shown>) {
     let Ok(context) = contexts.ctx_mut() else { return };
-    let both = shown.panel && shown.inspector;
-    if !both {
-        *first = if shown.panel { Some(Side::Right) } else { Some(Side::Left) };
-    }
     let narrow = context.content_rect().width() < panel::WIDTH + inspector::WIDTH;
-    let gives_way = first.filter(|_| both && narrow);
+    let gives_way = if shown.last == Some(Side::Left) { Side::Right } else { Side::Left };
+    let gives_way = Some(gives_way).filter(|_| shown.panel && shown.inspector && narrow);
     if shown.gives_way != gives_way {
         shown.gives_way = gives_way;
     }

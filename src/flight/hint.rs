@@ -103,7 +103,11 @@ fn show(
         roomy(NARROWEST, journey(&guide, &bindings)),
         roomy(NARROWEST, voyage.clocks(scene.camera.r)),
         notice.text().to_owned(),
-        roomy(NARROW, beginning(&bindings)),
+        if free > NARROW {
+            beginning(&bindings)
+        } else {
+            roomy(NARROWEST, format!("{} all keys", bindings.named("window.help")))
+        },
     ];
     lines.retain(|line| !line.is_empty());
     if lines.is_empty() {

@@ -85,8 +85,10 @@ impl SceneEditor<'_> {
     /// # Errors
     /// Why it cannot be.
     pub(super) fn try_change(&mut self, changed: Result<Scene, String>) -> Result<(), String> {
-        let changed = changed.and_then(drawable)?;
         let before = self.meant();
+        // Where it does not go with the rest, what was changed is named, and not the rest.
+        let beside = |changed: Scene| before.with(changed.differences(&before)).map_err(|refusal| refusal.to_string());
+        let changed = changed.and_then(beside).and_then(drawable)?;
         self.history.note(&before, &changed, self.time.elapsed());
         self.accept(changed);
         Ok(())

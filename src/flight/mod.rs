@@ -46,7 +46,7 @@ pub use pace::Pace;
 pub use panel::shown_number;
 pub use remarks::remark;
 pub use resolution::Resolution;
-pub use settings::{Automatic, Settings, pictures_folder, presets_folder, settings_file};
+pub use settings::{Automatic, Settings, pictures_folder, preset_files, presets_folder, settings_file};
 
 use crate::picture::quiet_log;
 use crate::render::{CurrentScene, LightfallRenderPlugin, Screen, render_plugin};

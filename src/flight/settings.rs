@@ -173,6 +173,15 @@ pub fn presets_folder() -> Option<PathBuf> {
     Some(directories::ProjectDirs::from("", "", "lightfall")?.config_dir().join("presets"))
 }
 
+/// The presets in a folder, in the order of their names; none where there is no folder.
+#[must_use]
+pub fn preset_files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    let mut files: Vec<_> = entries.filter(|path| path.extension().is_some_and(|end| end == "toml")).collect();
+    files.sort();
+    files
+}
+
 /// Where pictures go: the user's folder for them, else the home folder, else the one the program runs in.
 #[must_use]
 pub fn pictures_folder() -> PathBuf {

@@ -23,6 +23,8 @@ pub(super) struct Shown {
     pub(super) hidden: bool,
     /// The panel of which side gives way, in a window too narrow for both.
     pub(super) gives_way: Option<Side>,
+    /// The side that was opened last.
+    pub(super) last: Option<Side>,
 }
 
 impl Shown {
@@ -104,8 +106,8 @@ fn obey(
         match command {
             Command::Hide => shown.hidden = !shown.hidden,
             Command::Help => toggle(&mut shown, |shown| &mut shown.help),
-            Command::Panel => toggle(&mut shown, |shown| &mut shown.panel),
-            Command::Inspect => toggle(&mut shown, |shown| &mut shown.inspector),
+            Command::Panel => toggle_side(&mut shown, Side::Right, |shown| &mut shown.panel),
+            Command::Inspect => toggle_side(&mut shown, Side::Left, |shown| &mut shown.inspector),
             Command::Escape => shown.help = false,
             Command::Fullscreen => {
                 window.mode = match window.mode {
@@ -123,6 +125,16 @@ fn toggle(shown: &mut Shown, overlay: fn(&mut Shown) -> &mut bool) {
     let open = !*overlay(shown) || shown.hidden;
     *overlay(shown) = open;
     shown.hidden &= !open;
+}
+
+/// The same for a panel: one that gives way to another is meant to come forward.
+fn toggle_side(shown: &mut Shown, side: Side, overlay: fn(&mut Shown) -> &mut bool) {
+    if shown.gives_way != Some(side) || shown.hidden {
+        toggle(shown, overlay);
+    }
+    if *overlay(shown) {
+        shown.last = Some(side);
+    }
 }
 
 /// The window's size at first, made smaller where the monitor has no room for it: so that the picture fills it.

@@ -73,22 +73,33 @@ impl fmt::Display for Range {
             return if low == high {
                 write!(f, "equal to {}", number(low))
             } else {
-                write!(f, "from {} to {}", number(low), number(high))
+                write!(f, "from {} to {}", number(inward(low, 1.0)), number(inward(high, -1.0)))
             };
         }
         let low = match self.low {
-            Included(low) => format!("at least {}", number(low)),
-            Excluded(low) => format!("above {}", number(low)),
+            Included(low) => format!("at least {}", number(inward(low, 1.0))),
+            Excluded(low) => format!("above {}", number(inward(low, 1.0))),
             Unbounded => String::new(),
         };
         let high = match self.high {
-            Included(high) => format!("at most {}", number(high)),
-            Excluded(high) => format!("below {}", number(high)),
+            Included(high) => format!("at most {}", number(inward(high, -1.0))),
+            Excluded(high) => format!("below {}", number(inward(high, -1.0))),
             Unbounded => String::new(),
         };
         let and = if low.is_empty() || high.is_empty() { "" } else { " and " };
         write!(f, "{low}{and}{high}")
     }
+}
+
+/// A limit in few digits, on its own inner side, so that what is said is allowed: `side` is 1 for the lower, -1 for the upper.
+/// One that was written in few digits stays.
+fn inward(limit: f64, side: f64) -> f64 {
+    const DIGITS: i32 = 6;
+    if limit.fract() == 0.0 || !limit.is_finite() || format!("{limit:e}").find('e').is_some_and(|length| length <= 10) {
+        return limit;
+    }
+    let scale = 10.0_f64.powi(DIGITS - 1 - limit.abs().log10().floor() as i32);
+    side * (side * limit * scale).ceil() / scale
 }
 
 /// The shortest digits that give the number back, with an exponent only where zeros would hide its size.

@@ -52,6 +52,12 @@ impl Scene {
                 let because = Because { keys: vec!["disk.outer"], reason };
                 (Range { high: Excluded(self.disk.outer), ..range }, Some(because))
             }
+            "disk.outer" if self.disk.enabled => {
+                let isco = Kerr { spin: self.hole.spin }.isco();
+                let reason = format!("the innermost stable circular orbit at hole.spin = {}", number(self.hole.spin));
+                let because = Because { keys: vec!["hole.spin", "disk.enabled"], reason };
+                (Range { low: Excluded(isco), ..range }, Some(because))
+            }
             "picture.grid_width" => grid_range("picture.width", self.picture.width),
             "picture.grid_height" => grid_range("picture.height", self.picture.height),
             _ => (range, None),
@@ -75,7 +81,9 @@ impl Scene {
                 );
                 (Excluded(limit), reason)
             }
-            ObserverKind::Static | ObserverKind::Zamo => (horizon, format!("outside the horizon {at_spin}")),
+            ObserverKind::Static | ObserverKind::Zamo => {
+                (horizon, format!("outside the horizon {at_spin}; observer rain goes on inside"))
+            }
             ObserverKind::Orbit => {
                 (Excluded(kerr.photon_orbit_prograde()), format!("outside the prograde photon orbit {at_spin}"))
             }

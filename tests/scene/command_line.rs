@@ -174,7 +174,7 @@ fn a_preset_file_that_cannot_be_read_is_named() {
     );
     fs::write(&path, "camera.r = 0.5").unwrap();
     let sentence = "camera.r = 0.5 is refused: it must be a number above 1 and at most 10000000 r_s (outside the \
-                    horizon at hole.spin = 0)";
+                    horizon at hole.spin = 0; observer rain goes on inside)";
     assert_eq!(fault(&of_preset(&path)), named(sentence));
 }
 
@@ -269,7 +269,7 @@ fn a_journey_is_flown_from_its_file_and_its_faults_are_named() {
     let error = cli::journey(Some(&file), &preset()).unwrap_err();
     assert_eq!(error.exit_code(), 2);
     let sentence = "keyframe 1 (time = 0): camera.r = 0.9 is refused: it must be a number above 1 and at most 10000000 r_s \
-                    (outside the horizon at hole.spin = 0)";
+                    (outside the horizon at hole.spin = 0; observer rain goes on inside)";
     assert_eq!(error.to_string(), format!("{}: {sentence}", file.display()));
     fs::write(&file, journey::DEFAULT).unwrap();
     assert_eq!(cli::journey(Some(&file), &preset()).unwrap(), cli::journey(None, &preset()).unwrap());

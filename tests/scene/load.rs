@@ -66,7 +66,7 @@ fn a_value_out_of_range_is_answered_with_where_what_and_the_range() {
         (
             "camera.r = nan",
             "camera.r = NaN is refused: it must be a number above 1 and at most 10000000 r_s (outside the horizon at \
-             hole.spin = 0)",
+             hole.spin = 0; observer rain goes on inside)",
         ),
         ("camera.yaw_deg = -inf", "camera.yaw_deg = -inf is refused: it must be a number from -360 to 360 degrees"),
         (

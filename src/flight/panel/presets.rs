@@ -1,8 +1,9 @@
 //! The page of presets: those of the program, the user's own, saving, and files dropped on the window.
 
 use crate::cli::{self, SceneArgs};
+use crate::flight::history::drawable;
 use crate::flight::keyboard::SceneEditor;
-use crate::flight::settings::presets_folder;
+use crate::flight::settings::{preset_files, presets_folder};
 use crate::scene::{Scene, presets};
 use bevy::prelude::*;
 use bevy::window::FileDragAndDrop;
@@ -13,8 +14,8 @@ use std::path::{Path, PathBuf};
 /// What the page remembers.
 #[derive(Default)]
 pub(super) struct State {
-    /// The user's preset that was loaded or saved last.
-    own: Option<PathBuf>,
+    /// The user's preset that is open, and the scene that was loaded when it was: another one closes it.
+    own: Option<(PathBuf, Scene)>,
     /// Name for the next one.
     name: String,
     /// A file to load.
@@ -26,6 +27,9 @@ pub(super) struct State {
 }
 
 pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEditor) {
+    if state.own.as_ref().is_some_and(|(_, loaded)| loaded != editor.loaded()) {
+        state.own = None;
+    }
     ui.strong("Built in");
     let name = editor.meant().name;
     for preset in presets::PRESETS {
@@ -33,7 +37,6 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
         let text = format!("{}  {}", preset.number, preset.name);
         if ui.selectable_label(name == preset.name, text).on_hover_text(&scene.title).clicked() {
             editor.load("", Ok(scene));
-            state.own = None;
         }
     }
     ui.separator();
@@ -48,12 +51,12 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
     }
     for file in files {
         let name = file.file_stem().unwrap_or_default().to_string_lossy();
-        if ui.selectable_label(state.own.as_ref() == Some(&file), name).clicked() {
+        if ui.selectable_label(state.own.as_ref().is_some_and(|(own, _)| *own == file), name).clicked() {
             open(state, editor, &file);
         }
     }
     ui.add_space(6.0);
-    if let Some(own) = state.own.clone()
+    if let Some((own, _)) = state.own.clone()
         && ui.button(format!("Save {}", own.file_name().unwrap_or_default().to_string_lossy())).clicked()
     {
         save(state, editor, &own);
@@ -98,11 +101,12 @@ fn loaded(file: &Path) -> Result<Scene, String> {
 }
 
 fn open(state: &mut State, editor: &mut SceneEditor, file: &Path) {
-    let scene = loaded(file);
-    if scene.is_ok() {
-        state.own = Some(file.to_owned());
-    }
+    let scene = loaded(file).and_then(drawable);
+    let accepted = scene.is_ok();
     editor.load("", scene);
+    if accepted {
+        state.own = Some((file.to_owned(), editor.loaded().clone()));
+    }
 }
 
 fn save(state: &mut State, editor: &mut SceneEditor, file: &Path) {
@@ -112,7 +116,8 @@ fn save(state: &mut State, editor: &mut SceneEditor, file: &Path) {
         Ok(()) => {
             editor.change("", Ok(scene));
             editor.say(format!("Saved: {}", file.display()));
-            (state.own, state.replace, state.files) = (Some(file.to_owned()), None, None);
+            let own = (file.to_owned(), editor.loaded().clone());
+            (state.own, state.replace, state.files) = (Some(own), None, None);
         }
         Err(error) => editor.say(format!("{}: cannot be written: {error}", file.display())),
     }
@@ -131,13 +136,6 @@ fn written(file: &Path, text: &str) -> std::io::Result<()> {
 fn safe(name: &str) -> String {
     let plain = |c: char| if c.is_alphanumeric() || c == '-' { c } else { '_' };
     name.trim().chars().map(plain).take(60).collect()
-}
-
-fn preset_files(folder: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
-    let mut files: Vec<_> = entries.filter(|path| path.extension().is_some_and(|end| end == "toml")).collect();
-    files.sort();
-    files
 }
 
 /// A preset file dropped on the window is loaded, or the preset in a picture.

@@ -125,6 +125,9 @@ pub fn markdown(circumstances: &Circumstances, rows: &[Measured]) -> String {
     text + &equal_errors(circumstances, rows)
 }
 
+/// Ratios beyond this are what is left of two times that are equal but for their noise.
+const MOST_RATIO: f64 = 1e6;
+
 /// Our methods against the article's, scene by scene, where they are equally exact; nothing where they were not measured.
 fn equal_errors(circumstances: &Circumstances, rows: &[Measured]) -> String {
     let mut scenes: Vec<&str> = rows.iter().map(|row| row.scene.as_str()).collect();
@@ -133,7 +136,12 @@ fn equal_errors(circumstances: &Circumstances, rows: &[Measured]) -> String {
     for (fast, slow) in [("closed", "verlet"), ("mino", "kerr-schild")] {
         for scene in &scenes {
             let Some(found) = at_equal_error(rows, scene, fast, slow, circumstances.floor_ms) else { continue };
-            let range = |[low, high]: [f64; 2]| format!("{low:.1} to {high:.1}");
+            let range = |[low, high]: [f64; 2]| match (format!("{low:.1}"), format!("{high:.1}")) {
+                // A floor as high as the faster method's time leaves nothing to compare.
+                _ if !high.is_finite() || high > MOST_RATIO => String::new(),
+                (low, high) if low == high => low,
+                (low, high) => format!("{low} to {high}"),
+            };
             let [ours, theirs] = found.best;
             writeln!(
                 text,
