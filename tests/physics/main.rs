@@ -5,6 +5,7 @@ mod disk;
 mod effects;
 mod elliptic;
 mod error;
+mod error_edge;
 mod inside;
 mod kerr;
 mod kerr_schild;
