@@ -170,9 +170,7 @@ fn own_presets() -> Vec<PathBuf> {
 
 /// The user's own preset of this name, as the panel saves them.
 fn own_preset(name: &OsStr) -> Option<PathBuf> {
-    let mut file = presets_folder()?.join(name).into_os_string();
-    file.push(".toml");
-    Some(PathBuf::from(file)).filter(|file| file.is_file())
+    own_presets().into_iter().find(|file| file.file_stem() == Some(name) && file.is_file())
 }
 
 /// The journey of a file, which all of it can be flown in `scene`; or the built-in one, which may never be flown.

@@ -94,9 +94,11 @@ impl SceneEditor<'_> {
         Ok(())
     }
 
-    /// As [`change`](Self::change), for a scene that is another one altogether.
-    pub(super) fn load(&mut self, who: &str, loaded: Result<Scene, String>) {
-        match loaded.and_then(drawable) {
+    /// As [`change`](Self::change), for a scene that is another one altogether; says whether it is in place now.
+    pub(super) fn load(&mut self, who: &str, loaded: Result<Scene, String>) -> bool {
+        let loaded = loaded.and_then(drawable);
+        let accepted = loaded.is_ok();
+        match loaded {
             Ok(loaded) => {
                 let before = self.meant();
                 self.history.note_loaded(&before, &loaded, self.time.elapsed());
@@ -104,6 +106,7 @@ impl SceneEditor<'_> {
             }
             Err(reason) => self.refuse(who, &reason),
         }
+        accepted
     }
 
     /// Takes the last change back.
@@ -180,7 +183,9 @@ fn apply(
         let before = editor.meant();
         let Some(changed) = edited(control, &before, editor.loaded()) else { continue };
         match control.action {
-            Action::Load(_) | Action::Turn(_) => editor.load(&who, changed),
+            Action::Load(_) | Action::Turn(_) => {
+                editor.load(&who, changed);
+            }
             _ => {
                 let remark =
                     changed.as_ref().ok().and_then(|after| remark(control, &before, after, &bindings, metered));

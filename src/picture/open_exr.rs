@@ -3,7 +3,7 @@
 use super::file::{PictureError, write_whole};
 use super::{Channels, PRESET_KEY, Samples};
 use crate::render::Captured;
-use crate::scene::{Method, Scene};
+use crate::scene::Scene;
 use exr::meta::attribute::Chromaticities;
 use exr::prelude::*;
 use std::io::Cursor;
@@ -105,10 +105,10 @@ fn text(text: &str) -> Text {
 
 /// The method by which light was traced: what `auto` stands for.
 fn method(scene: &Scene) -> &'static str {
-    match scene.method {
-        _ if !scene.effects.lensing => "straight lines, without lensing",
-        Method::Auto => Method::for_spin(scene.hole.spin).name(),
-        method => method.name(),
+    if scene.effects.lensing {
+        scene.method.resolved(scene.hole.spin).name()
+    } else {
+        "straight lines, without lensing"
     }
 }
 

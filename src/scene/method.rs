@@ -31,6 +31,12 @@ impl Method {
         if chi == 0.0 { Self::Closed } else { Self::Mino }
     }
 
+    /// This method, or what `auto` means for a hole of spin `chi`.
+    #[must_use]
+    pub fn resolved(self, chi: f64) -> Self {
+        if self == Self::Auto { Self::for_spin(chi) } else { self }
+    }
+
     /// Every method.
     pub const ALL: [Self; 6] = [Self::Auto, Self::Verlet, Self::Closed, Self::Mino, Self::KerrSchild, Self::Reference];
 

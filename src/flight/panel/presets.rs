@@ -1,7 +1,6 @@
 //! The page of presets: those of the program, the user's own, saving, and files dropped on the window.
 
 use crate::cli::{self, SceneArgs};
-use crate::flight::history::drawable;
 use crate::flight::keyboard::SceneEditor;
 use crate::flight::settings::{preset_files, presets_folder};
 use crate::scene::{Scene, presets};
@@ -101,10 +100,7 @@ fn loaded(file: &Path) -> Result<Scene, String> {
 }
 
 fn open(state: &mut State, editor: &mut SceneEditor, file: &Path) {
-    let scene = loaded(file).and_then(drawable);
-    let accepted = scene.is_ok();
-    editor.load("", scene);
-    if accepted {
+    if editor.load("", loaded(file)) {
         state.own = Some((file.to_owned(), editor.loaded().clone()));
     }
 }

@@ -31,7 +31,7 @@ impl Stated {
     /// Of the method that traces this scene.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
-        let method = method(scene);
+        let method = scene.method.resolved(scene.hole.spin);
         let max = bar(&Scene { method, ..scene.clone() }).backward;
         let p99 = match method {
             Method::Closed => 3e-7,
@@ -105,7 +105,7 @@ impl Trial {
         let backward = errors.backward;
         Ok(Self {
             scene: name.into(),
-            method: method(scene).name(),
+            method: scene.method.resolved(scene.hole.spin).name(),
             rays: errors.rays,
             unanswered: unanswered(&errors),
             backward_max_px: backward.max / scene.camera.pixel_angle(f64::from(scene.picture.height)),
@@ -140,13 +140,5 @@ impl Trial {
                 short(self.stated_max)
             )
         })
-    }
-}
-
-/// The method that traces a scene.
-fn method(scene: &Scene) -> Method {
-    match scene.method {
-        Method::Auto => Method::for_spin(scene.hole.spin),
-        named => named,
     }
 }
