@@ -207,3 +207,22 @@ fn what_the_doctor_finds_wrong_is_status_one_with_what_to_do() {
         "{told}"
     );
 }
+
+#[test]
+#[cfg(target_os = "linux")]
+fn an_own_preset_is_found_by_its_name_and_listed() {
+    let home = tempfile::tempdir().unwrap();
+    let config = home.path().join("config");
+    let folder = config.join("lightfall/presets");
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join("my_hole.toml"), "schema = 1\nhole.spin = 0.25\n").unwrap();
+    let own: [(&str, &Path); 2] = [("HOME", home.path()), ("XDG_CONFIG_HOME", &config)];
+    let ask = |line: &str| program_with(&own, home.path(), line, "");
+    let (status, shown, _) = ask("presets show my_hole");
+    assert!(status == 0 && shown.contains("spin = 0.25"), "{shown}");
+    assert!(ask("presets list").1.lines().last().unwrap().contains("my_hole"));
+    // A built-in name stays the built-in preset's, and one that nobody has is still refused.
+    fs::write(folder.join("edge-on.toml"), "schema = 1\nhole.spin = 0.25\n").unwrap();
+    assert!(ask("presets show edge-on").1.contains("spin = 0.0"));
+    assert_eq!(ask("presets show my_other").0, 2);
+}
