@@ -226,7 +226,7 @@ pub const FIELDS: &[Field] = &[
         "disk.follow_isco",
         "Whether the inner edge is the innermost stable circular orbit, whatever disk.inner says",
     ),
-    float("disk.outer", EDGE, "r_s", "Outer edge"),
+    float("disk.outer", EDGE, "r_s", "Outer edge; outside the innermost stable circular orbit"),
     choice("disk.model", &["newtonian", "page-thorne"], "Radial profile of the flux"),
     float(
         "disk.temperature_k",
