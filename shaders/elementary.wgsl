@@ -1,7 +1,8 @@
-// Elementary functions with a stated error, for where that of WGSL's built-ins would show: atan2 may be wrong by 4096
-// units in the last place, 2.4e-4 of the result.
+// Elementary functions with a stated error, for where that of WGSL's built-ins would show: atan2
+// may be wrong by 4096 units in the last place, 2.4e-4 of the result.
 
-// Arctangent on [-1, 1]: x times a polynomial in x^2, interpolated at Chebyshev's points; its own error is 1e-8 rad.
+// Arctangent on [-1, 1]: x times a polynomial in x^2, interpolated at Chebyshev's points; its own
+// error is 1e-8 rad.
 fn arctangent_within_one(x: f32) -> f32 {
     let y = x * x;
     var sum = 0.00276628346;
@@ -15,7 +16,8 @@ fn arctangent_within_one(x: f32) -> f32 {
     return x + x * y * sum;
 }
 
-// Angle of (x, y) from the x axis, in [-pi, pi], at most 5e-7 rad off with WGSL's division; zero for (0, 0).
+// Angle of (x, y) from the x axis, in [-pi, pi], at most 5e-7 rad off with WGSL's division; zero
+// for (0, 0).
 fn arctangent2(y: f32, x: f32) -> f32 {
     let largest = max(max(abs(x), abs(y)), TINY);
     var angle = arctangent_within_one(min(abs(x), abs(y)) / largest);
@@ -29,9 +31,9 @@ fn angle_between(a: vec3<f32>, b: vec3<f32>) -> f32 {
     return arctangent2(length(cross(a, b)), dot(a, b));
 }
 
-// Sine and cosine (x, y) of an angle of up to some tens of radians, at most 2e-7 off plus what rounding the angle does.
-// The nearest multiple of pi/2 is taken off in two parts, the first of few digits; then polynomials on [-pi/4, pi/4],
-// minimax, their own errors below 4e-9.
+// Sine and cosine (x, y) of an angle of up to some tens of radians, at most 2e-7 off plus what
+// rounding the angle does. The nearest multiple of pi/2 is taken off in two parts, the first of few
+// digits; then polynomials on [-pi/4, pi/4], minimax, their own errors below 4e-9.
 fn sine_cosine(angle: f32) -> vec2<f32> {
     let turns = round(angle * 0.636619772);
     let x = (angle - turns * 1.5703125) - turns * 4.83826795e-4;
@@ -51,8 +53,9 @@ fn area_tangent(x: f32) -> f32 {
     return x + x * y * (0.333333333 + y * (0.2 + y * (0.142857143 + y * 0.111111111)));
 }
 
-// Logarithm of a normal positive number, at most 3e-7 of itself off: the exponent's share in two parts, the first of few
-// digits, and for a mantissa m between sqrt(1/2) and sqrt(2) twice the area tangent of (m - 1)/(m + 1).
+// Logarithm of a normal positive number, at most 3e-7 of itself off: the exponent's share in two
+// parts, the first of few digits, and for a mantissa m between sqrt(1/2) and sqrt(2) twice the area
+// tangent of (m - 1)/(m + 1).
 fn logarithm(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let below_root = (bits & 0x7fffffu) < 0x3504f3u;

@@ -1,19 +1,19 @@
-// Elliptic functions for cubics of which one real root is known and the other two may be a conjugate pair. Both take such
-// a pair by what is real of it, so one text serves either sign of D.
+// Elliptic functions for cubics of which one real root is known and the other two may be a
+// conjugate pair. Both take such a pair by what is real of it, so one text serves either sign of D.
 
-// Duplications: enough for 5e-7 of the result down to |D| = 1e-6, with the series below. Away from there fewer are: the
-// series is right to f32's rounding once its arguments differ by less than an eighth of their mean.
+// Duplications: enough for 5e-7 of the result down to |D| = 1e-6, with the series below. Away from
+// there fewer are: the series is right to f32's rounding once its arguments differ by less than an
+// eighth of their mean.
 const DUPLICATIONS: u32 = 3u;
 
-// Carlson's R_F(x, y, z), y and z being mean +- sqrt(h2), for x > 0; where h2 < 0 they are conjugate, and then mean may
-// be negative.
-// Duplication (DLMF 19.26.18) with lambda = sqrt(x) (sqrt y + sqrt z) + sqrt(y z) written by the pair's mean and
-// product, which leaves two roots a turn:
+// Carlson's R_F(x, y, z), y and z being mean +- sqrt(h2), for x > 0; where h2 < 0 they are
+// conjugate, and then mean may be negative. Duplication (DLMF 19.26.18) with lambda = sqrt(x) (sqrt
+// y + sqrt z) + sqrt(y z) written by the pair's mean and product, which leaves two roots a turn:
 //
 //   p = sqrt(mean^2 - h2),   lambda = sqrt(2 x (mean + p)) + p;   x, mean -> (. + lambda) / 4,   h2 -> h2 / 16
 //
-// then the series in the elementary symmetric functions of the spread (DLMF 19.36.1). After the first turn mean is
-// positive, for p >= |mean| where h2 < 0.
+// then the series in the elementary symmetric functions of the spread (DLMF 19.36.1). After the
+// first turn mean is positive, for p >= |mean| where h2 < 0.
 fn carlson_rf_pair(x0: f32, mean0: f32, h20: f32) -> f32 {
     let p0 = sqrt(max(mean0 * mean0 - h20, 0.0));
     let sum0 = select(mean0 + p0, -h20 / (p0 - mean0), mean0 < 0.0);
@@ -44,16 +44,16 @@ fn carlson_rf_pair(x0: f32, mean0: f32, h20: f32) -> f32 {
     return series * root;
 }
 
-// What Weierstrass's function and its derivative are beside their poles: P(z) = (1 + even) / z^2 and
-// P'(z) = -2 (1 + odd) / z^3.
+// What Weierstrass's function and its derivative are beside their poles: P(z) = (1 + even) / z^2
+// and P'(z) = -2 (1 + odd) / z^3.
 struct Weierstrass {
     even: f32,
     odd: f32,
 }
 
-// P(z; g2, g3) with g2 = 1/12, which is what every null orbit has, for 0 <= z <= pi and orbits that stay finite there.
-// Laurent's series (DLMF section 23.9) at z/2, then one duplication (section 23.10(ii)), both written for what is left
-// beside the poles, so that nothing cancels.
+// P(z; g2, g3) with g2 = 1/12, which is what every null orbit has, for 0 <= z <= pi and orbits that
+// stay finite there. Laurent's series (DLMF section 23.9) at z/2, then one duplication (section
+// 23.10(ii)), both written for what is left beside the poles, so that nothing cancels.
 fn weierstrass(z: f32, g3: f32) -> Weierstrass {
     const C2: f32 = 0.00416666667;
     const C4: f32 = 5.78703704e-6;

@@ -1,6 +1,7 @@
-// The picture: pixel -> photon -> trace -> light or, in a diagnostic view, the colour of a mark (view/; view/traced.wgsl
-// goes this way, view/error.wgsl reads a table instead). A triangle at the
-// far plane covers the picture, so the depth test lets only those pixels through that nothing stands in front of.
+// The picture: pixel -> photon -> trace -> light or, in a diagnostic view, the colour of a mark
+// (view/; view/traced.wgsl goes this way, view/error.wgsl reads a table instead). A triangle at the
+// far plane covers the picture, so the depth test lets only those pixels through that nothing
+// stands in front of.
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {

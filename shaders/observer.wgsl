@@ -1,8 +1,10 @@
-// From a looking direction to the photon that arrives from it. The matrix knows who is looking; nothing else does.
+// From a looking direction to the photon that arrives from it. The matrix knows who is looking;
+// nothing else does.
 
-// For a fast observer almost all light comes from ahead, and what comes from elsewhere is a small difference of large
-// numbers. Yet all its numbers are smooth about the direction in which light has the least energy: so they are reckoned
-// from there, with |d| = 1 for the component along it, and keep their digits next to it.
+// For a fast observer almost all light comes from ahead, and what comes from elsewhere is a small
+// difference of large numbers. Yet all its numbers are smooth about the direction in which light
+// has the least energy: so they are reckoned from there, with |d| = 1 for the component along it,
+// and keep their digits next to it.
 fn photon_from(direction: vec3<f32>) -> Photon {
     let off = direction - scene.dimmest;
     let one_off = vec4<f32>(1.0, off);
@@ -28,7 +30,8 @@ fn photon_from(direction: vec3<f32>) -> Photon {
     );
 }
 
-// Unit looking direction (right, up, forward) of a place on the picture, in pixels from its upper left corner.
+// Unit looking direction (right, up, forward) of a place on the picture, in pixels from its upper
+// left corner.
 fn pixel_direction(pixel: vec2<f32>) -> vec3<f32> {
     let across = pixel / scene.picture_size * vec2<f32>(2.0, -2.0) + vec2<f32>(-1.0, 1.0);
     return normalize(vec3<f32>(across * scene.tan_half_fov, 1.0));

@@ -1,5 +1,6 @@
-// From the tone-mapped picture to the cells on the screen: area reduction, quantization with an ordered pattern, and
-// expansion. The CPU fills `Presentation` (src/render/presentation.rs) and works out where the cells lie.
+// From the tone-mapped picture to the cells on the screen: area reduction, quantization with an
+// ordered pattern, and expansion. The CPU fills `Presentation` (src/render/presentation.rs) and
+// works out where the cells lie.
 
 struct Presentation {
     // Size of the HDR picture, in pixels.
@@ -18,7 +19,8 @@ struct Presentation {
 @group(0) @binding(1) var source: texture_2d<f32>;
 @group(0) @binding(2) var source_sampler: sampler;
 
-// One cell averages at most this many picture pixels along each axis; Scene's limits keep within it.
+// One cell averages at most this many picture pixels along each axis; Scene's limits keep within
+// it.
 const MAX_PIXELS_PER_CELL: u32 = 65u;
 
 @vertex
@@ -37,14 +39,16 @@ fn srgb_decode(encoded: vec3<f32>) -> vec3<f32> {
     return select(pow((encoded + 0.055) / 1.055, vec3<f32>(2.4)), encoded / 12.92, encoded <= vec3<f32>(0.04045));
 }
 
-// Rank, 0 to 15, of a cell in the 4x4 Bayer pattern: the bits of x xor y and of y, interleaved from the lowest up.
+// Rank, 0 to 15, of a cell in the 4x4 Bayer pattern: the bits of x xor y and of y, interleaved from
+// the lowest up.
 fn bayer(cell: vec2<u32>) -> f32 {
     let p = cell & vec2<u32>(3u);
     let q = vec2<u32>(p.x ^ p.y, p.y);
     return f32(((q.x & 1u) << 3u) | ((q.y & 1u) << 2u) | (q.x & 2u) | ((q.y & 2u) >> 1u));
 }
 
-// Mean of the linear light that falls on a cell; a pixel that the cell covers in part counts by the part.
+// Mean of the linear light that falls on a cell; a pixel that the cell covers in part counts by the
+// part.
 fn reduce(cell: vec2<u32>) -> vec3<f32> {
     let pixels_per_cell = vec2<f32>(presentation.picture) / vec2<f32>(presentation.grid);
     let low = vec2<f32>(cell) * pixels_per_cell;
@@ -72,7 +76,8 @@ fn reduce(cell: vec2<u32>) -> vec3<f32> {
     return light / max(area, 1e-6);
 }
 
-// Rounds perceptual channel values to the levels; the pattern stands still, so that a still picture does.
+// Rounds perceptual channel values to the levels; the pattern stands still, so that a still picture
+// does.
 fn quantize(linear: vec3<f32>, cell: vec2<u32>) -> vec3<f32> {
     let top = max(presentation.levels - 1.0, 1.0);
     let threshold = select(0.5, (bayer(cell) + 0.5) / 16.0, presentation.dither != 0u);

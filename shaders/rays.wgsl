@@ -1,4 +1,5 @@
-// Rays in, traces out: for ray files, tests and measurements, through the very parts that draw the picture.
+// Rays in, traces out: for ray files, tests and measurements, through the very parts that draw the
+// picture.
 
 // Unit looking directions on the observer's legs; the fourth number is padding.
 @group(0) @binding(2) var<storage, read> directions: array<vec4<f32>>;

@@ -1,29 +1,33 @@
 // What every part shares: the scene's numbers, a photon at the camera, and what became of it.
 //
-// Units: G = c = 1 and r_s = 1, so M = 1/2. Frame: the hole's, right-handed, z along the disk normal. Photons are the
-// physical, future-directed ones, per unit frequency for the camera: E = -p_t, L = p_phi. Rays are followed backward.
-// Every number here was worked out in f64 on the CPU (src/gpu/scene.rs) and rounded once.
+// Units: G = c = 1 and r_s = 1, so M = 1/2. Frame: the hole's, right-handed, z along the disk
+// normal. Photons are the physical, future-directed ones, per unit frequency for the camera: E =
+// -p_t, L = p_phi. Rays are followed backward. Every number here was worked out in f64 on the CPU
+// (src/gpu/scene.rs) and rounded once.
 
 struct Scene {
-    // The observer's matrix takes the unit looking direction d to the photon that arrives from it. Pixels give d as
-    // (right, up, forward) of the camera, ray files as (outward, theta, phi) of the observer. Rows and bends are for
-    // off = d - dimmest: dot(row, (1, off)) + bend |off|^2/2.
+    // The observer's matrix takes the unit looking direction d to the photon that arrives from it.
+    // Pixels give d as (right, up, forward) of the camera, ray files as (outward, theta, phi) of
+    // the observer. Rows and bends are for off = d - dimmest: dot(row, (1, off)) + bend |off|^2/2.
     energy: vec4<f32>,
     radial: vec4<f32>,
     w_x: vec4<f32>,
     w_y: vec4<f32>,
     w_z: vec4<f32>,
-    // Of radial, w_x, w_y, w_z; the direction from which light has the least energy; and the bend of the energy.
+    // Of radial, w_x, w_y, w_z; the direction from which light has the least energy; and the bend
+    // of the energy.
     bend: vec4<f32>,
     dimmest: vec3<f32>,
     energy_bend: f32,
-    // Without ABERRATION, frequency for the camera of that photon, which is then divided by it: dot(row, (1, d)).
+    // Without ABERRATION, frequency for the camera of that photon, which is then divided by it:
+    // dot(row, (1, d)).
     frequency: vec4<f32>,
     // Where the camera is: unit vector from the hole, and radius.
     camera_direction: vec3<f32>,
     camera_radius: f32,
-    // Without spin, the photon's plunge = radial - c E, reckoned from the middle of the shadow or of the sky, whichever
-    // is smaller: dot(row, (1, off)) + bend |off|^2/2 with off = d - middle. Then 2 c, and 1/(1 - 1/r).
+    // Without spin, the photon's plunge = radial - c E, reckoned from the middle of the shadow or
+    // of the sky, whichever is smaller: dot(row, (1, off)) + bend |off|^2/2 with off = d - middle.
+    // Then 2 c, and 1/(1 - 1/r).
     plunge: vec4<f32>,
     plunge_middle: vec3<f32>,
     plunge_bend: f32,
@@ -40,8 +44,8 @@ struct Scene {
     max_steps: u32,
     max_affine: f32,
     escape_radius: f32,
-    // The disk: edges, widths of the fade at each edge, temperature scale in kelvin, scale of the emission,
-    // transmission.
+    // The disk: edges, widths of the fade at each edge, temperature scale in kelvin, scale of the
+    // emission, transmission.
     disk_inner: f32,
     disk_outer: f32,
     disk_inner_fade: f32,
@@ -49,7 +53,8 @@ struct Scene {
     disk_temperature: f32,
     disk_brightness: f32,
     disk_transmission: f32,
-    // The sky: scale of its light, radius of a star's or line's image in radians, which stars, the reference star.
+    // The sky: scale of its light, radius of a star's or line's image in radians, which stars, the
+    // reference star.
     sky_brightness: f32,
     reference_star: vec3<f32>,
     spot_radius: f32,
@@ -57,10 +62,12 @@ struct Scene {
     sky_seed: u32,
     // Light of a mark that must be seen whatever the exposure.
     mark_brightness: f32,
-    // Of the observer with zero angular momentum at the camera: lapse, and angular velocity (zero without LENSING).
+    // Of the observer with zero angular momentum at the camera: lapse, and angular velocity (zero
+    // without LENSING).
     camera_lapse: f32,
     camera_dragging: f32,
-    // The hole: a = chi/2, the horizons' radii r_+ and r_-, 1 - chi; 1/r_+, and what rounding left of it; r_+ - r_-.
+    // The hole: a = chi/2, the horizons' radii r_+ and r_-, 1 - chi; 1/r_+, and what rounding left
+    // of it; r_+ - r_-.
     spin_length: f32,
     horizon: f32,
     horizon_u: f32,
@@ -68,8 +75,9 @@ struct Scene {
     horizon_gap: f32,
     inner_horizon: f32,
     spin_gap: f32,
-    // By how much the camera's 1/r is less than 1/r_+; by how much Kerr's ingoing azimuth is ahead of the camera's, but for
-    // whole turns: zero at and inside the horizon, where it is the camera's.
+    // By how much the camera's 1/r is less than 1/r_+; by how much Kerr's ingoing azimuth is ahead
+    // of the camera's, but for whole turns: zero at and inside the horizon, where it is the
+    // camera's.
     horizon_depth: f32,
     azimuth_lead: f32,
     // Step in Mino time, in radians.
@@ -89,20 +97,23 @@ struct Photon {
     energy: f32,
     // Sigma p^r / r^2.
     radial: f32,
-    // (p_theta theta_hat + p_phi / sin(theta) phi_hat) / r, tangent to the celestial sphere at the camera.
+    // (p_theta theta_hat + p_phi / sin(theta) phi_hat) / r, tangent to the celestial sphere at the
+    // camera.
     w: vec3<f32>,
-    // Without spin: what is positive for light from the horizon, and is zero at the edge of the shadow.
+    // Without spin: what is positive for light from the horizon, and is zero at the edge of the
+    // shadow.
     plunge: f32,
 }
 
-// The ray comes from infinity, ends at the horizon, was given up, or (pictures only) passed two crossings of the disk
-// behind which no light matters.
+// The ray comes from infinity, ends at the horizon, was given up, or (pictures only) passed two
+// crossings of the disk behind which no light matters.
 const OUTCOME_SKY: u32 = 0u;
 const OUTCOME_CAPTURED: u32 = 1u;
 const OUTCOME_UNFINISHED: u32 = 2u;
 const OUTCOME_HIDDEN: u32 = 3u;
 
-// A crossing of the disk's annulus: r n, n toward Boyer-Lindquist theta and phi, and observed over emitted frequency.
+// A crossing of the disk's annulus: r n, n toward Boyer-Lindquist theta and phi, and observed over
+// emitted frequency.
 struct Hit {
     position: vec3<f32>,
     g: f32,
@@ -116,13 +127,13 @@ struct Trace {
     hits: array<Hit, 2>,
     hit_count: u32,
     steps: u32,
-    // Largest normalized residual of the null constraint; largest relative drift of the angular momentum. Zero unless
-    // DIAGNOSTICS.
+    // Largest normalized residual of the null constraint; largest relative drift of the angular
+    // momentum. Zero unless DIAGNOSTICS.
     residual: f32,
     angular_momentum_drift: f32,
-    // Angle swept about the hole, in radians, up to the first of the crossings or, without any, to infinity, without
-    // what the hole's spin drags along: its whole half-turns are the order of the image. Zero where nothing is seen, and
-    // unless DIAGNOSTICS.
+    // Angle swept about the hole, in radians, up to the first of the crossings or, without any, to
+    // infinity, without what the hole's spin drags along: its whole half-turns are the order of the
+    // image. Zero where nothing is seen, and unless DIAGNOSTICS.
     turn: f32,
 }
 

@@ -1,9 +1,10 @@
-// What potentials and motions do to light, apart from each other, where one of them is switched off. src/physics/shift.rs
-// has the same in f64 and says what each means: g = gravity * motion, at both ends for the observer with zero angular
-// momentum, whose frequency is E (1 - omega lambda) / N.
+// What potentials and motions do to light, apart from each other, where one of them is switched
+// off. src/physics/shift.rs has the same in f64 and says what each means: g = gravity * motion, at
+// both ends for the observer with zero angular momentum, whose frequency is E (1 - omega lambda) /
+// N.
 
-// What a shift does to bolometric intensity: g^4, since I_nu / nu^3 is the same for everyone (Misner, Thorne & Wheeler
-// 1973, section 22.6).
+// What a shift does to bolometric intensity: g^4, since I_nu / nu^3 is the same for everyone
+// (Misner, Thorne & Wheeler 1973, section 22.6).
 fn beamed(g: f32) -> f32 {
     let g2 = g * g;
     return select(1.0, g2 * g2, BEAMING);
@@ -17,8 +18,8 @@ fn parted(g: f32, gravity: f32) -> f32 {
     return select(1.0, gravity, GRAVITATIONAL_SHIFT) * select(1.0, g / gravity, DOPPLER);
 }
 
-// N and omega in the disk's plane: N^2 = r Delta / B, omega = a / B, B = r^3 + a^2 r + a^2 (Bardeen, Press & Teukolsky
-// 1972 eqs. 2.3, 2.5 with 2 M = 1).
+// N and omega in the disk's plane: N^2 = r Delta / B, omega = a / B, B = r^3 + a^2 r + a^2
+// (Bardeen, Press & Teukolsky 1972 eqs. 2.3, 2.5 with 2 M = 1).
 fn lapse_and_dragging(r: f32) -> vec2<f32> {
     let a2 = square(scene.spin_length);
     let b = r * (r * r + a2) + a2;

@@ -1,20 +1,24 @@
-// The sky as the camera sees it. What is at infinity is fixed in world direction; the observer shifts it: with g,
-// observed over emitted frequency (1/E), thermal light keeps its shape at g T and is beamed.
+// The sky as the camera sees it. What is at infinity is fixed in world direction; the observer
+// shifts it: with g, observed over emitted frequency (1/E), thermal light keeps its shape at g T
+// and is beamed.
 
-// Temperature of the reference star in kelvin, its brightness, and its angular radius: a quarter of a degree.
+// Temperature of the reference star in kelvin, its brightness, and its angular radius: a quarter of
+// a degree.
 const REFERENCE_TEMPERATURE: f32 = 8000.0;
 const REFERENCE_BRIGHTNESS: f32 = 4.0;
 const REFERENCE_RADIUS: f32 = 0.00436332;
 // Largest image of a star or line: charts leave so much room around every star.
 const WIDEST_SPOT: f32 = 0.008;
 
-// Radius on the sky of the image of a point or line. The image is one and a half pixels wide for the camera; a moving
-// or deep observer sees the sky shrunk by g, so that there the same pixels span more of it.
+// Radius on the sky of the image of a point or line. The image is one and a half pixels wide for
+// the camera; a moving or deep observer sees the sky shrunk by g, so that there the same pixels
+// span more of it.
 fn spot_radius(g: f32) -> f32 {
     return clamp(scene.spot_radius * g, TINY, WIDEST_SPOT);
 }
 
-// Share of the light at a squared distance from the middle of an image that ends smoothly at its radius.
+// Share of the light at a squared distance from the middle of an image that ends smoothly at its
+// radius.
 fn spot_profile(distance2: f32, radius: f32) -> f32 {
     let inside = max(1.0 - distance2 / (radius * radius), 0.0);
     return inside * inside * inside;

@@ -1,11 +1,11 @@
-// Colour of heat, from the table that the CPU integrates over Planck's spectrum and the CIE 1931 observer
-// (src/physics/spectrum.rs): entries are equidistant in ln T, each the colour divided by its brightest channel and the
-// logarithm of that channel. The SPECTRUM_ constants come from there.
+// Colour of heat, from the table that the CPU integrates over Planck's spectrum and the CIE 1931
+// observer (src/physics/spectrum.rs): entries are equidistant in ln T, each the colour divided by
+// its brightest channel and the logarithm of that channel. The SPECTRUM_ constants come from there.
 
 @group(0) @binding(1) var<uniform> spectrum: array<vec4<f32>, SPECTRUM_LEN>;
 
-// Linear sRGB per unit of relative bolometric flux; 6500 K has luminance one. Temperatures outside the table count as
-// its ends, and colours outside the gamut are clipped.
+// Linear sRGB per unit of relative bolometric flux; 6500 K has luminance one. Temperatures outside
+// the table count as its ends, and colours outside the gamut are clipped.
 fn thermal_colour(temperature: f32) -> vec3<f32> {
     let last = f32(SPECTRUM_LEN - 1u);
     let share = log(clamp(temperature, SPECTRUM_COLDEST, SPECTRUM_HOTTEST) / SPECTRUM_COLDEST) / SPECTRUM_LN_RANGE;

@@ -1,5 +1,6 @@
-// What tracing alone costs: every pixel of the picture, one vector each, whether from a compute entry or from a fragment
-// one. All that a picture could use goes into the vector, so that no compiler leaves any of it out.
+// What tracing alone costs: every pixel of the picture, one vector each, whether from a compute
+// entry or from a fragment one. All that a picture could use goes into the vector, so that no
+// compiler leaves any of it out.
 
 @group(0) @binding(3) var<storage, read_write> answers: array<vec4<f32>>;
 

@@ -33,15 +33,22 @@ error. Exit status: 0 all done, 2 a bad command line, preset, journey or file of
 pub const NO_GAMEPAD: Option<&str> = if cfg!(feature = "gamepad") {
     None
 } else {
-    Some("This build reads no gamepad; ./play makes one that does where libudev-dev and pkg-config are installed.")
+    Some(
+        "This build reads no gamepad; ./play makes one that does where libudev-dev and pkg-config are installed.",
+    )
 };
 
 /// What stands under the help.
 fn after_help() -> String {
-    [EXAMPLES].into_iter().chain(NO_GAMEPAD).collect::<Vec<_>>().join("\n\n")
+    [EXAMPLES]
+        .into_iter()
+        .chain(NO_GAMEPAD)
+        .collect::<Vec<_>>()
+        .join("\n\n")
 }
 
-// The whole command line, as it is written; `read` makes a `Command` of it. No doc comment: clap would print it.
+// The whole command line, as it is written; `read` makes a `Command` of it. No doc comment: clap
+// would print it.
 #[derive(Debug, Parser)]
 #[command(name = "lightfall", version, about, after_help = after_help())]
 struct Cli {
@@ -49,8 +56,8 @@ struct Cli {
     scene: SceneArgs,
     #[command(flatten)]
     gpu: GpuArgs,
-    /// Fly a guided journey at once, from a TOML file of keyframes; assets/journeys/default.toml is a pattern, and what J
-    /// flies otherwise
+    /// Fly a guided journey at once, from a TOML file of keyframes; assets/journeys/default.toml is
+    /// a pattern, and what J flies otherwise
     #[arg(long, value_name = "FILE", help_heading = "Scene")]
     journey: Option<PathBuf>,
     #[command(subcommand)]
@@ -94,8 +101,11 @@ pub enum Command {
 /// Reads the command line. Scene options may stand before the command's name or after it.
 ///
 /// # Errors
-/// Clap's, with its own text and exit status; a request for help or the version is one of them, with status 0.
-pub fn read<I: IntoIterator<Item: Into<OsString> + Clone>>(args: I) -> Result<Command, clap::Error> {
+/// Clap's, with its own text and exit status; a request for help or the version is one of them,
+/// with status 0.
+pub fn read<I: IntoIterator<Item: Into<OsString> + Clone>>(
+    args: I,
+) -> Result<Command, clap::Error> {
     read_all(args).map(|(_, command)| command)
 }
 
@@ -103,20 +113,42 @@ pub fn read<I: IntoIterator<Item: Into<OsString> + Clone>>(args: I) -> Result<Co
 ///
 /// # Errors
 /// As [`read`].
-pub fn read_all<I: IntoIterator<Item: Into<OsString> + Clone>>(args: I) -> Result<(GpuArgs, Command), clap::Error> {
-    let Cli { scene, gpu, journey, command } = Cli::try_parse_from(args)?;
-    let command = if gpu.list_gpus { Command::ListGpus } else { asked(scene, journey, command)? };
+pub fn read_all<I: IntoIterator<Item: Into<OsString> + Clone>>(
+    args: I,
+) -> Result<(GpuArgs, Command), clap::Error> {
+    let Cli {
+        scene,
+        gpu,
+        journey,
+        command,
+    } = Cli::try_parse_from(args)?;
+    let command = if gpu.list_gpus {
+        Command::ListGpus
+    } else {
+        asked(scene, journey, command)?
+    };
     Ok((gpu, command))
 }
 
 /// The command, with the scene options that stand before it.
-fn asked(before: SceneArgs, journey: Option<PathBuf>, command: Option<Command>) -> Result<Command, clap::Error> {
-    let Some(mut command) = command else { return Ok(Command::Fly(FlyArgs { scene: before, journey })) };
+fn asked(
+    before: SceneArgs,
+    journey: Option<PathBuf>,
+    command: Option<Command>,
+) -> Result<Command, clap::Error> {
+    let Some(mut command) = command else {
+        return Ok(Command::Fly(FlyArgs {
+            scene: before,
+            journey,
+        }));
+    };
     let conflict = |message: &str| Cli::command().error(ErrorKind::ArgumentConflict, message);
     let mut journey = journey;
     if let Command::Render(render) = &mut command {
         if journey.is_some() && render.journey.is_some() {
-            return Err(conflict("--journey may be given once: before the command or after it"));
+            return Err(conflict(
+                "--journey may be given once: before the command or after it",
+            ));
         }
         journey = journey.or(render.journey.take());
         if render.frames.is_some() {
@@ -124,20 +156,29 @@ fn asked(before: SceneArgs, journey: Option<PathBuf>, command: Option<Command>) 
         }
     }
     if journey.is_some() {
-        return Err(conflict("--journey is for flying, without a command, and for `render` with --frames"));
+        return Err(conflict(
+            "--journey is for flying, without a command, and for `render` with --frames",
+        ));
     }
     match &mut command {
         Command::Fly(fly) => fly.scene = before,
-        Command::Render(RenderArgs { scene: after, .. }) | Command::Trace(TraceArgs { scene: after, .. }) => {
-            let message = "--preset, --spin and --method may be given once: before the command or after it";
+        Command::Render(RenderArgs { scene: after, .. })
+        | Command::Trace(TraceArgs { scene: after, .. }) => {
+            let message =
+                "--preset, --spin and --method may be given once: before the command or after it";
             *after = before.followed_by(after).ok_or_else(|| conflict(message))?;
         }
         Command::ListGpus => {}
         Command::Presets(_) if before == SceneArgs::default() => {}
-        Command::Bench(_) | Command::Extremes(_) | Command::Doctor(_) if before == SceneArgs::default() => {}
+        Command::Bench(_) | Command::Extremes(_) | Command::Doctor(_)
+            if before == SceneArgs::default() => {}
         Command::Presets(_) => return Err(conflict("`presets` takes no scene options")),
         Command::Bench(_) => return Err(conflict("`bench` takes its scenes by --scenes")),
-        Command::Extremes(_) => return Err(conflict("`extremes` takes no scene options: its cells are its scenes")),
+        Command::Extremes(_) => {
+            return Err(conflict(
+                "`extremes` takes no scene options: its cells are its scenes",
+            ));
+        }
         Command::Doctor(_) => return Err(conflict("`doctor` takes no scene options")),
     }
     Ok(command)
@@ -145,10 +186,16 @@ fn asked(before: SceneArgs, journey: Option<PathBuf>, command: Option<Command>) 
 
 /// Reads a size such as `960x540`.
 fn size(text: &str) -> Result<UVec2, String> {
-    let side = |side: &str| side.parse().ok().filter(|side| (1..=LONGEST_SIDE).contains(side));
+    let side = |side: &str| {
+        side.parse()
+            .ok()
+            .filter(|side| (1..=LONGEST_SIDE).contains(side))
+    };
     let (width, height) = text.split_once(['x', 'X']).unwrap_or_default();
     side(width)
         .zip(side(height))
         .map(UVec2::from)
-        .ok_or(format!("a size is WxH, such as 960x540, each from 1 to {LONGEST_SIDE}"))
+        .ok_or(format!(
+            "a size is WxH, such as 960x540, each from 1 to {LONGEST_SIDE}"
+        ))
 }

@@ -28,7 +28,9 @@ fn refused(error: impl Error) -> Stop {
 /// No device to work with: a bad command line if there is none of that name or interface.
 fn without_device(error: gpu::GpuError) -> Stop {
     match error {
-        gpu::GpuError::UnknownAdapter { .. } | gpu::GpuError::UnknownBackend { .. } => refused(error),
+        gpu::GpuError::UnknownAdapter { .. } | gpu::GpuError::UnknownBackend { .. } => {
+            refused(error)
+        }
         _ => failed(error),
     }
 }
@@ -46,7 +48,8 @@ fn main() -> ExitCode {
             command
         }
         Err(error) => {
-            // Help and the version are results, everything else is not; clap knows which. A closed stream is no news.
+            // Help and the version are results, everything else is not; clap knows which. A closed
+            // stream is no news.
             let _ = error.print();
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
@@ -59,9 +62,8 @@ fn main() -> ExitCode {
         Command::Bench(args) => commands::bench(&args),
         Command::Extremes(args) => commands::extremes(&args),
         Command::Doctor(args) => commands::doctor(&args),
-        Command::Presets(command) => {
-            cli::presets(&command, &mut io::stdout().lock()).map_err(|error| Stop(error.exit_code(), error.to_string()))
-        }
+        Command::Presets(command) => cli::presets(&command, &mut io::stdout().lock())
+            .map_err(|error| Stop(error.exit_code(), error.to_string())),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -72,8 +74,12 @@ fn main() -> ExitCode {
     }
 }
 
-/// Without a desktop session Mesa's chooser between graphics cards complains about Wayland, and calls it an error.
-#[expect(unsafe_code, reason = "the environment is the only way to reach the driver, and changing it is unsafe")]
+/// Without a desktop session Mesa's chooser between graphics cards complains about Wayland, and
+/// calls it an error.
+#[expect(
+    unsafe_code,
+    reason = "the environment is the only way to reach the driver, and changing it is unsafe"
+)]
 fn quieten_driver() {
     if cfg!(target_os = "linux") && std::env::var_os("XDG_RUNTIME_DIR").is_none() {
         // SAFETY: nothing has been started yet, so this is the only thread.
@@ -82,9 +88,15 @@ fn quieten_driver() {
 }
 
 /// What the command line says of the adapter, where Bevy and wgpu look for it.
-#[expect(unsafe_code, reason = "the environment is where Bevy takes the adapter from, and changing it is unsafe")]
+#[expect(
+    unsafe_code,
+    reason = "the environment is where Bevy takes the adapter from, and changing it is unsafe"
+)]
 fn choose_adapter(gpu: &GpuArgs) {
-    for (name, value) in [("WGPU_ADAPTER_NAME", &gpu.gpu), ("WGPU_BACKEND", &gpu.backend)] {
+    for (name, value) in [
+        ("WGPU_ADAPTER_NAME", &gpu.gpu),
+        ("WGPU_BACKEND", &gpu.backend),
+    ] {
         if let Some(value) = value {
             // SAFETY: nothing has been started yet, so this is the only thread.
             unsafe { std::env::set_var(name, value) };
@@ -95,7 +107,10 @@ fn choose_adapter(gpu: &GpuArgs) {
 fn list_adapters() -> Result<(), Stop> {
     // Also where a name is given that none of them has.
     gpu::check_adapter().map_err(without_device)?;
-    let lines: String = gpu::adapters().iter().map(|adapter| format!("{adapter}\n")).collect();
+    let lines: String = gpu::adapters()
+        .iter()
+        .map(|adapter| format!("{adapter}\n"))
+        .collect();
     commands::print(&lines)
 }
 
@@ -103,7 +118,8 @@ fn scene(args: &SceneArgs) -> Result<Scene, Stop> {
     cli::scene(args).map_err(|error| Stop(error.exit_code(), error.to_string()))
 }
 
-/// Whether this is a scene that the GPU can draw, of a size that it can do, and whether there is a GPU.
+/// Whether this is a scene that the GPU can draw, of a size that it can do, and whether there is a
+/// GPU.
 fn check_drawable(scene: &Scene) -> Result<(), Stop> {
     let size = UVec2::new(scene.picture.width, scene.picture.height);
     GpuScene::new(scene, size).map_err(refused)?;
@@ -115,33 +131,59 @@ fn fly(args: &FlyArgs) -> Result<(), Stop> {
     let mut scene = scene(&args.scene)?;
     check_drawable(&scene)?;
     let of_file = args.journey.as_deref();
-    let journey = cli::journey(of_file, &scene).map_err(|error| Stop(error.exit_code(), error.to_string()))?;
+    let journey = cli::journey(of_file, &scene)
+        .map_err(|error| Stop(error.exit_code(), error.to_string()))?;
     if let Err(reason) = flight::display() {
         let (name, what) = match of_file {
             None => (scene.name.clone(), "the scene".to_owned()),
             Some(file) => {
                 journey.apply(0.0, &mut scene);
-                let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+                let name = file
+                    .file_stem()
+                    .unwrap_or_default()
+                    .to_string_lossy()
+                    .into_owned();
                 (name, format!("the first moment of {}", file.display()))
             }
         };
         eprintln!("lightfall: no display ({reason}); rendering {what} to a picture instead");
         let file = unused_name(&name);
-        let still = picture::render(&scene, UVec2::new(scene.picture.width, scene.picture.height)).map_err(failed)?;
+        let still = picture::render(
+            &scene,
+            UVec2::new(scene.picture.width, scene.picture.height),
+        )
+        .map_err(failed)?;
         return commands::write_still(&file, &still, &scene);
     }
     match flight::fly(scene, journey, args.journey.is_some()) {
         bevy::app::AppExit::Success => Ok(()),
-        bevy::app::AppExit::Error(_) => Err(Stop(1, "the window ended with an error, see above".into())),
+        bevy::app::AppExit::Error(_) => {
+            Err(Stop(1, "the window ended with an error, see above".into()))
+        }
     }
 }
 
-/// A name in the current folder that no file has: a picture nobody asked for by name replaces nothing.
+/// A name in the current folder that no file has: a picture nobody asked for by name replaces
+/// nothing.
 fn unused_name(scene: &str) -> PathBuf {
-    let safe: String = scene.chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).collect();
+    let safe: String = scene
+        .chars()
+        .map(|c| {
+            if c.is_alphanumeric() || c == '-' {
+                c
+            } else {
+                '_'
+            }
+        })
+        .collect();
     let numbered = (2..).map(|number| format!("lightfall-{safe}-{number}.png"));
-    let names = std::iter::once(format!("lightfall-{safe}.png")).chain(numbered).map(PathBuf::from);
-    names.into_iter().find(|name| !name.exists()).unwrap_or_else(|| "lightfall.png".into())
+    let names = std::iter::once(format!("lightfall-{safe}.png"))
+        .chain(numbered)
+        .map(PathBuf::from);
+    names
+        .into_iter()
+        .find(|name| !name.exists())
+        .unwrap_or_else(|| "lightfall.png".into())
 }
 
 fn trace(args: &TraceArgs) -> Result<(), Stop> {
@@ -150,19 +192,27 @@ fn trace(args: &TraceArgs) -> Result<(), Stop> {
         (Box::new(io::stdin()), "standard input".into())
     } else {
         let name = args.rays.display().to_string();
-        let file =
-            std::fs::File::open(&args.rays).map_err(|error| Stop(2, format!("{name}: cannot be read: {error}")))?;
+        let file = std::fs::File::open(&args.rays)
+            .map_err(|error| Stop(2, format!("{name}: cannot be read: {error}")))?;
         (Box::new(file), name)
     };
-    let directions = RayReader::new(BufReader::new(input), &name).collect::<Result<Vec<_>, _>>().map_err(refused)?;
+    let directions = RayReader::new(BufReader::new(input), &name)
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(refused)?;
     if directions.is_empty() {
         // More likely a command before this one that failed than a wish for nothing.
-        return Err(Stop(2, format!("{name}: there are no rays; a ray is a line er,etheta,ephi, such as 0,-0.1,1")));
+        return Err(Stop(
+            2,
+            format!("{name}: there are no rays; a ray is a line er,etheta,ephi, such as 0,-0.1,1"),
+        ));
     }
     let traces: Vec<Trace> = match args.device {
         Device::Cpu => {
             let reference = Reference::new(&scene).map_err(refused)?;
-            directions.par_iter().map(|&direction| reference.trace(direction)).collect()
+            directions
+                .par_iter()
+                .map(|&direction| reference.trace(direction))
+                .collect()
         }
         Device::Gpu => {
             GpuScene::for_rays(&scene).map_err(refused)?;

@@ -9,8 +9,9 @@ fn edge_fade(r: f32) -> f32 {
     return smooth_share.x * smooth_share.y;
 }
 
-// Linear light of a crossing. The flux F in the matter's frame is the disk model's; T = T_scale F^(1/4), after
-// Stefan-Boltzmann. Thermal light keeps Planck's shape at the temperature g T, and is beamed.
+// Linear light of a crossing. The flux F in the matter's frame is the disk model's; T = T_scale
+// F^(1/4), after Stefan-Boltzmann. Thermal light keeps Planck's shape at the temperature g T, and
+// is beamed.
 fn disk_light(hit: Hit) -> vec3<f32> {
     let r = length(hit.position);
     let flux = disk_flux(r);

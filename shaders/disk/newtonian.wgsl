@@ -1,5 +1,5 @@
-// Flux of a disk after Newton, relative: F = (r_in / r)^3 (1 - sqrt(r_in / r)), without torque at the inner edge
-// (Shakura & Sunyaev 1973). Zero inside the edge.
+// Flux of a disk after Newton, relative: F = (r_in / r)^3 (1 - sqrt(r_in / r)), without torque at
+// the inner edge (Shakura & Sunyaev 1973). Zero inside the edge.
 fn disk_flux(r: f32) -> f32 {
     let x = scene.disk_inner / max(r, TINY);
     return max(x * x * x * (1.0 - sqrt(x)), 0.0);

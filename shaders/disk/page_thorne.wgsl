@@ -1,6 +1,7 @@
-// Flux of a disk around Kerr (Page & Thorne 1974), relative: the Newtonian profile of the same edge times a correction,
-// which the CPU works out in closed form (src/physics/disk/page_thorne.rs). Entries are the coefficients of cubics,
-// equidistant in p = sqrt(1 - sqrt(r_in / r)), from the edge at 0 to infinity at 1.
+// Flux of a disk around Kerr (Page & Thorne 1974), relative: the Newtonian profile of the same edge
+// times a correction, which the CPU works out in closed form (src/physics/disk/page_thorne.rs).
+// Entries are the coefficients of cubics, equidistant in p = sqrt(1 - sqrt(r_in / r)), from the
+// edge at 0 to infinity at 1.
 
 @group(0) @binding(4) var<uniform> page_thorne: array<vec4<f32>, PAGE_THORNE_LEN>;
 

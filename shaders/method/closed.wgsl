@@ -1,25 +1,29 @@
-// Schwarzschild's null geodesics solved: no steps, no end of patience, no radius that stands for infinity.
+// Schwarzschild's null geodesics solved: no steps, no end of patience, no radius that stands for
+// infinity.
 //
-// In its plane an orbit obeys, with u = 1/r and phi the angle from the camera (Darwin 1959; r_s = 1),
+// In its plane an orbit obeys, with u = 1/r and phi the angle from the camera (Darwin 1959; r_s =
+// 1),
 //
 //   (du/dphi)^2 = f(u) = q - u^2 + u^3,   q = 1/b^2,
 //
-// and everything depends on D = b_c^2 q - 1, b_c^2 = 27/4: where D > 0 the ray goes through, where D < 0 it turns. The
-// cubic has one root -k < 0 whatever D is, k^2 (1 + k) = q; the others are (1 + k)/2 +- sqrt(v)/2 with
+// and everything depends on D = b_c^2 q - 1, b_c^2 = 27/4: where D > 0 the ray goes through, where
+// D < 0 it turns. The cubic has one root -k < 0 whatever D is, k^2 (1 + k) = q; the others are (1 +
+// k)/2 +- sqrt(v)/2 with
 //
 //   v = (1 + k)(1 - 3 k) = -4 D (1 + k) / (2 + 3 k)^2,
 //
-// a conjugate pair where D > 0. Taking v from D keeps its digits next to the critical curve. Derived.
-// Nothing is stepped and no constraint can drift: the record's steps and residuals are 0.
+// a conjugate pair where D > 0. Taking v from D keeps its digits next to the critical curve.
+// Derived. Nothing is stepped and no constraint can drift: the record's steps and residuals are 0.
 
 // Nearer to the critical curve rays are not told apart: 1e-7 of the shadow's radius at most.
 const LEAST_DISCRIMINANT: f32 = 1e-14;
 // Below this D is better taken from b, as it is where light is hardly bent, at -1.
 const WEAK_DISCRIMINANT: f32 = -0.6;
-// Rays that pass the centre closer than this, in r_s, count as straight: their bending is less still.
+// Rays that pass the centre closer than this, in r_s, count as straight: their bending is less
+// still.
 const LEAST_IMPACT: f32 = 1e-8;
-// A ray with D > 0 has gone through the disk's range of radii, from u = 0 to 1/3 at most, within this times b: there
-// u^2 (1 - u) <= 2/27 <= q/2, so that phi <= (1/3) sqrt(2/q).
+// A ray with D > 0 has gone through the disk's range of radii, from u = 0 to 1/3 at most, within
+// this times b: there u^2 (1 - u) <= 2/27 <= q/2, so that phi <= (1/3) sqrt(2/q).
 const DISK_ANGLE: f32 = 0.471404521;
 
 struct Orbit {
@@ -32,7 +36,8 @@ struct Orbit {
     discriminant: f32,
 }
 
-// k. First guesses within 4e-4 (minimax polynomials in 1/b, and in its power -2/3), then one step of Newton's method.
+// k. First guesses within 4e-4 (minimax polynomials in 1/b, and in its power -2/3), then one step
+// of Newton's method.
 fn orbit_root(inverse_b: f32, q: f32) -> f32 {
     let x = inverse_b;
     var k = x * (0.99991836 + x * (-0.49241213 + x * (0.50929576 - x * 0.34869361)));
@@ -43,7 +48,8 @@ fn orbit_root(inverse_b: f32, q: f32) -> f32 {
     return (k * k * (2.0 * k + 1.0) + q) / (k * (3.0 * k + 2.0));
 }
 
-// The angle phi at which the backward ray is at infinity; for rays that get there. Each leg is one R_F (DLMF 19.29.4):
+// The angle phi at which the backward ray is at infinity; for rays that get there. Each leg is one
+// R_F (DLMF 19.29.4):
 //
 //   outward from u0:  2 u0 R_F(X, Y +- u0^2 sqrt(v)/2),
 //                     X = k ((u0 + k) sqrt(1 + k) + |du/dphi|)^2 / (u0 + k),
@@ -82,13 +88,14 @@ fn angle_to_infinity(orbit: Orbit) -> f32 {
     return 2.0 * orbit.u * carlson_rf_pair(x, mean, 0.25 * square(orbit.u * orbit.u) * v);
 }
 
-// u at the angle phi after a place with u0, du/dphi: Biermann's and Weierstrass's solution of (du/dphi)^2 = f(u)
-// (Whittaker & Watson 1927 section 20.6), with P = P(phi; g2, g3), g2 = 1/12, g3 = 1/216 - q/16, x0 = (u0 - 1/3)/4:
+// u at the angle phi after a place with u0, du/dphi: Biermann's and Weierstrass's solution of
+// (du/dphi)^2 = f(u) (Whittaker & Watson 1927 section 20.6), with P = P(phi; g2, g3), g2 = 1/12, g3
+// = 1/216 - q/16, x0 = (u0 - 1/3)/4:
 //
 //   u = u0 + (-P' du/dphi + f'(u0) (P - x0)/2 + f(u0)/4) / (2 (P - x0)^2)
 //
-// It needs the angle alone, not where on its orbit the place is, and holds through turning points and for either sign of
-// D: so a crossing costs no elliptic integral and no modulus.
+// It needs the angle alone, not where on its orbit the place is, and holds through turning points
+// and for either sign of D: so a crossing costs no elliptic integral and no modulus.
 fn u_after(phi: f32, u0: f32, slope: f32, g3: f32) -> f32 {
     let p = weierstrass(phi, g3);
     let phi2 = phi * phi;
@@ -104,7 +111,8 @@ fn add_crossing(result: ptr<function, Trace>, u: f32, direction: vec3<f32>, ener
     }
 }
 
-// Where the plane of the orbit cuts the disk's, on the side of the odd crossings; pictures know no azimuth of a hit.
+// Where the plane of the orbit cuts the disk's, on the side of the odd crossings; pictures know no
+// azimuth of a hit.
 fn crossing_direction(n: vec3<f32>, tangent: vec3<f32>, side: f32) -> vec3<f32> {
     if !AZIMUTH {
         return vec3<f32>(1.0, 0.0, 0.0);
@@ -125,8 +133,8 @@ fn trace(photon: Photon) -> Trace {
     let tangent = -inverse_w * w;
     let scale = scene.camera_u * inverse_w;
     let inverse_b = energy * scale;
-    // (radial - c E) (radial + c E) = (1 - u) |w|^2 D keeps D's digits next to the critical curve; where light is hardly
-    // bent D has to be what belongs to b.
+    // (radial - c E) (radial + c E) = (1 - u) |w|^2 D keeps D's digits next to the critical curve;
+    // where light is hardly bent D has to be what belongs to b.
     let span = photon.plunge + scene.plunge_span * energy;
     let critical = photon.plunge * span * scene.inverse_lapse2 * inverse_w * inverse_w;
     let d = select(6.75 * inverse_b * inverse_b - 1.0, critical, critical > WEAK_DISCRIMINANT);
@@ -139,7 +147,8 @@ fn trace(photon: Photon) -> Trace {
     let escapes = select(!inward, scene.camera_radius > 1.5, turns);
     result.outcome = select(OUTCOME_CAPTURED, OUTCOME_SKY, escapes);
 
-    // The disk's plane is met at crossing_angle + m pi, crossing_angle in (0, pi]; a ray in the plane does not cross it.
+    // The disk's plane is met at crossing_angle + m pi, crossing_angle in (0, pi]; a ray in the
+    // plane does not cross it.
     let side = select(select(-1.0, 1.0, tangent.z > 0.0), sign(n.z), n.z != 0.0);
     let crossing_angle = select(arctangent2(abs(n.z), -side * tangent.z), PI, n.z == 0.0);
     let coplanar = n.z == 0.0 && tangent.z == 0.0;
@@ -158,8 +167,9 @@ fn trace(photon: Photon) -> Trace {
         let across = crossing_direction(n, tangent, side);
         let lambda = photon_angular_momentum(photon) / energy;
         let g3 = 0.00462962963 - 0.0625 * min(orbit.q, 1e4);
-        // The way from u = 0 to 1/3, or to a turn before, takes 2.1 rad at most, and the plane is met every pi. So no ray
-        // meets the annulus more than once on its way in and once on its way out: as its first and its last crossing.
+        // The way from u = 0 to 1/3, or to a turn before, takes 2.1 rad at most, and the plane is
+        // met every pi. So no ray meets the annulus more than once on its way in and once on its
+        // way out: as its first and its last crossing.
         let last = floor((angle - crossing_angle) * (1.0 / PI));
         if last >= 0.0 && outside_inner_edge {
             add_crossing(&result, u_after(crossing_angle, orbit.u, orbit.slope, g3), across, energy, lambda);

@@ -1,17 +1,20 @@
-// Kerr's null geodesics by Runge-Kutta in ingoing Kerr-Schild Cartesian coordinates: the article's integrator, kept as
-// the baseline that better methods are measured against.
+// Kerr's null geodesics by Runge-Kutta in ingoing Kerr-Schild Cartesian coordinates: the article's
+// integrator, kept as the baseline that better methods are measured against.
 //
-// The metric is eta + f l l (Kerr 1963; Misner, Thorne & Wheeler 1973 box 33.2), with r the Boyer-Lindquist radius and
+// The metric is eta + f l l (Kerr 1963; Misner, Thorne & Wheeler 1973 box 33.2), with r the
+// Boyer-Lindquist radius and
 //
 //   f = r^3 / (r^4 + a^2 z^2),   l = (1, (r x + a y)/(r^2 + a^2), (r y - a x)/(r^2 + a^2), z/r),
 //   r^4 - (x^2 + y^2 + z^2 - a^2) r^2 - a^2 z^2 = 0.
 //
-// The backward ray has the momentum p with p_t = +1 and, with S = l.p - 1, the Hamiltonian (p^2 - 1 - f S^2)/2 = 0:
+// The backward ray has the momentum p with p_t = +1 and, with S = l.p - 1, the Hamiltonian (p^2 - 1
+// - f S^2)/2 = 0:
 //
 //   x' = p - f S l,   p' = S^2 grad(f)/2 + f S grad(l.p).
 //
-// p_t and x p_y - y p_x are conserved. Rays that end at the horizon come from the past one, where these coordinates are
-// singular: momenta grow without bound and steps shrink, so many such rays of fast holes stay unfinished.
+// p_t and x p_y - y p_x are conserved. Rays that end at the horizon come from the past one, where
+// these coordinates are singular: momenta grow without bound and steps shrink, so many such rays of
+// fast holes stay unfinished.
 
 // At this multiple of the horizon's radius an ingoing ray counts as captured.
 const CAPTURE_MARGIN: f32 = 1.015;
@@ -92,8 +95,8 @@ fn runge_kutta_step(state: Canonical, h: f32) -> Canonical {
     return moved(state, mean, h);
 }
 
-// The step rule: shorter where light bends, on the way to the horizon, and never a large share of the radius. Below
-// the balanced setting the caps shrink too, the horizon's more so for fast holes.
+// The step rule: shorter where light bends, on the way to the horizon, and never a large share of
+// the radius. Below the balanced setting the caps shrink too, the horizon's more so for fast holes.
 fn step_length(metric: Metric, x: vec3<f32>, v: vec3<f32>) -> f32 {
     let r = metric.r;
     let impact = length(cross(x, v));
@@ -111,13 +114,14 @@ fn step_length(metric: Metric, x: vec3<f32>, v: vec3<f32>) -> f32 {
     return h;
 }
 
-// The backward momentum of the photon that meets the camera at n, whose azimuth is Boyer-Lindquist's. In ingoing
-// coordinates p_theta and p_phi are the same and
+// The backward momentum of the photon that meets the camera at n, whose azimuth is
+// Boyer-Lindquist's. In ingoing coordinates p_theta and p_phi are the same and
 //
 //   p_r = (Sigma p^r + P)/Delta - E,   P = E (r^2 + a^2) - a L,
 //
-// which for ingoing light is K'/(P - Sigma p^r) - E, since P^2 - (Sigma p^r)^2 = Delta K'. From x = r n + a e_z x n,
-// p.n = p_r and the tangential part solves p - (a n_z/r) n x p = w + (a/r) p_r e_z x n. Derived.
+// which for ingoing light is K'/(P - Sigma p^r) - E, since P^2 - (Sigma p^r)^2 = Delta K'. From x =
+// r n + a e_z x n, p.n = p_r and the tangential part solves p - (a n_z/r) n x p = w + (a/r) p_r e_z
+// x n. Derived.
 fn backward_momentum(photon: Photon, n: vec3<f32>) -> vec3<f32> {
     let r = scene.camera_radius;
     let a = scene.spin_length;
@@ -148,8 +152,8 @@ fn axial_angular_momentum(state: Canonical) -> f32 {
     return state.x.x * state.p.y - state.x.y * state.p.x;
 }
 
-// The place r n, with Boyer-Lindquist's azimuth, of a point in the plane. The frame is turned so that azimuths agree at
-// the camera.
+// The place r n, with Boyer-Lindquist's azimuth, of a point in the plane. The frame is turned so
+// that azimuths agree at the camera.
 fn boyer_lindquist(x: vec3<f32>) -> vec3<f32> {
     let a = scene.spin_length;
     let r = metric_at(x).r;
@@ -188,7 +192,8 @@ fn trace(photon: Photon) -> Trace {
         }
         let h = step_length(metric, state.x, v);
         let next = runge_kutta_step(state, h);
-        // Momenta that have overflowed tell nothing; a comparison with what is not a number is false.
+        // Momenta that have overflowed tell nothing; a comparison with what is not a number is
+        // false.
         if !(dot(next.x, next.x) < 1e20 && dot(next.p, next.p) < 1e20) {
             break;
         }

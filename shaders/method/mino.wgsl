@@ -1,31 +1,34 @@
-// Kerr's null geodesics in Mino time, on the celestial sphere, for any spin; src/physics/mino.rs is the f64 twin and
-// says where the equations come from. With u = 1/r, the unit vector n of azimuth psi, and phi = psi + chi, along the
-// backward ray (2 M = 1):
+// Kerr's null geodesics in Mino time, on the celestial sphere, for any spin; src/physics/mino.rs is
+// the f64 twin and says where the equations come from. With u = 1/r, the unit vector n of azimuth
+// psi, and phi = psi + chi, along the backward ray (2 M = 1):
 //
 //   u'^2 = U(u) = W^2 - K' u^2 D,   W = E + B u^2,   D = 1 - u + a^2 u^2 = (1 - r_+ u)(1 - r_- u),
 //   u''  = u (2 B W - K' S),   S = D + u dD/du / 2,
 //   n''  = a^2 E^2 n_z e_z - (K + 2 a^2 E^2 n_z^2) n,   chi' = a (E - W/D),
 //   B = a (a E - L),   K' = Q + (L - a E)^2,   K = K' - 2 E B + a^2 E^2.
 //
-// U is Carter's (1968) R(r)/r^4 = ((E (r^2 + a^2) - a L)^2 - (r^2 - r + a^2) K')/r^4. Kept like this and not as a
-// polynomial, it makes E, B and K' the only constants: whatever their rounding, they are those of some ray nearby, and
-// the circle on which a critical ray lingers is where it should be. Next to the horizon of a fast hole W and D are
-// differences of numbers near one, so there the radial variable is u - 1/r_+, D's root is exact, and u' is taken from U
-// anew at each step; mino_azimuth.wgsl has the azimuth.
+// U is Carter's (1968) R(r)/r^4 = ((E (r^2 + a^2) - a L)^2 - (r^2 - r + a^2) K')/r^4. Kept like
+// this and not as a polynomial, it makes E, B and K' the only constants: whatever their rounding,
+// they are those of some ray nearby, and the circle on which a critical ray lingers is where it
+// should be. Next to the horizon of a fast hole W and D are differences of numbers near one, so
+// there the radial variable is u - 1/r_+, D's root is exact, and u' is taken from U anew at each
+// step; mino_azimuth.wgsl has the azimuth.
 //
-// The step is Nystroem's of fifth order (Nystroem 1925; Hairer, Norsett & Wanner 1993, section II.14), four
-// accelerations, the first of which is the last one's end; its dense output is the quintic with the values, slopes and
-// accelerations of both ends. The constants are scaled such that the step in Mino time is an angle: docs/PHYSICS.md has
-// the measurements that chose them.
+// The step is Nystroem's of fifth order (Nystroem 1925; Hairer, Norsett & Wanner 1993, section
+// II.14), four accelerations, the first of which is the last one's end; its dense output is the
+// quintic with the values, slopes and accelerations of both ends. The constants are scaled such
+// that the step in Mino time is an angle: docs/PHYSICS.md has the measurements that chose them.
 
 // More than a ray within f32's rounding of the critical curve takes at the shortest step.
 const MOST_STEPS: u32 = 1024u;
-// By how much E^2 adds to K in the scale: radial rays, with K = 0, cover no more than du = step/2 in a step.
+// By how much E^2 adds to K in the scale: radial rays, with K = 0, cover no more than du = step/2
+// in a step.
 const ENERGY_WEIGHT: f32 = 4.0;
-// Rays with sqrt(K)/E below this may come near the critical curve, where it is 3.5 at most. Their step is shorter, lest
-// the shadow's edge be off.
+// Rays with sqrt(K)/E below this may come near the critical curve, where it is 3.5 at most. Their
+// step is shorter, lest the shadow's edge be off.
 const FAR_IMPACT: f32 = 4.0;
-// Where U is below this share of W^2, a turning point is near and U is no longer a good measure of u'.
+// Where U is below this share of W^2, a turning point is near and U is no longer a good measure of
+// u'.
 const TURNING_SHARE: f32 = 0.0625;
 
 struct Constants {
@@ -94,7 +97,8 @@ fn acceleration(m: Motion, y: vec4<f32>) -> vec4<f32> {
     return vec4<f32>((m.base + y.x) * pull(m, y.x), polar * y.y, (polar - m.constants.axial) * y.zw);
 }
 
-// From the state y, its change dy over a step, were it constant, and the acceleration k1 there, in the same unit.
+// From the state y, its change dy over a step, were it constant, and the acceleration k1 there, in
+// the same unit.
 fn nystroem_step(m: Motion, h2: f32, y: vec4<f32>, dy: vec4<f32>, k1: vec4<f32>) -> Step {
     let k2 = h2 * acceleration(m, y + 0.2 * dy + 0.02 * k1);
     let k3 = h2 * acceleration(m, y + (2.0 / 3.0) * dy + ((7.0 / 27.0) * k2 - (1.0 / 27.0) * k1));
@@ -106,7 +110,8 @@ fn nystroem_step(m: Motion, h2: f32, y: vec4<f32>, dy: vec4<f32>, k1: vec4<f32>)
 
 // Of its four components only those are computed that are used.
 fn curve(s: Step) -> Curve {
-    // What the end has beyond the parabola of the start: values, slopes, half the second derivatives.
+    // What the end has beyond the parabola of the start: values, slopes, half the second
+    // derivatives.
     let r0 = (s.y1 - s.y0) - s.dy0 - 0.5 * s.k0;
     let r1 = (s.dy1 - s.dy0) - s.k0;
     let r2 = 0.5 * (s.k1 - s.k0);
@@ -127,8 +132,9 @@ fn speed2(m: Motion, v: f32, w2: f32) -> f32 {
     return w2 - m.constants.k_prime * square(m.base + v) * quadratic(m.d, v);
 }
 
-// Whether U is positive from v up to v + width, so that no ray turns there. May answer no where it is yes, never the
-// other way: a polynomial lies above the least of its Bernstein coefficients (Farouki & Rajan 1987).
+// Whether U is positive from v up to v + width, so that no ray turns there. May answer no where it
+// is yes, never the other way: a polynomial lies above the least of its Bernstein coefficients
+// (Farouki & Rajan 1987).
 fn cannot_turn(m: Motion, v: f32, width: f32) -> bool {
     let u = m.base + v;
     let u2 = speed2(m, v, square(quadratic(m.w, v)));
@@ -150,7 +156,8 @@ fn trace(photon: Photon) -> Trace {
     let n = scene.camera_direction;
     let a = scene.spin_length;
 
-    // K = |w|^2 - a^2 E^2 n_z^2, with the length's unit back in w; the scale makes K + ENERGY_WEIGHT E^2 one.
+    // K = |w|^2 - a^2 E^2 n_z^2, with the length's unit back in w; the scale makes K +
+    // ENERGY_WEIGHT E^2 one.
     let w_camera = scene.camera_radius * photon.w;
     let k_camera = dot(w_camera, w_camera) - square(a * n.z * photon.energy);
     let scale = inverseSqrt(max(k_camera + ENERGY_WEIGHT * square(photon.energy), TINY));
@@ -181,7 +188,8 @@ fn trace(photon: Photon) -> Trace {
     // A camera at or inside the horizon.
     let inside = NEAR_HORIZON && depth <= 0.0;
     if inside {
-        // Deep inside u changes by its own measure in less than a radian: a share of that time, by U's growing terms.
+        // Deep inside u changes by its own measure in less than a radian: a share of that time, by
+        // U's growing terms.
         let u = scene.camera_u;
         h *= inverseSqrt(max(1.0, u * (6.0 * k_prime + 8.0 * u * (square(drag) + square(a) * k_prime))));
     }
@@ -194,13 +202,15 @@ fn trace(photon: Photon) -> Trace {
     var chi = 0.0;
     var chi_whole = 0.0;
     var turn = 0.0;
-    // Light that comes in from outside has an azimuth without a pole, which the camera's is known in: Kerr's ingoing one.
+    // Light that comes in from outside has an azimuth without a pole, which the camera's is known
+    // in: Kerr's ingoing one.
     var ingoing = NEAR_HORIZON && photon.radial < 0.0;
     if ingoing {
         chi = scene.azimuth_lead;
     }
     if inside && horizon_w <= 0.0 {
-        // Light on its way from the horizon's other branch, through which nothing comes from outside.
+        // Light on its way from the horizon's other branch, through which nothing comes from
+        // outside.
         result.outcome = OUTCOME_CAPTURED;
         return result;
     }
@@ -242,7 +252,8 @@ fn trace(photon: Photon) -> Trace {
         var end = step.y1;
         result.steps += 1u;
 
-        // An outgoing ray that is at u = 0 within the step; u'' vanishes there, so Newton's method converges at once.
+        // An outgoing ray that is at u = 0 within the step; u'' vanishes there, so Newton's method
+        // converges at once.
         let escapes = dy.x < 0.0 && m.base + end.x <= 0.0;
         var share = 1.0;
         if escapes {

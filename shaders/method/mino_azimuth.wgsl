@@ -13,7 +13,8 @@ fn azimuth_gain(m: Motion, c: Curve, h: f32, t: f32, v: f32, regular: bool, ingo
     return gain - azimuth_lag(horizon_factors(m, start), horizon_factors(m, v), abs(v - start));
 }
 
-// The rate is smooth at a turning point and away from the horizon: there Gauss and Legendre's four nodes are enough.
+// The rate is smooth at a turning point and away from the horizon: there Gauss and Legendre's four
+// nodes are enough.
 fn smooth_azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
     let outer = vec2<f32>(curve_at(c, 0.0694318442 * t).x, curve_at(c, 0.9305681558 * t).x);
     let inner = vec2<f32>(curve_at(c, 0.3300094782 * t).x, curve_at(c, 0.6699905218 * t).x);
@@ -32,8 +33,9 @@ fn dragging_sum(m: Motion, v: vec2<f32>) -> f32 {
 //
 //   chi' = a (E - K' u^2 / (W + |u'|)) - a |u'| / D,
 //
-// the first part regular, as in Kerr's ingoing coordinates for light that comes in and in the outgoing ones for light that
-// leaves; the second is azimuth_lag's, as long as the ray does not turn. This is the first.
+// the first part regular, as in Kerr's ingoing coordinates for light that comes in and in the
+// outgoing ones for light that leaves; the second is azimuth_lag's, as long as the ray does not
+// turn. This is the first.
 fn regular_azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
     var nodes = array<vec2<f32>, 4>(
         vec2<f32>(0.0694318442, 0.1739274226),
@@ -80,7 +82,8 @@ fn azimuth_lag_to_infinity(m: Motion, v: f32) -> f32 {
     return azimuth_lag(horizon_factors(m, v), vec2<f32>(1.0), m.base + v);
 }
 
-// Adds to an angle of two parts, for it can be many turns: the first is a multiple of 1/16, the second below 1/32.
+// Adds to an angle of two parts, for it can be many turns: the first is a multiple of 1/16, the
+// second below 1/32.
 fn add_angle(whole: ptr<function, f32>, rest: ptr<function, f32>, gain: f32) {
     let sum = *rest + gain;
     let sixteenths = 0.0625 * round(16.0 * sum);

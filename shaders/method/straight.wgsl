@@ -1,8 +1,9 @@
-// Rays that nothing bends, for comparison: flat space, the hole a black ball. src/physics/straight.rs has the same in f64.
-// The photons are those of flat space, too: see src/physics/sight.rs.
+// Rays that nothing bends, for comparison: flat space, the hole a black ball.
+// src/physics/straight.rs has the same in f64. The photons are those of flat space, too: see
+// src/physics/sight.rs.
 
-// The lambda of which 1 - Omega lambda makes what the matter's speed (Omega - omega) W / N does to light that meets it
-// with the direction moment_z / r along it; W = sqrt(B / r).
+// The lambda of which 1 - Omega lambda makes what the matter's speed (Omega - omega) W / N does to
+// light that meets it with the direction moment_z / r along it; W = sqrt(B / r).
 fn straight_lambda(r: f32, moment_z: f32) -> f32 {
     let a = scene.spin_length;
     let b = r * (r * r + a * a) + a * a;

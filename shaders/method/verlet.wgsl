@@ -1,17 +1,21 @@
-// Schwarzschild's null geodesics by velocity Verlet in areal Cartesian coordinates: x = r n, v = dx/dlambda.
+// Schwarzschild's null geodesics by velocity Verlet in areal Cartesian coordinates: x = r n, v =
+// dx/dlambda.
 //
 //   d2x/dlambda2 = -(3/2) L^2 x / r^5,      v_r^2 + (1 - 1/r) L^2 / r^2 = 1,      L = x cross v
 //
-// The second equation is the null condition with |E| = 1 (Misner, Thorne & Wheeler 1973, section 25.6). Derived from it
-// by differentiation is the radial part of the first: the centrifugal term L^2 / r^3 is what Cartesian coordinates have
-// anyway, the relativistic one remains. The affine parameter lambda grows backward along the ray.
+// The second equation is the null condition with |E| = 1 (Misner, Thorne & Wheeler 1973, section
+// 25.6). Derived from it by differentiation is the radial part of the first: the centrifugal term
+// L^2 / r^3 is what Cartesian coordinates have anyway, the relativistic one remains. The affine
+// parameter lambda grows backward along the ray.
 
-// At this radius an ingoing ray counts as captured: no ray turns outward within the photon sphere, at 1.5.
+// At this radius an ingoing ray counts as captured: no ray turns outward within the photon sphere,
+// at 1.5.
 const CAPTURE_RADIUS: f32 = 1.015;
 // Loop bounds that hold whatever the uniform says.
 const MOST_STEPS: u32 = 768u;
 const MOST_HALVINGS: u32 = 24u;
-// Steps: shares of the radius, range in r_s, and what keeps the rule from dividing by zero for radial rays.
+// Steps: shares of the radius, range in r_s, and what keeps the rule from dividing by zero for
+// radial rays.
 const RADIUS_SHARE: f32 = 0.16;
 const BENDING_SHARE: f32 = 0.12;
 const IMPACT_REGULARIZER: f32 = 0.01;
@@ -43,8 +47,9 @@ fn null_residual(x: vec3<f32>, v: vec3<f32>, l2: f32) -> f32 {
 fn trace(photon: Photon) -> Trace {
     var result = untraced();
     let energy = photon_energy(photon);
-    // For an observer at rest this is the article's mu e_r + (d - mu e_r) / sqrt(1 - 1/r): radial = -mu sqrt(1 - 1/r),
-    // w = -(d - mu e_r), E = sqrt(1 - 1/r). Not normalized: its length carries the affine parameter's scale.
+    // For an observer at rest this is the article's mu e_r + (d - mu e_r) / sqrt(1 - 1/r): radial =
+    // -mu sqrt(1 - 1/r), w = -(d - mu e_r), E = sqrt(1 - 1/r). Not normalized: its length carries
+    // the affine parameter's scale.
     var x = scene.camera_radius * scene.camera_direction;
     var v = (-photon.radial * scene.camera_direction - photon.w) / energy;
     // From w, not from x cross v, which would lose the small impact parameters of a far camera.

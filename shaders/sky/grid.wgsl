@@ -1,5 +1,5 @@
-// A celestial grid: circles of latitude and meridians every 15 degrees. The lines are drawn and not light of any
-// temperature, so the shift changes their brightness alone.
+// A celestial grid: circles of latitude and meridians every 15 degrees. The lines are drawn and not
+// light of any temperature, so the shift changes their brightness alone.
 
 const GRID_SPACING: f32 = PI / 12.0;
 // Between the lines: enough light that the hole's shadow stands out against it.
@@ -8,7 +8,8 @@ const GRID_LINE: vec3<f32> = vec3<f32>(0.05, 0.10, 0.16);
 const GRID_STRONG_LINE: vec3<f32> = vec3<f32>(0.16, 0.28, 0.40);
 const GRID_EQUATOR: vec3<f32> = vec3<f32>(0.80, 0.30, 0.06);
 const GRID_PRIME_MERIDIAN: vec3<f32> = vec3<f32>(0.10, 0.70, 0.22);
-// Every third line is strong; meridians other than those end at the last circle, lest they crowd the poles.
+// Every third line is strong; meridians other than those end at the last circle, lest they crowd
+// the poles.
 const GRID_STRONG: i32 = 3;
 const GRID_LAST_CIRCLE_SINE: f32 = 0.2588190;
 

@@ -1,27 +1,28 @@
 // Stars, the same for the same seed, and a faint band of those too many to tell apart.
 //
-// Three layers of stars overlap, each on the six gnomonic charts of a cube that is turned against the other two. A
-// chart is cut into cells and a cell holds at most one star, far enough from its edges that the whole image lies
-// inside. So a pixel asks one cell a layer, no image is ever cut, and where charts meet or poles lie nothing is to be
-// seen.
+// Three layers of stars overlap, each on the six gnomonic charts of a cube that is turned against
+// the other two. A chart is cut into cells and a cell holds at most one star, far enough from its
+// edges that the whole image lies inside. So a pixel asks one cell a layer, no image is ever cut,
+// and where charts meet or poles lie nothing is to be seen.
 
 const CELLS: f32 = 36.0;
-// Faintest and brightest star, as a bolometric flux; in between, N(> F) grows like F^(-3/2), as for stars evenly spread
-// through space.
+// Faintest and brightest star, as a bolometric flux; in between, N(> F) grows like F^(-3/2), as for
+// stars evenly spread through space.
 const FAINTEST: f32 = 0.15;
 const BRIGHTEST_STAR: f32 = 60.0;
 // Coldest star in kelvin, and the ratio to the hottest.
 const COLDEST: f32 = 2800.0;
 const HOTTEST_RATIO: f32 = 10.0;
-// The band: its pole, its half width as a sine of latitude, its light, and how much rarer stars are off it.
+// The band: its pole, its half width as a sine of latitude, its light, and how much rarer stars are
+// off it.
 const BAND_POLE: vec3<f32> = vec3<f32>(2.0, 3.0, 6.0) / 7.0;
 const BAND_WIDTH: f32 = 0.16;
 const BAND_LIGHT: f32 = 0.03;
 const BAND_TEMPERATURE: f32 = 6500.0;
 const OFF_BAND: f32 = 0.55;
 
-// Three numbers from three, each depending on all: multiply, add crosswise, fold (a permuted congruential generator
-// after Jarzynski & Olano 2020, "Hash Functions for GPU Rendering").
+// Three numbers from three, each depending on all: multiply, add crosswise, fold (a permuted
+// congruential generator after Jarzynski & Olano 2020, "Hash Functions for GPU Rendering").
 fn hash(key: vec3<u32>) -> vec3<u32> {
     var v = key * 1664525u + 1013904223u;
     for (var turn = 0u; turn < 2u; turn++) {
@@ -69,8 +70,8 @@ fn star_layer(direction: vec3<f32>, g: f32, frame: mat3x3<f32>, layer: u32) -> v
     let cell = floor(place);
     let bits = hash(vec3<u32>(u32(cell.x + CELLS * cell.y), face + 6u * layer, scene.sky_seed));
 
-    // The star keeps as far from the cell's edges as its image is wide; toward the corners of a face one radian spans
-    // up to three units of the chart.
+    // The star keeps as far from the cell's edges as its image is wide; toward the corners of a
+    // face one radian spans up to three units of the chart.
     let radius = spot_radius(g);
     let half_cell = 1.0 / CELLS;
     let middle = (cell + 0.5) * (2.0 * half_cell) - 1.0;

@@ -1,5 +1,6 @@
-// Ray classes: blues come from the sky, oranges end at the horizon, magentas are without an answer; the lighter, the more
-// crossings of the disk. No two classes share a colour, and no two hues differ by red and green alone.
+// Ray classes: blues come from the sky, oranges end at the horizon, magentas are without an answer;
+// the lighter, the more crossings of the disk. No two classes share a colour, and no two hues
+// differ by red and green alone.
 //
 //   crossings          0                   1                   2
 const SKY_CLASSES = array<vec3<f32>, 3>(vec3(0.00, 0.02, 0.16), vec3(0.02, 0.20, 0.75), vec3(0.30, 0.75, 1.00));

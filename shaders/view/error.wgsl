@@ -1,7 +1,8 @@
-// Backward error against the f64 reference, in pixels of the picture, on a coarse grid that the CPU works out
-// (src/report/error/picture.rs): nothing is traced here. On a logarithmic scale, from dark violet at 1e-4 pixel or less
-// through green to bright yellow at 1 or more; magenta where no turn of the ray explains the answer, black where nothing
-// is seen, grey where the error is not known yet.
+// Backward error against the f64 reference, in pixels of the picture, on a coarse grid that the CPU
+// works out (src/report/error/picture.rs): nothing is traced here. On a logarithmic scale, from
+// dark violet at 1e-4 pixel or less through green to bright yellow at 1 or more; magenta where no
+// turn of the ray explains the answer, black where nothing is seen, grey where the error is not
+// known yet.
 
 @group(0) @binding(5) var<uniform> errors: array<vec4<f32>, ERROR_COLUMNS * ERROR_ROWS / 4u>;
 

@@ -1,6 +1,6 @@
-// Order of the image: whole half-turns about the hole up to what is seen first, disk or sky. Order 0 is grey, 1 orange,
-// 2 blue, 3 and more white, which colour-blind eyes tell apart; the sky is darker than the disk. What is captured unseen
-// is black.
+// Order of the image: whole half-turns about the hole up to what is seen first, disk or sky. Order
+// 0 is grey, 1 orange, 2 blue, 3 and more white, which colour-blind eyes tell apart; the sky is
+// darker than the disk. What is captured unseen is black.
 
 fn order_colour(order: f32) -> vec3<f32> {
     var colour = vec3<f32>(0.20);

@@ -1,6 +1,6 @@
-// Observed over emitted frequency of what is seen first, disk or sky: white at g = 1, through blue toward g = 2 and more,
-// through orange to dark red toward g = 1/2 and less, even in ln g. Blue and orange stay apart for colour-blind eyes. What
-// is captured unseen is black.
+// Observed over emitted frequency of what is seen first, disk or sky: white at g = 1, through blue
+// toward g = 2 and more, through orange to dark red toward g = 1/2 and less, even in ln g. Blue and
+// orange stay apart for colour-blind eyes. What is captured unseen is black.
 
 fn shift_colour(g: f32) -> vec3<f32> {
     let octaves = clamp(log2(max(g, TINY)), -1.0, 1.0);

@@ -27,8 +27,8 @@ pub struct GpuArgs {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Args)]
 #[command(next_help_heading = "Scene")]
 pub struct SceneArgs {
-    /// Preset to start from: a number or name (see `lightfall presets list`), a TOML file, or a picture drawn
-    /// from one [default: 2]
+    /// Preset to start from: a number or name (see `lightfall presets list`), a TOML file, or a
+    /// picture drawn from one [default: 2]
     #[arg(long, value_name = "N|NAME|PATH")]
     pub preset: Option<OsString>,
     /// Set one field of the preset, e.g. camera.r=20; may be given many times, the last one wins
@@ -58,20 +58,22 @@ pub struct FlyArgs {
 #[derive(Debug, Args)]
 #[command(after_help = about_pictures())]
 pub struct RenderArgs {
-    /// Picture to write; the ending decides the format: .png is what a window would show, .exr linear light and what rays tell.
-    /// A file of this name is replaced
+    /// Picture to write; the ending decides the format: .png is what a window would show, .exr
+    /// linear light and what rays tell. A file of this name is replaced
     #[arg(short, long = "out", value_name = "FILE")]
     pub out: PathBuf,
-    /// Size of the output, in pixels, up to 8192 a side, onto which a .png is enlarged as in a window; how finely it is drawn
-    /// say picture.width and picture.height, and picture.bypass=true takes the cells away. Of an .exr, which has no cells, it
-    /// is the size that is drawn [default: that of the picture]
+    /// Size of the output, in pixels, up to 8192 a side, onto which a .png is enlarged as in a
+    /// window; how finely it is drawn say picture.width and picture.height, and picture.bypass=true
+    /// takes the cells away. Of an .exr, which has no cells, it is the size that is drawn [default:
+    /// that of the picture]
     #[arg(long, value_name = "WxH", value_parser = size, allow_hyphen_values = true)]
     pub size: Option<UVec2>,
-    /// Channels that an .exr has besides R, G, B and A, separated by commas: `all`, groups, or single ones, see below
+    /// Channels that an .exr has besides R, G, B and A, separated by commas: `all`, groups, or
+    /// single ones, see below
     #[arg(long, value_name = "LIST")]
     pub aov: Option<Channels>,
-    /// Draw a journey as numbered pictures: frame k is what there is to see k/N seconds after its start. A and B are both
-    /// included. Frames after the end show the end
+    /// Draw a journey as numbered pictures: frame k is what there is to see k/N seconds after its
+    /// start. A and B are both included. Frames after the end show the end
     #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
     pub frames: Option<Frames>,
     /// Frames a second
@@ -91,7 +93,9 @@ pub struct RenderArgs {
 
 /// What stands under the help of `lightfall render`.
 fn about_pictures() -> String {
-    let channels = CHANNELS.map(|channel| format!("  {:9} {}\n", channel.name, channel.about)).concat();
+    let channels = CHANNELS
+        .map(|channel| format!("  {:9} {}\n", channel.name, channel.about))
+        .concat();
     format!(
         "Channels (--aov), of the ray through each pixel's middle, whatever is in front of it; NaN where there is none. Groups \
          are sky, hit1 and hit2:\n{channels}\n\
@@ -162,9 +166,21 @@ impl SceneArgs {
 
     /// What these options override, in the order in which it counts.
     pub(super) fn overrides(&self) -> Result<Vec<Override>, SceneError> {
-        let mut overrides = self.sets.iter().map(|set| Override::assignment(set)).collect::<Result<Vec<_>, _>>()?;
-        overrides.extend(self.spin.as_ref().map(|spin| Override::new("--spin", "hole.spin", spin)));
-        overrides.extend(self.method.as_ref().map(|method| Override::new("--method", "method", method)));
+        let mut overrides = self
+            .sets
+            .iter()
+            .map(|set| Override::assignment(set))
+            .collect::<Result<Vec<_>, _>>()?;
+        overrides.extend(
+            self.spin
+                .as_ref()
+                .map(|spin| Override::new("--spin", "hole.spin", spin)),
+        );
+        overrides.extend(
+            self.method
+                .as_ref()
+                .map(|method| Override::new("--method", "method", method)),
+        );
         Ok(overrides)
     }
 }

@@ -14,10 +14,12 @@ use std::path::PathBuf;
                         and, for each scene, a plot SCENE.svg."
 )]
 pub struct BenchArgs {
-    /// Scenes, by number or name, separated by commas; edge-on-spinning is preset 2 with hole.spin = 0.9 [default: all]
+    /// Scenes, by number or name, separated by commas; edge-on-spinning is preset 2 with hole.spin
+    /// = 0.9 [default: all]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = subject)]
     pub scenes: Vec<Subject>,
-    /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace the scene]
+    /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace
+    /// the scene]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = method)]
     pub methods: Vec<Method>,
     /// Picture whose rays are timed [default: 1920x1080, with --quick 160x90]
@@ -60,7 +62,8 @@ pub enum EntryArg {
                         hunt finds a ray beyond its bar that nothing explains."
 )]
 pub struct ExtremesArgs {
-    /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace the scene]
+    /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace
+    /// the scene]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = method)]
     pub methods: Vec<Method>,
     /// Rays of a cell, from 16
@@ -69,7 +72,8 @@ pub struct ExtremesArgs {
     /// Instead of the extremes: a grid of ordinary places, of spins, radii and inclinations
     #[arg(long, conflicts_with = "hunt")]
     pub grid: bool,
-    /// Instead of the matrix: trace N rays through random scenes by `auto`'s methods, and tell the worst; 2000 a scene
+    /// Instead of the matrix: trace N rays through random scenes by `auto`'s methods, and tell the
+    /// worst; 2000 a scene
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=100_000_000))]
     pub hunt: Option<u32>,
     /// Where the random numbers of the hunt begin: the same seed finds the same rays
@@ -122,12 +126,20 @@ fn subject(text: &str) -> Result<Subject, String> {
     let name = presets::find(text).map_or(text, |preset| preset.name);
     let all = subjects();
     let names: Vec<&str> = all.iter().map(|subject| subject.name.as_str()).collect();
-    let message = format!("the scenes are the presets 1 to {}: {}", presets::PRESETS.len(), names.join(", "));
-    all.into_iter().find(|subject| subject.name == name).ok_or(message)
+    let message = format!(
+        "the scenes are the presets 1 to {}: {}",
+        presets::PRESETS.len(),
+        names.join(", ")
+    );
+    all.into_iter()
+        .find(|subject| subject.name == name)
+        .ok_or(message)
 }
 
 /// A method that runs on the GPU.
 fn method(text: &str) -> Result<Method, String> {
     let allowed = Method::ON_GPU.map(Method::name).join(", ");
-    Method::named(text).filter(|method| Method::ON_GPU.contains(method)).ok_or(format!("the methods are {allowed}"))
+    Method::named(text)
+        .filter(|method| Method::ON_GPU.contains(method))
+        .ok_or(format!("the methods are {allowed}"))
 }

@@ -34,7 +34,10 @@ pub enum CliError {
         unflyable: Unflyable,
     },
     /// No built-in preset and no file has this name.
-    #[error("{asked} {given}: there is no such file, and the presets are {}", all_presets())]
+    #[error(
+        "{asked} {given}: there is no such file, and the presets are {}",
+        all_presets()
+    )]
     UnknownPreset {
         /// Who asked: an option or a command.
         asked: &'static str,
@@ -86,7 +89,11 @@ pub enum CliError {
 impl CliError {
     /// Exit status: 2 for a bad command line or preset, 1 for any other failure.
     pub fn exit_code(&self) -> u8 {
-        if matches!(self, Self::Output(_)) { 1 } else { 2 }
+        if matches!(self, Self::Output(_)) {
+            1
+        } else {
+            2
+        }
     }
 }
 
@@ -105,30 +112,48 @@ pub fn scene(args: &SceneArgs) -> Result<Scene, CliError> {
 /// Does what `lightfall presets` is asked for, and answers into `out`.
 ///
 /// # Errors
-/// A preset that does not exist, cannot be read or is wrong; or `out` cannot be written. That nobody reads any more is
-/// no error.
+/// A preset that does not exist, cannot be read or is wrong; or `out` cannot be written. That
+/// nobody reads any more is no error.
 pub fn presets(command: &PresetsCommand, out: &mut impl Write) -> Result<(), CliError> {
     let answer = match command {
         PresetsCommand::List => {
             let mut list = String::new();
             for preset in presets::PRESETS {
-                list += &format!("{}  {:14} {}\n", preset.number, preset.name, preset.scene(&[])?.title);
+                list += &format!(
+                    "{}  {:14} {}\n",
+                    preset.number,
+                    preset.name,
+                    preset.scene(&[])?.title
+                );
             }
             for file in own_presets() {
-                list += &format!("-  {:14} {}\n", file.file_stem().unwrap_or_default().display(), file.display());
+                list += &format!(
+                    "-  {:14} {}\n",
+                    file.file_stem().unwrap_or_default().display(),
+                    file.display()
+                );
             }
             list
         }
         PresetsCommand::Show { preset, needs } => {
             let scene = named("presets show", preset, &[])?;
-            if *needs { crate::render::needs(&scene) } else { scene.to_preset() }
+            if *needs {
+                crate::render::needs(&scene)
+            } else {
+                scene.to_preset()
+            }
         }
         PresetsCommand::Check { file } => {
             let scene = from_file(file, &[])?;
             match GpuScene::for_rays(&scene) {
                 // The reference traces on the CPU, and that is a use of a preset.
                 Ok(_) | Err(GpuError::MethodOfCpu) => {}
-                Err(error) => return Err(CliError::Undrawable { path: file.clone(), reason: error.to_string() }),
+                Err(error) => {
+                    return Err(CliError::Undrawable {
+                        path: file.clone(),
+                        reason: error.to_string(),
+                    });
+                }
             }
             format!("{}: ok\n", file.display())
         }
@@ -158,43 +183,66 @@ fn named(asked: &'static str, preset: &OsStr, overrides: &[Override]) -> Result<
         if let Some(own) = own_preset(preset) {
             return from_file(&own, overrides);
         }
-        return Err(CliError::UnknownPreset { asked, given: preset.display().to_string() });
+        return Err(CliError::UnknownPreset {
+            asked,
+            given: preset.display().to_string(),
+        });
     }
     from_file(path, overrides)
 }
 
 /// The user's own presets, as the panel saves them.
 fn own_presets() -> Vec<PathBuf> {
-    presets_folder().map(|folder| preset_files(&folder)).unwrap_or_default()
+    presets_folder()
+        .map(|folder| preset_files(&folder))
+        .unwrap_or_default()
 }
 
 /// The user's own preset of this name, as the panel saves them.
 fn own_preset(name: &OsStr) -> Option<PathBuf> {
-    own_presets().into_iter().find(|file| file.file_stem() == Some(name) && file.is_file())
+    own_presets()
+        .into_iter()
+        .find(|file| file.file_stem() == Some(name) && file.is_file())
 }
 
-/// The journey of a file, which all of it can be flown in `scene`; or the built-in one, which may never be flown.
+/// The journey of a file, which all of it can be flown in `scene`; or the built-in one, which may
+/// never be flown.
 ///
 /// # Errors
 /// One sentence that names the file and what is wrong with it.
 pub fn journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, CliError> {
-    let Some(path) = file else { return Ok(journey::load("the built-in journey", journey::DEFAULT)?) };
+    let Some(path) = file else {
+        return Ok(journey::load("the built-in journey", journey::DEFAULT)?);
+    };
     let journey = journey::load(&path.display().to_string(), &read_text(path)?)?;
     let checked = journey.check(scene, 0.0, drawable);
-    checked.map(|()| journey).map_err(|unflyable| CliError::Unflyable { path: path.into(), unflyable })
+    checked
+        .map(|()| journey)
+        .map_err(|unflyable| CliError::Unflyable {
+            path: path.into(),
+            unflyable,
+        })
 }
 
 /// The scene of a preset file, or of the preset in a picture.
 fn from_file(path: &Path, overrides: &[Override]) -> Result<Scene, CliError> {
-    Ok(load(&path.display().to_string(), &read_text(path)?, overrides)?)
+    Ok(load(
+        &path.display().to_string(),
+        &read_text(path)?,
+        overrides,
+    )?)
 }
 
 /// The text of a file that is meant to be a short one, or of the preset in a picture.
 fn read_text(path: &Path) -> Result<String, CliError> {
     let mut bytes = Vec::new();
     // Bounded, for there are files without an end.
-    let read = File::open(path).and_then(|file| file.take(LONGEST_PRESET + 1).read_to_end(&mut bytes));
-    read.map_err(|error| CliError::Unreadable { path: path.into(), error })?;
+    let read =
+        File::open(path).and_then(|file| file.take(LONGEST_PRESET + 1).read_to_end(&mut bytes));
+    read.map_err(|error| CliError::Unreadable {
+        path: path.into(),
+        error,
+    })?;
     if is_picture(&bytes) {
         return embedded_preset(&bytes).ok_or(CliError::NoPreset { path: path.into() });
     }
@@ -205,5 +253,7 @@ fn read_text(path: &Path) -> Result<String, CliError> {
 }
 
 fn all_presets() -> String {
-    presets::PRESETS.map(|preset| format!("{} {}", preset.number, preset.name)).join(", ")
+    presets::PRESETS
+        .map(|preset| format!("{} {}", preset.number, preset.name))
+        .join(", ")
 }

@@ -6,7 +6,9 @@ use glam::UVec2;
 use lightfall::cli::{BenchArgs, EntryArg};
 use lightfall::gpu::Gpu;
 use lightfall::picture;
-use lightfall::report::bench::{Circumstances, Measured, Plan, auto_margin, csv, json, markdown, plot};
+use lightfall::report::bench::{
+    Circumstances, Measured, Plan, auto_margin, csv, json, markdown, plot,
+};
 use lightfall::scene::{Method, Scene};
 
 /// Frames that a whole frame's time is the median of.
@@ -55,11 +57,23 @@ pub fn bench(args: &BenchArgs) -> Result<(), Stop> {
             }
         }
     }
-    for margin in plan.subjects.iter().filter_map(|subject| auto_margin(&rows, &subject.name)) {
+    for margin in plan
+        .subjects
+        .iter()
+        .filter_map(|subject| auto_margin(&rows, &subject.name))
+    {
         let ahead = |ratio: f64, what: &str| {
-            if ratio.is_finite() { format!("{ratio:.1} times as {what}") } else { format!("alone to be so {what}") }
+            if ratio.is_finite() {
+                format!("{ratio:.1} times as {what}")
+            } else {
+                format!("alone to be so {what}")
+            }
         };
-        let verdict = if margin.holds() { "on the front" } else { "NOT on the front" };
+        let verdict = if margin.holds() {
+            "on the front"
+        } else {
+            "NOT on the front"
+        };
         eprintln!(
             "{}: auto is {verdict}; beside other methods {} for its error, {} for its time",
             margin.scene,
@@ -73,9 +87,17 @@ pub fn bench(args: &BenchArgs) -> Result<(), Stop> {
 /// Times the frame of each method at the scene's own setting, as the sum of its passes.
 fn time_frames(plan: &Plan, rows: &mut [Measured]) -> Result<(), Stop> {
     for row in rows.iter_mut().filter(|row| row.own_setting) {
-        let subject = plan.subjects.iter().find(|subject| subject.name == row.scene);
-        let Some((subject, method)) = subject.zip(Method::named(&row.method)) else { continue };
-        let scene = Scene { method, ..subject.scene.clone() };
+        let subject = plan
+            .subjects
+            .iter()
+            .find(|subject| subject.name == row.scene);
+        let Some((subject, method)) = subject.zip(Method::named(&row.method)) else {
+            continue;
+        };
+        let scene = Scene {
+            method,
+            ..subject.scene.clone()
+        };
         let size = UVec2::new(scene.picture.width, scene.picture.height);
         let (_, passes) = picture::render_timed(&scene, size, FRAMES).map_err(failed)?;
         row.frame_ms = (!passes.is_empty()).then(|| passes.iter().map(|pass| pass.median_ms).sum());

@@ -18,9 +18,16 @@ pub fn doctor(args: &DoctorArgs) -> Result<(), Stop> {
         bar.inc(1);
     });
     bar.finish_and_clear();
-    print(&if args.json { diagnosis.json() } else { diagnosis.to_string() })?;
+    print(&if args.json {
+        diagnosis.json()
+    } else {
+        diagnosis.to_string()
+    })?;
     match diagnosis.faults.len() {
         0 => Ok(()),
-        faults => Err(Stop(1, format!("things that are not well: {faults}; the report says what to do"))),
+        faults => Err(Stop(
+            1,
+            format!("things that are not well: {faults}; the report says what to do"),
+        )),
     }
 }

@@ -16,16 +16,30 @@ pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     make_folder(args.out.as_deref())?;
     let gpu = Gpu::headless().map_err(without_device)?;
     if let Some(rays) = args.hunt {
-        return hunt(&gpu, &Hunt { rays: rays as usize, seed: args.seed }, args.json);
+        return hunt(
+            &gpu,
+            &Hunt {
+                rays: rays as usize,
+                seed: args.seed,
+            },
+            args.json,
+        );
     }
-    let methods = if args.methods.is_empty() { &Method::ON_GPU[..] } else { &args.methods };
+    let methods = if args.methods.is_empty() {
+        &Method::ON_GPU[..]
+    } else {
+        &args.methods
+    };
     let bar = progress(1);
     bar.set_message("looking for the shadows' edges");
     bar.tick();
     let cells = if args.grid { grid } else { cells }(args.rays as usize);
     bar.set_length(verdicts(&cells, methods) as u64);
     let measured = run(&gpu, &cells, methods, |verdict| {
-        bar.set_message(format!("{}: {}, {}", verdict.group, verdict.cell, verdict.method));
+        bar.set_message(format!(
+            "{}: {}, {}",
+            verdict.group, verdict.cell, verdict.method
+        ));
         bar.inc(1);
     });
     let verdicts = measured.map_err(failed)?;
@@ -39,11 +53,29 @@ pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
         write(folder, "extremes.md", &markdown)?;
     }
     print(if args.json { &json } else { &markdown })?;
-    let solved = |method: &str| method.starts_with(Method::Closed.name()) || method.starts_with(Method::Mino.name());
-    let failing = verdicts.iter().filter(|verdict| solved(verdict.method) && !verdict.holds).count();
-    let own = verdicts.iter().filter(|verdict| solved(verdict.method)).count();
-    eprintln!("lightfall: closed and mino hold {} of their {own} cells", own - failing);
-    if failing > 0 { Err(Stop(1, format!("cells that do not hold: {failing}; see the table"))) } else { Ok(()) }
+    let solved = |method: &str| {
+        method.starts_with(Method::Closed.name()) || method.starts_with(Method::Mino.name())
+    };
+    let failing = verdicts
+        .iter()
+        .filter(|verdict| solved(verdict.method) && !verdict.holds)
+        .count();
+    let own = verdicts
+        .iter()
+        .filter(|verdict| solved(verdict.method))
+        .count();
+    eprintln!(
+        "lightfall: closed and mino hold {} of their {own} cells",
+        own - failing
+    );
+    if failing > 0 {
+        Err(Stop(
+            1,
+            format!("cells that do not hold: {failing}; see the table"),
+        ))
+    } else {
+        Ok(())
+    }
 }
 
 fn hunt(gpu: &Gpu, hunt: &Hunt, as_json: bool) -> Result<(), Stop> {
@@ -81,7 +113,10 @@ fn hunt(gpu: &Gpu, hunt: &Hunt, as_json: bool) -> Result<(), Stop> {
         print(&told.iter().map(line).collect::<String>())?;
     }
     if unexplained > 0 {
-        Err(Stop(1, format!("rays beyond their bar that nothing explains: {unexplained}")))
+        Err(Stop(
+            1,
+            format!("rays beyond their bar that nothing explains: {unexplained}"),
+        ))
     } else {
         Ok(())
     }

@@ -7,7 +7,8 @@ use indicatif::ProgressBar;
 use lightfall::cli::{self, RenderArgs};
 use lightfall::flight::drawable;
 use lightfall::picture::{
-    self, Channels, Equipment, Format, Frames, Linear, PassTime, PictureError, PixelRays, Sequence, Still, Studio,
+    self, Channels, Equipment, Format, Frames, Linear, PassTime, PictureError, PixelRays, Sequence,
+    Still, Studio,
 };
 use lightfall::scene::Scene;
 use std::path::{Path, PathBuf};
@@ -19,21 +20,41 @@ const TIMED_FRAMES: usize = 15;
 pub fn render(args: &RenderArgs) -> Result<(), Stop> {
     let mut scene = scene(&args.scene)?;
     // The file first: a picture that cannot be kept is not worth the work.
-    let sequence = args.frames.map(|frames| sequence(args, frames, &scene)).transpose()?;
-    let first = sequence.as_ref().map_or_else(|| args.out.clone(), |sequence| sequence.file(sequence.frames.first));
+    let sequence = args
+        .frames
+        .map(|frames| sequence(args, frames, &scene))
+        .transpose()?;
+    let first = sequence.as_ref().map_or_else(
+        || args.out.clone(),
+        |sequence| sequence.file(sequence.frames.first),
+    );
     let format = picture::check_path(&first).map_err(refused)?;
     if let (Format::Exr, Some(size)) = (format, args.size) {
         resize(&mut scene, size)?;
     }
     if let (Format::Png, Some(_)) = (format, &args.aov) {
-        return Err(Stop(2, "--aov is for pictures of linear light: the file's name must end in .exr".into()));
+        return Err(Stop(
+            2,
+            "--aov is for pictures of linear light: the file's name must end in .exr".into(),
+        ));
     }
-    let shots = Shots { scene, file: args.out.clone(), sequence };
+    let shots = Shots {
+        scene,
+        file: args.out.clone(),
+        sequence,
+    };
     shots.check()?;
 
     let picture = UVec2::new(shots.scene.picture.width, shots.scene.picture.height);
-    let size = if format == Format::Exr { picture } else { args.size.unwrap_or(picture) };
-    let equipment = Equipment { timed: args.timings, light: format == Format::Exr };
+    let size = if format == Format::Exr {
+        picture
+    } else {
+        args.size.unwrap_or(picture)
+    };
+    let equipment = Equipment {
+        timed: args.timings,
+        light: format == Format::Exr,
+    };
     let (begin, _) = shots.get(shots.numbers().start);
     let mut camera = Camera {
         studio: Studio::equipped(&begin, size, equipment).map_err(stopped)?,
@@ -42,7 +63,11 @@ pub fn render(args: &RenderArgs) -> Result<(), Stop> {
         rays: None,
         fps: args.frames.map(|_| args.fps),
     };
-    let bar = if shots.sequence.is_some() { progress(shots.numbers().len()) } else { ProgressBar::hidden() };
+    let bar = if shots.sequence.is_some() {
+        progress(shots.numbers().len())
+    } else {
+        ProgressBar::hidden()
+    };
     for number in shots.numbers() {
         let (scene, file) = shots.get(number);
         bar.set_message(file.display().to_string());
@@ -55,15 +80,20 @@ pub fn render(args: &RenderArgs) -> Result<(), Stop> {
         say_times(&camera.studio.time(TIMED_FRAMES).map_err(stopped)?);
     }
     if let Some(sequence) = &shots.sequence {
-        eprintln!("lightfall: a video of them: {}", sequence.ffmpeg(size.x, size.y));
+        eprintln!(
+            "lightfall: a video of them: {}",
+            sequence.ffmpeg(size.x, size.y)
+        );
     }
     Ok(())
 }
 
 fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence, Stop> {
     let of_file = args.journey.as_deref();
-    let journey = cli::journey(of_file, scene).map_err(|error| Stop(error.exit_code(), error.to_string()))?;
-    let sequence = Sequence::new(journey, frames, args.fps, &args.out).map_err(|sentence| Stop(2, sentence))?;
+    let journey =
+        cli::journey(of_file, scene).map_err(|error| Stop(error.exit_code(), error.to_string()))?;
+    let sequence = Sequence::new(journey, frames, args.fps, &args.out)
+        .map_err(|sentence| Stop(2, sentence))?;
     let end = sequence.end();
     if f64::from(frames.last) > end {
         eprintln!("lightfall: the journey ends at frame {end}; those after it show its end");
@@ -75,8 +105,13 @@ fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence
 fn resize(scene: &mut Scene, size: UVec2) -> Result<(), Stop> {
     let picture = &mut scene.picture;
     (picture.width, picture.height) = (size.x, size.y);
-    (picture.grid_width, picture.grid_height) = (picture.grid_width.min(size.x), picture.grid_height.min(size.y));
-    scene.check().map_err(|refusal| Stop(2, format!("--size: {refusal}")))
+    (picture.grid_width, picture.grid_height) = (
+        picture.grid_width.min(size.x),
+        picture.grid_height.min(size.y),
+    );
+    scene
+        .check()
+        .map_err(|refusal| Stop(2, format!("--size: {refusal}")))
 }
 
 /// What is drawn, and where it is written: one picture or the frames of a sequence, by number.
@@ -88,7 +123,11 @@ struct Shots {
 
 impl Shots {
     fn numbers(&self) -> std::ops::Range<u32> {
-        self.sequence.as_ref().map_or(0..1, |Sequence { frames, .. }| frames.first..frames.last + 1)
+        self.sequence
+            .as_ref()
+            .map_or(0..1, |Sequence { frames, .. }| {
+                frames.first..frames.last + 1
+            })
     }
 
     fn get(&self, number: u32) -> (Scene, PathBuf) {
@@ -101,7 +140,9 @@ impl Shots {
     /// Whether all of them can be drawn: nobody wants to learn at the last frame that it cannot.
     fn check(&self) -> Result<(), Stop> {
         check_drawable(&self.get(self.numbers().start).0)?;
-        let Some(sequence) = &self.sequence else { return Ok(()) };
+        let Some(sequence) = &self.sequence else {
+            return Ok(());
+        };
         for number in self.numbers() {
             let refused = |sentence| Stop(2, format!("frame {number}: {sentence}"));
             drawable(sequence.scene(&self.scene, number)).map_err(refused)?;
@@ -130,7 +171,11 @@ impl Camera {
             return write_png(file, &still, scene);
         }
         let light = self.studio.light().map_err(stopped)?;
-        let depth = if self.channels.with_depth() { self.studio.depth().map_err(stopped)? } else { Vec::new() };
+        let depth = if self.channels.with_depth() {
+            self.studio.depth().map_err(stopped)?
+        } else {
+            Vec::new()
+        };
         let samples = if self.channels.list().is_empty() {
             Vec::new()
         } else {
@@ -141,20 +186,37 @@ impl Camera {
             rays.sample(scene, &self.channels, &depth).map_err(failed)?
         };
         let commit = commit();
-        let picture =
-            Linear { scene, light, channels: &self.channels, samples, commit: commit.as_deref(), fps: self.fps };
+        let picture = Linear {
+            scene,
+            light,
+            channels: &self.channels,
+            samples,
+            commit: commit.as_deref(),
+            fps: self.fps,
+        };
         picture::write_exr(file, picture).map_err(failed)
     }
 }
 
 /// Whoever interrupts knows why it stops.
 fn stopped(error: PictureError) -> Stop {
-    let status = if matches!(error, PictureError::Interrupted) { 130 } else { 1 };
+    let status = if matches!(error, PictureError::Interrupted) {
+        130
+    } else {
+        1
+    };
     Stop(status, error.to_string())
 }
 
 fn write_png(file: &Path, still: &Still, scene: &Scene) -> Result<(), Stop> {
-    picture::write_png(file, still.width, still.height, &still.rgb, &scene.to_preset()).map_err(failed)
+    picture::write_png(
+        file,
+        still.width,
+        still.height,
+        &still.rgb,
+        &scene.to_preset(),
+    )
+    .map_err(failed)
 }
 
 /// Writes a finished picture of the scene and prints the file's name.
@@ -164,8 +226,16 @@ pub fn write_still(file: &Path, still: &Still, scene: &Scene) -> Result<(), Stop
 }
 
 fn say_times(times: &[PassTime]) {
-    eprintln!("{:>10}{:>10}  pass (GPU time in ms, median of {TIMED_FRAMES} frames)", "drawn", "kept");
-    for PassTime { pass, median_ms, kept_ms } in times {
+    eprintln!(
+        "{:>10}{:>10}  pass (GPU time in ms, median of {TIMED_FRAMES} frames)",
+        "drawn", "kept"
+    );
+    for PassTime {
+        pass,
+        median_ms,
+        kept_ms,
+    } in times
+    {
         eprintln!("{median_ms:>10.3}{kept_ms:>10.3}  {pass}");
     }
 }

@@ -1,5 +1,5 @@
-//! The graphics adapter that the settings name: used from the next start on, and given up where it does not work, so that
-//! no choice locks its player out.
+//! The graphics adapter that the settings name: used from the next start on, and given up where it
+//! does not work, so that no choice locks its player out.
 
 use super::notice::Notice;
 use super::settings::settings_file;
@@ -24,28 +24,42 @@ pub(super) struct AdapterChoice {
 impl AdapterChoice {
     /// Prefers the adapter of the settings. This comes before anything opens a device.
     pub(super) fn apply(preferences: &mut Preferences) -> Self {
-        let Some(wanted) = preferences.settings.adapter.clone() else { return Self::default() };
+        let Some(wanted) = preferences.settings.adapter.clone() else {
+            return Self::default();
+        };
         if gpu::named_by_environment().is_some() {
             return Self::default();
         }
-        let told = |news: String| Self { news: Some(news), ..Self::default() };
+        let told = |news: String| Self {
+            news: Some(news),
+            ..Self::default()
+        };
         let trial = settings_file().map(|file| file.with_file_name("adapter-on-trial"));
         if let Some(trial) = trial.as_ref().filter(|trial| trial.exists()) {
             preferences.settings.adapter = None;
             return match std::fs::remove_file(trial) {
-                Ok(()) => {
-                    told(format!("The last start with {wanted} did not come to a picture: the best adapter is used"))
-                }
-                Err(error) => told(format!("{wanted} is not used: {}: {error}", trial.display())),
+                Ok(()) => told(format!(
+                    "The last start with {wanted} did not come to a picture: the best adapter is used"
+                )),
+                Err(error) => told(format!(
+                    "{wanted} is not used: {}: {error}",
+                    trial.display()
+                )),
             };
         }
         if gpu::adapters().iter().all(|listed| listed.name != wanted) {
-            return told(format!("{wanted}, which the settings name, is not there: the best adapter is used"));
+            return told(format!(
+                "{wanted}, which the settings name, is not there: the best adapter is used"
+            ));
         }
         // Without a place for the file there is none for settings either.
         let trial = trial.filter(|trial| std::fs::write(trial, wanted.to_string()).is_ok());
         gpu::prefer(Some(wanted.clone()));
-        Self { used: Some(wanted), trial, news: None }
+        Self {
+            used: Some(wanted),
+            trial,
+            news: None,
+        }
     }
 
     fn end_trial(&mut self) {
@@ -58,14 +72,24 @@ impl AdapterChoice {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.add_systems(Startup, compare).add_systems(Update, tell).add_systems(Last, conclude);
+    app.add_systems(Startup, compare)
+        .add_systems(Update, tell)
+        .add_systems(Last, conclude);
 }
 
 /// An adapter that cannot show this window is passed over by the renderer.
 fn compare(mut choice: ResMut<AdapterChoice>, present: Option<Res<RenderAdapterInfo>>) {
-    let Some((wanted, present)) = choice.used.clone().zip(present.map(|info| AdapterName::of(&info))) else { return };
+    let Some((wanted, present)) = choice
+        .used
+        .clone()
+        .zip(present.map(|info| AdapterName::of(&info)))
+    else {
+        return;
+    };
     if present != wanted {
-        choice.news = Some(format!("{wanted}, which the settings name, cannot show this window: {present} is used"));
+        choice.news = Some(format!(
+            "{wanted}, which the settings name, cannot show this window: {present} is used"
+        ));
     }
 }
 
@@ -77,7 +101,11 @@ fn tell(mut choice: ResMut<AdapterChoice>, mut notice: ResMut<Notice>) {
 }
 
 /// It works once there is a picture; who closes the window before does not say that it does not.
-fn conclude(mut choice: ResMut<AdapterChoice>, sight: Res<Sight>, mut exits: MessageReader<AppExit>) {
+fn conclude(
+    mut choice: ResMut<AdapterChoice>,
+    sight: Res<Sight>,
+    mut exits: MessageReader<AppExit>,
+) {
     let closed = exits.read().any(AppExit::is_success);
     if choice.trial.is_some() && (closed || sight.is_drawn()) {
         choice.end_trial();

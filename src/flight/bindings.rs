@@ -1,4 +1,5 @@
-//! Which keys and which buttons of a gamepad the controls have: those of the tables, unless the settings say otherwise.
+//! Which keys and which buttons of a gamepad the controls have: those of the tables, unless the
+//! settings say otherwise.
 
 use super::buttons::{self, default_buttons};
 use super::controls::{CONTROLS, Control, control_named};
@@ -22,12 +23,18 @@ pub trait Switch: Copy + PartialEq + Send + Sync + 'static {
 
     /// Its name; none if nothing can be bound to it.
     fn name(self) -> Option<&'static str> {
-        Self::NAMES.iter().find(|(switch, _)| *switch == self).map(|(_, name)| *name)
+        Self::NAMES
+            .iter()
+            .find(|(switch, _)| *switch == self)
+            .map(|(_, name)| *name)
     }
 
     /// The one with this name, however it is capitalized.
     fn named(name: &str) -> Option<Self> {
-        Self::NAMES.iter().find(|(_, known)| known.eq_ignore_ascii_case(name.trim())).map(|(switch, _)| *switch)
+        Self::NAMES
+            .iter()
+            .find(|(_, known)| known.eq_ignore_ascii_case(name.trim()))
+            .map(|(switch, _)| *switch)
     }
 
     /// Every name, in the order of the table.
@@ -73,7 +80,12 @@ pub struct Bound<S: Switch>(Vec<Vec<S>>);
 
 impl<S: Switch> Default for Bound<S> {
     fn default() -> Self {
-        Self(CONTROLS.iter().map(|control| S::defaults(control).to_vec()).collect())
+        Self(
+            CONTROLS
+                .iter()
+                .map(|control| S::defaults(control).to_vec())
+                .collect(),
+        )
     }
 }
 
@@ -86,10 +98,17 @@ impl<S: Switch> Bound<S> {
         let word = S::WORD;
         let mut bindings = Self::default();
         for (id, names) in settings {
-            let place = CONTROLS.iter().position(|control| control.id == id).ok_or_else(|| {
-                let known = CONTROLS.iter().map(|control| control.id).collect::<Vec<_>>().join(", ");
-                format!("{word}s: there is no control {id}; the controls are {known}")
-            })?;
+            let place = CONTROLS
+                .iter()
+                .position(|control| control.id == id)
+                .ok_or_else(|| {
+                    let known = CONTROLS
+                        .iter()
+                        .map(|control| control.id)
+                        .collect::<Vec<_>>()
+                        .join(", ");
+                    format!("{word}s: there is no control {id}; the controls are {known}")
+                })?;
             let switches = names.iter().map(|name| {
                 S::named(name).ok_or_else(|| {
                     let known = S::names().collect::<Vec<_>>().join(" ");
@@ -100,11 +119,15 @@ impl<S: Switch> Bound<S> {
         }
         for (control, switches) in bindings.iter() {
             for switch in switches {
-                if let Some(other) =
-                    bindings.owner(*switch, S::with_alt(control)).filter(|other| other.id != control.id)
+                if let Some(other) = bindings
+                    .owner(*switch, S::with_alt(control))
+                    .filter(|other| other.id != control.id)
                 {
                     let name = switch.name().unwrap_or("?");
-                    return Err(format!("{word}s: {name} is given to both {} and {}", other.id, control.id));
+                    return Err(format!(
+                        "{word}s: {name} is given to both {} and {}",
+                        other.id, control.id
+                    ));
                 }
             }
         }
@@ -127,12 +150,16 @@ impl<S: Switch> Bound<S> {
     /// The switches of one control.
     #[must_use]
     pub fn of(&self, id: &str) -> &[S] {
-        self.iter().find(|(control, _)| control.id == id).map_or(&[], |(_, switches)| switches)
+        self.iter()
+            .find(|(control, _)| control.id == id)
+            .map_or(&[], |(_, switches)| switches)
     }
 
     /// Gives a control this switch and no other, and takes it from whoever had it.
     pub fn bind(&mut self, id: &str, switch: S) {
-        let Some(bound) = control_named(id) else { return };
+        let Some(bound) = control_named(id) else {
+            return;
+        };
         for (control, switches) in CONTROLS.iter().zip(&mut self.0) {
             if control.id == id {
                 *switches = vec![switch];
@@ -145,25 +172,43 @@ impl<S: Switch> Bound<S> {
     /// What the settings file says of the controls that differ from the table.
     #[must_use]
     pub fn settings(&self) -> BTreeMap<String, Vec<String>> {
-        let names =
-            |switches: &[S]| switches.iter().filter_map(|switch| switch.name()).map(str::to_owned).collect::<Vec<_>>();
-        let changed = self.iter().filter(|(control, switches)| S::defaults(control) != *switches);
-        changed.map(|(control, switches)| (control.id.to_owned(), names(switches))).collect()
+        let names = |switches: &[S]| {
+            switches
+                .iter()
+                .filter_map(|switch| switch.name())
+                .map(str::to_owned)
+                .collect::<Vec<_>>()
+        };
+        let changed = self
+            .iter()
+            .filter(|(control, switches)| S::defaults(control) != *switches);
+        changed
+            .map(|(control, switches)| (control.id.to_owned(), names(switches)))
+            .collect()
     }
 
     /// The switches of the control with this name, in words; empty where there is none.
     #[must_use]
     pub fn named(&self, id: &str) -> String {
-        control_named(id).map(|control| self.in_words(control)).unwrap_or_default()
+        control_named(id)
+            .map(|control| self.in_words(control))
+            .unwrap_or_default()
     }
 
     /// A control's switches in words, e.g. `F12, Print`.
     #[must_use]
     pub fn in_words(&self, control: &Control) -> String {
-        let names = self.of(control.id).iter().filter_map(|switch| switch.name());
+        let names = self
+            .of(control.id)
+            .iter()
+            .filter_map(|switch| switch.name());
         // The same key on the right is no news.
-        let names = names.filter(|name| !name.starts_with("Right ") && !name.starts_with("Keypad "));
+        let names =
+            names.filter(|name| !name.starts_with("Right ") && !name.starts_with("Keypad "));
         let alt = if S::with_alt(control) { "Alt+" } else { "" };
-        names.map(|name| format!("{alt}{name}")).collect::<Vec<_>>().join(", ")
+        names
+            .map(|name| format!("{alt}{name}"))
+            .collect::<Vec<_>>()
+            .join(", ")
     }
 }

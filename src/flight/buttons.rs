@@ -1,5 +1,6 @@
-//! The buttons of a gamepad: their names, and which controls have one. They go by their place, and are named as on the most
-//! common pad; what is the lowest of the four on the right is A here, whatever is printed on it.
+//! The buttons of a gamepad: their names, and which controls have one. They go by their place, and
+//! are named as on the most common pad; what is the lowest of the four on the right is A here,
+//! whatever is printed on it.
 
 use bevy::prelude::GamepadButton;
 
@@ -26,8 +27,8 @@ pub(super) const NAMES: &[(GamepadButton, &str)] = &[
     (GamepadButton::Z, "Z"),
 ];
 
-/// The controls that have a button where the settings say nothing else, by name. The sticks fly and look, and have no
-/// other use, as the mouse has none.
+/// The controls that have a button where the settings say nothing else, by name. The sticks fly and
+/// look, and have no other use, as the mouse has none.
 const DEFAULTS: &[(&str, &[GamepadButton])] = &[
     ("fly.up", &[GamepadButton::DPadUp]),
     ("fly.down", &[GamepadButton::DPadDown]),
@@ -50,5 +51,8 @@ const DEFAULTS: &[(&str, &[GamepadButton])] = &[
 /// The buttons of the control with this name, where the settings say nothing else.
 #[must_use]
 pub fn default_buttons(id: &str) -> &'static [GamepadButton] {
-    DEFAULTS.iter().find(|(control, _)| *control == id).map_or(&[], |(_, buttons)| buttons)
+    DEFAULTS
+        .iter()
+        .find(|(control, _)| *control == id)
+        .map_or(&[], |(_, buttons)| buttons)
 }

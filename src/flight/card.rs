@@ -16,7 +16,10 @@ const WIDEST: f32 = 460.0;
 
 impl Card {
     pub(super) fn show(&mut self, title: &str, text: &str) {
-        *self = Self { title: title.into(), text: text.into() };
+        *self = Self {
+            title: title.into(),
+            text: text.into(),
+        };
     }
 
     pub(super) fn close(&mut self) {
@@ -25,12 +28,18 @@ impl Card {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.init_resource::<Card>().add_systems(PreUpdate, put_away.after(bevy::input::InputSystems));
+    app.init_resource::<Card>()
+        .add_systems(PreUpdate, put_away.after(bevy::input::InputSystems));
     app.add_systems(EguiPrimaryContextPass, show);
 }
 
-fn put_away(keys: Res<ButtonInput<KeyCode>>, buttons: Res<ButtonInput<MouseButton>>, mut card: ResMut<Card>) {
-    let used = keys.get_just_pressed().next().is_some() || buttons.get_just_pressed().next().is_some();
+fn put_away(
+    keys: Res<ButtonInput<KeyCode>>,
+    buttons: Res<ButtonInput<MouseButton>>,
+    mut card: ResMut<Card>,
+) {
+    let used =
+        keys.get_just_pressed().next().is_some() || buttons.get_just_pressed().next().is_some();
     if used && !card.title.is_empty() {
         card.close();
     }
@@ -47,14 +56,15 @@ fn show(mut contexts: EguiContexts, card: Res<Card>, shown: Res<Shown>) -> Resul
         .order(egui::Order::Foreground)
         .show(context, |ui| {
             ui.set_max_width(WIDEST.min(context.content_rect().width() - 40.0));
-            egui::Frame::new().fill(egui::Color32::from_black_alpha(225)).inner_margin(18).corner_radius(6).show(
-                ui,
-                |ui| {
+            egui::Frame::new()
+                .fill(egui::Color32::from_black_alpha(225))
+                .inner_margin(18)
+                .corner_radius(6)
+                .show(ui, |ui| {
                     ui.label(egui::RichText::new(&card.title).size(20.0).strong());
                     ui.add_space(6.0);
                     ui.label(egui::RichText::new(&card.text).size(15.0));
-                },
-            );
+                });
         });
     Ok(())
 }

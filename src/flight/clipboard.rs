@@ -1,10 +1,13 @@
-//! The clipboard: text fields copy, cut and paste, the ray inspector copies. A thread of its own holds it, for a text has to
-//! stay with whoever copied it, and one that is asked for comes when its owner gives it.
+//! The clipboard: text fields copy, cut and paste, the ray inspector copies. A thread of its own
+//! holds it, for a text has to stay with whoever copied it, and one that is asked for comes when
+//! its owner gives it.
 
 use super::keyboard::Typing;
 use super::notice::Notice;
 use bevy::prelude::*;
-use bevy_egui::{EguiInput, EguiOutput, EguiPostUpdateSet, EguiPreUpdateSet, PrimaryEguiContext, egui};
+use bevy_egui::{
+    EguiInput, EguiOutput, EguiPostUpdateSet, EguiPreUpdateSet, PrimaryEguiContext, egui,
+};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Mutex, PoisonError};
 
@@ -26,7 +29,10 @@ impl Clipboard {
         let (orders, work) = channel();
         let (answer, answers) = channel();
         std::thread::spawn(move || run(&work, &answer));
-        Self { orders, answers: Mutex::new(answers) }
+        Self {
+            orders,
+            answers: Mutex::new(answers),
+        }
     }
 
     /// Puts a text on the clipboard.
@@ -40,7 +46,11 @@ impl Clipboard {
     }
 
     fn answer(&self) -> Option<Result<String, String>> {
-        self.answers.lock().unwrap_or_else(PoisonError::into_inner).try_recv().ok()
+        self.answers
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .try_recv()
+            .ok()
     }
 }
 
@@ -50,7 +60,9 @@ fn run(work: &Receiver<Order>, answer: &Sender<Result<String, String>>) {
         let answered = match serve(order, &mut board) {
             Ok(Some(text)) => answer.send(Ok(text)),
             Ok(None) => Ok(()),
-            Err(arboard::Error::ContentNotAvailable) => answer.send(Err("There is no text on the clipboard".into())),
+            Err(arboard::Error::ContentNotAvailable) => {
+                answer.send(Err("There is no text on the clipboard".into()))
+            }
             Err(error) => answer.send(Err(format!("The clipboard cannot be reached: {error}"))),
         };
         if answered.is_err() {
@@ -59,7 +71,10 @@ fn run(work: &Receiver<Order>, answer: &Sender<Result<String, String>>) {
     }
 }
 
-fn serve(order: Order, board: &mut Option<arboard::Clipboard>) -> Result<Option<String>, arboard::Error> {
+fn serve(
+    order: Order,
+    board: &mut Option<arboard::Clipboard>,
+) -> Result<Option<String>, arboard::Error> {
     let board = match board {
         Some(board) => board,
         none => none.insert(arboard::Clipboard::new()?),
@@ -71,7 +86,9 @@ fn serve(order: Order, board: &mut Option<arboard::Clipboard>) -> Result<Option<
 }
 
 pub(super) fn plugin(app: &mut App) {
-    let hear = hear.after(EguiPreUpdateSet::ProcessInput).before(EguiPreUpdateSet::BeginPass);
+    let hear = hear
+        .after(EguiPreUpdateSet::ProcessInput)
+        .before(EguiPreUpdateSet::BeginPass);
     app.insert_resource(Clipboard::start())
         .add_systems(PreUpdate, hear)
         .add_systems(PostUpdate, give.after(EguiPostUpdateSet::ProcessOutput));
@@ -85,7 +102,15 @@ enum Wish {
 }
 
 fn wish(event: &egui::Event) -> Option<Wish> {
-    let egui::Event::Key { key, pressed: true, modifiers, .. } = event else { return None };
+    let egui::Event::Key {
+        key,
+        pressed: true,
+        modifiers,
+        ..
+    } = event
+    else {
+        return None;
+    };
     let command = modifiers.command && !modifiers.alt;
     match key {
         egui::Key::Copy => Some(Wish::Copy),
@@ -131,7 +156,10 @@ fn hear(
 
 /// Puts what was copied or cut on the clipboard.
 fn give(outputs: Query<&EguiOutput, With<PrimaryEguiContext>>, clipboard: Res<Clipboard>) {
-    for command in outputs.iter().flat_map(|output| &output.platform_output.commands) {
+    for command in outputs
+        .iter()
+        .flat_map(|output| &output.platform_output.commands)
+    {
         if let egui::OutputCommand::CopyText(text) = command {
             clipboard.copy(text.clone());
         }

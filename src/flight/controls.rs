@@ -1,5 +1,5 @@
-//! The key table: every control, what it does and which keys it has by default. The handlers, the help and the settings
-//! all read it from here.
+//! The key table: every control, what it does and which keys it has by default. The handlers, the
+//! help and the settings all read it from here.
 
 use super::edits;
 use crate::scene::{Scene, View};
@@ -16,7 +16,8 @@ pub struct Control {
     pub alt: bool,
     /// Under which heading the help shows it.
     pub group: Group,
-    /// What it does, in a few words; controls in a row with the same words are one entry of the help.
+    /// What it does, in a few words; controls in a row with the same words are one entry of the
+    /// help.
     pub does: &'static str,
     /// What happens.
     pub action: Action,
@@ -41,7 +42,14 @@ pub enum Group {
 
 impl Group {
     /// Every heading, in the order of the help.
-    pub const ALL: [Self; 6] = [Self::Flight, Self::Scene, Self::Light, Self::View, Self::Picture, Self::Window];
+    pub const ALL: [Self; 6] = [
+        Self::Flight,
+        Self::Scene,
+        Self::Light,
+        Self::View,
+        Self::Picture,
+        Self::Window,
+    ];
 
     /// The heading itself.
     #[must_use]
@@ -138,10 +146,22 @@ const fn control(
     does: &'static str,
     action: Action,
 ) -> Control {
-    Control { id, keys, alt: false, group, does, action }
+    Control {
+        id,
+        keys,
+        alt: false,
+        group,
+        does,
+        action,
+    }
 }
 
-const fn hold(id: &'static str, keys: &'static [KeyCode], does: &'static str, motion: Motion) -> Control {
+const fn hold(
+    id: &'static str,
+    keys: &'static [KeyCode],
+    does: &'static str,
+    motion: Motion,
+) -> Control {
     control(id, keys, Group::Flight, does, Action::Hold(motion))
 }
 
@@ -171,7 +191,12 @@ const fn light(
     control(id, keys, Group::Light, does, Action::Edit(edit))
 }
 
-const fn view(id: &'static str, keys: &'static [KeyCode], does: &'static str, edit: fn(&mut Scene, &Scene)) -> Control {
+const fn view(
+    id: &'static str,
+    keys: &'static [KeyCode],
+    does: &'static str,
+    edit: fn(&mut Scene, &Scene),
+) -> Control {
     control(id, keys, Group::View, does, Action::Edit(edit))
 }
 
@@ -184,7 +209,12 @@ const fn picture(
     control(id, keys, Group::Picture, does, Action::Edit(edit))
 }
 
-const fn window(id: &'static str, keys: &'static [KeyCode], does: &'static str, command: Command) -> Control {
+const fn window(
+    id: &'static str,
+    keys: &'static [KeyCode],
+    does: &'static str,
+    command: Command,
+) -> Control {
     control(id, keys, Group::Window, does, Action::Do(command))
 }
 
@@ -195,14 +225,47 @@ pub const CONTROLS: &[Control] = &[
     hold("fly.backward", &[KeyCode::KeyS], FLY, Motion::Backward),
     hold("fly.right", &[KeyCode::KeyD], FLY, Motion::Right),
     hold("fly.up", &[KeyCode::Space], UP_DOWN, Motion::Up),
-    hold("fly.down", &[KeyCode::ControlLeft, KeyCode::ControlRight], UP_DOWN, Motion::Down),
+    hold(
+        "fly.down",
+        &[KeyCode::ControlLeft, KeyCode::ControlRight],
+        UP_DOWN,
+        Motion::Down,
+    ),
     hold("fly.roll_left", &[KeyCode::KeyQ], ROLL, Motion::RollLeft),
     hold("fly.roll_right", &[KeyCode::KeyE], ROLL, Motion::RollRight),
-    hold("fly.faster", &[KeyCode::ShiftLeft, KeyCode::ShiftRight], "fly faster", Motion::Faster),
-    hold("fly.slower", &[KeyCode::AltLeft, KeyCode::AltRight], "fly slower", Motion::Slower),
-    control("fly.mouse", &[KeyCode::Tab], Group::Flight, "mouse looks around", Action::Do(Command::MouseLook)),
-    control("fly.escape", &[KeyCode::Escape], Group::Flight, "free the mouse", Action::Do(Command::Escape)),
-    control("journey.fly", &[KeyCode::KeyJ], Group::Flight, "journey: start, stop", Action::Do(Command::Journey)),
+    hold(
+        "fly.faster",
+        &[KeyCode::ShiftLeft, KeyCode::ShiftRight],
+        "fly faster",
+        Motion::Faster,
+    ),
+    hold(
+        "fly.slower",
+        &[KeyCode::AltLeft, KeyCode::AltRight],
+        "fly slower",
+        Motion::Slower,
+    ),
+    control(
+        "fly.mouse",
+        &[KeyCode::Tab],
+        Group::Flight,
+        "mouse looks around",
+        Action::Do(Command::MouseLook),
+    ),
+    control(
+        "fly.escape",
+        &[KeyCode::Escape],
+        Group::Flight,
+        "free the mouse",
+        Action::Do(Command::Escape),
+    ),
+    control(
+        "journey.fly",
+        &[KeyCode::KeyJ],
+        Group::Flight,
+        "journey: start, stop",
+        Action::Do(Command::Journey),
+    ),
     control(
         "journey.again",
         &[KeyCode::Enter],
@@ -210,9 +273,27 @@ pub const CONTROLS: &[Control] = &[
         "journey from its start",
         Action::Do(Command::JourneyAgain),
     ),
-    control("motion.let_go", &[KeyCode::KeyF], Group::Flight, "let go: fall or orbit", Action::Do(Command::LetGo)),
-    control("motion.slower", &[KeyCode::Comma], Group::Flight, TIME, Action::Do(Command::TimeSlower)),
-    control("motion.faster", &[KeyCode::Period], Group::Flight, TIME, Action::Do(Command::TimeFaster)),
+    control(
+        "motion.let_go",
+        &[KeyCode::KeyF],
+        Group::Flight,
+        "let go: fall or orbit",
+        Action::Do(Command::LetGo),
+    ),
+    control(
+        "motion.slower",
+        &[KeyCode::Comma],
+        Group::Flight,
+        TIME,
+        Action::Do(Command::TimeSlower),
+    ),
+    control(
+        "motion.faster",
+        &[KeyCode::Period],
+        Group::Flight,
+        TIME,
+        Action::Do(Command::TimeFaster),
+    ),
     preset("preset.1", &[KeyCode::Digit1], 1),
     preset("preset.2", &[KeyCode::Digit2], 2),
     preset("preset.3", &[KeyCode::Digit3], 3),
@@ -224,46 +305,140 @@ pub const CONTROLS: &[Control] = &[
     preset("preset.9", &[KeyCode::Digit9], 9),
     turn("preset.previous", &[KeyCode::PageUp], -1),
     turn("preset.next", &[KeyCode::PageDown], 1),
-    control("scene.undo", &[KeyCode::Backspace], Group::Scene, "undo the last change", Action::Do(Command::Undo)),
-    scene("scene.disk", &[KeyCode::F2], "disk", |scene, _| edits::flip(&mut scene.disk.enabled)),
-    scene("scene.isco", &[KeyCode::KeyU], "disk from the innermost stable orbit", |scene, _| {
-        edits::flip(&mut scene.disk.follow_isco);
+    control(
+        "scene.undo",
+        &[KeyCode::Backspace],
+        Group::Scene,
+        "undo the last change",
+        Action::Do(Command::Undo),
+    ),
+    scene("scene.disk", &[KeyCode::F2], "disk", |scene, _| {
+        edits::flip(&mut scene.disk.enabled)
     }),
+    scene(
+        "scene.isco",
+        &[KeyCode::KeyU],
+        "disk from the innermost stable orbit",
+        |scene, _| {
+            edits::flip(&mut scene.disk.follow_isco);
+        },
+    ),
     scene("scene.sky", &[KeyCode::F3], "sky", edits::switch_sky),
-    scene("scene.sky_mode", &[KeyCode::KeyG], "sky: stars, grid, nothing", |scene, _| edits::next_sky(scene)),
-    scene("scene.probe", &[KeyCode::F4], "probe", |scene, _| edits::flip(&mut scene.probe.enabled)),
+    scene(
+        "scene.sky_mode",
+        &[KeyCode::KeyG],
+        "sky: stars, grid, nothing",
+        |scene, _| edits::next_sky(scene),
+    ),
+    scene("scene.probe", &[KeyCode::F4], "probe", |scene, _| {
+        edits::flip(&mut scene.probe.enabled)
+    }),
     scene("scene.spin", &[KeyCode::KeyT], "spin", edits::switch_spin),
-    scene("scene.observer", &[KeyCode::KeyO], "observer: at rest, zamo, orbit, free fall", |scene, _| {
-        edits::next_observer(scene);
+    scene(
+        "scene.observer",
+        &[KeyCode::KeyO],
+        "observer: at rest, zamo, orbit, free fall",
+        |scene, _| {
+            edits::next_observer(scene);
+        },
+    ),
+    light("light.lensing", &[KeyCode::KeyL], "lensing", |scene, _| {
+        edits::flip(&mut scene.effects.lensing)
     }),
-    light("light.lensing", &[KeyCode::KeyL], "lensing", |scene, _| edits::flip(&mut scene.effects.lensing)),
-    light("light.doppler", &[KeyCode::KeyZ], "Doppler shift", |scene, _| edits::flip(&mut scene.effects.doppler)),
-    light("light.beaming", &[KeyCode::KeyX], "beaming", |scene, _| edits::flip(&mut scene.effects.beaming)),
-    light("light.gravitational_shift", &[KeyCode::KeyC], "gravitational shift", |scene, _| {
-        edits::flip(&mut scene.effects.gravitational_shift);
+    light(
+        "light.doppler",
+        &[KeyCode::KeyZ],
+        "Doppler shift",
+        |scene, _| edits::flip(&mut scene.effects.doppler),
+    ),
+    light("light.beaming", &[KeyCode::KeyX], "beaming", |scene, _| {
+        edits::flip(&mut scene.effects.beaming)
     }),
-    view("view.unfinished", &[KeyCode::F11], "unfinished rays in magenta", |scene, _| {
-        edits::toggle(scene, View::Unfinished);
+    light(
+        "light.gravitational_shift",
+        &[KeyCode::KeyC],
+        "gravitational shift",
+        |scene, _| {
+            edits::flip(&mut scene.effects.gravitational_shift);
+        },
+    ),
+    view(
+        "view.unfinished",
+        &[KeyCode::F11],
+        "unfinished rays in magenta",
+        |scene, _| {
+            edits::toggle(scene, View::Unfinished);
+        },
+    ),
+    view(
+        "view.classes",
+        &[KeyCode::KeyB],
+        "ray classes",
+        |scene, _| edits::toggle(scene, View::Classes),
+    ),
+    view(
+        "view.residual",
+        &[KeyCode::KeyM],
+        "residual of the null constraint",
+        |scene, _| {
+            edits::toggle(scene, View::Residual);
+        },
+    ),
+    view(
+        "view.order",
+        &[KeyCode::KeyN],
+        "order of the image",
+        |scene, _| edits::toggle(scene, View::Order),
+    ),
+    view(
+        "view.redshift",
+        &[KeyCode::KeyR],
+        "redshift g",
+        |scene, _| edits::toggle(scene, View::Redshift),
+    ),
+    picture(
+        "picture.bloom",
+        &[KeyCode::F5],
+        "bloom",
+        edits::switch_bloom,
+    ),
+    picture(
+        "picture.antialias",
+        &[KeyCode::F6],
+        "smooth edges of the probe",
+        |scene, _| {
+            edits::flip(&mut scene.probe.antialias);
+        },
+    ),
+    picture(
+        "picture.bypass",
+        &[KeyCode::F7],
+        "whole cells, or the window filled",
+        |scene, _| {
+            edits::flip(&mut scene.picture.bypass);
+        },
+    ),
+    picture("picture.dither", &[KeyCode::F8], "dither", |scene, _| {
+        edits::flip(&mut scene.picture.dither)
     }),
-    view("view.classes", &[KeyCode::KeyB], "ray classes", |scene, _| edits::toggle(scene, View::Classes)),
-    view("view.residual", &[KeyCode::KeyM], "residual of the null constraint", |scene, _| {
-        edits::toggle(scene, View::Residual);
-    }),
-    view("view.order", &[KeyCode::KeyN], "order of the image", |scene, _| edits::toggle(scene, View::Order)),
-    view("view.redshift", &[KeyCode::KeyR], "redshift g", |scene, _| edits::toggle(scene, View::Redshift)),
-    picture("picture.bloom", &[KeyCode::F5], "bloom", edits::switch_bloom),
-    picture("picture.antialias", &[KeyCode::F6], "smooth edges of the probe", |scene, _| {
-        edits::flip(&mut scene.probe.antialias);
-    }),
-    picture("picture.bypass", &[KeyCode::F7], "whole cells, or the window filled", |scene, _| {
-        edits::flip(&mut scene.picture.bypass);
-    }),
-    picture("picture.dither", &[KeyCode::F8], "dither", |scene, _| edits::flip(&mut scene.picture.dither)),
-    picture("picture.levels", &[KeyCode::KeyV], "few tones, or all", edits::switch_levels),
-    picture("picture.brighter", &[KeyCode::Equal, KeyCode::NumpadAdd], EXPOSURE, |scene, _| edits::expose(scene, 1.0)),
-    picture("picture.darker", &[KeyCode::Minus, KeyCode::NumpadSubtract], EXPOSURE, |scene, _| {
-        edits::expose(scene, -1.0)
-    }),
+    picture(
+        "picture.levels",
+        &[KeyCode::KeyV],
+        "few tones, or all",
+        edits::switch_levels,
+    ),
+    picture(
+        "picture.brighter",
+        &[KeyCode::Equal, KeyCode::NumpadAdd],
+        EXPOSURE,
+        |scene, _| edits::expose(scene, 1.0),
+    ),
+    picture(
+        "picture.darker",
+        &[KeyCode::Minus, KeyCode::NumpadSubtract],
+        EXPOSURE,
+        |scene, _| edits::expose(scene, -1.0),
+    ),
     control(
         "picture.automatic_exposure",
         &[KeyCode::F9],
@@ -272,11 +447,39 @@ pub const CONTROLS: &[Control] = &[
         Action::Do(Command::AutomaticExposure),
     ),
     window("window.help", &[KeyCode::F1], "this help", Command::Help),
-    window("window.panel", &[KeyCode::KeyP], "panel: every setting", Command::Panel),
-    window("window.inspector", &[KeyCode::KeyI], "ray inspector: then click a pixel", Command::Inspect),
-    window("window.hide", &[KeyCode::KeyH], "hide everything but the picture", Command::Hide),
-    window("window.screenshot", &[KeyCode::F12, KeyCode::PrintScreen], "screenshot", Command::Screenshot),
-    Control { alt: true, ..window("window.fullscreen", &[KeyCode::Enter], "whole screen", Command::Fullscreen) },
+    window(
+        "window.panel",
+        &[KeyCode::KeyP],
+        "panel: every setting",
+        Command::Panel,
+    ),
+    window(
+        "window.inspector",
+        &[KeyCode::KeyI],
+        "ray inspector: then click a pixel",
+        Command::Inspect,
+    ),
+    window(
+        "window.hide",
+        &[KeyCode::KeyH],
+        "hide everything but the picture",
+        Command::Hide,
+    ),
+    window(
+        "window.screenshot",
+        &[KeyCode::F12, KeyCode::PrintScreen],
+        "screenshot",
+        Command::Screenshot,
+    ),
+    Control {
+        alt: true,
+        ..window(
+            "window.fullscreen",
+            &[KeyCode::Enter],
+            "whole screen",
+            Command::Fullscreen,
+        )
+    },
 ];
 
 /// The control with this name.

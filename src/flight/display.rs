@@ -16,10 +16,16 @@ pub fn display() -> Result<String, String> {
     }
     match (set("DISPLAY"), wayland) {
         (None, None) => Err("neither DISPLAY nor WAYLAND_DISPLAY names one".into()),
-        (None, Some(name)) => Err(format!("the Wayland server {} does not answer", name.to_string_lossy())),
+        (None, Some(name)) => Err(format!(
+            "the Wayland server {} does not answer",
+            name.to_string_lossy()
+        )),
         (Some(name), _) => match x11rb::connect(None) {
             Ok(_) => Ok(format!("X11, {}", name.to_string_lossy())),
-            Err(error) => Err(format!("the X server {} does not answer: {error}", name.to_string_lossy())),
+            Err(error) => Err(format!(
+                "the X server {} does not answer: {error}",
+                name.to_string_lossy()
+            )),
         },
     }
 }

@@ -25,8 +25,8 @@ pub(super) fn over_picture(over: Res<OverPicture>) -> bool {
     over.0
 }
 
-/// Where the mouse is now: egui itself tells only where it was when the last frame was drawn. It knows no panel either that
-/// has just been opened.
+/// Where the mouse is now: egui itself tells only where it was when the last frame was drawn. It
+/// knows no panel either that has just been opened.
 pub(super) fn look(
     mut contexts: EguiContexts,
     shown: Res<Shown>,
@@ -39,22 +39,32 @@ pub(super) fn look(
     };
     let [x, y] = (mouse / context.zoom_factor()).to_array();
     let on_panel = x < shown.left() || context.content_rect().right() - x < shown.right();
-    let on_area = context.layer_id_at(egui::pos2(x, y)).is_some_and(|layer| layer.order != egui::Order::Background);
+    let on_area = context
+        .layer_id_at(egui::pos2(x, y))
+        .is_some_and(|layer| layer.order != egui::Order::Background);
     over.0 = !(on_panel || on_area || context.egui_is_using_pointer());
 }
 
-/// In a window too narrow for both panels the one that was opened last is shown, as long as it is so.
+/// In a window too narrow for both panels the one that was opened last is shown, as long as it is
+/// so.
 pub(super) fn make_room(mut contexts: EguiContexts, mut shown: ResMut<Shown>) {
-    let Ok(context) = contexts.ctx_mut() else { return };
+    let Ok(context) = contexts.ctx_mut() else {
+        return;
+    };
     let narrow = context.content_rect().width() < panel::WIDTH + inspector::WIDTH;
-    let gives_way = if shown.last == Some(Side::Left) { Side::Right } else { Side::Left };
+    let gives_way = if shown.last == Some(Side::Left) {
+        Side::Right
+    } else {
+        Side::Left
+    };
     let gives_way = Some(gives_way).filter(|_| shown.panel && shown.inspector && narrow);
     if shown.gives_way != gives_way {
         shown.gives_way = gives_way;
     }
 }
 
-/// Shows a panel as high as the window. It is an area of egui's own, so that the mouse over it does nothing to the picture.
+/// Shows a panel as high as the window. It is an area of egui's own, so that the mouse over it does
+/// nothing to the picture.
 pub(super) fn docked(
     context: &egui::Context,
     name: &'static str,
@@ -68,9 +78,14 @@ pub(super) fn docked(
         Side::Left => screen.left(),
         Side::Right => screen.right() - width,
     };
-    let area = egui::Area::new(egui::Id::new(name)).fixed_pos([left, screen.top()]).movable(false).constrain(false);
+    let area = egui::Area::new(egui::Id::new(name))
+        .fixed_pos([left, screen.top()])
+        .movable(false)
+        .constrain(false);
     area.order(egui::Order::Middle).show(context, |ui| {
-        let frame = egui::Frame::new().fill(context.global_style().visuals.window_fill).inner_margin(MARGIN);
+        let frame = egui::Frame::new()
+            .fill(context.global_style().visuals.window_fill)
+            .inner_margin(MARGIN);
         frame.show(ui, |ui| {
             let inside = egui::vec2(width, screen.height()) - egui::Vec2::splat(2.0 * MARGIN);
             ui.set_min_size(inside);

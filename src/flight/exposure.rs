@@ -21,15 +21,26 @@ pub(super) fn plugin(app: &mut App) {
     app.add_systems(Update, (switch, follow).chain());
 }
 
-fn switch(mut commands: MessageReader<Command>, mut preferences: ResMut<Preferences>, mut notice: ResMut<Notice>) {
-    for _ in commands.read().filter(|command| **command == Command::AutomaticExposure) {
+fn switch(
+    mut commands: MessageReader<Command>,
+    mut preferences: ResMut<Preferences>,
+    mut notice: ResMut<Notice>,
+) {
+    for _ in commands
+        .read()
+        .filter(|command| **command == Command::AutomaticExposure)
+    {
         let settings = &mut preferences.settings;
         settings.automatic_exposure = !settings.automatic_exposure;
-        notice.say(match (settings.automatic_exposure, settings.reduced_motion) {
-            (false, _) => "The exposure stays as it is",
-            (true, false) => "The exposure follows the light of the disk",
-            (true, true) => "The exposure would follow the light, but motion is reduced in the settings",
-        });
+        notice.say(
+            match (settings.automatic_exposure, settings.reduced_motion) {
+                (false, _) => "The exposure stays as it is",
+                (true, false) => "The exposure follows the light of the disk",
+                (true, true) => {
+                    "The exposure would follow the light, but motion is reduced in the settings"
+                }
+            },
+        );
     }
 }
 
@@ -48,7 +59,9 @@ fn follow(
         // A scene whose observer cannot exist is not drawn either.
         (*age, *wanted) = (0.0, suiting(&scene, DISK_HDR_SCALE).ok().flatten());
     }
-    let Some(wanted) = wanted.map(|wanted| wanted.clamp(RANGE[0], RANGE[1])) else { return };
+    let Some(wanted) = wanted.map(|wanted| wanted.clamp(RANGE[0], RANGE[1])) else {
+        return;
+    };
     let missing = wanted - scene.picture.exposure_ev;
     if missing.abs() > ENOUGH {
         let step = SLEW * time.delta_secs_f64().min(LOOK);

@@ -11,10 +11,14 @@ pub(super) struct Flown {
 
 impl Flown {
     pub(super) fn new(scene: &Scene) -> Self {
-        Self { camera: scene.camera, observer: scene.observer }
+        Self {
+            camera: scene.camera,
+            observer: scene.observer,
+        }
     }
 
-    /// Whether nobody has touched them since. That the observer is of another kind is not the hand at the camera.
+    /// Whether nobody has touched them since. That the observer is of another kind is not the hand
+    /// at the camera.
     pub(super) fn left_alone(&self, scene: &Scene) -> bool {
         self.camera == scene.camera
     }

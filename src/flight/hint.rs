@@ -1,4 +1,5 @@
-//! The lines at the bottom of the window: where the camera is, what was just said, and where to begin.
+//! The lines at the bottom of the window: where the camera is, what was just said, and where to
+//! begin.
 
 use super::bindings::Bindings;
 use super::journey::Guide;
@@ -13,7 +14,10 @@ use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 
 /// Controls that somebody new has to know of, by name, and what to call them; the help has all.
 const FIRST: [(&[&str], &str); 8] = [
-    (&["fly.forward", "fly.left", "fly.backward", "fly.right"], "fly"),
+    (
+        &["fly.forward", "fly.left", "fly.backward", "fly.right"],
+        "fly",
+    ),
     (&["preset.1", "preset.9"], "presets"),
     (&["scene.spin"], "spin"),
     (&["picture.bypass"], "cells"),
@@ -36,16 +40,26 @@ pub(super) fn plugin(app: &mut App) {
 
 /// Where to begin, with the keys as they are bound.
 fn beginning(bindings: &Bindings) -> String {
-    let mut entries = vec!["right mouse button look".to_owned(), "wheel speed".to_owned()];
+    let mut entries = vec![
+        "right mouse button look".to_owned(),
+        "wheel speed".to_owned(),
+    ];
     for (place, (ids, does)) in FIRST.iter().enumerate() {
         let name = |id: &&str| bindings.named(id);
-        let names: Vec<_> = ids.iter().map(name).map(|keys| keys.replace(", ", " ")).collect();
+        let names: Vec<_> = ids
+            .iter()
+            .map(name)
+            .map(|keys| keys.replace(", ", " "))
+            .collect();
         let keys = match ids.len() {
             2 => names.join("-"),
             _ => names.concat(),
         };
         // Flying first, before the mouse.
-        entries.insert(if place == 0 { 0 } else { entries.len() }, format!("{keys} {does}"));
+        entries.insert(
+            if place == 0 { 0 } else { entries.len() },
+            format!("{keys} {does}"),
+        );
     }
     entries.join(" · ")
 }
@@ -71,7 +85,10 @@ fn journey(guide: &Guide, bindings: &Bindings) -> String {
         return String::new();
     }
     let stop = bindings.named("journey.fly");
-    format!("journey, {} · {stop} stops it, flying or looking around takes over", guide.progress())
+    format!(
+        "journey, {} · {stop} stops it, flying or looking around takes over",
+        guide.progress()
+    )
 }
 
 fn show(
@@ -106,7 +123,10 @@ fn show(
         if free > NARROW {
             beginning(&bindings)
         } else {
-            roomy(NARROWEST, format!("{} all keys", bindings.named("window.help")))
+            roomy(
+                NARROWEST,
+                format!("{} all keys", bindings.named("window.help")),
+            )
         },
     ];
     lines.retain(|line| !line.is_empty());
@@ -119,10 +139,17 @@ fn show(
         .order(order)
         .show(context, |ui| {
             ui.set_max_width(widest);
-            let frame = egui::Frame::new().fill(egui::Color32::from_black_alpha(200)).inner_margin(6).corner_radius(4);
+            let frame = egui::Frame::new()
+                .fill(egui::Color32::from_black_alpha(200))
+                .inner_margin(6)
+                .corner_radius(4);
             frame.show(ui, |ui| {
                 for line in lines {
-                    ui.label(egui::RichText::new(line).size(13.0).color(egui::Color32::from_gray(210)));
+                    ui.label(
+                        egui::RichText::new(line)
+                            .size(13.0)
+                            .color(egui::Color32::from_gray(210)),
+                    );
                 }
             });
         });

@@ -20,13 +20,13 @@ pub struct History {
     past: VecDeque<Change>,
 }
 
-/// One change: the scene on both sides of it. Only the fields that differ are taken back, so that flying on in between
-/// stays as it is.
+/// One change: the scene on both sides of it. Only the fields that differ are taken back, so that
+/// flying on in between stays as it is.
 #[derive(Clone, Debug)]
 struct Change {
     before: Scene,
-    /// None for a departure: where it leads is not known yet, and all that is taken back is where the camera was and how it
-    /// moved.
+    /// None for a departure: where it leads is not known yet, and all that is taken back is where
+    /// the camera was and how it moved.
     after: Option<Scene>,
     /// What was loaded before.
     loaded: Scene,
@@ -37,7 +37,10 @@ impl History {
     /// Begins with a scene that was just loaded.
     #[must_use]
     pub fn new(loaded: Scene) -> Self {
-        Self { loaded, past: VecDeque::new() }
+        Self {
+            loaded,
+            past: VecDeque::new(),
+        }
     }
 
     /// The scene as it was loaded.
@@ -51,7 +54,12 @@ impl History {
         if before == after {
             return;
         }
-        let keys = |a: &Scene, b: &Scene| a.differences(b).into_iter().map(|(key, _)| key).collect::<Vec<_>>();
+        let keys = |a: &Scene, b: &Scene| {
+            a.differences(b)
+                .into_iter()
+                .map(|(key, _)| key)
+                .collect::<Vec<_>>()
+        };
         if let Some(last) = self.past.back_mut()
             && at.saturating_sub(last.at) < ONE_CHANGE
             && last.loaded == self.loaded
@@ -74,7 +82,12 @@ impl History {
         if self.past.len() == LONGEST {
             self.past.pop_front();
         }
-        self.past.push_back(Change { before: before.clone(), after, loaded: self.loaded.clone(), at });
+        self.past.push_back(Change {
+            before: before.clone(),
+            after,
+            loaded: self.loaded.clone(),
+            at,
+        });
     }
 
     /// Notes that another scene was loaded in place of `before`.
@@ -83,18 +96,32 @@ impl History {
         self.loaded = after.clone();
     }
 
-    /// What the scene `now` is without the last change; none if there is no change left. Where the camera has gone to a place
-    /// that forbids it, the place of the change comes back, too. The change is forgotten, also where it cannot be undone.
+    /// What the scene `now` is without the last change; none if there is no change left. Where the
+    /// camera has gone to a place that forbids it, the place of the change comes back, too. The
+    /// change is forgotten, also where it cannot be undone.
     ///
     /// # Errors
     /// Why the scene without it cannot be drawn.
     pub fn undo(&mut self, now: &Scene) -> Option<Result<Scene, String>> {
-        let Change { before, after, loaded, .. } = self.past.pop_back()?;
+        let Change {
+            before,
+            after,
+            loaded,
+            ..
+        } = self.past.pop_back()?;
         let undone = match &after {
-            Some(after) => now.with(before.differences(after)).map_err(|refusal| refusal.to_string()),
-            None => Ok(Scene { camera: before.camera, observer: before.observer, ..now.clone() }),
+            Some(after) => now
+                .with(before.differences(after))
+                .map_err(|refusal| refusal.to_string()),
+            None => Ok(Scene {
+                camera: before.camera,
+                observer: before.observer,
+                ..now.clone()
+            }),
         };
-        let undone = undone.and_then(drawable).or_else(|refusal| drawable(before).map_err(|_| refusal));
+        let undone = undone
+            .and_then(drawable)
+            .or_else(|refusal| drawable(before).map_err(|_| refusal));
         Some(undone.inspect(|_| self.loaded = loaded))
     }
 }

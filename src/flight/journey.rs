@@ -51,7 +51,11 @@ impl Guide {
     /// A journey that has not begun.
     #[must_use]
     pub fn new(journey: Journey) -> Self {
-        Self { journey, time: 0.0, flight: None }
+        Self {
+            journey,
+            time: 0.0,
+            flight: None,
+        }
     }
 
     /// Whether it is under way.
@@ -83,21 +87,34 @@ impl Guide {
     /// The journey's title as the beginning of a text; empty if it has none.
     fn heading(&self) -> String {
         let title = self.journey.title.trim();
-        if title.is_empty() { String::new() } else { format!("{title}.\n\n") }
+        if title.is_empty() {
+            String::new()
+        } else {
+            format!("{title}.\n\n")
+        }
     }
 
-    /// Goes on from where the journey was left, coming gently from where the camera is; after its end from the beginning.
+    /// Goes on from where the journey was left, coming gently from where the camera is; after its
+    /// end from the beginning.
     pub fn start(&mut self, scene: &Scene) {
         if self.time >= self.journey.duration {
             self.time = 0.0;
         }
-        self.flight = Some(Flight { from: scene.camera, since: 0.0, last: None });
+        self.flight = Some(Flight {
+            from: scene.camera,
+            since: 0.0,
+            last: None,
+        });
     }
 
     /// Begins again, with the camera at the beginning.
     pub fn restart(&mut self) {
         self.time = 0.0;
-        self.flight = Some(Flight { from: Camera::default(), since: APPROACH, last: None });
+        self.flight = Some(Flight {
+            from: Camera::default(),
+            since: APPROACH,
+            last: None,
+        });
     }
 
     /// Leaves the camera where it is.
@@ -105,11 +122,18 @@ impl Guide {
         self.flight = None;
     }
 
-    /// Lets `seconds` pass, but no more than a slow frame's: a machine that slept meanwhile did not fly. A camera that is not where it was left has been taken over by somebody, and the flight is over.
-    /// A calm flight does not roll.
+    /// Lets `seconds` pass, but no more than a slow frame's: a machine that slept meanwhile did not
+    /// fly. A camera that is not where it was left has been taken over by somebody, and the flight
+    /// is over. A calm flight does not roll.
     pub fn pass(&mut self, seconds: f64, scene: &Scene, calm: bool) -> Moment {
-        let Some(flight) = &mut self.flight else { return Moment::None };
-        if flight.last.as_ref().is_some_and(|last| !last.left_alone(scene)) {
+        let Some(flight) = &mut self.flight else {
+            return Moment::None;
+        };
+        if flight
+            .last
+            .as_ref()
+            .is_some_and(|last| !last.left_alone(scene))
+        {
             self.flight = None;
             return Moment::None;
         }
@@ -131,7 +155,11 @@ impl Guide {
                 if ended {
                     self.flight = None;
                 }
-                if ended { Moment::End(Box::new(next)) } else { Moment::Scene(Box::new(next)) }
+                if ended {
+                    Moment::End(Box::new(next))
+                } else {
+                    Moment::Scene(Box::new(next))
+                }
             }
             Err(reason) => {
                 self.flight = None;
@@ -158,7 +186,11 @@ fn obey(
     for command in commands.read() {
         match command {
             Command::Journey if guide.flies() => {
-                notice.say(format!("The journey stops at {}: {}", guide.progress(), onward(&bindings)));
+                notice.say(format!(
+                    "The journey stops at {}: {}",
+                    guide.progress(),
+                    onward(&bindings)
+                ));
                 guide.stop();
                 card.close();
                 continue;
@@ -172,7 +204,9 @@ fn obey(
         card.close();
         // What can be flown of it is.
         if let Err(fault) = guide.check(&scene) {
-            notice.say(format!("This journey cannot be flown to its end here: {fault}"));
+            notice.say(format!(
+                "This journey cannot be flown to its end here: {fault}"
+            ));
         }
     }
 }
@@ -195,14 +229,25 @@ fn fly(
     if !guide.flies() {
         return;
     }
-    match guide.pass(time.delta_secs_f64(), &scene, preferences.settings.reduced_motion) {
+    match guide.pass(
+        time.delta_secs_f64(),
+        &scene,
+        preferences.settings.reduced_motion,
+    ) {
         Moment::None => {
-            notice.say(format!("You fly now. The journey waits at {}: {}", guide.progress(), onward(&bindings)));
+            notice.say(format!(
+                "You fly now. The journey waits at {}: {}",
+                guide.progress(),
+                onward(&bindings)
+            ));
         }
         Moment::Scene(next) => scene.0 = *next,
         Moment::End(next) => {
             scene.0 = *next;
-            card.show("The journey ends here", &format!("{}{}", guide.heading(), ending(&scene, &bindings)));
+            card.show(
+                "The journey ends here",
+                &format!("{}{}", guide.heading(), ending(&scene, &bindings)),
+            );
         }
         Moment::Refused(reason) => notice.say(format!("The journey cannot go on here: {reason}")),
     }
@@ -210,7 +255,13 @@ fn fly(
 
 /// Where a journey has ended, in a sentence.
 fn ending(scene: &Scene, bindings: &Bindings) -> String {
-    let (r, horizon) = (scene.camera.r, Kerr { spin: scene.hole.spin }.horizon());
+    let (r, horizon) = (
+        scene.camera.r,
+        Kerr {
+            spin: scene.hole.spin,
+        }
+        .horizon(),
+    );
     if r < horizon {
         return format!(
             "r = {r:.3} r_s, inside the horizon at {horizon:.3}. What you see fell in after you; nothing that you send reaches \
@@ -221,8 +272,14 @@ fn ending(scene: &Scene, bindings: &Bindings) -> String {
         ObserverKind::Static | ObserverKind::Zamo => {
             "The nearer it is, the more thrust hovering takes, without limit.".into()
         }
-        ObserverKind::Orbit => format!("You circle it: {} lets the orbit go on.", bindings.named("motion.let_go")),
-        ObserverKind::Rain => format!("You fall freely: {} lets the fall go on.", bindings.named("motion.let_go")),
+        ObserverKind::Orbit => format!(
+            "You circle it: {} lets the orbit go on.",
+            bindings.named("motion.let_go")
+        ),
+        ObserverKind::Rain => format!(
+            "You fall freely: {} lets the fall go on.",
+            bindings.named("motion.let_go")
+        ),
     };
     format!("r = {r:.3} r_s. The horizon is at {horizon:.3}. {here}")
 }

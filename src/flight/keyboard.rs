@@ -41,13 +41,17 @@ impl Held<'_, '_> {
         let holds = |action| matches!(action, Action::Hold(held) if held == motion);
         // A tap that is over within a slow frame counts for that frame.
         let held = |code: &KeyCode| self.keys.pressed(*code) || self.keys.just_pressed(*code);
-        let mut controls = self.bindings.iter().filter(|(control, _)| holds(control.action));
+        let mut controls = self
+            .bindings
+            .iter()
+            .filter(|(control, _)| holds(control.action));
         let key = !self.typing.0 && controls.any(|(_, codes)| codes.iter().any(held));
         if key { 1.0 } else { self.pads.motion(motion) }
     }
 }
 
-/// The scene, and the way to change it so that it can be undone. Every change but flying goes through here.
+/// The scene, and the way to change it so that it can be undone. Every change but flying goes
+/// through here.
 #[derive(SystemParam)]
 pub(super) struct SceneEditor<'w> {
     scene: ResMut<'w, CurrentScene>,
@@ -87,21 +91,27 @@ impl SceneEditor<'_> {
     pub(super) fn try_change(&mut self, changed: Result<Scene, String>) -> Result<(), String> {
         let before = self.meant();
         // Where it does not go with the rest, what was changed is named, and not the rest.
-        let beside = |changed: Scene| before.with(changed.differences(&before)).map_err(|refusal| refusal.to_string());
+        let beside = |changed: Scene| {
+            before
+                .with(changed.differences(&before))
+                .map_err(|refusal| refusal.to_string())
+        };
         let changed = changed.and_then(beside).and_then(drawable)?;
         self.history.note(&before, &changed, self.time.elapsed());
         self.accept(changed);
         Ok(())
     }
 
-    /// As [`change`](Self::change), for a scene that is another one altogether; says whether it is in place now.
+    /// As [`change`](Self::change), for a scene that is another one altogether; says whether it is
+    /// in place now.
     pub(super) fn load(&mut self, who: &str, loaded: Result<Scene, String>) -> bool {
         let loaded = loaded.and_then(drawable);
         let accepted = loaded.is_ok();
         match loaded {
             Ok(loaded) => {
                 let before = self.meant();
-                self.history.note_loaded(&before, &loaded, self.time.elapsed());
+                self.history
+                    .note_loaded(&before, &loaded, self.time.elapsed());
                 self.accept(loaded);
             }
             Err(reason) => self.refuse(who, &reason),
@@ -130,7 +140,11 @@ impl SceneEditor<'_> {
     }
 
     fn refuse(&mut self, who: &str, reason: &str) {
-        self.notice.say(if who.is_empty() { reason.to_owned() } else { format!("{who}: {reason}") });
+        self.notice.say(if who.is_empty() {
+            reason.to_owned()
+        } else {
+            format!("{who}: {reason}")
+        });
     }
 }
 
@@ -142,9 +156,13 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(EguiPrimaryContextPass, notice_typing);
 }
 
-/// Only text fields take the keyboard: any other part of the panel that egui gives the focus to loses it again, so that
-/// flying goes on.
-fn notice_typing(mut contexts: EguiContexts, mut typing: ResMut<Typing>, rebinding: Res<Rebinding>) -> Result {
+/// Only text fields take the keyboard: any other part of the panel that egui gives the focus to
+/// loses it again, so that flying goes on.
+fn notice_typing(
+    mut contexts: EguiContexts,
+    mut typing: ResMut<Typing>,
+    rebinding: Res<Rebinding>,
+) -> Result {
     let context = contexts.ctx_mut()?;
     let in_text = context.text_edit_focused();
     typing.0 = in_text || rebinding.waits();
@@ -166,29 +184,42 @@ fn apply(
     mut commands: MessageWriter<Command>,
 ) {
     let fresh = |input: &&KeyboardInput| input.state == ButtonState::Pressed && !input.repeat;
-    let presses: Vec<KeyCode> = inputs.read().filter(fresh).map(|input| input.key_code).collect();
+    let presses: Vec<KeyCode> = inputs
+        .read()
+        .filter(fresh)
+        .map(|input| input.key_code)
+        .collect();
     // Held at some time of the frame.
     let held = |codes: [KeyCode; 2]| keys.any_pressed(codes) || keys.any_just_pressed(codes);
     let listens = !typing.0 && !held([KeyCode::SuperLeft, KeyCode::SuperRight]);
     // Without Alt in the table, a key with Alt is the desktop's.
     let alt = held([KeyCode::AltLeft, KeyCode::AltRight]);
-    let by_key = presses.into_iter().filter(|_| listens).filter_map(|code| bindings.owner(code, alt));
+    let by_key = presses
+        .into_iter()
+        .filter(|_| listens)
+        .filter_map(|code| bindings.owner(code, alt));
     let by_key = by_key.map(|control| (control, bindings.in_words(control)));
-    let by_button = bindings.iter().filter_map(|(control, _)| pads.pressed(control).map(|button| (control, button)));
+    let by_button = bindings
+        .iter()
+        .filter_map(|(control, _)| pads.pressed(control).map(|button| (control, button)));
     let metered = preferences.settings.follows_light();
     for (control, who) in by_key.chain(by_button) {
         if let Action::Do(command) = control.action {
             commands.write(command);
         }
         let before = editor.meant();
-        let Some(changed) = edited(control, &before, editor.loaded()) else { continue };
+        let Some(changed) = edited(control, &before, editor.loaded()) else {
+            continue;
+        };
         match control.action {
             Action::Load(_) | Action::Turn(_) => {
                 editor.load(&who, changed);
             }
             _ => {
-                let remark =
-                    changed.as_ref().ok().and_then(|after| remark(control, &before, after, &bindings, metered));
+                let remark = changed
+                    .as_ref()
+                    .ok()
+                    .and_then(|after| remark(control, &before, after, &bindings, metered));
                 editor.change(&who, changed);
                 if let Some(remark) = remark {
                     editor.say(format!("{who}: {remark}"));

@@ -17,11 +17,20 @@ const UNFINISHED: &[Swatch] = &[(MAGENTA, "no answer: out of steps, or not a num
 
 const CLASSES: &[Swatch] = &[
     (Vec3::new(0.0, 0.02, 0.16), "from the sky"),
-    (Vec3::new(0.02, 0.20, 0.75), "from the sky, through the disk's plane once"),
+    (
+        Vec3::new(0.02, 0.20, 0.75),
+        "from the sky, through the disk's plane once",
+    ),
     (Vec3::new(0.30, 0.75, 1.0), "from the sky, through it twice"),
     (Vec3::new(0.06, 0.02, 0.0), "from the horizon"),
-    (Vec3::new(0.60, 0.15, 0.0), "from the horizon, through it once"),
-    (Vec3::new(1.0, 0.65, 0.05), "from the horizon, through it twice"),
+    (
+        Vec3::new(0.60, 0.15, 0.0),
+        "from the horizon, through it once",
+    ),
+    (
+        Vec3::new(1.0, 0.65, 0.05),
+        "from the horizon, through it twice",
+    ),
     (MAGENTA, "no answer"),
 ];
 
@@ -68,7 +77,10 @@ pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
         View::Colour => return None,
         View::Unfinished => ("Rays left unfinished", UNFINISHED),
         View::Classes => ("Where each ray comes from", CLASSES),
-        View::Order => ("Order of the image; the sky is darker than the disk", ORDERS),
+        View::Order => (
+            "Order of the image; the sky is darker than the disk",
+            ORDERS,
+        ),
         View::Redshift => ("Observed over emitted frequency, of disk or sky", SHIFTS),
         View::Residual => ("Residual of the null constraint (not the error)", RESIDUALS),
         View::Error => ("The turn of each ray that explains its error", ERRORS),
@@ -83,22 +95,34 @@ pub(super) fn plugin(app: &mut App) {
 }
 
 fn show(mut contexts: EguiContexts, scene: Res<CurrentScene>, shown: Res<Shown>) -> Result {
-    let Some((title, swatches)) = legend(scene.view).filter(|_| !shown.hidden) else { return Ok(()) };
+    let Some((title, swatches)) = legend(scene.view).filter(|_| !shown.hidden) else {
+        return Ok(());
+    };
     egui::Area::new("legend".into())
         .fixed_pos([shown.left() + MARGIN, MARGIN])
         .interactable(false)
         .order(egui::Order::Background)
         .show(contexts.ctx_mut()?, |ui| {
-            let frame = egui::Frame::new().fill(egui::Color32::from_black_alpha(200)).inner_margin(6).corner_radius(4);
+            let frame = egui::Frame::new()
+                .fill(egui::Color32::from_black_alpha(200))
+                .inner_margin(6)
+                .corner_radius(4);
             frame.show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 2.0;
                 ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
                 ui.label(egui::RichText::new(title).size(13.0).strong());
                 for (colour, meaning) in swatches {
                     ui.horizontal(|ui| {
-                        let (rect, _) = ui.allocate_exact_size(egui::vec2(22.0, 12.0), egui::Sense::hover());
+                        let (rect, _) =
+                            ui.allocate_exact_size(egui::vec2(22.0, 12.0), egui::Sense::hover());
                         let edge = egui::Stroke::new(1.0, egui::Color32::from_gray(90));
-                        ui.painter().rect(rect, 1.0, as_shown(*colour), edge, egui::StrokeKind::Inside);
+                        ui.painter().rect(
+                            rect,
+                            1.0,
+                            as_shown(*colour),
+                            edge,
+                            egui::StrokeKind::Inside,
+                        );
                         ui.label(egui::RichText::new(*meaning).size(13.0));
                     });
                 }
@@ -121,12 +145,16 @@ fn none_of_it(scene: &Scene) -> Option<&'static str> {
     }
 }
 
-/// The colour that a mark has on the screen: its light, a little below white's, tone-mapped as the picture is (Khronos PBR
-/// neutral, whose shoulder no mark reaches).
+/// The colour that a mark has on the screen: its light, a little below white's, tone-mapped as the
+/// picture is (Khronos PBR neutral, whose shoulder no mark reaches).
 fn as_shown(colour: Vec3) -> egui::Color32 {
     let light = crate::gpu::MARK_BRIGHTNESS as f32 * colour;
     let least = light.min_element();
-    let offset = if least < 0.08 { least - 6.25 * least * least } else { 0.04 };
+    let offset = if least < 0.08 {
+        least - 6.25 * least * least
+    } else {
+        0.04
+    };
     let [r, g, b] = (light - offset).to_array();
     egui::Rgba::from_rgb(r, g, b).into()
 }

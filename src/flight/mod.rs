@@ -46,7 +46,9 @@ pub use pace::Pace;
 pub use panel::shown_number;
 pub use remarks::remark;
 pub use resolution::Resolution;
-pub use settings::{Automatic, Settings, pictures_folder, preset_files, presets_folder, settings_file};
+pub use settings::{
+    Automatic, Settings, pictures_folder, preset_files, presets_folder, settings_file,
+};
 
 use crate::picture::quiet_log;
 use crate::render::{CurrentScene, LightfallRenderPlugin, Screen, render_plugin};
@@ -62,13 +64,16 @@ use flown::Flown;
 /// Three output pixels to a cell of the default grid, which fits a common laptop's screen.
 const WINDOW_SIZE: [u32; 2] = [1440, 810];
 
-/// Nearest to the hole that flying brings the camera, in r_s: there a static observer is still an ordinary place.
+/// Nearest to the hole that flying brings the camera, in r_s: there a static observer is still an
+/// ordinary place.
 pub const NEAREST: f64 = 1.08;
 
-/// A frame that took longer than this, in seconds, moves the camera no farther, so that slow machines stay steerable.
+/// A frame that took longer than this, in seconds, moves the camera no farther, so that slow
+/// machines stay steerable.
 const LONGEST_FRAME: f64 = 0.25;
 
-/// Opens the window and flies until it is closed. The journey begins at once if it is `guided`, else when it is asked for.
+/// Opens the window and flies until it is closed. The journey begins at once if it is `guided`,
+/// else when it is asked for.
 pub fn fly(scene: Scene, journey: Journey, guided: bool) -> AppExit {
     program(scene, journey, guided).run()
 }
@@ -84,26 +89,50 @@ pub fn program(scene: Scene, journey: Journey, guided: bool) -> App {
     let adapter = adapter::AdapterChoice::apply(&mut preferences);
     let mut app = App::new();
     window::insert(&mut app, preferences, fault);
-    app.add_plugins(DefaultPlugins.set(quiet_log()).set(render_plugin(false)).set(any_thread()).set(WindowPlugin {
-        primary_window: Some(Window {
-            title: title(&scene),
-            name: Some("lightfall".into()),
-            resolution: WindowResolution::new(WINDOW_SIZE[0], WINDOW_SIZE[1]),
-            present_mode: PresentMode::AutoVsync,
-            ..default()
-        }),
-        ..default()
-    }))
+    app.add_plugins(
+        DefaultPlugins
+            .set(quiet_log())
+            .set(render_plugin(false))
+            .set(any_thread())
+            .set(WindowPlugin {
+                primary_window: Some(Window {
+                    title: title(&scene),
+                    name: Some("lightfall".into()),
+                    resolution: WindowResolution::new(WINDOW_SIZE[0], WINDOW_SIZE[1]),
+                    present_mode: PresentMode::AutoVsync,
+                    ..default()
+                }),
+                ..default()
+            }),
+    )
     .add_plugins(EguiPlugin::default())
-    .insert_resource(EguiGlobalSettings { auto_create_primary_context: false, ..default() })
+    .insert_resource(EguiGlobalSettings {
+        auto_create_primary_context: false,
+        ..default()
+    })
     .insert_resource(History::new(scene.clone()))
     .insert_resource(Resolution::new(&scene))
     .insert_resource(guide)
     .insert_resource(adapter)
-    .add_plugins(LightfallRenderPlugin { scene, target: RenderTarget::default() })
-    .add_plugins((notice::plugin, window::plugin, keyboard::plugin, pilot::plugin, pace::plugin, resolution::plugin))
+    .add_plugins(LightfallRenderPlugin {
+        scene,
+        target: RenderTarget::default(),
+    })
+    .add_plugins((
+        notice::plugin,
+        window::plugin,
+        keyboard::plugin,
+        pilot::plugin,
+        pace::plugin,
+        resolution::plugin,
+    ))
     .add_plugins((recovery::RecoveryPlugin, adapter::plugin, gamepad::plugin))
-    .add_plugins((card::plugin, journey::plugin, motion::plugin, exposure::plugin))
+    .add_plugins((
+        card::plugin,
+        journey::plugin,
+        motion::plugin,
+        exposure::plugin,
+    ))
     .add_plugins((
         screenshot::plugin,
         hint::plugin,
@@ -113,13 +142,19 @@ pub fn program(scene: Scene, journey: Journey, guided: bool) -> App {
         inspector::plugin,
         clipboard::plugin,
     ))
-    .add_systems(Update, (attach_ui, retitle.run_if(resource_changed::<CurrentScene>)));
+    .add_systems(
+        Update,
+        (attach_ui, retitle.run_if(resource_changed::<CurrentScene>)),
+    );
     app
 }
 
-/// Where the system does not mind, the program may be run by a thread that is not the first, as tests are.
+/// Where the system does not mind, the program may be run by a thread that is not the first, as
+/// tests are.
 fn any_thread() -> WinitPlugin {
-    WinitPlugin { run_on_any_thread: true }
+    WinitPlugin {
+        run_on_any_thread: true,
+    }
 }
 
 /// The user interface belongs to the screen, at its native resolution, and not to the picture.
@@ -130,7 +165,11 @@ fn attach_ui(mut commands: Commands, screens: Query<Entity, Added<Screen>>) {
 }
 
 fn title(scene: &Scene) -> String {
-    if scene.title.is_empty() { "Lightfall".into() } else { format!("Lightfall: {}", scene.title) }
+    if scene.title.is_empty() {
+        "Lightfall".into()
+    } else {
+        format!("Lightfall: {}", scene.title)
+    }
 }
 
 fn retitle(scene: Res<CurrentScene>, mut window: Single<&mut Window>) {

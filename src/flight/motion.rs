@@ -1,4 +1,5 @@
-//! Real motion in the window: let go, and the camera moves as an observer who falls or circles, in her own time.
+//! Real motion in the window: let go, and the camera moves as an observer who falls or circles, in
+//! her own time.
 
 use super::bindings::Bindings;
 use super::card::Card;
@@ -13,8 +14,8 @@ use crate::render::CurrentScene;
 use crate::scene::Scene;
 use bevy::prelude::*;
 
-/// Own time that passes in a second, over the time r^(3/2) in which things fall from r: so a fall takes about as long from
-/// anywhere, and a turn of an orbit a minute and a half.
+/// Own time that passes in a second, over the time r^(3/2) in which things fall from r: so a fall
+/// takes about as long from anywhere, and a turn of an orbit a minute and a half.
 const PACE: f64 = 0.1;
 /// The pace changes by this factor, within a range.
 const PACE_NOTCH: f64 = 2.0;
@@ -38,7 +39,10 @@ struct Way {
 
 impl Default for Voyage {
     fn default() -> Self {
-        Self { way: None, pace: PACE }
+        Self {
+            way: None,
+            pace: PACE,
+        }
     }
 }
 
@@ -72,7 +76,12 @@ impl Voyage {
     /// If the scene's observer cannot exist.
     pub fn start(&mut self, scene: &Scene) -> Result<(), ObserverError> {
         let worldline = Worldline::start(scene)?;
-        self.way = Some(Way { worldline, spin: scene.hole.spin, last: Flown::new(scene), limit: None });
+        self.way = Some(Way {
+            worldline,
+            spin: scene.hole.spin,
+            last: Flown::new(scene),
+            limit: None,
+        });
         Ok(())
     }
 
@@ -81,12 +90,14 @@ impl Voyage {
         self.way = None;
     }
 
-    /// Lets `seconds` pass at the pace that is set, but no more than a slow frame's: while the machine slept, her clock stood
-    /// still. A camera that is not where it was left has been taken over by somebody, and
-    /// the motion is over; looking around is left to everybody.
+    /// Lets `seconds` pass at the pace that is set, but no more than a slow frame's: while the
+    /// machine slept, her clock stood still. A camera that is not where it was left has been taken
+    /// over by somebody, and the motion is over; looking around is left to everybody.
     pub fn pass(&mut self, seconds: f64, scene: &Scene) -> Moment {
         let rate = self.rate(scene.camera.r);
-        let Some(way) = &mut self.way else { return Moment::None };
+        let Some(way) = &mut self.way else {
+            return Moment::None;
+        };
         if !way.last.place_left_alone(scene) || way.spin != scene.hole.spin {
             self.way = None;
             return Moment::None;
@@ -97,7 +108,11 @@ impl Voyage {
             Ok(next) => {
                 (way.worldline, way.last) = (worldline, Flown::new(&next));
                 way.limit = limit;
-                if limit.is_some() { Moment::End(Box::new(next)) } else { Moment::Scene(Box::new(next)) }
+                if limit.is_some() {
+                    Moment::End(Box::new(next))
+                } else {
+                    Moment::Scene(Box::new(next))
+                }
             }
             Err(reason) => {
                 self.way = None;
@@ -109,14 +124,20 @@ impl Voyage {
     /// The clocks, in a line; empty without motion.
     #[must_use]
     pub fn clocks(&self, r: f64) -> String {
-        let Some(Way { worldline, .. }) = &self.way else { return String::new() };
+        let Some(Way { worldline, .. }) = &self.way else {
+            return String::new();
+        };
         let far = match worldline.far_time() {
             Some(far) => format!("far time {far:.3}"),
             None => format!("ingoing time {:.3}", worldline.ingoing_time()),
         };
         format!(
             "{} · own time {:.3} r_s/c · {far} r_s/c · {:.3} r_s/c a second",
-            if worldline.circles() { "circling" } else { "falling freely" },
+            if worldline.circles() {
+                "circling"
+            } else {
+                "falling freely"
+            },
             worldline.own_time(),
             self.rate(r)
         )
@@ -124,7 +145,8 @@ impl Voyage {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.init_resource::<Voyage>().add_systems(Update, (obey, go).chain());
+    app.init_resource::<Voyage>()
+        .add_systems(Update, (obey, go).chain());
 }
 
 fn obey(
@@ -154,7 +176,9 @@ fn obey(
         // The clocks in the hint tell the pace; where there are none, this does.
         if matches!(command, Command::TimeFaster | Command::TimeSlower) && !voyage.moves() {
             let (rate, key) = (voyage.rate(scene.camera.r), bindings.named("motion.let_go"));
-            notice.say(format!("Own time will pass at {rate:.3} r_s/c a second, once {key} lets go"));
+            notice.say(format!(
+                "Own time will pass at {rate:.3} r_s/c a second, once {key} lets go"
+            ));
         }
     }
 }
@@ -171,24 +195,36 @@ fn go(
         return;
     }
     match voyage.pass(time.delta_secs_f64(), &scene) {
-        Moment::None => notice.say(format!("The clocks stop here: {} lets go again", bindings.named("motion.let_go"))),
+        Moment::None => notice.say(format!(
+            "The clocks stop here: {} lets go again",
+            bindings.named("motion.let_go")
+        )),
         Moment::Scene(next) => scene.0 = *next,
         Moment::End(next) => {
             scene.0 = *next;
             card.show("The fall ends here", &ending(&voyage, &scene));
             voyage.stop();
         }
-        Moment::Refused(reason) => notice.say(format!("The fall cannot be followed farther: {reason}")),
+        Moment::Refused(reason) => {
+            notice.say(format!("The fall cannot be followed farther: {reason}"))
+        }
     }
 }
 
 /// Where and when a fall has ended.
 fn ending(voyage: &Voyage, scene: &Scene) -> String {
-    let Some(Way { worldline, limit, .. }) = &voyage.way else { return String::new() };
+    let Some(Way {
+        worldline, limit, ..
+    }) = &voyage.way
+    else {
+        return String::new();
+    };
     let (r, own) = (scene.camera.r, worldline.own_time());
     match limit {
         Some(Limit::Inner) => {
-            let kerr = Kerr { spin: scene.hole.spin };
+            let kerr = Kerr {
+                spin: scene.hole.spin,
+            };
             let (horizon, inner) = (kerr.horizon(), kerr.inner_horizon());
             let reason = match kerr.spin == 0.0 {
                 true => {
@@ -203,6 +239,8 @@ fn ending(voyage: &Voyage, scene: &Scene) -> String {
                 "r = {r:.3} r_s, inside the horizon at {horizon:.3}, {own:.3} r_s/c of your own time after letting go. {reason}"
             )
         }
-        _ => format!("r = {r:.3e} r_s, {own:.3e} r_s/c of your own time after letting go: as far as a camera goes."),
+        _ => format!(
+            "r = {r:.3e} r_s, {own:.3e} r_s/c of your own time after letting go: as far as a camera goes."
+        ),
     }
 }

@@ -17,12 +17,19 @@ pub(super) struct Notice {
 impl Notice {
     /// Says something in place of what was said before.
     pub(super) fn say(&mut self, text: impl Into<String>) {
-        *self = Self { text: text.into(), ends: None };
+        *self = Self {
+            text: text.into(),
+            ends: None,
+        };
     }
 
     /// Says something beside what is being said.
     pub(super) fn add(&mut self, text: &str) {
-        let both = if self.text.is_empty() { text.to_owned() } else { format!("{} · {text}", self.text) };
+        let both = if self.text.is_empty() {
+            text.to_owned()
+        } else {
+            format!("{} · {text}", self.text)
+        };
         self.say(both);
     }
 

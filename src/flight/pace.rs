@@ -1,4 +1,5 @@
-//! How often there is a new frame: as often as the monitor shows while something moves, a few a second while nothing does.
+//! How often there is a new frame: as often as the monitor shows while something moves, a few a
+//! second while nothing does.
 
 use super::gamepad::Pads;
 use super::keyboard::Typing;
@@ -11,11 +12,13 @@ use std::time::{Duration, Instant};
 
 /// What moved this recently, moves.
 const MOVING: Duration = Duration::from_millis(400);
-/// Time after the last input or change in which every frame is drawn: pipelines compile, overlays open.
+/// Time after the last input or change in which every frame is drawn: pipelines compile, overlays
+/// open.
 const AWAKE: Duration = Duration::from_secs(3);
 /// Time between two frames while nothing happens; input ends it at once.
 const RESTING: Duration = Duration::from_millis(200);
-/// The same where there is a gamepad: the window system does not tell of its input, so it is looked at.
+/// The same where there is a gamepad: the window system does not tell of its input, so it is looked
+/// at.
 const LOOKING: Duration = Duration::from_millis(33);
 
 /// How it goes.
@@ -27,7 +30,8 @@ pub struct Pace {
     pub resting: bool,
     /// Frames since the movement began.
     pub frames: u32,
-    /// Time of the last change of the scene, if there was one: the scene that the program starts with is none.
+    /// Time of the last change of the scene, if there was one: the scene that the program starts
+    /// with is none.
     changed: Option<Duration>,
     /// Time of the last sign of life.
     alive: Duration,
@@ -37,17 +41,23 @@ pub struct Pace {
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Pace>()
-        .add_systems(PreUpdate, hush.after(EguiPreUpdateSet::ProcessInput).before(EguiPreUpdateSet::BeginPass))
+        .add_systems(
+            PreUpdate,
+            hush.after(EguiPreUpdateSet::ProcessInput)
+                .before(EguiPreUpdateSet::BeginPass),
+        )
         .add_systems(PostUpdate, watch)
         .add_systems(Last, (choose, cap).chain());
 }
 
-/// Takes from egui what is no news: it is told of Shift, Ctrl and Alt in every frame, and asks for another frame after
-/// whatever it is told, so that without this there would be frames without end.
+/// Takes from egui what is no news: it is told of Shift, Ctrl and Alt in every frame, and asks for
+/// another frame after whatever it is told, so that without this there would be frames without end.
 fn hush(mut contexts: Query<(&mut EguiContext, &mut EguiInput)>) {
     for (mut context, mut input) in &mut contexts {
         let known = context.get_mut().input(|state| state.modifiers);
-        input.events.retain(|event| *event != egui::Event::ModifiersChanged(known));
+        input
+            .events
+            .retain(|event| *event != egui::Event::ModifiersChanged(known));
     }
 }
 
@@ -74,19 +84,31 @@ fn watch(
         }
         *last = Some(seen);
     }
-    let held = keys.get_pressed().next().is_some() || buttons.get_pressed().next().is_some() || pads.in_use();
+    let held = keys.get_pressed().next().is_some()
+        || buttons.get_pressed().next().is_some()
+        || pads.in_use();
     if pace.changed == Some(now) || held || typing.0 || moves.read().next().is_some() {
         pace.alive = now;
     }
-    let moving = pace.changed.is_some_and(|changed| now.saturating_sub(changed) < MOVING);
-    pace.frames = if moving && pace.moving { pace.frames + 1 } else { 0 };
+    let moving = pace
+        .changed
+        .is_some_and(|changed| now.saturating_sub(changed) < MOVING);
+    pace.frames = if moving && pace.moving {
+        pace.frames + 1
+    } else {
+        0
+    };
     pace.moving = moving;
     pace.resting = now.saturating_sub(pace.alive) > AWAKE;
 }
 
 fn choose(pace: Res<Pace>, pads: Pads, mut winit: ResMut<WinitSettings>) {
     let resting = if pads.any() { LOOKING } else { RESTING };
-    let mode = if pace.resting { UpdateMode::reactive(resting) } else { UpdateMode::Continuous };
+    let mode = if pace.resting {
+        UpdateMode::reactive(resting)
+    } else {
+        UpdateMode::Continuous
+    };
     if winit.focused_mode != mode {
         (winit.focused_mode, winit.unfocused_mode) = (mode, mode);
     }

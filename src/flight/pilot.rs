@@ -1,4 +1,5 @@
-//! Flying by hand: keys, mouse and gamepad move and turn the camera; the result is written to the scene, in f64.
+//! Flying by hand: keys, mouse and gamepad move and turn the camera; the result is written to the
+//! scene, in f64.
 
 use super::controls::{Command, Motion};
 use super::dock::{look, over_picture};
@@ -40,8 +41,19 @@ const STICK_SHARE: f64 = 1.0;
 const FARTHEST: f64 = 1e7;
 
 pub(super) fn plugin(app: &mut App) {
-    app.insert_resource(Pilot { throttle: 1.0, free_look: false })
-        .add_systems(Update, (set_throttle.after(look).run_if(over_picture), hold_mouse, steer).chain());
+    app.insert_resource(Pilot {
+        throttle: 1.0,
+        free_look: false,
+    })
+    .add_systems(
+        Update,
+        (
+            set_throttle.after(look).run_if(over_picture),
+            hold_mouse,
+            steer,
+        )
+            .chain(),
+    );
 }
 
 fn set_throttle(scroll: Res<AccumulatedMouseScroll>, mut pilot: ResMut<Pilot>) {
@@ -51,7 +63,8 @@ fn set_throttle(scroll: Res<AccumulatedMouseScroll>, mut pilot: ResMut<Pilot>) {
     };
     if notches != 0.0 {
         let [slowest, fastest] = THROTTLE_RANGE;
-        pilot.throttle = (pilot.throttle * THROTTLE_NOTCH.powf(f64::from(notches))).clamp(slowest, fastest);
+        pilot.throttle =
+            (pilot.throttle * THROTTLE_NOTCH.powf(f64::from(notches))).clamp(slowest, fastest);
     }
 }
 
@@ -74,7 +87,11 @@ fn hold_mouse(
         pilot.free_look = false;
     }
     let held = window.focused && (pilot.free_look || buttons.pressed(MouseButton::Right));
-    let mode = if held { CursorGrabMode::Locked } else { CursorGrabMode::None };
+    let mode = if held {
+        CursorGrabMode::Locked
+    } else {
+        CursorGrabMode::None
+    };
     if cursor.grab_mode != mode || cursor.visible == held {
         cursor.grab_mode = mode;
         cursor.visible = !held;
@@ -100,7 +117,11 @@ fn steer(
     let gear = GEAR.powf(held.axis(Motion::Faster, Motion::Slower));
     let roll = held.axis(Motion::RollRight, Motion::RollLeft) * ROLL_SPEED * seconds;
     let looking = !held.typing.0 && (pilot.free_look || buttons.pressed(MouseButton::Right));
-    let mouse = if looking { motion.delta.as_dvec2() } else { DVec2::ZERO };
+    let mouse = if looking {
+        motion.delta.as_dvec2()
+    } else {
+        DVec2::ZERO
+    };
     // Right and up, as shares of the field of view.
     let look = mouse * DVec2::new(LOOK_SHARE, -LOOK_SHARE) + right * STICK_SHARE * seconds;
     if thrust == DVec3::ZERO && roll == 0.0 && look == DVec2::ZERO {
@@ -110,14 +131,17 @@ fn steer(
     if thrust != DVec3::ZERO && scene.observer.kind == ObserverKind::Orbit {
         scene.observer.kind = ObserverKind::Static;
     }
-    let kerr = Kerr { spin: scene.hole.spin };
+    let kerr = Kerr {
+        spin: scene.hole.spin,
+    };
     let horizon = kerr.horizon();
     let camera = &mut scene.camera;
     let mut world_from_camera = camera.legs() * camera.legs_from_camera();
     let turn = look * camera.fov_deg.to_radians();
     world_from_camera *= turned(turn.x, turn.y, roll);
     let speed = SPEED * (camera.r - horizon).max(NEAREST - 1.0) * gear * pilot.throttle;
-    let moved = camera.direction() * camera.r + world_from_camera * thrust.clamp_length_max(1.0) * speed * seconds;
+    let moved = camera.direction() * camera.r
+        + world_from_camera * thrust.clamp_length_max(1.0) * speed * seconds;
     let position = if thrust == DVec3::ZERO {
         camera.direction() * camera.r
     } else {
@@ -127,19 +151,26 @@ fn steer(
     camera.set_pose(position, world_from_camera);
     // Outside, the azimuth is Boyer-Lindquist's and no more the ingoing one; the picture stays.
     if was_inside && camera.r > horizon {
-        camera.phi_deg = (camera.phi_deg - kerr.ingoing_azimuth_lead(camera.r).to_degrees()) % 360.0;
+        camera.phi_deg =
+            (camera.phi_deg - kerr.ingoing_azimuth_lead(camera.r).to_degrees()) % 360.0;
     }
 }
 
-/// Turning the camera right, then up, then clockwise, as a matrix of its own axes (right, up, forward).
+/// Turning the camera right, then up, then clockwise, as a matrix of its own axes (right, up,
+/// forward).
 fn turned(right: f64, up: f64, clockwise: f64) -> DMat3 {
-    // Right, up, forward is a left-handed triple, so a positive turn of glam's is the other way round about each axis.
+    // Right, up, forward is a left-handed triple, so a positive turn of glam's is the other way
+    // round about each axis.
     DMat3::from_rotation_y(right) * DMat3::from_rotation_x(-up) * DMat3::from_rotation_z(-clockwise)
 }
 
-/// The allowed place nearest to `position`: not within `nearest`, which is where the camera is if it began within the usual
-/// limit. A camera that would fly through the centre stays on its side.
+/// The allowed place nearest to `position`: not within `nearest`, which is where the camera is if
+/// it began within the usual limit. A camera that would fly through the centre stays on its side.
 fn kept_outside(position: DVec3, side: DVec3, nearest: f64) -> DVec3 {
     let distance = position.length();
-    if distance > 0.0 { position / distance * distance.clamp(nearest, FARTHEST) } else { side * nearest }
+    if distance > 0.0 {
+        position / distance * distance.clamp(nearest, FARTHEST)
+    } else {
+        side * nearest
+    }
 }

@@ -1,4 +1,5 @@
-//! After the loss of the graphics device: what the user interface had there is made anew, and the window says what happened.
+//! After the loss of the graphics device: what the user interface had there is made anew, and the
+//! window says what happened.
 
 use super::notice::Notice;
 use crate::render::recovery::{self, DeviceLosses};
@@ -14,8 +15,11 @@ impl Plugin for RecoveryPlugin {
     fn build(&self, app: &mut App) {
         recovery::plugin(app);
         app.add_systems(Update, tell.run_if(resource_changed::<DeviceLosses>));
-        // egui's own plugin makes these once only, and they would go on naming buffers and pipelines of the lost device.
-        let Some(render_app) = app.get_sub_app_mut(RenderApp) else { return };
+        // egui's own plugin makes these once only, and they would go on naming buffers and
+        // pipelines of the lost device.
+        let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
+            return;
+        };
         render_app
             .init_gpu_resource::<EguiPipeline>()
             .init_gpu_resource::<SpecializedRenderPipelines<EguiPipeline>>()
@@ -27,6 +31,7 @@ impl Plugin for RecoveryPlugin {
 fn tell(losses: Res<DeviceLosses>, mut notice: ResMut<Notice>, mut told: Local<usize>) {
     if losses.recovered > *told {
         *told = losses.recovered;
-        notice.say("The graphics device was lost and has been opened again. The scene is as it was.");
+        notice
+            .say("The graphics device was lost and has been opened again. The scene is as it was.");
     }
 }

@@ -1,5 +1,5 @@
-//! Automatic resolution: while something moves, the picture is drawn with as many pixels as hold the frame rate; what
-//! stands still is drawn in full. The scene as it is meant is never touched.
+//! Automatic resolution: while something moves, the picture is drawn with as many pixels as hold
+//! the frame rate; what stands still is drawn in full. The scene as it is meant is never touched.
 
 use super::pace::Pace;
 use super::settings::Automatic;
@@ -13,7 +13,8 @@ use bevy::render::renderer::RenderAdapterInfo;
 const COARSEST: f64 = 0.25;
 /// Shares are multiples of this, so that sizes do not change with every frame.
 const STEP: f64 = 1.0 / 16.0;
-/// Frames of a movement between two looks at the clock; the first ones still wait for the full picture.
+/// Frames of a movement between two looks at the clock; the first ones still wait for the full
+/// picture.
 const FRAMES: u32 = 4;
 /// Time of a frame, in seconds, that is too long to fly by.
 const SLIDE_SHOW: f64 = 0.1;
@@ -43,7 +44,14 @@ impl Resolution {
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let (full, grid) = sizes(&scene.picture);
-        Self { full, grid, drawn: full, cells: grid, share: 1.0, counted: (0, 0.0) }
+        Self {
+            full,
+            grid,
+            drawn: full,
+            cells: grid,
+            share: 1.0,
+            counted: (0, 0.0),
+        }
     }
 
     /// The scene as it is meant, from the one that is drawn.
@@ -58,7 +66,10 @@ impl Resolution {
     #[must_use]
     pub fn drawn(&mut self, meant: Scene) -> Scene {
         if (self.full, self.grid) != sizes(&meant.picture) {
-            *self = Self { share: self.share, ..Self::new(&meant) };
+            *self = Self {
+                share: self.share,
+                ..Self::new(&meant)
+            };
         }
         let mut scene = meant;
         set_sizes(&mut scene.picture, self.drawn, self.cells);
@@ -70,22 +81,33 @@ impl Resolution {
         (self.grid.as_dvec2() / self.full.as_dvec2()).max_element()
     }
 
-    /// Chooses the size for this frame. `share` of a side; the cells stay as they are as long as each has a pixel.
+    /// Chooses the size for this frame. `share` of a side; the cells stay as they are as long as
+    /// each has a pixel.
     fn choose(&mut self, share: f64) {
-        let scaled = |side: UVec2, share: f64| (side.as_dvec2() * share).round().as_uvec2().max(UVec2::ONE);
-        self.drawn = if share >= 1.0 { self.full } else { scaled(self.full, share) };
+        let scaled =
+            |side: UVec2, share: f64| (side.as_dvec2() * share).round().as_uvec2().max(UVec2::ONE);
+        self.drawn = if share >= 1.0 {
+            self.full
+        } else {
+            scaled(self.full, share)
+        };
         self.cells = self.grid.min(self.drawn);
         if self.cells != self.grid {
             // Both sides by the same share, or cells would not be square,
             // and by a whole number, or they would not fill what the finer ones fill.
-            let fits = (self.grid.as_dvec2() / self.drawn.as_dvec2()).max_element().ceil();
+            let fits = (self.grid.as_dvec2() / self.drawn.as_dvec2())
+                .max_element()
+                .ceil();
             self.cells = scaled(self.grid, 1.0 / fits).min(self.drawn);
         }
     }
 }
 
 fn sizes(picture: &Picture) -> (UVec2, UVec2) {
-    (UVec2::new(picture.width, picture.height), UVec2::new(picture.grid_width, picture.grid_height))
+    (
+        UVec2::new(picture.width, picture.height),
+        UVec2::new(picture.grid_width, picture.grid_height),
+    )
 }
 
 fn set_sizes(picture: &mut Picture, size: UVec2, grid: UVec2) {
@@ -94,7 +116,8 @@ fn set_sizes(picture: &mut Picture, size: UVec2, grid: UVec2) {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    // Before what prepares the picture in PostUpdate, so that no frame is drawn with the size of the one before.
+    // Before what prepares the picture in PostUpdate, so that no frame is drawn with the size of
+    // the one before.
     app.add_systems(Update, adapt);
 }
 
@@ -108,7 +131,12 @@ fn adapt(
 ) {
     let settings = &preferences.settings;
     let slow = || {
-        adapter.is_some_and(|info| matches!(info.device_type, wgpu::DeviceType::Cpu | wgpu::DeviceType::IntegratedGpu))
+        adapter.is_some_and(|info| {
+            matches!(
+                info.device_type,
+                wgpu::DeviceType::Cpu | wgpu::DeviceType::IntegratedGpu
+            )
+        })
     };
     let wanted = match settings.automatic_resolution {
         Automatic::On => true,
@@ -124,8 +152,11 @@ fn adapt(
             resolution.counted = (0, 0.0);
             let share = better(resolution.share, frame * settings.frame_rate);
             // Fewer pixels than cells only where flying would be a slide show.
-            let finest =
-                if frame > SLIDE_SHOW || scene.picture.bypass { COARSEST } else { resolution.one_pixel_a_cell() };
+            let finest = if frame > SLIDE_SHOW || scene.picture.bypass {
+                COARSEST
+            } else {
+                resolution.one_pixel_a_cell()
+            };
             resolution.share = share.max(finest);
         }
     } else {
@@ -139,7 +170,8 @@ fn adapt(
     }
 }
 
-/// The next share, where frames last `slowness` times as long as they should: time goes with the number of pixels.
+/// The next share, where frames last `slowness` times as long as they should: time goes with the
+/// number of pixels.
 fn better(share: f64, slowness: f64) -> f64 {
     let wanted = if slowness > 1.0 {
         share / slowness.sqrt()

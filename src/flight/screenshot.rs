@@ -22,7 +22,11 @@ struct Answers {
 
 pub(super) fn plugin(app: &mut App) {
     let (sender, receiver) = channel();
-    app.insert_resource(Answers { sender, receiver: Mutex::new(receiver) }).add_systems(Update, (take, answer));
+    app.insert_resource(Answers {
+        sender,
+        receiver: Mutex::new(receiver),
+    })
+    .add_systems(Update, (take, answer));
 }
 
 fn take(mut asked: MessageReader<Command>, mut commands: Commands) {
@@ -33,7 +37,11 @@ fn take(mut asked: MessageReader<Command>, mut commands: Commands) {
 
 /// Encodes and writes in a thread of its own, so that no frame waits for it.
 fn write(captured: On<ScreenshotCaptured>, scene: Res<CurrentScene>, answers: Res<Answers>) {
-    let (image, scene, sender) = (captured.image.clone(), scene.0.clone(), answers.sender.clone());
+    let (image, scene, sender) = (
+        captured.image.clone(),
+        scene.0.clone(),
+        answers.sender.clone(),
+    );
     std::thread::spawn(move || {
         let answer = match written(image, &pictures_folder(), &scene) {
             Ok(file) => format!("Screenshot: {}", file.display()),
@@ -45,9 +53,18 @@ fn write(captured: On<ScreenshotCaptured>, scene: Res<CurrentScene>, answers: Re
 }
 
 fn written(image: Image, folder: &Path, scene: &Scene) -> Result<PathBuf, String> {
-    let rgb = image.try_into_dynamic().map_err(|error| error.to_string())?.to_rgb8();
+    let rgb = image
+        .try_into_dynamic()
+        .map_err(|error| error.to_string())?
+        .to_rgb8();
     let file = reserved(folder, &scene.name)?;
-    let done = picture::write_png(&file, rgb.width(), rgb.height(), rgb.as_raw(), &scene.to_preset());
+    let done = picture::write_png(
+        &file,
+        rgb.width(),
+        rgb.height(),
+        rgb.as_raw(),
+        &scene.to_preset(),
+    );
     if done.is_err() {
         // Only the empty file that holds the name.
         let _ = std::fs::remove_file(&file);
@@ -55,12 +72,23 @@ fn written(image: Image, folder: &Path, scene: &Scene) -> Result<PathBuf, String
     done.map(|()| file).map_err(|error| error.to_string())
 }
 
-/// A file of its own for a picture of the scene with this name: created empty, so that no other can take its place.
+/// A file of its own for a picture of the scene with this name: created empty, so that no other can
+/// take its place.
 ///
 /// # Errors
 /// The folder cannot be written; one sentence that names it.
 fn reserved(folder: &Path, scene: &str) -> Result<PathBuf, String> {
-    let safe: String = scene.chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).take(60).collect();
+    let safe: String = scene
+        .chars()
+        .map(|c| {
+            if c.is_alphanumeric() || c == '-' {
+                c
+            } else {
+                '_'
+            }
+        })
+        .take(60)
+        .collect();
     for number in 1..10_000 {
         let file = folder.join(format!("lightfall-{safe}-{number:04}.png"));
         match File::create_new(&file) {
@@ -69,11 +97,17 @@ fn reserved(folder: &Path, scene: &str) -> Result<PathBuf, String> {
             Err(error) => return Err(format!("{}: cannot be written: {error}", file.display())),
         }
     }
-    Err(format!("{}: holds 9999 pictures of this scene already", folder.display()))
+    Err(format!(
+        "{}: holds 9999 pictures of this scene already",
+        folder.display()
+    ))
 }
 
 fn answer(answers: Res<Answers>, mut notice: ResMut<Notice>) {
-    let receiver = answers.receiver.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let receiver = answers
+        .receiver
+        .lock()
+        .unwrap_or_else(std::sync::PoisonError::into_inner);
     if let Some(answer) = receiver.try_iter().last() {
         notice.say(answer);
     }

@@ -1,4 +1,5 @@
-//! What the program remembers from one start to the next: a TOML file in the platform's folder for settings.
+//! What the program remembers from one start to the next: a TOML file in the platform's folder for
+//! settings.
 
 use super::bindings::{Bindings, PadBindings};
 use crate::gpu::AdapterName;
@@ -22,11 +23,13 @@ pub struct Settings {
     pub most_frames: f64,
     /// Whether the exposure follows the light.
     pub automatic_exposure: bool,
-    /// Whether motion that nobody steers is kept calm: no roll in journeys, no exposure that changes by itself.
+    /// Whether motion that nobody steers is kept calm: no roll in journeys, no exposure that
+    /// changes by itself.
     pub reduced_motion: bool,
     /// The hole's mass for the read-outs, in suns.
     pub hole_mass_suns: f64,
-    /// The graphics adapter that the window is drawn with, from the next start on; none for the best.
+    /// The graphics adapter that the window is drawn with, from the next start on; none for the
+    /// best.
     pub adapter: Option<AdapterName>,
     /// Keys of the controls that differ from the key table.
     pub keys: BTreeMap<String, Vec<String>>,
@@ -84,8 +87,13 @@ impl Settings {
     /// One sentence that names the fault.
     pub fn read(text: &str) -> Result<Self, String> {
         let settings: Self = toml::from_str(text).map_err(|error| {
-            let line = error.span().map_or(1, |span| 1 + text[..span.start.min(text.len())].matches('\n').count());
-            format!("line {line}: {}", error.message().lines().collect::<Vec<_>>().join(", "))
+            let line = error.span().map_or(1, |span| {
+                1 + text[..span.start.min(text.len())].matches('\n').count()
+            });
+            format!(
+                "line {line}: {}",
+                error.message().lines().collect::<Vec<_>>().join(", ")
+            )
         })?;
         settings.check().map(|()| settings)
     }
@@ -93,9 +101,15 @@ impl Settings {
     fn check(&self) -> Result<(), String> {
         let within = |name: &str, value: f64, [low, high]: [f64; 2]| match value {
             value if (low..=high).contains(&value) => Ok(()),
-            value => Err(format!("{name} = {value} is refused: it must be a number from {low} to {high}")),
+            value => Err(format!(
+                "{name} = {value} is refused: it must be a number from {low} to {high}"
+            )),
         };
-        within("ui_scale", f64::from(self.ui_scale), UI_SCALES.map(|scale| (f64::from(scale) * 1e4).round() / 1e4))?;
+        within(
+            "ui_scale",
+            f64::from(self.ui_scale),
+            UI_SCALES.map(|scale| (f64::from(scale) * 1e4).round() / 1e4),
+        )?;
         within("frame_rate", self.frame_rate, FRAME_RATES)?;
         if self.most_frames != 0.0 {
             within("most_frames", self.most_frames, FRAME_RATES)
@@ -106,13 +120,16 @@ impl Settings {
         PadBindings::new(&self.buttons).map(drop)
     }
 
-    /// Reads a settings file. Without one, the defaults; a broken one is renamed, and the defaults serve. The second value
-    /// says what was wrong.
+    /// Reads a settings file. Without one, the defaults; a broken one is renamed, and the defaults
+    /// serve. The second value says what was wrong.
     #[must_use]
     pub fn load(file: &Path) -> (Self, Option<String>) {
         match Self::look(file) {
             Ok(settings) => (settings.unwrap_or_default(), None),
-            Err(fault) => (Self::default(), Some(format!("{}: {fault}; {}", file.display(), set_aside(file)))),
+            Err(fault) => (
+                Self::default(),
+                Some(format!("{}: {fault}; {}", file.display(), set_aside(file))),
+            ),
         }
     }
 
@@ -133,15 +150,25 @@ impl Settings {
     /// # Errors
     /// What the file system says, with the file's name.
     pub fn save(&self, file: &Path) -> Result<(), String> {
-        let text = format!("# Settings of Lightfall. What is left out has its default.\n\n{}", self.text());
+        let text = format!(
+            "# Settings of Lightfall. What is left out has its default.\n\n{}",
+            self.text()
+        );
         let folder = file.parent().unwrap_or(Path::new("."));
         let written = std::fs::create_dir_all(folder).and_then(|()| {
-            let mut part = tempfile::Builder::new().prefix(".settings-").tempfile_in(folder)?;
+            let mut part = tempfile::Builder::new()
+                .prefix(".settings-")
+                .tempfile_in(folder)?;
             part.write_all(text.as_bytes())?;
             part.persist(file).map_err(|error| error.error)?;
             Ok(())
         });
-        written.map_err(|error| format!("{}: the settings cannot be written: {error}", file.display()))
+        written.map_err(|error| {
+            format!(
+                "{}: the settings cannot be written: {error}",
+                file.display()
+            )
+        })
     }
 
     fn text(&self) -> String {
@@ -156,7 +183,10 @@ fn set_aside(file: &Path) -> String {
         return "default settings are used".into();
     };
     match std::fs::rename(file, &aside) {
-        Ok(()) => format!("it is kept as {}, and default settings are used", aside.display()),
+        Ok(()) => format!(
+            "it is kept as {}, and default settings are used",
+            aside.display()
+        ),
         Err(_) => "default settings are used".into(),
     }
 }
@@ -164,32 +194,54 @@ fn set_aside(file: &Path) -> String {
 /// Where the settings are; none on a system without such a place.
 #[must_use]
 pub fn settings_file() -> Option<PathBuf> {
-    Some(directories::ProjectDirs::from("", "", "lightfall")?.config_dir().join("settings.toml"))
+    Some(
+        directories::ProjectDirs::from("", "", "lightfall")?
+            .config_dir()
+            .join("settings.toml"),
+    )
 }
 
 /// Where the user's own presets are; none on a system without such a place.
 #[must_use]
 pub fn presets_folder() -> Option<PathBuf> {
-    Some(directories::ProjectDirs::from("", "", "lightfall")?.config_dir().join("presets"))
+    Some(
+        directories::ProjectDirs::from("", "", "lightfall")?
+            .config_dir()
+            .join("presets"),
+    )
 }
 
 /// The presets in a folder, in the order of their names; none where there is no folder.
 #[must_use]
 pub fn preset_files(folder: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
-    let mut files: Vec<_> = entries.filter(|path| path.extension().is_some_and(|end| end == "toml")).collect();
+    let entries = std::fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|entry| entry.path());
+    let mut files: Vec<_> = entries
+        .filter(|path| path.extension().is_some_and(|end| end == "toml"))
+        .collect();
     files.sort();
     files
 }
 
-/// Where pictures go: the user's folder for them, else the home folder, else the one the program runs in.
+/// Where pictures go: the user's folder for them, else the home folder, else the one the program
+/// runs in.
 #[must_use]
 pub fn pictures_folder() -> PathBuf {
     let folders = directories::UserDirs::new();
-    let home = folders.as_ref().map(|folders| folders.home_dir().to_owned());
-    let named = folders.as_ref().and_then(|folders| folders.picture_dir().map(Path::to_owned));
+    let home = folders
+        .as_ref()
+        .map(|folders| folders.home_dir().to_owned());
+    let named = folders
+        .as_ref()
+        .and_then(|folders| folders.picture_dir().map(Path::to_owned));
     // Desktops that name none still mostly have one of this name.
     let usual = home.as_ref().map(|home| home.join("Pictures"));
-    let known = [named, usual, home].into_iter().flatten().find(|folder| folder.is_dir());
+    let known = [named, usual, home]
+        .into_iter()
+        .flatten()
+        .find(|folder| folder.is_dir());
     known.unwrap_or_else(|| PathBuf::from("."))
 }

@@ -1,4 +1,5 @@
-//! The window around the picture: which overlays are open, the whole screen, settings kept over restarts.
+//! The window around the picture: which overlays are open, the whole screen, settings kept over
+//! restarts.
 
 use super::bindings::{Bindings, PadBindings};
 use super::controls::Command;
@@ -30,7 +31,11 @@ pub(super) struct Shown {
 impl Shown {
     /// Width at the left that the inspector takes, in points.
     pub(super) fn left(&self) -> f32 {
-        if self.inspector_seen() { inspector::WIDTH } else { 0.0 }
+        if self.inspector_seen() {
+            inspector::WIDTH
+        } else {
+            0.0
+        }
     }
 
     /// Width at the right that the panel takes, in points.
@@ -65,8 +70,18 @@ impl Preferences {
     /// Reads them; the second value says what was wrong with the file.
     pub(super) fn load() -> (Self, Option<String>) {
         let file = settings_file();
-        let (settings, fault) = file.as_deref().map_or_else(Default::default, Settings::load);
-        (Self { saved: settings.clone(), settings, file, changed: None }, fault)
+        let (settings, fault) = file
+            .as_deref()
+            .map_or_else(Default::default, Settings::load);
+        (
+            Self {
+                saved: settings.clone(),
+                settings,
+                file,
+                changed: None,
+            },
+            fault,
+        )
     }
 
     fn save(&mut self) -> Result<(), String> {
@@ -75,7 +90,9 @@ impl Preferences {
             return Ok(());
         }
         self.saved = self.settings.clone();
-        self.file.as_deref().map_or(Ok(()), |file| self.settings.save(file))
+        self.file
+            .as_deref()
+            .map_or(Ok(()), |file| self.settings.save(file))
     }
 }
 
@@ -84,7 +101,10 @@ pub(super) fn insert(app: &mut App, preferences: Preferences, fault: Option<Stri
     // Checked as the file was read.
     let bindings = Bindings::new(&preferences.settings.keys).unwrap_or_default();
     let buttons = PadBindings::new(&preferences.settings.buttons).unwrap_or_default();
-    app.insert_resource(preferences).insert_resource(bindings).insert_resource(buttons).init_resource::<Shown>();
+    app.insert_resource(preferences)
+        .insert_resource(bindings)
+        .insert_resource(buttons)
+        .init_resource::<Shown>();
     if let Some(fault) = fault {
         app.world_mut().get_resource_or_init::<Notice>().say(fault);
     }
@@ -94,7 +114,10 @@ pub(super) fn plugin(app: &mut App) {
     app.init_resource::<OverPicture>()
         .add_systems(Update, ((obey, make_room, look).chain(), keep, fit))
         .add_systems(Last, keep_at_exit)
-        .add_systems(EguiPrimaryContextPass, style.run_if(any_with_component::<PrimaryEguiContext>));
+        .add_systems(
+            EguiPrimaryContextPass,
+            style.run_if(any_with_component::<PrimaryEguiContext>),
+        );
 }
 
 fn obey(
@@ -111,7 +134,9 @@ fn obey(
             Command::Escape => shown.help = false,
             Command::Fullscreen => {
                 window.mode = match window.mode {
-                    WindowMode::Windowed => WindowMode::BorderlessFullscreen(MonitorSelection::Current),
+                    WindowMode::Windowed => {
+                        WindowMode::BorderlessFullscreen(MonitorSelection::Current)
+                    }
                     _ => WindowMode::Windowed,
                 };
             }
@@ -120,7 +145,8 @@ fn obey(
     }
 }
 
-/// Opens or closes an overlay. One that is asked for while everything is hidden is meant to be seen.
+/// Opens or closes an overlay. One that is asked for while everything is hidden is meant to be
+/// seen.
 fn toggle(shown: &mut Shown, overlay: fn(&mut Shown) -> &mut bool) {
     let open = !*overlay(shown) || shown.hidden;
     *overlay(shown) = open;
@@ -137,21 +163,31 @@ fn toggle_side(shown: &mut Shown, side: Side, overlay: fn(&mut Shown) -> &mut bo
     }
 }
 
-/// The window's size at first, made smaller where the monitor has no room for it: so that the picture fills it.
+/// The window's size at first, made smaller where the monitor has no room for it: so that the
+/// picture fills it.
 fn fit(
     monitors: Query<(&Monitor, Has<PrimaryMonitor>)>,
     scene: Res<CurrentScene>,
     mut window: Single<&mut Window, With<PrimaryWindow>>,
     mut done: Local<bool>,
 ) {
-    let primary = monitors.iter().find(|(_, primary)| *primary).or_else(|| monitors.iter().next());
-    let Some((monitor, _)) = primary.filter(|_| !*done) else { return };
+    let primary = monitors
+        .iter()
+        .find(|(_, primary)| *primary)
+        .or_else(|| monitors.iter().next());
+    let Some((monitor, _)) = primary.filter(|_| !*done) else {
+        return;
+    };
     *done = true;
     let room = monitor.physical_size();
     if window.physical_size().cmpgt(room).any() {
         // Room for the frame and the desktop's bars.
-        let filled = letterbox(&scene.picture, (0.94 * room.as_vec2()).as_uvec2()).extent.as_uvec2();
-        window.resolution.set_physical_resolution(filled.x, filled.y);
+        let filled = letterbox(&scene.picture, (0.94 * room.as_vec2()).as_uvec2())
+            .extent
+            .as_uvec2();
+        window
+            .resolution
+            .set_physical_resolution(filled.x, filled.y);
     }
 }
 
@@ -192,7 +228,11 @@ fn keep_at_exit(mut exits: MessageReader<AppExit>, mut preferences: ResMut<Prefe
 }
 
 /// Text that reads on any picture, at the size that the settings say.
-fn style(mut contexts: EguiContexts, preferences: Res<Preferences>, mut scale: Local<f32>) -> Result {
+fn style(
+    mut contexts: EguiContexts,
+    preferences: Res<Preferences>,
+    mut scale: Local<f32>,
+) -> Result {
     let context = contexts.ctx_mut()?;
     if *scale == 0.0 {
         let mut visuals = egui::Visuals::dark();

@@ -1,5 +1,5 @@
-//! The device that everything shares which is traced beside the window's frames: inspected rays, counts of steps, errors of
-//! the picture.
+//! The device that everything shares which is traced beside the window's frames: inspected rays,
+//! counts of steps, errors of the picture.
 
 use super::{Gpu, GpuError};
 use std::sync::{Arc, Mutex, PoisonError};

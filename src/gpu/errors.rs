@@ -6,7 +6,8 @@ pub const ERROR_GRID: [u32; 2] = [64, 36];
 /// How many cells that is.
 const CELLS: usize = (ERROR_GRID[0] * ERROR_GRID[1]) as usize;
 
-/// Cells without an error in pixels: not known yet, nothing seen there, an answer that no turn of the ray explains.
+/// Cells without an error in pixels: not known yet, nothing seen there, an answer that no turn of
+/// the ray explains.
 const UNKNOWN: f32 = -1.0;
 const UNSEEN: f32 = -2.0;
 const UNEXPLAINED: f32 = 1e30;
@@ -26,7 +27,8 @@ impl ErrorCells {
     /// Size of the uniform, in bytes.
     pub const SIZE: usize = CELLS * size_of::<f32>();
 
-    /// From errors in pixels; none where nothing is seen. Cells beyond the last error are not known.
+    /// From errors in pixels; none where nothing is seen. Cells beyond the last error are not
+    /// known.
     #[must_use]
     pub fn new(errors: &[Option<f64>]) -> Self {
         let known = errors.iter().map(|error| match error {
@@ -34,13 +36,21 @@ impl ErrorCells {
             Some(error) => f64::min(*error, UNEXPLAINED.into()) as f32,
             None => UNSEEN,
         });
-        Self(known.chain(std::iter::repeat(UNKNOWN)).take(CELLS).collect())
+        Self(
+            known
+                .chain(std::iter::repeat(UNKNOWN))
+                .take(CELLS)
+                .collect(),
+        )
     }
 
     /// As they lie in the uniform.
     #[must_use]
     pub fn bytes(&self) -> Vec<u8> {
-        self.0.iter().flat_map(|error| error.to_le_bytes()).collect()
+        self.0
+            .iter()
+            .flat_map(|error| error.to_le_bytes())
+            .collect()
     }
 
     /// What the shader must share.

@@ -1,4 +1,5 @@
-//! Compute shaders that map one array to another: rays to traces, and whatever a test asks of a shader's functions.
+//! Compute shaders that map one array to another: rays to traces, and whatever a test asks of a
+//! shader's functions.
 
 use super::{Gpu, GpuError};
 use encase::internal::{CreateFrom, ReadFrom, WriteInto};
@@ -17,8 +18,8 @@ pub fn uniform<U: ShaderType + WriteInto>(value: &U) -> Vec<u8> {
     bytes.into_inner()
 }
 
-/// A compute shader that maps a storage array (binding 2) to another (binding 3), one element an invocation, in
-/// workgroups of 64; the other bindings are uniforms.
+/// A compute shader that maps a storage array (binding 2) to another (binding 3), one element an
+/// invocation, in workgroups of 64; the other bindings are uniforms.
 #[derive(Debug)]
 pub struct Kernel {
     pipeline: wgpu::ComputePipeline,
@@ -30,21 +31,39 @@ impl Kernel {
     ///
     /// # Errors
     /// A text that does not compile.
-    pub fn new(gpu: &Gpu, source: &str, entry: &str, uniforms: &[(u32, Vec<u8>)]) -> Result<Self, GpuError> {
+    pub fn new(
+        gpu: &Gpu,
+        source: &str,
+        entry: &str,
+        uniforms: &[(u32, Vec<u8>)],
+    ) -> Result<Self, GpuError> {
         let module = gpu.shader(entry, source)?;
         gpu.validated(|| {
             let uniforms = uniforms.iter().map(|(binding, bytes)| {
-                (*binding, buffer(gpu, "uniform", bytes, BufferUsages::UNIFORM | BufferUsages::COPY_DST))
+                (
+                    *binding,
+                    buffer(
+                        gpu,
+                        "uniform",
+                        bytes,
+                        BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+                    ),
+                )
             });
-            let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                label: Some(entry),
-                layout: None,
-                module: &module,
-                entry_point: Some(entry),
-                compilation_options: Default::default(),
-                cache: None,
-            });
-            Self { pipeline, uniforms: uniforms.collect() }
+            let pipeline = gpu
+                .device
+                .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                    label: Some(entry),
+                    layout: None,
+                    module: &module,
+                    entry_point: Some(entry),
+                    compilation_options: Default::default(),
+                    cache: None,
+                });
+            Self {
+                pipeline,
+                uniforms: uniforms.collect(),
+            }
         })
         .map_err(GpuError::Shader)
     }
@@ -70,21 +89,34 @@ impl Kernel {
         }
         let failed = |error: &dyn Display| GpuError::Device(error.to_string());
         let mut bytes = StorageBuffer::new(Vec::new());
-        bytes.write(&input.to_vec()).map_err(|error| failed(&error))?;
+        bytes
+            .write(&input.to_vec())
+            .map_err(|error| failed(&error))?;
         let size = O::SHADER_SIZE.get() * input.len() as u64;
-        let readable =
-            gpu.validated(|| self.dispatch(gpu, &bytes.into_inner(), input.len(), size)).map_err(GpuError::Device)?;
+        let readable = gpu
+            .validated(|| self.dispatch(gpu, &bytes.into_inner(), input.len(), size))
+            .map_err(GpuError::Device)?;
         let (sender, receiver) = std::sync::mpsc::channel();
-        readable.slice(..).map_async(wgpu::MapMode::Read, move |result| {
-            // Nobody listens once the device has failed; the error is reported there.
-            let _ = sender.send(result);
-        });
-        gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| failed(&error))?;
-        // The submission is done; another thread that polls the same device may still be about to say so.
-        receiver.recv().map_err(|error| failed(&error))?.map_err(|error| failed(&error))?;
+        readable
+            .slice(..)
+            .map_async(wgpu::MapMode::Read, move |result| {
+                // Nobody listens once the device has failed; the error is reported there.
+                let _ = sender.send(result);
+            });
+        gpu.device
+            .poll(wgpu::PollType::wait_indefinitely())
+            .map_err(|error| failed(&error))?;
+        // The submission is done; another thread that polls the same device may still be about to
+        // say so.
+        receiver
+            .recv()
+            .map_err(|error| failed(&error))?
+            .map_err(|error| failed(&error))?;
         let mut records = vec![O::default(); input.len()];
         let bytes = readable.slice(..).get_mapped_range();
-        StorageBuffer::new(&bytes[..]).read(&mut records).map_err(|error| failed(&error))?;
+        StorageBuffer::new(&bytes[..])
+            .read(&mut records)
+            .map_err(|error| failed(&error))?;
         Ok(records)
     }
 
@@ -92,15 +124,30 @@ impl Kernel {
     fn dispatch(&self, gpu: &Gpu, input: &[u8], count: usize, size: u64) -> Buffer {
         let input = buffer(gpu, "input", input, BufferUsages::STORAGE);
         let make = |label, usage| {
-            let descriptor = wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false };
+            let descriptor = wgpu::BufferDescriptor {
+                label: Some(label),
+                size,
+                usage,
+                mapped_at_creation: false,
+            };
             gpu.device.create_buffer(&descriptor)
         };
         let output = make("output", BufferUsages::STORAGE | BufferUsages::COPY_SRC);
-        let readable = make("readable output", BufferUsages::COPY_DST | BufferUsages::MAP_READ);
+        let readable = make(
+            "readable output",
+            BufferUsages::COPY_DST | BufferUsages::MAP_READ,
+        );
         let arrays = [(2, &input), (3, &output)];
-        let bindings = self.uniforms.iter().map(|(binding, buffer)| (*binding, buffer)).chain(arrays);
+        let bindings = self
+            .uniforms
+            .iter()
+            .map(|(binding, buffer)| (*binding, buffer))
+            .chain(arrays);
         let entries: Vec<_> = bindings
-            .map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() })
+            .map(|(binding, buffer)| wgpu::BindGroupEntry {
+                binding,
+                resource: buffer.as_entire_binding(),
+            })
             .collect();
         let bind_group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
@@ -121,5 +168,9 @@ impl Kernel {
 }
 
 fn buffer(gpu: &Gpu, label: &str, contents: &[u8], usage: BufferUsages) -> Buffer {
-    gpu.device.create_buffer_init(&BufferInitDescriptor { label: Some(label), contents, usage })
+    gpu.device.create_buffer_init(&BufferInitDescriptor {
+        label: Some(label),
+        contents,
+        usage,
+    })
 }

@@ -1,5 +1,5 @@
-//! The GPU without Bevy: WGSL parts joined into variants, the scene as a uniform, a device without a window, rays in and
-//! traces out.
+//! The GPU without Bevy: WGSL parts joined into variants, the scene as a uniform, a device without
+//! a window, rays in and traces out.
 
 mod adapter;
 mod beside;
@@ -11,7 +11,9 @@ mod scene;
 mod shader;
 pub mod timing;
 
-pub use adapter::{AdapterName, Listed, adapters, check_adapter, chosen, kind, named_by_environment, prefer};
+pub use adapter::{
+    AdapterName, Listed, adapters, check_adapter, chosen, kind, named_by_environment, prefer,
+};
 pub use beside::beside;
 pub use device::Gpu;
 pub use errors::{ERROR_GRID, ErrorCells};

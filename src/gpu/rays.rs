@@ -33,13 +33,17 @@ pub struct GpuTrace {
     pub turn: f32,
 }
 
-/// Traces the rays that leave the scene's camera in these directions, on the observer's legs (outward, toward growing
-/// theta, toward growing phi), any length but zero. One record a ray, in order.
+/// Traces the rays that leave the scene's camera in these directions, on the observer's legs
+/// (outward, toward growing theta, toward growing phi), any length but zero. One record a ray, in
+/// order.
 ///
 /// # Errors
 /// A scene the GPU cannot trace, or a device that failed.
 pub fn trace(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<Trace>, GpuError> {
-    Ok(records(gpu, scene, directions)?.iter().map(Trace::from).collect())
+    Ok(records(gpu, scene, directions)?
+        .iter()
+        .map(Trace::from)
+        .collect())
 }
 
 /// As [`trace`], with the GPU's own records, which also tell the drift of the angular momentum.
@@ -47,7 +51,10 @@ pub fn trace(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<Trace
 /// # Errors
 /// As [`trace`].
 pub fn records(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<GpuTrace>, GpuError> {
-    let directions: Vec<Vec3> = directions.iter().map(|direction| unit(*direction).as_vec3()).collect();
+    let directions: Vec<Vec3> = directions
+        .iter()
+        .map(|direction| unit(*direction).as_vec3())
+        .collect();
     RayKernel::new(gpu, scene)?.run(gpu, &GpuScene::for_rays(scene)?, &directions)
 }
 
@@ -62,24 +69,46 @@ impl RayKernel {
     /// A scene the GPU cannot trace.
     pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
         let numbers = GpuScene::for_rays(scene)?;
-        Ok(Self(Kernel::new(gpu, &Variant::rays(scene).source(), "rays", &[(0, uniform(&numbers))])?))
+        Ok(Self(Kernel::new(
+            gpu,
+            &Variant::rays(scene).source(),
+            "rays",
+            &[(0, uniform(&numbers))],
+        )?))
     }
 
-    /// Traces rays through a scene of this variant; unit directions are (right, up, forward) of its camera. One record a
-    /// ray, in order.
+    /// Traces rays through a scene of this variant; unit directions are (right, up, forward) of its
+    /// camera. One record a ray, in order.
     ///
     /// # Errors
     /// As [`trace`].
-    pub fn trace(&self, gpu: &Gpu, scene: &Scene, directions: &[Vec3]) -> Result<Vec<Trace>, GpuError> {
+    pub fn trace(
+        &self,
+        gpu: &Gpu,
+        scene: &Scene,
+        directions: &[Vec3],
+    ) -> Result<Vec<Trace>, GpuError> {
         let numbers = GpuScene::new(scene, UVec2::new(scene.picture.width, scene.picture.height))?;
-        Ok(self.run(gpu, &numbers, directions)?.iter().map(Trace::from).collect())
+        Ok(self
+            .run(gpu, &numbers, directions)?
+            .iter()
+            .map(Trace::from)
+            .collect())
     }
 
-    fn run(&self, gpu: &Gpu, numbers: &GpuScene, directions: &[Vec3]) -> Result<Vec<GpuTrace>, GpuError> {
+    fn run(
+        &self,
+        gpu: &Gpu,
+        numbers: &GpuScene,
+        directions: &[Vec3],
+    ) -> Result<Vec<GpuTrace>, GpuError> {
         self.0.write_uniform(gpu, 0, &uniform(numbers));
         let mut records = Vec::with_capacity(directions.len());
         for batch in directions.chunks(MOST_RAYS) {
-            let batch: Vec<Vec4> = batch.iter().map(|direction| direction.extend(0.0)).collect();
+            let batch: Vec<Vec4> = batch
+                .iter()
+                .map(|direction| direction.extend(0.0))
+                .collect();
             records.extend(self.0.run::<Vec4, GpuTrace>(gpu, &batch)?);
         }
         Ok(records)
@@ -89,7 +118,11 @@ impl RayKernel {
 /// A direction of length one, whatever its length was; zero stays zero.
 fn unit(direction: DVec3) -> DVec3 {
     let largest = direction.abs().max_element();
-    if largest > 0.0 { (direction / largest).normalize() } else { DVec3::ZERO }
+    if largest > 0.0 {
+        (direction / largest).normalize()
+    } else {
+        DVec3::ZERO
+    }
 }
 
 impl From<&GpuTrace> for Trace {
@@ -105,7 +138,11 @@ impl From<&GpuTrace> for Trace {
                 let position = position.as_dvec3();
                 let phi = position.y.atan2(position.x);
                 let phi = if phi <= -PI { phi + TAU } else { phi };
-                Hit { r: position.length(), phi, g: f64::from(g) }
+                Hit {
+                    r: position.length(),
+                    phi,
+                    g: f64::from(g),
+                }
             })
         };
         Self {

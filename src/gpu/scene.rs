@@ -1,23 +1,25 @@
-//! The uniform: a scene turned into numbers in f64 and rounded to f32 once. Its mirror is `Scene` in shaders/scene.wgsl,
-//! which says what each number means; tests/gpu/layout.rs compares the two.
+//! The uniform: a scene turned into numbers in f64 and rounded to f32 once. Its mirror is `Scene`
+//! in shaders/scene.wgsl, which says what each number means; tests/gpu/layout.rs compares the two.
 
 use super::GpuError;
 use crate::physics::{
-    disk, kerr::Kerr, observer::ObserverMatrix, reference::wrapped, schwarzschild::Plunge, shift::Shift, sight::Sight,
+    disk, kerr::Kerr, observer::ObserverMatrix, reference::wrapped, schwarzschild::Plunge,
+    shift::Shift, sight::Sight,
 };
 use crate::scene::{Method, ObserverKind, Quality, Scene};
 use encase::ShaderType;
 use glam::{DMat3, DVec2, DVec3, DVec4, UVec2, Vec2, Vec3, Vec4};
 
-/// Linear light of the disk per unit of `disk.brightness` and relative flux. The profile peaks at 0.057, and light as
-/// bright as white paper is 1.
+/// Linear light of the disk per unit of `disk.brightness` and relative flux. The profile peaks at
+/// 0.057, and light as bright as white paper is 1.
 pub const DISK_HDR_SCALE: f64 = 10.0;
 
-/// Images of stars and lines are this many pixels in radius: with fewer they flicker as the camera turns.
+/// Images of stars and lines are this many pixels in radius: with fewer they flicker as the camera
+/// turns.
 const SPOT_PIXELS: f64 = 1.5;
 
-/// Height of the picture for which a star's brightness is given. Its flux does not depend on the picture, so a pixel
-/// half as wide is four times as bright.
+/// Height of the picture for which a star's brightness is given. Its flux does not depend on the
+/// picture, so a pixel half as wide is four times as bright.
 const SPOT_HEIGHT: f64 = 540.0;
 
 /// How near to the horizon, in r_s, is as good as at it.
@@ -83,7 +85,8 @@ pub struct GpuScene {
 }
 
 impl GpuScene {
-    /// The numbers for a picture of `size` pixels: directions are (right, up, forward) of the camera.
+    /// The numbers for a picture of `size` pixels: directions are (right, up, forward) of the
+    /// camera.
     ///
     /// # Errors
     /// A method or spin that no shader knows, or an observer that cannot be.
@@ -96,7 +99,11 @@ impl GpuScene {
     /// # Errors
     /// As [`GpuScene::new`].
     pub fn for_rays(scene: &Scene) -> Result<Self, GpuError> {
-        Self::looking(scene, UVec2::new(scene.picture.width, scene.picture.height), DMat3::IDENTITY)
+        Self::looking(
+            scene,
+            UVec2::new(scene.picture.width, scene.picture.height),
+            DMat3::IDENTITY,
+        )
     }
 
     fn looking(scene: &Scene, size: UVec2, legs_from_direction: DMat3) -> Result<Self, GpuError> {
@@ -107,8 +114,16 @@ impl GpuScene {
             }
             Method::Auto | Method::Verlet | Method::Closed | Method::Mino | Method::KerrSchild => {}
         }
-        let Scene { camera, disk, sky, quality, .. } = scene;
-        let kerr = Kerr { spin: scene.hole.spin };
+        let Scene {
+            camera,
+            disk,
+            sky,
+            quality,
+            ..
+        } = scene;
+        let kerr = Kerr {
+            spin: scene.hole.spin,
+        };
         let inside = camera.r <= kerr.horizon();
         // Verlet and Kerr-Schild capture there.
         if inside && matches!(scene.method, Method::Verlet | Method::KerrSchild) {
@@ -120,7 +135,9 @@ impl GpuScene {
             DVec4::new(one, row.x, row.y, row.z)
         };
         let rows = matrix.rows.map(turned);
-        let dimmest = dimmest(rows[0]).unwrap_or(legs_from_direction.transpose() * DVec3::NEG_X).as_vec3();
+        let dimmest = dimmest(rows[0])
+            .unwrap_or(legs_from_direction.transpose() * DVec3::NEG_X)
+            .as_vec3();
         let about = rows.map(|row| about(row, dimmest.as_dvec3()));
         let [energy, radial, w_x, w_y, w_z] = about.map(|(row, _)| row.as_vec4());
         let [energy_bend, bends @ ..] = about.map(|(_, bend)| bend as f32);
@@ -163,7 +180,8 @@ impl GpuScene {
             step_scale: quality.step_scale as f32,
             max_steps: quality.max_steps,
             max_affine: quality.max_affine as f32,
-            // Far enough that what bending is left does not show, and beyond the disk whether it is shown or not.
+            // Far enough that what bending is left does not show, and beyond the disk whether it is
+            // shown or not.
             escape_radius: f64::max(1.15 * camera.r, 3.0 * disk.outer) as f32,
             disk_inner: inner as f32,
             disk_outer: disk.outer as f32,
@@ -173,7 +191,8 @@ impl GpuScene {
             disk_brightness: (DISK_HDR_SCALE * disk.brightness) as f32,
             disk_transmission: disk.transmission as f32,
             sky_brightness: sky.brightness as f32,
-            reference_star: reference_star(sky.reference_theta_deg, sky.reference_phi_deg).as_vec3(),
+            reference_star: reference_star(sky.reference_theta_deg, sky.reference_phi_deg)
+                .as_vec3(),
             spot_radius: spot_radius as f32,
             star_brightness: (size.y / SPOT_HEIGHT).powi(2) as f32,
             sky_seed: sky.seed,
@@ -188,7 +207,11 @@ impl GpuScene {
             inner_horizon: kerr.inner_horizon() as f32,
             spin_gap: (1.0 - kerr.spin) as f32,
             horizon_depth: ((camera.r - kerr.horizon()) / (kerr.horizon() * camera.r)) as f32,
-            azimuth_lead: if inside { 0.0 } else { wrapped(kerr.ingoing_azimuth_lead(camera.r)) as f32 },
+            azimuth_lead: if inside {
+                0.0
+            } else {
+                wrapped(kerr.ingoing_azimuth_lead(camera.r)) as f32
+            },
             mino_step: mino_step as f32,
             mino_near_step: mino_near_step as f32,
         })
@@ -197,10 +220,12 @@ impl GpuScene {
 
 /// What decides between sky and shadow without spin, and 1/(1 - 1/r).
 ///
-/// On the horizon itself both are at a limit: an observer who falls through is taken to be next to it, where nothing she sees
-/// is other by more than that.
+/// On the horizon itself both are at a limit: an observer who falls through is taken to be next to
+/// it, where nothing she sees is other by more than that.
 fn plunge(scene: &Scene, matrix: &ObserverMatrix) -> Result<(Plunge, f64), GpuError> {
-    let at = |r: f64, [energy, radial, ..]: [[f64; 4]; 5]| (Plunge::new(energy, radial, r), r / (r - 1.0));
+    let at = |r: f64, [energy, radial, ..]: [[f64; 4]; 5]| {
+        (Plunge::new(energy, radial, r), r / (r - 1.0))
+    };
     if scene.observer.kind == ObserverKind::Rain && (scene.camera.r - 1.0).abs() < NEXT_TO_HORIZON {
         let mut beside = scene.clone();
         beside.camera.r = 1.0 + NEXT_TO_HORIZON;
@@ -209,14 +234,16 @@ fn plunge(scene: &Scene, matrix: &ObserverMatrix) -> Result<(Plunge, f64), GpuEr
     Ok(at(scene.camera.r, matrix.rows))
 }
 
-/// The direction from which light has the least energy, by the row that gives it; none if all of it has the same.
+/// The direction from which light has the least energy, by the row that gives it; none if all of it
+/// has the same.
 fn dimmest(energy: DVec4) -> Option<DVec3> {
     let slope = DVec3::new(energy.y, energy.z, energy.w);
     (slope.length() > 1e-6 * energy.x.abs()).then(|| -slope.normalize())
 }
 
-/// What takes (1, off), off = d - m, to dot(row, (1, d)) less its bend times |off|^2/2, and the bend, for unit d: with
-/// row = (s, b m + q), q across m, that is s + b m.m + b m.off + q.off, and m.off = (1 - |m|^2 - |off|^2)/2.
+/// What takes (1, off), off = d - m, to dot(row, (1, d)) less its bend times |off|^2/2, and the
+/// bend, for unit d: with row = (s, b m + q), q across m, that is s + b m.m + b m.off + q.off, and
+/// m.off = (1 - |m|^2 - |off|^2)/2.
 fn about(row: DVec4, m: DVec3) -> (DVec4, f64) {
     let slope = DVec3::new(row.y, row.z, row.w);
     let along = slope.dot(m) / m.length_squared();
@@ -225,24 +252,30 @@ fn about(row: DVec4, m: DVec3) -> (DVec4, f64) {
     (DVec4::new(there, across.x, across.y, across.z), -along)
 }
 
-/// The steps of method mino, in radians, where a pixel is `pixel` radians wide: of rays that pass far from the critical
-/// curve, and of those that may come near it.
+/// The steps of method mino, in radians, where a pixel is `pixel` radians wide: of rays that pass
+/// far from the critical curve, and of those that may come near it.
 ///
-/// Measured: the turn that explains a ray's error is at most 4.5e-4 step^5.5, and mostly below 3e-4 step^5.5. Below a step
-/// of 0.25 nothing is left but f32's rounding. Up to 0.53 the disk's places are right to 1e-5 of their radius in the median,
-/// and up to 0.4 the shadow's edge to 2e-6 of its own: both are asked for at the default setting, and whoever allows more
-/// than it allows more of both.
-/// With the camera next to a spinning hole the error is up to three times that, and all rays may come near the curve.
+/// Measured: the turn that explains a ray's error is at most 4.5e-4 step^5.5, and mostly below 3e-4
+/// step^5.5. Below a step of 0.25 nothing is left but f32's rounding. Up to 0.53 the disk's places
+/// are right to 1e-5 of their radius in the median, and up to 0.4 the shadow's edge to 2e-6 of its
+/// own: both are asked for at the default setting, and whoever allows more than it allows more of
+/// both. With the camera next to a spinning hole the error is up to three times that, and all rays
+/// may come near the curve.
 fn mino_steps(max_error_px: f64, pixel: f64, kerr: Kerr, r: f64) -> [f64; 2] {
     let growth = |error: f64| error.powf(1.0 / 5.5);
     let wanted = growth(max_error_px * pixel / 4.5e-4);
     let looser = growth((max_error_px / Quality::default().max_error_px).max(1.0));
     let [far, near] = [0.53, 0.4].map(|longest| wanted.clamp(0.25, longest * looser));
-    if kerr.spin != 0.0 && r < 2.0 * kerr.horizon() { [0.8 * near; 2] } else { [far, near] }
+    if kerr.spin != 0.0 && r < 2.0 * kerr.horizon() {
+        [0.8 * near; 2]
+    } else {
+        [far, near]
+    }
 }
 
 /// Unit vector toward a place at infinity.
 fn reference_star(theta_deg: f64, phi_deg: f64) -> DVec3 {
-    let [direction, ..] = crate::physics::observer::celestial_frame(theta_deg.to_radians(), phi_deg.to_radians());
+    let [direction, ..] =
+        crate::physics::observer::celestial_frame(theta_deg.to_radians(), phi_deg.to_radians());
     direction
 }

@@ -1,5 +1,5 @@
-//! WGSL parts joined into variants: what a scene does not need is not in its shader's text, and the rest is decided by
-//! `const` flags, which compilers drop.
+//! WGSL parts joined into variants: what a scene does not need is not in its shader's text, and the
+//! rest is decided by `const` flags, which compilers drop.
 
 mod prelude;
 
@@ -15,7 +15,8 @@ pub struct Variant {
     pub tracer: Tracer,
     /// Whether the hole spins.
     pub spinning: bool,
-    /// Whether rays of method mino pass close to the horizon, where their azimuth needs care, or begin inside.
+    /// Whether rays of method mino pass close to the horizon, where their azimuth needs care, or
+    /// begin inside.
     pub near_horizon: bool,
     /// Whether rays can meet a disk.
     pub disk: bool,
@@ -42,7 +43,8 @@ pub enum Entry {
     Picture,
     /// Records of rays: entry point `rays`, in workgroups of 64.
     Rays,
-    /// One vector a pixel, for the time it takes: entry points `timed`, in workgroups of 64, `vertex` and `fragment`.
+    /// One vector a pixel, for the time it takes: entry points `timed`, in workgroups of 64,
+    /// `vertex` and `fragment`.
     Timed,
 }
 
@@ -62,7 +64,8 @@ pub enum Tracer {
 }
 
 impl Tracer {
-    /// The one that answers for a scene; what no shader can do is refused by [`GpuScene`](super::GpuScene).
+    /// The one that answers for a scene; what no shader can do is refused by
+    /// [`GpuScene`](super::GpuScene).
     fn of(scene: &Scene) -> Self {
         match scene.method {
             _ if !scene.effects.lensing => Self::Straight,
@@ -75,12 +78,14 @@ impl Tracer {
     }
 }
 
-/// Least light, as a share, for which a ray is followed beyond crossings of the disk: half of an 8-bit level.
+/// Least light, as a share, for which a ray is followed beyond crossings of the disk: half of an
+/// 8-bit level.
 const NEGLIGIBLE: f64 = 0.002;
 
-/// Whether rays that see something pass so close to the horizon of a spinning hole that their azimuth must be summed in
-/// coordinates that are regular there. Elsewhere the pole of its rate is too far off to disturb four Gaussian nodes a step, or
-/// from so far what it disturbs is too small a turn of the ray. Without spin only a camera inside begins there.
+/// Whether rays that see something pass so close to the horizon of a spinning hole that their
+/// azimuth must be summed in coordinates that are regular there. Elsewhere the pole of its rate is
+/// too far off to disturb four Gaussian nodes a step, or from so far what it disturbs is too small
+/// a turn of the ray. Without spin only a camera inside begins there.
 fn passes_near_horizon(Scene { hole, camera, .. }: &Scene) -> bool {
     let farthest = match hole.spin.abs() {
         0.0 => 1.0,
@@ -115,14 +120,27 @@ impl Variant {
             spinning: scene.hole.spin != 0.0,
             near_horizon: tracer == Tracer::Mino && passes_near_horizon(scene),
             disk: scene.disk.enabled && traces(scene.view),
-            disk_model: if scene.disk.enabled && !marks { scene.disk.model } else { DiskModel::default() },
+            disk_model: if scene.disk.enabled && !marks {
+                scene.disk.model
+            } else {
+                DiskModel::default()
+            },
             sky,
             reference_star: scene.sky.reference_star && sky != SkyMode::Off,
             view: scene.view,
             // Brightness has no meaning for marks.
-            effects: Effects { beaming: scene.effects.beaming || marks, ..scene.effects },
-            most_hits: if !marks && scene.disk.enabled && scene.disk.transmission <= NEGLIGIBLE { 1 } else { 2 },
-            follow_beyond_hits: marks || !scene.disk.enabled || scene.disk.transmission.powi(2) > NEGLIGIBLE,
+            effects: Effects {
+                beaming: scene.effects.beaming || marks,
+                ..scene.effects
+            },
+            most_hits: if !marks && scene.disk.enabled && scene.disk.transmission <= NEGLIGIBLE {
+                1
+            } else {
+                2
+            },
+            follow_beyond_hits: marks
+                || !scene.disk.enabled
+                || scene.disk.transmission.powi(2) > NEGLIGIBLE,
         }
     }
 
@@ -134,10 +152,16 @@ impl Variant {
             sky: SkyMode::Off,
             reference_star: false,
             view: View::Colour,
-            effects: Effects { beaming: true, ..scene.effects },
+            effects: Effects {
+                beaming: true,
+                ..scene.effects
+            },
             most_hits: 2,
             follow_beyond_hits: true,
-            ..Self::picture(&Scene { view: View::Colour, ..scene.clone() })
+            ..Self::picture(&Scene {
+                view: View::Colour,
+                ..scene.clone()
+            })
         }
     }
 
@@ -149,12 +173,15 @@ impl Variant {
             sky: SkyMode::Off,
             reference_star: false,
             view: View::Colour,
-            ..Self::picture(&Scene { view: View::Colour, ..scene.clone() })
+            ..Self::picture(&Scene {
+                view: View::Colour,
+                ..scene.clone()
+            })
         }
     }
 
-    /// Every variant that a scene can ask for, but that sets of effects with some switched off come under one sky only, and
-    /// cameras next to the horizon see light only.
+    /// Every variant that a scene can ask for, but that sets of effects with some switched off come
+    /// under one sky only, and cameras next to the horizon see light only.
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         let mut scene = Scene::default();
@@ -167,8 +194,9 @@ impl Variant {
             (Method::KerrSchild, 0.0),
             (Method::KerrSchild, 0.5),
         ];
-        for ((method, spin), (enabled, transmission)) in
-            methods.into_iter().flat_map(|method| disks.map(|disk| (method, disk)))
+        for ((method, spin), (enabled, transmission)) in methods
+            .into_iter()
+            .flat_map(|method| disks.map(|disk| (method, disk)))
         {
             (scene.method, scene.hole.spin) = (method, spin);
             (scene.disk.enabled, scene.disk.transmission) = (enabled, transmission);
@@ -176,7 +204,8 @@ impl Variant {
             for mode in [SkyMode::Stars, SkyMode::Grid, SkyMode::Off] {
                 for reference_star in [false, true] {
                     for view in View::ALL {
-                        (scene.sky.mode, scene.sky.reference_star, scene.view) = (mode, reference_star, view);
+                        (scene.sky.mode, scene.sky.reference_star, scene.view) =
+                            (mode, reference_star, view);
                         all.push(Self::picture(&scene));
                     }
                 }
@@ -185,19 +214,34 @@ impl Variant {
             for set in 0..32 {
                 let [lensing, doppler, beaming, gravitational_shift, aberration] =
                     std::array::from_fn(|effect| set >> effect & 1 == 1);
-                scene.effects = Effects { lensing, doppler, beaming, gravitational_shift, aberration };
+                scene.effects = Effects {
+                    lensing,
+                    doppler,
+                    beaming,
+                    gravitational_shift,
+                    aberration,
+                };
                 all.extend([Self::rays(&scene), Self::picture(&scene)]);
             }
         }
-        let shining: Vec<Self> =
-            all.iter().copied().filter(|v| v.disk && shows_light(v.view) && v.entry == Entry::Picture).collect();
-        all.extend(shining.into_iter().map(|variant| Self { disk_model: DiskModel::PageThorne, ..variant }));
+        let shining: Vec<Self> = all
+            .iter()
+            .copied()
+            .filter(|v| v.disk && shows_light(v.view) && v.entry == Entry::Picture)
+            .collect();
+        all.extend(shining.into_iter().map(|variant| Self {
+            disk_model: DiskModel::PageThorne,
+            ..variant
+        }));
         let close = |variant: &Self| {
             let (tracer, view, effects) = (variant.tracer, variant.view, variant.effects);
             tracer == Tracer::Mino && view == View::Colour && effects == Effects::default()
         };
         let close: Vec<Self> = all.iter().copied().filter(close).collect();
-        all.extend(close.into_iter().map(|variant| Self { near_horizon: true, ..variant }));
+        all.extend(close.into_iter().map(|variant| Self {
+            near_horizon: true,
+            ..variant
+        }));
         let mut seen = std::collections::HashSet::new();
         all.retain(|variant| seen.insert(*variant));
         all
@@ -271,13 +315,23 @@ impl Variant {
 
     /// The parts that trace a ray.
     fn tracing(self) -> Vec<Part> {
-        let mut parts = vec![part!("elementary.wgsl"), part!("observer.wgsl"), part!("shift.wgsl")];
-        parts.push(if self.disk { part!("disk.wgsl") } else { part!("disk/none.wgsl") });
+        let mut parts = vec![
+            part!("elementary.wgsl"),
+            part!("observer.wgsl"),
+            part!("shift.wgsl"),
+        ];
+        parts.push(if self.disk {
+            part!("disk.wgsl")
+        } else {
+            part!("disk/none.wgsl")
+        });
         match self.tracer {
             Tracer::Verlet => parts.push(part!("method/verlet.wgsl")),
             Tracer::Straight => parts.push(part!("method/straight.wgsl")),
             Tracer::Closed => parts.extend([part!("elliptic.wgsl"), part!("method/closed.wgsl")]),
-            Tracer::Mino => parts.extend([part!("method/mino_azimuth.wgsl"), part!("method/mino.wgsl")]),
+            Tracer::Mino => {
+                parts.extend([part!("method/mino_azimuth.wgsl"), part!("method/mino.wgsl")])
+            }
             Tracer::KerrSchild => parts.push(part!("method/kerr_schild.wgsl")),
         }
         parts

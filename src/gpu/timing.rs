@@ -1,5 +1,5 @@
-//! How long the GPU takes to trace a picture's rays, and nothing else: the variant that draws the picture, with one vector a
-//! pixel in place of its light.
+//! How long the GPU takes to trace a picture's rays, and nothing else: the variant that draws the
+//! picture, with one vector a pixel in place of its light.
 
 mod work;
 
@@ -18,7 +18,8 @@ const WORKGROUP: u32 = 64;
 /// Most workgroups along one axis of a dispatch, whatever the device.
 const MOST_COLUMNS: u32 = 1 << 15;
 
-/// Time to run before anything counts, as a multiple of the effort's longest: clocks rise under load, but not at once.
+/// Time to run before anything counts, as a multiple of the effort's longest: clocks rise under
+/// load, but not at once.
 const WARM_UP: u32 = 2;
 
 /// Runs of a sample: as many as take this long, so that what it costs to submit them is little.
@@ -93,28 +94,53 @@ impl Stopwatch {
                 contents: &uniform(&numbers),
                 usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
             });
-            let answers = buffer(gpu, u64::from(size.x) * u64::from(size.y) * 16, BufferUsages::STORAGE);
+            let answers = buffer(
+                gpu,
+                u64::from(size.x) * u64::from(size.y) * 16,
+                BufferUsages::STORAGE,
+            );
             let (work, layout) = match stage {
                 Stage::Compute => compute(gpu, &module),
                 Stage::Fragment => fragment(gpu, &module, size),
             };
-            let mut entries = vec![wgpu::BindGroupEntry { binding: 0, resource: numbers.as_entire_binding() }];
+            let mut entries = vec![wgpu::BindGroupEntry {
+                binding: 0,
+                resource: numbers.as_entire_binding(),
+            }];
             if stage == Stage::Compute {
-                entries.push(wgpu::BindGroupEntry { binding: 3, resource: answers.as_entire_binding() });
+                entries.push(wgpu::BindGroupEntry {
+                    binding: 3,
+                    resource: answers.as_entire_binding(),
+                });
             }
-            let descriptor = wgpu::BindGroupDescriptor { label: None, layout: &layout, entries: &entries };
+            let descriptor = wgpu::BindGroupDescriptor {
+                label: None,
+                layout: &layout,
+                entries: &entries,
+            };
             let bind_group = gpu.device.create_bind_group(&descriptor);
-            Self { work, size, numbers, bind_group, timestamps: timestamps(gpu) }
+            Self {
+                work,
+                size,
+                numbers,
+                bind_group,
+                timestamps: timestamps(gpu),
+            }
         });
         made.map_err(GpuError::Shader)
     }
 
-    /// Goes over to the numbers of another scene that has the same variant, such as one of another step scale.
+    /// Goes over to the numbers of another scene that has the same variant, such as one of another
+    /// step scale.
     ///
     /// # Errors
     /// A scene that the GPU cannot trace.
     pub fn turn_to(&self, gpu: &Gpu, scene: &Scene) -> Result<(), GpuError> {
-        gpu.queue.write_buffer(&self.numbers, 0, &uniform(&GpuScene::new(scene, self.size)?));
+        gpu.queue.write_buffer(
+            &self.numbers,
+            0,
+            &uniform(&GpuScene::new(scene, self.size)?),
+        );
         Ok(())
     }
 
@@ -123,11 +149,15 @@ impl Stopwatch {
     /// # Errors
     /// A device that failed.
     pub fn time(&self, gpu: &Gpu, effort: Effort) -> Result<Timing, GpuError> {
-        let warm_up = gpu.validated(|| self.warm_up(gpu, WARM_UP * effort.longest)).map_err(GpuError::Device)?;
+        let warm_up = gpu
+            .validated(|| self.warm_up(gpu, WARM_UP * effort.longest))
+            .map_err(GpuError::Device)?;
         let runs = warm_up.map_err(|error| GpuError::Device(error.to_string()))?;
         let began = Instant::now();
         let mut samples = Vec::new();
-        while samples.len() < effort.least_runs || began.elapsed() < effort.longest && samples.len() < MOST_RUNS {
+        while samples.len() < effort.least_runs
+            || began.elapsed() < effort.longest && samples.len() < MOST_RUNS
+        {
             samples.push(self.sample(gpu, runs)?);
             // One run of a slow method on a slow device may take longer than all the rest.
             if began.elapsed() > 8 * effort.longest {
@@ -136,8 +166,16 @@ impl Stopwatch {
         }
         samples.sort_by(f64::total_cmp);
         let at = |share: f64| samples[((samples.len() - 1) as f64 * share).round() as usize];
-        let clock = if self.timestamps.is_some() { Clock::Timestamps } else { Clock::Wall };
-        Ok(Timing { median_ms: at(0.5), spread_ms: at(0.9) - at(0.1), clock })
+        let clock = if self.timestamps.is_some() {
+            Clock::Timestamps
+        } else {
+            Clock::Wall
+        };
+        Ok(Timing {
+            median_ms: at(0.5),
+            spread_ms: at(0.9) - at(0.1),
+            clock,
+        })
     }
 
     /// Runs until nothing is cold any more, and tells how many runs a sample takes.
@@ -156,11 +194,16 @@ impl Stopwatch {
         }
     }
 
-    /// One sample, in milliseconds a run, of so many runs: by the CPU's clock around all of them, or by the GPU's around the
-    /// last. A GPU that is given a single short run at a time lowers its clock.
+    /// One sample, in milliseconds a run, of so many runs: by the CPU's clock around all of them,
+    /// or by the GPU's around the last. A GPU that is given a single short run at a time lowers its
+    /// clock.
     fn sample(&self, gpu: &Gpu, runs: u32) -> Result<f64, GpuError> {
         let failed = |error: &dyn std::fmt::Display| GpuError::Device(error.to_string());
-        let wait = || gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| failed(&error));
+        let wait = || {
+            gpu.device
+                .poll(wgpu::PollType::wait_indefinitely())
+                .map_err(|error| failed(&error))
+        };
         let Some((_, _, readable)) = &self.timestamps else {
             let began = Instant::now();
             self.submit(gpu, runs);
@@ -169,16 +212,26 @@ impl Stopwatch {
         };
         self.submit(gpu, runs);
         let (sender, receiver) = std::sync::mpsc::channel();
-        readable.slice(..).map_async(wgpu::MapMode::Read, move |result| {
-            // Nobody listens once the device has failed; the error is reported there.
-            let _ = sender.send(result);
-        });
+        readable
+            .slice(..)
+            .map_async(wgpu::MapMode::Read, move |result| {
+                // Nobody listens once the device has failed; the error is reported there.
+                let _ = sender.send(result);
+            });
         wait()?;
-        receiver.recv().map_err(|error| failed(&error))?.map_err(|error| failed(&error))?;
+        receiver
+            .recv()
+            .map_err(|error| failed(&error))?
+            .map_err(|error| failed(&error))?;
         let bytes = readable.slice(..).get_mapped_range().to_vec();
         readable.unmap();
-        let [before, after] = [0, 8].map(|at| u64::from_le_bytes(std::array::from_fn(|i| bytes[at + i])));
-        Ok(after.saturating_sub(before) as f64 * f64::from(gpu.queue.get_timestamp_period()) * 1e-6)
+        let [before, after] =
+            [0, 8].map(|at| u64::from_le_bytes(std::array::from_fn(|i| bytes[at + i])));
+        Ok(
+            after.saturating_sub(before) as f64
+                * f64::from(gpu.queue.get_timestamp_period())
+                * 1e-6,
+        )
     }
 
     fn submit(&self, gpu: &Gpu, runs: u32) {
@@ -194,7 +247,11 @@ impl Stopwatch {
     }
 
     fn encode(&self, encoder: &mut CommandEncoder, timed: bool) {
-        let queries = self.timestamps.as_ref().filter(|_| timed).map(|(queries, ..)| queries);
+        let queries = self
+            .timestamps
+            .as_ref()
+            .filter(|_| timed)
+            .map(|(queries, ..)| queries);
         match &self.work {
             Work::Compute(pipeline) => {
                 let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
@@ -234,21 +291,39 @@ impl Stopwatch {
     }
 }
 
-/// Two timestamps, on a device that has them. Those of a software device are left alone: Mesa's are taken when a compute
-/// shader is queued, not when it has run.
+/// Two timestamps, on a device that has them. Those of a software device are left alone: Mesa's are
+/// taken when a compute shader is queued, not when it has run.
 fn timestamps(gpu: &Gpu) -> Option<(QuerySet, Buffer, Buffer)> {
     let software = gpu.info.device_type == wgpu::DeviceType::Cpu;
-    (!software && gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY)).then(|| {
+    (!software
+        && gpu
+            .device
+            .features()
+            .contains(wgpu::Features::TIMESTAMP_QUERY))
+    .then(|| {
         let queries = gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
             label: None,
             ty: wgpu::QueryType::Timestamp,
             count: 2,
         });
-        let resolved = buffer(gpu, 16, BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC);
-        (queries, resolved, buffer(gpu, 16, BufferUsages::COPY_DST | BufferUsages::MAP_READ))
+        let resolved = buffer(
+            gpu,
+            16,
+            BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC,
+        );
+        (
+            queries,
+            resolved,
+            buffer(gpu, 16, BufferUsages::COPY_DST | BufferUsages::MAP_READ),
+        )
     })
 }
 
 fn buffer(gpu: &Gpu, size: u64, usage: BufferUsages) -> Buffer {
-    gpu.device.create_buffer(&wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false })
+    gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: None,
+        size,
+        usage,
+        mapped_at_creation: false,
+    })
 }

@@ -1,10 +1,11 @@
 //! Carlson's symmetric elliptic integral of the first kind.
 
-/// R_F(x, y, z) = (1/2) integral from 0 to infinity of dt / sqrt((t + x)(t + y)(t + z)), for arguments that are not
-/// negative and of which at most one is zero; otherwise not a number.
+/// R_F(x, y, z) = (1/2) integral from 0 to infinity of dt / sqrt((t + x)(t + y)(t + z)), for
+/// arguments that are not negative and of which at most one is zero; otherwise not a number.
 ///
-/// Carlson's duplication theorem (DLMF 19.26.18) brings the arguments together, then the series of DLMF 19.36.1 ends
-/// it. The first term left out is of eighth order in the spread, hence the bound on the loop.
+/// Carlson's duplication theorem (DLMF 19.26.18) brings the arguments together, then the series of
+/// DLMF 19.36.1 ends it. The first term left out is of eighth order in the spread, hence the bound
+/// on the loop.
 #[must_use]
 pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
     let zeros = [x, y, z].into_iter().filter(|&v| v == 0.0).count();
@@ -12,14 +13,17 @@ pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
         return f64::NAN;
     }
     let (mut x, mut y, mut z) = (x, y, z);
-    // Every duplication divides the spread by about four; five hundred cover the whole range of f64.
+    // Every duplication divides the spread by about four; five hundred cover the whole range of
+    // f64.
     for _ in 0..600 {
         let mean = (x + y + z) / 3.0;
         let (dx, dy) = (1.0 - x / mean, 1.0 - y / mean);
         let dz = -(dx + dy);
         if dx.abs().max(dy.abs()).max(dz.abs()) < 3e-3 {
             let (e2, e3) = (dx * dy - dz * dz, dx * dy * dz);
-            let series = 1.0 - e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 * e2 * e3 / 44.0 - 5.0 * e2.powi(3) / 208.0
+            let series = 1.0 - e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0
+                - 3.0 * e2 * e3 / 44.0
+                - 5.0 * e2.powi(3) / 208.0
                 + 3.0 * e3 * e3 / 104.0
                 + e2 * e2 * e3 / 16.0;
             return series / mean.sqrt();

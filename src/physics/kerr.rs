@@ -3,7 +3,8 @@
 /// The hole's mass, in units of r_s.
 pub const MASS: f64 = 0.5;
 
-/// A Kerr hole. *Prograde* means toward growing phi, as the disk turns, whatever the sign of the spin.
+/// A Kerr hole. *Prograde* means toward growing phi, as the disk turns, whatever the sign of the
+/// spin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kerr {
     /// chi = a/M, in (-1, 1); positive turns with the disk.
@@ -17,7 +18,8 @@ impl Kerr {
         self.spin * MASS
     }
 
-    /// The outer horizon: r_+ = M (1 + sqrt(1 - chi^2)). Bardeen, Press & Teukolsky 1972, section II.
+    /// The outer horizon: r_+ = M (1 + sqrt(1 - chi^2)). Bardeen, Press & Teukolsky 1972, section
+    /// II.
     #[must_use]
     pub fn horizon(self) -> f64 {
         MASS * (1.0 + ((1.0 - self.spin) * (1.0 + self.spin)).sqrt())
@@ -29,8 +31,8 @@ impl Kerr {
         self.a().powi(2) / self.horizon()
     }
 
-    /// The static limit: r = M (1 + sqrt(1 - chi^2 cos^2 theta)), where -g_tt = 0. Bardeen, Press & Teukolsky 1972,
-    /// section II.
+    /// The static limit: r = M (1 + sqrt(1 - chi^2 cos^2 theta)), where -g_tt = 0. Bardeen, Press &
+    /// Teukolsky 1972, section II.
     #[must_use]
     pub fn static_limit(self, cos_theta: f64) -> f64 {
         let c = self.spin * cos_theta;
@@ -49,26 +51,31 @@ impl Kerr {
         r * r + (self.a() * cos_theta).powi(2)
     }
 
-    /// Kerr's ingoing azimuth less Boyer-Lindquist's: the integral of a/Delta dr,
-    /// (a / (r_+ - r_-)) ln|(r - r_+) / (r - r_-)|, zero at infinity. Misner, Thorne & Wheeler 1973 box 33.2.
+    /// Kerr's ingoing azimuth less Boyer-Lindquist's: the integral of a/Delta dr, (a / (r_+ - r_-))
+    /// ln|(r - r_+) / (r - r_-)|, zero at infinity. Misner, Thorne & Wheeler 1973 box 33.2.
     #[must_use]
     pub fn ingoing_azimuth_lead(self, r: f64) -> f64 {
         let (outer, inner) = (self.horizon(), self.inner_horizon());
         self.a() / (outer - inner) * ((r - outer) / (r - inner)).abs().ln()
     }
 
-    /// Kerr's ingoing time v less Boyer-Lindquist's t: the integral of (r^2 + a^2)/Delta dr,
-    /// r + (r_+ ln|r - r_+| - r_- ln|r - r_-|) / (r_+ - r_-) with 2M = 1. Misner, Thorne & Wheeler 1973 box 33.2.
+    /// Kerr's ingoing time v less Boyer-Lindquist's t: the integral of (r^2 + a^2)/Delta dr, r +
+    /// (r_+ ln|r - r_+| - r_- ln|r - r_-|) / (r_+ - r_-) with 2M = 1. Misner, Thorne & Wheeler 1973
+    /// box 33.2.
     #[must_use]
     pub fn ingoing_time_lead(self, r: f64) -> f64 {
         let (outer, inner) = (self.horizon(), self.inner_horizon());
         // Without spin the inner horizon is at zero and has no share.
-        let inside = if inner > 0.0 { inner * (r - inner).abs().ln() } else { 0.0 };
+        let inside = if inner > 0.0 {
+            inner * (r - inner).abs().ln()
+        } else {
+            0.0
+        };
         r + (outer * (r - outer).abs().ln() - inside) / (outer - inner)
     }
 
-    /// The prograde equatorial photon orbit: r = 2M (1 + cos((2/3) arccos(-chi))), written as a square. Bardeen, Press
-    /// & Teukolsky 1972 eq. 2.18.
+    /// The prograde equatorial photon orbit: r = 2M (1 + cos((2/3) arccos(-chi))), written as a
+    /// square. Bardeen, Press & Teukolsky 1972 eq. 2.18.
     #[must_use]
     pub fn photon_orbit_prograde(self) -> f64 {
         4.0 * MASS * ((-self.spin).acos() / 3.0).cos().powi(2)
@@ -80,9 +87,9 @@ impl Kerr {
         Kerr { spin: -self.spin }.photon_orbit_prograde()
     }
 
-    /// The photon orbit with L = 0, which passes over both poles:
-    /// r = M (1 + 2 sqrt(1 - chi^2/3) cos((1/3) arccos((1 - chi^2) / (1 - chi^2/3)^(3/2)))). Derived by
-    /// setting the angular momentum of the spherical photon orbits (Teo 2003) to zero.
+    /// The photon orbit with L = 0, which passes over both poles: r = M (1 + 2 sqrt(1 - chi^2/3)
+    /// cos((1/3) arccos((1 - chi^2) / (1 - chi^2/3)^(3/2)))). Derived by setting the angular
+    /// momentum of the spherical photon orbits (Teo 2003) to zero.
     #[must_use]
     pub fn photon_orbit_polar(self) -> f64 {
         let third = 1.0 - self.spin.powi(2) / 3.0;
@@ -103,13 +110,15 @@ impl Kerr {
         -Kerr { spin: -self.spin }.critical_impact_prograde()
     }
 
-    /// The innermost stable circular orbit of matter that turns with the disk. Bardeen, Press & Teukolsky 1972
-    /// eq. 2.21, with p = (1 + chi)^(1/3), q = (1 - chi)^(1/3):
+    /// The innermost stable circular orbit of matter that turns with the disk. Bardeen, Press &
+    /// Teukolsky 1972 eq. 2.21, with p = (1 + chi)^(1/3), q = (1 - chi)^(1/3):
     ///
-    /// Z1 = 1 + p q (p + q),  Z2 = sqrt(3 chi^2 + Z1^2),  r = M (3 + Z2 - s),  s = +-sqrt((3 - Z1)(3 + Z1 + 2 Z2)).
+    /// Z1 = 1 + p q (p + q),  Z2 = sqrt(3 chi^2 + Z1^2),  r = M (3 + Z2 - s),  s = +-sqrt((3 -
+    /// Z1)(3 + Z1 + 2 Z2)).
     ///
-    /// Since p^3 + q^3 = 2, 3 - Z1 = (p + q)(p - q)^2, which keeps its digits for small spin and gives s the spin's
-    /// sign; since (3 + Z2)^2 - s^2 = (Z1 + Z2)^2, the difference becomes a quotient for positive spin.
+    /// Since p^3 + q^3 = 2, 3 - Z1 = (p + q)(p - q)^2, which keeps its digits for small spin and
+    /// gives s the spin's sign; since (3 + Z2)^2 - s^2 = (Z1 + Z2)^2, the difference becomes a
+    /// quotient for positive spin.
     #[must_use]
     pub fn isco(self) -> f64 {
         let (p, q) = ((1.0 + self.spin).cbrt(), (1.0 - self.spin).cbrt());
@@ -117,11 +126,15 @@ impl Kerr {
         let z2 = (3.0 * self.spin.powi(2) + z1 * z1).sqrt();
         let p_minus_q = 2.0 * self.spin / (p * p + p * q + q * q);
         let s = p_minus_q * ((p + q) * (3.0 + z1 + 2.0 * z2)).sqrt();
-        if s > 0.0 { MASS * (z1 + z2).powi(2) / (3.0 + z2 + s) } else { MASS * (3.0 + z2 - s) }
+        if s > 0.0 {
+            MASS * (z1 + z2).powi(2) / (3.0 + z2 + s)
+        } else {
+            MASS * (3.0 + z2 - s)
+        }
     }
 
-    /// The prograde circular geodesic of radius `r` in the equatorial plane, or nothing where there is none that is
-    /// timelike (at and inside the photon orbit).
+    /// The prograde circular geodesic of radius `r` in the equatorial plane, or nothing where there
+    /// is none that is timelike (at and inside the photon orbit).
     #[must_use]
     pub fn circular_orbit(self, r: f64) -> Option<CircularOrbit> {
         let (chi, y) = (self.spin, (MASS / r).sqrt());
@@ -141,8 +154,8 @@ impl Kerr {
     }
 }
 
-/// A prograde circular geodesic in the equatorial plane, per unit rest mass. With y = sqrt(M/r), Bardeen, Press &
-/// Teukolsky 1972 eqs. 2.12, 2.13 and 2.16.
+/// A prograde circular geodesic in the equatorial plane, per unit rest mass. With y = sqrt(M/r),
+/// Bardeen, Press & Teukolsky 1972 eqs. 2.12, 2.13 and 2.16.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CircularOrbit {
     /// Omega = dphi/dt = y^3 / (M (1 + chi y^3)), in 1/r_s.

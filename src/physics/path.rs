@@ -1,12 +1,12 @@
 //! The path of one ray, for looking at: places along it, and what it did on its way.
 //!
-//! The path is that of the reference, step by step, from the same series. Two lengths along it are integrals over Mino
-//! time, by Gauss and Legendre on ever smaller parts until they agree:
+//! The path is that of the reference, step by step, from the same series. Two lengths along it are
+//! integrals over Mino time, by Gauss and Legendre on ever smaller parts until they agree:
 //!
-//! * the angle swept about the hole, of dpsi = |n'| dtau with |n'|^2 = K + a^2 E^2 n_z^2 (what spin drags along is not in it);
-//! * the Boyer-Lindquist time that light takes, of
-//!   dt = ((r^2 + a^2) (E (r^2 + a^2) - a L) / Delta + a L - a^2 E sin^2 theta) dtau (Carter 1968; Misner, Thorne & Wheeler
-//!   1973 eq. 33.32d).
+//! * the angle swept about the hole, of dpsi = |n'| dtau with |n'|^2 = K + a^2 E^2 n_z^2 (what spin
+//!   drags along is not in it);
+//! * the Boyer-Lindquist time that light takes, of dt = ((r^2 + a^2) (E (r^2 + a^2) - a L) / Delta
+//!   + a L - a^2 E sin^2 theta) dtau (Carter 1968; Misner, Thorne & Wheeler 1973 eq. 33.32d).
 
 use crate::physics::{
     kerr::Kerr,
@@ -20,19 +20,21 @@ use std::f64::consts::PI;
 
 /// Places of a step that are kept.
 const PLACES: usize = 24;
-/// The path of a captured ray ends this close to the horizon, as a share of its radius: azimuths grow without end there.
+/// The path of a captured ray ends this close to the horizon, as a share of its radius: azimuths
+/// grow without end there.
 const HORIZON_MARGIN: f64 = 0.02;
 /// Most places of a path; a ray that winds about the hole for ever is cut off.
 const MOST_PLACES: usize = 4000;
-/// Angles that are a whole number of half-turns but for rounding belong to the lower order: from a camera in the disk's
-/// plane, the disk is met after whole half-turns exactly.
+/// Angles that are a whole number of half-turns but for rounding belong to the lower order: from a
+/// camera in the disk's plane, the disk is met after whole half-turns exactly.
 const WHOLE_TURN: f64 = 1e-5;
 
 /// What a ray did on its way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
-    /// Places along the backward ray, from the camera on, in r_s: r times the unit vector toward Boyer-Lindquist theta, phi;
-    /// from a camera at or inside the horizon, toward Kerr's ingoing azimuth.
+    /// Places along the backward ray, from the camera on, in r_s: r times the unit vector toward
+    /// Boyer-Lindquist theta, phi; from a camera at or inside the horizon, toward Kerr's ingoing
+    /// azimuth.
     pub places: Vec<DVec3>,
     /// Smallest r that the ray reaches, in r_s; the horizon's for a captured ray.
     pub closest_r: f64,
@@ -56,8 +58,8 @@ pub struct Invariants {
 }
 
 impl Path {
-    /// The path of the ray that arrives from the unit direction `direction`, on the observer's legs, as far out as `farthest`
-    /// (r_s), beside its trace by the same reference.
+    /// The path of the ray that arrives from the unit direction `direction`, on the observer's
+    /// legs, as far out as `farthest` (r_s), beside its trace by the same reference.
     #[must_use]
     pub fn of(reference: &Reference, direction: DVec3, farthest: f64) -> (Trace, Self) {
         let trace = reference.trace(direction);
@@ -72,7 +74,8 @@ impl Path {
         (trace, path)
     }
 
-    /// Order of the image: whole half-turns about the hole up to what is seen first. None where nothing is seen.
+    /// Order of the image: whole half-turns about the hole up to what is seen first. None where
+    /// nothing is seen.
     #[must_use]
     pub fn order(&self, trace: &Trace) -> Option<u32> {
         let seen = trace.outcome == Outcome::Sky || trace.hits[0].is_some();
@@ -80,7 +83,14 @@ impl Path {
     }
 }
 
-fn bent(surroundings: Surroundings, photon: &Photon, r: f64, n: DVec3, trace: &Trace, farthest: f64) -> Path {
+fn bent(
+    surroundings: Surroundings,
+    photon: &Photon,
+    r: f64,
+    n: DVec3,
+    trace: &Trace,
+    farthest: f64,
+) -> Path {
     let Surroundings { kerr, .. } = surroundings;
     let (constants, start) = Constants::of_photon(kerr, photon, r, n);
     let mut path = Path {
@@ -91,11 +101,16 @@ fn bent(surroundings: Surroundings, photon: &Photon, r: f64, n: DVec3, trace: &T
         constants: Some(invariants(&constants)),
     };
     let (mut turn, mut delay, mut found) = (0.0, 0.0, 0);
-    let swept = |expansion: &Expansion, end: f64| integral(0.0, end, &|t| constants.sweep(&expansion.at(t)));
-    let duration = |expansion: &Expansion, end: f64| integral(0.0, end, &|t| constants.pace(kerr, &expansion.at(t)));
+    let swept = |expansion: &Expansion, end: f64| {
+        integral(0.0, end, &|t| constants.sweep(&expansion.at(t)))
+    };
+    let duration = |expansion: &Expansion, end: f64| {
+        integral(0.0, end, &|t| constants.pace(kerr, &expansion.at(t)))
+    };
     surroundings.follow(&constants, start, |_, expansion, end| {
         path.closest_r = path.closest_r.min(closest(expansion, end));
-        // The step that meets the next hit is the one that crosses the disk's plane at the hit's radius.
+        // The step that meets the next hit is the one that crosses the disk's plane at the hit's
+        // radius.
         let hit = trace.hits.get(found).copied().flatten();
         let meeting = hit.and_then(|hit| meeting(expansion, end, 1.0 / hit.r));
         if let Some(time) = meeting {
@@ -122,10 +137,15 @@ fn bent(surroundings: Surroundings, photon: &Photon, r: f64, n: DVec3, trace: &T
 }
 
 /// Places along a ray to its very end, also where the trace knows the outcome earlier.
-fn places(surroundings: Surroundings, constants: &Constants, start: State, farthest: f64) -> Vec<DVec3> {
+fn places(
+    surroundings: Surroundings,
+    constants: &Constants,
+    start: State,
+    farthest: f64,
+) -> Vec<DVec3> {
     let u_end = (1.0 - HORIZON_MARGIN) / surroundings.kerr.horizon();
-    // A path that begins inside the horizon, or next to it, ends there only if it comes back. Light from the horizon's other
-    // branch never was outside, and its path ends where that branch is.
+    // A path that begins inside the horizon, or next to it, ends there only if it comes back. Light
+    // from the horizon's other branch never was outside, and its path ends where that branch is.
     let mut outside = start.u < u_end;
     let u_horizon = 1.0 / surroundings.kerr.horizon();
     let kept_inside = constants.kept_inside(&start, u_horizon);
@@ -138,7 +158,9 @@ fn places(surroundings: Surroundings, constants: &Constants, start: State, farth
         let reach = constants.reach(&expansion);
         for i in 1..=PLACES {
             let next = expansion.at(reach * i as f64 / PLACES as f64);
-            let ended = !next.u.is_finite() || !next.n.is_finite() || (outside && next.u >= u_end && next.du > 0.0);
+            let ended = !next.u.is_finite()
+                || !next.n.is_finite()
+                || (outside && next.u >= u_end && next.du > 0.0);
             outside |= next.u < u_end;
             if ended || next.u <= least && next.du < 0.0 || kept_inside && next.u <= u_horizon {
                 return places;
@@ -165,14 +187,31 @@ fn straight(kerr: Kerr, photon: &Photon, r: f64, n: DVec3, trace: &Trace, farthe
         false => r,
     };
     // To the horizon, or as far out as is asked for.
-    let radius = if captured { kerr.horizon() } else { farthest.max(r) };
+    let radius = if captured {
+        kerr.horizon()
+    } else {
+        farthest.max(r)
+    };
     let half_chord = (radius * radius - nearest * nearest).max(0.0).sqrt();
-    let length = if captured { -start.dot(direction) - half_chord } else { -start.dot(direction) + half_chord };
-    let hit = trace.hits[0].map(|hit| DVec3::new(hit.r * hit.phi.cos(), hit.r * hit.phi.sin(), 0.0));
+    let length = if captured {
+        -start.dot(direction) - half_chord
+    } else {
+        -start.dot(direction) + half_chord
+    };
+    let hit =
+        trace.hits[0].map(|hit| DVec3::new(hit.r * hit.phi.cos(), hit.r * hit.phi.sin(), 0.0));
     let turn = hit.map_or(n.angle_between(direction), |hit| n.angle_between(hit));
     let delays = [hit.map(|hit| hit.distance(start)), None];
-    let places = (0..=PLACES).map(|i| start + direction * (length * i as f64 / PLACES as f64)).collect();
-    Path { places, closest_r, turn, delays, constants: None }
+    let places = (0..=PLACES)
+        .map(|i| start + direction * (length * i as f64 / PLACES as f64))
+        .collect();
+    Path {
+        places,
+        closest_r,
+        turn,
+        delays,
+        constants: None,
+    }
 }
 
 fn invariants(constants: &Constants) -> Invariants {
@@ -187,7 +226,9 @@ fn invariants(constants: &Constants) -> Invariants {
 impl Constants {
     /// |n'|, the angle swept per Mino time.
     fn sweep(&self, state: &State) -> f64 {
-        (self.k + (self.a * self.energy * state.n.z).powi(2)).max(0.0).sqrt()
+        (self.k + (self.a * self.energy * state.n.z).powi(2))
+            .max(0.0)
+            .sqrt()
     }
 
     /// dt / dtau, in r_s^2; outside the horizon.
@@ -195,7 +236,8 @@ impl Constants {
         let (a, r) = (self.a, 1.0 / state.u);
         let wide = r * r + a * a;
         let sin2 = 1.0 - state.n.z * state.n.z;
-        wide * (self.energy * wide - a * self.angular_momentum) / kerr.delta(r) + a * self.angular_momentum
+        wide * (self.energy * wide - a * self.angular_momentum) / kerr.delta(r)
+            + a * self.angular_momentum
             - a * a * self.energy * sin2
     }
 }
@@ -208,7 +250,11 @@ fn closest(expansion: &Expansion, end: f64) -> f64 {
         let (mut low, mut high) = (0.0, end);
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
-            if expansion.at(middle).du > 0.0 { low = middle } else { high = middle }
+            if expansion.at(middle).du > 0.0 {
+                low = middle
+            } else {
+                high = middle
+            }
         }
         u = u.max(expansion.at(low).u);
     }
@@ -223,7 +269,8 @@ fn meeting(expansion: &Expansion, end: f64, u: f64) -> Option<f64> {
     ((expansion.at(time).u - u).abs() <= 1e-9 * u).then_some(time)
 }
 
-/// Nodes and weights of Gauss and Legendre's rule of seven points on [-1, 1]: the node at zero and three pairs.
+/// Nodes and weights of Gauss and Legendre's rule of seven points on [-1, 1]: the node at zero and
+/// three pairs.
 const NODES: [[f64; 2]; 4] = [
     [0.0, 0.417_959_183_673_469_4],
     [0.405_845_151_377_397_2, 0.381_830_050_505_118_9],
@@ -234,13 +281,18 @@ const NODES: [[f64; 2]; 4] = [
 fn rule(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     let pair = |[node, weight]: [f64; 2]| {
-        let values = if node == 0.0 { f(middle) } else { f(middle - half * node) + f(middle + half * node) };
+        let values = if node == 0.0 {
+            f(middle)
+        } else {
+            f(middle - half * node) + f(middle + half * node)
+        };
         weight * values
     };
     half * NODES.into_iter().map(pair).sum::<f64>()
 }
 
-/// The integral of a smooth function, to some 1e-12 of itself: halved until the halves agree with the whole.
+/// The integral of a smooth function, to some 1e-12 of itself: halved until the halves agree with
+/// the whole.
 fn integral(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
     fn part(from: f64, to: f64, whole: f64, depth: u32, f: &impl Fn(f64) -> f64) -> f64 {
         let middle = 0.5 * (from + to);

@@ -1,17 +1,20 @@
-//! What potentials and motions do to light, apart from each other, for pictures with one of them switched off.
+//! What potentials and motions do to light, apart from each other, for pictures with one of them
+//! switched off.
 //!
-//! At each end of a ray stands the observer with zero angular momentum (without spin: at rest), as the article's observer
-//! does: she measures the frequency nu = E (1 - omega lambda) / N, with N and omega her lapse and angular velocity
-//! (Bardeen, Press & Teukolsky 1972 eqs. 2.5, 3.2). So the camera's frequency over the emitted one is a product,
+//! At each end of a ray stands the observer with zero angular momentum (without spin: at rest), as
+//! the article's observer does: she measures the frequency nu = E (1 - omega lambda) / N, with N
+//! and omega her lapse and angular velocity (Bardeen, Press & Teukolsky 1972 eqs. 2.5, 3.2). So the
+//! camera's frequency over the emitted one is a product,
 //!
 //!   g = gravity * motion,   gravity = nu(camera) / nu(emitter)
 //!     = N_e (1 - omega_c lambda) / (N_c (1 - omega_e lambda)),
 //!
-//! and motion is the rest of it: by how much the camera and the matter move through those observers. At infinity N = 1 and
-//! omega = 0. Derived.
+//! and motion is the rest of it: by how much the camera and the matter move through those
+//! observers. At infinity N = 1 and omega = 0. Derived.
 //!
-//! Straight rays (`effects.lensing = false`) have no lambda that both ends share. There the frame-dragging is left out,
-//! gravity = N_e / N_c, and the matter's motion counts with the angle at which it meets the straight ray.
+//! Straight rays (`effects.lensing = false`) have no lambda that both ends share. There the
+//! frame-dragging is left out, gravity = N_e / N_c, and the matter's motion counts with the angle
+//! at which it meets the straight ray.
 
 use crate::{
     physics::kerr::{Kerr, MASS},
@@ -29,8 +32,8 @@ pub struct Shift {
 /// The observer with zero angular momentum at some place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RestFrame {
-    /// N = sqrt(Sigma Delta / A), A = (r^2 + a^2)^2 - a^2 Delta sin^2 theta. Zero inside the horizon, where there is no such
-    /// observer.
+    /// N = sqrt(Sigma Delta / A), A = (r^2 + a^2)^2 - a^2 Delta sin^2 theta. Zero inside the
+    /// horizon, where there is no such observer.
     pub lapse: f64,
     /// omega = 2 M a r / A, in 1/r_s.
     pub dragging: f64,
@@ -52,7 +55,14 @@ impl RestFrame {
     }
 
     fn without_dragging_unless(self, lensing: bool) -> Self {
-        if lensing { self } else { Self { dragging: 0.0, ..self } }
+        if lensing {
+            self
+        } else {
+            Self {
+                dragging: 0.0,
+                ..self
+            }
+        }
     }
 }
 
@@ -60,9 +70,15 @@ impl Shift {
     /// Of this scene's light.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
-        let kerr = Kerr { spin: scene.hole.spin };
+        let kerr = Kerr {
+            spin: scene.hole.spin,
+        };
         let (_, cos) = super::observer::polar_sin_cos(scene.camera.theta_deg.to_radians());
-        Self { kerr, effects: scene.effects, camera: Self::frame(kerr, scene.effects, scene.camera.r, cos) }
+        Self {
+            kerr,
+            effects: scene.effects,
+            camera: Self::frame(kerr, scene.effects, scene.camera.r, cos),
+        }
     }
 
     fn frame(kerr: Kerr, effects: Effects, r: f64, cos_theta: f64) -> RestFrame {

@@ -1,7 +1,7 @@
 //! Truncated power series: values, products, roots.
 
-/// Highest power kept. The cost of a step grows with its square, its length like eps^(1/ORDER); the product is flat
-/// between 18 and 26.
+/// Highest power kept. The cost of a step grows with its square, its length like eps^(1/ORDER); the
+/// product is flat between 18 and 26.
 pub const ORDER: usize = 22;
 
 /// The series c_0 + c_1 t + ... + c_ORDER t^ORDER.
@@ -12,11 +12,14 @@ impl Taylor {
     /// Value and derivative at `t`.
     #[must_use]
     pub fn at(&self, t: f64) -> (f64, f64) {
-        self.0.iter().rev().fold((0.0, 0.0), |(value, slope), &c| (value * t + c, slope * t + value))
+        self.0.iter().rev().fold((0.0, 0.0), |(value, slope), &c| {
+            (value * t + c, slope * t + value)
+        })
     }
 
-    /// Where the series vanishes between 0 and `end`, given that its values there differ in sign or that it vanishes at
-    /// `end`: Newton's method, with a bisection wherever Newton leaves the bracket or does not halve it.
+    /// Where the series vanishes between 0 and `end`, given that its values there differ in sign or
+    /// that it vanishes at `end`: Newton's method, with a bisection wherever Newton leaves the
+    /// bracket or does not halve it.
     #[must_use]
     pub fn root(&self, end: f64) -> f64 {
         let rising = self.0[0] < 0.0;
@@ -34,7 +37,11 @@ impl Taylor {
                 high = t;
             }
             let newton = t - value / slope;
-            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            let next = if newton > low && newton < high {
+                newton
+            } else {
+                0.5 * (low + high)
+            };
             if (next - t).abs() <= f64::EPSILON * t || next == low || next == high {
                 return next;
             }
@@ -47,5 +54,9 @@ impl Taylor {
 /// The coefficient of t^k in the product of two series, whose first k + 1 coefficients are given.
 #[must_use]
 pub fn product_coefficient(left: &[f64], right: &[f64], k: usize) -> f64 {
-    left[..=k].iter().zip(right[..=k].iter().rev()).map(|(l, r)| l * r).sum()
+    left[..=k]
+        .iter()
+        .zip(right[..=k].iter().rev())
+        .map(|(l, r)| l * r)
+        .sum()
 }

@@ -1,11 +1,13 @@
 //! Real motion: an observer who falls freely, or circles, in her own time.
 //!
-//! The scene stays the one description: where the camera comes to, and how it moves there, is written back to its fields,
-//! so that the picture is that of the moving observer. A circular orbit stays `orbit`, free fall from rest at infinity stays
-//! `rain`; whatever else is let go is from then on `rain` with one more velocity, a frame that knows no horizon.
+//! The scene stays the one description: where the camera comes to, and how it moves there, is
+//! written back to its fields, so that the picture is that of the moving observer. A circular orbit
+//! stays `orbit`, free fall from rest at infinity stays `rain`; whatever else is let go is from
+//! then on `rain` with one more velocity, a frame that knows no horizon.
 //!
-//! The camera keeps looking where it looks: it is carried along the great circle between two places, without a turn about
-//! the hole's direction, so that the hole stays where it is in the picture, over a pole as elsewhere.
+//! The camera keeps looking where it looks: it is carried along the great circle between two
+//! places, without a turn about the hole's direction, so that the hole stays where it is in the
+//! picture, over a pole as elsewhere.
 
 pub mod frame;
 mod geodesic;
@@ -29,9 +31,10 @@ const FARTHEST: f64 = 1e7;
 /// Turns smaller than this, in radians, are rounding.
 const NO_TURN: f64 = 1e-12;
 
-/// The least radius to which motion leads, in r_s: nine tenths of the way from the outer horizon to the inner one, which
-/// without spin is the centre. Beyond it the tide grows without end, or with spin the blueshift of what falls in along with
-/// the hole's turning, as 1/|Delta|; and a real hole's inner horizon is no vacuum's (Poisson & Israel 1990).
+/// The least radius to which motion leads, in r_s: nine tenths of the way from the outer horizon to
+/// the inner one, which without spin is the centre. Beyond it the tide grows without end, or with
+/// spin the blueshift of what falls in along with the hole's turning, as 1/|Delta|; and a real
+/// hole's inner horizon is no vacuum's (Poisson & Israel 1990).
 #[must_use]
 pub fn innermost(kerr: Kerr) -> f64 {
     0.9 * kerr.inner_horizon() + 0.1 * kerr.horizon()
@@ -75,39 +78,66 @@ impl Worldline {
     /// If the scene's observer cannot exist.
     pub fn start(scene: &Scene) -> Result<Self, ObserverError> {
         let (camera, observer) = (&scene.camera, &scene.observer);
-        let kerr = Kerr { spin: scene.hole.spin };
+        let kerr = Kerr {
+            spin: scene.hole.spin,
+        };
         let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
-        let of = |kind, velocity| observer_matrix(scene.hole.spin, kind, velocity, camera.r, theta, phi);
+        let of =
+            |kind, velocity| observer_matrix(scene.hole.spin, kind, velocity, camera.r, theta, phi);
         let matrix = of(observer.kind, observer.velocity)?;
         let untouched = observer.velocity == [0.0; 3];
         let path = match kerr.circular_orbit(camera.r) {
-            Some(orbit) if untouched && observer.kind == ObserverKind::Orbit => {
-                Path::Circle { orbit, phi, own_time: 0.0 }
-            }
+            Some(orbit) if untouched && observer.kind == ObserverKind::Orbit => Path::Circle {
+                orbit,
+                phi,
+                own_time: 0.0,
+            },
             _ => {
                 let from_rest = untouched && observer.kind == ObserverKind::Rain;
                 let outside = camera.r > kerr.horizon();
-                let chi = if outside { kerr.ingoing_azimuth_lead(camera.r) } else { 0.0 };
+                let chi = if outside {
+                    kerr.ingoing_azimuth_lead(camera.r)
+                } else {
+                    0.0
+                };
                 let velocity = four_velocity(&matrix);
                 let turn = if observer.kind == ObserverKind::Rain {
                     DMat3::IDENTITY
                 } else {
                     let rain = velocity_in_rain(kerr, camera.r, theta, phi, &velocity);
-                    turn_between(&matrix, &of(ObserverKind::Rain, rain.to_array())?, theta, phi)
+                    turn_between(
+                        &matrix,
+                        &of(ObserverKind::Rain, rain.to_array())?,
+                        theta,
+                        phi,
+                    )
                 };
                 let geodesic = Geodesic::new(kerr, &velocity, camera.r, camera.direction(), chi);
-                Path::Free(Box::new(Fall { geodesic, from_rest, frame: [theta, phi], turn }))
+                Path::Free(Box::new(Fall {
+                    geodesic,
+                    from_rest,
+                    frame: [theta, phi],
+                    turn,
+                }))
             }
         };
-        Ok(Self { kerr, path, start_r: camera.r })
+        Ok(Self {
+            kerr,
+            path,
+            start_r: camera.r,
+        })
     }
 
-    /// Lets her own time `own_time` (r_s, not negative) pass and writes to `scene` where she is then and how she moves.
-    /// Says so if a limit of the motion was met before.
+    /// Lets her own time `own_time` (r_s, not negative) pass and writes to `scene` where she is
+    /// then and how she moves. Says so if a limit of the motion was met before.
     pub fn advance(&mut self, own_time: f64, scene: &mut Scene) -> Option<Limit> {
         let kerr = self.kerr;
         match &mut self.path {
-            Path::Circle { orbit, phi, own_time: passed } => {
+            Path::Circle {
+                orbit,
+                phi,
+                own_time: passed,
+            } => {
                 *passed += own_time;
                 *phi = (*phi + orbit.angular_velocity * orbit.u_t * own_time) % TAU;
                 scene.camera.r = self.start_r;
@@ -133,12 +163,14 @@ impl Worldline {
         }
     }
 
-    /// The time t that passed meanwhile on clocks far away, in r_s; none where one of the two places is not outside the
-    /// horizon.
+    /// The time t that passed meanwhile on clocks far away, in r_s; none where one of the two
+    /// places is not outside the horizon.
     #[must_use]
     pub fn far_time(&self) -> Option<f64> {
         match &self.path {
-            Path::Circle { orbit, own_time, .. } => Some(orbit.u_t * own_time),
+            Path::Circle {
+                orbit, own_time, ..
+            } => Some(orbit.u_t * own_time),
             Path::Free(fall) => {
                 let (r, horizon) = (1.0 / fall.geodesic.state.u, self.kerr.horizon());
                 let lead = |r: f64| self.kerr.ingoing_time_lead(r);
@@ -148,13 +180,17 @@ impl Worldline {
         }
     }
 
-    /// The ingoing time that passed meanwhile, in r_s: Kerr's v less r, which far away is t, and which goes on through the
-    /// horizon.
+    /// The ingoing time that passed meanwhile, in r_s: Kerr's v less r, which far away is t, and
+    /// which goes on through the horizon.
     #[must_use]
     pub fn ingoing_time(&self) -> f64 {
         match &self.path {
-            Path::Circle { orbit, own_time, .. } => orbit.u_t * own_time,
-            Path::Free(fall) => fall.geodesic.state.ingoing_time - (1.0 / fall.geodesic.state.u - self.start_r),
+            Path::Circle {
+                orbit, own_time, ..
+            } => orbit.u_t * own_time,
+            Path::Free(fall) => {
+                fall.geodesic.state.ingoing_time - (1.0 / fall.geodesic.state.u - self.start_r)
+            }
         }
     }
 
@@ -180,8 +216,16 @@ impl Fall {
         let r = 1.0 / u;
         let theta = n.truncate().length().atan2(n.z);
         // On the axis any azimuth will do, and the last one keeps the legs.
-        let psi = if n.x == 0.0 && n.y == 0.0 { self.frame[1] } else { n.y.atan2(n.x) };
-        let lead = if r > kerr.horizon() { kerr.ingoing_azimuth_lead(r) } else { 0.0 };
+        let psi = if n.x == 0.0 && n.y == 0.0 {
+            self.frame[1]
+        } else {
+            n.y.atan2(n.x)
+        };
+        let lead = if r > kerr.horizon() {
+            kerr.ingoing_azimuth_lead(r)
+        } else {
+            0.0
+        };
         let velocity = if self.from_rest {
             [0.0; 3]
         } else {
@@ -192,7 +236,8 @@ impl Fall {
             DMat3::from_cols(outward, theta_hat, psi_hat)
         };
         let (before, after) = (legs(self.frame), legs([theta, psi]));
-        let carried = DMat3::from_quat(DQuat::from_rotation_arc(before.x_axis, after.x_axis)) * before;
+        let carried =
+            DMat3::from_quat(DQuat::from_rotation_arc(before.x_axis, after.x_axis)) * before;
         let turn = after.transpose() * carried * self.turn;
         (self.frame, self.turn) = ([theta, psi], DMat3::IDENTITY);
         let camera = &mut scene.camera;
@@ -206,7 +251,10 @@ impl Fall {
 
 /// Turns the camera with its legs, unless the turn is none.
 fn turn_camera(camera: &mut Camera, turn: DMat3) {
-    let largest = (turn - DMat3::IDENTITY).to_cols_array().into_iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let largest = (turn - DMat3::IDENTITY)
+        .to_cols_array()
+        .into_iter()
+        .fold(0.0, |most: f64, x| most.max(x.abs()));
     if largest > NO_TURN {
         camera.set_turns(turn * camera.legs_from_camera());
     }

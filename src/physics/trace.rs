@@ -29,7 +29,8 @@ pub struct Hit {
 pub struct Trace {
     /// Where it ends.
     pub outcome: Outcome,
-    /// Unit vector toward the source at infinity, in the hole's frame; present where the outcome is the sky.
+    /// Unit vector toward the source at infinity, in the hole's frame; present where the outcome is
+    /// the sky.
     pub sky: Option<DVec3>,
     /// The first two crossings of the disk's annulus along the backward ray.
     pub hits: [Option<Hit>; 2],

@@ -1,4 +1,5 @@
-//! What the rays of a picture tell besides light: the channels that an EXR picture can have, by name.
+//! What the rays of a picture tell besides light: the channels that an EXR picture can have, by
+//! name.
 
 use crate::gpu::rays::RayKernel;
 use crate::gpu::{Gpu, GpuError, Variant};
@@ -96,28 +97,42 @@ impl Channels {
     /// Whether the foreground's depth is one of them.
     #[must_use]
     pub fn with_depth(&self) -> bool {
-        self.0.iter().any(|channel| matches!(channel.value, Value::Depth))
+        self.0
+            .iter()
+            .any(|channel| matches!(channel.value, Value::Depth))
     }
 }
 
 impl FromStr for Channels {
     type Err = String;
 
-    /// Reads a list such as `hit1,outcome`: names of channels or groups, or `all`, separated by commas.
+    /// Reads a list such as `hit1,outcome`: names of channels or groups, or `all`, separated by
+    /// commas.
     fn from_str(text: &str) -> Result<Self, String> {
         let names: Vec<&str> = text.split(',').map(str::trim).collect();
         let is_meant = |name: &str, channel: &Channel| {
             name == "all"
                 || name == channel.name
-                || channel.name.split_once('.').is_some_and(|(group, _)| group == name)
+                || channel
+                    .name
+                    .split_once('.')
+                    .is_some_and(|(group, _)| group == name)
         };
-        match names.iter().find(|name| !CHANNELS.iter().any(|channel| is_meant(name, channel))) {
+        match names
+            .iter()
+            .find(|name| !CHANNELS.iter().any(|channel| is_meant(name, channel)))
+        {
             Some(unknown) => {
                 let all = CHANNELS.map(|channel| channel.name).join(", ");
-                Err(format!("there is no channel {unknown:?}; there are all, sky, hit1, hit2, and one by one {all}"))
+                Err(format!(
+                    "there is no channel {unknown:?}; there are all, sky, hit1, hit2, and one by one {all}"
+                ))
             }
             None => Ok(Self(
-                CHANNELS.into_iter().filter(|channel| names.iter().any(|name| is_meant(name, channel))).collect(),
+                CHANNELS
+                    .into_iter()
+                    .filter(|channel| names.iter().any(|name| is_meant(name, channel)))
+                    .collect(),
             )),
         }
     }
@@ -149,29 +164,59 @@ impl PixelRays {
     /// # Errors
     /// There is none.
     pub fn open() -> Result<Self, GpuError> {
-        Ok(Self { gpu: Gpu::headless()?, kernel: None })
+        Ok(Self {
+            gpu: Gpu::headless()?,
+            kernel: None,
+        })
     }
 
-    /// The channels' numbers for the scene's picture, each pixel by the ray through its middle, whatever is in front of it.
-    /// `depth` is the foreground's, one number a pixel.
+    /// The channels' numbers for the scene's picture, each pixel by the ray through its middle,
+    /// whatever is in front of it. `depth` is the foreground's, one number a pixel.
     ///
     /// # Errors
     /// A scene the GPU cannot trace, or a device that failed.
-    pub fn sample(&mut self, scene: &Scene, channels: &Channels, depth: &[f32]) -> Result<Vec<Samples>, GpuError> {
+    pub fn sample(
+        &mut self,
+        scene: &Scene,
+        channels: &Channels,
+        depth: &[f32],
+    ) -> Result<Vec<Samples>, GpuError> {
         let pixels = scene.picture.width as usize * scene.picture.height as usize;
-        let mut samples: Vec<Samples> = channels.list().iter().map(|channel| empty(channel, pixels)).collect();
-        let traced = channels.list().iter().any(|channel| !matches!(channel.value, Value::Depth));
+        let mut samples: Vec<Samples> = channels
+            .list()
+            .iter()
+            .map(|channel| empty(channel, pixels))
+            .collect();
+        let traced = channels
+            .list()
+            .iter()
+            .any(|channel| !matches!(channel.value, Value::Depth));
         for first in (0..pixels).step_by(BATCH) {
             let batch = first..pixels.min(first + BATCH);
-            let traces = if traced { self.trace(scene, batch.clone())? } else { Vec::new() };
+            let traces = if traced {
+                self.trace(scene, batch.clone())?
+            } else {
+                Vec::new()
+            };
             let profile = Profile::new(scene);
-            let seen = || traces.iter().map(|trace| Seen { trace, disk: &scene.disk, profile: &profile });
+            let seen = || {
+                traces.iter().map(|trace| Seen {
+                    trace,
+                    disk: &scene.disk,
+                    profile: &profile,
+                })
+            };
             for (channel, samples) in channels.list().iter().zip(&mut samples) {
                 match (channel.value, samples) {
                     (Value::Number(number), Samples::Numbers(numbers)) => {
-                        numbers.extend(seen().map(|seen| number(&seen).map_or(f32::NAN, |number| number as f32)));
+                        numbers
+                            .extend(seen().map(|seen| {
+                                number(&seen).map_or(f32::NAN, |number| number as f32)
+                            }));
                     }
-                    (Value::Count(count), Samples::Counts(counts)) => counts.extend(traces.iter().map(count)),
+                    (Value::Count(count), Samples::Counts(counts)) => {
+                        counts.extend(traces.iter().map(count))
+                    }
                     (_, Samples::Numbers(numbers)) => numbers.extend(&depth[batch.clone()]),
                     (_, Samples::Counts(_)) => {}
                 }
@@ -181,16 +226,26 @@ impl PixelRays {
     }
 
     /// Traces a run of pixels, counted along the rows.
-    fn trace(&mut self, scene: &Scene, pixels: std::ops::Range<usize>) -> Result<Vec<Trace>, GpuError> {
+    fn trace(
+        &mut self,
+        scene: &Scene,
+        pixels: std::ops::Range<usize>,
+    ) -> Result<Vec<Trace>, GpuError> {
         let variant = Variant::rays(scene);
         let kernel = match self.kernel.take() {
             Some((known, kernel)) if known == variant => kernel,
             _ => RayKernel::new(&self.gpu, scene)?,
         };
-        let size = DVec2::new(f64::from(scene.picture.width), f64::from(scene.picture.height));
+        let size = DVec2::new(
+            f64::from(scene.picture.width),
+            f64::from(scene.picture.height),
+        );
         let width = scene.picture.width as usize;
-        let middle = |pixel: usize| DVec2::new((pixel % width) as f64, (pixel / width) as f64) + 0.5;
-        let rays: Vec<Vec3> = pixels.map(|pixel| scene.camera.looking(middle(pixel), size).as_vec3()).collect();
+        let middle =
+            |pixel: usize| DVec2::new((pixel % width) as f64, (pixel / width) as f64) + 0.5;
+        let rays: Vec<Vec3> = pixels
+            .map(|pixel| scene.camera.looking(middle(pixel), size).as_vec3())
+            .collect();
         let traces = kernel.trace(&self.gpu, scene, &rays);
         self.kernel = Some((variant, kernel));
         traces

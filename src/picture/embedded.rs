@@ -4,7 +4,8 @@ use exr::meta::MetaData;
 use exr::meta::attribute::AttributeValue;
 use std::io::Cursor;
 
-/// The name under which a picture's preset stands in it: of a text chunk in PNG, of an attribute in EXR.
+/// The name under which a picture's preset stands in it: of a text chunk in PNG, of an attribute in
+/// EXR.
 pub const PRESET_KEY: &str = "lightfall.preset";
 
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
@@ -16,24 +17,36 @@ pub fn is_picture(bytes: &[u8]) -> bool {
     bytes.starts_with(PNG) || bytes.starts_with(EXR)
 }
 
-/// The preset in a PNG or EXR picture, which stands before the pixels: the file's first part is enough. None if it has none,
-/// or the picture is broken there.
+/// The preset in a PNG or EXR picture, which stands before the pixels: the file's first part is
+/// enough. None if it has none, or the picture is broken there.
 #[must_use]
 pub fn embedded_preset(bytes: &[u8]) -> Option<String> {
-    if bytes.starts_with(PNG) { in_png(bytes) } else { in_exr(bytes) }
+    if bytes.starts_with(PNG) {
+        in_png(bytes)
+    } else {
+        in_exr(bytes)
+    }
 }
 
 fn in_png(bytes: &[u8]) -> Option<String> {
     let reader = png::Decoder::new(Cursor::new(bytes)).read_info().ok()?;
-    let chunk = reader.info().utf8_text.iter().find(|chunk| chunk.keyword == PRESET_KEY)?;
+    let chunk = reader
+        .info()
+        .utf8_text
+        .iter()
+        .find(|chunk| chunk.keyword == PRESET_KEY)?;
     chunk.get_text().ok()
 }
 
 fn in_exr(bytes: &[u8]) -> Option<String> {
     let headers = MetaData::read_from_buffered(bytes, false).ok()?.headers;
-    let mut attributes = headers.iter().flat_map(|header| header.own_attributes.other.iter());
+    let mut attributes = headers
+        .iter()
+        .flat_map(|header| header.own_attributes.other.iter());
     let text = attributes.find_map(|(name, value)| match value {
-        AttributeValue::Text(text) if name.as_slice() == PRESET_KEY.as_bytes() => Some(text.as_slice()),
+        AttributeValue::Text(text) if name.as_slice() == PRESET_KEY.as_bytes() => {
+            Some(text.as_slice())
+        }
         _ => None,
     })?;
     String::from_utf8(text.to_vec()).ok()

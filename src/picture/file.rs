@@ -68,36 +68,62 @@ pub enum Format {
     Exr,
 }
 
-/// Checks that a picture can be written at `path`, before any work is done for it, and tells of which kind it will be.
+/// Checks that a picture can be written at `path`, before any work is done for it, and tells of
+/// which kind it will be.
 ///
 /// # Errors
 /// An unknown extension, or a folder that does not exist or cannot be written.
 pub fn check_path(path: &Path) -> Result<Format, PictureError> {
-    let extension = path.extension().unwrap_or_default().to_string_lossy().into_owned();
+    let extension = path
+        .extension()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned();
     let format = match extension.to_ascii_lowercase().as_str() {
         "png" => Format::Png,
         "exr" => Format::Exr,
-        _ => return Err(PictureError::Extension { path: path.into(), extension }),
+        _ => {
+            return Err(PictureError::Extension {
+                path: path.into(),
+                extension,
+            });
+        }
     };
     if path.is_dir() {
         let source = std::io::Error::new(ErrorKind::IsADirectory, "it is a folder");
-        return Err(PictureError::Write { path: path.into(), source });
+        return Err(PictureError::Write {
+            path: path.into(),
+            source,
+        });
     }
     part_file(path).map(|_| format)
 }
 
-/// Writes 8-bit RGB rows, top first, as a PNG, with the preset that drew them inside. The file appears under its name only
-/// when it is complete.
+/// Writes 8-bit RGB rows, top first, as a PNG, with the preset that drew them inside. The file
+/// appears under its name only when it is complete.
 ///
 /// # Errors
 /// What the encoder or the file system says, with the file's name.
-pub fn write_png(path: &Path, width: u32, height: u32, rgb: &[u8], preset: &str) -> Result<(), PictureError> {
-    let bytes = encoded(width, height, rgb, preset)
-        .map_err(|error| PictureError::Encode { path: path.into(), reason: error.to_string() })?;
+pub fn write_png(
+    path: &Path,
+    width: u32,
+    height: u32,
+    rgb: &[u8],
+    preset: &str,
+) -> Result<(), PictureError> {
+    let bytes = encoded(width, height, rgb, preset).map_err(|error| PictureError::Encode {
+        path: path.into(),
+        reason: error.to_string(),
+    })?;
     write_whole(path, &bytes)
 }
 
-fn encoded(width: u32, height: u32, rgb: &[u8], preset: &str) -> Result<Vec<u8>, png::EncodingError> {
+fn encoded(
+    width: u32,
+    height: u32,
+    rgb: &[u8],
+    preset: &str,
+) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(png::ColorType::Rgb);
@@ -122,7 +148,10 @@ pub fn write_text(path: &Path, text: &str) -> Result<(), PictureError> {
 /// Writes a file that appears under its name only when it is complete.
 pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), PictureError> {
     let mut part = part_file(path)?;
-    let failed = |source| PictureError::Write { path: path.into(), source };
+    let failed = |source| PictureError::Write {
+        path: path.into(),
+        source,
+    };
     part.write_all(bytes).map_err(failed)?;
     part.as_file().sync_all().map_err(failed)?;
     part.persist(path).map_err(|error| failed(error.error))?;
@@ -131,18 +160,27 @@ pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), PictureError>
 
 /// A temporary file beside `path`, removed unless it is given that name in the end.
 fn part_file(path: &Path) -> Result<tempfile::NamedTempFile, PictureError> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let folder = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+        .unwrap_or(Path::new("."));
     let mut builder = tempfile::Builder::new();
     builder.prefix(".lightfall-").suffix(".part");
-    // A temporary file is private to its owner; a picture has the rights of any other new file: these, less the umask's.
+    // A temporary file is private to its owner; a picture has the rights of any other new file:
+    // these, less the umask's.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     builder.tempfile_in(folder).map_err(|error| {
         // Its own message names the temporary file, which nobody asked for.
         let source = match error.kind() {
-            ErrorKind::NotFound => std::io::Error::new(ErrorKind::NotFound, "there is no such folder"),
+            ErrorKind::NotFound => {
+                std::io::Error::new(ErrorKind::NotFound, "there is no such folder")
+            }
             kind => kind.into(),
         };
-        PictureError::Write { path: path.into(), source }
+        PictureError::Write {
+            path: path.into(),
+            source,
+        }
     })
 }

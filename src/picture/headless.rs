@@ -16,7 +16,8 @@ use bevy::render::renderer::RenderDevice;
 use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
 
-/// Frames after which a picture that still isn't there is given up; compiling every pipeline takes a handful.
+/// Frames after which a picture that still isn't there is given up; compiling every pipeline takes
+/// a handful.
 pub(super) const MOST_UPDATES: usize = 600;
 
 /// The exit status by which Bevy says that somebody has pressed Ctrl+C.
@@ -39,11 +40,19 @@ pub(super) struct Output(pub(super) Handle<Image>);
 ///
 /// # Errors
 /// A size the device can't do, or a scene the GPU cannot draw.
-pub(super) fn headless(scene: &Scene, size: UVec2, Equipment { timed, light }: Equipment) -> Result<App, PictureError> {
+pub(super) fn headless(
+    scene: &Scene,
+    size: UVec2,
+    Equipment { timed, light }: Equipment,
+) -> Result<App, PictureError> {
     let mut app = App::new();
     app.add_plugins(
         DefaultPlugins
-            .set(WindowPlugin { primary_window: None, exit_condition: ExitCondition::DontExit, ..default() })
+            .set(WindowPlugin {
+                primary_window: None,
+                exit_condition: ExitCondition::DontExit,
+                ..default()
+            })
             .set(render_plugin(true))
             .build()
             .disable::<LogPlugin>()
@@ -74,7 +83,10 @@ pub(super) fn headless(scene: &Scene, size: UVec2, Equipment { timed, light }: E
     }
     app.insert_resource(Output(output.clone()))
         .insert_resource(AwaitErrors(true))
-        .add_plugins(LightfallRenderPlugin { scene: scene.clone(), target: RenderTarget::Image(output.into()) });
+        .add_plugins(LightfallRenderPlugin {
+            scene: scene.clone(),
+            target: RenderTarget::Image(output.into()),
+        });
     app.finish();
     app.cleanup();
     Ok(app)
@@ -87,14 +99,23 @@ pub(super) fn headless(scene: &Scene, size: UVec2, Equipment { timed, light }: E
 pub fn check_size(field: &'static str, size: UVec2) -> Result<(), PictureError> {
     let limit = LONGEST_SIDE;
     if size.min_element() == 0 || size.max_element() > limit {
-        return Err(PictureError::Size { field, width: size.x, height: size.y, limit });
+        return Err(PictureError::Size {
+            field,
+            width: size.x,
+            height: size.y,
+            limit,
+        });
     }
     Ok(())
 }
 
 /// Warnings and errors only, on the standard error stream, unless RUST_LOG says otherwise.
 pub(crate) fn quiet_log() -> LogPlugin {
-    LogPlugin { filter: "error,lightfall=warn".into(), level: bevy::log::Level::WARN, ..default() }
+    LogPlugin {
+        filter: "error,lightfall=warn".into(),
+        level: bevy::log::Level::WARN,
+        ..default()
+    }
 }
 
 /// Draws a frame and waits for it.
@@ -102,11 +123,20 @@ pub(super) fn update(app: &mut App) -> Result<(), PictureError> {
     app.update();
     match app.should_exit() {
         None | Some(AppExit::Success) => {}
-        Some(AppExit::Error(code)) if code.get() == INTERRUPTED => return Err(PictureError::Interrupted),
-        Some(AppExit::Error(_)) => return Err(PictureError::Draw("the graphics device reported an error".into())),
+        Some(AppExit::Error(code)) if code.get() == INTERRUPTED => {
+            return Err(PictureError::Interrupted);
+        }
+        Some(AppExit::Error(_)) => {
+            return Err(PictureError::Draw(
+                "the graphics device reported an error".into(),
+            ));
+        }
     }
     if let Some(device) = app.world().get_resource::<RenderDevice>() {
-        let waited = device.poll(PollType::Wait { submission_index: None, timeout: None });
+        let waited = device.poll(PollType::Wait {
+            submission_index: None,
+            timeout: None,
+        });
         waited.map_err(|error| PictureError::Draw(error.to_string()))?;
     }
     Ok(())

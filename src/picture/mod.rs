@@ -1,4 +1,5 @@
-//! Pictures without a window: the same chain, drawn to an image and written as a whole file; and sequences of them.
+//! Pictures without a window: the same chain, drawn to an image and written as a whole file; and
+//! sequences of them.
 
 mod channels;
 mod embedded;

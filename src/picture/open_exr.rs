@@ -1,4 +1,5 @@
-//! Pictures of linear light as OpenEXR files, with what their rays tell by the names of [`CHANNELS`](super::CHANNELS).
+//! Pictures of linear light as OpenEXR files, with what their rays tell by the names of
+//! [`CHANNELS`](super::CHANNELS).
 
 use super::file::{PictureError, write_whole};
 use super::{Channels, PRESET_KEY, Samples};
@@ -32,8 +33,8 @@ pub struct Linear<'a> {
     pub fps: Option<f64>,
 }
 
-/// Writes an EXR picture: half floats for light, floats and whole numbers for the rest, compressed without loss. The file
-/// appears under its name only when it is complete.
+/// Writes an EXR picture: half floats for light, floats and whole numbers for the rest, compressed
+/// without loss. The file appears under its name only when it is complete.
 ///
 /// # Errors
 /// What the encoder or the file system says, with the file's name.
@@ -41,7 +42,10 @@ pub fn write_exr(path: &Path, picture: Linear) -> std::result::Result<(), Pictur
     let size = Vec2(picture.light.size.x as usize, picture.light.size.y as usize);
     let attributes = attributes(&picture);
     let image = Image {
-        attributes: ImageAttributes { chromaticities: Some(rec_709()), ..ImageAttributes::with_size(size) },
+        attributes: ImageAttributes {
+            chromaticities: Some(rec_709()),
+            ..ImageAttributes::with_size(size)
+        },
         layer_data: Layer {
             size,
             attributes,
@@ -53,52 +57,79 @@ pub fn write_exr(path: &Path, picture: Linear) -> std::result::Result<(), Pictur
             channel_data: channels(picture),
         },
     };
-    // Compressed first, and then written at once: whoever stops the program meanwhile leaves no half of a file.
+    // Compressed first, and then written at once: whoever stops the program meanwhile leaves no
+    // half of a file.
     let mut bytes = Vec::new();
     image
         .write()
         .to_buffered(Cursor::new(&mut bytes))
-        .map_err(|error| PictureError::Encode { path: path.into(), reason: error.to_string() })?;
+        .map_err(|error| PictureError::Encode {
+            path: path.into(),
+            reason: error.to_string(),
+        })?;
     write_whole(path, &bytes)
 }
 
 fn channels(picture: Linear) -> AnyChannels<FlatSamples> {
-    let light = ["R", "G", "B", "A"].into_iter().enumerate().map(|(i, name)| {
-        let values = picture.light.rgba.iter().map(|pixel| f16::from_bits(pixel[i])).collect();
-        AnyChannel::new(name, FlatSamples::F16(values))
-    });
-    let rest = picture.channels.list().iter().zip(picture.samples).map(|(channel, samples)| {
-        let samples = match samples {
-            Samples::Numbers(numbers) => FlatSamples::F32(numbers),
-            Samples::Counts(counts) => FlatSamples::U32(counts),
-        };
-        AnyChannel::new(channel.name, samples)
-    });
+    let light = ["R", "G", "B", "A"]
+        .into_iter()
+        .enumerate()
+        .map(|(i, name)| {
+            let values = picture
+                .light
+                .rgba
+                .iter()
+                .map(|pixel| f16::from_bits(pixel[i]))
+                .collect();
+            AnyChannel::new(name, FlatSamples::F16(values))
+        });
+    let rest = picture
+        .channels
+        .list()
+        .iter()
+        .zip(picture.samples)
+        .map(|(channel, samples)| {
+            let samples = match samples {
+                Samples::Numbers(numbers) => FlatSamples::F32(numbers),
+                Samples::Counts(counts) => FlatSamples::U32(counts),
+            };
+            AnyChannel::new(channel.name, samples)
+        });
     AnyChannels::sort(light.chain(rest).collect())
 }
 
 fn attributes(picture: &Linear) -> LayerAttributes {
     let version = env!("CARGO_PKG_VERSION");
-    let units = picture.channels.list().iter().map(|channel| format!("{}: {}\n", channel.name, channel.about));
+    let units = picture
+        .channels
+        .list()
+        .iter()
+        .map(|channel| format!("{}: {}\n", channel.name, channel.about));
     let texts = [
         (PRESET_KEY, Some(picture.scene.to_preset())),
         ("lightfall.version", Some(version.to_owned())),
         ("lightfall.commit", picture.commit.map(str::to_owned)),
         ("lightfall.method", Some(method(picture.scene).to_owned())),
-        ("lightfall.units", Some(LIGHT.to_owned() + &units.collect::<String>())),
+        (
+            "lightfall.units",
+            Some(LIGHT.to_owned() + &units.collect::<String>()),
+        ),
     ];
     LayerAttributes {
         software_name: Some(text(&format!("lightfall {version}"))),
         frames_per_second: picture.fps.map(|fps| ((fps * 1000.0).round() as i32, 1000)),
         other: texts
             .into_iter()
-            .filter_map(|(name, value)| Some((Text::from(name), AttributeValue::Text(text(&value?)))))
+            .filter_map(|(name, value)| {
+                Some((Text::from(name), AttributeValue::Text(text(&value?))))
+            })
             .collect(),
         ..LayerAttributes::default()
     }
 }
 
-/// UTF-8, as readers take the texts of a header to be; the crate's own way knows Latin letters only.
+/// UTF-8, as readers take the texts of a header to be; the crate's own way knows Latin letters
+/// only.
 fn text(text: &str) -> Text {
     Text::from_slice_unchecked(text.as_bytes())
 }

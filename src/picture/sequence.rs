@@ -28,14 +28,24 @@ impl FromStr for Frames {
 
     /// Reads `A..B`.
     fn from_str(text: &str) -> Result<Self, String> {
-        let number = |text: &str| text.parse::<u32>().ok().filter(|number| *number <= 999_999_999);
+        let number = |text: &str| {
+            text.parse::<u32>()
+                .ok()
+                .filter(|number| *number <= 999_999_999)
+        };
         let (first, last) = text.split_once("..").unwrap_or_default();
         match (number(first), number(last)) {
-            (Some(first), Some(last)) if first <= last && last - first < MOST_FRAMES => Ok(Self { first, last }),
-            (Some(first), Some(last)) if first <= last => {
-                Err(format!("these are {} frames, and one run draws at most {MOST_FRAMES}", last - first + 1))
+            (Some(first), Some(last)) if first <= last && last - first < MOST_FRAMES => {
+                Ok(Self { first, last })
             }
-            _ => Err("frames are A..B, such as 0..149: whole numbers, A not above B, both included".into()),
+            (Some(first), Some(last)) if first <= last => Err(format!(
+                "these are {} frames, and one run draws at most {MOST_FRAMES}",
+                last - first + 1
+            )),
+            _ => Err(
+                "frames are A..B, such as 0..149: whole numbers, A not above B, both included"
+                    .into(),
+            ),
         }
     }
 }
@@ -46,8 +56,13 @@ impl FromStr for Frames {
 /// What it may be.
 pub fn frame_rate(text: &str) -> Result<f64, String> {
     let [least, most] = RATES;
-    let rate = text.parse().ok().filter(|rate: &f64| (least..=most).contains(rate));
-    rate.ok_or(format!("frames a second are a number from {least} to {most}"))
+    let rate = text
+        .parse()
+        .ok()
+        .filter(|rate: &f64| (least..=most).contains(rate));
+    rate.ok_or(format!(
+        "frames a second are a number from {least} to {most}"
+    ))
 }
 
 /// A journey as numbered pictures.
@@ -66,18 +81,26 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// A sequence of pictures named by `pattern`: the last run of `#` in its file name stands for the frame's number, with as
-    /// many digits at least; without any the number is put before the ending, after a dash.
+    /// A sequence of pictures named by `pattern`: the last run of `#` in its file name stands for
+    /// the frame's number, with as many digits at least; without any the number is put before the
+    /// ending, after a dash.
     ///
     /// # Errors
     /// A name that is not Unicode.
     pub fn new(journey: Journey, frames: Frames, fps: f64, pattern: &Path) -> Result<Self, String> {
         let name = pattern.file_name().unwrap_or_default().to_str();
-        let name = name.ok_or(format!("{}: the name of a sequence must be Unicode", pattern.display()))?;
+        let name = name.ok_or(format!(
+            "{}: the name of a sequence must be Unicode",
+            pattern.display()
+        ))?;
         let (before, digits, after) = match name.rfind('#') {
             Some(last) => {
                 let before = name[..last].trim_end_matches('#');
-                (before.to_owned(), last + 1 - before.len(), &name[last + 1..])
+                (
+                    before.to_owned(),
+                    last + 1 - before.len(),
+                    &name[last + 1..],
+                )
             }
             None => {
                 let dot = name.rfind('.').unwrap_or(name.len());
@@ -85,10 +108,18 @@ impl Sequence {
             }
         };
         let folder = pattern.parent().unwrap_or(Path::new("")).to_owned();
-        Ok(Self { journey, frames, fps, folder, name: [before, after.to_owned()], digits })
+        Ok(Self {
+            journey,
+            frames,
+            fps,
+            folder,
+            name: [before, after.to_owned()],
+            digits,
+        })
     }
 
-    /// What the frame of this number shows, where the journey leads through `scene`. It is not checked.
+    /// What the frame of this number shows, where the journey leads through `scene`. It is not
+    /// checked.
     #[must_use]
     pub fn scene(&self, scene: &Scene, number: u32) -> Scene {
         let mut scene = scene.clone();
@@ -100,7 +131,8 @@ impl Sequence {
     #[must_use]
     pub fn file(&self, number: u32) -> PathBuf {
         let ([before, after], digits) = (&self.name, self.digits);
-        self.folder.join(format!("{before}{number:0digits$}{after}"))
+        self.folder
+            .join(format!("{before}{number:0digits$}{after}"))
     }
 
     /// The number of the first frame at which the journey has ended.
@@ -117,14 +149,22 @@ impl Sequence {
         let folder = self.folder.to_string_lossy();
         let numbered = format!("{}%0{}d{}", name(before), self.digits, name(after));
         let input = Path::new(&name(&folder)).join(numbered);
-        let stem =
-            Some(before.trim_end_matches(['-', '_', '.'])).filter(|stem| !stem.is_empty()).unwrap_or("lightfall");
+        let stem = Some(before.trim_end_matches(['-', '_', '.']))
+            .filter(|stem| !stem.is_empty())
+            .unwrap_or("lightfall");
         let output = self.folder.join(format!("{stem}.mp4"));
         // Linear light gets sRGB's curve, and the usual kind of video has sides of even length.
-        let linear = after.to_lowercase().ends_with(".exr").then_some("zscale=tin=linear:t=iec61966-2-1,format=gbrp");
+        let linear = after
+            .to_lowercase()
+            .ends_with(".exr")
+            .then_some("zscale=tin=linear:t=iec61966-2-1,format=gbrp");
         let even = (width % 2 + height % 2 > 0).then_some("pad=ceil(iw/2)*2:ceil(ih/2)*2");
         let filters: Vec<_> = linear.into_iter().chain(even).collect();
-        let filters = if filters.is_empty() { String::new() } else { format!(" -vf '{}'", filters.join(",")) };
+        let filters = if filters.is_empty() {
+            String::new()
+        } else {
+            format!(" -vf '{}'", filters.join(","))
+        };
         format!(
             "ffmpeg -framerate {} -start_number {} -i {}{filters} -c:v libx264 -crf 16 -pix_fmt yuv420p {}",
             self.fps,
@@ -138,6 +178,14 @@ impl Sequence {
 /// A word as a shell takes it.
 fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "/._-%+=:,@".contains(c);
-    let word = if word.starts_with('-') { format!("./{word}") } else { word.to_owned() };
-    if word.chars().all(plain) { word } else { format!("'{}'", word.replace('\'', "'\\''")) }
+    let word = if word.starts_with('-') {
+        format!("./{word}")
+    } else {
+        word.to_owned()
+    };
+    if word.chars().all(plain) {
+        word
+    } else {
+        format!("'{}'", word.replace('\'', "'\\''"))
+    }
 }

@@ -39,19 +39,31 @@ pub struct Studio {
 }
 
 impl Studio {
-    /// Draws a first scene, and can time its passes; later scenes come from the same device and its compiled passes.
+    /// Draws a first scene, and can time its passes; later scenes come from the same device and its
+    /// compiled passes.
     ///
     /// # Errors
     /// A size the device can't do, or a chain that failed.
     pub fn open(scene: &Scene, size: UVec2) -> Result<Self, PictureError> {
-        Self::equipped(scene, size, Equipment { timed: true, light: false })
+        Self::equipped(
+            scene,
+            size,
+            Equipment {
+                timed: true,
+                light: false,
+            },
+        )
     }
 
     /// Draws a first scene, equipped for what is to be made of it and those to come.
     ///
     /// # Errors
     /// As [`Studio::open`].
-    pub fn equipped(scene: &Scene, size: UVec2, equipment: Equipment) -> Result<Self, PictureError> {
+    pub fn equipped(
+        scene: &Scene,
+        size: UVec2,
+        equipment: Equipment,
+    ) -> Result<Self, PictureError> {
         let mut app = headless(scene, size, equipment)?;
         app.init_resource::<Finished>();
         let mut studio = Self { app, size };
@@ -80,42 +92,53 @@ impl Studio {
         read_back(&mut self.app, self.size)
     }
 
-    /// The linear light that the scene now shown was drawn with, before bloom, exposure and tone mapping; of a studio that keeps
-    /// light.
+    /// The linear light that the scene now shown was drawn with, before bloom, exposure and tone
+    /// mapping; of a studio that keeps light.
     ///
     /// # Errors
     /// A chain that failed, or a studio that keeps no light.
     pub fn light(&mut self) -> Result<Captured, PictureError> {
         self.settle()?;
         let world = self.app.world();
-        let (Some(capture), Some(device)) = (world.get_resource::<Capture>(), world.get_resource::<RenderDevice>())
-        else {
+        let (Some(capture), Some(device)) = (
+            world.get_resource::<Capture>(),
+            world.get_resource::<RenderDevice>(),
+        ) else {
             return Err(PictureError::Draw("nothing keeps its light".into()));
         };
         capture.read(device).map_err(PictureError::Draw)
     }
 
-    /// Distance of the foreground from the camera's plane, in r_s, at the middle of each pixel of the scene now shown, rows
-    /// from the top; infinite where there is none. Of a studio that keeps light.
+    /// Distance of the foreground from the camera's plane, in r_s, at the middle of each pixel of
+    /// the scene now shown, rows from the top; infinite where there is none. Of a studio that keeps
+    /// light.
     ///
     /// # Errors
     /// As [`Studio::light`].
     pub fn depth(&mut self) -> Result<Vec<f32>, PictureError> {
         let scene = self.app.world().resource::<CurrentScene>().0.clone();
         if !scene.probe.enabled {
-            return Ok(vec![f32::INFINITY; scene.picture.width as usize * scene.picture.height as usize]);
+            return Ok(vec![
+                f32::INFINITY;
+                scene.picture.width as usize
+                    * scene.picture.height as usize
+            ]);
         }
-        // A pixel of several samples has several depths, which no device copies: it is drawn again with one.
+        // A pixel of several samples has several depths, which no device copies: it is drawn again
+        // with one.
         let mut single = scene.clone();
         single.probe.antialias = false;
         self.show(&single);
-        let depth = self.light()?.depth.ok_or(PictureError::Draw("its depth has not been kept".into()))?;
+        let depth = self
+            .light()?
+            .depth
+            .ok_or(PictureError::Draw("its depth has not been kept".into()))?;
         self.show(&scene);
         Ok(depth.into_iter().map(|depth| NEAR / depth).collect())
     }
 
-    /// Draws the scene `frames` more times to tell each pass's GPU time, and as many frames in which nothing changes. A
-    /// device without timestamps gives an empty list.
+    /// Draws the scene `frames` more times to tell each pass's GPU time, and as many frames in
+    /// which nothing changes. A device without timestamps gives an empty list.
     ///
     /// # Errors
     /// A chain that failed.
@@ -126,13 +149,18 @@ impl Studio {
         let kept = medians(&mut self.app, frames)?;
         let times = drawn.into_iter().map(|(pass, median_ms)| {
             let kept_ms = kept.get(&pass).copied().unwrap_or_default();
-            PassTime { pass, median_ms, kept_ms }
+            PassTime {
+                pass,
+                median_ms,
+                kept_ms,
+            }
         });
         Ok(times.collect())
     }
 }
 
-/// Draws one picture of the scene at the given output size. The same scene and size give the same bytes.
+/// Draws one picture of the scene at the given output size. The same scene and size give the same
+/// bytes.
 ///
 /// # Errors
 /// A size the device can't do, or a chain that failed.
@@ -144,7 +172,11 @@ pub fn render(scene: &Scene, size: UVec2) -> Result<Still, PictureError> {
 ///
 /// # Errors
 /// As [`render`].
-pub fn render_timed(scene: &Scene, size: UVec2, frames: usize) -> Result<(Still, Vec<PassTime>), PictureError> {
+pub fn render_timed(
+    scene: &Scene,
+    size: UVec2,
+    frames: usize,
+) -> Result<(Still, Vec<PassTime>), PictureError> {
     let mut studio = Studio::open(scene, size)?;
     Ok((studio.picture()?, studio.time(frames)?))
 }
@@ -163,11 +195,18 @@ fn medians(app: &mut App, frames: usize) -> Result<BTreeMap<String, f64>, Pictur
         update(app)?;
         for diagnostic in app.world().resource::<DiagnosticsStore>().iter() {
             let path = diagnostic.path().as_str();
-            let pass = path.strip_prefix("render/").and_then(|path| path.strip_suffix("/elapsed_gpu"));
+            let pass = path
+                .strip_prefix("render/")
+                .and_then(|path| path.strip_suffix("/elapsed_gpu"));
             // What a pass took when it last ran stays there.
-            let fresh = diagnostic.measurement().filter(|measurement| measurement.time >= begin);
+            let fresh = diagnostic
+                .measurement()
+                .filter(|measurement| measurement.time >= begin);
             if let (Some(pass), Some(measurement)) = (pass, fresh) {
-                samples.entry(pass.into()).or_default().push(measurement.value);
+                samples
+                    .entry(pass.into())
+                    .or_default()
+                    .push(measurement.value);
             }
         }
     }
@@ -175,7 +214,10 @@ fn medians(app: &mut App, frames: usize) -> Result<BTreeMap<String, f64>, Pictur
         values.sort_by(f64::total_cmp);
         values[values.len() / 2]
     };
-    Ok(samples.into_iter().map(|(pass, values)| (pass, median(values))).collect())
+    Ok(samples
+        .into_iter()
+        .map(|(pass, values)| (pass, median(values)))
+        .collect())
 }
 
 #[derive(Resource, Default)]
@@ -186,9 +228,11 @@ fn read_back(app: &mut App, size: UVec2) -> Result<Still, PictureError> {
     let reader = app
         .world_mut()
         .spawn(Readback::texture(output))
-        .observe(|complete: On<ReadbackComplete>, mut finished: ResMut<Finished>| {
-            finished.0 = Some(complete.data.clone());
-        })
+        .observe(
+            |complete: On<ReadbackComplete>, mut finished: ResMut<Finished>| {
+                finished.0 = Some(complete.data.clone());
+            },
+        )
         .id();
     for _ in 0..MOST_UPDATES {
         update(app)?;
@@ -197,18 +241,28 @@ fn read_back(app: &mut App, size: UVec2) -> Result<Still, PictureError> {
             return Ok(still(size, &bytes));
         }
     }
-    Err(PictureError::Draw("it did not arrive from the graphics device".into()))
+    Err(PictureError::Draw(
+        "it did not arrive from the graphics device".into(),
+    ))
 }
 
 /// Drops the padding of rows and the alpha channel.
 fn still(size: UVec2, bytes: &[u8]) -> Still {
     let row = size.x as usize * 4;
-    let padded = if bytes.len() == row * size.y as usize { row } else { row.next_multiple_of(ROW_ALIGNMENT) };
+    let padded = if bytes.len() == row * size.y as usize {
+        row
+    } else {
+        row.next_multiple_of(ROW_ALIGNMENT)
+    };
     let rgb = bytes
         .chunks(padded)
         .take(size.y as usize)
         .flat_map(|line| line[..row].chunks_exact(4))
         .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]])
         .collect();
-    Still { width: size.x, height: size.y, rgb }
+    Still {
+        width: size.x,
+        height: size.y,
+        rgb,
+    }
 }

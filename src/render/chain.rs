@@ -1,11 +1,11 @@
-//! What of the chain a scene needs: which passes run, and which textures exist for them. The passes ask here whether they
-//! are wanted, and so does who wants to know.
+//! What of the chain a scene needs: which passes run, and which textures exist for them. The passes
+//! ask here whether they are wanted, and so does who wants to know.
 
 use crate::scene::Scene;
 use bevy::math::UVec2;
 
-/// Bloom's largest level has half the default picture's height: a level finer than that changes nothing that the
-/// presentation grid can show and is where most of the time goes (docs/PASSES.md).
+/// Bloom's largest level has half the default picture's height: a level finer than that changes
+/// nothing that the presentation grid can show and is where most of the time goes (docs/PASSES.md).
 const BLOOM_LEVEL: u32 = 256;
 
 /// Widest bloom texture, in pixels.
@@ -14,8 +14,13 @@ const WIDEST_BLOOM: u32 = 8192;
 /// Fewest rows of bloom that show.
 const LEAST_BLOOM: u32 = 8;
 
-/// Passes of Bevy's own that run in every chain, on some devices at least, and find nothing to do but to clear.
-pub const EMPTY_PASSES: [&str; 3] = ["bin_unpacking", "early_mesh_preprocessing", "main_transparent_pass_2d"];
+/// Passes of Bevy's own that run in every chain, on some devices at least, and find nothing to do
+/// but to clear.
+pub const EMPTY_PASSES: [&str; 3] = [
+    "bin_unpacking",
+    "early_mesh_preprocessing",
+    "main_transparent_pass_2d",
+];
 
 /// The parts of the chain that not every scene has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,12 +57,18 @@ impl Chain {
         // A wide picture's bloom has fewer rows, lest its texture be wider than a device can do.
         let widest = u64::from(WIDEST_BLOOM) * u64::from(picture.y) / u64::from(picture.x.max(1));
         // A coarse picture's too: half its rows are as fine as bloom ever is.
-        let rows = u64::from(BLOOM_LEVEL).min(widest).min(u64::from(picture.y.div_ceil(2))) as u32;
+        let rows = u64::from(BLOOM_LEVEL)
+            .min(widest)
+            .min(u64::from(picture.y.div_ceil(2))) as u32;
         let grid = UVec2::new(scene.picture.grid_width, scene.picture.grid_height);
         Self {
             picture,
             probe: scene.probe.enabled,
-            samples: if scene.probe.enabled && scene.probe.antialias { 4 } else { 1 },
+            samples: if scene.probe.enabled && scene.probe.antialias {
+                4
+            } else {
+                1
+            },
             bloom: (scene.picture.bloom > 0.0 && rows >= LEAST_BLOOM).then_some(rows),
             cells: (!scene.picture.bypass).then_some(grid),
         }
@@ -66,20 +77,43 @@ impl Chain {
     /// The passes in their order, by the names that `render --timings` gives them.
     pub fn passes(&self) -> Vec<&'static str> {
         let lamps: &[_] = if self.probe { &["clustering"] } else { &[] };
-        let bloom: &[_] = if self.bloom.is_some() { &["bloom"] } else { &[] };
-        let cells: &[_] = if self.cells.is_some() { &["pixelate"] } else { &[] };
-        let eye = [lamps, &["main_opaque_pass_3d", "geodesic"], bloom, &["tonemapping"]].concat();
+        let bloom: &[_] = if self.bloom.is_some() {
+            &["bloom"]
+        } else {
+            &[]
+        };
+        let cells: &[_] = if self.cells.is_some() {
+            &["pixelate"]
+        } else {
+            &[]
+        };
+        let eye = [
+            lamps,
+            &["main_opaque_pass_3d", "geodesic"],
+            bloom,
+            &["tonemapping"],
+        ]
+        .concat();
         [&eye, cells, self.kept_passes()].concat()
     }
 
     /// Those of them that still run while nothing changes: what shows a kept picture.
     pub fn kept_passes(&self) -> &'static [&'static str] {
-        if self.cells.is_some() { &["expand", "upscaling"] } else { &["fit", "upscaling"] }
+        if self.cells.is_some() {
+            &["expand", "upscaling"]
+        } else {
+            &["fit", "upscaling"]
+        }
     }
 
     /// The textures between the passes.
     pub fn textures(&self) -> Vec<Written> {
-        let of_picture = |name, format| Written { name, size: self.picture, format, levels: 1 };
+        let of_picture = |name, format| Written {
+            name,
+            size: self.picture,
+            format,
+            levels: 1,
+        };
         let mut textures = vec![
             of_picture("HDR picture", "rgba16float"),
             of_picture("tone-mapped picture", "rgba16float"),
@@ -88,14 +122,24 @@ impl Chain {
         if self.samples > 1 {
             textures.push(of_picture("HDR picture of four samples", "rgba16float"));
         }
-        textures.extend(self.bloom.map(|rows| Written {
-            name: "bloom",
-            // As Bevy sizes it.
-            size: (self.picture.as_vec2() * (rows as f32 / self.picture.y as f32)).round().as_uvec2().max(UVec2::ONE),
-            format: "rg11b10ufloat",
-            levels: rows.ilog2().max(2) - 1,
+        textures.extend(self.bloom.map(|rows| {
+            Written {
+                name: "bloom",
+                // As Bevy sizes it.
+                size: (self.picture.as_vec2() * (rows as f32 / self.picture.y as f32))
+                    .round()
+                    .as_uvec2()
+                    .max(UVec2::ONE),
+                format: "rg11b10ufloat",
+                levels: rows.ilog2().max(2) - 1,
+            }
         }));
-        textures.extend(self.cells.map(|size| Written { name: "cells", size, format: "rgba8unorm-srgb", levels: 1 }));
+        textures.extend(self.cells.map(|size| Written {
+            name: "cells",
+            size,
+            format: "rgba8unorm-srgb",
+            levels: 1,
+        }));
         textures
     }
 }

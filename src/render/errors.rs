@@ -1,7 +1,8 @@
-//! The grid of errors that the view `error` shows, worked out beside the frames: by a thread of its own, on a GPU
-//! device beside the window's.
+//! The grid of errors that the view `error` shows, worked out beside the frames: by a thread of its
+//! own, on a GPU device beside the window's.
 //!
-//! While a new grid is being worked out, that of the last place stays, and it shows each as it comes. A still waits.
+//! While a new grid is being worked out, that of the last place stays, and it shows each as it
+//! comes. A still waits.
 
 use super::CurrentScene;
 use crate::gpu::{ERROR_GRID, ErrorCells, GpuError, beside};
@@ -24,7 +25,8 @@ pub(super) struct Errors {
     pub(super) cells: ErrorCells,
 }
 
-/// What was asked for last, and the way to the thread that answers; there is none before something is asked.
+/// What was asked for last, and the way to the thread that answers; there is none before something
+/// is asked.
 #[derive(Resource, Default)]
 pub(super) struct Work {
     asked: Option<Scene>,
@@ -67,10 +69,17 @@ impl Work {
 
     /// The newest answer, if there is a new one; with `patience`, the one to what was asked last.
     fn answer(&mut self, patience: bool) -> Option<Answer> {
-        let answers = self.worker.as_ref().filter(|_| self.awaited)?.answers.lock();
+        let answers = self
+            .worker
+            .as_ref()
+            .filter(|_| self.awaited)?
+            .answers
+            .lock();
         let answers = answers.unwrap_or_else(PoisonError::into_inner);
         if patience {
-            answers.iter().find(|answer| self.asked.as_ref() == Some(&answer.of))
+            answers
+                .iter()
+                .find(|answer| self.asked.as_ref() == Some(&answer.of))
         } else {
             answers.try_iter().last()
         }
@@ -82,7 +91,10 @@ impl Worker {
         let (orders, work) = channel();
         let (answer, answers) = channel();
         std::thread::spawn(move || run(&work, &answer));
-        Self { orders, answers: Mutex::new(answers) }
+        Self {
+            orders,
+            answers: Mutex::new(answers),
+        }
     }
 }
 
@@ -90,7 +102,8 @@ fn run(work: &Receiver<Scene>, answer: &Sender<Answer>) {
     while let Ok(order) = work.recv() {
         // Of several scenes that were asked for in the meantime only the last is still wanted.
         let of = work.try_iter().last().unwrap_or(order);
-        let cells = beside(|gpu| over_picture(gpu, &of, ERROR_GRID)).map(|errors| ErrorCells::new(&errors));
+        let cells =
+            beside(|gpu| over_picture(gpu, &of, ERROR_GRID)).map(|errors| ErrorCells::new(&errors));
         if answer.send(Answer { of, cells }).is_err() {
             return;
         }
@@ -107,12 +120,46 @@ pub(super) fn plugin(app: &mut App) {
 
 /// What of a scene decides where rays end, and how large its pixels are.
 fn traced(scene: &Scene) -> Scene {
-    let Scene { method, hole, camera, observer, effects, quality, .. } = *scene;
-    let Disk { enabled, inner, follow_isco, outer, .. } = scene.disk;
+    let Scene {
+        method,
+        hole,
+        camera,
+        observer,
+        effects,
+        quality,
+        ..
+    } = *scene;
+    let Disk {
+        enabled,
+        inner,
+        follow_isco,
+        outer,
+        ..
+    } = scene.disk;
     let none = Scene::default();
-    let disk = Disk { enabled, inner, follow_isco, outer, ..none.disk };
-    let picture = Picture { width: scene.picture.width, height: scene.picture.height, ..none.picture };
-    Scene { method, hole, camera, observer, effects, quality, disk, picture, ..none }
+    let disk = Disk {
+        enabled,
+        inner,
+        follow_isco,
+        outer,
+        ..none.disk
+    };
+    let picture = Picture {
+        width: scene.picture.width,
+        height: scene.picture.height,
+        ..none.picture
+    };
+    Scene {
+        method,
+        hole,
+        camera,
+        observer,
+        effects,
+        quality,
+        disk,
+        picture,
+        ..none
+    }
 }
 
 /// Asks for the errors of the present scene, and takes them in when they come.
@@ -125,9 +172,16 @@ pub(super) fn follow(
     if scene.view == View::Error && scene.is_changed() {
         let wanted = traced(&scene);
         if work.asked.as_ref() != Some(&wanted) {
-            // The errors of another place are a picture that lags; those of another method would be a lie.
+            // The errors of another place are a picture that lags; those of another method would be
+            // a lie.
             let (camera, observer) = (wanted.camera, wanted.observer);
-            if errors.of.take().is_none_or(|of| Scene { camera, observer, ..of } != wanted) {
+            if errors.of.take().is_none_or(|of| {
+                Scene {
+                    camera,
+                    observer,
+                    ..of
+                } != wanted
+            }) {
                 errors.cells = ErrorCells::default();
             }
             work.ask(wanted);
@@ -136,10 +190,17 @@ pub(super) fn follow(
     if !work.awaited {
         return;
     }
-    let Some(Answer { of, cells }) = work.answer(patience.0) else { return };
+    let Some(Answer { of, cells }) = work.answer(patience.0) else {
+        return;
+    };
     work.awaited = work.asked.as_ref() != Some(&of);
     match cells {
-        Ok(cells) => *errors = Errors { of: Some(of), cells },
+        Ok(cells) => {
+            *errors = Errors {
+                of: Some(of),
+                cells,
+            }
+        }
         Err(fault) => {
             let fault = format!("the errors of the picture could not be worked out: {fault}");
             error!("{fault}");

@@ -1,8 +1,11 @@
-//! The two cameras: the eye, which sees the scene at the HDR picture's size, and the screen, which shows it.
+//! The two cameras: the eye, which sees the scene at the HDR picture's size, and the screen, which
+//! shows it.
 
 use super::chain::Chain;
 use super::{Capture, CurrentScene};
-use bevy::camera::{CameraOutputMode, CameraUpdateSystems, ClearColorConfig, Exposure, Hdr, RenderTarget};
+use bevy::camera::{
+    CameraOutputMode, CameraUpdateSystems, ClearColorConfig, Exposure, Hdr, RenderTarget,
+};
 use bevy::core_pipeline::tonemapping::{DebandDither, Tonemapping};
 use bevy::light::cluster::ClusterConfig;
 use bevy::post_process::bloom::Bloom;
@@ -22,7 +25,8 @@ pub struct Screen;
 /// Light in front of the eye, nearest distance drawn, in r_s.
 pub const NEAR: f32 = 1e-3;
 
-/// With this exposure value Bevy's photometric scale is one, so that lamps and traced light share their units.
+/// With this exposure value Bevy's photometric scale is one, so that lamps and traced light share
+/// their units.
 const UNIT_EV100: f32 = -0.263_034_4;
 
 /// Spawns the cameras and keeps the eye as the scene says.
@@ -36,29 +40,52 @@ struct ScreenTarget(RenderTarget);
 
 impl Plugin for EyePlugin {
     fn build(&self, app: &mut App) {
-        app.add_plugins((ExtractComponentPlugin::<Eye>::default(), ExtractComponentPlugin::<Screen>::default()))
-            .insert_resource(ScreenTarget(self.target.clone()))
-            .add_systems(Startup, spawn)
-            .add_systems(
-                PostUpdate,
-                // In time for what Bevy makes of transforms and cameras, or the eye would lag the traced light by a frame.
-                follow
-                    .run_if(resource_changed::<CurrentScene>)
-                    .before(TransformSystems::Propagate)
-                    .before(CameraUpdateSystems),
-            );
+        app.add_plugins((
+            ExtractComponentPlugin::<Eye>::default(),
+            ExtractComponentPlugin::<Screen>::default(),
+        ))
+        .insert_resource(ScreenTarget(self.target.clone()))
+        .add_systems(Startup, spawn)
+        .add_systems(
+            PostUpdate,
+            // In time for what Bevy makes of transforms and cameras, or the eye would lag the
+            // traced light by a frame.
+            follow
+                .run_if(resource_changed::<CurrentScene>)
+                .before(TransformSystems::Propagate)
+                .before(CameraUpdateSystems),
+        );
     }
 }
 
-fn spawn(mut commands: Commands, target: Res<ScreenTarget>, scene: Res<CurrentScene>, capture: Option<Res<Capture>>) {
-    let copied = if capture.is_some() { TextureUsages::COPY_SRC } else { TextureUsages::empty() };
-    // The eye writes to no output: the screen's passes read its picture. Nothing clears it either, since the probe and
-    // the geodesic pass together cover every pixel.
+fn spawn(
+    mut commands: Commands,
+    target: Res<ScreenTarget>,
+    scene: Res<CurrentScene>,
+    capture: Option<Res<Capture>>,
+) {
+    let copied = if capture.is_some() {
+        TextureUsages::COPY_SRC
+    } else {
+        TextureUsages::empty()
+    };
+    // The eye writes to no output: the screen's passes read its picture. Nothing clears it either,
+    // since the probe and the geodesic pass together cover every pixel.
     commands.spawn((
         Eye,
-        Camera3d { depth_texture_usages: (TextureUsages::RENDER_ATTACHMENT | copied).into(), ..default() },
-        Camera { order: -1, clear_color: ClearColorConfig::None, output_mode: CameraOutputMode::Skip, ..default() },
-        RenderTarget::None { size: UVec2::new(scene.picture.width, scene.picture.height) },
+        Camera3d {
+            depth_texture_usages: (TextureUsages::RENDER_ATTACHMENT | copied).into(),
+            ..default()
+        },
+        Camera {
+            order: -1,
+            clear_color: ClearColorConfig::None,
+            output_mode: CameraOutputMode::Skip,
+            ..default()
+        },
+        RenderTarget::None {
+            size: UVec2::new(scene.picture.width, scene.picture.height),
+        },
         Hdr,
         Msaa::Off,
         Tonemapping::KhronosPbrNeutral,
@@ -70,7 +97,11 @@ fn spawn(mut commands: Commands, target: Res<ScreenTarget>, scene: Res<CurrentSc
     commands.spawn((
         Screen,
         Camera2d,
-        Camera { order: 0, clear_color: ClearColorConfig::None, ..default() },
+        Camera {
+            order: 0,
+            clear_color: ClearColorConfig::None,
+            ..default()
+        },
         target.0.clone(),
         Msaa::Off,
         Tonemapping::None,
@@ -82,11 +113,26 @@ fn spawn(mut commands: Commands, target: Res<ScreenTarget>, scene: Res<CurrentSc
 fn follow(
     mut commands: Commands,
     scene: Res<CurrentScene>,
-    eye: Single<(Entity, &mut RenderTarget, &mut Transform, &mut Projection, &mut ColorGrading, &mut Msaa), With<Eye>>,
+    eye: Single<
+        (
+            Entity,
+            &mut RenderTarget,
+            &mut Transform,
+            &mut Projection,
+            &mut ColorGrading,
+            &mut Msaa,
+        ),
+        With<Eye>,
+    >,
 ) {
-    let (entity, mut target, mut transform, mut projection, mut grading, mut msaa) = eye.into_inner();
+    let (entity, mut target, mut transform, mut projection, mut grading, mut msaa) =
+        eye.into_inner();
     let chain = Chain::of(&scene);
-    let samples = if chain.samples > 1 { Msaa::Sample4 } else { Msaa::Off };
+    let samples = if chain.samples > 1 {
+        Msaa::Sample4
+    } else {
+        Msaa::Off
+    };
     if *msaa != samples {
         *msaa = samples;
     }
@@ -100,12 +146,24 @@ fn follow(
         near: NEAR,
         ..default()
     });
-    // The eye stays at the origin and things are placed relative to it in f64, so that nothing jitters far away.
+    // The eye stays at the origin and things are placed relative to it in f64, so that nothing
+    // jitters far away.
     let world_from_camera = scene.camera.legs() * scene.camera.legs_from_camera();
-    let [right, up, forward] = [world_from_camera.x_axis, world_from_camera.y_axis, world_from_camera.z_axis];
-    transform.rotation = Quat::from_mat3(&Mat3::from_cols(right.as_vec3(), up.as_vec3(), -forward.as_vec3()));
+    let [right, up, forward] = [
+        world_from_camera.x_axis,
+        world_from_camera.y_axis,
+        world_from_camera.z_axis,
+    ];
+    transform.rotation = Quat::from_mat3(&Mat3::from_cols(
+        right.as_vec3(),
+        up.as_vec3(),
+        -forward.as_vec3(),
+    ));
     *grading = ColorGrading {
-        global: ColorGradingGlobal { exposure: scene.picture.exposure_ev as f32, ..default() },
+        global: ColorGradingGlobal {
+            exposure: scene.picture.exposure_ev as f32,
+            ..default()
+        },
         ..default()
     };
     if let Some(rows) = chain.bloom {

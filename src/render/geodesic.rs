@@ -1,4 +1,5 @@
-//! The geodesic pass: a fullscreen triangle at the far plane, so that the depth test lets only uncovered pixels through.
+//! The geodesic pass: a fullscreen triangle at the far plane, so that the depth test lets only
+//! uncovered pixels through.
 
 mod pipeline;
 
@@ -47,7 +48,8 @@ impl GeodesicShader {
 #[derive(Resource, Default)]
 pub(super) struct JoinedShaders(Vec<GeodesicShader>);
 
-/// Most variants that are kept, each a compiled pipeline: more than keys and presets lead through in a while.
+/// Most variants that are kept, each a compiled pipeline: more than keys and presets lead through
+/// in a while.
 const MOST_VARIANTS: usize = 48;
 
 /// What the pass needs on the GPU.
@@ -82,19 +84,30 @@ impl GeodesicPass {
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<JoinedShaders>()
         .add_plugins(ExtractResourcePlugin::<GeodesicShader>::default())
-        // A shader that takes a place is to be known to the pipelines in the same frame as that it is wanted.
-        .add_systems(PostUpdate, join_shader.run_if(resource_changed::<CurrentScene>).before(AssetEventSystems));
-    let Some(render_app) = app.get_sub_app_mut(RenderApp) else { return };
+        // A shader that takes a place is to be known to the pipelines in the same frame as that it
+        // is wanted.
+        .add_systems(
+            PostUpdate,
+            join_shader
+                .run_if(resource_changed::<CurrentScene>)
+                .before(AssetEventSystems),
+        );
+    let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
+        return;
+    };
     render_app
         .add_systems(RenderStartup, init)
         .add_systems(Render, prepare.in_set(RenderSystems::PrepareResources))
         .add_systems(
             Core3d,
-            draw.in_set(Core3dSystems::MainPass).after(main_opaque_pass_3d).before(main_transparent_pass_3d),
+            draw.in_set(Core3dSystems::MainPass)
+                .after(main_opaque_pass_3d)
+                .before(main_transparent_pass_3d),
         );
 }
 
-/// Joins the parts that the scene needs into one shader, once per variant. The longest unused gives up its place.
+/// Joins the parts that the scene needs into one shader, once per variant. The longest unused gives
+/// up its place.
 pub(super) fn join_shader(
     mut commands: Commands,
     scene: Res<CurrentScene>,
@@ -103,7 +116,10 @@ pub(super) fn join_shader(
 ) {
     let (variant, samples) = (Variant::picture(&scene), Chain::of(&scene).samples);
     let JoinedShaders(joined) = &mut *joined;
-    let shader = match joined.iter().position(|known| known.variant == variant && known.samples == samples) {
+    let shader = match joined
+        .iter()
+        .position(|known| known.variant == variant && known.samples == samples)
+    {
         Some(place) => joined.remove(place),
         None => {
             let text = Shader::from_wgsl(variant.source(), "lightfall/geodesic.wgsl");
@@ -116,7 +132,12 @@ pub(super) fn join_shader(
                 }
                 shader
             };
-            GeodesicShader { variant, samples, shader, ready: default() }
+            GeodesicShader {
+                variant,
+                samples,
+                shader,
+                ready: default(),
+            }
         }
     };
     joined.push(shader.clone());
@@ -125,7 +146,11 @@ pub(super) fn join_shader(
 
 /// A table as it lies in a uniform.
 fn bytes(table: &[[f32; 4]]) -> Vec<u8> {
-    table.iter().flatten().flat_map(|value| value.to_le_bytes()).collect()
+    table
+        .iter()
+        .flatten()
+        .flat_map(|value| value.to_le_bytes())
+        .collect()
 }
 
 fn init(mut commands: Commands, device: Res<RenderDevice>, sight: Option<Res<Sight>>) {
@@ -148,7 +173,10 @@ fn init(mut commands: Commands, device: Res<RenderDevice>, sight: Option<Res<Sig
             mapped_at_creation: false,
         })
     };
-    let page_thorne = uniform("Page-Thorne table", size_of::<[[f32; 4]; disk::TABLE_LEN]>());
+    let page_thorne = uniform(
+        "Page-Thorne table",
+        size_of::<[[f32; 4]; disk::TABLE_LEN]>(),
+    );
     let errors = uniform("grid of errors", ErrorCells::SIZE);
     let layout = BindGroupLayoutDescriptor::new(
         "geodesic layout",
@@ -156,9 +184,18 @@ fn init(mut commands: Commands, device: Res<RenderDevice>, sight: Option<Res<Sig
             ShaderStages::FRAGMENT,
             (
                 (0, uniform_buffer::<GpuScene>(false)),
-                (1, uniform_buffer_sized(false, BufferSize::new(spectrum.size()))),
-                (4, uniform_buffer_sized(false, BufferSize::new(page_thorne.size()))),
-                (5, uniform_buffer_sized(false, BufferSize::new(errors.size()))),
+                (
+                    1,
+                    uniform_buffer_sized(false, BufferSize::new(spectrum.size())),
+                ),
+                (
+                    4,
+                    uniform_buffer_sized(false, BufferSize::new(page_thorne.size())),
+                ),
+                (
+                    5,
+                    uniform_buffer_sized(false, BufferSize::new(errors.size())),
+                ),
             ),
         ),
     );
@@ -187,7 +224,9 @@ fn prepare(
     device: Res<RenderDevice>,
     queue: Res<RenderQueue>,
 ) {
-    let (Some(shader), Some(mut pass)) = (shader, pass) else { return };
+    let (Some(shader), Some(mut pass)) = (shader, pass) else {
+        return;
+    };
     let GeodesicPass {
         layout,
         spectrum,
@@ -203,16 +242,26 @@ fn prepare(
     } = &mut *pass;
     *stale |= scene.is_changed() || known.is_changed();
     *drew = false;
-    let wanted = *pipelines.entry((shader.shader.id(), shader.samples)).or_insert_with(|| {
-        cache.queue_render_pipeline(descriptor(layout.clone(), shader.shader.clone(), shader.samples))
-    });
-    // A scene is not begun before its own shader is there: until then the last picture stays as it was.
+    let wanted = *pipelines
+        .entry((shader.shader.id(), shader.samples))
+        .or_insert_with(|| {
+            cache.queue_render_pipeline(descriptor(
+                layout.clone(),
+                shader.shader.clone(),
+                shader.samples,
+            ))
+        });
+    // A scene is not begun before its own shader is there: until then the last picture stays as it
+    // was.
     let ready = cache.get_render_pipeline(wanted).is_some();
     shader.ready.store(ready, Ordering::Release);
     if !*stale || !ready {
         return;
     }
-    match GpuScene::new(&scene, UVec2::new(scene.picture.width, scene.picture.height)) {
+    match GpuScene::new(
+        &scene,
+        UVec2::new(scene.picture.width, scene.picture.height),
+    ) {
         Ok(fresh) => numbers.set(fresh),
         Err(error) => {
             error_once!("the scene cannot be traced on the GPU: {error}");
@@ -251,9 +300,10 @@ fn draw(
 ) {
     let Some(mut pass) = pass else { return };
     let (target, depth) = view.into_inner();
-    let (Some(pipeline), Some(bind_group)) =
-        (pass.current.and_then(|id| cache.get_render_pipeline(id)), pass.bind_group.as_ref())
-    else {
+    let (Some(pipeline), Some(bind_group)) = (
+        pass.current.and_then(|id| cache.get_render_pipeline(id)),
+        pass.bind_group.as_ref(),
+    ) else {
         return;
     };
     // A pipeline for another number of samples waits until the picture has it, too.

@@ -1,4 +1,5 @@
-//! The passes that turn a [`Scene`] into pixels. The window, stills and tests all run this very chain.
+//! The passes that turn a [`Scene`] into pixels. The window, stills and tests all run this very
+//! chain.
 //!
 //! ```text
 //! eye camera (Core3d, HDR picture size, Rgba16Float, no output of its own; kept.rs: at rest while nothing changes)
@@ -56,29 +57,54 @@ impl Plugin for LightfallRenderPlugin {
         app.insert_resource(CurrentScene(self.scene.clone()))
             .insert_resource(ClearColor(Color::BLACK))
             .add_plugins(ExtractResourcePlugin::<CurrentScene>::default())
-            .add_plugins((eye::EyePlugin { target: self.target.clone() }, probe::plugin))
-            .add_plugins((geodesic::plugin, errors::plugin, capture::plugin, kept::plugin, presentation::plugin));
+            .add_plugins((
+                eye::EyePlugin {
+                    target: self.target.clone(),
+                },
+                probe::plugin,
+            ))
+            .add_plugins((
+                geodesic::plugin,
+                errors::plugin,
+                capture::plugin,
+                kept::plugin,
+                presentation::plugin,
+            ));
     }
 }
 
-/// Bevy's renderer on the same backends as [`Gpu::headless`](crate::gpu::Gpu::headless). A still waits for its pipelines, a
-/// window does not.
+/// Bevy's renderer on the same backends as [`Gpu::headless`](crate::gpu::Gpu::headless). A still
+/// waits for its pipelines, a window does not.
 pub fn render_plugin(synchronous_pipeline_compilation: bool) -> RenderPlugin {
-    RenderPlugin { render_creation: wgpu_settings().into(), synchronous_pipeline_compilation, ..default() }
+    RenderPlugin {
+        render_creation: wgpu_settings().into(),
+        synchronous_pipeline_compilation,
+        ..default()
+    }
 }
 
 fn wgpu_settings() -> WgpuSettings {
     let (backends, adapter_name) = crate::gpu::chosen();
-    WgpuSettings { backends: Some(backends), adapter_name, ..default() }
+    WgpuSettings {
+        backends: Some(backends),
+        adapter_name,
+        ..default()
+    }
 }
 
-/// Whether the whole of the present scene has been drawn, asked after an update. An error names what failed.
+/// Whether the whole of the present scene has been drawn, asked after an update. An error names
+/// what failed.
 ///
 /// # Errors
-/// A pipeline that could not be made: a shader error, or a limit of the device. Errors that could not be worked out.
+/// A pipeline that could not be made: a shader error, or a limit of the device. Errors that could
+/// not be worked out.
 pub fn is_drawn(app: &App) -> Result<bool, String> {
-    use bevy::render::{RenderApp, render_resource::CachedPipelineState, render_resource::PipelineCache};
-    let Some(cache) = app.get_sub_app(RenderApp).and_then(|render| render.world().get_resource::<PipelineCache>())
+    use bevy::render::{
+        RenderApp, render_resource::CachedPipelineState, render_resource::PipelineCache,
+    };
+    let Some(cache) = app
+        .get_sub_app(RenderApp)
+        .and_then(|render| render.world().get_resource::<PipelineCache>())
     else {
         return Ok(false);
     };
@@ -90,9 +116,11 @@ pub fn is_drawn(app: &App) -> Result<bool, String> {
         }
     }
     let world = app.world();
-    let (Some(scene), Some(work), Some(sight)) =
-        (world.get_resource::<CurrentScene>(), world.get_resource::<errors::Work>(), world.get_resource::<Sight>())
-    else {
+    let (Some(scene), Some(work), Some(sight)) = (
+        world.get_resource::<CurrentScene>(),
+        world.get_resource::<errors::Work>(),
+        world.get_resource::<Sight>(),
+    ) else {
         return Ok(false);
     };
     Ok(work.is_done(scene)? && sight.is_drawn())

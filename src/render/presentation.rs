@@ -1,4 +1,5 @@
-//! The presentation: the tone-mapped picture reduced to a grid of cells, quantized, and expanded to the output.
+//! The presentation: the tone-mapped picture reduced to a grid of cells, quantized, and expanded to
+//! the output.
 
 use super::{Chain, CurrentScene, Eye, Screen};
 use crate::scene::Picture;
@@ -18,7 +19,8 @@ use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 
 const SHADER: Handle<Shader> = uuid_handle!("6f0f7c0e-5b7d-4c0c-9a55-0f3f1c1d7a11");
 
-/// Cells hold linear light behind the sRGB transfer function, so that every level they are rounded to survives.
+/// Cells hold linear light behind the sRGB transfer function, so that every level they are rounded
+/// to survives.
 const GRID_FORMAT: TextureFormat = TextureFormat::Rgba8UnormSrgb;
 
 /// Where the picture lies on the output.
@@ -30,18 +32,29 @@ pub struct Letterbox {
     pub extent: Vec2,
 }
 
-/// Places the picture on an output of the given size, bars around it: cells at the largest whole scale that fits, or,
-/// bypassed or where not even scale one fits, the whole picture as large as it can be.
+/// Places the picture on an output of the given size, bars around it: cells at the largest whole
+/// scale that fits, or, bypassed or where not even scale one fits, the whole picture as large as it
+/// can be.
 pub fn letterbox(picture: &Picture, output: UVec2) -> Letterbox {
     let grid = UVec2::new(picture.grid_width, picture.grid_height);
     let scale = (output / grid).min_element();
     let extent = if !picture.bypass && scale > 0 {
         (grid * scale).as_vec2()
     } else {
-        let shown = if picture.bypass { UVec2::new(picture.width, picture.height) } else { grid }.as_vec2();
-        (shown * (output.as_vec2() / shown).min_element()).round().max(Vec2::ONE)
+        let shown = if picture.bypass {
+            UVec2::new(picture.width, picture.height)
+        } else {
+            grid
+        }
+        .as_vec2();
+        (shown * (output.as_vec2() / shown).min_element())
+            .round()
+            .max(Vec2::ONE)
     };
-    Letterbox { offset: ((output.as_vec2() - extent) / 2.0).floor(), extent }
+    Letterbox {
+        offset: ((output.as_vec2() - extent) / 2.0).floor(),
+        extent,
+    }
 }
 
 /// Mirror of `Presentation` in pixelate.wgsl.
@@ -96,20 +109,24 @@ struct PresentationPass {
 
 pub(super) fn plugin(app: &mut App) {
     let source = include_str!("../../shaders/pixelate.wgsl");
-    if let Err(error) = app
-        .world_mut()
-        .resource_mut::<Assets<Shader>>()
-        .insert(SHADER.id(), Shader::from_wgsl(source, "lightfall/pixelate.wgsl"))
-    {
+    if let Err(error) = app.world_mut().resource_mut::<Assets<Shader>>().insert(
+        SHADER.id(),
+        Shader::from_wgsl(source, "lightfall/pixelate.wgsl"),
+    ) {
         error!("the presentation shader could not be added: {error}");
     }
-    let Some(render_app) = app.get_sub_app_mut(RenderApp) else { return };
+    let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
+        return;
+    };
     render_app
         .add_systems(RenderStartup, init)
         .add_systems(Render, prepare.in_set(RenderSystems::PrepareResources))
         .add_systems(
             Core2d,
-            (pixelate, expand).chain().in_set(Core2dSystems::MainPass).after(main_transparent_pass_2d),
+            (pixelate, expand)
+                .chain()
+                .in_set(Core2dSystems::MainPass)
+                .after(main_transparent_pass_2d),
         );
 }
 
@@ -150,11 +167,24 @@ fn prepare(
     device: Res<RenderDevice>,
     queue: Res<RenderQueue>,
 ) {
-    let (Some(mut pass), Ok((camera, view)), Ok((eye, awake))) = (pass, screen.single(), eye.single()) else { return };
-    let Some(output) = camera.physical_target_size.filter(|size| size.min_element() > 0) else { return };
+    let (Some(mut pass), Ok((camera, view)), Ok((eye, awake))) =
+        (pass, screen.single(), eye.single())
+    else {
+        return;
+    };
+    let Some(output) = camera
+        .physical_target_size
+        .filter(|size| size.min_element() > 0)
+    else {
+        return;
+    };
     // The picture at hand may be a kept one, of another size than the scene asks for by now.
     let size = eye.main_texture().size();
-    let picture = Picture { width: size.width, height: size.height, ..scene.picture };
+    let picture = Picture {
+        width: size.width,
+        height: size.height,
+        ..scene.picture
+    };
     let Letterbox { offset, extent } = letterbox(&picture, output);
     let numbers = Presentation {
         picture: UVec2::new(picture.width, picture.height),
@@ -168,23 +198,39 @@ fn prepare(
     pass.cells = Chain::of(&scene).cells.map(|size| {
         let numbers = (size, numbers.levels, numbers.dither);
         match pass.cells.take() {
-            Some(cells) if cells.numbers == numbers => Cells { filled: cells.filled && !awake, ..cells },
-            Some(cells) if cells.numbers.0 == size => Cells { numbers, filled: false, ..cells },
-            _ => Cells { view: grid(&device, size), numbers, filled: false },
+            Some(cells) if cells.numbers == numbers => Cells {
+                filled: cells.filled && !awake,
+                ..cells
+            },
+            Some(cells) if cells.numbers.0 == size => Cells {
+                numbers,
+                filled: false,
+                ..cells
+            },
+            _ => Cells {
+                view: grid(&device, size),
+                numbers,
+                filled: false,
+            },
         }
     });
     pass.numbers.set(numbers);
     pass.numbers.write_buffer(&device, &queue);
-    let PresentationPass { layout, pipelines, output, .. } = &mut *pass;
+    let PresentationPass {
+        layout,
+        pipelines,
+        output,
+        ..
+    } = &mut *pass;
     let stages: &[_] = if picture.bypass {
         &[(Stage::Fit, *output)]
     } else {
         &[(Stage::Pixelate, GRID_FORMAT), (Stage::Expand, *output)]
     };
     for &(stage, format) in stages {
-        pipelines
-            .entry((stage, format))
-            .or_insert_with(|| cache.queue_render_pipeline(descriptor(layout.clone(), stage, format)));
+        pipelines.entry((stage, format)).or_insert_with(|| {
+            cache.queue_render_pipeline(descriptor(layout.clone(), stage, format))
+        });
     }
 }
 
@@ -202,15 +248,27 @@ fn grid(device: &RenderDevice, size: UVec2) -> TextureView {
     texture.create_view(&default())
 }
 
-fn descriptor(layout: BindGroupLayoutDescriptor, stage: Stage, format: TextureFormat) -> RenderPipelineDescriptor {
+fn descriptor(
+    layout: BindGroupLayoutDescriptor,
+    stage: Stage,
+    format: TextureFormat,
+) -> RenderPipelineDescriptor {
     RenderPipelineDescriptor {
         label: Some(stage.entry_point().into()),
         layout: vec![layout],
-        vertex: VertexState { shader: SHADER, entry_point: Some("vertex".into()), ..default() },
+        vertex: VertexState {
+            shader: SHADER,
+            entry_point: Some("vertex".into()),
+            ..default()
+        },
         fragment: Some(FragmentState {
             shader: SHADER,
             entry_point: Some(stage.entry_point().into()),
-            targets: vec![Some(ColorTargetState { format, blend: None, write_mask: ColorWrites::ALL })],
+            targets: vec![Some(ColorTargetState {
+                format,
+                blend: None,
+                write_mask: ColorWrites::ALL,
+            })],
             ..default()
         }),
         ..default()
@@ -225,9 +283,25 @@ fn pixelate(
     cache: Res<PipelineCache>,
     mut context: RenderContext,
 ) {
-    let (Some(mut pass), Ok(eye)) = (pass, eye.single()) else { return };
-    let Some(Cells { view, filled: false, .. }) = &pass.cells else { return };
-    let filled = run(&pass, &cache, &mut context, (Stage::Pixelate, GRID_FORMAT), eye.main_texture_view(), view);
+    let (Some(mut pass), Ok(eye)) = (pass, eye.single()) else {
+        return;
+    };
+    let Some(Cells {
+        view,
+        filled: false,
+        ..
+    }) = &pass.cells
+    else {
+        return;
+    };
+    let filled = run(
+        &pass,
+        &cache,
+        &mut context,
+        (Stage::Pixelate, GRID_FORMAT),
+        eye.main_texture_view(),
+        view,
+    );
     if let Some(cells) = &mut pass.cells {
         cells.filled = filled;
     }
@@ -242,12 +316,21 @@ fn expand(
     mut context: RenderContext,
 ) {
     let screen = screen.into_inner();
-    let (Some(pass), Ok(eye)) = (pass, eye.single()) else { return };
+    let (Some(pass), Ok(eye)) = (pass, eye.single()) else {
+        return;
+    };
     let (stage, source) = match &pass.cells {
         Some(cells) => (Stage::Expand, &cells.view),
         None => (Stage::Fit, eye.main_texture_view()),
     };
-    run(&pass, &cache, &mut context, (stage, pass.output), source, screen.main_texture_view());
+    run(
+        &pass,
+        &cache,
+        &mut context,
+        (stage, pass.output),
+        source,
+        screen.main_texture_view(),
+    );
 }
 
 /// Draws one stage, and says whether it could: its pipeline may still be in the making.
@@ -259,9 +342,12 @@ fn run(
     source: &TextureView,
     destination: &TextureView,
 ) -> bool {
-    let (Some(pipeline), Some(numbers)) =
-        (pass.pipelines.get(&key).and_then(|id| cache.get_render_pipeline(*id)), pass.numbers.binding())
-    else {
+    let (Some(pipeline), Some(numbers)) = (
+        pass.pipelines
+            .get(&key)
+            .and_then(|id| cache.get_render_pipeline(*id)),
+        pass.numbers.binding(),
+    ) else {
         return false;
     };
     let name = key.0.entry_point();

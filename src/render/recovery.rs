@@ -1,5 +1,6 @@
-//! The loss of the graphics device: a driver that was restarted or updated, a card that was taken away. The scene lives in the
-//! main world and loses nothing; a new device is opened, and Bevy runs every pass's `RenderStartup` again.
+//! The loss of the graphics device: a driver that was restarted or updated, a card that was taken
+//! away. The scene lives in the main world and loses nothing; a new device is opened, and Bevy runs
+//! every pass's `RenderStartup` again.
 
 use super::kept::Sight;
 use super::wgpu_settings;
@@ -7,7 +8,8 @@ use bevy::prelude::*;
 use bevy::render::error_handler::{ErrorType, RenderError, RenderErrorHandler, RenderErrorPolicy};
 use std::time::{Duration, Instant};
 
-/// A device that is lost this often within [`WHILE`] is not going to stay, and opening it again would only flicker.
+/// A device that is lost this often within [`WHILE`] is not going to stay, and opening it again
+/// would only flicker.
 const MOST_LOSSES: usize = 5;
 /// See [`MOST_LOSSES`].
 const WHILE: Duration = Duration::from_secs(60);
@@ -29,18 +31,25 @@ pub struct DeviceLosses {
 
 /// Goes on after the loss of a device with another one. Without it an app ends.
 pub fn plugin(app: &mut App) {
-    app.init_resource::<DeviceLosses>().insert_resource(RenderErrorHandler(respond));
+    app.init_resource::<DeviceLosses>()
+        .insert_resource(RenderErrorHandler(respond));
 }
 
 /// Asked in every frame from an error on, until it says something else than to wait.
 fn respond(error: &RenderError, main: &mut World, _render: &mut World) -> RenderErrorPolicy {
     if error.ty != ErrorType::DeviceLost {
-        error!("the graphics device refused what it was told: {}", error.description);
+        error!(
+            "the graphics device refused what it was told: {}",
+            error.description
+        );
         return end(main);
     }
     let now = Instant::now();
     let mut losses = main.resource_mut::<DeviceLosses>();
-    if losses.without.is_some_and(|(_, looked)| now.duration_since(looked) < LOOK) {
+    if losses
+        .without
+        .is_some_and(|(_, looked)| now.duration_since(looked) < LOOK)
+    {
         return RenderErrorPolicy::StopRendering;
     }
     if let Err(reason) = crate::gpu::check_adapter() {
@@ -53,15 +62,17 @@ fn respond(error: &RenderError, main: &mut World, _render: &mut World) -> Render
         return end(main);
     }
     losses.without = None;
-    losses.lately.retain(|lost| now.duration_since(*lost) < WHILE);
+    losses
+        .lately
+        .retain(|lost| now.duration_since(*lost) < WHILE);
     losses.lately.push(now);
     if losses.lately.len() > MOST_LOSSES {
         error!("the graphics device is lost again and again");
         return end(main);
     }
     losses.recovered += 1;
-    // The eye must be awake when the new device meets its first frame: Bevy's bloom takes a resting camera's buffers, which
-    // are gone, for granted.
+    // The eye must be awake when the new device meets its first frame: Bevy's bloom takes a resting
+    // camera's buffers, which are gone, for granted.
     if let Some(sight) = main.get_resource::<Sight>() {
         sight.forget();
     }

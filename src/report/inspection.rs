@@ -1,4 +1,5 @@
-//! Everything about one ray, as numbers that can be read, copied and compared: what the ray inspector shows.
+//! Everything about one ray, as numbers that can be read, copied and compared: what the ray
+//! inspector shows.
 
 use crate::physics::disk::{self, Profile};
 use crate::physics::observer::ObserverError;
@@ -72,7 +73,10 @@ pub struct Difference {
 
 /// A trace in the fields of `lightfall trace`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "`lightfall trace --help` says what each field means")]
+#[expect(
+    missing_docs,
+    reason = "`lightfall trace --help` says what each field means"
+)]
 pub struct Record {
     pub outcome: &'static str,
     pub sky_x: Option<f64>,
@@ -125,15 +129,21 @@ pub struct Inspected {
 }
 
 impl Inspected {
-    /// Inspects the ray of `scene` that arrives from `direction`, on the observer's legs, a unit vector; the path goes
-    /// as far out as `farthest`, in r_s.
+    /// Inspects the ray of `scene` that arrives from `direction`, on the observer's legs, a unit
+    /// vector; the path goes as far out as `farthest`, in r_s.
     ///
     /// # Errors
     /// If the scene's observer cannot exist.
-    pub fn new(scene: &Scene, direction: DVec3, pixel: Option<[f64; 2]>, farthest: f64) -> Result<Self, ObserverError> {
+    pub fn new(
+        scene: &Scene,
+        direction: DVec3,
+        pixel: Option<[f64; 2]>,
+        farthest: f64,
+    ) -> Result<Self, ObserverError> {
         let (cpu, path) = Path::of(&Reference::new(scene)?, direction, farthest);
         let profile = Profile::new(scene);
-        let temperature = |hit: Option<Hit>| hit.map(|hit| disk::temperature(&scene.disk, profile.flux(hit.r)));
+        let temperature =
+            |hit: Option<Hit>| hit.map(|hit| disk::temperature(&scene.disk, profile.flux(hit.r)));
         let numbers = Inspection {
             scene: scene.name.clone(),
             pixel,
@@ -154,14 +164,25 @@ impl Inspected {
             hit2_delay: path.delays[1],
             difference: None,
         };
-        Ok(Self { numbers, path, trace: cpu })
+        Ok(Self {
+            numbers,
+            path,
+            trace: cpu,
+        })
     }
 
-    /// Adds what the GPU answers for the same ray of a picture of `scene` that is `height` pixels high.
+    /// Adds what the GPU answers for the same ray of a picture of `scene` that is `height` pixels
+    /// high.
     ///
     /// # Errors
     /// If the scene's observer cannot exist.
-    pub fn compare(&mut self, scene: &Scene, ray: Ray, gpu: &Trace, height: f64) -> Result<(), ObserverError> {
+    pub fn compare(
+        &mut self,
+        scene: &Scene,
+        ray: Ray,
+        gpu: &Trace,
+        height: f64,
+    ) -> Result<(), ObserverError> {
         self.numbers.gpu = Some(Record::from(gpu));
         let errors = Truth::of(scene, vec![ray])?.judge(std::slice::from_ref(gpu));
         self.numbers.difference = errors.first().map(|error| {
@@ -186,7 +207,8 @@ impl Inspection {
         serde_json::to_string_pretty(self).expect("numbers and words only")
     }
 
-    /// As lines `name = value`; records have `cpu.` and `gpu.` before their names, and what there is not is left out.
+    /// As lines `name = value`; records have `cpu.` and `gpu.` before their names, and what there
+    /// is not is left out.
     #[must_use]
     pub fn to_text(&self) -> String {
         let value = serde_json::to_value(self).expect("numbers and words only");
@@ -225,14 +247,26 @@ fn line(text: &mut String, name: &str, value: &serde_json::Value) {
     match value {
         serde_json::Value::Null => {}
         serde_json::Value::Object(fields) => {
-            let known = super::rays::HEADER.iter().copied().filter(|field| fields.contains_key(*field));
-            let others = fields.keys().map(String::as_str).filter(|field| !super::rays::HEADER.contains(field));
-            let ordered: Vec<&str> = if fields.contains_key("outcome") { known.collect() } else { others.collect() };
+            let known = super::rays::HEADER
+                .iter()
+                .copied()
+                .filter(|field| fields.contains_key(*field));
+            let others = fields
+                .keys()
+                .map(String::as_str)
+                .filter(|field| !super::rays::HEADER.contains(field));
+            let ordered: Vec<&str> = if fields.contains_key("outcome") {
+                known.collect()
+            } else {
+                others.collect()
+            };
             for field in ordered {
                 line(text, &format!("{name}.{field}"), &fields[field]);
             }
         }
-        serde_json::Value::String(word) => writeln!(text, "{name} = {word}").expect("writing to a String cannot fail"),
+        serde_json::Value::String(word) => {
+            writeln!(text, "{name} = {word}").expect("writing to a String cannot fail")
+        }
         other => writeln!(text, "{name} = {other}").expect("writing to a String cannot fail"),
     }
 }

@@ -1,7 +1,8 @@
 //! Rays in and traces out, as CSV: the language of `lightfall trace`.
 //!
-//! A ray is a line `er,etheta,ephi`, a looking direction on the observer's legs (outward, toward growing theta, toward
-//! growing phi) of any length but zero. A trace is a line of [`HEADER`], with an empty field for what there is not.
+//! A ray is a line `er,etheta,ephi`, a looking direction on the observer's legs (outward, toward
+//! growing theta, toward growing phi) of any length but zero. A trace is a line of [`HEADER`], with
+//! an empty field for what there is not.
 
 use std::fmt::Debug;
 use std::io::{self, BufRead, Read, Write};
@@ -16,12 +17,12 @@ const COLUMNS: [&str; 3] = ["er", "etheta", "ephi"];
 
 /// The columns of a trace.
 pub const HEADER: [&str; 12] = [
-    "outcome", "sky_x", "sky_y", "sky_z", "hit1_r", "hit1_phi", "hit1_g", "hit2_r", "hit2_phi", "hit2_g", "steps",
-    "residual",
+    "outcome", "sky_x", "sky_y", "sky_z", "hit1_r", "hit1_phi", "hit1_g", "hit2_r", "hit2_phi",
+    "hit2_g", "steps", "residual",
 ];
 
-/// Most bytes a line may have: three numbers of any notation fit many times over, and a file without line ends does
-/// not fill the memory.
+/// Most bytes a line may have: three numbers of any notation fit many times over, and a file
+/// without line ends does not fill the memory.
 const LONGEST_LINE: u64 = 4096;
 
 /// Why a line does not give a ray.
@@ -54,7 +55,9 @@ pub enum RaysError {
         given: String,
     },
     /// All three values are zero.
-    #[error("{name}: line {line}: 0,0,0 is refused: it has no direction, and a ray may have any length but zero")]
+    #[error(
+        "{name}: line {line}: 0,0,0 is refused: it has no direction, and a ray may have any length but zero"
+    )]
     Zero {
         /// The file.
         name: String,
@@ -62,7 +65,9 @@ pub enum RaysError {
         line: u64,
     },
     /// The line goes on and on.
-    #[error("{name}: line {line} is longer than {LONGEST_LINE} bytes; a ray is a line er,etheta,ephi")]
+    #[error(
+        "{name}: line {line} is longer than {LONGEST_LINE} bytes; a ray is a line er,etheta,ephi"
+    )]
     Endless {
         /// The file.
         name: String,
@@ -83,8 +88,8 @@ pub enum RaysError {
 
 /// The rays of a file, one by one, as unit vectors. Ends after the first error.
 ///
-/// Lines are split here and not by the `csv` crate, which takes a quote left open for a field that reaches to the end
-/// of the file, however far that is.
+/// Lines are split here and not by the `csv` crate, which takes a quote left open for a field that
+/// reaches to the end of the file, however far that is.
 pub struct RayReader<R> {
     reader: R,
     name: String,
@@ -96,7 +101,13 @@ pub struct RayReader<R> {
 impl<R: BufRead> RayReader<R> {
     /// Reads rays from `reader`, which errors call `name`.
     pub fn new(reader: R, name: impl Into<String>) -> Self {
-        Self { reader, name: name.into(), line: 0, header_may_come: true, ended: false }
+        Self {
+            reader,
+            name: name.into(),
+            line: 0,
+            header_may_come: true,
+            ended: false,
+        }
     }
 
     /// The next line that is not blank, or none at the end.
@@ -105,17 +116,32 @@ impl<R: BufRead> RayReader<R> {
         loop {
             self.line += 1;
             bytes.clear();
-            let read = self.reader.by_ref().take(LONGEST_LINE).read_until(b'\n', &mut bytes);
-            let count = read.map_err(|error| RaysError::Read { name: self.name.clone(), line: self.line, error })?;
+            let read = self
+                .reader
+                .by_ref()
+                .take(LONGEST_LINE)
+                .read_until(b'\n', &mut bytes);
+            let count = read.map_err(|error| RaysError::Read {
+                name: self.name.clone(),
+                line: self.line,
+                error,
+            })?;
             if count == 0 {
                 return Ok(None);
             }
             if count as u64 == LONGEST_LINE && bytes.last() != Some(&b'\n') {
-                return Err(RaysError::Endless { name: self.name.clone(), line: self.line });
+                return Err(RaysError::Endless {
+                    name: self.name.clone(),
+                    line: self.line,
+                });
             }
             let text = String::from_utf8_lossy(&bytes);
             // Spreadsheets begin their files with a byte order mark.
-            let text = if self.line == 1 { text.trim_start_matches('\u{feff}') } else { &text };
+            let text = if self.line == 1 {
+                text.trim_start_matches('\u{feff}')
+            } else {
+                &text
+            };
             if !text.trim().is_empty() {
                 return Ok(Some(text.trim().to_owned()));
             }
@@ -136,18 +162,28 @@ impl<R: BufRead> RayReader<R> {
     fn ray(&self, text: &str, values: &[&str]) -> Result<DVec3, RaysError> {
         let (name, line) = (|| self.name.clone(), self.line);
         if values.len() != COLUMNS.len() {
-            return Err(RaysError::Columns { name: name(), line, given: shortened(text), count: values.len() });
+            return Err(RaysError::Columns {
+                name: name(),
+                line,
+                given: shortened(text),
+                count: values.len(),
+            });
         }
         let mut ray = DVec3::ZERO;
         for (i, (column, text)) in COLUMNS.into_iter().zip(values).enumerate() {
-            ray[i] = text.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| RaysError::Number {
-                name: name(),
-                line,
-                column,
-                given: shortened(text),
-            })?;
+            ray[i] = text
+                .parse()
+                .ok()
+                .filter(|number: &f64| number.is_finite())
+                .ok_or_else(|| RaysError::Number {
+                    name: name(),
+                    line,
+                    column,
+                    given: shortened(text),
+                })?;
         }
-        // Divided by the largest component first: squares of 1e300 overflow, those of 1e-300 vanish.
+        // Divided by the largest component first: squares of 1e300 overflow, those of 1e-300
+        // vanish.
         match ray.abs().max_element() {
             0.0 => Err(RaysError::Zero { name: name(), line }),
             largest => Ok((ray / largest).normalize()),
@@ -176,7 +212,10 @@ fn shortened(text: &str) -> String {
 /// A value without the blanks and quotes that other programs write around it.
 fn unquoted(value: &str) -> &str {
     let value = value.trim();
-    value.strip_prefix('"').and_then(|value| value.strip_suffix('"')).unwrap_or(value)
+    value
+        .strip_prefix('"')
+        .and_then(|value| value.strip_suffix('"'))
+        .unwrap_or(value)
 }
 
 /// Writes traces, in order, under their header.
@@ -207,9 +246,16 @@ impl<W: Write> TraceWriter<W> {
         };
         let sky = trace.sky.map(|sky| sky.to_array());
         let hits = trace.hits.map(|hit| hit.map(|hit| [hit.r, hit.phi, hit.g]));
-        let numbers = [sky, hits[0], hits[1]].map(|numbers| numbers.map_or_else(Default::default, |n| n.map(digits)));
+        let numbers = [sky, hits[0], hits[1]]
+            .map(|numbers| numbers.map_or_else(Default::default, |n| n.map(digits)));
         let last = [digits(trace.steps), digits(trace.residual)];
-        let fields = [outcome].into_iter().chain(numbers.as_flattened().iter().chain(&last).map(String::as_str));
+        let fields = [outcome].into_iter().chain(
+            numbers
+                .as_flattened()
+                .iter()
+                .chain(&last)
+                .map(String::as_str),
+        );
         self.csv.write_record(fields).map_err(io_error)
     }
 
@@ -235,7 +281,8 @@ fn digits(number: impl Debug) -> String {
     format!("{number:?}")
 }
 
-/// Whether an error says that nobody reads any more, as with `lightfall trace ... | head`: no fault of ours.
+/// Whether an error says that nobody reads any more, as with `lightfall trace ... | head`: no fault
+/// of ours.
 pub fn is_closed_pipe(error: &io::Error) -> bool {
     error.kind() == io::ErrorKind::BrokenPipe
 }

@@ -26,16 +26,28 @@ impl StepCount {
     /// # Errors
     /// A scene that the GPU cannot trace, or a device that failed.
     pub fn of(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
-        let size = DVec2::new(f64::from(scene.picture.width), f64::from(scene.picture.height));
+        let size = DVec2::new(
+            f64::from(scene.picture.width),
+            f64::from(scene.picture.height),
+        );
         let [columns, rows] = GRID;
-        let places = (0..rows).flat_map(|y| (0..columns).map(move |x| DVec2::new(f64::from(x), f64::from(y)) + 0.5));
+        let places = (0..rows)
+            .flat_map(|y| (0..columns).map(move |x| DVec2::new(f64::from(x), f64::from(y)) + 0.5));
         let cells = DVec2::new(f64::from(columns), f64::from(rows));
-        let rays: Vec<_> =
-            places.map(|place| Ray::toward(scene.camera.looking(place / cells * size, size)).given()).collect();
-        let steps: Vec<u32> =
-            RayKernel::new(gpu, scene)?.trace(gpu, scene, &rays)?.iter().map(|trace| trace.steps).collect();
+        let rays: Vec<_> = places
+            .map(|place| Ray::toward(scene.camera.looking(place / cells * size, size)).given())
+            .collect();
+        let steps: Vec<u32> = RayKernel::new(gpu, scene)?
+            .trace(gpu, scene, &rays)?
+            .iter()
+            .map(|trace| trace.steps)
+            .collect();
         let sum: f64 = steps.iter().map(|steps| f64::from(*steps)).sum();
         let most = steps.iter().copied().max().unwrap_or_default();
-        Ok(Self { mean: sum / steps.len().max(1) as f64, most, rays: steps.len() })
+        Ok(Self {
+            mean: sum / steps.len().max(1) as f64,
+            most,
+            rays: steps.len(),
+        })
     }
 }

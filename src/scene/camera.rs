@@ -5,24 +5,29 @@ use crate::physics::observer::celestial_frame;
 use glam::{DMat3, DVec2, DVec3};
 
 impl Camera {
-    /// Unit vector from the hole to the camera, toward Boyer-Lindquist theta and phi, in the hole's frame.
+    /// Unit vector from the hole to the camera, toward Boyer-Lindquist theta and phi, in the hole's
+    /// frame.
     pub fn direction(&self) -> DVec3 {
         self.legs().x_axis
     }
 
-    /// The observer's legs as unit vectors of the hole's frame, one a column: outward, toward growing theta, toward
-    /// growing phi. On the axis the last is the direction of azimuth `phi_deg` + 90 degrees.
+    /// The observer's legs as unit vectors of the hole's frame, one a column: outward, toward
+    /// growing theta, toward growing phi. On the axis the last is the direction of azimuth
+    /// `phi_deg` + 90 degrees.
     pub fn legs(&self) -> DMat3 {
-        let [outward, theta_hat, phi_hat] = celestial_frame(self.theta_deg.to_radians(), self.phi_deg.to_radians());
+        let [outward, theta_hat, phi_hat] =
+            celestial_frame(self.theta_deg.to_radians(), self.phi_deg.to_radians());
         DMat3::from_cols(outward, theta_hat, phi_hat)
     }
 
-    /// Unit looking direction (right, up, forward) of a place on a picture of `size` pixels, in pixels from its upper left
-    /// corner; the same as in shaders/observer.wgsl.
+    /// Unit looking direction (right, up, forward) of a place on a picture of `size` pixels, in
+    /// pixels from its upper left corner; the same as in shaders/observer.wgsl.
     pub fn looking(&self, pixel: DVec2, size: DVec2) -> DVec3 {
         let up = self.half_height();
         let across = pixel / size * DVec2::new(2.0, -2.0) + DVec2::new(-1.0, 1.0);
-        (across * DVec2::new(up * size.x / size.y, up)).extend(1.0).normalize()
+        (across * DVec2::new(up * size.x / size.y, up))
+            .extend(1.0)
+            .normalize()
     }
 
     /// The angle that a pixel in the middle of a picture `height` pixels high covers, in radians.
@@ -35,14 +40,18 @@ impl Camera {
         (self.fov_deg.to_radians() / 2.0).tan()
     }
 
-    /// The camera's axes right, up, forward on the observer's legs (outward, theta, phi), one a column.
+    /// The camera's axes right, up, forward on the observer's legs (outward, theta, phi), one a
+    /// column.
     ///
-    /// Without turns it looks at the hole: forward is inward, up is decreasing theta, right is growing phi. It is turned
-    /// about its own axes: to the right, then up, then clockwise as seen from behind it.
+    /// Without turns it looks at the hole: forward is inward, up is decreasing theta, right is
+    /// growing phi. It is turned about its own axes: to the right, then up, then clockwise as seen
+    /// from behind it.
     pub fn legs_from_camera(&self) -> DMat3 {
         let [yaw, pitch, roll] = [self.yaw_deg, self.pitch_deg, self.roll_deg].map(sin_cos_deg);
         let [right, up, forward] = [DVec3::Z, -DVec3::Y, -DVec3::X];
-        let turn = |(sin, cos): (f64, f64), to: DVec3, from: DVec3| (cos * to + sin * from, cos * from - sin * to);
+        let turn = |(sin, cos): (f64, f64), to: DVec3, from: DVec3| {
+            (cos * to + sin * from, cos * from - sin * to)
+        };
         let (forward, right) = turn(yaw, forward, right);
         let (forward, up) = turn(pitch, forward, up);
         let (up, right) = turn(roll, up, right);
@@ -50,8 +59,8 @@ impl Camera {
     }
 }
 
-/// Sine and cosine of an angle in degrees, exact at multiples of 90, so that a camera that looks at the hole looks at
-/// nothing else.
+/// Sine and cosine of an angle in degrees, exact at multiples of 90, so that a camera that looks at
+/// the hole looks at nothing else.
 fn sin_cos_deg(degrees: f64) -> (f64, f64) {
     let quarters = (degrees / 90.0).round();
     let (sin, cos) = (degrees - 90.0 * quarters).to_radians().sin_cos();

@@ -1,8 +1,8 @@
 //! What a field is where nobody sets it.
 
 use super::{
-    Camera, Disk, DiskModel, Effects, Hole, Method, Observer, ObserverKind, Picture, Probe, Quality, SCHEMA, Scene,
-    Sky, SkyMode, View,
+    Camera, Disk, DiskModel, Effects, Hole, Method, Observer, ObserverKind, Picture, Probe,
+    Quality, SCHEMA, Scene, Sky, SkyMode, View,
 };
 
 impl Default for Scene {
@@ -34,19 +34,36 @@ impl Default for Hole {
 
 impl Default for Camera {
     fn default() -> Self {
-        Self { r: 20.0, theta_deg: 80.0, phi_deg: 0.0, fov_deg: 60.0, yaw_deg: 0.0, pitch_deg: 0.0, roll_deg: 0.0 }
+        Self {
+            r: 20.0,
+            theta_deg: 80.0,
+            phi_deg: 0.0,
+            fov_deg: 60.0,
+            yaw_deg: 0.0,
+            pitch_deg: 0.0,
+            roll_deg: 0.0,
+        }
     }
 }
 
 impl Default for Observer {
     fn default() -> Self {
-        Self { kind: ObserverKind::Static, velocity: [0.0; 3] }
+        Self {
+            kind: ObserverKind::Static,
+            velocity: [0.0; 3],
+        }
     }
 }
 
 impl Default for Effects {
     fn default() -> Self {
-        Self { lensing: true, doppler: true, beaming: true, gravitational_shift: true, aberration: true }
+        Self {
+            lensing: true,
+            doppler: true,
+            beaming: true,
+            gravitational_shift: true,
+            aberration: true,
+        }
     }
 }
 
@@ -81,7 +98,14 @@ impl Default for Sky {
 
 impl Default for Probe {
     fn default() -> Self {
-        Self { enabled: false, r: 20.0, theta_deg: 80.0, phi_deg: 0.0, size: 0.2, antialias: false }
+        Self {
+            enabled: false,
+            r: 20.0,
+            theta_deg: 80.0,
+            phi_deg: 0.0,
+            size: 0.2,
+            antialias: false,
+        }
     }
 }
 
@@ -103,6 +127,11 @@ impl Default for Picture {
 
 impl Default for Quality {
     fn default() -> Self {
-        Self { max_error_px: 0.05, step_scale: 0.85, max_steps: 768, max_affine: 2000.0 }
+        Self {
+            max_error_px: 0.05,
+            step_scale: 0.85,
+            max_steps: 768,
+            max_affine: 2000.0,
+        }
     }
 }

@@ -12,8 +12,12 @@ impl Scene {
     ///
     /// # Errors
     /// The first value of the wrong type, or the first field that is not allowed beside the others.
-    pub fn with<'a>(&self, changes: impl IntoIterator<Item = (&'a str, Value)>) -> Result<Self, Refusal> {
-        let mut table = Table::try_from(self).expect("a scene is made of numbers, words and tables only");
+    pub fn with<'a>(
+        &self,
+        changes: impl IntoIterator<Item = (&'a str, Value)>,
+    ) -> Result<Self, Refusal> {
+        let mut table =
+            Table::try_from(self).expect("a scene is made of numbers, words and tables only");
         let mut changed = Vec::new();
         for (key, value) in changes {
             let Some(field) = field(key) else { continue };
@@ -25,14 +29,24 @@ impl Scene {
             changed.push((field.key, given(&value)));
             *place.expect("every key of the field table is a field of the scene") = value;
         }
-        let scene: Self = table.try_into().expect("every value was checked against the field table");
+        let scene: Self = table
+            .try_into()
+            .expect("every value was checked against the field table");
         scene.check().map(|()| scene).map_err(|refusal| {
             // Who drags one field is not told that it is another's fault.
             let culprit = |(key, _): &&(&'static str, String)| {
-                refusal.because.as_ref().is_some_and(|because| because.keys.contains(key))
+                refusal
+                    .because
+                    .as_ref()
+                    .is_some_and(|because| because.keys.contains(key))
             };
             let own = changed.iter().any(|(key, _)| *key == refusal.key);
-            let blamed = changed.iter().filter(|_| !own).find(culprit).cloned().map(Box::new);
+            let blamed = changed
+                .iter()
+                .filter(|_| !own)
+                .find(culprit)
+                .cloned()
+                .map(Box::new);
             Refusal { blamed, ..refusal }
         })
     }

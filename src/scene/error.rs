@@ -34,19 +34,31 @@ fn sentence(
     because: &Option<Because>,
     blamed: &Option<Box<(&'static str, String)>>,
 ) -> String {
-    let why = because.as_ref().map(|because| format!(" ({})", because.reason)).unwrap_or_default();
+    let why = because
+        .as_ref()
+        .map(|because| format!(" ({})", because.reason))
+        .unwrap_or_default();
     match blamed.as_deref() {
         None => format!("{key} = {given} is refused: it must be {allowed}{why}"),
         Some((culprit, its)) => {
             // Where it alone narrows the range, all has been said.
-            let why = if because.as_ref().is_some_and(|because| because.keys == [*culprit]) { "" } else { &why };
-            format!("{culprit} = {its} is refused beside {key} = {given}, which must then be {allowed}{why}")
+            let why = if because
+                .as_ref()
+                .is_some_and(|because| because.keys == [*culprit])
+            {
+                ""
+            } else {
+                &why
+            };
+            format!(
+                "{culprit} = {its} is refused beside {key} = {given}, which must then be {allowed}{why}"
+            )
         }
     }
 }
 
-/// Why a preset, with what overrides it, does not make a scene. `origin` is where the fault was written: a file, a
-/// preset or an option of the command line.
+/// Why a preset, with what overrides it, does not make a scene. `origin` is where the fault was
+/// written: a file, a preset or an option of the command line.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum SceneError {
     /// The text is not TOML.
@@ -62,7 +74,9 @@ pub enum SceneError {
         message: String,
     },
     /// The preset was written for another version of the format.
-    #[error("{origin}: schema = {given} is another version of the preset format; this program reads schema 1")]
+    #[error(
+        "{origin}: schema = {given} is another version of the preset format; this program reads schema 1"
+    )]
     Schema {
         /// Where it was written.
         origin: String,

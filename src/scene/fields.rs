@@ -1,5 +1,5 @@
-//! The field table: every leaf field of a [`Scene`](super::Scene) with its kind, range, unit and meaning. Validation,
-//! `presets show`, the documentation and the panel all read it from here.
+//! The field table: every leaf field of a [`Scene`](super::Scene) with its kind, range, unit and
+//! meaning. Validation, `presets show`, the documentation and the panel all read it from here.
 
 use std::fmt;
 use std::ops::Bound::{self, Excluded, Included, Unbounded};
@@ -48,16 +48,25 @@ pub struct Range {
 
 impl Range {
     /// Every finite number.
-    pub const FINITE: Self = Self { low: Unbounded, high: Unbounded };
+    pub const FINITE: Self = Self {
+        low: Unbounded,
+        high: Unbounded,
+    };
 
     /// `low <= x <= high`.
     const fn closed(low: f64, high: f64) -> Self {
-        Self { low: Included(low), high: Included(high) }
+        Self {
+            low: Included(low),
+            high: Included(high),
+        }
     }
 
     /// `low < x <= high`.
     const fn above(low: f64, high: f64) -> Self {
-        Self { low: Excluded(low), high: Included(high) }
+        Self {
+            low: Excluded(low),
+            high: Included(high),
+        }
     }
 
     /// Whether a number is finite and inside.
@@ -73,7 +82,12 @@ impl fmt::Display for Range {
             return if low == high {
                 write!(f, "equal to {}", number(low))
             } else {
-                write!(f, "from {} to {}", number(inward(low, 1.0)), number(inward(high, -1.0)))
+                write!(
+                    f,
+                    "from {} to {}",
+                    number(inward(low, 1.0)),
+                    number(inward(high, -1.0))
+                )
             };
         }
         let low = match self.low {
@@ -86,25 +100,39 @@ impl fmt::Display for Range {
             Excluded(high) => format!("below {}", number(inward(high, -1.0))),
             Unbounded => String::new(),
         };
-        let and = if low.is_empty() || high.is_empty() { "" } else { " and " };
+        let and = if low.is_empty() || high.is_empty() {
+            ""
+        } else {
+            " and "
+        };
         write!(f, "{low}{and}{high}")
     }
 }
 
-/// A limit in few digits, on its own inner side, so that what is said is allowed: `side` is 1 for the lower, -1 for the upper.
-/// One that was written in few digits stays.
+/// A limit in few digits, on its own inner side, so that what is said is allowed: `side` is 1 for
+/// the lower, -1 for the upper. One that was written in few digits stays.
 fn inward(limit: f64, side: f64) -> f64 {
     const DIGITS: i32 = 6;
-    if limit.fract() == 0.0 || !limit.is_finite() || format!("{limit:e}").find('e').is_some_and(|length| length <= 10) {
+    if limit.fract() == 0.0
+        || !limit.is_finite()
+        || format!("{limit:e}")
+            .find('e')
+            .is_some_and(|length| length <= 10)
+    {
         return limit;
     }
     let scale = 10.0_f64.powi(DIGITS - 1 - limit.abs().log10().floor() as i32);
     side * (side * limit * scale).ceil() / scale
 }
 
-/// The shortest digits that give the number back, with an exponent only where zeros would hide its size.
+/// The shortest digits that give the number back, with an exponent only where zeros would hide its
+/// size.
 pub(super) fn number(x: f64) -> String {
-    if x == 0.0 || (1e-4..1e16).contains(&x.abs()) || !x.is_finite() { format!("{x}") } else { format!("{x:e}") }
+    if x == 0.0 || (1e-4..1e16).contains(&x.abs()) || !x.is_finite() {
+        format!("{x}")
+    } else {
+        format!("{x:e}")
+    }
 }
 
 impl Field {
@@ -119,8 +147,16 @@ impl Field {
     /// The same, with the range that holds beside the other fields of some scene.
     pub(super) fn allowed_in(&self, range: Range) -> String {
         let words = |noun: &str| {
-            let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
-            if range == Range::FINITE { format!("{noun}{unit}") } else { format!("{noun} {range}{unit}") }
+            let unit = if self.unit.is_empty() {
+                String::new()
+            } else {
+                format!(" {}", self.unit)
+            };
+            if range == Range::FINITE {
+                format!("{noun}{unit}")
+            } else {
+                format!("{noun} {range}{unit}")
+            }
         };
         match self.kind {
             Kind::Float(_) => words("a number"),
@@ -141,23 +177,53 @@ pub fn field(key: &str) -> Option<&'static Field> {
 }
 
 const fn float(key: &'static str, range: Range, unit: &'static str, about: &'static str) -> Field {
-    Field { key, kind: Kind::Float(range), unit, about }
+    Field {
+        key,
+        kind: Kind::Float(range),
+        unit,
+        about,
+    }
 }
 
-const fn integer(key: &'static str, range: Range, unit: &'static str, about: &'static str) -> Field {
-    Field { key, kind: Kind::Integer(range), unit, about }
+const fn integer(
+    key: &'static str,
+    range: Range,
+    unit: &'static str,
+    about: &'static str,
+) -> Field {
+    Field {
+        key,
+        kind: Kind::Integer(range),
+        unit,
+        about,
+    }
 }
 
 const fn boolean(key: &'static str, about: &'static str) -> Field {
-    Field { key, kind: Kind::Boolean, unit: "", about }
+    Field {
+        key,
+        kind: Kind::Boolean,
+        unit: "",
+        about,
+    }
 }
 
 const fn choice(key: &'static str, choices: &'static [&'static str], about: &'static str) -> Field {
-    Field { key, kind: Kind::Choice(choices), unit: "", about }
+    Field {
+        key,
+        kind: Kind::Choice(choices),
+        unit: "",
+        about,
+    }
 }
 
 const fn text(key: &'static str, about: &'static str) -> Field {
-    Field { key, kind: Kind::Text, unit: "", about }
+    Field {
+        key,
+        kind: Kind::Text,
+        unit: "",
+        about,
+    }
 }
 
 /// A radius in the disk.
@@ -170,29 +236,58 @@ const TURN: Range = Range::closed(-360.0, 360.0);
 const SHARE: Range = Range::closed(0.0, 1.0);
 /// An artistic scale of light.
 const SCALE: Range = Range::closed(0.0, 1e3);
-/// Longest side of a picture, in pixels: what every device that the passes run on can do (WebGPU's default limit).
+/// Longest side of a picture, in pixels: what every device that the passes run on can do (WebGPU's
+/// default limit).
 pub const LONGEST_SIDE: u32 = 8192;
 /// A side of a picture.
 const SIDE: Range = Range::closed(1.0, LONGEST_SIDE as f64);
-/// A radius where a camera may be around some hole; the hole's own horizons narrow it (see `limits`).
+/// A radius where a camera may be around some hole; the hole's own horizons narrow it (see
+/// `limits`).
 const CAMERA: Range = Range::closed(0.1, 1e7);
 /// A vertical field of view, from a millionth of a radian up.
 const FIELD_OF_VIEW: Range = Range::closed(1e-6_f64.to_degrees(), 179.0);
 
 /// Every leaf field of a scene, in the order of its declaration.
 pub const FIELDS: &[Field] = &[
-    integer("schema", Range::closed(super::SCHEMA as f64, super::SCHEMA as f64), "", "Version of the preset format"),
+    integer(
+        "schema",
+        Range::closed(super::SCHEMA as f64, super::SCHEMA as f64),
+        "",
+        "Version of the preset format",
+    ),
     text("name", "Short name"),
     text("title", "One line that says what there is to see"),
-    choice("method", &["auto", "verlet", "closed", "mino", "kerr-schild", "reference"], "How light is traced"),
+    choice(
+        "method",
+        &[
+            "auto",
+            "verlet",
+            "closed",
+            "mino",
+            "kerr-schild",
+            "reference",
+        ],
+        "How light is traced",
+    ),
     choice(
         "view",
-        &["colour", "unfinished", "classes", "residual", "order", "redshift", "error"],
+        &[
+            "colour",
+            "unfinished",
+            "classes",
+            "residual",
+            "order",
+            "redshift",
+            "error",
+        ],
         "What is shown: the light, the light with rays without an answer in magenta, or a diagnostic",
     ),
     float(
         "hole.spin",
-        Range { low: Excluded(-1.0), high: Excluded(1.0) },
+        Range {
+            low: Excluded(-1.0),
+            high: Excluded(1.0),
+        },
         "",
         "chi = a/M; positive turns with the disk",
     ),
@@ -202,74 +297,230 @@ pub const FIELDS: &[Field] = &[
         "r_s",
         "Boyer-Lindquist radius of the camera, outside the horizon unless observer.kind is rain",
     ),
-    float("camera.theta_deg", POLAR, "degrees", "Angle from the disk normal"),
+    float(
+        "camera.theta_deg",
+        POLAR,
+        "degrees",
+        "Angle from the disk normal",
+    ),
     float("camera.phi_deg", TURN, "degrees", "Azimuth"),
-    float("camera.fov_deg", FIELD_OF_VIEW, "degrees", "Vertical field of view"),
-    float("camera.yaw_deg", TURN, "degrees", "Turn to the right, away from the hole's centre"),
-    float("camera.pitch_deg", TURN, "degrees", "Turn upward, after the yaw"),
-    float("camera.roll_deg", TURN, "degrees", "Turn clockwise about the line of sight, last"),
-    choice("observer.kind", &["static", "zamo", "orbit", "rain"], "How the camera moves"),
+    float(
+        "camera.fov_deg",
+        FIELD_OF_VIEW,
+        "degrees",
+        "Vertical field of view",
+    ),
+    float(
+        "camera.yaw_deg",
+        TURN,
+        "degrees",
+        "Turn to the right, away from the hole's centre",
+    ),
+    float(
+        "camera.pitch_deg",
+        TURN,
+        "degrees",
+        "Turn upward, after the yaw",
+    ),
+    float(
+        "camera.roll_deg",
+        TURN,
+        "degrees",
+        "Turn clockwise about the line of sight, last",
+    ),
+    choice(
+        "observer.kind",
+        &["static", "zamo", "orbit", "rain"],
+        "How the camera moves",
+    ),
     Field {
         key: "observer.velocity",
         kind: Kind::Velocity,
         unit: "c",
         about: "One more boost, in the observer's frame",
     },
-    boolean("effects.lensing", "Whether light is bent; off breaks the physics on purpose"),
-    boolean("effects.doppler", "Whether motion shifts light; off breaks the physics on purpose"),
-    boolean("effects.beaming", "Whether a shift changes the brightness by g^4; off breaks the physics on purpose"),
-    boolean("effects.gravitational_shift", "Whether potentials shift light; off breaks the physics on purpose"),
-    boolean("effects.aberration", "Whether motion displaces directions; off breaks the physics on purpose"),
+    boolean(
+        "effects.lensing",
+        "Whether light is bent; off breaks the physics on purpose",
+    ),
+    boolean(
+        "effects.doppler",
+        "Whether motion shifts light; off breaks the physics on purpose",
+    ),
+    boolean(
+        "effects.beaming",
+        "Whether a shift changes the brightness by g^4; off breaks the physics on purpose",
+    ),
+    boolean(
+        "effects.gravitational_shift",
+        "Whether potentials shift light; off breaks the physics on purpose",
+    ),
+    boolean(
+        "effects.aberration",
+        "Whether motion displaces directions; off breaks the physics on purpose",
+    ),
     boolean("disk.enabled", "Whether there is a disk"),
-    float("disk.inner", EDGE, "r_s", "Inner edge; never inside the innermost stable circular orbit"),
+    float(
+        "disk.inner",
+        EDGE,
+        "r_s",
+        "Inner edge; never inside the innermost stable circular orbit",
+    ),
     boolean(
         "disk.follow_isco",
         "Whether the inner edge is the innermost stable circular orbit, whatever disk.inner says",
     ),
-    float("disk.outer", EDGE, "r_s", "Outer edge; outside the innermost stable circular orbit"),
-    choice("disk.model", &["newtonian", "page-thorne"], "Radial profile of the flux"),
+    float(
+        "disk.outer",
+        EDGE,
+        "r_s",
+        "Outer edge; outside the innermost stable circular orbit",
+    ),
+    choice(
+        "disk.model",
+        &["newtonian", "page-thorne"],
+        "Radial profile of the flux",
+    ),
     float(
         "disk.temperature_k",
         Range::closed(100.0, 1e6),
         "K",
         "Temperature scale: T = temperature_k F^(1/4); a hotter disk keeps its total flux, ever less of it visible",
     ),
-    float("disk.brightness", SCALE, "", "Artistic scale of the emission"),
+    float(
+        "disk.brightness",
+        SCALE,
+        "",
+        "Artistic scale of the emission",
+    ),
     float(
         "disk.edge_taper",
         Range::closed(0.0, 0.5),
         "",
         "Width of the fade at each edge, as a fraction of its radius",
     ),
-    float("disk.transmission", SHARE, "", "Share of the light from behind that passes through"),
-    choice("sky.mode", &["stars", "grid", "off"], "What is drawn at infinity"),
-    integer("sky.seed", Range::closed(0.0, u32::MAX as f64), "", "Which stars"),
+    float(
+        "disk.transmission",
+        SHARE,
+        "",
+        "Share of the light from behind that passes through",
+    ),
+    choice(
+        "sky.mode",
+        &["stars", "grid", "off"],
+        "What is drawn at infinity",
+    ),
+    integer(
+        "sky.seed",
+        Range::closed(0.0, u32::MAX as f64),
+        "",
+        "Which stars",
+    ),
     float("sky.brightness", SCALE, "", "Scale of the sky's light"),
-    boolean("sky.reference_star", "Whether one bright star is added, in any mode but `off`"),
-    float("sky.reference_theta_deg", POLAR, "degrees", "The reference star's angle from the disk normal"),
-    float("sky.reference_phi_deg", TURN, "degrees", "The reference star's azimuth"),
+    boolean(
+        "sky.reference_star",
+        "Whether one bright star is added, in any mode but `off`",
+    ),
+    float(
+        "sky.reference_theta_deg",
+        POLAR,
+        "degrees",
+        "The reference star's angle from the disk normal",
+    ),
+    float(
+        "sky.reference_phi_deg",
+        TURN,
+        "degrees",
+        "The reference star's azimuth",
+    ),
     boolean("probe.enabled", "Whether the foreground probe is there"),
-    float("probe.r", Range::above(1.0, 1e7), "r_s", "Radius where the probe hovers"),
-    float("probe.theta_deg", POLAR, "degrees", "The probe's angle from the disk normal"),
+    float(
+        "probe.r",
+        Range::above(1.0, 1e7),
+        "r_s",
+        "Radius where the probe hovers",
+    ),
+    float(
+        "probe.theta_deg",
+        POLAR,
+        "degrees",
+        "The probe's angle from the disk normal",
+    ),
     float("probe.phi_deg", TURN, "degrees", "The probe's azimuth"),
-    float("probe.size", Range::above(0.0, 1e3), "r_s", "Length of the probe's body"),
-    boolean("probe.antialias", "Whether the probe's edges are smoothed, by four samples a pixel"),
+    float(
+        "probe.size",
+        Range::above(0.0, 1e3),
+        "r_s",
+        "Length of the probe's body",
+    ),
+    boolean(
+        "probe.antialias",
+        "Whether the probe's edges are smoothed, by four samples a pixel",
+    ),
     integer("picture.width", SIDE, "pixels", "Width of the HDR picture"),
-    integer("picture.height", SIDE, "pixels", "Height of the HDR picture"),
-    integer("picture.grid_width", SIDE, "cells", "Width of the presentation grid; not more than picture.width"),
-    integer("picture.grid_height", SIDE, "cells", "Height of the presentation grid; not more than picture.height"),
-    float("picture.exposure_ev", Range::closed(-20.0, 20.0), "powers of two", "Exposure"),
-    float("picture.bloom", SHARE, "", "Strength of the bloom; zero leaves it out"),
-    integer("picture.levels", Range::closed(2.0, 256.0), "levels", "How many levels a channel is rounded to"),
-    boolean("picture.dither", "Whether a 4x4 Bayer pattern spreads the rounding error"),
+    integer(
+        "picture.height",
+        SIDE,
+        "pixels",
+        "Height of the HDR picture",
+    ),
+    integer(
+        "picture.grid_width",
+        SIDE,
+        "cells",
+        "Width of the presentation grid; not more than picture.width",
+    ),
+    integer(
+        "picture.grid_height",
+        SIDE,
+        "cells",
+        "Height of the presentation grid; not more than picture.height",
+    ),
+    float(
+        "picture.exposure_ev",
+        Range::closed(-20.0, 20.0),
+        "powers of two",
+        "Exposure",
+    ),
+    float(
+        "picture.bloom",
+        SHARE,
+        "",
+        "Strength of the bloom; zero leaves it out",
+    ),
+    integer(
+        "picture.levels",
+        Range::closed(2.0, 256.0),
+        "levels",
+        "How many levels a channel is rounded to",
+    ),
+    boolean(
+        "picture.dither",
+        "Whether a 4x4 Bayer pattern spreads the rounding error",
+    ),
     boolean("picture.bypass", "Whether the pixel treatment is left out"),
-    float("quality.max_error_px", Range::closed(1e-4, 1.0), "pixels", "Largest error of a ray, for method mino"),
+    float(
+        "quality.max_error_px",
+        Range::closed(1e-4, 1.0),
+        "pixels",
+        "Largest error of a ray, for method mino",
+    ),
     float(
         "quality.step_scale",
         Range::above(0.0, 16.0),
         "",
         "Scale of the step rule of verlet and kerr-schild: 1.55 cheap, 0.85 balanced, 0.45 high",
     ),
-    integer("quality.max_steps", Range::closed(1.0, 768.0), "steps", "Most steps of verlet and kerr-schild"),
-    float("quality.max_affine", Range::above(0.0, 1e9), "r_s", "Most affine length of verlet and kerr-schild"),
+    integer(
+        "quality.max_steps",
+        Range::closed(1.0, 768.0),
+        "steps",
+        "Most steps of verlet and kerr-schild",
+    ),
+    float(
+        "quality.max_affine",
+        Range::above(0.0, 1e9),
+        "r_s",
+        "Most affine length of verlet and kerr-schild",
+    ),
 ];

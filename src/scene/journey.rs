@@ -1,8 +1,10 @@
-//! A journey: a guided flight as keyframes in time, and what they make of a scene. Plain data and its interpolation.
+//! A journey: a guided flight as keyframes in time, and what they make of a scene. Plain data and
+//! its interpolation.
 //!
-//! Every quantity has a track of its own, through the keyframes that name it: monotone cubics (Fritsch & Carlson 1980), so that
-//! positions and speeds are continuous, nothing overshoots, and the flight begins and ends at rest. Radii are interpolated in
-//! their logarithm. What no keyframe names stays what it is in the scene.
+//! Every quantity has a track of its own, through the keyframes that name it: monotone cubics
+//! (Fritsch & Carlson 1980), so that positions and speeds are continuous, nothing overshoots, and
+//! the flight begins and ends at rest. Radii are interpolated in their logarithm. What no keyframe
+//! names stays what it is in the scene.
 
 mod check;
 mod load;
@@ -56,51 +58,104 @@ const ANGLES: [Angle; 5] = [
 ];
 
 impl Journey {
-    /// Writes to `scene` where the flight is after `time` seconds; before the first keyframe as at it, after the last as there.
+    /// Writes to `scene` where the flight is after `time` seconds; before the first keyframe as at
+    /// it, after the last as there.
     ///
-    /// A circular orbit cannot be led away from its plane: unless the journey itself says what the observer is, `orbit` becomes
-    /// `static`, as under the hand. The scene is not checked.
+    /// A circular orbit cannot be led away from its plane: unless the journey itself says what the
+    /// observer is, `orbit` becomes `static`, as under the hand. The scene is not checked.
     ///
-    /// While the observer is `rain`, keyframes tell Kerr's ingoing azimuth, counted so that it is Boyer-Lindquist's where that
-    /// begins: the other would wind without end toward the horizon of a hole that spins.
+    /// While the observer is `rain`, keyframes tell Kerr's ingoing azimuth, counted so that it is
+    /// Boyer-Lindquist's where that begins: the other would wind without end toward the horizon of
+    /// a hole that spins.
     pub fn apply(&self, time: f64, scene: &mut Scene) {
-        let kind = self.kinds.iter().rev().find(|(from, _)| *from <= time).or(self.kinds.first());
+        let kind = self
+            .kinds
+            .iter()
+            .rev()
+            .find(|(from, _)| *from <= time)
+            .or(self.kinds.first());
         match kind {
             Some((_, kind)) => scene.observer.kind = *kind,
-            None if scene.observer.kind == ObserverKind::Orbit => scene.observer.kind = ObserverKind::Static,
+            None if scene.observer.kind == ObserverKind::Orbit => {
+                scene.observer.kind = ObserverKind::Static
+            }
             None => {}
         }
         let rain = scene.observer.kind == ObserverKind::Rain;
-        let tracks = if rain { &self.tracks_in_rain } else { &self.tracks };
+        let tracks = if rain {
+            &self.tracks_in_rain
+        } else {
+            &self.tracks
+        };
         tracks.apply(time, scene);
         if tracks.leads("phi_deg") {
-            let phi = scene.camera.phi_deg - self.azimuth_lead(time, rain, Kerr { spin: scene.hole.spin }).to_degrees();
+            let phi = scene.camera.phi_deg
+                - self
+                    .azimuth_lead(
+                        time,
+                        rain,
+                        Kerr {
+                            spin: scene.hole.spin,
+                        },
+                    )
+                    .to_degrees();
             scene.camera.phi_deg = within_half_a_turn(phi);
         }
     }
 
-    /// By how much Kerr's ingoing azimuth has grown beyond Boyer-Lindquist's in all the times of `rain` up to now, in radians;
-    /// inside the horizon, where `camera.phi_deg` is the ingoing one, less that one's own lead.
+    /// By how much Kerr's ingoing azimuth has grown beyond Boyer-Lindquist's in all the times of
+    /// `rain` up to now, in radians; inside the horizon, where `camera.phi_deg` is the ingoing one,
+    /// less that one's own lead.
     fn azimuth_lead(&self, time: f64, rain: bool, kerr: Kerr) -> f64 {
-        let Some(radius) = self.tracks_in_rain.radius.as_ref().filter(|_| kerr.spin != 0.0) else { return 0.0 };
+        let Some(radius) = self
+            .tracks_in_rain
+            .radius
+            .as_ref()
+            .filter(|_| kerr.spin != 0.0)
+        else {
+            return 0.0;
+        };
         let lead = |time: f64| {
             let r = radius.at(time).exp();
-            if r > kerr.horizon() { kerr.ingoing_azimuth_lead(r) } else { 0.0 }
+            if r > kerr.horizon() {
+                kerr.ingoing_azimuth_lead(r)
+            } else {
+                0.0
+            }
         };
         // What the observer is before the first keyframe that says it.
-        let first = self.kinds.first().map_or(rain, |(_, kind)| *kind == ObserverKind::Rain);
-        let later = self.kinds.iter().skip(1).map(|(from, kind)| (*from, *kind == ObserverKind::Rain));
+        let first = self
+            .kinds
+            .first()
+            .map_or(rain, |(_, kind)| *kind == ObserverKind::Rain);
+        let later = self
+            .kinds
+            .iter()
+            .skip(1)
+            .map(|(from, kind)| (*from, *kind == ObserverKind::Rain));
         let starts: Vec<_> = std::iter::once((0.0, first)).chain(later).collect();
-        let ends = starts.iter().skip(1).map(|(from, _)| *from).chain([f64::INFINITY]);
-        let times = starts.iter().zip(ends).filter(|((from, rain), _)| *rain && *from <= time);
-        times.map(|((from, _), end)| lead(time.min(end)) - lead(*from)).sum()
+        let ends = starts
+            .iter()
+            .skip(1)
+            .map(|(from, _)| *from)
+            .chain([f64::INFINITY]);
+        let times = starts
+            .iter()
+            .zip(ends)
+            .filter(|((from, rain), _)| *rain && *from <= time);
+        times
+            .map(|((from, _), end)| lead(time.min(end)) - lead(*from))
+            .sum()
     }
 }
 
 impl Tracks {
     /// Whether any keyframe names this angle.
     fn leads(&self, name: &str) -> bool {
-        ANGLES.iter().zip(&self.angles).any(|((angle, _), track)| *angle == name && track.is_some())
+        ANGLES
+            .iter()
+            .zip(&self.angles)
+            .any(|((angle, _), track)| *angle == name && track.is_some())
     }
 
     fn apply(&self, time: f64, scene: &mut Scene) {
@@ -110,7 +165,11 @@ impl Tracks {
         for ((name, field), track) in ANGLES.iter().zip(&self.angles) {
             if let Some(track) = track {
                 let angle = track.at(time);
-                *field(&mut scene.camera) = if *name == "theta_deg" { angle } else { within_half_a_turn(angle) };
+                *field(&mut scene.camera) = if *name == "theta_deg" {
+                    angle
+                } else {
+                    within_half_a_turn(angle)
+                };
             }
         }
         if let Some(track) = &self.field_of_view {
@@ -124,8 +183,8 @@ impl Tracks {
     }
 }
 
-/// The camera a share of the way, from 0 to 1, from one to another: gently at both ends, in the logarithm of the radius, and
-/// the short way round.
+/// The camera a share of the way, from 0 to 1, from one to another: gently at both ends, in the
+/// logarithm of the radius, and the short way round.
 #[must_use]
 pub fn between(from: &Camera, to: &Camera, share: f64) -> Camera {
     let share = share.clamp(0.0, 1.0);
@@ -138,7 +197,11 @@ pub fn between(from: &Camera, to: &Camera, share: f64) -> Camera {
         camera.fov_deg = mix(from.fov_deg, to.fov_deg);
         for (name, field) in ANGLES {
             let (start, end) = (*field(&mut from), *field(&mut camera));
-            let turn = if name == "theta_deg" { end - start } else { within_half_a_turn(end - start) };
+            let turn = if name == "theta_deg" {
+                end - start
+            } else {
+                within_half_a_turn(end - start)
+            };
             *field(&mut camera) = start + turn * gently;
         }
         for field in [ANGLES[1].1, ANGLES[2].1, ANGLES[3].1, ANGLES[4].1] {

@@ -34,11 +34,22 @@ impl Method {
     /// This method, or what `auto` means for a hole of spin `chi`.
     #[must_use]
     pub fn resolved(self, chi: f64) -> Self {
-        if self == Self::Auto { Self::for_spin(chi) } else { self }
+        if self == Self::Auto {
+            Self::for_spin(chi)
+        } else {
+            self
+        }
     }
 
     /// Every method.
-    pub const ALL: [Self; 6] = [Self::Auto, Self::Verlet, Self::Closed, Self::Mino, Self::KerrSchild, Self::Reference];
+    pub const ALL: [Self; 6] = [
+        Self::Auto,
+        Self::Verlet,
+        Self::Closed,
+        Self::Mino,
+        Self::KerrSchild,
+        Self::Reference,
+    ];
 
     /// Its name, as presets and the command line have it.
     #[must_use]

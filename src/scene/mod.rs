@@ -1,8 +1,9 @@
-//! The scene: the one description of what is drawn, written by the command line, presets and controls, read by the
-//! passes. Plain data: no Bevy, no GPU types, no files.
+//! The scene: the one description of what is drawn, written by the command line, presets and
+//! controls, read by the passes. Plain data: no Bevy, no GPU types, no files.
 //!
-//! Lengths are in Schwarzschild radii, angles in degrees (suffix `_deg`), temperatures in kelvin. The hole's frame is
-//! right-handed with z along the disk normal; `r`, `theta_deg`, `phi_deg` are Boyer-Lindquist.
+//! Lengths are in Schwarzschild radii, angles in degrees (suffix `_deg`), temperatures in kelvin.
+//! The hole's frame is right-handed with z along the disk normal; `r`, `theta_deg`, `phi_deg` are
+//! Boyer-Lindquist.
 
 mod camera;
 mod defaults;
@@ -84,8 +85,15 @@ pub enum View {
 
 impl View {
     /// Every view.
-    pub const ALL: [Self; 7] =
-        [Self::Colour, Self::Unfinished, Self::Classes, Self::Residual, Self::Order, Self::Redshift, Self::Error];
+    pub const ALL: [Self; 7] = [
+        Self::Colour,
+        Self::Unfinished,
+        Self::Classes,
+        Self::Residual,
+        Self::Order,
+        Self::Redshift,
+        Self::Error,
+    ];
 }
 
 /// The black hole; its Schwarzschild radius is the unit of length.
@@ -96,8 +104,8 @@ pub struct Hole {
     pub spin: f64,
 }
 
-/// Where the camera is and where it looks. With yaw, pitch and roll zero it looks at the hole's centre, with
-/// decreasing theta up and growing phi to the right.
+/// Where the camera is and where it looks. With yaw, pitch and roll zero it looks at the hole's
+/// centre, with decreasing theta up and growing phi to the right.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Camera {
@@ -123,7 +131,8 @@ pub struct Camera {
 pub struct Observer {
     /// Which frame of reference.
     pub kind: ObserverKind,
-    /// One more boost, in that frame: outward, toward growing theta, toward growing phi; units of c.
+    /// One more boost, in that frame: outward, toward growing theta, toward growing phi; units of
+    /// c.
     pub velocity: [f64; 3],
 }
 
@@ -154,7 +163,8 @@ pub struct Effects {
     pub beaming: bool,
     /// The potentials at the source and at the camera shift light.
     pub gravitational_shift: bool,
-    /// The camera's motion displaces directions; without, they are those of an observer with zero angular momentum.
+    /// The camera's motion displaces directions; without, they are those of an observer with zero
+    /// angular momentum.
     pub aberration: bool,
 }
 
@@ -164,7 +174,8 @@ pub struct Effects {
 pub struct Disk {
     /// Whether there is one.
     pub enabled: bool,
-    /// Inner edge; where it lies inside the innermost stable circular orbit, that orbit is the edge.
+    /// Inner edge; where it lies inside the innermost stable circular orbit, that orbit is the
+    /// edge.
     pub inner: f64,
     /// Whether the inner edge is the innermost stable circular orbit, whatever `inner` says.
     pub follow_isco: bool,
@@ -270,8 +281,8 @@ pub struct Picture {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Quality {
-    /// Largest error that a method with a setting for it may make, in pixels of the picture: the turn of a pixel's ray
-    /// that would explain it.
+    /// Largest error that a method with a setting for it may make, in pixels of the picture: the
+    /// turn of a pixel's ray that would explain it.
     pub max_error_px: f64,
     /// Scale of the article's step rule; 1.55 cheap, 0.85 balanced, 0.45 high.
     pub step_scale: f64,

@@ -4,9 +4,10 @@ use super::Camera;
 use glam::{DMat3, DVec3};
 
 impl Camera {
-    /// Puts the camera at `position` (hole's frame, r_s) with the axes right, up, forward as the columns of
-    /// `world_from_camera`. The inverse of [`Camera::direction`], [`Camera::legs`] and [`Camera::legs_from_camera`]; at
-    /// the poles and looking straight up, where angles are not unique, any that give the same axes.
+    /// Puts the camera at `position` (hole's frame, r_s) with the axes right, up, forward as the
+    /// columns of `world_from_camera`. The inverse of [`Camera::direction`], [`Camera::legs`] and
+    /// [`Camera::legs_from_camera`]; at the poles and looking straight up, where angles are not
+    /// unique, any that give the same axes.
     pub fn set_pose(&mut self, position: DVec3, world_from_camera: DMat3) {
         self.r = position.length();
         self.theta_deg = position.truncate().length().atan2(position.z).to_degrees();
@@ -17,18 +18,30 @@ impl Camera {
         self.set_turns(self.legs().transpose() * world_from_camera);
     }
 
-    /// Turns the camera such that its axes right, up, forward on the observer's legs are these columns. The inverse of
-    /// [`Camera::legs_from_camera`].
+    /// Turns the camera such that its axes right, up, forward on the observer's legs are these
+    /// columns. The inverse of [`Camera::legs_from_camera`].
     pub fn set_turns(&mut self, legs_from_camera: DMat3) {
-        // In the axes of a camera that looks at the hole: right is growing phi, up is decreasing theta.
+        // In the axes of a camera that looks at the hole: right is growing phi, up is decreasing
+        // theta.
         let level = |leg: DVec3| DVec3::new(leg.z, -leg.y, -leg.x);
-        let (forward, up) = (level(legs_from_camera.z_axis), level(legs_from_camera.y_axis));
+        let (forward, up) = (
+            level(legs_from_camera.z_axis),
+            level(legs_from_camera.y_axis),
+        );
         let level_length = forward.x.hypot(forward.z);
         // Straight up or down the yaw is free; none leaves the whole turn to the roll.
-        let yaw = if level_length > 1e-12 { forward.x.atan2(forward.z) } else { 0.0 };
+        let yaw = if level_length > 1e-12 {
+            forward.x.atan2(forward.z)
+        } else {
+            0.0
+        };
         let pitch = forward.y.atan2(level_length);
         let unrolled_right = DVec3::new(yaw.cos(), 0.0, -yaw.sin());
-        let unrolled_up = DVec3::new(-pitch.sin() * yaw.sin(), pitch.cos(), -pitch.sin() * yaw.cos());
+        let unrolled_up = DVec3::new(
+            -pitch.sin() * yaw.sin(),
+            pitch.cos(),
+            -pitch.sin() * yaw.cos(),
+        );
         let roll = up.dot(unrolled_right).atan2(up.dot(unrolled_up));
         self.yaw_deg = yaw.to_degrees();
         self.pitch_deg = pitch.to_degrees();

@@ -41,7 +41,9 @@ pub const PRESETS: [Preset; 9] = presets![
 
 /// The preset with this number or name.
 pub fn find(number_or_name: &str) -> Option<&'static Preset> {
-    PRESETS.iter().find(|preset| preset.name == number_or_name || preset.number.to_string() == number_or_name)
+    PRESETS
+        .iter()
+        .find(|preset| preset.name == number_or_name || preset.number.to_string() == number_or_name)
 }
 
 impl Preset {
@@ -50,6 +52,10 @@ impl Preset {
     /// # Errors
     /// An override is wrong, or does not fit the preset; without overrides, never.
     pub fn scene(&self, overrides: &[Override]) -> Result<Scene, SceneError> {
-        load(&format!("preset {} ({})", self.number, self.name), self.text, overrides)
+        load(
+            &format!("preset {} ({})", self.number, self.name),
+            self.text,
+            overrides,
+        )
     }
 }

@@ -1,4 +1,5 @@
-//! From a scene to the text of a preset: complete, commented, and read back by `load` as the same scene.
+//! From a scene to the text of a preset: complete, commented, and read back by `load` as the same
+//! scene.
 
 use std::fmt::Write;
 
@@ -16,7 +17,8 @@ impl Scene {
                 table = head;
             }
             let allowed = field.allowed_in(self.range(field).0);
-            writeln!(text, "# {}: {allowed}.\n{name} = {value}", field.about).expect("writing to a String cannot fail");
+            writeln!(text, "# {}: {allowed}.\n{name} = {value}", field.about)
+                .expect("writing to a String cannot fail");
         }
         text
     }

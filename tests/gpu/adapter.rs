@@ -3,7 +3,8 @@
 use lightfall::gpu::{Gpu, GpuError};
 use std::sync::OnceLock;
 
-/// The device; none, and said so, where there is no adapter and none is required by LIGHTFALL_REQUIRE_GPU=1.
+/// The device; none, and said so, where there is no adapter and none is required by
+/// LIGHTFALL_REQUIRE_GPU=1.
 pub fn gpu() -> Option<&'static Gpu> {
     static SHARED: OnceLock<Result<Gpu, GpuError>> = OnceLock::new();
     let required = std::env::var("LIGHTFALL_REQUIRE_GPU").is_ok_and(|value| value == "1");

@@ -1,4 +1,5 @@
-//! Method kerr-schild, the article's integrator: it must be right, and have the errors that it is known for.
+//! Method kerr-schild, the article's integrator: it must be right, and have the errors that it is
+//! known for.
 
 use crate::{bare_hole, gpu, median, pixel_directions};
 use glam::DVec3;
@@ -26,26 +27,29 @@ fn errors(scene: &Scene, directions: &[DVec3]) -> Option<(f64, f64, usize)> {
             sky.push((found - expected).length());
         }
         if let (Some(found), Some(expected)) = (found.hits[0], expected.hits[0]) {
-            radius.push((found.r / expected.r - 1.0).abs() + (found.phi - expected.phi).sin().abs());
+            radius
+                .push((found.r / expected.r - 1.0).abs() + (found.phi - expected.phi).sin().abs());
         }
     }
     Some((median(&sky), median(&radius), unfinished))
 }
 
-/// Rays leave at 33 r_s here, with what bending is left there: 3.6e-4 rad at the median, whatever the spin. Better is
-/// as wrong as worse, for then it is not the article's method.
+/// Rays leave at 33 r_s here, with what bending is left there: 3.6e-4 rad at the median, whatever
+/// the spin. Better is as wrong as worse, for then it is not the article's method.
 #[test]
 fn its_error_is_that_of_the_articles_radius_of_escape() {
     let directions = pixel_directions(&scene(0.9), 48, 27);
     for spin in [0.0, 0.5, -0.9, 0.9] {
-        let Some((sky, hits, _)) = errors(&scene(spin), &directions) else { return };
+        let Some((sky, hits, _)) = errors(&scene(spin), &directions) else {
+            return;
+        };
         assert!((2e-4..6e-4).contains(&sky), "spin {spin}: sky {sky:e}");
         assert!(hits < 1e-4, "spin {spin}: hits {hits:e}");
     }
 }
 
-/// Followed out to 3000 r_s the bending left is some (33/3000)^2 of that, and f32's rounding of some hundred steps is
-/// what remains: so the equations, the start and the azimuths are right.
+/// Followed out to 3000 r_s the bending left is some (33/3000)^2 of that, and f32's rounding of
+/// some hundred steps is what remains: so the equations, the start and the azimuths are right.
 #[test]
 fn its_rays_are_right_once_they_are_followed_far() {
     let directions = pixel_directions(&scene(0.9), 48, 27);
@@ -54,13 +58,18 @@ fn its_rays_are_right_once_they_are_followed_far() {
         scene.disk.outer = 1000.0;
         scene.quality.step_scale = 0.45;
         scene.quality.max_affine = 1e5;
-        let Some((sky, hits, _)) = errors(&scene, &directions) else { return };
-        assert!(sky < 1e-6 && hits < 3e-5, "spin {spin}: sky {sky:e}, hits {hits:e}");
+        let Some((sky, hits, _)) = errors(&scene, &directions) else {
+            return;
+        };
+        assert!(
+            sky < 1e-6 && hits < 3e-5,
+            "spin {spin}: sky {sky:e}, hits {hits:e}"
+        );
     }
 }
 
-/// Past-directed light piles up at the horizon in these coordinates, the more the faster the hole and the shorter the
-/// steps: such rays are unfinished, and are not called captured.
+/// Past-directed light piles up at the horizon in these coordinates, the more the faster the hole
+/// and the shorter the steps: such rays are unfinished, and are not called captured.
 #[test]
 fn it_leaves_rays_of_fast_holes_unfinished() {
     let directions = pixel_directions(&scene(0.9), 64, 36);
@@ -69,18 +78,34 @@ fn it_leaves_rays_of_fast_holes_unfinished() {
         scene.quality.step_scale = 0.45;
         errors(&scene, &directions).map(|(_, _, unfinished)| unfinished)
     };
-    let (Some(slow), Some(fast)) = (unfinished(0.5), unfinished(0.998)) else { return };
-    assert!(slow == 0 && fast > 5, "{slow} unfinished rays at spin 0.5, {fast} at 0.998");
+    let (Some(slow), Some(fast)) = (unfinished(0.5), unfinished(0.998)) else {
+        return;
+    };
+    assert!(
+        slow == 0 && fast > 5,
+        "{slow} unfinished rays at spin 0.5, {fast} at 0.998"
+    );
 }
 
-/// L_z is a constant of the motion, not of the integrator: its drift is rounding and truncation, and it is recorded.
+/// L_z is a constant of the motion, not of the integrator: its drift is rounding and truncation,
+/// and it is recorded.
 #[test]
 fn its_axial_angular_momentum_drifts_little() {
     let Some(gpu) = gpu() else { return };
     let directions = pixel_directions(&scene(0.5), 48, 27);
     let records = rays::records(gpu, &scene(0.5), &directions).unwrap();
-    let drift: Vec<f64> = records.iter().map(|record| f64::from(record.angular_momentum_drift)).collect();
-    let residual: Vec<f64> = records.iter().map(|record| f64::from(record.residual)).collect();
-    assert!(median(&drift) > 0.0 && median(&drift) < 3e-6, "{:e}", median(&drift));
+    let drift: Vec<f64> = records
+        .iter()
+        .map(|record| f64::from(record.angular_momentum_drift))
+        .collect();
+    let residual: Vec<f64> = records
+        .iter()
+        .map(|record| f64::from(record.residual))
+        .collect();
+    assert!(
+        median(&drift) > 0.0 && median(&drift) < 3e-6,
+        "{:e}",
+        median(&drift)
+    );
     assert!(median(&residual) < 3e-6, "{:e}", median(&residual));
 }

@@ -8,16 +8,30 @@ use lightfall::scene::Scene;
 /// Names and offsets of a WGSL struct's members, and its size, as naga lays it out.
 fn wgsl(name: &str) -> (Vec<(String, u64)>, u64) {
     let module = naga::front::wgsl::parse_str(&Variant::rays(&Scene::default()).source()).unwrap();
-    let found = module.types.iter().find(|(_, declared)| declared.name.as_deref() == Some(name)).unwrap().1;
-    let naga::TypeInner::Struct { members, span } = &found.inner else { panic!("{name} is no struct") };
-    let members = members.iter().map(|member| (member.name.clone().unwrap(), u64::from(member.offset))).collect();
+    let found = module
+        .types
+        .iter()
+        .find(|(_, declared)| declared.name.as_deref() == Some(name))
+        .unwrap()
+        .1;
+    let naga::TypeInner::Struct { members, span } = &found.inner else {
+        panic!("{name} is no struct")
+    };
+    let members = members
+        .iter()
+        .map(|member| (member.name.clone().unwrap(), u64::from(member.offset)))
+        .collect();
     (members, u64::from(*span))
 }
 
 /// Names of a struct's fields in their order, from the way Rust prints it.
 fn field_names(printed: &str) -> Vec<String> {
-    let top = printed.lines().filter(|line| line.starts_with("    ") && !line.starts_with("     "));
-    top.filter_map(|line| line.trim().split_once(':')).map(|(name, _)| name.into()).collect()
+    let top = printed
+        .lines()
+        .filter(|line| line.starts_with("    ") && !line.starts_with("     "));
+    top.filter_map(|line| line.trim().split_once(':'))
+        .map(|(name, _)| name.into())
+        .collect()
 }
 
 macro_rules! assert_same_layout {

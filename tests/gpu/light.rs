@@ -4,8 +4,8 @@ use glam::Vec4;
 use lightfall::gpu::Gpu;
 use lightfall::gpu::kernel::Kernel;
 
-/// The value of `expression`, WGSL for a `vec4<f32>` made of the `vec4<f32>` called `given`, for each of these. `uniforms`
-/// are those of the shader, by binding.
+/// The value of `expression`, WGSL for a `vec4<f32>` made of the `vec4<f32>` called `given`, for
+/// each of these. `uniforms` are those of the shader, by binding.
 pub fn light_from(
     gpu: &Gpu,
     shader: &str,
@@ -23,7 +23,9 @@ pub fn light_from(
         }";
     let source = shader.to_owned() + &entry.replace("EXPRESSION", expression);
     let kernel = Kernel::new(gpu, &source, "light_from", uniforms).unwrap();
-    kernel.run(gpu, &given.into_iter().collect::<Vec<_>>()).unwrap()
+    kernel
+        .run(gpu, &given.into_iter().collect::<Vec<_>>())
+        .unwrap()
 }
 
 /// [`light_from`] for the light that comes from a direction on the observer's legs.

@@ -30,9 +30,13 @@ use adapter::gpu;
 use glam::DVec3;
 use lightfall::scene::{Method, Scene};
 
-/// A scene with nothing but the hole and a static camera at `r`, traced by the article's method in balanced quality.
+/// A scene with nothing but the hole and a static camera at `r`, traced by the article's method in
+/// balanced quality.
 fn bare_hole(r: f64) -> Scene {
-    let mut scene = Scene { method: Method::Verlet, ..Scene::default() };
+    let mut scene = Scene {
+        method: Method::Verlet,
+        ..Scene::default()
+    };
     scene.camera.r = r;
     scene.camera.theta_deg = 80.2;
     scene.camera.phi_deg = 25.0;
@@ -40,7 +44,8 @@ fn bare_hole(r: f64) -> Scene {
     scene
 }
 
-/// The view of the edge-on preset, as the article's measurements have it: 20 r_s, 9.8 degrees above the disk.
+/// The view of the edge-on preset, as the article's measurements have it: 20 r_s, 9.8 degrees above
+/// the disk.
 fn edge_on() -> Scene {
     let mut scene = bare_hole(20.0);
     scene.disk.enabled = true;
@@ -52,7 +57,8 @@ fn pixel_directions(scene: &Scene, columns: u32, rows: u32) -> Vec<DVec3> {
     let tan_half = (scene.camera.fov_deg.to_radians() / 2.0).tan();
     let aspect = f64::from(columns) / f64::from(rows);
     let across = |i: u32, count: u32| (2.0 * f64::from(i) + 1.0) / f64::from(count) - 1.0;
-    let pixels = (0..rows).flat_map(|y| (0..columns).map(move |x| (across(x, columns), -across(y, rows))));
+    let pixels =
+        (0..rows).flat_map(|y| (0..columns).map(move |x| (across(x, columns), -across(y, rows))));
     pixels
         .map(|(x, y)| {
             let direction = DVec3::new(x * aspect * tan_half, y * tan_half, 1.0).normalize();
@@ -61,7 +67,8 @@ fn pixel_directions(scene: &Scene, columns: u32, rows: u32) -> Vec<DVec3> {
         .collect()
 }
 
-/// The direction, on the observer's legs, at an angle `alpha` from the hole's centre, toward growing phi.
+/// The direction, on the observer's legs, at an angle `alpha` from the hole's centre, toward
+/// growing phi.
 fn beside_the_hole(alpha: f64) -> DVec3 {
     DVec3::new(-alpha.cos(), 0.0, alpha.sin())
 }

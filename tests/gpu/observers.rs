@@ -1,4 +1,5 @@
-//! The observer's matrix through the shader: every kind of observer sees what the reference says it sees.
+//! The observer's matrix through the shader: every kind of observer sees what the reference says it
+//! sees.
 
 use crate::{bare_hole, gpu, median, quantile};
 use glam::DVec3;
@@ -38,25 +39,43 @@ fn every_observer_sees_the_sky_and_the_disk_where_the_reference_has_them() {
         let reference = Reference::new(&scene).unwrap();
         let directions = all_around(2000);
         let (mut sky, mut g, mut differing) = (Vec::new(), Vec::new(), 0);
-        for (direction, trace) in directions.iter().zip(rays::trace(gpu, &scene, &directions).unwrap()) {
+        for (direction, trace) in directions
+            .iter()
+            .zip(rays::trace(gpu, &scene, &directions).unwrap())
+        {
             let truth = reference.trace(*direction);
             differing += u32::from(trace.outcome != truth.outcome);
-            sky.extend(trace.sky.zip(truth.sky).map(|(sky, truth)| (sky - truth).length()));
-            let hits = trace.hits.into_iter().zip(truth.hits).filter_map(|(hit, truth)| hit.zip(truth));
+            sky.extend(
+                trace
+                    .sky
+                    .zip(truth.sky)
+                    .map(|(sky, truth)| (sky - truth).length()),
+            );
+            let hits = trace
+                .hits
+                .into_iter()
+                .zip(truth.hits)
+                .filter_map(|(hit, truth)| hit.zip(truth));
             g.extend(hits.map(|(hit, truth)| (hit.g / truth.g - 1.0).abs()));
         }
         let seen = format!("{kind:?} {velocity:?} at {theta_deg} degrees");
         // The method's own error at 8 r_s is 1e-4 to 3e-4 rad in the median, whoever looks.
         assert!(median(&sky) < 5e-4, "{seen}: sky {:e}", median(&sky));
-        // Rays that circle the hole first make the tail long; there are few hits from within the plane.
-        assert!(median(&g) < 3e-4 && quantile(&g, 0.9) < 2e-3, "{seen}: g {:e} {:e}", median(&g), quantile(&g, 0.9));
+        // Rays that circle the hole first make the tail long; there are few hits from within the
+        // plane.
+        assert!(
+            median(&g) < 3e-4 && quantile(&g, 0.9) < 2e-3,
+            "{seen}: g {:e} {:e}",
+            median(&g),
+            quantile(&g, 0.9)
+        );
         assert!(differing <= 4, "{seen}: {differing} outcomes differ");
     }
 }
 
-/// Next to the direction opposite to its motion a fast observer's light is dim: its numbers there are 1e-4 of what they are
-/// ahead, and with f32's rounding of those, hits were 5e-5 of their radius off and one ray in ten ended wrongly. The bound
-/// is that of observers at rest.
+/// Next to the direction opposite to its motion a fast observer's light is dim: its numbers there
+/// are 1e-4 of what they are ahead, and with f32's rounding of those, hits were 5e-5 of their
+/// radius off and one ray in ten ended wrongly. The bound is that of observers at rest.
 #[test]
 fn light_from_behind_a_fast_observer_keeps_its_digits() {
     let Some(gpu) = gpu() else { return };
@@ -82,10 +101,18 @@ fn light_from_behind_a_fast_observer_keeps_its_digits() {
             })
             .collect();
         let (mut differing, mut r, mut g) = (0, vec![], vec![]);
-        for (direction, trace) in directions.iter().zip(rays::trace(gpu, &scene, &directions).unwrap()) {
+        for (direction, trace) in directions
+            .iter()
+            .zip(rays::trace(gpu, &scene, &directions).unwrap())
+        {
             let truth = reference.trace(*direction);
             differing += u32::from(trace.outcome != truth.outcome);
-            for (hit, truth) in trace.hits.into_iter().zip(truth.hits).filter_map(|(hit, truth)| hit.zip(truth)) {
+            for (hit, truth) in trace
+                .hits
+                .into_iter()
+                .zip(truth.hits)
+                .filter_map(|(hit, truth)| hit.zip(truth))
+            {
                 r.push((hit.r / truth.r - 1.0).abs());
                 g.push((hit.g / truth.g - 1.0).abs());
             }

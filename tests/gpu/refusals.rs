@@ -14,9 +14,15 @@ fn a_spinning_hole_is_refused_by_a_method_that_knows_none() {
     let sentence = "hole.spin = 0.9 is refused: methods verlet and closed trace holes without spin only, so it must be 0 \
                     (methods auto, mino and kerr-schild trace any spin)";
     for method in [Method::Verlet, Method::Closed] {
-        let mut scene = Scene { method, ..Scene::default() };
+        let mut scene = Scene {
+            method,
+            ..Scene::default()
+        };
         scene.hole.spin = 0.9;
-        assert_eq!(GpuScene::for_rays(&scene).unwrap_err().to_string(), sentence);
+        assert_eq!(
+            GpuScene::for_rays(&scene).unwrap_err().to_string(),
+            sentence
+        );
     }
 }
 
@@ -39,16 +45,28 @@ fn an_observer_that_cannot_be_is_refused_in_its_own_words() {
 #[test]
 fn a_missing_driver_is_told_with_the_packages_that_help() {
     let sentence = GpuError::NoAdapter.to_string();
-    assert!(sentence.contains("libvulkan1") && sentence.contains("mesa-vulkan-drivers"), "{sentence}");
+    assert!(
+        sentence.contains("libvulkan1") && sentence.contains("mesa-vulkan-drivers"),
+        "{sentence}"
+    );
     // An adapter that is only called otherwise needs no driver.
-    let named = GpuError::UnknownAdapter { given: "zzz".into(), names: vec!["llvmpipe".into()] }.to_string();
-    assert!(named.contains("zzz") && named.contains("--list-gpus") && named.contains("llvmpipe"), "{named}");
+    let named = GpuError::UnknownAdapter {
+        given: "zzz".into(),
+        names: vec!["llvmpipe".into()],
+    }
+    .to_string();
+    assert!(
+        named.contains("zzz") && named.contains("--list-gpus") && named.contains("llvmpipe"),
+        "{named}"
+    );
     assert!(!named.contains("libvulkan1"), "{named}");
 }
 
 #[test]
 fn a_shader_that_does_not_compile_is_an_error_and_no_panic() {
     let Some(gpu) = crate::gpu() else { return };
-    let error = gpu.shader("broken", "fn broken() -> f32 { return true; }").unwrap_err();
+    let error = gpu
+        .shader("broken", "fn broken() -> f32 { return true; }")
+        .unwrap_err();
     assert!(matches!(error, GpuError::Shader(_)), "{error}");
 }

@@ -23,16 +23,20 @@ fn the_shader_finds_the_colour_that_the_cpu_finds() {
     let kernel = Kernel::new(gpu, &source, "colours_of", &[(1, uniform(&rows))]).unwrap();
     // From a little outside the table on either side.
     let ratio = (TABLE_HOTTEST / TABLE_COLDEST).ln();
-    let temperatures: Vec<f32> =
-        (0..4000).map(|i| (TABLE_COLDEST * (ratio * (f64::from(i) / 3900.0 - 0.01)).exp()) as f32).collect();
+    let temperatures: Vec<f32> = (0..4000)
+        .map(|i| (TABLE_COLDEST * (ratio * (f64::from(i) / 3900.0 - 0.01)).exp()) as f32)
+        .collect();
     let colours: Vec<Vec4> = kernel.run(gpu, &temperatures).unwrap();
     for (temperature, colour) in temperatures.iter().zip(colours) {
         let truth = sample(&entries, f64::from(*temperature)).map(|channel| channel.max(0.0));
         let brightest = truth.into_iter().fold(0.0, f64::max);
         for (found, truth) in colour.truncate().to_array().into_iter().zip(truth) {
-            // ln T to 3 units in the last place is 2e-4 of an entry, the steepest of which differ by a factor 2.3; exp
-            // of up to -50 adds 1e-5.
-            assert!((f64::from(found) - truth).abs() < 3e-4 * brightest, "{temperature} K: {colour} against {truth}");
+            // ln T to 3 units in the last place is 2e-4 of an entry, the steepest of which differ
+            // by a factor 2.3; exp of up to -50 adds 1e-5.
+            assert!(
+                (f64::from(found) - truth).abs() < 3e-4 * brightest,
+                "{temperature} K: {colour} against {truth}"
+            );
         }
     }
 }

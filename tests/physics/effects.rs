@@ -40,7 +40,10 @@ fn an_observer_at_rest_in_the_local_frame_has_no_share_of_motion() {
             let n = scene.camera.direction();
             let lambda = scene.camera.r * n.cross(photon.w).z / photon.energy;
             // What is left is motion, of which this camera has none; f64's rounding.
-            assert!((shift.of_sky(1.0 / photon.energy, lambda) - 1.0).abs() < 1e-13, "spin {spin}, {direction}");
+            assert!(
+                (shift.of_sky(1.0 / photon.energy, lambda) - 1.0).abs() < 1e-13,
+                "spin {spin}, {direction}"
+            );
         }
     }
 }
@@ -48,16 +51,22 @@ fn an_observer_at_rest_in_the_local_frame_has_no_share_of_motion() {
 #[test]
 fn the_matters_motion_is_the_doppler_shift_of_special_relativity_in_the_local_frame() {
     for spin in [-0.9, 0.0, 0.5, 0.998] {
-        // The camera stays with the local frame in the plane, next to the matter: gravity has no share at one radius.
+        // The camera stays with the local frame in the plane, next to the matter: gravity has no
+        // share at one radius.
         let mut scene = scene(spin, ObserverKind::Zamo, [0.0; 3]);
         let kerr = Kerr { spin };
         (scene.camera.r, scene.camera.theta_deg) = (1.3 * kerr.isco(), 90.0);
         scene.effects.gravitational_shift = false;
         let r = scene.camera.r;
         let orbit = kerr.circular_orbit(r).unwrap();
-        let matrix = observer_matrix(spin, ObserverKind::Zamo, [0.0; 3], r, FRAC_PI_2, 0.0).unwrap();
+        let matrix =
+            observer_matrix(spin, ObserverKind::Zamo, [0.0; 3], r, FRAC_PI_2, 0.0).unwrap();
         // The frame's own speed of the matter: d(phi) - omega dt by its own lengths and times.
-        let RestFrame { lapse, dragging, width } = RestFrame::at(kerr, r, 0.0);
+        let RestFrame {
+            lapse,
+            dragging,
+            width,
+        } = RestFrame::at(kerr, r, 0.0);
         let speed = (orbit.angular_velocity - dragging) * width / lapse;
         for direction in directions() {
             let photon = matrix.photon(direction);
@@ -66,7 +75,10 @@ fn the_matters_motion_is_the_doppler_shift_of_special_relativity_in_the_local_fr
             let found = Shift::new(&scene).of_disk(whole, r, momentum / photon.energy);
             // Light that arrives from d travels along -d.
             let expected = (1.0 - speed * speed).sqrt() / (1.0 + speed * direction.z);
-            assert!((found / expected - 1.0).abs() < 1e-12, "spin {spin}: {found} against {expected}");
+            assert!(
+                (found / expected - 1.0).abs() < 1e-12,
+                "spin {spin}: {found} against {expected}"
+            );
         }
     }
 }
@@ -101,18 +113,26 @@ fn without_aberration_photons_come_as_to_the_local_frame_with_the_frequency_of_t
             let factor = at_rest.energy / photon.energy;
             assert!((factor * photon.w - at_rest.w).length() < 1e-13);
             assert!((factor * photon.radial - at_rest.radial).abs() < 1e-13);
-            // Per unit frequency for the camera: -p.u = 1, u being the first column of the camera's own matrix.
+            // Per unit frequency for the camera: -p.u = 1, u being the first column of the camera's
+            // own matrix.
             let camera = with.matrix.rows.map(|row| row[0]);
-            let camera = Photon { energy: camera[0], radial: camera[1], w: DVec3::from_slice(&camera[2..]) };
+            let camera = Photon {
+                energy: camera[0],
+                radial: camera[1],
+                w: DVec3::from_slice(&camera[2..]),
+            };
             let [p, u] = [photon, camera].map(|vector| on_local_legs(spin, &vector, theta, phi));
             // f64's rounding, times the camera's gamma squared.
-            assert!((p[0] * u[0] - p[1] * u[1] - p[2] * u[2] - p[3] * u[3] - 1.0).abs() < 1e-13, "{direction}");
+            assert!(
+                (p[0] * u[0] - p[1] * u[1] - p[2] * u[2] - p[3] * u[3] - 1.0).abs() < 1e-13,
+                "{direction}"
+            );
         }
     }
 }
 
-/// A vector on the legs of the observer with zero angular momentum at r = 6, from the metric: Bardeen, Press & Teukolsky
-/// 1972 eq. 3.2.
+/// A vector on the legs of the observer with zero angular momentum at r = 6, from the metric:
+/// Bardeen, Press & Teukolsky 1972 eq. 3.2.
 fn on_local_legs(spin: f64, vector: &Photon, theta: f64, phi: f64) -> [f64; 4] {
     let (kerr, r) = (Kerr { spin }, 6.0);
     let frame = RestFrame::at(kerr, r, theta.cos());
@@ -138,9 +158,13 @@ fn straight_rays_keep_the_aberration_of_special_relativity() {
         if trace.outcome != Outcome::Sky {
             continue;
         }
-        // Einstein 1905, section 7, for a camera that moves outward: cos = (cos' - v) / (1 - v cos').
+        // Einstein 1905, section 7, for a camera that moves outward: cos = (cos' - v) / (1 - v
+        // cos').
         let cosine = (direction.x - speed) / (1.0 - speed * direction.x);
-        assert!((trace.sky.unwrap().dot(scene.camera.direction()) - cosine).abs() < 1e-12, "{direction}");
+        assert!(
+            (trace.sky.unwrap().dot(scene.camera.direction()) - cosine).abs() < 1e-12,
+            "{direction}"
+        );
     }
 }
 
@@ -150,14 +174,20 @@ fn far_from_the_hole_the_disks_shifts_do_not_depend_on_lensing() {
     (scene.camera.r, scene.camera.theta_deg) = (60_000.0, 40.0);
     (scene.disk.inner, scene.disk.outer) = (3000.0, 30_000.0);
     let bent = Reference::new(&scene).unwrap();
-    scene.effects = Effects { lensing: false, ..Effects::default() };
+    scene.effects = Effects {
+        lensing: false,
+        ..Effects::default()
+    };
     let straight = Reference::new(&scene).unwrap();
     let mut hits = 0;
     for turn in 0..60 {
         let turn = f64::from(turn) * 0.1;
         let direction = DVec3::new(-1.0, 0.3 * turn.sin(), 0.3 * turn.cos());
-        if let [Some(bent), Some(straight)] = [bent, straight].map(|reference| reference.trace(direction).hits[0]) {
-            // Matter moves with 0.007 c at most. Light is bent by about 1/r, and moves its hit by as much.
+        if let [Some(bent), Some(straight)] =
+            [bent, straight].map(|reference| reference.trace(direction).hits[0])
+        {
+            // Matter moves with 0.007 c at most. Light is bent by about 1/r, and moves its hit by
+            // as much.
             assert!((bent.g - straight.g).abs() < 3e-6, "{bent:?} {straight:?}");
             assert!(
                 (straight.g - 1.0).abs() > 3e-6 && (bent.r / straight.r - 1.0).abs() < 1e-3,

@@ -1,10 +1,20 @@
 use crate::assert_close;
 use lightfall::physics::kerr::Kerr;
 
-/// chi; then r_+, photon orbits (prograde, retrograde, polar), their critical L/E, ISCO pro and retro, in M.
-/// Computed with mpmath to 25 digits from Bardeen, Press & Teukolsky 1972.
+/// chi; then r_+, photon orbits (prograde, retrograde, polar), their critical L/E, ISCO pro and
+/// retro, in M. Computed with mpmath to 25 digits from Bardeen, Press & Teukolsky 1972.
 const RADII: [[f64; 9]; 9] = [
-    [0.0, 2.0, 3.0, 3.0, 3.0, 5.196152422707, -5.196152422707, 6.0, 6.0],
+    [
+        0.0,
+        2.0,
+        3.0,
+        3.0,
+        3.0,
+        5.196152422707,
+        -5.196152422707,
+        6.0,
+        6.0,
+    ],
     [
         0.5,
         1.866025403784,
@@ -107,32 +117,61 @@ const EFFICIENCY: [[f64; 2]; 5] = [
 /// The table prints twelve decimals, so 1e-12 relative is its own rounding.
 #[test]
 fn special_radii_are_those_of_the_published_table() {
-    for [chi, horizon, pro, retro, polar, b_pro, b_retro, isco_pro, isco_retro] in RADII {
+    for [
+        chi,
+        horizon,
+        pro,
+        retro,
+        polar,
+        b_pro,
+        b_retro,
+        isco_pro,
+        isco_retro,
+    ] in RADII
+    {
         let (kerr, mirrored) = (Kerr { spin: chi }, Kerr { spin: -chi });
         for (what, found, expected) in [
             ("horizon", kerr.horizon(), horizon),
             ("prograde photon orbit", kerr.photon_orbit_prograde(), pro),
-            ("retrograde photon orbit", kerr.photon_orbit_retrograde(), retro),
+            (
+                "retrograde photon orbit",
+                kerr.photon_orbit_retrograde(),
+                retro,
+            ),
             ("polar photon orbit", kerr.photon_orbit_polar(), polar),
-            ("prograde critical impact parameter", kerr.critical_impact_prograde(), b_pro),
-            ("retrograde critical impact parameter", kerr.critical_impact_retrograde(), b_retro),
+            (
+                "prograde critical impact parameter",
+                kerr.critical_impact_prograde(),
+                b_pro,
+            ),
+            (
+                "retrograde critical impact parameter",
+                kerr.critical_impact_retrograde(),
+                b_retro,
+            ),
             ("ISCO", kerr.isco(), isco_pro),
             ("ISCO against the spin", mirrored.isco(), isco_retro),
         ] {
-            assert_close(format_args!("{what}, chi {chi}"), found, expected / 2.0, 1e-12);
+            assert_close(
+                format_args!("{what}, chi {chi}"),
+                found,
+                expected / 2.0,
+                1e-12,
+            );
         }
     }
 }
 
-/// Near |chi| = 1 the radii follow their expansions in delta = sqrt(1 - chi^2) or in the cube root of 1 - chi, whose next
-/// terms bound the tolerance; with cancellation the digits would be gone.
+/// Near |chi| = 1 the radii follow their expansions in delta = sqrt(1 - chi^2) or in the cube root
+/// of 1 - chi, whose next terms bound the tolerance; with cancellation the digits would be gone.
 #[test]
 fn near_extremal_spins_keep_their_digits() {
     let gap = 2.0_f64.powi(-46);
     let kerr = Kerr { spin: 1.0 - gap };
     let horizon = (kerr.horizon() / 0.5 - 1.0) / (2.0 * gap).sqrt();
     assert_close("r_+ - M in units of M sqrt(2 eps)", horizon, 1.0, 1e-8);
-    // r_ISCO/M = 1 + (4 eps)^(1/3) + O(eps^(2/3)): Bardeen, Press & Teukolsky 1972 eq. 2.21 expanded.
+    // r_ISCO/M = 1 + (4 eps)^(1/3) + O(eps^(2/3)): Bardeen, Press & Teukolsky 1972 eq. 2.21
+    // expanded.
     let isco = (kerr.isco() / 0.5 - 1.0) / (4.0 * gap).cbrt();
     assert_close("ISCO - M in units of M (4 eps)^(1/3)", isco, 1.0, 5e-5);
     // r_ph/M = 1 + 2 sqrt(2 eps / 3) + O(eps).
@@ -140,29 +179,40 @@ fn near_extremal_spins_keep_their_digits() {
     assert_close("photon orbit - M", photon, 1.0, 1e-7);
 }
 
-/// For small spin the ISCO is 6 M (1 - 4 sqrt(2/3) chi / 6 ...), linear through zero. 1e-13 of the radius is left for
-/// rounding: the textbook form loses half of all digits here.
+/// For small spin the ISCO is 6 M (1 - 4 sqrt(2/3) chi / 6 ...), linear through zero. 1e-13 of the
+/// radius is left for rounding: the textbook form loses half of all digits here.
 #[test]
 fn the_isco_is_linear_in_small_spins() {
     for chi in [1e-7, -1e-7, 1e-10, 0.0] {
         let expected = 3.0 - 2.0 * (2.0_f64 / 3.0).sqrt() * chi;
-        assert_close(format_args!("ISCO, chi {chi}"), Kerr { spin: chi }.isco(), expected, 1e-13);
+        assert_close(
+            format_args!("ISCO, chi {chi}"),
+            Kerr { spin: chi }.isco(),
+            expected,
+            1e-13,
+        );
     }
 }
 
-/// At the ISCO the energy of circular orbits has its minimum, so its tabulated value checks the energy, and a central
-/// difference vanishes to second order.
+/// At the ISCO the energy of circular orbits has its minimum, so its tabulated value checks the
+/// energy, and a central difference vanishes to second order.
 #[test]
 fn circular_orbits_have_the_published_efficiency_at_the_isco() {
     for [chi, efficiency] in EFFICIENCY {
         let kerr = Kerr { spin: chi };
         let energy = kerr.circular_orbit(kerr.isco()).unwrap().energy;
-        assert_close(format_args!("efficiency, chi {chi}"), 1.0 - energy, efficiency, 1e-11);
+        assert_close(
+            format_args!("efficiency, chi {chi}"),
+            1.0 - energy,
+            efficiency,
+            1e-11,
+        );
     }
 }
 
-/// u.u = -1 with u = u^t (1, 0, 0, Omega) in the metric's own components, and p_t = -E, p_phi = L by lowering the index:
-/// the metric is written here from Bardeen, Press & Teukolsky 1972 eq. 2.1 and shares nothing with the orbit's formulas.
+/// u.u = -1 with u = u^t (1, 0, 0, Omega) in the metric's own components, and p_t = -E, p_phi = L
+/// by lowering the index: the metric is written here from Bardeen, Press & Teukolsky 1972 eq. 2.1
+/// and shares nothing with the orbit's formulas.
 #[test]
 fn circular_orbits_are_normalised_geodesics() {
     for chi in [-0.99, -0.3, 0.0, 0.5, 0.998] {
@@ -173,15 +223,35 @@ fn circular_orbits_are_normalised_geodesics() {
             let (u_t, u_phi) = (orbit.u_t, orbit.u_t * orbit.angular_velocity);
             let norm = g_tt * u_t * u_t + 2.0 * g_tphi * u_t * u_phi + g_phiphi * u_phi * u_phi;
             let scale = g_phiphi * u_phi * u_phi + u_t * u_t;
-            assert!((norm + 1.0).abs() < 1e-14 * scale, "chi {chi}, r {r}: u.u = {norm}");
-            assert!((g_tt * u_t + g_tphi * u_phi + orbit.energy).abs() < 1e-13 * u_t, "energy, chi {chi}, r {r}");
+            assert!(
+                (norm + 1.0).abs() < 1e-14 * scale,
+                "chi {chi}, r {r}: u.u = {norm}"
+            );
+            assert!(
+                (g_tt * u_t + g_tphi * u_phi + orbit.energy).abs() < 1e-13 * u_t,
+                "energy, chi {chi}, r {r}"
+            );
             let momentum = g_tphi * u_t + g_phiphi * u_phi;
-            assert_close(format_args!("L, chi {chi}, r {r}"), orbit.angular_momentum, momentum, 1e-12);
+            assert_close(
+                format_args!("L, chi {chi}, r {r}"),
+                orbit.angular_momentum,
+                momentum,
+                1e-12,
+            );
             // A geodesic: d(g_tt + 2 Omega g_tphi + Omega^2 g_phiphi)/dr = 0 at fixed Omega.
             let omega = orbit.angular_velocity;
-            let pull = -1.0 / (r * r) + 2.0 * omega * a / (r * r) + omega * omega * (2.0 * r - a * a / (r * r));
-            assert!(pull.abs() < 1e-13 / (r * r), "chi {chi}, r {r}: force {pull:e}");
+            let pull = -1.0 / (r * r)
+                + 2.0 * omega * a / (r * r)
+                + omega * omega * (2.0 * r - a * a / (r * r));
+            assert!(
+                pull.abs() < 1e-13 / (r * r),
+                "chi {chi}, r {r}: force {pull:e}"
+            );
         }
-        assert_eq!(kerr.circular_orbit(kerr.photon_orbit_prograde()), None, "chi {chi}");
+        assert_eq!(
+            kerr.circular_orbit(kerr.photon_orbit_prograde()),
+            None,
+            "chi {chi}"
+        );
     }
 }

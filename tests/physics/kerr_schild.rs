@@ -1,6 +1,7 @@
-//! A code of another kind, for comparison only: Hamilton's equations in ingoing Kerr-Schild Cartesian coordinates, with
-//! derivatives by dual numbers and Dormand & Prince's adaptive fifth-order method. It shares no coordinate, no constant of
-//! motion, no tetrad and no integrator with the reference.
+//! A code of another kind, for comparison only: Hamilton's equations in ingoing Kerr-Schild
+//! Cartesian coordinates, with derivatives by dual numbers and Dormand & Prince's adaptive
+//! fifth-order method. It shares no coordinate, no constant of motion, no tetrad and no integrator
+//! with the reference.
 
 use glam::DVec3;
 use lightfall::{
@@ -51,8 +52,8 @@ impl Mul<f64> for Dual {
     }
 }
 
-/// g = eta + 2H l l with l = (1, (r x + a y)/(r^2 + a^2), (r y - a x)/(r^2 + a^2), z/r), 2H = r^3/(r^4 + a^2 z^2): Kerr 1963,
-/// with r_s = 1. Everything as dual numbers.
+/// g = eta + 2H l l with l = (1, (r x + a y)/(r^2 + a^2), (r y - a x)/(r^2 + a^2), z/r), 2H =
+/// r^3/(r^4 + a^2 z^2): Kerr 1963, with r_s = 1. Everything as dual numbers.
 struct Metric {
     r: Dual,
     cos: Dual,
@@ -63,7 +64,12 @@ struct Metric {
 impl Metric {
     fn at(a: f64, place: DVec3) -> Self {
         let number = |value: f64| Dual(value, DVec3::ZERO);
-        let [x, y, z] = [(place.x, DVec3::X), (place.y, DVec3::Y), (place.z, DVec3::Z)].map(|(v, e)| Dual(v, e));
+        let [x, y, z] = [
+            (place.x, DVec3::X),
+            (place.y, DVec3::Y),
+            (place.z, DVec3::Z),
+        ]
+        .map(|(v, e)| Dual(v, e));
         let a2 = number(a * a);
         let excess = x * x + y * y + z * z - a2;
         let r2 = (excess + (excess * excess + a2 * z * z * 4.0).sqrt()) * 0.5;
@@ -71,7 +77,12 @@ impl Metric {
         let two_h = r * r2 / (r2 * r2 + a2 * z * z);
         let wide = r2 + a2;
         let l = [(r * x + y * a) / wide, (r * y - x * a) / wide, z / r];
-        Self { r, cos: z / r, two_h, l }
+        Self {
+            r,
+            cos: z / r,
+            two_h,
+            l,
+        }
     }
 
     fn l(&self) -> DVec3 {
@@ -95,11 +106,12 @@ fn scaled(p: (f64, DVec3), factor: f64) -> (f64, DVec3) {
     (p.0 * factor, p.1 * factor)
 }
 
-/// The covectors of e_t, e_r, e_theta, e_phi: u along d/dt or along d/dt + omega d/dphi; e_r and e_theta along dr and
-/// dtheta, since Boyer-Lindquist's r and theta are orthogonal; e_phi what is left, by Gram and Schmidt.
+/// The covectors of e_t, e_r, e_theta, e_phi: u along d/dt or along d/dt + omega d/dphi; e_r and
+/// e_theta along dr and dtheta, since Boyer-Lindquist's r and theta are orthogonal; e_phi what is
+/// left, by Gram and Schmidt.
 ///
-/// Of `rain` u has E = 1, no angular momentum and no share along dtheta, so that it is -dt plus a share of dr, such that its
-/// square is -1 and it falls in; e_r is what is left of dr.
+/// Of `rain` u has E = 1, no angular momentum and no share along dtheta, so that it is -dt plus a
+/// share of dr, such that its square is -1 and it falls in; e_r is what is left of dr.
 fn tetrad(metric: &Metric, place: DVec3, kind: ObserverKind) -> [(f64, DVec3); 4] {
     let normal = |p: (f64, DVec3)| scaled(p, 1.0 / metric.inverse(p, p).abs().sqrt());
     let rotation = (0.0, DVec3::new(-place.y, place.x, 0.0));
@@ -112,36 +124,61 @@ fn tetrad(metric: &Metric, place: DVec3, kind: ObserverKind) -> [(f64, DVec3); 4
         }
         ObserverKind::Rain => {
             let (clock, dr) = ((-1.0, DVec3::ZERO), (0.0, metric.r.1));
-            let [rest, mixed, radial] = [(clock, clock), (clock, dr), (dr, dr)].map(|(p, q)| metric.inverse(p, q));
-            // rest + 2 mixed s + radial s^2 = -1; u^r = mixed + radial s is negative, which radial's own zero does not disturb.
+            let [rest, mixed, radial] =
+                [(clock, clock), (clock, dr), (dr, dr)].map(|(p, q)| metric.inverse(p, q));
+            // rest + 2 mixed s + radial s^2 = -1; u^r = mixed + radial s is negative, which
+            // radial's own zero does not disturb.
             let share = (rest + 1.0) / ((mixed * mixed - radial * (rest + 1.0)).sqrt() - mixed);
             (clock.0, share * dr.1)
         }
         ObserverKind::Orbit => panic!("not needed here"),
     };
     let without = |p: (f64, DVec3), legs: &[((f64, DVec3), f64)]| {
-        let less = |p: (f64, DVec3), (leg, share): ((f64, DVec3), f64)| (p.0 - share * leg.0, p.1 - share * leg.1);
-        legs.iter().fold(p, |rest, &(leg, sign)| less(rest, (leg, sign * metric.inverse(p, leg))))
+        let less = |p: (f64, DVec3), (leg, share): ((f64, DVec3), f64)| {
+            (p.0 - share * leg.0, p.1 - share * leg.1)
+        };
+        legs.iter().fold(p, |rest, &(leg, sign)| {
+            less(rest, (leg, sign * metric.inverse(p, leg)))
+        })
     };
     let (u, e_theta) = (normal(u), normal((0.0, -metric.cos.1)));
     if kind == ObserverKind::Rain {
         let e_phi = normal(turn);
-        let e_r = normal(without((0.0, metric.r.1), &[(u, -1.0), (e_theta, 1.0), (e_phi, 1.0)]));
+        let e_r = normal(without(
+            (0.0, metric.r.1),
+            &[(u, -1.0), (e_theta, 1.0), (e_phi, 1.0)],
+        ));
         return [u, e_r, e_theta, e_phi];
     }
     let e_r = normal((0.0, metric.r.1));
-    [u, e_r, e_theta, normal(without((0.0, rotation.1), &[(u, -1.0), (e_r, 1.0), (e_theta, 1.0)]))]
+    [
+        u,
+        e_r,
+        e_theta,
+        normal(without(
+            (0.0, rotation.1),
+            &[(u, -1.0), (e_r, 1.0), (e_theta, 1.0)],
+        )),
+    ]
 }
 
-/// The legs of who moves with the velocity v for others: u' = gamma (u + v^i e_i), e_j' = e_j + (gamma v_j) u +
-/// (gamma^2/(gamma + 1)) v_j v^i e_i.
+/// The legs of who moves with the velocity v for others: u' = gamma (u + v^i e_i), e_j' = e_j +
+/// (gamma v_j) u + (gamma^2/(gamma + 1)) v_j v^i e_i.
 fn boosted([u, legs @ ..]: [(f64, DVec3); 4], velocity: [f64; 3]) -> [(f64, DVec3); 4] {
     let gamma = 1.0 / (1.0 - DVec3::from_array(velocity).length_squared()).sqrt();
-    let sum = |p: (f64, DVec3), factor: f64, q: (f64, DVec3)| (p.0 + factor * q.0, p.1 + factor * q.1);
-    let along = velocity.into_iter().zip(legs).fold((0.0, DVec3::ZERO), |along, (v, leg)| sum(along, v, leg));
+    let sum =
+        |p: (f64, DVec3), factor: f64, q: (f64, DVec3)| (p.0 + factor * q.0, p.1 + factor * q.1);
+    let along = velocity
+        .into_iter()
+        .zip(legs)
+        .fold((0.0, DVec3::ZERO), |along, (v, leg)| sum(along, v, leg));
     let leg = |j: usize| {
         let v = velocity[j];
-        sum(sum(legs[j], gamma * v, u), gamma * gamma / (gamma + 1.0) * v, along)
+        sum(
+            sum(legs[j], gamma * v, u),
+            gamma * gamma / (gamma + 1.0) * v,
+            along,
+        )
     };
     [scaled(sum(u, 1.0, along), gamma), leg(0), leg(1), leg(2)]
 }
@@ -160,29 +197,76 @@ const NODES: [[f64; 6]; 6] = [
     [1.0 / 5.0, 0.0, 0.0, 0.0, 0.0, 0.0],
     [3.0 / 40.0, 9.0 / 40.0, 0.0, 0.0, 0.0, 0.0],
     [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0.0, 0.0, 0.0],
-    [19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0, 0.0, 0.0],
-    [9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0, 0.0],
-    [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
+    [
+        19372.0 / 6561.0,
+        -25360.0 / 2187.0,
+        64448.0 / 6561.0,
+        -212.0 / 729.0,
+        0.0,
+        0.0,
+    ],
+    [
+        9017.0 / 3168.0,
+        -355.0 / 33.0,
+        46732.0 / 5247.0,
+        49.0 / 176.0,
+        -5103.0 / 18656.0,
+        0.0,
+    ],
+    [
+        35.0 / 384.0,
+        0.0,
+        500.0 / 1113.0,
+        125.0 / 192.0,
+        -2187.0 / 6784.0,
+        11.0 / 84.0,
+    ],
 ];
-const ERROR: [f64; 7] =
-    [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
+const ERROR: [f64; 7] = [
+    71.0 / 57600.0,
+    0.0,
+    -71.0 / 16695.0,
+    71.0 / 1920.0,
+    -17253.0 / 339_200.0,
+    22.0 / 525.0,
+    -1.0 / 40.0,
+];
 
-/// The direction in which the backward ray leaves, or nothing if it comes near the horizon from outside, or piles up there
-/// from inside: in these coordinates light does that which never was outside. At r = 1e8 what is left of the bending is of
-/// the order b/r^2.
+/// The direction in which the backward ray leaves, or nothing if it comes near the horizon from
+/// outside, or piles up there from inside: in these coordinates light does that which never was
+/// outside. At r = 1e8 what is left of the bending is of the order b/r^2.
 fn sky(scene: &Scene, direction: DVec3, tolerance: f64) -> Option<DVec3> {
-    let kerr = Kerr { spin: scene.hole.spin };
-    let (a, r, theta) = (kerr.a(), scene.camera.r, scene.camera.theta_deg.to_radians());
+    let kerr = Kerr {
+        spin: scene.hole.spin,
+    };
+    let (a, r, theta) = (
+        kerr.a(),
+        scene.camera.r,
+        scene.camera.theta_deg.to_radians(),
+    );
     let mut inside = r <= kerr.horizon();
-    let lead = if inside { 0.0 } else { kerr.ingoing_azimuth_lead(r) };
+    let lead = if inside {
+        0.0
+    } else {
+        kerr.ingoing_azimuth_lead(r)
+    };
     let azimuth = scene.camera.phi_deg.to_radians() + lead;
     let (sin, cos) = azimuth.sin_cos();
-    let mut x = DVec3::new(theta.sin() * (r * cos - a * sin), theta.sin() * (r * sin + a * cos), r * theta.cos());
-    let legs = boosted(tetrad(&Metric::at(a, x), x, scene.observer.kind), scene.observer.velocity);
+    let mut x = DVec3::new(
+        theta.sin() * (r * cos - a * sin),
+        theta.sin() * (r * sin + a * cos),
+        r * theta.cos(),
+    );
+    let legs = boosted(
+        tetrad(&Metric::at(a, x), x, scene.observer.kind),
+        scene.observer.velocity,
+    );
     let d = direction.normalize();
     let (p_t, mut p) = [(1, d.x), (2, d.y), (3, d.z)]
         .into_iter()
-        .fold(legs[0], |p, (leg, d)| (p.0 - d * legs[leg].0, p.1 - d * legs[leg].1));
+        .fold(legs[0], |p, (leg, d)| {
+            (p.0 - d * legs[leg].0, p.1 - d * legs[leg].1)
+        });
     let mut step = 0.01 * r;
     for _ in 0..2_000_000 {
         let here = Metric::at(a, x).r.0;
@@ -217,12 +301,15 @@ fn sky(scene: &Scene, direction: DVec3, tolerance: f64) -> Option<DVec3> {
     None
 }
 
-/// Both must find the same sky. The other code's error is found by tightening its tolerance: what is left at 1e-13 is its
-/// own, and it shrinks a hundred times or more from 1e-9.
+/// Both must find the same sky. The other code's error is found by tightening its tolerance: what
+/// is left at 1e-13 is its own, and it shrinks a hundred times or more from 1e-9.
 fn assert_same_sky(scenes: impl IntoIterator<Item = Scene>, least: u32) {
     let (mut coarse, mut fine, mut compared) = (0.0_f64, 0.0_f64, 0);
     for scene in scenes {
-        let shown = format!("spin {}, {:?}, {:?}", scene.hole.spin, scene.camera, scene.observer);
+        let shown = format!(
+            "spin {}, {:?}, {:?}",
+            scene.hole.spin, scene.camera, scene.observer
+        );
         let reference = Reference::new(&scene).unwrap();
         for i in 0..24 {
             // A spiral over the sphere of directions.
@@ -235,16 +322,24 @@ fn assert_same_sky(scenes: impl IntoIterator<Item = Scene>, least: u32) {
                 assert_eq!(trace.outcome, Outcome::Captured, "{shown}, {direction}");
                 continue;
             };
-            let expected = trace.sky.unwrap_or_else(|| panic!("{shown}, {direction}: not captured elsewhere"));
+            let expected = trace
+                .sky
+                .unwrap_or_else(|| panic!("{shown}, {direction}: not captured elsewhere"));
             let loose = sky(&scene, direction, 1e-9).unwrap();
-            (coarse, fine) = (coarse.max((loose - expected).length()), fine.max((tight - expected).length()));
+            (coarse, fine) = (
+                coarse.max((loose - expected).length()),
+                fine.max((tight - expected).length()),
+            );
             compared += 1;
         }
     }
     println!("{compared} rays; largest difference {coarse:e} at tolerance 1e-9, {fine:e} at 1e-13");
     assert!(compared > least, "only {compared} rays reach the sky");
     assert!(fine < 1e-9, "difference {fine:e}");
-    assert!(fine < 0.01 * coarse, "the difference does not shrink with the tolerance: {coarse:e} to {fine:e}");
+    assert!(
+        fine < 0.01 * coarse,
+        "the difference does not shrink with the tolerance: {coarse:e} to {fine:e}"
+    );
 }
 
 fn scene(spin: f64, [r, theta_deg]: [f64; 2], kind: ObserverKind, velocity: [f64; 3]) -> Scene {
@@ -268,15 +363,29 @@ fn an_independent_code_in_kerr_schild_coordinates_sees_the_same_sky() {
         (0.9999, [20.0, 89.0], ObserverKind::Static),
         (-0.998, [2.0, 10.0], ObserverKind::Zamo),
     ];
-    assert_same_sky(places.map(|(spin, place, kind)| scene(spin, place, kind, [0.0; 3])), 120);
+    assert_same_sky(
+        places.map(|(spin, place, kind)| scene(spin, place, kind, [0.0; 3])),
+        120,
+    );
 }
 
 #[test]
 fn from_inside_the_horizon_it_sees_the_same_sky_too() {
     let mut scenes = Vec::new();
-    for (spin, theta_deg) in [(0.0, 60.0), (0.3, 90.0), (0.9, 80.0), (-0.9, 30.0), (0.998, 100.0), (0.9999, 90.0)] {
+    for (spin, theta_deg) in [
+        (0.0, 60.0),
+        (0.3, 90.0),
+        (0.9, 80.0),
+        (-0.9, 30.0),
+        (0.998, 100.0),
+        (0.9999, 90.0),
+    ] {
         let kerr = Kerr { spin };
-        for (depth, velocity) in [(1.0, [0.0; 3]), (0.5, [-0.2, 0.3, 0.5]), (0.0, [0.0, 0.0, -0.6])] {
+        for (depth, velocity) in [
+            (1.0, [0.0; 3]),
+            (0.5, [-0.2, 0.3, 0.5]),
+            (0.0, [0.0, 0.0, -0.6]),
+        ] {
             // From the horizon to the end of the way in.
             let r = innermost(kerr) + depth * (kerr.horizon() - innermost(kerr));
             scenes.push(scene(spin, [r, theta_deg], ObserverKind::Rain, velocity));

@@ -1,4 +1,5 @@
-//! The physics against independent truth: closed forms, published values, identities, and a code of another kind.
+//! The physics against independent truth: closed forms, published values, identities, and a code of
+//! another kind.
 #![allow(clippy::unwrap_used, reason = "a failed unwrap is a failed test")]
 
 mod disk;
@@ -23,17 +24,28 @@ mod timelike;
 #[track_caller]
 fn assert_close(what: impl std::fmt::Display, found: f64, expected: f64, relative: f64) {
     let error = (found - expected).abs();
-    assert!(error <= relative * expected.abs(), "{what}: found {found}, expected {expected}, off by {error:e}");
+    assert!(
+        error <= relative * expected.abs(),
+        "{what}: found {found}, expected {expected}, off by {error:e}"
+    );
 }
 
-/// Where `inside` changes from true to false between `low` (true) and `high` (false), to the last bit.
+/// Where `inside` changes from true to false between `low` (true) and `high` (false), to the last
+/// bit.
 fn bisect(mut low: f64, mut high: f64, inside: impl Fn(f64) -> bool) -> f64 {
-    assert!(inside(low) && !inside(high), "no change between {low} and {high}");
+    assert!(
+        inside(low) && !inside(high),
+        "no change between {low} and {high}"
+    );
     loop {
         let middle = 0.5 * (low + high);
         if middle <= low.min(high) || middle >= low.max(high) {
             return middle;
         }
-        if inside(middle) { low = middle } else { high = middle }
+        if inside(middle) {
+            low = middle
+        } else {
+            high = middle
+        }
     }
 }

@@ -19,15 +19,16 @@ fn trace(spin: f64, screen: [f64; 2], u: f64, theta: f64, annulus: Option<[f64; 
     Surroundings { kerr, annulus }.trace(&constants, start)
 }
 
-/// Infinity to infinity in the plane without spin: the ray turns by bending + pi, clockwise for positive L.
+/// Infinity to infinity in the plane without spin: the ray turns by bending + pi, clockwise for
+/// positive L.
 fn error_of_bending(b: f64, bending: f64) -> f64 {
     let sky = trace(0.0, [-b, 0.0], 0.0, FRAC_PI_2, None).sky.unwrap();
     let turn = -(bending + PI);
     (sky - DVec3::new(turn.cos(), turn.sin(), 0.0)).length()
 }
 
-/// The tables (mpmath) carry sixteen digits; 1e-12 rad is some thousand roundings over up to twenty-six
-/// steps, and near the critical curve b's own rounding is amplified by b/(b - b_c).
+/// The tables (mpmath) carry sixteen digits; 1e-12 rad is some thousand roundings over up to
+/// twenty-six steps, and near the critical curve b's own rounding is amplified by b/(b - b_c).
 #[test]
 fn light_from_infinity_is_bent_as_in_the_table() {
     for [b, bending] in DEFLECTION {
@@ -40,14 +41,18 @@ fn light_from_infinity_is_bent_as_in_the_table() {
     }
 }
 
-/// Thousands of impact parameters against the elliptic integral, over nine decades of distance to the critical curve.
+/// Thousands of impact parameters against the elliptic integral, over nine decades of distance to
+/// the critical curve.
 #[test]
 fn light_from_infinity_is_bent_as_in_closed_form() {
     let mut worst = 0.0_f64;
     for i in 0..2000 {
         let b = 2.598_076_211_353_316 * (1.0 + 10.0_f64.powf(-6.0 + 9.0 * f64::from(i) / 2000.0));
         let error = error_of_bending(b, deflection(b).unwrap());
-        assert!(error < 1e-13 + 2.0 * rounding_of_b(2.0 * b), "b = {b}: {error:e}");
+        assert!(
+            error < 1e-13 + 2.0 * rounding_of_b(2.0 * b),
+            "b = {b}: {error:e}"
+        );
         worst = worst.max(error);
     }
     println!("worst difference from the closed form: {worst:e} rad");
@@ -78,19 +83,23 @@ const KERR_BENDING: [[f64; 3]; 21] = [
     [0.998, -10.0, 0.739_104_522_448_639],
 ];
 
-/// Fifteen digits in the table; the ray at L = -7 M, 5e-4 from critical, amplifies rounding by some thousand.
+/// Fifteen digits in the table; the ray at L = -7 M, 5e-4 from critical, amplifies rounding by some
+/// thousand.
 #[test]
 fn light_in_the_plane_of_a_spinning_hole_is_bent_as_in_the_table() {
     for [chi, lambda, bending] in KERR_BENDING {
-        let sky = trace(chi, [-lambda / 2.0, 0.0], 0.0, FRAC_PI_2, None).sky.unwrap();
+        let sky = trace(chi, [-lambda / 2.0, 0.0], 0.0, FRAC_PI_2, None)
+            .sky
+            .unwrap();
         let turn = -lambda.signum() * (bending + PI);
         let error = (sky - DVec3::new(turn.cos(), turn.sin(), 0.0)).length();
         assert!(error < 2e-12, "chi {chi}, lambda {lambda} M: {error:e}");
     }
 }
 
-/// chi, inclination, alpha, beta, then x and y of the first crossing of the plane; lengths in M. The observer is at
-/// r = 1000 M: kgeo's table (which agrees with ipole) to its six digits, here to ten.
+/// chi, inclination, alpha, beta, then x and y of the first crossing of the plane; lengths in M.
+/// The observer is at r = 1000 M: kgeo's table (which agrees with ipole) to its six digits, here to
+/// ten.
 const CROSSINGS: [[f64; 6]; 8] = [
     [0.42, 60.0, -17.0, 0.0, -0.052_233_590_8, -16.034_233_4],
     [0.42, 60.0, -9.0, 0.0, -0.103_693_371_1, -8.097_835_112_7],
@@ -98,11 +107,19 @@ const CROSSINGS: [[f64; 6]; 8] = [
     [0.42, 60.0, 8.0, 0.0, 0.129_720_293_7, 6.948_290_943_2],
     [0.9, 10.0, -12.0, 0.0, -0.164_093_692_7, -11.008_196_085_7],
     [0.9, 10.0, -4.0, 0.0, -0.655_581_437_3, -2.995_575_589_3],
-    [0.73, 35.0, 0.0001, -10.0, 11.825_828_583_1, -0.085_877_521_9],
+    [
+        0.73,
+        35.0,
+        0.0001,
+        -10.0,
+        11.825_828_583_1,
+        -0.085_877_521_9,
+    ],
     [0.73, 35.0, 0.0001, 4.0, -2.112_207_118_2, 1.023_229_137],
 ];
 
-/// Eight digits after the point or more, hence 1e-9 of the radius (the first row's y: nine digits in all).
+/// Eight digits after the point or more, hence 1e-9 of the radius (the first row's y: nine digits
+/// in all).
 #[test]
 fn light_crosses_the_plane_where_other_codes_say() {
     for [chi, inclination, alpha, beta, x, y] in CROSSINGS {
@@ -110,18 +127,34 @@ fn light_crosses_the_plane_where_other_codes_say() {
         let screen = [alpha / 2.0, beta / 2.0];
         let hit = trace(chi, screen, 1.0 / 500.0, inclination, Some([0.9, 100.0])).hits[0].unwrap();
         let error = (hit.r * hit.phi.cos() - x / 2.0).hypot(hit.r * hit.phi.sin() - y / 2.0);
-        assert!(error < 1e-9 * hit.r.max(1.0), "chi {chi}, alpha {alpha}, beta {beta}: {error:e}");
+        assert!(
+            error < 1e-9 * hit.r.max(1.0),
+            "chi {chi}, alpha {alpha}, beta {beta}: {error:e}"
+        );
     }
 }
 
-/// b (M) of the direct, second and third image of a ring of radius r seen along the axis, by mpmath. The
-/// annulus is narrow, so that the crossing before it does not count.
+/// b (M) of the direct, second and third image of a ring of radius r seen along the axis, by
+/// mpmath. The annulus is narrow, so that the crossing before it does not count.
 #[test]
 fn rings_seen_along_the_axis_appear_at_the_tabulated_impact_parameters() {
     let images = [
-        (6.0, [6.932_148_479_189_5, 5.478_913_722_083_8, 5.207_989_587_554_5]),
-        (10.0, [10.956_115_049_792, 5.666_150_340_668_7, 5.214_490_199_24]),
-        (20.0, [20.976_651_135_838, 5.865_410_841_326_2, 5.220_484_439_229_3]),
+        (
+            6.0,
+            [
+                6.932_148_479_189_5,
+                5.478_913_722_083_8,
+                5.207_989_587_554_5,
+            ],
+        ),
+        (
+            10.0,
+            [10.956_115_049_792, 5.666_150_340_668_7, 5.214_490_199_24],
+        ),
+        (
+            20.0,
+            [20.976_651_135_838, 5.865_410_841_326_2, 5.220_484_439_229_3],
+        ),
     ];
     for (r, impacts) in images {
         for b in impacts {
@@ -151,7 +184,9 @@ fn shadow_of_a_spinning_hole_has_the_tabulated_edge() {
         (0.94, 17.0, -4.225_863_114_68, 5.506_229_661_34),
     ] {
         for (edge, far) in [(left, -20.0), (right, 20.0)] {
-            let found = bisect(0.5 * (left + right), far, |alpha| captured(chi, i, alpha, 0.0));
+            let found = bisect(0.5 * (left + right), far, |alpha| {
+                captured(chi, i, alpha, 0.0)
+            });
             assert_close(format_args!("chi {chi}, i {i}"), found, edge, 1e-11);
         }
     }
@@ -166,8 +201,8 @@ fn shadow_of_a_spinning_hole_has_the_tabulated_edge() {
     }
 }
 
-/// Seen along the axis the shadow is a circle of radius sqrt(eta + a^2), eta that of the polar photon orbit:
-/// eta = r^3 (4 M a^2 - r (r - 3M)^2)/(a^2 (r - M)^2), with L = 0.
+/// Seen along the axis the shadow is a circle of radius sqrt(eta + a^2), eta that of the polar
+/// photon orbit: eta = r^3 (4 M a^2 - r (r - 3M)^2)/(a^2 (r - M)^2), with L = 0.
 #[test]
 fn shadow_seen_along_the_axis_is_that_of_the_polar_photon_orbit() {
     for chi in [0.3, 0.9, 0.9999] {
@@ -177,6 +212,11 @@ fn shadow_seen_along_the_axis_is_that_of_the_polar_photon_orbit() {
             trace(chi, [0.3 * radius, 0.4 * radius], 0.0, 0.0, None).outcome == Outcome::Captured
         });
         // eta cancels for small spin: a few roundings over a^2.
-        assert_close(format_args!("chi {chi}"), found, (eta + a * a).sqrt(), 1e-13 / (a * a));
+        assert_close(
+            format_args!("chi {chi}"),
+            found,
+            (eta + a * a).sqrt(),
+            1e-13 / (a * a),
+        );
     }
 }

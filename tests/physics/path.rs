@@ -12,15 +12,22 @@ use std::f64::consts::PI;
 /// Directions across the picture of a scene, ten by six.
 fn directions(scene: &Scene) -> Vec<DVec3> {
     let size = DVec2::new(960.0, 540.0);
-    let place = |i: usize| DVec2::new((i % 10) as f64 + 0.37, (i / 10) as f64 + 0.41) / DVec2::new(10.0, 6.0);
-    (0..60).map(|i| scene.camera.legs_from_camera() * scene.camera.looking(place(i) * size, size)).collect()
+    let place = |i: usize| {
+        DVec2::new((i % 10) as f64 + 0.37, (i / 10) as f64 + 0.41) / DVec2::new(10.0, 6.0)
+    };
+    (0..60)
+        .map(|i| scene.camera.legs_from_camera() * scene.camera.looking(place(i) * size, size))
+        .collect()
 }
 
 fn presets() -> impl Iterator<Item = Scene> {
-    presets::PRESETS.into_iter().map(|preset| preset.scene(&[]).unwrap())
+    presets::PRESETS
+        .into_iter()
+        .map(|preset| preset.scene(&[]).unwrap())
 }
 
-/// Integral of f from `a` to `b` by the midpoint rule in s, x = a + (b - a) s^2 (3 - 2 s): blunt, and nothing of the code.
+/// Integral of f from `a` to `b` by the midpoint rule in s, x = a + (b - a) s^2 (3 - 2 s): blunt,
+/// and nothing of the code.
 fn midpoints(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
     const PARTS: usize = 400_000;
     let part = |i: usize| {
@@ -39,27 +46,52 @@ fn a_path_begins_at_the_camera_and_ends_where_its_trace_ends() {
         for direction in directions(&scene) {
             let (trace, path) = Path::of(&reference, direction, farthest);
             let first = path.places[0];
-            assert!(first.distance(camera) < 1e-9 * scene.camera.r, "{} starts at {first}", scene.name);
-            assert!(path.places.iter().all(|place| place.is_finite()), "{}", scene.name);
+            assert!(
+                first.distance(camera) < 1e-9 * scene.camera.r,
+                "{} starts at {first}",
+                scene.name
+            );
+            assert!(
+                path.places.iter().all(|place| place.is_finite()),
+                "{}",
+                scene.name
+            );
             let last = *path.places.last().unwrap();
             match trace.outcome {
                 // Bent light still turns by some r_s / r beyond the last place.
                 Outcome::Sky => {
-                    assert!(last.angle_between(trace.sky.unwrap()) < 0.6, "{}: {last} {trace:?}", scene.name);
+                    assert!(
+                        last.angle_between(trace.sky.unwrap()) < 0.6,
+                        "{}: {last} {trace:?}",
+                        scene.name
+                    );
                 }
-                _ => assert!(last.length() < 1.1 * 1.0_f64.max(path.closest_r), "{}: ends at {last}", scene.name),
+                _ => assert!(
+                    last.length() < 1.1 * 1.0_f64.max(path.closest_r),
+                    "{}: ends at {last}",
+                    scene.name
+                ),
             }
-            let nearest = path.places.iter().map(|place| place.length()).fold(f64::INFINITY, f64::min);
+            let nearest = path
+                .places
+                .iter()
+                .map(|place| place.length())
+                .fold(f64::INFINITY, f64::min);
             if trace.outcome == Outcome::Sky {
                 assert!(path.closest_r <= nearest * (1.0 + 1e-12), "{}", scene.name);
-                assert!(nearest < path.closest_r * 1.05, "{}: {nearest} {}", scene.name, path.closest_r);
+                assert!(
+                    nearest < path.closest_r * 1.05,
+                    "{}: {nearest} {}",
+                    scene.name,
+                    path.closest_r
+                );
             }
         }
     }
 }
 
-/// From inside, a backward ray either leads out through the horizon, to the sky or back again, or to where no light from
-/// outside comes: then it stays in.
+/// From inside, a backward ray either leads out through the horizon, to the sky or back again, or
+/// to where no light from outside comes: then it stays in.
 #[test]
 fn paths_from_inside_lead_out_only_where_light_came_in() {
     for spin in [0.0, 0.9] {
@@ -77,13 +109,20 @@ fn paths_from_inside_lead_out_only_where_light_came_in() {
             let across = (1.0 - height * height).sqrt();
             let direction = DVec3::new(height, across * turn.cos(), across * turn.sin());
             let (trace, path) = Path::of(&reference, direction, 60.0);
-            let farthest = path.places.iter().map(|place| place.length()).fold(0.0, f64::max);
+            let farthest = path
+                .places
+                .iter()
+                .map(|place| place.length())
+                .fold(0.0, f64::max);
             if trace.outcome == Outcome::Sky {
                 assert!(farthest > 10.0, "spin {spin}, {direction}: {farthest}");
                 seen[0] += 1;
             } else if trace.steps == 0 {
                 // The reference knows without a step that nothing from outside comes from there.
-                assert!(farthest <= horizon * (1.0 + 1e-9), "spin {spin}, {direction}: {farthest}");
+                assert!(
+                    farthest <= horizon * (1.0 + 1e-9),
+                    "spin {spin}, {direction}: {farthest}"
+                );
                 seen[1] += 1;
             }
         }
@@ -106,9 +145,12 @@ fn without_spin_the_closest_place_and_the_turn_are_those_of_the_orbit_equation()
         assert!((numbers.impact_parameter.unwrap() - b).abs() < 1e-12 * b);
         // At the closest place b^2 = r^3 / (r - 1).
         let closest = path.closest_r;
-        assert!((closest.powi(3) / (closest - 1.0) - b * b).abs() < 1e-10 * b * b, "{closest}");
-        // phi = integral of du / sqrt(1/b^2 - u^2 + u^3): in from the camera and out to infinity. The substitution
-        // u = u0 (1 - s^2) takes the square root's pole away.
+        assert!(
+            (closest.powi(3) / (closest - 1.0) - b * b).abs() < 1e-10 * b * b,
+            "{closest}"
+        );
+        // phi = integral of du / sqrt(1/b^2 - u^2 + u^3): in from the camera and out to infinity.
+        // The substitution u = u0 (1 - s^2) takes the square root's pole away.
         let u0 = 1.0 / closest;
         let swept = |from: f64| {
             let end = (1.0 - from / u0).sqrt();
@@ -120,7 +162,11 @@ fn without_spin_the_closest_place_and_the_turn_are_those_of_the_orbit_equation()
             })
         };
         let expected = swept(1.0 / r) + swept(0.0);
-        assert!((path.turn - expected).abs() < 1e-8, "{aside}: turned {} and not {expected}", path.turn);
+        assert!(
+            (path.turn - expected).abs() < 1e-8,
+            "{aside}: turned {} and not {expected}",
+            path.turn
+        );
     }
 }
 
@@ -132,19 +178,34 @@ fn without_spin_light_from_the_disk_takes_the_time_of_the_orbit_equation() {
     (scene.camera.r, scene.camera.theta_deg) = (30.0, 20.0);
     let mut counted = 0;
     for aside in [0.10, 0.15, 0.2, 0.25] {
-        let inspected = Inspected::new(&scene, DVec3::new(-1.0, aside, 0.05).normalize(), None, 60.0).unwrap();
+        let inspected = Inspected::new(
+            &scene,
+            DVec3::new(-1.0, aside, 0.05).normalize(),
+            None,
+            60.0,
+        )
+        .unwrap();
         let numbers = &inspected.numbers;
-        let (Some(r), Some(delay)) = (numbers.cpu.hit1_r, numbers.hit1_delay) else { continue };
+        let (Some(r), Some(delay)) = (numbers.cpu.hit1_r, numbers.hit1_delay) else {
+            continue;
+        };
         if numbers.closest_r < r * (1.0 - 1e-9) && numbers.half_turns > 1.0 {
             continue;
         }
         let b = numbers.impact_parameter.unwrap();
-        let pace = |r: f64| 1.0 / ((1.0 - 1.0 / r) * (1.0 - b * b * (1.0 - 1.0 / r) / (r * r)).sqrt());
+        let pace =
+            |r: f64| 1.0 / ((1.0 - 1.0 / r) * (1.0 - b * b * (1.0 - 1.0 / r) / (r * r)).sqrt());
         let expected = midpoints(r, scene.camera.r, pace);
-        assert!((delay - expected).abs() < 1e-8 * expected, "{aside}: {delay} and not {expected}");
+        assert!(
+            (delay - expected).abs() < 1e-8 * expected,
+            "{aside}: {delay} and not {expected}"
+        );
         counted += 1;
     }
-    assert!(counted >= 3, "only {counted} rays went straight to the disk");
+    assert!(
+        counted >= 3,
+        "only {counted} rays went straight to the disk"
+    );
 }
 
 #[test]
@@ -171,7 +232,9 @@ fn the_numbers_of_an_inspection_are_those_of_trace() {
     for scene in presets() {
         let reference = Reference::new(&scene).unwrap();
         for direction in directions(&scene) {
-            let numbers = Inspected::new(&scene, direction, None, 60.0).unwrap().numbers;
+            let numbers = Inspected::new(&scene, direction, None, 60.0)
+                .unwrap()
+                .numbers;
             let mut csv = Vec::new();
             let mut writer = lightfall::report::rays::TraceWriter::new(&mut csv).unwrap();
             writer.write(&reference.trace(direction)).unwrap();
@@ -186,14 +249,19 @@ fn the_numbers_of_an_inspection_are_those_of_trace() {
                     (_, "") => assert!(shown.is_null(), "{name} = {shown}"),
                     // The JSON reader of this test may miss the last place.
                     _ => {
-                        let (shown, value) = (shown.as_f64().unwrap(), value.parse::<f64>().unwrap());
-                        assert!((shown - value).abs() <= f64::EPSILON * value.abs(), "{name}: {shown} and not {value}");
+                        let (shown, value) =
+                            (shown.as_f64().unwrap(), value.parse::<f64>().unwrap());
+                        assert!(
+                            (shown - value).abs() <= f64::EPSILON * value.abs(),
+                            "{name}: {shown} and not {value}"
+                        );
                     }
                 }
             }
             let text = numbers.to_text();
             assert!(
-                text.contains(&format!("cpu.outcome = {}\n", numbers.cpu.outcome)) && !text.contains("null"),
+                text.contains(&format!("cpu.outcome = {}\n", numbers.cpu.outcome))
+                    && !text.contains("null"),
                 "{text}"
             );
         }
@@ -206,20 +274,40 @@ fn orders_are_whole_half_turns_and_straight_rays_have_order_zero() {
         let count = |scene: &Scene, order: u32| {
             directions(scene)
                 .into_iter()
-                .filter(|direction| Inspected::new(scene, *direction, None, 60.0).unwrap().numbers.order == Some(order))
+                .filter(|direction| {
+                    Inspected::new(scene, *direction, None, 60.0)
+                        .unwrap()
+                        .numbers
+                        .order
+                        == Some(order)
+                })
                 .count()
         };
         scene.effects.lensing = false;
-        assert_eq!(count(&scene, 0) + count(&scene, 1), directions(&scene).len() - captured(&scene), "{}", scene.name);
+        assert_eq!(
+            count(&scene, 0) + count(&scene, 1),
+            directions(&scene).len() - captured(&scene),
+            "{}",
+            scene.name
+        );
     }
-    // Light that just escapes winds about the hole: half a turn more for every e^pi nearer to the critical ray.
+    // Light that just escapes winds about the hole: half a turn more for every e^pi nearer to the
+    // critical ray.
     let mut scene = Scene::default();
     scene.disk.enabled = false;
     let r = scene.camera.r;
     let critical = (27.0_f64.sqrt() / 2.0 * (1.0 - 1.0 / r).sqrt() / r).asin();
     let turn = |aside: f64| {
         let angle = critical * (1.0 + aside);
-        Inspected::new(&scene, DVec3::new(-angle.cos(), 0.0, angle.sin()), None, 60.0).unwrap().path.turn
+        Inspected::new(
+            &scene,
+            DVec3::new(-angle.cos(), 0.0, angle.sin()),
+            None,
+            60.0,
+        )
+        .unwrap()
+        .path
+        .turn
     };
     let more = turn(1e-7 / PI.exp()) - turn(1e-7);
     assert!((more - PI).abs() < 1e-4, "{more}");
@@ -227,6 +315,15 @@ fn orders_are_whole_half_turns_and_straight_rays_have_order_zero() {
 
 /// Rays without anything to be seen.
 fn captured(scene: &Scene) -> usize {
-    let dark = |direction: &DVec3| Inspected::new(scene, *direction, None, 60.0).unwrap().numbers.order.is_none();
-    directions(scene).iter().filter(|direction| dark(direction)).count()
+    let dark = |direction: &DVec3| {
+        Inspected::new(scene, *direction, None, 60.0)
+            .unwrap()
+            .numbers
+            .order
+            .is_none()
+    };
+    directions(scene)
+        .iter()
+        .filter(|direction| dark(direction))
+        .count()
 }

@@ -1,6 +1,7 @@
 use crate::assert_close;
 use lightfall::physics::schwarzschild::{
-    CRITICAL_IMPACT, Plunge, deflection, discriminant, shadow_half_angle_rain, shadow_half_angle_static,
+    CRITICAL_IMPACT, Plunge, deflection, discriminant, shadow_half_angle_rain,
+    shadow_half_angle_static,
 };
 use lightfall::{physics::observer::observer_matrix, scene::ObserverKind};
 use std::f64::consts::PI;
@@ -28,10 +29,16 @@ pub const DEFLECTION: [[f64; 2]; 18] = [
 ];
 
 /// b in M at which light is bent by n pi, n = 1 to 5, computed with mpmath to 25 digits.
-pub const RINGS: [f64; 5] =
-    [5.356_958_630_741_789, 5.202_680_402_810_456, 5.196_433_501_105_725, 5.196_164_566_759_376, 5.196_152_947_493_144];
+pub const RINGS: [f64; 5] = [
+    5.356_958_630_741_789,
+    5.202_680_402_810_456,
+    5.196_433_501_105_725,
+    5.196_164_566_759_376,
+    5.196_152_947_493_144,
+];
 
-/// r; shadow half-angle in degrees for an observer at rest and one in free fall, computed with mpmath to 25 digits.
+/// r; shadow half-angle in degrees for an observer at rest and one in free fall, computed with
+/// mpmath to 25 digits.
 pub const SHADOW: [[f64; 3]; 11] = [
     [1.02, 159.104_168_156, 41.770_444_165_7],
     [1.2, 117.885_566_836, 39.027_772_324_2],
@@ -46,7 +53,8 @@ pub const SHADOW: [[f64; 3]; 11] = [
     [1000.0, 0.148_784_520_962, 0.144_151_640_105],
 ];
 
-/// How much of the bending a last-bit error of b is worth: d(bending)/d(ln b) = b/(b - b_c) near the critical curve.
+/// How much of the bending a last-bit error of b is worth: d(bending)/d(ln b) = b/(b - b_c) near
+/// the critical curve.
 pub fn rounding_of_b(b_over_m: f64) -> f64 {
     4.0 * f64::EPSILON * b_over_m / (b_over_m - 2.0 * CRITICAL_IMPACT)
 }
@@ -56,7 +64,12 @@ pub fn rounding_of_b(b_over_m: f64) -> f64 {
 fn bending_is_that_of_the_table() {
     for [b, expected] in DEFLECTION {
         let tolerance = 1e-13 + rounding_of_b(b) / expected;
-        assert_close(format_args!("b = {b} M"), deflection(b / 2.0).unwrap(), expected, tolerance);
+        assert_close(
+            format_args!("b = {b} M"),
+            deflection(b / 2.0).unwrap(),
+            expected,
+            tolerance,
+        );
     }
 }
 
@@ -65,15 +78,27 @@ fn light_is_bent_by_whole_half_turns_at_the_tabulated_rings() {
     for (n, b) in (1..).zip(RINGS) {
         let expected = f64::from(n) * PI;
         let tolerance = 1e-13 + rounding_of_b(b) / expected;
-        assert_close(format_args!("ring {n}"), deflection(b / 2.0).unwrap(), expected, tolerance);
+        assert_close(
+            format_args!("ring {n}"),
+            deflection(b / 2.0).unwrap(),
+            expected,
+            tolerance,
+        );
     }
-    // The outer edges of the lensing and photon rings, bent by pi/2 and 3 pi/2, to the eleven digits given.
+    // The outer edges of the lensing and photon rings, bent by pi/2 and 3 pi/2, to the eleven
+    // digits given.
     for (b, expected) in [(6.167_566_764_77, 0.5 * PI), (5.227_938_608_53, 1.5 * PI)] {
-        assert_close(format_args!("b = {b} M"), deflection(b / 2.0).unwrap(), expected, 1e-9);
+        assert_close(
+            format_args!("b = {b} M"),
+            deflection(b / 2.0).unwrap(),
+            expected,
+            1e-9,
+        );
     }
 }
 
-/// Bozza 2002: bending -> -ln(b/b_c - 1) + ln(216 (7 - 4 sqrt 3)) - pi; the next term is of the order x ln x.
+/// Bozza 2002: bending -> -ln(b/b_c - 1) + ln(216 (7 - 4 sqrt 3)) - pi; the next term is of the
+/// order x ln x.
 #[test]
 fn bending_follows_the_strong_field_limit_next_to_the_critical_curve() {
     for x in [1e-4_f64, 1e-6, 1e-8] {
@@ -86,14 +111,18 @@ fn bending_follows_the_strong_field_limit_next_to_the_critical_curve() {
     }
 }
 
-/// 2/b + (15 pi / 16)/b^2 + (16/3)/b^3 + O(b^-4), r_s = 1 (Keeton & Petters 2005, with their m = 1/2).
+/// 2/b + (15 pi / 16)/b^2 + (16/3)/b^3 + O(b^-4), r_s = 1 (Keeton & Petters 2005, with their m =
+/// 1/2).
 #[test]
 fn bending_follows_the_weak_field_series_far_out() {
     for b in [1e2_f64, 1e3, 1e5] {
         let series = 2.0 / b + 15.0 * PI / (16.0 * b * b) + 16.0 / (3.0 * b.powi(3));
         let error = (deflection(b).unwrap() - series).abs();
         // The bending is a difference from pi, hence absolute rounding.
-        assert!(error < 15.0 / b.powi(4) + 8.0 * f64::EPSILON, "b = {b}: {error:e}");
+        assert!(
+            error < 15.0 / b.powi(4) + 8.0 * f64::EPSILON,
+            "b = {b}: {error:e}"
+        );
     }
 }
 
@@ -109,46 +138,82 @@ fn light_inside_the_critical_curve_does_not_come_back() {
 #[test]
 fn shadow_half_angles_are_those_of_the_table() {
     for [r, at_rest, falling] in SHADOW {
-        assert_close(format_args!("static, r = {r}"), shadow_half_angle_static(r).to_degrees(), at_rest, 5e-12);
-        assert_close(format_args!("rain, r = {r}"), shadow_half_angle_rain(r).to_degrees(), falling, 5e-12);
+        assert_close(
+            format_args!("static, r = {r}"),
+            shadow_half_angle_static(r).to_degrees(),
+            at_rest,
+            5e-12,
+        );
+        assert_close(
+            format_args!("rain, r = {r}"),
+            shadow_half_angle_rain(r).to_degrees(),
+            falling,
+            5e-12,
+        );
     }
 }
 
-/// Aberration of the static angle by the speed of free fall, 1/sqrt(r): tan(alpha'/2) = sqrt((1 - v)/(1 + v)) tan(alpha/2)
-/// outside; at the horizon 42.1034 degrees.
+/// Aberration of the static angle by the speed of free fall, 1/sqrt(r): tan(alpha'/2) = sqrt((1 -
+/// v)/(1 + v)) tan(alpha/2) outside; at the horizon 42.1034 degrees.
 #[test]
 fn the_falling_observers_shadow_is_the_static_one_aberrated() {
     for r in [1.02_f64, 1.3, 1.5, 4.0, 300.0] {
         let v = 1.0 / r.sqrt();
-        let expected = 2.0 * (((1.0 - v) / (1.0 + v)).sqrt() * (shadow_half_angle_static(r) / 2.0).tan()).atan();
-        assert_close(format_args!("r = {r}"), shadow_half_angle_rain(r), expected, 1e-13);
+        let expected = 2.0
+            * (((1.0 - v) / (1.0 + v)).sqrt() * (shadow_half_angle_static(r) / 2.0).tan()).atan();
+        assert_close(
+            format_args!("r = {r}"),
+            shadow_half_angle_rain(r),
+            expected,
+            1e-13,
+        );
     }
-    assert_close("at the horizon", shadow_half_angle_rain(1.0).to_degrees(), 42.1034, 2e-6);
+    assert_close(
+        "at the horizon",
+        shadow_half_angle_rain(1.0).to_degrees(),
+        42.1034,
+        2e-6,
+    );
 }
 
-/// A boost takes circles on the sky to circles: so the edge is one for every observer, and on it b is b_c, which no part of
-/// [`Plunge`] is made from.
+/// A boost takes circles on the sky to circles: so the edge is one for every observer, and on it b
+/// is b_c, which no part of [`Plunge`] is made from.
 #[test]
 fn the_edge_of_the_shadow_is_a_circle_on_every_observers_sky() {
     for r in [1.0001, 1.02, 1.5, 1.6, 4.0, 300.0, 1e7] {
         for kind in [ObserverKind::Static, ObserverKind::Rain] {
             for velocity in [[0.0; 3], [0.73, 0.37, 0.56], [-0.6, 0.79, 0.01]] {
-                let matrix = observer_matrix(0.0, kind, velocity, r, 1.1, 0.4).expect("outside the horizon");
+                let matrix =
+                    observer_matrix(0.0, kind, velocity, r, 1.1, 0.4).expect("outside the horizon");
                 let [energy, radial, ..] = matrix.rows;
-                let Plunge { c, middle, there, bend } = Plunge::new(energy, radial, r);
+                let Plunge {
+                    c,
+                    middle,
+                    there,
+                    bend,
+                } = Plunge::new(energy, radial, r);
                 let told = format!("{kind:?} at {r} with {velocity:?}");
                 // |d - middle| = 2 sin(angle/2) there.
                 let half = (-there / (2.0 * bend)).sqrt();
-                assert!((1e-9..=0.5_f64.sqrt() + 1e-15).contains(&half), "{told}: half chord {half}");
+                assert!(
+                    (1e-9..=0.5_f64.sqrt() + 1e-15).contains(&half),
+                    "{told}: half chord {half}"
+                );
                 let angle = 2.0 * half.asin();
                 let (u, v) = middle.any_orthonormal_pair();
                 for around in [0.1, 1.9, 4.0] {
-                    let direction =
-                        |angle: f64| angle.cos() * middle + angle.sin() * (f64::sin(around) * u + f64::cos(around) * v);
+                    let direction = |angle: f64| {
+                        angle.cos() * middle
+                            + angle.sin() * (f64::sin(around) * u + f64::cos(around) * v)
+                    };
                     let photon = matrix.photon(direction(angle));
-                    // A small shadow far away is known to f64's share of its angle; gamma is 100 at most.
+                    // A small shadow far away is known to f64's share of its angle; gamma is 100 at
+                    // most.
                     let b = r * photon.w.length() / photon.energy;
-                    assert!((b / CRITICAL_IMPACT - 1.0).abs() < 1e-8 + 1e-14 / angle, "{told}: b = {b}");
+                    assert!(
+                        (b / CRITICAL_IMPACT - 1.0).abs() < 1e-8 + 1e-14 / angle,
+                        "{told}: b = {b}"
+                    );
                     // Within and without, the sign is that of the photon's own numbers.
                     for share in [0.5, 0.9, 1.1] {
                         let direction = direction(share * angle);
@@ -156,7 +221,10 @@ fn the_edge_of_the_shadow_is_a_circle_on_every_observers_sky() {
                         let plunge = there + 0.5 * bend * (direction - middle).length_squared();
                         let own = photon.radial - c * photon.energy;
                         let least = 1e-13 * photon.energy.abs().max(1.0) * 1e4;
-                        assert!((plunge - own).abs() < least.max(1e-9 * own.abs()), "{told}: {plunge:e} and {own:e}");
+                        assert!(
+                            (plunge - own).abs() < least.max(1e-9 * own.abs()),
+                            "{told}: {plunge:e} and {own:e}"
+                        );
                     }
                 }
             }

@@ -13,7 +13,11 @@ fn a_picture_holds_the_preset_that_drew_it() {
     let folder = tempfile::tempdir().unwrap();
     let taken = |file: &str| {
         let preset = Some(folder.path().join(file).into());
-        cli::scene(&SceneArgs { preset, ..SceneArgs::default() }).map_err(|error| error.to_string())
+        cli::scene(&SceneArgs {
+            preset,
+            ..SceneArgs::default()
+        })
+        .map_err(|error| error.to_string())
     };
     let mut scene = small(8);
     scene.title = "μέλας \"hole\", 0.1 + 0.2 — tilted".into();
@@ -21,7 +25,8 @@ fn a_picture_holds_the_preset_that_drew_it() {
     for file in ["a.exr", "a.png"] {
         program(folder.path(), &scene, &format!("-o {file}"));
         assert_eq!(taken(file).unwrap(), scene, "{file}");
-        // A broken one gives the very scene or a sentence, wherever it ends and whatever stands there.
+        // A broken one gives the very scene or a sentence, wherever it ends and whatever stands
+        // there.
         let whole = fs::read(folder.path().join(file)).unwrap();
         let header = &whole[..whole.len().min(10_000)];
         let broken = |bytes: &[u8]| {
@@ -30,7 +35,10 @@ fn a_picture_holds_the_preset_that_drew_it() {
         };
         for place in (4..header.len()).step_by(97) {
             let cut = broken(&header[..place]);
-            assert!(cut.is_err() || cut == Ok(scene.clone()), "{file}, {place} bytes of it");
+            assert!(
+                cut.is_err() || cut == Ok(scene.clone()),
+                "{file}, {place} bytes of it"
+            );
             assert!(place > 4000 || cut.is_err(), "{file}, {place} bytes of it");
             let mut changed = header.to_vec();
             changed[place] ^= 0x5a;
@@ -43,6 +51,8 @@ fn a_picture_holds_the_preset_that_drew_it() {
     assert_eq!(linear.texts["lightfall.version"], env!("CARGO_PKG_VERSION"));
     assert!(linear.texts["lightfall.units"].contains("before exposure, bloom and tone mapping"));
 
-    image::RgbImage::new(2, 2).save(folder.path().join("other.png")).unwrap();
+    image::RgbImage::new(2, 2)
+        .save(folder.path().join("other.png"))
+        .unwrap();
     assert!(taken("other.png").unwrap_err().contains("holds no preset"));
 }

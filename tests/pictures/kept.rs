@@ -1,4 +1,5 @@
-//! The kept picture: after a change it is never stale, without one nothing is drawn, and what is off does not run.
+//! The kept picture: after a change it is never stale, without one nothing is drawn, and what is
+//! off does not run.
 
 use super::preset;
 use crate::adapter::gpu;
@@ -17,28 +18,39 @@ fn small() -> Scene {
     scene
 }
 
-/// Changes of the numbers that a pass is given, one of each kind: no pipeline has to be made for them.
+/// Changes of the numbers that a pass is given, one of each kind: no pipeline has to be made for
+/// them.
 const OF_NUMBERS: [(&str, fn(&mut Scene)); 20] = [
     ("camera.r", |scene| scene.camera.r = 15.5),
     ("camera.phi_deg", |scene| scene.camera.phi_deg = 2.0),
     ("camera.yaw_deg", |scene| scene.camera.yaw_deg = 3.0),
     ("camera.roll_deg", |scene| scene.camera.roll_deg = 10.0),
     ("camera.fov_deg", |scene| scene.camera.fov_deg = 50.0),
-    ("observer.kind", |scene| scene.observer.kind = ObserverKind::Rain),
-    ("observer.velocity", |scene| scene.observer.velocity = [0.0, 0.0, 0.3]),
+    ("observer.kind", |scene| {
+        scene.observer.kind = ObserverKind::Rain
+    }),
+    ("observer.velocity", |scene| {
+        scene.observer.velocity = [0.0, 0.0, 0.3]
+    }),
     ("disk.inner", |scene| scene.disk.inner = 4.0),
-    ("disk.temperature_k", |scene| scene.disk.temperature_k = 5000.0),
+    ("disk.temperature_k", |scene| {
+        scene.disk.temperature_k = 5000.0
+    }),
     ("disk.brightness", |scene| scene.disk.brightness = 3.0),
     ("sky.seed", |scene| scene.sky.seed = 7),
     ("sky.brightness", |scene| scene.sky.brightness = 4.0),
     ("probe.phi_deg", |scene| scene.probe.phi_deg = 0.0),
     ("probe.size", |scene| scene.probe.size = 0.5),
-    ("picture.exposure_ev", |scene| scene.picture.exposure_ev = 3.0),
+    ("picture.exposure_ev", |scene| {
+        scene.picture.exposure_ev = 3.0
+    }),
     ("picture.bloom", |scene| scene.picture.bloom = 0.5),
     ("picture.levels", |scene| scene.picture.levels = 5),
     ("picture.dither", |scene| scene.picture.dither = false),
     ("picture.grid_width", |scene| scene.picture.grid_width = 80),
-    ("picture.width", |scene| (scene.picture.width, scene.picture.height) = (640, 360)),
+    ("picture.width", |scene| {
+        (scene.picture.width, scene.picture.height) = (640, 360)
+    }),
 ];
 
 /// Changes for which a pipeline is made when they are asked for first.
@@ -49,7 +61,9 @@ const OF_PIPELINES: [(&str, fn(&mut Scene)); 10] = [
     ("view, of errors", |scene| scene.view = View::Error),
     ("effects.lensing", |scene| scene.effects.lensing = false),
     ("disk.enabled", |scene| scene.disk.enabled = false),
-    ("disk.model", |scene| scene.disk.model = DiskModel::PageThorne),
+    ("disk.model", |scene| {
+        scene.disk.model = DiskModel::PageThorne
+    }),
     ("disk.transmission", |scene| scene.disk.transmission = 0.0),
     ("sky.mode", |scene| scene.sky.mode = SkyMode::Grid),
     ("picture.bypass", |scene| scene.picture.bypass = true),
@@ -75,16 +89,23 @@ fn the_frame_after_a_change_is_the_changed_scene() {
         let fresh = render(&scene, SIZE).unwrap().rgb;
         assert!(fresh != kept, "{what} changes nothing, so it tests nothing");
         studio.show(&scene);
-        assert!(studio.picture().unwrap().rgb == fresh, "{what}: the next frame is not the changed scene's");
+        assert!(
+            studio.picture().unwrap().rgb == fresh,
+            "{what}: the next frame is not the changed scene's"
+        );
         studio.settle().unwrap();
         studio.show(&base);
-        assert!(studio.picture().unwrap().rgb == kept, "{what}: the next frame is not the scene's before the change");
+        assert!(
+            studio.picture().unwrap().rgb == kept,
+            "{what}: the next frame is not the scene's before the change"
+        );
         studio.settle().unwrap();
     }
 }
 
 #[test]
-fn a_change_that_needs_a_pipeline_keeps_the_picture_until_it_is_there_and_is_at_once_there_the_second_time() {
+fn a_change_that_needs_a_pipeline_keeps_the_picture_until_it_is_there_and_is_at_once_there_the_second_time()
+ {
     if gpu().is_none() {
         return;
     }
@@ -96,16 +117,26 @@ fn a_change_that_needs_a_pipeline_keeps_the_picture_until_it_is_there_and_is_at_
         let fresh = render(&scene, SIZE).unwrap().rgb;
         assert!(fresh != kept, "{what} changes nothing, so it tests nothing");
         studio.show(&scene);
-        // The screen's own stages are compiled apart and may need a frame in which they draw nothing.
+        // The screen's own stages are compiled apart and may need a frame in which they draw
+        // nothing.
         let next = studio.picture().unwrap().rgb;
-        assert!(what == "picture.bypass" || next == kept || next == fresh, "{what}: neither the old scene nor the new");
+        assert!(
+            what == "picture.bypass" || next == kept || next == fresh,
+            "{what}: neither the old scene nor the new"
+        );
         studio.settle().unwrap();
-        assert!(studio.picture().unwrap().rgb == fresh, "{what}: a settled scene is not the fresh one");
+        assert!(
+            studio.picture().unwrap().rgb == fresh,
+            "{what}: a settled scene is not the fresh one"
+        );
         studio.show(&base);
         assert!(studio.picture().unwrap().rgb == kept, "{what}: going back");
         studio.settle().unwrap();
         studio.show(&scene);
-        assert!(studio.picture().unwrap().rgb == fresh, "{what}: the second time");
+        assert!(
+            studio.picture().unwrap().rgb == fresh,
+            "{what}: the second time"
+        );
         studio.settle().unwrap();
         studio.show(&base);
         studio.settle().unwrap();
@@ -126,7 +157,11 @@ fn a_probe_that_comes_after_a_long_rest_is_there_whole_and_goes_again() {
         for (scene, fresh) in [(&with, &whole), (&without, &bare)] {
             studio.show(scene);
             studio.settle().unwrap();
-            assert!(studio.picture().unwrap().rgb == *fresh, "probe {}", scene.probe.enabled);
+            assert!(
+                studio.picture().unwrap().rgb == *fresh,
+                "probe {}",
+                scene.probe.enabled
+            );
             // A rest of many frames, in which Bevy forgets the eye's textures.
             studio.time(5).unwrap();
         }
@@ -202,12 +237,26 @@ fn the_passes_that_run_are_those_that_the_chain_names_and_a_still_frame_traces_n
             names
         };
         let ran = |time: fn(&PassTime) -> f64| {
-            sorted(times.iter().filter(|pass| time(pass) > 0.0).map(|pass| pass.pass.clone()).collect())
+            sorted(
+                times
+                    .iter()
+                    .filter(|pass| time(pass) > 0.0)
+                    .map(|pass| pass.pass.clone())
+                    .collect(),
+            )
         };
         let chain = Chain::of(&scene);
         let named = |names: &[&str]| sorted(names.iter().map(ToString::to_string).collect());
-        assert_eq!(ran(|pass| pass.median_ms), named(&chain.passes()), "{what}, drawn");
-        assert_eq!(ran(|pass| pass.kept_ms), named(chain.kept_passes()), "{what}, kept");
+        assert_eq!(
+            ran(|pass| pass.median_ms),
+            named(&chain.passes()),
+            "{what}, drawn"
+        );
+        assert_eq!(
+            ran(|pass| pass.kept_ms),
+            named(chain.kept_passes()),
+            "{what}, kept"
+        );
     }
 }
 
@@ -223,15 +272,24 @@ fn a_picture_of_errors_is_worked_out_anew_when_rays_change_and_not_when_only_lig
     // Marks show no light of the disk and of the sky.
     (scene.disk.temperature_k, scene.sky.mode) = (9000.0, SkyMode::Off);
     studio.show(&scene);
-    assert!(studio.picture().unwrap().rgb == first, "light changed the errors");
+    assert!(
+        studio.picture().unwrap().rgb == first,
+        "light changed the errors"
+    );
     studio.settle().unwrap();
     scene.camera.r = 30.0;
     studio.show(&scene);
     let moved = studio.picture().unwrap().rgb;
     assert!(moved != first, "the errors of another place are the same");
-    assert!(moved == render(&scene, SIZE).unwrap().rgb, "the next frame is not the moved scene's");
+    assert!(
+        moved == render(&scene, SIZE).unwrap().rgb,
+        "the next frame is not the moved scene's"
+    );
     studio.settle().unwrap();
     scene.quality.step_scale = 0.5;
     studio.show(&scene);
-    assert!(studio.picture().unwrap().rgb == render(&scene, SIZE).unwrap().rgb, "the errors of other steps");
+    assert!(
+        studio.picture().unwrap().rgb == render(&scene, SIZE).unwrap().rgb,
+        "the errors of other steps"
+    );
 }

@@ -25,13 +25,25 @@ impl Linear {
         let image = read_first_flat_layer_from_file(file).unwrap();
         let layer = image.layer_data;
         let text = |value: &AttributeValue| match value {
-            AttributeValue::Text(text) => Some(String::from_utf8(text.as_slice().to_vec()).unwrap()),
+            AttributeValue::Text(text) => {
+                Some(String::from_utf8(text.as_slice().to_vec()).unwrap())
+            }
             _ => None,
         };
         Self {
             size: UVec2::new(layer.size.0 as u32, layer.size.1 as u32),
-            channels: layer.channel_data.list.into_iter().map(|c| (c.name.to_string(), c.sample_data)).collect(),
-            texts: layer.attributes.other.iter().filter_map(|(k, v)| Some((k.to_string(), text(v)?))).collect(),
+            channels: layer
+                .channel_data
+                .list
+                .into_iter()
+                .map(|c| (c.name.to_string(), c.sample_data))
+                .collect(),
+            texts: layer
+                .attributes
+                .other
+                .iter()
+                .filter_map(|(k, v)| Some((k.to_string(), text(v)?)))
+                .collect(),
         }
     }
 
@@ -49,9 +61,16 @@ impl Linear {
 pub fn program(folder: &Path, scene: &Scene, options: &str) {
     fs::write(folder.join("scene.toml"), scene.to_preset()).unwrap();
     let mut command = Command::new(env!("CARGO_BIN_EXE_lightfall"));
-    command.current_dir(folder).args(["render", "--preset", "scene.toml"]).args(options.split_whitespace());
+    command
+        .current_dir(folder)
+        .args(["render", "--preset", "scene.toml"])
+        .args(options.split_whitespace());
     let output = command.output().unwrap();
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
 }
 
 fn linear(scene: &Scene, options: &str) -> Linear {
@@ -81,24 +100,44 @@ fn linear_light_through_exposure_and_tone_curve_is_the_plain_picture() {
     assert_eq!(linear.size, size);
     let light = linear.light();
     let mut compared = 0;
-    for (i, (x, y)) in (0..size.y).flat_map(|y| (0..size.x).map(move |x| (x, y))).enumerate() {
+    for (i, (x, y)) in (0..size.y)
+        .flat_map(|y| (0..size.x).map(move |x| (x, y)))
+        .enumerate()
+    {
         let exposed = [0, 1, 2].map(|c| light[c][i] / 16.0);
-        // Khronos PBR Neutral (Khronos 2024): below its shoulder at 0.76 nothing but an offset is taken away.
+        // Khronos PBR Neutral (Khronos 2024): below its shoulder at 0.76 nothing but an offset is
+        // taken away.
         let least = exposed.into_iter().fold(f64::INFINITY, f64::min);
-        let offset = if least < 0.08 { least - 6.25 * least * least } else { 0.04 };
+        let offset = if least < 0.08 {
+            least - 6.25 * least * least
+        } else {
+            0.04
+        };
         let mapped = exposed.map(|channel| channel - offset);
         if mapped.into_iter().any(|channel| channel > 0.75) {
             continue;
         }
-        let srgb = |c: f64| if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 };
+        let srgb = |c: f64| {
+            if c <= 0.003_130_8 {
+                12.92 * c
+            } else {
+                1.055 * c.powf(1.0 / 2.4) - 0.055
+            }
+        };
         for (channel, shown) in mapped.into_iter().zip(pixel(&still, x, y)) {
             // Half floats and eight bits round one after the other.
             let expected = 255.0 * srgb(channel);
-            assert!((expected - f64::from(shown)).abs() < 1.0, "{expected} and {shown} at {x}, {y}");
+            assert!(
+                (expected - f64::from(shown)).abs() < 1.0,
+                "{expected} and {shown} at {x}, {y}"
+            );
             compared += u32::from(shown > 0);
         }
     }
-    assert!(compared > 20_000, "only {compared} values that are not black");
+    assert!(
+        compared > 20_000,
+        "only {compared} values that are not black"
+    );
     assert!(linear.values("A").iter().all(|alpha| *alpha == 1.0));
 }
 
@@ -115,7 +154,10 @@ fn neither_bloom_nor_exposure_nor_cells_touch_linear_light() {
     scene.picture.bypass = true;
     assert!(linear(&scene, "").light() == first.light());
     scene.camera.phi_deg += 1.0;
-    assert!(linear(&scene, "").light() != first.light(), "nothing changes it, so this tests nothing");
+    assert!(
+        linear(&scene, "").light() != first.light(),
+        "nothing changes it, so this tests nothing"
+    );
 }
 
 #[test]
@@ -130,7 +172,11 @@ fn channels_have_the_names_and_kinds_that_others_rely_on() {
     };
     let listed = |options: &str| {
         let linear = linear(&small(2), options);
-        let kinds: Vec<_> = linear.channels.iter().map(|(name, samples)| format!("{name} {}", kind(samples))).collect();
+        let kinds: Vec<_> = linear
+            .channels
+            .iter()
+            .map(|(name, samples)| format!("{name} {}", kind(samples)))
+            .collect();
         kinds.join(", ")
     };
     assert_eq!(listed(""), "A half, B half, G half, R half");
@@ -149,12 +195,18 @@ fn channels_have_the_names_and_kinds_that_others_rely_on() {
 
 /// What the channels say of every ray, as the traces they were.
 fn traces(linear: &Linear) -> Vec<Trace> {
-    let channels: BTreeMap<&str, Vec<f64>> =
-        CHANNELS.iter().map(|channel| (channel.name, linear.values(channel.name))).collect();
+    let channels: BTreeMap<&str, Vec<f64>> = CHANNELS
+        .iter()
+        .map(|channel| (channel.name, linear.values(channel.name)))
+        .collect();
     let of = |name: &str, i: usize| Some(channels[name][i]).filter(|value| !value.is_nan());
     let hit = |which: usize, i: usize| {
         let [r, phi, g] = ["r", "phi", "g"].map(|part| of(&format!("hit{which}.{part}"), i));
-        Some(Hit { r: r?, phi: phi.unwrap(), g: g.unwrap() })
+        Some(Hit {
+            r: r?,
+            phi: phi.unwrap(),
+            g: g.unwrap(),
+        })
     };
     let trace = |i: usize| Trace {
         outcome: match channels["outcome"][i] {
@@ -168,7 +220,9 @@ fn traces(linear: &Linear) -> Vec<Trace> {
         steps: channels["steps"][i] as u32,
         residual: channels["residual"][i],
     };
-    (0..(linear.size.x * linear.size.y) as usize).map(trace).collect()
+    (0..(linear.size.x * linear.size.y) as usize)
+        .map(trace)
+        .collect()
 }
 
 #[test]
@@ -176,28 +230,55 @@ fn channels_say_of_each_pixel_what_the_reference_says_of_its_ray() {
     if gpu().is_none() {
         return;
     }
-    // Errors as docs/ACCURACY.md states them, for 99 of 100 rays and at the spinning hole's default setting.
+    // Errors as docs/ACCURACY.md states them, for 99 of 100 rays and at the spinning hole's default
+    // setting.
     for (number, spin, bound) in [(2, 0.0, 3e-7), (3, 0.9, 6e-6)] {
         let mut scene = small(number);
         scene.hole.spin = spin;
         let linear = linear(&scene, "--aov all --size 97x53");
         (scene.picture.width, scene.picture.height) = (97, 53);
         let size = DVec2::new(97.0, 53.0);
-        let middles = (0..53).flat_map(|y| (0..97).map(move |x| DVec2::new(f64::from(x), f64::from(y)) + 0.5));
-        let truth = Truth::of(&scene, middles.map(|at| Ray::toward(scene.camera.looking(at, size))).collect()).unwrap();
+        let middles = (0..53)
+            .flat_map(|y| (0..97).map(move |x| DVec2::new(f64::from(x), f64::from(y)) + 0.5));
+        let truth = Truth::of(
+            &scene,
+            middles
+                .map(|at| Ray::toward(scene.camera.looking(at, size)))
+                .collect(),
+        )
+        .unwrap();
         let given = traces(&linear);
-        let mut turns: Vec<f64> = truth.judge(&given).iter().map(|error| error.backward).collect();
+        let mut turns: Vec<f64> = truth
+            .judge(&given)
+            .iter()
+            .map(|error| error.backward)
+            .collect();
         turns.sort_by(f64::total_cmp);
         let at_99 = turns[turns.len() * 99 / 100];
-        assert!(at_99 < bound, "spin {spin}: 99 of 100 rays within {at_99} rad");
-        // The judge looks at radius and g, not at the azimuth, which is as exact: a turn moves it by some times as much.
-        let azimuths = truth.traces.iter().zip(&given).flat_map(|(truth, given)| truth.hits.iter().zip(&given.hits));
+        assert!(
+            at_99 < bound,
+            "spin {spin}: 99 of 100 rays within {at_99} rad"
+        );
+        // The judge looks at radius and g, not at the azimuth, which is as exact: a turn moves it
+        // by some times as much.
+        let azimuths = truth
+            .traces
+            .iter()
+            .zip(&given)
+            .flat_map(|(truth, given)| truth.hits.iter().zip(&given.hits));
         let azimuths: Vec<f64> = azimuths
             .filter_map(|(truth, given)| Some((truth.as_ref()?.phi - given.as_ref()?.phi).abs()))
             .map(|turn| turn.min(std::f64::consts::TAU - turn))
             .collect();
-        let wrong = azimuths.iter().filter(|turn| **turn > 100.0 * bound).count();
-        assert!(azimuths.len() > 300 && wrong * 50 < azimuths.len(), "{wrong} of {} azimuths", azimuths.len());
+        let wrong = azimuths
+            .iter()
+            .filter(|turn| **turn > 100.0 * bound)
+            .count();
+        assert!(
+            azimuths.len() > 300 && wrong * 50 < azimuths.len(),
+            "{wrong} of {} azimuths",
+            azimuths.len()
+        );
     }
 }
 
@@ -212,14 +293,22 @@ fn temperatures_are_those_of_the_matter_where_light_leaves_it() {
     let linear = linear(&scene, "--aov hit1,hit2");
     let mut compared = 0;
     for hit in ["hit1", "hit2"] {
-        for (r, kelvin) in linear.values(&format!("{hit}.r")).iter().zip(linear.values(&format!("{hit}.T"))) {
+        for (r, kelvin) in linear
+            .values(&format!("{hit}.r"))
+            .iter()
+            .zip(linear.values(&format!("{hit}.T")))
+        {
             assert_eq!(r.is_nan(), kelvin.is_nan());
             if !r.is_nan() {
-                // T = T_scale F^(1/4), F = x^3 (1 - sqrt x); f32's rounding of r counts for more next to the edge.
+                // T = T_scale F^(1/4), F = x^3 (1 - sqrt x); f32's rounding of r counts for more
+                // next to the edge.
                 let x = 4.0 / r;
                 let flux = x.powi(3) * (1.0 - x.sqrt());
                 let tolerance = 12_000.0 * (1e-6 + 1e-7 / (1.0 - x).max(1e-7));
-                assert!((12_000.0 * flux.powf(0.25) - kelvin).abs() < tolerance, "{kelvin} K at {r}");
+                assert!(
+                    (12_000.0 * flux.powf(0.25) - kelvin).abs() < tolerance,
+                    "{kelvin} K at {r}"
+                );
                 compared += 1;
             }
         }
@@ -234,7 +323,11 @@ fn depth_is_the_probes_distance_where_it_is_and_infinite_elsewhere() {
     }
     let mut scene = small(6);
     // Straight ahead, four before the camera, and half a unit long.
-    (scene.camera.yaw_deg, scene.camera.pitch_deg, scene.camera.roll_deg) = (0.0, 0.0, 0.0);
+    (
+        scene.camera.yaw_deg,
+        scene.camera.pitch_deg,
+        scene.camera.roll_deg,
+    ) = (0.0, 0.0, 0.0);
     scene.probe.r = scene.camera.r - 4.0;
     (scene.probe.theta_deg, scene.probe.phi_deg, scene.probe.size) =
         (scene.camera.theta_deg, scene.camera.phi_deg, 0.5);
@@ -242,10 +335,21 @@ fn depth_is_the_probes_distance_where_it_is_and_infinite_elsewhere() {
         scene.probe.antialias = antialias;
         let with = linear(&scene, "--aov depth");
         let without = linear(
-            &Scene { probe: lightfall::scene::Probe { enabled: false, ..scene.probe }, ..scene.clone() },
+            &Scene {
+                probe: lightfall::scene::Probe {
+                    enabled: false,
+                    ..scene.probe
+                },
+                ..scene.clone()
+            },
             "--aov depth",
         );
-        assert!(without.values("depth").iter().all(|depth| *depth == f64::INFINITY));
+        assert!(
+            without
+                .values("depth")
+                .iter()
+                .all(|depth| *depth == f64::INFINITY)
+        );
         let depth = with.values("depth");
         let middle = depth[(90 * 320 + 160) as usize];
         // The body is 0.13 of its length thick.
@@ -260,6 +364,9 @@ fn depth_is_the_probes_distance_where_it_is_and_infinite_elsewhere() {
         }
         assert!(craft > 100, "{craft} pixels of the probe");
         // At its edge a pixel of several samples may show it in part although its middle does not.
-        assert!(stray == 0 || antialias && stray < craft / 2, "{stray} pixels, antialias {antialias}");
+        assert!(
+            stray == 0 || antialias && stray < craft / 2,
+            "{stray} pixels, antialias {antialias}"
+        );
     }
 }

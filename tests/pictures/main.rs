@@ -14,7 +14,10 @@ use lightfall::picture::{Still, check_path, render, write_png};
 use lightfall::scene::{Method, Scene, SkyMode, View, presets};
 
 fn preset(number: usize) -> Scene {
-    presets::find(&number.to_string()).unwrap().scene(&[]).unwrap()
+    presets::find(&number.to_string())
+        .unwrap()
+        .scene(&[])
+        .unwrap()
 }
 
 fn pixel(still: &Still, x: u32, y: u32) -> [u8; 3] {
@@ -30,7 +33,10 @@ fn luminance(still: &Still, x: u32, y: u32) -> f64 {
 /// Light that falls on a rectangle, as a mean.
 fn mean(still: &Still, x: std::ops::Range<u32>, y: std::ops::Range<u32>) -> f64 {
     let count = f64::from(x.len() as u32 * y.len() as u32);
-    y.flat_map(|y| x.clone().map(move |x| (x, y))).map(|(x, y)| luminance(still, x, y)).sum::<f64>() / count
+    y.flat_map(|y| x.clone().map(move |x| (x, y)))
+        .map(|(x, y)| luminance(still, x, y))
+        .sum::<f64>()
+        / count
 }
 
 /// The scene shown pixel by pixel: no cells, no bloom, output as large as the HDR picture.
@@ -51,15 +57,21 @@ fn the_shadow_has_the_area_that_theory_gives() {
     scene.sky.mode = SkyMode::Grid;
     scene.camera.fov_deg = 24.0;
     let still = render(&scene, size).unwrap();
-    let dark =
-        (0..size.y).flat_map(|y| (0..size.x).map(move |x| (x, y))).filter(|&(x, y)| pixel(&still, x, y) == [0; 3]);
-    // A cone of half-angle alpha about the line of sight is a circle of radius tan(alpha) on the picture's plane.
+    let dark = (0..size.y)
+        .flat_map(|y| (0..size.x).map(move |x| (x, y)))
+        .filter(|&(x, y)| pixel(&still, x, y) == [0; 3]);
+    // A cone of half-angle alpha about the line of sight is a circle of radius tan(alpha) on the
+    // picture's plane.
     let alpha = lightfall::physics::schwarzschild::shadow_half_angle_static(scene.camera.r);
     let pixels_per_unit = f64::from(size.y) / 2.0 / (scene.camera.fov_deg.to_radians() / 2.0).tan();
     let radius = (dark.count() as f64 / std::f64::consts::PI).sqrt();
     let expected = alpha.tan() * pixels_per_unit;
-    // The edge itself is exact; pixels count whole, and faint light beside it may be rounded to black: 2 pixels.
-    assert!((radius - expected).abs() < 2.0, "radius {radius} pixels, theory {expected}");
+    // The edge itself is exact; pixels count whole, and faint light beside it may be rounded to
+    // black: 2 pixels.
+    assert!(
+        (radius - expected).abs() < 2.0,
+        "radius {radius} pixels, theory {expected}"
+    );
 }
 
 #[test]
@@ -68,13 +80,20 @@ fn a_stepping_methods_errors_are_brighter_than_those_of_the_closed_form() {
         return;
     }
     let light = |method: Method| {
-        let (scene, size) = plain(Scene { view: View::Error, method, ..preset(2) });
+        let (scene, size) = plain(Scene {
+            view: View::Error,
+            method,
+            ..preset(2)
+        });
         mean(&render(&scene, size).unwrap(), 0..size.x, 0..size.y)
     };
     let (verlet, closed) = (light(Method::Verlet), light(Method::Closed));
-    // A hundredth of a pixel and more against less than a thousandth: more than a quarter of the scale, which is even in
-    // lightness, and so at least four times the light.
-    assert!(closed > 0.0 && verlet > 4.0 * closed, "verlet {verlet}, closed {closed}");
+    // A hundredth of a pixel and more against less than a thousandth: more than a quarter of the
+    // scale, which is even in lightness, and so at least four times the light.
+    assert!(
+        closed > 0.0 && verlet > 4.0 * closed,
+        "verlet {verlet}, closed {closed}"
+    );
 }
 
 #[test]
@@ -84,7 +103,8 @@ fn the_approaching_side_of_the_disk_is_the_brighter_one() {
     }
     let (scene, size) = plain(preset(2));
     let still = render(&scene, size).unwrap();
-    // The disk turns toward growing phi, which is to the right on the near side: its left side approaches.
+    // The disk turns toward growing phi, which is to the right on the near side: its left side
+    // approaches.
     let left = mean(&still, 0..size.x / 2, 0..size.y);
     let right = mean(&still, size.x / 2..size.x, 0..size.y);
     assert!(left > 1.3 * right, "left {left}, right {right}");
@@ -100,10 +120,14 @@ fn preset_2_shows_the_disk_above_and_below_the_shadow() {
     let still = render(&scene, size).unwrap();
     let bright = |y: u32| luminance(&still, size.x / 2, y) > 0.02;
     let centre = size.y / 2;
-    // Going up from the middle of the shadow: dark, then the far side of the disk, lifted over the hole.
+    // Going up from the middle of the shadow: dark, then the far side of the disk, lifted over the
+    // hole.
     let shadow_rows = (0..centre).rev().take_while(|&y| !bright(y)).count();
     assert!(shadow_rows > 5, "the middle of the picture is not dark");
-    assert!((0..centre - shadow_rows as u32).any(bright), "no image above the shadow");
+    assert!(
+        (0..centre - shadow_rows as u32).any(bright),
+        "no image above the shadow"
+    );
     assert!((centre..size.y).any(bright), "no image below the shadow");
 }
 
@@ -116,11 +140,19 @@ fn cells_are_constant_four_by_four_blocks_at_1920_by_1080() {
     let mut colours = std::collections::BTreeSet::new();
     for y in 0..still.height {
         for x in 0..still.width {
-            assert_eq!(pixel(&still, x, y), pixel(&still, x & !3, y & !3), "at {x}, {y}");
+            assert_eq!(
+                pixel(&still, x, y),
+                pixel(&still, x & !3, y & !3),
+                "at {x}, {y}"
+            );
             colours.insert(pixel(&still, x, y));
         }
     }
-    assert!(colours.len() > 50, "only {} colours: there is nothing to see", colours.len());
+    assert!(
+        colours.len() > 50,
+        "only {} colours: there is nothing to see",
+        colours.len()
+    );
 }
 
 #[test]
@@ -170,7 +202,10 @@ fn hiding_the_disk_leaves_the_probe_alone_and_changes_what_is_around_it() {
         }
     }
     assert!(craft > 2_000, "the probe covers only {craft} pixels");
-    assert!(around > 10_000, "hiding the disk changed only {around} pixels");
+    assert!(
+        around > 10_000,
+        "hiding the disk changed only {around} pixels"
+    );
 }
 
 #[test]
@@ -178,7 +213,8 @@ fn fractional_cells_average_the_light_that_falls_on_them() {
     if gpu().is_none() {
         return;
     }
-    // The mean light of a picture does not depend on how many cells it is cut into, whole pixels to a cell or not.
+    // The mean light of a picture does not depend on how many cells it is cut into, whole pixels to
+    // a cell or not.
     let (mut scene, _) = plain(preset(3));
     scene.picture.bypass = false;
     scene.picture.dither = true;
@@ -191,8 +227,12 @@ fn fractional_cells_average_the_light_that_falls_on_them() {
     };
     let whole = of_grid(480, 270);
     let fractional = of_grid(437, 251);
-    // Rounding to 256 levels moves a channel by half a level at most, and its mean over a picture by far less.
-    assert!((fractional / whole - 1.0).abs() < 3e-3, "{whole} and {fractional}");
+    // Rounding to 256 levels moves a channel by half a level at most, and its mean over a picture
+    // by far less.
+    assert!(
+        (fractional / whole - 1.0).abs() < 3e-3,
+        "{whole} and {fractional}"
+    );
 }
 
 #[test]
@@ -222,7 +262,9 @@ fn a_picture_file_appears_whole_or_not_at_all() {
     let folder = tempfile::tempdir().unwrap();
     let here = |name: &str| folder.path().join(name);
     let sentence = |name: &str| check_path(&here(name)).unwrap_err().to_string();
-    assert!(sentence("a.bmp").ends_with("unknown picture format \"bmp\"; allowed are .png and .exr"));
+    assert!(
+        sentence("a.bmp").ends_with("unknown picture format \"bmp\"; allowed are .png and .exr")
+    );
     assert!(sentence("nowhere/a.png").ends_with("cannot be written: there is no such folder"));
     std::fs::create_dir(here("folder.png")).unwrap();
     assert!(sentence("folder.png").ends_with("cannot be written: it is a folder"));
@@ -230,12 +272,19 @@ fn a_picture_file_appears_whole_or_not_at_all() {
     // Too few bytes for its size: refused, with nothing left behind.
     assert!(write_png(&here("short.png"), 2, 1, &[0; 3], "").is_err());
     check_path(&here("a.png")).unwrap();
-    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "something was left behind");
+    assert_eq!(
+        std::fs::read_dir(folder.path()).unwrap().count(),
+        1,
+        "something was left behind"
+    );
 
     let rgb = [10, 20, 30, 40, 50, 60];
     write_png(&here("a.png"), 2, 1, &rgb, "").unwrap();
     write_png(&here("a.png"), 2, 1, &rgb, "").unwrap();
-    assert_eq!(image::open(here("a.png")).unwrap().to_rgb8().into_raw(), rgb);
+    assert_eq!(
+        image::open(here("a.png")).unwrap().to_rgb8().into_raw(),
+        rgb
+    );
     // As readable as any other new file.
     std::fs::write(here("other"), b"").unwrap();
     let rights = |name: &str| std::fs::metadata(here(name)).unwrap().permissions();

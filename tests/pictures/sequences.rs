@@ -9,8 +9,10 @@ use std::fs;
 use std::path::Path;
 
 fn names(folder: &Path) -> Vec<String> {
-    let mut names: Vec<_> =
-        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    let mut names: Vec<_> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
     names.retain(|name| name != "scene.toml");
     names.sort();
     names
@@ -25,7 +27,11 @@ fn a_frame_is_the_still_of_the_journeys_scene_at_its_time() {
     let scene = small(6);
     // One of them is there already, and is replaced.
     fs::write(folder.path().join("f-03.png"), "old").unwrap();
-    program(folder.path(), &scene, "--frames 2..4 --fps 0.1 --size 160x90 -o f-##.png");
+    program(
+        folder.path(),
+        &scene,
+        "--frames 2..4 --fps 0.1 --size 160x90 -o f-##.png",
+    );
     assert_eq!(names(folder.path()), ["f-02.png", "f-03.png", "f-04.png"]);
     let journey = journey::load("the built-in journey", journey::DEFAULT).unwrap();
     let mut before = Vec::new();
@@ -33,7 +39,10 @@ fn a_frame_is_the_still_of_the_journeys_scene_at_its_time() {
         let mut then = scene.clone();
         journey.apply(10.0 * f64::from(number), &mut then);
         let still = render(&then, UVec2::new(160, 90)).unwrap().rgb;
-        let frame = image::open(folder.path().join(format!("f-0{number}.png"))).unwrap().to_rgb8().into_raw();
+        let frame = image::open(folder.path().join(format!("f-0{number}.png")))
+            .unwrap()
+            .to_rgb8()
+            .into_raw();
         assert!(frame == still, "frame {number}");
         assert!(frame != before, "frame {number} is the one before it");
         before = frame;
@@ -51,21 +60,56 @@ fn a_journey_of_ones_own_is_drawn_as_linear_light_to_its_end_and_beyond() {
         "schema = 1\n[[keyframe]]\ntime = 0\nr = 30\n[[keyframe]]\ntime = 1\nr = 20\n",
     )
     .unwrap();
-    program(folder.path(), &small(2), "--journey in.toml --frames 0..3 --fps 2 --aov hit1.r --size 160x90 -o in.exr");
-    assert_eq!(names(folder.path()), ["in-0000.exr", "in-0001.exr", "in-0002.exr", "in-0003.exr", "in.toml"]);
-    let frames = [0, 1, 2, 3].map(|number| Linear::read(&folder.path().join(format!("in-000{number}.exr"))));
-    let area = |linear: &Linear| linear.values("hit1.r").iter().filter(|r| !r.is_nan()).count();
+    program(
+        folder.path(),
+        &small(2),
+        "--journey in.toml --frames 0..3 --fps 2 --aov hit1.r --size 160x90 -o in.exr",
+    );
+    assert_eq!(
+        names(folder.path()),
+        [
+            "in-0000.exr",
+            "in-0001.exr",
+            "in-0002.exr",
+            "in-0003.exr",
+            "in.toml"
+        ]
+    );
+    let frames =
+        [0, 1, 2, 3].map(|number| Linear::read(&folder.path().join(format!("in-000{number}.exr"))));
+    let area = |linear: &Linear| {
+        linear
+            .values("hit1.r")
+            .iter()
+            .filter(|r| !r.is_nan())
+            .count()
+    };
     let areas = frames.each_ref().map(area);
-    assert!(areas[0] < areas[1] && areas[1] < areas[2], "the disk does not grow: {areas:?}");
-    assert!(frames[2].light() == frames[3].light(), "beyond the end is the end");
-    assert!(frames[1].texts["lightfall.preset"].contains("r = 24.49"), "half way in the radius's logarithm");
+    assert!(
+        areas[0] < areas[1] && areas[1] < areas[2],
+        "the disk does not grow: {areas:?}"
+    );
+    assert!(
+        frames[2].light() == frames[3].light(),
+        "beyond the end is the end"
+    );
+    assert!(
+        frames[1].texts["lightfall.preset"].contains("r = 24.49"),
+        "half way in the radius's logarithm"
+    );
 }
 
 #[test]
 fn names_and_numbers_of_frames_are_as_the_pattern_says() {
     let sequence = |pattern: &str, frames: &str, fps: f64| {
         let journey = journey::load("the built-in journey", journey::DEFAULT).unwrap();
-        Sequence::new(journey, frames.parse::<Frames>().unwrap(), fps, Path::new(pattern)).unwrap()
+        Sequence::new(
+            journey,
+            frames.parse::<Frames>().unwrap(),
+            fps,
+            Path::new(pattern),
+        )
+        .unwrap()
     };
     for (pattern, number, file) in [
         ("a.png", 7, "a-0007.png"),
@@ -74,7 +118,10 @@ fn names_and_numbers_of_frames_are_as_the_pattern_says() {
         ("out/##a#b.png", 123, "out/##a123b.png"),
         ("######.exr", 7, "000007.exr"),
     ] {
-        assert_eq!(sequence(pattern, "0..9", 24.0).file(number), Path::new(file));
+        assert_eq!(
+            sequence(pattern, "0..9", 24.0).file(number),
+            Path::new(file)
+        );
     }
     assert_eq!(sequence("a.png", "0..9", 24.0).end(), 150.0 * 24.0);
     assert_eq!(

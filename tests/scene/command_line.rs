@@ -23,7 +23,9 @@ fn refuse(line: &str) -> clap::Error {
 }
 
 fn fly(line: &str) -> SceneArgs {
-    let Command::Fly(FlyArgs { scene, .. }) = read(line) else { panic!("{line} does not fly") };
+    let Command::Fly(FlyArgs { scene, .. }) = read(line) else {
+        panic!("{line} does not fly")
+    };
     scene
 }
 
@@ -38,11 +40,16 @@ fn preset() -> Scene {
 }
 
 fn of_preset(preset: &Path) -> SceneArgs {
-    SceneArgs { preset: Some(preset.into()), ..SceneArgs::default() }
+    SceneArgs {
+        preset: Some(preset.into()),
+        ..SceneArgs::default()
+    }
 }
 
 fn answer(line: &str) -> String {
-    let Command::Presets(command) = read(line) else { panic!("{line} is about presets") };
+    let Command::Presets(command) = read(line) else {
+        panic!("{line} is about presets")
+    };
     let mut out = Vec::new();
     cli::presets(&command, &mut out).unwrap();
     String::from_utf8(out).unwrap()
@@ -50,7 +57,10 @@ fn answer(line: &str) -> String {
 
 #[test]
 fn without_a_word_it_flies_from_preset_two() {
-    assert_eq!(cli::scene(&fly("lightfall")).unwrap(), PRESETS[1].scene(&[]).unwrap());
+    assert_eq!(
+        cli::scene(&fly("lightfall")).unwrap(),
+        PRESETS[1].scene(&[]).unwrap()
+    );
 }
 
 #[test]
@@ -59,7 +69,12 @@ fn a_preset_is_taken_by_number_name_or_path() {
     fs::write(&file, PRESETS[4].text).unwrap();
     let path = file.path().to_str().unwrap();
     for preset in ["5", "einstein-ring", path] {
-        assert_eq!(cli::scene(&fly(&format!("lightfall --preset {preset}"))).unwrap().name, "einstein-ring");
+        assert_eq!(
+            cli::scene(&fly(&format!("lightfall --preset {preset}")))
+                .unwrap()
+                .name,
+            "einstein-ring"
+        );
     }
 }
 
@@ -67,7 +82,12 @@ fn a_preset_is_taken_by_number_name_or_path() {
 fn scene_options_stand_before_the_command_or_after_it() {
     let expected = {
         let mut scene = PRESETS[2].scene(&[]).unwrap();
-        (scene.hole.spin, scene.method, scene.camera.r, scene.camera.fov_deg) = (-0.5, Method::Verlet, 9.0, 40.0);
+        (
+            scene.hole.spin,
+            scene.method,
+            scene.camera.r,
+            scene.camera.fov_deg,
+        ) = (-0.5, Method::Verlet, 9.0, 40.0);
         scene
     };
     for line in [
@@ -76,7 +96,9 @@ fn scene_options_stand_before_the_command_or_after_it() {
         "lightfall --set camera.r=8 --preset 3 --set camera.fov_deg=40 render -o a.png --spin -0.5 --method verlet \
          --set camera.r=9",
     ] {
-        let Command::Render(render) = read(line) else { panic!("{line} renders") };
+        let Command::Render(render) = read(line) else {
+            panic!("{line} renders")
+        };
         assert_eq!(cli::scene(&render.scene).unwrap(), expected, "{line}");
         assert_eq!(render.out, Path::new("a.png"));
     }
@@ -84,58 +106,124 @@ fn scene_options_stand_before_the_command_or_after_it() {
 
 #[test]
 fn one_preset_given_twice_is_refused() {
-    for line in ["lightfall --preset 1 render --preset 2 -o a.png", "lightfall --spin 0 trace --spin 0 --rays -"] {
+    for line in [
+        "lightfall --preset 1 render --preset 2 -o a.png",
+        "lightfall --spin 0 trace --spin 0 --rays -",
+    ] {
         assert_eq!(refuse(line).kind(), ErrorKind::ArgumentConflict);
     }
     for command in ["presets list", "doctor", "bench", "extremes"] {
-        assert_eq!(refuse(&format!("lightfall --preset 2 {command}")).kind(), ErrorKind::ArgumentConflict);
+        assert_eq!(
+            refuse(&format!("lightfall --preset 2 {command}")).kind(),
+            ErrorKind::ArgumentConflict
+        );
     }
 }
 
 #[test]
 fn render_reads_a_size() {
-    let Command::Render(render) = read("lightfall render -o a.png --size 1920x1080") else { panic!() };
+    let Command::Render(render) = read("lightfall render -o a.png --size 1920x1080") else {
+        panic!()
+    };
     assert_eq!(render.size.unwrap().to_array(), [1920, 1080]);
-    for size in ["0x5", "5", "x", "axb", "8193x1", "-1x5", "1x2x3", "99999999999x1", "5x"] {
+    for size in [
+        "0x5",
+        "5",
+        "x",
+        "axb",
+        "8193x1",
+        "-1x5",
+        "1x2x3",
+        "99999999999x1",
+        "5x",
+    ] {
         let error = refuse(&format!("lightfall render -o a.png --size={size}")).to_string();
-        assert!(error.contains("a size is WxH, such as 960x540, each from 1 to 8192"), "{error}");
+        assert!(
+            error.contains("a size is WxH, such as 960x540, each from 1 to 8192"),
+            "{error}"
+        );
     }
 }
 
 #[test]
 fn trace_asks_the_gpu_unless_told_otherwise() {
-    for (line, device) in [("", Device::Gpu), (" --device gpu", Device::Gpu), (" --device cpu", Device::Cpu)] {
-        let Command::Trace(trace) = read(&format!("lightfall trace --rays -{line}")) else { panic!() };
-        assert_eq!((trace.device, trace.rays.as_path()), (device, Path::new("-")));
+    for (line, device) in [
+        ("", Device::Gpu),
+        (" --device gpu", Device::Gpu),
+        (" --device cpu", Device::Cpu),
+    ] {
+        let Command::Trace(trace) = read(&format!("lightfall trace --rays -{line}")) else {
+            panic!()
+        };
+        assert_eq!(
+            (trace.device, trace.rays.as_path()),
+            (device, Path::new("-"))
+        );
     }
-    assert_eq!(refuse("lightfall trace").kind(), ErrorKind::MissingRequiredArgument);
-    assert_eq!(refuse("lightfall render").kind(), ErrorKind::MissingRequiredArgument);
-    assert_eq!(refuse("lightfall trace --rays - --device tpu").kind(), ErrorKind::InvalidValue);
+    assert_eq!(
+        refuse("lightfall trace").kind(),
+        ErrorKind::MissingRequiredArgument
+    );
+    assert_eq!(
+        refuse("lightfall render").kind(),
+        ErrorKind::MissingRequiredArgument
+    );
+    assert_eq!(
+        refuse("lightfall trace --rays - --device tpu").kind(),
+        ErrorKind::InvalidValue
+    );
 }
 
 #[test]
 fn help_and_version_are_no_failures() {
-    for line in ["lightfall --help", "lightfall render -h", "lightfall --version", "lightfall presets --help"] {
-        assert_eq!(cli::read(line.split(' ')).unwrap_err().exit_code(), 0, "{line}");
+    for line in [
+        "lightfall --help",
+        "lightfall render -h",
+        "lightfall --version",
+        "lightfall presets --help",
+    ] {
+        assert_eq!(
+            cli::read(line.split(' ')).unwrap_err().exit_code(),
+            0,
+            "{line}"
+        );
     }
     let help = cli::read(["lightfall", "-h"]).unwrap_err().to_string();
     let words = "one of auto, verlet, closed, mino, kerr-schild, reference";
     assert!(help.contains("Examples:") && help.contains(words), "{help}");
-    let render = cli::read(["lightfall", "render", "-h"]).unwrap_err().to_string();
-    assert!(render.contains(&format!("up to {LONGEST_SIDE} a side")), "{render}");
-    assert_eq!(LONGEST_SIDE, wgpu::Limits::default().max_texture_dimension_2d, "what every device can do");
+    let render = cli::read(["lightfall", "render", "-h"])
+        .unwrap_err()
+        .to_string();
+    assert!(
+        render.contains(&format!("up to {LONGEST_SIDE} a side")),
+        "{render}"
+    );
+    assert_eq!(
+        LONGEST_SIDE,
+        wgpu::Limits::default().max_texture_dimension_2d,
+        "what every device can do"
+    );
 }
 
 #[test]
 fn wrong_values_of_the_short_forms_name_the_short_form() {
     for (line, sentence) in [
-        ("--spin 1", "--spin: hole.spin = 1 is refused: it must be a number above -1 and below 1"),
-        ("--spin fast", "--spin: hole.spin = \"fast\" is refused: it must be a number above -1 and below 1"),
+        (
+            "--spin 1",
+            "--spin: hole.spin = 1 is refused: it must be a number above -1 and below 1",
+        ),
+        (
+            "--spin fast",
+            "--spin: hole.spin = \"fast\" is refused: it must be a number above -1 and below 1",
+        ),
         (
             "--method euler",
             "--method: method = \"euler\" is refused: it must be one of auto, verlet, closed, mino, kerr-schild, reference",
         ),
-        ("--set camera.r", "--set: camera.r is not of the form KEY=VALUE, such as camera.r=20"),
+        (
+            "--set camera.r",
+            "--set: camera.r is not of the form KEY=VALUE, such as camera.r=20",
+        ),
     ] {
         assert_eq!(fault(&fly(&format!("lightfall {line}"))), sentence);
     }
@@ -145,11 +233,14 @@ fn wrong_values_of_the_short_forms_name_the_short_form() {
 fn a_preset_that_does_not_exist_is_answered_with_those_that_do() {
     let presets = "1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit, 8 extremal, 9 falling";
     for given in ["10", "edge_on", "-1", ""] {
-        let sentence = format!("--preset {given}: there is no such file, and the presets are {presets}");
+        let sentence =
+            format!("--preset {given}: there is no such file, and the presets are {presets}");
         assert_eq!(fault(&of_preset(Path::new(given))), sentence);
     }
     // Whoever shows one has not written `--preset`.
-    let Command::Presets(show) = read("lightfall presets show edge_on") else { panic!() };
+    let Command::Presets(show) = read("lightfall presets show edge_on") else {
+        panic!()
+    };
     let error = cli::presets(&show, &mut Vec::new()).unwrap_err();
     assert_eq!(
         error.to_string(),
@@ -166,7 +257,10 @@ fn a_preset_file_that_cannot_be_read_is_named() {
     assert!(fault(&of_preset(&path)).starts_with(&named("cannot be read: ")));
     assert!(fault(&of_preset(folder.path())).contains(": cannot be read: "));
     fs::write(&path, [b'#', 0xff, b'\n']).unwrap();
-    assert_eq!(fault(&of_preset(&path)), named("is not UTF-8 text; presets and journeys are short TOML texts"));
+    assert_eq!(
+        fault(&of_preset(&path)),
+        named("is not UTF-8 text; presets and journeys are short TOML texts")
+    );
     fs::write(&path, vec![b'#'; (1 << 20) + 1]).unwrap();
     assert_eq!(
         fault(&of_preset(&path)),
@@ -181,7 +275,8 @@ fn a_preset_file_that_cannot_be_read_is_named() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_preset_file_without_an_end_is_not_read_to_its_end() {
-    let sentence = "/dev/zero: is longer than 1048576 bytes; presets and journeys are short TOML texts";
+    let sentence =
+        "/dev/zero: is longer than 1048576 bytes; presets and journeys are short TOML texts";
     assert_eq!(fault(&of_preset(Path::new("/dev/zero"))), sentence);
 }
 
@@ -202,10 +297,20 @@ fn presets_are_listed_with_number_name_and_title() {
 fn a_preset_that_is_shown_is_a_preset_file_of_the_same_scene() {
     let file = tempfile::NamedTempFile::new().unwrap();
     for preset in PRESETS {
-        fs::write(&file, answer(&format!("lightfall presets show {}", preset.name))).unwrap();
-        assert_eq!(cli::scene(&of_preset(file.path())).unwrap(), preset.scene(&[]).unwrap());
+        fs::write(
+            &file,
+            answer(&format!("lightfall presets show {}", preset.name)),
+        )
+        .unwrap();
         assert_eq!(
-            answer(&format!("lightfall presets check {}", file.path().display())),
+            cli::scene(&of_preset(file.path())).unwrap(),
+            preset.scene(&[]).unwrap()
+        );
+        assert_eq!(
+            answer(&format!(
+                "lightfall presets check {}",
+                file.path().display()
+            )),
             format!("{}: ok\n", file.path().display())
         );
     }
@@ -215,10 +320,19 @@ fn a_preset_that_is_shown_is_a_preset_file_of_the_same_scene() {
 fn a_wrong_preset_file_does_not_pass_the_check() {
     let file = tempfile::NamedTempFile::new().unwrap();
     fs::write(&file, "hole.spin = 3").unwrap();
-    let error = cli::presets(&PresetsCommand::Check { file: file.path().into() }, &mut Vec::new()).unwrap_err();
+    let error = cli::presets(
+        &PresetsCommand::Check {
+            file: file.path().into(),
+        },
+        &mut Vec::new(),
+    )
+    .unwrap_err();
     assert_eq!(error.exit_code(), 2);
     let sentence = "hole.spin = 3 is refused: it must be a number above -1 and below 1";
-    assert_eq!(error.to_string(), format!("{}: {sentence}", file.path().display()));
+    assert_eq!(
+        error.to_string(),
+        format!("{}: {sentence}", file.path().display())
+    );
 }
 
 /// A writer that always fails in one way.
@@ -237,7 +351,11 @@ impl Write for Fails {
 #[test]
 fn that_nobody_reads_on_is_no_failure_but_a_full_disk_is() {
     assert!(cli::presets(&PresetsCommand::List, &mut Fails(io::ErrorKind::BrokenPipe)).is_ok());
-    let error = cli::presets(&PresetsCommand::List, &mut Fails(io::ErrorKind::StorageFull)).unwrap_err();
+    let error = cli::presets(
+        &PresetsCommand::List,
+        &mut Fails(io::ErrorKind::StorageFull),
+    )
+    .unwrap_err();
     assert_eq!(error.exit_code(), 1);
 }
 
@@ -251,9 +369,19 @@ fn the_scene_of_no_options_at_all_is_checked_too() {
 fn a_journey_is_flown_from_its_file_and_its_faults_are_named() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("mine.toml");
-    let Command::Fly(FlyArgs { journey, scene }) = read("lightfall --journey mine.toml --spin 0.5") else { panic!() };
-    assert_eq!((journey.unwrap(), scene.spin.unwrap().as_str()), (Path::new("mine.toml").into(), "0.5"));
-    assert!(refuse("lightfall --journey mine.toml render -o x.png").to_string().contains("--journey is for flying"));
+    let Command::Fly(FlyArgs { journey, scene }) = read("lightfall --journey mine.toml --spin 0.5")
+    else {
+        panic!()
+    };
+    assert_eq!(
+        (journey.unwrap(), scene.spin.unwrap().as_str()),
+        (Path::new("mine.toml").into(), "0.5")
+    );
+    assert!(
+        refuse("lightfall --journey mine.toml render -o x.png")
+            .to_string()
+            .contains("--journey is for flying")
+    );
     assert_eq!(cli::journey(None, &preset()).unwrap().duration, 150.0);
     assert!(
         cli::journey(Some(&file), &preset())
@@ -261,23 +389,44 @@ fn a_journey_is_flown_from_its_file_and_its_faults_are_named() {
             .to_string()
             .starts_with(&format!("{}: cannot be read", file.display()))
     );
-    fs::write(&file, "[[keyframe]]\ntime = 0\nr = 3\n[[keyframe]]\ntime = 2\nr = 0").unwrap();
+    fs::write(
+        &file,
+        "[[keyframe]]\ntime = 0\nr = 3\n[[keyframe]]\ntime = 2\nr = 0",
+    )
+    .unwrap();
     let error = cli::journey(Some(&file), &preset()).unwrap_err();
     assert_eq!(error.exit_code(), 2);
-    assert!(error.to_string().ends_with("keyframe 2: r = 0 is refused: it must be a number from 0.1 to 10000000 r_s"));
-    fs::write(&file, "[[keyframe]]\ntime = 0\n[[keyframe]]\ntime = 2\nr = 0.9").unwrap();
+    assert!(
+        error.to_string().ends_with(
+            "keyframe 2: r = 0 is refused: it must be a number from 0.1 to 10000000 r_s"
+        )
+    );
+    fs::write(
+        &file,
+        "[[keyframe]]\ntime = 0\n[[keyframe]]\ntime = 2\nr = 0.9",
+    )
+    .unwrap();
     let error = cli::journey(Some(&file), &preset()).unwrap_err();
     assert_eq!(error.exit_code(), 2);
     let sentence = "keyframe 1 (time = 0): camera.r = 0.9 is refused: it must be a number above 1 and at most 10000000 r_s \
                     (outside the horizon at hole.spin = 0; observer rain goes on inside)";
     assert_eq!(error.to_string(), format!("{}: {sentence}", file.display()));
     fs::write(&file, journey::DEFAULT).unwrap();
-    assert_eq!(cli::journey(Some(&file), &preset()).unwrap(), cli::journey(None, &preset()).unwrap());
+    assert_eq!(
+        cli::journey(Some(&file), &preset()).unwrap(),
+        cli::journey(None, &preset()).unwrap()
+    );
 }
 
 #[test]
 fn help_lists_the_journey_with_the_scene() {
     let help = cli::read(["lightfall", "--help"]).unwrap_err().to_string();
-    let scene = help.split("\n\n").find(|part| part.starts_with("Scene:")).unwrap();
-    assert!(scene.contains("--preset") && scene.contains("--journey") && !scene.contains("--list-gpus"), "{scene}");
+    let scene = help
+        .split("\n\n")
+        .find(|part| part.starts_with("Scene:"))
+        .unwrap();
+    assert!(
+        scene.contains("--preset") && scene.contains("--journey") && !scene.contains("--list-gpus"),
+        "{scene}"
+    );
 }

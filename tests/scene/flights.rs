@@ -1,4 +1,5 @@
-//! Flights that nobody steers: the guided journey and real motion, moment by moment, and how they give way.
+//! Flights that nobody steers: the guided journey and real motion, moment by moment, and how they
+//! give way.
 
 use lightfall::flight::{Guide, Moment, Voyage};
 use lightfall::physics::{kerr::Kerr, reference::Reference, timelike::innermost};
@@ -27,18 +28,26 @@ fn next(moment: Moment) -> Scene {
 fn moved(a: &Scene, b: &Scene) -> f64 {
     let axes = |scene: &Scene| scene.camera.legs() * scene.camera.legs_from_camera();
     let [one, two] = [axes(a), axes(b)];
-    (a.camera.r / b.camera.r).ln().abs() + (one.z_axis - two.z_axis).length() + (one.y_axis - two.y_axis).length()
+    (a.camera.r / b.camera.r).ln().abs()
+        + (one.z_axis - two.z_axis).length()
+        + (one.y_axis - two.y_axis).length()
 }
 
 #[test]
 fn a_journey_comes_gently_from_anywhere_and_goes_to_its_end_without_a_jump() {
-    for (name, kind) in [("above", ObserverKind::Static), ("limit", ObserverKind::Rain)] {
+    for (name, kind) in [
+        ("above", ObserverKind::Static),
+        ("limit", ObserverKind::Rain),
+    ] {
         let mut scene = preset(name);
         scene.observer.kind = kind;
         let (mut guide, start) = (guide(), scene.clone());
         guide.start(&scene);
         scene = next(guide.pass(FRAME, &scene, false));
-        assert!(moved(&start, &scene) < 1e-9, "it begins where the camera is");
+        assert!(
+            moved(&start, &scene) < 1e-9,
+            "it begins where the camera is"
+        );
         let mut frames = 0;
         loop {
             let before = scene.clone();
@@ -48,8 +57,13 @@ fn a_journey_comes_gently_from_anywhere_and_goes_to_its_end_without_a_jump() {
                 Moment::Scene(after) | Moment::End(after) => scene = *after,
                 other => panic!("{other:?} after {frames} frames"),
             }
-            // A tenth a frame is fast, but no jump: the way to the start is twenty times as far as the camera stood.
-            assert!(moved(&before, &scene) < 0.1, "{} after {frames} frames", moved(&before, &scene));
+            // A tenth a frame is fast, but no jump: the way to the start is twenty times as far as
+            // the camera stood.
+            assert!(
+                moved(&before, &scene) < 0.1,
+                "{} after {frames} frames",
+                moved(&before, &scene)
+            );
             frames += 1;
             if ended {
                 break;
@@ -81,9 +95,18 @@ fn whoever_moves_the_camera_has_it_and_can_give_it_back() {
     scene.camera.r = 7.0;
     guide.start(&scene);
     let again = next(guide.pass(FRAME, &scene, false));
-    assert!(moved(&scene, &again) < 1e-9 && (guide.time() - time).abs() < 0.1, "it goes on where it was left");
+    assert!(
+        moved(&scene, &again) < 1e-9 && (guide.time() - time).abs() < 0.1,
+        "it goes on where it was left"
+    );
     guide.restart();
-    assert_eq!((guide.time(), next(guide.pass(FRAME, &scene, false)).camera.r.round()), (0.0, 160.0));
+    assert_eq!(
+        (
+            guide.time(),
+            next(guide.pass(FRAME, &scene, false)).camera.r.round()
+        ),
+        (0.0, 160.0)
+    );
 }
 
 #[test]
@@ -127,22 +150,34 @@ fn who_is_let_go_in_free_fall_ends_inside() {
     assert!(voyage.clocks(scene.camera.r).contains("ingoing time"));
 }
 
-/// Through a spinning hole's horizon, dropped and thrown: the sky in the picture moves on as it moved, though the azimuth that
-/// the scene notes becomes another there.
+/// Through a spinning hole's horizon, dropped and thrown: the sky in the picture moves on as it
+/// moved, though the azimuth that the scene notes becomes another there.
 #[test]
 fn through_a_spinning_holes_horizon_the_picture_goes_on() {
-    for (spin, velocity) in [(0.9, [0.0; 3]), (-0.7, [-0.2, 0.1, 0.4]), (0.998, [0.0, 0.3, 0.0])] {
+    for (spin, velocity) in [
+        (0.9, [0.0; 3]),
+        (-0.7, [-0.2, 0.1, 0.4]),
+        (0.998, [0.0, 0.3, 0.0]),
+    ] {
         let mut scene = preset("falling");
         let kerr = Kerr { spin };
-        (scene.hole.spin, scene.camera.theta_deg, scene.observer.velocity) = (spin, 60.0, velocity);
+        (
+            scene.hole.spin,
+            scene.camera.theta_deg,
+            scene.observer.velocity,
+        ) = (spin, 60.0, velocity);
         scene.camera.r = 1.5 * kerr.horizon();
         let mut voyage = Voyage::default();
         voyage.start(&scene).unwrap();
         voyage.turn_pace(-2);
-        // What is seen where the camera looks, away from the hole, and how far that moved in the frame before.
+        // What is seen where the camera looks, away from the hole, and how far that moved in the
+        // frame before.
         let looked = |scene: &Scene| {
             let forward = scene.camera.legs_from_camera().z_axis;
-            Reference::new(scene).unwrap().trace(if forward.x > 0.0 { forward } else { -forward }).sky
+            Reference::new(scene)
+                .unwrap()
+                .trace(if forward.x > 0.0 { forward } else { -forward })
+                .sky
         };
         let (mut last, mut step, mut inside) = (looked(&scene).unwrap(), None::<f64>, 0);
         for frame in 0.. {
@@ -162,13 +197,20 @@ fn through_a_spinning_holes_horizon_the_picture_goes_on() {
                     scene.camera
                 );
             }
-            (last, step, inside) = (seen, Some(moved), inside + u32::from(scene.camera.r < kerr.horizon()));
+            (last, step, inside) = (
+                seen,
+                Some(moved),
+                inside + u32::from(scene.camera.r < kerr.horizon()),
+            );
             if ended {
                 break;
             }
         }
         assert_eq!(scene.camera.r, innermost(kerr));
-        assert!(inside > 100 && voyage.clocks(scene.camera.r).contains("ingoing time"), "{inside} frames inside");
+        assert!(
+            inside > 100 && voyage.clocks(scene.camera.r).contains("ingoing time"),
+            "{inside} frames inside"
+        );
     }
 }
 
@@ -226,7 +268,11 @@ fn a_machine_that_slept_finds_the_flight_where_it_was() {
     assert_eq!(guide.progress(), "9 of 150 s");
     let (time, before) = (guide.time(), scene.clone());
     scene = next(guide.pass(night, &scene, false));
-    assert!(guide.time() - time < 0.5 && moved(&before, &scene) < 0.1, "{} s", guide.time() - time);
+    assert!(
+        guide.time() - time < 0.5 && moved(&before, &scene) < 0.1,
+        "{} s",
+        guide.time() - time
+    );
 
     let mut scene = preset("falling");
     let mut voyage = Voyage::default();
@@ -235,7 +281,10 @@ fn a_machine_that_slept_finds_the_flight_where_it_was() {
     let (own, r) = (voyage.worldline().unwrap().own_time(), scene.camera.r);
     scene = next(voyage.pass(night, &scene));
     let slept = voyage.worldline().unwrap().own_time() - own;
-    assert!(slept < 0.5 * voyage.rate(r) && scene.camera.r > 0.9 * r, "{slept}");
+    assert!(
+        slept < 0.5 * voyage.rate(r) && scene.camera.r > 0.9 * r,
+        "{slept}"
+    );
 }
 
 #[test]
@@ -247,14 +296,21 @@ fn a_journey_that_cannot_be_flown_to_its_end_is_known_before_and_flown_as_far_as
     let mut guide = Guide::new(journey::load("deep.toml", &deep).unwrap());
     guide.start(&scene);
     let fault = guide.check(&scene).unwrap_err();
-    assert!(fault.place.starts_with("keyframe 10 ") && fault.reason.contains("camera.r = 0.3 is refused"), "{fault}");
+    assert!(
+        fault.place.starts_with("keyframe 10 ")
+            && fault.reason.contains("camera.r = 0.3 is refused"),
+        "{fault}"
+    );
     let refused = loop {
         match guide.pass(0.25, &scene, false) {
             Moment::Scene(next) => scene = *next,
             other => break other,
         }
     };
-    assert!(matches!(&refused, Moment::Refused(reason) if reason.contains("camera.r = 0.3")), "{refused:?}");
+    assert!(
+        matches!(&refused, Moment::Refused(reason) if reason.contains("camera.r = 0.3")),
+        "{refused:?}"
+    );
     assert!(scene.camera.r < Kerr { spin: 0.9 }.horizon() && guide.time() > 140.0);
     scene.hole.spin = 0.0;
     assert_eq!(guide.check(&scene), Ok(()));

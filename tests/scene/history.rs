@@ -31,7 +31,10 @@ fn after_a_fall_or_a_journey_the_camera_comes_back_to_where_it_left_and_other_ch
     (fallen.camera.r, fallen.observer.kind) = (0.4, ObserverKind::Rain);
     fallen.sky.seed += 1;
     let undone = history.undo(&fallen).unwrap().unwrap();
-    assert_eq!((undone.camera, undone.observer), (start.camera, start.observer));
+    assert_eq!(
+        (undone.camera, undone.observer),
+        (start.camera, start.observer)
+    );
     assert_eq!(undone.sky.seed, fallen.sky.seed);
     assert!(history.undo(&undone).is_none());
 }
@@ -106,5 +109,11 @@ fn a_change_that_cannot_be_undone_says_why() {
     spinning.hole.spin = 0.9;
     let mut history = History::new(Scene::default());
     history.note(&impossible, &spinning, seconds(1));
-    assert!(history.undo(&spinning).unwrap().unwrap_err().contains("hole.spin = 0 is refused beside camera.r = 0.9"));
+    assert!(
+        history
+            .undo(&spinning)
+            .unwrap()
+            .unwrap_err()
+            .contains("hole.spin = 0 is refused beside camera.r = 0.9")
+    );
 }

@@ -1,5 +1,9 @@
-//! Scenes as they are asked for: fields, presets, overrides, the command line, and the rays of `lightfall trace`.
-#![allow(clippy::unwrap_used, reason = "a test that unwraps an error fails, as it should")]
+//! Scenes as they are asked for: fields, presets, overrides, the command line, and the rays of
+//! `lightfall trace`.
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test that unwraps an error fails, as it should"
+)]
 
 mod command_line;
 mod fields;

@@ -1,11 +1,20 @@
-//! Where the camera is and looks: angles to axes and back. The truth is the axes, since angles are not unique.
+//! Where the camera is and looks: angles to axes and back. The truth is the axes, since angles are
+//! not unique.
 
 use glam::{DMat3, DVec3};
 use lightfall::scene::Camera;
 
 fn camera(r: f64, angles: [f64; 5]) -> Camera {
     let [theta_deg, phi_deg, yaw_deg, pitch_deg, roll_deg] = angles;
-    Camera { r, theta_deg, phi_deg, yaw_deg, pitch_deg, roll_deg, ..Camera::default() }
+    Camera {
+        r,
+        theta_deg,
+        phi_deg,
+        yaw_deg,
+        pitch_deg,
+        roll_deg,
+        ..Camera::default()
+    }
 }
 
 fn axes(camera: &Camera) -> DMat3 {
@@ -13,7 +22,10 @@ fn axes(camera: &Camera) -> DMat3 {
 }
 
 fn largest_difference(a: DMat3, b: DMat3) -> f64 {
-    (a - b).to_cols_array().into_iter().fold(0.0, |largest, x| largest.max(x.abs()))
+    (a - b)
+        .to_cols_array()
+        .into_iter()
+        .fold(0.0, |largest, x| largest.max(x.abs()))
 }
 
 #[test]
@@ -27,8 +39,10 @@ fn a_camera_put_where_it_is_stays_where_it_is() {
                         let before = camera(7.5, [theta, phi, yaw, pitch, roll]);
                         let mut after = before;
                         after.set_pose(before.direction() * before.r, axes(&before));
-                        let place = (after.direction() * after.r - before.direction() * before.r).length();
-                        // Degrees round to 1e-14 of a turn, and a place of 7.5 r_s to as many of its own.
+                        let place =
+                            (after.direction() * after.r - before.direction() * before.r).length();
+                        // Degrees round to 1e-14 of a turn, and a place of 7.5 r_s to as many of
+                        // its own.
                         assert!(place < 1e-12, "{before:?} moved by {place}");
                         let turn = largest_difference(axes(&after), axes(&before));
                         assert!(turn < 1e-11, "{before:?} turned by {turn} to {after:?}");
@@ -42,7 +56,11 @@ fn a_camera_put_where_it_is_stays_where_it_is() {
 #[test]
 fn without_turns_the_camera_looks_at_the_hole_with_growing_phi_to_the_right() {
     let camera = camera(20.0, [80.0, 30.0, 0.0, 0.0, 0.0]);
-    let [right, up, forward] = [axes(&camera).x_axis, axes(&camera).y_axis, axes(&camera).z_axis];
+    let [right, up, forward] = [
+        axes(&camera).x_axis,
+        axes(&camera).y_axis,
+        axes(&camera).z_axis,
+    ];
     let legs = camera.legs();
     assert!((forward + legs.x_axis).length() < 1e-15);
     assert!((up + legs.y_axis).length() < 1e-15);
@@ -54,9 +72,21 @@ fn yaw_turns_right_pitch_turns_up_and_roll_turns_clockwise() {
     let level = axes(&camera(20.0, [80.0, 0.0, 0.0, 0.0, 0.0]));
     let [right, up, forward] = [level.x_axis, level.y_axis, level.z_axis];
     let near = |a: DVec3, b: DVec3| (a - b).length() < 1e-15;
-    assert!(near(axes(&camera(20.0, [80.0, 0.0, 90.0, 0.0, 0.0])).z_axis, right));
-    assert!(near(axes(&camera(20.0, [80.0, 0.0, 0.0, 90.0, 0.0])).z_axis, up));
+    assert!(near(
+        axes(&camera(20.0, [80.0, 0.0, 90.0, 0.0, 0.0])).z_axis,
+        right
+    ));
+    assert!(near(
+        axes(&camera(20.0, [80.0, 0.0, 0.0, 90.0, 0.0])).z_axis,
+        up
+    ));
     // Clockwise as the one behind the camera sees it: its up goes to where its right was.
-    assert!(near(axes(&camera(20.0, [80.0, 0.0, 0.0, 0.0, 90.0])).y_axis, right));
-    assert!(near(axes(&camera(20.0, [80.0, 0.0, 0.0, 0.0, 90.0])).z_axis, forward));
+    assert!(near(
+        axes(&camera(20.0, [80.0, 0.0, 0.0, 0.0, 90.0])).y_axis,
+        right
+    ));
+    assert!(near(
+        axes(&camera(20.0, [80.0, 0.0, 0.0, 0.0, 90.0])).z_axis,
+        forward
+    ));
 }

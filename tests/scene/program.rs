@@ -5,13 +5,19 @@ use std::io::Write;
 use std::path::Path;
 use std::process;
 
-/// What the program itself says to a command line: its exit status, standard output and standard error.
+/// What the program itself says to a command line: its exit status, standard output and standard
+/// error.
 fn program(folder: &Path, line: &str, input: &str) -> (i32, String, String) {
     program_with(&[], folder, line, input)
 }
 
 /// The same with these variables of the environment.
-fn program_with(variables: &[(&str, &Path)], folder: &Path, line: &str, input: &str) -> (i32, String, String) {
+fn program_with(
+    variables: &[(&str, &Path)],
+    folder: &Path,
+    line: &str,
+    input: &str,
+) -> (i32, String, String) {
     let mut child = process::Command::new(env!("CARGO_BIN_EXE_lightfall"))
         .args(line.split_whitespace())
         .current_dir(folder)
@@ -27,7 +33,11 @@ fn program_with(variables: &[(&str, &Path)], folder: &Path, line: &str, input: &
     let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
     let output = child.wait_with_output().unwrap();
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+    (
+        output.status.code().unwrap(),
+        text(output.stdout),
+        text(output.stderr),
+    )
 }
 
 #[test]
@@ -35,7 +45,10 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("afile"), "").unwrap();
     for (line, sentence) in [
-        ("render -o a.xyz", "lightfall: a.xyz: unknown picture format \"xyz\"; allowed are .png and .exr\n"),
+        (
+            "render -o a.xyz",
+            "lightfall: a.xyz: unknown picture format \"xyz\"; allowed are .png and .exr\n",
+        ),
         (
             "render -o a.png --aov sky",
             "lightfall: --aov is for pictures of linear light: the file's name must end in .exr\n",
@@ -52,7 +65,10 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
             "render -o a",
             "lightfall: a: the name has no ending that says which picture format to write; allowed are .png and .exr\n",
         ),
-        ("render -o nowhere/a.png", "lightfall: nowhere/a.png: cannot be written: there is no such folder\n"),
+        (
+            "render -o nowhere/a.png",
+            "lightfall: nowhere/a.png: cannot be written: there is no such folder\n",
+        ),
         (
             "bench --quick --out afile",
             "lightfall: --out afile: afile is a file, and this must be a folder, or one that can be made\n",
@@ -62,10 +78,17 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
             "lightfall: --out afile/deep: afile is a file, and this must be a folder, or one that can be made\n",
         ),
     ] {
-        assert_eq!(program(folder.path(), line, ""), (2, String::new(), sentence.into()), "{line}");
+        assert_eq!(
+            program(folder.path(), line, ""),
+            (2, String::new(), sentence.into()),
+            "{line}"
+        );
     }
     let (status, _, said) = program(folder.path(), "trace --rays nofile", "");
-    assert!(status == 2 && said.starts_with("lightfall: nofile: cannot be read"), "{said}");
+    assert!(
+        status == 2 && said.starts_with("lightfall: nofile: cannot be read"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -74,14 +97,24 @@ fn an_adapter_or_interface_that_is_not_there_is_answered_with_those_that_are() {
     // No system has both.
     let foreign = if cfg!(windows) { "metal" } else { "dx12" };
     let by_interface = format!("--backend {foreign} (or WGPU_BACKEND) is refused");
-    for (option, told) in
-        [("--gpu zzz", "--gpu zzz (or WGPU_ADAPTER_NAME)"), (&format!("--backend {foreign}"), &by_interface)]
-    {
-        for command in ["trace --rays -", "render -o a.png", "--list-gpus", "bench --quick"] {
-            let (status, answer, said) = program(folder.path(), &format!("{command} {option}"), "0,0,1");
+    for (option, told) in [
+        ("--gpu zzz", "--gpu zzz (or WGPU_ADAPTER_NAME)"),
+        (&format!("--backend {foreign}"), &by_interface),
+    ] {
+        for command in [
+            "trace --rays -",
+            "render -o a.png",
+            "--list-gpus",
+            "bench --quick",
+        ] {
+            let (status, answer, said) =
+                program(folder.path(), &format!("{command} {option}"), "0,0,1");
             // Without any driver it is the driver that is missing.
             if !said.contains("no Vulkan adapter") {
-                assert!(status == 2 && answer.is_empty() && said.contains(told), "{command} {option}: {said}");
+                assert!(
+                    status == 2 && answer.is_empty() && said.contains(told),
+                    "{command} {option}: {said}"
+                );
             }
         }
     }
@@ -96,7 +129,9 @@ fn rays_that_are_none_are_a_bad_command_line() {
         let (status, told, said) = program(folder.path(), line, input);
         assert_eq!((status, told.as_str()), (2, ""));
         assert!(
-            said.starts_with("lightfall: standard input: there are no rays; a ray is a line er,etheta,ephi"),
+            said.starts_with(
+                "lightfall: standard input: there are no rays; a ray is a line er,etheta,ephi"
+            ),
             "{said}"
         );
     }
@@ -109,23 +144,42 @@ fn rays_that_are_none_are_a_bad_command_line() {
 #[test]
 fn a_journey_is_checked_before_it_is_flown_and_without_a_display_its_first_moment_is_drawn() {
     let folder = tempfile::tempdir().unwrap();
-    let frames =
-        |end: &str| format!("[[keyframe]]\ntime = 3\nr = 8\ntheta_deg = 30\n[[keyframe]]\ntime = 9\nr = {end}\n");
+    let frames = |end: &str| {
+        format!(
+            "[[keyframe]]\ntime = 3\nr = 8\ntheta_deg = 30\n[[keyframe]]\ntime = 9\nr = {end}\n"
+        )
+    };
     fs::write(folder.path().join("mine.toml"), frames("0.9")).unwrap();
     let line = "--journey mine.toml --set picture.width=96 --set picture.height=54 --set picture.grid_width=48 --set \
                 picture.grid_height=27";
     let (status, told, said) = program(folder.path(), line, "");
     assert!(status == 2 && told.is_empty(), "{said}");
-    assert!(said.starts_with("lightfall: mine.toml: keyframe 2 (time = 9): camera.r = 0.9 is refused: "), "{said}");
+    assert!(
+        said.starts_with(
+            "lightfall: mine.toml: keyframe 2 (time = 9): camera.r = 0.9 is refused: "
+        ),
+        "{said}"
+    );
     fs::write(folder.path().join("mine.toml"), frames("2")).unwrap();
     let (status, told, said) = program(folder.path(), line, "");
     if said.contains("no Vulkan adapter") {
         return;
     }
-    assert_eq!((status, told.as_str()), (0, "lightfall-mine.png\n"), "{said}");
-    assert!(said.contains("no display") && said.contains("the first moment of mine.toml"), "{said}");
+    assert_eq!(
+        (status, told.as_str()),
+        (0, "lightfall-mine.png\n"),
+        "{said}"
+    );
+    assert!(
+        said.contains("no display") && said.contains("the first moment of mine.toml"),
+        "{said}"
+    );
     let still = "render -o still.png --set camera.r=8 --set camera.theta_deg=30";
-    program(folder.path(), &line.replace("--journey mine.toml", still), "");
+    program(
+        folder.path(),
+        &line.replace("--journey mine.toml", still),
+        "",
+    );
     // Their presets differ in the last digit of r, which a journey leads along by its logarithm.
     let pixels = |file: &str| image::open(folder.path().join(file)).unwrap();
     let [moment, still] = ["lightfall-mine.png", "still.png"].map(pixels);
@@ -150,22 +204,50 @@ fn the_doctor_tells_what_is_there_and_leaves_it_as_it_is() {
     if adapters.is_empty() {
         return;
     }
-    assert_eq!((status, &report["well"], &report["faults"]), (0, &true.into(), &serde_json::json!([])), "{report:#}");
+    assert_eq!(
+        (status, &report["well"], &report["faults"]),
+        (0, &true.into(), &serde_json::json!([])),
+        "{report:#}"
+    );
     assert_eq!(report["version"], env!("CARGO_PKG_VERSION"));
-    assert_eq!(adapters.iter().filter(|adapter| adapter["used"] == true).count(), 1);
+    assert_eq!(
+        adapters
+            .iter()
+            .filter(|adapter| adapter["used"] == true)
+            .count(),
+        1
+    );
     assert_eq!(report["settings"]["exists"], false);
-    assert_eq!(report["folders"].as_array().unwrap().iter().filter(|folder| folder["wrong"].is_null()).count(), 3);
+    assert_eq!(
+        report["folders"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .filter(|folder| folder["wrong"].is_null())
+            .count(),
+        3
+    );
     let trials = report["trials"].as_array().unwrap();
     assert_eq!(trials.len(), 2);
     for trial in trials {
         let number = |key: &str| trial[key].as_f64().unwrap();
-        assert!(trial["holds"] == true && number("rays") >= 500.0 && number("trace_ms_1920x1080") > 0.0, "{trial:#}");
+        assert!(
+            trial["holds"] == true && number("rays") >= 500.0 && number("trace_ms_1920x1080") > 0.0,
+            "{trial:#}"
+        );
         // An error of nothing at all would be that of nothing measured: f32 alone leaves 6e-8.
-        assert!(number("backward_max") > 1e-8 && number("backward_max") <= number("stated_max"), "{trial:#}");
+        assert!(
+            number("backward_max") > 1e-8 && number("backward_max") <= number("stated_max"),
+            "{trial:#}"
+        );
     }
     // Drivers keep their caches; the program leaves nothing.
-    let left = fs::read_dir(home.path()).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let left: Vec<String> = left.filter(|name| name == "config" || name.contains("lightfall")).collect();
+    let left = fs::read_dir(home.path())
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let left: Vec<String> = left
+        .filter(|name| name == "config" || name.contains("lightfall"))
+        .collect();
     assert!(left.is_empty(), "{left:?}");
 }
 
@@ -174,21 +256,42 @@ fn the_doctor_tells_what_is_there_and_leaves_it_as_it_is() {
 fn what_the_doctor_finds_wrong_is_status_one_with_what_to_do() {
     let home = tempfile::tempdir().unwrap();
     let no_driver = home.path().join("none.json");
-    let without = [("VK_DRIVER_FILES", no_driver.as_path()), ("VK_ICD_FILENAMES", &no_driver)];
+    let without = [
+        ("VK_DRIVER_FILES", no_driver.as_path()),
+        ("VK_ICD_FILENAMES", &no_driver),
+    ];
     let told = |variables: &[(&str, &Path)]| {
         let (status, report) = examined(home.path(), &[&without, variables].concat());
         assert_eq!((status, &report["well"]), (1, &false.into()));
-        report["faults"].as_array().unwrap().iter().map(|fault| fault.as_str().unwrap().to_owned()).collect::<Vec<_>>()
+        report["faults"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|fault| fault.as_str().unwrap().to_owned())
+            .collect::<Vec<_>>()
     };
     let faults = told(&[]);
-    assert!(faults.len() == 1 && faults[0].starts_with("no Vulkan adapter was found: install"), "{faults:?}");
+    assert!(
+        faults.len() == 1 && faults[0].starts_with("no Vulkan adapter was found: install"),
+        "{faults:?}"
+    );
     let file = home.path().join("config/lightfall/settings.toml");
     fs::create_dir_all(file.parent().unwrap()).unwrap();
     fs::write(&file, "frame_rate = 1").unwrap();
     let faults = told(&[]);
-    let sentence = format!("{}: frame_rate = 1 is refused: it must be a number from 5 to 240; mend or", file.display());
-    assert!(faults.len() == 2 && faults[1].starts_with(&sentence), "{faults:?}");
-    assert_eq!(fs::read_to_string(&file).unwrap(), "frame_rate = 1", "it is only looked at");
+    let sentence = format!(
+        "{}: frame_rate = 1 is refused: it must be a number from 5 to 240; mend or",
+        file.display()
+    );
+    assert!(
+        faults.len() == 2 && faults[1].starts_with(&sentence),
+        "{faults:?}"
+    );
+    assert_eq!(
+        fs::read_to_string(&file).unwrap(),
+        "frame_rate = 1",
+        "it is only looked at"
+    );
     // A file where folders should be.
     let faults = told(&[("XDG_CONFIG_HOME", &file)]);
     let presets = format!(
@@ -196,14 +299,26 @@ fn what_the_doctor_finds_wrong_is_status_one_with_what_to_do() {
         file.join("lightfall/presets").display(),
         file.display()
     );
-    assert!(faults.iter().any(|fault| fault.starts_with(&presets)), "{faults:?}");
+    assert!(
+        faults.iter().any(|fault| fault.starts_with(&presets)),
+        "{faults:?}"
+    );
     // For people: a name and what is found, then what to do.
     let fresh = home.path().join("fresh");
-    let own = [&without[..], &[("HOME", home.path()), ("XDG_CONFIG_HOME", &fresh)]].concat();
+    let own = [
+        &without[..],
+        &[("HOME", home.path()), ("XDG_CONFIG_HOME", &fresh)],
+    ]
+    .concat();
     let (status, told, said) = program_with(&own, home.path(), "doctor", "");
-    assert!(status == 1 && said == "lightfall: things that are not well: 1; the report says what to do\n", "{said}");
     assert!(
-        told.contains("\nadapter     none\n") && told.contains("\nNot well:\n* no Vulkan adapter was found"),
+        status == 1
+            && said == "lightfall: things that are not well: 1; the report says what to do\n",
+        "{said}"
+    );
+    assert!(
+        told.contains("\nadapter     none\n")
+            && told.contains("\nNot well:\n* no Vulkan adapter was found"),
         "{told}"
     );
 }
@@ -215,14 +330,29 @@ fn an_own_preset_is_found_by_its_name_and_listed() {
     let config = home.path().join("config");
     let folder = config.join("lightfall/presets");
     fs::create_dir_all(&folder).unwrap();
-    fs::write(folder.join("my_hole.toml"), "schema = 1\nhole.spin = 0.25\n").unwrap();
+    fs::write(
+        folder.join("my_hole.toml"),
+        "schema = 1\nhole.spin = 0.25\n",
+    )
+    .unwrap();
     let own: [(&str, &Path); 2] = [("HOME", home.path()), ("XDG_CONFIG_HOME", &config)];
     let ask = |line: &str| program_with(&own, home.path(), line, "");
     let (status, shown, _) = ask("presets show my_hole");
     assert!(status == 0 && shown.contains("spin = 0.25"), "{shown}");
-    assert!(ask("presets list").1.lines().last().unwrap().contains("my_hole"));
+    assert!(
+        ask("presets list")
+            .1
+            .lines()
+            .last()
+            .unwrap()
+            .contains("my_hole")
+    );
     // A built-in name stays the built-in preset's, and one that nobody has is still refused.
-    fs::write(folder.join("edge-on.toml"), "schema = 1\nhole.spin = 0.25\n").unwrap();
+    fs::write(
+        folder.join("edge-on.toml"),
+        "schema = 1\nhole.spin = 0.25\n",
+    )
+    .unwrap();
     assert!(ask("presets show edge-on").1.contains("spin = 0.0"));
     assert_eq!(ask("presets show my_other").0, 2);
 }

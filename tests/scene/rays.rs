@@ -7,12 +7,17 @@ use lightfall::physics::trace::{Hit, Outcome, Trace};
 use lightfall::report::rays::{HEADER, RayReader, TraceWriter, is_closed_pipe};
 
 fn rays(text: &str) -> Vec<DVec3> {
-    RayReader::new(text.as_bytes(), "rays.csv").collect::<Result<_, _>>().unwrap()
+    RayReader::new(text.as_bytes(), "rays.csv")
+        .collect::<Result<_, _>>()
+        .unwrap()
 }
 
 fn fault(text: &str) -> String {
     let mut reader = RayReader::new(text.as_bytes(), "rays.csv");
-    let error = reader.find_map(Result::err).expect("an error was wanted").to_string();
+    let error = reader
+        .find_map(Result::err)
+        .expect("an error was wanted")
+        .to_string();
     assert!(reader.next().is_none(), "it reads on after an error");
     error
 }
@@ -21,14 +26,22 @@ fn fault(text: &str) -> String {
 fn a_header_is_skipped_where_there_is_one() {
     let bare = rays("1,0,0\n0,1,0\n");
     assert_eq!(bare, [DVec3::X, DVec3::Y]);
-    for header in ["er,etheta,ephi", " er, etheta ,ephi ", "\"er\",\"etheta\",\"ephi\"", "\u{feff}er,etheta,ephi"] {
+    for header in [
+        "er,etheta,ephi",
+        " er, etheta ,ephi ",
+        "\"er\",\"etheta\",\"ephi\"",
+        "\u{feff}er,etheta,ephi",
+    ] {
         assert_eq!(rays(&format!("{header}\n1,0,0\n0,1,0")), bare, "{header}");
     }
 }
 
 #[test]
 fn blank_lines_and_other_line_ends_make_no_difference() {
-    assert_eq!(rays("\n\r\n1,0,0\r\n  \n\n0,0,-2\r\n\n"), [DVec3::X, DVec3::NEG_Z]);
+    assert_eq!(
+        rays("\n\r\n1,0,0\r\n  \n\n0,0,-2\r\n\n"),
+        [DVec3::X, DVec3::NEG_Z]
+    );
 }
 
 #[test]
@@ -41,12 +54,15 @@ fn a_ray_of_any_length_becomes_a_unit_vector() {
     let expected = dvec3(1.0, -2.0, 2.0) / 3.0;
     for scale in ["", "e300", "e-300", "e307", "e-323"] {
         let ray = rays(&format!("1{scale},-2{scale},2{scale}"))[0];
-        // Two roundings and a square root: a few units of the last place. 1e-323 is 2 of the least subnormal and 2e-323
-        // is 4 of them, so that even there the ratios are exact.
+        // Two roundings and a square root: a few units of the last place. 1e-323 is 2 of the least
+        // subnormal and 2e-323 is 4 of them, so that even there the ratios are exact.
         assert!((ray - expected).length() < 1e-15, "{scale}: {ray}");
     }
     assert_eq!(rays("5e-324,0,0"), [DVec3::X]);
-    assert_eq!(rays("1.7976931348623157e308,1e-320,0"), [dvec3(1.0, 0.0, 0.0)]);
+    assert_eq!(
+        rays("1.7976931348623157e308,1e-320,0"),
+        [dvec3(1.0, 0.0, 0.0)]
+    );
     assert_eq!(rays("+1,-0.,.0"), [DVec3::X]);
 }
 
@@ -58,19 +74,46 @@ fn a_line_that_is_no_ray_is_answered_with_its_number() {
     for (text, sentence) in [
         ("1,0", format!("line 1: \"1,0\" {columns} 2")),
         ("1,0,0\n\n1 0 0", format!("line 3: \"1 0 0\" {columns} 1")),
-        ("er,etheta,ephi\n1,0,0,0", format!("line 2: \"1,0,0,0\" {columns} 4")),
+        (
+            "er,etheta,ephi\n1,0,0,0",
+            format!("line 2: \"1,0,0,0\" {columns} 4"),
+        ),
         ("1,0,0,", format!("line 1: \"1,0,0,\" {columns} 4")),
-        ("1,x,0", format!("line 1: etheta = \"x\" is refused: {number}")),
+        (
+            "1,x,0",
+            format!("line 1: etheta = \"x\" is refused: {number}"),
+        ),
         ("1,0,", format!("line 1: ephi = \"\" is refused: {number}")),
-        ("NaN,0,0", format!("line 1: er = \"NaN\" is refused: {number}")),
-        ("1,0,0\r\n\r\n0,-inf,0", format!("line 3: etheta = \"-inf\" is refused: {number}")),
-        ("1e999,0,0", format!("line 1: er = \"1e999\" is refused: {number}")),
-        ("1,0,0\ner,etheta,ephi", format!("line 2: er = \"er\" is refused: {number}")),
-        ("er,etheta,ephi\ner,etheta,ephi", format!("line 2: er = \"er\" is refused: {number}")),
-        ("ephi,er,etheta\n1,0,0", format!("line 1: er = \"ephi\" is refused: {number}")),
+        (
+            "NaN,0,0",
+            format!("line 1: er = \"NaN\" is refused: {number}"),
+        ),
+        (
+            "1,0,0\r\n\r\n0,-inf,0",
+            format!("line 3: etheta = \"-inf\" is refused: {number}"),
+        ),
+        (
+            "1e999,0,0",
+            format!("line 1: er = \"1e999\" is refused: {number}"),
+        ),
+        (
+            "1,0,0\ner,etheta,ephi",
+            format!("line 2: er = \"er\" is refused: {number}"),
+        ),
+        (
+            "er,etheta,ephi\ner,etheta,ephi",
+            format!("line 2: er = \"er\" is refused: {number}"),
+        ),
+        (
+            "ephi,er,etheta\n1,0,0",
+            format!("line 1: er = \"ephi\" is refused: {number}"),
+        ),
         ("0,0,0", format!("line 1: {zero}")),
         ("1,0,0\n-0,0.0,1e-999", format!("line 2: {zero}")),
-        ("1,\"0,0\n1,0,0", format!("line 1: etheta = \"\\\"0\" is refused: {number}")),
+        (
+            "1,\"0,0\n1,0,0",
+            format!("line 1: etheta = \"\\\"0\" is refused: {number}"),
+        ),
     ] {
         assert_eq!(fault(text), format!("rays.csv: {sentence}"), "{text:?}");
     }
@@ -78,15 +121,26 @@ fn a_line_that_is_no_ray_is_answered_with_its_number() {
 
 #[test]
 fn bytes_that_are_no_text_are_an_error() {
-    let error = RayReader::new(&b"\xff\xfe1,0,0\n"[..], "rays.csv").next().unwrap().unwrap_err().to_string();
+    let error = RayReader::new(&b"\xff\xfe1,0,0\n"[..], "rays.csv")
+        .next()
+        .unwrap()
+        .unwrap_err()
+        .to_string();
     assert!(error.starts_with("rays.csv: line 1: er = "), "{error}");
 }
 
 #[test]
 fn a_line_without_an_end_does_not_fill_the_memory() {
     let endless = BufReader::new(io::repeat(b'1'));
-    let error = RayReader::new(endless, "rays.csv").next().unwrap().unwrap_err().to_string();
-    assert_eq!(error, "rays.csv: line 1 is longer than 4096 bytes; a ray is a line er,etheta,ephi");
+    let error = RayReader::new(endless, "rays.csv")
+        .next()
+        .unwrap()
+        .unwrap_err()
+        .to_string();
+    assert_eq!(
+        error,
+        "rays.csv: line 1 is longer than 4096 bytes; a ray is a line er,etheta,ephi"
+    );
 }
 
 #[test]
@@ -102,7 +156,10 @@ fn rays_come_one_by_one_before_the_file_has_ended() {
     assert_eq!(reader.next().unwrap().unwrap(), DVec3::X);
     assert_eq!(reader.next().unwrap().unwrap(), DVec3::Y);
     let error = reader.next().unwrap().unwrap_err().to_string();
-    assert!(error.starts_with("rays.csv: line 3 cannot be read: "), "{error}");
+    assert!(
+        error.starts_with("rays.csv: line 3 cannot be read: "),
+        "{error}"
+    );
 }
 
 fn written(traces: &[Trace]) -> String {
@@ -113,32 +170,58 @@ fn written(traces: &[Trace]) -> String {
     String::from_utf8(bytes).unwrap()
 }
 
-const CAPTURED: Trace = Trace { outcome: Outcome::Captured, sky: None, hits: [None, None], steps: 7, residual: 0.0 };
+const CAPTURED: Trace = Trace {
+    outcome: Outcome::Captured,
+    sky: None,
+    hits: [None, None],
+    steps: 7,
+    residual: 0.0,
+};
 
 #[test]
 fn the_columns_are_those_of_the_contract() {
-    let header = "outcome,sky_x,sky_y,sky_z,hit1_r,hit1_phi,hit1_g,hit2_r,hit2_phi,hit2_g,steps,residual\n";
+    let header =
+        "outcome,sky_x,sky_y,sky_z,hit1_r,hit1_phi,hit1_g,hit2_r,hit2_phi,hit2_g,steps,residual\n";
     assert_eq!(written(&[]), header);
     assert_eq!(HEADER.join(",") + "\n", header);
 }
 
 #[test]
 fn what_there_is_not_is_an_empty_field() {
-    let sky = Trace { outcome: Outcome::Sky, sky: Some(DVec3::NEG_Y), ..CAPTURED };
-    let hit = Hit { r: 3.5, phi: -1.25, g: 0.75 };
-    let unfinished = Trace { outcome: Outcome::Unfinished, hits: [Some(hit), None], ..CAPTURED };
+    let sky = Trace {
+        outcome: Outcome::Sky,
+        sky: Some(DVec3::NEG_Y),
+        ..CAPTURED
+    };
+    let hit = Hit {
+        r: 3.5,
+        phi: -1.25,
+        g: 0.75,
+    };
+    let unfinished = Trace {
+        outcome: Outcome::Unfinished,
+        hits: [Some(hit), None],
+        ..CAPTURED
+    };
     let text = written(&[CAPTURED, sky, unfinished]);
     let lines: Vec<&str> = text.lines().skip(1).collect();
     assert_eq!(
         lines,
-        ["captured,,,,,,,,,,7,0.0", "sky,0.0,-1.0,0.0,,,,,,,7,0.0", "unfinished,,,,3.5,-1.25,0.75,,,,7,0.0"]
+        [
+            "captured,,,,,,,,,,7,0.0",
+            "sky,0.0,-1.0,0.0,,,,,,,7,0.0",
+            "unfinished,,,,3.5,-1.25,0.75,,,,7,0.0"
+        ]
     );
 }
 
 #[test]
 fn every_number_comes_back_as_it_was() {
     let sky = dvec3(1.0 / 3.0, f64::MIN_POSITIVE / 8.0, -1.0 + f64::EPSILON);
-    let hits = [[3.0 + f64::EPSILON * 2.0, std::f64::consts::PI, 0.1 + 0.2], [1e300, -1e-300, 1.0]];
+    let hits = [
+        [3.0 + f64::EPSILON * 2.0, std::f64::consts::PI, 0.1 + 0.2],
+        [1e300, -1e-300, 1.0],
+    ];
     let trace = Trace {
         sky: Some(sky),
         hits: hits.map(|[r, phi, g]| Some(Hit { r, phi, g })),
@@ -149,10 +232,23 @@ fn every_number_comes_back_as_it_was() {
     let text = written(&[trace]);
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let record = reader.records().next().unwrap().unwrap();
-    let numbers: Vec<f64> = record.iter().skip(1).map(|field| field.parse().unwrap()).collect();
-    let expected = [&sky.to_array()[..], &hits[0], &hits[1], &[f64::from(u32::MAX), f64::MAX]].concat();
+    let numbers: Vec<f64> = record
+        .iter()
+        .skip(1)
+        .map(|field| field.parse().unwrap())
+        .collect();
+    let expected = [
+        &sky.to_array()[..],
+        &hits[0],
+        &hits[1],
+        &[f64::from(u32::MAX), f64::MAX],
+    ]
+    .concat();
     assert_eq!(numbers, expected);
-    assert!(text.len() < 400, "digits beyond the shortest, or zeros in place of an exponent: {text}");
+    assert!(
+        text.len() < 400,
+        "digits beyond the shortest, or zeros in place of an exponent: {text}"
+    );
 }
 
 /// A pipe whose reader has gone after some bytes.
@@ -176,10 +272,15 @@ impl Write for Closed {
 #[test]
 fn a_closed_pipe_is_told_apart_from_other_errors_and_from_success() {
     let mut writer = TraceWriter::new(Closed(100)).unwrap();
-    let error = (0..100_000).find_map(|_| writer.write(&CAPTURED).err()).expect("the pipe is closed");
+    let error = (0..100_000)
+        .find_map(|_| writer.write(&CAPTURED).err())
+        .expect("the pipe is closed");
     assert!(is_closed_pipe(&error));
     let mut writer = TraceWriter::new(Closed(10)).unwrap();
     writer.write(&CAPTURED).unwrap();
-    assert!(is_closed_pipe(&writer.finish().unwrap_err()), "the last lines are flushed and their error is told");
+    assert!(
+        is_closed_pipe(&writer.finish().unwrap_err()),
+        "the last lines are flushed and their error is told"
+    );
     assert!(!is_closed_pipe(&io::ErrorKind::StorageFull.into()));
 }

@@ -7,10 +7,21 @@ use lightfall::gpu::AdapterName;
 fn settings_are_read_back_as_they_were_written() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("deep/er/settings.toml");
-    let mut settings = Settings { ui_scale: 1.25, automatic_resolution: Automatic::Off, ..Settings::default() };
-    settings.keys.insert("window.help".into(), vec!["F10".into()]);
-    settings.buttons.insert("window.help".into(), vec!["Guide".into()]);
-    settings.adapter = Some(AdapterName { name: "A card \"2\"".into(), backend: "vulkan".into() });
+    let mut settings = Settings {
+        ui_scale: 1.25,
+        automatic_resolution: Automatic::Off,
+        ..Settings::default()
+    };
+    settings
+        .keys
+        .insert("window.help".into(), vec!["F10".into()]);
+    settings
+        .buttons
+        .insert("window.help".into(), vec!["Guide".into()]);
+    settings.adapter = Some(AdapterName {
+        name: "A card \"2\"".into(),
+        backend: "vulkan".into(),
+    });
     settings.save(&file).unwrap();
     assert_eq!(Settings::load(&file), (settings, None));
 }
@@ -18,7 +29,10 @@ fn settings_are_read_back_as_they_were_written() {
 #[test]
 fn without_a_file_there_are_defaults_and_no_complaint() {
     let folder = tempfile::tempdir().unwrap();
-    assert_eq!(Settings::load(&folder.path().join("none.toml")), (Settings::default(), None));
+    assert_eq!(
+        Settings::load(&folder.path().join("none.toml")),
+        (Settings::default(), None)
+    );
 }
 
 #[test]
@@ -26,9 +40,15 @@ fn a_broken_file_is_set_aside_and_reported() {
     for (text, said) in [
         ("ui_scale = ", "line 1"),
         ("\nui_skale = 1.0", "ui_skale"),
-        ("ui_scale = 40.0", "ui_scale = 40 is refused: it must be a number from 0.6 to 2.5"),
+        (
+            "ui_scale = 40.0",
+            "ui_scale = 40 is refused: it must be a number from 0.6 to 2.5",
+        ),
         ("frame_rate = nan", "frame_rate = NaN is refused"),
-        ("most_frames = -1.0", "or 0 for as many as the monitor shows"),
+        (
+            "most_frames = -1.0",
+            "or 0 for as many as the monitor shows",
+        ),
         ("[keys]\n\"window.help\" = [\"W\"]", "W is given to both"),
         ("[buttons]\n\"window.help\" = [\"A\"]", "A is given to both"),
         ("[adapter]\nname = \"A card\"", "backend"),
@@ -43,7 +63,11 @@ fn a_broken_file_is_set_aside_and_reported() {
         assert!(!file.exists(), "the broken file is still there");
         let aside = folder.path().join("settings.broken-1.toml");
         assert!(fault.contains(&aside.display().to_string()), "{fault}");
-        assert_eq!(std::fs::read_to_string(aside).unwrap(), text, "what was written is lost");
+        assert_eq!(
+            std::fs::read_to_string(aside).unwrap(),
+            text,
+            "what was written is lost"
+        );
     }
 }
 

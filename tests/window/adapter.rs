@@ -7,13 +7,22 @@ use lightfall::gpu::{AdapterName, adapters};
 use std::time::{Duration, Instant};
 
 fn settings(adapter: &AdapterName) -> String {
-    format!("[adapter]\nname = {:?}\nbackend = {:?}\n", adapter.name, adapter.backend)
+    format!(
+        "[adapter]\nname = {:?}\nbackend = {:?}\n",
+        adapter.name, adapter.backend
+    )
 }
 
 #[test]
 fn an_adapter_that_is_gone_is_reported_and_another_one_is_chosen_in_the_panel() {
-    let gone = AdapterName { name: "A card that was taken out".into(), backend: "vulkan".into() };
-    let Some(mut desktop) = Desktop::open_with_settings(&settings(&gone), &["--preset", "2"]) else { return };
+    let gone = AdapterName {
+        name: "A card that was taken out".into(),
+        backend: "vulkan".into(),
+    };
+    let Some(mut desktop) = Desktop::open_with_settings(&settings(&gone), &["--preset", "2"])
+    else {
+        return;
+    };
     let news = "A card that was taken out (vulkan), which the settings name, is not there: the best adapter is used";
     let with_news = desktop.settled("first picture", |shot| shot.colours() > 50);
     assert!(desktop.said().contains(news), "{}", desktop.said());
@@ -23,7 +32,10 @@ fn an_adapter_that_is_gone_is_reported_and_another_one_is_chosen_in_the_panel() 
     let hint = later.changed(&with_news, 0..WINDOW.0, WINDOW.1 - 2 * HINT..WINDOW.1);
     assert!(hint > 0.001, "nothing was said in the window");
     // The choice stays, for the card may come back; until then it can be changed.
-    assert_eq!(Settings::load(&desktop.settings()).0.adapter, Some(gone.clone()));
+    assert_eq!(
+        Settings::load(&desktop.settings()).0.adapter,
+        Some(gone.clone())
+    );
     desktop.press("p");
     desktop.settled("panel", |_| true);
     desktop.click(1246, 17);
@@ -33,7 +45,10 @@ fn an_adapter_that_is_gone_is_reported_and_another_one_is_chosen_in_the_panel() 
     let first = adapters()[0].name.clone();
     let start = Instant::now();
     while Settings::load(&desktop.settings()).0.adapter != Some(first.clone()) {
-        assert!(start.elapsed() < Duration::from_secs(10), "the choice is not kept");
+        assert!(
+            start.elapsed() < Duration::from_secs(10),
+            "the choice is not kept"
+        );
         std::thread::sleep(Duration::from_millis(200));
     }
     assert!(desktop.running());
@@ -43,18 +58,38 @@ fn an_adapter_that_is_gone_is_reported_and_another_one_is_chosen_in_the_panel() 
 fn an_adapter_that_works_is_used_and_one_that_did_not_is_given_up() {
     let name = adapters()[0].name.clone();
     let trial = |desktop: &Desktop| desktop.settings().with_file_name("adapter-on-trial");
-    let Some(desktop) = Desktop::open_with_settings(&settings(&name), &["--preset", "2"]) else { return };
+    let Some(desktop) = Desktop::open_with_settings(&settings(&name), &["--preset", "2"]) else {
+        return;
+    };
     desktop.settled("first picture", |shot| shot.colours() > 50);
-    assert!(!desktop.said().contains("which the settings name"), "{}", desktop.said());
+    assert!(
+        !desktop.said().contains("which the settings name"),
+        "{}",
+        desktop.said()
+    );
     assert!(!trial(&desktop).exists(), "it still counts as untried");
-    assert_eq!(Settings::load(&desktop.settings()).0.adapter, Some(name.clone()));
+    assert_eq!(
+        Settings::load(&desktop.settings()).0.adapter,
+        Some(name.clone())
+    );
     drop(desktop);
 
     // As a driver leaves it that takes the program down with it.
-    let prepared = [("settings.toml", settings(&name)), ("adapter-on-trial", String::new())];
-    let Some(desktop) = Desktop::open_prepared(&prepared, &["--preset", "2"]) else { return };
+    let prepared = [
+        ("settings.toml", settings(&name)),
+        ("adapter-on-trial", String::new()),
+    ];
+    let Some(desktop) = Desktop::open_prepared(&prepared, &["--preset", "2"]) else {
+        return;
+    };
     desktop.settled("first picture", |shot| shot.colours() > 50);
-    assert!(desktop.said().contains("did not come to a picture: the best adapter is used"), "{}", desktop.said());
+    assert!(
+        desktop
+            .said()
+            .contains("did not come to a picture: the best adapter is used"),
+        "{}",
+        desktop.said()
+    );
     assert!(!trial(&desktop).exists());
     let kept = Settings::load(&desktop.settings());
     assert_eq!((kept.0.adapter, kept.1), (None, None));

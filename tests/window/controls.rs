@@ -25,9 +25,19 @@ fn x_name(id: &str) -> String {
 
 #[test]
 fn switches_change_the_picture_and_lead_back() {
-    // A scene in which each of them shows: the disk does not begin at the innermost stable orbit, the probe is in view.
-    let scene = ["--preset", "probe", "--set", "disk.inner=4.5", "--set", "observer.velocity=0,0.1,0.3"];
-    let Some(desktop) = Desktop::open(&scene) else { return };
+    // A scene in which each of them shows: the disk does not begin at the innermost stable orbit,
+    // the probe is in view.
+    let scene = [
+        "--preset",
+        "probe",
+        "--set",
+        "disk.inner=4.5",
+        "--set",
+        "observer.velocity=0,0.1,0.3",
+    ];
+    let Some(desktop) = Desktop::open(&scene) else {
+        return;
+    };
     let start = desktop.first_picture();
     for (id, times) in [
         ("scene.disk", 2),
@@ -66,18 +76,25 @@ fn switches_change_the_picture_and_lead_back() {
 
 #[test]
 fn overlays_open_and_close_and_text_fields_keep_the_keyboard() {
-    let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else {
+        return;
+    };
     let start = desktop.first_picture();
     let right = |a: &Shot, b: &Shot| a.changed(b, WINDOW.0 - PANEL..WINDOW.0, 0..WINDOW.1);
     let left = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0 - PANEL, 0..WINDOW.1 - HINT);
-    let hint = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0 - PANEL, WINDOW.1 - HINT..WINDOW.1) > 0.0;
+    let hint =
+        |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0 - PANEL, WINDOW.1 - HINT..WINDOW.1) > 0.0;
     desktop.press("F1");
     desktop.settled("help", |shot| changed(shot, &start) > 0.1);
     desktop.press("F1");
     desktop.settled("no help", |shot| *shot == start);
     desktop.press("p");
     let panel = desktop.settled("panel", |shot| right(shot, &start) > 0.5);
-    assert_eq!(left(&panel, &start), 0.0, "the panel covers more than its side");
+    assert_eq!(
+        left(&panel, &start),
+        0.0,
+        "the panel covers more than its side"
+    );
     // Into the field `name`: g, F2 and p would change the sky, the disk and the panel.
     desktop.click(1300, 92);
     let focused = desktop.settled("the field has the keyboard", |shot| *shot != panel);
@@ -85,7 +102,11 @@ fn overlays_open_and_close_and_text_fields_keep_the_keyboard() {
     desktop.press("F2");
     // The name is also in the hint.
     let typed = desktop.settled("typed", |shot| hint(shot, &focused));
-    assert_eq!(left(&typed, &start), 0.0, "a key acted although a text field had the keyboard");
+    assert_eq!(
+        left(&typed, &start),
+        0.0,
+        "a key acted although a text field had the keyboard"
+    );
     // Beside it the keyboard is the picture's again.
     desktop.click(1300, 800);
     desktop.press("F2");
@@ -103,7 +124,9 @@ fn overlays_open_and_close_and_text_fields_keep_the_keyboard() {
 
 #[test]
 fn screenshots_are_files_that_replace_no_other() {
-    let Some(desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let Some(desktop) = Desktop::open(&["--preset", "2"]) else {
+        return;
+    };
     let start = desktop.first_picture();
     let pictures = desktop.home.path().join("Pictures");
     for number in 1..=2 {
@@ -112,12 +135,22 @@ fn screenshots_are_files_that_replace_no_other() {
         desktop.wait("the screenshot", || image::open(&file).is_ok());
         desktop.settled("the path is shown", |shot| *shot != start);
         let picture = image::open(&file).unwrap().to_rgb8();
-        assert_eq!((picture.width() as usize, picture.height() as usize), WINDOW);
+        assert_eq!(
+            (picture.width() as usize, picture.height() as usize),
+            WINDOW
+        );
         for (x, y) in [(700, 300), (300, 430), (1000, 100)] {
-            assert_eq!(picture.get_pixel(x, y).0, start.pixel(x as usize, y as usize), "pixel {x}, {y}");
+            assert_eq!(
+                picture.get_pixel(x, y).0,
+                start.pixel(x as usize, y as usize),
+                "pixel {x}, {y}"
+            );
         }
         let preset = embedded_preset(&std::fs::read(&file).unwrap()).unwrap();
-        assert!(preset.contains("name = \"edge-on\"") && preset.contains("camera"), "{preset}");
+        assert!(
+            preset.contains("name = \"edge-on\"") && preset.contains("camera"),
+            "{preset}"
+        );
     }
     assert_eq!(std::fs::read_dir(pictures).unwrap().count(), 2);
 }

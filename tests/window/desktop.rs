@@ -1,4 +1,5 @@
-//! A display of the test's own: Xvfb, the program's window on it, keys by xdotool, pictures from the X server.
+//! A display of the test's own: Xvfb, the program's window on it, keys by xdotool, pictures from
+//! the X server.
 
 use crate::HINT;
 use crate::frames::Frames;
@@ -15,7 +16,8 @@ use x11rb::rust_connection::RustConnection;
 const SCREEN: (u16, u16) = (1500, 900);
 /// Time that a software renderer on a busy machine may need for a first picture, or for one more.
 const PATIENCE: Duration = Duration::from_secs(120);
-/// What stays the same for so long, and over so many frames, stays: the screen shows a frame some frames after its keys.
+/// What stays the same for so long, and over so many frames, stays: the screen shows a frame some
+/// frames after its keys.
 const REST: Duration = Duration::from_millis(1200);
 const FRAMES: usize = 4;
 /// Longest time to wait for frames: a window that is not to be seen shows none.
@@ -39,8 +41,8 @@ pub struct Desktop {
 }
 
 impl Desktop {
-    /// Opens a display and the program's window on it. None, with the reason printed, where that is impossible and not
-    /// required.
+    /// Opens a display and the program's window on it. None, with the reason printed, where that is
+    /// impossible and not required.
     pub fn open(arguments: &[&str]) -> Option<Self> {
         Self::open_program(Path::new(env!("CARGO_BIN_EXE_lightfall")), arguments)
     }
@@ -52,7 +54,12 @@ impl Desktop {
 
     /// As [`open`](Self::open), with files beside the settings.
     pub fn open_prepared(files: &[(&str, String)], arguments: &[&str]) -> Option<Self> {
-        Self::start(SCREEN, Path::new(env!("CARGO_BIN_EXE_lightfall")), files, arguments)
+        Self::start(
+            SCREEN,
+            Path::new(env!("CARGO_BIN_EXE_lightfall")),
+            files,
+            arguments,
+        )
     }
 
     /// As [`open`](Self::open), for another program with a window of the same name.
@@ -65,7 +72,12 @@ impl Desktop {
         Self::start(screen, program, &[], arguments)
     }
 
-    fn start(screen: (u16, u16), program: &Path, files: &[(&str, String)], arguments: &[&str]) -> Option<Self> {
+    fn start(
+        screen: (u16, u16),
+        program: &Path,
+        files: &[(&str, String)],
+        arguments: &[&str],
+    ) -> Option<Self> {
         for tool in ["Xvfb", "xdotool"] {
             if Command::new("sh")
                 .args(["-c", &format!("command -v {tool}")])
@@ -74,19 +86,30 @@ impl Desktop {
             {
                 continue;
             }
-            let required = std::env::var_os("LIGHTFALL_REQUIRE_GPU").is_some_and(|value| value == "1");
+            let required =
+                std::env::var_os("LIGHTFALL_REQUIRE_GPU").is_some_and(|value| value == "1");
             assert!(!required, "{tool} is missing; ./check installs it");
             println!("skipped: no {tool}");
             return None;
         }
         let mut server = Command::new("Xvfb")
-            .args(["-displayfd", "1", "-nolisten", "tcp", "-screen", "0", &format!("{}x{}x24", screen.0, screen.1)])
+            .args([
+                "-displayfd",
+                "1",
+                "-nolisten",
+                "tcp",
+                "-screen",
+                "0",
+                &format!("{}x{}x24", screen.0, screen.1),
+            ])
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()
             .unwrap();
         let mut number = String::new();
-        BufReader::new(server.stdout.take().unwrap()).read_line(&mut number).unwrap();
+        BufReader::new(server.stdout.take().unwrap())
+            .read_line(&mut number)
+            .unwrap();
         let display = format!(":{}", number.trim());
         let home = tempfile::tempdir().unwrap();
         std::fs::create_dir(home.path().join("Pictures")).unwrap();
@@ -109,18 +132,39 @@ impl Desktop {
         let (connection, number) = x11rb::connect(Some(&display)).unwrap();
         let root = connection.setup().roots[number].root;
         let (window, frames) = (String::new(), None);
-        let mut desktop = Self { server, program, started, home, display, connection, root, screen, window, frames };
+        let mut desktop = Self {
+            server,
+            program,
+            started,
+            home,
+            display,
+            connection,
+            root,
+            screen,
+            window,
+            frames,
+        };
         desktop.window = desktop.wait_for_window();
-        desktop.frames = Some(Frames::of(&desktop.display, desktop.window.parse().unwrap()));
+        desktop.frames = Some(Frames::of(
+            &desktop.display,
+            desktop.window.parse().unwrap(),
+        ));
         // No window manager runs here, so nobody else gives the window the keyboard.
         desktop.xdotool(&["windowfocus", "--sync", &desktop.window.clone()]);
         Some(desktop)
     }
 
     pub fn xdotool(&self, arguments: &[&str]) -> String {
-        let output = Command::new("xdotool").args(arguments).env("DISPLAY", &self.display).output().unwrap();
+        let output = Command::new("xdotool")
+            .args(arguments)
+            .env("DISPLAY", &self.display)
+            .output()
+            .unwrap();
         // A search without a result is no failure of the tool.
-        assert!(output.status.success() || arguments[0] == "search", "xdotool {arguments:?} failed");
+        assert!(
+            output.status.success() || arguments[0] == "search",
+            "xdotool {arguments:?} failed"
+        );
         String::from_utf8_lossy(&output.stdout).trim().to_owned()
     }
 
@@ -150,7 +194,10 @@ impl Desktop {
     pub fn until(&self, what: &str, condition: impl Fn(&Shot) -> bool) -> Duration {
         let start = Instant::now();
         while !condition(&self.shot()) {
-            assert!(start.elapsed() < PATIENCE, "{what}: the screen did not come to show it");
+            assert!(
+                start.elapsed() < PATIENCE,
+                "{what}: the screen did not come to show it"
+            );
         }
         start.elapsed()
     }
@@ -172,9 +219,17 @@ impl Desktop {
 
     /// Memory that the program holds, in bytes.
     pub fn memory(&self) -> usize {
-        let status = std::fs::read_to_string(format!("/proc/{}/status", self.program.id())).unwrap();
-        let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:")).unwrap();
-        1024 * line.trim().trim_end_matches(" kB").parse::<usize>().unwrap()
+        let status =
+            std::fs::read_to_string(format!("/proc/{}/status", self.program.id())).unwrap();
+        let line = status
+            .lines()
+            .find_map(|line| line.strip_prefix("VmRSS:"))
+            .unwrap();
+        1024 * line
+            .trim()
+            .trim_end_matches(" kB")
+            .parse::<usize>()
+            .unwrap()
     }
 
     /// Moves the pointer to a place of the window.
@@ -182,8 +237,8 @@ impl Desktop {
         self.xdotool(&["mousemove", &x.to_string(), &y.to_string()]);
     }
 
-    /// Clicks with the left button at a place of the window. The program sees the pointer before it sees the button, as
-    /// from a hand, and what the click leads to before anything else comes.
+    /// Clicks with the left button at a place of the window. The program sees the pointer before it
+    /// sees the button, as from a hand, and what the click leads to before anything else comes.
     pub fn click(&self, x: i32, y: i32) {
         self.point(x, y);
         self.frames(FRAMES);
@@ -199,7 +254,9 @@ impl Desktop {
 
     /// Waits for so many frames more.
     pub fn frames(&self, count: usize) {
-        let (Some(frames), start) = (&self.frames, Instant::now()) else { return };
+        let (Some(frames), start) = (&self.frames, Instant::now()) else {
+            return;
+        };
         let last = frames.shown() + count;
         while frames.shown() < last && start.elapsed() < LONGEST {
             std::thread::sleep(Duration::from_millis(10));
@@ -218,7 +275,11 @@ impl Desktop {
     pub fn wait(&self, what: &str, so: impl Fn() -> bool) {
         let start = Instant::now();
         while !so() {
-            assert!(start.elapsed() < PATIENCE, "{what} does not come: {}", self.said());
+            assert!(
+                start.elapsed() < PATIENCE,
+                "{what} does not come: {}",
+                self.said()
+            );
             std::thread::sleep(Duration::from_millis(50));
         }
     }
@@ -251,7 +312,12 @@ impl Desktop {
     }
 
     pub fn look(&self, right: i32, down: i32) {
-        self.xdotool(&["mousemove_relative", "--", &right.to_string(), &down.to_string()]);
+        self.xdotool(&[
+            "mousemove_relative",
+            "--",
+            &right.to_string(),
+            &down.to_string(),
+        ]);
     }
 
     pub fn title(&self) -> String {
@@ -269,7 +335,8 @@ impl Desktop {
         Shot::new(width.into(), height.into(), image.data)
     }
 
-    /// The screen once there is a picture, whole: more than the lines of text at the bottom, and at rest.
+    /// The screen once there is a picture, whole: more than the lines of text at the bottom, and at
+    /// rest.
     pub fn first_picture(&self) -> Shot {
         // On a busy machine bloom and the probe's meshes come some frames after the light.
         let lit = |shot: &Shot| shot.rows(0..self.size().1.saturating_sub(HINT)).colours() > 2;
@@ -277,7 +344,8 @@ impl Desktop {
         self.settled("first picture at rest", lit)
     }
 
-    /// The screen once two looks in a row, some frames and time apart, are the same and pass the condition.
+    /// The screen once two looks in a row, some frames and time apart, are the same and pass the
+    /// condition.
     pub fn settled(&self, what: &str, condition: impl Fn(&Shot) -> bool) -> Shot {
         let start = Instant::now();
         let mut last = self.shot();
@@ -289,7 +357,10 @@ impl Desktop {
             if now == last && condition(&now) {
                 return now;
             }
-            assert!(start.elapsed() < PATIENCE, "{what}: the picture did not come to rest as expected");
+            assert!(
+                start.elapsed() < PATIENCE,
+                "{what}: the picture did not come to rest as expected"
+            );
             last = now;
         }
     }

@@ -15,35 +15,46 @@ struct Destroy(bool);
 
 fn destroy(wanted: If<Res<Destroy>>, device: Res<RenderDevice>) {
     if wanted.0.0 {
-        // Between two frames: within one, Bevy's own clock of the passes reads a buffer that is gone with the device.
+        // Between two frames: within one, Bevy's own clock of the passes reads a buffer that is
+        // gone with the device.
         device.wgpu_device().destroy();
         // What this answers is the loss itself.
         let _ = device.poll(PollType::wait_indefinitely());
     }
 }
 
-/// The program with one key more: Home destroys the device. No test of its own: the one below starts it as another process,
-/// for a window wants a main thread, and a display of its own.
+/// The program with one key more: Home destroys the device. No test of its own: the one below
+/// starts it as another process, for a window wants a main thread, and a display of its own.
 #[test]
 #[ignore = "started by the test of device loss"]
 fn program_that_loses_its_device() {
     let mut app = program();
-    app.init_resource::<Destroy>().add_plugins(ExtractResourcePlugin::<Destroy>::default()).add_systems(
-        Update,
-        |keys: Res<ButtonInput<KeyCode>>, mut destroy: ResMut<Destroy>| {
-            destroy.0 = keys.just_pressed(KeyCode::Home);
-        },
-    );
-    app.sub_app_mut(RenderApp).add_systems(Render, destroy.in_set(RenderSystems::Cleanup));
+    app.init_resource::<Destroy>()
+        .add_plugins(ExtractResourcePlugin::<Destroy>::default())
+        .add_systems(
+            Update,
+            |keys: Res<ButtonInput<KeyCode>>, mut destroy: ResMut<Destroy>| {
+                destroy.0 = keys.just_pressed(KeyCode::Home);
+            },
+        );
+    app.sub_app_mut(RenderApp)
+        .add_systems(Render, destroy.in_set(RenderSystems::Cleanup));
     assert_eq!(app.run(), AppExit::Success);
 }
 
 #[test]
 fn a_lost_device_is_replaced_and_the_scene_is_kept() {
     let program = std::env::current_exe().unwrap();
-    let only =
-        ["--exact", "device_loss::program_that_loses_its_device", "--ignored", "--test-threads=1", "--nocapture"];
-    let Some(mut desktop) = Desktop::open_program(&program, &only) else { return };
+    let only = [
+        "--exact",
+        "device_loss::program_that_loses_its_device",
+        "--ignored",
+        "--test-threads=1",
+        "--nocapture",
+    ];
+    let Some(mut desktop) = Desktop::open_program(&program, &only) else {
+        return;
+    };
     desktop.first_picture();
     // A scene that is not the one it began with, meshes and lamps in it, and a panel over it.
     desktop.press("6");
@@ -54,8 +65,12 @@ fn a_lost_device_is_replaced_and_the_scene_is_kept() {
     let changed = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, 0..WINDOW.1 - 2 * HINT);
     for loss in 1..=2 {
         desktop.press("Home");
-        desktop.wait("the loss", || desktop.said().matches("opening it again").count() == loss);
-        desktop.settled(&format!("loss {loss}"), |shot| changed(shot, &before) == 0.0);
+        desktop.wait("the loss", || {
+            desktop.said().matches("opening it again").count() == loss
+        });
+        desktop.settled(&format!("loss {loss}"), |shot| {
+            changed(shot, &before) == 0.0
+        });
         assert!(desktop.running(), "{}", desktop.said());
     }
     // It still does what it is told.

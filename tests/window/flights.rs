@@ -12,7 +12,9 @@ fn moves(desktop: &Desktop, why: &str) {
 
 #[test]
 fn the_journey_starts_stops_and_gives_way_to_the_hand() {
-    let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else {
+        return;
+    };
     let start = desktop.first_picture();
     desktop.press("j");
     moves(&desktop, "J starts no journey");
@@ -21,11 +23,15 @@ fn the_journey_starts_stops_and_gives_way_to_the_hand() {
     desktop.press("j");
     moves(&desktop, "J does not go on");
     desktop.hold("s", Duration::from_millis(400));
-    desktop.settled("flying backward takes over", |shot| changed(shot, &stopped) > 0.01);
+    desktop.settled("flying backward takes over", |shot| {
+        changed(shot, &stopped) > 0.01
+    });
     desktop.press("Return");
     moves(&desktop, "Enter starts no journey");
     desktop.press("j");
-    let far = desktop.settled("near the journey's start", |shot| changed(shot, &start) > 0.01);
+    let far = desktop.settled("near the journey's start", |shot| {
+        changed(shot, &start) > 0.01
+    });
     // From 160 r_s the whole of it is small: the lower edge of the picture is sky.
     let edge = |y: usize| (0..1440).all(|x| far.pixel(x, y).iter().all(|&channel| channel < 200));
     assert!(edge(700) && edge(650), "no view from afar");
@@ -35,7 +41,9 @@ fn the_journey_starts_stops_and_gives_way_to_the_hand() {
 #[test]
 fn who_is_let_go_falls_through_the_horizon_a_card_says_where_it_ends_and_backspace_leads_back() {
     for spin in ["0", "0.9"] {
-        let Some(mut desktop) = Desktop::open(&["--preset", "9", "--spin", spin]) else { return };
+        let Some(mut desktop) = Desktop::open(&["--preset", "9", "--spin", spin]) else {
+            return;
+        };
         let start = desktop.first_picture();
         desktop.press("f");
         moves(&desktop, "F lets nothing go");
@@ -49,9 +57,17 @@ fn who_is_let_go_falls_through_the_horizon_a_card_says_where_it_ends_and_backspa
         let end = desktop.settled("the end of the fall", |shot| changed(shot, &held) > 0.01);
         // The next key puts the card away, which covers the middle. This one does nothing else.
         desktop.press("Escape");
-        desktop.settled("the card goes", |shot| shot.changed(&end, 500..940, 350..460) > 0.1);
+        desktop.settled("the card goes", |shot| {
+            shot.changed(&end, 500..940, 350..460) > 0.1
+        });
         desktop.press("BackSpace");
-        desktop.settled("back where it was let go", |shot| changed(shot, &held) == 0.0);
-        assert!(desktop.running() && !desktop.said().contains("ERROR"), "spin {spin}: {}", desktop.said());
+        desktop.settled("back where it was let go", |shot| {
+            changed(shot, &held) == 0.0
+        });
+        assert!(
+            desktop.running() && !desktop.said().contains("ERROR"),
+            "spin {spin}: {}",
+            desktop.said()
+        );
     }
 }

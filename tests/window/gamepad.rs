@@ -1,10 +1,13 @@
-//! A gamepad in the window. Its messages are Bevy's own, as the reader of the hardware writes them; no hardware is needed.
+//! A gamepad in the window. Its messages are Bevy's own, as the reader of the hardware writes them;
+//! no hardware is needed.
 
 use crate::desktop::Desktop;
 use crate::shot::Shot;
 use crate::{HINT, WINDOW, program};
 use bevy::input::gamepad::{GamepadConnection, GamepadConnectionEvent, RawGamepadEvent};
-use bevy::input::gamepad::{GamepadInput, RawGamepadAxisChangedEvent, RawGamepadButtonChangedEvent};
+use bevy::input::gamepad::{
+    GamepadInput, RawGamepadAxisChangedEvent, RawGamepadButtonChangedEvent,
+};
 use bevy::prelude::*;
 use lightfall::flight::{Guide, Pace};
 use lightfall::render::CurrentScene;
@@ -12,12 +15,28 @@ use std::time::{Duration, Instant};
 
 /// What a key has the pad do: which part of it is pushed for a second, so long after the key.
 const HANDS: [(KeyCode, GamepadInput, u64); 6] = [
-    (KeyCode::Insert, GamepadInput::Axis(GamepadAxis::LeftStickY), 6),
-    (KeyCode::Delete, GamepadInput::Axis(GamepadAxis::RightStickX), 0),
+    (
+        KeyCode::Insert,
+        GamepadInput::Axis(GamepadAxis::LeftStickY),
+        6,
+    ),
+    (
+        KeyCode::Delete,
+        GamepadInput::Axis(GamepadAxis::RightStickX),
+        0,
+    ),
     (KeyCode::KeyK, GamepadInput::Button(GamepadButton::South), 0),
-    (KeyCode::KeyY, GamepadInput::Button(GamepadButton::DPadRight), 0),
+    (
+        KeyCode::KeyY,
+        GamepadInput::Button(GamepadButton::DPadRight),
+        0,
+    ),
     (KeyCode::F10, GamepadInput::Button(GamepadButton::Start), 0),
-    (KeyCode::Backquote, GamepadInput::Button(GamepadButton::RightTrigger), 0),
+    (
+        KeyCode::Backquote,
+        GamepadInput::Button(GamepadButton::RightTrigger),
+        0,
+    ),
 ];
 const PUSHED: Duration = Duration::from_secs(1);
 
@@ -38,22 +57,34 @@ fn hand(
 ) {
     let pad = *hand.pad.get_or_insert_with(|| commands.spawn_empty().id());
     if keys.just_pressed(KeyCode::Home) {
-        let connection =
-            GamepadConnection::Connected { name: "Pad of the test".into(), vendor_id: None, product_id: None };
+        let connection = GamepadConnection::Connected {
+            name: "Pad of the test".into(),
+            vendor_id: None,
+            product_id: None,
+        };
         connections.write(GamepadConnectionEvent::new(pad, connection));
     }
     if keys.just_pressed(KeyCode::End) {
-        connections.write(GamepadConnectionEvent::new(pad, GamepadConnection::Disconnected));
+        connections.write(GamepadConnectionEvent::new(
+            pad,
+            GamepadConnection::Disconnected,
+        ));
     }
     for (key, input, after) in HANDS {
         if keys.just_pressed(key) {
             hand.pushed = Some((input, Instant::now() + Duration::from_secs(after), false));
         }
     }
-    let Some((input, start, pushed)) = &mut hand.pushed else { return };
+    let Some((input, start, pushed)) = &mut hand.pushed else {
+        return;
+    };
     let push = |value: f32| match *input {
-        GamepadInput::Axis(axis) => RawGamepadEvent::Axis(RawGamepadAxisChangedEvent::new(pad, axis, value)),
-        GamepadInput::Button(button) => RawGamepadEvent::Button(RawGamepadButtonChangedEvent::new(pad, button, value)),
+        GamepadInput::Axis(axis) => {
+            RawGamepadEvent::Axis(RawGamepadAxisChangedEvent::new(pad, axis, value))
+        }
+        GamepadInput::Button(button) => {
+            RawGamepadEvent::Button(RawGamepadButtonChangedEvent::new(pad, button, value))
+        }
     };
     let camera = &scene.camera;
     let state = format!(
@@ -93,12 +124,20 @@ fn used(desktop: &Desktop, key: &str) -> [Vec<String>; 2] {
     desktop.press(key);
     let start = Instant::now();
     while count(&desktop.said()) == before {
-        assert!(start.elapsed() < Duration::from_secs(30), "{key}: {}", desktop.said());
+        assert!(
+            start.elapsed() < Duration::from_secs(30),
+            "{key}: {}",
+            desktop.said()
+        );
         std::thread::sleep(Duration::from_millis(100));
     }
     let said = desktop.said();
     ["before: ", "after: "].map(|what| {
-        let line = said.lines().filter_map(|line| line.strip_prefix(what)).next_back().unwrap();
+        let line = said
+            .lines()
+            .filter_map(|line| line.strip_prefix(what))
+            .next_back()
+            .unwrap();
         line.split(' ').map(str::to_owned).collect()
     })
 }
@@ -115,18 +154,29 @@ fn number(state: &[String], name: &str) -> f64 {
 #[test]
 fn a_gamepad_flies_looks_presses_wakes_the_window_and_comes_and_goes() {
     let program = std::env::current_exe().unwrap();
-    let only = ["--exact", "gamepad::program_with_a_gamepad", "--ignored", "--test-threads=1", "--nocapture"];
-    let Some(desktop) = Desktop::open_program(&program, &only) else { return };
+    let only = [
+        "--exact",
+        "gamepad::program_with_a_gamepad",
+        "--ignored",
+        "--test-threads=1",
+        "--nocapture",
+    ];
+    let Some(desktop) = Desktop::open_program(&program, &only) else {
+        return;
+    };
     let start = desktop.settled("first picture", |shot| shot.colours() > 50);
     desktop.press("Home");
     let hint = |shot: &Shot| start.changed(shot, 0..WINDOW.0, WINDOW.1 - 2 * HINT..WINDOW.1) > 0.0;
     desktop.until("it is said that a pad came", hint);
 
-    // Nothing but the pad tells the resting window to wake. How much of the second counts is the machine's: a frame that
-    // takes longer than a quarter of one moves no farther.
+    // Nothing but the pad tells the resting window to wake. How much of the second counts is the
+    // machine's: a frame that takes longer than a quarter of one moves no farther.
     let about = |factor: f64| (0.4..1.6).contains(&factor);
     let [before, after] = used(&desktop, "Insert");
-    assert_eq!([value(&before, "resting"), value(&after, "resting")], ["true", "false"]);
+    assert_eq!(
+        [value(&before, "resting"), value(&after, "resting")],
+        ["true", "false"]
+    );
     // Nearer by the same share as with a key: 0.4 of the distance to the horizon a second.
     let nearer = ((number(&before, "r") - 1.0) / (number(&after, "r") - 1.0)).ln() / 0.4;
     assert!(about(nearer), "{nearer}: {before:?} {after:?}");
@@ -136,17 +186,32 @@ fn a_gamepad_flies_looks_presses_wakes_the_window_and_comes_and_goes() {
     let turned = (number(&after, "yaw") - number(&before, "yaw")) / number(&before, "fov");
     assert!(about(turned), "{turned}: {before:?} {after:?}");
     // The place is made of the pose again, and rounded.
-    assert!((number(&before, "r") - number(&after, "r")).abs() < 1e-9, "{before:?} {after:?}");
+    assert!(
+        (number(&before, "r") - number(&after, "r")).abs() < 1e-9,
+        "{before:?} {after:?}"
+    );
     let [before, after] = used(&desktop, "grave");
-    assert!(number(&after, "roll") != number(&before, "roll"), "{before:?} {after:?}");
+    assert!(
+        number(&after, "roll") != number(&before, "roll"),
+        "{before:?} {after:?}"
+    );
 
     // The journey by a button; the stick takes over.
     let [before, after] = used(&desktop, "k");
-    assert_eq!([value(&before, "journey"), value(&after, "journey")], ["false", "true"]);
+    assert_eq!(
+        [value(&before, "journey"), value(&after, "journey")],
+        ["false", "true"]
+    );
     let [before, after] = used(&desktop, "Delete");
-    assert_eq!([value(&before, "journey"), value(&after, "journey")], ["true", "false"]);
+    assert_eq!(
+        [value(&before, "journey"), value(&after, "journey")],
+        ["true", "false"]
+    );
     let [before, after] = used(&desktop, "y");
-    assert_eq!([value(&before, "preset"), value(&after, "preset")], ["edge-on", "above"]);
+    assert_eq!(
+        [value(&before, "preset"), value(&after, "preset")],
+        ["edge-on", "above"]
+    );
 
     let right = |a: &Shot, b: &Shot| a.changed(b, WINDOW.0 - 300..WINDOW.0, 100..WINDOW.1);
     let closed = desktop.settled("preset 3", |_| true);
@@ -156,6 +221,14 @@ fn a_gamepad_flies_looks_presses_wakes_the_window_and_comes_and_goes() {
     desktop.press("End");
     std::thread::sleep(Duration::from_millis(500));
     let [before, after] = used(&desktop, "Delete");
-    assert_eq!(value(&before, "yaw"), value(&after, "yaw"), "a pad that is gone still turns the camera");
-    assert!(!desktop.said().contains("ERROR") && !desktop.said().contains("panicked"), "{}", desktop.said());
+    assert_eq!(
+        value(&before, "yaw"),
+        value(&after, "yaw"),
+        "a pad that is gone still turns the camera"
+    );
+    assert!(
+        !desktop.said().contains("ERROR") && !desktop.said().contains("panicked"),
+        "{}",
+        desktop.said()
+    );
 }

@@ -13,7 +13,9 @@ const INSPECTOR: usize = 420;
 
 #[test]
 fn a_click_tells_the_ray_of_that_pixel_and_copies_it() {
-    let Some(desktop) = Desktop::open(&["--preset", "2", "--spin", "0.7"]) else { return };
+    let Some(desktop) = Desktop::open(&["--preset", "2", "--spin", "0.7"]) else {
+        return;
+    };
     let start = desktop.first_picture();
     desktop.press("i");
     let shows = |shot: &Shot, other: &Shot| shot.changed(other, 0..INSPECTOR, 0..400);
@@ -30,26 +32,44 @@ fn a_click_tells_the_ray_of_that_pixel_and_copies_it() {
         assert_eq!(json["pixel"], serde_json::json!([pixel.x, pixel.y]));
         let ray = Ray::toward(scene.camera.looking(pixel, DVec2::new(960.0, 540.0)));
         let direction = scene.camera.legs_from_camera() * ray.direction();
-        let expected = Inspected::new(&scene, direction, Some(pixel.to_array()), 120.0).unwrap().numbers;
+        let expected = Inspected::new(&scene, direction, Some(pixel.to_array()), 120.0)
+            .unwrap()
+            .numbers;
         let expected = serde_json::to_value(&expected).unwrap();
-        for field in ["cpu", "impact_parameter", "lambda", "eta", "closest_r", "half_turns", "order", "hit1_delay"] {
+        for field in [
+            "cpu",
+            "impact_parameter",
+            "lambda",
+            "eta",
+            "closest_r",
+            "half_turns",
+            "order",
+            "hit1_delay",
+        ] {
             same(field, &json[field], &expected[field]);
         }
         assert_eq!(json["difference"]["same_class"], true, "{json}");
         assert_eq!(json["gpu"]["outcome"], json["cpu"]["outcome"]);
         // What method mino states of itself.
-        assert!(json["difference"]["backward"].as_f64().unwrap() < 1e-5, "{json}");
+        assert!(
+            json["difference"]["backward"].as_f64().unwrap() < 1e-5,
+            "{json}"
+        );
     }
 }
 
 #[test]
 fn the_wheel_over_a_panel_that_just_opened_is_the_panels() {
-    let Some(desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let Some(desktop) = Desktop::open(&["--preset", "2"]) else {
+        return;
+    };
     let start = desktop.first_picture();
     // Within the inspector to be, and the speed that the hint tells stays as it is.
     desktop.point(200, 300);
     desktop.press("i");
-    let before = desktop.settled("inspector", |shot| shot.changed(&start, 0..INSPECTOR, 0..400) > 0.3);
+    let before = desktop.settled("inspector", |shot| {
+        shot.changed(&start, 0..INSPECTOR, 0..400) > 0.3
+    });
     desktop.press("i");
     desktop.settled("no inspector", |shot| *shot != before);
     desktop.press("i");
@@ -64,18 +84,26 @@ fn copied(desktop: &Desktop) -> serde_json::Value {
         desktop.click(123, 45);
         std::thread::sleep(Duration::from_millis(300));
         let text = desktop.clipboard();
-        let json = text.and_then(|text| serde_json::from_str::<serde_json::Value>(&text).ok()).unwrap_or_default();
+        let json = text
+            .and_then(|text| serde_json::from_str::<serde_json::Value>(&text).ok())
+            .unwrap_or_default();
         if !json["gpu"].is_null() {
             return json;
         }
-        assert!(start.elapsed() < Duration::from_secs(40), "no JSON with the GPU's answer: {json}");
+        assert!(
+            start.elapsed() < Duration::from_secs(40),
+            "no JSON with the GPU's answer: {json}"
+        );
     }
 }
 
 /// Whether two values are the same, numbers but for the last place, which a JSON reader may miss.
 fn same(field: &str, a: &serde_json::Value, b: &serde_json::Value) {
     match (a.as_f64(), b.as_f64()) {
-        (Some(x), Some(y)) => assert!((x - y).abs() <= 4.0 * f64::EPSILON * y.abs(), "{field}: {x} and not {y}"),
+        (Some(x), Some(y)) => assert!(
+            (x - y).abs() <= 4.0 * f64::EPSILON * y.abs(),
+            "{field}: {x} and not {y}"
+        ),
         _ if a.is_object() => {
             for (name, value) in a.as_object().unwrap() {
                 same(name, value, &b[name]);

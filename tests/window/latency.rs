@@ -38,7 +38,10 @@ fn watch(
         commands.spawn(Screenshot::primary_window()).observe(
             move |shot: On<ScreenshotCaptured>, before: Res<Before>| {
                 let same = picture(shot.image.data.as_deref()) == picture(before.0.as_deref());
-                eprintln!("frame {later}: {}", if same { "as before" } else { "changed" });
+                eprintln!(
+                    "frame {later}: {}",
+                    if same { "as before" } else { "changed" }
+                );
             },
         );
     }
@@ -54,23 +57,39 @@ fn picture(window: Option<&[u8]>) -> Option<&[u8]> {
 #[ignore = "started by the test of latency"]
 fn program_that_watches_its_frames() {
     let mut app = program();
-    app.init_resource::<Before>().init_resource::<Pressed>().add_systems(Update, watch);
+    app.init_resource::<Before>()
+        .init_resource::<Pressed>()
+        .add_systems(Update, watch);
     assert_eq!(app.run(), AppExit::Success);
 }
 
 #[test]
 fn a_key_is_in_the_picture_of_the_same_frame_or_the_next() {
     let program = std::env::current_exe().unwrap();
-    let only = ["--exact", "latency::program_that_watches_its_frames", "--ignored", "--test-threads=1", "--nocapture"];
-    let Some(desktop) = Desktop::open_program(&program, &only) else { return };
+    let only = [
+        "--exact",
+        "latency::program_that_watches_its_frames",
+        "--ignored",
+        "--test-threads=1",
+        "--nocapture",
+    ];
+    let Some(desktop) = Desktop::open_program(&program, &only) else {
+        return;
+    };
     desktop.first_picture();
     desktop.press("Home");
     let before = desktop.settled("kept", |_| desktop.said().contains("kept"));
     desktop.press("equal");
-    desktop.settled("more light", |shot| *shot != before && desktop.said().contains("frame 3"));
+    desktop.settled("more light", |shot| {
+        *shot != before && desktop.said().contains("frame 3")
+    });
     let said = desktop.said();
     println!("{said}");
-    // The screen shows a frame while the program works on the next one: in frame 0 or 1 is on the screen within two frames.
+    // The screen shows a frame while the program works on the next one: in frame 0 or 1 is on the
+    // screen within two frames.
     let first = (0..4).find(|frame| said.contains(&format!("frame {frame}: changed")));
-    assert!(first.is_some_and(|frame| frame <= 1), "the key was first seen in frame {first:?} after it: {said}");
+    assert!(
+        first.is_some_and(|frame| frame <= 1),
+        "the key was first seen in frame {first:?} after it: {said}"
+    );
 }

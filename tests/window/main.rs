@@ -43,28 +43,46 @@ fn changed(a: &Shot, b: &Shot) -> f64 {
 
 #[test]
 fn keys_change_what_they_say_and_the_window_stays() {
-    let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else {
+        return;
+    };
     let start = desktop.first_picture();
     let top_left = |shot: &Shot| start.changed(shot, 0..120, 0..80);
     let middle = |shot: &Shot| start.changed(shot, 480..960, 270..540);
     // Pixels of the hint's letters, which are a light grey.
     let letters = |shot: &Shot| {
         let pixels = (WINDOW.1 - 60..WINDOW.1).flat_map(|y| (0..WINDOW.0).map(move |x| (x, y)));
-        pixels.filter(|&(x, y)| shot.pixel(x, y).iter().all(|channel| (195..=215).contains(channel))).count()
+        pixels
+            .filter(|&(x, y)| {
+                shot.pixel(x, y)
+                    .iter()
+                    .all(|channel| (195..=215).contains(channel))
+            })
+            .count()
     };
-    assert!(letters(&start) > 500, "no hint: {} pixels of letters", letters(&start));
+    assert!(
+        letters(&start) > 500,
+        "no hint: {} pixels of letters",
+        letters(&start)
+    );
 
-    // The dither pattern stands still: settled() has just seen two equal pictures more than a second apart. Now the keys,
-    // each pressed twice (or, for G, three times), which leads back.
+    // The dither pattern stands still: settled() has just seen two equal pictures more than a
+    // second apart. Now the keys, each pressed twice (or, for G, three times), which leads back.
     desktop.press("F2");
     let no_disk = desktop.settled("F2", |shot| middle(shot) > 0.2);
-    assert!(middle(&no_disk) > 4.0 * top_left(&no_disk), "F2 changed the sky as much as the disk");
+    assert!(
+        middle(&no_disk) > 4.0 * top_left(&no_disk),
+        "F2 changed the sky as much as the disk"
+    );
     desktop.press("F2");
     desktop.settled("F2 again", |shot| *shot == start);
 
     desktop.press("F7");
     let bypassed = desktop.settled("F7", |shot| changed(shot, &start) > 0.1);
-    assert!(bypassed.colours() > 2 * start.colours(), "F7 left the colours quantized");
+    assert!(
+        bypassed.colours() > 2 * start.colours(),
+        "F7 left the colours quantized"
+    );
     desktop.press("F7");
     desktop.settled("F7 again", |shot| *shot == start);
 
@@ -74,7 +92,9 @@ fn keys_change_what_they_say_and_the_window_stays() {
     assert!(letters(&grid) > 500, "G took the hint away");
     desktop.press("g");
     let dark = desktop.settled("G, off", |shot| changed(shot, &grid) > 0.02);
-    assert!((0..80).all(|y| (0..120).all(|x| dark.pixel(x, y).iter().all(|&channel| channel < 32))));
+    assert!(
+        (0..80).all(|y| (0..120).all(|x| dark.pixel(x, y).iter().all(|&channel| channel < 32)))
+    );
     desktop.press("g");
     desktop.settled("G, stars", |shot| *shot == start);
 
@@ -91,8 +111,14 @@ fn keys_change_what_they_say_and_the_window_stays() {
 
     for number in 1..=9 {
         desktop.press(&number.to_string());
-        desktop.settled(&format!("preset {number}"), |shot| changed(shot, &turned) > 0.02);
-        let title = presets::find(&number.to_string()).unwrap().scene(&[]).unwrap().title;
+        desktop.settled(&format!("preset {number}"), |shot| {
+            changed(shot, &turned) > 0.02
+        });
+        let title = presets::find(&number.to_string())
+            .unwrap()
+            .scene(&[])
+            .unwrap()
+            .title;
         assert_eq!(desktop.title(), format!("Lightfall: {title}"));
     }
     assert!(desktop.running());
@@ -100,34 +126,62 @@ fn keys_change_what_they_say_and_the_window_stays() {
 
 #[test]
 fn the_first_picture_comes_soon_and_hands_are_felt_while_a_shader_is_made() {
-    let Some(desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let Some(desktop) = Desktop::open(&["--preset", "2"]) else {
+        return;
+    };
     let window = desktop.started.elapsed();
     let lit = |shot: &Shot| {
         let pixels = (0..WINDOW.1 - HINT).flat_map(|y| (0..WINDOW.0).map(move |x| (x, y)));
-        pixels.filter(|&(x, y)| shot.pixel(x, y).iter().any(|&channel| channel > 100)).count()
+        pixels
+            .filter(|&(x, y)| shot.pixel(x, y).iter().any(|&channel| channel > 100))
+            .count()
     };
     desktop.until("first picture", |shot| lit(shot) > 10_000);
-    println!("window after {window:.2?}, first picture after {:.2?}", desktop.started.elapsed());
+    println!(
+        "window after {window:.2?}, first picture after {:.2?}",
+        desktop.started.elapsed()
+    );
     let plain = desktop.settled("rest", |shot| shot.colours() > 50);
     let hint = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, WINDOW.1 - HINT..WINDOW.1) > 0.0;
-    // The wheel changes the speed that the hint tells; T asks for a method that has not been compiled yet.
+    // The wheel changes the speed that the hint tells; T asks for a method that has not been
+    // compiled yet.
     desktop.wheel();
     let usual = desktop.until("the wheel", |shot| hint(shot, &plain));
     let before = desktop.settled("rest", |shot| hint(shot, &plain));
     desktop.press("t");
     desktop.wheel();
-    let busy = desktop.until("the wheel while a shader is made", |shot| hint(shot, &before));
+    let busy = desktop.until("the wheel while a shader is made", |shot| {
+        hint(shot, &before)
+    });
     let spinning = desktop.until("the new picture", |shot| changed(shot, &before) > 0.02);
-    println!("the wheel is felt after {usual:.2?}, after T {busy:.2?}; the new picture {spinning:.2?} later");
-    // Two of the software renderer's slowest frames; a frozen window would wait for the compiler, too.
-    assert!(busy < Duration::from_secs(5), "the window was frozen for {busy:.2?}");
+    println!(
+        "the wheel is felt after {usual:.2?}, after T {busy:.2?}; the new picture {spinning:.2?} later"
+    );
+    // Two of the software renderer's slowest frames; a frozen window would wait for the compiler,
+    // too.
+    assert!(
+        busy < Duration::from_secs(5),
+        "the window was frozen for {busy:.2?}"
+    );
 }
 
 #[test]
 fn a_still_window_answers_at_once_however_long_its_scene_takes() {
-    // The slowest method: some hundred milliseconds a frame on a software renderer, and a window shows a frame two later.
-    let slow = ["--preset", "2", "--method", "kerr-schild", "--spin", "0.9", "--set", "quality.step_scale=0.45"];
-    let Some(desktop) = Desktop::open(&slow) else { return };
+    // The slowest method: some hundred milliseconds a frame on a software renderer, and a window
+    // shows a frame two later.
+    let slow = [
+        "--preset",
+        "2",
+        "--method",
+        "kerr-schild",
+        "--spin",
+        "0.9",
+        "--set",
+        "quality.step_scale=0.45",
+    ];
+    let Some(desktop) = Desktop::open(&slow) else {
+        return;
+    };
     let hint = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, WINDOW.1 - HINT..WINDOW.1) > 0.0;
     desktop.first_picture();
     let answer = || {
@@ -138,22 +192,42 @@ fn a_still_window_answers_at_once_however_long_its_scene_takes() {
     // A machine that is busy with other things may still be drawing: it rests once it answers fast.
     let quick = Duration::from_millis(300);
     let rests = (0..10).any(|_| answer() < quick);
-    assert!(rests, "the wheel is never felt within {quick:?}: the eye does not rest");
+    assert!(
+        rests,
+        "the wheel is never felt within {quick:?}: the eye does not rest"
+    );
     let before = desktop.shot();
     let answers: Vec<Duration> = (0..5).map(|_| answer()).collect();
     println!("the wheel is felt after {answers:.2?}");
-    assert!(answers.iter().any(|&after| after < quick), "the wheel is felt after {answers:.2?}");
-    assert!(changed(&before, &desktop.shot()) == 0.0, "the picture changed while nothing did");
+    assert!(
+        answers.iter().any(|&after| after < quick),
+        "the wheel is felt after {answers:.2?}"
+    );
+    assert!(
+        changed(&before, &desktop.shot()) == 0.0,
+        "the picture changed while nothing did"
+    );
 }
 
 #[test]
 fn unfinished_rays_turn_magenta_with_f11() {
     // Twenty steps are too few for most rays.
-    let few_steps = ["--preset", "2", "--method", "verlet", "--set", "quality.max_steps=20"];
-    let Some(desktop) = Desktop::open(&few_steps) else { return };
+    let few_steps = [
+        "--preset",
+        "2",
+        "--method",
+        "verlet",
+        "--set",
+        "quality.max_steps=20",
+    ];
+    let Some(desktop) = Desktop::open(&few_steps) else {
+        return;
+    };
     let magenta = |shot: &Shot| {
         let pixels = (0..WINDOW.1 - HINT).flat_map(|y| (0..WINDOW.0).map(move |x| (x, y)));
-        pixels.filter(|&(x, y)| matches!(shot.pixel(x, y), [200..=255, 0..=90, 200..=255])).count()
+        pixels
+            .filter(|&(x, y)| matches!(shot.pixel(x, y), [200..=255, 0..=90, 200..=255]))
+            .count()
     };
     let plain = desktop.first_picture();
     assert_eq!(magenta(&plain), 0);
@@ -171,17 +245,29 @@ fn without_a_display_it_says_so_and_writes_a_picture() {
     for display in [None, Some(":4095")] {
         let folder = tempfile::tempdir().unwrap();
         let mut command = Command::new(env!("CARGO_BIN_EXE_lightfall"));
-        command.args(["--preset", "3"]).current_dir(&folder).env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY");
+        command
+            .args(["--preset", "3"])
+            .current_dir(&folder)
+            .env_remove("DISPLAY")
+            .env_remove("WAYLAND_DISPLAY");
         if let Some(display) = display {
             command.env("DISPLAY", display);
         }
         let output = command.output().unwrap();
-        let (told, said) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+        let (told, said) = (
+            String::from_utf8_lossy(&output.stdout),
+            String::from_utf8_lossy(&output.stderr),
+        );
         assert!(output.status.success(), "{said}");
         assert!(said.contains("no display"), "{said}");
         let file = folder.path().join(told.trim());
         assert!(file.is_file(), "{told:?} does not name a file; {said}");
         let picture = image::open(file).unwrap().to_rgb8();
-        assert!(picture.pixels().any(|pixel| pixel.0.iter().all(|&channel| channel > 100)), "the picture is dark");
+        assert!(
+            picture
+                .pixels()
+                .any(|pixel| pixel.0.iter().all(|&channel| channel > 100)),
+            "the picture is dark"
+        );
     }
 }

@@ -10,19 +10,37 @@ const FOREIGN: &str = "from afar · δ";
 /// A busy machine's.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// A program that holds the clipboard until another one takes it. No test of its own: the one below starts it.
+/// A program that holds the clipboard until another one takes it. No test of its own: the one below
+/// starts it.
 #[test]
 #[ignore = "started by the test of pasting"]
 fn program_that_holds_the_clipboard() {
     use arboard::SetExtLinux;
-    arboard::Clipboard::new().unwrap().set().wait().text(FOREIGN).unwrap();
+    arboard::Clipboard::new()
+        .unwrap()
+        .set()
+        .wait()
+        .text(FOREIGN)
+        .unwrap();
 }
 
 fn holder(desktop: &Desktop) -> Child {
-    let only = ["--exact", "pasting::program_that_holds_the_clipboard", "--ignored", "--test-threads=1"];
+    let only = [
+        "--exact",
+        "pasting::program_that_holds_the_clipboard",
+        "--ignored",
+        "--test-threads=1",
+    ];
     let mut command = Command::new(std::env::current_exe().unwrap());
-    let holder = command.args(only).env("DISPLAY", desktop.display()).stdout(Stdio::null()).spawn().unwrap();
-    wait("the other program's text", || desktop.clipboard().as_deref() == Some(FOREIGN));
+    let holder = command
+        .args(only)
+        .env("DISPLAY", desktop.display())
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    wait("the other program's text", || {
+        desktop.clipboard().as_deref() == Some(FOREIGN)
+    });
     holder
 }
 
@@ -37,17 +55,27 @@ fn wait(what: &str, condition: impl Fn() -> bool) {
 
 #[test]
 fn text_fields_copy_cut_and_paste_within_the_program_and_with_others() {
-    let Some(desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let Some(desktop) = Desktop::open(&["--preset", "2"]) else {
+        return;
+    };
     desktop.settled("first picture", |shot| shot.colours() > 50);
     desktop.press("p");
     desktop.settled("panel", |_| true);
     // The field `title`, which is the window's, too.
     desktop.click(1300, 118);
     let titled = |title: &str| {
-        let whole = if title.is_empty() { "Lightfall".to_owned() } else { format!("Lightfall: {title}") };
+        let whole = if title.is_empty() {
+            "Lightfall".to_owned()
+        } else {
+            format!("Lightfall: {title}")
+        };
         let start = Instant::now();
         while desktop.title() != whole {
-            assert!(start.elapsed() < PATIENCE, "{:?} and not {whole:?}", desktop.title());
+            assert!(
+                start.elapsed() < PATIENCE,
+                "{:?} and not {whole:?}",
+                desktop.title()
+            );
             std::thread::sleep(Duration::from_millis(100));
         }
     };
@@ -56,7 +84,9 @@ fn text_fields_copy_cut_and_paste_within_the_program_and_with_others() {
     titled("gp");
     desktop.chord("ctrl", "a");
     desktop.chord("ctrl", "c");
-    wait("what was copied", || desktop.clipboard().as_deref() == Some("gp"));
+    wait("what was copied", || {
+        desktop.clipboard().as_deref() == Some("gp")
+    });
     desktop.chord("ctrl", "x");
     titled("");
     desktop.chord("ctrl", "v");
@@ -69,7 +99,9 @@ fn text_fields_copy_cut_and_paste_within_the_program_and_with_others() {
     desktop.chord("ctrl", "a");
     desktop.chord("ctrl", "x");
     titled("");
-    wait("what was cut", || desktop.clipboard() == Some(format!("gpgp{FOREIGN}")));
+    wait("what was cut", || {
+        desktop.clipboard() == Some(format!("gpgp{FOREIGN}"))
+    });
     other.wait().unwrap();
     assert!(!desktop.said().contains("ERROR"), "{}", desktop.said());
 }

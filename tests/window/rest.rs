@@ -3,13 +3,16 @@
 use crate::desktop::Desktop;
 use std::time::{Duration, Instant};
 
-/// Most frames a second at rest: a fifth of a second apart, and each may be followed by one more. A window that does not rest
-/// shows more than that on any machine that passes the bar of ten frames with the panel open.
+/// Most frames a second at rest: a fifth of a second apart, and each may be followed by one more. A
+/// window that does not rest shows more than that on any machine that passes the bar of ten frames
+/// with the panel open.
 const MOST: usize = 12;
 
 #[test]
 fn few_frames_are_shown_while_nothing_happens() {
-    let Some(desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let Some(desktop) = Desktop::open(&["--preset", "2"]) else {
+        return;
+    };
     desktop.first_picture();
     let rests = |what: &str| {
         let began = Instant::now();
@@ -22,7 +25,10 @@ fn few_frames_are_shown_while_nothing_happens() {
             }
         }
         println!("{what}: {rates:?} frames a second");
-        assert!(rates.last().is_some_and(|&rate| rate <= MOST), "{what}: {rates:?} frames a second, and never fewer");
+        assert!(
+            rates.last().is_some_and(|&rate| rate <= MOST),
+            "{what}: {rates:?} frames a second, and never fewer"
+        );
         // Not frozen either.
         assert!(rates.last() > Some(&0), "{what}: no frame at all");
     };

@@ -7,12 +7,22 @@ use std::time::Duration;
 
 #[test]
 fn any_size_and_minimising_are_survived() {
-    let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else {
+        return;
+    };
     let start = desktop.first_picture();
     desktop.press("p");
     desktop.press("i");
     desktop.press("F1");
-    for (width, height) in [(640, 360), (500, 400), (1, 1), (200, 860), (1490, 60), (1, 400), (1440, 810)] {
+    for (width, height) in [
+        (640, 360),
+        (500, 400),
+        (1, 1),
+        (200, 860),
+        (1490, 60),
+        (1, 400),
+        (1440, 810),
+    ] {
         desktop.resize(width, height);
         desktop.frames(4);
         assert!(desktop.running(), "{width} x {height}: {}", desktop.said());
@@ -30,12 +40,16 @@ fn any_size_and_minimising_are_survived() {
 
 #[test]
 fn a_monitor_of_another_scale_and_a_suspended_machine_are_survived() {
-    let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else {
+        return;
+    };
     let start = desktop.first_picture();
     desktop.press("p");
     // Twice the pixels for the same window, and back.
     desktop.dots_per_inch(192);
-    desktop.wait("a window for twice the scale", || desktop.size() == (2 * WINDOW.0, 2 * WINDOW.1));
+    desktop.wait("a window for twice the scale", || {
+        desktop.size() == (2 * WINDOW.0, 2 * WINDOW.1)
+    });
     desktop.frames(4);
     assert!(desktop.running(), "{}", desktop.said());
     desktop.dots_per_inch(96);
@@ -50,14 +64,20 @@ fn a_monitor_of_another_scale_and_a_suspended_machine_are_survived() {
     desktop.until("the journey goes on", |shot| changed(shot, &start) > 0.02);
     desktop.press("2");
     desktop.settled("the preset as before", |shot| changed(shot, &start) == 0.0);
-    assert!(desktop.running() && !desktop.said().contains("ERROR"), "{}", desktop.said());
+    assert!(
+        desktop.running() && !desktop.said().contains("ERROR"),
+        "{}",
+        desktop.said()
+    );
 }
 
 #[test]
 fn on_a_small_screen_the_picture_fills_the_first_window() {
     let program = Path::new(env!("CARGO_BIN_EXE_lightfall"));
     let grid = ["--preset", "2", "--set", "sky.mode=grid"];
-    let Some(desktop) = Desktop::open_on((1280, 720), program, &grid) else { return };
+    let Some(desktop) = Desktop::open_on((1280, 720), program, &grid) else {
+        return;
+    };
     // The largest whole size of 480 x 270 cells.
     desktop.wait("a window that fits", || desktop.size() == (960, 540));
     let shot = desktop.first_picture();
@@ -68,7 +88,8 @@ fn on_a_small_screen_the_picture_fills_the_first_window() {
     }
 }
 
-/// Keys that are pressed at random: every key of the table but the whole screen, and some that do nothing.
+/// Keys that are pressed at random: every key of the table but the whole screen, and some that do
+/// nothing.
 const KEYS: &[&str] = &[
     "w",
     "a",
@@ -129,12 +150,16 @@ const KEYS: &[&str] = &[
 
 #[test]
 fn five_hundred_random_keys_and_clicks_do_no_harm() {
-    let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else { return };
+    let Some(mut desktop) = Desktop::open(&["--preset", "2"]) else {
+        return;
+    };
     desktop.first_picture();
     // Knuth's multiplier; the same sequence every time.
     let mut state = 20_260_101_u64;
     let mut random = |below: u64| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (state >> 33) % below
     };
     let mut memory = Vec::new();
@@ -144,15 +169,22 @@ fn five_hundred_random_keys_and_clicks_do_no_harm() {
         } else {
             desktop.press(KEYS[random(KEYS.len() as u64) as usize]);
         }
-        assert!(desktop.running(), "ended at step {step}: {}", desktop.said());
+        assert!(
+            desktop.running(),
+            "ended at step {step}: {}",
+            desktop.said()
+        );
         if step % 100 == 99 {
             memory.push(desktop.memory());
         }
     }
     let said = desktop.said();
-    assert!(!said.contains("ERROR") && !said.contains("panicked") && !said.contains("alidation"), "{said}");
+    assert!(
+        !said.contains("ERROR") && !said.contains("panicked") && !said.contains("alidation"),
+        "{said}"
+    );
     println!("memory: {memory:?}");
-    // Pipelines of new variants are kept, so there is some growth; a texture lost with each change would be a hundred times
-    // as much.
+    // Pipelines of new variants are kept, so there is some growth; a texture lost with each change
+    // would be a hundred times as much.
     assert!(memory[4] < memory[1] + 300_000_000, "{memory:?}");
 }

@@ -11,7 +11,11 @@ pub struct Shot {
 impl Shot {
     /// Rows of blue, green, red and a byte more.
     pub fn new(width: usize, height: usize, bgrx: Vec<u8>) -> Self {
-        Self { width, height, bgrx }
+        Self {
+            width,
+            height,
+            bgrx,
+        }
     }
 
     pub fn pixel(&self, x: usize, y: usize) -> [u8; 3] {
@@ -20,22 +24,37 @@ impl Shot {
     }
 
     /// Share of the pixels of a rectangle that differ from another shot's.
-    pub fn changed(&self, other: &Self, x: std::ops::Range<usize>, y: std::ops::Range<usize>) -> f64 {
+    pub fn changed(
+        &self,
+        other: &Self,
+        x: std::ops::Range<usize>,
+        y: std::ops::Range<usize>,
+    ) -> f64 {
         let count = x.len() * y.len();
         let differ = y.flat_map(|y| x.clone().map(move |x| (x, y)));
-        differ.filter(|&(x, y)| self.pixel(x, y) != other.pixel(x, y)).count() as f64 / count as f64
+        differ
+            .filter(|&(x, y)| self.pixel(x, y) != other.pixel(x, y))
+            .count() as f64
+            / count as f64
     }
 
     /// Some of its rows.
     pub fn rows(&self, rows: std::ops::Range<usize>) -> Self {
         let bytes = |row: usize| 4 * self.width * row.min(self.height);
         let bgrx = self.bgrx[bytes(rows.start)..bytes(rows.end)].to_vec();
-        Self { width: self.width, height: bgrx.len() / (4 * self.width), bgrx }
+        Self {
+            width: self.width,
+            height: bgrx.len() / (4 * self.width),
+            bgrx,
+        }
     }
 
     /// Number of different colours.
     pub fn colours(&self) -> usize {
         let pixels = (0..self.height).flat_map(|y| (0..self.width).map(move |x| (x, y)));
-        pixels.map(|(x, y)| self.pixel(x, y)).collect::<std::collections::BTreeSet<_>>().len()
+        pixels
+            .map(|(x, y)| self.pixel(x, y))
+            .collect::<std::collections::BTreeSet<_>>()
+            .len()
     }
 }

@@ -1,4 +1,5 @@
-//! The drawing of paths: the hole and what is about it, seen from the side, from the top, or from where one drags it.
+//! The drawing of paths: the hole and what is about it, seen from the side, from the top, or from
+//! where one drags it.
 
 use crate::physics::disk;
 use crate::physics::kerr::Kerr;
@@ -33,7 +34,11 @@ pub(super) struct Sketch {
 
 impl Default for Sketch {
     fn default() -> Self {
-        Self { view: View::Side, half_width: None, turn: [0.5, 0.5] }
+        Self {
+            view: View::Side,
+            half_width: None,
+            turn: [0.5, 0.5],
+        }
     }
 }
 
@@ -117,7 +122,13 @@ impl Projection {
 
 impl Sketch {
     /// Draws it on `size` points of the panel, and lets it be dragged and zoomed.
-    pub(super) fn show(&mut self, ui: &mut egui::Ui, scene: &Scene, rays: &[Inspected], size: egui::Vec2) {
+    pub(super) fn show(
+        &mut self,
+        ui: &mut egui::Ui,
+        scene: &Scene,
+        rays: &[Inspected],
+        size: egui::Vec2,
+    ) {
         let (response, painter) = ui.allocate_painter(size, egui::Sense::drag());
         let rect = response.rect;
         painter.rect_filled(rect, 4.0, Color32::from_gray(14));
@@ -126,7 +137,8 @@ impl Sketch {
             let scroll = ui.input(|input| input.smooth_scroll_delta.y);
             if scroll != 0.0 {
                 let [least, most] = HALF_WIDTHS;
-                self.half_width = Some((half_width * f64::from(-0.004 * scroll).exp()).clamp(least, most));
+                self.half_width =
+                    Some((half_width * f64::from(-0.004 * scroll).exp()).clamp(least, most));
             }
         }
         if response.dragged() {
@@ -135,7 +147,10 @@ impl Sketch {
             self.turn[0] += f64::from(drag.x) * 0.01;
             self.turn[1] = (self.turn[1] + f64::from(drag.y) * 0.01).clamp(-PI / 2.0, PI / 2.0);
         }
-        let horizon = Kerr { spin: scene.hole.spin }.horizon();
+        let horizon = Kerr {
+            spin: scene.hole.spin,
+        }
+        .horizon();
         let projection = Projection {
             axes: self.axes(scene),
             centre: rect.center(),
@@ -145,7 +160,13 @@ impl Sketch {
         };
         hole(&painter, &projection, scene);
         for inspected in rays.iter().skip(1).chain(rays.first()) {
-            path(&painter, &projection, inspected, rays.first().is_some_and(|first| std::ptr::eq(first, inspected)));
+            path(
+                &painter,
+                &projection,
+                inspected,
+                rays.first()
+                    .is_some_and(|first| std::ptr::eq(first, inspected)),
+            );
         }
         let camera = projection.point(scene.camera.direction() * scene.camera.r);
         painter.circle_filled(camera, 3.5, CAMERA);
@@ -163,7 +184,11 @@ impl Sketch {
                 let turned = DMat3::from_rotation_z(self.turn[0]);
                 let (right, toward) = (turned * -left, turned * beside);
                 let (sin, cos) = self.turn[1].sin_cos();
-                [right, cos * DVec3::Z - sin * toward, cos * toward + sin * DVec3::Z]
+                [
+                    right,
+                    cos * DVec3::Z - sin * toward,
+                    cos * toward + sin * DVec3::Z,
+                ]
             }
         };
         DMat3::from_cols(rows[0], rows[1], rows[2]).transpose()
@@ -173,7 +198,11 @@ impl Sketch {
 /// A width that shows the camera, or what is about the hole where the camera is far away.
 fn fitting(scene: &Scene) -> f64 {
     const FAR: f64 = 60.0;
-    if scene.camera.r > FAR { 16.0 } else { 1.15 * scene.camera.r.max(3.0) }
+    if scene.camera.r > FAR {
+        16.0
+    } else {
+        1.15 * scene.camera.r.max(3.0)
+    }
 }
 
 fn circle(radius: f64) -> impl Iterator<Item = DVec3> {
@@ -184,30 +213,56 @@ fn circle(radius: f64) -> impl Iterator<Item = DVec3> {
 }
 
 fn hole(painter: &egui::Painter, projection: &Projection, scene: &Scene) {
-    let kerr = Kerr { spin: scene.hole.spin };
+    let kerr = Kerr {
+        spin: scene.hole.spin,
+    };
     let radius = (projection.horizon * projection.points_per_length) as f32;
     let thin = |colour: Color32| Stroke::new(1.0, colour);
-    let fill = if projection.inside { Color32::TRANSPARENT } else { Color32::BLACK };
+    let fill = if projection.inside {
+        Color32::TRANSPARENT
+    } else {
+        Color32::BLACK
+    };
     painter.circle(projection.centre, radius, fill, thin(HORIZON));
     if scene.disk.enabled {
         let (inner, outer) = (disk::inner_edge(scene), scene.disk.outer);
         let rings = 14;
         for ring in 0..=rings {
             let edge = ring == 0 || ring == rings;
-            let colour = if edge { DISK } else { DISK.gamma_multiply(0.28) };
+            let colour = if edge {
+                DISK
+            } else {
+                DISK.gamma_multiply(0.28)
+            };
             let r = inner + (outer - inner) * f64::from(ring) / f64::from(rings);
             projection.line(painter, circle(r), thin(colour));
         }
     }
     projection.line(painter, circle(kerr.isco()), thin(ISCO));
-    projection.line(painter, circle(kerr.photon_orbit_prograde()), thin(PHOTON_ORBITS));
-    projection.line(painter, circle(kerr.photon_orbit_retrograde()), thin(PHOTON_ORBITS));
+    projection.line(
+        painter,
+        circle(kerr.photon_orbit_prograde()),
+        thin(PHOTON_ORBITS),
+    );
+    projection.line(
+        painter,
+        circle(kerr.photon_orbit_retrograde()),
+        thin(PHOTON_ORBITS),
+    );
     if scene.hole.spin != 0.0 {
         // The static limit: its waist, and its outline as it is seen from here.
-        projection.line(painter, circle(kerr.static_limit(0.0)), thin(ERGOSPHERE.gamma_multiply(0.7)));
+        projection.line(
+            painter,
+            circle(kerr.static_limit(0.0)),
+            thin(ERGOSPHERE.gamma_multiply(0.7)),
+        );
         let toward = projection.axes.transpose() * DVec3::Z;
         let across = projection.axes.transpose() * DVec3::X;
-        let upright = if toward.z.abs() > 0.999 { DVec3::ZERO } else { (DVec3::Z - toward * toward.z).normalize() };
+        let upright = if toward.z.abs() > 0.999 {
+            DVec3::ZERO
+        } else {
+            (DVec3::Z - toward * toward.z).normalize()
+        };
         let outline = (0..=SIDES).map(|i| {
             let (sin, cos) = (TAU * i as f64 / SIDES as f64).sin_cos();
             let direction = (across * sin + upright * cos).normalize_or_zero();
@@ -219,12 +274,20 @@ fn hole(painter: &egui::Painter, projection: &Projection, scene: &Scene) {
 
 fn path(painter: &egui::Painter, projection: &Projection, inspected: &Inspected, first: bool) {
     let colour = path_colour(inspected);
-    let stroke = if first { Stroke::new(2.0, colour) } else { Stroke::new(1.0, colour.gamma_multiply(0.6)) };
+    let stroke = if first {
+        Stroke::new(2.0, colour)
+    } else {
+        Stroke::new(1.0, colour.gamma_multiply(0.6))
+    };
     projection.line(painter, inspected.path.places.iter().copied(), stroke);
     for hit in inspected.trace.hits.iter().flatten() {
         let place = DVec3::new(hit.r * hit.phi.cos(), hit.r * hit.phi.sin(), 0.0);
         if !projection.hidden(place) {
-            painter.circle_filled(projection.point(place), if first { 3.0 } else { 1.5 }, colour);
+            painter.circle_filled(
+                projection.point(place),
+                if first { 3.0 } else { 1.5 },
+                colour,
+            );
         }
     }
 }
@@ -233,12 +296,24 @@ fn path(painter: &egui::Painter, projection: &Projection, inspected: &Inspected,
 fn scale(painter: &egui::Painter, rect: Rect, points_per_length: f64) {
     let wanted = 0.25 * f64::from(rect.width()) / points_per_length;
     let decade = 10.0_f64.powf(wanted.log10().floor());
-    let length =
-        [5.0, 2.0, 1.0].into_iter().map(|step| step * decade).find(|length| *length <= wanted).unwrap_or(decade);
+    let length = [5.0, 2.0, 1.0]
+        .into_iter()
+        .map(|step| step * decade)
+        .find(|length| *length <= wanted)
+        .unwrap_or(decade);
     let (left, y) = (rect.left() + 10.0, rect.bottom() - 10.0);
     let right = left + (length * points_per_length) as f32;
-    painter.line_segment([Pos2::new(left, y), Pos2::new(right, y)], Stroke::new(1.5, Color32::from_gray(200)));
+    painter.line_segment(
+        [Pos2::new(left, y), Pos2::new(right, y)],
+        Stroke::new(1.5, Color32::from_gray(200)),
+    );
     let text = format!("{} r_s", crate::flight::shown_number(length));
     let font = egui::FontId::proportional(12.0);
-    painter.text(Pos2::new(left, y - 3.0), egui::Align2::LEFT_BOTTOM, text, font, Color32::from_gray(200));
+    painter.text(
+        Pos2::new(left, y - 3.0),
+        egui::Align2::LEFT_BOTTOM,
+        text,
+        font,
+        Color32::from_gray(200),
+    );
 }

@@ -40,7 +40,13 @@ struct Inspector {
 
 impl Default for Inspector {
     fn default() -> Self {
-        Self { sketch: Sketch::default(), fan: 1, spacing: 12.0, asked: None, answer: None }
+        Self {
+            sketch: Sketch::default(),
+            fan: 1,
+            spacing: 12.0,
+            asked: None,
+            answer: None,
+        }
     }
 }
 
@@ -51,7 +57,8 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(EguiPrimaryContextPass, show);
 }
 
-/// The pixel of the picture at a place of the window, in pixels from the picture's upper left corner; none beside it.
+/// The pixel of the picture at a place of the window, in pixels from the picture's upper left
+/// corner; none beside it.
 #[must_use]
 pub fn pixel_at(picture: &Picture, place: Vec2, window: UVec2) -> Option<DVec2> {
     if window.min_element() == 0 {
@@ -85,8 +92,9 @@ fn click(
     if !shown.inspector_seen() || !buttons.just_pressed(MouseButton::Left) {
         return;
     }
-    let pixel =
-        window.physical_cursor_position().and_then(|place| pixel_at(&scene.picture, place, window.physical_size()));
+    let pixel = window
+        .physical_cursor_position()
+        .and_then(|place| pixel_at(&scene.picture, place, window.physical_size()));
     if let Some(pixel) = pixel {
         inspector.asked = Some((scene.0.clone(), pixel));
         inspector.ask(&worker);
@@ -96,17 +104,26 @@ fn click(
 impl Inspector {
     /// Has the ray that was clicked last, and the fan about it, traced.
     fn ask(&self, worker: &Worker) {
-        let Some((scene, pixel)) = &self.asked else { return };
+        let Some((scene, pixel)) = &self.asked else {
+            return;
+        };
         let half = i64::from(self.fan / 2);
-        let offsets = (-half..=half).flat_map(|y| (-half..=half).map(move |x| DVec2::new(x as f64, y as f64)));
+        let offsets = (-half..=half)
+            .flat_map(|y| (-half..=half).map(move |x| DVec2::new(x as f64, y as f64)));
         // The one that was clicked comes first.
         let mut offsets: Vec<DVec2> = offsets.collect();
         offsets.sort_by_key(|offset| *offset != DVec2::ZERO);
         let ray = |offset: DVec2| {
             let place = *pixel + self.spacing * offset;
-            (Ray::toward(scene.camera.looking(place, size(&scene.picture))), place.to_array())
+            (
+                Ray::toward(scene.camera.looking(place, size(&scene.picture))),
+                place.to_array(),
+            )
         };
-        worker.trace(Job { scene: scene.clone(), rays: offsets.into_iter().map(ray).collect() });
+        worker.trace(Job {
+            scene: scene.clone(),
+            rays: offsets.into_iter().map(ray).collect(),
+        });
     }
 }
 
@@ -146,7 +163,12 @@ fn show(
         });
         ui.separator();
         let Inspector { answer, sketch, .. } = inspector;
-        let Some(Answer { scene: seen, rays, gpu }) = answer else {
+        let Some(Answer {
+            scene: seen,
+            rays,
+            gpu,
+        }) = answer
+        else {
             ui.label("Click a pixel of the picture: its light is traced again, by the f64 reference and on the GPU.");
             return;
         };
@@ -164,11 +186,19 @@ fn show(
         heading(ui, first, seen, &scene, gpu);
         let tallest = ui.max_rect().height() * DRAWING;
         let left = (ui.available_height() - tallest - 60.0).max(80.0);
-        egui::ScrollArea::both().id_salt("numbers").max_height(left).auto_shrink([false, true]).show(ui, |ui| {
-            numbers::show(ui, &first.numbers, gpu);
-        });
+        egui::ScrollArea::both()
+            .id_salt("numbers")
+            .max_height(left)
+            .auto_shrink([false, true])
+            .show(ui, |ui| {
+                numbers::show(ui, &first.numbers, gpu);
+            });
         ui.horizontal(|ui| {
-            for (view, name) in [(View::Side, "Side"), (View::Top, "Top"), (View::Orbit, "3-D")] {
+            for (view, name) in [
+                (View::Side, "Side"),
+                (View::Top, "Top"),
+                (View::Orbit, "3-D"),
+            ] {
                 ui.selectable_value(&mut sketch.view, view, name);
             }
             if ui.button("Fit").clicked() {
@@ -188,11 +218,28 @@ fn show(
 }
 
 /// Which pixel of what it was.
-fn heading(ui: &mut egui::Ui, first: &crate::report::inspection::Inspected, seen: &Scene, now: &Scene, gpu: &GpuState) {
+fn heading(
+    ui: &mut egui::Ui,
+    first: &crate::report::inspection::Inspected,
+    seen: &Scene,
+    now: &Scene,
+    gpu: &GpuState,
+) {
     let [x, y] = first.numbers.pixel.unwrap_or_default().map(f64::floor);
-    let earlier = if seen == now { "" } else { ", of an earlier picture" };
-    let asked = if *gpu == GpuState::Waiting { ", GPU is asked" } else { "" };
-    ui.label(format!("Pixel {x}, {y} of {} x {}{earlier}{asked}", seen.picture.width, seen.picture.height));
+    let earlier = if seen == now {
+        ""
+    } else {
+        ", of an earlier picture"
+    };
+    let asked = if *gpu == GpuState::Waiting {
+        ", GPU is asked"
+    } else {
+        ""
+    };
+    ui.label(format!(
+        "Pixel {x}, {y} of {} x {}{earlier}{asked}",
+        seen.picture.width, seen.picture.height
+    ));
 }
 
 fn fan(ui: &mut egui::Ui, inspector: &mut Inspector, worker: &Worker) {
@@ -202,8 +249,12 @@ fn fan(ui: &mut egui::Ui, inspector: &mut Inspector, worker: &Worker) {
         ui.selectable_value(&mut inspector.fan, fan, (fan * fan).to_string());
     }
     if inspector.fan > 1 {
-        let spacing = egui::DragValue::new(&mut inspector.spacing).range(0.1..=200.0).speed(0.3).suffix(" px");
-        ui.add(spacing).on_hover_text("Pixels between the rays of the fan");
+        let spacing = egui::DragValue::new(&mut inspector.spacing)
+            .range(0.1..=200.0)
+            .speed(0.3)
+            .suffix(" px");
+        ui.add(spacing)
+            .on_hover_text("Pixels between the rays of the fan");
     }
     if before != (inspector.fan, inspector.spacing) {
         inspector.ask(worker);
@@ -212,15 +263,32 @@ fn fan(ui: &mut egui::Ui, inspector: &mut Inspector, worker: &Worker) {
 
 /// Marks the rays on the picture, as long as it is the one that was clicked on.
 fn mark(context: &egui::Context, inspector: &Inspector, scene: &CurrentScene, window: &Window) {
-    let Some(answer) = inspector.answer.as_ref().filter(|answer| answer.scene == scene.0) else { return };
-    let painter = context.layer_painter(egui::LayerId::new(egui::Order::Background, "inspected".into()));
+    let Some(answer) = inspector
+        .answer
+        .as_ref()
+        .filter(|answer| answer.scene == scene.0)
+    else {
+        return;
+    };
+    let painter = context.layer_painter(egui::LayerId::new(
+        egui::Order::Background,
+        "inspected".into(),
+    ));
     let points = context.pixels_per_point();
     for (i, inspected) in answer.rays.iter().enumerate() {
         let pixel = DVec2::from_array(inspected.numbers.pixel.unwrap_or_default());
         let place = place_of(&scene.picture, pixel, window.physical_size()) / points;
         let centre = egui::pos2(place.x, place.y);
         let (radius, width) = if i == 0 { (7.0, 2.0) } else { (3.0, 1.0) };
-        painter.circle_stroke(centre, radius + 1.0, egui::Stroke::new(width, egui::Color32::BLACK));
-        painter.circle_stroke(centre, radius, egui::Stroke::new(width, path_colour(inspected)));
+        painter.circle_stroke(
+            centre,
+            radius + 1.0,
+            egui::Stroke::new(width, egui::Color32::BLACK),
+        );
+        painter.circle_stroke(
+            centre,
+            radius,
+            egui::Stroke::new(width, path_colour(inspected)),
+        );
     }
 }

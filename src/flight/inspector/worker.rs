@@ -1,5 +1,5 @@
-//! The thread that traces inspected rays again: at once by the f64 reference, then on a GPU device beside the window's, so
-//! that no frame waits for it.
+//! The thread that traces inspected rays again: at once by the f64 reference, then on a GPU device
+//! beside the window's, so that no frame waits for it.
 
 use crate::gpu::rays::RayKernel;
 use crate::gpu::{GpuError, beside};
@@ -62,7 +62,11 @@ impl Worker {
         let (orders, work) = channel();
         let ((rays, answers), (steps, counts)) = (channel(), channel());
         std::thread::spawn(move || run(&work, &Answers { rays, steps }));
-        Self { orders, answers: Mutex::new(answers), counts: Mutex::new(counts) }
+        Self {
+            orders,
+            answers: Mutex::new(answers),
+            counts: Mutex::new(counts),
+        }
     }
 
     /// Asks how many steps the rays of a scene's picture take.
@@ -72,7 +76,11 @@ impl Worker {
 
     /// The newest count, if there is a new one.
     pub(in crate::flight) fn counted(&self) -> Option<Result<StepCount, String>> {
-        self.counts.lock().unwrap_or_else(std::sync::PoisonError::into_inner).try_iter().last()
+        self.counts
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner)
+            .try_iter()
+            .last()
     }
 
     /// Asks for rays.
@@ -83,7 +91,10 @@ impl Worker {
 
     /// The newest answer, if there is a new one; as an error, what could not be done.
     pub(super) fn answer(&self) -> Option<Result<Answer, String>> {
-        let answers = self.answers.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let answers = self
+            .answers
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner);
         answers.try_iter().last()
     }
 }
@@ -106,7 +117,13 @@ fn run(work: &Receiver<Order>, answer: &Answers) {
     }
 }
 
-fn serve(order: Order, Answers { rays: answer, steps }: &Answers) {
+fn serve(
+    order: Order,
+    Answers {
+        rays: answer,
+        steps,
+    }: &Answers,
+) {
     let fault = match order {
         Order::Trace(job) => trace(*job, answer),
         Order::Count(scene) => {
@@ -130,21 +147,34 @@ fn trace(Job { scene, rays }: Job, answer: &Sender<Result<Answer, String>>) -> R
     let legs = scene.camera.legs_from_camera();
     let inspect = || -> Result<Vec<Inspected>, String> {
         let inspected = rays.iter().map(|(ray, pixel)| {
-            Inspected::new(&scene, legs * ray.direction(), Some(*pixel), farthest(&scene))
-                .map_err(|error| error.to_string())
+            Inspected::new(
+                &scene,
+                legs * ray.direction(),
+                Some(*pixel),
+                farthest(&scene),
+            )
+            .map_err(|error| error.to_string())
         });
         inspected.collect()
     };
     let mut inspected = inspect()?;
     let send = |rays: &[Inspected], gpu: GpuState| {
-        let _ = answer.send(Ok(Answer { scene: scene.clone(), rays: rays.to_vec(), gpu }));
+        let _ = answer.send(Ok(Answer {
+            scene: scene.clone(),
+            rays: rays.to_vec(),
+            gpu,
+        }));
     };
     send(&inspected, GpuState::Waiting);
-    let (Some((ray, _)), Some(first)) = (rays.first(), inspected.first_mut()) else { return Ok(()) };
+    let (Some((ray, _)), Some(first)) = (rays.first(), inspected.first_mut()) else {
+        return Ok(());
+    };
     let state = match on_gpu(&scene, *ray) {
         Ok(trace) => {
             let height = f64::from(scene.picture.height);
-            first.compare(&scene, *ray, &trace, height).map_err(|error| error.to_string())?;
+            first
+                .compare(&scene, *ray, &trace, height)
+                .map_err(|error| error.to_string())?;
             GpuState::Done
         }
         Err(error) => GpuState::Failed(error.to_string()),
@@ -156,6 +186,9 @@ fn trace(Job { scene, rays }: Job, answer: &Sender<Result<Answer, String>>) -> R
 fn on_gpu(scene: &Scene, ray: Ray) -> Result<Trace, GpuError> {
     beside(|gpu| {
         let traces = RayKernel::new(gpu, scene)?.trace(gpu, scene, &[ray.given()])?;
-        traces.into_iter().next().ok_or_else(|| GpuError::Device("it gave no answer".into()))
+        traces
+            .into_iter()
+            .next()
+            .ok_or_else(|| GpuError::Device("it gave no answer".into()))
     })
 }

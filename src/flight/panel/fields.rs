@@ -1,4 +1,5 @@
-//! The page of the scene: one row for every field of the field table, so that a new field shows by itself.
+//! The page of the scene: one row for every field of the field table, so that a new field shows by
+//! itself.
 
 use super::steps::Steps;
 use crate::flight::keyboard::SceneEditor;
@@ -33,9 +34,19 @@ pub(super) struct State {
 /// The field under which it says how the cells lie in the window.
 const SHOWN: &str = "picture.grid_height";
 
-pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEditor, steps: &Steps, window: UVec2) {
+pub(super) fn show(
+    ui: &mut egui::Ui,
+    state: &mut State,
+    editor: &mut SceneEditor,
+    steps: &Steps,
+    window: UVec2,
+) {
     ui.horizontal(|ui| {
-        if ui.button("Reset all").on_hover_text("Everything as it was loaded").clicked() {
+        if ui
+            .button("Reset all")
+            .on_hover_text("Everything as it was loaded")
+            .clicked()
+        {
             let loaded = editor.loaded().clone();
             editor.change("Reset", Ok(loaded));
             state.refused = None;
@@ -75,15 +86,21 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
         });
     }
     if let Some((key, value)) = change {
-        let changed = scene.with([(key, value)]).map_err(|refusal| refusal.to_string());
+        let changed = scene
+            .with([(key, value)])
+            .map_err(|refusal| refusal.to_string());
         state.refused = editor.try_change(changed).err().map(|reason| (key, reason));
     }
 }
 
-/// How large the cells are in a window of this many pixels, and what bars that leaves; none where they are bypassed.
+/// How large the cells are in a window of this many pixels, and what bars that leaves; none where
+/// they are bypassed.
 fn cells_in_words(picture: &Picture, window: UVec2) -> Option<String> {
     let Letterbox { extent, .. } = letterbox(picture, window);
-    let (shown, bars) = (extent.as_uvec2(), window.saturating_sub(extent.as_uvec2()) / 2);
+    let (shown, bars) = (
+        extent.as_uvec2(),
+        window.saturating_sub(extent.as_uvec2()) / 2,
+    );
     let whole = shown.x / picture.grid_width.max(1);
     (!picture.bypass && whole > 0).then(|| {
         let bars = match (bars.x, bars.y) {
@@ -99,7 +116,12 @@ const OPEN: usize = 12;
 
 /// The field table in parts with a heading each: the first and one past the last of its fields.
 fn tables() -> Vec<(&'static str, usize, usize)> {
-    let table = |field: &Field| field.key.split_once('.').map_or("scene", |(table, _)| table);
+    let table = |field: &Field| {
+        field
+            .key
+            .split_once('.')
+            .map_or("scene", |(table, _)| table)
+    };
     let mut first = 0;
     FIELDS
         .chunk_by(|a, b| table(a) == table(b))
@@ -112,10 +134,23 @@ fn tables() -> Vec<(&'static str, usize, usize)> {
 }
 
 /// One field; its new value if it is changed.
-fn row(ui: &mut egui::Ui, field: &Field, value: &Value, range: Range, loaded: &Value) -> Option<Value> {
-    let name = field.key.split_once('.').map_or(field.key, |(_, name)| name);
+fn row(
+    ui: &mut egui::Ui,
+    field: &Field,
+    value: &Value,
+    range: Range,
+    loaded: &Value,
+) -> Option<Value> {
+    let name = field
+        .key
+        .split_once('.')
+        .map_or(field.key, |(_, name)| name);
     let mut change = None;
-    let width = ui.available_width().min(ui.clip_rect().right() - ui.cursor().left()) - VALUE_WIDTH - RESET_WIDTH;
+    let width = ui
+        .available_width()
+        .min(ui.clip_rect().right() - ui.cursor().left())
+        - VALUE_WIDTH
+        - RESET_WIDTH;
     let width = width.max(NAME_WIDTH);
     ui.horizontal(|ui| {
         ui.set_min_height(22.0);
@@ -126,13 +161,19 @@ fn row(ui: &mut egui::Ui, field: &Field, value: &Value, range: Range, loaded: &V
         let left = egui::Layout::left_to_right(egui::Align::Center);
         ui.allocate_ui_with_layout(egui::vec2(width, 20.0), left, |ui| {
             ui.set_min_width(width);
-            ui.add(egui::Label::new(text).truncate()).on_hover_text(about);
+            ui.add(egui::Label::new(text).truncate())
+                .on_hover_text(about);
         });
         ui.allocate_ui_with_layout(egui::vec2(VALUE_WIDTH, 20.0), left, |ui| {
             ui.set_min_width(VALUE_WIDTH);
             change = widget(ui, field, value, range);
         });
-        if value != loaded && ui.small_button("⟲").on_hover_text("As it was loaded").clicked() {
+        if value != loaded
+            && ui
+                .small_button("⟲")
+                .on_hover_text("As it was loaded")
+                .clicked()
+        {
             change = Some(loaded.clone());
         }
     });
@@ -144,15 +185,20 @@ fn widget(ui: &mut egui::Ui, field: &Field, value: &Value, range: Range) -> Opti
         (Kind::Boolean, Value::Boolean(on)) => {
             let mut on = *on;
             let text = if on { "on" } else { "off" };
-            ui.checkbox(&mut on, text).changed().then_some(Value::Boolean(on))
+            ui.checkbox(&mut on, text)
+                .changed()
+                .then_some(Value::Boolean(on))
         }
         (Kind::Choice(choices), Value::String(word)) => {
             let mut chosen = word.clone();
-            egui::ComboBox::from_id_salt(field.key).selected_text(word).width(150.0).show_ui(ui, |ui| {
-                for choice in choices {
-                    ui.selectable_value(&mut chosen, (*choice).to_owned(), *choice);
-                }
-            });
+            egui::ComboBox::from_id_salt(field.key)
+                .selected_text(word)
+                .width(150.0)
+                .show_ui(ui, |ui| {
+                    for choice in choices {
+                        ui.selectable_value(&mut chosen, (*choice).to_owned(), *choice);
+                    }
+                });
             (chosen != *word).then_some(Value::String(chosen))
         }
         (Kind::Text, Value::String(text)) => {
@@ -166,7 +212,8 @@ fn widget(ui: &mut egui::Ui, field: &Field, value: &Value, range: Range) -> Opti
         }
         (Kind::Integer(_), Value::Integer(number)) => {
             let mut float = *number as f64;
-            drag(ui, &mut float, range, field.unit, true).then_some(Value::Integer(float.round() as i64))
+            drag(ui, &mut float, range, field.unit, true)
+                .then_some(Value::Integer(float.round() as i64))
         }
         (Kind::Velocity, Value::Array(components)) => {
             let mut components: Vec<f64> = components.iter().filter_map(Value::as_float).collect();
@@ -180,8 +227,8 @@ fn widget(ui: &mut egui::Ui, field: &Field, value: &Value, range: Range) -> Opti
     }
 }
 
-/// A number in a range: a slider where the range is short enough for one. What is typed may lie outside, and is refused in
-/// words.
+/// A number in a range: a slider where the range is short enough for one. What is typed may lie
+/// outside, and is refused in words.
 fn drag(ui: &mut egui::Ui, value: &mut f64, range: Range, unit: &str, whole: bool) -> bool {
     let suffix = short(unit);
     if let Some((low, high)) = ends(range)
@@ -197,12 +244,19 @@ fn drag(ui: &mut egui::Ui, value: &mut f64, range: Range, unit: &str, whole: boo
         }
         return ui.add(slider).changed();
     }
-    let speed = if whole { 1.0_f64.max(value.abs() * 0.002) } else { 1e-3_f64.max(value.abs() * 0.005) };
+    let speed = if whole {
+        1.0_f64.max(value.abs() * 0.002)
+    } else {
+        1e-3_f64.max(value.abs() * 0.005)
+    };
     ui.add(number(value, speed, suffix)).changed()
 }
 
 fn number<'a>(value: &'a mut f64, speed: f64, suffix: &'a str) -> egui::DragValue<'a> {
-    egui::DragValue::new(value).speed(speed).suffix(suffix).custom_formatter(|number, _| shown_number(number))
+    egui::DragValue::new(value)
+        .speed(speed)
+        .suffix(suffix)
+        .custom_formatter(|number, _| shown_number(number))
 }
 
 /// A unit as it follows a number on the panel.
@@ -228,8 +282,16 @@ fn ends(range: Range) -> Option<(f64, f64)> {
         (Included(low) | Excluded(low), Included(high) | Excluded(high)) => (low, high),
     };
     let margin = OPEN_END * (high - low);
-    let low = if matches!(range.low, Excluded(_)) { low + margin } else { low };
-    let high = if matches!(range.high, Excluded(_)) { high - margin } else { high };
+    let low = if matches!(range.low, Excluded(_)) {
+        low + margin
+    } else {
+        low
+    };
+    let high = if matches!(range.high, Excluded(_)) {
+        high - margin
+    } else {
+        high
+    };
     Some((low, high))
 }
 
@@ -239,7 +301,10 @@ pub fn shown_number(number: f64) -> String {
     let size = number.abs();
     if (0.01..1e9).contains(&size) {
         let rounded = format!("{number:.4}");
-        return rounded.trim_end_matches('0').trim_end_matches('.').to_owned();
+        return rounded
+            .trim_end_matches('0')
+            .trim_end_matches('.')
+            .to_owned();
     }
     if number == 0.0 {
         "0".into()

@@ -1,4 +1,5 @@
-//! The page about the machine: how fast it is, what the passes cost, which adapter draws and what it compiled.
+//! The page about the machine: how fast it is, what the passes cost, which adapter draws and what
+//! it compiled.
 
 use crate::flight::adapter::AdapterChoice;
 use crate::flight::pace::Pace;
@@ -30,7 +31,8 @@ pub(super) struct State {
     /// What the scene needs, line by line, and of which variant and chain that is said.
     lines: Vec<(String, String)>,
     of: Option<(Variant, Chain)>,
-    /// The adapters that there are; looked for when the page is first opened, in a thread of its own.
+    /// The adapters that there are; looked for when the page is first opened, in a thread of its
+    /// own.
     adapters: Option<Arc<OnceLock<Vec<Listed>>>>,
 }
 
@@ -49,13 +51,19 @@ pub struct Machine<'w> {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.add_plugins(RenderDiagnosticsPlugin).init_resource::<FrameTime>().add_systems(First, measure);
+    app.add_plugins(RenderDiagnosticsPlugin)
+        .init_resource::<FrameTime>()
+        .add_systems(First, measure);
 }
 
 fn measure(time: Res<Time<Real>>, mut frame: ResMut<FrameTime>) {
     // A machine that slept did not draw meanwhile.
     let seconds = time.delta_secs_f64().min(LONGEST);
-    frame.0 = if frame.0 == 0.0 { seconds } else { frame.0 + FRESH * (seconds - frame.0) };
+    frame.0 = if frame.0 == 0.0 {
+        seconds
+    } else {
+        frame.0 + FRESH * (seconds - frame.0)
+    };
 }
 
 impl Machine<'_> {
@@ -63,14 +71,20 @@ impl Machine<'_> {
     fn passes(&self) -> Vec<(&str, f64)> {
         let now = Instant::now();
         let pass = |diagnostic: &'_ bevy::diagnostic::Diagnostic| {
-            let fresh = diagnostic.measurement().is_some_and(|last| now.duration_since(last.time) < STALE);
+            let fresh = diagnostic
+                .measurement()
+                .is_some_and(|last| now.duration_since(last.time) < STALE);
             diagnostic.smoothed().filter(|_| fresh)
         };
         let mut passes: Vec<_> = self
             .passes
             .iter()
             .filter_map(|diagnostic| {
-                let name = diagnostic.path().as_str().strip_prefix("render/")?.strip_suffix("/elapsed_gpu")?;
+                let name = diagnostic
+                    .path()
+                    .as_str()
+                    .strip_prefix("render/")?
+                    .strip_suffix("/elapsed_gpu")?;
                 Some((name, pass(diagnostic)?))
             })
             .collect();
@@ -89,29 +103,51 @@ pub(super) fn show(
 ) {
     ui.strong("Speed");
     let milliseconds = 1e3 * machine.frame.0;
-    let resting = if machine.pace.resting { ", for nothing moves" } else { "" };
-    ui.label(format!("{:.1} frames a second, {milliseconds:.1} ms each{resting}", 1e3 / milliseconds.max(1e-3)));
+    let resting = if machine.pace.resting {
+        ", for nothing moves"
+    } else {
+        ""
+    };
+    ui.label(format!(
+        "{:.1} frames a second, {milliseconds:.1} ms each{resting}",
+        1e3 / milliseconds.max(1e-3)
+    ));
     let (scene, drawn, meant) = (drawn, drawn.picture, meant.picture);
-    let coarser =
-        if drawn == meant { String::new() } else { format!(" in place of {} x {}", meant.width, meant.height) };
-    ui.label(format!("drawn with {} x {} pixels{coarser}", drawn.width, drawn.height));
+    let coarser = if drawn == meant {
+        String::new()
+    } else {
+        format!(" in place of {} x {}", meant.width, meant.height)
+    };
+    ui.label(format!(
+        "drawn with {} x {} pixels{coarser}",
+        drawn.width, drawn.height
+    ));
     ui.add_space(8.0);
     ui.strong("GPU time of the passes");
     let passes = machine.passes();
-    egui::Grid::new("passes").num_columns(2).spacing([16.0, 3.0]).striped(true).show(ui, |ui| {
-        for (name, time) in &passes {
-            ui.label(*name);
-            ui.monospace(format!("{time:8.3} ms"));
-            ui.end_row();
-        }
-    });
+    egui::Grid::new("passes")
+        .num_columns(2)
+        .spacing([16.0, 3.0])
+        .striped(true)
+        .show(ui, |ui| {
+            for (name, time) in &passes {
+                ui.label(*name);
+                ui.monospace(format!("{time:8.3} ms"));
+                ui.end_row();
+            }
+        });
     if passes.is_empty() {
         ui.weak("No pass ran lately, or the adapter does not measure time.");
     }
     ui.add_space(8.0);
     ui.strong("Graphics adapter");
     if let Some(info) = &machine.adapter {
-        ui.label(format!("{} ({} through {})", info.name, gpu::kind(info.device_type), info.backend));
+        ui.label(format!(
+            "{} ({} through {})",
+            info.name,
+            gpu::kind(info.device_type),
+            info.backend
+        ));
         ui.label(format!("{} {}", info.driver, info.driver_info));
     }
     adapters(ui, state, machine, chosen);
@@ -130,7 +166,12 @@ pub(super) fn show(
 }
 
 /// Which adapter the next start is to use.
-fn adapters(ui: &mut egui::Ui, state: &mut State, machine: &Machine, chosen: &mut Option<AdapterName>) {
+fn adapters(
+    ui: &mut egui::Ui,
+    state: &mut State,
+    machine: &Machine,
+    chosen: &mut Option<AdapterName>,
+) {
     let list = state.adapters.get_or_insert_with(|| {
         let list = Arc::new(OnceLock::new());
         let found = Arc::clone(&list);
@@ -141,15 +182,28 @@ fn adapters(ui: &mut egui::Ui, state: &mut State, machine: &Machine, chosen: &mu
     ui.weak("From the next start on:");
     ui.radio_value(chosen, None, "the best that there is");
     let listed = list.get().map_or(&[][..], Vec::as_slice);
-    for Listed { name, kind, driver, .. } in listed {
-        let mark = if present.as_ref() == Some(name) { ", in use now" } else { "" };
-        ui.radio_value(chosen, Some(name.clone()), format!("{name}{mark}")).on_hover_text(format!("{kind}, {driver}"));
+    for Listed {
+        name, kind, driver, ..
+    } in listed
+    {
+        let mark = if present.as_ref() == Some(name) {
+            ", in use now"
+        } else {
+            ""
+        };
+        ui.radio_value(chosen, Some(name.clone()), format!("{name}{mark}"))
+            .on_hover_text(format!("{kind}, {driver}"));
     }
-    if let Some(gone) = chosen.clone().filter(|gone| list.get().is_some() && listed.iter().all(|it| it.name != *gone)) {
+    if let Some(gone) = chosen
+        .clone()
+        .filter(|gone| list.get().is_some() && listed.iter().all(|it| it.name != *gone))
+    {
         ui.radio_value(chosen, Some(gone.clone()), format!("{gone}, not there"));
     }
     if let Some(variable) = gpu::named_by_environment() {
-        ui.weak(format!("This start was told by the command line or {variable}."));
+        ui.weak(format!(
+            "This start was told by the command line or {variable}."
+        ));
     } else if *chosen != machine.choice.used {
         ui.weak("Kept in the settings; it holds from the next start.");
     }

@@ -1,4 +1,5 @@
-//! The panel: every field of the scene, presets, what the machine does, what is exact, and the settings.
+//! The panel: every field of the scene, presets, what the machine does, what is exact, and the
+//! settings.
 
 mod fields;
 mod honesty;
@@ -83,7 +84,13 @@ fn show(
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
-    let Panel { page, fields, presets, readouts, machine: needs } = &mut *panel;
+    let Panel {
+        page,
+        fields,
+        presets,
+        readouts,
+        machine: needs,
+    } = &mut *panel;
     docked(context, "panel", Side::Right, WIDTH, |ui| {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
@@ -98,21 +105,40 @@ fn show(
         if *page != Page::Settings {
             rebinding.stop();
         }
-        egui::ScrollArea::both().id_salt(*page as u8).auto_shrink(false).show(ui, |ui| match page {
-            Page::Scene => fields::show(ui, fields, &mut editor, &steps, window.physical_size()),
-            Page::Presets => presets::show(ui, presets, &mut editor),
-            Page::Readouts => {
-                readouts::show(ui, readouts, editor.drawn(), &voyage, &mut preferences.settings);
-            }
-            Page::Machine => {
-                let chosen = &mut preferences.settings.adapter;
-                machine::show(ui, needs, &machine, chosen, editor.drawn(), &editor.meant());
-            }
-            Page::Honesty => honesty::show(ui),
-            Page::Settings => {
-                preferences::show(ui, &mut preferences, &mut bindings, &mut buttons, &mut rebinding, &keys, &pads);
-            }
-        });
+        egui::ScrollArea::both()
+            .id_salt(*page as u8)
+            .auto_shrink(false)
+            .show(ui, |ui| match page {
+                Page::Scene => {
+                    fields::show(ui, fields, &mut editor, &steps, window.physical_size())
+                }
+                Page::Presets => presets::show(ui, presets, &mut editor),
+                Page::Readouts => {
+                    readouts::show(
+                        ui,
+                        readouts,
+                        editor.drawn(),
+                        &voyage,
+                        &mut preferences.settings,
+                    );
+                }
+                Page::Machine => {
+                    let chosen = &mut preferences.settings.adapter;
+                    machine::show(ui, needs, &machine, chosen, editor.drawn(), &editor.meant());
+                }
+                Page::Honesty => honesty::show(ui),
+                Page::Settings => {
+                    preferences::show(
+                        ui,
+                        &mut preferences,
+                        &mut bindings,
+                        &mut buttons,
+                        &mut rebinding,
+                        &keys,
+                        &pads,
+                    );
+                }
+            });
     });
     Ok(())
 }

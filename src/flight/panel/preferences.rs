@@ -1,4 +1,5 @@
-//! The page of settings, which outlast the program: size of the text, speed, calm, keys and buttons.
+//! The page of settings, which outlast the program: size of the text, speed, calm, keys and
+//! buttons.
 
 use crate::cli;
 use crate::flight::bindings::{Bindings, Bound, PadBindings, Switch};
@@ -93,28 +94,41 @@ pub(super) fn show(
         ui.weak(reason);
     }
     capture(bindings, rebinding, keys.get_just_pressed());
-    capture(buttons, rebinding, pads.iter().flat_map(Gamepad::get_just_pressed));
+    capture(
+        buttons,
+        rebinding,
+        pads.iter().flat_map(Gamepad::get_just_pressed),
+    );
     for group in Group::ALL {
         egui::CollapsingHeader::new(group.title()).show(ui, |ui| {
-            egui::Grid::new(group.title()).spacing([12.0, 4.0]).show(ui, |ui| {
-                for (control, _) in bindings.iter().filter(|(control, _)| control.group == group) {
-                    let words = bindings.in_words(control);
-                    let waits = rebinding.0 == Some(control.id);
-                    let text = match words.as_str() {
-                        _ if waits => "press a key",
-                        "" => "none",
-                        words => words,
-                    };
-                    if ui.add_sized([110.0, 20.0], egui::Button::selectable(waits, text)).clicked() {
-                        rebinding.0 = Some(control.id);
+            egui::Grid::new(group.title())
+                .spacing([12.0, 4.0])
+                .show(ui, |ui| {
+                    for (control, _) in bindings
+                        .iter()
+                        .filter(|(control, _)| control.group == group)
+                    {
+                        let words = bindings.in_words(control);
+                        let waits = rebinding.0 == Some(control.id);
+                        let text = match words.as_str() {
+                            _ if waits => "press a key",
+                            "" => "none",
+                            words => words,
+                        };
+                        if ui
+                            .add_sized([110.0, 20.0], egui::Button::selectable(waits, text))
+                            .clicked()
+                        {
+                            rebinding.0 = Some(control.id);
+                        }
+                        if !pads.is_empty() {
+                            ui.weak(buttons.in_words(control));
+                        }
+                        ui.add(egui::Label::new(control.id).truncate())
+                            .on_hover_text(control.does);
+                        ui.end_row();
                     }
-                    if !pads.is_empty() {
-                        ui.weak(buttons.in_words(control));
-                    }
-                    ui.add(egui::Label::new(control.id).truncate()).on_hover_text(control.does);
-                    ui.end_row();
-                }
-            });
+                });
         });
     }
     ui.separator();
@@ -138,7 +152,9 @@ fn capture<'a, S: Switch>(
     pressed: impl IntoIterator<Item = &'a S>,
 ) {
     let Some(id) = rebinding.0 else { return };
-    let Some(pressed) = pressed.into_iter().find(|switch| switch.name().is_some()) else { return };
+    let Some(pressed) = pressed.into_iter().find(|switch| switch.name().is_some()) else {
+        return;
+    };
     // Esc means to leave it, but where it is that very key's control.
     let leaves = S::named(LEAVE) == Some(*pressed) && id != "fly.escape";
     if !leaves {

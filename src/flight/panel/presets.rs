@@ -1,4 +1,5 @@
-//! The page of presets: those of the program, the user's own, saving, and files dropped on the window.
+//! The page of presets: those of the program, the user's own, saving, and files dropped on the
+//! window.
 
 use crate::cli::{self, SceneArgs};
 use crate::flight::keyboard::SceneEditor;
@@ -13,7 +14,8 @@ use std::path::{Path, PathBuf};
 /// What the page remembers.
 #[derive(Default)]
 pub(super) struct State {
-    /// The user's preset that is open, and the scene that was loaded when it was: another one closes it.
+    /// The user's preset that is open, and the scene that was loaded when it was: another one
+    /// closes it.
     own: Option<(PathBuf, Scene)>,
     /// Name for the next one.
     name: String,
@@ -26,15 +28,25 @@ pub(super) struct State {
 }
 
 pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEditor) {
-    if state.own.as_ref().is_some_and(|(_, loaded)| loaded != editor.loaded()) {
+    if state
+        .own
+        .as_ref()
+        .is_some_and(|(_, loaded)| loaded != editor.loaded())
+    {
         state.own = None;
     }
     ui.strong("Built in");
     let name = editor.meant().name;
     for preset in presets::PRESETS {
-        let Ok(scene) = preset.scene(&[]) else { continue };
+        let Ok(scene) = preset.scene(&[]) else {
+            continue;
+        };
         let text = format!("{}  {}", preset.number, preset.name);
-        if ui.selectable_label(name == preset.name, text).on_hover_text(&scene.title).clicked() {
+        if ui
+            .selectable_label(name == preset.name, text)
+            .on_hover_text(&scene.title)
+            .clicked()
+        {
             editor.load("", Ok(scene));
         }
     }
@@ -44,30 +56,54 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
         ui.label("This system names no folder for settings, so there is none for presets.");
         return;
     };
-    let files = state.files.get_or_insert_with(|| preset_files(&folder)).clone();
+    let files = state
+        .files
+        .get_or_insert_with(|| preset_files(&folder))
+        .clone();
     if files.is_empty() {
         ui.weak("None yet.");
     }
     for file in files {
         let name = file.file_stem().unwrap_or_default().to_string_lossy();
-        if ui.selectable_label(state.own.as_ref().is_some_and(|(own, _)| *own == file), name).clicked() {
+        if ui
+            .selectable_label(
+                state.own.as_ref().is_some_and(|(own, _)| *own == file),
+                name,
+            )
+            .clicked()
+        {
             open(state, editor, &file);
         }
     }
     ui.add_space(6.0);
     if let Some((own, _)) = state.own.clone()
-        && ui.button(format!("Save {}", own.file_name().unwrap_or_default().to_string_lossy())).clicked()
+        && ui
+            .button(format!(
+                "Save {}",
+                own.file_name().unwrap_or_default().to_string_lossy()
+            ))
+            .clicked()
     {
         save(state, editor, &own);
     }
     ui.horizontal(|ui| {
-        ui.add(egui::TextEdit::singleline(&mut state.name).hint_text("name").desired_width(170.0));
+        ui.add(
+            egui::TextEdit::singleline(&mut state.name)
+                .hint_text("name")
+                .desired_width(170.0),
+        );
         let file = folder.join(format!("{}.toml", safe(&state.name)));
         let certain = state.replace.as_ref() == Some(&file);
         let text = if certain { "Replace it" } else { "Save as" };
-        if ui.add_enabled(!state.name.trim().is_empty(), egui::Button::new(text)).clicked() {
+        if ui
+            .add_enabled(!state.name.trim().is_empty(), egui::Button::new(text))
+            .clicked()
+        {
             if file.exists() && !certain {
-                editor.say(format!("{} is there already; press again to replace it", file.display()));
+                editor.say(format!(
+                    "{} is there already; press again to replace it",
+                    file.display()
+                ));
                 state.replace = Some(file);
             } else {
                 save(state, editor, &file);
@@ -75,13 +111,18 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
         }
     });
     if safe(&state.name) != state.name.trim() {
-        ui.weak(format!("The file will be {}.toml: letters, digits, - and _ only.", safe(&state.name)));
+        ui.weak(format!(
+            "The file will be {}.toml: letters, digits, - and _ only.",
+            safe(&state.name)
+        ));
     }
     ui.separator();
     ui.strong("From a file");
     ui.horizontal(|ui| {
         ui.add(
-            egui::TextEdit::singleline(&mut state.path).hint_text("path of a preset or picture").desired_width(220.0),
+            egui::TextEdit::singleline(&mut state.path)
+                .hint_text("path of a preset or picture")
+                .desired_width(220.0),
         );
         if ui.button("Load").clicked() {
             open(state, editor, &PathBuf::from(state.path.trim()));
@@ -96,7 +137,11 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
 fn loaded(file: &Path) -> Result<Scene, String> {
     // As a path, whatever it is called: a file may have a built-in preset's name.
     let path = std::path::absolute(file).map_err(|error| format!("{}: {error}", file.display()))?;
-    cli::scene(&SceneArgs { preset: Some(path.into()), ..SceneArgs::default() }).map_err(|error| error.to_string())
+    cli::scene(&SceneArgs {
+        preset: Some(path.into()),
+        ..SceneArgs::default()
+    })
+    .map_err(|error| error.to_string())
 }
 
 fn open(state: &mut State, editor: &mut SceneEditor, file: &Path) {
@@ -107,7 +152,13 @@ fn open(state: &mut State, editor: &mut SceneEditor, file: &Path) {
 
 fn save(state: &mut State, editor: &mut SceneEditor, file: &Path) {
     let mut scene = editor.meant();
-    scene.name = file.file_stem().unwrap_or_default().to_string_lossy().chars().take(60).collect();
+    scene.name = file
+        .file_stem()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .chars()
+        .take(60)
+        .collect();
     match written(file, &scene.to_preset()) {
         Ok(()) => {
             editor.change("", Ok(scene));
@@ -123,14 +174,22 @@ fn save(state: &mut State, editor: &mut SceneEditor, file: &Path) {
 fn written(file: &Path, text: &str) -> std::io::Result<()> {
     let folder = file.parent().unwrap_or(Path::new("."));
     std::fs::create_dir_all(folder)?;
-    let mut part = tempfile::Builder::new().prefix(".preset-").tempfile_in(folder)?;
+    let mut part = tempfile::Builder::new()
+        .prefix(".preset-")
+        .tempfile_in(folder)?;
     part.write_all(text.as_bytes())?;
     part.persist(file).map_err(|error| error.error).map(drop)
 }
 
 /// A name without what file systems mind.
 fn safe(name: &str) -> String {
-    let plain = |c: char| if c.is_alphanumeric() || c == '-' { c } else { '_' };
+    let plain = |c: char| {
+        if c.is_alphanumeric() || c == '-' {
+            c
+        } else {
+            '_'
+        }
+    };
     name.trim().chars().map(plain).take(60).collect()
 }
 

@@ -1,5 +1,5 @@
-//! How many steps the rays of the picture take, beside the method and its error setting. Counted on the inspector's own
-//! device, once the scene has come to rest.
+//! How many steps the rays of the picture take, beside the method and its error setting. Counted on
+//! the inspector's own device, once the scene has come to rest.
 
 use crate::flight::inspector::Worker;
 use crate::flight::keyboard::SceneEditor;
@@ -24,7 +24,10 @@ impl Steps {
             None => "steps: being counted".into(),
             Some(Ok(count)) if count.most == 0 => "solved in closed form, without steps".into(),
             Some(Ok(count)) => {
-                format!("{:.1} steps a ray, {} at most, of {} rays", count.mean, count.most, count.rays)
+                format!(
+                    "{:.1} steps a ray, {} at most, of {} rays",
+                    count.mean, count.most, count.rays
+                )
             }
             Some(Err(reason)) => format!("steps: {reason}"),
         }
@@ -32,7 +35,10 @@ impl Steps {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.init_resource::<Steps>().add_systems(Update, follow.run_if(|shown: Res<Shown>| shown.panel_seen()));
+    app.init_resource::<Steps>().add_systems(
+        Update,
+        follow.run_if(|shown: Res<Shown>| shown.panel_seen()),
+    );
 }
 
 fn follow(worker: Res<Worker>, pace: Res<Pace>, editor: SceneEditor, mut steps: ResMut<Steps>) {
@@ -45,13 +51,26 @@ fn follow(worker: Res<Worker>, pace: Res<Pace>, editor: SceneEditor, mut steps: 
     let scene = traced(editor.meant());
     if steps.asked.as_ref() != Some(&scene) {
         worker.count(scene.clone());
-        *steps = Steps { asked: Some(scene), count: None };
+        *steps = Steps {
+            asked: Some(scene),
+            count: None,
+        };
     }
 }
 
 /// A scene without what its rays know nothing of: words, views, and what becomes of their light.
 fn traced(scene: Scene) -> Scene {
     let none = Scene::default();
-    let picture = Picture { width: scene.picture.width, height: scene.picture.height, ..none.picture };
-    Scene { name: none.name, title: none.title, view: none.view, picture, ..scene }
+    let picture = Picture {
+        width: scene.picture.width,
+        height: scene.picture.height,
+        ..none.picture
+    };
+    Scene {
+        name: none.name,
+        title: none.title,
+        view: none.view,
+        picture,
+        ..scene
+    }
 }

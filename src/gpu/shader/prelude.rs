@@ -8,7 +8,8 @@ use crate::scene::{SkyMode, View};
 use std::fmt::Write;
 
 impl Variant {
-    /// The flags, by their names in the shaders. Compilers drop what stands behind one that is not set.
+    /// The flags, by their names in the shaders. Compilers drop what stands behind one that is not
+    /// set.
     pub fn flags(self) -> [(&'static str, bool); 13] {
         let records = self.entry == Entry::Rays;
         [
@@ -16,7 +17,10 @@ impl Variant {
             ("NEAR_HORIZON", self.near_horizon),
             ("AZIMUTH", records),
             // What is timed does all the work that a picture with a sky does.
-            ("SKY_DIRECTION", self.entry != Entry::Picture || self.sky != SkyMode::Off),
+            (
+                "SKY_DIRECTION",
+                self.entry != Entry::Picture || self.sky != SkyMode::Off,
+            ),
             ("REFERENCE_STAR", self.reference_star),
             ("SHOW_UNFINISHED", self.view == View::Unfinished),
             ("FOLLOW_BEYOND_HITS", self.follow_beyond_hits),
@@ -25,7 +29,10 @@ impl Variant {
             ("BEAMING", self.effects.beaming),
             ("GRAVITATIONAL_SHIFT", self.effects.gravitational_shift),
             ("ABERRATION", self.effects.aberration),
-            ("DIAGNOSTICS", records || matches!(self.view, View::Residual | View::Order)),
+            (
+                "DIAGNOSTICS",
+                records || matches!(self.view, View::Residual | View::Order),
+            ),
         ]
     }
 
@@ -40,12 +47,37 @@ impl Variant {
                 constant(&mut text, name, kind, value);
             }
         }
-        constant(&mut text, "MOST_HITS", "u32", format!("{}u", self.most_hits));
-        constant(&mut text, "PAGE_THORNE_LEN", "u32", format!("{}u", disk::TABLE_LEN));
+        constant(
+            &mut text,
+            "MOST_HITS",
+            "u32",
+            format!("{}u", self.most_hits),
+        );
+        constant(
+            &mut text,
+            "PAGE_THORNE_LEN",
+            "u32",
+            format!("{}u", disk::TABLE_LEN),
+        );
         constant(&mut text, "SPECTRUM_LEN", "u32", format!("{TABLE_LEN}u"));
-        constant(&mut text, "SPECTRUM_COLDEST", "f32", format!("{TABLE_COLDEST:?}"));
-        constant(&mut text, "SPECTRUM_HOTTEST", "f32", format!("{TABLE_HOTTEST:?}"));
-        constant(&mut text, "SPECTRUM_LN_RANGE", "f32", format!("{:?}", (TABLE_HOTTEST / TABLE_COLDEST).ln()));
+        constant(
+            &mut text,
+            "SPECTRUM_COLDEST",
+            "f32",
+            format!("{TABLE_COLDEST:?}"),
+        );
+        constant(
+            &mut text,
+            "SPECTRUM_HOTTEST",
+            "f32",
+            format!("{TABLE_HOTTEST:?}"),
+        );
+        constant(
+            &mut text,
+            "SPECTRUM_LN_RANGE",
+            "f32",
+            format!("{:?}", (TABLE_HOTTEST / TABLE_COLDEST).ln()),
+        );
         text
     }
 }

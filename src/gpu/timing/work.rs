@@ -1,4 +1,5 @@
-//! What is timed: the pipeline of a compute entry, or of a fragment entry with a texture to draw into.
+//! What is timed: the pipeline of a compute entry, or of a fragment entry with a texture to draw
+//! into.
 
 use crate::gpu::Gpu;
 use glam::UVec2;
@@ -14,45 +15,57 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 
 /// The compute entry, with the layout of what it reads.
 pub(super) fn compute(gpu: &Gpu, module: &wgpu::ShaderModule) -> (Work, wgpu::BindGroupLayout) {
-    let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: Some("timed"),
-        layout: None,
-        module,
-        entry_point: Some("timed"),
-        compilation_options: Default::default(),
-        cache: None,
-    });
+    let pipeline = gpu
+        .device
+        .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some("timed"),
+            layout: None,
+            module,
+            entry_point: Some("timed"),
+            compilation_options: Default::default(),
+            cache: None,
+        });
     let layout = pipeline.get_bind_group_layout(0);
     (Work::Compute(pipeline), layout)
 }
 
 /// The fragment entry and its texture, with the layout of what it reads.
-pub(super) fn fragment(gpu: &Gpu, module: &wgpu::ShaderModule, size: UVec2) -> (Work, wgpu::BindGroupLayout) {
-    let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("timed"),
-        layout: None,
-        vertex: wgpu::VertexState {
-            module,
-            entry_point: Some("vertex"),
-            compilation_options: Default::default(),
-            buffers: &[],
-        },
-        primitive: Default::default(),
-        depth_stencil: None,
-        multisample: Default::default(),
-        fragment: Some(wgpu::FragmentState {
-            module,
-            entry_point: Some("fragment"),
-            compilation_options: Default::default(),
-            targets: &[Some(FORMAT.into())],
-        }),
-        multiview_mask: None,
-        cache: None,
-    });
+pub(super) fn fragment(
+    gpu: &Gpu,
+    module: &wgpu::ShaderModule,
+    size: UVec2,
+) -> (Work, wgpu::BindGroupLayout) {
+    let pipeline = gpu
+        .device
+        .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("timed"),
+            layout: None,
+            vertex: wgpu::VertexState {
+                module,
+                entry_point: Some("vertex"),
+                compilation_options: Default::default(),
+                buffers: &[],
+            },
+            primitive: Default::default(),
+            depth_stencil: None,
+            multisample: Default::default(),
+            fragment: Some(wgpu::FragmentState {
+                module,
+                entry_point: Some("fragment"),
+                compilation_options: Default::default(),
+                targets: &[Some(FORMAT.into())],
+            }),
+            multiview_mask: None,
+            cache: None,
+        });
     let layout = pipeline.get_bind_group_layout(0);
     let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some("timed"),
-        size: wgpu::Extent3d { width: size.x, height: size.y, depth_or_array_layers: 1 },
+        size: wgpu::Extent3d {
+            width: size.x,
+            height: size.y,
+            depth_or_array_layers: 1,
+        },
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
@@ -60,5 +73,8 @@ pub(super) fn fragment(gpu: &Gpu, module: &wgpu::ShaderModule, size: UVec2) -> (
         usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
         view_formats: &[],
     });
-    (Work::Fragment(pipeline, texture.create_view(&Default::default())), layout)
+    (
+        Work::Fragment(pipeline, texture.create_view(&Default::default())),
+        layout,
+    )
 }

@@ -68,13 +68,17 @@ pub enum ObserverError {
         photon_orbit: f64,
     },
     /// Circular orbits are in the disk's plane.
-    #[error("camera.theta_deg is {theta_deg} with observer.kind = \"orbit\"; it must be 90, the plane of the disk")]
+    #[error(
+        "camera.theta_deg is {theta_deg} with observer.kind = \"orbit\"; it must be 90, the plane of the disk"
+    )]
     OffPlane {
         /// The camera's angle from the disk normal, in degrees.
         theta_deg: f64,
     },
     /// Nothing moves as fast as light.
-    #[error("observer.velocity is {velocity:?}; its length must be less than 1, the speed of light")]
+    #[error(
+        "observer.velocity is {velocity:?}; its length must be less than 1, the speed of light"
+    )]
     Velocity {
         /// What was given.
         velocity: [f64; 3],

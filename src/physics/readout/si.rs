@@ -18,12 +18,21 @@ pub struct HoleMass {
     pub suns: f64,
 }
 
-/// Masses to choose from: Sagittarius A* (GRAVITY Collaboration 2022), M87* (Event Horizon Telescope Collaboration 2019), and
-/// one as dead stars leave behind.
+/// Masses to choose from: Sagittarius A* (GRAVITY Collaboration 2022), M87* (Event Horizon
+/// Telescope Collaboration 2019), and one as dead stars leave behind.
 pub const MASSES: [HoleMass; 3] = [
-    HoleMass { name: "Sgr A*", suns: 4.30e6 },
-    HoleMass { name: "M87*", suns: 6.5e9 },
-    HoleMass { name: "10 suns", suns: 10.0 },
+    HoleMass {
+        name: "Sgr A*",
+        suns: 4.30e6,
+    },
+    HoleMass {
+        name: "M87*",
+        suns: 6.5e9,
+    },
+    HoleMass {
+        name: "10 suns",
+        suns: 10.0,
+    },
 ];
 
 impl HoleMass {

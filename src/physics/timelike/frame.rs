@@ -1,4 +1,5 @@
-//! Where a momentum stands in an observer's frame, and how the legs of two observers who move alike are turned.
+//! Where a momentum stands in an observer's frame, and how the legs of two observers who move alike
+//! are turned.
 
 use crate::physics::{
     kerr::{Kerr, MASS},
@@ -6,21 +7,35 @@ use crate::physics::{
 };
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
-/// The observer's four-velocity: her matrix's first column is -u_t, Sigma u^r / r^2 and so on, as of a photon.
+/// The observer's four-velocity: her matrix's first column is -u_t, Sigma u^r / r^2 and so on, as
+/// of a photon.
 #[must_use]
 pub fn four_velocity(matrix: &ObserverMatrix) -> Photon {
     let [energy, radial, x, y, z] = matrix.rows.map(|row| row[0]);
-    Photon { energy, radial, w: DVec3::new(x, y, z) }
+    Photon {
+        energy,
+        radial,
+        w: DVec3::new(x, y, z),
+    }
 }
 
-/// The components of a momentum of this rest mass squared at (`r`, `theta`, `phi`) for the observer who falls from rest at
-/// infinity (`rain`), on her legs: energy; outward, toward growing theta, toward growing phi.
+/// The components of a momentum of this rest mass squared at (`r`, `theta`, `phi`) for the observer
+/// who falls from rest at infinity (`rain`), on her legs: energy; outward, toward growing theta,
+/// toward growing phi.
 ///
-/// With beta = sqrt(2 M r (r^2 + a^2)/A) her own speed for the zero-angular-momentum observer, one of the light-cone components
-/// energy -+ outward has the factor 1 - beta, which vanishes at the horizon. Their product is the mass squared and what
-/// is across squared, and gives it from the other: so nothing that falls inward has a special place at the horizon. Derived.
+/// With beta = sqrt(2 M r (r^2 + a^2)/A) her own speed for the zero-angular-momentum observer, one
+/// of the light-cone components energy -+ outward has the factor 1 - beta, which vanishes at the
+/// horizon. Their product is the mass squared and what is across squared, and gives it from the
+/// other: so nothing that falls inward has a special place at the horizon. Derived.
 #[must_use]
-pub fn in_rain(kerr: Kerr, r: f64, theta: f64, phi: f64, momentum: &Photon, mass_squared: f64) -> (f64, DVec3) {
+pub fn in_rain(
+    kerr: Kerr,
+    r: f64,
+    theta: f64,
+    phi: f64,
+    momentum: &Photon,
+    mass_squared: f64,
+) -> (f64, DVec3) {
     let (sin, cos) = polar_sin_cos(theta);
     let (a2, sigma) = (kerr.a().powi(2), kerr.sigma(r, cos));
     let area = sigma * (r * r + a2) + 2.0 * MASS * r * a2 * sin * sin;
@@ -39,7 +54,10 @@ pub fn in_rain(kerr: Kerr, r: f64, theta: f64, phi: f64, momentum: &Photon, mass
         let plus = (energy + radial) * (1.0 + beta) * area / (sigma * kerr.delta(r));
         (product / plus, plus)
     };
-    (0.5 * (minus + plus), DVec3::new(0.5 * (plus - minus), down, along))
+    (
+        0.5 * (minus + plus),
+        DVec3::new(0.5 * (plus - minus), down, along),
+    )
 }
 
 /// The velocity for `rain`, in c on her legs, of what moves with the four-velocity `u`.
@@ -49,14 +67,23 @@ pub fn velocity_in_rain(kerr: Kerr, r: f64, theta: f64, phi: f64, u: &Photon) ->
     momentum / gamma
 }
 
-/// The velocity of `observer` for `frame` at the same place, in c on the frame's legs. Not at the horizon itself.
+/// The velocity of `observer` for `frame` at the same place, in c on the frame's legs. Not at the
+/// horizon itself.
 #[must_use]
-pub fn relative_velocity(observer: &ObserverMatrix, frame: &ObserverMatrix, theta: f64, phi: f64) -> DVec3 {
-    let [gamma, rest @ ..] = transformation(observer, frame, theta, phi).x_axis.to_array();
+pub fn relative_velocity(
+    observer: &ObserverMatrix,
+    frame: &ObserverMatrix,
+    theta: f64,
+    phi: f64,
+) -> DVec3 {
+    let [gamma, rest @ ..] = transformation(observer, frame, theta, phi)
+        .x_axis
+        .to_array();
     -DVec3::from_array(rest) / gamma
 }
 
-/// The rotation that takes a direction on the legs of one observer to the legs of another with the same four-velocity.
+/// The rotation that takes a direction on the legs of one observer to the legs of another with the
+/// same four-velocity.
 #[must_use]
 pub fn turn_between(from: &ObserverMatrix, to: &ObserverMatrix, theta: f64, phi: f64) -> DMat3 {
     let whole = transformation(from, to, theta, phi);
@@ -67,8 +94,9 @@ pub fn turn_between(from: &ObserverMatrix, to: &ObserverMatrix, theta: f64, phi:
     DMat3::from_cols(x, y, x.cross(y))
 }
 
-/// Takes (1, d) of one observer to that of another at the same place, but for the frequencies. The matrices' first columns are
-/// the observers themselves and the others minus their legs: so a four-velocity is (gamma, -gamma v).
+/// Takes (1, d) of one observer to that of another at the same place, but for the frequencies. The
+/// matrices' first columns are the observers themselves and the others minus their legs: so a
+/// four-velocity is (gamma, -gamma v).
 fn transformation(from: &ObserverMatrix, to: &ObserverMatrix, theta: f64, phi: f64) -> DMat4 {
     let [_, theta_hat, phi_hat] = celestial_frame(theta, phi);
     let square = |matrix: &ObserverMatrix| {

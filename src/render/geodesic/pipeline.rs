@@ -13,7 +13,11 @@ pub(super) fn descriptor(
     RenderPipelineDescriptor {
         label: Some("geodesic".into()),
         layout: vec![layout],
-        vertex: VertexState { shader: shader.clone(), entry_point: Some("vertex".into()), ..default() },
+        vertex: VertexState {
+            shader: shader.clone(),
+            entry_point: Some("vertex".into()),
+            ..default()
+        },
         fragment: Some(FragmentState {
             shader,
             entry_point: Some("fragment".into()),
@@ -24,7 +28,8 @@ pub(super) fn descriptor(
             })],
             ..default()
         }),
-        // Reverse depth: zero is the far plane and the cleared value, so an equal test keeps what nothing covers.
+        // Reverse depth: zero is the far plane and the cleared value, so an equal test keeps what
+        // nothing covers.
         depth_stencil: Some(DepthStencilState {
             format: CORE_3D_DEPTH_FORMAT,
             depth_write_enabled: Some(false),
@@ -32,7 +37,10 @@ pub(super) fn descriptor(
             stencil: default(),
             bias: default(),
         }),
-        multisample: MultisampleState { count: samples, ..default() },
+        multisample: MultisampleState {
+            count: samples,
+            ..default()
+        },
         ..default()
     }
 }

@@ -7,10 +7,11 @@ use super::Measured;
 pub struct Margin {
     /// The scene.
     pub scene: String,
-    /// Time of the fastest row of another method that is no less exact, over auto's; infinite where none is that exact.
+    /// Time of the fastest row of another method that is no less exact, over auto's; infinite where
+    /// none is that exact.
     pub faster: f64,
-    /// 99th percentile of the backward error of the most exact row of another method that is no slower, over auto's;
-    /// infinite where none is that fast.
+    /// 99th percentile of the backward error of the most exact row of another method that is no
+    /// slower, over auto's; infinite where none is that fast.
     pub more_exact: f64,
 }
 
@@ -26,13 +27,20 @@ impl Margin {
 #[must_use]
 pub fn auto_margin(rows: &[Measured], scene: &str) -> Option<Margin> {
     let auto = rows.iter().find(|row| row.scene == scene && row.auto)?;
-    let others = || rows.iter().filter(|row| row.scene == scene && row.method != auto.method);
+    let others = || {
+        rows.iter()
+            .filter(|row| row.scene == scene && row.method != auto.method)
+    };
     let exact = others().filter(|row| row.backward_p99 <= auto.backward_p99);
     let quick = others().filter(|row| row.trace_ms <= auto.trace_ms);
     Some(Margin {
         scene: scene.into(),
-        faster: exact.map(|row| row.trace_ms / auto.trace_ms).fold(f64::INFINITY, f64::min),
-        more_exact: quick.map(|row| row.backward_p99 / auto.backward_p99).fold(f64::INFINITY, f64::min),
+        faster: exact
+            .map(|row| row.trace_ms / auto.trace_ms)
+            .fold(f64::INFINITY, f64::min),
+        more_exact: quick
+            .map(|row| row.backward_p99 / auto.backward_p99)
+            .fold(f64::INFINITY, f64::min),
     })
 }
 
@@ -40,7 +48,9 @@ pub fn auto_margin(rows: &[Measured], scene: &str) -> Option<Margin> {
 #[must_use]
 pub fn is_on_front(rows: &[Measured], row: &Measured) -> bool {
     let better = |other: &Measured| {
-        other.scene == row.scene && other.trace_ms < row.trace_ms && other.backward_p99 < row.backward_p99
+        other.scene == row.scene
+            && other.trace_ms < row.trace_ms
+            && other.backward_p99 < row.backward_p99
     };
     row.backward_p99.is_finite() && !rows.iter().any(better)
 }

@@ -6,8 +6,8 @@ use crate::physics::trace::Trace;
 use crate::report::error::{Errors, Truth};
 use serde::Serialize;
 
-/// Error and time of one method at one setting in one scene. Angles are in radians unless their name says pixels; an error
-/// without a bound (an unfinished ray's) is infinite, in JSON null.
+/// Error and time of one method at one setting in one scene. Angles are in radians unless their
+/// name says pixels; an error without a bound (an unfinished ray's) is infinite, in JSON null.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Measured {
     /// Name of the scene.
@@ -22,7 +22,8 @@ pub struct Measured {
     pub own_setting: bool,
     /// Whether `auto` draws the scene just so.
     pub auto: bool,
-    /// Median time of tracing the picture's rays, in milliseconds, and its spread from the 10th to the 90th percentile.
+    /// Median time of tracing the picture's rays, in milliseconds, and its spread from the 10th to
+    /// the 90th percentile.
     pub trace_ms: f64,
     /// See `trace_ms`.
     pub trace_spread_ms: f64,
@@ -73,7 +74,13 @@ pub struct Measured {
 }
 
 impl Measured {
-    pub(super) fn new(name: &str, setting: &Setting, timing: Timing, truth: &Truth, traces: &[Trace]) -> Self {
+    pub(super) fn new(
+        name: &str,
+        setting: &Setting,
+        timing: Timing,
+        truth: &Truth,
+        traces: &[Trace],
+    ) -> Self {
         let errors = Errors::of(truth, traces);
         let scene = &setting.scene;
         let pixel = scene.camera.pixel_angle(f64::from(scene.picture.height));
@@ -118,6 +125,9 @@ impl Measured {
     /// The method and its setting, for people.
     #[must_use]
     pub fn label(&self) -> String {
-        self.value.map_or_else(|| self.method.clone(), |value| format!("{} {value}", self.method))
+        self.value.map_or_else(
+            || self.method.clone(),
+            |value| format!("{} {value}", self.method),
+        )
     }
 }

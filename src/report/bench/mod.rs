@@ -1,4 +1,5 @@
-//! Error against run time: for each scene, method and setting, how long tracing takes and how wrong it is.
+//! Error against run time: for each scene, method and setting, how long tracing takes and how wrong
+//! it is.
 
 mod equal;
 mod frontier;
@@ -62,7 +63,11 @@ impl Plan {
         Self {
             subjects: subjects(),
             methods: Method::ON_GPU.to_vec(),
-            size: if quick { UVec2::new(160, 90) } else { UVec2::new(1920, 1080) },
+            size: if quick {
+                UVec2::new(160, 90)
+            } else {
+                UVec2::new(1920, 1080)
+            },
             stage: Stage::Compute,
             effort: Effort {
                 least_runs: if quick { 3 } else { 5 },
@@ -76,7 +81,10 @@ impl Plan {
     /// How many rows there will be.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.subjects.iter().map(|subject| self.rows_of(subject).len()).sum()
+        self.subjects
+            .iter()
+            .map(|subject| self.rows_of(subject).len())
+            .sum()
     }
 
     /// Whether there is nothing to measure.
@@ -85,8 +93,8 @@ impl Plan {
         self.len() == 0
     }
 
-    /// Time of a run that every method's contains: photons set up and answers written for straight lines without a disk, in
-    /// milliseconds.
+    /// Time of a run that every method's contains: photons set up and answers written for straight
+    /// lines without a disk, in milliseconds.
     ///
     /// # Errors
     /// A device that failed.
@@ -99,15 +107,23 @@ impl Plan {
     }
 
     fn rows_of(&self, subject: &Subject) -> Vec<Setting> {
-        let methods = methods_for(&subject.scene).into_iter().filter(|method| self.methods.contains(method));
-        methods.flat_map(|method| settings(&subject.scene, method, self.few_settings)).collect()
+        let methods = methods_for(&subject.scene)
+            .into_iter()
+            .filter(|method| self.methods.contains(method));
+        methods
+            .flat_map(|method| settings(&subject.scene, method, self.few_settings))
+            .collect()
     }
 
     /// Measures everything; `done` is told of each row as it is measured.
     ///
     /// # Errors
     /// A device that failed; a scene that cannot be traced, which no scene of the program is.
-    pub fn run(&self, gpu: &Gpu, mut done: impl FnMut(&Measured)) -> Result<Vec<Measured>, GpuError> {
+    pub fn run(
+        &self,
+        gpu: &Gpu,
+        mut done: impl FnMut(&Measured),
+    ) -> Result<Vec<Measured>, GpuError> {
         let mut all = Vec::new();
         for subject in &self.subjects {
             let mut rays = on_picture(&subject.scene, self.rays - self.rays / 2);
@@ -116,7 +132,8 @@ impl Plan {
             let given: Vec<_> = truth.rays.iter().map(super::error::Ray::given).collect();
             let mut made: Option<(Method, Stopwatch, RayKernel)> = None;
             let mut answers = Vec::new();
-            // All is timed before anything is judged: a GPU that waits for the CPU in between lowers its clocks.
+            // All is timed before anything is judged: a GPU that waits for the CPU in between
+            // lowers its clocks.
             for setting in self.rows_of(subject) {
                 let scene = &setting.scene;
                 // A method's settings share one shader.
@@ -147,11 +164,29 @@ impl Plan {
 #[must_use]
 pub fn subjects() -> Vec<Subject> {
     let preset = |preset: &presets::Preset, name: &str, overrides: &[Override]| {
-        preset.scene(overrides).ok().map(|scene| Subject { name: name.into(), scene })
+        preset.scene(overrides).ok().map(|scene| Subject {
+            name: name.into(),
+            scene,
+        })
     };
-    let twin = Override { option: "--set", key: "hole.spin".into(), value: "0.9".into() };
-    let spinning = presets::PRESETS.iter().filter(|preset| preset.number == presets::DEFAULT);
-    let spinning =
-        spinning.filter_map(|found| preset(found, &format!("{}-spinning", found.name), std::slice::from_ref(&twin)));
-    presets::PRESETS.iter().filter_map(|found| preset(found, found.name, &[])).chain(spinning).collect()
+    let twin = Override {
+        option: "--set",
+        key: "hole.spin".into(),
+        value: "0.9".into(),
+    };
+    let spinning = presets::PRESETS
+        .iter()
+        .filter(|preset| preset.number == presets::DEFAULT);
+    let spinning = spinning.filter_map(|found| {
+        preset(
+            found,
+            &format!("{}-spinning", found.name),
+            std::slice::from_ref(&twin),
+        )
+    });
+    presets::PRESETS
+        .iter()
+        .filter_map(|found| preset(found, found.name, &[]))
+        .chain(spinning)
+        .collect()
 }

@@ -25,14 +25,17 @@ fn colour(method: &str) -> RGBColor {
     }
 }
 
-/// The scene's rows as SVG; none where there is nothing to draw. Rows whose 99th percentile has no bound (rays left
-/// unfinished) stand as crosses on the upper edge.
+/// The scene's rows as SVG; none where there is nothing to draw. Rows whose 99th percentile has no
+/// bound (rays left unfinished) stand as crosses on the upper edge.
 ///
 /// # Errors
 /// What the plotting library says.
 pub fn plot(scene: &str, about: &str, rows: &[Measured]) -> Result<Option<String>, String> {
     let own: Vec<&Measured> = rows.iter().filter(|row| row.scene == scene).collect();
-    let bounded = || own.iter().filter(|row| row.backward_p99_px.is_finite() && row.backward_p99_px > 0.0);
+    let bounded = || {
+        own.iter()
+            .filter(|row| row.backward_p99_px.is_finite() && row.backward_p99_px > 0.0)
+    };
     let ends = |values: Vec<f64>| {
         let low = values.iter().copied().fold(f64::INFINITY, f64::min);
         let high = values.iter().copied().fold(0.0, f64::max);
@@ -47,8 +50,15 @@ pub fn plot(scene: &str, about: &str, rows: &[Measured]) -> Result<Option<String
     let mut svg = String::new();
     {
         let area = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
-        draw(&area, scene, about, &own, rows, [fastest / 1.6, slowest * 9.0, least / 2.5, top])
-            .map_err(|error| error.to_string())?;
+        draw(
+            &area,
+            scene,
+            about,
+            &own,
+            rows,
+            [fastest / 1.6, slowest * 9.0, least / 2.5, top],
+        )
+        .map_err(|error| error.to_string())?;
         area.present().map_err(|error| error.to_string())?;
     }
     Ok(Some(svg))
@@ -82,18 +92,34 @@ fn draw<'a>(
         .label_style(("sans-serif", 13))
         .draw()?;
     let ceiling = top / 1.6;
-    let height = |row: &Measured| if row.backward_p99_px.is_finite() { row.backward_p99_px } else { ceiling };
+    let height = |row: &Measured| {
+        if row.backward_p99_px.is_finite() {
+            row.backward_p99_px
+        } else {
+            ceiling
+        }
+    };
     let mut methods: Vec<&str> = own.iter().map(|row| row.method.as_str()).collect();
     methods.dedup();
     let at = |row: &Measured| chart.backend_coord(&(row.trace_ms, height(row))).into();
     let points: Vec<[i32; 2]> = own.iter().map(|row| at(row)).collect();
-    let names: Vec<String> =
-        own.iter().map(|row| row.value.map(|value| value.to_string()).unwrap_or_default()).collect();
-    let sizes: Vec<[i32; 2]> = names.iter().map(|name| [LETTER[0] * name.len() as i32, LETTER[1]]).collect();
+    let names: Vec<String> = own
+        .iter()
+        .map(|row| row.value.map(|value| value.to_string()).unwrap_or_default())
+        .collect();
+    let sizes: Vec<[i32; 2]> = names
+        .iter()
+        .map(|name| [LETTER[0] * name.len() as i32, LETTER[1]])
+        .collect();
     for ((row, name), corner) in own.iter().zip(names).zip(placed(&points, &sizes, LEGEND)) {
         let colour = colour(&row.method);
-        let style = ("sans-serif", 11).into_font().color(&colour).pos(Pos::new(HPos::Left, VPos::Top));
-        let label = corner.map(|[x, y]| EmptyElement::at((row.trace_ms, height(row))) + Text::new(name, (x, y), style));
+        let style = ("sans-serif", 11)
+            .into_font()
+            .color(&colour)
+            .pos(Pos::new(HPos::Left, VPos::Top));
+        let label = corner.map(|[x, y]| {
+            EmptyElement::at((row.trace_ms, height(row))) + Text::new(name, (x, y), style)
+        });
         chart.draw_series(label)?;
     }
     for method in methods {
@@ -110,17 +136,31 @@ fn draw<'a>(
             if row.backward_p99_px.is_finite() {
                 chart.draw_series(std::iter::once(Circle::new(place, 5, colour.filled())))?;
             } else {
-                chart.draw_series(std::iter::once(Cross::new(place, 6, colour.stroke_width(2))))?;
+                chart.draw_series(std::iter::once(Cross::new(
+                    place,
+                    6,
+                    colour.stroke_width(2),
+                )))?;
             }
         }
     }
-    let mut front: Vec<(f64, f64)> =
-        own.iter().filter(|row| is_on_front(rows, row)).map(|row| (row.trace_ms, row.backward_p99_px)).collect();
+    let mut front: Vec<(f64, f64)> = own
+        .iter()
+        .filter(|row| is_on_front(rows, row))
+        .map(|row| (row.trace_ms, row.backward_p99_px))
+        .collect();
     front.sort_by(|a, b| a.0.total_cmp(&b.0));
     chart
-        .draw_series(DashedLineSeries::new(front, DASHES[0], DASHES[1], BLACK.stroke_width(1)))?
+        .draw_series(DashedLineSeries::new(
+            front,
+            DASHES[0],
+            DASHES[1],
+            BLACK.stroke_width(1),
+        ))?
         .label("Pareto front")
-        .legend(|(x, y)| DashedPathElement::new([(x - 2, y), (x + 20, y)], DASHES[0], DASHES[1], BLACK));
+        .legend(|(x, y)| {
+            DashedPathElement::new([(x - 2, y), (x + 20, y)], DASHES[0], DASHES[1], BLACK)
+        });
     chart
         .configure_series_labels()
         .position(SeriesLabelPosition::UpperRight)

@@ -4,8 +4,8 @@ use crate::gpu::GpuScene;
 use crate::scene::{Method, Scene};
 use glam::UVec2;
 
-/// Step scales of the article's methods, from its cheapest to where their 768 steps no longer suffice; the middle three are
-/// its own: cheap, balanced, high.
+/// Step scales of the article's methods, from its cheapest to where their 768 steps no longer
+/// suffice; the middle three are its own: cheap, balanced, high.
 const STEP_SCALES: [f64; 8] = [3.0, 1.55, 0.85, 0.45, 0.25, 0.14, 0.08, 0.045];
 /// The named ones.
 const FEW_STEP_SCALES: [f64; 3] = [1.55, 0.85, 0.45];
@@ -32,7 +32,11 @@ pub struct Setting {
 /// The methods that can trace a scene on the GPU.
 #[must_use]
 pub fn methods_for(scene: &Scene) -> Vec<Method> {
-    if scene.hole.spin == 0.0 { Method::ON_GPU.to_vec() } else { vec![Method::Mino, Method::KerrSchild] }
+    if scene.hole.spin == 0.0 {
+        Method::ON_GPU.to_vec()
+    } else {
+        vec![Method::Mino, Method::KerrSchild]
+    }
 }
 
 /// A method's settings for a scene, few or many; those that make no difference are left out.
@@ -41,23 +45,40 @@ pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
     let auto = Method::for_spin(scene.hole.spin);
     let subject = scene;
     let set = |key: Option<&'static str>, value: f64, change: fn(&mut Scene, f64)| {
-        let mut scene = Scene { method, ..subject.clone() };
+        let mut scene = Scene {
+            method,
+            ..subject.clone()
+        };
         change(&mut scene, value);
         let own = scene.quality == subject.quality;
-        Setting { key, value, scene, own, auto: false }
+        Setting {
+            key,
+            value,
+            scene,
+            own,
+            auto: false,
+        }
     };
     let mut all: Vec<Setting> = match method {
         Method::Verlet | Method::KerrSchild => {
             let values: &[f64] = if few { &FEW_STEP_SCALES } else { &STEP_SCALES };
             let change: fn(&mut Scene, f64) = |scene, value| scene.quality.step_scale = value;
-            values.iter().map(|value| set(Some("quality.step_scale"), *value, change)).collect()
+            values
+                .iter()
+                .map(|value| set(Some("quality.step_scale"), *value, change))
+                .collect()
         }
         Method::Mino => {
             let values: &[f64] = if few { &FEW_ERRORS } else { &ERRORS };
             let change: fn(&mut Scene, f64) = |scene, value| scene.quality.max_error_px = value;
             let own = scene.quality.max_error_px;
             let own = std::iter::once(set(Some("quality.max_error_px"), own, change));
-            own.chain(values.iter().map(|value| set(Some("quality.max_error_px"), *value, change))).collect()
+            own.chain(
+                values
+                    .iter()
+                    .map(|value| set(Some("quality.max_error_px"), *value, change)),
+            )
+            .collect()
         }
         Method::Auto | Method::Closed | Method::Reference => vec![set(None, f64::NAN, |_, _| {})],
     };

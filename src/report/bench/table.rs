@@ -19,7 +19,8 @@ pub struct Circumstances {
     pub entry: String,
     /// Revision of the program.
     pub commit: String,
-    /// Where times are measured: that of a run which traces straight lines and nothing else, in milliseconds.
+    /// Where times are measured: that of a run which traces straight lines and nothing else, in
+    /// milliseconds.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub floor_ms: Option<f64>,
     /// The command that made the report.
@@ -29,7 +30,9 @@ pub struct Circumstances {
 impl Circumstances {
     /// Name and value of each.
     fn lines(&self) -> impl Iterator<Item = (&'static str, String)> {
-        let floor = self.floor_ms.map(|floor| format!("{} (straight lines without a disk)", short(floor)));
+        let floor = self
+            .floor_ms
+            .map(|floor| format!("{} (straight lines without a disk)", short(floor)));
         [
             ("adapter", Some(self.adapter.clone())),
             ("driver", Some(self.driver.clone())),
@@ -45,7 +48,8 @@ impl Circumstances {
     }
 }
 
-/// Everything, one line a row, under a header and, before that, the circumstances in lines that begin with #.
+/// Everything, one line a row, under a header and, before that, the circumstances in lines that
+/// begin with #.
 #[must_use]
 pub fn csv(circumstances: &Circumstances, rows: &[impl Serialize]) -> String {
     let mut text = String::new();
@@ -53,16 +57,22 @@ pub fn csv(circumstances: &Circumstances, rows: &[impl Serialize]) -> String {
         writeln!(text, "# {name}: {value}").expect("writing to a string cannot fail");
     }
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let flat = rows.iter().map(|row| serde_json::to_value(row).unwrap_or_default());
+    let flat = rows
+        .iter()
+        .map(|row| serde_json::to_value(row).unwrap_or_default());
     for (i, row) in flat.enumerate() {
         let mut fields = Vec::new();
         for (key, value) in row.as_object().into_iter().flatten() {
             flatten(key, value, &mut fields);
         }
         if i == 0 {
-            writer.write_record(fields.iter().map(|(key, _)| key)).expect("writing to a vector cannot fail");
+            writer
+                .write_record(fields.iter().map(|(key, _)| key))
+                .expect("writing to a vector cannot fail");
         }
-        writer.write_record(fields.iter().map(|(_, value)| value)).expect("writing to a vector cannot fail");
+        writer
+            .write_record(fields.iter().map(|(_, value)| value))
+            .expect("writing to a vector cannot fail");
     }
     text + &String::from_utf8_lossy(&writer.into_inner().unwrap_or_default())
 }
@@ -73,7 +83,10 @@ fn flatten(key: &str, value: &serde_json::Value, fields: &mut Vec<(String, Strin
         serde_json::Value::Array(values) => {
             for (i, value) in values.iter().enumerate() {
                 flatten(
-                    &format!("{key}_{}", ["sky", "captured", "unfinished"].get(i).unwrap_or(&"more")),
+                    &format!(
+                        "{key}_{}",
+                        ["sky", "captured", "unfinished"].get(i).unwrap_or(&"more")
+                    ),
                     value,
                     fields,
                 );
@@ -92,7 +105,8 @@ pub fn json(circumstances: &Circumstances, rows: &[impl Serialize]) -> String {
     serde_json::to_string_pretty(&whole).unwrap_or_default() + "\n"
 }
 
-/// The rows that matter to a reader, scene by scene; those on the front are in bold, auto's has a star.
+/// The rows that matter to a reader, scene by scene; those on the front are in bold, auto's has a
+/// star.
 #[must_use]
 pub fn markdown(circumstances: &Circumstances, rows: &[Measured]) -> String {
     let mut text = String::new();
@@ -128,14 +142,18 @@ pub fn markdown(circumstances: &Circumstances, rows: &[Measured]) -> String {
 /// Ratios beyond this are what is left of two times that are equal but for their noise.
 const MOST_RATIO: f64 = 1e6;
 
-/// Our methods against the article's, scene by scene, where they are equally exact; nothing where they were not measured.
+/// Our methods against the article's, scene by scene, where they are equally exact; nothing where
+/// they were not measured.
 fn equal_errors(circumstances: &Circumstances, rows: &[Measured]) -> String {
     let mut scenes: Vec<&str> = rows.iter().map(|row| row.scene.as_str()).collect();
     scenes.dedup();
     let mut text = String::new();
     for (fast, slow) in [("closed", "verlet"), ("mino", "kerr-schild")] {
         for scene in &scenes {
-            let Some(found) = at_equal_error(rows, scene, fast, slow, circumstances.floor_ms) else { continue };
+            let Some(found) = at_equal_error(rows, scene, fast, slow, circumstances.floor_ms)
+            else {
+                continue;
+            };
             let range = |[low, high]: [f64; 2]| match (format!("{low:.1}"), format!("{high:.1}")) {
                 // A floor as high as the faster method's time leaves nothing to compare.
                 _ if !high.is_finite() || high > MOST_RATIO => String::new(),

@@ -37,9 +37,15 @@ impl SettingsFile {
     pub fn here() -> Self {
         let path = settings_file();
         let looked = path.as_deref().map_or(Ok(None), Settings::look);
-        let (settings, wrong) = looked.map_or_else(|wrong| (None, Some(wrong)), |settings| (settings, None));
+        let (settings, wrong) =
+            looked.map_or_else(|wrong| (None, Some(wrong)), |settings| (settings, None));
         let exists = settings.is_some() || wrong.is_some();
-        Self { path, exists, wrong, adapter: settings.and_then(|settings| settings.adapter) }
+        Self {
+            path,
+            exists,
+            wrong,
+            adapter: settings.and_then(|settings| settings.adapter),
+        }
     }
 
     /// What is wrong, with what to do.
@@ -56,28 +62,48 @@ impl Folder {
     /// What is wrong, with what to do.
     pub(super) fn fault(&self) -> Option<String> {
         let (path, wrong, holds) = (self.path.as_ref()?, self.wrong.as_ref()?, self.holds);
-        Some(format!("{}: {wrong}, so no {holds} can be kept; make it a folder that you may write to", path.display()))
+        Some(format!(
+            "{}: {wrong}, so no {holds} can be kept; make it a folder that you may write to",
+            path.display()
+        ))
     }
 }
 
 /// The folders that the program writes to by itself.
 pub(super) fn folders() -> Vec<Folder> {
     let settings = settings_file().and_then(|file| Some(file.parent()?.to_owned()));
-    let all = [("settings", settings), ("presets", presets_folder()), ("pictures", Some(pictures_folder()))];
+    let all = [
+        ("settings", settings),
+        ("presets", presets_folder()),
+        ("pictures", Some(pictures_folder())),
+    ];
     all.map(|(holds, path)| {
         let exists = path.as_ref().is_some_and(|path| path.is_dir());
         let wrong = path.as_ref().and_then(|path| try_to_write(path).err());
-        Folder { holds, path, exists, wrong }
+        Folder {
+            holds,
+            path,
+            exists,
+            wrong,
+        }
     })
     .into()
 }
 
-/// Whether files can be made in a folder or, where there is none yet, in the one in which it would be made.
+/// Whether files can be made in a folder or, where there is none yet, in the one in which it would
+/// be made.
 fn try_to_write(folder: &Path) -> Result<(), String> {
-    let there = folder.ancestors().find(|part| part.exists()).unwrap_or(Path::new("."));
+    let there = folder
+        .ancestors()
+        .find(|part| part.exists())
+        .unwrap_or(Path::new("."));
     if !there.is_dir() {
         return Err(format!("{} is a file and no folder", there.display()));
     }
-    let tried = tempfile::Builder::new().prefix(".lightfall-").tempfile_in(there);
-    tried.map(drop).map_err(|error| format!("cannot be written ({})", error.kind()))
+    let tried = tempfile::Builder::new()
+        .prefix(".lightfall-")
+        .tempfile_in(there);
+    tried
+        .map(drop)
+        .map_err(|error| format!("cannot be written ({})", error.kind()))
 }

@@ -40,13 +40,25 @@ impl System {
     }
 }
 
-/// The operating system. Linux tells its distribution in /etc/os-release (freedesktop.org), and its kernel's version.
+/// The operating system. Linux tells its distribution in /etc/os-release (freedesktop.org), and its
+/// kernel's version.
 fn os() -> String {
     let release = read_to_string("/etc/os-release").unwrap_or_default();
-    let distribution =
-        release.lines().find_map(|line| line.strip_prefix("PRETTY_NAME=")).map(|name| name.trim_matches('"'));
-    let kernel =
-        read_to_string("/proc/sys/kernel/osrelease").ok().map(|kernel| format!("{} {}", consts::OS, kernel.trim()));
-    let parts: Vec<String> = distribution.map(str::to_owned).into_iter().chain(kernel).collect();
-    if parts.is_empty() { consts::OS.into() } else { parts.join(", ") }
+    let distribution = release
+        .lines()
+        .find_map(|line| line.strip_prefix("PRETTY_NAME="))
+        .map(|name| name.trim_matches('"'));
+    let kernel = read_to_string("/proc/sys/kernel/osrelease")
+        .ok()
+        .map(|kernel| format!("{} {}", consts::OS, kernel.trim()));
+    let parts: Vec<String> = distribution
+        .map(str::to_owned)
+        .into_iter()
+        .chain(kernel)
+        .collect();
+    if parts.is_empty() {
+        consts::OS.into()
+    } else {
+        parts.join(", ")
+    }
 }

@@ -13,10 +13,27 @@ impl Display for Diagnosis {
         let mut line = |name: &str, found: &str| writeln!(f, "{name:NAME$}{found}");
         line("lightfall", self.version)?;
         let system = &self.system;
-        line("system", &format!("{}, {}, cores: {}", system.os, system.architecture, system.cores))?;
-        let none = system.no_display.as_ref().map(|missing| format!("none: {missing}")).unwrap_or_default();
+        line(
+            "system",
+            &format!(
+                "{}, {}, cores: {}",
+                system.os, system.architecture, system.cores
+            ),
+        )?;
+        let none = system
+            .no_display
+            .as_ref()
+            .map(|missing| format!("none: {missing}"))
+            .unwrap_or_default();
         line("display", system.display.as_ref().unwrap_or(&none))?;
-        line("gamepads", if self.gamepads { "are read" } else { "are not read by this build" })?;
+        line(
+            "gamepads",
+            if self.gamepads {
+                "are read"
+            } else {
+                "are not read by this build"
+            },
+        )?;
         if self.adapters.is_empty() {
             line("adapter", "none")?;
         }
@@ -40,7 +57,11 @@ impl Display for Diagnosis {
                 writeln!(f, "* {sentence}")?;
             }
         }
-        if self.is_well() { writeln!(f, "\nAll that is needed works.") } else { Ok(()) }
+        if self.is_well() {
+            writeln!(f, "\nAll that is needed works.")
+        } else {
+            Ok(())
+        }
     }
 }
 
@@ -59,15 +80,27 @@ impl Diagnosis {
 impl Display for Adapter {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let used = if self.used { ", in use" } else { "" };
-        write!(f, "{} ({}, {}, {}){used}", self.name, self.kind, self.backend, self.driver)
+        write!(
+            f,
+            "{} ({}, {}, {}){used}",
+            self.name, self.kind, self.backend, self.driver
+        )
     }
 }
 
 impl Adapter {
     fn abilities(&self) -> String {
-        let timestamps = if self.timestamps { "timestamps" } else { "no timestamps" };
+        let timestamps = if self.timestamps {
+            "timestamps"
+        } else {
+            "no timestamps"
+        };
         let buffers = self.largest_storage_buffer >> 20;
-        let limits = if self.too_small.is_empty() { "limits suffice" } else { "limits too small, see below" };
+        let limits = if self.too_small.is_empty() {
+            "limits suffice"
+        } else {
+            "limits too small, see below"
+        };
         format!(
             "textures to {0} x {0}, storage buffers to {buffers} MiB, {timestamps}; {limits}",
             self.longest_texture_side
@@ -88,7 +121,11 @@ impl Display for Folder {
 
 impl Display for Trial {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let verdict = if self.holds { "as stated" } else { "NOT as stated, see below" };
+        let verdict = if self.holds {
+            "as stated"
+        } else {
+            "NOT as stated, see below"
+        };
         write!(
             f,
             "{}, {}: {} rays within {} of a pixel ({} rad, 99 of 100 within {}), {verdict}",
@@ -104,11 +141,20 @@ impl Display for Trial {
 
 impl Trial {
     fn speed(&self) -> String {
-        let by = if self.clock == "timestamps" { "the GPU's timestamps" } else { "the clock on the wall" };
-        format!("1920x1080 rays in {} ms by {by}", short(self.trace_ms_1920x1080))
+        let by = if self.clock == "timestamps" {
+            "the GPU's timestamps"
+        } else {
+            "the clock on the wall"
+        };
+        format!(
+            "1920x1080 rays in {} ms by {by}",
+            short(self.trace_ms_1920x1080)
+        )
     }
 }
 
 fn shown(path: Option<&Path>) -> String {
-    path.map_or("no place on this system".into(), |path| path.display().to_string())
+    path.map_or("no place on this system".into(), |path| {
+        path.display().to_string()
+    })
 }

@@ -1,4 +1,5 @@
-//! The self-test: a few hundred rays by the very WGSL of the pictures, held against the f64 reference, and timed.
+//! The self-test: a few hundred rays by the very WGSL of the pictures, held against the f64
+//! reference, and timed.
 
 use crate::gpu::rays::RayKernel;
 use crate::gpu::timing::{Clock, Effort, Stage, Stopwatch};
@@ -16,7 +17,10 @@ const RAYS: usize = 512;
 /// The picture whose rays are timed.
 const TIMED: UVec2 = UVec2::new(1920, 1080);
 /// How often they are.
-const EFFORT: Effort = Effort { least_runs: 3, longest: Duration::from_millis(100) };
+const EFFORT: Effort = Effort {
+    least_runs: 3,
+    longest: Duration::from_millis(100),
+};
 
 /// The backward errors that the documentation states for a method, in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +36,11 @@ impl Stated {
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let method = scene.method.resolved(scene.hole.spin);
-        let max = bar(&Scene { method, ..scene.clone() }).backward;
+        let max = bar(&Scene {
+            method,
+            ..scene.clone()
+        })
+        .backward;
         let p99 = match method {
             Method::Closed => 3e-7,
             Method::Mino => 4e-6,
@@ -44,7 +52,9 @@ impl Stated {
     /// Whether all answers are there and their errors are as stated.
     #[must_use]
     pub fn admits(&self, errors: &Errors) -> bool {
-        unanswered(errors) == 0 && errors.backward.p99 <= self.p99 && errors.backward.max <= self.max
+        unanswered(errors) == 0
+            && errors.backward.p99 <= self.p99
+            && errors.backward.max <= self.max
     }
 }
 
@@ -62,7 +72,10 @@ pub fn errors(gpu: &Gpu, scene: &Scene) -> Result<Errors, GpuError> {
     rays.extend(critical(scene, RAYS / 2, CRITICAL));
     let truth = Truth::of(scene, rays)?;
     let given: Vec<_> = truth.rays.iter().map(Ray::given).collect();
-    Ok(Errors::of(&truth, &RayKernel::new(gpu, scene)?.trace(gpu, scene, &given)?))
+    Ok(Errors::of(
+        &truth,
+        &RayKernel::new(gpu, scene)?.trace(gpu, scene, &given)?,
+    ))
 }
 
 /// What came of it.
@@ -108,7 +121,8 @@ impl Trial {
             method: scene.method.resolved(scene.hole.spin).name(),
             rays: errors.rays,
             unanswered: unanswered(&errors),
-            backward_max_px: backward.max / scene.camera.pixel_angle(f64::from(scene.picture.height)),
+            backward_max_px: backward.max
+                / scene.camera.pixel_angle(f64::from(scene.picture.height)),
             backward_max: backward.max,
             stated_max: stated.max,
             backward_p99: backward.p99,
@@ -129,7 +143,13 @@ impl Trial {
 
     /// What is wrong with it, if anything is.
     pub(super) fn fault(&self) -> Option<String> {
-        let Self { scene, method, rays, unanswered, .. } = self;
+        let Self {
+            scene,
+            method,
+            rays,
+            unanswered,
+            ..
+        } = self;
         (!self.holds).then(|| {
             format!(
                 "self-test {scene}: of {rays} rays by {method} {unanswered} have no answer, 99 of 100 are within {} rad (stated: \

@@ -1,4 +1,5 @@
-//! The backward error of an answer of the wrong class: of another outcome, or with another number of hits.
+//! The backward error of an answer of the wrong class: of another outcome, or with another number
+//! of hits.
 
 use super::backward::{Part, beside_edge, in_plane};
 use super::chart::{Chart, sky_moved};
@@ -18,10 +19,11 @@ const BISECTIONS: u32 = 8;
 /// Steps of the sky along the line toward the edge, for the narrow image of a ring of the disk.
 const SKY_STEP: f64 = 0.01;
 
-/// The smallest turn found after which the reference gives the same outcome and number of hits; infinite where there is none
-/// within 0.3 rad. On rings of directions, then by bisection toward the ray: right to a third or so. Where that finds none
-/// within `fine`, along the line through the edge, on both its sides, where images of the disk crowd, and where the answer's
-/// own numbers lead to.
+/// The smallest turn found after which the reference gives the same outcome and number of hits;
+/// infinite where there is none within 0.3 rad. On rings of directions, then by bisection toward
+/// the ray: right to a third or so. Where that finds none within `fine`, along the line through the
+/// edge, on both its sides, where images of the disk crowd, and where the answer's own numbers lead
+/// to.
 pub(super) fn of_class(eye: &Eye, ray: &Ray, given: &Trace, fine: f64) -> f64 {
     let same = |trace: &Trace| trace.outcome == given.outcome && hits(trace) == hits(given);
     let nearest = Cell::new(on_rings(eye, ray.direction(), &same));
@@ -30,7 +32,9 @@ pub(super) fn of_class(eye: &Eye, ray: &Ray, given: &Trace, fine: f64) -> f64 {
             nearest.set(turn);
         }
     };
-    let own = (nearest.get() > fine).then(|| Chart::edge(&eye.with_edge(ray))).flatten();
+    let own = (nearest.get() > fine)
+        .then(|| Chart::edge(&eye.with_edge(ray)))
+        .flatten();
     let mirrored = own.as_ref().and_then(Chart::mirrored);
     for chart in own.iter().chain(&mirrored) {
         for side in [-1.0, 1.0] {
@@ -70,7 +74,10 @@ fn on_rings(eye: &Eye, direction: DVec3, same: &impl Fn(&Trace) -> bool) -> f64 
             }
             bracket[1]
         };
-        let nearest = (0..SPOKES).filter(|spoke| same_toward(*spoke, ring)).map(bisected).fold(f64::INFINITY, f64::min);
+        let nearest = (0..SPOKES)
+            .filter(|spoke| same_toward(*spoke, ring))
+            .map(bisected)
+            .fold(f64::INFINITY, f64::min);
         if nearest.is_finite() {
             return nearest;
         }

@@ -13,7 +13,8 @@ const BISECTIONS: u32 = 64;
 /// How far aside, in radians of position angle, the edge's slope and bend are measured.
 const NEIGHBOURHOOD: f64 = 2e-3;
 
-/// The shadow on the observer's sky: everything within an edge about a centre, or everything beyond one.
+/// The shadow on the observer's sky: everything within an edge about a centre, or everything beyond
+/// one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shadow {
     /// A direction, (right, up, forward) of the camera.
@@ -23,17 +24,19 @@ pub struct Shadow {
 }
 
 impl Shadow {
-    /// The shadow of a scene, unless there is none to find: without lensing, or from a place where the whole sky is on one
-    /// side of it.
+    /// The shadow of a scene, unless there is none to find: without lensing, or from a place where
+    /// the whole sky is on one side of it.
     pub(super) fn of(scene: &Scene, eye: &Eye) -> Option<Self> {
         if !scene.effects.lensing {
             return None;
         }
-        // Light along the principal null directions has L = a E sin^2(theta), Q = -(a E cos(theta))^2, Sigma p^r = +- E Sigma:
-        // whatever the spin, one comes straight from the hole and the other straight from the sky. In r_s, a = chi/2.
+        // Light along the principal null directions has L = a E sin^2(theta), Q = -(a E
+        // cos(theta))^2, Sigma p^r = +- E Sigma: whatever the spin, one comes straight from the
+        // hole and the other straight from the sky. In r_s, a = chi/2.
         let matrix = Sight::new(scene).ok()?.matrix;
         let camera = &scene.camera;
-        let [n, theta, phi] = celestial_frame(camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
+        let [n, theta, phi] =
+            celestial_frame(camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
         let row = |i: usize| DVec4::from_array(matrix.rows[i]);
         let along = |hat: DVec3| hat.x * row(2) + hat.y * row(3) + hat.z * row(4);
         let rows = DMat4::from_cols(row(0), row(1), along(theta), along(phi)).transpose();
@@ -43,14 +46,19 @@ impl Shadow {
         let from_camera = scene.camera.legs_from_camera();
         let direction = |sign: f64| {
             let one_d = rows.inverse() * DVec4::new(1.0, sign * radial, 0.0, a * sine / r);
-            (from_camera.transpose() * (DVec3::new(one_d.y, one_d.z, one_d.w) / one_d.x)).try_normalize()
+            (from_camera.transpose() * (DVec3::new(one_d.y, one_d.z, one_d.w) / one_d.x))
+                .try_normalize()
         };
         let class = |direction: DVec3| eye.trace(direction).outcome;
         let about = |sign: f64, captured: bool| {
-            let (own, opposite) =
-                if captured { (Outcome::Captured, Outcome::Sky) } else { (Outcome::Sky, Outcome::Captured) };
+            let (own, opposite) = if captured {
+                (Outcome::Captured, Outcome::Sky)
+            } else {
+                (Outcome::Sky, Outcome::Captured)
+            };
             let centre = direction(sign)?;
-            (class(centre) == own && class(-centre) == opposite).then_some(Self { centre, captured })
+            (class(centre) == own && class(-centre) == opposite)
+                .then_some(Self { centre, captured })
         };
         about(1.0, true).or_else(|| about(-1.0, false))
     }
@@ -72,12 +80,20 @@ impl Shadow {
             let found = self.bisected(eye, position_angle + side * NEIGHBOURHOOD, near);
             // At a corner of the edge the neighbour is farther off.
             let cut_off = (found - t).abs() > 0.99 * NEIGHBOURHOOD;
-            angle(if cut_off { self.bisected(eye, position_angle + side * NEIGHBOURHOOD, whole) } else { found })
+            angle(if cut_off {
+                self.bisected(eye, position_angle + side * NEIGHBOURHOOD, whole)
+            } else {
+                found
+            })
         };
         let (before, here, after) = (beside(-1.0), angle(t), beside(1.0));
         let slope = (after - before) / (2.0 * NEIGHBOURHOOD);
         let bend = (after - 2.0 * here + before) / (2.0 * NEIGHBOURHOOD.powi(2));
-        Edge { centre: self.centre, along: self.direction(position_angle, 0.25 * TAU), angle: [here, slope, bend] }
+        Edge {
+            centre: self.centre,
+            along: self.direction(position_angle, 0.25 * TAU),
+            angle: [here, slope, bend],
+        }
     }
 
     /// The edge between the centre and a direction, or beyond it.
@@ -86,14 +102,18 @@ impl Shadow {
         self.edge(eye, direction.dot(v).atan2(direction.dot(u)))
     }
 
-    /// Where the outcome changes, as the logarithm of the tangent of half the angle from the centre.
+    /// Where the outcome changes, as the logarithm of the tangent of half the angle from the
+    /// centre.
     fn bisected(&self, eye: &Eye, position_angle: f64, mut bracket: [f64; 2]) -> f64 {
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (bracket[0] + bracket[1]);
             if middle <= bracket[0] || middle >= bracket[1] {
                 break;
             }
-            let captured = eye.trace(self.direction(position_angle, angle(middle))).outcome == Outcome::Captured;
+            let captured = eye
+                .trace(self.direction(position_angle, angle(middle)))
+                .outcome
+                == Outcome::Captured;
             bracket[usize::from(captured != self.captured)] = middle;
         }
         bracket[0]
@@ -132,13 +152,17 @@ impl Edge {
     pub(super) fn place(&self, direction: DVec3) -> [f64; 2] {
         let across = self.centre.cross(self.along);
         let position_angle = direction.dot(across).atan2(direction.dot(self.along));
-        [position_angle, angle_between(self.centre, direction) - self.at(position_angle)]
+        [
+            position_angle,
+            angle_between(self.centre, direction) - self.at(position_angle),
+        ]
     }
 
     /// The direction at a position angle, that far beyond the edge.
     pub(super) fn direction(&self, position_angle: f64, beyond: f64) -> DVec3 {
         let angle = self.at(position_angle) + beyond;
         let (sin, cos) = position_angle.sin_cos();
-        angle.cos() * self.centre + angle.sin() * (cos * self.along + sin * self.centre.cross(self.along))
+        angle.cos() * self.centre
+            + angle.sin() * (cos * self.along + sin * self.centre.cross(self.along))
     }
 }

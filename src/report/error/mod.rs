@@ -1,9 +1,11 @@
-//! How wrong a method is: its answers beside those of the f64 reference, on rays that look for trouble.
+//! How wrong a method is: its answers beside those of the f64 reference, on rays that look for
+//! trouble.
 //!
-//! Close to the critical curve every half-turn multiplies an error by e^pi whatever the method, so three things are said side
-//! by side: the forward error, which is what the picture shows; the backward error, which is the method's own: by how much
-//! the ray would have to be turned for the reference to give that answer, up to an angle no greater than the turn; and the
-//! confusion matrix of outcomes.
+//! Close to the critical curve every half-turn multiplies an error by e^pi whatever the method, so
+//! three things are said side by side: the forward error, which is what the picture shows; the
+//! backward error, which is the method's own: by how much the ray would have to be turned for the
+//! reference to give that answer, up to an angle no greater than the turn; and the confusion matrix
+//! of outcomes.
 
 mod backward;
 mod chart;
@@ -41,7 +43,8 @@ pub(super) struct Eye {
     /// Whether orbits leave their plane.
     spinning: bool,
     legs_from_camera: DMat3,
-    /// Scale of turns that matter, in radians: a thousandth of the picture's half height, but no less than f32 tells apart.
+    /// Scale of turns that matter, in radians: a thousandth of the picture's half height, but no
+    /// less than f32 tells apart.
     scale: f64,
 }
 
@@ -61,7 +64,10 @@ impl Eye {
 
     /// The same ray, with the edge of the shadow on its side, if there is one.
     pub(super) fn with_edge(&self, ray: &Ray) -> Ray {
-        let edge = ray.edge.or_else(|| self.shadow.map(|shadow| shadow.edge_toward(self, ray.direction())));
+        let edge = ray.edge.or_else(|| {
+            self.shadow
+                .map(|shadow| shadow.edge_toward(self, ray.direction()))
+        });
         Ray { edge, ..*ray }
     }
 
@@ -80,8 +86,8 @@ pub struct RayError {
     pub hit_r: Option<f64>,
     /// Largest relative error of their g.
     pub hit_g: Option<f64>,
-    /// The turn of the ray that explains the answer, in radians: zero where there is nothing to explain, infinite where no
-    /// turn does (an unfinished ray, a number that is none).
+    /// The turn of the ray that explains the answer, in radians: zero where there is nothing to
+    /// explain, infinite where no turn does (an unfinished ray, a number that is none).
     pub backward: f64,
     /// Whether outcome or number of hits differ.
     pub misclassified: bool,
@@ -94,7 +100,10 @@ impl Truth {
     /// If the scene's observer cannot exist.
     pub fn of(scene: &Scene, rays: Vec<Ray>) -> Result<Self, ObserverError> {
         let eye = Eye::new(scene)?;
-        let traces = rays.par_iter().map(|ray| eye.trace(ray.direction())).collect();
+        let traces = rays
+            .par_iter()
+            .map(|ray| eye.trace(ray.direction()))
+            .collect();
         Ok(Self { eye, rays, traces })
     }
 
@@ -107,8 +116,9 @@ impl Truth {
         self.judge_beyond(0.0, given)
     }
 
-    /// As [`Truth::judge`], but where an answer is off by less than `fine` radians, that itself is its backward error: it
-    /// bounds it, and a search for what is worse than that has no need of more.
+    /// As [`Truth::judge`], but where an answer is off by less than `fine` radians, that itself is
+    /// its backward error: it bounds it, and a search for what is worse than that has no need of
+    /// more.
     ///
     /// # Panics
     /// If there are not as many answers as rays.
@@ -116,27 +126,49 @@ impl Truth {
     pub fn judge_beyond(&self, fine: f64, given: &[Trace]) -> Vec<RayError> {
         assert_eq!(given.len(), self.rays.len(), "one answer a ray");
         let known = self.rays.par_iter().zip(&self.traces);
-        known.zip(given).map(|((ray, truth), given)| self.judge_ray(ray, truth, given, fine)).collect()
+        known
+            .zip(given)
+            .map(|((ray, truth), given)| self.judge_ray(ray, truth, given, fine))
+            .collect()
     }
 
-    /// The backward error, in radians, of what another scene's reference answers to one of the rays.
+    /// The backward error, in radians, of what another scene's reference answers to one of the
+    /// rays.
     #[must_use]
     pub fn error_of(&self, ray: usize, other: &Reference) -> f64 {
         let given = other.trace(self.eye.legs_from_camera * self.rays[ray].direction());
-        self.judge_ray(&self.rays[ray], &self.traces[ray], &given, 0.0).backward
+        self.judge_ray(&self.rays[ray], &self.traces[ray], &given, 0.0)
+            .backward
     }
 
     fn judge_ray(&self, ray: &Ray, truth: &Trace, given: &Trace, fine: f64) -> RayError {
         let misclassified = given.outcome != truth.outcome || hits(given) != hits(truth);
-        let pairs = || truth.hits.iter().zip(&given.hits).filter_map(|(truth, given)| truth.zip(*given));
+        let pairs = || {
+            truth
+                .hits
+                .iter()
+                .zip(&given.hits)
+                .filter_map(|(truth, given)| truth.zip(*given))
+        };
         let largest = |of: fn((f64, f64)) -> f64, pairs: &mut dyn Iterator<Item = (f64, f64)>| {
-            pairs.map(of).fold(None, |most: Option<f64>, error| Some(most.map_or(error, |most| greater(most, error))))
+            pairs.map(of).fold(None, |most: Option<f64>, error| {
+                Some(most.map_or(error, |most| greater(most, error)))
+            })
         };
         let relative = |(truth, given): (f64, f64)| (given / truth - 1.0).abs();
         let mut error = RayError {
-            sky: truth.sky.zip(given.sky).map(|(truth, given)| angle_between(truth, given)),
-            hit_r: largest(relative, &mut pairs().map(|(truth, given)| (truth.r, given.r))),
-            hit_g: largest(relative, &mut pairs().map(|(truth, given)| (truth.g, given.g))),
+            sky: truth
+                .sky
+                .zip(given.sky)
+                .map(|(truth, given)| angle_between(truth, given)),
+            hit_r: largest(
+                relative,
+                &mut pairs().map(|(truth, given)| (truth.r, given.r)),
+            ),
+            hit_g: largest(
+                relative,
+                &mut pairs().map(|(truth, given)| (truth.g, given.g)),
+            ),
             backward: 0.0,
             misclassified,
         };
@@ -158,7 +190,11 @@ fn hits(trace: &Trace) -> usize {
 
 /// Whether every number of an answer is one.
 pub(super) fn all_finite(trace: &Trace) -> bool {
-    let hits = trace.hits.iter().flatten().all(|hit| (hit.r * hit.phi * hit.g).is_finite());
+    let hits = trace
+        .hits
+        .iter()
+        .flatten()
+        .all(|hit| (hit.r * hit.phi * hit.g).is_finite());
     hits && trace.sky.is_none_or(DVec3::is_finite) && trace.residual.is_finite()
 }
 

@@ -19,7 +19,9 @@ pub struct Quantiles {
 impl Quantiles {
     /// Of these values; what is no number counts as infinite.
     pub fn of(values: impl Iterator<Item = f64>) -> Self {
-        let mut values: Vec<f64> = values.map(|value| if value.is_nan() { f64::INFINITY } else { value }).collect();
+        let mut values: Vec<f64> = values
+            .map(|value| if value.is_nan() { f64::INFINITY } else { value })
+            .collect();
         values.sort_by(f64::total_cmp);
         let count = values.len();
         // The smallest value that is no less than that share of all.
@@ -27,7 +29,12 @@ impl Quantiles {
             let index = ((share * count as f64).ceil() as usize).clamp(1, count.max(1)) - 1;
             values.get(index).copied().unwrap_or(f64::NAN)
         };
-        Self { count, p50: at(0.5), p99: at(0.99), max: at(1.0) }
+        Self {
+            count,
+            p50: at(0.5),
+            p99: at(0.99),
+            max: at(1.0),
+        }
     }
 }
 
@@ -36,7 +43,8 @@ impl Quantiles {
 pub struct Errors {
     /// Number of rays.
     pub rays: usize,
-    /// Rays by the reference's outcome (sky, captured) and the method's (sky, captured, unfinished).
+    /// Rays by the reference's outcome (sky, captured) and the method's (sky, captured,
+    /// unfinished).
     pub confusion: [[usize; 3]; 2],
     /// Rays whose answer holds something that is no number.
     pub not_finite: usize,
@@ -50,7 +58,8 @@ pub struct Errors {
     pub hit_r: Quantiles,
     /// Forward: relative error of g.
     pub hit_g: Quantiles,
-    /// Backward errors, in radians, of the rays that see something or should; infinite for unfinished ones.
+    /// Backward errors, in radians, of the rays that see something or should; infinite for
+    /// unfinished ones.
     pub backward: Quantiles,
     /// Largest normalized residual of the null constraint.
     pub residual: f64,
@@ -78,22 +87,37 @@ impl Errors {
         let seen = |trace: &Trace| trace.sky.is_some() || trace.hits[0].is_some();
         let counted = truth.traces.iter().zip(given).zip(&errors);
         let counted = counted.filter(|((truth, _), error)| seen(truth) || error.backward > 0.0);
-        let wrong = |(given, error): &(&Trace, &RayError)| given.outcome != Outcome::Unfinished && error.misclassified;
-        let misclassified: Vec<f64> =
-            given.iter().zip(&errors).filter(wrong).map(|(_, error)| error.backward).collect();
+        let wrong = |(given, error): &(&Trace, &RayError)| {
+            given.outcome != Outcome::Unfinished && error.misclassified
+        };
+        let misclassified: Vec<f64> = given
+            .iter()
+            .zip(&errors)
+            .filter(wrong)
+            .map(|(_, error)| error.backward)
+            .collect();
         let steps = given.iter().map(|trace| f64::from(trace.steps));
         Self {
             rays: given.len(),
             confusion,
-            not_finite: given.iter().filter(|trace| !super::all_finite(trace)).count(),
+            not_finite: given
+                .iter()
+                .filter(|trace| !super::all_finite(trace))
+                .count(),
             misclassified: misclassified.len(),
             misclassified_backward: Quantiles::of(misclassified.into_iter()),
             sky: Quantiles::of(errors.iter().filter_map(|error| error.sky)),
             hit_r: Quantiles::of(errors.iter().filter_map(|error| error.hit_r)),
             hit_g: Quantiles::of(errors.iter().filter_map(|error| error.hit_g)),
             backward: Quantiles::of(counted.map(|(_, error)| error.backward)),
-            residual: given.iter().map(|trace| trace.residual).fold(0.0, super::greater),
-            steps: [steps.clone().sum::<f64>() / given.len().max(1) as f64, steps.fold(0.0, f64::max)],
+            residual: given
+                .iter()
+                .map(|trace| trace.residual)
+                .fold(0.0, super::greater),
+            steps: [
+                steps.clone().sum::<f64>() / given.len().max(1) as f64,
+                steps.fold(0.0, f64::max),
+            ],
         }
     }
 

@@ -1,10 +1,12 @@
-//! Why a ray is beyond its bar: how well its answer is known at all, where its scene is known in f32.
+//! Why a ray is beyond its bar: how well its answer is known at all, where its scene is known in
+//! f32.
 
 use crate::physics::reference::Reference;
 use crate::report::error::Truth;
 use crate::scene::Scene;
 
-/// A method rounds more than its inputs: so many times the error of one such rounding is explained by it.
+/// A method rounds more than its inputs: so many times the error of one such rounding is explained
+/// by it.
 const ROUNDINGS: f64 = 4.0;
 
 /// Half a unit in the last place of f32, relative.
@@ -15,14 +17,14 @@ const HALF_UNIT: f64 = 1.0 / (1_u32 << 24) as f64;
 pub struct Cause {
     /// The field.
     pub input: &'static str,
-    /// The backward error of the reference's own answer in the scene with that field moved by half a unit in f32's last
-    /// place, in radians.
+    /// The backward error of the reference's own answer in the scene with that field moved by half
+    /// a unit in f32's last place, in radians.
     pub backward: f64,
 }
 
 impl Cause {
-    /// What explains the backward error of the ray's answer, if anything does: the input to whose rounding the true answer is
-    /// most sensitive, in the same measure.
+    /// What explains the backward error of the ray's answer, if anything does: the input to whose
+    /// rounding the true answer is most sensitive, in the same measure.
     pub(super) fn of(scene: &Scene, truth: &Truth, ray: usize, backward: f64) -> Option<Self> {
         let inputs: [(&'static str, fn(&mut Scene) -> &mut f64); 3] = [
             ("hole.spin", |scene| &mut scene.hole.spin),
@@ -34,10 +36,18 @@ impl Cause {
             *field(&mut moved) *= 1.0 + side * HALF_UNIT;
             // Next to a limit one of the two sides may be beyond it.
             let reference = Reference::new(&moved).ok()?;
-            Some(Self { input, backward: truth.error_of(ray, &reference) })
+            Some(Self {
+                input,
+                backward: truth.error_of(ray, &reference),
+            })
         };
-        let all = inputs.into_iter().flat_map(|input| [-1.0, 1.0].map(|side| moved(input, side))).flatten();
-        let most = all.filter(|cause| cause.backward.is_finite()).max_by(|a, b| a.backward.total_cmp(&b.backward))?;
+        let all = inputs
+            .into_iter()
+            .flat_map(|input| [-1.0, 1.0].map(|side| moved(input, side)))
+            .flatten();
+        let most = all
+            .filter(|cause| cause.backward.is_finite())
+            .max_by(|a, b| a.backward.total_cmp(&b.backward))?;
         (backward <= ROUNDINGS * most.backward).then_some(most)
     }
 }

@@ -54,7 +54,12 @@ pub(super) fn everywhere_and_critical(scene: &Scene, count: usize) -> Vec<Ray> {
 }
 
 fn add(all: &mut Vec<Cell>, group: &'static str, name: String, scene: Scene, rays: Vec<Ray>) {
-    all.push(Cell { group, name, scene, rays });
+    all.push(Cell {
+        group,
+        name,
+        scene,
+        rays,
+    });
 }
 
 fn distances(all: &mut Vec<Cell>, count: usize) {
@@ -76,7 +81,11 @@ fn distances(all: &mut Vec<Cell>, count: usize) {
 
 fn spins(all: &mut Vec<Cell>, count: usize) {
     for size in [0.0, 0.5, 0.9, 0.98, 0.998, 0.9999, 0.999999] {
-        for spin in if size == 0.0 { vec![0.0] } else { vec![size, -size] } {
+        for spin in if size == 0.0 {
+            vec![0.0]
+        } else {
+            vec![size, -size]
+        } {
             let scene = view(spin, 5.0);
             let rays = everywhere_and_critical(&scene, count);
             add(all, "spin", format!("chi {spin}, from 5 r_s"), scene, rays);
@@ -92,12 +101,22 @@ fn radii(all: &mut Vec<Cell>, count: usize) {
             .chain([1.01, 1.12, 1.5, 3.0, 1e3, 1e5, 1e7].map(|r| (format!("{r} r_s"), r)))
         {
             let mut scene = view(spin, r);
-            scene.observer.kind = if r == deep { ObserverKind::Rain } else { ObserverKind::Zamo };
+            scene.observer.kind = if r == deep {
+                ObserverKind::Rain
+            } else {
+                ObserverKind::Zamo
+            };
             // Far away, the picture is of the hole and its disk.
             scene.camera.fov_deg = scene.camera.fov_deg.min((30.0 / r).to_degrees());
             let mut rays = on_picture(&scene, count / 2);
             rays.extend(critical(&scene, count / 2, NEAR));
-            add(all, "place of the camera", format!("chi {spin}, {name}"), scene, rays);
+            add(
+                all,
+                "place of the camera",
+                format!("chi {spin}, {name}"),
+                scene,
+                rays,
+            );
         }
     }
 }
@@ -108,18 +127,36 @@ fn axis(all: &mut Vec<Cell>, count: usize) {
             let mut scene = view(spin, 10.0);
             scene.camera.theta_deg = f64::to_degrees(theta);
             let rays = everywhere_and_critical(&scene, count);
-            add(all, "axis", format!("chi {spin}, camera {name}"), scene, rays);
+            add(
+                all,
+                "axis",
+                format!("chi {spin}, camera {name}"),
+                scene,
+                rays,
+            );
         }
-        for (name, aside) in [("no angular momentum", 0.0), ("1e-7 of the whole", 1e-7), ("1e-4 of the whole", 1e-4)] {
+        for (name, aside) in [
+            ("no angular momentum", 0.0),
+            ("1e-7 of the whole", 1e-7),
+            ("1e-4 of the whole", 1e-4),
+        ] {
             let mut scene = view(spin, 10.0);
             scene.observer.kind = ObserverKind::Zamo;
-            // Seen by an observer without angular momentum, light without any comes from the meridian.
+            // Seen by an observer without angular momentum, light without any comes from the
+            // meridian.
             let rays = (0..count).map(|i| {
-                let (sin, cos) = (std::f64::consts::TAU * (i as f64 + 0.5) / count as f64).sin_cos();
+                let (sin, cos) =
+                    (std::f64::consts::TAU * (i as f64 + 0.5) / count as f64).sin_cos();
                 from_legs(&scene, DVec3::new(cos, sin, aside))
             });
             let rays = rays.collect();
-            add(all, "axis", format!("chi {spin}, rays through it, {name}"), scene, rays);
+            add(
+                all,
+                "axis",
+                format!("chi {spin}, rays through it, {name}"),
+                scene,
+                rays,
+            );
         }
     }
 }
@@ -131,15 +168,27 @@ fn from_legs(scene: &Scene, direction: DVec3) -> Ray {
 
 fn radial(all: &mut Vec<Cell>) {
     for spin in [0.0, 0.9] {
-        for (name, aside) in [("exactly", 0.0), ("within 1e-7 rad", 1e-7), ("within 1e-5 rad", 1e-5)] {
+        for (name, aside) in [
+            ("exactly", 0.0),
+            ("within 1e-7 rad", 1e-7),
+            ("within 1e-5 rad", 1e-5),
+        ] {
             let mut scene = view(spin, 10.0);
             scene.observer.kind = ObserverKind::Zamo;
             let round = (0..16).flat_map(|i| {
                 let (sin, cos) = (std::f64::consts::TAU * (f64::from(i) + 0.5) / 16.0).sin_cos();
                 [-1.0, 1.0].map(|outward| DVec3::new(outward, aside * sin, aside * cos))
             });
-            let rays = round.map(|direction| from_legs(&scene, direction)).collect();
-            add(all, "radial", format!("chi {spin}, in and out, {name}"), scene, rays);
+            let rays = round
+                .map(|direction| from_legs(&scene, direction))
+                .collect();
+            add(
+                all,
+                "radial",
+                format!("chi {spin}, in and out, {name}"),
+                scene,
+                rays,
+            );
         }
     }
 }
@@ -150,11 +199,21 @@ fn plane(all: &mut Vec<Cell>, count: usize) {
             let mut scene = view(spin, 12.0);
             scene.camera.theta_deg = 90.0 - f64::to_degrees(above);
             let rays = everywhere_and_critical(&scene, count);
-            add(all, "plane of the disk", format!("chi {spin}, camera {name}"), scene.clone(), rays);
+            add(
+                all,
+                "plane of the disk",
+                format!("chi {spin}, camera {name}"),
+                scene.clone(),
+                rays,
+            );
             for (rays_name, tilt) in [("in it", 0.0), ("grazing it at 1e-6 rad", 1e-6)] {
                 let rays = (0..count).map(|i| {
-                    let (sin, cos) = (std::f64::consts::TAU * (i as f64 + 0.5) / count as f64).sin_cos();
-                    from_legs(&scene, DVec3::new(cos, if i % 2 == 0 { tilt } else { -tilt }, sin))
+                    let (sin, cos) =
+                        (std::f64::consts::TAU * (i as f64 + 0.5) / count as f64).sin_cos();
+                    from_legs(
+                        &scene,
+                        DVec3::new(cos, if i % 2 == 0 { tilt } else { -tilt }, sin),
+                    )
                 });
                 let rays = rays.collect();
                 add(
@@ -175,16 +234,34 @@ fn fields_of_view(all: &mut Vec<Cell>, count: usize) {
             let mut scene = view(spin, 20.0);
             scene.camera.fov_deg = f64::to_degrees(radians);
             let rays = on_picture(&scene, count);
-            add(all, "field of view", format!("chi {spin}, {name}, at the centre"), scene.clone(), rays);
+            add(
+                all,
+                "field of view",
+                format!("chi {spin}, {name}, at the centre"),
+                scene.clone(),
+                rays,
+            );
             // Half the shadow's size aside there is its edge, or not far from it.
             scene.camera.yaw_deg = 7.27;
             let rays = on_picture(&scene, count);
-            add(all, "field of view", format!("chi {spin}, {name}, at the shadow's edge"), scene, rays);
+            add(
+                all,
+                "field of view",
+                format!("chi {spin}, {name}, at the shadow's edge"),
+                scene,
+                rays,
+            );
         }
         let mut scene = view(spin, 20.0);
         scene.camera.fov_deg = 179.0;
         let rays = on_picture(&scene, count);
-        add(all, "field of view", format!("chi {spin}, 179 degrees"), scene, rays);
+        add(
+            all,
+            "field of view",
+            format!("chi {spin}, 179 degrees"),
+            scene,
+            rays,
+        );
     }
 }
 
@@ -208,7 +285,11 @@ fn observers(all: &mut Vec<Cell>, count: usize) {
     for spin in [0.0, 0.9] {
         let mut fast = Vec::new();
         for speed in [0.9, 0.99, 0.9999] {
-            for (name, axis) in [("outward", DVec3::X), ("inward", -DVec3::X), ("across", DVec3::NEG_Z)] {
+            for (name, axis) in [
+                ("outward", DVec3::X),
+                ("inward", -DVec3::X),
+                ("across", DVec3::NEG_Z),
+            ] {
                 fast.push((
                     ObserverKind::Static,
                     5.0,
@@ -217,12 +298,26 @@ fn observers(all: &mut Vec<Cell>, count: usize) {
                 ));
             }
         }
-        fast.push((ObserverKind::Orbit, 1.6, [0.0; 3], "on the orbit at 1.6 r_s".into()));
-        fast.push((ObserverKind::Rain, 1.6, [0.0; 3], "falling past 1.6 r_s".into()));
+        fast.push((
+            ObserverKind::Orbit,
+            1.6,
+            [0.0; 3],
+            "on the orbit at 1.6 r_s".into(),
+        ));
+        fast.push((
+            ObserverKind::Rain,
+            1.6,
+            [0.0; 3],
+            "falling past 1.6 r_s".into(),
+        ));
         for (kind, r, velocity, name) in fast {
             let mut scene = view(spin, r);
             (scene.observer.kind, scene.observer.velocity) = (kind, velocity);
-            scene.camera.theta_deg = if kind == ObserverKind::Orbit { 90.0 } else { 75.0 };
+            scene.camera.theta_deg = if kind == ObserverKind::Orbit {
+                90.0
+            } else {
+                75.0
+            };
             let rays = everywhere_and_critical(&scene, count);
             add(all, "observer", format!("chi {spin}, {name}"), scene, rays);
         }

@@ -15,12 +15,19 @@ const SCHWARZSCHILD_RADII: [f64; 9] = [1.02, 1.2, 1.5, 1.6, 3.0, 10.0, 20.0, 100
 pub fn grid(count: usize) -> Vec<Cell> {
     let schwarzschild = SCHWARZSCHILD_RADII.map(|r| (0.0, r, 75.0));
     let at_radius = |spin: f64, r: f64| ANGLES.map(|theta| (spin, r, theta));
-    let kerr = SPINS.into_iter().flat_map(|spin| RADII.into_iter().flat_map(move |r| at_radius(spin, r)));
+    let kerr = SPINS
+        .into_iter()
+        .flat_map(|spin| RADII.into_iter().flat_map(move |r| at_radius(spin, r)));
     let cell = |(spin, r, theta): (f64, f64, f64)| {
         let mut scene = view(spin, r);
         scene.camera.theta_deg = theta;
         let rays = everywhere_and_critical(&scene, count);
-        Cell { group: "grid", name: format!("chi {spin}, {r} r_s, {theta} degrees"), scene, rays }
+        Cell {
+            group: "grid",
+            name: format!("chi {spin}, {r} r_s, {theta} degrees"),
+            scene,
+            rays,
+        }
     };
     schwarzschild.into_iter().chain(kerr).map(cell).collect()
 }

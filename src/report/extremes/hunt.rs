@@ -74,8 +74,8 @@ impl Hunt {
         self.rays.div_ceil(RAYS_A_SCENE)
     }
 
-    /// Hunts with `auto`'s method in each scene; `done` is told of each scene's worst ray. The worst of all come back, the
-    /// worst first, and those before all that nothing explains.
+    /// Hunts with `auto`'s method in each scene; `done` is told of each scene's worst ray. The
+    /// worst of all come back, the worst first, and those before all that nothing explains.
     ///
     /// # Errors
     /// A device that failed.
@@ -106,20 +106,43 @@ impl Found {
         let errors = truth.judge_beyond(0.5 * bar, traces);
         let found = |(i, error): (usize, &RayError)| {
             let far = error.backward > bar;
-            let cause = far.then(|| Cause::of(scene, truth, i, error.backward)).flatten();
+            let cause = far
+                .then(|| Cause::of(scene, truth, i, error.backward))
+                .flatten();
             let direction = scene.camera.legs_from_camera() * truth.rays[i].direction();
             let unexplained = usize::from(far && cause.is_none());
-            let (backward, excess, beyond) = (error.backward, error.backward / bar, usize::from(far));
-            Self { scene: scene.clone(), direction, backward, excess, cause, beyond, unexplained }
+            let (backward, excess, beyond) =
+                (error.backward, error.backward / bar, usize::from(far));
+            Self {
+                scene: scene.clone(),
+                direction,
+                backward,
+                excess,
+                cause,
+                beyond,
+                unexplained,
+            }
         };
-        let (far, near): (Vec<_>, Vec<_>) = errors.iter().enumerate().partition(|(_, error)| error.backward > bar);
+        let (far, near): (Vec<_>, Vec<_>) = errors
+            .iter()
+            .enumerate()
+            .partition(|(_, error)| error.backward > bar);
         if far.is_empty() {
-            return near.into_iter().max_by(|a, b| a.1.backward.total_cmp(&b.1.backward)).map(found);
+            return near
+                .into_iter()
+                .max_by(|a, b| a.1.backward.total_cmp(&b.1.backward))
+                .map(found);
         }
         let far: Vec<Self> = far.into_iter().map(found).collect();
         let (beyond, unexplained) = (far.len(), far.iter().map(|found| found.unexplained).sum());
-        let worst = far.into_iter().reduce(|a, b| if b.rank() > a.rank() { b } else { a })?;
-        Some(Self { beyond, unexplained, ..worst })
+        let worst = far
+            .into_iter()
+            .reduce(|a, b| if b.rank() > a.rank() { b } else { a })?;
+        Some(Self {
+            beyond,
+            unexplained,
+            ..worst
+        })
     }
 
     /// What a ray is told by: whether nothing explains it, and how bad it is.
@@ -131,7 +154,14 @@ impl Found {
     #[must_use]
     pub fn command(&self) -> String {
         let DVec3 { x, y, z } = self.direction;
-        let Scene { hole, camera, observer, disk, method, .. } = &self.scene;
+        let Scene {
+            hole,
+            camera,
+            observer,
+            disk,
+            method,
+            ..
+        } = &self.scene;
         let kind = match observer.kind {
             ObserverKind::Static => "static",
             ObserverKind::Zamo => "zamo",
@@ -157,12 +187,17 @@ impl Found {
     #[must_use]
     pub fn verdict(&self) -> String {
         let told = format!("{:.2e} rad, {:.2} of its bar", self.backward, self.excess);
-        let many = format!("{} rays of the scene are beyond it, {} unexplained", self.beyond, self.unexplained);
+        let many = format!(
+            "{} rays of the scene are beyond it, {} unexplained",
+            self.beyond, self.unexplained
+        );
         match &self.cause {
             _ if self.beyond == 0 => told,
             None => format!("{told}: UNEXPLAINED; {many}"),
             Some(Cause { input, backward }) => {
-                format!("{told}: {input} moved by half a unit in f32's last place gives {backward:.2e} rad; {many}")
+                format!(
+                    "{told}: {input} moved by half a unit in f32's last place gives {backward:.2e} rad; {many}"
+                )
             }
         }
     }
@@ -178,7 +213,10 @@ fn scene(random: &mut Random) -> Scene {
             _ => (1.0 - random.log_between(1e-6, 0.5)) * if random.one_in(2) { -1.0 } else { 1.0 },
         };
         scene.method = Method::for_spin(scene.hole.spin);
-        let horizon = Kerr { spin: scene.hole.spin }.horizon();
+        let horizon = Kerr {
+            spin: scene.hole.spin,
+        }
+        .horizon();
         scene.camera.r = horizon * (1.0 + random.log_between(1e-4, 1e6));
         scene.camera.theta_deg = match random.unit() {
             share if share < 0.1 => 90.0,
@@ -186,7 +224,9 @@ fn scene(random: &mut Random) -> Scene {
             share if share < 0.3 => random.log_between(1e-6, 1.0),
             _ => random.between(0.0, 180.0),
         };
-        scene.camera.fov_deg = random.between(10.0, 120.0).min((30.0 / scene.camera.r).to_degrees());
+        scene.camera.fov_deg = random
+            .between(10.0, 120.0)
+            .min((30.0 / scene.camera.r).to_degrees());
         scene.observer.kind = match random.unit() {
             share if share < 0.4 => ObserverKind::Static,
             share if share < 0.6 => ObserverKind::Zamo,
@@ -195,7 +235,11 @@ fn scene(random: &mut Random) -> Scene {
         };
         if random.one_in(3) {
             let speed = 1.0 - random.log_between(1e-4, 1.0);
-            let direction = DVec3::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+            let direction = DVec3::new(
+                random.between(-1.0, 1.0),
+                random.between(-1.0, 1.0),
+                random.between(-1.0, 1.0),
+            );
             scene.observer.velocity = (speed * direction.normalize_or_zero()).to_array();
         }
         scene.disk.outer = random.log_between(2.0, 1e4);

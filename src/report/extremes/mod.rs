@@ -1,5 +1,5 @@
-//! Where methods break: a matrix of the hardest places, each method held against a stated bar, and a search at random for
-//! what the matrix forgot.
+//! Where methods break: a matrix of the hardest places, each method held against a stated bar, and
+//! a search at random for what the matrix forgot.
 
 mod cause;
 mod cells;
@@ -31,7 +31,9 @@ impl Kernels {
         let given: Vec<_> = truth.rays.iter().map(Ray::given).collect();
         let kernel = match self.0.entry(Variant::rays(scene)) {
             std::collections::hash_map::Entry::Occupied(known) => known.into_mut(),
-            std::collections::hash_map::Entry::Vacant(new) => new.insert(RayKernel::new(gpu, scene)?),
+            std::collections::hash_map::Entry::Vacant(new) => {
+                new.insert(RayKernel::new(gpu, scene)?)
+            }
         };
         kernel.trace(gpu, scene, &given)
     }
@@ -52,7 +54,11 @@ pub fn run(
     for cell in cells {
         let truth = Truth::of(&cell.scene, cell.rays.clone())?;
         for scene in variations(&cell.scene, methods) {
-            let verdict = Verdict::new(cell, &scene, &Errors::of(&truth, &kernels.traces(gpu, &scene, &truth)?));
+            let verdict = Verdict::new(
+                cell,
+                &scene,
+                &Errors::of(&truth, &kernels.traces(gpu, &scene, &truth)?),
+            );
             done(&verdict);
             all.push(verdict);
         }
@@ -62,10 +68,16 @@ pub fn run(
 
 /// The scene by each of the methods that can trace it, by mino twice.
 fn variations(scene: &Scene, methods: &[Method]) -> Vec<Scene> {
-    let able = methods_for(scene).into_iter().filter(|method| methods.contains(method));
+    let able = methods_for(scene)
+        .into_iter()
+        .filter(|method| methods.contains(method));
     able.flat_map(|method| {
         let tightest = (method == Method::Mino).then(|| verdict::tightest(scene));
-        std::iter::once(Scene { method, ..scene.clone() }).chain(tightest)
+        std::iter::once(Scene {
+            method,
+            ..scene.clone()
+        })
+        .chain(tightest)
     })
     .collect()
 }
@@ -73,5 +85,8 @@ fn variations(scene: &Scene, methods: &[Method]) -> Vec<Scene> {
 /// How many verdicts there will be.
 #[must_use]
 pub fn verdicts(cells: &[Cell], methods: &[Method]) -> usize {
-    cells.iter().map(|cell| variations(&cell.scene, methods).len()).sum()
+    cells
+        .iter()
+        .map(|cell| variations(&cell.scene, methods).len())
+        .sum()
 }

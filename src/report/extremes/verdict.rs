@@ -12,8 +12,15 @@ const TIGHTEST: &str = "mino, tightest";
 
 /// The scene with mino's tightest setting.
 pub(super) fn tightest(scene: &Scene) -> Scene {
-    let quality = Quality { max_error_px: 1e-4, ..scene.quality };
-    Scene { method: Method::Mino, quality, ..scene.clone() }
+    let quality = Quality {
+        max_error_px: 1e-4,
+        ..scene.quality
+    };
+    Scene {
+        method: Method::Mino,
+        quality,
+        ..scene.clone()
+    }
 }
 
 /// What a method must keep to.
@@ -23,8 +30,9 @@ pub struct Bar {
     pub backward: f64,
 }
 
-/// The bar of a scene's method. The solved methods are held to what f32 leaves of a direction, mino at least to its own
-/// setting in pixels of the scene's picture; the article's to a pixel of their own pictures, 960x540 at 60 degrees.
+/// The bar of a scene's method. The solved methods are held to what f32 leaves of a direction, mino
+/// at least to its own setting in pixels of the scene's picture; the article's to a pixel of their
+/// own pictures, 960x540 at 60 degrees.
 #[must_use]
 pub fn bar(scene: &Scene) -> Bar {
     let backward = match scene.method {
@@ -83,7 +91,11 @@ impl Verdict {
         Self {
             group: cell.group,
             cell: cell.name.clone(),
-            method: if *scene == tightest(scene) { TIGHTEST } else { scene.method.name() },
+            method: if *scene == tightest(scene) {
+                TIGHTEST
+            } else {
+                scene.method.name()
+            },
             rays: errors.rays,
             unfinished: errors.unfinished(),
             not_finite: errors.not_finite,
@@ -123,7 +135,8 @@ pub fn markdown(verdicts: &[Verdict]) -> String {
     for verdict in verdicts {
         if verdict.group != group {
             group = verdict.group;
-            writeln!(text, "| **{group}** | | | | | | | | | | | | |").expect("writing to a string cannot fail");
+            writeln!(text, "| **{group}** | | | | | | | | | | | | |")
+                .expect("writing to a string cannot fail");
         }
         writeln!(
             text,

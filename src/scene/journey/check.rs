@@ -4,11 +4,12 @@ use super::Journey;
 use crate::scene::Scene;
 use thiserror::Error;
 
-/// Moments that are looked at from one keyframe to the next. Between two every quantity goes one way, so what an observer
-/// may not do shows in few.
+/// Moments that are looked at from one keyframe to the next. Between two every quantity goes one
+/// way, so what an observer may not do shows in few.
 const MOMENTS: u32 = 32;
 
-/// Digits of radii and times in a sentence: a radius is led along by its logarithm, which leaves its traces in the last ones.
+/// Digits of radii and times in a sentence: a radius is led along by its logarithm, which leaves
+/// its traces in the last ones.
 const DIGITS: i32 = 6;
 
 /// Where a journey cannot be flown, and why.
@@ -22,8 +23,9 @@ pub struct Unflyable {
 }
 
 impl Journey {
-    /// Checks that the journey can be flown in this scene, from `from` seconds after its beginning on: at each keyframe, then
-    /// at moments in between. `possible` says whether a scene can be drawn.
+    /// Checks that the journey can be flown in this scene, from `from` seconds after its beginning
+    /// on: at each keyframe, then at moments in between. `possible` says whether a scene can be
+    /// drawn.
     ///
     /// # Errors
     /// The first keyframe that is refused, or else the first such moment.
@@ -41,15 +43,24 @@ impl Journey {
             Some(possible(there).err().unwrap_or(reason))
         };
         let ahead = |time: &f64| *time - self.times[0] >= from;
-        for (index, &time) in self.times.iter().enumerate().filter(|(_, time)| ahead(time)) {
+        for (index, &time) in self
+            .times
+            .iter()
+            .enumerate()
+            .filter(|(_, time)| ahead(time))
+        {
             if let Some(reason) = refusal(time) {
-                return Err(Unflyable { place: format!("keyframe {} (time = {time})", index + 1), reason });
+                return Err(Unflyable {
+                    place: format!("keyframe {} (time = {time})", index + 1),
+                    reason,
+                });
             }
         }
         for (index, pair) in self.times.windows(2).enumerate() {
             let (start, end) = (pair[0], pair[1]);
             // The last one is just before the next keyframe, where the observer may change.
-            let inner = (1..MOMENTS).map(|i| start + (end - start) * f64::from(i) / f64::from(MOMENTS));
+            let inner =
+                (1..MOMENTS).map(|i| start + (end - start) * f64::from(i) / f64::from(MOMENTS));
             for moment in inner.chain([end.next_down()]).filter(ahead) {
                 if let Some(reason) = refusal(moment) {
                     let [number, next] = [index + 1, index + 2];

@@ -15,8 +15,8 @@ const MOST_KEYFRAMES: usize = 1000;
 /// Longest journey, in seconds.
 const LONGEST: f64 = 86_400.0;
 
-/// What a keyframe may have: its name there, and the field of a scene that says what it may be. Angles may be of any number of
-/// turns here.
+/// What a keyframe may have: its name there, and the field of a scene that says what it may be.
+/// Angles may be of any number of turns here.
 const NAMES: [(&str, &str); 9] = [
     ("r", "camera.r"),
     ("theta_deg", "camera.theta_deg"),
@@ -29,7 +29,12 @@ const NAMES: [(&str, &str); 9] = [
     ("velocity", "observer.velocity"),
 ];
 
-const ANY_ANGLE: Field = Field { key: "", kind: Kind::Float(Range::FINITE), unit: "of degrees", about: "" };
+const ANY_ANGLE: Field = Field {
+    key: "",
+    kind: Kind::Float(Range::FINITE),
+    unit: "of degrees",
+    about: "",
+};
 
 /// Why a text is no journey. `origin` is its file; keyframes count from 1.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -38,7 +43,9 @@ pub enum JourneyError {
     #[error(transparent)]
     Text(#[from] SceneError),
     /// Something at the top that does not belong there, or is of the wrong type.
-    #[error("{origin}: {key} = {given} is refused: a journey has schema = 1, title = \"...\" and tables [[keyframe]]")]
+    #[error(
+        "{origin}: {key} = {given} is refused: a journey has schema = 1, title = \"...\" and tables [[keyframe]]"
+    )]
     Top {
         /// Where it was written.
         origin: String,
@@ -48,7 +55,9 @@ pub enum JourneyError {
         given: String,
     },
     /// Too few or too many keyframes.
-    #[error("{origin}: a journey has from 2 to {MOST_KEYFRAMES} tables [[keyframe]], and here are {count}")]
+    #[error(
+        "{origin}: a journey has from 2 to {MOST_KEYFRAMES} tables [[keyframe]], and here are {count}"
+    )]
     Count {
         /// Where it was written.
         origin: String,
@@ -112,7 +121,11 @@ pub fn load(origin: &str, text: &str) -> Result<Journey, JourneyError> {
         match (key.as_str(), value) {
             ("schema", Value::Integer(number)) if number == i64::from(SCHEMA) => {}
             ("schema", value @ Value::Integer(_)) => {
-                return Err(SceneError::Schema { origin: origin.into(), given: given(&value) }.into());
+                return Err(SceneError::Schema {
+                    origin: origin.into(),
+                    given: given(&value),
+                }
+                .into());
             }
             ("title", Value::String(text))
                 if field("title").is_some_and(|f| f.check_type(&text.clone().into()).is_ok()) =>
@@ -120,22 +133,45 @@ pub fn load(origin: &str, text: &str) -> Result<Journey, JourneyError> {
                 title = text;
             }
             ("keyframe", Value::Array(values)) if values.iter().all(Value::is_table) => {
-                frames = values.into_iter().filter_map(|value| value.as_table().cloned()).collect();
+                frames = values
+                    .into_iter()
+                    .filter_map(|value| value.as_table().cloned())
+                    .collect();
             }
             (_, value) => {
-                return Err(JourneyError::Top { origin: origin.into(), key: shortened(&key), given: given(&value) });
+                return Err(JourneyError::Top {
+                    origin: origin.into(),
+                    key: shortened(&key),
+                    given: given(&value),
+                });
             }
         }
     }
     if !(2..=MOST_KEYFRAMES).contains(&frames.len()) {
-        return Err(JourneyError::Count { origin: origin.into(), count: frames.len() });
+        return Err(JourneyError::Count {
+            origin: origin.into(),
+            count: frames.len(),
+        });
     }
     let mut keyframes: Vec<Keyframe> = Vec::with_capacity(frames.len());
     for (index, frame) in frames.into_iter().enumerate() {
-        keyframes.push(keyframe(origin, index + 1, frame, keyframes.last().map(|last| last.time))?);
+        keyframes.push(keyframe(
+            origin,
+            index + 1,
+            frame,
+            keyframes.last().map(|last| last.time),
+        )?);
     }
-    check_velocities(origin, keyframes.iter().map(|frame| frame.values.get("velocity")))?;
-    check_velocities(origin, keyframes.iter().map(|frame| frame.values_in_rain.get("velocity")))?;
+    check_velocities(
+        origin,
+        keyframes.iter().map(|frame| frame.values.get("velocity")),
+    )?;
+    check_velocities(
+        origin,
+        keyframes
+            .iter()
+            .map(|frame| frame.values_in_rain.get("velocity")),
+    )?;
     Ok(journey(title, &keyframes))
 }
 
@@ -147,9 +183,16 @@ struct Keyframe {
     values_in_rain: Table,
 }
 
-fn keyframe(origin: &str, number: usize, mut frame: Table, before: Option<f64>) -> Result<Keyframe, JourneyError> {
+fn keyframe(
+    origin: &str,
+    number: usize,
+    mut frame: Table,
+    before: Option<f64>,
+) -> Result<Keyframe, JourneyError> {
     let origin = || origin.to_owned();
-    let time = frame.remove("time").map(|time| widened(Kind::Float(Range::FINITE), time));
+    let time = frame
+        .remove("time")
+        .map(|time| widened(Kind::Float(Range::FINITE), time));
     let seconds = time.as_ref().and_then(Value::as_float).unwrap_or(f64::NAN);
     let allowed = match before {
         Some(last) if seconds.is_nan() || seconds <= last => {
@@ -159,20 +202,39 @@ fn keyframe(origin: &str, number: usize, mut frame: Table, before: Option<f64>) 
     };
     if !(0.0..=LONGEST).contains(&seconds) || before.is_some_and(|last| seconds <= last) {
         let given = time.as_ref().map_or("nothing".into(), given);
-        return Err(JourneyError::Time { origin: origin(), number, given, allowed });
+        return Err(JourneyError::Time {
+            origin: origin(),
+            number,
+            given,
+            allowed,
+        });
     }
     let in_rain = match frame.remove("rain") {
         Some(Value::Table(in_rain)) => in_rain,
-        Some(_) => return Err(JourneyError::UnknownKey { origin: origin(), number, key: "value rain".into() }),
+        Some(_) => {
+            return Err(JourneyError::UnknownKey {
+                origin: origin(),
+                number,
+                key: "value rain".into(),
+            });
+        }
         None => Table::new(),
     };
     if in_rain.contains_key("observer") {
-        return Err(JourneyError::UnknownKey { origin: origin(), number, key: "rain.observer".into() });
+        return Err(JourneyError::UnknownKey {
+            origin: origin(),
+            number,
+            key: "rain.observer".into(),
+        });
     }
     let values = checked(&origin(), number, frame)?;
     let mut values_in_rain = values.clone();
     values_in_rain.extend(checked(&origin(), number, in_rain)?);
-    Ok(Keyframe { time: seconds, values, values_in_rain })
+    Ok(Keyframe {
+        time: seconds,
+        values,
+        values_in_rain,
+    })
 }
 
 /// The values of a keyframe, each by its name.
@@ -181,7 +243,11 @@ fn checked(origin: &str, number: usize, frame: Table) -> Result<Table, JourneyEr
     let mut values = Table::new();
     for (key, value) in frame {
         let Some((name, like)) = NAMES.into_iter().find(|(name, _)| *name == key) else {
-            return Err(JourneyError::UnknownKey { origin: origin(), number, key: shortened(&key) });
+            return Err(JourneyError::UnknownKey {
+                origin: origin(),
+                number,
+                key: shortened(&key),
+            });
         };
         let field = field(like).unwrap_or(&ANY_ANGLE);
         let value = widened(field.kind, value);
@@ -189,9 +255,16 @@ fn checked(origin: &str, number: usize, frame: Table) -> Result<Table, JourneyEr
             (Kind::Float(range), Some(number)) => range.contains(number),
             _ => true,
         };
-        let refusal =
-            |given| JourneyError::Value { origin: origin(), number, key: name, given, allowed: field.allowed() };
-        field.check_type(&value).map_err(|Refusal { given, .. }| refusal(given))?;
+        let refusal = |given| JourneyError::Value {
+            origin: origin(),
+            number,
+            key: name,
+            given,
+            allowed: field.allowed(),
+        };
+        field
+            .check_type(&value)
+            .map_err(|Refusal { given, .. }| refusal(given))?;
         if !inside {
             return Err(refusal(given(&value)));
         }
@@ -200,27 +273,41 @@ fn checked(origin: &str, number: usize, frame: Table) -> Result<Table, JourneyEr
     Ok(values)
 }
 
-/// Each component stays between those of two keyframes, but all three at their largest must still be slower than light.
+/// Each component stays between those of two keyframes, but all three at their largest must still
+/// be slower than light.
 fn check_velocities<'a>(
     origin: &str,
     velocities: impl Iterator<Item = Option<&'a Value>> + Clone,
 ) -> Result<(), JourneyError> {
-    let named = velocities.enumerate().filter_map(|(i, velocity)| Some((i + 1, velocity?)));
+    let named = velocities
+        .enumerate()
+        .filter_map(|(i, velocity)| Some((i + 1, velocity?)));
     for ((_, start), (number, end)) in named.clone().zip(named.skip(1)) {
         let largest = |axis| component(start, axis).abs().max(component(end, axis).abs());
         if (0..3).map(|axis| largest(axis).powi(2)).sum::<f64>() >= 1.0 {
             let before = given(start);
-            let allowed =
-                format!("nearer to that of the keyframe before, {before}: on the way there it would reach 1 c");
+            let allowed = format!(
+                "nearer to that of the keyframe before, {before}: on the way there it would reach 1 c"
+            );
             let (origin, given) = (origin.into(), given(end));
-            return Err(JourneyError::Value { origin, number, key: "velocity", given, allowed });
+            return Err(JourneyError::Value {
+                origin,
+                number,
+                key: "velocity",
+                given,
+                allowed,
+            });
         }
     }
     Ok(())
 }
 
 fn component(velocity: &Value, axis: usize) -> f64 {
-    velocity.as_array().and_then(|all| all.get(axis)).and_then(Value::as_float).unwrap_or(0.0)
+    velocity
+        .as_array()
+        .and_then(|all| all.get(axis))
+        .and_then(Value::as_float)
+        .unwrap_or(0.0)
 }
 
 fn journey(title: String, keyframes: &[Keyframe]) -> Journey {
@@ -230,7 +317,12 @@ fn journey(title: String, keyframes: &[Keyframe]) -> Journey {
         Some((frame.time - start, kind))
     };
     let of = |values: fn(&Keyframe) -> &Table| {
-        tracks(&keyframes.iter().map(|frame| (frame.time - start, values(frame))).collect::<Vec<_>>())
+        tracks(
+            &keyframes
+                .iter()
+                .map(|frame| (frame.time - start, values(frame)))
+                .collect::<Vec<_>>(),
+        )
     };
     Journey {
         title,
@@ -244,13 +336,19 @@ fn journey(title: String, keyframes: &[Keyframe]) -> Journey {
 
 fn tracks(keyframes: &[(f64, &Table)]) -> Tracks {
     let track = |of: &dyn Fn(&Table) -> Option<f64>| {
-        Track::through(&keyframes.iter().filter_map(|(time, values)| Some((*time, of(values)?))).collect::<Vec<_>>())
+        Track::through(
+            &keyframes
+                .iter()
+                .filter_map(|(time, values)| Some((*time, of(values)?)))
+                .collect::<Vec<_>>(),
+        )
     };
     let number = |values: &Table, name: &str| values.get(name).and_then(Value::as_float);
     Tracks {
         radius: track(&|values| number(values, "r").map(f64::ln)),
         angles: ANGLES.map(|(name, _)| track(&|values| number(values, name))),
         field_of_view: track(&|values| number(values, "fov_deg")),
-        velocity: [0, 1, 2].map(|axis| track(&|values| Some(component(values.get("velocity")?, axis)))),
+        velocity: [0, 1, 2]
+            .map(|axis| track(&|values| Some(component(values.get("velocity")?, axis)))),
     }
 }

@@ -1,7 +1,7 @@
 //! One quantity along a journey.
 
-/// A function of time through given points: piecewise cubic, continuous with its slope, monotone where the points are, at rest
-/// before the first and after the last.
+/// A function of time through given points: piecewise cubic, continuous with its slope, monotone
+/// where the points are, at rest before the first and after the last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
     knots: Vec<Knot>,
@@ -15,10 +15,11 @@ struct Knot {
 }
 
 impl Track {
-    /// The track through these points (time, value), in the order of their times, which differ; none without a point.
+    /// The track through these points (time, value), in the order of their times, which differ;
+    /// none without a point.
     ///
-    /// The slope at an inner point is the harmonic mean of the slopes on both sides, weighted by their lengths, and zero where
-    /// these differ in sign (Fritsch & Butland 1984).
+    /// The slope at an inner point is the harmonic mean of the slopes on both sides, weighted by
+    /// their lengths, and zero where these differ in sign (Fritsch & Butland 1984).
     #[must_use]
     pub fn through(points: &[(f64, f64)]) -> Option<Self> {
         let secant = |i: usize| (points[i + 1].1 - points[i].1) / (points[i + 1].0 - points[i].0);
@@ -34,16 +35,26 @@ impl Track {
             let (w1, w2) = (2.0 * right + left, right + 2.0 * left);
             (w1 + w2) / (w1 / before + w2 / after)
         };
-        let knot = |(i, &(time, value)): (usize, &(f64, f64))| Knot { time, value, slope: slope(i) };
-        (!points.is_empty()).then(|| Self { knots: points.iter().enumerate().map(knot).collect() })
+        let knot = |(i, &(time, value)): (usize, &(f64, f64))| Knot {
+            time,
+            value,
+            slope: slope(i),
+        };
+        (!points.is_empty()).then(|| Self {
+            knots: points.iter().enumerate().map(knot).collect(),
+        })
     }
 
     /// The value at a time.
     #[must_use]
     pub fn at(&self, time: f64) -> f64 {
         let after = self.knots.partition_point(|knot| knot.time <= time);
-        let Some(end) = self.knots.get(after) else { return self.knots[self.knots.len() - 1].value };
-        let Some(start) = after.checked_sub(1).map(|before| self.knots[before]) else { return end.value };
+        let Some(end) = self.knots.get(after) else {
+            return self.knots[self.knots.len() - 1].value;
+        };
+        let Some(start) = after.checked_sub(1).map(|before| self.knots[before]) else {
+            return end.value;
+        };
         // Cubic Hermite.
         let length = end.time - start.time;
         let t = (time - start.time) / length;

@@ -7,28 +7,64 @@ use std::path::Path;
 
 #[test]
 fn render_reads_channels_and_frames() {
-    let Command::Render(render) = read("lightfall render -o a.exr --aov steps,hit1,sky.z,steps") else { panic!() };
-    let names: Vec<_> = render.aov.unwrap().list().iter().map(|channel| channel.name).collect();
-    assert_eq!(names, ["sky.z", "hit1.r", "hit1.phi", "hit1.g", "hit1.T", "steps"]);
+    let Command::Render(render) = read("lightfall render -o a.exr --aov steps,hit1,sky.z,steps")
+    else {
+        panic!()
+    };
+    let names: Vec<_> = render
+        .aov
+        .unwrap()
+        .list()
+        .iter()
+        .map(|channel| channel.name)
+        .collect();
+    assert_eq!(
+        names,
+        ["sky.z", "hit1.r", "hit1.phi", "hit1.g", "hit1.T", "steps"]
+    );
     for list in ["foo", "sky,", "SKY", "hit3", "hit1.", "."] {
         let error = refuse(&format!("lightfall render -o a.exr --aov={list}")).to_string();
-        assert!(error.contains("there is no channel") && error.contains("hit2.phi"), "{error}");
+        assert!(
+            error.contains("there is no channel") && error.contains("hit2.phi"),
+            "{error}"
+        );
     }
     let line = "lightfall --journey j.toml render -o a.png --frames 10..20 --fps 23.976";
-    let Command::Render(render) = read(line) else { panic!() };
+    let Command::Render(render) = read(line) else {
+        panic!()
+    };
     let frames = render.frames.unwrap();
     assert_eq!((frames.first, frames.last, render.fps), (10, 20, 23.976));
     assert_eq!(render.journey.as_deref(), Some(Path::new("j.toml")));
-    for frames in ["3..2", "5", "..", "-1..2", "0..x", "0...9", "1..99999999999", "a..b"] {
+    for frames in [
+        "3..2",
+        "5",
+        "..",
+        "-1..2",
+        "0..x",
+        "0...9",
+        "1..99999999999",
+        "a..b",
+    ] {
         let error = refuse(&format!("lightfall render -o a.png --frames={frames}")).to_string();
         assert!(error.contains("frames are A..B"), "{error}");
     }
-    assert!(refuse("lightfall render -o a.png --frames 0..999999999").to_string().contains("at most 130000"));
+    assert!(
+        refuse("lightfall render -o a.png --frames 0..999999999")
+            .to_string()
+            .contains("at most 130000")
+    );
     for fps in ["0", "-1", "nan", "inf", "x", "1001"] {
-        let error = refuse(&format!("lightfall render -o a.png --frames 0..1 --fps={fps}")).to_string();
+        let error = refuse(&format!(
+            "lightfall render -o a.png --frames 0..1 --fps={fps}"
+        ))
+        .to_string();
         assert!(error.contains("from 0.01 to 1000"), "{error}");
     }
-    assert_eq!(refuse("lightfall render -o a.png --fps 25").kind(), ErrorKind::MissingRequiredArgument);
+    assert_eq!(
+        refuse("lightfall render -o a.png --fps 25").kind(),
+        ErrorKind::MissingRequiredArgument
+    );
     for line in [
         "lightfall render -o a.png --journey j.toml",
         "lightfall --journey i.toml render -o a.png --frames 0..1 --journey j.toml",
