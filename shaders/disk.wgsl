@@ -43,7 +43,7 @@ fn plane_crossing(segment: Segment, crosses: bool) -> vec3<f32> {
 // Adds the segment's crossing of the annulus, if it has one, where positions are r n; its g is left
 // to shift_hits.
 fn record_crossing(result: ptr<function, Trace>, segment: Segment) {
-    let crosses = crosses_plane(segment.x0.z, segment.x1.z) && (*result).hit_count < MOST_HITS;
+    let crosses = crosses_plane(segment.x0.z, segment.x1.z) && (*result).hit_count < MAX_HITS;
     let position = plane_crossing(segment, crosses);
     if crosses && in_annulus(length(position)) {
         if (*result).hit_count == 0u {
@@ -64,7 +64,7 @@ fn record_crossing(result: ptr<function, Trace>, segment: Segment) {
 //
 // E is per unit frequency for the camera. The article's 1 + Omega L_n is the same: its L_n is that
 // of the backward ray, which is -lambda. The root's argument is taken as (1 - y)^2 (1 + 2 y) - 2 (1
-// - chi) y^3, which keeps its digits for chi -> 1, r -> M (src/physics/kerr.rs has the same).
+// - chi) y^3, which keeps its digits for chi -> 1, r -> M (crates/lightfall-core/src/geometry/kerr.rs has the same).
 fn disk_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
     let outside = max(r, MASS);
     let y = sqrt(MASS / outside);
@@ -87,7 +87,7 @@ fn add_hit(result: ptr<function, Trace>, position: vec3<f32>, energy: f32, lambd
     } else if (*result).hit_count == 1u {
         (*result).hits[1] = hit;
     }
-    (*result).hit_count = min((*result).hit_count + 1u, MOST_HITS);
+    (*result).hit_count = min((*result).hit_count + 1u, MAX_HITS);
 }
 
 // Gives the recorded crossings their g.

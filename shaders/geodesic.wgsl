@@ -10,7 +10,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
 }
 
 // What a half float holds with room for sums to come.
-const BRIGHTEST: f32 = 60000.0;
+const MAX_LIGHT: f32 = 60000.0;
 // Rays without an answer, in every view but `colour`.
 const MAGENTA: vec3<f32> = vec3<f32>(1.0, 0.0, 1.0);
 
@@ -23,5 +23,5 @@ fn mark(colour: vec3<f32>) -> vec3<f32> {
 fn fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let light = light_at(position.xy);
     // A comparison with what is not a number is false, so none can leave here.
-    return vec4<f32>(select(vec3<f32>(0.0), min(light, vec3<f32>(BRIGHTEST)), light > vec3<f32>(0.0)), 1.0);
+    return vec4<f32>(select(vec3<f32>(0.0), min(light, vec3<f32>(MAX_LIGHT)), light > vec3<f32>(0.0)), 1.0);
 }

@@ -1,7 +1,7 @@
 // Rays in, traces out: for ray files, tests and measurements, through the very parts that draw the
 // picture.
 
-// Unit looking directions on the observer's legs; the fourth number is padding.
+// Unit looking directions on the observer's axes; the fourth number is padding.
 @group(0) @binding(2) var<storage, read> directions: array<vec4<f32>>;
 @group(0) @binding(3) var<storage, read_write> traces: array<Trace>;
 

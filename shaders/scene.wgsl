@@ -3,7 +3,7 @@
 // Units: G = c = 1 and r_s = 1, so M = 1/2. Frame: the hole's, right-handed, z along the disk
 // normal. Photons are the physical, future-directed ones, per unit frequency for the camera: E =
 // -p_t, L = p_phi. Rays are followed backward. Every number here was worked out in f64 on the CPU
-// (src/gpu/scene.rs) and rounded once.
+// (crates/lightfall-core/src/gpu/scene.rs) and rounded once.
 
 struct Scene {
     // The observer's matrix takes the unit looking direction d to the photon that arrives from it.
@@ -91,7 +91,7 @@ const PI: f32 = 3.14159265358979;
 // The hole's mass.
 const MASS: f32 = 0.5;
 
-// A photon where it meets the camera; src/physics/observer.rs has the same.
+// A photon where it meets the camera; crates/lightfall-core/src/geometry/observer.rs has the same.
 struct Photon {
     // E = -p_t.
     energy: f32,

@@ -1,5 +1,5 @@
 // What potentials and motions do to light, apart from each other, where one of them is switched
-// off. src/physics/shift.rs has the same in f64 and says what each means: g = gravity * motion, at
+// off. crates/lightfall-core/src/optics/shift.rs has the same in f64 and says what each means: g = gravity * motion, at
 // both ends for the observer with zero angular momentum, whose frequency is E (1 - omega lambda) /
 // N.
 

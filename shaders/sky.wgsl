@@ -8,13 +8,13 @@ const REFERENCE_TEMPERATURE: f32 = 8000.0;
 const REFERENCE_BRIGHTNESS: f32 = 4.0;
 const REFERENCE_RADIUS: f32 = 0.00436332;
 // Largest image of a star or line: charts leave so much room around every star.
-const WIDEST_SPOT: f32 = 0.008;
+const MAX_SPOT_RADIUS: f32 = 0.008;
 
 // Radius on the sky of the image of a point or line. The image is one and a half pixels wide for
 // the camera; a moving or deep observer sees the sky shrunk by g, so that there the same pixels
 // span more of it.
 fn spot_radius(g: f32) -> f32 {
-    return clamp(scene.spot_radius * g, TINY, WIDEST_SPOT);
+    return clamp(scene.spot_radius * g, TINY, MAX_SPOT_RADIUS);
 }
 
 // Share of the light at a squared distance from the middle of an image that ends smoothly at its

@@ -1,5 +1,5 @@
 // Colour of heat, from the table that the CPU integrates over Planck's spectrum and the CIE 1931
-// observer (src/physics/spectrum.rs): entries are equidistant in ln T, each the colour divided by
+// observer (crates/lightfall-core/src/optics/spectrum.rs): entries are equidistant in ln T, each the colour divided by
 // its brightest channel and the logarithm of that channel. The SPECTRUM_ constants come from there.
 
 @group(0) @binding(1) var<uniform> spectrum: array<vec4<f32>, SPECTRUM_LEN>;
@@ -8,7 +8,7 @@
 // the table count as its ends, and colours outside the gamut are clipped.
 fn thermal_colour(temperature: f32) -> vec3<f32> {
     let last = f32(SPECTRUM_LEN - 1u);
-    let share = log(clamp(temperature, SPECTRUM_COLDEST, SPECTRUM_HOTTEST) / SPECTRUM_COLDEST) / SPECTRUM_LN_RANGE;
+    let share = log(clamp(temperature, SPECTRUM_MIN_TEMPERATURE, SPECTRUM_MAX_TEMPERATURE) / SPECTRUM_MIN_TEMPERATURE) / SPECTRUM_LN_RANGE;
     let position = clamp(share, 0.0, 1.0) * last;
     let low = min(u32(position), SPECTRUM_LEN - 2u);
     let entry = mix(spectrum[low], spectrum[low + 1u], position - f32(low));

@@ -1,15 +1,15 @@
 //! Lightfall: fly a camera around a black hole and see what light really does there.
 //!
-//! One direction of data: [`scene`] (what is drawn) -> [`gpu`] (its numbers and shaders) ->
-//! [`render`] (the passes) -> pixels, in a window ([`flight`]) or a file ([`picture`]). [`physics`]
-//! is the truth in f64 that all of it is measured against, and [`cli`] and [`report`] are how it is
-//! asked and how it answers. docs/PHYSICS.md has the words and signs.
+//! The program around [`lightfall_core`]. Each module may use those above it in this list:
+//!
+//! 1. [`render`]: the passes that turn a scene into pixels, in Bevy.
+//! 2. [`picture`]: pictures and sequences without a window, and their files.
+//! 3. [`app`]: the window.
+//! 4. [`commands`]: the command line.
+//!
+//! docs/ARCHITECTURE.md shows how the parts work together.
 
-pub mod cli;
-pub mod flight;
-pub mod gpu;
-pub mod physics;
+pub mod app;
+pub mod commands;
 pub mod picture;
 pub mod render;
-pub mod report;
-pub mod scene;

@@ -1,5 +1,5 @@
 // Flux of a disk around Kerr (Page & Thorne 1974), relative: the Newtonian profile of the same edge
-// times a correction, which the CPU works out in closed form (src/physics/disk/page_thorne.rs).
+// times a correction, which the CPU works out in closed form (crates/lightfall-core/src/optics/disk/page_thorne.rs).
 // Entries are the coefficients of cubics, equidistant in p = sqrt(1 - sqrt(r_in / r)), from the
 // edge at 0 to infinity at 1.
 

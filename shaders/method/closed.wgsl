@@ -16,12 +16,12 @@
 // Derived. Nothing is stepped and no constraint can drift: the record's steps and residuals are 0.
 
 // Nearer to the critical curve rays are not told apart: 1e-7 of the shadow's radius at most.
-const LEAST_DISCRIMINANT: f32 = 1e-14;
+const MIN_DISCRIMINANT: f32 = 1e-14;
 // Below this D is better taken from b, as it is where light is hardly bent, at -1.
 const WEAK_DISCRIMINANT: f32 = -0.6;
 // Rays that pass the centre closer than this, in r_s, count as straight: their bending is less
 // still.
-const LEAST_IMPACT: f32 = 1e-8;
+const MIN_IMPACT: f32 = 1e-8;
 // A ray with D > 0 has gone through the disk's range of radii, from u = 0 to 1/3 at most, within
 // this times b: there u^2 (1 - u) <= 2/27 <= q/2, so that phi <= (1/3) sqrt(2/q).
 const DISK_ANGLE: f32 = 0.471404521;
@@ -48,7 +48,7 @@ fn orbit_root(inverse_b: f32, q: f32) -> f32 {
     return (k * k * (2.0 * k + 1.0) + q) / (k * (3.0 * k + 2.0));
 }
 
-// The angle phi at which the backward ray is at infinity; for rays that get there. Each leg is one
+// The angle phi at which the backward ray is at infinity; for rays that get there. Each axis is one
 // R_F (DLMF 19.29.4):
 //
 //   outward from u0:  2 u0 R_F(X, Y +- u0^2 sqrt(v)/2),
@@ -127,7 +127,7 @@ fn trace(photon: Photon) -> Trace {
     let n = scene.camera_direction;
     let energy = photon_energy(photon);
     let w = photon.w - dot(photon.w, n) * n;
-    let w2 = max(dot(w, w), square(LEAST_IMPACT * energy * scene.camera_u));
+    let w2 = max(dot(w, w), square(MIN_IMPACT * energy * scene.camera_u));
     let inverse_w = inverseSqrt(w2);
     // The plane of the orbit: from the camera's direction toward where the backward ray turns.
     let tangent = -inverse_w * w;
@@ -139,7 +139,7 @@ fn trace(photon: Photon) -> Trace {
     let critical = photon.plunge * span * scene.inverse_lapse2 * inverse_w * inverse_w;
     let d = select(6.75 * inverse_b * inverse_b - 1.0, critical, critical > WEAK_DISCRIMINANT);
     let turns = d < 0.0;
-    let discriminant = select(max(d, LEAST_DISCRIMINANT), min(d, -LEAST_DISCRIMINANT), turns);
+    let discriminant = select(max(d, MIN_DISCRIMINANT), min(d, -MIN_DISCRIMINANT), turns);
     let orbit = Orbit(scene.camera_u, photon.radial * scale, inverse_b, inverse_b * inverse_b, discriminant);
 
     // What turns stays on its side of the photon sphere; what does not goes on as it began.
@@ -175,7 +175,7 @@ fn trace(photon: Photon) -> Trace {
             add_crossing(&result, u_after(crossing_angle, orbit.u, orbit.slope, g3), across, energy, lambda);
             result.turn = select(0.0, crossing_angle, result.hit_count == 1u);
         }
-        if escapes && last >= select(0.0, 1.0, outside_inner_edge) && result.hit_count < MOST_HITS {
+        if escapes && last >= select(0.0, 1.0, outside_inner_edge) && result.hit_count < MAX_HITS {
             let beyond = angle - crossing_angle - last * PI;
             let u = u_after(beyond, 0.0, inverse_b, g3);
             let first = result.hit_count == 0u;
@@ -185,7 +185,7 @@ fn trace(photon: Photon) -> Trace {
     }
     if escapes {
         result.turn = select(result.turn, angle, result.hit_count == 0u);
-        if !FOLLOW_BEYOND_HITS && result.hit_count == MOST_HITS {
+        if !FOLLOW_BEYOND_HITS && result.hit_count == MAX_HITS {
             result.outcome = OUTCOME_HIDDEN;
         } else if SKY_DIRECTION {
             let turn = sine_cosine(angle);

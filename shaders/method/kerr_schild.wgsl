@@ -19,18 +19,18 @@
 // At this multiple of the horizon's radius an ingoing ray counts as captured.
 const CAPTURE_MARGIN: f32 = 1.015;
 // Loop bounds that hold whatever the uniform says.
-const MOST_STEPS: u32 = 768u;
+const MAX_STEPS: u32 = 768u;
 // Steps: shares of the radius, range in r_s, and what keeps the rule from dividing by zero.
 const RADIUS_SHARE: f32 = 0.16;
 const BENDING_SHARE: f32 = 0.12;
 const IMPACT_REGULARIZER: f32 = 0.01;
-const SHORTEST_STEP: f32 = 0.008;
-const LONGEST_STEP: f32 = 12.0;
-const LONGEST_STEP_SHARE: f32 = 0.15;
+const MIN_STEP: f32 = 0.008;
+const MAX_STEP: f32 = 12.0;
+const MAX_STEP_SHARE: f32 = 0.15;
 const DISPLACEMENT_SHARE: f32 = 0.10;
 const HORIZON_SHARE: f32 = 0.12;
-const LEAST_HORIZON_DISTANCE: f32 = 0.002;
-const LEAST_INWARD_SPEED: f32 = 0.01;
+const MIN_HORIZON_DISTANCE: f32 = 0.002;
+const MIN_INWARD_SPEED: f32 = 0.01;
 // From this step scale on the last two shares no longer grow.
 const BALANCED: f32 = 0.85;
 
@@ -101,15 +101,15 @@ fn step_length(metric: Metric, x: vec3<f32>, v: vec3<f32>) -> f32 {
     let r = metric.r;
     let impact = length(cross(x, v));
     let wanted = scene.step_scale * min(RADIUS_SHARE * r, BENDING_SHARE * r * r / (impact + IMPACT_REGULARIZER));
-    let allowed = clamp(wanted, SHORTEST_STEP, max(LONGEST_STEP, LONGEST_STEP_SHARE * r));
+    let allowed = clamp(wanted, MIN_STEP, max(MAX_STEP, MAX_STEP_SHARE * r));
     let refinement = min(1.0, scene.step_scale / BALANCED);
     var h = min(allowed, DISPLACEMENT_SHARE * refinement * r / max(length(v), 1.0));
     let inward_speed = -dot(metric.gradient_r, v);
     if inward_speed > 0.0 {
         // sqrt(1 - chi^2), from r_+ - r_-.
         let slowness = select(1.0, max(0.5, scene.horizon - scene.inner_horizon), refinement < 1.0);
-        let distance = max(r - scene.horizon, LEAST_HORIZON_DISTANCE);
-        h = min(h, HORIZON_SHARE * refinement * slowness * distance / max(inward_speed, LEAST_INWARD_SPEED));
+        let distance = max(r - scene.horizon, MIN_HORIZON_DISTANCE);
+        h = min(h, HORIZON_SHARE * refinement * slowness * distance / max(inward_speed, MIN_INWARD_SPEED));
     }
     return h;
 }
@@ -168,14 +168,14 @@ fn trace(photon: Photon) -> Trace {
     let start = scene.camera_radius * n + scene.spin_length * vec3<f32>(-n.y, n.x, 0.0);
     var state = Canonical(start, backward_momentum(photon, n));
     let axial = axial_angular_momentum(state);
-    let max_steps = min(scene.max_steps, MOST_STEPS);
+    let max_steps = min(scene.max_steps, MAX_STEPS);
     var affine = 0.0;
     var turn = 0.0;
     var captured = false;
     var escaped = false;
     var v = vec3<f32>(0.0);
 
-    for (var i = 0u; i <= MOST_STEPS; i++) {
+    for (var i = 0u; i <= MAX_STEPS; i++) {
         let metric = metric_at(state.x);
         v = velocity(metric, state.p);
         if DIAGNOSTICS {
@@ -186,7 +186,7 @@ fn trace(photon: Photon) -> Trace {
         let outward = dot(state.x, v) > 0.0;
         captured = metric.r <= CAPTURE_MARGIN * scene.horizon && !outward;
         escaped = metric.r >= scene.escape_radius && outward;
-        let enough = !FOLLOW_BEYOND_HITS && result.hit_count == MOST_HITS;
+        let enough = !FOLLOW_BEYOND_HITS && result.hit_count == MAX_HITS;
         if captured || escaped || enough || i >= max_steps || affine >= scene.max_affine {
             break;
         }
@@ -197,7 +197,7 @@ fn trace(photon: Photon) -> Trace {
         if !(dot(next.x, next.x) < 1e20 && dot(next.p, next.p) < 1e20) {
             break;
         }
-        let crosses = crosses_plane(state.x.z, next.x.z) && result.hit_count < MOST_HITS;
+        let crosses = crosses_plane(state.x.z, next.x.z) && result.hit_count < MAX_HITS;
         if crosses {
             let next_v = velocity(metric_at(next.x), next.p);
             let place = plane_crossing(Segment(state.x, v, next.x, next_v, h), crosses);
@@ -224,7 +224,7 @@ fn trace(photon: Photon) -> Trace {
             result.turn = turn + angle_between(state.x, v);
         }
         result.sky = safe_normalize(vec3<f32>(turned(v.xy, sine_cosine(scene.azimuth_lead)), v.z));
-    } else if !FOLLOW_BEYOND_HITS && result.hit_count == MOST_HITS {
+    } else if !FOLLOW_BEYOND_HITS && result.hit_count == MAX_HITS {
         result.outcome = OUTCOME_HIDDEN;
     }
     return result;

@@ -1,4 +1,4 @@
-// Kerr's null geodesics in Mino time, on the celestial sphere, for any spin; src/physics/mino.rs is
+// Kerr's null geodesics in Mino time, on the celestial sphere, for any spin; crates/lightfall-core/src/geometry/mino.rs is
 // the f64 twin and says where the equations come from. With u = 1/r, the unit vector n of azimuth
 // psi, and phi = psi + chi, along the backward ray (2 M = 1):
 //
@@ -20,7 +20,7 @@
 // that the step in Mino time is an angle: docs/PHYSICS.md has the measurements that chose them.
 
 // More than a ray within f32's rounding of the critical curve takes at the shortest step.
-const MOST_STEPS: u32 = 1024u;
+const MAX_STEPS: u32 = 1024u;
 // By how much E^2 adds to K in the scale: radial rays, with K = 0, cover no more than du = step/2
 // in a step.
 const ENERGY_WEIGHT: f32 = 4.0;
@@ -215,7 +215,7 @@ fn trace(photon: Photon) -> Trace {
         return result;
     }
 
-    for (var i = 0u; i < MOST_STEPS; i++) {
+    for (var i = 0u; i < MAX_STEPS; i++) {
         // 1/r_+ in two parts, so that the distance to the horizon keeps its digits.
         let nearer = SPINNING && m.base == 0.0 && y.x > 0.5 * u_horizon;
         if nearer || (SPINNING || NEAR_HORIZON) && m.base > 0.0 && y.x < -0.5 * u_horizon {
@@ -232,12 +232,12 @@ fn trace(photon: Photon) -> Trace {
             let axial = abs((y.z * dy.w - y.w * dy.z) / h + angular_momentum);
             result.angular_momentum_drift = max(result.angular_momentum_drift, axial);
         }
-        let nothing_more_to_hit = u >= u_inner || result.hit_count == MOST_HITS;
+        let nothing_more_to_hit = u >= u_inner || result.hit_count == MAX_HITS;
         if dy.x > 0.0 && (u >= u_horizon || nothing_more_to_hit && cannot_turn(m, y.x, u_horizon - u)) {
             result.outcome = OUTCOME_CAPTURED;
             break;
         }
-        if !FOLLOW_BEYOND_HITS && result.hit_count == MOST_HITS {
+        if !FOLLOW_BEYOND_HITS && result.hit_count == MAX_HITS {
             result.outcome = OUTCOME_HIDDEN;
             break;
         }
@@ -269,7 +269,7 @@ fn trace(photon: Photon) -> Trace {
             ingoing = false;
             add_angle(&chi_whole, &chi, azimuth_lag_to_infinity(m, y.x));
         }
-        if HAS_DISK && crosses_plane(y.y, end.y) && result.hit_count < MOST_HITS {
+        if HAS_DISK && crosses_plane(y.y, end.y) && result.hit_count < MAX_HITS {
             let path = curve(step);
             // So does n_z'' in the plane.
             var t = share * y.y / (y.y - end.y);

@@ -1,6 +1,6 @@
 // Rays that nothing bends, for comparison: flat space, the hole a black ball.
-// src/physics/straight.rs has the same in f64. The photons are those of flat space, too: see
-// src/physics/sight.rs.
+// crates/lightfall-core/src/optics/straight.rs has the same in f64. The photons are those of flat space, too: see
+// crates/lightfall-core/src/optics/camera_rays.rs.
 
 // The lambda of which 1 - Omega lambda makes what the matter's speed (Omega - omega) W / N does to
 // light that meets it with the direction moment_z / r along it; W = sqrt(B / r).

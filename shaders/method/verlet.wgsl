@@ -12,16 +12,16 @@
 // at 1.5.
 const CAPTURE_RADIUS: f32 = 1.015;
 // Loop bounds that hold whatever the uniform says.
-const MOST_STEPS: u32 = 768u;
-const MOST_HALVINGS: u32 = 24u;
+const MAX_STEPS: u32 = 768u;
+const MAX_HALVINGS: u32 = 24u;
 // Steps: shares of the radius, range in r_s, and what keeps the rule from dividing by zero for
 // radial rays.
 const RADIUS_SHARE: f32 = 0.16;
 const BENDING_SHARE: f32 = 0.12;
 const IMPACT_REGULARIZER: f32 = 0.01;
-const SHORTEST_STEP: f32 = 0.018;
-const LONGEST_STEP: f32 = 12.0;
-const LONGEST_STEP_SHARE: f32 = 0.15;
+const MIN_STEP: f32 = 0.018;
+const MAX_STEP: f32 = 12.0;
+const MAX_STEP_SHARE: f32 = 0.15;
 const DISPLACEMENT_SHARE: f32 = 0.12;
 
 // The factor of x in the acceleration, from 1/r: -(3/2) L^2 / r^5.
@@ -33,7 +33,7 @@ fn pull(l2: f32, inverse_r: f32) -> f32 {
 // The step rule: shorter where light bends, and never a large share of the radius.
 fn step_length(r: f32, v: vec3<f32>, impact: f32) -> f32 {
     let wanted = scene.step_scale * min(RADIUS_SHARE * r, BENDING_SHARE * r * r / (impact + IMPACT_REGULARIZER));
-    let allowed = clamp(wanted, SHORTEST_STEP, max(LONGEST_STEP, LONGEST_STEP_SHARE * r));
+    let allowed = clamp(wanted, MIN_STEP, max(MAX_STEP, MAX_STEP_SHARE * r));
     return min(allowed, DISPLACEMENT_SHARE * r * inverseSqrt(max(dot(v, v), 1.0)));
 }
 
@@ -56,14 +56,14 @@ fn trace(photon: Photon) -> Trace {
     let impact_vector = -scene.camera_radius / energy * cross(scene.camera_direction, photon.w);
     let l2 = dot(impact_vector, impact_vector);
     let impact = sqrt(l2);
-    let max_steps = min(scene.max_steps, MOST_STEPS);
+    let max_steps = min(scene.max_steps, MAX_STEPS);
     var inverse_r = 1.0 / scene.camera_radius;
     var affine = 0.0;
     var turn = 0.0;
     var captured = false;
     var escaped = false;
 
-    for (var i = 0u; i <= MOST_STEPS; i++) {
+    for (var i = 0u; i <= MAX_STEPS; i++) {
         let r = 1.0 / inverse_r;
         let outward = dot(x, v) >= 0.0;
         if DIAGNOSTICS {
@@ -74,7 +74,7 @@ fn trace(photon: Photon) -> Trace {
         // A camera may stand within the capture radius: its outgoing rays still have their chance.
         captured = r <= CAPTURE_RADIUS && !outward;
         escaped = r >= scene.escape_radius && outward;
-        let enough = !FOLLOW_BEYOND_HITS && result.hit_count == MOST_HITS;
+        let enough = !FOLLOW_BEYOND_HITS && result.hit_count == MAX_HITS;
         if captured || escaped || enough || i >= max_steps || affine >= scene.max_affine {
             break;
         }
@@ -83,7 +83,7 @@ fn trace(photon: Photon) -> Trace {
         var next_x = x + h * (v + (0.5 * h * pull0) * x);
         var next_r2 = dot(next_x, next_x);
         // The trial endpoint stays outside the horizon, where the acceleration has a meaning.
-        for (var halving = 0u; halving < MOST_HALVINGS && next_r2 <= 1.0; halving++) {
+        for (var halving = 0u; halving < MAX_HALVINGS && next_r2 <= 1.0; halving++) {
             h *= 0.5;
             next_x = x + h * (v + (0.5 * h * pull0) * x);
             next_r2 = dot(next_x, next_x);
@@ -112,7 +112,7 @@ fn trace(photon: Photon) -> Trace {
     } else if escaped {
         result.outcome = OUTCOME_SKY;
         result.sky = safe_normalize(v);
-    } else if !FOLLOW_BEYOND_HITS && result.hit_count == MOST_HITS {
+    } else if !FOLLOW_BEYOND_HITS && result.hit_count == MAX_HITS {
         result.outcome = OUTCOME_HIDDEN;
     }
     return result;

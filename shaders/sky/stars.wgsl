@@ -9,10 +9,10 @@ const CELLS: f32 = 36.0;
 // Faintest and brightest star, as a bolometric flux; in between, N(> F) grows like F^(-3/2), as for
 // stars evenly spread through space.
 const FAINTEST: f32 = 0.15;
-const BRIGHTEST_STAR: f32 = 60.0;
+const MAX_STAR_FLUX: f32 = 60.0;
 // Coldest star in kelvin, and the ratio to the hottest.
-const COLDEST: f32 = 2800.0;
-const HOTTEST_RATIO: f32 = 10.0;
+const MIN_TEMPERATURE: f32 = 2800.0;
+const MAX_TEMPERATURE_RATIO: f32 = 10.0;
 // The band: its pole, its half width as a sine of latitude, its light, and how much rarer stars are
 // off it.
 const BAND_POLE: vec3<f32> = vec3<f32>(2.0, 3.0, 6.0) / 7.0;
@@ -76,7 +76,7 @@ fn star_layer(direction: vec3<f32>, g: f32, frame: mat3x3<f32>, layer: u32) -> v
     let half_cell = 1.0 / CELLS;
     let middle = (cell + 0.5) * (2.0 * half_cell) - 1.0;
     let outermost = abs(middle) + half_cell;
-    let room = max(half_cell - WIDEST_SPOT * (1.0 + dot(outermost, outermost)), 0.0);
+    let room = max(half_cell - MAX_SPOT_RADIUS * (1.0 + dot(outermost, outermost)), 0.0);
     let uv = middle + room * (2.0 * halves(bits.x) - 1.0);
     let stretch = inverseSqrt(1.0 + dot(uv, uv));
     let star = stretch * vec3<f32>(uv, sign(d.z));
@@ -92,8 +92,8 @@ fn star_layer(direction: vec3<f32>, g: f32, frame: mat3x3<f32>, layer: u32) -> v
         return vec3<f32>(0.0);
     }
     let rank = (f32(bits.y >> 8u) + 0.5) / 16777216.0;
-    let flux = min(FAINTEST * pow(rank, -2.0 / 3.0), BRIGHTEST_STAR);
-    let temperature = COLDEST * pow(HOTTEST_RATIO, square(chances.y));
+    let flux = min(FAINTEST * pow(rank, -2.0 / 3.0), MAX_STAR_FLUX);
+    let temperature = MIN_TEMPERATURE * pow(MAX_TEMPERATURE_RATIO, square(chances.y));
     // The same flux through an image that is wider on the sky.
     let spread = square(scene.spot_radius / radius) * scene.star_brightness;
     return thermal_colour(temperature * g) * (flux * spread * spot_profile(distance2, radius));

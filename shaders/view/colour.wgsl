@@ -9,7 +9,7 @@ fn light_along(photon: Photon) -> vec3<f32> {
         light = disk_light(ray.hits[0]);
         transmission = scene.disk_transmission;
     }
-    if MOST_HITS > 1u && ray.hit_count > 1u {
+    if MAX_HITS > 1u && ray.hit_count > 1u {
         light += transmission * disk_light(ray.hits[1]);
         transmission *= scene.disk_transmission;
     }

@@ -1,5 +1,5 @@
 // Backward error against the f64 reference, in pixels of the picture, on a coarse grid that the CPU
-// works out (src/report/error/picture.rs): nothing is traced here. On a logarithmic scale, from
+// works out (crates/lightfall-core/src/accuracy/picture.rs): nothing is traced here. On a logarithmic scale, from
 // dark violet at 1e-4 pixel or less through green to bright yellow at 1 or more; magenta where no
 // turn of the ray explains the answer, black where nothing is seen, grey where the error is not
 // known yet.

@@ -1,15 +1,15 @@
 //! `lightfall bench`.
 
 use super::{circumstances, make_folder, print, progress, write};
-use crate::{Stop, failed, without_device};
+use crate::commands::cli::{BenchArgs, EntryArg};
+use crate::commands::run::{Stop, failed, without_device};
+use crate::picture;
 use glam::UVec2;
-use lightfall::cli::{BenchArgs, EntryArg};
-use lightfall::gpu::Gpu;
-use lightfall::picture;
-use lightfall::report::bench::{
+use lightfall_core::gpu::Gpu;
+use lightfall_core::reports::bench::{
     Circumstances, Measured, Plan, auto_margin, csv, json, markdown, plot,
 };
-use lightfall::scene::{Method, Scene};
+use lightfall_core::scene::{Method, Scene};
 
 /// Frames that a whole frame's time is the median of.
 const FRAMES: usize = 9;

@@ -1,12 +1,12 @@
 //! `lightfall extremes`.
 
 use super::{circumstances, make_folder, print, progress, write};
-use crate::{Stop, failed, without_device};
-use lightfall::cli::ExtremesArgs;
-use lightfall::gpu::Gpu;
-use lightfall::report::bench::{csv, json};
-use lightfall::report::extremes::{Found, Hunt, cells, grid, markdown, run, verdicts};
-use lightfall::scene::Method;
+use crate::commands::cli::ExtremesArgs;
+use crate::commands::run::{Stop, failed, without_device};
+use lightfall_core::gpu::Gpu;
+use lightfall_core::reports::bench::{csv, json};
+use lightfall_core::reports::extremes::{Found, Hunt, cells, grid, markdown, run, verdicts};
+use lightfall_core::scene::Method;
 
 /// The worst rays of a hunt that are told, whether they are within their bar or not.
 const TOLD: usize = 10;

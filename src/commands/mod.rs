@@ -1,21 +1,19 @@
 //! The longer commands: measures, tells how far it is, writes the reports.
 
 mod bench;
-mod doctor;
+pub mod cli;
+pub mod doctor;
 mod extremes;
 mod render;
+mod run;
 
-pub use bench::bench;
-pub use doctor::doctor;
-pub use extremes::extremes;
-pub use render::{render, write_still};
+pub use run::run;
 
-use crate::{Stop, failed};
+use crate::commands::run::{Stop, failed};
+use crate::picture;
 use indicatif::{ProgressBar, ProgressStyle};
-use lightfall::cli;
-use lightfall::gpu::Gpu;
-use lightfall::picture;
-use lightfall::report::bench::Circumstances;
+use lightfall_core::gpu::Gpu;
+use lightfall_core::reports::bench::Circumstances;
 use std::io;
 use std::path::Path;
 
@@ -83,7 +81,7 @@ fn write(folder: &Path, name: &str, text: &str) -> Result<(), Stop> {
 }
 
 /// Prints a result.
-pub fn print(text: &str) -> Result<(), Stop> {
+pub(crate) fn print(text: &str) -> Result<(), Stop> {
     cli::print(text, &mut io::stdout().lock())
         .map_err(|error| Stop(error.exit_code(), error.to_string()))
 }

@@ -1,16 +1,17 @@
 //! `lightfall render`.
 
 use super::{commit, print, progress};
-use crate::{Stop, check_drawable, failed, refused, scene, without_device};
-use glam::UVec2;
-use indicatif::ProgressBar;
-use lightfall::cli::{self, RenderArgs};
-use lightfall::flight::drawable;
-use lightfall::picture::{
-    self, Channels, Equipment, Format, Frames, Linear, PassTime, PictureError, PixelRays, Sequence,
+use crate::commands::cli;
+use crate::commands::cli::RenderArgs;
+use crate::commands::run::{Stop, drawable, failed, refused, scene, without_device};
+use crate::picture;
+use crate::picture::{
+    Channels, Format, Frames, HeadlessOptions, Linear, PassTime, PictureError, PixelRays, Sequence,
     Still, Studio,
 };
-use lightfall::scene::Scene;
+use glam::UVec2;
+use indicatif::ProgressBar;
+use lightfall_core::scene::Scene;
 use std::path::{Path, PathBuf};
 
 /// Frames that `render --timings` takes the median of.
@@ -51,7 +52,7 @@ pub fn render(args: &RenderArgs) -> Result<(), Stop> {
     } else {
         args.size.unwrap_or(picture)
     };
-    let equipment = Equipment {
+    let equipment = HeadlessOptions {
         timed: args.timings,
         light: format == Format::Exr,
     };
@@ -139,13 +140,14 @@ impl Shots {
 
     /// Whether all of them can be drawn: nobody wants to learn at the last frame that it cannot.
     fn check(&self) -> Result<(), Stop> {
-        check_drawable(&self.get(self.numbers().start).0)?;
+        drawable(&self.get(self.numbers().start).0)?;
         let Some(sequence) = &self.sequence else {
             return Ok(());
         };
         for number in self.numbers() {
-            let refused = |sentence| Stop(2, format!("frame {number}: {sentence}"));
-            drawable(sequence.scene(&self.scene, number)).map_err(refused)?;
+            let refused = |reason| Stop(2, format!("frame {number}: {reason}"));
+            lightfall_core::gpu::Drawable::new(sequence.scene(&self.scene, number))
+                .map_err(refused)?;
         }
         Ok(())
     }
@@ -164,7 +166,7 @@ struct Camera {
 impl Camera {
     /// Draws the scene and writes its picture.
     fn take(&mut self, scene: &Scene, file: &Path) -> Result<(), Stop> {
-        self.studio.show(scene);
+        self.studio.show(scene).map_err(stopped)?;
         self.studio.settle().map_err(stopped)?;
         if self.format == Format::Png {
             let still = self.studio.picture().map_err(stopped)?;

@@ -1,12 +1,13 @@
 //! What the rays of a picture tell besides light: the channels that an EXR picture can have, by
 //! name.
 
-use crate::gpu::rays::RayKernel;
-use crate::gpu::{Gpu, GpuError, Variant};
-use crate::physics::disk::{self, Profile};
-use crate::physics::trace::{Hit, Trace};
-use crate::scene::{Disk, Scene};
 use glam::{DVec2, Vec3};
+use lightfall_core::gpu::rays::RayKernel;
+use lightfall_core::gpu::{Gpu, GpuError, Variant};
+use lightfall_core::optics::disk;
+use lightfall_core::optics::disk::Profile;
+use lightfall_core::optics::trace::{Hit, Trace};
+use lightfall_core::scene::{Disk, Scene};
 use std::str::FromStr;
 
 /// One number a pixel.

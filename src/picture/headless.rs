@@ -1,9 +1,7 @@
 //! The chain as a program of its own, without a window.
 
 use super::PictureError;
-use crate::gpu::GpuScene;
 use crate::render::{AwaitErrors, Capture, LightfallRenderPlugin, is_drawn, render_plugin};
-use crate::scene::{LONGEST_SIDE, Scene};
 use bevy::app::PluginsState;
 use bevy::asset::RenderAssetUsages;
 use bevy::camera::RenderTarget;
@@ -15,17 +13,19 @@ use bevy::render::render_resource::{PollType, TextureFormat, TextureUsages};
 use bevy::render::renderer::RenderDevice;
 use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
+use lightfall_core::gpu::Drawable;
+use lightfall_core::scene::{MAX_PICTURE_SIDE, Scene};
 
 /// Frames after which a picture that still isn't there is given up; compiling every pipeline takes
 /// a handful.
-pub(super) const MOST_UPDATES: usize = 600;
+pub(super) const MAX_UPDATES: usize = 600;
 
 /// The exit status by which Bevy says that somebody has pressed Ctrl+C.
 const INTERRUPTED: u8 = 130;
 
 /// What a studio does besides drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Equipment {
+pub struct HeadlessOptions {
     /// Takes the GPU time of each pass.
     pub timed: bool,
     /// Keeps the linear light and the depth of each picture.
@@ -43,7 +43,7 @@ pub(super) struct Output(pub(super) Handle<Image>);
 pub(super) fn headless(
     scene: &Scene,
     size: UVec2,
-    Equipment { timed, light }: Equipment,
+    HeadlessOptions { timed, light }: HeadlessOptions,
 ) -> Result<App, PictureError> {
     let mut app = App::new();
     app.add_plugins(
@@ -73,7 +73,7 @@ pub(super) fn headless(
     check_size("size", size)?;
     let picture = UVec2::new(scene.picture.width, scene.picture.height);
     check_size("picture", picture)?;
-    GpuScene::new(scene, picture).map_err(|error| PictureError::Draw(error.to_string()))?;
+    let scene = drawable(scene)?;
     let mut image = Image::new_target_texture(size.x, size.y, TextureFormat::Rgba8UnormSrgb, None);
     image.asset_usage = RenderAssetUsages::RENDER_WORLD;
     image.texture_descriptor.usage |= TextureUsages::COPY_SRC;
@@ -84,7 +84,7 @@ pub(super) fn headless(
     app.insert_resource(Output(output.clone()))
         .insert_resource(AwaitErrors(true))
         .add_plugins(LightfallRenderPlugin {
-            scene: scene.clone(),
+            scene,
             target: RenderTarget::Image(output.into()),
         });
     app.finish();
@@ -92,12 +92,20 @@ pub(super) fn headless(
     Ok(app)
 }
 
+/// The scene with its numbers.
+///
+/// # Errors
+/// Why it cannot be drawn.
+pub(super) fn drawable(scene: &Scene) -> Result<Drawable, PictureError> {
+    Drawable::new(scene.clone()).map_err(|reason| PictureError::Draw(reason.to_string()))
+}
+
 /// Checks that a device can draw a picture of this size; `field` names it in the error.
 ///
 /// # Errors
 /// A side of zero, or longer than every device that the passes run on can do.
 pub fn check_size(field: &'static str, size: UVec2) -> Result<(), PictureError> {
-    let limit = LONGEST_SIDE;
+    let limit = MAX_PICTURE_SIDE;
     if size.min_element() == 0 || size.max_element() > limit {
         return Err(PictureError::Size {
             field,
@@ -144,7 +152,7 @@ pub(super) fn update(app: &mut App) -> Result<(), PictureError> {
 
 /// Updates until the scene is drawn, so that the picture is complete the first time it is taken.
 pub(super) fn warm_up(app: &mut App) -> Result<(), PictureError> {
-    for _ in 0..MOST_UPDATES {
+    for _ in 0..MAX_UPDATES {
         update(app)?;
         if is_drawn(app).map_err(PictureError::Draw)? {
             return Ok(());

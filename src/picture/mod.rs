@@ -13,7 +13,7 @@ pub use channels::{CHANNELS, Channel, Channels, PixelRays, Samples};
 pub use embedded::{PRESET_KEY, embedded_preset, is_picture};
 pub use file::{Format, PictureError, check_path, write_png, write_text};
 pub(crate) use headless::quiet_log;
-pub use headless::{Equipment, check_size};
+pub use headless::{HeadlessOptions, check_size};
 pub use open_exr::{Linear, write_exr};
 pub use sequence::{Frames, Sequence, frame_rate};
 pub use still::{PassTime, Still, Studio, render, render_timed};

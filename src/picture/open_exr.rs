@@ -4,9 +4,9 @@
 use super::file::{PictureError, write_whole};
 use super::{Channels, PRESET_KEY, Samples};
 use crate::render::Captured;
-use crate::scene::Scene;
 use exr::meta::attribute::Chromaticities;
 use exr::prelude::*;
+use lightfall_core::scene::Scene;
 use std::io::Cursor;
 use std::path::Path;
 

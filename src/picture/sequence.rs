@@ -1,12 +1,12 @@
 //! Sequences: a journey as numbered pictures.
 
-use crate::scene::Scene;
-use crate::scene::journey::Journey;
+use lightfall_core::scene::Scene;
+use lightfall_core::scene::journey::Journey;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// Most frames of one run: an hour and a half at 24 a second.
-const MOST_FRAMES: u32 = 130_000;
+const MAX_FRAMES: u32 = 130_000;
 
 /// Least and most frames a second.
 const RATES: [f64; 2] = [0.01, 1000.0];
@@ -35,11 +35,11 @@ impl FromStr for Frames {
         };
         let (first, last) = text.split_once("..").unwrap_or_default();
         match (number(first), number(last)) {
-            (Some(first), Some(last)) if first <= last && last - first < MOST_FRAMES => {
+            (Some(first), Some(last)) if first <= last && last - first < MAX_FRAMES => {
                 Ok(Self { first, last })
             }
             (Some(first), Some(last)) if first <= last => Err(format!(
-                "these are {} frames, and one run draws at most {MOST_FRAMES}",
+                "these are {} frames, and one run draws at most {MAX_FRAMES}",
                 last - first + 1
             )),
             _ => Err(

@@ -1,13 +1,13 @@
 //! One picture of a scene, by the very chain of the window, with no window.
 
 use super::PictureError;
-use super::headless::{Equipment, MOST_UPDATES, Output, headless, update, warm_up};
+use super::headless::{HeadlessOptions, MAX_UPDATES, Output, drawable, headless, update, warm_up};
 use crate::render::{AlwaysDraw, Capture, Captured, CurrentScene, NEAR, ROW_ALIGNMENT};
-use crate::scene::Scene;
 use bevy::diagnostic::DiagnosticsStore;
 use bevy::prelude::*;
 use bevy::render::gpu_readback::{Readback, ReadbackComplete};
 use bevy::render::renderer::RenderDevice;
+use lightfall_core::scene::Scene;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -48,7 +48,7 @@ impl Studio {
         Self::equipped(
             scene,
             size,
-            Equipment {
+            HeadlessOptions {
                 timed: true,
                 light: false,
             },
@@ -62,7 +62,7 @@ impl Studio {
     pub fn equipped(
         scene: &Scene,
         size: UVec2,
-        equipment: Equipment,
+        equipment: HeadlessOptions,
     ) -> Result<Self, PictureError> {
         let mut app = headless(scene, size, equipment)?;
         app.init_resource::<Finished>();
@@ -72,8 +72,12 @@ impl Studio {
     }
 
     /// Shows a scene from the next frame on.
-    pub fn show(&mut self, scene: &Scene) {
-        self.app.world_mut().resource_mut::<CurrentScene>().0 = scene.clone();
+    ///
+    /// # Errors
+    /// A scene that cannot be drawn.
+    pub fn show(&mut self, scene: &Scene) -> Result<(), PictureError> {
+        self.app.world_mut().resource_mut::<CurrentScene>().0 = drawable(scene)?;
+        Ok(())
     }
 
     /// Draws frames until the scene is drawn whole.
@@ -116,7 +120,7 @@ impl Studio {
     /// # Errors
     /// As [`Studio::light`].
     pub fn depth(&mut self) -> Result<Vec<f32>, PictureError> {
-        let scene = self.app.world().resource::<CurrentScene>().0.clone();
+        let scene = self.app.world().resource::<CurrentScene>().scene().clone();
         if !scene.probe.enabled {
             return Ok(vec![
                 f32::INFINITY;
@@ -128,12 +132,12 @@ impl Studio {
         // with one.
         let mut single = scene.clone();
         single.probe.antialias = false;
-        self.show(&single);
+        self.show(&single)?;
         let depth = self
             .light()?
             .depth
             .ok_or(PictureError::Draw("its depth has not been kept".into()))?;
-        self.show(&scene);
+        self.show(&scene)?;
         Ok(depth.into_iter().map(|depth| NEAR / depth).collect())
     }
 
@@ -165,7 +169,7 @@ impl Studio {
 /// # Errors
 /// A size the device can't do, or a chain that failed.
 pub fn render(scene: &Scene, size: UVec2) -> Result<Still, PictureError> {
-    Studio::equipped(scene, size, Equipment::default())?.picture()
+    Studio::equipped(scene, size, HeadlessOptions::default())?.picture()
 }
 
 /// Like [`render`], with the GPU time of each pass, see [`Studio::time`].
@@ -234,7 +238,7 @@ fn read_back(app: &mut App, size: UVec2) -> Result<Still, PictureError> {
             },
         )
         .id();
-    for _ in 0..MOST_UPDATES {
+    for _ in 0..MAX_UPDATES {
         update(app)?;
         if let Some(bytes) = app.world_mut().resource_mut::<Finished>().0.take() {
             app.world_mut().despawn(reader);

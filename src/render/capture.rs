@@ -1,7 +1,7 @@
 //! What the eye sees, copied aside before bloom and tone mapping change it: for pictures of linear
 //! light. Only a chain that has been given a [`Capture`] copies anything.
 
-use super::Eye;
+use super::SceneCamera;
 use bevy::core_pipeline::core_3d::main_transparent_pass_3d;
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::prelude::*;
@@ -48,7 +48,7 @@ impl Capture {
 
     /// What was drawn last.
     ///
-    /// # Errors
+    /// # PictureErrors
     /// Nothing has been drawn yet, or the device failed.
     pub fn read(&self, device: &RenderDevice) -> Result<Captured, String> {
         let copies = self.copies();
@@ -135,7 +135,7 @@ pub(super) fn plugin(app: &mut App) {
 }
 
 fn copy(
-    view: ViewQuery<(&ViewTarget, &ViewDepthTexture), With<Eye>>,
+    view: ViewQuery<(&ViewTarget, &ViewDepthTexture), With<SceneCamera>>,
     capture: Res<Capture>,
     mut context: RenderContext,
 ) {

@@ -1,18 +1,18 @@
 //! What of the chain a scene needs: which passes run, and which textures exist for them. The passes
 //! ask here whether they are wanted, and so does who wants to know.
 
-use crate::scene::Scene;
 use bevy::math::UVec2;
+use lightfall_core::scene::Scene;
 
 /// Bloom's largest level has half the default picture's height: a level finer than that changes
 /// nothing that the presentation grid can show and is where most of the time goes (docs/PASSES.md).
 const BLOOM_LEVEL: u32 = 256;
 
 /// Widest bloom texture, in pixels.
-const WIDEST_BLOOM: u32 = 8192;
+const MAX_BLOOM_SIDE: u32 = 8192;
 
 /// Fewest rows of bloom that show.
-const LEAST_BLOOM: u32 = 8;
+const MIN_BLOOM_SIDE: u32 = 8;
 
 /// Passes of Bevy's own that run in every chain, on some devices at least, and find nothing to do
 /// but to clear.
@@ -55,7 +55,7 @@ impl Chain {
     pub fn of(scene: &Scene) -> Self {
         let picture = UVec2::new(scene.picture.width, scene.picture.height);
         // A wide picture's bloom has fewer rows, lest its texture be wider than a device can do.
-        let widest = u64::from(WIDEST_BLOOM) * u64::from(picture.y) / u64::from(picture.x.max(1));
+        let widest = u64::from(MAX_BLOOM_SIDE) * u64::from(picture.y) / u64::from(picture.x.max(1));
         // A coarse picture's too: half its rows are as fine as bloom ever is.
         let rows = u64::from(BLOOM_LEVEL)
             .min(widest)
@@ -69,7 +69,7 @@ impl Chain {
             } else {
                 1
             },
-            bloom: (scene.picture.bloom > 0.0 && rows >= LEAST_BLOOM).then_some(rows),
+            bloom: (scene.picture.bloom > 0.0 && rows >= MIN_BLOOM_SIDE).then_some(rows),
             cells: (!scene.picture.bypass).then_some(grid),
         }
     }

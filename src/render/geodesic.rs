@@ -4,12 +4,9 @@
 mod pipeline;
 
 use super::chain::Chain;
-use super::errors::Errors;
-use super::kept::Sight;
-use super::{CurrentScene, Eye};
-use crate::gpu::{ErrorCells, GpuScene, Variant};
-use crate::physics::{disk, spectrum};
-use crate::scene::View;
+use super::{CurrentScene, SceneCamera};
+use crate::render::error_map::PictureErrors;
+use crate::render::redraw::DrawRequest;
 use bevy::asset::AssetEventSystems;
 use bevy::core_pipeline::core_3d::{main_opaque_pass_3d, main_transparent_pass_3d};
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
@@ -22,6 +19,9 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
+use lightfall_core::gpu::{ErrorMap, GpuScene, Variant};
+use lightfall_core::optics::{disk, spectrum};
+use lightfall_core::scene::View;
 use pipeline::descriptor;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -50,7 +50,7 @@ pub(super) struct JoinedShaders(Vec<GeodesicShader>);
 
 /// Most variants that are kept, each a compiled pipeline: more than keys and presets lead through
 /// in a while.
-const MOST_VARIANTS: usize = 48;
+const MAX_VARIANTS: usize = 48;
 
 /// What the pass needs on the GPU.
 #[derive(Resource)]
@@ -123,7 +123,7 @@ pub(super) fn join_shader(
         Some(place) => joined.remove(place),
         None => {
             let text = Shader::from_wgsl(variant.source(), "lightfall/geodesic.wgsl");
-            let shader = if joined.len() < MOST_VARIANTS {
+            let shader = if joined.len() < MAX_VARIANTS {
                 shaders.add(text)
             } else {
                 let GeodesicShader { shader, .. } = joined.remove(0);
@@ -153,10 +153,10 @@ fn bytes(table: &[[f32; 4]]) -> Vec<u8> {
         .collect()
 }
 
-fn init(mut commands: Commands, device: Res<RenderDevice>, sight: Option<Res<Sight>>) {
+fn init(mut commands: Commands, device: Res<RenderDevice>, request: Option<Res<DrawRequest>>) {
     // After the loss of a device there is no picture any more.
-    if let Some(sight) = sight {
-        sight.forget();
+    if let Some(request) = request {
+        request.forget();
     }
     let table = bytes(&spectrum::table());
     let spectrum = device.create_buffer_with_data(&BufferInitDescriptor {
@@ -177,7 +177,7 @@ fn init(mut commands: Commands, device: Res<RenderDevice>, sight: Option<Res<Sig
         "Page-Thorne table",
         size_of::<[[f32; 4]; disk::TABLE_LEN]>(),
     );
-    let errors = uniform("grid of errors", ErrorCells::SIZE);
+    let errors = uniform("grid of errors", ErrorMap::SIZE);
     let layout = BindGroupLayoutDescriptor::new(
         "geodesic layout",
         &BindGroupLayoutEntries::with_indices(
@@ -218,7 +218,7 @@ fn init(mut commands: Commands, device: Res<RenderDevice>, sight: Option<Res<Sig
 fn prepare(
     scene: Res<CurrentScene>,
     shader: Option<Res<GeodesicShader>>,
-    known: Res<Errors>,
+    known: Res<PictureErrors>,
     pass: Option<ResMut<GeodesicPass>>,
     cache: Res<PipelineCache>,
     device: Res<RenderDevice>,
@@ -258,16 +258,7 @@ fn prepare(
     if !*stale || !ready {
         return;
     }
-    match GpuScene::new(
-        &scene,
-        UVec2::new(scene.picture.width, scene.picture.height),
-    ) {
-        Ok(fresh) => numbers.set(fresh),
-        Err(error) => {
-            error_once!("the scene cannot be traced on the GPU: {error}");
-            return;
-        }
-    }
+    numbers.set(scene.numbers().clone());
     numbers.write_buffer(&device, &queue);
     if let disk::Profile::PageThorne(disk) = disk::Profile::new(&scene) {
         queue.write_buffer(page_thorne, 0, &bytes(&disk.table()));
@@ -293,7 +284,7 @@ fn prepare(
 }
 
 fn draw(
-    view: ViewQuery<(&ViewTarget, &ViewDepthTexture), With<Eye>>,
+    view: ViewQuery<(&ViewTarget, &ViewDepthTexture), With<SceneCamera>>,
     pass: Option<ResMut<GeodesicPass>>,
     cache: Res<PipelineCache>,
     mut context: RenderContext,

@@ -2,12 +2,12 @@
 //! chain.
 //!
 //! ```text
-//! eye camera (Core3d, HDR picture size, Rgba16Float, no output of its own; kept.rs: at rest while nothing changes)
+//! eye camera (Core3d, HDR picture size, Rgba16Float, no output of its own; redraw.rs: at rest while nothing changes)
 //!   probe.rs         main_opaque_pass_3d     the foreground craft, with depth
-//!   geodesic.rs      GEODESIC                traced light where depth is zero (errors.rs: what the view `error` shows)
+//!   geodesic.rs      GEODESIC                traced light where depth is zero (error_map.rs: what the view `error` shows)
 //!                    main_transparent_pass_3d
 //!   capture.rs       (copy)                  light and depth aside, for a picture of linear light only
-//!   eye.rs           bloom -> tonemapping    Bevy's own
+//!   scene_camera.rs           bloom -> tonemapping    Bevy's own
 //! screen camera (Core2d, window or still)
 //!   presentation.rs  PIXELATE                area reduction, quantization, Bayer pattern
 //!                    EXPAND                  nearest expansion, letterbox (or FIT, when bypassed)
@@ -16,38 +16,38 @@
 
 mod capture;
 mod chain;
-mod errors;
-mod eye;
+mod cost_report;
+mod error_map;
 mod geodesic;
-mod kept;
-mod needs;
 mod presentation;
 mod probe;
 pub mod recovery;
+mod redraw;
+mod scene_camera;
 
 pub use capture::{Capture, Captured, ROW_ALIGNMENT};
 pub use chain::{Chain, EMPTY_PASSES, Written};
-pub use errors::AwaitErrors;
-pub use eye::{Eye, NEAR, Screen};
-pub use kept::{AlwaysDraw, Sight};
-pub use needs::needs;
+pub use cost_report::cost_report;
+pub use error_map::AwaitErrors;
 pub use presentation::{Letterbox, letterbox};
+pub use redraw::{AlwaysDraw, DrawRequest};
+pub use scene_camera::{NEAR, SceneCamera, Screen};
 
-use crate::scene::Scene;
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
 use bevy::render::RenderPlugin;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
 use bevy::render::settings::WgpuSettings;
+use lightfall_core::gpu::Drawable;
 
-/// The scene that is being drawn. It must have passed [`Scene::check`]; what writes it, checks it.
-#[derive(Resource, Clone, Deref, DerefMut, ExtractResource)]
-pub struct CurrentScene(pub Scene);
+/// The scene that is being drawn.
+#[derive(Resource, Clone, Deref, ExtractResource)]
+pub struct CurrentScene(pub Drawable);
 
 /// The whole chain, drawing [`CurrentScene`] to a window or an image.
 pub struct LightfallRenderPlugin {
     /// What is drawn first.
-    pub scene: Scene,
+    pub scene: Drawable,
     /// Where the last pass writes.
     pub target: RenderTarget,
 }
@@ -58,22 +58,22 @@ impl Plugin for LightfallRenderPlugin {
             .insert_resource(ClearColor(Color::BLACK))
             .add_plugins(ExtractResourcePlugin::<CurrentScene>::default())
             .add_plugins((
-                eye::EyePlugin {
+                scene_camera::SceneCameraPlugin {
                     target: self.target.clone(),
                 },
                 probe::plugin,
             ))
             .add_plugins((
                 geodesic::plugin,
-                errors::plugin,
+                error_map::plugin,
                 capture::plugin,
-                kept::plugin,
+                redraw::plugin,
                 presentation::plugin,
             ));
     }
 }
 
-/// Bevy's renderer on the same backends as [`Gpu::headless`](crate::gpu::Gpu::headless). A still
+/// Bevy's renderer on the same backends as [`Gpu::headless`](lightfall_core::gpu::Gpu::headless). A still
 /// waits for its pipelines, a window does not.
 pub fn render_plugin(synchronous_pipeline_compilation: bool) -> RenderPlugin {
     RenderPlugin {
@@ -84,7 +84,7 @@ pub fn render_plugin(synchronous_pipeline_compilation: bool) -> RenderPlugin {
 }
 
 fn wgpu_settings() -> WgpuSettings {
-    let (backends, adapter_name) = crate::gpu::chosen();
+    let (backends, adapter_name) = lightfall_core::gpu::chosen();
     WgpuSettings {
         backends: Some(backends),
         adapter_name,
@@ -95,8 +95,8 @@ fn wgpu_settings() -> WgpuSettings {
 /// Whether the whole of the present scene has been drawn, asked after an update. An error names
 /// what failed.
 ///
-/// # Errors
-/// A pipeline that could not be made: a shader error, or a limit of the device. Errors that could
+/// # PictureErrors
+/// A pipeline that could not be made: a shader error, or a limit of the device. PictureErrors that could
 /// not be worked out.
 pub fn is_drawn(app: &App) -> Result<bool, String> {
     use bevy::render::{
@@ -116,12 +116,12 @@ pub fn is_drawn(app: &App) -> Result<bool, String> {
         }
     }
     let world = app.world();
-    let (Some(scene), Some(work), Some(sight)) = (
+    let (Some(scene), Some(work), Some(request)) = (
         world.get_resource::<CurrentScene>(),
-        world.get_resource::<errors::Work>(),
-        world.get_resource::<Sight>(),
+        world.get_resource::<error_map::Work>(),
+        world.get_resource::<DrawRequest>(),
     ) else {
         return Ok(false);
     };
-    Ok(work.is_done(scene)? && sight.is_drawn())
+    Ok(work.is_done(scene)? && request.is_drawn())
 }

@@ -1,8 +1,7 @@
 //! The presentation: the tone-mapped picture reduced to a grid of cells, quantized, and expanded to
 //! the output.
 
-use super::{Chain, CurrentScene, Eye, Screen};
-use crate::scene::Picture;
+use super::{Chain, CurrentScene, SceneCamera, Screen};
 use bevy::asset::uuid_handle;
 use bevy::core_pipeline::core_2d::main_transparent_pass_2d;
 use bevy::core_pipeline::schedule::{Core2d, Core2dSystems};
@@ -16,6 +15,7 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::{ExtractedView, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
+use lightfall_core::scene::Picture;
 
 const SHADER: Handle<Shader> = uuid_handle!("6f0f7c0e-5b7d-4c0c-9a55-0f3f1c1d7a11");
 
@@ -161,7 +161,7 @@ fn init(mut commands: Commands, device: Res<RenderDevice>) {
 fn prepare(
     scene: Res<CurrentScene>,
     screen: Query<(&ExtractedCamera, &ExtractedView), With<Screen>>,
-    eye: Query<(&ViewTarget, Has<ExtractedCamera>), With<Eye>>,
+    eye: Query<(&ViewTarget, Has<ExtractedCamera>), With<SceneCamera>>,
     pass: Option<ResMut<PresentationPass>>,
     cache: Res<PipelineCache>,
     device: Res<RenderDevice>,
@@ -278,7 +278,7 @@ fn descriptor(
 /// Picture -> cells; a kept picture's are there already.
 fn pixelate(
     _screen: ViewQuery<&ViewTarget, With<Screen>>,
-    eye: Query<&ViewTarget, With<Eye>>,
+    eye: Query<&ViewTarget, With<SceneCamera>>,
     pass: Option<ResMut<PresentationPass>>,
     cache: Res<PipelineCache>,
     mut context: RenderContext,
@@ -310,7 +310,7 @@ fn pixelate(
 /// Cells, or the picture itself when they are bypassed, -> output.
 fn expand(
     screen: ViewQuery<&ViewTarget, With<Screen>>,
-    eye: Query<&ViewTarget, With<Eye>>,
+    eye: Query<&ViewTarget, With<SceneCamera>>,
     pass: Option<Res<PresentationPass>>,
     cache: Res<PipelineCache>,
     mut context: RenderContext,

@@ -2,15 +2,15 @@
 //! stars. It is projected ordinarily, neither lensed nor hidden by the hole, and the geodesic pass
 //! leaves its pixels alone.
 
-use super::{Chain, CurrentScene, Eye};
-use crate::gpu::DISK_HDR_SCALE;
-use crate::physics::{disk, spectrum};
-use crate::scene::Scene;
+use super::{Chain, CurrentScene, SceneCamera};
 use bevy::light::GlobalAmbientLight;
 use bevy::math::DVec3;
 use bevy::pbr::ExtractedClusterConfig;
 use bevy::prelude::*;
 use bevy::render::{Render, RenderApp, RenderSystems};
+use lightfall_core::optics::photometry::DISK_HDR_SCALE;
+use lightfall_core::optics::{disk, spectrum};
+use lightfall_core::scene::Scene;
 use std::f32::consts::{FRAC_PI_2, TAU};
 
 /// Marks the craft.
@@ -61,7 +61,7 @@ pub(super) fn plugin(app: &mut App) {
 fn leave_out_lamps(
     mut commands: Commands,
     scene: Res<CurrentScene>,
-    eye: Query<Entity, (With<Eye>, With<ExtractedClusterConfig>)>,
+    eye: Query<Entity, (With<SceneCamera>, With<ExtractedClusterConfig>)>,
 ) {
     if !Chain::of(&scene).probe {
         eye.iter().for_each(|eye| {
@@ -207,13 +207,17 @@ fn place(
 ) {
     let eye = scene.camera.direction() * scene.camera.r;
     for mut transform in &mut craft {
-        let here = crate::scene::Camera {
+        let here = lightfall_core::scene::Camera {
             r: scene.probe.r,
             theta_deg: scene.probe.theta_deg,
             phi_deg: scene.probe.phi_deg,
             ..scene.camera
         };
-        let [outward, south, east] = [here.legs().x_axis, here.legs().y_axis, here.legs().z_axis];
+        let [outward, south, east] = [
+            here.tetrad().x_axis,
+            here.tetrad().y_axis,
+            here.tetrad().z_axis,
+        ];
         let upright = Quat::from_mat3(&Mat3::from_cols(
             outward.as_vec3(),
             -south.as_vec3(),

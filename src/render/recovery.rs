@@ -2,16 +2,16 @@
 //! away. The scene lives in the main world and loses nothing; a new device is opened, and Bevy runs
 //! every pass's `RenderStartup` again.
 
-use super::kept::Sight;
 use super::wgpu_settings;
+use crate::render::redraw::DrawRequest;
 use bevy::prelude::*;
 use bevy::render::error_handler::{ErrorType, RenderError, RenderErrorHandler, RenderErrorPolicy};
 use std::time::{Duration, Instant};
 
 /// A device that is lost this often within [`WHILE`] is not going to stay, and opening it again
 /// would only flicker.
-const MOST_LOSSES: usize = 5;
-/// See [`MOST_LOSSES`].
+const MAX_LOSSES: usize = 5;
+/// See [`MAX_LOSSES`].
 const WHILE: Duration = Duration::from_secs(60);
 /// An adapter that is gone for so long does not come back.
 const PATIENCE: Duration = Duration::from_secs(20);
@@ -52,7 +52,7 @@ fn respond(error: &RenderError, main: &mut World, _render: &mut World) -> Render
     {
         return RenderErrorPolicy::StopRendering;
     }
-    if let Err(reason) = crate::gpu::check_adapter() {
+    if let Err(reason) = lightfall_core::gpu::check_adapter() {
         let since = losses.without.map_or(now, |(since, _)| since);
         losses.without = Some((since, now));
         if now.duration_since(since) < PATIENCE {
@@ -66,15 +66,15 @@ fn respond(error: &RenderError, main: &mut World, _render: &mut World) -> Render
         .lately
         .retain(|lost| now.duration_since(*lost) < WHILE);
     losses.lately.push(now);
-    if losses.lately.len() > MOST_LOSSES {
+    if losses.lately.len() > MAX_LOSSES {
         error!("the graphics device is lost again and again");
         return end(main);
     }
     losses.recovered += 1;
     // The eye must be awake when the new device meets its first frame: Bevy's bloom takes a resting
     // camera's buffers, which are gone, for granted.
-    if let Some(sight) = main.get_resource::<Sight>() {
-        sight.forget();
+    if let Some(request) = main.get_resource::<DrawRequest>() {
+        request.forget();
     }
     warn!("the graphics device was lost; opening it again");
     RenderErrorPolicy::Recover(wgpu_settings().into())

@@ -7,10 +7,11 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use clap::error::ErrorKind;
-use lightfall::cli::{self, Command, Device, FlyArgs, PresetsCommand, SceneArgs};
-use lightfall::scene::journey;
-use lightfall::scene::presets::PRESETS;
-use lightfall::scene::{LONGEST_SIDE, Method, Scene};
+use lightfall::commands::cli;
+use lightfall::commands::cli::{Command, Device, FlyArgs, PresetsCommand, SceneArgs};
+use lightfall_core::scene::journey;
+use lightfall_core::scene::presets::PRESETS;
+use lightfall_core::scene::{MAX_PICTURE_SIDE, Method, Scene};
 
 fn read(line: &str) -> Command {
     cli::read(line.split(' ')).unwrap()
@@ -195,11 +196,11 @@ fn help_and_version_are_no_failures() {
         .unwrap_err()
         .to_string();
     assert!(
-        render.contains(&format!("up to {LONGEST_SIDE} a side")),
+        render.contains(&format!("up to {MAX_PICTURE_SIDE} a side")),
         "{render}"
     );
     assert_eq!(
-        LONGEST_SIDE,
+        MAX_PICTURE_SIDE,
         wgpu::Limits::default().max_texture_dimension_2d,
         "what every device can do"
     );

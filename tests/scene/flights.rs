@@ -1,9 +1,11 @@
 //! Flights that nobody steers: the guided journey and real motion, moment by moment, and how they
 //! give way.
 
-use lightfall::flight::{Guide, Moment, Voyage};
-use lightfall::physics::{kerr::Kerr, reference::Reference, timelike::innermost};
-use lightfall::scene::{Method, ObserverKind, Scene, journey, presets};
+use lightfall::app::{FreeFall, JourneyPlayer, Moment};
+use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::geometry::observer::min_infall_radius;
+use lightfall_core::optics::reference::Reference;
+use lightfall_core::scene::{Method, ObserverKind, Scene, journey, presets};
 
 const FRAME: f64 = 1.0 / 60.0;
 
@@ -11,22 +13,22 @@ fn preset(name: &str) -> Scene {
     presets::find(name).unwrap().scene(&[]).unwrap()
 }
 
-fn guide() -> Guide {
-    Guide::new(journey::load("default.toml", journey::DEFAULT).unwrap())
+fn guide() -> JourneyPlayer {
+    JourneyPlayer::new(journey::load("default.toml", journey::DEFAULT).unwrap())
 }
 
 /// The scene after a moment that goes on.
 #[track_caller]
 fn next(moment: Moment) -> Scene {
     match moment {
-        Moment::Scene(scene) => *scene,
+        Moment::Scene(scene) => scene.into_scene(),
         other => panic!("{other:?}"),
     }
 }
 
 /// By how much what the camera sees has moved: in ln r and in its axes.
 fn moved(a: &Scene, b: &Scene) -> f64 {
-    let axes = |scene: &Scene| scene.camera.legs() * scene.camera.legs_from_camera();
+    let axes = |scene: &Scene| scene.camera.tetrad() * scene.camera.tetrad_from_camera();
     let [one, two] = [axes(a), axes(b)];
     (a.camera.r / b.camera.r).ln().abs()
         + (one.z_axis - two.z_axis).length()
@@ -54,7 +56,7 @@ fn a_journey_comes_gently_from_anywhere_and_goes_to_its_end_without_a_jump() {
             let moment = guide.pass(FRAME, &scene, false);
             let ended = matches!(moment, Moment::End(_));
             match moment {
-                Moment::Scene(after) | Moment::End(after) => scene = *after,
+                Moment::Scene(after) | Moment::End(after) => scene = after.into_scene(),
                 other => panic!("{other:?} after {frames} frames"),
             }
             // A tenth a frame is fast, but no jump: the way to the start is twenty times as far as
@@ -129,14 +131,14 @@ fn a_calm_journey_does_not_roll() {
 #[test]
 fn who_is_let_go_in_free_fall_ends_inside() {
     let mut scene = preset("falling");
-    let mut voyage = Voyage::default();
+    let mut voyage = FreeFall::default();
     voyage.start(&scene).unwrap();
     let mut frames = 0;
     loop {
         match voyage.pass(FRAME, &scene) {
-            Moment::Scene(after) => scene = *after,
+            Moment::Scene(after) => scene = after.into_scene(),
             Moment::End(after) => {
-                scene = *after;
+                scene = after.into_scene();
                 break;
             }
             other => panic!("{other:?}"),
@@ -167,13 +169,13 @@ fn through_a_spinning_holes_horizon_the_picture_goes_on() {
             scene.observer.velocity,
         ) = (spin, 60.0, velocity);
         scene.camera.r = 1.5 * kerr.horizon();
-        let mut voyage = Voyage::default();
+        let mut voyage = FreeFall::default();
         voyage.start(&scene).unwrap();
         voyage.turn_pace(-2);
         // What is seen where the camera looks, away from the hole, and how far that moved in the
         // frame before.
         let looked = |scene: &Scene| {
-            let forward = scene.camera.legs_from_camera().z_axis;
+            let forward = scene.camera.tetrad_from_camera().z_axis;
             Reference::new(scene)
                 .unwrap()
                 .trace(if forward.x > 0.0 { forward } else { -forward })
@@ -185,7 +187,7 @@ fn through_a_spinning_holes_horizon_the_picture_goes_on() {
             let moment = voyage.pass(FRAME, &scene);
             let ended = matches!(moment, Moment::End(_));
             match moment {
-                Moment::Scene(after) | Moment::End(after) => scene = *after,
+                Moment::Scene(after) | Moment::End(after) => scene = after.into_scene(),
                 other => panic!("spin {spin}: {other:?} at {:?}", scene.camera),
             }
             let seen = looked(&scene).unwrap();
@@ -206,7 +208,7 @@ fn through_a_spinning_holes_horizon_the_picture_goes_on() {
                 break;
             }
         }
-        assert_eq!(scene.camera.r, innermost(kerr));
+        assert_eq!(scene.camera.r, min_infall_radius(kerr));
         assert!(
             inside > 100 && voyage.clocks(scene.camera.r).contains("ingoing time"),
             "{inside} frames inside"
@@ -218,7 +220,7 @@ fn through_a_spinning_holes_horizon_the_picture_goes_on() {
 fn motion_goes_on_while_looking_around_and_ends_under_the_hand() {
     let mut scene = preset("edge-on");
     (scene.camera.theta_deg, scene.observer.kind) = (90.0, ObserverKind::Orbit);
-    let mut voyage = Voyage::default();
+    let mut voyage = FreeFall::default();
     voyage.start(&scene).unwrap();
     scene = next(voyage.pass(1.0, &scene));
     assert!(voyage.clocks(scene.camera.r).starts_with("circling"));
@@ -240,11 +242,11 @@ fn motion_goes_on_while_looking_around_and_ends_under_the_hand() {
 fn a_fall_that_cannot_be_drawn_farther_stops_at_its_last_true_picture_and_says_why() {
     let mut scene = preset("falling");
     (scene.hole.spin, scene.camera.theta_deg, scene.method) = (0.9, 60.0, Method::KerrSchild);
-    let mut voyage = Voyage::default();
+    let mut voyage = FreeFall::default();
     voyage.start(&scene).unwrap();
     for _ in 0..6000 {
         match voyage.pass(FRAME, &scene) {
-            Moment::Scene(after) => scene = *after,
+            Moment::Scene(after) => scene = after.into_scene(),
             Moment::Refused(reason) => {
                 assert!(reason.contains("inside the horizon"), "{reason}");
                 assert!(scene.camera.r > Kerr { spin: 0.9 }.horizon());
@@ -275,7 +277,7 @@ fn a_machine_that_slept_finds_the_flight_where_it_was() {
     );
 
     let mut scene = preset("falling");
-    let mut voyage = Voyage::default();
+    let mut voyage = FreeFall::default();
     voyage.start(&scene).unwrap();
     scene = next(voyage.pass(FRAME, &scene));
     let (own, r) = (voyage.worldline().unwrap().own_time(), scene.camera.r);
@@ -293,7 +295,7 @@ fn a_journey_that_cannot_be_flown_to_its_end_is_known_before_and_flown_as_far_as
     (scene.hole.spin, scene.observer.kind) = (0.9, ObserverKind::Rain);
     // A last keyframe that is deeper inside than the innermost radius of this spin.
     let deep = journey::DEFAULT.replace("rain = { r = 0.5,", "rain = { r = 0.3,");
-    let mut guide = Guide::new(journey::load("deep.toml", &deep).unwrap());
+    let mut guide = JourneyPlayer::new(journey::load("deep.toml", &deep).unwrap());
     guide.start(&scene);
     let fault = guide.check(&scene).unwrap_err();
     assert!(
@@ -303,7 +305,7 @@ fn a_journey_that_cannot_be_flown_to_its_end_is_known_before_and_flown_as_far_as
     );
     let refused = loop {
         match guide.pass(0.25, &scene, false) {
-            Moment::Scene(next) => scene = *next,
+            Moment::Scene(next) => scene = next.into_scene(),
             other => break other,
         }
     };

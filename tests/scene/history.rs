@@ -1,7 +1,7 @@
 //! Undoing: what was changed comes back, and only that.
 
-use lightfall::flight::History;
-use lightfall::scene::{ObserverKind, Scene, presets};
+use lightfall::app::History;
+use lightfall_core::scene::{ObserverKind, Scene, presets};
 use std::time::Duration;
 
 fn seconds(seconds: u64) -> Duration {
@@ -46,7 +46,7 @@ fn loading_a_preset_is_a_change_too_and_brings_back_what_was_loaded_before() {
     let preset = presets::PRESETS[7].scene(&[]).unwrap();
     history.note_loaded(&start, &preset, seconds(1));
     assert_eq!(*history.loaded(), preset);
-    assert_eq!(history.undo(&preset).unwrap().unwrap(), start);
+    assert_eq!(history.undo(&preset).unwrap().unwrap().into_scene(), start);
     assert_eq!(*history.loaded(), start);
 }
 
@@ -60,7 +60,7 @@ fn a_slider_that_is_dragged_is_one_change() {
         scene.disk.outer += 1.0;
         history.note(&before, &scene, Duration::from_millis(16 * step));
     }
-    assert_eq!(history.undo(&scene).unwrap().unwrap(), start);
+    assert_eq!(history.undo(&scene).unwrap().unwrap().into_scene(), start);
     // Another field at once, or the same one later, is another change.
     let mut other = start.clone();
     other.disk.inner = 4.0;
@@ -71,9 +71,9 @@ fn a_slider_that_is_dragged_is_one_change() {
     let mut later = both.clone();
     later.disk.outer = 30.0;
     history.note(&both, &later, seconds(9));
-    let undone = history.undo(&later).unwrap().unwrap();
+    let undone = history.undo(&later).unwrap().unwrap().into_scene();
     assert_eq!(undone, both);
-    assert_eq!(history.undo(&undone).unwrap().unwrap(), other);
+    assert_eq!(history.undo(&undone).unwrap().unwrap().into_scene(), other);
 }
 
 #[test]
@@ -98,7 +98,10 @@ fn a_change_that_the_cameras_place_forbids_to_undo_is_undone_with_the_place() {
     let mut history = History::new(start.clone());
     history.note(&start, &spinning, seconds(1));
     spinning.camera.r = 0.9;
-    assert_eq!(history.undo(&spinning), Some(Ok(start)));
+    assert_eq!(
+        history.undo(&spinning).unwrap().unwrap().into_scene(),
+        start
+    );
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! The key table: what each control does to a scene, and which keys it has.
 
 use bevy::prelude::KeyCode;
-use lightfall::flight::{Action, Bindings, CONTROLS, Switch, control_named, edited, remark};
-use lightfall::scene::{Method, ObserverKind, Scene, View, presets};
+use lightfall::app::{Action, Bindings, CONTROLS, Switch, control_named, edited, remark};
+use lightfall_core::scene::{Method, ObserverKind, Scene, View, presets};
 use std::collections::BTreeMap;
 
 /// The scene after a control was used some times, where `loaded` is what was loaded.

@@ -5,17 +5,18 @@
     reason = "a test that unwraps an error fails, as it should"
 )]
 
+#[path = "../../crates/lightfall-core/tests/gpu/adapter.rs"]
+mod adapter;
 mod command_line;
-mod fields;
+mod cost_report;
+mod doctor;
 mod flights;
 mod gamepad;
 mod history;
-mod journey;
 mod keys;
-mod limits;
-mod load;
-mod pose;
-mod presets;
+mod legends;
+#[path = "../../crates/lightfall-core/tests/gpu/light.rs"]
+mod light;
 mod program;
 mod rays;
 mod settings;

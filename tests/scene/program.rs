@@ -92,6 +92,7 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
 }
 
 #[test]
+#[ignore = "needs a graphics adapter"]
 fn an_adapter_or_interface_that_is_not_there_is_answered_with_those_that_are() {
     let folder = tempfile::tempdir().unwrap();
     // No system has both.
@@ -142,6 +143,7 @@ fn rays_that_are_none_are_a_bad_command_line() {
 }
 
 #[test]
+#[ignore = "needs a graphics adapter"]
 fn a_journey_is_checked_before_it_is_flown_and_without_a_display_its_first_moment_is_drawn() {
     let folder = tempfile::tempdir().unwrap();
     let frames = |end: &str| {
@@ -162,9 +164,6 @@ fn a_journey_is_checked_before_it_is_flown_and_without_a_display_its_first_momen
     );
     fs::write(folder.path().join("mine.toml"), frames("2")).unwrap();
     let (status, told, said) = program(folder.path(), line, "");
-    if said.contains("no Vulkan adapter") {
-        return;
-    }
     assert_eq!(
         (status, told.as_str()),
         (0, "lightfall-mine.png\n"),
@@ -197,13 +196,11 @@ fn examined(home: &Path, variables: &[(&str, &Path)]) -> (i32, serde_json::Value
 
 #[cfg(target_os = "linux")]
 #[test]
+#[ignore = "needs a graphics adapter"]
 fn the_doctor_tells_what_is_there_and_leaves_it_as_it_is() {
     let home = tempfile::tempdir().unwrap();
     let (status, report) = examined(home.path(), &[]);
     let adapters = report["adapters"].as_array().unwrap();
-    if adapters.is_empty() {
-        return;
-    }
     assert_eq!(
         (status, &report["well"], &report["faults"]),
         (0, &true.into(), &serde_json::json!([])),

@@ -1,7 +1,7 @@
 //! The settings file: read back as it was written, and never fatal.
 
-use lightfall::flight::{Automatic, Settings};
-use lightfall::gpu::AdapterName;
+use lightfall::app::{Automatic, Settings};
+use lightfall_core::gpu::AdapterName;
 
 #[test]
 fn settings_are_read_back_as_they_were_written() {
@@ -17,7 +17,7 @@ fn settings_are_read_back_as_they_were_written() {
         .insert("window.help".into(), vec!["F10".into()]);
     settings
         .buttons
-        .insert("window.help".into(), vec!["Guide".into()]);
+        .insert("window.help".into(), vec!["JourneyPlayer".into()]);
     settings.adapter = Some(AdapterName {
         name: "A card \"2\"".into(),
         backend: "vulkan".into(),

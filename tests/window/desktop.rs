@@ -21,7 +21,7 @@ const PATIENCE: Duration = Duration::from_secs(120);
 const REST: Duration = Duration::from_millis(1200);
 const FRAMES: usize = 4;
 /// Longest time to wait for frames: a window that is not to be seen shows none.
-const LONGEST: Duration = Duration::from_secs(10);
+const MAX_LENGTH: Duration = Duration::from_secs(10);
 
 /// The display, and the program on it; both end with this value.
 pub struct Desktop {
@@ -41,19 +41,18 @@ pub struct Desktop {
 }
 
 impl Desktop {
-    /// Opens a display and the program's window on it. None, with the reason printed, where that is
-    /// impossible and not required.
-    pub fn open(arguments: &[&str]) -> Option<Self> {
+    /// Opens a display and the program's window on it.
+    pub fn open(arguments: &[&str]) -> Self {
         Self::open_program(Path::new(env!("CARGO_BIN_EXE_lightfall")), arguments)
     }
 
     /// As [`open`](Self::open), with a settings file.
-    pub fn open_with_settings(settings: &str, arguments: &[&str]) -> Option<Self> {
+    pub fn open_with_settings(settings: &str, arguments: &[&str]) -> Self {
         Self::open_prepared(&[("settings.toml", settings.to_owned())], arguments)
     }
 
     /// As [`open`](Self::open), with files beside the settings.
-    pub fn open_prepared(files: &[(&str, String)], arguments: &[&str]) -> Option<Self> {
+    pub fn open_prepared(files: &[(&str, String)], arguments: &[&str]) -> Self {
         Self::start(
             SCREEN,
             Path::new(env!("CARGO_BIN_EXE_lightfall")),
@@ -63,12 +62,12 @@ impl Desktop {
     }
 
     /// As [`open`](Self::open), for another program with a window of the same name.
-    pub fn open_program(program: &Path, arguments: &[&str]) -> Option<Self> {
+    pub fn open_program(program: &Path, arguments: &[&str]) -> Self {
         Self::start(SCREEN, program, &[], arguments)
     }
 
     /// As [`open_program`](Self::open_program), on a screen of another size.
-    pub fn open_on(screen: (u16, u16), program: &Path, arguments: &[&str]) -> Option<Self> {
+    pub fn open_on(screen: (u16, u16), program: &Path, arguments: &[&str]) -> Self {
         Self::start(screen, program, &[], arguments)
     }
 
@@ -77,20 +76,13 @@ impl Desktop {
         program: &Path,
         files: &[(&str, String)],
         arguments: &[&str],
-    ) -> Option<Self> {
+    ) -> Self {
         for tool in ["Xvfb", "xdotool"] {
-            if Command::new("sh")
+            let found = Command::new("sh")
                 .args(["-c", &format!("command -v {tool}")])
                 .output()
-                .is_ok_and(|out| out.status.success())
-            {
-                continue;
-            }
-            let required =
-                std::env::var_os("LIGHTFALL_REQUIRE_GPU").is_some_and(|value| value == "1");
-            assert!(!required, "{tool} is missing; ./check installs it");
-            println!("skipped: no {tool}");
-            return None;
+                .is_ok_and(|out| out.status.success());
+            assert!(found, "{tool} is missing; ./check installs it");
         }
         let mut server = Command::new("Xvfb")
             .args([
@@ -151,7 +143,7 @@ impl Desktop {
         ));
         // No window manager runs here, so nobody else gives the window the keyboard.
         desktop.xdotool(&["windowfocus", "--sync", &desktop.window.clone()]);
-        Some(desktop)
+        desktop
     }
 
     pub fn xdotool(&self, arguments: &[&str]) -> String {
@@ -258,7 +250,7 @@ impl Desktop {
             return;
         };
         let last = frames.shown() + count;
-        while frames.shown() < last && start.elapsed() < LONGEST {
+        while frames.shown() < last && start.elapsed() < MAX_LENGTH {
             std::thread::sleep(Duration::from_millis(10));
         }
     }

@@ -6,13 +6,12 @@ use std::time::{Duration, Instant};
 /// Most frames a second at rest: a fifth of a second apart, and each may be followed by one more. A
 /// window that does not rest shows more than that on any machine that passes the bar of ten frames
 /// with the panel open.
-const MOST: usize = 12;
+const MAX: usize = 12;
 
 #[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn few_frames_are_shown_while_nothing_happens() {
-    let Some(desktop) = Desktop::open(&["--preset", "2"]) else {
-        return;
-    };
+    let desktop = Desktop::open(&["--preset", "2"]);
     desktop.first_picture();
     let rests = |what: &str| {
         let began = Instant::now();
@@ -20,13 +19,13 @@ fn few_frames_are_shown_while_nothing_happens() {
         // Three seconds after the last input it may rest; a busy machine is given longer.
         while began.elapsed() < Duration::from_secs(20) {
             rates.push(desktop.shown_within(Duration::from_secs(2)) / 2);
-            if rates.last().is_some_and(|&rate| rate <= MOST) {
+            if rates.last().is_some_and(|&rate| rate <= MAX) {
                 break;
             }
         }
         println!("{what}: {rates:?} frames a second");
         assert!(
-            rates.last().is_some_and(|&rate| rate <= MOST),
+            rates.last().is_some_and(|&rate| rate <= MAX),
             "{what}: {rates:?} frames a second, and never fewer"
         );
         // Not frozen either.

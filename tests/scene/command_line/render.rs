@@ -2,7 +2,7 @@
 
 use super::{read, refuse};
 use clap::error::ErrorKind;
-use lightfall::cli::Command;
+use lightfall::commands::cli::Command;
 use std::path::Path;
 
 #[test]

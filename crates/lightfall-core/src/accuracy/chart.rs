@@ -1,0 +1,153 @@
+//! Coordinates of the rays around one ray.
+
+use super::edge::Edge;
+use super::sample::Ray;
+use super::{ReferenceCamera, angle_between};
+use crate::optics::trace::Trace;
+use glam::{DVec2, DVec3};
+
+/// Share of a chart's unit over which differences are taken: the derivative is then right to this
+/// share, and the reference's twelve digits leave enough of the difference.
+pub(super) const DIFFERENCE: f64 = 1e-4;
+/// The same along an edge, as a share of its radius.
+const ALONG_EDGE: f64 = 1e-5;
+/// Steps along the line toward an edge, in powers of e of the distance to it, how far the line goes
+/// in these, and how many steps it has.
+const MIN_STEP: f64 = 1e-4;
+const MAX_STEP: f64 = 0.2;
+const MAX_RADIUS: f64 = 12.0;
+const MAX_SCANNED: u32 = 300;
+
+/// Rays around one ray, by two coordinates that are zero there.
+///
+/// Next to the edge of the shadow the bending goes with the logarithm of the distance to it (Darwin
+/// 1959), so there the first coordinate is that logarithm: what is asked for is then nearly linear
+/// in both, and Newton's method is at home.
+pub(super) struct Chart {
+    direction: DVec3,
+    kind: Kind,
+    /// The unit of both coordinates, in radians: next to an edge the distance to it.
+    pub(super) scale: f64,
+}
+
+enum Kind {
+    /// Two directions at right angles to the ray.
+    Plane([DVec3; 2]),
+    /// An edge, the ray's position angle at it, how long an arc its unit is, and the ray's angle
+    /// beyond it.
+    Edge(Edge, f64, f64, f64),
+}
+
+impl Chart {
+    /// The chart about a ray that knows of no edge, with a unit in radians.
+    pub(super) fn plane(ray: &Ray, scale: f64) -> Self {
+        let direction = ray.direction();
+        Self {
+            direction,
+            kind: Kind::Plane(direction.any_orthonormal_pair().into()),
+            scale,
+        }
+    }
+
+    /// The chart about a ray next to an edge.
+    pub(super) fn edge(ray: &Ray) -> Option<Self> {
+        let direction = ray.direction();
+        let edge = ray.edge?;
+        let [position_angle, beyond] = edge.place(direction);
+        let arc = edge.at(position_angle).sin();
+        let kind = Kind::Edge(edge, position_angle, arc, beyond);
+        (beyond != 0.0 && arc > 0.0).then(|| Self {
+            direction,
+            kind,
+            scale: beyond.abs(),
+        })
+    }
+
+    /// The same chart on the other side of its edge; zero there is as far beyond it.
+    pub(super) fn mirrored(&self) -> Option<Self> {
+        let Kind::Edge(edge, position_angle, arc, beyond) = self.kind else {
+            return None;
+        };
+        Some(Self {
+            kind: Kind::Edge(edge, position_angle, arc, -beyond),
+            ..*self
+        })
+    }
+
+    /// The direction at two coordinates.
+    pub(super) fn at(&self, place: DVec2) -> DVec3 {
+        match &self.kind {
+            Kind::Plane([u, v]) => {
+                (self.direction + self.scale * (place.x * *u + place.y * *v)).normalize()
+            }
+            Kind::Edge(edge, position_angle, arc, beyond) => edge.direction(
+                position_angle + place.y * self.scale / arc,
+                beyond * place.x.exp(),
+            ),
+        }
+    }
+
+    /// How far the coordinates may go in one step of Newton's method: a hundredth of a radian, but
+    /// no more than a factor e of the distance to an edge.
+    pub(super) fn reach(&self) -> DVec2 {
+        let far = (0.01 / self.scale).max(1.0);
+        if matches!(self.kind, Kind::Edge(..)) {
+            DVec2::new(1.0, far)
+        } else {
+            DVec2::splat(far)
+        }
+    }
+
+    /// The coordinates over which to take differences: a small share of the unit, but along an edge
+    /// no less than a small share of its radius, lest next to it the difference be that of the
+    /// reference's rounding across the edge.
+    pub(super) fn differences(&self) -> DVec2 {
+        match self.kind {
+            Kind::Plane(_) => DVec2::splat(DIFFERENCE),
+            Kind::Edge(_, _, arc, _) => DVec2::new(
+                DIFFERENCE,
+                f64::max(DIFFERENCE, ALONG_EDGE * arc / self.scale),
+            ),
+        }
+    }
+
+    /// The turn from the ray to the direction at two coordinates, in radians.
+    pub(super) fn turn(&self, place: DVec2) -> f64 {
+        angle_between(self.direction, self.at(place))
+    }
+
+    /// The rays along the line toward the edge (`side` -1) or away from it (1), as far as a turn by
+    /// no more than `farthest` goes, by their first coordinates. Steps are such that what `moved`
+    /// says of two neighbours is about `step_size`.
+    pub(super) fn line(
+        &self,
+        eye: &ReferenceCamera,
+        side: f64,
+        farthest: f64,
+        step_size: f64,
+        moved: impl Fn(&Trace, &Trace) -> f64,
+    ) -> Vec<(f64, Trace)> {
+        let (mut x, mut step) = (0.0, MIN_STEP);
+        let mut line: Vec<(f64, Trace)> = Vec::new();
+        for _ in 0..MAX_SCANNED {
+            let place = DVec2::new(x, 0.0);
+            if self.turn(place) > farthest || x.abs() > MAX_RADIUS {
+                break;
+            }
+            let trace = eye.trace(self.at(place));
+            let moved = line.last().map_or(0.0, |(_, before)| moved(before, &trace));
+            step = (step * (step_size / moved).clamp(0.5, 2.0)).clamp(MIN_STEP, MAX_STEP);
+            line.push((x, trace));
+            x += side * step;
+        }
+        line
+    }
+}
+
+/// The angle between the skies of two answers.
+pub(super) fn sky_moved(before: &Trace, after: &Trace) -> f64 {
+    before
+        .sky
+        .zip(after.sky)
+        .map_or(0.0, |(before, after)| angle_between(before, after))
+}

@@ -1,0 +1,168 @@
+//! Where the shadow ends: rays next to it are the hardest.
+
+use super::{ReferenceCamera, angle_between};
+use crate::geometry::sphere::celestial_frame;
+use crate::optics::camera_rays::CameraRays;
+use crate::optics::trace::Outcome;
+use crate::scene::Scene;
+use glam::{DMat4, DVec3, DVec4};
+use std::f64::consts::TAU;
+
+/// Bisections of the logarithm of the edge's angle, which leave it to f64's digits.
+const BISECTIONS: u32 = 64;
+/// How far aside, in radians of position angle, the edge's slope and bend are measured.
+const NEIGHBOURHOOD: f64 = 2e-3;
+
+/// The shadow on the observer's sky: everything within an edge about a centre, or everything beyond
+/// one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shadow {
+    /// A direction, (right, up, forward) of the camera.
+    pub centre: DVec3,
+    /// Whether rays at the centre are captured, and the shadow is about it; else the sky is.
+    pub captured: bool,
+}
+
+impl Shadow {
+    /// The shadow of a scene, unless there is none to find: without lensing, or from a place where
+    /// the whole sky is on one side of it.
+    pub(super) fn of(scene: &Scene, eye: &ReferenceCamera) -> Option<Self> {
+        if !scene.effects.lensing {
+            return None;
+        }
+        // Light along the principal null directions has L = a E sin^2(theta), Q = -(a E
+        // cos(theta))^2, Sigma p^r = +- E Sigma: whatever the spin, one comes straight from the
+        // hole and the other straight from the sky. In r_s, a = chi/2.
+        let matrix = CameraRays::new(scene).ok()?.matrix;
+        let camera = &scene.camera;
+        let [n, theta, phi] =
+            celestial_frame(camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
+        let row = |i: usize| DVec4::from_array(matrix.rows[i]);
+        let along = |hat: DVec3| hat.x * row(2) + hat.y * row(3) + hat.z * row(4);
+        let rows = DMat4::from_cols(row(0), row(1), along(theta), along(phi)).transpose();
+        let (a, r) = (scene.hole.spin / 2.0, camera.r);
+        let sine = n.x.hypot(n.y);
+        let radial = 1.0 + (a * n.z / r).powi(2);
+        let from_camera = scene.camera.tetrad_from_camera();
+        let direction = |sign: f64| {
+            let one_d = rows.inverse() * DVec4::new(1.0, sign * radial, 0.0, a * sine / r);
+            (from_camera.transpose() * (DVec3::new(one_d.y, one_d.z, one_d.w) / one_d.x))
+                .try_normalize()
+        };
+        let class = |direction: DVec3| eye.trace(direction).outcome;
+        let about = |sign: f64, captured: bool| {
+            let (own, opposite) = if captured {
+                (Outcome::Captured, Outcome::Sky)
+            } else {
+                (Outcome::Sky, Outcome::Captured)
+            };
+            let centre = direction(sign)?;
+            (class(centre) == own && class(-centre) == opposite)
+                .then_some(Self { centre, captured })
+        };
+        about(1.0, true).or_else(|| about(-1.0, false))
+    }
+
+    /// The direction at an angle from the centre, at a position angle about it.
+    #[must_use]
+    pub fn direction(&self, position_angle: f64, angle: f64) -> DVec3 {
+        let (u, v) = self.centre.any_orthonormal_pair();
+        let (sin, cos) = position_angle.sin_cos();
+        angle.cos() * self.centre + angle.sin() * (cos * u + sin * v)
+    }
+
+    /// The edge around a position angle.
+    pub(super) fn edge(&self, eye: &ReferenceCamera, position_angle: f64) -> Edge {
+        let whole = [-46.0, 46.0];
+        let t = self.bisected(eye, position_angle, whole);
+        let beside = |side: f64| {
+            let near = [t - NEIGHBOURHOOD, t + NEIGHBOURHOOD];
+            let found = self.bisected(eye, position_angle + side * NEIGHBOURHOOD, near);
+            // At a corner of the edge the neighbour is farther off.
+            let cut_off = (found - t).abs() > 0.99 * NEIGHBOURHOOD;
+            angle(if cut_off {
+                self.bisected(eye, position_angle + side * NEIGHBOURHOOD, whole)
+            } else {
+                found
+            })
+        };
+        let (before, here, after) = (beside(-1.0), angle(t), beside(1.0));
+        let slope = (after - before) / (2.0 * NEIGHBOURHOOD);
+        let bend = (after - 2.0 * here + before) / (2.0 * NEIGHBOURHOOD.powi(2));
+        Edge {
+            centre: self.centre,
+            along: self.direction(position_angle, 0.25 * TAU),
+            angle: [here, slope, bend],
+        }
+    }
+
+    /// The edge between the centre and a direction, or beyond it.
+    pub(super) fn edge_toward(&self, eye: &ReferenceCamera, direction: DVec3) -> Edge {
+        let (u, v) = self.centre.any_orthonormal_pair();
+        self.edge(eye, direction.dot(v).atan2(direction.dot(u)))
+    }
+
+    /// Where the outcome changes, as the logarithm of the tangent of half the angle from the
+    /// centre.
+    fn bisected(&self, eye: &ReferenceCamera, position_angle: f64, mut bracket: [f64; 2]) -> f64 {
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (bracket[0] + bracket[1]);
+            if middle <= bracket[0] || middle >= bracket[1] {
+                break;
+            }
+            let captured = eye
+                .trace(self.direction(position_angle, angle(middle)))
+                .outcome
+                == Outcome::Captured;
+            bracket[usize::from(captured != self.captured)] = middle;
+        }
+        bracket[0]
+    }
+}
+
+/// The angle whose half has this logarithm of its tangent.
+fn angle(t: f64) -> f64 {
+    2.0 * t.exp().atan()
+}
+
+/// The edge of the shadow near one position angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Edge {
+    /// The shadow's centre.
+    pub(super) centre: DVec3,
+    /// Where the position angle, from here on, is zero: at right angles to the centre.
+    along: DVec3,
+    /// Angle of the edge from the centre in radians, as a polynomial of the position angle.
+    angle: [f64; 3],
+}
+
+impl Edge {
+    /// Angle of the edge from the centre at the position angle it was found at.
+    pub(super) fn middle(&self) -> f64 {
+        self.angle[0]
+    }
+
+    /// Angle of the edge from the centre at a position angle from there.
+    pub(super) fn at(&self, position_angle: f64) -> f64 {
+        let [here, slope, bend] = self.angle;
+        here + position_angle * (slope + position_angle * bend)
+    }
+
+    /// Position angle of a direction, and its angle beyond the edge.
+    pub(super) fn place(&self, direction: DVec3) -> [f64; 2] {
+        let across = self.centre.cross(self.along);
+        let position_angle = direction.dot(across).atan2(direction.dot(self.along));
+        [
+            position_angle,
+            angle_between(self.centre, direction) - self.at(position_angle),
+        ]
+    }
+
+    /// The direction at a position angle, that far beyond the edge.
+    pub(super) fn direction(&self, position_angle: f64, beyond: f64) -> DVec3 {
+        let angle = self.at(position_angle) + beyond;
+        let (sin, cos) = position_angle.sin_cos();
+        angle.cos() * self.centre
+            + angle.sin() * (cos * self.along + sin * self.centre.cross(self.along))
+    }
+}

@@ -1,0 +1,119 @@
+//! Which rays a method is judged by: half all over the picture, half crowding the edge of the
+//! shadow.
+
+use super::ReferenceCamera;
+use super::edge::Edge;
+use crate::scene::Scene;
+use glam::{DVec2, DVec3, Vec3};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// Position angles a critical sample looks along share an edge between this many rays.
+const RAYS_A_DIRECTION: usize = 8;
+
+/// Steps of the R2 sequence, the plastic number's inverse powers (Roberts 2018): evenly spread
+/// without a lattice.
+const PLASTIC: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_2];
+
+/// The golden ratio less one.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// One ray of a sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// (right, up, forward) of the camera, rounded to f32: what every method is given, the
+    /// reference too.
+    pub(super) given: Vec3,
+    /// The shadow's edge on the great circle from its centre through the ray.
+    pub(super) edge: Option<Edge>,
+}
+
+impl Ray {
+    /// The ray nearest to a direction of the camera's.
+    #[must_use]
+    pub fn toward(direction: DVec3) -> Self {
+        Self {
+            given: direction.normalize_or_zero().as_vec3(),
+            edge: None,
+        }
+    }
+
+    /// Its direction as the shaders get it.
+    #[must_use]
+    pub fn given(&self) -> Vec3 {
+        self.given
+    }
+
+    /// Its direction, of length one.
+    #[must_use]
+    pub fn direction(&self) -> DVec3 {
+        self.given.as_dvec3().normalize_or_zero()
+    }
+
+    /// Angle from the shadow's edge, in radians, positive away from its centre, where the sample
+    /// knows it.
+    #[must_use]
+    pub fn distance_to_edge(&self) -> Option<f64> {
+        self.edge.map(|edge| edge.place(self.direction())[1])
+    }
+}
+
+/// `count` rays spread evenly over the scene's picture.
+#[must_use]
+pub fn on_picture(scene: &Scene, count: usize) -> Vec<Ray> {
+    let size = DVec2::new(
+        f64::from(scene.picture.width),
+        f64::from(scene.picture.height),
+    );
+    let ray = |i: usize| {
+        let share = DVec2::from_array(PLASTIC.map(|step| (0.5 + step * (i + 1) as f64).fract()));
+        Ray::toward(scene.camera.looking(share * size, size))
+    };
+    (0..count).map(ray).collect()
+}
+
+/// `count` rays spread evenly over the whole sky, on Fibonacci's spiral.
+#[must_use]
+pub fn everywhere(count: usize) -> Vec<Ray> {
+    let ray = |i: usize| {
+        let z = 1.0 - (2 * i + 1) as f64 / count as f64;
+        let (sin, cos) = (TAU * (i as f64 * GOLDEN).fract()).sin_cos();
+        let across = (1.0 - z * z).sqrt();
+        Ray::toward(DVec3::new(across * cos, across * sin, z))
+    };
+    (0..count).map(ray).collect()
+}
+
+/// `count` rays at distances from the shadow's edge that are spread evenly in their logarithm over
+/// `range`, as shares of the shadow's radius (or of the rest of the sky, where that is smaller), on
+/// both sides and all around. Without a shadow: none.
+pub fn critical(scene: &Scene, count: usize, range: [f64; 2]) -> Vec<Ray> {
+    let Ok(eye) = ReferenceCamera::new(scene) else {
+        return Vec::new();
+    };
+    let Some(shadow) = eye.shadow else {
+        return Vec::new();
+    };
+    let directions = count.div_ceil(RAYS_A_DIRECTION);
+    let [nearest, farthest] = range.map(f64::ln);
+    let ray = |(direction, i): (usize, usize), edge: Edge| {
+        let share = (0.5 + PLASTIC[0] * (direction * RAYS_A_DIRECTION + i + 1) as f64).fract();
+        let distance = (nearest + share * (farthest - nearest)).exp()
+            * f64::min(edge.middle(), TAU / 2.0 - edge.middle());
+        let toward =
+            Ray::toward(edge.direction(0.0, if i % 2 == 0 { distance } else { -distance }));
+        Ray {
+            edge: Some(edge),
+            ..toward
+        }
+    };
+    let rays = (0..directions).into_par_iter().flat_map_iter(|direction| {
+        let edge = shadow.edge(&eye, TAU * (direction as f64 + 0.5) / directions as f64);
+        (0..RAYS_A_DIRECTION).map(move |i| (direction, i, edge))
+    });
+    let mut rays: Vec<Ray> = rays
+        .map(|(direction, i, edge)| ray((direction, i), edge))
+        .collect();
+    rays.truncate(count);
+    rays
+}

@@ -1,0 +1,125 @@
+//! Closed forms for light around a hole without spin, as a truth that does not depend on any
+//! integrator.
+//!
+//! The orbit obeys (du/dphi)^2 = 1/b^2 - u^2 + u^3 with u = 1/r (Darwin 1959; r_s = 1). Everything
+//! depends on D = b_c^2/b^2 - 1, with b_c^2 = 27/4: D > 0 plunges, D < 0 has turning points.
+
+use crate::geometry::elliptic::carlson_rf;
+use glam::DVec3;
+use std::f64::consts::{FRAC_PI_3, PI};
+
+/// b_c = 3 sqrt(3) / 2, the impact parameter of the photon sphere, in r_s.
+pub const CRITICAL_IMPACT: f64 = 2.598_076_211_353_316;
+
+/// D = (b_c - b)(b_c + b) / b^2 of a ray with impact parameter `b` (r_s).
+#[must_use]
+pub fn discriminant(b: f64) -> f64 {
+    (CRITICAL_IMPACT - b) * (CRITICAL_IMPACT + b) / (b * b)
+}
+
+/// What decides between sky and shadow: `radial - c E` of a photon, and where on the observer's sky
+/// it vanishes.
+///
+/// By the null condition E^2 = radial^2 + (1 - u)|w|^2, u = 1/r,
+///
+/// (1 - u)|w|^2 D = radial^2 - C E^2 = (radial - c E)(radial + c E),   C = c^2 = (27/4)(u - 2/3)^2
+/// (u + 1/3),
+///
+/// and c = (3 sqrt(3)/2)(2/3 - u) sqrt(u + 1/3), negative within the photon sphere, makes the first
+/// factor positive for light from the horizon and negative for light from the sky on both sides of
+/// it. It is linear in (1, d): so the edge of the shadow is a circle on every observer's sky.
+/// Derived.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plunge {
+    /// c.
+    pub c: f64,
+    /// The middle of the shadow or of the sky, whichever is smaller: a unit vector on the
+    /// observer's axes.
+    pub middle: DVec3,
+    /// `radial - c E` in the middle.
+    pub there: f64,
+    /// What takes |d - middle|^2/2 away from that, for unit d.
+    pub bend: f64,
+}
+
+impl Plunge {
+    /// Of the observer whose matrix, for a hole without spin, has these rows `energy` and `radial`,
+    /// at radius `r` (r_s).
+    ///
+    /// With a + B.d for `radial - c E`, B^2 - a^2 is the same for all observers at a place: for one
+    /// at rest it is (1 - u)(1 - C) = ((1 - u) b_c u)^2. So the edge's sine is (1 - u) b_c u/|B|,
+    /// to all its digits however small.
+    #[must_use]
+    pub fn new(energy: [f64; 4], radial: [f64; 4], r: f64) -> Self {
+        let u = 1.0 / r;
+        let c = CRITICAL_IMPACT * (2.0 / 3.0 - u) * (u + 1.0 / 3.0).sqrt();
+        let [a, slope @ ..]: [f64; 4] = std::array::from_fn(|i| radial[i] - c * energy[i]);
+        let slope = DVec3::from_array(slope);
+        let (steepness, depth) = (slope.length(), (1.0 - u) * CRITICAL_IMPACT * u);
+        // Where the shadow is the smaller, its middle is where the row is greatest.
+        let side = if a < 0.0 { 1.0 } else { -1.0 };
+        let there = side * depth * depth / (steepness + a.abs());
+        Self {
+            c,
+            middle: side * slope.normalize_or_zero(),
+            there,
+            bend: -side * steepness,
+        }
+    }
+}
+
+/// Bending, in radians, of light that comes from infinity with impact parameter `b` (r_s) and goes
+/// back there; nothing if it is captured.
+///
+/// With eta = (2/3) arcsin(b_c/b) and eps = pi/3 - eta = (2/3) arcsin(sqrt(-D)), the roots of the
+/// cubic are u1 < 0 < u2 <= 2/3 <= u3 with u3 - u2 = (2/sqrt 3) sin eps, u2 - u1 = (2/sqrt 3) sin
+/// eta, u1,2 = (2/3) sin^2(eta/2) -+ sin(eta)/sqrt 3, and the bending is 4 sqrt(u2) R_F(-u1 u32,
+/// u21 u32, u21 u3) - pi. Derived from Darwin 1959 through the cubic's trigonometric solution and
+/// DLMF 19.29.4. Whichever of eta and eps is small is computed directly, so both limits keep their
+/// digits.
+#[must_use]
+pub fn deflection(b: f64) -> Option<f64> {
+    let b = b.abs();
+    let d = discriminant(b);
+    if d.is_nan() || d >= 0.0 {
+        return None;
+    }
+    let (eta, eps) = if d < -0.5 {
+        let eta = 2.0 / 3.0 * (CRITICAL_IMPACT / b).asin();
+        (eta, FRAC_PI_3 - eta)
+    } else {
+        let eps = 2.0 / 3.0 * (-d).sqrt().asin();
+        (FRAC_PI_3 - eps, eps)
+    };
+    let third = 1.0 / 3.0_f64.sqrt();
+    let even = 2.0 / 3.0 * (eta / 2.0).sin().powi(2);
+    let (u1, u2) = (even - third * eta.sin(), even + third * eta.sin());
+    let (u32, u21) = (2.0 * third * eps.sin(), 2.0 * third * eta.sin());
+    Some(4.0 * u2.sqrt() * carlson_rf(-u1 * u32, u21 * u32, u21 * (u2 + u32)) - PI)
+}
+
+/// Angular radius of the shadow, in radians from the inward direction, for an observer at rest at
+/// `r` > 1: sin^2 = (27/4)(1 - 1/r)/r^2 (Synge 1966), with cos = (1 - 3/(2r)) sqrt(1 + 3/r) for the
+/// quadrant.
+#[must_use]
+pub fn shadow_half_angle_static(r: f64) -> f64 {
+    let sine = CRITICAL_IMPACT / r * (1.0 - 1.0 / r).sqrt();
+    let cosine = (1.0 - 1.5 / r) * (1.0 + 3.0 / r).sqrt();
+    sine.atan2(cosine)
+}
+
+/// Angular radius of the shadow, in radians from the inward direction, for an observer who falls
+/// freely from rest at infinity, at any `r` > 0.
+///
+/// With beta = 1/sqrt(r), a ray at the angle alpha has b = r sin(alpha) / (1 - beta cos(alpha)); b
+/// = b_c gives cos(alpha) = (b_c^2 beta + r (r - 3/2) sqrt(1 + 3/r)) / (r^2 + b_c^2 beta^2), where
+/// r - 3/2 without its absolute value chooses the right root on both sides of the photon sphere.
+/// Derived.
+#[must_use]
+pub fn shadow_half_angle_rain(r: f64) -> f64 {
+    let beta = 1.0 / r.sqrt();
+    let b2 = CRITICAL_IMPACT * CRITICAL_IMPACT;
+    let cosine = (b2 * beta + r * (r - 1.5) * (1.0 + 3.0 / r).sqrt()) / (r * r + b2 * beta * beta);
+    let sine = CRITICAL_IMPACT / r * (1.0 - beta * cosine);
+    sine.atan2(cosine)
+}

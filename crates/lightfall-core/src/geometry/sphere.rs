@@ -1,0 +1,38 @@
+//! Angles and directions on the celestial sphere.
+
+use glam::DVec3;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// sin and cos of a polar angle in radians, exactly 0 at the doubles nearest to 0, pi/2 and pi, so
+/// that a camera set to 90 degrees is in the disk's plane and not 6e-17 beside it.
+#[must_use]
+pub fn polar_sin_cos(theta: f64) -> (f64, f64) {
+    if theta == FRAC_PI_2 {
+        (1.0, 0.0)
+    } else if theta == PI {
+        (0.0, -1.0)
+    } else {
+        theta.sin_cos()
+    }
+}
+
+/// The unit vector n toward (theta, phi) and its tangents theta_hat, phi_hat there, Cartesian in
+/// the hole's frame. On the axis the tangents are the limits at constant phi, so phi_hat is the
+/// direction of azimuth phi + 90 degrees.
+#[must_use]
+pub fn celestial_frame(theta: f64, phi: f64) -> [DVec3; 3] {
+    let (sin, cos) = polar_sin_cos(theta);
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    [
+        DVec3::new(sin * cos_phi, sin * sin_phi, cos),
+        DVec3::new(cos * cos_phi, cos * sin_phi, -sin),
+        DVec3::new(-sin_phi, cos_phi, 0.0),
+    ]
+}
+
+/// The same angle in (-pi, pi].
+#[must_use]
+pub fn wrap_angle(angle: f64) -> f64 {
+    let angle = PI - (PI - angle).rem_euclid(TAU);
+    if angle <= -PI { PI } else { angle }
+}

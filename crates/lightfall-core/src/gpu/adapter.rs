@@ -1,0 +1,238 @@
+//! Which graphics adapter is used: the one that the environment names (there the command line is
+//! written), else the one that is preferred, else the fastest.
+
+use super::GpuError;
+use serde::{Deserialize, Serialize};
+use std::env;
+use std::fmt::{Display, Formatter};
+use std::sync::{Mutex, PoisonError};
+use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, Features, Instance, Limits};
+
+/// An adapter by its full name, and through which interface it is used: on some systems there are
+/// several.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AdapterName {
+    /// As its driver calls it.
+    pub name: String,
+    /// vulkan, metal, dx12 or gl.
+    pub backend: String,
+}
+
+impl AdapterName {
+    /// The name of an adapter.
+    #[must_use]
+    pub fn of(info: &AdapterInfo) -> Self {
+        Self {
+            name: info.name.clone(),
+            backend: info.backend.to_str().to_owned(),
+        }
+    }
+}
+
+impl Display for AdapterName {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} ({})", self.name, self.backend)
+    }
+}
+
+/// An adapter that could be chosen.
+#[derive(Clone, Debug)]
+pub struct Listed {
+    /// Its name.
+    pub name: AdapterName,
+    /// Software, integrated and so on.
+    pub kind: &'static str,
+    /// Its driver, with the version.
+    pub driver: String,
+    /// Whether it can tell how long passes take.
+    pub timestamps: bool,
+    /// What it allows.
+    pub limits: Limits,
+}
+
+impl Display for Listed {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "{} ({}, {}, {})",
+            self.name.name, self.kind, self.name.backend, self.driver
+        )
+    }
+}
+
+/// The adapter that is preferred. Like the environment it is the process's, for devices are opened
+/// in many places.
+static PREFERRED: Mutex<Option<AdapterName>> = Mutex::new(None);
+
+/// From now on devices are opened on this adapter, as long as it is there and the environment names
+/// no other.
+pub fn prefer(adapter: Option<AdapterName>) {
+    *PREFERRED.lock().unwrap_or_else(PoisonError::into_inner) = adapter;
+}
+
+/// The variable of the environment that says which adapter is used, if one does.
+#[must_use]
+pub fn named_by_environment() -> Option<&'static str> {
+    let says = |variable: &&str| env::var(variable).is_ok_and(|value| !value.is_empty());
+    [
+        "WGPU_ADAPTER_NAME",
+        "WGPU_BACKEND",
+        "WGPU_FORCE_FALLBACK_ADAPTER",
+    ]
+    .into_iter()
+    .find(says)
+}
+
+/// The backends that the program draws with: those of `WGPU_BACKEND`, else the first-class ones.
+/// OpenGL is left out, for it lacks what the passes need and is noisy to ask.
+fn backends() -> Backends {
+    backends_named().map_or(Backends::PRIMARY, |names| Backends::from_comma_list(&names))
+}
+
+/// What the environment says of the backends; nothing by an empty text.
+fn backends_named() -> Option<String> {
+    env::var("WGPU_BACKEND")
+        .ok()
+        .filter(|names| !names.is_empty())
+}
+
+/// Why there is no adapter: no driver at all, or none through the interface that the environment
+/// names.
+fn none_of_these() -> GpuError {
+    let others = Instance::enabled_backend_features().difference(backends() | Backends::NOOP);
+    let mut there: Vec<&str> = found_through(others)
+        .iter()
+        .map(|adapter| adapter.get_info().backend.to_str())
+        .collect();
+    there.sort_unstable();
+    there.dedup();
+    match backends_named() {
+        Some(given) if !there.is_empty() => GpuError::UnknownBackend { given, there },
+        _ => GpuError::NoAdapter,
+    }
+}
+
+/// Every adapter that is reached through these interfaces.
+fn found_through(backends: Backends) -> Vec<Adapter> {
+    pollster::block_on(instance(backends).enumerate_adapters(backends))
+}
+
+/// What to tell whoever opens a device on his own: the backends, and the name if one is preferred
+/// and there.
+#[must_use]
+pub fn chosen() -> (Backends, Option<String>) {
+    let preferred =
+        preferred().filter(|preferred| adapters().iter().any(|listed| listed.name == *preferred));
+    match preferred {
+        Some(AdapterName { name, backend }) => (Backends::from_comma_list(&backend), Some(name)),
+        None => (backends(), None),
+    }
+}
+
+fn preferred() -> Option<AdapterName> {
+    let preferred = PREFERRED
+        .lock()
+        .unwrap_or_else(PoisonError::into_inner)
+        .clone();
+    preferred.filter(|_| named_by_environment().is_none())
+}
+
+fn instance(backends: Backends) -> Instance {
+    let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+    Instance::new(wgpu::InstanceDescriptor {
+        backends,
+        ..descriptor
+    })
+}
+
+/// The adapter that Bevy would choose: the fastest, or the first whose name contains
+/// `WGPU_ADAPTER_NAME`, a software one if `WGPU_FORCE_FALLBACK_ADAPTER` is 1, or the one that is
+/// preferred.
+pub(super) async fn adapter() -> Result<Adapter, GpuError> {
+    let instance = instance(backends());
+    let name = env::var("WGPU_ADAPTER_NAME")
+        .ok()
+        .filter(|name| !name.is_empty());
+    if let Some(given) = name {
+        let wanted = given.to_lowercase();
+        let adapters = instance.enumerate_adapters(backends()).await;
+        let names: Vec<String> = adapters
+            .iter()
+            .map(|adapter| adapter.get_info().name)
+            .collect();
+        let found = adapters
+            .into_iter()
+            .find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted));
+        return found.ok_or_else(|| {
+            if names.is_empty() {
+                none_of_these()
+            } else {
+                GpuError::UnknownAdapter { given, names }
+            }
+        });
+    }
+    if let Some(wanted) = preferred() {
+        let mut adapters = instance.enumerate_adapters(backends()).await.into_iter();
+        if let Some(adapter) =
+            adapters.find(|adapter| AdapterName::of(&adapter.get_info()) == wanted)
+        {
+            return Ok(adapter);
+        }
+    }
+    let options = wgpu::RequestAdapterOptions {
+        power_preference: wgpu::PowerPreference::from_env()
+            .unwrap_or(wgpu::PowerPreference::HighPerformance),
+        force_fallback_adapter: env::var("WGPU_FORCE_FALLBACK_ADAPTER")
+            .is_ok_and(|flag| flag == "1"),
+        compatible_surface: None,
+    };
+    instance
+        .request_adapter(&options)
+        .await
+        .map_err(|_| none_of_these())
+}
+
+/// Whether there is an adapter to draw with.
+///
+/// # ErrorSummary
+/// There is none.
+pub fn check_adapter() -> Result<(), GpuError> {
+    pollster::block_on(adapter()).map(drop)
+}
+
+/// Every adapter that could be chosen. Of several with the same name and interface the first is
+/// used, and listed.
+#[must_use]
+pub fn adapters() -> Vec<Listed> {
+    let mut listed: Vec<Listed> = Vec::new();
+    for adapter in found_through(backends()) {
+        let info = adapter.get_info();
+        let name = AdapterName::of(&info);
+        if listed.iter().all(|other| other.name != name) {
+            let driver = format!("{} {}", info.driver, info.driver_info);
+            let timestamps = adapter.features().contains(Features::TIMESTAMP_QUERY);
+            let limits = adapter.limits();
+            listed.push(Listed {
+                name,
+                kind: kind(info.device_type),
+                driver,
+                timestamps,
+                limits,
+            });
+        }
+    }
+    listed
+}
+
+/// What kind of an adapter it is, in a word.
+#[must_use]
+pub fn kind(kind: DeviceType) -> &'static str {
+    match kind {
+        DeviceType::Cpu => "software",
+        DeviceType::IntegratedGpu => "integrated",
+        DeviceType::DiscreteGpu => "discrete",
+        DeviceType::VirtualGpu => "virtual",
+        DeviceType::Other => "other",
+    }
+}

@@ -1,0 +1,156 @@
+//! Rays in, traces out: the compute entry that runs the very WGSL of the picture.
+
+use super::kernel::{Kernel, uniform};
+use super::{Gpu, GpuError, GpuScene, Variant};
+use crate::optics::trace::{Hit, Outcome, Trace};
+use crate::scene::Scene;
+use encase::ShaderType;
+use glam::{DVec3, UVec2, Vec3, Vec4};
+use std::f64::consts::{PI, TAU};
+
+/// Rays of one dispatch, so that a slow device answers well before its driver loses patience.
+const MAX_RAYS: usize = 1 << 15;
+
+/// One crossing of the annulus, as shaders/scene.wgsl lays it out.
+#[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
+#[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
+pub struct GpuHit {
+    pub position: Vec3,
+    pub g: f32,
+}
+
+/// What became of a ray, as shaders/scene.wgsl lays it out.
+#[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
+#[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
+pub struct GpuTrace {
+    pub sky: Vec3,
+    pub outcome: u32,
+    pub hits: [GpuHit; 2],
+    pub hit_count: u32,
+    pub steps: u32,
+    pub residual: f32,
+    pub angular_momentum_drift: f32,
+    pub turn: f32,
+}
+
+/// Traces the rays that leave the scene's camera in these directions, on the observer's axes
+/// (outward, toward growing theta, toward growing phi), any length but zero. One record a ray, in
+/// order.
+///
+/// # ErrorSummary
+/// A scene the GPU cannot trace, or a device that failed.
+pub fn trace(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<Trace>, GpuError> {
+    Ok(records(gpu, scene, directions)?
+        .iter()
+        .map(Trace::from)
+        .collect())
+}
+
+/// As [`trace`], with the GPU's own records, which also tell the drift of the angular momentum.
+///
+/// # ErrorSummary
+/// As [`trace`].
+pub fn records(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<GpuTrace>, GpuError> {
+    let directions: Vec<Vec3> = directions
+        .iter()
+        .map(|direction| unit(*direction).as_vec3())
+        .collect();
+    RayKernel::new(gpu, scene)?.run(gpu, &GpuScene::for_rays(scene)?, &directions)
+}
+
+/// The compiled variant of a scene, for rays that are given as a picture's are.
+#[derive(Debug)]
+pub struct RayKernel(Kernel);
+
+impl RayKernel {
+    /// Compiles the scene's variant.
+    ///
+    /// # ErrorSummary
+    /// A scene the GPU cannot trace.
+    pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
+        let numbers = GpuScene::for_rays(scene)?;
+        Ok(Self(Kernel::new(
+            gpu,
+            &Variant::rays(scene).source(),
+            "rays",
+            &[(0, uniform(&numbers))],
+        )?))
+    }
+
+    /// Traces rays through a scene of this variant; unit directions are (right, up, forward) of its
+    /// camera. One record a ray, in order.
+    ///
+    /// # ErrorSummary
+    /// As [`trace`].
+    pub fn trace(
+        &self,
+        gpu: &Gpu,
+        scene: &Scene,
+        directions: &[Vec3],
+    ) -> Result<Vec<Trace>, GpuError> {
+        let numbers = GpuScene::new(scene, UVec2::new(scene.picture.width, scene.picture.height))?;
+        Ok(self
+            .run(gpu, &numbers, directions)?
+            .iter()
+            .map(Trace::from)
+            .collect())
+    }
+
+    fn run(
+        &self,
+        gpu: &Gpu,
+        numbers: &GpuScene,
+        directions: &[Vec3],
+    ) -> Result<Vec<GpuTrace>, GpuError> {
+        self.0.write_uniform(gpu, 0, &uniform(numbers));
+        let mut records = Vec::with_capacity(directions.len());
+        for batch in directions.chunks(MAX_RAYS) {
+            let batch: Vec<Vec4> = batch
+                .iter()
+                .map(|direction| direction.extend(0.0))
+                .collect();
+            records.extend(self.0.run::<Vec4, GpuTrace>(gpu, &batch)?);
+        }
+        Ok(records)
+    }
+}
+
+/// A direction of length one, whatever its length was; zero stays zero.
+fn unit(direction: DVec3) -> DVec3 {
+    let largest = direction.abs().max_element();
+    if largest > 0.0 {
+        (direction / largest).normalize()
+    } else {
+        DVec3::ZERO
+    }
+}
+
+impl From<&GpuTrace> for Trace {
+    fn from(record: &GpuTrace) -> Self {
+        let outcome = match record.outcome {
+            0 => Outcome::Sky,
+            1 => Outcome::Captured,
+            _ => Outcome::Unfinished,
+        };
+        let hit = |i: usize| {
+            ((i as u32) < record.hit_count).then(|| {
+                let GpuHit { position, g } = record.hits[i];
+                let position = position.as_dvec3();
+                let phi = position.y.atan2(position.x);
+                let phi = if phi <= -PI { phi + TAU } else { phi };
+                Hit {
+                    r: position.length(),
+                    phi,
+                    g: f64::from(g),
+                }
+            })
+        };
+        Self {
+            outcome,
+            sky: (outcome == Outcome::Sky).then(|| record.sky.as_dvec3().normalize_or_zero()),
+            hits: [hit(0), hit(1)],
+            steps: record.steps,
+            residual: f64::from(record.residual),
+        }
+    }
+}

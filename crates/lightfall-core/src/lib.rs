@@ -1,0 +1,21 @@
+//! The core of Lightfall, without Bevy: what is drawn, the physics of light around a black hole,
+//! the shaders and their numbers, and how accurate all of it is.
+//!
+//! Each module may use those above it in this list, and no other:
+//!
+//! 1. [`geometry`]: Kerr and Schwarzschild, observers and geodesics, as pure functions in f64.
+//! 2. [`scene`]: the one description of what is drawn, with its fields, limits and presets.
+//! 3. [`optics`]: what a scene's camera sees, in f64: the truth that everything is measured against.
+//! 4. [`gpu`]: a scene as the GPU's numbers and shaders, and rays traced by them.
+//! 5. [`accuracy`]: how wrong an answer is, against the reference.
+//! 6. [`reports`]: measurements in forms that people and programs read.
+//!
+//! `scripts/check-imports` refuses an import that runs the other way. docs/PHYSICS.md explains the
+//! words and signs.
+
+pub mod accuracy;
+pub mod geometry;
+pub mod gpu;
+pub mod optics;
+pub mod reports;
+pub mod scene;

@@ -1,0 +1,89 @@
+//! The thin disk: where it begins, how hot it is, how its matter moves.
+
+mod page_thorne;
+
+pub use page_thorne::{PageThorne, TABLE_LEN};
+
+use crate::geometry::kerr::{CircularOrbit, Kerr};
+use crate::scene::{Disk, DiskModel, Scene};
+
+/// The disk's inner edge, in r_s: `disk.inner`, or the innermost stable circular orbit where that
+/// lies farther out or `disk.follow_isco` asks for it.
+#[must_use]
+pub fn inner_edge(scene: &Scene) -> f64 {
+    let isco = Kerr {
+        spin: scene.hole.spin,
+    }
+    .isco();
+    if scene.disk.follow_isco {
+        isco
+    } else {
+        scene.disk.inner.max(isco)
+    }
+}
+
+/// The largest value of [`newtonian_flux`], at r = (49/36) r_in: (36/49)^3 / 7.
+pub const NEWTONIAN_PEAK: f64 = 36.0 * 36.0 * 36.0 / (49.0 * 49.0 * 49.0 * 7.0);
+
+/// Relative bolometric flux, without unit, at radius `r` of a disk with inner edge `inner`; zero
+/// inside.
+///
+/// F = (r_in/r)^3 (1 - sqrt(r_in/r)), Shakura & Sunyaev 1973 without torque at the inner edge.
+#[must_use]
+pub fn newtonian_flux(r: f64, inner: f64) -> f64 {
+    let x = inner / r;
+    if x < 1.0 {
+        x.powi(3) * (1.0 - x.sqrt())
+    } else {
+        0.0
+    }
+}
+
+/// The radial profile of a scene's disk.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Profile {
+    /// [`newtonian_flux`] of a disk with this inner edge, in r_s.
+    Newtonian(f64),
+    /// Around Kerr.
+    PageThorne(PageThorne),
+}
+
+impl Profile {
+    /// The profile of the scene's model, spin and inner edge.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        let inner = inner_edge(scene);
+        match scene.disk.model {
+            DiskModel::Newtonian => Self::Newtonian(inner),
+            DiskModel::PageThorne => Self::PageThorne(PageThorne::new(scene.hole.spin, inner)),
+        }
+    }
+
+    /// Relative bolometric flux at radius `r`, in the frame of the matter; zero inside. Either
+    /// profile peaks at [`NEWTONIAN_PEAK`].
+    #[must_use]
+    pub fn flux(&self, r: f64) -> f64 {
+        match self {
+            Self::Newtonian(inner) => newtonian_flux(r, *inner),
+            Self::PageThorne(disk) => disk.flux(r),
+        }
+    }
+}
+
+/// Temperature in kelvin where the relative flux is `flux`, in the frame of the matter: T =
+/// temperature_k F^(1/4), after Stefan-Boltzmann.
+#[must_use]
+pub fn temperature(disk: &Disk, flux: f64) -> f64 {
+    disk.temperature_k * flux.powf(0.25)
+}
+
+/// g = observed over emitted frequency: g = 1 / (u^t (E - Omega L)), for light with the constants E
+/// = -p_t and L = p_phi per unit frequency for the camera. Bardeen, Press & Teukolsky 1972 section
+/// III, Cunningham 1975; the same as 1 / (E u^t (1 - Omega lambda)) with lambda = L/E.
+///
+/// The article's 1 + Omega L_n is the same number: its L_n is that of the backward ray, which is
+/// -lambda.
+#[must_use]
+pub fn redshift(orbit: &CircularOrbit, energy: f64, angular_momentum: f64) -> f64 {
+    1.0 / (orbit.u_t * (energy - orbit.angular_velocity * angular_momentum))
+}

@@ -1,0 +1,18 @@
+//! What a scene's camera sees, in f64: camera rays, null geodesics, the disk, shifts and the
+//! spectrum. This is the truth that the shaders are measured against.
+//!
+//! Every photon is the physical, future-directed one, with E = -p_t, L = p_phi and Carter's Q, per
+//! unit frequency for the camera; rays are followed backward from the camera.
+
+pub mod camera_rays;
+pub mod disk;
+pub mod exposure;
+pub mod path;
+pub mod photometry;
+pub mod readout;
+pub mod reference;
+pub mod shift;
+pub mod spectrum;
+pub mod straight;
+pub mod trace;
+pub mod worldline;

@@ -1,0 +1,251 @@
+//! The reference: what becomes of a ray, in f64, for any spin.
+//!
+//! A ray ends where u = 0, which is infinity itself, or where its capture is certain; there is
+//! neither a radius of escape nor a margin at the horizon. Both ends, and the crossings of the
+//! disk's plane, are roots of the step's own series.
+//!
+//! A crossing belongs to the step at whose end or within which it lies, never to the one that
+//! starts there: so none counts twice, and a camera in the plane does not see the disk at its own
+//! place. A ray that lies in the plane has no isolated crossing and so no hit.
+
+use crate::geometry::kerr::Kerr;
+use crate::geometry::mino::{Constants, Expansion, State};
+use crate::geometry::observer::{ObserverError, Photon};
+use crate::geometry::sphere::{celestial_frame, wrap_angle};
+use crate::optics::camera_rays::CameraRays;
+use crate::optics::shift::Shift;
+use crate::optics::trace::{Hit, Outcome, Trace};
+use crate::optics::{disk, straight};
+use crate::scene::Scene;
+use glam::{DMat3, DVec3};
+
+/// More steps than any ray needs: one within 1e-15 of the critical curve takes some hundred.
+const MAX_STEPS: u32 = 10_000;
+
+/// A scene's rays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reference {
+    surroundings: Surroundings,
+    sight: CameraRays,
+    shift: Shift,
+    lensing: bool,
+    r: f64,
+    n: DVec3,
+}
+
+/// What a ray can meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surroundings {
+    /// The hole.
+    pub kerr: Kerr,
+    /// Inner and outer edge of the disk, in r_s, if there is one.
+    pub annulus: Option<[f64; 2]>,
+}
+
+impl Reference {
+    /// Prepares the rays of `scene`.
+    ///
+    /// # ErrorSummary
+    /// If the scene's observer cannot exist.
+    pub fn new(scene: &Scene) -> Result<Self, ObserverError> {
+        let camera = &scene.camera;
+        let sight = CameraRays::new(scene)?;
+        let annulus = scene
+            .disk
+            .enabled
+            .then(|| [disk::inner_edge(scene), scene.disk.outer]);
+        let surroundings = Surroundings {
+            kerr: Kerr {
+                spin: scene.hole.spin,
+            },
+            annulus,
+        };
+        let [n, ..] = celestial_frame(camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
+        let (shift, lensing) = (Shift::new(scene), scene.effects.lensing);
+        Ok(Self {
+            surroundings,
+            sight,
+            shift,
+            lensing,
+            r: camera.r,
+            n,
+        })
+    }
+
+    /// Follows the ray that arrives from `direction`, on the observer's axes; any length but zero.
+    /// A direction that is zero or not finite is `Unfinished`, with a residual that is not a
+    /// number.
+    #[must_use]
+    pub fn trace(&self, direction: DVec3) -> Trace {
+        let Some(direction) = (direction / direction.abs().max_element()).try_normalize() else {
+            return Trace {
+                outcome: Outcome::Unfinished,
+                sky: None,
+                hits: [None; 2],
+                steps: 0,
+                residual: f64::NAN,
+            };
+        };
+        let photon = self.photon(direction);
+        let Surroundings { kerr, annulus } = self.surroundings;
+        let (mut trace, lambda) = if self.lensing {
+            let (constants, start) = Constants::of_photon(kerr, &photon, self.r, self.n);
+            (
+                self.surroundings.trace(&constants, start),
+                constants.angular_momentum / constants.energy,
+            )
+        } else {
+            // Without the frame-dragging no shift depends on it.
+            (straight::trace(kerr, annulus, &photon, self.r, self.n), 0.0)
+        };
+        for hit in trace.hits.iter_mut().flatten() {
+            hit.g = self.shift.of_disk(hit.g, hit.r, lambda);
+        }
+        trace
+    }
+}
+
+impl Reference {
+    /// The photon that arrives from a unit direction.
+    #[must_use]
+    pub fn photon(&self, direction: DVec3) -> Photon {
+        self.sight.photon(direction)
+    }
+
+    /// The hole and the disk.
+    #[must_use]
+    pub fn surroundings(&self) -> Surroundings {
+        self.surroundings
+    }
+
+    /// Where the camera is: radius, in r_s, and unit vector.
+    #[must_use]
+    pub fn camera(&self) -> (f64, DVec3) {
+        (self.r, self.n)
+    }
+
+    /// Whether light is bent.
+    #[must_use]
+    pub fn lensing(&self) -> bool {
+        self.lensing
+    }
+}
+
+impl Surroundings {
+    /// Follows the backward ray with these constants from `start` to its end.
+    #[must_use]
+    pub fn trace(&self, constants: &Constants, start: State) -> Trace {
+        self.follow(constants, start, |_, _, _| {})
+    }
+
+    /// As [`trace`](Self::trace), and shows every step on the way: where it starts, its series, and
+    /// the Mino time that it takes.
+    pub fn follow(
+        &self,
+        constants: &Constants,
+        start: State,
+        mut visit: impl FnMut(&State, &Expansion, f64),
+    ) -> Trace {
+        let u_horizon = 1.0 / self.kerr.horizon();
+        // Hits lie between these; without a disk there are none.
+        let [u_outer, u_inner] = self
+            .annulus
+            .map_or([0.0, 0.0], |[inner, outer]| [1.0 / outer, 1.0 / inner]);
+        let mut trace = Trace {
+            outcome: Outcome::Unfinished,
+            sky: None,
+            hits: [None; 2],
+            steps: 0,
+            residual: constants.residual(&start),
+        };
+        let mut state = start;
+        if constants.kept_inside(&state, u_horizon) {
+            return Trace {
+                outcome: Outcome::Captured,
+                ..trace
+            };
+        }
+        while trace.steps < MAX_STEPS {
+            let nothing_more_to_hit = state.u >= u_inner || trace.hits[1].is_some();
+            let inward = state.du > 0.0;
+            if inward
+                && (state.u >= u_horizon
+                    || nothing_more_to_hit && constants.cannot_turn_within(state.u, u_horizon))
+            {
+                return Trace {
+                    outcome: Outcome::Captured,
+                    ..trace
+                };
+            }
+            let expansion = constants.expand(&state);
+            let reach = constants.reach(&expansion);
+            let to_infinity = time_to_infinity(&expansion, reach);
+            let end_time = to_infinity.unwrap_or(reach);
+            let end = expansion.at(end_time);
+            if !(end_time > 0.0 && end.n.is_finite() && end.u.is_finite()) {
+                return trace;
+            }
+            visit(&state, &expansion, end_time);
+            trace.steps += 1;
+            trace.residual = trace.residual.max(constants.residual(&end));
+            if let Some(time) = time_to_plane(&expansion, end.n.z, end_time) {
+                let crossing = expansion.at(time);
+                if crossing.u > u_outer && crossing.u < u_inner {
+                    let hit = self.hit(constants, &crossing);
+                    let free = trace.hits.iter_mut().find(|slot| slot.is_none());
+                    if let (Some(slot), Some(hit)) = (free, hit) {
+                        *slot = Some(hit);
+                    }
+                }
+            }
+            if to_infinity.is_some() {
+                // Light of negative energy never was at infinity.
+                if constants.energy <= 0.0 {
+                    return Trace {
+                        outcome: Outcome::Captured,
+                        ..trace
+                    };
+                }
+                let sky = DMat3::from_rotation_z(end.chi) * end.n;
+                return Trace {
+                    outcome: Outcome::Sky,
+                    sky: Some(sky.normalize()),
+                    ..trace
+                };
+            }
+            state = end;
+        }
+        trace
+    }
+
+    fn hit(&self, constants: &Constants, crossing: &State) -> Option<Hit> {
+        let r = 1.0 / crossing.u;
+        let orbit = self.kerr.circular_orbit(r)?;
+        let lead = if constants.ingoing {
+            self.kerr.ingoing_azimuth_lead(r)
+        } else {
+            0.0
+        };
+        let azimuth = crossing.n.y.atan2(crossing.n.x) + crossing.chi - lead;
+        let g = disk::redshift(&orbit, constants.energy, constants.angular_momentum);
+        Some(Hit {
+            r,
+            phi: wrap_angle(azimuth),
+            g,
+        })
+    }
+}
+
+/// The Mino time within `reach` at which an outgoing ray is at u = 0, if it gets there. A step, of
+/// one radian at most, is too short to pass infinity and come back, which takes more than two.
+fn time_to_infinity(expansion: &Expansion, reach: f64) -> Option<f64> {
+    let outward = expansion.u.0[1] < 0.0;
+    (outward && expansion.u.at(reach).0 <= 0.0).then(|| expansion.u.root(reach))
+}
+
+/// The Mino time within (0, `end_time`] at which the ray crosses the disk's plane, n_z being
+/// `z_end` at the end.
+fn time_to_plane(expansion: &Expansion, z_end: f64, end_time: f64) -> Option<f64> {
+    let z = expansion.n[2].0[0];
+    (z > 0.0 && z_end <= 0.0 || z < 0.0 && z_end >= 0.0).then(|| expansion.n[2].root(end_time))
+}

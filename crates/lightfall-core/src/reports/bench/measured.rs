@@ -1,0 +1,133 @@
+//! One row of the report.
+
+use super::sweep::Setting;
+use crate::accuracy::{ErrorSummary, Truth};
+use crate::gpu::timing::{Clock, Timing};
+use crate::optics::trace::Trace;
+use serde::Serialize;
+
+/// Error and time of one method at one setting in one scene. Angles are in radians unless their
+/// name says pixels; an error without a bound (an unfinished ray's) is infinite, in JSON null.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Measured {
+    /// Name of the scene.
+    pub scene: String,
+    /// Name of the method.
+    pub method: String,
+    /// The field that is its setting, if it has one.
+    pub setting: Option<&'static str>,
+    /// The setting's value.
+    pub value: Option<f64>,
+    /// Whether it is the scene's own setting.
+    pub own_setting: bool,
+    /// Whether `auto` draws the scene just so.
+    pub auto: bool,
+    /// Median time of tracing the picture's rays, in milliseconds, and its spread from the 10th to
+    /// the 90th percentile.
+    pub trace_ms: f64,
+    /// See `trace_ms`.
+    pub trace_spread_ms: f64,
+    /// What the times were read from.
+    pub clock: &'static str,
+    /// GPU time of the whole frame, in milliseconds, where it was asked for.
+    pub frame_ms: Option<f64>,
+    /// How many rays were judged.
+    pub rays: usize,
+    /// Rays given up.
+    pub unfinished: usize,
+    /// Rays whose answer holds something that is no number.
+    pub not_finite: usize,
+    /// Rays of the wrong outcome or number of hits.
+    pub misclassified: usize,
+    /// Rays by true outcome and given one: sky as sky, captured, unfinished; captured likewise.
+    pub sky_as: [usize; 3],
+    /// See `sky_as`.
+    pub captured_as: [usize; 3],
+    /// Forward error of the sky direction.
+    pub sky_p50: f64,
+    /// Its 99th percentile.
+    pub sky_p99: f64,
+    /// Relative error of the radius of hits.
+    pub hit_r_p50: f64,
+    /// Its 99th percentile.
+    pub hit_r_p99: f64,
+    /// Relative error of the shift g of hits.
+    pub hit_g_p50: f64,
+    /// Its 99th percentile.
+    pub hit_g_p99: f64,
+    /// Backward error.
+    pub backward_p50: f64,
+    /// Its 99th percentile.
+    pub backward_p99: f64,
+    /// Its largest value.
+    pub backward_max: f64,
+    /// Median of the backward error in pixels of the scene's picture.
+    pub backward_p50_px: f64,
+    /// Its 99th percentile.
+    pub backward_p99_px: f64,
+    /// Mean number of steps.
+    pub steps_mean: f64,
+    /// Most steps.
+    pub steps_max: f64,
+    /// Largest normalized residual of the null constraint.
+    pub residual: f64,
+}
+
+impl Measured {
+    pub(super) fn new(
+        name: &str,
+        setting: &Setting,
+        timing: Timing,
+        truth: &Truth,
+        traces: &[Trace],
+    ) -> Self {
+        let errors = ErrorSummary::of(truth, traces);
+        let scene = &setting.scene;
+        let pixel = scene.camera.pixel_angle(f64::from(scene.picture.height));
+        let [steps_mean, steps_max] = errors.steps;
+        Self {
+            scene: name.into(),
+            method: scene.method.name().into(),
+            setting: setting.key,
+            value: setting.key.map(|_| setting.value),
+            own_setting: setting.own,
+            auto: setting.auto,
+            trace_ms: timing.median_ms,
+            trace_spread_ms: timing.spread_ms,
+            clock: match timing.clock {
+                Clock::Timestamps => "timestamps",
+                Clock::Wall => "wall",
+            },
+            frame_ms: None,
+            rays: errors.rays,
+            unfinished: errors.unfinished(),
+            not_finite: errors.not_finite,
+            misclassified: errors.misclassified,
+            sky_as: errors.confusion[0],
+            captured_as: errors.confusion[1],
+            sky_p50: errors.sky.p50,
+            sky_p99: errors.sky.p99,
+            hit_r_p50: errors.hit_r.p50,
+            hit_r_p99: errors.hit_r.p99,
+            hit_g_p50: errors.hit_g.p50,
+            hit_g_p99: errors.hit_g.p99,
+            backward_p50: errors.backward.p50,
+            backward_p99: errors.backward.p99,
+            backward_max: errors.backward.max,
+            backward_p50_px: errors.backward.p50 / pixel,
+            backward_p99_px: errors.backward.p99 / pixel,
+            steps_mean,
+            steps_max,
+            residual: errors.residual,
+        }
+    }
+
+    /// The method and its setting, for people.
+    #[must_use]
+    pub fn label(&self) -> String {
+        self.value.map_or_else(
+            || self.method.clone(),
+            |value| format!("{} {value}", self.method),
+        )
+    }
+}

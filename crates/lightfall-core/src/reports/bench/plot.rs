@@ -1,0 +1,176 @@
+//! Error against run time as a picture: both logarithmic, one line a method.
+
+use super::labels::placed;
+use super::{Measured, is_on_front};
+use plotters::element::DashedPathElement;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+const SIZE: (u32, u32) = (860, 520);
+
+/// Width of a character of the labels and height of their line, in pixels.
+const LETTER: [i32; 2] = [6, 10];
+/// Where the legend stands: left, top, right, bottom.
+const LEGEND: [i32; 4] = [716, 34, 848, 140];
+/// Dashes of the front, and the gaps between them, in pixels.
+const DASHES: [i32; 2] = [5, 4];
+
+/// Colours that the colour-blind can tell apart (Okabe & Ito 2008), one a method.
+fn colour(method: &str) -> RGBColor {
+    match method {
+        "closed" => RGBColor(0, 114, 178),
+        "mino" => RGBColor(0, 158, 115),
+        "verlet" => RGBColor(213, 94, 0),
+        _ => RGBColor(204, 121, 167),
+    }
+}
+
+/// The scene's rows as SVG; none where there is nothing to draw. Rows whose 99th percentile has no
+/// bound (rays left unfinished) stand as crosses on the upper edge.
+///
+/// # ErrorSummary
+/// What the plotting library says.
+pub fn plot(scene: &str, about: &str, rows: &[Measured]) -> Result<Option<String>, String> {
+    let own: Vec<&Measured> = rows.iter().filter(|row| row.scene == scene).collect();
+    let bounded = || {
+        own.iter()
+            .filter(|row| row.backward_p99_px.is_finite() && row.backward_p99_px > 0.0)
+    };
+    let ends = |values: Vec<f64>| {
+        let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = values.iter().copied().fold(0.0, f64::max);
+        (low, high)
+    };
+    let (fastest, slowest) = ends(own.iter().map(|row| row.trace_ms).collect());
+    let (least, most) = ends(bounded().map(|row| row.backward_p99_px).collect());
+    if !(fastest > 0.0 && least > 0.0 && least.is_finite()) {
+        return Ok(None);
+    }
+    let top = most * 12.0;
+    let mut svg = String::new();
+    {
+        let area = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
+        draw(
+            &area,
+            scene,
+            about,
+            &own,
+            rows,
+            [fastest / 1.6, slowest * 9.0, least / 2.5, top],
+        )
+        .map_err(|error| error.to_string())?;
+        area.present().map_err(|error| error.to_string())?;
+    }
+    Ok(Some(svg))
+}
+
+type Drawn<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
+
+fn draw<'a>(
+    area: &DrawingArea<SVGBackend<'a>, plotters::coord::Shift>,
+    scene: &str,
+    about: &str,
+    own: &[&Measured],
+    rows: &[Measured],
+    [left, right, bottom, top]: [f64; 4],
+) -> Drawn<'a> {
+    area.fill(&WHITE)?;
+    let mut chart = ChartBuilder::on(area)
+        .caption(format!("{scene}: {about}"), ("sans-serif", 17))
+        .margin(12)
+        .x_label_area_size(44)
+        .y_label_area_size(76)
+        .build_cartesian_2d((left..right).log_scale(), (bottom..top).log_scale())?;
+    chart
+        .configure_mesh()
+        .light_line_style(RGBColor(238, 238, 238))
+        .bold_line_style(RGBColor(215, 215, 215))
+        .x_desc("time to trace the picture's rays, ms")
+        .y_desc("backward error, pixels, 99th percentile")
+        .x_label_formatter(&|x| decade(*x))
+        .y_label_formatter(&|y| decade(*y))
+        .label_style(("sans-serif", 13))
+        .draw()?;
+    let ceiling = top / 1.6;
+    let height = |row: &Measured| {
+        if row.backward_p99_px.is_finite() {
+            row.backward_p99_px
+        } else {
+            ceiling
+        }
+    };
+    let mut methods: Vec<&str> = own.iter().map(|row| row.method.as_str()).collect();
+    methods.dedup();
+    let at = |row: &Measured| chart.backend_coord(&(row.trace_ms, height(row))).into();
+    let points: Vec<[i32; 2]> = own.iter().map(|row| at(row)).collect();
+    let names: Vec<String> = own
+        .iter()
+        .map(|row| row.value.map(|value| value.to_string()).unwrap_or_default())
+        .collect();
+    let sizes: Vec<[i32; 2]> = names
+        .iter()
+        .map(|name| [LETTER[0] * name.len() as i32, LETTER[1]])
+        .collect();
+    for ((row, name), corner) in own.iter().zip(names).zip(placed(&points, &sizes, LEGEND)) {
+        let colour = colour(&row.method);
+        let style = ("sans-serif", 11)
+            .into_font()
+            .color(&colour)
+            .pos(Pos::new(HPos::Left, VPos::Top));
+        let label = corner.map(|[x, y]| {
+            EmptyElement::at((row.trace_ms, height(row))) + Text::new(name, (x, y), style)
+        });
+        chart.draw_series(label)?;
+    }
+    for method in methods {
+        let colour = colour(method);
+        let mut points: Vec<&&Measured> = own.iter().filter(|row| row.method == method).collect();
+        points.sort_by(|a, b| a.trace_ms.total_cmp(&b.trace_ms));
+        let line = points.iter().map(|row| (row.trace_ms, height(row)));
+        chart
+            .draw_series(LineSeries::new(line, colour.stroke_width(1)))?
+            .label(method)
+            .legend(move |(x, y)| Circle::new((x + 8, y), 5, colour.filled()));
+        for row in points {
+            let place = (row.trace_ms, height(row));
+            if row.backward_p99_px.is_finite() {
+                chart.draw_series(std::iter::once(Circle::new(place, 5, colour.filled())))?;
+            } else {
+                chart.draw_series(std::iter::once(Cross::new(
+                    place,
+                    6,
+                    colour.stroke_width(2),
+                )))?;
+            }
+        }
+    }
+    let mut front: Vec<(f64, f64)> = own
+        .iter()
+        .filter(|row| is_on_front(rows, row))
+        .map(|row| (row.trace_ms, row.backward_p99_px))
+        .collect();
+    front.sort_by(|a, b| a.0.total_cmp(&b.0));
+    chart
+        .draw_series(DashedLineSeries::new(
+            front,
+            DASHES[0],
+            DASHES[1],
+            BLACK.stroke_width(1),
+        ))?
+        .label("Pareto front")
+        .legend(|(x, y)| {
+            DashedPathElement::new([(x - 2, y), (x + 20, y)], DASHES[0], DASHES[1], BLACK)
+        });
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::UpperRight)
+        .background_style(WHITE.mix(0.85))
+        .border_style(RGBColor(200, 200, 200))
+        .label_font(("sans-serif", 13))
+        .draw()
+}
+
+/// A power of ten, as every mark of the axes is one, in plain decimals.
+fn decade(x: f64) -> String {
+    format!("{x:.*}", (-x.log10().round()).max(0.0) as usize)
+}

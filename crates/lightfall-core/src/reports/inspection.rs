@@ -1,0 +1,273 @@
+//! Everything about one ray, as numbers that can be read, copied and compared: what the ray
+//! inspector shows.
+
+use crate::accuracy::{Ray, Truth};
+use crate::geometry::observer::ObserverError;
+use crate::optics::disk;
+use crate::optics::disk::Profile;
+use crate::optics::path::Path;
+use crate::optics::reference::Reference;
+use crate::optics::trace::{Hit, Outcome, Trace};
+use crate::scene::Scene;
+use glam::DVec3;
+use serde::Serialize;
+use std::f64::consts::PI;
+use std::fmt::Write;
+
+/// The numbers of one ray. What there is not is none, and an empty value in text.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Inspection {
+    /// The scene's name.
+    pub scene: String,
+    /// The pixel of the picture, from its upper left corner, in pixels.
+    pub pixel: Option<[f64; 2]>,
+    /// Looking direction on the observer's axes: outward.
+    pub er: f64,
+    /// Looking direction: toward growing theta.
+    pub etheta: f64,
+    /// Looking direction: toward growing phi.
+    pub ephi: f64,
+    /// What the f64 reference answers, in the fields of `lightfall trace`.
+    pub cpu: Record,
+    /// What the GPU answers.
+    pub gpu: Option<Record>,
+    /// b = sqrt(eta + lambda^2), in r_s.
+    pub impact_parameter: Option<f64>,
+    /// L/E, in r_s.
+    pub lambda: Option<f64>,
+    /// Q/E^2, in r_s^2.
+    pub eta: Option<f64>,
+    /// Smallest r on the way, in r_s; the horizon's for a captured ray.
+    pub closest_r: f64,
+    /// Angle swept about the hole up to what is seen first, in half-turns.
+    pub half_turns: f64,
+    /// Order of the image: whole half-turns.
+    pub order: Option<u32>,
+    /// Temperature of the matter at the first hit, in kelvin.
+    pub hit1_temperature_k: Option<f64>,
+    /// Boyer-Lindquist time from the emission there to the camera, in r_s / c.
+    pub hit1_delay: Option<f64>,
+    /// As hit1_temperature_k, at the second hit.
+    pub hit2_temperature_k: Option<f64>,
+    /// As hit1_delay, at the second hit.
+    pub hit2_delay: Option<f64>,
+    /// The GPU's answer against the reference's.
+    pub difference: Option<Difference>,
+}
+
+/// How far the GPU is from the reference, for one ray: see [`RayError`](crate::accuracy::RayError).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Difference {
+    /// Whether both say what becomes of the ray, and how many times it meets the disk.
+    pub same_class: bool,
+    /// Angle between the two directions at infinity, in radians.
+    pub sky: Option<f64>,
+    /// Largest relative difference of the hits' radii.
+    pub hit_r: Option<f64>,
+    /// Largest relative difference of the hits' g.
+    pub hit_g: Option<f64>,
+    /// The turn of the ray that explains the difference, in radians; none where no turn does.
+    pub backward: Option<f64>,
+    /// The same as a multiple of the angle that a pixel in the picture's middle covers.
+    pub backward_px: Option<f64>,
+}
+
+/// A trace in the fields of `lightfall trace`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[expect(
+    missing_docs,
+    reason = "`lightfall trace --help` says what each field means"
+)]
+pub struct Record {
+    pub outcome: &'static str,
+    pub sky_x: Option<f64>,
+    pub sky_y: Option<f64>,
+    pub sky_z: Option<f64>,
+    pub hit1_r: Option<f64>,
+    pub hit1_phi: Option<f64>,
+    pub hit1_g: Option<f64>,
+    pub hit2_r: Option<f64>,
+    pub hit2_phi: Option<f64>,
+    pub hit2_g: Option<f64>,
+    pub steps: u32,
+    pub residual: f64,
+}
+
+impl From<&Trace> for Record {
+    fn from(trace: &Trace) -> Self {
+        let [first, second] = trace.hits;
+        let of = |hit: Option<Hit>, part: fn(Hit) -> f64| hit.map(part);
+        Self {
+            outcome: match trace.outcome {
+                Outcome::Sky => "sky",
+                Outcome::Captured => "captured",
+                Outcome::Unfinished => "unfinished",
+            },
+            sky_x: trace.sky.map(|sky| sky.x),
+            sky_y: trace.sky.map(|sky| sky.y),
+            sky_z: trace.sky.map(|sky| sky.z),
+            hit1_r: of(first, |hit| hit.r),
+            hit1_phi: of(first, |hit| hit.phi),
+            hit1_g: of(first, |hit| hit.g),
+            hit2_r: of(second, |hit| hit.r),
+            hit2_phi: of(second, |hit| hit.phi),
+            hit2_g: of(second, |hit| hit.g),
+            steps: trace.steps,
+            residual: trace.residual,
+        }
+    }
+}
+
+/// A ray, inspected: its numbers and its path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inspected {
+    /// The numbers.
+    pub numbers: Inspection,
+    /// The path of the reference.
+    pub path: Path,
+    /// What became of the ray.
+    pub trace: Trace,
+}
+
+impl Inspected {
+    /// Inspects the ray of `scene` that arrives from `direction`, on the observer's axes, a unit
+    /// vector; the path goes as far out as `farthest`, in r_s.
+    ///
+    /// # ErrorSummary
+    /// If the scene's observer cannot exist.
+    pub fn new(
+        scene: &Scene,
+        direction: DVec3,
+        pixel: Option<[f64; 2]>,
+        farthest: f64,
+    ) -> Result<Self, ObserverError> {
+        let (cpu, path) = Path::of(&Reference::new(scene)?, direction, farthest);
+        let profile = Profile::new(scene);
+        let temperature =
+            |hit: Option<Hit>| hit.map(|hit| disk::temperature(&scene.disk, profile.flux(hit.r)));
+        let numbers = Inspection {
+            scene: scene.name.clone(),
+            pixel,
+            er: direction.x,
+            etheta: direction.y,
+            ephi: direction.z,
+            cpu: Record::from(&cpu),
+            gpu: None,
+            impact_parameter: path.constants.map(|constants| constants.impact_parameter),
+            lambda: path.constants.map(|constants| constants.lambda),
+            eta: path.constants.map(|constants| constants.eta),
+            closest_r: path.closest_r,
+            half_turns: path.turn / PI,
+            order: path.order(&cpu),
+            hit1_temperature_k: temperature(cpu.hits[0]),
+            hit1_delay: path.delays[0],
+            hit2_temperature_k: temperature(cpu.hits[1]),
+            hit2_delay: path.delays[1],
+            difference: None,
+        };
+        Ok(Self {
+            numbers,
+            path,
+            trace: cpu,
+        })
+    }
+
+    /// Adds what the GPU answers for the same ray of a picture of `scene` that is `height` pixels
+    /// high.
+    ///
+    /// # ErrorSummary
+    /// If the scene's observer cannot exist.
+    pub fn compare(
+        &mut self,
+        scene: &Scene,
+        ray: Ray,
+        gpu: &Trace,
+        height: f64,
+    ) -> Result<(), ObserverError> {
+        self.numbers.gpu = Some(Record::from(gpu));
+        let errors = Truth::of(scene, vec![ray])?.judge(std::slice::from_ref(gpu));
+        self.numbers.difference = errors.first().map(|error| {
+            let backward = Some(error.backward).filter(|turn| turn.is_finite());
+            Difference {
+                same_class: !error.misclassified,
+                sky: error.sky,
+                hit_r: error.hit_r,
+                hit_g: error.hit_g,
+                backward,
+                backward_px: backward.map(|turn| turn / scene.camera.pixel_angle(height)),
+            }
+        });
+        Ok(())
+    }
+}
+
+impl Inspection {
+    /// As JSON.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        serde_json::to_string_pretty(self).expect("numbers and words only")
+    }
+
+    /// As lines `name = value`; records have `cpu.` and `gpu.` before their names, and what there
+    /// is not is left out.
+    #[must_use]
+    pub fn to_text(&self) -> String {
+        let value = serde_json::to_value(self).expect("numbers and words only");
+        let mut text = String::new();
+        // The order of the fields, which a JSON object in memory does not keep.
+        for name in FIELDS {
+            line(&mut text, name, &value[*name]);
+        }
+        text
+    }
+}
+
+/// The fields of an inspection, in order.
+const FIELDS: &[&str] = &[
+    "scene",
+    "pixel",
+    "er",
+    "etheta",
+    "ephi",
+    "impact_parameter",
+    "lambda",
+    "eta",
+    "closest_r",
+    "half_turns",
+    "order",
+    "hit1_temperature_k",
+    "hit1_delay",
+    "hit2_temperature_k",
+    "hit2_delay",
+    "cpu",
+    "gpu",
+    "difference",
+];
+
+fn line(text: &mut String, name: &str, value: &serde_json::Value) {
+    match value {
+        serde_json::Value::Null => {}
+        serde_json::Value::Object(fields) => {
+            let known = super::rays::HEADER
+                .iter()
+                .copied()
+                .filter(|field| fields.contains_key(*field));
+            let others = fields
+                .keys()
+                .map(String::as_str)
+                .filter(|field| !super::rays::HEADER.contains(field));
+            let ordered: Vec<&str> = if fields.contains_key("outcome") {
+                known.collect()
+            } else {
+                others.collect()
+            };
+            for field in ordered {
+                line(text, &format!("{name}.{field}"), &fields[field]);
+            }
+        }
+        serde_json::Value::String(word) => {
+            writeln!(text, "{name} = {word}").expect("writing to a String cannot fail")
+        }
+        other => writeln!(text, "{name} = {other}").expect("writing to a String cannot fail"),
+    }
+}

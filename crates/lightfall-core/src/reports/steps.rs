@@ -1,0 +1,53 @@
+//! How many steps a method takes for a picture: what its error setting comes to in work.
+
+use crate::accuracy::Ray;
+use crate::gpu::rays::RayKernel;
+use crate::gpu::{Gpu, GpuError};
+use crate::scene::Scene;
+use glam::DVec2;
+
+/// Rays that are counted: one in the middle of each cell of so many by so many.
+const GRID: [u32; 2] = [48, 27];
+
+/// Steps of a picture's rays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepCount {
+    /// Mean over the rays.
+    pub mean: f64,
+    /// Most of any.
+    pub most: u32,
+    /// How many rays were counted.
+    pub rays: usize,
+}
+
+impl StepCount {
+    /// Counts them on a GPU, over rays spread evenly over the picture.
+    ///
+    /// # ErrorSummary
+    /// A scene that the GPU cannot trace, or a device that failed.
+    pub fn of(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
+        let size = DVec2::new(
+            f64::from(scene.picture.width),
+            f64::from(scene.picture.height),
+        );
+        let [columns, rows] = GRID;
+        let places = (0..rows)
+            .flat_map(|y| (0..columns).map(move |x| DVec2::new(f64::from(x), f64::from(y)) + 0.5));
+        let cells = DVec2::new(f64::from(columns), f64::from(rows));
+        let rays: Vec<_> = places
+            .map(|place| Ray::toward(scene.camera.looking(place / cells * size, size)).given())
+            .collect();
+        let steps: Vec<u32> = RayKernel::new(gpu, scene)?
+            .trace(gpu, scene, &rays)?
+            .iter()
+            .map(|trace| trace.steps)
+            .collect();
+        let sum: f64 = steps.iter().map(|steps| f64::from(*steps)).sum();
+        let most = steps.iter().copied().max().unwrap_or_default();
+        Ok(Self {
+            mean: sum / steps.len().max(1) as f64,
+            most,
+            rays: steps.len(),
+        })
+    }
+}

@@ -1,0 +1,73 @@
+//! Where the camera looks: its axes, in f64.
+
+use super::Camera;
+use crate::geometry::sphere::celestial_frame;
+use glam::{DMat3, DVec2, DVec3};
+
+impl Camera {
+    /// Unit vector from the hole to the camera, toward Boyer-Lindquist theta and phi, in the hole's
+    /// frame.
+    pub fn direction(&self) -> DVec3 {
+        self.tetrad().x_axis
+    }
+
+    /// The observer's axes as unit vectors of the hole's frame, one a column: outward, toward
+    /// growing theta, toward growing phi. On the axis the last is the direction of azimuth
+    /// `phi_deg` + 90 degrees.
+    pub fn tetrad(&self) -> DMat3 {
+        let [outward, theta_hat, phi_hat] =
+            celestial_frame(self.theta_deg.to_radians(), self.phi_deg.to_radians());
+        DMat3::from_cols(outward, theta_hat, phi_hat)
+    }
+
+    /// Unit looking direction (right, up, forward) of a place on a picture of `size` pixels, in
+    /// pixels from its upper left corner; the same as in shaders/observer.wgsl.
+    pub fn looking(&self, pixel: DVec2, size: DVec2) -> DVec3 {
+        let up = self.half_height();
+        let across = pixel / size * DVec2::new(2.0, -2.0) + DVec2::new(-1.0, 1.0);
+        (across * DVec2::new(up * size.x / size.y, up))
+            .extend(1.0)
+            .normalize()
+    }
+
+    /// The angle that a pixel in the middle of a picture `height` pixels high covers, in radians.
+    pub fn pixel_angle(&self, height: f64) -> f64 {
+        2.0 * self.half_height() / height
+    }
+
+    /// Half of the picture's height at distance one.
+    pub fn half_height(&self) -> f64 {
+        (self.fov_deg.to_radians() / 2.0).tan()
+    }
+
+    /// The camera's axes right, up, forward on the observer's axes (outward, theta, phi), one a
+    /// column.
+    ///
+    /// Without turns it looks at the hole: forward is inward, up is decreasing theta, right is
+    /// growing phi. It is turned about its own axes: to the right, then up, then clockwise as seen
+    /// from behind it.
+    pub fn tetrad_from_camera(&self) -> DMat3 {
+        let [yaw, pitch, roll] = [self.yaw_deg, self.pitch_deg, self.roll_deg].map(sin_cos_deg);
+        let [right, up, forward] = [DVec3::Z, -DVec3::Y, -DVec3::X];
+        let turn = |(sin, cos): (f64, f64), to: DVec3, from: DVec3| {
+            (cos * to + sin * from, cos * from - sin * to)
+        };
+        let (forward, right) = turn(yaw, forward, right);
+        let (forward, up) = turn(pitch, forward, up);
+        let (up, right) = turn(roll, up, right);
+        DMat3::from_cols(right, up, forward)
+    }
+}
+
+/// Sine and cosine of an angle in degrees, exact at multiples of 90, so that a camera that looks at
+/// the hole looks at nothing else.
+fn sin_cos_deg(degrees: f64) -> (f64, f64) {
+    let quarters = (degrees / 90.0).round();
+    let (sin, cos) = (degrees - 90.0 * quarters).to_radians().sin_cos();
+    match quarters.rem_euclid(4.0) {
+        0.0 => (sin, cos),
+        1.0 => (cos, -sin),
+        2.0 => (-sin, -cos),
+        _ => (-cos, sin),
+    }
+}

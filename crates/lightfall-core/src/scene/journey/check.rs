@@ -1,0 +1,85 @@
+//! Whether a journey can be flown in a scene, asked before it begins.
+
+use super::Journey;
+use crate::scene::Scene;
+use std::fmt::Display;
+use thiserror::Error;
+
+/// Moments that are looked at from one keyframe to the next. Between two every quantity goes one
+/// way, so what an observer may not do shows in few.
+const MOMENTS: u32 = 32;
+
+/// Digits of radii and times in a sentence: a radius is led along by its logarithm, which leaves
+/// its traces in the last ones.
+const DIGITS: i32 = 6;
+
+/// Where a journey cannot be flown, and why.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{place}: {reason}")]
+pub struct Unflyable {
+    /// The keyframe, or the two that it is between; they count from 1.
+    pub place: String,
+    /// What is given there, and what is allowed.
+    pub reason: String,
+}
+
+impl Journey {
+    /// Checks that the journey can be flown in this scene, from `from` seconds after its beginning
+    /// on: at each keyframe, then at moments in between. `possible` says whether a scene can be
+    /// drawn.
+    ///
+    /// # ErrorSummary
+    /// The first keyframe that is refused, or else the first such moment.
+    pub fn check<T, E: Display>(
+        &self,
+        scene: &Scene,
+        from: f64,
+        possible: impl Fn(Scene) -> Result<T, E>,
+    ) -> Result<(), Unflyable> {
+        let possible = |scene: Scene| possible(scene).map_err(|reason| reason.to_string());
+        let refusal = |time: f64| {
+            let mut there = scene.clone();
+            self.apply(time - self.times[0], &mut there);
+            let reason = possible(there.clone()).err()?;
+            there.camera.r = rounded(there.camera.r);
+            Some(possible(there).err().unwrap_or(reason))
+        };
+        let ahead = |time: &f64| *time - self.times[0] >= from;
+        for (index, &time) in self
+            .times
+            .iter()
+            .enumerate()
+            .filter(|(_, time)| ahead(time))
+        {
+            if let Some(reason) = refusal(time) {
+                return Err(Unflyable {
+                    place: format!("keyframe {} (time = {time})", index + 1),
+                    reason,
+                });
+            }
+        }
+        for (index, pair) in self.times.windows(2).enumerate() {
+            let (start, end) = (pair[0], pair[1]);
+            // The last one is just before the next keyframe, where the observer may change.
+            let inner =
+                (1..MOMENTS).map(|i| start + (end - start) * f64::from(i) / f64::from(MOMENTS));
+            for moment in inner.chain([end.next_down()]).filter(ahead) {
+                if let Some(reason) = refusal(moment) {
+                    let [number, next] = [index + 1, index + 2];
+                    let time = rounded(moment);
+                    return Err(Unflyable {
+                        place: format!("between keyframes {number} and {next} (time = {time})"),
+                        reason,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A number with [`DIGITS`] digits.
+fn rounded(number: f64) -> f64 {
+    let scale = 10.0_f64.powi(DIGITS - 1 - number.abs().log10().floor() as i32);
+    (number * scale).round() / scale
+}

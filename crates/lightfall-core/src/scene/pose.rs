@@ -1,0 +1,50 @@
+//! From where a camera is and how it is turned back to the fields of a preset.
+
+use super::Camera;
+use glam::{DMat3, DVec3};
+
+impl Camera {
+    /// Puts the camera at `position` (hole's frame, r_s) with the axes right, up, forward as the
+    /// columns of `world_from_camera`. The inverse of [`Camera::direction`], [`Camera::tetrad`] and
+    /// [`Camera::tetrad_from_camera`]; at the poles and looking straight up, where angles are not
+    /// unique, any that give the same axes.
+    pub fn set_pose(&mut self, position: DVec3, world_from_camera: DMat3) {
+        self.r = position.length();
+        self.theta_deg = position.truncate().length().atan2(position.z).to_degrees();
+        // On the axis every azimuth is the same place: the one the camera had keeps its axes.
+        if position.x != 0.0 || position.y != 0.0 {
+            self.phi_deg = position.y.atan2(position.x).to_degrees();
+        }
+        self.set_turns(self.tetrad().transpose() * world_from_camera);
+    }
+
+    /// Turns the camera such that its axes right, up, forward on the observer's axes are these
+    /// columns. The inverse of [`Camera::tetrad_from_camera`].
+    pub fn set_turns(&mut self, tetrad_from_camera: DMat3) {
+        // In the axes of a camera that looks at the hole: right is growing phi, up is decreasing
+        // theta.
+        let level = |axis: DVec3| DVec3::new(axis.z, -axis.y, -axis.x);
+        let (forward, up) = (
+            level(tetrad_from_camera.z_axis),
+            level(tetrad_from_camera.y_axis),
+        );
+        let level_length = forward.x.hypot(forward.z);
+        // Straight up or down the yaw is free; none leaves the whole turn to the roll.
+        let yaw = if level_length > 1e-12 {
+            forward.x.atan2(forward.z)
+        } else {
+            0.0
+        };
+        let pitch = forward.y.atan2(level_length);
+        let unrolled_right = DVec3::new(yaw.cos(), 0.0, -yaw.sin());
+        let unrolled_up = DVec3::new(
+            -pitch.sin() * yaw.sin(),
+            pitch.cos(),
+            -pitch.sin() * yaw.cos(),
+        );
+        let roll = up.dot(unrolled_right).atan2(up.dot(unrolled_up));
+        self.yaw_deg = yaw.to_degrees();
+        self.pitch_deg = pitch.to_degrees();
+        self.roll_deg = roll.to_degrees();
+    }
+}

@@ -1,0 +1,45 @@
+//! Which adapter is used where one is preferred.
+
+use lightfall_core::gpu::{AdapterName, Gpu, adapters, chosen, named_by_environment, prefer};
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn a_preferred_adapter_is_used_if_it_is_there_and_the_best_one_if_not() {
+    if named_by_environment().is_some() {
+        return;
+    }
+    let best = Gpu::headless().unwrap().info;
+    let without = chosen();
+    assert_eq!(without.1, None);
+    // The last of the list, which the best one seldom is; other tests of this program have their
+    // device already.
+    let last = adapters().pop().unwrap();
+    prefer(Some(last.name.clone()));
+    let (told, opened) = (chosen(), Gpu::headless().unwrap().info);
+    prefer(Some(AdapterName {
+        name: "A card that was taken out".into(),
+        backend: "vulkan".into(),
+    }));
+    let (told_without, opened_without) = (chosen(), Gpu::headless().unwrap().info);
+    // One of the right name through another interface is another one.
+    prefer(Some(AdapterName {
+        backend: "noop".into(),
+        ..last.name.clone()
+    }));
+    let told_other = chosen();
+    prefer(None);
+    assert_eq!(told.1.as_ref(), Some(&last.name.name));
+    assert_eq!(told.0, wgpu::Backends::from(opened.backend));
+    assert_eq!(AdapterName::of(&opened), last.name);
+    assert_eq!((told_without, told_other), (without.clone(), without));
+    assert_eq!(AdapterName::of(&opened_without), AdapterName::of(&best));
+    // As `lightfall --list-gpus` prints it.
+    let line = last.to_string();
+    assert!(
+        line.starts_with(&format!(
+            "{} ({}, {}, ",
+            last.name.name, last.kind, last.name.backend
+        )),
+        "{line}"
+    );
+}

@@ -1,0 +1,29 @@
+//! What a picture's shader makes of something given, as numbers.
+
+use glam::Vec4;
+use lightfall_core::gpu::Gpu;
+use lightfall_core::gpu::kernel::Kernel;
+
+/// The value of `expression`, WGSL for a `vec4<f32>` made of the `vec4<f32>` called `given`, for
+/// each of these. `uniforms` are those of the shader, by binding.
+pub fn light_from(
+    gpu: &Gpu,
+    shader: &str,
+    expression: &str,
+    uniforms: &[(u32, Vec<u8>)],
+    given: impl IntoIterator<Item = Vec4>,
+) -> Vec<Vec4> {
+    let entry = "@group(0) @binding(2) var<storage, read> all_given: array<vec4<f32>>;
+        @group(0) @binding(3) var<storage, read_write> lights: array<vec4<f32>>;
+        @compute @workgroup_size(64) fn light_from(@builtin(global_invocation_id) id: vec3<u32>) {
+            if id.x < arrayLength(&all_given) {
+                let given = all_given[id.x];
+                lights[id.x] = EXPRESSION;
+            }
+        }";
+    let source = shader.to_owned() + &entry.replace("EXPRESSION", expression);
+    let kernel = Kernel::new(gpu, &source, "light_from", uniforms).unwrap();
+    kernel
+        .run(gpu, &given.into_iter().collect::<Vec<_>>())
+        .unwrap()
+}

@@ -1,0 +1,88 @@
+//! The shaders, run on whatever adapter there is. Tests that need one are ignored unless they are
+//! asked for (`--include-ignored`).
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
+mod adapter;
+mod camera;
+mod choice;
+mod closed;
+mod disk;
+mod effects;
+mod elementary;
+mod elliptic;
+mod error_map;
+mod inside;
+mod kerr_schild;
+mod layout;
+mod light;
+mod mino;
+mod observers;
+mod omissions;
+mod refusals;
+mod report;
+mod shaders;
+mod sky;
+mod spectrum;
+mod verlet;
+mod views;
+
+use adapter::gpu;
+use glam::DVec3;
+use lightfall_core::scene::{Method, Scene};
+
+/// WGSL for [`light::light_from`]: the light that comes from a direction on the observer's axes.
+const ALONG: &str = "vec4<f32>(light_along(photon_from(given.xyz)), 0.0)";
+
+/// A scene with nothing but the hole and a static camera at `r`, traced by the article's method in
+/// balanced quality.
+fn bare_hole(r: f64) -> Scene {
+    let mut scene = Scene {
+        method: Method::Verlet,
+        ..Scene::default()
+    };
+    scene.camera.r = r;
+    scene.camera.theta_deg = 80.2;
+    scene.camera.phi_deg = 25.0;
+    scene.disk.enabled = false;
+    scene
+}
+
+/// The view of the edge-on preset, as the article's measurements have it: 20 r_s, 9.8 degrees above
+/// the disk.
+fn edge_on() -> Scene {
+    let mut scene = bare_hole(20.0);
+    scene.disk.enabled = true;
+    scene
+}
+
+/// Directions on the observer's axes through the centres of a grid of `columns` x `rows` pixels.
+fn pixel_directions(scene: &Scene, columns: u32, rows: u32) -> Vec<DVec3> {
+    let tan_half = (scene.camera.fov_deg.to_radians() / 2.0).tan();
+    let aspect = f64::from(columns) / f64::from(rows);
+    let across = |i: u32, count: u32| (2.0 * f64::from(i) + 1.0) / f64::from(count) - 1.0;
+    let pixels =
+        (0..rows).flat_map(|y| (0..columns).map(move |x| (across(x, columns), -across(y, rows))));
+    pixels
+        .map(|(x, y)| {
+            let direction = DVec3::new(x * aspect * tan_half, y * tan_half, 1.0).normalize();
+            scene.camera.tetrad_from_camera() * direction
+        })
+        .collect()
+}
+
+/// The direction, on the observer's axes, at an angle `alpha` from the hole's centre, toward
+/// growing phi.
+fn beside_the_hole(alpha: f64) -> DVec3 {
+    DVec3::new(-alpha.cos(), 0.0, alpha.sin())
+}
+
+/// The middle of a list of numbers, and the value that `share` of them do not exceed.
+fn median(values: &[f64]) -> f64 {
+    quantile(values, 0.5)
+}
+
+fn quantile(values: &[f64], share: f64) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted[((sorted.len() - 1) as f64 * share).round() as usize]
+}

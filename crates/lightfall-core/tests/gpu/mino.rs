@@ -1,0 +1,358 @@
+//! Method mino: Kerr's rays on the GPU against the f64 reference, published values and symmetries.
+
+use crate::{bare_hole, beside_the_hole, gpu, median, pixel_directions, quantile};
+use glam::DVec3;
+use lightfall_core::gpu::rays;
+use lightfall_core::optics::reference::Reference;
+use lightfall_core::optics::trace::{Outcome, Trace};
+use lightfall_core::scene::{Method, ObserverKind, Scene};
+
+fn spinning_hole(spin: f64, r: f64, theta_deg: f64) -> Scene {
+    let mut scene = bare_hole(r);
+    scene.method = Method::Mino;
+    scene.hole.spin = spin;
+    scene.camera.theta_deg = theta_deg;
+    scene.observer.kind = ObserverKind::Zamo;
+    scene.disk.enabled = true;
+    scene
+}
+
+/// Directions all over the sphere, denser toward the hole. As f32 has them, so that the truth is
+/// asked for the same ray.
+fn spiral(count: u32) -> Vec<DVec3> {
+    let direction = |i: u32| {
+        let share = (f64::from(i) + 0.5) / f64::from(count);
+        let inward = 1.0 - 2.0 * share * share;
+        let (sin, cos) = (2.399_963 * f64::from(i)).sin_cos();
+        let across = (1.0 - inward * inward).sqrt();
+        DVec3::new(-inward, across * cos, across * sin)
+            .as_vec3()
+            .as_dvec3()
+    };
+    (0..count).map(direction).collect()
+}
+
+/// The direction at which the reference's rays, turned from the hole's centre by growing angles
+/// toward growing phi times `side`, cease to be captured.
+fn edge(reference: &Reference, side: f64) -> f64 {
+    let captured = |alpha: f64| {
+        reference
+            .trace(beside_the_hole(alpha) * DVec3::new(1.0, 1.0, side))
+            .outcome
+            == Outcome::Captured
+    };
+    let (mut low, mut high) = (0.0, 0.0);
+    while captured(high) {
+        (low, high) = (high, 1.3 * high + 1e-4);
+    }
+    while high - low > 1e-13 {
+        let middle = 0.5 * (low + high);
+        if captured(middle) {
+            low = middle
+        } else {
+            high = middle
+        }
+    }
+    high
+}
+
+/// Spin, camera.r and camera.theta_deg; the first is deep in the ergosphere.
+const PLACES: [(f64, f64, f64); 9] = [
+    (0.9, 0.8, 80.0),
+    (0.0, 20.0, 80.0),
+    (0.5, 2.0, 10.0),
+    (0.9, 5.0, 60.0),
+    (-0.9, 20.0, 89.0),
+    (0.998, 2.0, 0.0),
+    (0.998, 1000.0, 60.0),
+    (0.9999, 5.0, 90.0),
+    (-0.9999, 20.0, 75.0),
+];
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn every_ray_ends_as_the_reference_says_and_no_number_is_lost() {
+    let gpu = gpu();
+    for (spin, r, theta) in PLACES {
+        let scene = spinning_hole(spin, r, theta);
+        let reference = Reference::new(&scene).unwrap();
+        // Both sides of the shadow's edge, 3e-6 rad and farther: the method must be right from 2e-6
+        // on at the default setting.
+        let beside = [-1.0, 1.0].into_iter().flat_map(|side| {
+            let edge = edge(&reference, side);
+            (0..40).map(move |i| {
+                let distance = 3e-6 * 1.3_f64.powi(i / 2) * if i % 2 == 0 { 1.0 } else { -1.0 };
+                beside_the_hole(edge + distance) * DVec3::new(1.0, 1.0, side)
+            })
+        });
+        let directions: Vec<DVec3> = spiral(400)
+            .into_iter()
+            .chain(beside.filter(|d| d.x < 0.0))
+            .collect();
+        for (direction, record) in directions
+            .iter()
+            .zip(rays::records(gpu, &scene, &directions).unwrap())
+        {
+            let expected = reference.trace(*direction);
+            let found = Trace::from(&record);
+            assert_eq!(
+                found.outcome, expected.outcome,
+                "spin {spin}, r {r}, theta {theta}, {direction}"
+            );
+            let finite = record.sky.is_finite() && record.residual.is_finite();
+            assert!(
+                finite
+                    && record
+                        .hits
+                        .iter()
+                        .all(|hit| hit.position.is_finite() && hit.g.is_finite())
+            );
+        }
+    }
+}
+
+/// At 1e-5 of its distance from the hole's centre to either side of the shadow's edge, at the
+/// default setting and however small the shadow is. tests/physics checks the reference's edge
+/// against published values.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_shadow_has_its_size_to_five_digits() {
+    let gpu = gpu();
+    for (spin, r, theta) in [
+        (0.5, 20.0, 90.0),
+        (0.9, 1000.0, 60.0),
+        (0.998, 1000.0, 17.0),
+        (-0.94, 100.0, 89.0),
+    ] {
+        let scene = spinning_hole(spin, r, theta);
+        let reference = Reference::new(&scene).unwrap();
+        for side in [-1.0, 1.0] {
+            let edge = edge(&reference, side);
+            let at = |alpha: f64| beside_the_hole(alpha) * DVec3::new(1.0, 1.0, side);
+            let pair = [at(edge * (1.0 - 1e-5)), at(edge * (1.0 + 1e-5))];
+            let found: Vec<Outcome> = rays::trace(gpu, &scene, &pair)
+                .unwrap()
+                .iter()
+                .map(|ray| ray.outcome)
+                .collect();
+            assert_eq!(
+                found,
+                [Outcome::Captured, Outcome::Sky],
+                "spin {spin}, r {r}, theta {theta}, side {side}"
+            );
+        }
+    }
+}
+
+/// Away from the shadow's edge a ray's error is f32's rounding and the step's own error, which at
+/// the tightest setting is below it: some 1e-7 rad, times the growth of a ray that turns by pi or
+/// so. Measured: medians of 1e-7 to 5e-7, and 1.2e-6 in the ergosphere, where small turns of a ray
+/// are large in the sky.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn sky_and_hits_are_the_references() {
+    let gpu = gpu();
+    for (spin, r, theta) in PLACES {
+        let mut scene = spinning_hole(spin, r, theta);
+        scene.quality.max_error_px = 1e-4;
+        let reference = Reference::new(&scene).unwrap();
+        let directions = spiral(1000);
+        let (mut sky, mut radius, mut g, mut azimuth) = (vec![], vec![], vec![], vec![]);
+        for (direction, found) in directions
+            .iter()
+            .zip(rays::trace(gpu, &scene, &directions).unwrap())
+        {
+            let expected = reference.trace(*direction);
+            if let (Some(found), Some(expected)) = (found.sky, expected.sky) {
+                sky.push((found - expected).length());
+            }
+            for (found, expected) in found.hits.iter().zip(expected.hits) {
+                let (Some(found), Some(expected)) = (found, expected) else {
+                    continue;
+                };
+                radius.push((found.r / expected.r - 1.0).abs());
+                g.push((found.g / expected.g - 1.0).abs());
+                azimuth.push((found.phi - expected.phi).sin().abs());
+            }
+        }
+        let place = format!("spin {spin}, r {r}, theta {theta}");
+        assert!(
+            median(&sky) < 2e-6 && quantile(&sky, 0.9) < 2e-5,
+            "{place}: sky {:e}",
+            median(&sky)
+        );
+        if radius.len() > 50 {
+            for (what, errors) in [("r", &radius), ("g", &g), ("phi", &azimuth)] {
+                assert!(
+                    median(errors) < 3e-6,
+                    "{place}: {what} {:e}",
+                    median(errors)
+                );
+            }
+        }
+    }
+}
+
+/// At the default the shadow's edge decides the step, at the tightest setting f32 does, and at the
+/// loosest a pixel.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn a_shorter_step_is_taken_where_a_smaller_error_is_asked_for() {
+    let gpu = gpu();
+    let mut scene = spinning_hole(0.9, 20.0, 80.0);
+    let directions = spiral(50);
+    let mut steps_at = |max_error_px: f64| {
+        scene.quality.max_error_px = max_error_px;
+        rays::records(gpu, &scene, &directions)
+            .unwrap()
+            .iter()
+            .map(|record| record.steps)
+            .sum::<u32>()
+    };
+    let steps = [1.0, 0.05, 1e-4].map(&mut steps_at);
+    // In the measure of the steps' lengths, 0.91, 0.53 and 0.25, less what a ray's last step has
+    // too much.
+    assert!(
+        10 * steps[1] > 13 * steps[0],
+        "{steps:?} steps, from the loosest setting to the tightest"
+    );
+    assert!(
+        10 * steps[2] > 15 * steps[1],
+        "{steps:?} steps, from the loosest setting to the tightest"
+    );
+}
+
+/// A hole mirrored in a plane through its axis turns the other way. Drivers may round the two
+/// differently: the bound is that of rounding, grown on the way round the hole.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_mirrored_hole_shows_the_mirrored_sky() {
+    let gpu = gpu();
+    let mut scene = spinning_hole(0.9, 10.0, 70.0);
+    scene.camera.phi_deg = 0.0;
+    scene.disk.enabled = false;
+    let mirror = DVec3::new(1.0, -1.0, 1.0);
+    let directions = spiral(500);
+    let mirrored: Vec<DVec3> = directions
+        .iter()
+        .map(|d| *d * DVec3::new(1.0, 1.0, -1.0))
+        .collect();
+    let one = rays::trace(gpu, &scene, &directions).unwrap();
+    scene.hole.spin = -0.9;
+    let other = rays::trace(gpu, &scene, &mirrored).unwrap();
+    let mut errors = vec![];
+    for (one, other) in one.iter().zip(&other) {
+        assert_eq!(one.outcome, other.outcome);
+        if let (Some(one), Some(other)) = (one.sky, other.sky) {
+            errors.push((one - other * mirror).length());
+        }
+    }
+    assert!(
+        errors.len() > 200 && quantile(&errors, 0.9) < 1e-5,
+        "{:e}",
+        quantile(&errors, 0.9)
+    );
+}
+
+/// chi, inclination, alpha, beta, then x and y of the first crossing of the plane, lengths in M,
+/// for an observer at 1000 M: kgeo's table, which agrees with ipole, to six digits.
+const CROSSINGS: [[f64; 6]; 8] = [
+    [0.42, 60.0, -17.0, 0.0, -0.052_233_6, -16.034_2],
+    [0.42, 60.0, -9.0, 0.0, -0.103_693, -8.097_84],
+    [0.42, 60.0, -4.0, 0.0, -0.308_159, -3.204_45],
+    [0.42, 60.0, 8.0, 0.0, 0.129_720, 6.948_29],
+    [0.9, 10.0, -12.0, 0.0, -0.164_094, -11.008_2],
+    [0.9, 10.0, -4.0, 0.0, -0.655_582, -2.995_58],
+    [0.73, 35.0, 0.0001, -10.0, 11.825_8, -0.085_877_5],
+    [0.73, 35.0, 0.0001, 4.0, -2.112_21, 1.023_22],
+];
+
+/// The direction, on a zero-angular-momentum observer's axes, in which light of E = 1 with these
+/// constants arrives: p_theta = beta' and p_phi = -alpha sin(theta), Bardeen 1973, over the energy
+/// that the observer measures.
+fn looking_direction(scene: &Scene, alpha: f64, beta: f64) -> DVec3 {
+    let kerr = lightfall_core::geometry::kerr::Kerr {
+        spin: scene.hole.spin,
+    };
+    let (a, r, (sin, cos)) = (
+        kerr.a(),
+        scene.camera.r,
+        scene.camera.theta_deg.to_radians().sin_cos(),
+    );
+    let (sigma, delta) = (kerr.sigma(r, cos), kerr.delta(r));
+    let area = sigma * (r * r + a * a) + r * (a * sin).powi(2);
+    let lambda = -alpha * sin;
+    let energy = (area / (sigma * delta)).sqrt() * (1.0 - a * r / area * lambda);
+    // Looking is against the photon's motion; it moves outward at the camera.
+    let theta = -beta / sigma.sqrt() / energy;
+    let phi = -lambda / sin * (sigma / area).sqrt() / energy;
+    DVec3::new(-(1.0 - theta * theta - phi * phi).sqrt(), theta, phi)
+}
+
+/// Six printed digits; from 500 r_s, f32's rounding of the direction moves a hit by 6e-8 of its
+/// radius times dr/db, of the order of one here. At the tightest setting: at the default one, an
+/// error of 0.05 pixel would show from so far.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn light_crosses_the_plane_where_other_codes_say() {
+    let gpu = gpu();
+    for [chi, inclination, alpha, beta, x, y] in CROSSINGS {
+        let mut scene = spinning_hole(chi, 500.0, inclination);
+        scene.camera.phi_deg = 0.0;
+        (scene.disk.inner, scene.disk.outer) = (0.5, 100.0);
+        scene.quality.max_error_px = 1e-4;
+        // Their rays cross the plane inside the innermost stable orbit too: there the disk is that
+        // of a fast hole.
+        let direction = looking_direction(&scene, alpha / 2.0, beta / 2.0);
+        let hit = rays::trace(gpu, &scene, &[direction]).unwrap()[0].hits[0];
+        let inside = x.hypot(y) / 2.0 < lightfall_core::optics::disk::inner_edge(&scene);
+        assert_eq!(
+            hit.is_none(),
+            inside,
+            "chi {chi}, alpha {alpha}, beta {beta}"
+        );
+        let Some(hit) = hit else { continue };
+        let error = (hit.r * hit.phi.cos() - x / 2.0).hypot(hit.r * hit.phi.sin() - y / 2.0);
+        assert!(
+            error < 5e-6 * hit.r.max(1.0),
+            "chi {chi}, alpha {alpha}, beta {beta}: {error:e}"
+        );
+    }
+}
+
+/// What a picture's rays see, pixel by pixel: the error in pixels is what the setting allows, and
+/// less.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn a_picture_is_right_to_the_part_of_a_pixel_that_is_asked_for() {
+    let gpu = gpu();
+    let mut scene = spinning_hole(0.9, 20.0, 80.0);
+    let reference = Reference::new(&scene).unwrap();
+    let directions: Vec<DVec3> = pixel_directions(&scene, 64, 36)
+        .iter()
+        .map(|d| d.as_vec3().as_dvec3())
+        .collect();
+    let truths: Vec<Trace> = directions
+        .iter()
+        .map(|direction| reference.trace(*direction))
+        .collect();
+    let pixel =
+        2.0 * (scene.camera.fov_deg.to_radians() / 2.0).tan() / f64::from(scene.picture.height);
+    for max_error_px in [0.05, 1.0] {
+        scene.quality.max_error_px = max_error_px;
+        let found = rays::trace(gpu, &scene, &directions).unwrap();
+        let skies = truths
+            .iter()
+            .zip(&found)
+            .filter_map(|(truth, found)| truth.sky.zip(found.sky));
+        let errors: Vec<f64> = skies
+            .map(|(truth, found)| (found - truth).length())
+            .collect();
+        let worst = quantile(&errors, 0.95) / pixel;
+        println!("{max_error_px} px: {worst:e}");
+        assert!(
+            worst < max_error_px,
+            "{worst:e} pixels where {max_error_px} are allowed"
+        );
+    }
+}

@@ -1,0 +1,233 @@
+//! The measure of errors, measured: answers that are wrong by a known turn must be found to be
+//! wrong by just that.
+
+use glam::{DQuat, DVec3};
+use lightfall_core::accuracy::{
+    ErrorSummary, Quantiles, Ray, Truth, critical, everywhere, on_picture,
+};
+use lightfall_core::optics::reference::Reference;
+use lightfall_core::optics::trace::{Outcome, Trace};
+use lightfall_core::scene::Scene;
+
+fn scene(spin: f64) -> Scene {
+    let mut scene = Scene::default();
+    scene.hole.spin = spin;
+    (scene.camera.r, scene.camera.theta_deg) = (12.0, 70.0);
+    scene
+}
+
+/// What the reference says of the rays of `truth` turned by `angle` about axes that differ from ray
+/// to ray.
+fn answers_to_turned_rays(scene: &Scene, truth: &Truth, angle: f64) -> Vec<Trace> {
+    let reference = Reference::new(scene).expect("a static observer outside the horizon");
+    let axes = scene.camera.tetrad_from_camera();
+    let turned = |(i, direction): (usize, DVec3)| {
+        let aside = direction.any_orthonormal_vector();
+        let axis = DQuat::from_axis_angle(direction, i as f64) * aside;
+        reference.trace(axes * (DQuat::from_axis_angle(axis, angle) * direction))
+    };
+    truth
+        .rays
+        .iter()
+        .map(|ray| ray.direction())
+        .enumerate()
+        .map(turned)
+        .collect()
+}
+
+#[test]
+fn a_known_turn_of_every_ray_is_found_to_within_the_factor_of_two_that_the_mixed_error_allows() {
+    for spin in [0.0, 0.9] {
+        let scene = scene(spin);
+        let mut rays = on_picture(&scene, 200);
+        rays.extend(critical(&scene, 200, [1e-4, 0.3]));
+        let truth = Truth::of(&scene, rays).expect("a static observer");
+        for angle in [1e-9, 1e-7, 1e-6] {
+            let errors = truth.judge(&answers_to_turned_rays(&scene, &truth, angle));
+            let seen = truth
+                .traces
+                .iter()
+                .zip(&errors)
+                .filter(|(truth, _)| truth.sky.is_some());
+            // A hundredth more for what Newton's method leaves; next to a caustic a smaller turn
+            // explains as much.
+            let seen: Vec<f64> = seen
+                .filter(|(_, error)| !error.misclassified)
+                .map(|(_, error)| error.backward)
+                .collect();
+            assert!(seen.len() > 200, "{} rays see the sky", seen.len());
+            let quantiles = Quantiles::of(seen.iter().copied());
+            println!("chi {spin}, {angle:e}: {quantiles:?}");
+            assert!(
+                quantiles.p99 <= 1.01 * angle,
+                "chi {spin}: a turn of {angle:e} was found to be {:e}",
+                quantiles.p99
+            );
+            // Near an edge the shortest explanation is sought by logarithms of distances, and may
+            // be missed by that much.
+            assert!(
+                quantiles.max <= 1.5 * angle,
+                "chi {spin}: a turn of {angle:e} was found to be {:e}",
+                quantiles.max
+            );
+            assert!(
+                quantiles.p50 >= 0.5 * angle,
+                "chi {spin}: a turn of {angle:e} was found to be {:e}",
+                quantiles.p50
+            );
+        }
+    }
+}
+
+/// Next to a fast hole an e-fold of the distance to the edge is hundreds of radians of azimuth, so
+/// that an answer tells of the ray's turns only what is left of them.
+#[test]
+fn a_known_turn_is_found_where_rays_wind_many_times() {
+    for (spin, r) in [(0.999, 12.0), (0.99999, 30.0), (-0.999_999, 1000.0)] {
+        let mut scene = scene(spin);
+        scene.camera.r = r;
+        scene.disk.enabled = false;
+        let truth =
+            Truth::of(&scene, critical(&scene, 64, [1e-5, 0.1])).expect("a static observer");
+        let reference = Reference::new(&scene).expect("a static observer");
+        let axes = scene.camera.tetrad_from_camera();
+        let turned = |(i, ray): (usize, &Ray)| {
+            let (direction, edge) = (
+                ray.direction(),
+                ray.distance_to_edge()
+                    .expect("critical rays know their edge"),
+            );
+            let axis =
+                DQuat::from_axis_angle(direction, i as f64) * direction.any_orthonormal_vector();
+            reference.trace(axes * (DQuat::from_axis_angle(axis, 0.3 * edge.abs()) * direction))
+        };
+        let given: Vec<Trace> = truth.rays.iter().enumerate().map(turned).collect();
+        let errors = truth.judge(&given);
+        let seen = truth
+            .rays
+            .iter()
+            .zip(&errors)
+            .filter(|(_, error)| error.sky.is_some() && !error.misclassified);
+        let shares = seen.map(|(ray, error)| {
+            error.backward / (0.3 * ray.distance_to_edge().unwrap_or(0.0).abs())
+        });
+        let quantiles = Quantiles::of(shares);
+        println!("chi {spin}: {quantiles:?}");
+        // The turn is found, or a shorter one that explains as much; at worst the distance to the
+        // edge, which is 1/0.3 of it.
+        assert!(
+            quantiles.count > 20 && quantiles.p50 < 1.01,
+            "chi {spin}: {quantiles:?}"
+        );
+        assert!(quantiles.max < 1.01 / 0.3, "chi {spin}: {quantiles:?}");
+    }
+}
+
+#[test]
+fn a_ray_on_the_wrong_side_of_the_edge_is_off_by_its_distance_from_it() {
+    // Without a disk, whose edges are boundaries of the class, too.
+    let mut scene = scene(0.5);
+    scene.disk.enabled = false;
+    let truth = Truth::of(&scene, critical(&scene, 64, [1e-3, 1e-2])).expect("a static observer");
+    // The nearest ray on the other side, as another method might answer.
+    let reference = Reference::new(&scene).expect("a static observer");
+    let axes = scene.camera.tetrad_from_camera();
+    let shadow_centre = DVec3::Z;
+    let mut compared = 0;
+    for (ray, trace) in truth.rays.iter().zip(&truth.traces) {
+        let distance = ray
+            .distance_to_edge()
+            .expect("critical rays know their edge");
+        assert_eq!(
+            trace.outcome == Outcome::Sky,
+            distance > 0.0,
+            "beyond the edge, and only there, is the sky"
+        );
+        let axis = ray.direction().cross(shadow_centre).normalize();
+        let across =
+            DQuat::from_axis_angle(axis, distance + 0.2 * distance.abs() * distance.signum())
+                * ray.direction();
+        let given = reference.trace(axes * across);
+        if given.outcome == trace.outcome {
+            continue;
+        }
+        compared += 1;
+        let one = Truth::of(&scene, vec![*ray]).expect("a static observer");
+        let [error] = one.judge(&[given])[..] else {
+            panic!("one answer for one ray")
+        };
+        assert!(error.misclassified);
+        // Eight spokes miss the shortest way by 1/cos(22.5 deg) at most, and rings of a factor
+        // three are bisected to 1 %.
+        let ratio = error.backward / distance.abs();
+        assert!(
+            (0.9..1.3).contains(&ratio),
+            "{ratio} times the distance {distance:e}"
+        );
+    }
+    assert!(compared > 30, "{compared} rays were compared");
+}
+
+#[test]
+fn perfect_answers_have_no_error_and_missing_ones_an_infinite_one() {
+    let scene = scene(0.9);
+    let truth = Truth::of(&scene, everywhere(200)).expect("a static observer");
+    let perfect = ErrorSummary::of(&truth, &truth.traces);
+    assert_eq!((perfect.misclassified, perfect.unfinished()), (0, 0));
+    // A direction's own rounding in f64.
+    assert!(perfect.backward.max < 1e-15, "{:e}", perfect.backward.max);
+    let mut given = truth.traces.clone();
+    let given_up = Trace {
+        outcome: Outcome::Unfinished,
+        sky: None,
+        hits: [None; 2],
+        ..given[0]
+    };
+    given[..10].fill(given_up);
+    let errors = ErrorSummary::of(&truth, &given);
+    assert_eq!((errors.unfinished(), errors.misclassified), (10, 0));
+    assert_eq!(errors.backward.max, f64::INFINITY);
+    // Ten of at most 200 are more than one in a hundred.
+    assert_eq!(errors.backward.p99, f64::INFINITY);
+}
+
+#[test]
+fn quantiles_are_values_of_the_set_and_what_is_no_number_is_the_worst() {
+    let quantiles = Quantiles::of((1..=200).map(f64::from));
+    assert_eq!(
+        (quantiles.count, quantiles.p50, quantiles.p99, quantiles.max),
+        (200, 100.0, 198.0, 200.0)
+    );
+    assert_eq!(
+        Quantiles::of([1.0, f64::NAN].into_iter()).max,
+        f64::INFINITY
+    );
+    assert!(Quantiles::of(std::iter::empty()).max.is_nan());
+}
+
+/// Next to an almost extremal hole a hundredth of the distance to the edge is an orbit, so a small
+/// turn is many of them away.
+#[test]
+fn a_known_turn_is_found_where_it_is_many_orbits_of_a_fast_hole() {
+    let scene = scene(0.99999);
+    let truth = Truth::of(&scene, critical(&scene, 64, [1e-5, 1e-3])).expect("a static observer");
+    let angle = 1e-7;
+    let errors = truth.judge(&answers_to_turned_rays(&scene, &truth, angle));
+    let seen = truth
+        .traces
+        .iter()
+        .zip(&errors)
+        .filter(|(truth, error)| truth.sky.is_some() && !error.misclassified);
+    let (mut far, mut worst) = (0, 0.0);
+    for (_, error) in seen {
+        far += usize::from(error.sky.is_some_and(|sky| sky > 0.1));
+        worst = f64::max(worst, error.backward);
+    }
+    assert!(far > 5, "{far} of the answers are far off");
+    // Every turn found is one that explains the answer, but the shortest may hide between two
+    // orbits: 7 times at most.
+    assert!(
+        worst <= 10.0 * angle,
+        "a turn of {angle:e} was found to be {worst:e}"
+    );
+}

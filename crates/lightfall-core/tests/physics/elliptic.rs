@@ -1,0 +1,45 @@
+use crate::assert_close;
+use lightfall_core::geometry::elliptic::carlson_rf;
+
+/// Against the `ellip` crate, a code of other authors; 1e-14 is some fifty roundings.
+#[test]
+fn carlson_rf_agrees_with_another_implementation() {
+    let values = [1e-12, 1e-3, 0.2, 1.0, 3.7, 50.0, 1e9];
+    for x in [0.0].into_iter().chain(values) {
+        for y in values {
+            for z in values {
+                let expected = ellip::elliprf(x, y, z).unwrap();
+                assert_close(
+                    format_args!("R_F({x}, {y}, {z})"),
+                    carlson_rf(x, y, z),
+                    expected,
+                    1e-14,
+                );
+            }
+        }
+    }
+}
+
+/// DLMF 19.20.1: R_F(x, x, x) = 1/sqrt(x), and Carlson's lemniscatic value R_F(0, 1, 2).
+#[test]
+fn carlson_rf_has_its_special_values() {
+    assert_close("R_F(4, 4, 4)", carlson_rf(4.0, 4.0, 4.0), 0.5, 1e-15);
+    assert_close(
+        "R_F(0, 1, 2)",
+        carlson_rf(0.0, 1.0, 2.0),
+        1.311_028_777_146_059_9,
+        1e-15,
+    );
+}
+
+#[test]
+fn carlson_rf_refuses_what_has_no_value() {
+    for [x, y, z] in [
+        [-1.0, 1.0, 1.0],
+        [0.0, 0.0, 1.0],
+        [f64::NAN, 1.0, 1.0],
+        [1.0, f64::INFINITY, 1.0],
+    ] {
+        assert!(carlson_rf(x, y, z).is_nan(), "R_F({x}, {y}, {z})");
+    }
+}

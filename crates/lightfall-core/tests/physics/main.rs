@@ -1,0 +1,51 @@
+//! The physics against independent truth: closed forms, published values, identities, and a code of
+//! another kind.
+#![allow(clippy::unwrap_used, reason = "a failed unwrap is a failed test")]
+
+mod accuracy;
+mod disk;
+mod effects;
+mod elliptic;
+mod inside;
+mod kerr;
+mod kerr_schild;
+mod mino;
+mod observer;
+mod path;
+mod readout;
+mod reference;
+mod schwarzschild;
+mod shadow_edge;
+mod spectrum;
+mod thrown;
+mod timelike;
+
+/// Asserts that `found` is `expected` within `relative` of it.
+#[track_caller]
+fn assert_close(what: impl std::fmt::Display, found: f64, expected: f64, relative: f64) {
+    let error = (found - expected).abs();
+    assert!(
+        error <= relative * expected.abs(),
+        "{what}: found {found}, expected {expected}, off by {error:e}"
+    );
+}
+
+/// Where `inside` changes from true to false between `low` (true) and `high` (false), to the last
+/// bit.
+fn bisect(mut low: f64, mut high: f64, inside: impl Fn(f64) -> bool) -> f64 {
+    assert!(
+        inside(low) && !inside(high),
+        "no change between {low} and {high}"
+    );
+    loop {
+        let middle = 0.5 * (low + high);
+        if middle <= low.min(high) || middle >= low.max(high) {
+            return middle;
+        }
+        if inside(middle) {
+            low = middle
+        } else {
+            high = middle
+        }
+    }
+}

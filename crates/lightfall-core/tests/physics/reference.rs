@@ -1,0 +1,372 @@
+use crate::schwarzschild::SHADOW;
+use crate::{assert_close, bisect};
+use glam::{DMat3, DVec2, DVec3};
+use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::geometry::observer::observer_matrix;
+use lightfall_core::geometry::schwarzschild::{
+    deflection, shadow_half_angle_rain, shadow_half_angle_static,
+};
+use lightfall_core::optics::reference::Reference;
+use lightfall_core::optics::trace::{Outcome, Trace};
+use lightfall_core::scene::{ObserverKind, Scene};
+use std::f64::consts::PI;
+
+/// A scene without a disk.
+fn scene(spin: f64, r: f64, theta_deg: f64, kind: ObserverKind) -> Scene {
+    let mut scene = Scene::default();
+    scene.hole.spin = spin;
+    (scene.camera.r, scene.camera.theta_deg) = (r, theta_deg);
+    scene.observer.kind = kind;
+    scene.disk.enabled = false;
+    scene
+}
+
+fn trace(scene: &Scene, direction: DVec3) -> Trace {
+    Reference::new(scene).unwrap().trace(direction)
+}
+
+/// Directions spread over the sphere by the golden angle.
+pub fn directions(count: u32) -> impl Iterator<Item = DVec3> {
+    (0..count).map(move |i| {
+        let z = 1.0 - (2.0 * f64::from(i) + 1.0) / f64::from(count);
+        let (sin, cos) = (2.399_963_229_728_653 * f64::from(i)).sin_cos();
+        DVec3::new(z, (1.0 - z * z).sqrt() * cos, (1.0 - z * z).sqrt() * sin)
+    })
+}
+
+/// The angle from the inward direction at which rays stop being captured.
+fn shadow_half_angle(scene: &Scene) -> f64 {
+    let reference = Reference::new(scene).unwrap();
+    bisect(0.0, PI, |angle| {
+        reference
+            .trace(DVec3::new(
+                -angle.cos(),
+                0.6 * angle.sin(),
+                0.8 * angle.sin(),
+            ))
+            .outcome
+            == Outcome::Captured
+    })
+}
+
+/// A table of twelve digits (mpmath) and the closed form, for a free-falling observer inside the
+/// horizon too. 1e-12: outcomes flip where D = 0 to some roundings.
+#[test]
+fn shadow_half_angles_are_those_of_the_closed_form() {
+    for [r, at_rest, falling] in SHADOW {
+        for (kind, degrees, closed) in [
+            (ObserverKind::Static, at_rest, shadow_half_angle_static(r)),
+            (ObserverKind::Rain, falling, shadow_half_angle_rain(r)),
+        ] {
+            let found = shadow_half_angle(&scene(0.0, r, 70.0, kind));
+            assert_close(
+                format_args!("table, {kind:?}, r = {r}"),
+                found.to_degrees(),
+                degrees,
+                5e-12,
+            );
+            assert_close(
+                format_args!("closed form, {kind:?}, r = {r}"),
+                found,
+                closed,
+                1e-12,
+            );
+        }
+    }
+    for r in [1.0, 0.7, 0.1] {
+        let found = shadow_half_angle(&scene(0.0, r, 70.0, ObserverKind::Rain));
+        assert_close(
+            format_args!("inside, r = {r}"),
+            found,
+            shadow_half_angle_rain(r),
+            1e-12,
+        );
+    }
+}
+
+/// Without spin a radial ray is straight: outward to the sky right overhead, inward to the hole.
+#[test]
+fn radial_rays_are_straight() {
+    for r in [1.0001, 1.5, 20.0, 1e7] {
+        let view = scene(0.0, r, 55.0, ObserverKind::Static);
+        let theta = 55.0_f64.to_radians();
+        let out = trace(&view, DVec3::X);
+        assert!(
+            (out.sky.unwrap() - DVec3::new(theta.sin(), 0.0, theta.cos())).length() < 1e-15,
+            "r = {r}"
+        );
+        assert_eq!(
+            trace(&view, DVec3::NEG_X).outcome,
+            Outcome::Captured,
+            "r = {r}"
+        );
+    }
+    // Along the axis of a spinning hole too: the principal null direction.
+    for spin in [-0.7, 0.95] {
+        let out = trace(&scene(spin, 3.0, 0.0, ObserverKind::Static), DVec3::X);
+        assert!(
+            (out.sky.unwrap() - DVec3::Z).length() < 1e-15,
+            "spin {spin}"
+        );
+    }
+}
+
+/// From 1e6 the bending of light that comes from behind the hole is that from infinity less what
+/// happens beyond the camera, of the order b/r0 in angle: the direction to the hole and the
+/// camera's own parallax are taken out by the impact parameter's angle, asin(b/r0), up to r_s
+/// b/r0^2.
+#[test]
+fn weak_deflection_is_twice_the_radius_over_the_impact_parameter() {
+    let r = 1e6_f64;
+    for b in [100.0, 1000.0] {
+        let angle = (b / (r / (1.0 - 1.0 / r).sqrt())).asin();
+        let sky = trace(
+            &scene(0.0, r, 90.0, ObserverKind::Static),
+            DVec3::new(-angle.cos(), 0.0, angle.sin()),
+        )
+        .sky
+        .unwrap();
+        let bending = sky.y.atan2(-sky.x) - angle;
+        // The ray bends back toward the hole, hence toward negative y.
+        let leading = 2.0 / b;
+        let next = 15.0 * PI / (16.0 * b * b) + 20.0 / b.powi(3);
+        assert!(
+            (-bending - leading).abs() < next + b / (r * r),
+            "b = {b}: {bending} against {leading}"
+        );
+        let error = (-bending - deflection(b).unwrap()).abs();
+        assert!(
+            error < 2.0 * b / (r * r),
+            "b = {b}: {error:e} from the closed form"
+        );
+    }
+}
+
+/// phi -> -phi turns the spin around. The same arithmetic, so only the order of rounding differs,
+/// times the amplification of rays near the critical curve.
+#[test]
+fn a_mirrored_hole_shows_the_mirrored_sky() {
+    for spin in [0.3, 0.95, 0.9999] {
+        let [one, other] = [spin, -spin]
+            .map(|spin| Reference::new(&scene(spin, 8.0, 70.0, ObserverKind::Zamo)).unwrap());
+        for d in directions(300) {
+            let (a, b) = (one.trace(d), other.trace(DVec3::new(d.x, d.y, -d.z)));
+            assert_eq!(a.outcome, b.outcome, "spin {spin}, {d}");
+            if let (Some(a), Some(b)) = (a.sky, b.sky) {
+                assert!(
+                    (a - DVec3::new(b.x, -b.y, b.z)).length() < 1e-11,
+                    "spin {spin}, {d}"
+                );
+            }
+        }
+    }
+}
+
+/// The hole is symmetric about its axis: turning the camera's azimuth turns the sky; on the axis
+/// itself turning the direction does.
+#[test]
+fn turning_about_the_axis_turns_the_sky() {
+    let turn = DMat3::from_rotation_z(40.0_f64.to_radians());
+    let still = scene(0.95, 6.0, 65.0, ObserverKind::Static);
+    let mut turned = still.clone();
+    turned.camera.phi_deg = 40.0;
+    let axis = Reference::new(&scene(0.95, 6.0, 0.0, ObserverKind::Static)).unwrap();
+    let (still, turned) = (
+        Reference::new(&still).unwrap(),
+        Reference::new(&turned).unwrap(),
+    );
+    for d in directions(300) {
+        // On the axis the axes toward growing theta and phi are x and y, the outward one is z.
+        let around = turn * DVec3::new(d.y, d.z, d.x);
+        let around = DVec3::new(around.z, around.x, around.y);
+        for (a, b) in [
+            (still.trace(d), turned.trace(d)),
+            (axis.trace(d), axis.trace(around)),
+        ] {
+            assert_eq!(a.outcome, b.outcome, "{d}");
+            if let (Some(a), Some(b)) = (a.sky, b.sky) {
+                assert!((turn * a - b).length() < 1e-11, "{d}: {a} and {b}");
+            }
+        }
+    }
+}
+
+/// The difference from no spin is linear in the spin: ten times smaller for ten times less, within
+/// a percent, away from the critical curve.
+#[test]
+fn kerr_is_continuous_at_zero_spin() {
+    let [none, small, smaller] = [0.0, 1e-6, 1e-7]
+        .map(|spin| Reference::new(&scene(spin, 10.0, 70.0, ObserverKind::Static)).unwrap());
+    let mut compared = 0;
+    for d in directions(100).filter(|d| d.x > -0.9) {
+        let sky = |reference: &Reference| reference.trace(d).sky.unwrap();
+        let (one, ten) = (
+            (sky(&smaller) - sky(&none)).length(),
+            (sky(&small) - sky(&none)).length(),
+        );
+        assert!((ten / one - 10.0).abs() < 0.1, "{d}: {one:e} and {ten:e}");
+        compared += 1;
+    }
+    assert!(compared > 90);
+}
+
+/// No observer, spin or direction leaves a ray unfinished; the number of steps stays small; the
+/// constraints hold to some roundings over E, for E per unit frequency is a small difference where
+/// light comes from right below a camera that falls through the horizon. These are the places where
+/// other formulations stall or divide by zero.
+#[test]
+fn extremes_are_answered_in_few_steps() {
+    let mut most = 0;
+    for spin in [0.0, 1e-9, 0.5, -0.9, 0.998, -0.9999, 0.999_999_9] {
+        let horizon = Kerr { spin }.horizon();
+        for r in [1.0001 * horizon, 1.4 * horizon, 20.0, 1e7] {
+            for theta_deg in [0.0, 1e-7, 37.0, 90.0, 180.0] {
+                for kind in [ObserverKind::Zamo, ObserverKind::Rain] {
+                    let mut view = scene(spin, r, theta_deg, kind);
+                    view.disk.enabled = true;
+                    let reference = Reference::new(&view).unwrap();
+                    let theta = theta_deg.to_radians();
+                    let matrix = observer_matrix(spin, kind, [0.0; 3], r, theta, 0.0).unwrap();
+                    let axes = [
+                        DVec3::X,
+                        DVec3::NEG_X,
+                        DVec3::Y,
+                        DVec3::NEG_Y,
+                        DVec3::Z,
+                        DVec3::NEG_Z,
+                    ];
+                    // Toward the hole as a far camera sees it.
+                    let near =
+                        directions(40).map(|d| DVec3::new(-r.max(3.0), 4.0 * d.y, 4.0 * d.z));
+                    for d in axes.into_iter().chain(directions(40)).chain(near) {
+                        let trace = reference.trace(d);
+                        let place = format!("spin {spin}, r {r}, theta {theta_deg}, {kind:?}, {d}");
+                        assert_ne!(trace.outcome, Outcome::Unfinished, "{place}");
+                        let bound = 1e-12 + 1e-15 / matrix.photon(d.normalize()).energy.abs();
+                        assert!(
+                            trace.residual < bound,
+                            "{place}: residual {:e}",
+                            trace.residual
+                        );
+                        assert_eq!(
+                            trace.sky.is_some(),
+                            trace.outcome == Outcome::Sky,
+                            "{place}"
+                        );
+                        most = most.max(trace.steps);
+                    }
+                }
+            }
+        }
+    }
+    println!("most steps: {most}");
+    assert!(most < 400, "{most} steps");
+}
+
+/// Next to the critical curve a ray winds for a while and no longer: the winding grows with the
+/// logarithm of the distance.
+#[test]
+fn rays_next_to_the_critical_curve_end_on_both_sides() {
+    for spin in [0.0, 0.9] {
+        let view = scene(spin, 20.0, 90.0, ObserverKind::Static);
+        let reference = Reference::new(&view).unwrap();
+        let ray = |angle: f64| reference.trace(DVec3::new(-angle.cos(), 0.0, angle.sin()));
+        let edge = bisect(0.0, 1.0, |angle| ray(angle).outcome == Outcome::Captured);
+        for distance in [1e-3, 1e-7, 1e-11, 1e-15] {
+            let [inside, outside] = [-distance, distance].map(|x| ray(edge * (1.0 + x)));
+            assert_eq!(
+                [inside.outcome, outside.outcome],
+                [Outcome::Captured, Outcome::Sky],
+                "spin {spin}, {distance:e}"
+            );
+            assert!(
+                outside.steps < 150 && inside.steps < 150,
+                "spin {spin}: {} and {} steps",
+                inside.steps,
+                outside.steps
+            );
+        }
+    }
+}
+
+/// A camera in the disk's plane: what lies in the plane has no isolated crossing, what leaves it
+/// does not hit the disk at the camera's own place, and a ray that comes back hits it elsewhere.
+#[test]
+fn a_camera_in_the_plane_does_not_see_the_disk_at_its_own_place() {
+    for spin in [0.0, 0.9] {
+        let mut view = scene(spin, 6.0, 90.0, ObserverKind::Static);
+        view.disk.enabled = true;
+        for d in [
+            DVec3::new(-0.8, 0.0, 0.6),
+            DVec3::X,
+            DVec3::new(0.0, 0.0, -1.0),
+        ] {
+            assert_eq!(trace(&view, d).hits, [None; 2], "spin {spin}, {d}");
+        }
+        for d in [DVec3::new(0.1, 1.0, 0.2), DVec3::new(0.1, -1.0, 0.2)] {
+            assert_eq!(trace(&view, d).hits, [None; 2], "spin {spin}, {d}");
+        }
+        // Over the hole and down behind it.
+        let over = trace(&view, DVec3::new(-1.0, -0.6, 0.0));
+        let hit = over.hits[0].unwrap();
+        assert!(hit.phi.cos() < 0.0 && hit.r > 3.0, "spin {spin}: {hit:?}");
+    }
+}
+
+/// Falling through the horizon nothing jumps: Boyer-Lindquist's azimuth outside and Kerr's ingoing
+/// one inside differ by the lead, which is taken into the camera's azimuth. Hits are in
+/// Boyer-Lindquist's on both sides.
+#[test]
+fn the_view_does_not_jump_where_a_falling_camera_passes_the_horizon() {
+    for spin in [-0.6, 0.0, 0.9] {
+        let kerr = Kerr { spin };
+        let [inside, outside] = [-1e-7, 1e-7].map(|x| kerr.horizon() * (1.0 + x));
+        let [mut within, mut without] =
+            [inside, outside].map(|r| scene(spin, r, 60.0, ObserverKind::Rain));
+        (within.disk.enabled, without.disk.enabled) = (true, true);
+        without.camera.phi_deg = -kerr.ingoing_azimuth_lead(outside).to_degrees();
+        let (within, without) = (
+            Reference::new(&within).unwrap(),
+            Reference::new(&without).unwrap(),
+        );
+        let (mut compared, mut hits) = (0, 0);
+        // Looking outward, away from the critical curve, which would amplify the 2e-7 between the
+        // two places.
+        for d in directions(400).filter(|d| d.x > 0.0) {
+            let (a, b) = (within.trace(d), without.trace(d));
+            if let (Some(a), Some(b)) = (a.sky, b.sky) {
+                assert!((a - b).length() < 1e-6, "spin {spin}, {d}: {a} and {b}");
+                compared += 1;
+            }
+            if let ([Some(a), _], [Some(b), _]) = (a.hits, b.hits) {
+                let apart =
+                    (a.r * DVec2::from_angle(a.phi) - b.r * DVec2::from_angle(b.phi)).length();
+                assert!(
+                    apart < 1e-4 && (a.g - b.g).abs() < 1e-6,
+                    "spin {spin}, {d}: {a:?} and {b:?}"
+                );
+                hits += 1;
+            }
+        }
+        assert!(
+            compared > 100 && hits > 5,
+            "spin {spin}: only {compared} rays and {hits} hits"
+        );
+    }
+}
+
+#[test]
+fn directions_of_any_length_are_taken_and_no_direction_is_unfinished() {
+    let reference = Reference::new(&scene(0.5, 6.0, 65.0, ObserverKind::Static)).unwrap();
+    let d = DVec3::new(-0.5, 0.75, 0.25);
+    for scale in [1e-300, 1e-10, 1e300] {
+        let (a, b) = (
+            reference.trace(d).sky.unwrap(),
+            reference.trace(scale * d).sky.unwrap(),
+        );
+        assert!((a - b).length() < 1e-13, "{scale:e}");
+    }
+    for d in [DVec3::ZERO, DVec3::NAN, DVec3::new(f64::INFINITY, 0.0, 0.0)] {
+        assert_eq!(reference.trace(d).outcome, Outcome::Unfinished, "{d}");
+    }
+}

@@ -1,0 +1,51 @@
+//! The measure of errors next to the shadow's edge, where rays of every number of half-turns about
+//! the hole lie side by side.
+
+use glam::DVec3;
+use lightfall_core::accuracy::{Ray, Truth};
+use lightfall_core::optics::trace::{Hit, Outcome, Trace};
+use lightfall_core::scene::Scene;
+
+fn scene(spin: f64, r: f64, theta_deg: f64) -> Scene {
+    let mut scene = Scene::default();
+    scene.hole.spin = spin;
+    scene.disk.follow_isco = true;
+    (scene.camera.r, scene.camera.theta_deg) = (r, theta_deg);
+    scene
+}
+
+/// An answer that a graphics card gave. On the line through the ray toward the edge, at 0.05 of the
+/// ray's distance to it, is a ray with that sky and a hit of that radius, at the very end of the
+/// disk's image; the ray's own hit is on another one.
+#[test]
+fn an_answer_of_another_number_of_turns_next_to_the_end_of_the_disks_image_is_explained() {
+    let ray = Ray::toward(DVec3::new(-0.002_512_557_7, -0.001_986_405_3, 0.999_994_9));
+    let truth = Truth::of(&scene(-0.9, 1000.0, 90.0), vec![ray]).expect("a static observer");
+    let hit = Hit {
+        r: 10.994_947_855_169_167,
+        phi: -2.604_627_359_851_636_7,
+        g: 0.976_445_436_477_681_1,
+    };
+    let sky = DVec3::new(
+        -0.938_218_817_544_848_1,
+        -0.295_219_167_367_488_1,
+        -0.180_530_035_239_552_1,
+    );
+    let given = Trace {
+        outcome: Outcome::Sky,
+        sky: Some(sky.normalize()),
+        hits: [Some(hit), None],
+        steps: 57,
+        residual: 0.0,
+    };
+    let [error] = truth.judge(&[given])[..] else {
+        panic!("one answer for one ray")
+    };
+    assert!(
+        !error.misclassified && error.sky.is_some_and(|sky| sky > 2.0),
+        "{error:?}"
+    );
+    // The ray is 6.6e-9 rad from the edge; the card's own numbers have the rest, in f32 that tells
+    // apart 6e-8.
+    assert!((1e-9..6e-8).contains(&error.backward), "{error:?}");
+}

@@ -1,0 +1,388 @@
+//! Journeys: the file, its faults, and that nothing jumps.
+
+use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::gpu::Drawable;
+use lightfall_core::gpu::GpuScene;
+use lightfall_core::scene::journey;
+use lightfall_core::scene::journey::{Journey, Track, between};
+use lightfall_core::scene::{Hole, Method, Observer, ObserverKind, Scene, presets};
+
+fn default() -> Journey {
+    journey::load("default.toml", journey::DEFAULT).unwrap()
+}
+
+fn preset() -> Scene {
+    presets::PRESETS[presets::DEFAULT - 1].scene(&[]).unwrap()
+}
+
+fn at(journey: &Journey, time: f64, kind: ObserverKind) -> Scene {
+    at_from(&preset(), journey, time, kind)
+}
+
+fn at_from(scene: &Scene, journey: &Journey, time: f64, kind: ObserverKind) -> Scene {
+    let mut scene = scene.clone();
+    scene.observer.kind = kind;
+    journey.apply(time, &mut scene);
+    scene
+}
+
+/// What a viewer sees move: ln r, the angles without whole turns, the field of view, the velocity.
+fn numbers(scene: &Scene) -> Vec<f64> {
+    let camera = scene.camera;
+    let turns = [
+        camera.phi_deg,
+        camera.yaw_deg,
+        camera.pitch_deg,
+        camera.roll_deg,
+    ]
+    .map(f64::to_radians);
+    let mut all = vec![
+        camera.r.ln(),
+        camera.theta_deg.to_radians(),
+        camera.fov_deg.to_radians(),
+    ];
+    all.extend(turns.into_iter().flat_map(|turn| [turn.cos(), turn.sin()]));
+    all.extend(scene.observer.velocity);
+    all
+}
+
+/// Central differences of a millisecond, at every keyframe, which are at whole seconds, and in
+/// between: accelerations stay within what a gentle flight has, so neither places nor speeds jump.
+#[test]
+fn the_default_journey_is_continuous_with_its_speed() {
+    let journey = default();
+    for kind in [ObserverKind::Static, ObserverKind::Rain] {
+        let (h, preset) = (1e-3, preset());
+        for step in 0..=(50.0 * journey.duration) as i32 {
+            let time = f64::from(step) / 50.0;
+            let [a, b, c] =
+                [-h, 0.0, h].map(|d| numbers(&at_from(&preset, &journey, time + d, kind)));
+            for ((a, b), c) in a.into_iter().zip(b).zip(c) {
+                assert!((c - b).abs() < 0.6 * h, "jump at {time}: {b} {c}");
+                let change = (c - 2.0 * b + a).abs();
+                assert!(change < 1.0 * h * h, "kink at {time}: {change:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_default_journey_goes_where_it_should_and_all_of_it_can_be_drawn() {
+    let journey = default();
+    assert!((140.0..160.0).contains(&journey.duration));
+    for kind in [
+        ObserverKind::Static,
+        ObserverKind::Zamo,
+        ObserverKind::Orbit,
+        ObserverKind::Rain,
+    ] {
+        for step in 0..=1500 {
+            let scene = at(&journey, journey.duration * f64::from(step) / 1500.0, kind);
+            assert_eq!(scene.check(), Ok(()));
+            GpuScene::for_rays(&scene).unwrap();
+        }
+    }
+    let still = |time| at(&journey, time, ObserverKind::Static).camera;
+    assert_eq!(still(0.0).r, 160.0_f64.ln().exp());
+    let ends = [ObserverKind::Static, ObserverKind::Rain]
+        .map(|kind| at(&journey, journey.duration, kind).camera.r);
+    assert!((ends[0] - 1.12).abs() < 1e-12, "near the limit");
+    assert!((ends[1] - 0.5).abs() < 1e-12, "beyond it");
+    let thetas: Vec<f64> = (0..150)
+        .map(|time| still(f64::from(time)).theta_deg)
+        .collect();
+    assert!(thetas.iter().any(|theta| *theta < 35.0) && thetas.iter().any(|theta| *theta > 80.0));
+    // Led along, a circular orbit is left.
+    assert_eq!(
+        at(&journey, 50.0, ObserverKind::Orbit).observer.kind,
+        ObserverKind::Static
+    );
+    // Before and after, it stays at its ends.
+    assert_eq!(
+        at(&journey, -5.0, ObserverKind::Rain),
+        at(&journey, 0.0, ObserverKind::Rain)
+    );
+    assert_eq!(
+        at(&journey, 1e9, ObserverKind::Rain),
+        at(&journey, journey.duration, ObserverKind::Rain)
+    );
+}
+
+#[test]
+fn whoever_falls_is_led_through_the_horizon_of_any_hole_without_winding() {
+    let journey = default();
+    for spin in [-0.9999, -0.9, -0.5, 0.3, 0.9, 0.998, 0.9999] {
+        let kerr = Kerr { spin };
+        let mut scene = preset();
+        (scene.hole.spin, scene.observer.kind) = (spin, ObserverKind::Rain);
+        assert_eq!(
+            journey.check(&scene, 0.0, Drawable::new),
+            Ok(()),
+            "chi {spin}"
+        );
+        // Kerr's ingoing azimuth is the keyframes' own, less its lead at the beginning: as without
+        // spin.
+        let begin = kerr.ingoing_azimuth_lead(160.0).to_degrees();
+        for step in 0..=3000 {
+            let time = journey.duration * f64::from(step) / 3000.0;
+            let camera = at_from(&scene, &journey, time, ObserverKind::Rain).camera;
+            let plain = at(&journey, time, ObserverKind::Rain).camera;
+            let outside = camera.r > kerr.horizon();
+            let lead = if outside {
+                kerr.ingoing_azimuth_lead(camera.r).to_degrees()
+            } else {
+                0.0
+            };
+            let off = (camera.phi_deg + lead - begin - plain.phi_deg).to_radians();
+            assert!(
+                off.sin().abs() < 1e-9 && off.cos() > 0.0,
+                "chi {spin}, {time} s, r {}: {off}",
+                camera.r
+            );
+        }
+        assert!(
+            at_from(&scene, &journey, journey.duration, ObserverKind::Rain)
+                .camera
+                .r
+                < kerr.horizon()
+        );
+    }
+}
+
+#[test]
+fn nothing_jumps_where_an_observer_begins_to_fall_or_stops() {
+    let text = "[[keyframe]]\ntime = 0\nr = 9\nphi_deg = 10\nobserver = \"static\"\n[[keyframe]]\ntime = 10\nr = 3\n\
+                observer = \"rain\"\n[[keyframe]]\ntime = 20\nr = 2\nphi_deg = 40\nobserver = \"zamo\"\n\
+                [[keyframe]]\ntime = 30\nr = 5\nphi_deg = 60";
+    let (journey, mut scene) = (journey::load("j.toml", text).unwrap(), preset());
+    scene.hole.spin = 0.95;
+    let phi = |time| {
+        at_from(&scene, &journey, time, ObserverKind::Static)
+            .camera
+            .phi_deg
+    };
+    for change in [10.0, 20.0] {
+        assert!(
+            (phi(change + 1e-6) - phi(change - 1e-6)).abs() < 1e-4,
+            "at {change} s"
+        );
+    }
+    assert!(
+        (phi(5.0) - 10.0) < phi(10.0) - 10.0 && (phi(30.0) - 60.0).abs() > 1.0,
+        "the fall's lead is kept"
+    );
+}
+
+#[test]
+fn tracks_meet_their_points_and_never_overshoot() {
+    let points = [
+        (0.0, 1.0),
+        (1.0, 5.0),
+        (1.5, 5.0),
+        (4.0, -2.0),
+        (9.0, -2.5),
+        (9.1, 7.0),
+    ];
+    let track = Track::through(&points).unwrap();
+    for pair in points.windows(2) {
+        let [(start, from), (end, to)] = [pair[0], pair[1]];
+        assert!((track.at(start) - from).abs() < 1e-14 && (track.at(end) - to).abs() < 1e-14);
+        let mut last = from;
+        for i in 0..=1000 {
+            let value = track.at(start + (end - start) * f64::from(i) / 1000.0);
+            assert!(
+                (value - last) * (to - from) >= -1e-13
+                    && (from.min(to) - 1e-12..=from.max(to) + 1e-12).contains(&value)
+            );
+            last = value;
+        }
+    }
+    assert_eq!(Track::through(&[]), None);
+    assert_eq!(Track::through(&[(3.0, 2.0)]).unwrap().at(-7.0), 2.0);
+    // A straight line in between is kept straight.
+    let line = Track::through(&[(0.0, 0.0), (1.0, 1.0), (2.0, 2.0), (3.0, 3.0)]).unwrap();
+    assert!((line.at(1.3) - 1.3).abs() < 1e-14);
+}
+
+#[test]
+fn the_way_to_the_start_is_short_and_gentle() {
+    let (mut from, mut to) = (Scene::default().camera, Scene::default().camera);
+    (from.r, from.phi_deg, to.r, to.phi_deg, to.yaw_deg) = (4.0, 170.0, 64.0, -170.0, 30.0);
+    assert_eq!(between(&from, &to, 0.0), from);
+    assert_eq!(between(&from, &to, 1.0), to);
+    let half = between(&from, &to, 0.5);
+    assert!(
+        (half.r - 16.0).abs() < 1e-12
+            && (half.phi_deg.abs() - 180.0).abs() < 1e-9
+            && (half.yaw_deg - 15.0).abs() < 1e-12
+    );
+    let near = between(&from, &to, 1e-4);
+    assert!((near.r - from.r).abs() < 1e-6, "it begins at rest");
+}
+
+#[test]
+fn a_journey_of_ones_own_says_what_it_names_and_leaves_the_rest() {
+    let text = "schema = 1\ntitle = \"Fall\"\n[[keyframe]]\ntime = 10\nr = 8\nobserver = \"static\"\n[[keyframe]]\ntime = 14\n\
+                r = 2\n[[keyframe]]\ntime = 15\nobserver = \"rain\"\nvelocity = [0.1, 0, 0]\nfov_deg = 90\nphi_deg = 725\n\
+                rain = { r = 1.5, fov_deg = 80 }\n";
+    let journey = journey::load("mine.toml", text).unwrap();
+    assert_eq!((journey.title.as_str(), journey.duration), ("Fall", 5.0));
+    let before = at(&journey, 2.0, ObserverKind::Zamo);
+    assert!((before.camera.r - 4.0).abs() < 1e-12 && before.observer.kind == ObserverKind::Static);
+    let after = at(&journey, 5.0, ObserverKind::Zamo);
+    assert_eq!(
+        (after.observer.kind, after.observer.velocity),
+        (ObserverKind::Rain, [0.1, 0.0, 0.0])
+    );
+    assert_eq!((after.camera.fov_deg, after.camera.phi_deg), (80.0, 5.0));
+    assert!(
+        (after.camera.r - 1.5).abs() < 1e-12,
+        "what is otherwise in rain"
+    );
+    assert_eq!(after.camera.theta_deg, preset().camera.theta_deg);
+}
+
+#[test]
+fn faults_of_a_journey_are_told_with_their_keyframe() {
+    let two = "[[keyframe]]\ntime = 0\n[[keyframe]]\n";
+    let fault = |text: &str| journey::load("j.toml", text).unwrap_err().to_string();
+    for (text, sentence) in [
+        (String::new(), "j.toml: a journey has from 2 to 1000 tables [[keyframe]], and here are 0"),
+        ("[[keyframe]]\ntime = 1".into(), "j.toml: a journey has from 2 to 1000 tables [[keyframe]], and here are 1"),
+        (
+            "schema = 2".into(),
+            "j.toml: schema = 2 is another version of the preset format; this program reads schema 1",
+        ),
+        (
+            "speed = 3".into(),
+            "j.toml: speed = 3 is refused: a journey has schema = 1, title = \"...\" and tables [[keyframe]]",
+        ),
+        (
+            "keyframe = 3".into(),
+            "j.toml: keyframe = 3 is refused: a journey has schema = 1, title = \"...\" and tables [[keyframe]]",
+        ),
+        (
+            two.into(),
+            "j.toml: keyframe 2: time = nothing is refused: it must be a number of seconds above 0, that of the keyframe \
+             before",
+        ),
+        (
+            format!("{two}time = 0.0"),
+            "j.toml: keyframe 2: time = 0 is refused: it must be a number of seconds above 0, that of the keyframe before",
+        ),
+        (
+            format!("{two}time = inf"),
+            "j.toml: keyframe 2: time = inf is refused: it must be a number of seconds from 0 to 86400",
+        ),
+        (
+            format!("{two}time = 1\nradius = 3"),
+            "j.toml: keyframe 2: there is no radius; a keyframe has time, any of r, theta_deg, phi_deg, yaw_deg, \
+             pitch_deg, roll_deg, fov_deg, observer, velocity, and a table rain of those but the observer for who falls \
+             from rest at infinity",
+        ),
+        (
+            format!("{two}time = 1\nrain.theta_deg = 200"),
+            "j.toml: keyframe 2: theta_deg = 200 is refused: it must be a number from 0 to 180 degrees",
+        ),
+        (
+            format!("{two}time = 1\ntheta_deg = 181"),
+            "j.toml: keyframe 2: theta_deg = 181 is refused: it must be a number from 0 to 180 degrees",
+        ),
+        (
+            format!("{two}time = 1\nr = \"near\""),
+            "j.toml: keyframe 2: r = \"near\" is refused: it must be a number from 0.1 to 10000000 r_s",
+        ),
+        (
+            format!("{two}time = 1\nyaw_deg = nan"),
+            "j.toml: keyframe 2: yaw_deg = NaN is refused: it must be a number of degrees",
+        ),
+        (
+            format!("{two}time = 1\nobserver = \"fast\""),
+            "j.toml: keyframe 2: observer = \"fast\" is refused: it must be one of static, zamo, orbit, rain",
+        ),
+        (
+            "[[keyframe]]\ntime = 0\nvelocity = [0.8, 0, 0]\n[[keyframe]]\ntime = 1\nvelocity = [0, 0.8, 0]".into(),
+            "j.toml: keyframe 2: velocity = [0, 0.8, 0] is refused: it must be nearer to that of the keyframe before, \
+             [0.8, 0, 0]: on the way there it would reach 1 c",
+        ),
+    ] {
+        assert_eq!(fault(&text), sentence);
+    }
+    for faulty in ["rain = 3", "rain.observer = \"rain\"", "rain.time = 3"] {
+        let sentence = fault(&format!("{two}time = 1\n{faulty}"));
+        assert!(
+            sentence.starts_with("j.toml: keyframe 2: there is no "),
+            "{sentence}"
+        );
+    }
+    assert!(fault("[[keyframe]\n").starts_with("j.toml: line 1, column "));
+}
+
+fn fault_of(text: &str, scene: &Scene, from: f64) -> Option<String> {
+    let checked = journey::load("j.toml", text)
+        .unwrap()
+        .check(scene, from, Drawable::new);
+    checked.err().map(|fault| fault.to_string())
+}
+
+#[test]
+fn a_journey_is_refused_where_its_observer_cannot_be() {
+    let at = |spin| Scene {
+        hole: Hole { spin },
+        ..preset()
+    };
+    assert_eq!(fault_of(journey::DEFAULT, &preset(), 0.0), None);
+    // Each end can be, and on the way the radius falls faster than the ergosphere shrinks toward
+    // the axis.
+    let dive = "[[keyframe]]\ntime = 1\nr = 1.02\ntheta_deg = 90\n[[keyframe]]\ntime = 5\nr = 0.73\ntheta_deg = 1";
+    let sentence = fault_of(dive, &at(0.9), 0.0).unwrap();
+    assert!(
+        sentence.starts_with("between keyframes 1 and 2 (time = "),
+        "{sentence}"
+    );
+    assert!(
+        sentence.contains(" is refused: it must be a number above 0.9"),
+        "{sentence}"
+    );
+    // The observer changes at the keyframe: just before it she is still the old one.
+    let late = "[[keyframe]]\ntime = 0\nr = 2\nobserver = \"static\"\n[[keyframe]]\ntime = 1\nr = 0.999\nobserver = \"rain\"";
+    let sentence = fault_of(late, &at(0.0), 0.0).unwrap();
+    assert!(
+        sentence.starts_with("between keyframes 1 and 2 (time = "),
+        "{sentence}"
+    );
+    let early = "[[keyframe]]\ntime = 0\nr = 0.5\nobserver = \"rain\"\n[[keyframe]]\ntime = 1\nobserver = \"zamo\"\n\
+                 [[keyframe]]\ntime = 2\nr = 1.1";
+    assert!(
+        fault_of(early, &at(0.0), 0.0)
+            .unwrap()
+            .starts_with("keyframe 2 (time = 1): camera.r = ")
+    );
+    assert_eq!(
+        fault_of(early, &at(0.0), 1.9),
+        None,
+        "what has been flown already is not asked again"
+    );
+    // Other rules than of places: a circular orbit off the plane, and a method that cannot begin
+    // inside.
+    let orbit = "[[keyframe]]\ntime = 0\nr = 5\nobserver = \"orbit\"\n[[keyframe]]\ntime = 1\ntheta_deg = 80";
+    assert!(
+        fault_of(orbit, &at(0.0), 0.0)
+            .unwrap()
+            .contains("it must be 90, the plane of the disk")
+    );
+    let rain = Observer {
+        kind: ObserverKind::Rain,
+        ..preset().observer
+    };
+    let verlet = Scene {
+        method: Method::Verlet,
+        observer: rain,
+        ..preset()
+    };
+    assert!(
+        fault_of(journey::DEFAULT, &verlet, 0.0)
+            .unwrap()
+            .contains("methods verlet and kerr-schild cannot begin")
+    );
+}

@@ -1,0 +1,379 @@
+//! What a preset may say, and the one sentence that answers everything else.
+
+use lightfall_core::scene::presets::PRESETS;
+use lightfall_core::scene::{Method, ObserverKind, Override, Scene, load};
+
+fn preset(text: &str) -> String {
+    load("my.toml", text, &[]).unwrap_err().to_string()
+}
+
+fn with(text: &str, sets: &[&str]) -> Result<Scene, String> {
+    let overrides: Result<Vec<_>, _> = sets.iter().map(|set| Override::assignment(set)).collect();
+    load(
+        "my.toml",
+        text,
+        &overrides.map_err(|error| error.to_string())?,
+    )
+    .map_err(|error| error.to_string())
+}
+
+fn set(assignment: &str) -> String {
+    with("", &[assignment]).unwrap_err()
+}
+
+#[test]
+fn an_empty_preset_is_the_default_scene() {
+    assert_eq!(with("", &[]), Ok(Scene::default()));
+}
+
+#[test]
+fn fields_that_are_not_mentioned_keep_their_defaults() {
+    let scene = with("[camera]\nr = 12.5", &[]).unwrap();
+    assert_eq!(scene.camera.r, 12.5);
+    assert_eq!(
+        Scene {
+            camera: Scene::default().camera,
+            ..scene
+        },
+        Scene::default()
+    );
+}
+
+#[test]
+fn whole_numbers_are_numbers_too() {
+    assert_eq!(
+        with("camera.r = 12\nobserver.velocity = [0, 0, 0.5]", &[])
+            .unwrap()
+            .camera
+            .r,
+        12.0
+    );
+}
+
+#[test]
+fn overrides_come_over_the_preset_and_the_last_one_wins() {
+    let scene = with(
+        "camera.r = 12",
+        &["camera.r=13", "camera.r = 14", "camera.theta_deg=.5"],
+    )
+    .unwrap();
+    assert_eq!((scene.camera.r, scene.camera.theta_deg), (14.0, 0.5));
+}
+
+#[test]
+fn overrides_are_read_as_people_type_them() {
+    let sets = [
+        "method=verlet",
+        "observer.kind = \"rain\"",
+        "observer.velocity=0, .25 ,1e-1",
+        "name=7",
+        "title=a=b c",
+    ];
+    let scene = with(
+        "",
+        &[&sets[..], &["picture.dither=false", "hole.spin=-.5"]].concat(),
+    )
+    .unwrap();
+    assert_eq!(
+        (scene.method, scene.observer.kind),
+        (Method::Verlet, ObserverKind::Rain)
+    );
+    assert_eq!(scene.observer.velocity, [0.0, 0.25, 0.1]);
+    assert_eq!((scene.name.as_str(), scene.title.as_str()), ("7", "a=b c"));
+    assert_eq!((scene.picture.dither, scene.hole.spin), (false, -0.5));
+}
+
+#[test]
+fn a_value_out_of_range_is_answered_with_where_what_and_the_range() {
+    for (text, sentence) in [
+        (
+            "hole.spin = 1",
+            "hole.spin = 1 is refused: it must be a number above -1 and below 1",
+        ),
+        (
+            "hole.spin = -1.5",
+            "hole.spin = -1.5 is refused: it must be a number above -1 and below 1",
+        ),
+        (
+            "camera.theta_deg = 181",
+            "camera.theta_deg = 181 is refused: it must be a number from 0 to 180 degrees",
+        ),
+        (
+            "quality.step_scale = 0",
+            "quality.step_scale = 0 is refused: it must be a number above 0 and at most 16",
+        ),
+        (
+            "quality.max_steps = 769",
+            "quality.max_steps = 769 is refused: it must be an integer from 1 to 768 steps",
+        ),
+        (
+            "picture.width = 0",
+            "picture.width = 0 is refused: it must be an integer from 1 to 8192 pixels",
+        ),
+        (
+            "picture.width = -5",
+            "picture.width = -5 is refused: it must be an integer from 1 to 8192 pixels",
+        ),
+        (
+            "sky.seed = 4294967296",
+            "sky.seed = 4294967296 is refused: it must be an integer from 0 to 4294967295",
+        ),
+        (
+            "probe.size = 0.0",
+            "probe.size = 0 is refused: it must be a number above 0 and at most 1000 r_s",
+        ),
+        (
+            "camera.yaw_deg = nan",
+            "camera.yaw_deg = NaN is refused: it must be a number from -360 to 360 degrees",
+        ),
+        // The range that holds here, as of any other number.
+        (
+            "camera.r = nan",
+            "camera.r = NaN is refused: it must be a number above 1 and at most 10000000 r_s (outside the horizon at \
+             hole.spin = 0; observer rain goes on inside)",
+        ),
+        (
+            "camera.yaw_deg = -inf",
+            "camera.yaw_deg = -inf is refused: it must be a number from -360 to 360 degrees",
+        ),
+        (
+            "observer.velocity = [0, 0.6, 0.8]",
+            "observer.velocity = [0, 0.6, 0.8] is refused: it must be three numbers, [outward, toward growing theta, \
+             toward growing phi], of length below 1 c",
+        ),
+    ] {
+        assert_eq!(preset(text), format!("my.toml: {sentence}"));
+    }
+}
+
+#[test]
+fn a_value_of_the_wrong_type_is_answered_with_what_it_must_be() {
+    for (text, sentence) in [
+        (
+            "disk.enabled = 1",
+            "disk.enabled = 1 is refused: it must be true or false",
+        ),
+        (
+            "hole.spin = \"fast\"",
+            "hole.spin = \"fast\" is refused: it must be a number above -1 and below 1",
+        ),
+        (
+            "picture.width = 960.0",
+            "picture.width = 960 is refused: it must be an integer from 1 to 8192 pixels",
+        ),
+        (
+            "method = \"euler\"",
+            "method = \"euler\" is refused: it must be one of auto, verlet, closed, mino, kerr-schild, reference",
+        ),
+        (
+            "sky.mode = true",
+            "sky.mode = true is refused: it must be one of stars, grid, off",
+        ),
+        (
+            "name = 7",
+            "name = 7 is refused: it must be one line of text, at most 200 characters",
+        ),
+        (
+            "name = \"a\\nb\"",
+            "name = \"a\\nb\" is refused: it must be one line of text, at most 200 characters",
+        ),
+        (
+            "[camera.r]",
+            "camera.r = {...} is refused: it must be a number from 0.1 to 10000000 r_s",
+        ),
+        (
+            "camera = 3",
+            "camera = 3 is refused: camera is a table of fields, such as camera.r",
+        ),
+        (
+            "[[camera]]",
+            "camera = [{...}] is refused: camera is a table of fields, such as camera.r",
+        ),
+    ] {
+        assert_eq!(preset(text), format!("my.toml: {sentence}"));
+    }
+}
+
+#[test]
+fn an_unknown_field_is_answered_with_the_nearest_one() {
+    for (key, hint) in [
+        ("hole.spinn", "did you mean hole.spin?"),
+        ("spin", "did you mean hole.spin?"),
+        ("camera.theta", "did you mean camera.theta_deg?"),
+        ("camera.Fov_deg", "did you mean camera.fov_deg?"),
+        ("disk.temperature", "did you mean disk.temperature_k?"),
+        ("picture.exposure", "did you mean picture.exposure_ev?"),
+        ("methd", "did you mean method?"),
+        (
+            "camera.radius",
+            "camera has r, theta_deg, phi_deg, fov_deg, yaw_deg, pitch_deg, roll_deg",
+        ),
+        ("weather", "`lightfall presets show 2` lists them all"),
+    ] {
+        assert_eq!(
+            preset(&format!("{key} = 1")),
+            format!("my.toml: there is no field {key}; {hint}")
+        );
+        assert_eq!(
+            set(&format!("{key}=1")),
+            format!("--set: there is no field {key}; {hint}")
+        );
+    }
+}
+
+#[test]
+fn a_quoted_key_with_a_dot_is_not_a_field() {
+    assert!(preset("\"camera.r\" = 5").starts_with("my.toml: there is no field camera.r"));
+}
+
+#[test]
+fn another_version_of_the_format_is_the_only_complaint() {
+    assert_eq!(
+        preset("schema = 2\nfuture = true"),
+        "my.toml: schema = 2 is another version of the preset format; this program reads schema 1"
+    );
+    assert_eq!(
+        set("schema=2"),
+        "--set: schema = 2 is refused: it must be an integer equal to 1"
+    );
+}
+
+#[test]
+fn a_fault_of_toml_is_answered_with_its_line_and_column() {
+    for (text, place) in [
+        ("schema = 1\n[camera]\nr = = 3", "line 3, column 5: "),
+        ("[camera]\nr = 3\nr = 4", "line 3, column 1: duplicate key"),
+        ("title = \"äöü\" x", "line 1, column 15: "),
+        ("[camera", "line 1, column 8: "),
+        ("[camera]\n[camera]", "line 2, column 2: duplicate key"),
+    ] {
+        let error = preset(text);
+        assert!(error.starts_with(&format!("my.toml: {place}")), "{error}");
+        assert!(
+            !error.contains('\n') && error.len() > "my.toml: ".len() + place.len() - 1,
+            "{error:?}"
+        );
+    }
+}
+
+#[test]
+fn an_override_needs_a_key_and_an_equals_sign() {
+    assert_eq!(
+        set("camera.r"),
+        "--set: camera.r is not of the form KEY=VALUE, such as camera.r=20"
+    );
+    assert_eq!(
+        set("=3"),
+        "--set: =3 is not of the form KEY=VALUE, such as camera.r=20"
+    );
+    assert_eq!(
+        set(""),
+        "--set:  is not of the form KEY=VALUE, such as camera.r=20"
+    );
+    assert_eq!(
+        set("camera.r="),
+        "--set: camera.r = \"\" is refused: it must be a number from 0.1 to 10000000 r_s"
+    );
+}
+
+#[test]
+fn an_override_cannot_smuggle_in_a_second_field() {
+    assert!(
+        set("camera.r=20\nhole.spin = 0.5")
+            .contains("camera.r = \"20\\nhole.spin = 0.5\" is refused")
+    );
+}
+
+/// A small linear congruential generator (Knuth's MMIX constants), so that a failure comes back at
+/// the next run.
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, sides: usize) -> usize {
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (self.0 >> 33) as usize % sides
+    }
+}
+
+/// Loads a text that may be anything; an error must be one sentence that begins with the file.
+fn survive(text: &str) {
+    if let Err(error) = load("my.toml", text, &[]) {
+        let error = error.to_string();
+        assert!(
+            error.starts_with("my.toml: ") && !error.contains('\n') && error.len() < 1000,
+            "{error:?} of {text:?}"
+        );
+    }
+}
+
+#[test]
+fn a_truncated_preset_is_a_scene_or_a_sentence() {
+    for preset in PRESETS {
+        for (end, _) in preset.text.char_indices() {
+            survive(&preset.text[..end]);
+        }
+    }
+}
+
+#[test]
+fn a_garbled_preset_is_a_scene_or_a_sentence() {
+    let mut dice = Dice(1);
+    let whole = Scene::default().to_preset();
+    // Characters that mean something to TOML, numbers at their limits, and some that mean nothing
+    // anywhere.
+    let pieces = [
+        "\"",
+        "'''",
+        "[",
+        "]]",
+        "{",
+        "}",
+        "=",
+        ".",
+        ",",
+        "#",
+        "\n",
+        "\0",
+        "\u{7f}",
+        "é",
+        "-",
+        "1e999",
+        "nan",
+        "9223372036854775807",
+        "99999999999999999999",
+        "true",
+        "1979-05-27",
+        "0x",
+        "_",
+        "\\u12",
+        "camera",
+        "r",
+    ];
+    for round in 0..6000 {
+        let mut text: Vec<char> = if round % 2 == 0 {
+            whole.chars()
+        } else {
+            PRESETS[round % 7].text.chars()
+        }
+        .collect();
+        for _ in 0..=dice.below(4) {
+            let at = dice.below(text.len());
+            let length = dice.below(5).min(text.len() - at);
+            text.splice(at..at + length, pieces[dice.below(pieces.len())].chars());
+        }
+        survive(&text.into_iter().collect::<String>());
+    }
+}
+
+#[test]
+fn deep_nesting_and_long_lines_are_answered_shortly() {
+    survive(&("camera.r = ".to_owned() + &"[".repeat(100_000)));
+    survive(&("camera.r = ".to_owned() + &"{a=".repeat(100_000)));
+    survive(&("a.".repeat(100_000) + "b = 1"));
+    survive(&format!("{} = 1", "k".repeat(1_000_000)));
+    survive(&format!("name = \"{}\"", "n".repeat(1_000_000)));
+    survive(&format!("observer.velocity = [{}]", "0, ".repeat(100_000)));
+}

@@ -1,0 +1,12 @@
+//! Scenes: fields, limits, presets, journeys, and what is refused.
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test that unwraps an error fails, as it should"
+)]
+
+mod fields;
+mod journey;
+mod limits;
+mod load;
+mod pose;
+mod presets;

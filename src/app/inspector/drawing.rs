@@ -1,0 +1,319 @@
+//! The drawing of paths: the hole and what is about it, seen from the side, from the top, or from
+//! where one drags it.
+
+use bevy_egui::egui::{self, Color32, Pos2, Rect, Stroke};
+use glam::{DMat3, DVec3};
+use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::optics::disk;
+use lightfall_core::optics::trace::Outcome;
+use lightfall_core::reports::inspection::Inspected;
+use lightfall_core::scene::Scene;
+use std::f64::consts::{PI, TAU};
+
+/// From where it is seen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum View {
+    /// The axis upright, the camera to the left.
+    #[default]
+    Side,
+    /// From above, the camera to the left.
+    Top,
+    /// As it is dragged.
+    Orbit,
+}
+
+/// A view and its scale.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sketch {
+    pub(super) view: View,
+    /// Half of the width that is shown, in r_s; none shows the camera too.
+    pub(super) half_width: Option<f64>,
+    /// Turn about the axis and tilt of the orbit view, in radians.
+    turn: [f64; 2],
+}
+
+impl Default for Sketch {
+    fn default() -> Self {
+        Self {
+            view: View::Side,
+            half_width: None,
+            turn: [0.5, 0.5],
+        }
+    }
+}
+
+/// Widths that can be shown, in r_s.
+const HALF_WIDTHS: [f64; 2] = [0.8, 1e5];
+/// Sides of a circle.
+const SIDES: usize = 96;
+
+const HORIZON: Color32 = Color32::from_gray(120);
+const ERGOSPHERE: Color32 = Color32::from_rgb(150, 90, 200);
+const PHOTON_ORBITS: Color32 = Color32::from_rgb(240, 200, 60);
+const ISCO: Color32 = Color32::from_rgb(90, 200, 130);
+const DISK: Color32 = Color32::from_rgb(215, 130, 70);
+const CAMERA: Color32 = Color32::WHITE;
+
+/// What the colours mean.
+pub(super) const LEGEND: [(Color32, &str); 5] = [
+    (HORIZON, "horizon"),
+    (ERGOSPHERE, "ergosphere"),
+    (PHOTON_ORBITS, "photon orbits"),
+    (ISCO, "innermost stable orbit"),
+    (DISK, "disk"),
+];
+
+/// Colours of paths.
+pub(super) fn path_colour(inspected: &Inspected) -> Color32 {
+    match (inspected.trace.hits[0], inspected.trace.outcome) {
+        (Some(_), _) => Color32::from_rgb(255, 170, 90),
+        (None, Outcome::Sky) => Color32::from_rgb(110, 180, 255),
+        (None, Outcome::Captured) => Color32::from_rgb(235, 90, 90),
+        (None, Outcome::Unfinished) => Color32::from_rgb(255, 0, 255),
+    }
+}
+
+/// From places about the hole to places on the screen.
+struct Projection {
+    /// Rows: right, up, toward the eye.
+    axes: DMat3,
+    centre: Pos2,
+    points_per_length: f64,
+    horizon: f64,
+    /// Whether the camera is inside, so that the hole is drawn as a line about what happens there.
+    inside: bool,
+}
+
+impl Projection {
+    fn seen(&self, place: DVec3) -> DVec3 {
+        self.axes * place
+    }
+
+    fn point(&self, place: DVec3) -> Pos2 {
+        let seen = self.seen(place);
+        let far = |length: f64| (length * self.points_per_length).clamp(-1e5, 1e5) as f32;
+        Pos2::new(self.centre.x + far(seen.x), self.centre.y - far(seen.y))
+    }
+
+    /// Whether the hole itself is in front of a place; for a camera inside it is not.
+    fn hidden(&self, place: DVec3) -> bool {
+        if self.inside {
+            return false;
+        }
+        let seen = self.seen(place);
+        seen.z < 0.0 && seen.x.hypot(seen.y) < self.horizon
+    }
+
+    /// A line through places, without what is behind the hole.
+    fn line(&self, painter: &egui::Painter, places: impl Iterator<Item = DVec3>, stroke: Stroke) {
+        let mut run = Vec::new();
+        for place in places {
+            if self.hidden(place) {
+                painter.line(std::mem::take(&mut run), stroke);
+            } else {
+                run.push(self.point(place));
+            }
+        }
+        if run.len() > 1 {
+            painter.line(run, stroke);
+        }
+    }
+}
+
+impl Sketch {
+    /// Draws it on `size` points of the panel, and lets it be dragged and zoomed.
+    pub(super) fn show(
+        &mut self,
+        ui: &mut egui::Ui,
+        scene: &Scene,
+        rays: &[Inspected],
+        size: egui::Vec2,
+    ) {
+        let (response, painter) = ui.allocate_painter(size, egui::Sense::drag());
+        let rect = response.rect;
+        painter.rect_filled(rect, 4.0, Color32::from_gray(14));
+        let half_width = self.half_width.unwrap_or_else(|| fitting(scene));
+        if response.hovered() {
+            let scroll = ui.input(|input| input.smooth_scroll_delta.y);
+            if scroll != 0.0 {
+                let [least, most] = HALF_WIDTHS;
+                self.half_width =
+                    Some((half_width * f64::from(-0.004 * scroll).exp()).clamp(least, most));
+            }
+        }
+        if response.dragged() {
+            self.view = View::Orbit;
+            let drag = response.drag_delta();
+            self.turn[0] += f64::from(drag.x) * 0.01;
+            self.turn[1] = (self.turn[1] + f64::from(drag.y) * 0.01).clamp(-PI / 2.0, PI / 2.0);
+        }
+        let horizon = Kerr {
+            spin: scene.hole.spin,
+        }
+        .horizon();
+        let projection = Projection {
+            axes: self.axes(scene),
+            centre: rect.center(),
+            points_per_length: f64::from(0.5 * rect.size().min_elem()) / half_width,
+            horizon,
+            inside: scene.camera.r < horizon,
+        };
+        hole(&painter, &projection, scene);
+        for inspected in rays.iter().skip(1).chain(rays.first()) {
+            path(
+                &painter,
+                &projection,
+                inspected,
+                rays.first()
+                    .is_some_and(|first| std::ptr::eq(first, inspected)),
+            );
+        }
+        let camera = projection.point(scene.camera.direction() * scene.camera.r);
+        painter.circle_filled(camera, 3.5, CAMERA);
+        scale(&painter, rect, projection.points_per_length);
+    }
+
+    /// Rows: right, up, toward the eye. The camera's azimuth points left.
+    fn axes(&self, scene: &Scene) -> DMat3 {
+        let (sin, cos) = scene.camera.phi_deg.to_radians().sin_cos();
+        let (left, beside) = (DVec3::new(cos, sin, 0.0), DVec3::new(-sin, cos, 0.0));
+        let rows = match self.view {
+            View::Side => [-left, DVec3::Z, beside],
+            View::Top => [-left, -beside, DVec3::Z],
+            View::Orbit => {
+                let turned = DMat3::from_rotation_z(self.turn[0]);
+                let (right, toward) = (turned * -left, turned * beside);
+                let (sin, cos) = self.turn[1].sin_cos();
+                [
+                    right,
+                    cos * DVec3::Z - sin * toward,
+                    cos * toward + sin * DVec3::Z,
+                ]
+            }
+        };
+        DMat3::from_cols(rows[0], rows[1], rows[2]).transpose()
+    }
+}
+
+/// A width that shows the camera, or what is about the hole where the camera is far away.
+fn fitting(scene: &Scene) -> f64 {
+    const FAR: f64 = 60.0;
+    if scene.camera.r > FAR {
+        16.0
+    } else {
+        1.15 * scene.camera.r.max(3.0)
+    }
+}
+
+fn circle(radius: f64) -> impl Iterator<Item = DVec3> {
+    (0..=SIDES).map(move |i| {
+        let (sin, cos) = (TAU * i as f64 / SIDES as f64).sin_cos();
+        DVec3::new(radius * cos, radius * sin, 0.0)
+    })
+}
+
+fn hole(painter: &egui::Painter, projection: &Projection, scene: &Scene) {
+    let kerr = Kerr {
+        spin: scene.hole.spin,
+    };
+    let radius = (projection.horizon * projection.points_per_length) as f32;
+    let thin = |colour: Color32| Stroke::new(1.0, colour);
+    let fill = if projection.inside {
+        Color32::TRANSPARENT
+    } else {
+        Color32::BLACK
+    };
+    painter.circle(projection.centre, radius, fill, thin(HORIZON));
+    if scene.disk.enabled {
+        let (inner, outer) = (disk::inner_edge(scene), scene.disk.outer);
+        let rings = 14;
+        for ring in 0..=rings {
+            let edge = ring == 0 || ring == rings;
+            let colour = if edge {
+                DISK
+            } else {
+                DISK.gamma_multiply(0.28)
+            };
+            let r = inner + (outer - inner) * f64::from(ring) / f64::from(rings);
+            projection.line(painter, circle(r), thin(colour));
+        }
+    }
+    projection.line(painter, circle(kerr.isco()), thin(ISCO));
+    projection.line(
+        painter,
+        circle(kerr.photon_orbit_prograde()),
+        thin(PHOTON_ORBITS),
+    );
+    projection.line(
+        painter,
+        circle(kerr.photon_orbit_retrograde()),
+        thin(PHOTON_ORBITS),
+    );
+    if scene.hole.spin != 0.0 {
+        // The static limit: its waist, and its outline as it is seen from here.
+        projection.line(
+            painter,
+            circle(kerr.static_limit(0.0)),
+            thin(ERGOSPHERE.gamma_multiply(0.7)),
+        );
+        let toward = projection.axes.transpose() * DVec3::Z;
+        let across = projection.axes.transpose() * DVec3::X;
+        let upright = if toward.z.abs() > 0.999 {
+            DVec3::ZERO
+        } else {
+            (DVec3::Z - toward * toward.z).normalize()
+        };
+        let outline = (0..=SIDES).map(|i| {
+            let (sin, cos) = (TAU * i as f64 / SIDES as f64).sin_cos();
+            let direction = (across * sin + upright * cos).normalize_or_zero();
+            direction * kerr.static_limit(direction.z)
+        });
+        projection.line(painter, outline, thin(ERGOSPHERE));
+    }
+}
+
+fn path(painter: &egui::Painter, projection: &Projection, inspected: &Inspected, first: bool) {
+    let colour = path_colour(inspected);
+    let stroke = if first {
+        Stroke::new(2.0, colour)
+    } else {
+        Stroke::new(1.0, colour.gamma_multiply(0.6))
+    };
+    projection.line(painter, inspected.path.places.iter().copied(), stroke);
+    for hit in inspected.trace.hits.iter().flatten() {
+        let place = DVec3::new(hit.r * hit.phi.cos(), hit.r * hit.phi.sin(), 0.0);
+        if !projection.hidden(place) {
+            painter.circle_filled(
+                projection.point(place),
+                if first { 3.0 } else { 1.5 },
+                colour,
+            );
+        }
+    }
+}
+
+/// A bar of a round length.
+fn scale(painter: &egui::Painter, rect: Rect, points_per_length: f64) {
+    let wanted = 0.25 * f64::from(rect.width()) / points_per_length;
+    let decade = 10.0_f64.powf(wanted.log10().floor());
+    let length = [5.0, 2.0, 1.0]
+        .into_iter()
+        .map(|step| step * decade)
+        .find(|length| *length <= wanted)
+        .unwrap_or(decade);
+    let (left, y) = (rect.left() + 10.0, rect.bottom() - 10.0);
+    let right = left + (length * points_per_length) as f32;
+    painter.line_segment(
+        [Pos2::new(left, y), Pos2::new(right, y)],
+        Stroke::new(1.5, Color32::from_gray(200)),
+    );
+    let text = format!("{} r_s", crate::app::shown_number(length));
+    let font = egui::FontId::proportional(12.0);
+    painter.text(
+        Pos2::new(left, y - 3.0),
+        egui::Align2::LEFT_BOTTOM,
+        text,
+        font,
+        Color32::from_gray(200),
+    );
+}

@@ -1,0 +1,172 @@
+//! The numbers of an inspected ray, in few enough digits to read; copying gives all of them.
+
+use super::worker::GpuState;
+use bevy_egui::egui;
+use lightfall_core::reports::inspection::{Difference, Inspection, Record};
+
+/// The row that most people look for.
+const OFF_BY: &str = "GPU's ray is off by";
+
+pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
+    egui::Grid::new("numbers")
+        .num_columns(2)
+        .spacing([10.0, 2.0])
+        .striped(true)
+        .show(ui, |ui| {
+            let mut row = |name: &str, value: Option<String>| {
+                if let Some(value) = value {
+                    ui.label(name);
+                    ui.monospace(value);
+                    ui.end_row();
+                }
+            };
+            let cpu = &numbers.cpu;
+            row("outcome", Some(outcome(cpu).into()));
+            // How true the picture is here comes before what is known of the ray.
+            match gpu {
+                GpuState::Waiting => row(OFF_BY, Some("the GPU is asked".into())),
+                GpuState::Failed(reason) => row(OFF_BY, Some(reason.clone())),
+                GpuState::Done => {}
+            }
+            if let Some(difference) = numbers.difference {
+                compared(&mut row, &difference, numbers);
+            }
+            row(
+                "order of the image",
+                numbers.order.map(|order| order.to_string()),
+            );
+            row("half-turns", Some(format!("{:.4}", numbers.half_turns)));
+            row(
+                "closest r",
+                Some(format!("{} r_s", short(numbers.closest_r))),
+            );
+            // Inside the horizon there is light whose energy at infinity is negative; b, L/E and E
+            // have one sign.
+            let backward = numbers.impact_parameter.is_some_and(|b| b < 0.0);
+            row(
+                if backward {
+                    "b, of energy E < 0"
+                } else {
+                    "impact parameter b"
+                },
+                numbers
+                    .impact_parameter
+                    .map(|b| format!("{} r_s", short(b))),
+            );
+            row(
+                "lambda = L/E",
+                numbers
+                    .lambda
+                    .map(|lambda| format!("{} r_s", short(lambda))),
+            );
+            row(
+                "eta = Q/E²",
+                numbers.eta.map(|eta| format!("{} r_s²", short(eta))),
+            );
+            let sky = [cpu.sky_x, cpu.sky_y, cpu.sky_z]
+                .into_iter()
+                .collect::<Option<Vec<_>>>();
+            row(
+                "sky direction",
+                sky.map(|sky| {
+                    sky.iter()
+                        .map(|x| format!("{x:.4}"))
+                        .collect::<Vec<_>>()
+                        .join(" ")
+                }),
+            );
+            let hits = [
+                (
+                    "1st",
+                    cpu.hit1_r,
+                    cpu.hit1_phi,
+                    cpu.hit1_g,
+                    numbers.hit1_temperature_k,
+                    numbers.hit1_delay,
+                ),
+                (
+                    "2nd",
+                    cpu.hit2_r,
+                    cpu.hit2_phi,
+                    cpu.hit2_g,
+                    numbers.hit2_temperature_k,
+                    numbers.hit2_delay,
+                ),
+            ];
+            for (which, r, phi, g, temperature, delay) in hits {
+                let place = r
+                    .zip(phi)
+                    .map(|(r, phi)| format!("r {} r_s, phi {:.2}°", short(r), phi.to_degrees()));
+                row(&format!("{which} disk hit"), place);
+                let light = g
+                    .zip(temperature)
+                    .map(|(g, t)| format!("g {}, {t:.0} K to {:.0} K", short(g), g * t));
+                row("   its light", light);
+                row(
+                    "   emitted before",
+                    delay.map(|delay| format!("{} r_s/c", short(delay))),
+                );
+            }
+            row(
+                "reference",
+                Some(format!(
+                    "{} steps, residual {:.1e}",
+                    cpu.steps, cpu.residual
+                )),
+            );
+            let answer = numbers
+                .gpu
+                .as_ref()
+                .map(|gpu| format!("{} steps, residual {:.1e}", gpu.steps, gpu.residual));
+            row("GPU", answer);
+        });
+}
+
+fn compared(
+    row: &mut impl FnMut(&str, Option<String>),
+    difference: &Difference,
+    numbers: &Inspection,
+) {
+    if !difference.same_class {
+        row(
+            "GPU says",
+            numbers.gpu.as_ref().map(|gpu| outcome(gpu).into()),
+        );
+    }
+    let backward = difference.backward.zip(difference.backward_px);
+    row(
+        OFF_BY,
+        backward.map(|(turn, pixels)| format!("{turn:.1e} rad = {pixels:.1e} px")),
+    );
+    row(
+        "GPU off in the sky",
+        difference.sky.map(|angle| format!("{angle:.1e} rad")),
+    );
+    row(
+        "GPU off in hit r, g",
+        difference
+            .hit_r
+            .zip(difference.hit_g)
+            .map(|(r, g)| format!("{r:.1e}, {g:.1e}")),
+    );
+}
+
+/// What is seen, in words.
+fn outcome(record: &Record) -> &'static str {
+    match (record.outcome, record.hit1_r) {
+        ("sky", Some(_)) => "disk, then sky",
+        ("captured", Some(_)) => "disk, then the hole",
+        ("captured", None) => "captured by the hole",
+        (other, _) => other,
+    }
+}
+
+/// A number in six digits.
+fn short(x: f64) -> String {
+    if x == 0.0 || (1e-3..1e6).contains(&x.abs()) {
+        let whole = x.abs().max(1.0).log10().floor() as usize;
+        format!("{x:.*}", 5_usize.saturating_sub(whole))
+    } else {
+        format!("{x:.5e}")
+    }
+}

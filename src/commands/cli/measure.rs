@@ -1,0 +1,145 @@
+//! What `lightfall bench`, `lightfall extremes` and `lightfall doctor` are told.
+
+use clap::{Args, ValueEnum};
+use glam::UVec2;
+use lightfall_core::gpu::timing::Stage;
+use lightfall_core::reports::bench::{Plan, Subject, subjects};
+use lightfall_core::scene::{Method, presets};
+use std::path::PathBuf;
+
+/// What `lightfall bench` is told.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Without --json a Markdown table goes to standard output. --out also writes bench.csv, bench.json, bench.md \
+                        and, for each scene, a plot SCENE.svg."
+)]
+pub struct BenchArgs {
+    /// Scenes, by number or name, separated by commas; edge-on-spinning is preset 2 with hole.spin
+    /// = 0.9 [default: all]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = subject)]
+    pub scenes: Vec<Subject>,
+    /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace
+    /// the scene]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = method)]
+    pub methods: Vec<Method>,
+    /// Picture whose rays are timed [default: 1920x1080, with --quick 160x90]
+    #[arg(long, value_name = "WxH", value_parser = super::size)]
+    pub size: Option<UVec2>,
+    /// Entry of the shader that is timed
+    #[arg(long, value_enum, default_value_t = EntryArg::Compute)]
+    pub entry: EntryArg,
+    /// Rays whose error is measured in each scene [default: 8192, with --quick 512]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(16..=1_000_000))]
+    pub rays: Option<u32>,
+    /// Few settings, few rays, small pictures: under a minute even without a graphics card
+    #[arg(long)]
+    pub quick: bool,
+    /// Also time whole frames, each method at the scene's own setting
+    #[arg(long)]
+    pub frames: bool,
+    /// Folder for the reports; it is made, and files of the same names are replaced
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// JSON on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// The entry of the shader that is timed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum EntryArg {
+    /// The compute entry: fair between methods on every chip
+    Compute,
+    /// The fragment entry, as in pictures
+    Fragment,
+}
+
+/// What `lightfall extremes` is told.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Without --json a Markdown table goes to standard output. --out also writes extremes.csv, extremes.json and \
+                        extremes.md. The exit status is 1 if closed or mino does not hold a cell, or if a \
+                        hunt finds a ray beyond its bar that nothing explains."
+)]
+pub struct ExtremesArgs {
+    /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace
+    /// the scene]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = method)]
+    pub methods: Vec<Method>,
+    /// Rays of a cell, from 16
+    #[arg(long, value_name = "N", default_value_t = 96, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(16..=100_000))]
+    pub rays: u32,
+    /// Instead of the extremes: a grid of ordinary places, of spins, radii and inclinations
+    #[arg(long, conflicts_with = "hunt")]
+    pub grid: bool,
+    /// Instead of the matrix: trace N rays through random scenes by `auto`'s methods, and tell the
+    /// worst; 2000 a scene
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=100_000_000))]
+    pub hunt: Option<u32>,
+    /// Where the random numbers of the hunt begin: the same seed finds the same rays
+    #[arg(long, value_name = "SEED", default_value_t = 1, requires = "hunt")]
+    pub seed: u64,
+    /// Folder for the reports; it is made, and files of the same names are replaced
+    #[arg(long, value_name = "DIR", conflicts_with = "hunt")]
+    pub out: Option<PathBuf>,
+    /// JSON on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What `lightfall doctor` is told.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The self-test traces rays of presets 2 and 8 as pictures are traced and holds them against the f64 reference; \
+                        docs/ACCURACY.md says what is stated of them. Nothing is changed. The exit status is 1 if something \
+                        that is needed does not work; the report says what, and what to do."
+)]
+pub struct DoctorArgs {
+    /// JSON on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+impl BenchArgs {
+    /// The plan that these ask for.
+    #[must_use]
+    pub fn plan(&self) -> Plan {
+        let mut plan = Plan::new(self.quick);
+        if !self.scenes.is_empty() {
+            plan.subjects.clone_from(&self.scenes);
+        }
+        if !self.methods.is_empty() {
+            plan.methods.clone_from(&self.methods);
+        }
+        plan.size = self.size.unwrap_or(plan.size);
+        plan.rays = self.rays.map_or(plan.rays, |rays| rays as usize);
+        plan.stage = match self.entry {
+            EntryArg::Compute => Stage::Compute,
+            EntryArg::Fragment => Stage::Fragment,
+        };
+        plan
+    }
+}
+
+/// A scene of the program by number or name.
+fn subject(text: &str) -> Result<Subject, String> {
+    let name = presets::find(text).map_or(text, |preset| preset.name);
+    let all = subjects();
+    let names: Vec<&str> = all.iter().map(|subject| subject.name.as_str()).collect();
+    let message = format!(
+        "the scenes are the presets 1 to {}: {}",
+        presets::PRESETS.len(),
+        names.join(", ")
+    );
+    all.into_iter()
+        .find(|subject| subject.name == name)
+        .ok_or(message)
+}
+
+/// A method that runs on the GPU.
+fn method(text: &str) -> Result<Method, String> {
+    let allowed = Method::ON_GPU.map(Method::name).join(", ");
+    Method::named(text)
+        .filter(|method| Method::ON_GPU.contains(method))
+        .ok_or(format!("the methods are {allowed}"))
+}

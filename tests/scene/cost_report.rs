@@ -1,0 +1,49 @@
+//! What a scene needs, as `presets show --needs` tells it.
+
+use lightfall::render::cost_report;
+use lightfall_core::scene::presets;
+
+/// The line of an answer that begins with this name.
+fn line<'a>(answer: &'a str, name: &str) -> &'a str {
+    answer
+        .lines()
+        .find_map(|line| line.strip_prefix(name))
+        .unwrap()
+        .trim_start()
+}
+
+#[test]
+fn a_presets_needs_are_what_its_scene_says() {
+    let needs_of = |number: &str, overrides: &[&str]| {
+        let overrides: Vec<_> = overrides
+            .iter()
+            .map(|set| lightfall_core::scene::Override::assignment(set).unwrap())
+            .collect();
+        cost_report(&presets::find(number).unwrap().scene(&overrides).unwrap())
+    };
+    let probe = needs_of("6", &[]);
+    assert_eq!(line(&probe, "method"), "closed (asked for: auto)");
+    assert!(
+        line(&probe, "passes ").starts_with("clustering, main_opaque_pass_3d, geodesic, bloom, ")
+    );
+    assert_eq!(line(&probe, "passes left out"), "none");
+    assert!(line(&probe, "passes, empty").ends_with("main_transparent_pass_2d"));
+    assert_eq!(line(&probe, "not allocated"), "none");
+    assert!(line(&probe, "textures").contains("HDR picture 960x540 rgba16float"));
+    assert!(line(&probe, "textures").contains("cells 480x270"));
+
+    let ring = needs_of("5", &[]);
+    assert!(line(&ring, "text left out").contains("disk/emission.wgsl"));
+    assert!(!line(&ring, "text of shaders").contains("disk.wgsl"));
+    assert_eq!(line(&ring, "passes left out"), "clustering");
+
+    let spinning = needs_of("8", &["picture.bloom=0", "picture.bypass=true"]);
+    assert_eq!(line(&spinning, "method"), "mino (asked for: auto)");
+    assert!(line(&spinning, "flags set").starts_with("SPINNING, "));
+    assert_eq!(
+        line(&spinning, "passes left out"),
+        "clustering, bloom, pixelate, expand"
+    );
+    assert_eq!(line(&spinning, "while still"), "fit, upscaling");
+    assert_eq!(line(&spinning, "not allocated"), "bloom, cells");
+}

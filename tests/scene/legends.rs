@@ -1,0 +1,94 @@
+//! The legends of the views, held against the shaders' own colours.
+
+use crate::adapter::gpu;
+use crate::light::light_from;
+use glam::Vec4;
+use lightfall::app::legend;
+use lightfall_core::gpu::Variant;
+use lightfall_core::scene::{Method, Scene, View};
+
+/// WGSL that gives the colour of each of a legend's swatches, in their order; the shader has it
+/// from what the swatch says.
+fn colours(view: View) -> &'static [&'static str] {
+    match view {
+        View::Colour => &[],
+        View::Unfinished => &["MAGENTA"],
+        View::Classes => &[
+            "of_crossings(SKY_CLASSES, 0u)",
+            "of_crossings(SKY_CLASSES, 1u)",
+            "of_crossings(SKY_CLASSES, 2u)",
+            "of_crossings(CAPTURED_CLASSES, 0u)",
+            "of_crossings(CAPTURED_CLASSES, 1u)",
+            "of_crossings(CAPTURED_CLASSES, 2u)",
+            "of_crossings(UNFINISHED_CLASSES, 0u)",
+        ],
+        View::Order => &[
+            "order_colour(0.0)",
+            "order_colour(1.0)",
+            "order_colour(2.0)",
+            "order_colour(3.0)",
+            "vec3<f32>(0.0)",
+            "MAGENTA",
+        ],
+        View::Redshift => &[
+            "shift_colour(2.0)",
+            "shift_colour(1.41421356)",
+            "shift_colour(1.0)",
+            "shift_colour(0.70710678)",
+            "shift_colour(0.5)",
+            "vec3<f32>(0.0)",
+        ],
+        View::Residual => &[
+            "residual_colour(1e-8)",
+            "residual_colour(1e-6)",
+            "residual_colour(1e-4)",
+            "residual_colour(1e-2)",
+            "residual_colour(1.0)",
+        ],
+        View::Error => &[
+            "scale_colour(0.0)",
+            "scale_colour(0.25)",
+            "scale_colour(0.5)",
+            "scale_colour(0.75)",
+            "scale_colour(1.0)",
+            "MAGENTA",
+            "vec3<f32>(0.05)",
+        ],
+    }
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn every_view_has_a_legend_in_its_shaders_own_colours() {
+    let gpu = gpu();
+    for view in View::ALL {
+        let Some((_, swatches)) = legend(view) else {
+            assert_eq!(view, View::Colour);
+            continue;
+        };
+        let wanted = colours(view);
+        assert_eq!(swatches.len(), wanted.len(), "{view:?}");
+        let scene = Scene {
+            view,
+            method: Method::Verlet,
+            ..Scene::default()
+        };
+        let source = Variant::picture(&scene).source();
+        let expression = format!(
+            "vec4<f32>(array<vec3<f32>, {}>({})[u32(given.x)], 0.0)",
+            wanted.len(),
+            wanted.join(", ")
+        );
+        let given = (0..wanted.len()).map(|index| Vec4::splat(index as f32));
+        let lights = light_from(gpu, &source, &expression, &[], given);
+        for ((colour, meaning), light) in swatches.iter().zip(lights) {
+            // The scale of errors is written down in four places; one in 255 tones is ten times
+            // coarser where it is finest.
+            let off = (light.truncate() - *colour).abs().max_element();
+            assert!(
+                off < 1e-4,
+                "{view:?}, {meaning}: {light} in the shader, {colour} in the legend"
+            );
+        }
+    }
+}
