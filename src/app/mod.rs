@@ -1,55 +1,30 @@
 //! The window program: fly the camera, press the keys, see the scene.
 
-mod adapter;
-mod bindings;
-mod buttons;
-mod clipboard;
 mod controls;
-mod display;
-mod dock;
-mod edits;
-mod end_card;
-mod exposure;
-mod frame_pacing;
-mod free_fall;
-mod gamepad;
-mod help;
-mod history;
-mod inspector;
-mod journey_player;
-mod key_feedback;
-mod keyboard;
-mod keys;
-mod last_pose;
-mod legend;
-mod panel;
-mod pilot;
-mod recovery;
-mod resolution;
-mod screenshot;
-mod settings;
-mod status_bar;
-mod toast;
-mod window;
+mod input;
+mod motion;
+mod session;
+mod state;
+mod ui;
 
-pub use bindings::{Bindings, Bound, PadBindings, Switch};
-pub use controls::{Action, CONTROLS, Command, Control, FlightInput, Group, control_named};
-pub use display::display;
-pub use edits::edited;
-pub use frame_pacing::FramePacing;
-pub use free_fall::FreeFall;
-pub use gamepad::{deflection, squeeze};
-pub use history::History;
-pub use inspector::pixel_at;
-pub use journey_player::{JourneyPlayer, Moment};
-pub use key_feedback::remark;
-pub use legend::{Swatch, legend};
-pub use panel::shown_number;
-pub use pilot::{Steering, steered};
-pub use resolution::Resolution;
-pub use settings::{
+pub use controls::bindings::{Bindings, Bound, PadBindings, Switch};
+pub use controls::edits::edited;
+pub use controls::table::{Action, CONTROLS, Command, Control, FlightInput, Group, control_named};
+pub use input::gamepad::{deflection, squeeze};
+pub use input::key_feedback::remark;
+pub use motion::free_fall::FreeFall;
+pub use motion::journey_player::{JourneyPlayer, Moment};
+pub use motion::pilot::{Steering, steered};
+pub use session::display::display;
+pub use session::frame_pacing::FramePacing;
+pub use session::resolution::Resolution;
+pub use state::history::History;
+pub use state::settings::{
     Automatic, Settings, pictures_folder, preset_files, presets_folder, settings_file,
 };
+pub use ui::inspector::pixel_at;
+pub use ui::legend::{Swatch, legend};
+pub use ui::panel::shown_number;
 
 use crate::picture::quiet_log;
 use crate::render::{CurrentScene, LightfallRenderPlugin, Screen, render_plugin};
@@ -58,21 +33,12 @@ use bevy::prelude::*;
 use bevy::window::{PresentMode, WindowResolution};
 use bevy::winit::WinitPlugin;
 use bevy_egui::{EguiGlobalSettings, EguiPlugin, PrimaryEguiContext};
-use last_pose::LastPose;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
 
 /// Three output pixels to a cell of the default grid, which fits a common laptop's screen.
 const WINDOW_SIZE: [u32; 2] = [1440, 810];
-
-/// Nearest to the hole that flying brings the camera, in r_s: there a static observer is still an
-/// ordinary place.
-pub const MIN_FLIGHT_RADIUS: f64 = 1.08;
-
-/// A frame that took longer than this, in seconds, moves the camera no farther, so that slow
-/// machines stay steerable.
-const MAX_FRAME_SECONDS: f64 = 0.25;
 
 /// Opens the window and flies until it is closed. The journey begins at once if it is `guided`,
 /// else when it is asked for.
@@ -86,11 +52,11 @@ pub fn program(scene: Drawable, journey: Journey, guided: bool) -> App {
     if guided {
         guide.restart();
     }
-    let (mut preferences, fault) = window::Preferences::load();
+    let (mut preferences, fault) = session::window::Preferences::load();
     // Before the renderer opens a device.
-    let adapter = adapter::AdapterChoice::apply(&mut preferences);
+    let adapter = session::adapter::AdapterChoice::apply(&mut preferences);
     let mut app = App::new();
-    window::insert(&mut app, preferences, fault);
+    session::window::insert(&mut app, preferences, fault);
     app.add_plugins(
         DefaultPlugins
             .set(quiet_log())
@@ -121,28 +87,32 @@ pub fn program(scene: Drawable, journey: Journey, guided: bool) -> App {
         target: RenderTarget::default(),
     })
     .add_plugins((
-        toast::plugin,
-        window::plugin,
-        keyboard::plugin,
-        pilot::plugin,
-        frame_pacing::plugin,
-        resolution::plugin,
-    ))
-    .add_plugins((recovery::RecoveryPlugin, adapter::plugin, gamepad::plugin))
-    .add_plugins((
-        end_card::plugin,
-        journey_player::plugin,
-        free_fall::plugin,
-        exposure::plugin,
+        state::toast::plugin,
+        session::window::plugin,
+        input::keyboard::plugin,
+        motion::pilot::plugin,
+        session::frame_pacing::plugin,
+        session::resolution::plugin,
     ))
     .add_plugins((
-        screenshot::plugin,
-        status_bar::plugin,
-        legend::plugin,
-        help::plugin,
-        panel::plugin,
-        inspector::plugin,
-        clipboard::plugin,
+        session::recovery::RecoveryPlugin,
+        session::adapter::plugin,
+        input::gamepad::plugin,
+    ))
+    .add_plugins((
+        ui::end_card::plugin,
+        motion::journey_player::plugin,
+        motion::free_fall::plugin,
+        session::exposure::plugin,
+    ))
+    .add_plugins((
+        session::screenshot::plugin,
+        ui::status_bar::plugin,
+        ui::legend::plugin,
+        ui::help::plugin,
+        ui::panel::plugin,
+        ui::inspector::plugin,
+        session::clipboard::plugin,
     ))
     .add_systems(
         Update,

@@ -17,7 +17,7 @@ fn settings_are_read_back_as_they_were_written() {
         .insert("window.help".into(), vec!["F10".into()]);
     settings
         .buttons
-        .insert("window.help".into(), vec!["JourneyPlayer".into()]);
+        .insert("window.help".into(), vec!["Guide".into()]);
     settings.adapter = Some(AdapterName {
         name: "A card \"2\"".into(),
         backend: "vulkan".into(),

@@ -1,0 +1,114 @@
+//! The graphics adapter that the settings name: used from the next start on, and given up where it
+//! does not work, so that no choice locks its player out.
+
+use crate::app::session::window::Preferences;
+use crate::app::state::settings::settings_file;
+use crate::app::state::toast::Toast;
+use crate::render::DrawRequest;
+use bevy::prelude::*;
+use bevy::render::renderer::RenderAdapterInfo;
+use lightfall_core::gpu;
+use lightfall_core::gpu::AdapterName;
+use std::path::PathBuf;
+
+/// How it stands with the adapter of the settings in this run.
+#[derive(Resource, Default)]
+pub(crate) struct AdapterChoice {
+    /// The one that the renderer was told to use.
+    pub(crate) used: Option<AdapterName>,
+    /// The file that is there while it is not known whether that one works.
+    trial: Option<PathBuf>,
+    /// What there is to tell the player.
+    news: Option<String>,
+}
+
+impl AdapterChoice {
+    /// Prefers the adapter of the settings. This comes before anything opens a device.
+    pub(crate) fn apply(preferences: &mut Preferences) -> Self {
+        let Some(wanted) = preferences.settings.adapter.clone() else {
+            return Self::default();
+        };
+        if gpu::named_by_environment().is_some() {
+            return Self::default();
+        }
+        let told = |news: String| Self {
+            news: Some(news),
+            ..Self::default()
+        };
+        let trial = settings_file().map(|file| file.with_file_name("adapter-on-trial"));
+        if let Some(trial) = trial.as_ref().filter(|trial| trial.exists()) {
+            preferences.settings.adapter = None;
+            return match std::fs::remove_file(trial) {
+                Ok(()) => told(format!(
+                    "The last start with {wanted} did not come to a picture: the best adapter is used"
+                )),
+                Err(error) => told(format!(
+                    "{wanted} is not used: {}: {error}",
+                    trial.display()
+                )),
+            };
+        }
+        if gpu::adapters().iter().all(|listed| listed.name != wanted) {
+            return told(format!(
+                "{wanted}, which the settings name, is not there: the best adapter is used"
+            ));
+        }
+        // Without a place for the file there is none for settings either.
+        let trial = trial.filter(|trial| std::fs::write(trial, wanted.to_string()).is_ok());
+        gpu::prefer(Some(wanted.clone()));
+        Self {
+            used: Some(wanted),
+            trial,
+            news: None,
+        }
+    }
+
+    fn end_trial(&mut self) {
+        if let Some(trial) = self.trial.take()
+            && let Err(error) = std::fs::remove_file(&trial)
+        {
+            warn!("{}: {error}", trial.display());
+        }
+    }
+}
+
+pub(crate) fn plugin(app: &mut App) {
+    app.add_systems(Startup, compare)
+        .add_systems(Update, tell)
+        .add_systems(Last, conclude);
+}
+
+/// An adapter that cannot show this window is passed over by the renderer.
+fn compare(mut choice: ResMut<AdapterChoice>, present: Option<Res<RenderAdapterInfo>>) {
+    let Some((wanted, present)) = choice
+        .used
+        .clone()
+        .zip(present.map(|info| AdapterName::of(&info)))
+    else {
+        return;
+    };
+    if present != wanted {
+        choice.news = Some(format!(
+            "{wanted}, which the settings name, cannot show this window: {present} is used"
+        ));
+    }
+}
+
+fn tell(mut choice: ResMut<AdapterChoice>, mut notice: ResMut<Toast>) {
+    if let Some(news) = choice.bypass_change_detection().news.take() {
+        warn!("{news}");
+        notice.add(&news);
+    }
+}
+
+/// It works once there is a picture; who closes the window before does not say that it does not.
+fn conclude(
+    mut choice: ResMut<AdapterChoice>,
+    request: Res<DrawRequest>,
+    mut exits: MessageReader<AppExit>,
+) {
+    let closed = exits.read().any(AppExit::is_success);
+    if choice.trial.is_some() && (closed || request.is_drawn()) {
+        choice.end_trial();
+    }
+}

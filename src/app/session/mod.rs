@@ -1,0 +1,9 @@
+pub(crate) mod adapter;
+pub(crate) mod clipboard;
+pub(crate) mod display;
+pub(crate) mod exposure;
+pub(crate) mod frame_pacing;
+pub(crate) mod recovery;
+pub(crate) mod resolution;
+pub(crate) mod screenshot;
+pub(crate) mod window;

@@ -1,0 +1,38 @@
+//! After the loss of the graphics device: what the user interface had there is made anew, and the
+//! window says what happened.
+
+use crate::app::state::toast::Toast;
+use crate::render::recovery;
+use crate::render::recovery::DeviceLosses;
+use bevy::prelude::*;
+use bevy::render::render_resource::SpecializedRenderPipelines;
+use bevy::render::{GpuResourceAppExt, RenderApp};
+use bevy_egui::render::EguiPipeline;
+use bevy_egui::render::systems::{EguiRenderData, EguiTransforms};
+
+pub(crate) struct RecoveryPlugin;
+
+impl Plugin for RecoveryPlugin {
+    fn build(&self, app: &mut App) {
+        recovery::plugin(app);
+        app.add_systems(Update, tell.run_if(resource_changed::<DeviceLosses>));
+        // egui's own plugin makes these once only, and they would go on naming buffers and
+        // pipelines of the lost device.
+        let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
+            return;
+        };
+        render_app
+            .init_gpu_resource::<EguiPipeline>()
+            .init_gpu_resource::<SpecializedRenderPipelines<EguiPipeline>>()
+            .init_gpu_resource::<EguiTransforms>()
+            .init_gpu_resource::<EguiRenderData>();
+    }
+}
+
+fn tell(losses: Res<DeviceLosses>, mut notice: ResMut<Toast>, mut told: Local<usize>) {
+    if losses.recovered > *told {
+        *told = losses.recovered;
+        notice
+            .say("The graphics device was lost and has been opened again. The scene is as it was.");
+    }
+}

@@ -1,0 +1,160 @@
+//! What the colours of a diagnostic view mean, in the upper left corner while one is shown.
+
+use crate::app::input::key_feedback;
+use crate::app::session::window::Overlays;
+use crate::render::CurrentScene;
+use bevy::prelude::*;
+use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use lightfall_core::scene::{Scene, View};
+
+/// A colour of a view, as its shader has it (linear sRGB), and what it stands for.
+pub type Swatch = (Vec3, &'static str);
+
+const MAGENTA: Vec3 = Vec3::new(1.0, 0.0, 1.0);
+const BLACK: Vec3 = Vec3::ZERO;
+
+const UNFINISHED: &[Swatch] = &[(MAGENTA, "no answer: out of steps, or not a number")];
+
+const CLASSES: &[Swatch] = &[
+    (Vec3::new(0.0, 0.02, 0.16), "from the sky"),
+    (
+        Vec3::new(0.02, 0.20, 0.75),
+        "from the sky, through the disk's plane once",
+    ),
+    (Vec3::new(0.30, 0.75, 1.0), "from the sky, through it twice"),
+    (Vec3::new(0.06, 0.02, 0.0), "from the horizon"),
+    (
+        Vec3::new(0.60, 0.15, 0.0),
+        "from the horizon, through it once",
+    ),
+    (
+        Vec3::new(1.0, 0.65, 0.05),
+        "from the horizon, through it twice",
+    ),
+    (MAGENTA, "no answer"),
+];
+
+const ORDERS: &[Swatch] = &[
+    (Vec3::splat(0.20), "0: direct light"),
+    (Vec3::new(0.79, 0.35, 0.0), "1: a half-turn about the hole"),
+    (Vec3::new(0.0, 0.17, 0.45), "2 half-turns"),
+    (Vec3::splat(0.95), "3 and more"),
+    (BLACK, "from the horizon"),
+    (MAGENTA, "no answer"),
+];
+
+const SHIFTS: &[Swatch] = &[
+    (Vec3::new(0.01, 0.04, 0.40), "g = 2 and more"),
+    (Vec3::new(0.10, 0.40, 0.95), "g = 1.41, blueshifted"),
+    (Vec3::splat(0.90), "g = 1"),
+    (Vec3::new(0.90, 0.30, 0.03), "g = 0.71, redshifted"),
+    (Vec3::new(0.25, 0.01, 0.01), "g = 0.5 and less"),
+    (BLACK, "from the horizon"),
+];
+
+const RESIDUALS: &[Swatch] = &[
+    (BLACK, "1e-8 and less"),
+    (Vec3::new(0.10, 0.01, 0.25), "1e-6"),
+    (Vec3::new(0.75, 0.12, 0.04), "1e-4"),
+    (Vec3::new(0.95, 0.65, 0.02), "1e-2"),
+    (Vec3::ONE, "1 and more"),
+];
+
+const ERRORS: &[Swatch] = &[
+    (Vec3::new(0.0273, 0.0090, 0.1511), "1e-4 px and less"),
+    (Vec3::new(0.0080, 0.1104, 0.2716), "1e-3 px"),
+    (Vec3::new(0.0246, 0.3181, 0.3356), "1e-2 px"),
+    (Vec3::new(0.2431, 0.6151, 0.2757), "0.1 px"),
+    (Vec3::new(0.9615, 0.9322, 0.0480), "1 px and more"),
+    (MAGENTA, "no turn of the ray explains it"),
+    (Vec3::splat(0.05), "not known yet"),
+];
+
+/// What a view shows, and its colours; none for the light itself.
+#[must_use]
+pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
+    Some(match view {
+        View::Colour => return None,
+        View::Unfinished => ("Rays left unfinished", UNFINISHED),
+        View::Classes => ("Where each ray comes from", CLASSES),
+        View::Order => (
+            "Order of the image; the sky is darker than the disk",
+            ORDERS,
+        ),
+        View::Redshift => ("Observed over emitted frequency, of disk or sky", SHIFTS),
+        View::Residual => ("Residual of the null constraint (not the error)", RESIDUALS),
+        View::Error => ("The turn of each ray that explains its error", ERRORS),
+    })
+}
+
+/// Room around it, in points.
+const MARGIN: f32 = 8.0;
+
+pub(crate) fn plugin(app: &mut App) {
+    app.add_systems(EguiPrimaryContextPass, show);
+}
+
+fn show(mut contexts: EguiContexts, scene: Res<CurrentScene>, shown: Res<Overlays>) -> Result {
+    let Some((title, swatches)) = legend(scene.view).filter(|_| !shown.hidden) else {
+        return Ok(());
+    };
+    egui::Area::new("legend".into())
+        .fixed_pos([shown.left() + MARGIN, MARGIN])
+        .interactable(false)
+        .order(egui::Order::Background)
+        .show(contexts.ctx_mut()?, |ui| {
+            let frame = egui::Frame::new()
+                .fill(egui::Color32::from_black_alpha(200))
+                .inner_margin(6)
+                .corner_radius(4);
+            frame.show(ui, |ui| {
+                ui.spacing_mut().item_spacing.y = 2.0;
+                ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+                ui.label(egui::RichText::new(title).size(13.0).strong());
+                for (colour, meaning) in swatches {
+                    ui.horizontal(|ui| {
+                        let (rect, _) =
+                            ui.allocate_exact_size(egui::vec2(22.0, 12.0), egui::Sense::hover());
+                        let edge = egui::Stroke::new(1.0, egui::Color32::from_gray(90));
+                        ui.painter().rect(
+                            rect,
+                            1.0,
+                            as_shown(*colour),
+                            edge,
+                            egui::StrokeKind::Inside,
+                        );
+                        ui.label(egui::RichText::new(*meaning).size(13.0));
+                    });
+                }
+                if let Some(none) = none_of_it(&scene) {
+                    ui.label(egui::RichText::new(none).size(13.0));
+                }
+            });
+        });
+    Ok(())
+}
+
+/// Why a view shows nothing of what it is for.
+fn none_of_it(scene: &Scene) -> Option<&'static str> {
+    match scene.view {
+        View::Unfinished if key_feedback::leaves_none(scene) => Some("This method leaves none."),
+        View::Residual if key_feedback::steps_none(scene) => {
+            Some("This method solves rays instead of stepping them: it has none.")
+        }
+        _ => None,
+    }
+}
+
+/// The colour that a mark has on the screen: its light, a little below white's, tone-mapped as the
+/// picture is (Khronos PBR neutral, whose shoulder no mark reaches).
+fn as_shown(colour: Vec3) -> egui::Color32 {
+    let light = lightfall_core::gpu::MARK_BRIGHTNESS as f32 * colour;
+    let least = light.min_element();
+    let offset = if least < 0.08 {
+        least - 6.25 * least * least
+    } else {
+        0.04
+    };
+    let [r, g, b] = (light - offset).to_array();
+    egui::Rgba::from_rgb(r, g, b).into()
+}

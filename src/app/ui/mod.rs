@@ -1,0 +1,7 @@
+pub(crate) mod dock;
+pub(crate) mod end_card;
+pub(crate) mod help;
+pub(crate) mod inspector;
+pub(crate) mod legend;
+pub(crate) mod panel;
+pub(crate) mod status_bar;
