@@ -10,7 +10,7 @@ mod ui;
 pub use controls::bindings::{Bindings, Bound, PadBindings, Switch};
 pub use controls::edits::edited;
 pub use controls::table::{Action, CONTROLS, Command, Control, FlightInput, Group, control_named};
-pub use input::gamepad::{deflection, squeeze};
+pub use input::gamepad::{NO_GAMEPAD, deflection, squeeze};
 pub use input::key_feedback::remark;
 pub use motion::free_fall::FreeFall;
 pub use motion::journey_player::{JourneyPlayer, Moment};
@@ -19,9 +19,7 @@ pub use session::display::display;
 pub use session::frame_pacing::FramePacing;
 pub use session::resolution::Resolution;
 pub use state::history::History;
-pub use state::settings::{
-    Automatic, Settings, pictures_folder, preset_files, presets_folder, settings_file,
-};
+pub use state::settings::{Automatic, Settings};
 pub use ui::inspector::pixel_at;
 pub use ui::legend::{Swatch, legend};
 pub use ui::panel::shown_number;

@@ -1,8 +1,10 @@
 //! `lightfall bench`.
 
-use super::{circumstances, make_folder, print, progress, write};
-use crate::commands::cli::{BenchArgs, EntryArg};
-use crate::commands::run::{Stop, failed, without_device};
+use super::circumstances::circumstances;
+use super::cli::{BenchArgs, EntryArg};
+use super::output::{create_report_folder, print, write_report};
+use super::progress::progress;
+use super::stop::Stop;
 use crate::picture;
 use glam::UVec2;
 use lightfall_core::gpu::Gpu;
@@ -16,13 +18,12 @@ const FRAMES: usize = 9;
 
 /// Measures, prints and writes.
 pub fn bench(args: &BenchArgs) -> Result<(), Stop> {
-    make_folder(args.out.as_deref())?;
-    let gpu = Gpu::headless().map_err(without_device)?;
+    create_report_folder(args.out.as_deref())?;
+    let gpu = Gpu::headless().map_err(Stop::without_device)?;
     let plan = args.plan();
     if plan.is_empty() {
-        return Err(Stop(
-            2,
-            "no method of --methods can trace a scene of --scenes: verlet and closed need hole.spin = 0".into(),
+        return Err(Stop::refused(
+            "no method of --methods can trace a scene of --scenes: verlet and closed need hole.spin = 0",
         ));
     }
     let bar = progress(plan.len());
@@ -30,7 +31,7 @@ pub fn bench(args: &BenchArgs) -> Result<(), Stop> {
         bar.set_message(format!("{}, {}", row.scene, row.label()));
         bar.inc(1);
     });
-    let mut rows = measured.map_err(failed)?;
+    let mut rows = measured.map_err(Stop::failed)?;
     if args.frames {
         bar.set_message("whole frames");
         time_frames(&plan, &mut rows)?;
@@ -42,18 +43,18 @@ pub fn bench(args: &BenchArgs) -> Result<(), Stop> {
         EntryArg::Fragment => "fragment",
     };
     let circumstances = Circumstances {
-        floor_ms: Some(plan.floor(&gpu).map_err(failed)?),
+        floor_ms: Some(plan.floor(&gpu).map_err(Stop::failed)?),
         ..circumstances(&gpu, format!("{}x{}", plan.size.x, plan.size.y), entry)
     };
     let (json, markdown) = (json(&circumstances, &rows), markdown(&circumstances, &rows));
     if let Some(folder) = &args.out {
-        write(folder, "bench.csv", &csv(&circumstances, &rows))?;
-        write(folder, "bench.json", &json)?;
-        write(folder, "bench.md", &markdown)?;
+        write_report(folder, "bench.csv", &csv(&circumstances, &rows))?;
+        write_report(folder, "bench.json", &json)?;
+        write_report(folder, "bench.md", &markdown)?;
         for subject in &plan.subjects {
             let about = format!("{}, {}", circumstances.size, circumstances.adapter);
-            if let Some(svg) = plot(&subject.name, &about, &rows).map_err(|error| Stop(1, error))? {
-                write(folder, &format!("{}.svg", subject.name), &svg)?;
+            if let Some(svg) = plot(&subject.name, &about, &rows).map_err(Stop::failed)? {
+                write_report(folder, &format!("{}.svg", subject.name), &svg)?;
             }
         }
     }
@@ -99,7 +100,7 @@ fn time_frames(plan: &Plan, rows: &mut [Measured]) -> Result<(), Stop> {
             ..subject.scene.clone()
         };
         let size = UVec2::new(scene.picture.width, scene.picture.height);
-        let (_, passes) = picture::render_timed(&scene, size, FRAMES).map_err(failed)?;
+        let (_, passes) = picture::render_timed(&scene, size, FRAMES).map_err(Stop::failed)?;
         row.frame_ms = (!passes.is_empty()).then(|| passes.iter().map(|pass| pass.median_ms).sum());
     }
     Ok(())

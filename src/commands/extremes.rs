@@ -1,8 +1,10 @@
 //! `lightfall extremes`.
 
-use super::{circumstances, make_folder, print, progress, write};
-use crate::commands::cli::ExtremesArgs;
-use crate::commands::run::{Stop, failed, without_device};
+use super::circumstances::circumstances;
+use super::cli::ExtremesArgs;
+use super::output::{create_report_folder, print, write_report};
+use super::progress::progress;
+use super::stop::Stop;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::reports::bench::{csv, json};
 use lightfall_core::reports::extremes::{Found, Hunt, cells, grid, markdown, run, verdicts};
@@ -13,8 +15,8 @@ const TOLD: usize = 10;
 
 /// Measures the matrix, or hunts; prints and writes.
 pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
-    make_folder(args.out.as_deref())?;
-    let gpu = Gpu::headless().map_err(without_device)?;
+    create_report_folder(args.out.as_deref())?;
+    let gpu = Gpu::headless().map_err(Stop::without_device)?;
     if let Some(rays) = args.hunt {
         return hunt(
             &gpu,
@@ -42,15 +44,15 @@ pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
         ));
         bar.inc(1);
     });
-    let verdicts = measured.map_err(failed)?;
+    let verdicts = measured.map_err(Stop::failed)?;
     bar.finish_and_clear();
 
     let circumstances = circumstances(&gpu, format!("{} rays a cell", args.rays), "compute");
     let (json, markdown) = (json(&circumstances, &verdicts), markdown(&verdicts));
     if let Some(folder) = &args.out {
-        write(folder, "extremes.csv", &csv(&circumstances, &verdicts))?;
-        write(folder, "extremes.json", &json)?;
-        write(folder, "extremes.md", &markdown)?;
+        write_report(folder, "extremes.csv", &csv(&circumstances, &verdicts))?;
+        write_report(folder, "extremes.json", &json)?;
+        write_report(folder, "extremes.md", &markdown)?;
     }
     print(if args.json { &json } else { &markdown })?;
     let solved = |method: &str| {
@@ -69,10 +71,9 @@ pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
         own - failing
     );
     if failing > 0 {
-        Err(Stop(
-            1,
-            format!("cells that do not hold: {failing}; see the table"),
-        ))
+        Err(Stop::failed(format!(
+            "cells that do not hold: {failing}; see the table"
+        )))
     } else {
         Ok(())
     }
@@ -86,7 +87,7 @@ fn hunt(gpu: &Gpu, hunt: &Hunt, as_json: bool) -> Result<(), Stop> {
         bar.set_message(format!("the worst ray so far is at {worst:.2} of its bar"));
         bar.inc(1);
     });
-    let found = found.map_err(failed)?;
+    let found = found.map_err(Stop::failed)?;
     bar.finish_and_clear();
     let beyond: usize = found.iter().map(|found| found.beyond).sum();
     let unexplained: usize = found.iter().map(|found| found.unexplained).sum();
@@ -113,10 +114,9 @@ fn hunt(gpu: &Gpu, hunt: &Hunt, as_json: bool) -> Result<(), Stop> {
         print(&told.iter().map(line).collect::<String>())?;
     }
     if unexplained > 0 {
-        Err(Stop(
-            1,
-            format!("rays beyond their bar that nothing explains: {unexplained}"),
-        ))
+        Err(Stop::failed(format!(
+            "rays beyond their bar that nothing explains: {unexplained}"
+        )))
     } else {
         Ok(())
     }

@@ -1,9 +1,11 @@
-//! `lightfall render`.
+//! `lightfall render`: a picture, or a journey as a sequence of pictures.
 
-use super::{commit, print, progress};
-use crate::commands::cli;
-use crate::commands::cli::RenderArgs;
-use crate::commands::run::{Stop, drawable, failed, refused, scene, without_device};
+use super::circumstances::commit;
+use super::cli::RenderArgs;
+use super::output::print;
+use super::progress::progress;
+use super::scene::{drawable, journey, scene};
+use super::stop::Stop;
 use crate::picture;
 use crate::picture::{
     Channels, Format, Frames, HeadlessOptions, Linear, PassTime, PictureError, PixelRays, Sequence,
@@ -11,16 +13,18 @@ use crate::picture::{
 };
 use glam::UVec2;
 use indicatif::ProgressBar;
+use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::Scene;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// Frames that `render --timings` takes the median of.
+/// Number of frames that `render --timings` takes the median of.
 const TIMED_FRAMES: usize = 15;
 
-/// Draws and writes a picture, or a sequence of them.
-pub fn render(args: &RenderArgs) -> Result<(), Stop> {
+/// Draws and writes a picture, or a sequence of pictures.
+pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     let mut scene = scene(&args.scene)?;
-    // The file first: a picture that cannot be kept is not worth the work.
+    // The file is checked before any work is done for a picture that could not be written.
     let sequence = args
         .frames
         .map(|frames| sequence(args, frames, &scene))
@@ -29,58 +33,57 @@ pub fn render(args: &RenderArgs) -> Result<(), Stop> {
         || args.out.clone(),
         |sequence| sequence.file(sequence.frames.first),
     );
-    let format = picture::check_path(&first).map_err(refused)?;
+    let format = picture::check_path(&first).map_err(Stop::refused)?;
     if let (Format::Exr, Some(size)) = (format, args.size) {
         resize(&mut scene, size)?;
     }
     if let (Format::Png, Some(_)) = (format, &args.aov) {
-        return Err(Stop(
-            2,
-            "--aov is for pictures of linear light: the file's name must end in .exr".into(),
+        return Err(Stop::refused(
+            "--aov is for pictures of linear light: the file's name must end in .exr",
         ));
     }
-    let shots = Shots {
+    let pictures = Pictures {
         scene,
         file: args.out.clone(),
         sequence,
     };
-    shots.check()?;
+    pictures.check()?;
 
-    let picture = UVec2::new(shots.scene.picture.width, shots.scene.picture.height);
+    let drawn = UVec2::new(pictures.scene.picture.width, pictures.scene.picture.height);
     let size = if format == Format::Exr {
-        picture
+        drawn
     } else {
-        args.size.unwrap_or(picture)
+        args.size.unwrap_or(drawn)
     };
-    let equipment = HeadlessOptions {
+    let options = HeadlessOptions {
         timed: args.timings,
         light: format == Format::Exr,
     };
-    let (begin, _) = shots.get(shots.numbers().start);
-    let mut camera = Camera {
-        studio: Studio::equipped(&begin, size, equipment).map_err(stopped)?,
+    let (first_scene, _) = pictures.get(pictures.numbers().start);
+    let mut writer = PictureWriter {
+        studio: Studio::equipped(&first_scene, size, options).map_err(stop_drawing)?,
         format,
         channels: args.aov.clone().unwrap_or_default(),
         rays: None,
         fps: args.frames.map(|_| args.fps),
     };
-    let bar = if shots.sequence.is_some() {
-        progress(shots.numbers().len())
+    let bar = if pictures.sequence.is_some() {
+        progress(pictures.numbers().len())
     } else {
         ProgressBar::hidden()
     };
-    for number in shots.numbers() {
-        let (scene, file) = shots.get(number);
+    for number in pictures.numbers() {
+        let (scene, file) = pictures.get(number);
         bar.set_message(file.display().to_string());
-        camera.take(&scene, &file)?;
+        writer.write(&scene, &file)?;
         bar.suspend(|| print(&format!("{}\n", file.display())))?;
         bar.inc(1);
     }
     bar.finish_and_clear();
     if args.timings {
-        say_times(&camera.studio.time(TIMED_FRAMES).map_err(stopped)?);
+        print_times(&writer.studio.time(TIMED_FRAMES).map_err(stop_drawing)?);
     }
-    if let Some(sequence) = &shots.sequence {
+    if let Some(sequence) = &pictures.sequence {
         eprintln!(
             "lightfall: a video of them: {}",
             sequence.ffmpeg(size.x, size.y)
@@ -90,19 +93,16 @@ pub fn render(args: &RenderArgs) -> Result<(), Stop> {
 }
 
 fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence, Stop> {
-    let of_file = args.journey.as_deref();
-    let journey =
-        cli::journey(of_file, scene).map_err(|error| Stop(error.exit_code(), error.to_string()))?;
-    let sequence = Sequence::new(journey, frames, args.fps, &args.out)
-        .map_err(|sentence| Stop(2, sentence))?;
+    let journey = journey(args.journey.as_deref(), scene)?;
+    let sequence = Sequence::new(journey, frames, args.fps, &args.out).map_err(Stop::refused)?;
     let end = sequence.end();
     if f64::from(frames.last) > end {
-        eprintln!("lightfall: the journey ends at frame {end}; those after it show its end");
+        eprintln!("lightfall: the journey ends at frame {end}; later frames show its end");
     }
     Ok(sequence)
 }
 
-/// Draws the scene at another size. No cell is finer than a pixel.
+/// Gives the scene's picture another size. Its cells stay at least one pixel large.
 fn resize(scene: &mut Scene, size: UVec2) -> Result<(), Stop> {
     let picture = &mut scene.picture;
     (picture.width, picture.height) = (size.x, size.y);
@@ -112,18 +112,18 @@ fn resize(scene: &mut Scene, size: UVec2) -> Result<(), Stop> {
     );
     scene
         .check()
-        .map_err(|refusal| Stop(2, format!("--size: {refusal}")))
+        .map_err(|refusal| Stop::refused(format!("--size: {refusal}")))
 }
 
-/// What is drawn, and where it is written: one picture or the frames of a sequence, by number.
-struct Shots {
+/// The pictures to draw, with their files: one, or the frames of a sequence, by number.
+struct Pictures {
     scene: Scene,
     file: PathBuf,
     sequence: Option<Sequence>,
 }
 
-impl Shots {
-    fn numbers(&self) -> std::ops::Range<u32> {
+impl Pictures {
+    fn numbers(&self) -> Range<u32> {
         self.sequence
             .as_ref()
             .map_or(0..1, |Sequence { frames, .. }| {
@@ -138,43 +138,48 @@ impl Shots {
         }
     }
 
-    /// Whether all of them can be drawn: nobody wants to learn at the last frame that it cannot.
+    /// Checks that all pictures can be drawn, so that the last frame of a long sequence does not
+    /// come as a surprise.
     fn check(&self) -> Result<(), Stop> {
         drawable(&self.get(self.numbers().start).0)?;
         let Some(sequence) = &self.sequence else {
             return Ok(());
         };
         for number in self.numbers() {
-            let refused = |reason| Stop(2, format!("frame {number}: {reason}"));
-            lightfall_core::gpu::Drawable::new(sequence.scene(&self.scene, number))
-                .map_err(refused)?;
+            Drawable::new(sequence.scene(&self.scene, number))
+                .map_err(|reason| Stop::refused(format!("frame {number}: {reason}")))?;
         }
         Ok(())
     }
 }
 
-/// What takes the pictures.
-struct Camera {
+/// Draws scenes and writes their pictures.
+struct PictureWriter {
     studio: Studio,
     format: Format,
     channels: Channels,
-    /// Opened when they are needed first.
+    /// Opened for the first picture that needs it.
     rays: Option<PixelRays>,
     fps: Option<f64>,
 }
 
-impl Camera {
-    /// Draws the scene and writes its picture.
-    fn take(&mut self, scene: &Scene, file: &Path) -> Result<(), Stop> {
-        self.studio.show(scene).map_err(stopped)?;
-        self.studio.settle().map_err(stopped)?;
-        if self.format == Format::Png {
-            let still = self.studio.picture().map_err(stopped)?;
-            return write_png(file, &still, scene);
+impl PictureWriter {
+    fn write(&mut self, scene: &Scene, file: &Path) -> Result<(), Stop> {
+        self.studio.show(scene).map_err(stop_drawing)?;
+        self.studio.settle().map_err(stop_drawing)?;
+        match self.format {
+            Format::Png => {
+                let still = self.studio.picture().map_err(stop_drawing)?;
+                write_png(file, &still, scene)
+            }
+            Format::Exr => self.write_exr(scene, file),
         }
-        let light = self.studio.light().map_err(stopped)?;
+    }
+
+    fn write_exr(&mut self, scene: &Scene, file: &Path) -> Result<(), Stop> {
+        let light = self.studio.light().map_err(stop_drawing)?;
         let depth = if self.channels.with_depth() {
-            self.studio.depth().map_err(stopped)?
+            self.studio.depth().map_err(stop_drawing)?
         } else {
             Vec::new()
         };
@@ -183,9 +188,10 @@ impl Camera {
         } else {
             let rays = match &mut self.rays {
                 Some(rays) => rays,
-                none => none.insert(PixelRays::open().map_err(without_device)?),
+                none => none.insert(PixelRays::open().map_err(Stop::without_device)?),
             };
-            rays.sample(scene, &self.channels, &depth).map_err(failed)?
+            rays.sample(scene, &self.channels, &depth)
+                .map_err(Stop::failed)?
         };
         let commit = commit();
         let picture = Linear {
@@ -196,18 +202,21 @@ impl Camera {
             commit: commit.as_deref(),
             fps: self.fps,
         };
-        picture::write_exr(file, picture).map_err(failed)
+        picture::write_exr(file, picture).map_err(Stop::failed)
     }
 }
 
-/// Whoever interrupts knows why it stops.
-fn stopped(error: PictureError) -> Stop {
+/// The status of an interruption is 130, that of every other failure 1.
+fn stop_drawing(error: PictureError) -> Stop {
     let status = if matches!(error, PictureError::Interrupted) {
         130
     } else {
         1
     };
-    Stop(status, error.to_string())
+    Stop {
+        status,
+        sentence: error.to_string(),
+    }
 }
 
 fn write_png(file: &Path, still: &Still, scene: &Scene) -> Result<(), Stop> {
@@ -218,16 +227,16 @@ fn write_png(file: &Path, still: &Still, scene: &Scene) -> Result<(), Stop> {
         &still.rgb,
         &scene.to_preset(),
     )
-    .map_err(failed)
+    .map_err(Stop::failed)
 }
 
-/// Writes a finished picture of the scene and prints the file's name.
-pub fn write_still(file: &Path, still: &Still, scene: &Scene) -> Result<(), Stop> {
+/// Writes a finished picture of the scene as PNG and prints the file's name.
+pub(super) fn write_still(file: &Path, still: &Still, scene: &Scene) -> Result<(), Stop> {
     write_png(file, still, scene)?;
     print(&format!("{}\n", file.display()))
 }
 
-fn say_times(times: &[PassTime]) {
+fn print_times(times: &[PassTime]) {
     eprintln!(
         "{:>10}{:>10}  pass (GPU time in ms, median of {TIMED_FRAMES} frames)",
         "drawn", "kept"

@@ -1,7 +1,7 @@
 //! Picture files: they appear whole or not at all.
 
-use super::PRESET_KEY;
-use std::io::{ErrorKind, Write};
+use crate::storage::{PRESET_KEY, WriteError, check_writable, write_atomically};
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// Why a picture could not be made or written; each is one sentence.
@@ -16,13 +16,8 @@ pub enum PictureError {
         extension: String,
     },
     /// The folder or file cannot be written.
-    #[error("{path}: cannot be written: {source}")]
-    Write {
-        /// The file asked for.
-        path: PathBuf,
-        /// What the system says.
-        source: std::io::Error,
-    },
+    #[error(transparent)]
+    Write(#[from] WriteError),
     /// The picture could not be encoded.
     #[error("{path}: the picture could not be encoded: {reason}")]
     Encode {
@@ -90,13 +85,11 @@ pub fn check_path(path: &Path) -> Result<Format, PictureError> {
         }
     };
     if path.is_dir() {
-        let source = std::io::Error::new(ErrorKind::IsADirectory, "it is a folder");
-        return Err(PictureError::Write {
-            path: path.into(),
-            source,
-        });
+        let reason = io::Error::new(ErrorKind::IsADirectory, "it is a folder");
+        return Err(WriteError::new(path, reason).into());
     }
-    part_file(path).map(|_| format)
+    check_writable(path)?;
+    Ok(format)
 }
 
 /// Writes 8-bit RGB rows, top first, as a PNG, with the preset that drew them inside. The file
@@ -115,7 +108,7 @@ pub fn write_png(
         path: path.into(),
         reason: error.to_string(),
     })?;
-    write_whole(path, &bytes)
+    Ok(write_atomically(path, &bytes)?)
 }
 
 fn encoded(
@@ -135,52 +128,4 @@ fn encoded(
     writer.write_image_data(rgb)?;
     writer.finish()?;
     Ok(bytes)
-}
-
-/// Writes a text. The file appears under its name only when it is complete.
-///
-/// # Errors
-/// What the file system says, with the file's name.
-pub fn write_text(path: &Path, text: &str) -> Result<(), PictureError> {
-    write_whole(path, text.as_bytes())
-}
-
-/// Writes a file that appears under its name only when it is complete.
-pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), PictureError> {
-    let mut part = part_file(path)?;
-    let failed = |source| PictureError::Write {
-        path: path.into(),
-        source,
-    };
-    part.write_all(bytes).map_err(failed)?;
-    part.as_file().sync_all().map_err(failed)?;
-    part.persist(path).map_err(|error| failed(error.error))?;
-    Ok(())
-}
-
-/// A temporary file beside `path`, removed unless it is given that name in the end.
-fn part_file(path: &Path) -> Result<tempfile::NamedTempFile, PictureError> {
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".lightfall-").suffix(".part");
-    // A temporary file is private to its owner; a picture has the rights of any other new file:
-    // these, less the umask's.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder).map_err(|error| {
-        // Its own message names the temporary file, which nobody asked for.
-        let source = match error.kind() {
-            ErrorKind::NotFound => {
-                std::io::Error::new(ErrorKind::NotFound, "there is no such folder")
-            }
-            kind => kind.into(),
-        };
-        PictureError::Write {
-            path: path.into(),
-            source,
-        }
-    })
 }

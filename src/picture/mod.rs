@@ -2,7 +2,6 @@
 //! sequences of them.
 
 mod channels;
-mod embedded;
 mod file;
 mod headless;
 mod open_exr;
@@ -10,8 +9,7 @@ mod sequence;
 mod still;
 
 pub use channels::{CHANNELS, Channel, Channels, PixelRays, Samples};
-pub use embedded::{PRESET_KEY, embedded_preset, is_picture};
-pub use file::{Format, PictureError, check_path, write_png, write_text};
+pub use file::{Format, PictureError, check_path, write_png};
 pub(crate) use headless::quiet_log;
 pub use headless::{HeadlessOptions, check_size};
 pub use open_exr::{Linear, write_exr};

@@ -1,9 +1,10 @@
 //! Pictures of linear light as OpenEXR files, with what their rays tell by the names of
 //! [`CHANNELS`](super::CHANNELS).
 
-use super::file::{PictureError, write_whole};
-use super::{Channels, PRESET_KEY, Samples};
+use super::file::PictureError;
+use super::{Channels, Samples};
 use crate::render::Captured;
+use crate::storage::{PRESET_KEY, write_atomically};
 use exr::meta::attribute::Chromaticities;
 use exr::prelude::*;
 use lightfall_core::scene::Scene;
@@ -67,7 +68,7 @@ pub fn write_exr(path: &Path, picture: Linear) -> std::result::Result<(), Pictur
             path: path.into(),
             reason: error.to_string(),
         })?;
-    write_whole(path, &bytes)
+    Ok(write_atomically(path, &bytes)?)
 }
 
 fn channels(picture: Linear) -> AnyChannels<FlatSamples> {

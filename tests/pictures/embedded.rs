@@ -1,22 +1,15 @@
 //! The preset inside a picture.
 
 use super::linear::{Linear, program, small};
-use lightfall::commands::cli;
-use lightfall::commands::cli::SceneArgs;
+use lightfall::storage::read_scene;
 use std::fs;
 
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn a_picture_holds_the_preset_that_drew_it() {
     let folder = tempfile::tempdir().unwrap();
-    let taken = |file: &str| {
-        let preset = Some(folder.path().join(file).into());
-        cli::scene(&SceneArgs {
-            preset,
-            ..SceneArgs::default()
-        })
-        .map_err(|error| error.to_string())
-    };
+    let taken =
+        |file: &str| read_scene(&folder.path().join(file), &[]).map_err(|error| error.to_string());
     let mut scene = small(8);
     scene.title = "μέλας \"hole\", 0.1 + 0.2 — tilted".into();
     (scene.camera.theta_deg, scene.hole.spin) = (0.1 + 0.2, 1.0 / 3.0);

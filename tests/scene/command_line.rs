@@ -7,8 +7,8 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use clap::error::ErrorKind;
-use lightfall::commands::cli;
 use lightfall::commands::cli::{Command, Device, FlyArgs, PresetsCommand, SceneArgs};
+use lightfall::commands::{self, cli};
 use lightfall_core::scene::journey;
 use lightfall_core::scene::presets::PRESETS;
 use lightfall_core::scene::{MAX_PICTURE_SIDE, Method, Scene};
@@ -31,8 +31,8 @@ fn fly(line: &str) -> SceneArgs {
 }
 
 fn fault(args: &SceneArgs) -> String {
-    let error = cli::scene(args).unwrap_err();
-    assert_eq!(error.exit_code(), 2);
+    let error = commands::scene(args).unwrap_err();
+    assert_eq!(error.status, 2);
     error.to_string()
 }
 
@@ -52,14 +52,14 @@ fn answer(line: &str) -> String {
         panic!("{line} is about presets")
     };
     let mut out = Vec::new();
-    cli::presets(&command, &mut out).unwrap();
+    commands::presets(&command, &mut out).unwrap();
     String::from_utf8(out).unwrap()
 }
 
 #[test]
 fn without_a_word_it_flies_from_preset_two() {
     assert_eq!(
-        cli::scene(&fly("lightfall")).unwrap(),
+        commands::scene(&fly("lightfall")).unwrap(),
         PRESETS[1].scene(&[]).unwrap()
     );
 }
@@ -71,7 +71,7 @@ fn a_preset_is_taken_by_number_name_or_path() {
     let path = file.path().to_str().unwrap();
     for preset in ["5", "einstein-ring", path] {
         assert_eq!(
-            cli::scene(&fly(&format!("lightfall --preset {preset}")))
+            commands::scene(&fly(&format!("lightfall --preset {preset}")))
                 .unwrap()
                 .name,
             "einstein-ring"
@@ -100,7 +100,7 @@ fn scene_options_stand_before_the_command_or_after_it() {
         let Command::Render(render) = read(line) else {
             panic!("{line} renders")
         };
-        assert_eq!(cli::scene(&render.scene).unwrap(), expected, "{line}");
+        assert_eq!(commands::scene(&render.scene).unwrap(), expected, "{line}");
         assert_eq!(render.out, Path::new("a.png"));
     }
 }
@@ -238,16 +238,16 @@ fn a_preset_that_does_not_exist_is_answered_with_those_that_do() {
             format!("--preset {given}: there is no such file, and the presets are {presets}");
         assert_eq!(fault(&of_preset(Path::new(given))), sentence);
     }
-    // Whoever shows one has not written `--preset`.
+    // The message names the command that was given, which is not `--preset`.
     let Command::Presets(show) = read("lightfall presets show edge_on") else {
         panic!()
     };
-    let error = cli::presets(&show, &mut Vec::new()).unwrap_err();
+    let error = commands::presets(&show, &mut Vec::new()).unwrap_err();
     assert_eq!(
         error.to_string(),
         format!("presets show edge_on: there is no such file, and the presets are {presets}")
     );
-    assert_eq!(error.exit_code(), 2);
+    assert_eq!(error.status, 2);
 }
 
 #[test]
@@ -304,7 +304,7 @@ fn a_preset_that_is_shown_is_a_preset_file_of_the_same_scene() {
         )
         .unwrap();
         assert_eq!(
-            cli::scene(&of_preset(file.path())).unwrap(),
+            commands::scene(&of_preset(file.path())).unwrap(),
             preset.scene(&[]).unwrap()
         );
         assert_eq!(
@@ -321,14 +321,14 @@ fn a_preset_that_is_shown_is_a_preset_file_of_the_same_scene() {
 fn a_wrong_preset_file_does_not_pass_the_check() {
     let file = tempfile::NamedTempFile::new().unwrap();
     fs::write(&file, "hole.spin = 3").unwrap();
-    let error = cli::presets(
+    let error = commands::presets(
         &PresetsCommand::Check {
             file: file.path().into(),
         },
         &mut Vec::new(),
     )
     .unwrap_err();
-    assert_eq!(error.exit_code(), 2);
+    assert_eq!(error.status, 2);
     let sentence = "hole.spin = 3 is refused: it must be a number above -1 and below 1";
     assert_eq!(
         error.to_string(),
@@ -350,20 +350,28 @@ impl Write for Fails {
 }
 
 #[test]
-fn that_nobody_reads_on_is_no_failure_but_a_full_disk_is() {
-    assert!(cli::presets(&PresetsCommand::List, &mut Fails(io::ErrorKind::BrokenPipe)).is_ok());
-    let error = cli::presets(
+fn a_closed_pipe_is_no_failure_but_a_full_disk_is() {
+    assert!(
+        commands::presets(&PresetsCommand::List, &mut Fails(io::ErrorKind::BrokenPipe)).is_ok()
+    );
+    let error = commands::presets(
         &PresetsCommand::List,
         &mut Fails(io::ErrorKind::StorageFull),
     )
     .unwrap_err();
-    assert_eq!(error.exit_code(), 1);
+    assert_eq!(error.status, 1);
 }
 
 #[test]
 fn the_scene_of_no_options_at_all_is_checked_too() {
-    assert_eq!(cli::scene(&SceneArgs::default()).unwrap().check(), Ok(()));
-    assert_ne!(cli::scene(&SceneArgs::default()).unwrap(), Scene::default());
+    assert_eq!(
+        commands::scene(&SceneArgs::default()).unwrap().check(),
+        Ok(())
+    );
+    assert_ne!(
+        commands::scene(&SceneArgs::default()).unwrap(),
+        Scene::default()
+    );
 }
 
 #[test]
@@ -383,9 +391,9 @@ fn a_journey_is_flown_from_its_file_and_its_faults_are_named() {
             .to_string()
             .contains("--journey is for flying")
     );
-    assert_eq!(cli::journey(None, &preset()).unwrap().duration, 150.0);
+    assert_eq!(commands::journey(None, &preset()).unwrap().duration, 150.0);
     assert!(
-        cli::journey(Some(&file), &preset())
+        commands::journey(Some(&file), &preset())
             .unwrap_err()
             .to_string()
             .starts_with(&format!("{}: cannot be read", file.display()))
@@ -395,8 +403,8 @@ fn a_journey_is_flown_from_its_file_and_its_faults_are_named() {
         "[[keyframe]]\ntime = 0\nr = 3\n[[keyframe]]\ntime = 2\nr = 0",
     )
     .unwrap();
-    let error = cli::journey(Some(&file), &preset()).unwrap_err();
-    assert_eq!(error.exit_code(), 2);
+    let error = commands::journey(Some(&file), &preset()).unwrap_err();
+    assert_eq!(error.status, 2);
     assert!(
         error.to_string().ends_with(
             "keyframe 2: r = 0 is refused: it must be a number from 0.1 to 10000000 r_s"
@@ -407,15 +415,15 @@ fn a_journey_is_flown_from_its_file_and_its_faults_are_named() {
         "[[keyframe]]\ntime = 0\n[[keyframe]]\ntime = 2\nr = 0.9",
     )
     .unwrap();
-    let error = cli::journey(Some(&file), &preset()).unwrap_err();
-    assert_eq!(error.exit_code(), 2);
+    let error = commands::journey(Some(&file), &preset()).unwrap_err();
+    assert_eq!(error.status, 2);
     let sentence = "keyframe 1 (time = 0): camera.r = 0.9 is refused: it must be a number above 1 and at most 10000000 r_s \
                     (outside the horizon at hole.spin = 0; observer rain goes on inside)";
     assert_eq!(error.to_string(), format!("{}: {sentence}", file.display()));
     fs::write(&file, journey::DEFAULT).unwrap();
     assert_eq!(
-        cli::journey(Some(&file), &preset()).unwrap(),
-        cli::journey(None, &preset()).unwrap()
+        commands::journey(Some(&file), &preset()).unwrap(),
+        commands::journey(None, &preset()).unwrap()
     );
 }
 

@@ -12,6 +12,15 @@ use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use glam::DVec2;
 
+/// A note for users of a build that reads no gamepad; `None` in one that does.
+pub const NO_GAMEPAD: Option<&str> = if cfg!(feature = "gamepad") {
+    None
+} else {
+    Some(
+        "This build reads no gamepad; ./play makes one that does where libudev-dev and pkg-config are installed.",
+    )
+};
+
 /// Share of a stick's way, and of a trigger's, that counts as none: worn ones do not come back to
 /// the middle.
 const DEAD_STICK: f64 = 0.15;

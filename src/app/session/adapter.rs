@@ -2,9 +2,9 @@
 //! does not work, so that no choice locks its player out.
 
 use crate::app::session::window::Preferences;
-use crate::app::state::settings::settings_file;
 use crate::app::state::toast::Toast;
 use crate::render::DrawRequest;
+use crate::storage::settings_file;
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
 use lightfall_core::gpu;

@@ -1,10 +1,10 @@
 //! Pictures of what the window shows, as files that replace no other.
 
 use crate::app::controls::table::Command;
-use crate::app::state::settings::pictures_folder;
 use crate::app::state::toast::Toast;
 use crate::picture;
 use crate::render::CurrentScene;
+use crate::storage::{file_safe_name, pictures_folder};
 use bevy::prelude::*;
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use lightfall_core::scene::Scene;
@@ -78,17 +78,7 @@ fn written(image: Image, folder: &Path, scene: &Scene) -> Result<PathBuf, String
 /// # Errors
 /// The folder cannot be written; one sentence that names it.
 fn reserved(folder: &Path, scene: &str) -> Result<PathBuf, String> {
-    let safe: String = scene
-        .chars()
-        .map(|c| {
-            if c.is_alphanumeric() || c == '-' {
-                c
-            } else {
-                '_'
-            }
-        })
-        .take(60)
-        .collect();
+    let safe = file_safe_name(scene);
     for number in 1..10_000 {
         let file = folder.join(format!("lightfall-{safe}-{number:04}.png"));
         match File::create_new(&file) {

@@ -3,11 +3,12 @@
 
 use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::controls::table::Command;
-use crate::app::state::settings::{Settings, settings_file};
+use crate::app::state::settings::Settings;
 use crate::app::state::toast::Toast;
 use crate::app::ui::dock::{OverPicture, Side, look, make_room};
 use crate::app::ui::{inspector, panel};
 use crate::render::{CurrentScene, letterbox};
+use crate::storage::settings_file;
 use bevy::prelude::*;
 use bevy::window::{Monitor, MonitorSelection, PrimaryMonitor, PrimaryWindow, WindowMode};
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, PrimaryEguiContext, egui};

@@ -2,12 +2,13 @@
 //! settings.
 
 use crate::app::controls::bindings::{Bindings, PadBindings};
+use crate::storage;
 use lightfall_core::gpu::AdapterName;
 use lightfall_core::optics::readout::si::MASSES;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::io::{ErrorKind, Write};
-use std::path::{Path, PathBuf};
+use std::io::ErrorKind;
+use std::path::Path;
 
 /// Everything that is remembered. A file may leave out what it does not change.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -154,19 +155,13 @@ impl Settings {
             "# Settings of Lightfall. What is left out has its default.\n\n{}",
             self.text()
         );
-        let folder = file.parent().unwrap_or(Path::new("."));
-        let written = std::fs::create_dir_all(folder).and_then(|()| {
-            let mut part = tempfile::Builder::new()
-                .prefix(".settings-")
-                .tempfile_in(folder)?;
-            part.write_all(text.as_bytes())?;
-            part.persist(file).map_err(|error| error.error)?;
-            Ok(())
-        });
+        let written = storage::create_parent_folder(file)
+            .and_then(|()| storage::write_atomically(file, text.as_bytes()));
         written.map_err(|error| {
             format!(
-                "{}: the settings cannot be written: {error}",
-                file.display()
+                "{}: the settings cannot be written: {}",
+                file.display(),
+                error.source
             )
         })
     }
@@ -189,59 +184,4 @@ fn set_aside(file: &Path) -> String {
         ),
         Err(_) => "default settings are used".into(),
     }
-}
-
-/// Where the settings are; none on a system without such a place.
-#[must_use]
-pub fn settings_file() -> Option<PathBuf> {
-    Some(
-        directories::ProjectDirs::from("", "", "lightfall")?
-            .config_dir()
-            .join("settings.toml"),
-    )
-}
-
-/// Where the user's own presets are; none on a system without such a place.
-#[must_use]
-pub fn presets_folder() -> Option<PathBuf> {
-    Some(
-        directories::ProjectDirs::from("", "", "lightfall")?
-            .config_dir()
-            .join("presets"),
-    )
-}
-
-/// The presets in a folder, in the order of their names; none where there is no folder.
-#[must_use]
-pub fn preset_files(folder: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder)
-        .into_iter()
-        .flatten()
-        .flatten()
-        .map(|entry| entry.path());
-    let mut files: Vec<_> = entries
-        .filter(|path| path.extension().is_some_and(|end| end == "toml"))
-        .collect();
-    files.sort();
-    files
-}
-
-/// Where pictures go: the user's folder for them, else the home folder, else the one the program
-/// runs in.
-#[must_use]
-pub fn pictures_folder() -> PathBuf {
-    let folders = directories::UserDirs::new();
-    let home = folders
-        .as_ref()
-        .map(|folders| folders.home_dir().to_owned());
-    let named = folders
-        .as_ref()
-        .and_then(|folders| folders.picture_dir().map(Path::to_owned));
-    // Desktops that name none still mostly have one of this name.
-    let usual = home.as_ref().map(|home| home.join("Pictures"));
-    let known = [named, usual, home]
-        .into_iter()
-        .flatten()
-        .find(|folder| folder.is_dir());
-    known.unwrap_or_else(|| PathBuf::from("."))
 }

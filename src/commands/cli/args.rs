@@ -164,8 +164,11 @@ impl SceneArgs {
         })
     }
 
-    /// What these options override, in the order in which it counts.
-    pub(super) fn overrides(&self) -> Result<Vec<Override>, SceneError> {
+    /// The overrides of these options, in the order in which they apply.
+    ///
+    /// # Errors
+    /// A `--set` that is not of the form KEY=VALUE.
+    pub fn overrides(&self) -> Result<Vec<Override>, SceneError> {
         let mut overrides = self
             .sets
             .iter()

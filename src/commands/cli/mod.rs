@@ -1,13 +1,12 @@
-//! The command line: what can be asked for, and which scene is meant.
+//! The arguments of every command.
 
 mod args;
 mod measure;
-mod source;
 
 pub use args::{Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs};
 pub use measure::{BenchArgs, DoctorArgs, EntryArg, ExtremesArgs};
-pub use source::{CliError, journey, presets, print, scene};
 
+use crate::app::NO_GAMEPAD;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use glam::UVec2;
@@ -29,16 +28,7 @@ Examples:
 Lengths are in Schwarzschild radii, angles in degrees. Results go to standard output, everything else to standard
 error. Exit status: 0 all done, 2 a bad command line, preset, journey or file of rays, 1 any other failure.";
 
-/// What there is to say of a build that reads no gamepad.
-pub const NO_GAMEPAD: Option<&str> = if cfg!(feature = "gamepad") {
-    None
-} else {
-    Some(
-        "This build reads no gamepad; ./play makes one that does where libudev-dev and pkg-config are installed.",
-    )
-};
-
-/// What stands under the help.
+/// The text below the help: examples and, in a build without gamepads, a note.
 fn after_help() -> String {
     [EXAMPLES]
         .into_iter()
@@ -100,7 +90,7 @@ pub enum Command {
 
 /// Reads the command line. Scene options may stand before the command's name or after it.
 ///
-/// # ErrorSummary
+/// # Errors
 /// Clap's, with its own text and exit status; a request for help or the version is one of them,
 /// with status 0.
 pub fn read<I: IntoIterator<Item: Into<OsString> + Clone>>(
@@ -111,7 +101,7 @@ pub fn read<I: IntoIterator<Item: Into<OsString> + Clone>>(
 
 /// As [`read`], with the graphics adapter that is meant.
 ///
-/// # ErrorSummary
+/// # Errors
 /// As [`read`].
 pub fn read_all<I: IntoIterator<Item: Into<OsString> + Clone>>(
     args: I,

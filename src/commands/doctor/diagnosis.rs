@@ -182,7 +182,7 @@ impl Diagnosis {
         }
         if !self.gamepads {
             self.remarks
-                .extend(crate::commands::cli::NO_GAMEPAD.map(str::to_owned));
+                .extend(crate::app::NO_GAMEPAD.map(str::to_owned));
         }
     }
 }

@@ -11,16 +11,17 @@ pub use places::{Folder, SettingsFile};
 pub use system::System;
 pub use trial::{Stated, Trial, errors};
 
-use super::{print, progress};
-use crate::commands::cli::DoctorArgs;
-use crate::commands::run::{Stop, without_device};
+use super::cli::DoctorArgs;
+use super::output::print;
+use super::progress::progress;
+use crate::commands::stop::Stop;
 use lightfall_core::gpu::{Gpu, GpuError};
 
 /// Looks, and prints what there is and what to do.
 pub(super) fn doctor(args: &DoctorArgs) -> Result<(), Stop> {
     let gpu = Gpu::headless();
     if let Err(error @ (GpuError::UnknownAdapter { .. } | GpuError::UnknownBackend { .. })) = gpu {
-        return Err(without_device(error));
+        return Err(Stop::without_device(error));
     }
     let bar = progress(TRIALS.len());
     let diagnosis = Diagnosis::of(gpu, |scene| {
@@ -35,9 +36,8 @@ pub(super) fn doctor(args: &DoctorArgs) -> Result<(), Stop> {
     })?;
     match diagnosis.faults.len() {
         0 => Ok(()),
-        faults => Err(Stop(
-            1,
-            format!("things that are not well: {faults}; the report says what to do"),
-        )),
+        faults => Err(Stop::failed(format!(
+            "things that are not well: {faults}; the report says what to do"
+        ))),
     }
 }

@@ -1,6 +1,7 @@
 //! Where the program writes, and whether it can; nothing is changed by looking.
 
-use crate::app::{Settings, pictures_folder, presets_folder, settings_file};
+use crate::app::Settings;
+use crate::storage::{check_folder_writable, pictures_folder, presets_folder, settings_file};
 use lightfall_core::gpu::AdapterName;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -100,10 +101,5 @@ fn try_to_write(folder: &Path) -> Result<(), String> {
     if !there.is_dir() {
         return Err(format!("{} is a file and no folder", there.display()));
     }
-    let tried = tempfile::Builder::new()
-        .prefix(".lightfall-")
-        .tempfile_in(there);
-    tried
-        .map(drop)
-        .map_err(|error| format!("cannot be written ({})", error.kind()))
+    check_folder_writable(there).map_err(|error| format!("cannot be written ({})", error.kind()))
 }

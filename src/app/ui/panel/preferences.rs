@@ -3,11 +3,10 @@
 
 use crate::app::controls::bindings::{Bindings, Bound, PadBindings, Switch};
 use crate::app::controls::table::Group;
+use crate::app::input::gamepad::NO_GAMEPAD;
 use crate::app::session::window::Preferences;
-use crate::app::state::settings::{
-    Automatic, FRAME_RATES, UI_SCALES, pictures_folder, settings_file,
-};
-use crate::commands::cli;
+use crate::app::state::settings::{Automatic, FRAME_RATES, UI_SCALES};
+use crate::storage::{pictures_folder, settings_file};
 use bevy::prelude::*;
 use bevy_egui::egui;
 
@@ -92,7 +91,7 @@ pub(super) fn show(
         }
     });
     ui.weak("Click on one, then press the new key, or a button of the gamepad; Esc leaves it as it was.");
-    if let Some(reason) = cli::NO_GAMEPAD {
+    if let Some(reason) = NO_GAMEPAD {
         ui.weak(reason);
     }
     capture(bindings, rebinding, keys.get_just_pressed());

@@ -2,14 +2,14 @@
 //! window.
 
 use crate::app::input::keyboard::SceneEditor;
-use crate::app::state::settings::{preset_files, presets_folder};
-use crate::commands::cli;
-use crate::commands::cli::SceneArgs;
+use crate::storage::{
+    create_parent_folder, file_safe_name, preset_files, presets_folder, read_scene,
+    write_atomically,
+};
 use bevy::prelude::*;
 use bevy::window::FileDragAndDrop;
 use bevy_egui::egui;
 use lightfall_core::scene::{Scene, presets};
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// What the page remembers.
@@ -93,7 +93,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
                 .hint_text("name")
                 .desired_width(170.0),
         );
-        let file = folder.join(format!("{}.toml", safe(&state.name)));
+        let file = folder.join(format!("{}.toml", file_safe_name(state.name.trim())));
         let certain = state.replace.as_ref() == Some(&file);
         let text = if certain { "Replace it" } else { "Save as" };
         if ui
@@ -111,10 +111,10 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
             }
         }
     });
-    if safe(&state.name) != state.name.trim() {
+    if file_safe_name(state.name.trim()) != state.name.trim() {
         ui.weak(format!(
             "The file will be {}.toml: letters, digits, - and _ only.",
-            safe(&state.name)
+            file_safe_name(state.name.trim())
         ));
     }
     ui.separator();
@@ -138,11 +138,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
 fn loaded(file: &Path) -> Result<Scene, String> {
     // As a path, whatever it is called: a file may have a built-in preset's name.
     let path = std::path::absolute(file).map_err(|error| format!("{}: {error}", file.display()))?;
-    cli::scene(&SceneArgs {
-        preset: Some(path.into()),
-        ..SceneArgs::default()
-    })
-    .map_err(|error| error.to_string())
+    read_scene(&path, &[]).map_err(|error| error.to_string())
 }
 
 fn open(state: &mut State, editor: &mut SceneEditor, file: &Path) {
@@ -160,38 +156,17 @@ fn save(state: &mut State, editor: &mut SceneEditor, file: &Path) {
         .chars()
         .take(60)
         .collect();
-    match written(file, &scene.to_preset()) {
+    let written = create_parent_folder(file)
+        .and_then(|()| write_atomically(file, scene.to_preset().as_bytes()));
+    match written {
         Ok(()) => {
             editor.change("", Ok(scene));
             editor.say(format!("Saved: {}", file.display()));
             let own = (file.to_owned(), editor.loaded().clone());
             (state.own, state.replace, state.files) = (Some(own), None, None);
         }
-        Err(error) => editor.say(format!("{}: cannot be written: {error}", file.display())),
+        Err(error) => editor.say(error.to_string()),
     }
-}
-
-/// Writes a text so that the file appears whole or not at all.
-fn written(file: &Path, text: &str) -> std::io::Result<()> {
-    let folder = file.parent().unwrap_or(Path::new("."));
-    std::fs::create_dir_all(folder)?;
-    let mut part = tempfile::Builder::new()
-        .prefix(".preset-")
-        .tempfile_in(folder)?;
-    part.write_all(text.as_bytes())?;
-    part.persist(file).map_err(|error| error.error).map(drop)
-}
-
-/// A name without what file systems mind.
-fn safe(name: &str) -> String {
-    let plain = |c: char| {
-        if c.is_alphanumeric() || c == '-' {
-            c
-        } else {
-            '_'
-        }
-    };
-    name.trim().chars().map(plain).take(60).collect()
 }
 
 /// A preset file dropped on the window is loaded, or the preset in a picture.

@@ -1,27 +1,28 @@
-//! The preset inside a picture: what drew it can be read out of it again.
+//! The preset inside a picture: every picture that the program writes holds the preset that drew
+//! it.
 
 use exr::meta::MetaData;
 use exr::meta::attribute::AttributeValue;
 use std::io::Cursor;
 
-/// The name under which a picture's preset stands in it: of a text chunk in PNG, of an attribute in
-/// EXR.
+/// The name of the preset inside a picture: of a text chunk in PNG, of an attribute in EXR.
 pub const PRESET_KEY: &str = "lightfall.preset";
 
-const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
-const EXR: &[u8] = b"\x76\x2f\x31\x01";
+const PNG_SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
+const EXR_SIGNATURE: &[u8] = b"\x76\x2f\x31\x01";
 
-/// Whether a file that begins with these bytes is a picture.
+/// Whether a file that begins with these bytes is a PNG or EXR picture.
 #[must_use]
 pub fn is_picture(bytes: &[u8]) -> bool {
-    bytes.starts_with(PNG) || bytes.starts_with(EXR)
+    bytes.starts_with(PNG_SIGNATURE) || bytes.starts_with(EXR_SIGNATURE)
 }
 
-/// The preset in a PNG or EXR picture, which stands before the pixels: the file's first part is
-/// enough. None if it has none, or the picture is broken there.
+/// The preset in a PNG or EXR picture, or `None` if the picture holds none or its header is broken.
+///
+/// The preset precedes the pixels, so the first part of the file is enough.
 #[must_use]
 pub fn embedded_preset(bytes: &[u8]) -> Option<String> {
-    if bytes.starts_with(PNG) {
+    if bytes.starts_with(PNG_SIGNATURE) {
         in_png(bytes)
     } else {
         in_exr(bytes)

@@ -1,0 +1,37 @@
+//! The circumstances of a measurement: machine, program and command line.
+
+use lightfall_core::gpu::Gpu;
+use lightfall_core::reports::bench::Circumstances;
+
+/// The circumstances of a report made now on this device.
+pub(super) fn circumstances(gpu: &Gpu, size: String, entry: &str) -> Circumstances {
+    let info = &gpu.info;
+    Circumstances {
+        adapter: info.name.clone(),
+        driver: format!("{} {}", info.driver, info.driver_info)
+            .trim()
+            .to_owned(),
+        backend: info.backend.to_string(),
+        size,
+        entry: entry.into(),
+        commit: commit().unwrap_or_else(|| format!("version {}", env!("CARGO_PKG_VERSION"))),
+        floor_ms: None,
+        command: command_line(),
+    }
+}
+
+/// The revision of the sources, if the environment variable LIGHTFALL_COMMIT names it. Git is not
+/// asked: the sources in the current folder may differ from those that the program was built from.
+pub(super) fn commit() -> Option<String> {
+    std::env::var("LIGHTFALL_COMMIT")
+        .ok()
+        .filter(|commit| !commit.is_empty())
+}
+
+/// The command line, with `lightfall` in place of the program's path.
+fn command_line() -> String {
+    std::iter::once("lightfall".to_owned())
+        .chain(std::env::args().skip(1))
+        .collect::<Vec<_>>()
+        .join(" ")
+}

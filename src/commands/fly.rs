@@ -1,0 +1,67 @@
+//! `lightfall` without a command: opens the window or, where there is no display, draws a picture.
+
+use super::cli::FlyArgs;
+use super::render::write_still;
+use super::scene::{drawable, journey, scene};
+use super::stop::Stop;
+use crate::storage::file_safe_name;
+use crate::{app, picture};
+use glam::UVec2;
+use lightfall_core::scene::Scene;
+use lightfall_core::scene::journey::Journey;
+use std::path::{Path, PathBuf};
+
+/// Flies.
+pub(super) fn fly(args: &FlyArgs) -> Result<(), Stop> {
+    let scene = scene(&args.scene)?;
+    let drawable = drawable(&scene)?;
+    let journey_file = args.journey.as_deref();
+    let journey = journey(journey_file, &scene)?;
+    if let Err(reason) = app::display() {
+        return draw_instead(scene, &journey, journey_file, &reason);
+    }
+    match app::fly(drawable, journey, journey_file.is_some()) {
+        bevy::app::AppExit::Success => Ok(()),
+        bevy::app::AppExit::Error(_) => {
+            Err(Stop::failed("the window ended with an error, see above"))
+        }
+    }
+}
+
+/// Without a display: draws the scene, or the first moment of the journey, to a new PNG file in the
+/// current folder. `reason` says why there is no display.
+fn draw_instead(
+    mut scene: Scene,
+    journey: &Journey,
+    journey_file: Option<&Path>,
+    reason: &str,
+) -> Result<(), Stop> {
+    let (name, what) = match journey_file {
+        None => (scene.name.clone(), "the scene".to_owned()),
+        Some(file) => {
+            journey.apply(0.0, &mut scene);
+            let name = file
+                .file_stem()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned();
+            (name, format!("the first moment of {}", file.display()))
+        }
+    };
+    eprintln!("lightfall: no display ({reason}); rendering {what} to a picture instead");
+    let size = UVec2::new(scene.picture.width, scene.picture.height);
+    let still = picture::render(&scene, size).map_err(Stop::failed)?;
+    write_still(&unused_file(&name), &still, &scene)
+}
+
+/// A file in the current folder that does not exist yet: a picture whose name the user did not
+/// choose must not replace another one.
+fn unused_file(name: &str) -> PathBuf {
+    let name = file_safe_name(name);
+    let numbered = (2..).map(|number| format!("lightfall-{name}-{number}.png"));
+    std::iter::once(format!("lightfall-{name}.png"))
+        .chain(numbered)
+        .map(PathBuf::from)
+        .find(|file| !file.exists())
+        .unwrap_or_else(|| "lightfall.png".into())
+}

@@ -1,0 +1,51 @@
+//! Results of commands: on standard output, and as files in a folder of reports.
+
+use super::stop::Stop;
+use crate::storage;
+use lightfall_core::reports::rays::is_closed_pipe;
+use std::io::{self, Write};
+use std::path::Path;
+
+/// Writes a result to standard output.
+pub(super) fn print(text: &str) -> Result<(), Stop> {
+    print_to(text, &mut io::stdout().lock())
+}
+
+/// Writes a result to `out`, which errors call standard output. A reader that has closed the pipe,
+/// such as `head`, is not an error.
+pub(super) fn print_to(text: &str, out: &mut impl Write) -> Result<(), Stop> {
+    output_result(out.write_all(text.as_bytes()).and_then(|()| out.flush()))
+}
+
+/// The result of writing to standard output, where a closed pipe is not an error.
+pub(super) fn output_result(written: io::Result<()>) -> Result<(), Stop> {
+    match written {
+        Err(error) if !is_closed_pipe(&error) => {
+            Err(Stop::failed(format!("standard output: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Creates the folder of `--out`, before any work is done for its reports.
+pub(super) fn create_report_folder(folder: Option<&Path>) -> Result<(), Stop> {
+    let Some(folder) = folder else { return Ok(()) };
+    std::fs::create_dir_all(folder).map_err(|error| {
+        let reason = match folder
+            .ancestors()
+            .find(|part| part.exists() && !part.is_dir())
+        {
+            Some(part) => format!(
+                "{} is a file, and this must be a folder, or one that can be made",
+                part.display()
+            ),
+            None => format!("this folder cannot be made: {error}"),
+        };
+        Stop::refused(format!("--out {}: {reason}", folder.display()))
+    })
+}
+
+/// Writes one file of a report.
+pub(super) fn write_report(folder: &Path, name: &str, text: &str) -> Result<(), Stop> {
+    storage::write_atomically(&folder.join(name), text.as_bytes()).map_err(Stop::failed)
+}

@@ -1,0 +1,59 @@
+//! `lightfall presets`: lists, shows and checks presets.
+
+use super::cli::PresetsCommand;
+use super::output::print_to;
+use super::stop::Stop;
+use crate::render::cost_report;
+use crate::storage;
+use lightfall_core::gpu::{GpuError, GpuScene};
+use lightfall_core::scene::presets::PRESETS;
+use std::ffi::OsStr;
+use std::io::Write;
+use std::path::Path;
+
+/// Runs `lightfall presets` and writes the answer to `out`.
+///
+/// # Errors
+/// A preset that does not exist, cannot be read or is wrong; or `out` cannot be written.
+pub fn presets(command: &PresetsCommand, out: &mut impl Write) -> Result<(), Stop> {
+    let answer = match command {
+        PresetsCommand::List => list()?,
+        PresetsCommand::Show { preset, needs } => show(preset, *needs)?,
+        PresetsCommand::Check { file } => check(file)?,
+    };
+    print_to(&answer, out)
+}
+
+/// The built-in presets with their numbers and titles, then the user's own with their files.
+fn list() -> Result<String, Stop> {
+    let mut list = String::new();
+    for preset in PRESETS {
+        let scene = preset.scene(&[]).map_err(Stop::refused)?;
+        list += &format!("{}  {:14} {}\n", preset.number, preset.name, scene.title);
+    }
+    for file in storage::own_presets() {
+        let name = file.file_stem().unwrap_or_default();
+        list += &format!("-  {:14} {}\n", name.display(), file.display());
+    }
+    Ok(list)
+}
+
+/// A preset as a file with all its fields, or what it costs to draw.
+fn show(preset: &OsStr, cost: bool) -> Result<String, Stop> {
+    let scene = storage::scene_by_name("presets show", preset, &[])?;
+    Ok(if cost {
+        cost_report(&scene)
+    } else {
+        scene.to_preset()
+    })
+}
+
+/// Checks that a preset file can be read and its scene traced.
+fn check(file: &Path) -> Result<String, Stop> {
+    let scene = storage::read_scene(file, &[])?;
+    match GpuScene::for_rays(&scene) {
+        // A preset for the reference is useful, too: `trace --device cpu` runs it.
+        Ok(_) | Err(GpuError::MethodOfCpu) => Ok(format!("{}: ok\n", file.display())),
+        Err(error) => Err(Stop::refused(format!("{}: {error}", file.display()))),
+    }
+}

@@ -1,0 +1,39 @@
+//! The scene and the journey that a command line asks for.
+
+use super::cli::SceneArgs;
+use super::stop::Stop;
+use crate::storage;
+use lightfall_core::gpu;
+use lightfall_core::gpu::Drawable;
+use lightfall_core::scene::journey::Journey;
+use lightfall_core::scene::{Scene, presets};
+use std::path::Path;
+
+/// The scene that the options describe.
+///
+/// # Errors
+/// A preset that does not exist, cannot be read or is wrong; or a wrong override.
+pub fn scene(args: &SceneArgs) -> Result<Scene, Stop> {
+    let overrides = args.overrides().map_err(Stop::refused)?;
+    match &args.preset {
+        None => presets::PRESETS[presets::DEFAULT - 1]
+            .scene(&overrides)
+            .map_err(Stop::refused),
+        Some(preset) => Ok(storage::scene_by_name("--preset", preset, &overrides)?),
+    }
+}
+
+/// The journey of a file through `scene`, or the built-in journey.
+///
+/// # Errors
+/// The file cannot be read or is wrong, or a part of the journey cannot be flown in `scene`.
+pub fn journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Stop> {
+    Ok(storage::read_journey(file, scene)?)
+}
+
+/// Checks that the scene can be drawn, and that there is a graphics adapter.
+pub(super) fn drawable(scene: &Scene) -> Result<Drawable, Stop> {
+    let drawable = Drawable::new(scene.clone()).map_err(Stop::refused)?;
+    gpu::check_adapter().map_err(Stop::without_device)?;
+    Ok(drawable)
+}

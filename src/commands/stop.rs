@@ -1,0 +1,59 @@
+//! Why a command stops before it is done.
+
+use crate::storage::SourceError;
+use lightfall_core::gpu::GpuError;
+use std::error::Error;
+use std::fmt::{Display, Formatter};
+
+/// Why a command stops: an exit status and one sentence.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stop {
+    /// Exit status: 2 for a bad command line, preset, journey or file of rays, 130 for an
+    /// interruption, 1 for any other failure.
+    pub status: u8,
+    /// The reason.
+    pub sentence: String,
+}
+
+impl Stop {
+    /// A bad command line, preset, journey or file of rays.
+    pub(super) fn refused(reason: impl Display) -> Self {
+        Self {
+            status: 2,
+            sentence: reason.to_string(),
+        }
+    }
+
+    /// Any other failure.
+    pub(super) fn failed(reason: impl Display) -> Self {
+        Self {
+            status: 1,
+            sentence: reason.to_string(),
+        }
+    }
+
+    /// There is no graphics device. The command line is at fault if it names an adapter or an
+    /// interface that does not exist.
+    pub(super) fn without_device(error: GpuError) -> Self {
+        match error {
+            GpuError::UnknownAdapter { .. } | GpuError::UnknownBackend { .. } => {
+                Self::refused(error)
+            }
+            _ => Self::failed(error),
+        }
+    }
+}
+
+impl Display for Stop {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.sentence)
+    }
+}
+
+impl Error for Stop {}
+
+impl From<SourceError> for Stop {
+    fn from(error: SourceError) -> Self {
+        Self::refused(error)
+    }
+}

@@ -1,0 +1,65 @@
+//! `lightfall trace`: rays in, traces out, both as CSV.
+
+use super::cli::{Device, TraceArgs};
+use super::output::output_result;
+use super::scene::scene;
+use super::stop::Stop;
+use glam::DVec3;
+use lightfall_core::gpu;
+use lightfall_core::gpu::{Gpu, GpuScene};
+use lightfall_core::optics::reference::Reference;
+use lightfall_core::optics::trace::Trace;
+use lightfall_core::reports::rays::{RayReader, TraceWriter};
+use rayon::prelude::*;
+use std::fs::File;
+use std::io::{self, BufReader, BufWriter, Read};
+use std::path::Path;
+
+/// Reads the rays, traces them, and writes the traces to standard output.
+pub(super) fn trace(args: &TraceArgs) -> Result<(), Stop> {
+    let scene = scene(&args.scene)?;
+    let directions = read_rays(&args.rays)?;
+    let traces: Vec<Trace> = match args.device {
+        Device::Cpu => {
+            let reference = Reference::new(&scene).map_err(Stop::refused)?;
+            directions
+                .par_iter()
+                .map(|&direction| reference.trace(direction))
+                .collect()
+        }
+        Device::Gpu => {
+            GpuScene::for_rays(&scene).map_err(Stop::refused)?;
+            let gpu = Gpu::headless().map_err(Stop::without_device)?;
+            gpu::rays::trace(&gpu, &scene, &directions).map_err(Stop::failed)?
+        }
+    };
+    output_result(write_traces(&traces))
+}
+
+/// The rays of a file, or of standard input for `-`.
+fn read_rays(file: &Path) -> Result<Vec<DVec3>, Stop> {
+    let (input, name): (Box<dyn Read>, String) = if file.as_os_str() == "-" {
+        (Box::new(io::stdin()), "standard input".into())
+    } else {
+        let name = file.display().to_string();
+        let file = File::open(file)
+            .map_err(|error| Stop::refused(format!("{name}: cannot be read: {error}")))?;
+        (Box::new(file), name)
+    };
+    let directions = RayReader::new(BufReader::new(input), &name)
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(Stop::refused)?;
+    if directions.is_empty() {
+        // In a pipe the command before this one has probably failed.
+        return Err(Stop::refused(format!(
+            "{name}: there are no rays; a ray is a line er,etheta,ephi, such as 0,-0.1,1"
+        )));
+    }
+    Ok(directions)
+}
+
+fn write_traces(traces: &[Trace]) -> io::Result<()> {
+    let mut writer = TraceWriter::new(BufWriter::new(io::stdout().lock()))?;
+    traces.iter().try_for_each(|trace| writer.write(trace))?;
+    writer.finish()
+}

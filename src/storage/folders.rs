@@ -1,0 +1,64 @@
+//! The folders that the program uses without being told.
+
+use super::atomic_file::{WriteError, parent_folder};
+use std::path::{Path, PathBuf};
+
+/// The settings file, or `None` on a system that has no folder for settings.
+#[must_use]
+pub fn settings_file() -> Option<PathBuf> {
+    Some(settings_folder()?.join("settings.toml"))
+}
+
+/// The folder of the user's own presets, or `None` on a system that has no folder for settings.
+#[must_use]
+pub fn presets_folder() -> Option<PathBuf> {
+    Some(settings_folder()?.join("presets"))
+}
+
+fn settings_folder() -> Option<PathBuf> {
+    let folders = directories::ProjectDirs::from("", "", "lightfall")?;
+    Some(folders.config_dir().to_owned())
+}
+
+/// The preset files in a folder, sorted by name. A folder that does not exist holds none.
+#[must_use]
+pub fn preset_files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|entry| entry.path());
+    let mut files: Vec<_> = entries
+        .filter(|path| path.extension().is_some_and(|end| end == "toml"))
+        .collect();
+    files.sort();
+    files
+}
+
+/// The folder of screenshots: the user's folder for pictures, else the home folder, else the
+/// current folder.
+#[must_use]
+pub fn pictures_folder() -> PathBuf {
+    let folders = directories::UserDirs::new();
+    let home = folders
+        .as_ref()
+        .map(|folders| folders.home_dir().to_owned());
+    let named = folders
+        .as_ref()
+        .and_then(|folders| folders.picture_dir().map(Path::to_owned));
+    // Desktops that configure no folder for pictures usually still have one of this name.
+    let usual = home.as_ref().map(|home| home.join("Pictures"));
+    let known = [named, usual, home]
+        .into_iter()
+        .flatten()
+        .find(|folder| folder.is_dir());
+    known.unwrap_or_else(|| PathBuf::from("."))
+}
+
+/// Creates the folder of a file, with the folders above it.
+///
+/// # Errors
+/// The folder cannot be created. The error names the file.
+pub fn create_parent_folder(path: &Path) -> Result<(), WriteError> {
+    std::fs::create_dir_all(parent_folder(path)).map_err(|error| WriteError::new(path, error))
+}

@@ -1,0 +1,173 @@
+//! Scenes by name, from preset files and from pictures; journeys from files.
+
+use super::embedded_preset::{embedded_preset, is_picture};
+use super::folders::{preset_files, presets_folder};
+use lightfall_core::gpu::Drawable;
+use lightfall_core::scene::journey;
+use lightfall_core::scene::journey::{Journey, JourneyError, Unflyable};
+use lightfall_core::scene::{Override, Scene, SceneError, load, presets};
+use std::ffi::OsStr;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// Maximum size of a preset file, in bytes.
+const MAX_PRESET_BYTES: u64 = 1 << 20;
+
+/// Why a scene or a journey cannot be read. Each message is one sentence that names the file or the
+/// option.
+#[derive(Debug, Error)]
+pub enum SourceError {
+    /// The preset or an override is wrong.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The journey is wrong.
+    #[error(transparent)]
+    Journey(#[from] JourneyError),
+    /// The journey cannot be flown in this scene.
+    #[error("{}: {unflyable}", path.display())]
+    Unflyable {
+        /// The journey's file.
+        path: PathBuf,
+        /// Where in the journey, and why.
+        unflyable: Unflyable,
+    },
+    /// No built-in preset and no file has this name.
+    #[error(
+        "{asked} {given}: there is no such file, and the presets are {}",
+        all_presets()
+    )]
+    UnknownPreset {
+        /// The option or the command that the name was given to.
+        asked: &'static str,
+        /// The name.
+        given: String,
+    },
+    /// The file cannot be read.
+    #[error("{}: cannot be read: {error}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// The operating system's reason.
+        error: io::Error,
+    },
+    /// The file is longer than any preset.
+    #[error("{}: is longer than {MAX_PRESET_BYTES} bytes; presets and journeys are short TOML texts", path.display())]
+    TooLong {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file is not text.
+    #[error("{}: is not UTF-8 text; presets and journeys are short TOML texts", path.display())]
+    NotText {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file is a picture without a preset in it.
+    #[error(
+        "{}: holds no preset; only pictures that Lightfall wrote, and no other program changed, hold one",
+        path.display()
+    )]
+    NoPreset {
+        /// The file.
+        path: PathBuf,
+    },
+}
+
+/// The scene of a built-in preset, by number or name; of one of the user's own presets, by name; or
+/// of a file, by path. `asked` names the option or the command in errors.
+///
+/// # Errors
+/// The preset does not exist, cannot be read or is wrong; or an override is wrong.
+pub fn scene_by_name(
+    asked: &'static str,
+    preset: &OsStr,
+    overrides: &[Override],
+) -> Result<Scene, SourceError> {
+    if let Some(preset) = preset.to_str().and_then(presets::find) {
+        return Ok(preset.scene(overrides)?);
+    }
+    let path = Path::new(preset);
+    let looks_like_a_path = path.components().count() > 1 || path.extension().is_some();
+    if !looks_like_a_path && !path.exists() {
+        if let Some(own) = own_preset(preset) {
+            return read_scene(&own, overrides);
+        }
+        return Err(SourceError::UnknownPreset {
+            asked,
+            given: preset.display().to_string(),
+        });
+    }
+    read_scene(path, overrides)
+}
+
+/// The scene of a preset file, or of the preset in a picture.
+///
+/// # Errors
+/// The file cannot be read or is wrong, or an override is wrong.
+pub fn read_scene(path: &Path, overrides: &[Override]) -> Result<Scene, SourceError> {
+    Ok(load(
+        &path.display().to_string(),
+        &read_text(path)?,
+        overrides,
+    )?)
+}
+
+/// The journey of a file, or the built-in journey. All of a file's journey must be possible in
+/// `scene`; the built-in journey is not checked, because it may never be flown.
+///
+/// # Errors
+/// The file cannot be read or is wrong, or a part of the journey cannot be flown in `scene`.
+pub fn read_journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, SourceError> {
+    let Some(path) = file else {
+        return Ok(journey::load("the built-in journey", journey::DEFAULT)?);
+    };
+    let journey = journey::load(&path.display().to_string(), &read_text(path)?)?;
+    let checked = journey.check(scene, 0.0, Drawable::new);
+    checked
+        .map(|()| journey)
+        .map_err(|unflyable| SourceError::Unflyable {
+            path: path.into(),
+            unflyable,
+        })
+}
+
+/// The files of the user's own presets, which the window's panel saves.
+#[must_use]
+pub fn own_presets() -> Vec<PathBuf> {
+    presets_folder()
+        .map(|folder| preset_files(&folder))
+        .unwrap_or_default()
+}
+
+fn own_preset(name: &OsStr) -> Option<PathBuf> {
+    own_presets()
+        .into_iter()
+        .find(|file| file.file_stem() == Some(name) && file.is_file())
+}
+
+/// The text of a preset or journey file, or of the preset in a picture.
+fn read_text(path: &Path) -> Result<String, SourceError> {
+    let mut bytes = Vec::new();
+    // The limit matters: some files, such as /dev/zero, have no end.
+    let read =
+        File::open(path).and_then(|file| file.take(MAX_PRESET_BYTES + 1).read_to_end(&mut bytes));
+    read.map_err(|error| SourceError::Unreadable {
+        path: path.into(),
+        error,
+    })?;
+    if is_picture(&bytes) {
+        return embedded_preset(&bytes).ok_or(SourceError::NoPreset { path: path.into() });
+    }
+    if bytes.len() as u64 > MAX_PRESET_BYTES {
+        return Err(SourceError::TooLong { path: path.into() });
+    }
+    String::from_utf8(bytes).map_err(|_| SourceError::NotText { path: path.into() })
+}
+
+fn all_presets() -> String {
+    presets::PRESETS
+        .map(|preset| format!("{} {}", preset.number, preset.name))
+        .join(", ")
+}
