@@ -25,7 +25,7 @@ pub use ui::legend::{Swatch, legend};
 pub use ui::panel::shown_number;
 
 use crate::picture::quiet_log;
-use crate::render::{CurrentScene, LightfallRenderPlugin, Screen, render_plugin};
+use crate::render::{CurrentScene, LightfallRenderPlugin, ScreenCamera, render_plugin};
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
 use bevy::window::{PresentMode, WindowResolution};
@@ -128,7 +128,7 @@ fn any_thread() -> WinitPlugin {
 }
 
 /// The user interface belongs to the screen, at its native resolution, and not to the picture.
-fn attach_ui(mut commands: Commands, screens: Query<Entity, Added<Screen>>) {
+fn attach_ui(mut commands: Commands, screens: Query<Entity, Added<ScreenCamera>>) {
     for screen in &screens {
         commands.entity(screen).insert(PrimaryEguiContext);
     }

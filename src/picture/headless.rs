@@ -1,7 +1,7 @@
 //! The chain as a program of its own, without a window.
 
 use super::PictureError;
-use crate::render::{AwaitErrors, Capture, LightfallRenderPlugin, is_drawn, render_plugin};
+use crate::render::{AwaitErrorMap, Capture, LightfallRenderPlugin, is_drawn, render_plugin};
 use bevy::app::PluginsState;
 use bevy::asset::RenderAssetUsages;
 use bevy::camera::RenderTarget;
@@ -82,7 +82,7 @@ pub(super) fn headless(
         app.init_resource::<Capture>();
     }
     app.insert_resource(Output(output.clone()))
-        .insert_resource(AwaitErrors(true))
+        .insert_resource(AwaitErrorMap(true))
         .add_plugins(LightfallRenderPlugin {
             scene,
             target: RenderTarget::Image(output.into()),

@@ -2,7 +2,7 @@
 
 use super::PictureError;
 use super::headless::{HeadlessOptions, MAX_UPDATES, Output, drawable, headless, update, warm_up};
-use crate::render::{AlwaysDraw, Capture, Captured, CurrentScene, NEAR, ROW_ALIGNMENT};
+use crate::render::{AlwaysDraw, Capture, Captured, CurrentScene, NEAR_PLANE, ROW_ALIGNMENT};
 use bevy::diagnostic::DiagnosticsStore;
 use bevy::prelude::*;
 use bevy::render::gpu_readback::{Readback, ReadbackComplete};
@@ -138,7 +138,7 @@ impl Studio {
             .depth
             .ok_or(PictureError::Draw("its depth has not been kept".into()))?;
         self.show(&scene)?;
-        Ok(depth.into_iter().map(|depth| NEAR / depth).collect())
+        Ok(depth.into_iter().map(|depth| NEAR_PLANE / depth).collect())
     }
 
     /// Draws the scene `frames` more times to tell each pass's GPU time, and as many frames in

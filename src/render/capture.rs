@@ -1,7 +1,7 @@
-//! What the eye sees, copied aside before bloom and tone mapping change it: for pictures of linear
-//! light. Only a chain that has been given a [`Capture`] copies anything.
+//! Copies of the traced light and the depth, taken before bloom and tone mapping, for pictures of
+//! linear light. A chain copies them only where there is a [`Capture`].
 
-use super::SceneCamera;
+use crate::render::scene_camera::SceneCamera;
 use bevy::core_pipeline::core_3d::main_transparent_pass_3d;
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::prelude::*;
@@ -13,31 +13,32 @@ use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use std::sync::mpsc::channel;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// Bytes that a row of a texture copy is padded to (WebGPU's COPY_BYTES_PER_ROW_ALIGNMENT).
+/// The rows of a texture copy are padded to a multiple of this many bytes (WebGPU's
+/// COPY_BYTES_PER_ROW_ALIGNMENT).
 pub const ROW_ALIGNMENT: usize = 256;
 
-/// Asks a chain to copy aside what it draws, and holds the last copy. It has to be there before the
-/// chain's first frame.
+/// Makes the chain copy what it draws, and holds the last copy. It must be inserted before the
+/// first frame.
 #[derive(Resource, Clone, Default, ExtractResource)]
 pub struct Capture(Arc<Mutex<Option<Copies>>>);
 
-/// Copies of the eye's textures, with padded rows.
+/// Copies of the scene camera's textures, with padded rows.
 struct Copies {
     size: UVec2,
     light: Buffer,
-    /// There is none where a pixel has several samples.
+    /// `None` where a pixel has several samples.
     depth: Option<Buffer>,
 }
 
-/// What the eye saw.
+/// A picture of linear light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Captured {
     /// Width and height, in pixels.
     pub size: UVec2,
     /// Linear light and opacity, as the bits of half floats; rows from the top.
     pub rgba: Vec<[u16; 4]>,
-    /// The depth buffer, rows from the top: nearest distance over distance, zero where only traced
-    /// light is. There is none where a pixel has several samples.
+    /// The depth buffer, rows from the top: the near plane's distance over the distance, zero where
+    /// there is only traced light. `None` where a pixel has several samples.
     pub depth: Option<Vec<f32>>,
 }
 
@@ -46,15 +47,15 @@ impl Capture {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// What was drawn last.
+    /// The picture that was drawn last.
     ///
-    /// # PictureErrors
-    /// Nothing has been drawn yet, or the device failed.
+    /// # Errors
+    /// Nothing has been drawn yet, or the device failed; in one sentence.
     pub fn read(&self, device: &RenderDevice) -> Result<Captured, String> {
         let copies = self.copies();
         let Copies { size, light, depth } = copies.as_ref().ok_or("nothing has been drawn yet")?;
         let half = |bytes: &[u8]| u16::from_le_bytes([bytes[0], bytes[1]]);
-        let rgba = rows(device, light, *size, 8)?
+        let rgba = read_rows(device, light, *size, 8)?
             .chunks_exact(8)
             .map(|pixel| {
                 [
@@ -67,7 +68,7 @@ impl Capture {
             .collect();
         let depth = depth
             .as_ref()
-            .map(|depth| rows(device, depth, *size, 4))
+            .map(|depth| read_rows(device, depth, *size, 4))
             .transpose()?
             .map(|bytes| {
                 bytes
@@ -83,13 +84,13 @@ impl Capture {
     }
 }
 
-/// Bytes of a padded row of `width` pixels.
-fn padded(width: u32, pixel_bytes: usize) -> usize {
+/// Length of a padded row of `width` pixels, in bytes.
+fn padded_row(width: u32, pixel_bytes: usize) -> usize {
     (width as usize * pixel_bytes).next_multiple_of(ROW_ALIGNMENT)
 }
 
-/// The rows of a copy, without what they are padded by.
-fn rows(
+/// The rows of a copy, without their padding.
+fn read_rows(
     device: &RenderDevice,
     copy: &Buffer,
     size: UVec2,
@@ -97,8 +98,8 @@ fn rows(
 ) -> Result<Vec<u8>, String> {
     let (sender, receiver) = channel();
     copy.slice(..).map_async(MapMode::Read, move |result| {
-        // Nobody listens once the device has failed.
-        let _ = sender.send(result);
+        // The receiver is gone once polling the device has failed.
+        sender.send(result).ok();
     });
     let waited = device.poll(PollType::Wait {
         submission_index: None,
@@ -112,7 +113,7 @@ fn rows(
     let bytes = copy.slice(..).get_mapped_range();
     let row = size.x as usize * pixel_bytes;
     let rows = bytes
-        .chunks(padded(size.x, pixel_bytes))
+        .chunks(padded_row(size.x, pixel_bytes))
         .flat_map(|line| &line[..row])
         .copied()
         .collect();
@@ -128,13 +129,14 @@ pub(super) fn plugin(app: &mut App) {
     };
     render_app.add_systems(
         Core3d,
-        copy.in_set(Core3dSystems::MainPass)
+        copy_light_and_depth
+            .in_set(Core3dSystems::MainPass)
             .after(main_transparent_pass_3d)
             .run_if(resource_exists::<Capture>),
     );
 }
 
-fn copy(
+fn copy_light_and_depth(
     view: ViewQuery<(&ViewTarget, &ViewDepthTexture), With<SceneCamera>>,
     capture: Res<Capture>,
     mut context: RenderContext,
@@ -154,7 +156,7 @@ fn copy(
         let buffer = |label, pixel_bytes| {
             device.create_buffer(&BufferDescriptor {
                 label: Some(label),
-                size: (padded(size.x, pixel_bytes) * size.y as usize) as u64,
+                size: (padded_row(size.x, pixel_bytes) * size.y as usize) as u64,
                 usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
                 mapped_at_creation: false,
             })
@@ -186,7 +188,7 @@ fn copy(
                 buffer,
                 layout: TexelCopyBufferLayout {
                     offset: 0,
-                    bytes_per_row: Some(padded(size.x, pixel_bytes) as u32),
+                    bytes_per_row: Some(padded_row(size.x, pixel_bytes) as u32),
                     rows_per_image: None,
                 },
             },

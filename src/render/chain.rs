@@ -1,66 +1,66 @@
-//! What of the chain a scene needs: which passes run, and which textures exist for them. The passes
-//! ask here whether they are wanted, and so does who wants to know.
+//! The passes and textures that a scene needs. Both the passes themselves and the reports take them
+//! from here.
 
 use bevy::math::UVec2;
 use lightfall_core::scene::Scene;
 
-/// Bloom's largest level has half the default picture's height: a level finer than that changes
-/// nothing that the presentation grid can show and is where most of the time goes (docs/PASSES.md).
-const BLOOM_LEVEL: u32 = 256;
+/// Rows of bloom's largest level: half the default picture's height. A finer level would take most
+/// of the time and change nothing that the presentation grid can show (docs/PASSES.md).
+const BLOOM_ROWS: u32 = 256;
 
-/// Widest bloom texture, in pixels.
-const MAX_BLOOM_SIDE: u32 = 8192;
+/// Largest width of a bloom texture, in pixels.
+const MAX_BLOOM_WIDTH: u32 = 8192;
 
-/// Fewest rows of bloom that show.
-const MIN_BLOOM_SIDE: u32 = 8;
+/// Smallest number of bloom rows with a visible effect.
+const MIN_BLOOM_ROWS: u32 = 8;
 
-/// Passes of Bevy's own that run in every chain, on some devices at least, and find nothing to do
-/// but to clear.
+/// Bevy's own passes that run in every chain, on some devices at least, and do nothing but clear.
 pub const EMPTY_PASSES: [&str; 3] = [
     "bin_unpacking",
     "early_mesh_preprocessing",
     "main_transparent_pass_2d",
 ];
 
-/// The parts of the chain that not every scene has.
+/// The parts of the chain that depend on the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Chain {
     /// Size of the HDR picture.
     pub picture: UVec2,
     /// Whether there is a foreground, with its lamps.
     pub probe: bool,
-    /// Samples of a pixel's foreground: one, or four where its edges are smoothed.
+    /// Samples per pixel of the foreground: one, or four where its edges are smoothed.
     pub samples: u32,
-    /// Rows of bloom's largest level, where there is bloom.
+    /// Rows of bloom's largest level; `None` without bloom.
     pub bloom: Option<u32>,
-    /// Size of the presentation grid, where the picture is shown in cells.
+    /// Size of the presentation grid; `None` where it is bypassed.
     pub cells: Option<UVec2>,
 }
 
-/// A texture that a chain writes.
+/// A texture that a chain writes to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Written {
-    /// What it holds.
+pub struct WrittenTexture {
+    /// Name of its content.
     pub name: &'static str,
-    /// Its size, in pixels; of the largest level, where it has several.
+    /// Size of its largest level, in pixels.
     pub size: UVec2,
-    /// Its format, as WebGPU names it.
+    /// WebGPU's name of its format.
     pub format: &'static str,
-    /// How many levels it has.
+    /// Number of mip levels.
     pub levels: u32,
 }
 
 impl Chain {
-    /// The one that draws the scene.
+    /// The chain that draws the scene.
     pub fn of(scene: &Scene) -> Self {
-        let picture = UVec2::new(scene.picture.width, scene.picture.height);
-        // A wide picture's bloom has fewer rows, lest its texture be wider than a device can do.
-        let widest = u64::from(MAX_BLOOM_SIDE) * u64::from(picture.y) / u64::from(picture.x.max(1));
-        // A coarse picture's too: half its rows are as fine as bloom ever is.
-        let rows = u64::from(BLOOM_LEVEL)
-            .min(widest)
+        let picture = scene.picture.size();
+        // A wide picture has fewer rows, so that the bloom texture does not exceed its largest
+        // width.
+        let rows_of_max_width =
+            u64::from(MAX_BLOOM_WIDTH) * u64::from(picture.y) / u64::from(picture.x.max(1));
+        // A small picture has fewer rows, too: bloom is never finer than half the picture's rows.
+        let rows = u64::from(BLOOM_ROWS)
+            .min(rows_of_max_width)
             .min(u64::from(picture.y.div_ceil(2))) as u32;
-        let grid = UVec2::new(scene.picture.grid_width, scene.picture.grid_height);
         Self {
             picture,
             probe: scene.probe.enabled,
@@ -69,12 +69,12 @@ impl Chain {
             } else {
                 1
             },
-            bloom: (scene.picture.bloom > 0.0 && rows >= MIN_BLOOM_SIDE).then_some(rows),
-            cells: (!scene.picture.bypass).then_some(grid),
+            bloom: (scene.picture.bloom > 0.0 && rows >= MIN_BLOOM_ROWS).then_some(rows),
+            cells: (!scene.picture.bypass).then_some(scene.picture.grid()),
         }
     }
 
-    /// The passes in their order, by the names that `render --timings` gives them.
+    /// Names of the passes in their order, as in `render --timings`.
     pub fn passes(&self) -> Vec<&'static str> {
         let lamps: &[_] = if self.probe { &["clustering"] } else { &[] };
         let bloom: &[_] = if self.bloom.is_some() {
@@ -87,18 +87,18 @@ impl Chain {
         } else {
             &[]
         };
-        let eye = [
+        let scene_camera = [
             lamps,
             &["main_opaque_pass_3d", "geodesic"],
             bloom,
             &["tonemapping"],
         ]
         .concat();
-        [&eye, cells, self.kept_passes()].concat()
+        [&scene_camera, cells, self.idle_passes()].concat()
     }
 
-    /// Those of them that still run while nothing changes: what shows a kept picture.
-    pub fn kept_passes(&self) -> &'static [&'static str] {
+    /// Names of the passes that also run while nothing changes: they show the last picture.
+    pub fn idle_passes(&self) -> &'static [&'static str] {
         if self.cells.is_some() {
             &["expand", "upscaling"]
         } else {
@@ -106,9 +106,9 @@ impl Chain {
         }
     }
 
-    /// The textures between the passes.
-    pub fn textures(&self) -> Vec<Written> {
-        let of_picture = |name, format| Written {
+    /// The textures that pass data from one pass to the next.
+    pub fn textures(&self) -> Vec<WrittenTexture> {
+        let of_picture = |name, format| WrittenTexture {
             name,
             size: self.picture,
             format,
@@ -123,9 +123,9 @@ impl Chain {
             textures.push(of_picture("HDR picture of four samples", "rgba16float"));
         }
         textures.extend(self.bloom.map(|rows| {
-            Written {
+            WrittenTexture {
                 name: "bloom",
-                // As Bevy sizes it.
+                // Bevy sizes its bloom texture this way.
                 size: (self.picture.as_vec2() * (rows as f32 / self.picture.y as f32))
                     .round()
                     .as_uvec2()
@@ -134,7 +134,7 @@ impl Chain {
                 levels: rows.ilog2().max(2) - 1,
             }
         }));
-        textures.extend(self.cells.map(|size| Written {
+        textures.extend(self.cells.map(|size| WrittenTexture {
             name: "cells",
             size,
             format: "rgba8unorm-srgb",

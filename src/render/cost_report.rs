@@ -1,13 +1,13 @@
-//! What a scene needs, in words: from the variant that is compiled and the chain that runs, and
-//! from nothing else.
+//! The cost report: what the GPU compiles, runs and allocates for a scene. It is derived only from
+//! the shader variant and the chain that draw the scene.
 
-use super::{Chain, EMPTY_PASSES};
+use crate::render::chain::{Chain, EMPTY_PASSES, WrittenTexture};
 use lightfall_core::gpu::{Entry, Variant};
 use lightfall_core::scene::Scene;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-/// What the scene compiles in, leaves out and runs; lines of a name and what it needs.
+/// The cost report of the scene: one line per topic, first the topic and then what belongs to it.
 pub fn cost_report(scene: &Scene) -> String {
     let variant = Variant::picture(scene);
     let chain = Chain::of(scene);
@@ -15,21 +15,21 @@ pub fn cost_report(scene: &Scene) -> String {
     let names = |flags: Vec<(&'static str, bool)>| {
         flags.into_iter().map(|(name, _)| name).collect::<Vec<_>>()
     };
-    let most = chain_with_everything(&chain);
+    let full = chain_with_everything(&chain);
     let textures = chain.textures();
-    let absent = most
+    let absent = full
         .textures()
         .into_iter()
-        .filter(|most| textures.iter().all(|texture| texture.name != most.name));
+        .filter(|absent| textures.iter().all(|texture| texture.name != absent.name));
     let passes = chain.passes();
     let mut text = format!("{}: {}\n", scene.name, scene.title);
-    let mut line = |name: &str, what: &[String]| {
-        let what = if what.is_empty() {
+    let mut line = |topic: &str, items: &[String]| {
+        let items = if items.is_empty() {
             "none".into()
         } else {
-            what.join(", ")
+            items.join(", ")
         };
-        writeln!(text, "{name:16} {what}").expect("writing to a string cannot fail");
+        writeln!(text, "{topic:16} {items}").expect("writing to a string cannot fail");
     };
     let own = |names: Vec<&str>| names.into_iter().map(str::to_owned).collect::<Vec<_>>();
     line(
@@ -45,25 +45,25 @@ pub fn cost_report(scene: &Scene) -> String {
         &[if variant.disk {
             variant.most_hits.to_string()
         } else {
-            "none looked for".into()
+            "none".into()
         }],
     );
     line("flags set", &own(names(set)));
     line("flags not set", &own(names(unset)));
-    line("text of shaders", &own(variant.files()));
-    line("text left out", &own(left_out(variant)));
+    line("shader files", &own(variant.files()));
+    line("files left out", &own(unused_files(variant)));
     line("passes", &own(passes.clone()));
     line(
         "passes left out",
-        &own(most
+        &own(full
             .passes()
             .into_iter()
             .filter(|pass| !passes.contains(pass))
             .collect()),
     );
     line("passes, empty", &own(EMPTY_PASSES.to_vec()));
-    line("while still", &own(chain.kept_passes().to_vec()));
-    let written = |texture: &super::Written| {
+    line("while idle", &own(chain.idle_passes().to_vec()));
+    let written = |texture: &WrittenTexture| {
         let levels = if texture.levels > 1 {
             format!(", {} levels", texture.levels)
         } else {
@@ -85,8 +85,8 @@ pub fn cost_report(scene: &Scene) -> String {
     text
 }
 
-/// The files that pictures of other scenes are made of, and this one's is not.
-fn left_out(variant: Variant) -> Vec<&'static str> {
+/// Shader files that pictures of other scenes use and this one does not.
+fn unused_files(variant: Variant) -> Vec<&'static str> {
     let all: BTreeSet<_> = Variant::all()
         .into_iter()
         .filter(|other| other.entry == Entry::Picture)
@@ -98,7 +98,7 @@ fn left_out(variant: Variant) -> Vec<&'static str> {
         .collect()
 }
 
-/// The chain with every part that there is; with cells rather than without.
+/// The chain of the same picture size with every optional part, presented in cells.
 fn chain_with_everything(chain: &Chain) -> Chain {
     let mut scene = Scene::default();
     scene.probe.enabled = true;
@@ -110,7 +110,7 @@ fn chain_with_everything(chain: &Chain) -> Chain {
     }
 }
 
-/// A variant's name as presets write it.
+/// An enumeration's value in the words that presets use.
 fn word(name: impl std::fmt::Debug) -> String {
     let mut word = String::new();
     for letter in format!("{name:?}").chars() {

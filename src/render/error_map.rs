@@ -1,210 +1,135 @@
-//! The grid of errors that the view `error` shows, worked out beside the frames: by a thread of its
-//! own, on a GPU device beside the window's.
+//! The error map that the view `error` shows. A background thread computes it on a GPU device of
+//! its own, so that no frame waits for it.
 //!
-//! While a new grid is being worked out, that of the last place stays, and it shows each as it
-//! comes. A still waits.
+//! When the camera moves, the map of the last place stays on screen until the next one arrives. A
+//! still waits for its map.
 
-use super::CurrentScene;
+use crate::render::current_scene::CurrentScene;
+use crate::worker::Worker;
 use bevy::prelude::*;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
 use lightfall_core::accuracy::over_picture;
 use lightfall_core::gpu::{ERROR_MAP_SIZE, ErrorMap, GpuError, with_background_device};
-use lightfall_core::scene::{Disk, Picture, Scene, View};
-use std::sync::mpsc::{Receiver, Sender, channel};
-use std::sync::{Mutex, PoisonError};
+use lightfall_core::scene::{Scene, View};
 
-/// Whether a frame of the view `error` waits until its errors are known: for stills.
+/// Whether a frame of the view `error` waits until its error map is computed: for stills.
 #[derive(Resource, Default)]
-pub struct AwaitErrors(pub bool);
+pub struct AwaitErrorMap(pub bool);
 
-/// The errors known last.
+/// The error map that the view shows.
 #[derive(Resource, Clone, Default, ExtractResource)]
-pub(super) struct PictureErrors {
-    /// Of which scene they are.
-    of: Option<Scene>,
-    pub(super) cells: ErrorMap,
+pub(super) struct ShownErrorMap {
+    /// The scene that the map belongs to, without its shading; `None` for an empty map.
+    scene: Option<Scene>,
+    pub(super) map: ErrorMap,
 }
 
-/// What was asked for last, and the way to the thread that answers; there is none before something
-/// is asked.
+/// The request for the latest error map. The thread starts with the first request.
 #[derive(Resource, Default)]
-pub(super) struct Work {
-    asked: Option<Scene>,
-    /// Whether the answer to that is still to come.
-    awaited: bool,
-    /// What kept it from being worked out.
-    fault: Option<String>,
-    worker: Option<Worker>,
+pub(super) struct ErrorMapRequest {
+    /// The scene whose map was requested last, without its shading.
+    scene: Option<Scene>,
+    /// Whether that map is still to come.
+    pending: bool,
+    /// Why the map could not be computed.
+    failure: Option<String>,
+    worker: Option<Worker<Scene, ComputedMap>>,
 }
 
-struct Worker {
-    orders: Sender<Scene>,
-    answers: Mutex<Receiver<Answer>>,
+/// An answer of the background thread.
+struct ComputedMap {
+    scene: Scene,
+    map: Result<ErrorMap, GpuError>,
 }
 
-struct Answer {
-    of: Scene,
-    cells: Result<ErrorMap, GpuError>,
-}
-
-impl Work {
-    /// Whether the answer for the present scene is there, where one is needed.
+impl ErrorMapRequest {
+    /// Whether the present scene needs no error map, or has it.
     ///
-    /// # PictureErrors
-    /// What kept it from being worked out.
+    /// # Errors
+    /// Why the map could not be computed.
     pub(super) fn is_done(&self, scene: &Scene) -> Result<bool, String> {
-        match &self.fault {
+        match &self.failure {
             _ if scene.view != View::Error => Ok(true),
-            Some(fault) => Err(fault.clone()),
-            None => Ok(!self.awaited && self.asked == Some(traced(scene))),
+            Some(failure) => Err(failure.clone()),
+            None => Ok(!self.pending && self.scene == Some(scene.without_shading())),
         }
     }
 
     fn ask(&mut self, scene: Scene) {
-        let worker = self.worker.get_or_insert_with(Worker::start);
-        // A thread that is gone is found out when it does not answer.
-        let _ = worker.orders.send(scene.clone());
-        (self.asked, self.awaited, self.fault) = (Some(scene), true, None);
+        self.worker
+            .get_or_insert_with(|| Worker::serving_latest(|scene, maps| maps.send(compute(scene))))
+            .ask(scene.clone());
+        (self.scene, self.pending, self.failure) = (Some(scene), true, None);
     }
 
-    /// The newest answer, if there is a new one; with `patience`, the one to what was asked last.
-    fn answer(&mut self, patience: bool) -> Option<Answer> {
-        let answers = self
-            .worker
-            .as_ref()
-            .filter(|_| self.awaited)?
-            .answers
-            .lock();
-        let answers = answers.unwrap_or_else(PoisonError::into_inner);
-        if patience {
-            answers
-                .iter()
-                .find(|answer| self.asked.as_ref() == Some(&answer.of))
+    /// The newest map, if there is a new one. With `wait`, waits for the map requested last.
+    fn take_map(&self, wait: bool) -> Option<ComputedMap> {
+        let worker = self.worker.as_ref().filter(|_| self.pending)?;
+        if wait {
+            worker.wait_for(|computed| self.scene.as_ref() == Some(&computed.scene))
         } else {
-            answers.try_iter().last()
+            worker.latest_answer()
         }
     }
 }
 
-impl Worker {
-    fn start() -> Self {
-        let (orders, work) = channel();
-        let (answer, answers) = channel();
-        std::thread::spawn(move || run(&work, &answer));
-        Self {
-            orders,
-            answers: Mutex::new(answers),
-        }
-    }
-}
-
-fn run(work: &Receiver<Scene>, answer: &Sender<Answer>) {
-    while let Ok(order) = work.recv() {
-        // Of several scenes that were asked for in the meantime only the last is still wanted.
-        let of = work.try_iter().last().unwrap_or(order);
-        let cells = with_background_device(|gpu| over_picture(gpu, &of, ERROR_MAP_SIZE))
-            .map(|errors| ErrorMap::new(&errors));
-        if answer.send(Answer { of, cells }).is_err() {
-            return;
-        }
-    }
+fn compute(scene: Scene) -> ComputedMap {
+    let map = with_background_device(|gpu| over_picture(gpu, &scene, ERROR_MAP_SIZE))
+        .map(|errors| ErrorMap::new(&errors));
+    ComputedMap { scene, map }
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.init_resource::<AwaitErrors>()
-        .init_resource::<PictureErrors>()
-        .init_resource::<Work>()
-        .add_plugins(ExtractResourcePlugin::<PictureErrors>::default())
-        .add_systems(PostUpdate, follow);
+    app.init_resource::<AwaitErrorMap>()
+        .init_resource::<ShownErrorMap>()
+        .init_resource::<ErrorMapRequest>()
+        .add_plugins(ExtractResourcePlugin::<ShownErrorMap>::default())
+        .add_systems(PostUpdate, update_error_map);
 }
 
-/// What of a scene decides where rays end, and how large its pixels are.
-fn traced(scene: &Scene) -> Scene {
-    let Scene {
-        method,
-        hole,
-        camera,
-        observer,
-        effects,
-        quality,
-        ..
-    } = *scene;
-    let Disk {
-        enabled,
-        inner,
-        follow_isco,
-        outer,
-        ..
-    } = scene.disk;
-    let none = Scene::default();
-    let disk = Disk {
-        enabled,
-        inner,
-        follow_isco,
-        outer,
-        ..none.disk
-    };
-    let picture = Picture {
-        width: scene.picture.width,
-        height: scene.picture.height,
-        ..none.picture
-    };
-    Scene {
-        method,
-        hole,
-        camera,
-        observer,
-        effects,
-        quality,
-        disk,
-        picture,
-        ..none
-    }
-}
-
-/// Asks for the errors of the present scene, and takes them in when they come.
-pub(super) fn follow(
+/// Requests the error map of the present scene, and shows it when it arrives.
+pub(super) fn update_error_map(
     scene: Res<CurrentScene>,
-    patience: Res<AwaitErrors>,
-    mut work: ResMut<Work>,
-    mut errors: ResMut<PictureErrors>,
+    wait: Res<AwaitErrorMap>,
+    mut request: ResMut<ErrorMapRequest>,
+    mut shown: ResMut<ShownErrorMap>,
 ) {
     if scene.view == View::Error && scene.is_changed() {
-        let wanted = traced(&scene);
-        if work.asked.as_ref() != Some(&wanted) {
-            // The errors of another place are a picture that lags; those of another method would be
-            // a lie.
+        let wanted = scene.without_shading();
+        if request.scene.as_ref() != Some(&wanted) {
+            // The map of another place only lags behind. The map of another method, hole or disk
+            // would be wrong, so it is cleared.
             let (camera, observer) = (wanted.camera, wanted.observer);
-            if errors.of.take().is_none_or(|of| {
+            if shown.scene.take().is_none_or(|scene| {
                 Scene {
                     camera,
                     observer,
-                    ..of
+                    ..scene
                 } != wanted
             }) {
-                errors.cells = ErrorMap::default();
+                shown.map = ErrorMap::default();
             }
-            work.ask(wanted);
+            request.ask(wanted);
         }
     }
-    if !work.awaited {
+    if !request.pending {
         return;
     }
-    let Some(Answer { of, cells }) = work.answer(patience.0) else {
+    let Some(ComputedMap { scene, map }) = request.take_map(wait.0) else {
         return;
     };
-    work.awaited = work.asked.as_ref() != Some(&of);
-    match cells {
-        Ok(cells) => {
-            *errors = PictureErrors {
-                of: Some(of),
-                cells,
+    request.pending = request.scene.as_ref() != Some(&scene);
+    match map {
+        Ok(map) => {
+            *shown = ShownErrorMap {
+                scene: Some(scene),
+                map,
             }
         }
-        Err(fault) => {
-            let fault = format!("the errors of the picture could not be worked out: {fault}");
-            error!("{fault}");
-            work.fault = Some(fault);
+        Err(error) => {
+            let failure = format!("the error map of the picture could not be computed: {error}");
+            error!("{failure}");
+            request.failure = Some(failure);
         }
     }
 }

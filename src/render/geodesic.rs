@@ -1,94 +1,70 @@
-//! The geodesic pass: a fullscreen triangle at the far plane, so that the depth test lets only
-//! uncovered pixels through.
+//! The geodesic pass: a full-screen triangle at the far plane. The depth test discards the pixels
+//! that the foreground covers.
 
 mod pipeline;
+mod shader;
 
-use super::chain::Chain;
-use super::{CurrentScene, SceneCamera};
-use crate::render::error_map::PictureErrors;
-use crate::render::redraw::DrawRequest;
+pub(super) use shader::{GeodesicShader, select_geodesic_shader};
+
+use crate::render::current_scene::CurrentScene;
+use crate::render::error_map::ShownErrorMap;
+use crate::render::scene_camera::SceneCamera;
 use bevy::asset::AssetEventSystems;
 use bevy::core_pipeline::core_3d::{main_opaque_pass_3d, main_transparent_pass_3d};
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
 use bevy::render::diagnostic::RecordDiagnostics;
-use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
+use bevy::render::extract_resource::ExtractResourcePlugin;
 use bevy::render::render_resource::binding_types::{uniform_buffer, uniform_buffer_sized};
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
-use lightfall_core::gpu::{ErrorMap, GpuScene, Variant};
+use lightfall_core::gpu::{ErrorMap, GpuScene};
 use lightfall_core::optics::{disk, spectrum};
 use lightfall_core::scene::View;
-use pipeline::descriptor;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use pipeline::pipeline_descriptor;
+use shader::JoinedShaders;
 
-/// The shader that the current scene needs; written in the main world, where shader assets live.
-#[derive(Resource, Clone, ExtractResource)]
-pub(super) struct GeodesicShader {
-    variant: Variant,
-    /// Samples of a pixel, which a pipeline is made for.
-    samples: u32,
-    shader: Handle<Shader>,
-    /// Whether its pipeline exists; both worlds hold it.
-    ready: Arc<AtomicBool>,
-}
-
-impl GeodesicShader {
-    /// Whether its pipeline exists.
-    pub(super) fn is_ready(&self) -> bool {
-        self.ready.load(Ordering::Acquire)
-    }
-}
-
-/// The variants joined so far, so that going back to one costs nothing; the last used last.
-#[derive(Resource, Default)]
-pub(super) struct JoinedShaders(Vec<GeodesicShader>);
-
-/// Most variants that are kept, each a compiled pipeline: more than keys and presets lead through
-/// in a while.
-const MAX_VARIANTS: usize = 48;
-
-/// What the pass needs on the GPU.
+/// The pass's resources on the GPU.
 #[derive(Resource)]
 pub(super) struct GeodesicPass {
     layout: BindGroupLayoutDescriptor,
     spectrum: Buffer,
-    /// The relativistic disk's flux; always bound, read by the variants that need it.
+    /// The relativistic disk's flux. Always bound; only the variants that need it read it.
     page_thorne: Buffer,
-    /// The grid of the view `error`; likewise.
-    errors: Buffer,
-    numbers: UniformBuffer<GpuScene>,
+    /// The map of the view `error`. Always bound; only that view reads it.
+    error_map: Buffer,
+    uniform: UniformBuffer<GpuScene>,
+    /// The pipelines queued so far, by shader and samples per pixel.
     pipelines: HashMap<(AssetId<Shader>, u32), CachedRenderPipelineId>,
-    /// The pipeline of the scene whose numbers are in the buffer.
+    /// The pipeline of the scene in the uniform.
     current: Option<CachedRenderPipelineId>,
-    /// How many samples that pipeline is made for.
+    /// Samples per pixel of that pipeline.
     samples: u32,
     bind_group: Option<BindGroup>,
-    /// Whether the scene has changed since its numbers were written.
-    stale: bool,
-    /// Whether this frame has drawn with them.
-    drew: bool,
+    /// Whether the scene has changed since the uniform was written.
+    changed: bool,
+    /// Whether this frame has drawn the scene in the uniform.
+    drawn: bool,
 }
 
 impl GeodesicPass {
-    /// Whether this frame has drawn the light of the present scene.
+    /// Whether this frame has drawn the present scene.
     pub(super) fn has_drawn_scene(&self) -> bool {
-        self.drew && !self.stale
+        self.drawn && !self.changed
     }
 }
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<JoinedShaders>()
         .add_plugins(ExtractResourcePlugin::<GeodesicShader>::default())
-        // A shader that takes a place is to be known to the pipelines in the same frame as that it
-        // is wanted.
+        // Before asset events, so that the pipeline cache knows a new or replaced shader in the same
+        // frame.
         .add_systems(
             PostUpdate,
-            join_shader
+            select_geodesic_shader
                 .run_if(resource_changed::<CurrentScene>)
                 .before(AssetEventSystems),
         );
@@ -96,56 +72,22 @@ pub(super) fn plugin(app: &mut App) {
         return;
     };
     render_app
-        .add_systems(RenderStartup, init)
-        .add_systems(Render, prepare.in_set(RenderSystems::PrepareResources))
+        .add_systems(RenderStartup, create_geodesic_pass)
+        .add_systems(
+            Render,
+            prepare_geodesic_pass.in_set(RenderSystems::PrepareResources),
+        )
         .add_systems(
             Core3d,
-            draw.in_set(Core3dSystems::MainPass)
+            draw_geodesic_pass
+                .in_set(Core3dSystems::MainPass)
                 .after(main_opaque_pass_3d)
                 .before(main_transparent_pass_3d),
         );
 }
 
-/// Joins the parts that the scene needs into one shader, once per variant. The longest unused gives
-/// up its place.
-pub(super) fn join_shader(
-    mut commands: Commands,
-    scene: Res<CurrentScene>,
-    mut joined: ResMut<JoinedShaders>,
-    mut shaders: ResMut<Assets<Shader>>,
-) {
-    let (variant, samples) = (Variant::picture(&scene), Chain::of(&scene).samples);
-    let JoinedShaders(joined) = &mut *joined;
-    let shader = match joined
-        .iter()
-        .position(|known| known.variant == variant && known.samples == samples)
-    {
-        Some(place) => joined.remove(place),
-        None => {
-            let text = Shader::from_wgsl(variant.source(), "lightfall/geodesic.wgsl");
-            let shader = if joined.len() < MAX_VARIANTS {
-                shaders.add(text)
-            } else {
-                let GeodesicShader { shader, .. } = joined.remove(0);
-                if let Err(error) = shaders.insert(shader.id(), text) {
-                    error!("a shader could not be replaced: {error}");
-                }
-                shader
-            };
-            GeodesicShader {
-                variant,
-                samples,
-                shader,
-                ready: default(),
-            }
-        }
-    };
-    joined.push(shader.clone());
-    commands.insert_resource(shader);
-}
-
-/// A table as it lies in a uniform.
-fn bytes(table: &[[f32; 4]]) -> Vec<u8> {
+/// The bytes of a table in a uniform.
+fn table_bytes(table: &[[f32; 4]]) -> Vec<u8> {
     table
         .iter()
         .flatten()
@@ -153,12 +95,8 @@ fn bytes(table: &[[f32; 4]]) -> Vec<u8> {
         .collect()
 }
 
-fn init(mut commands: Commands, device: Res<RenderDevice>, request: Option<Res<DrawRequest>>) {
-    // After the loss of a device there is no picture any more.
-    if let Some(request) = request {
-        request.forget();
-    }
-    let table = bytes(&spectrum::table());
+fn create_geodesic_pass(mut commands: Commands, device: Res<RenderDevice>) {
+    let table = table_bytes(&spectrum::table());
     let spectrum = device.create_buffer_with_data(&BufferInitDescriptor {
         label: Some("spectrum table"),
         contents: &table,
@@ -177,7 +115,7 @@ fn init(mut commands: Commands, device: Res<RenderDevice>, request: Option<Res<D
         "Page-Thorne table",
         size_of::<[[f32; 4]; disk::TABLE_LEN]>(),
     );
-    let errors = uniform("grid of errors", ErrorMap::SIZE);
+    let error_map = uniform("error map", ErrorMap::SIZE);
     let layout = BindGroupLayoutDescriptor::new(
         "geodesic layout",
         &BindGroupLayoutEntries::with_indices(
@@ -194,7 +132,7 @@ fn init(mut commands: Commands, device: Res<RenderDevice>, request: Option<Res<D
                 ),
                 (
                     5,
-                    uniform_buffer_sized(false, BufferSize::new(errors.size())),
+                    uniform_buffer_sized(false, BufferSize::new(error_map.size())),
                 ),
             ),
         ),
@@ -203,22 +141,22 @@ fn init(mut commands: Commands, device: Res<RenderDevice>, request: Option<Res<D
         layout,
         spectrum,
         page_thorne,
-        errors,
-        numbers: UniformBuffer::from(GpuScene::default()),
+        error_map,
+        uniform: UniformBuffer::from(GpuScene::default()),
         pipelines: HashMap::default(),
         current: None,
         samples: 1,
         bind_group: None,
-        stale: true,
-        drew: false,
+        changed: true,
+        drawn: false,
     });
 }
 
-/// Writes the scene's numbers and picks the pipeline.
-fn prepare(
+/// Writes a changed scene to the uniform once its pipeline exists.
+fn prepare_geodesic_pass(
     scene: Res<CurrentScene>,
     shader: Option<Res<GeodesicShader>>,
-    known: Res<PictureErrors>,
+    errors: Res<ShownErrorMap>,
     pass: Option<ResMut<GeodesicPass>>,
     cache: Res<PipelineCache>,
     device: Res<RenderDevice>,
@@ -231,59 +169,58 @@ fn prepare(
         layout,
         spectrum,
         page_thorne,
-        errors,
-        numbers,
+        error_map,
+        uniform,
         pipelines,
         current,
         samples,
         bind_group,
-        stale,
-        drew,
+        changed,
+        drawn,
     } = &mut *pass;
-    *stale |= scene.is_changed() || known.is_changed();
-    *drew = false;
+    *changed |= scene.is_changed() || errors.is_changed();
+    *drawn = false;
     let wanted = *pipelines
         .entry((shader.shader.id(), shader.samples))
         .or_insert_with(|| {
-            cache.queue_render_pipeline(descriptor(
+            cache.queue_render_pipeline(pipeline_descriptor(
                 layout.clone(),
                 shader.shader.clone(),
                 shader.samples,
             ))
         });
-    // A scene is not begun before its own shader is there: until then the last picture stays as it
-    // was.
+    // Until the scene's own pipeline exists, the uniform and the pipeline of the last picture stay.
     let ready = cache.get_render_pipeline(wanted).is_some();
-    shader.ready.store(ready, Ordering::Release);
-    if !*stale || !ready {
+    shader.set_ready(ready);
+    if !*changed || !ready {
         return;
     }
-    numbers.set(scene.numbers().clone());
-    numbers.write_buffer(&device, &queue);
+    uniform.set(scene.numbers().clone());
+    uniform.write_buffer(&device, &queue);
     if let disk::Profile::PageThorne(disk) = disk::Profile::new(&scene) {
-        queue.write_buffer(page_thorne, 0, &bytes(&disk.table()));
+        queue.write_buffer(page_thorne, 0, &table_bytes(&disk.table()));
     }
     if scene.view == View::Error {
-        queue.write_buffer(errors, 0, &known.cells.bytes());
+        queue.write_buffer(error_map, 0, &errors.map.bytes());
     }
-    (*stale, *current, *samples) = (false, Some(wanted), shader.samples);
+    (*changed, *current, *samples) = (false, Some(wanted), shader.samples);
     if bind_group.is_none()
-        && let Some(numbers) = numbers.binding()
+        && let Some(uniform) = uniform.binding()
     {
         *bind_group = Some(device.create_bind_group(
             "geodesic bindings",
             &cache.get_bind_group_layout(layout),
             &BindGroupEntries::with_indices((
-                (0, numbers),
+                (0, uniform),
                 (1, spectrum.as_entire_binding()),
                 (4, page_thorne.as_entire_binding()),
-                (5, errors.as_entire_binding()),
+                (5, error_map.as_entire_binding()),
             )),
         ));
     }
 }
 
-fn draw(
+fn draw_geodesic_pass(
     view: ViewQuery<(&ViewTarget, &ViewDepthTexture), With<SceneCamera>>,
     pass: Option<ResMut<GeodesicPass>>,
     cache: Res<PipelineCache>,
@@ -297,7 +234,7 @@ fn draw(
     ) else {
         return;
     };
-    // A pipeline for another number of samples waits until the picture has it, too.
+    // A pipeline for another number of samples waits until the target has as many.
     if (pass.samples > 1) != target.sampled_main_texture().is_some() {
         return;
     }
@@ -317,5 +254,5 @@ fn draw(
     render_pass.draw(0..3, 0..1);
     span.end(&mut render_pass);
     drop(render_pass);
-    pass.drew = true;
+    pass.drawn = true;
 }

@@ -1,8 +1,14 @@
-//! The presentation: the tone-mapped picture reduced to a grid of cells, quantized, and expanded to
-//! the output.
+//! The presentation: reduces the tone-mapped picture to a grid of cells, quantizes them, and expands
+//! them to the output.
 
-use super::{Chain, CurrentScene, SceneCamera, Screen};
-use bevy::asset::uuid_handle;
+mod letterbox;
+mod pipeline;
+
+pub use letterbox::{Letterbox, letterbox};
+
+use crate::render::chain::Chain;
+use crate::render::current_scene::CurrentScene;
+use crate::render::scene_camera::{SceneCamera, ScreenCamera};
 use bevy::core_pipeline::core_2d::main_transparent_pass_2d;
 use bevy::core_pipeline::schedule::{Core2d, Core2dSystems};
 use bevy::image::ToExtents;
@@ -16,46 +22,7 @@ use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery
 use bevy::render::view::{ExtractedView, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use lightfall_core::scene::Picture;
-
-const SHADER: Handle<Shader> = uuid_handle!("6f0f7c0e-5b7d-4c0c-9a55-0f3f1c1d7a11");
-
-/// Cells hold linear light behind the sRGB transfer function, so that every level they are rounded
-/// to survives.
-const GRID_FORMAT: TextureFormat = TextureFormat::Rgba8UnormSrgb;
-
-/// Where the picture lies on the output.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Letterbox {
-    /// Upper left corner, in output pixels.
-    pub offset: Vec2,
-    /// Size, in output pixels.
-    pub extent: Vec2,
-}
-
-/// Places the picture on an output of the given size, bars around it: cells at the largest whole
-/// scale that fits, or, bypassed or where not even scale one fits, the whole picture as large as it
-/// can be.
-pub fn letterbox(picture: &Picture, output: UVec2) -> Letterbox {
-    let grid = UVec2::new(picture.grid_width, picture.grid_height);
-    let scale = (output / grid).min_element();
-    let extent = if !picture.bypass && scale > 0 {
-        (grid * scale).as_vec2()
-    } else {
-        let shown = if picture.bypass {
-            UVec2::new(picture.width, picture.height)
-        } else {
-            grid
-        }
-        .as_vec2();
-        (shown * (output.as_vec2() / shown).min_element())
-            .round()
-            .max(Vec2::ONE)
-    };
-    Letterbox {
-        offset: ((output.as_vec2() - extent) / 2.0).floor(),
-        extent,
-    }
-}
+use pipeline::{GRID_FORMAT, SHADER, Stage, pipeline_descriptor};
 
 /// Mirror of `Presentation` in pixelate.wgsl.
 #[derive(Clone, Default, ShaderType)]
@@ -68,42 +35,24 @@ struct Presentation {
     dither: u32,
 }
 
-/// The presentation grid, and what it was filled with.
+/// The presentation grid and the settings it was filled with.
 struct Cells {
     view: TextureView,
-    /// Size, levels and pattern.
-    numbers: (UVec2, f32, u32),
-    /// Whether they show the eye's last picture.
+    /// Size of the grid, levels and dither.
+    settings: (UVec2, f32, u32),
+    /// Whether the cells show the scene camera's last picture.
     filled: bool,
-}
-
-/// The three fragment entries.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
-enum Stage {
-    Pixelate,
-    Expand,
-    Fit,
-}
-
-impl Stage {
-    fn entry_point(self) -> &'static str {
-        match self {
-            Self::Pixelate => "pixelate",
-            Self::Expand => "expand",
-            Self::Fit => "fit",
-        }
-    }
 }
 
 #[derive(Resource)]
 struct PresentationPass {
     layout: BindGroupLayoutDescriptor,
     sampler: Sampler,
-    numbers: UniformBuffer<Presentation>,
+    uniform: UniformBuffer<Presentation>,
     pipelines: HashMap<(Stage, TextureFormat), CachedRenderPipelineId>,
-    /// The cells, absent when they are bypassed; kept as long as the picture is.
+    /// The cells, which last as long as the picture; `None` when they are bypassed.
     cells: Option<Cells>,
-    /// Format of the screen's main texture.
+    /// Format of the screen camera's main texture.
     output: TextureFormat,
 }
 
@@ -119,18 +68,21 @@ pub(super) fn plugin(app: &mut App) {
         return;
     };
     render_app
-        .add_systems(RenderStartup, init)
-        .add_systems(Render, prepare.in_set(RenderSystems::PrepareResources))
+        .add_systems(RenderStartup, create_presentation_pass)
+        .add_systems(
+            Render,
+            prepare_presentation_pass.in_set(RenderSystems::PrepareResources),
+        )
         .add_systems(
             Core2d,
-            (pixelate, expand)
+            (draw_cells, draw_output)
                 .chain()
                 .in_set(Core2dSystems::MainPass)
                 .after(main_transparent_pass_2d),
         );
 }
 
-fn init(mut commands: Commands, device: Res<RenderDevice>) {
+fn create_presentation_pass(mut commands: Commands, device: Res<RenderDevice>) {
     let layout = BindGroupLayoutDescriptor::new(
         "presentation layout",
         &BindGroupLayoutEntries::sequential(
@@ -151,24 +103,25 @@ fn init(mut commands: Commands, device: Res<RenderDevice>) {
     commands.insert_resource(PresentationPass {
         layout,
         sampler,
-        numbers: UniformBuffer::from(Presentation::default()),
+        uniform: UniformBuffer::from(Presentation::default()),
         pipelines: HashMap::default(),
         cells: None,
         output: TextureFormat::Rgba8UnormSrgb,
     });
 }
 
-fn prepare(
+/// Writes the uniform, and creates the cells and pipelines that the settings need.
+fn prepare_presentation_pass(
     scene: Res<CurrentScene>,
-    screen: Query<(&ExtractedCamera, &ExtractedView), With<Screen>>,
-    eye: Query<(&ViewTarget, Has<ExtractedCamera>), With<SceneCamera>>,
+    screen: Query<(&ExtractedCamera, &ExtractedView), With<ScreenCamera>>,
+    scene_camera: Query<(&ViewTarget, Has<ExtractedCamera>), With<SceneCamera>>,
     pass: Option<ResMut<PresentationPass>>,
     cache: Res<PipelineCache>,
     device: Res<RenderDevice>,
     queue: Res<RenderQueue>,
 ) {
-    let (Some(mut pass), Ok((camera, view)), Ok((eye, awake))) =
-        (pass, screen.single(), eye.single())
+    let (Some(mut pass), Ok((camera, view)), Ok((source, active))) =
+        (pass, screen.single(), scene_camera.single())
     else {
         return;
     };
@@ -178,17 +131,17 @@ fn prepare(
     else {
         return;
     };
-    // The picture at hand may be a kept one, of another size than the scene asks for by now.
-    let size = eye.main_texture().size();
+    // While a new scene is not drawn yet, the last picture is shown, whose size may be another.
+    let size = source.main_texture().size();
     let picture = Picture {
         width: size.width,
         height: size.height,
         ..scene.picture
     };
     let Letterbox { offset, extent } = letterbox(&picture, output);
-    let numbers = Presentation {
-        picture: UVec2::new(picture.width, picture.height),
-        grid: UVec2::new(picture.grid_width, picture.grid_height),
+    let uniform = Presentation {
+        picture: picture.size(),
+        grid: picture.grid(),
         offset,
         extent,
         levels: picture.levels as f32,
@@ -196,26 +149,26 @@ fn prepare(
     };
     pass.output = view.target_format;
     pass.cells = Chain::of(&scene).cells.map(|size| {
-        let numbers = (size, numbers.levels, numbers.dither);
+        let settings = (size, uniform.levels, uniform.dither);
         match pass.cells.take() {
-            Some(cells) if cells.numbers == numbers => Cells {
-                filled: cells.filled && !awake,
+            Some(cells) if cells.settings == settings => Cells {
+                filled: cells.filled && !active,
                 ..cells
             },
-            Some(cells) if cells.numbers.0 == size => Cells {
-                numbers,
+            Some(cells) if cells.settings.0 == size => Cells {
+                settings,
                 filled: false,
                 ..cells
             },
             _ => Cells {
-                view: grid(&device, size),
-                numbers,
+                view: create_grid(&device, size),
+                settings,
                 filled: false,
             },
         }
     });
-    pass.numbers.set(numbers);
-    pass.numbers.write_buffer(&device, &queue);
+    pass.uniform.set(uniform);
+    pass.uniform.write_buffer(&device, &queue);
     let PresentationPass {
         layout,
         pipelines,
@@ -229,12 +182,12 @@ fn prepare(
     };
     for &(stage, format) in stages {
         pipelines.entry((stage, format)).or_insert_with(|| {
-            cache.queue_render_pipeline(descriptor(layout.clone(), stage, format))
+            cache.queue_render_pipeline(pipeline_descriptor(layout.clone(), stage, format))
         });
     }
 }
 
-fn grid(device: &RenderDevice, size: UVec2) -> TextureView {
+fn create_grid(device: &RenderDevice, size: UVec2) -> TextureView {
     let texture = device.create_texture(&TextureDescriptor {
         label: Some("presentation grid"),
         size: size.to_extents(),
@@ -248,42 +201,15 @@ fn grid(device: &RenderDevice, size: UVec2) -> TextureView {
     texture.create_view(&default())
 }
 
-fn descriptor(
-    layout: BindGroupLayoutDescriptor,
-    stage: Stage,
-    format: TextureFormat,
-) -> RenderPipelineDescriptor {
-    RenderPipelineDescriptor {
-        label: Some(stage.entry_point().into()),
-        layout: vec![layout],
-        vertex: VertexState {
-            shader: SHADER,
-            entry_point: Some("vertex".into()),
-            ..default()
-        },
-        fragment: Some(FragmentState {
-            shader: SHADER,
-            entry_point: Some(stage.entry_point().into()),
-            targets: vec![Some(ColorTargetState {
-                format,
-                blend: None,
-                write_mask: ColorWrites::ALL,
-            })],
-            ..default()
-        }),
-        ..default()
-    }
-}
-
-/// Picture -> cells; a kept picture's are there already.
-fn pixelate(
-    _screen: ViewQuery<&ViewTarget, With<Screen>>,
-    eye: Query<&ViewTarget, With<SceneCamera>>,
+/// Reduces the picture to cells, unless they are already filled with it.
+fn draw_cells(
+    _screen: ViewQuery<&ViewTarget, With<ScreenCamera>>,
+    scene_camera: Query<&ViewTarget, With<SceneCamera>>,
     pass: Option<ResMut<PresentationPass>>,
     cache: Res<PipelineCache>,
     mut context: RenderContext,
 ) {
-    let (Some(mut pass), Ok(eye)) = (pass, eye.single()) else {
+    let (Some(mut pass), Ok(source)) = (pass, scene_camera.single()) else {
         return;
     };
     let Some(Cells {
@@ -294,12 +220,12 @@ fn pixelate(
     else {
         return;
     };
-    let filled = run(
+    let filled = draw_stage(
         &pass,
         &cache,
         &mut context,
         (Stage::Pixelate, GRID_FORMAT),
-        eye.main_texture_view(),
+        source.main_texture_view(),
         view,
     );
     if let Some(cells) = &mut pass.cells {
@@ -307,23 +233,23 @@ fn pixelate(
     }
 }
 
-/// Cells, or the picture itself when they are bypassed, -> output.
-fn expand(
-    screen: ViewQuery<&ViewTarget, With<Screen>>,
-    eye: Query<&ViewTarget, With<SceneCamera>>,
+/// Draws the cells to the output, or the picture itself when the cells are bypassed.
+fn draw_output(
+    screen: ViewQuery<&ViewTarget, With<ScreenCamera>>,
+    scene_camera: Query<&ViewTarget, With<SceneCamera>>,
     pass: Option<Res<PresentationPass>>,
     cache: Res<PipelineCache>,
     mut context: RenderContext,
 ) {
     let screen = screen.into_inner();
-    let (Some(pass), Ok(eye)) = (pass, eye.single()) else {
+    let (Some(pass), Ok(picture)) = (pass, scene_camera.single()) else {
         return;
     };
     let (stage, source) = match &pass.cells {
         Some(cells) => (Stage::Expand, &cells.view),
-        None => (Stage::Fit, eye.main_texture_view()),
+        None => (Stage::Fit, picture.main_texture_view()),
     };
-    run(
+    draw_stage(
         &pass,
         &cache,
         &mut context,
@@ -334,7 +260,7 @@ fn expand(
 }
 
 /// Draws one stage, and says whether it could: its pipeline may still be in the making.
-fn run(
+fn draw_stage(
     pass: &PresentationPass,
     cache: &PipelineCache,
     context: &mut RenderContext,
@@ -342,11 +268,11 @@ fn run(
     source: &TextureView,
     destination: &TextureView,
 ) -> bool {
-    let (Some(pipeline), Some(numbers)) = (
+    let (Some(pipeline), Some(uniform)) = (
         pass.pipelines
             .get(&key)
             .and_then(|id| cache.get_render_pipeline(*id)),
-        pass.numbers.binding(),
+        pass.uniform.binding(),
     ) else {
         return false;
     };
@@ -354,7 +280,7 @@ fn run(
     let bind_group = context.render_device().create_bind_group(
         name,
         &cache.get_bind_group_layout(&pass.layout),
-        &BindGroupEntries::sequential((numbers, source, &pass.sampler)),
+        &BindGroupEntries::sequential((uniform, source, &pass.sampler)),
     );
     let diagnostics = context.diagnostic_recorder();
     let diagnostics = diagnostics.as_deref();

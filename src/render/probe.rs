@@ -1,36 +1,41 @@
 //! The foreground probe: a small craft of metal, ceramic and dark coating, lit by the disk and the
-//! stars. It is projected ordinarily, neither lensed nor hidden by the hole, and the geodesic pass
-//! leaves its pixels alone.
+//! stars. It is drawn in ordinary perspective, neither lensed nor hidden by the hole, and the
+//! geodesic pass does not draw over it.
 
-use super::{Chain, CurrentScene, SceneCamera};
+use crate::render::chain::Chain;
+use crate::render::current_scene::CurrentScene;
+use crate::render::scene_camera::SceneCamera;
 use bevy::light::GlobalAmbientLight;
-use bevy::math::DVec3;
 use bevy::pbr::ExtractedClusterConfig;
 use bevy::prelude::*;
 use bevy::render::{Render, RenderApp, RenderSystems};
-use lightfall_core::optics::photometry::DISK_HDR_SCALE;
-use lightfall_core::optics::{disk, spectrum};
-use lightfall_core::scene::Scene;
+use lightfall_core::optics::photometry::DiskRing;
 use std::f32::consts::{FRAC_PI_2, TAU};
 
 /// Marks the craft.
 #[derive(Component)]
 struct Probe;
 
-/// Marks one of the lamps that stand for the disk: its ring and its place on it.
+/// Marks one of the lamps that approximate the disk's light.
 #[derive(Component)]
 struct DiskLamp {
+    /// Its ring, from 0 to [`RINGS`] - 1.
     ring: usize,
+    /// Its place on the ring, from 0 to [`LAMPS`] - 1.
     place: usize,
 }
 
-/// Rings of lamps that stand for the disk, and lamps on each.
+/// Number of rings of lamps.
 const RINGS: usize = 3;
+/// Number of lamps on a ring.
 const LAMPS: usize = 6;
 
-/// Light of the stars from everywhere, in the units of traced light; a good deal more than they
-/// give, so that the shape of the dark side shows.
+/// Ambient light of the stars, in the units of traced light. It is a good deal brighter than the
+/// real stars' light, so that the shape of the dark side is visible.
 const STARLIGHT: f32 = 0.12;
+
+/// Range of a lamp, in r_s: farther than any probe is from the disk.
+const LAMP_RANGE: f32 = 1e4;
 
 pub(super) fn plugin(app: &mut App) {
     app.insert_resource(GlobalAmbientLight {
@@ -40,7 +45,7 @@ pub(super) fn plugin(app: &mut App) {
     })
     .add_systems(
         PostUpdate,
-        (present, place, shine)
+        (spawn_or_despawn_probe, place_probe, light_lamps)
             .chain()
             .run_if(resource_changed::<CurrentScene>)
             .before(TransformSystems::Propagate),
@@ -50,28 +55,27 @@ pub(super) fn plugin(app: &mut App) {
     };
     render_app.add_systems(
         Render,
-        leave_out_lamps
+        skip_lamp_clustering
             .after(RenderSystems::ExtractCommands)
             .before(RenderSystems::CreateViews),
     );
 }
 
-/// Without a foreground there is nothing to light, and lamps need not be sorted into the eye's
-/// clusters.
-fn leave_out_lamps(
+/// Keeps Bevy from sorting lamps into the camera's clusters where there is no foreground to light.
+fn skip_lamp_clustering(
     mut commands: Commands,
     scene: Res<CurrentScene>,
-    eye: Query<Entity, (With<SceneCamera>, With<ExtractedClusterConfig>)>,
+    cameras: Query<Entity, (With<SceneCamera>, With<ExtractedClusterConfig>)>,
 ) {
     if !Chain::of(&scene).probe {
-        eye.iter().for_each(|eye| {
-            commands.entity(eye).remove::<ExtractedClusterConfig>();
+        cameras.iter().for_each(|camera| {
+            commands.entity(camera).remove::<ExtractedClusterConfig>();
         });
     }
 }
 
-/// Builds the craft and its lamps when the scene has one, and takes them away when it has none.
-fn present(
+/// Spawns the craft and its lamps when the scene has a probe, and despawns them when it has none.
+fn spawn_or_despawn_probe(
     mut commands: Commands,
     scene: Res<CurrentScene>,
     parts: Query<Entity, Or<(With<Probe>, With<DiskLamp>)>>,
@@ -108,7 +112,7 @@ fn present(
     }
 }
 
-/// The parts of a craft one unit long: x out of the hole, y along the long axis.
+/// The parts of a craft about one unit long: x points away from the hole, y along the long axis.
 fn craft(
     materials: &mut Assets<StandardMaterial>,
 ) -> Vec<(Mesh, Handle<StandardMaterial>, Transform)> {
@@ -198,14 +202,14 @@ fn craft(
     parts
 }
 
-/// Places everything relative to the eye, which stays at the origin: the difference is taken in
-/// f64.
-fn place(
+/// Places the craft and its lamps relative to the camera, which stays at the origin. The difference
+/// is taken in f64.
+fn place_probe(
     scene: Res<CurrentScene>,
     mut craft: Query<&mut Transform, (With<Probe>, Without<DiskLamp>)>,
     mut lamps: Query<(&DiskLamp, &mut Transform), Without<Probe>>,
 ) {
-    let eye = scene.camera.direction() * scene.camera.r;
+    let camera = scene.camera.direction() * scene.camera.r;
     for mut transform in &mut craft {
         let here = lightfall_core::scene::Camera {
             r: scene.probe.r,
@@ -223,59 +227,33 @@ fn place(
             -south.as_vec3(),
             -east.as_vec3(),
         ));
-        // Banked and turned a little, so that light falls on several of its faces.
+        // Rotated a little, so that light falls on several of its faces.
         let rotation = upright * Quat::from_euler(EulerRot::YZX, 0.7, 0.35, 0.25);
         *transform = Transform {
-            translation: (here.direction() * here.r - eye).as_vec3(),
+            translation: (here.direction() * here.r - camera).as_vec3(),
             rotation,
             scale: Vec3::splat(scene.probe.size as f32),
         };
     }
     for (DiskLamp { ring, place }, mut transform) in &mut lamps {
-        // Lamps of neighbouring rings stand in each other's gaps.
+        // Every second ring is rotated by half a gap.
         let angle = TAU * (*place as f32 + 0.5 * (*ring % 2) as f32) / LAMPS as f32;
-        let (radius, _) = annulus(&scene, *ring);
+        let radius = DiskRing::new(&scene, *ring, RINGS).radius;
         let on_ring = Vec3::new(angle.cos(), angle.sin(), 0.0) * radius as f32;
-        transform.translation = on_ring - eye.as_vec3();
+        transform.translation = on_ring - camera.as_vec3();
     }
 }
 
-/// Gives the lamps the disk's light. Hiding the disk leaves them on, so that the craft looks the
-/// same with and without.
-fn shine(scene: Res<CurrentScene>, mut lamps: Query<(&DiskLamp, &mut PointLight)>) {
+/// Gives the lamps the disk's light: every lamp of a ring has the same share of its power. They
+/// approximate the disk, whose exact light is the traced one. They stay on when the disk is hidden,
+/// so that the craft looks the same with and without it.
+fn light_lamps(scene: Res<CurrentScene>, mut lamps: Query<(&DiskLamp, &mut PointLight)>) {
     for (DiskLamp { ring, .. }, mut lamp) in &mut lamps {
-        let (power, colour) = ring_light(&scene, *ring);
-        lamp.color = colour;
-        lamp.intensity = power / LAMPS as f32;
-        lamp.range = 1e4;
+        let light = DiskRing::new(&scene, *ring, RINGS).light(&scene);
+        let colour = light.colour.as_vec3().max(Vec3::ZERO);
+        lamp.color = Color::linear_rgb(colour.x, colour.y, colour.z);
+        // A point light spreads its intensity over the whole sphere.
+        lamp.intensity = light.power as f32 / LAMPS as f32;
+        lamp.range = LAMP_RANGE;
     }
-}
-
-/// Radius in the middle and area of the annulus of the disk that a ring of lamps stands for.
-fn annulus(scene: &Scene, ring: usize) -> (f64, f64) {
-    let inner = disk::inner_edge(scene);
-    let edge =
-        |ring: usize| inner + (scene.disk.outer - inner).max(0.0) * ring as f64 / RINGS as f64;
-    let (low, high) = (edge(ring), edge(ring + 1));
-    (
-        0.5 * (low + high),
-        std::f64::consts::PI * (high * high - low * low),
-    )
-}
-
-/// Luminous power of an annulus (both faces, unshifted, in the units of traced light) and its
-/// colour. The lamps stand for the disk only roughly; the traced light is the exact one.
-fn ring_light(scene: &Scene, ring: usize) -> (f32, Color) {
-    let (radius, area) = annulus(scene, ring);
-    let flux = disk::Profile::new(scene).flux(radius);
-    let rgb = DVec3::from(spectrum::colour(disk::temperature(&scene.disk, flux)));
-    let brightest = rgb.max_element().max(f64::MIN_POSITIVE);
-    let radiance = brightest * flux * DISK_HDR_SCALE * scene.disk.brightness;
-    let colour = (rgb / brightest).as_vec3().max(Vec3::ZERO);
-    // A Lambertian face of radiance B and area A gives pi B A; the lamp's 4 pi I spreads both over
-    // the whole sphere.
-    (
-        (2.0 * std::f64::consts::PI * radiance * area) as f32,
-        Color::linear_rgb(colour.x, colour.y, colour.z),
-    )
 }

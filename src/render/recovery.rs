@@ -1,86 +1,90 @@
-//! The loss of the graphics device: a driver that was restarted or updated, a card that was taken
-//! away. The scene lives in the main world and loses nothing; a new device is opened, and Bevy runs
-//! every pass's `RenderStartup` again.
+//! Recovery after the graphics device is lost: the driver was restarted or updated, or the card was
+//! removed. The scene lives in the main world and loses nothing. A new device is opened, and Bevy
+//! runs `RenderStartup` of every pass again.
 
-use super::wgpu_settings;
+use crate::render::device::wgpu_settings;
 use crate::render::redraw::DrawRequest;
 use bevy::prelude::*;
 use bevy::render::error_handler::{ErrorType, RenderError, RenderErrorHandler, RenderErrorPolicy};
 use std::time::{Duration, Instant};
 
-/// A device that is lost this often within [`WHILE`] is not going to stay, and opening it again
-/// would only flicker.
+/// The program ends when the device is lost more often than this within [`LOSS_PERIOD`]: opening it
+/// again would only flicker.
 const MAX_LOSSES: usize = 5;
 /// See [`MAX_LOSSES`].
-const WHILE: Duration = Duration::from_secs(60);
-/// An adapter that is gone for so long does not come back.
-const PATIENCE: Duration = Duration::from_secs(20);
-/// Time between two looks for one.
-const LOOK: Duration = Duration::from_millis(500);
+const LOSS_PERIOD: Duration = Duration::from_secs(60);
+/// The program ends when there has been no adapter for this long.
+const MAX_TIME_WITHOUT_ADAPTER: Duration = Duration::from_secs(20);
+/// Time between two searches for an adapter.
+const SEARCH_INTERVAL: Duration = Duration::from_millis(500);
 
-/// Every loss so far.
+/// The losses of the graphics device so far.
 #[derive(Resource, Default)]
 pub struct DeviceLosses {
     /// How many devices were lost and replaced.
     pub recovered: usize,
-    /// When those were lost that still count.
-    lately: Vec<Instant>,
-    /// Since when there is no adapter to open, and when one was last looked for.
-    without: Option<(Instant, Instant)>,
+    /// When the devices were lost that count toward [`MAX_LOSSES`].
+    recent: Vec<Instant>,
+    /// Since when there is no adapter, and when one was last searched for.
+    without_adapter: Option<(Instant, Instant)>,
 }
 
-/// Goes on after the loss of a device with another one. Without it an app ends.
+/// Opens another device when the graphics device is lost. Without this plugin the app ends.
 pub fn plugin(app: &mut App) {
     app.init_resource::<DeviceLosses>()
-        .insert_resource(RenderErrorHandler(respond));
+        .insert_resource(RenderErrorHandler(choose_error_policy));
 }
 
-/// Asked in every frame from an error on, until it says something else than to wait.
-fn respond(error: &RenderError, main: &mut World, _render: &mut World) -> RenderErrorPolicy {
+/// Bevy calls this in every frame after an error, until the answer is not to wait.
+fn choose_error_policy(
+    error: &RenderError,
+    main: &mut World,
+    _render: &mut World,
+) -> RenderErrorPolicy {
     if error.ty != ErrorType::DeviceLost {
         error!(
-            "the graphics device refused what it was told: {}",
+            "the graphics device reported an error: {}",
             error.description
         );
-        return end(main);
+        return exit_with_error(main);
     }
     let now = Instant::now();
     let mut losses = main.resource_mut::<DeviceLosses>();
     if losses
-        .without
-        .is_some_and(|(_, looked)| now.duration_since(looked) < LOOK)
+        .without_adapter
+        .is_some_and(|(_, searched)| now.duration_since(searched) < SEARCH_INTERVAL)
     {
         return RenderErrorPolicy::StopRendering;
     }
     if let Err(reason) = lightfall_core::gpu::check_adapter() {
-        let since = losses.without.map_or(now, |(since, _)| since);
-        losses.without = Some((since, now));
-        if now.duration_since(since) < PATIENCE {
+        let since = losses.without_adapter.map_or(now, |(since, _)| since);
+        losses.without_adapter = Some((since, now));
+        if now.duration_since(since) < MAX_TIME_WITHOUT_ADAPTER {
             return RenderErrorPolicy::StopRendering;
         }
-        error!("the graphics device was lost, and there is no other: {reason}");
-        return end(main);
+        error!("the graphics device was lost, and no other is available: {reason}");
+        return exit_with_error(main);
     }
-    losses.without = None;
+    losses.without_adapter = None;
     losses
-        .lately
-        .retain(|lost| now.duration_since(*lost) < WHILE);
-    losses.lately.push(now);
-    if losses.lately.len() > MAX_LOSSES {
-        error!("the graphics device is lost again and again");
-        return end(main);
+        .recent
+        .retain(|lost| now.duration_since(*lost) < LOSS_PERIOD);
+    losses.recent.push(now);
+    if losses.recent.len() > MAX_LOSSES {
+        error!("the graphics device was lost more than {MAX_LOSSES} times within a minute");
+        return exit_with_error(main);
     }
     losses.recovered += 1;
-    // The eye must be awake when the new device meets its first frame: Bevy's bloom takes a resting
-    // camera's buffers, which are gone, for granted.
+    // The scene camera must be active in the first frame of the new device: Bevy's bloom expects an
+    // idle camera's buffers to exist, and they are lost.
     if let Some(request) = main.get_resource::<DrawRequest>() {
-        request.forget();
+        request.forget_picture();
     }
     warn!("the graphics device was lost; opening it again");
     RenderErrorPolicy::Recover(wgpu_settings().into())
 }
 
-fn end(main: &mut World) -> RenderErrorPolicy {
+fn exit_with_error(main: &mut World) -> RenderErrorPolicy {
     main.write_message(AppExit::error());
     RenderErrorPolicy::StopRendering
 }

@@ -1,44 +1,44 @@
-//! The kept picture: while nothing that the eye sees changes, the eye rests, and the picture it
-//! drew last is what the screen goes on showing. A resting eye runs no pass at all: no foreground,
-//! no geodesics, no bloom, no tone mapping.
+//! Draws the scene again only when something in it changes. Otherwise the scene camera is idle, and
+//! the screen shows the picture that was drawn last. An idle camera runs no pass at all: no
+//! foreground, no geodesics, no bloom, no tone mapping.
 //!
-//! The main world tells what is to be seen (`DrawRequest`) and wakes the eye in the very frame of a
-//! change; the render world says when a frame has drawn all of it. A request of which the shader is
-//! still being made is waited for with the eye at rest: until then the last picture stays, whole
-//! and of one scene.
+//! The main world holds the request ([`DrawRequest`]) and wakes the camera in the same frame as a
+//! change. The render world marks the request as drawn once a frame has drawn all of it. While the
+//! shader of a new request compiles, the camera stays idle, so the last picture stays complete.
 
-use super::chain::Chain;
-use super::geodesic::{GeodesicPass, GeodesicShader, join_shader};
-use super::{CurrentScene, SceneCamera};
-use crate::render::error_map;
-use crate::render::error_map::PictureErrors;
+use crate::render::chain::Chain;
+use crate::render::current_scene::CurrentScene;
+use crate::render::error_map::{ErrorMapRequest, ShownErrorMap, update_error_map};
+use crate::render::geodesic::{GeodesicPass, GeodesicShader, select_geodesic_shader};
+use crate::render::scene_camera::SceneCamera;
 use bevy::camera::CameraUpdateSystems;
 use bevy::prelude::*;
 use bevy::render::camera::ExtractedCamera;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
-use bevy::render::render_resource::PipelineCache;
-use bevy::render::{Render, RenderApp, RenderSystems};
+use bevy::render::render_resource::{CachedPipelineState, PipelineCache};
+use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
+use bevy::shader::ShaderCacheError;
 use lightfall_core::scene::{Scene, View};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Whether the eye draws every frame, changed or not: for measurements.
+/// Whether the scene is drawn in every frame, changed or not: for measurements.
 #[derive(Resource, Default)]
 pub struct AlwaysDraw(pub bool);
 
-/// What the eye is to see. Each change makes a new one, so that no answer is taken for that to
-/// another question.
+/// The picture to draw. Every change makes a new request with a flag of its own, so that a late
+/// "drawn" cannot be taken for the answer to a newer request.
 #[derive(Resource, Clone, ExtractResource)]
 pub struct DrawRequest {
     scene: Scene,
-    /// Whether a frame has drawn all of it; both worlds hold it.
+    /// Whether a frame has drawn all of it; shared by the main and the render world.
     drawn: Arc<AtomicBool>,
 }
 
 impl DrawRequest {
     fn new(scene: &Scene) -> Self {
         Self {
-            scene: seen(scene),
+            scene: scene.without_presentation(),
             drawn: default(),
         }
     }
@@ -49,16 +49,16 @@ impl DrawRequest {
         self.drawn.load(Ordering::Acquire)
     }
 
-    /// To be drawn again: what was drawn is lost.
-    pub(super) fn forget(&self) {
+    /// Asks for the same picture again, because the one that was drawn is lost.
+    pub(super) fn forget_picture(&self) {
         self.drawn.store(false, Ordering::Release);
     }
 }
 
-/// Frames more that a foreground is drawn before its picture is kept: its meshes and materials
-/// reach the GPU some frames after they are made, the lamps' clusters are as large as a former
-/// frame found necessary, and nothing tells when that is over.
-const SETTLING: u32 = 8;
+/// Extra frames that a foreground is drawn before its picture is kept. Meshes and materials reach
+/// the GPU some frames after they are made, the lamps' clusters are sized by what an earlier frame
+/// needed, and Bevy does not report when either is done.
+const FOREGROUND_FRAMES: u32 = 8;
 
 pub(super) fn plugin(app: &mut App) {
     let request = DrawRequest::new(app.world().resource::<CurrentScene>());
@@ -67,84 +67,106 @@ pub(super) fn plugin(app: &mut App) {
         .add_plugins(ExtractResourcePlugin::<DrawRequest>::default())
         .add_systems(
             PostUpdate,
-            look.after(join_shader)
-                .after(error_map::follow)
+            wake_scene_camera
+                .after(select_geodesic_shader)
+                .after(update_error_map)
                 .before(CameraUpdateSystems),
         );
     let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
         return;
     };
-    render_app.add_systems(Render, confirm.in_set(RenderSystems::Cleanup));
+    render_app
+        .add_systems(RenderStartup, forget_lost_picture)
+        .add_systems(Render, mark_request_drawn.in_set(RenderSystems::Cleanup));
 }
 
-/// A scene without what the eye's passes know nothing of: words, and what the screen does with the
-/// finished picture. All else counts as seen, needed by the scene or not: a field too many costs a
-/// frame, one too few a wrong picture.
-fn seen(scene: &Scene) -> Scene {
-    let none = Scene::default();
-    let mut seen = Scene {
-        schema: none.schema,
-        name: none.name,
-        title: none.title,
-        ..scene.clone()
-    };
-    seen.picture.grid_width = none.picture.grid_width;
-    seen.picture.grid_height = none.picture.grid_height;
-    seen.picture.levels = none.picture.levels;
-    seen.picture.dither = none.picture.dither;
-    seen.picture.bypass = none.picture.bypass;
-    seen
+/// The startup of a new device: the picture of the device before it is lost.
+fn forget_lost_picture(request: Option<Res<DrawRequest>>) {
+    if let Some(request) = request {
+        request.forget_picture();
+    }
 }
 
-/// Wakes the eye and puts it to rest.
-fn look(
+/// Makes a new request when the picture changes, and activates the scene camera while a request is
+/// not drawn yet.
+fn wake_scene_camera(
     scene: Res<CurrentScene>,
     shader: Res<GeodesicShader>,
-    errors: Res<PictureErrors>,
+    errors: Res<ShownErrorMap>,
     always: Res<AlwaysDraw>,
     mut request: ResMut<DrawRequest>,
-    mut kept_any: Local<bool>,
-    mut eye: Single<&mut Camera, With<SceneCamera>>,
+    mut has_picture: Local<bool>,
+    mut camera: Single<&mut Camera, With<SceneCamera>>,
 ) {
-    *kept_any |= request.is_drawn();
-    // What writes the scene may have written what was there already.
-    let other = scene.is_changed() && request.scene != seen(&scene);
-    if other || errors.is_changed() && scene.view == View::Error {
+    *has_picture |= request.is_drawn();
+    // A system that writes the scene may have written the values it already had.
+    let changed = scene.is_changed() && request.scene != scene.without_presentation();
+    if changed || errors.is_changed() && scene.view == View::Error {
         *request = DrawRequest::new(&scene);
     }
-    // Before there is anything to keep, the eye looks into the dark, so that the other passes'
-    // pipelines are made, too.
-    let wakes = always.0 || !request.is_drawn() && (shader.is_ready() || !*kept_any);
-    if eye.is_active != wakes {
-        eye.is_active = wakes;
+    // Before the first picture the camera draws without the geodesic pass, so that Bevy compiles
+    // the pipelines of the other passes at the same time.
+    let active = always.0 || !request.is_drawn() && (shader.is_ready() || !*has_picture);
+    if camera.is_active != active {
+        camera.is_active = active;
     }
 }
 
-/// Says so when this frame has drawn all that is to be seen.
-fn confirm(
+/// Marks the request as drawn when this frame has drawn all of it.
+fn mark_request_drawn(
     request: Option<Res<DrawRequest>>,
     pass: Option<Res<GeodesicPass>>,
-    eye: Query<(), (With<SceneCamera>, With<ExtractedCamera>)>,
+    camera: Query<(), (With<SceneCamera>, With<ExtractedCamera>)>,
     cache: Res<PipelineCache>,
-    mut settling: Local<u32>,
+    mut frames_left: Local<u32>,
 ) {
     let (Some(request), Some(pass)) = (request, pass) else {
         return;
     };
-    let unsettled = if Chain::of(&request.scene).probe {
-        SETTLING
+    let extra_frames = if Chain::of(&request.scene).probe {
+        FOREGROUND_FRAMES
     } else {
         0
     };
-    // A pass leaves itself out while its pipeline is being made.
-    let whole =
-        !eye.is_empty() && pass.has_drawn_scene() && cache.waiting_pipelines().next().is_none();
-    if !whole || request.is_changed() {
-        *settling = unsettled;
+    // A pass whose pipeline is still compiling is skipped.
+    let complete =
+        !camera.is_empty() && pass.has_drawn_scene() && cache.waiting_pipelines().next().is_none();
+    if !complete || request.is_changed() {
+        *frames_left = extra_frames;
     }
-    if whole && *settling == 0 {
+    if complete && *frames_left == 0 {
         request.drawn.store(true, Ordering::Release);
-    } else if whole {
-        *settling -= 1;
+    } else if complete {
+        *frames_left -= 1;
     }
+}
+
+/// Whether all of the present scene has been drawn. To be asked after an update.
+///
+/// # Errors
+/// A pipeline that could not be created (a shader error, or a limit of the device), or an error map
+/// that could not be computed; in one sentence.
+pub fn is_drawn(app: &App) -> Result<bool, String> {
+    let Some(cache) = app
+        .get_sub_app(RenderApp)
+        .and_then(|render| render.world().get_resource::<PipelineCache>())
+    else {
+        return Ok(false);
+    };
+    for pipeline in cache.pipelines() {
+        if let CachedPipelineState::Err(error) = &pipeline.state
+            && !matches!(error, ShaderCacheError::ShaderNotLoaded(_))
+        {
+            return Err(format!("a render pipeline could not be created: {error}"));
+        }
+    }
+    let world = app.world();
+    let (Some(scene), Some(error_map), Some(request)) = (
+        world.get_resource::<CurrentScene>(),
+        world.get_resource::<ErrorMapRequest>(),
+        world.get_resource::<DrawRequest>(),
+    ) else {
+        return Ok(false);
+    };
+    Ok(error_map.is_done(scene)? && request.is_drawn())
 }

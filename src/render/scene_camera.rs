@@ -1,8 +1,9 @@
-//! The two cameras: the eye, which sees the scene at the HDR picture's size, and the screen, which
-//! shows it.
+//! The two cameras: the scene camera draws the scene at the HDR picture's size, and the screen
+//! camera shows the picture.
 
-use super::chain::Chain;
-use super::{Capture, CurrentScene};
+use crate::render::capture::Capture;
+use crate::render::chain::Chain;
+use crate::render::current_scene::CurrentScene;
 use bevy::camera::{
     CameraOutputMode, CameraUpdateSystems, ClearColorConfig, Exposure, Hdr, RenderTarget,
 };
@@ -14,24 +15,24 @@ use bevy::render::extract_component::{ExtractComponent, ExtractComponentPlugin};
 use bevy::render::render_resource::TextureUsages;
 use bevy::render::view::{ColorGrading, ColorGradingGlobal, Msaa};
 
-/// Marks the camera that sees the scene.
+/// Marks the camera that draws the scene.
 #[derive(Component, Clone, Copy, ExtractComponent)]
 pub struct SceneCamera;
 
 /// Marks the camera that shows the picture in a window or an image.
 #[derive(Component, Clone, Copy, ExtractComponent)]
-pub struct Screen;
+pub struct ScreenCamera;
 
-/// Light in front of the eye, nearest distance drawn, in r_s.
-pub const NEAR: f32 = 1e-3;
+/// Distance of the near plane from the scene camera, in r_s.
+pub const NEAR_PLANE: f32 = 1e-3;
 
-/// With this exposure value Bevy's photometric scale is one, so that lamps and traced light share
-/// their units.
+/// The exposure value at which Bevy's photometric scale is one, so that lamps and traced light have
+/// the same unit.
 const UNIT_EV100: f32 = -0.263_034_4;
 
-/// Spawns the cameras and keeps the eye as the scene says.
+/// Spawns the two cameras and applies the scene's settings to the scene camera.
 pub struct SceneCameraPlugin {
-    /// Where the screen writes.
+    /// Where the screen camera writes.
     pub target: RenderTarget,
 }
 
@@ -42,15 +43,15 @@ impl Plugin for SceneCameraPlugin {
     fn build(&self, app: &mut App) {
         app.add_plugins((
             ExtractComponentPlugin::<SceneCamera>::default(),
-            ExtractComponentPlugin::<Screen>::default(),
+            ExtractComponentPlugin::<ScreenCamera>::default(),
         ))
         .insert_resource(ScreenTarget(self.target.clone()))
-        .add_systems(Startup, spawn)
+        .add_systems(Startup, spawn_cameras)
         .add_systems(
             PostUpdate,
-            // In time for what Bevy makes of transforms and cameras, or the eye would lag the
+            // Before Bevy computes transforms and projections, or the foreground would lag the
             // traced light by a frame.
-            follow
+            apply_scene_to_camera
                 .run_if(resource_changed::<CurrentScene>)
                 .before(TransformSystems::Propagate)
                 .before(CameraUpdateSystems),
@@ -58,23 +59,23 @@ impl Plugin for SceneCameraPlugin {
     }
 }
 
-fn spawn(
+fn spawn_cameras(
     mut commands: Commands,
     target: Res<ScreenTarget>,
     scene: Res<CurrentScene>,
     capture: Option<Res<Capture>>,
 ) {
-    let copied = if capture.is_some() {
+    let copy_usage = if capture.is_some() {
         TextureUsages::COPY_SRC
     } else {
         TextureUsages::empty()
     };
-    // The eye writes to no output: the screen's passes read its picture. Nothing clears it either,
-    // since the probe and the geodesic pass together cover every pixel.
+    // The scene camera has no output of its own: the screen camera's passes read its picture. It is
+    // not cleared, since the probe and the geodesic pass together cover every pixel.
     commands.spawn((
         SceneCamera,
         Camera3d {
-            depth_texture_usages: (TextureUsages::RENDER_ATTACHMENT | copied).into(),
+            depth_texture_usages: (TextureUsages::RENDER_ATTACHMENT | copy_usage).into(),
             ..default()
         },
         Camera {
@@ -84,18 +85,18 @@ fn spawn(
             ..default()
         },
         RenderTarget::None {
-            size: UVec2::new(scene.picture.width, scene.picture.height),
+            size: scene.picture.size(),
         },
         Hdr,
         Msaa::Off,
         Tonemapping::KhronosPbrNeutral,
         DebandDither::Disabled,
         Exposure { ev100: UNIT_EV100 },
-        // Every lamp lights the whole of the foreground.
+        // Every lamp lights the whole foreground.
         ClusterConfig::Single,
     ));
     commands.spawn((
-        Screen,
+        ScreenCamera,
         Camera2d,
         Camera {
             order: 0,
@@ -109,11 +110,11 @@ fn spawn(
     ));
 }
 
-/// Keeps the eye's size, lens, direction, exposure and bloom as the scene says.
-fn follow(
+/// Sets the scene camera's size, projection, direction, exposure and bloom.
+fn apply_scene_to_camera(
     mut commands: Commands,
     scene: Res<CurrentScene>,
-    eye: Single<
+    camera: Single<
         (
             Entity,
             &mut RenderTarget,
@@ -126,7 +127,7 @@ fn follow(
     >,
 ) {
     let (entity, mut target, mut transform, mut projection, mut grading, mut msaa) =
-        eye.into_inner();
+        camera.into_inner();
     let chain = Chain::of(&scene);
     let samples = if chain.samples > 1 {
         Msaa::Sample4
@@ -143,11 +144,11 @@ fn follow(
     *projection = Projection::Perspective(PerspectiveProjection {
         fov: scene.camera.fov_deg.to_radians() as f32,
         aspect_ratio: size.x as f32 / size.y as f32,
-        near: NEAR,
+        near: NEAR_PLANE,
         ..default()
     });
-    // The eye stays at the origin and things are placed relative to it in f64, so that nothing
-    // jitters far away.
+    // The camera stays at the origin, and the probe is placed relative to it in f64, so that it does
+    // not jitter far from the hole.
     let world_from_camera = scene.camera.tetrad() * scene.camera.tetrad_from_camera();
     let [right, up, forward] = [
         world_from_camera.x_axis,

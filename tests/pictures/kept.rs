@@ -243,7 +243,7 @@ fn the_passes_that_run_are_those_that_the_chain_names_and_a_still_frame_traces_n
         );
         assert_eq!(
             ran(|pass| pass.kept_ms),
-            named(chain.kept_passes()),
+            named(chain.idle_passes()),
             "{what}, kept"
         );
     }

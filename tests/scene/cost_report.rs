@@ -33,8 +33,8 @@ fn a_presets_needs_are_what_its_scene_says() {
     assert!(line(&probe, "textures").contains("cells 480x270"));
 
     let ring = needs_of("5", &[]);
-    assert!(line(&ring, "text left out").contains("disk/emission.wgsl"));
-    assert!(!line(&ring, "text of shaders").contains("disk.wgsl"));
+    assert!(line(&ring, "files left out").contains("disk/emission.wgsl"));
+    assert!(!line(&ring, "shader files").contains("disk.wgsl"));
     assert_eq!(line(&ring, "passes left out"), "clustering");
 
     let spinning = needs_of("8", &["picture.bloom=0", "picture.bypass=true"]);
@@ -44,6 +44,6 @@ fn a_presets_needs_are_what_its_scene_says() {
         line(&spinning, "passes left out"),
         "clustering, bloom, pixelate, expand"
     );
-    assert_eq!(line(&spinning, "while still"), "fit, upscaling");
+    assert_eq!(line(&spinning, "while idle"), "fit, upscaling");
     assert_eq!(line(&spinning, "not allocated"), "bloom, cells");
 }

@@ -20,3 +20,4 @@ mod light;
 mod program;
 mod rays;
 mod settings;
+mod worker;

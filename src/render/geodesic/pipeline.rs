@@ -4,8 +4,8 @@ use bevy::core_pipeline::core_3d::CORE_3D_DEPTH_FORMAT;
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
 
-/// With several samples the shader still runs once a pixel; only the foreground's edges are finer.
-pub(super) fn descriptor(
+/// With several samples the shader still runs once per pixel; only the foreground's edges are finer.
+pub(super) fn pipeline_descriptor(
     layout: BindGroupLayoutDescriptor,
     shader: Handle<Shader>,
     samples: u32,
@@ -28,8 +28,8 @@ pub(super) fn descriptor(
             })],
             ..default()
         }),
-        // Reverse depth: zero is the far plane and the cleared value, so an equal test keeps what
-        // nothing covers.
+        // Reverse depth: zero is the far plane and the cleared value, so the triangle at depth zero
+        // passes only where nothing has been drawn.
         depth_stencil: Some(DepthStencilState {
             format: CORE_3D_DEPTH_FORMAT,
             depth_write_enabled: Some(false),

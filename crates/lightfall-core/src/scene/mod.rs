@@ -16,6 +16,7 @@ mod load;
 mod method;
 mod pose;
 pub mod presets;
+mod relevant;
 mod save;
 
 pub use crate::geometry::observer::ObserverKind;

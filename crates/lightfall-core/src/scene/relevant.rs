@@ -1,0 +1,71 @@
+//! Scenes reduced to the fields that matter for one purpose, so that two of them compare equal
+//! exactly when the result is the same.
+
+use super::{Disk, Picture, Scene};
+use glam::UVec2;
+
+impl Scene {
+    /// The scene with only the fields that decide the traced picture, before the presentation. The
+    /// schema, the texts and the presentation's settings have their defaults.
+    ///
+    /// Every other field is kept, whether the scene uses it or not: a field too many costs one
+    /// frame, a field too few leaves a wrong picture on screen.
+    #[must_use]
+    pub fn without_presentation(&self) -> Self {
+        let default = Self::default();
+        let mut reduced = Self {
+            schema: default.schema,
+            name: default.name,
+            title: default.title,
+            ..self.clone()
+        };
+        reduced.picture.grid_width = default.picture.grid_width;
+        reduced.picture.grid_height = default.picture.grid_height;
+        reduced.picture.levels = default.picture.levels;
+        reduced.picture.dither = default.picture.dither;
+        reduced.picture.bypass = default.picture.bypass;
+        reduced
+    }
+
+    /// The scene with only the fields that decide where the picture's rays go and end. Texts, the
+    /// view, and everything that only gives rays their colour have their defaults.
+    #[must_use]
+    pub fn without_shading(&self) -> Self {
+        let default = Self::default();
+        Self {
+            method: self.method,
+            hole: self.hole,
+            camera: self.camera,
+            observer: self.observer,
+            effects: self.effects,
+            quality: self.quality,
+            disk: Disk {
+                enabled: self.disk.enabled,
+                inner: self.disk.inner,
+                follow_isco: self.disk.follow_isco,
+                outer: self.disk.outer,
+                ..default.disk
+            },
+            picture: Picture {
+                width: self.picture.width,
+                height: self.picture.height,
+                ..default.picture
+            },
+            ..default
+        }
+    }
+}
+
+impl Picture {
+    /// Width and height of the traced picture, in pixels.
+    #[must_use]
+    pub fn size(&self) -> UVec2 {
+        UVec2::new(self.width, self.height)
+    }
+
+    /// Columns and rows of the presentation grid.
+    #[must_use]
+    pub fn grid(&self) -> UVec2 {
+        UVec2::new(self.grid_width, self.grid_height)
+    }
+}
