@@ -1,7 +1,7 @@
 //! The core of Lightfall, without Bevy: what is drawn, the physics of light around a black hole,
 //! the shaders and their numbers, and how accurate all of it is.
 //!
-//! Each module may use those above it in this list, and no other:
+//! Each module may import from those before it in this list, and from no other:
 //!
 //! 1. [`geometry`]: Kerr and Schwarzschild, observers and geodesics, as pure functions in f64.
 //! 2. [`scene`]: the one description of what is drawn, with its fields, limits and presets.
@@ -10,8 +10,8 @@
 //! 5. [`accuracy`]: how wrong an answer is, against the reference.
 //! 6. [`reports`]: measurements in forms that people and programs read.
 //!
-//! `scripts/check-imports` refuses an import that runs the other way. docs/PHYSICS.md explains the
-//! words and signs.
+//! A test, `cargo test -p lightfall-core --test structure`, fails on an import that runs the other
+//! way and on files that import each other in a circle. docs/PHYSICS.md explains the words and signs.
 
 pub mod accuracy;
 pub mod geometry;

@@ -2,8 +2,9 @@
 //! answer, up to an angle no greater than that turn.
 
 use super::chart::{Chart, DIFFERENCE};
-use super::sample::Ray;
-use super::{ReferenceCamera, greater};
+use super::finite::greater;
+use super::ray::Ray;
+use super::reference_camera::ReferenceCamera;
 use crate::geometry::sphere::wrap_angle;
 use crate::optics::trace::{Hit, Trace};
 use glam::{DMat2, DVec2, DVec3};
@@ -103,7 +104,7 @@ impl Part {
 /// What is off by less than `fine` is not looked at closer: its own size, which bounds the turn,
 /// will do.
 pub(super) fn of_answer(
-    eye: &ReferenceCamera,
+    camera: &ReferenceCamera,
     ray: &Ray,
     truth: &Trace,
     given: &Trace,
@@ -116,7 +117,7 @@ pub(super) fn of_answer(
             if forward < fine {
                 forward
             } else {
-                explained(eye, ray, part, fine)
+                explained(camera, ray, part, fine)
             },
         )
     })
@@ -130,21 +131,21 @@ pub(super) fn of_answer(
 /// focused, and next to them no turn explains an answer's last digit; elsewhere it is the turn that
 /// explains the answer, but for a factor of two at most. Every place that is tried bounds it from
 /// above, so a search that fails can but overstate it; one below `fine` ends it.
-fn explained(eye: &ReferenceCamera, ray: &Ray, part: Part, fine: f64) -> f64 {
-    let least = in_plane(eye, ray, part, &|_, _| {});
+fn explained(camera: &ReferenceCamera, ray: &Ray, part: Part, fine: f64) -> f64 {
+    let least = in_plane(camera, ray, part, &|_, _| {});
     // Edges are dear to find: only for answers far off to which a small turn leads, as next to an
     // edge.
     let forward = part
-        .miss(&eye.trace(ray.direction()))
+        .miss(&camera.trace(ray.direction()))
         .map_or(f64::INFINITY, DVec2::length);
     let amplified = least > MIN_WORTH && (forward > AMPLIFIED * least || least > LARGE);
     let ray = if amplified && least > fine {
-        eye.with_edge(ray)
+        camera.with_edge(ray)
     } else {
         *ray
     };
     match Chart::edge(&ray) {
-        Some(chart) if least > fine => beside_edge(eye, &chart, part, [fine, least], &|_, _| {}),
+        Some(chart) if least > fine => beside_edge(camera, &chart, part, [fine, least], &|_, _| {}),
         _ => least,
     }
 }
@@ -152,15 +153,15 @@ fn explained(eye: &ReferenceCamera, ray: &Ray, part: Part, fine: f64) -> f64 {
 /// The same by two directions at right angles to the ray; `seen` is told of each place that is
 /// tried, by its turn and answer.
 pub(super) fn in_plane(
-    eye: &ReferenceCamera,
+    camera: &ReferenceCamera,
     ray: &Ray,
     part: Part,
     seen: &dyn Fn(f64, &Trace),
 ) -> f64 {
-    let plane = Chart::plane(ray, eye.scale);
+    let plane = Chart::plane(ray, camera.scale);
     newton(
         &plane,
-        &missed(eye, &plane, part, seen),
+        &missed(camera, &plane, part, seen),
         DVec2::ZERO,
         DAMPED,
     )
@@ -168,13 +169,13 @@ pub(super) fn in_plane(
 
 /// The same by the edge's own chart; `fine` is good enough, and `least` is known.
 pub(super) fn beside_edge(
-    eye: &ReferenceCamera,
+    camera: &ReferenceCamera,
     chart: &Chart,
     part: Part,
     [fine, mut least]: [f64; 2],
     seen: &dyn Fn(f64, &Trace),
 ) -> f64 {
-    let at = missed(eye, chart, part, seen);
+    let at = missed(camera, chart, part, seen);
     if least > NEAR * chart.scale {
         least = least.min(newton(chart, &at, along_edge(&at, 0.0), DAMPED));
     }
@@ -182,7 +183,7 @@ pub(super) fn beside_edge(
         least = least.min(newton(chart, &at, along_edge(&at, 0.0), FREE));
     }
     // Where rays wind fast, others that give the same answer are next to any.
-    let near = if rate(eye, chart, part, 0.0).is_some_and(|[_, rate]| rate.abs() > FAST) {
+    let near = if rate(camera, chart, part, 0.0).is_some_and(|[_, rate]| rate.abs() > FAST) {
         NEAR * NEAR
     } else {
         FAR
@@ -192,12 +193,12 @@ pub(super) fn beside_edge(
     }
     // The answer may be one of another number of turns about the hole: those lie in a row toward
     // the edge, and away from it.
-    let [inward, outward] = [-1.0, 1.0].map(|side| heights(eye, chart, part, side, least));
+    let [inward, outward] = [-1.0, 1.0].map(|side| heights(camera, chart, part, side, least));
     // Each e-fold of the distance to the edge adds as much of an orbit as the one before, without
     // end. About a spinning hole such an orbit fills all the latitudes between which it swings:
     // rays that pass an answer above and below come as close to it as one likes in the end, and so
     // the distance to the edge bounds its error.
-    if eye.spinning && passes(&inward) {
+    if camera.is_spinning && passes(&inward) {
         least = least.min(chart.scale);
     }
     let mut places = places(&inward);
@@ -207,7 +208,7 @@ pub(super) fn beside_edge(
         if least <= fine {
             break;
         }
-        for start in starts(eye, chart, part, place) {
+        for start in starts(camera, chart, part, place) {
             least = least.min(newton(chart, &at, along_edge(&at, start), FREE));
         }
     }
@@ -216,13 +217,13 @@ pub(super) fn beside_edge(
 
 /// By how much the answer at a place of a chart misses a part; `seen` is told of the place.
 fn missed(
-    eye: &ReferenceCamera,
+    camera: &ReferenceCamera,
     chart: &Chart,
     part: Part,
     seen: &dyn Fn(f64, &Trace),
 ) -> impl Fn(DVec2) -> Option<DVec2> {
     move |place| {
-        let trace = eye.trace(chart.at(place));
+        let trace = camera.trace(chart.at(place));
         seen(chart.turn(place), &trace);
         part.miss(&trace)
     }
@@ -231,7 +232,7 @@ fn missed(
 /// The places on the line toward the edge, or away from it, with what an answer's height is off by
 /// there.
 fn heights(
-    eye: &ReferenceCamera,
+    camera: &ReferenceCamera,
     chart: &Chart,
     part: Part,
     side: f64,
@@ -243,7 +244,7 @@ fn heights(
             .map_or(0.0, |(before, after)| (after - before).abs())
     };
     let line = chart
-        .line(eye, side, farthest, HEIGHT_STEP, moved)
+        .line(camera, side, farthest, HEIGHT_STEP, moved)
         .into_iter();
     line.filter_map(|(x, trace)| part.height(&trace).map(|height| [x, height]))
         .collect()
@@ -272,8 +273,8 @@ fn places(line: &[[f64; 2]]) -> Vec<[f64; 2]> {
 }
 
 /// The first coordinates next to a place of the right height at which the azimuth is right, too.
-fn starts(eye: &ReferenceCamera, chart: &Chart, part: Part, [from, to]: [f64; 2]) -> Vec<f64> {
-    let at = |x: f64| eye.trace(chart.at(DVec2::new(x, 0.0)));
+fn starts(camera: &ReferenceCamera, chart: &Chart, part: Part, [from, to]: [f64; 2]) -> Vec<f64> {
+    let at = |x: f64| camera.trace(chart.at(DVec2::new(x, 0.0)));
     let mut bracket = [from, to];
     let below = part.height(&at(from)).is_some_and(|height| height < 0.0);
     for _ in 0..if from == to { 0 } else { BISECTIONS } {
@@ -284,7 +285,7 @@ fn starts(eye: &ReferenceCamera, chart: &Chart, part: Part, [from, to]: [f64; 2]
         bracket[usize::from(!same)] = middle;
     }
     let x = bracket[0];
-    match rate(eye, chart, part, x) {
+    match rate(camera, chart, part, x) {
         Some([off, rate]) if rate.abs() > FAST => [-1.0, 0.0, 1.0]
             .map(|turns| x + (TAU * turns - off) / rate)
             .into(),
@@ -293,8 +294,8 @@ fn starts(eye: &ReferenceCamera, chart: &Chart, part: Part, [from, to]: [f64; 2]
 }
 
 /// By how much the azimuth is off on the line toward the edge, and its derivative there.
-fn rate(eye: &ReferenceCamera, chart: &Chart, part: Part, x: f64) -> Option<[f64; 2]> {
-    let at = |x: f64| part.azimuth(&eye.trace(chart.at(DVec2::new(x, 0.0))));
+fn rate(camera: &ReferenceCamera, chart: &Chart, part: Part, x: f64) -> Option<[f64; 2]> {
+    let at = |x: f64| part.azimuth(&camera.trace(chart.at(DVec2::new(x, 0.0))));
     let (here, beside) = at(x).zip(at(x + DIFFERENCE))?;
     Some([here, wrap_angle(beside - here) / DIFFERENCE])
 }

@@ -1,8 +1,9 @@
 //! Coordinates of the rays around one ray.
 
 use super::edge::Edge;
-use super::sample::Ray;
-use super::{ReferenceCamera, angle_between};
+use super::ray::Ray;
+use super::reference_camera::ReferenceCamera;
+use crate::geometry::sphere::angle_between;
 use crate::optics::trace::Trace;
 use glam::{DVec2, DVec3};
 
@@ -121,7 +122,7 @@ impl Chart {
     /// says of two neighbours is about `step_size`.
     pub(super) fn line(
         &self,
-        eye: &ReferenceCamera,
+        camera: &ReferenceCamera,
         side: f64,
         farthest: f64,
         step_size: f64,
@@ -134,7 +135,7 @@ impl Chart {
             if self.turn(place) > farthest || x.abs() > MAX_RADIUS {
                 break;
             }
-            let trace = eye.trace(self.at(place));
+            let trace = camera.trace(self.at(place));
             let moved = line.last().map_or(0.0, |(_, before)| moved(before, &trace));
             step = (step * (step_size / moved).clamp(0.5, 2.0)).clamp(MIN_STEP, MAX_STEP);
             line.push((x, trace));

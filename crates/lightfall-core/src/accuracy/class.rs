@@ -3,8 +3,8 @@
 
 use super::backward::{Part, beside_edge, in_plane};
 use super::chart::{Chart, sky_moved};
-use super::sample::Ray;
-use super::{ReferenceCamera, hits};
+use super::ray::Ray;
+use super::reference_camera::ReferenceCamera;
 use crate::optics::trace::Trace;
 use glam::{DVec2, DVec3};
 use std::cell::Cell;
@@ -24,45 +24,45 @@ const SKY_STEP: f64 = 0.01;
 /// the ray: right to a third or so. Where that finds none within `fine`, along the line through the
 /// edge, on both its sides, where images of the disk crowd, and where the answer's own numbers lead
 /// to.
-pub(super) fn of_class(eye: &ReferenceCamera, ray: &Ray, given: &Trace, fine: f64) -> f64 {
+pub(super) fn of_class(camera: &ReferenceCamera, ray: &Ray, given: &Trace, fine: f64) -> f64 {
     let same = |trace: &Trace| trace.outcome == given.outcome && hits(trace) == hits(given);
-    let nearest = Cell::new(on_rings(eye, ray.direction(), &same));
+    let nearest = Cell::new(on_rings(camera, ray.direction(), &same));
     let seen = |turn: f64, trace: &Trace| {
         if turn < nearest.get() && same(trace) {
             nearest.set(turn);
         }
     };
     let own = (nearest.get() > fine)
-        .then(|| Chart::edge(&eye.with_edge(ray)))
+        .then(|| Chart::edge(&camera.with_edge(ray)))
         .flatten();
     let mirrored = own.as_ref().and_then(Chart::mirrored);
     for chart in own.iter().chain(&mirrored) {
         for side in [-1.0, 1.0] {
-            for (x, trace) in chart.line(eye, side, nearest.get(), SKY_STEP, sky_moved) {
+            for (x, trace) in chart.line(camera, side, nearest.get(), SKY_STEP, sky_moved) {
                 seen(chart.turn(DVec2::new(x, 0.0)), &trace);
             }
         }
         for part in Part::all(given) {
             if nearest.get() > fine {
-                beside_edge(eye, chart, part, [fine, f64::INFINITY], &seen);
+                beside_edge(camera, chart, part, [fine, f64::INFINITY], &seen);
             }
         }
     }
     // Far from any edge, or where none was found.
     for part in Part::all(given) {
         if nearest.get() > fine {
-            in_plane(eye, ray, part, &seen);
+            in_plane(camera, ray, part, &seen);
         }
     }
     nearest.get()
 }
 
 /// The same on rings about a direction.
-fn on_rings(eye: &ReferenceCamera, direction: DVec3, same: &impl Fn(&Trace) -> bool) -> f64 {
+fn on_rings(camera: &ReferenceCamera, direction: DVec3, same: &impl Fn(&Trace) -> bool) -> f64 {
     let (u, v) = direction.any_orthonormal_pair();
     let same_toward = |spoke: u32, turn: f64| {
         let (sin, cos) = (TAU * f64::from(spoke) / f64::from(SPOKES)).sin_cos();
-        same(&eye.trace(turn.cos() * direction + turn.sin() * (cos * u + sin * v)))
+        same(&camera.trace(turn.cos() * direction + turn.sin() * (cos * u + sin * v)))
     };
     let mut ring = MIN_RING_DISTANCE;
     while ring < MAX_RING_DISTANCE {
@@ -84,4 +84,9 @@ fn on_rings(eye: &ReferenceCamera, direction: DVec3, same: &impl Fn(&Trace) -> b
         ring *= RING_FACTOR;
     }
     f64::INFINITY
+}
+
+/// How many hits an answer has.
+pub(super) fn hits(trace: &Trace) -> usize {
+    trace.hits.iter().flatten().count()
 }

@@ -1,7 +1,7 @@
 //! Where the shadow ends: rays next to it are the hardest.
 
-use super::{ReferenceCamera, angle_between};
-use crate::geometry::sphere::celestial_frame;
+use super::camera_tracer::CameraTracer;
+use crate::geometry::sphere::{angle_between, celestial_frame};
 use crate::optics::camera_rays::CameraRays;
 use crate::optics::trace::Outcome;
 use crate::scene::Scene;
@@ -26,7 +26,7 @@ pub struct Shadow {
 impl Shadow {
     /// The shadow of a scene, unless there is none to find: without lensing, or from a place where
     /// the whole sky is on one side of it.
-    pub(super) fn of(scene: &Scene, eye: &ReferenceCamera) -> Option<Self> {
+    pub(super) fn of(scene: &Scene, tracer: &CameraTracer) -> Option<Self> {
         if !scene.effects.lensing {
             return None;
         }
@@ -49,7 +49,7 @@ impl Shadow {
             (from_camera.transpose() * (DVec3::new(one_d.y, one_d.z, one_d.w) / one_d.x))
                 .try_normalize()
         };
-        let class = |direction: DVec3| eye.trace(direction).outcome;
+        let class = |direction: DVec3| tracer.trace(direction).outcome;
         let about = |sign: f64, captured: bool| {
             let (own, opposite) = if captured {
                 (Outcome::Captured, Outcome::Sky)
@@ -72,16 +72,16 @@ impl Shadow {
     }
 
     /// The edge around a position angle.
-    pub(super) fn edge(&self, eye: &ReferenceCamera, position_angle: f64) -> Edge {
+    pub(super) fn edge(&self, tracer: &CameraTracer, position_angle: f64) -> Edge {
         let whole = [-46.0, 46.0];
-        let t = self.bisected(eye, position_angle, whole);
+        let t = self.bisected(tracer, position_angle, whole);
         let beside = |side: f64| {
             let near = [t - NEIGHBOURHOOD, t + NEIGHBOURHOOD];
-            let found = self.bisected(eye, position_angle + side * NEIGHBOURHOOD, near);
+            let found = self.bisected(tracer, position_angle + side * NEIGHBOURHOOD, near);
             // At a corner of the edge the neighbour is farther off.
             let cut_off = (found - t).abs() > 0.99 * NEIGHBOURHOOD;
             angle(if cut_off {
-                self.bisected(eye, position_angle + side * NEIGHBOURHOOD, whole)
+                self.bisected(tracer, position_angle + side * NEIGHBOURHOOD, whole)
             } else {
                 found
             })
@@ -97,20 +97,20 @@ impl Shadow {
     }
 
     /// The edge between the centre and a direction, or beyond it.
-    pub(super) fn edge_toward(&self, eye: &ReferenceCamera, direction: DVec3) -> Edge {
+    pub(super) fn edge_toward(&self, tracer: &CameraTracer, direction: DVec3) -> Edge {
         let (u, v) = self.centre.any_orthonormal_pair();
-        self.edge(eye, direction.dot(v).atan2(direction.dot(u)))
+        self.edge(tracer, direction.dot(v).atan2(direction.dot(u)))
     }
 
     /// Where the outcome changes, as the logarithm of the tangent of half the angle from the
     /// centre.
-    fn bisected(&self, eye: &ReferenceCamera, position_angle: f64, mut bracket: [f64; 2]) -> f64 {
+    fn bisected(&self, tracer: &CameraTracer, position_angle: f64, mut bracket: [f64; 2]) -> f64 {
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (bracket[0] + bracket[1]);
             if middle <= bracket[0] || middle >= bracket[1] {
                 break;
             }
-            let captured = eye
+            let captured = tracer
                 .trace(self.direction(position_angle, angle(middle)))
                 .outcome
                 == Outcome::Captured;

@@ -1,6 +1,7 @@
 //! The backward error all over a picture, on a coarse grid: what the view `error` shows.
 
-use super::{Ray, Truth};
+use super::ray::Ray;
+use super::truth::Truth;
 use crate::gpu::rays::RayKernel;
 use crate::gpu::{Gpu, GpuError};
 use crate::optics::trace::Outcome;
@@ -14,10 +15,10 @@ const FINE: f64 = 1e-4;
 /// The backward error of the GPU's answers to the rays through the middles of the cells of `grid`,
 /// columns and rows, that the scene's picture is divided into: in pixels of that picture, rows from
 /// the top; infinite where no turn of the ray explains the answer; none where the ray rightly ends
-/// unseen at the horizon. ErrorSummary below a ten-thousandth of a pixel may be overstated, but not
+/// unseen at the horizon. Errors below a ten-thousandth of a pixel may be overstated, but not
 /// beyond that.
 ///
-/// # ErrorSummary
+/// # Errors
 /// A scene that the GPU cannot trace, or a device that failed.
 pub fn over_picture(
     gpu: &Gpu,

@@ -1,10 +1,11 @@
 //! Which rays a method is judged by: half all over the picture, half crowding the edge of the
 //! shadow.
 
-use super::ReferenceCamera;
 use super::edge::Edge;
+use super::ray::Ray;
+use super::reference_camera::ReferenceCamera;
 use crate::scene::Scene;
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -17,46 +18,6 @@ const PLASTIC: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_2];
 
 /// The golden ratio less one.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
-
-/// One ray of a sample.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ray {
-    /// (right, up, forward) of the camera, rounded to f32: what every method is given, the
-    /// reference too.
-    pub(super) given: Vec3,
-    /// The shadow's edge on the great circle from its centre through the ray.
-    pub(super) edge: Option<Edge>,
-}
-
-impl Ray {
-    /// The ray nearest to a direction of the camera's.
-    #[must_use]
-    pub fn toward(direction: DVec3) -> Self {
-        Self {
-            given: direction.normalize_or_zero().as_vec3(),
-            edge: None,
-        }
-    }
-
-    /// Its direction as the shaders get it.
-    #[must_use]
-    pub fn given(&self) -> Vec3 {
-        self.given
-    }
-
-    /// Its direction, of length one.
-    #[must_use]
-    pub fn direction(&self) -> DVec3 {
-        self.given.as_dvec3().normalize_or_zero()
-    }
-
-    /// Angle from the shadow's edge, in radians, positive away from its centre, where the sample
-    /// knows it.
-    #[must_use]
-    pub fn distance_to_edge(&self) -> Option<f64> {
-        self.edge.map(|edge| edge.place(self.direction())[1])
-    }
-}
 
 /// `count` rays spread evenly over the scene's picture.
 #[must_use]
@@ -88,10 +49,7 @@ pub fn everywhere(count: usize) -> Vec<Ray> {
 /// `range`, as shares of the shadow's radius (or of the rest of the sky, where that is smaller), on
 /// both sides and all around. Without a shadow: none.
 pub fn critical(scene: &Scene, count: usize, range: [f64; 2]) -> Vec<Ray> {
-    let Ok(eye) = ReferenceCamera::new(scene) else {
-        return Vec::new();
-    };
-    let Some(shadow) = eye.shadow else {
+    let Ok(camera) = ReferenceCamera::new(scene) else {
         return Vec::new();
     };
     let directions = count.div_ceil(RAYS_A_DIRECTION);
@@ -107,8 +65,11 @@ pub fn critical(scene: &Scene, count: usize, range: [f64; 2]) -> Vec<Ray> {
             ..toward
         }
     };
-    let rays = (0..directions).into_par_iter().flat_map_iter(|direction| {
-        let edge = shadow.edge(&eye, TAU * (direction as f64 + 0.5) / directions as f64);
+    let edges = (0..directions).into_par_iter().filter_map(|direction| {
+        let position_angle = TAU * (direction as f64 + 0.5) / directions as f64;
+        camera.edge(position_angle).map(|edge| (direction, edge))
+    });
+    let rays = edges.flat_map_iter(|(direction, edge)| {
         (0..RAYS_A_DIRECTION).map(move |i| (direction, i, edge))
     });
     let mut rays: Vec<Ray> = rays

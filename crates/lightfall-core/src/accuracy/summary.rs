@@ -1,6 +1,7 @@
 //! Many rays' errors in a few numbers.
 
-use super::{RayError, Truth};
+use super::finite::{all_finite, greater};
+use super::truth::{RayError, Truth};
 use crate::optics::trace::{Outcome, Trace};
 
 /// Median, 99th percentile and largest of a set; not a number where it is empty.
@@ -100,20 +101,14 @@ impl ErrorSummary {
         Self {
             rays: given.len(),
             confusion,
-            not_finite: given
-                .iter()
-                .filter(|trace| !super::all_finite(trace))
-                .count(),
+            not_finite: given.iter().filter(|trace| !all_finite(trace)).count(),
             misclassified: misclassified.len(),
             misclassified_backward: Quantiles::of(misclassified.into_iter()),
             sky: Quantiles::of(errors.iter().filter_map(|error| error.sky)),
             hit_r: Quantiles::of(errors.iter().filter_map(|error| error.hit_r)),
             hit_g: Quantiles::of(errors.iter().filter_map(|error| error.hit_g)),
             backward: Quantiles::of(counted.map(|(_, error)| error.backward)),
-            residual: given
-                .iter()
-                .map(|trace| trace.residual)
-                .fold(0.0, super::greater),
+            residual: given.iter().map(|trace| trace.residual).fold(0.0, greater),
             steps: [
                 steps.clone().sum::<f64>() / given.len().max(1) as f64,
                 steps.fold(0.0, f64::max),

@@ -36,3 +36,9 @@ pub fn wrap_angle(angle: f64) -> f64 {
     let angle = PI - (PI - angle).rem_euclid(TAU);
     if angle <= -PI { PI } else { angle }
 }
+
+/// The angle between two directions in radians, to f64's digits however small it is.
+#[must_use]
+pub fn angle_between(a: DVec3, b: DVec3) -> f64 {
+    a.cross(b).length().atan2(a.dot(b))
+}

@@ -1,7 +1,9 @@
 //! The thin disk: where it begins, how hot it is, how its matter moves.
 
+mod newtonian;
 mod page_thorne;
 
+pub use newtonian::{NEWTONIAN_PEAK, newtonian_flux};
 pub use page_thorne::{PageThorne, TABLE_LEN};
 
 use crate::geometry::kerr::{CircularOrbit, Kerr};
@@ -19,23 +21,6 @@ pub fn inner_edge(scene: &Scene) -> f64 {
         isco
     } else {
         scene.disk.inner.max(isco)
-    }
-}
-
-/// The largest value of [`newtonian_flux`], at r = (49/36) r_in: (36/49)^3 / 7.
-pub const NEWTONIAN_PEAK: f64 = 36.0 * 36.0 * 36.0 / (49.0 * 49.0 * 49.0 * 7.0);
-
-/// Relative bolometric flux, without unit, at radius `r` of a disk with inner edge `inner`; zero
-/// inside.
-///
-/// F = (r_in/r)^3 (1 - sqrt(r_in/r)), Shakura & Sunyaev 1973 without torque at the inner edge.
-#[must_use]
-pub fn newtonian_flux(r: f64, inner: f64) -> f64 {
-    let x = inner / r;
-    if x < 1.0 {
-        x.powi(3) * (1.0 - x.sqrt())
-    } else {
-        0.0
     }
 }
 

@@ -1,7 +1,7 @@
 //! The relativistic thin disk: what a steady accretion rate radiates around Kerr, without torque at
 //! the inner edge.
 
-use super::{NEWTONIAN_PEAK, newtonian_flux};
+use super::newtonian::{NEWTONIAN_PEAK, newtonian_flux};
 use crate::geometry::kerr::MASS;
 
 /// Entries of the shader's table.

@@ -1,0 +1,44 @@
+//! One ray of the scene's camera.
+
+use super::edge::Edge;
+use glam::{DVec3, Vec3};
+
+/// One ray of a sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// (right, up, forward) of the camera, rounded to f32: what every method is given, the
+    /// reference too.
+    pub(super) given: Vec3,
+    /// The shadow's edge on the great circle from its centre through the ray.
+    pub(super) edge: Option<Edge>,
+}
+
+impl Ray {
+    /// The ray nearest to a direction of the camera's.
+    #[must_use]
+    pub fn toward(direction: DVec3) -> Self {
+        Self {
+            given: direction.normalize_or_zero().as_vec3(),
+            edge: None,
+        }
+    }
+
+    /// Its direction as the shaders get it.
+    #[must_use]
+    pub fn given(&self) -> Vec3 {
+        self.given
+    }
+
+    /// Its direction, of length one.
+    #[must_use]
+    pub fn direction(&self) -> DVec3 {
+        self.given.as_dvec3().normalize_or_zero()
+    }
+
+    /// Angle from the shadow's edge, in radians, positive away from its centre, where the sample
+    /// knows it.
+    #[must_use]
+    pub fn distance_to_edge(&self) -> Option<f64> {
+        self.edge.map(|edge| edge.place(self.direction())[1])
+    }
+}

@@ -1,0 +1,63 @@
+//! The reference behind a scene's camera, together with the shadow's edge on its sky.
+
+use super::camera_tracer::CameraTracer;
+use super::edge::{Edge, Shadow};
+use super::ray::Ray;
+use crate::geometry::observer::ObserverError;
+use crate::optics::reference::Reference;
+use crate::optics::trace::Trace;
+use crate::scene::Scene;
+use glam::DVec3;
+
+/// The reference behind the scene's camera. Directions are (right, up, forward).
+pub(super) struct ReferenceCamera {
+    tracer: CameraTracer,
+    /// The shadow on the camera's sky, if it has an edge.
+    shadow: Option<Shadow>,
+    /// Whether orbits leave their plane.
+    pub(super) is_spinning: bool,
+    /// Scale of turns that matter, in radians: a thousandth of the picture's half height, but no
+    /// less than f32 can tell apart.
+    pub(super) scale: f64,
+}
+
+impl ReferenceCamera {
+    /// The reference behind a scene's camera.
+    ///
+    /// # Errors
+    /// If the scene's observer cannot exist.
+    pub(super) fn new(scene: &Scene) -> Result<Self, ObserverError> {
+        let tracer = CameraTracer::new(scene)?;
+        Ok(Self {
+            shadow: Shadow::of(scene, &tracer),
+            tracer,
+            is_spinning: scene.hole.spin != 0.0 && scene.effects.lensing,
+            scale: (1e-3 * scene.camera.half_height()).clamp(1e-7, 1e-3),
+        })
+    }
+
+    /// The same ray with the shadow's edge on its side, if there is one.
+    pub(super) fn with_edge(&self, ray: &Ray) -> Ray {
+        let edge = ray.edge.or_else(|| {
+            self.shadow
+                .map(|shadow| shadow.edge_toward(&self.tracer, ray.direction()))
+        });
+        Ray { edge, ..*ray }
+    }
+
+    /// The reference's answer to the ray that arrives from a direction of the camera.
+    pub(super) fn trace(&self, direction: DVec3) -> Trace {
+        self.tracer.trace(direction)
+    }
+
+    /// What another scene's reference answers to the ray that arrives from the same direction.
+    pub(super) fn trace_by(&self, other: &Reference, direction: DVec3) -> Trace {
+        other.trace(self.tracer.tetrad_from_camera * direction)
+    }
+
+    /// The shadow's edge around a position angle, where there is a shadow.
+    pub(super) fn edge(&self, position_angle: f64) -> Option<Edge> {
+        self.shadow
+            .map(|shadow| shadow.edge(&self.tracer, position_angle))
+    }
+}

@@ -1,0 +1,131 @@
+//! The reference's answers to a set of rays, and a method's answers judged by them.
+
+use super::backward::of_answer;
+use super::class::{hits, of_class};
+use super::finite::{all_finite, greater};
+use super::ray::Ray;
+use super::reference_camera::ReferenceCamera;
+use crate::geometry::observer::ObserverError;
+use crate::geometry::sphere::angle_between;
+use crate::optics::reference::Reference;
+use crate::optics::trace::{Outcome, Trace};
+use crate::scene::Scene;
+use rayon::prelude::*;
+
+/// Rays of a scene's camera and the reference's answers to them.
+pub struct Truth {
+    camera: ReferenceCamera,
+    /// The rays, in order.
+    pub rays: Vec<Ray>,
+    /// The reference's answers.
+    pub traces: Vec<Trace>,
+}
+
+/// What is wrong with one answer.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RayError {
+    /// Angle between the sky directions, in radians, where both answers are the sky.
+    pub sky: Option<f64>,
+    /// Largest relative error of the radius of the hits that both answers have.
+    pub hit_r: Option<f64>,
+    /// Largest relative error of their g.
+    pub hit_g: Option<f64>,
+    /// The turn of the ray that explains the answer, in radians: zero where there is nothing to
+    /// explain, infinite where no turn explains it (an unfinished ray, or a NaN).
+    pub backward: f64,
+    /// Whether outcome or number of hits differ.
+    pub misclassified: bool,
+}
+
+impl Truth {
+    /// Traces the rays by the reference.
+    ///
+    /// # Errors
+    /// If the scene's observer cannot exist.
+    pub fn of(scene: &Scene, rays: Vec<Ray>) -> Result<Self, ObserverError> {
+        let camera = ReferenceCamera::new(scene)?;
+        let traces = rays
+            .par_iter()
+            .map(|ray| camera.trace(ray.direction()))
+            .collect();
+        Ok(Self {
+            camera,
+            rays,
+            traces,
+        })
+    }
+
+    /// Judges a method's answers to the same rays, ray by ray.
+    ///
+    /// # Panics
+    /// If there are not as many answers as rays.
+    #[must_use]
+    pub fn judge(&self, given: &[Trace]) -> Vec<RayError> {
+        self.judge_beyond(0.0, given)
+    }
+
+    /// As [`Truth::judge`], but an answer that is off by less than `fine` radians is not searched
+    /// for a smaller turn: its forward error bounds the backward error and is given in its place.
+    ///
+    /// # Panics
+    /// If there are not as many answers as rays.
+    #[must_use]
+    pub fn judge_beyond(&self, fine: f64, given: &[Trace]) -> Vec<RayError> {
+        assert_eq!(given.len(), self.rays.len(), "one answer a ray");
+        let known = self.rays.par_iter().zip(&self.traces);
+        known
+            .zip(given)
+            .map(|((ray, truth), given)| self.judge_ray(ray, truth, given, fine))
+            .collect()
+    }
+
+    /// The backward error, in radians, of another scene's reference in its answer to one of the
+    /// rays.
+    #[must_use]
+    pub fn error_of(&self, ray: usize, other: &Reference) -> f64 {
+        let given = self.camera.trace_by(other, self.rays[ray].direction());
+        self.judge_ray(&self.rays[ray], &self.traces[ray], &given, 0.0)
+            .backward
+    }
+
+    fn judge_ray(&self, ray: &Ray, truth: &Trace, given: &Trace, fine: f64) -> RayError {
+        let misclassified = given.outcome != truth.outcome || hits(given) != hits(truth);
+        let pairs = || {
+            truth
+                .hits
+                .iter()
+                .zip(&given.hits)
+                .filter_map(|(truth, given)| truth.zip(*given))
+        };
+        let largest = |of: fn((f64, f64)) -> f64, pairs: &mut dyn Iterator<Item = (f64, f64)>| {
+            pairs.map(of).fold(None, |most: Option<f64>, error| {
+                Some(most.map_or(error, |most| greater(most, error)))
+            })
+        };
+        let relative = |(truth, given): (f64, f64)| (given / truth - 1.0).abs();
+        let mut error = RayError {
+            sky: truth
+                .sky
+                .zip(given.sky)
+                .map(|(truth, given)| angle_between(truth, given)),
+            hit_r: largest(
+                relative,
+                &mut pairs().map(|(truth, given)| (truth.r, given.r)),
+            ),
+            hit_g: largest(
+                relative,
+                &mut pairs().map(|(truth, given)| (truth.g, given.g)),
+            ),
+            backward: 0.0,
+            misclassified,
+        };
+        error.backward = if given.outcome == Outcome::Unfinished || !all_finite(given) {
+            f64::INFINITY
+        } else if misclassified {
+            of_class(&self.camera, ray, given, fine)
+        } else {
+            of_answer(&self.camera, ray, truth, given, fine)
+        };
+        error
+    }
+}
