@@ -3,6 +3,7 @@
 
 mod examples;
 mod graph;
+mod program;
 mod rules;
 mod source;
 mod tokens;

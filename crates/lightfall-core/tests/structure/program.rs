@@ -1,0 +1,36 @@
+//! The program: which module may import from which.
+
+use crate::graph::Graph;
+use crate::{CORE_ORDER, add_core, root, rules};
+
+/// The program's modules, lowest first, above those of the core.
+const ORDER: [&str; 6] = [
+    "lightfall::worker",
+    "lightfall::storage",
+    "lightfall::render",
+    "lightfall::picture",
+    "lightfall::app",
+    "lightfall::commands",
+];
+
+/// The sources of both crates.
+fn sources() -> Graph {
+    let mut graph = Graph::default();
+    add_core(&mut graph);
+    graph.add_folder("lightfall", &root(), "src");
+    graph
+}
+
+#[test]
+fn every_module_of_the_program_imports_only_from_modules_below_it() {
+    let order = [&CORE_ORDER[..], &ORDER].concat();
+    let faults = rules::upward_imports(&sources(), &order);
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+}
+
+/// The check reads one module per file, so a module written inside another file would escape it.
+#[test]
+fn every_module_of_the_program_has_its_own_file() {
+    let found = sources().inline_modules();
+    assert!(found.is_empty(), "\n{}", found.join("\n"));
+}
