@@ -10,7 +10,7 @@ use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, ViewQuery};
 use bevy::render::view::{ViewDepthTexture, ViewTarget};
-use std::sync::mpsc::channel;
+use lightfall_core::gpu::read_back;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// The rows of a texture copy are padded to a multiple of this many bytes (WebGPU's
@@ -96,30 +96,13 @@ fn read_rows(
     size: UVec2,
     pixel_bytes: usize,
 ) -> Result<Vec<u8>, String> {
-    let (sender, receiver) = channel();
-    copy.slice(..).map_async(MapMode::Read, move |result| {
-        // The receiver is gone once polling the device has failed.
-        sender.send(result).ok();
-    });
-    let waited = device.poll(PollType::Wait {
-        submission_index: None,
-        timeout: None,
-    });
-    waited.map_err(|error| error.to_string())?;
-    receiver
-        .recv()
-        .map_err(|error| error.to_string())?
-        .map_err(|error| error.to_string())?;
-    let bytes = copy.slice(..).get_mapped_range();
+    let bytes = read_back(device.wgpu_device(), copy).map_err(|error| error.to_string())?;
     let row = size.x as usize * pixel_bytes;
-    let rows = bytes
+    Ok(bytes
         .chunks(padded_row(size.x, pixel_bytes))
         .flat_map(|line| &line[..row])
         .copied()
-        .collect();
-    drop(bytes);
-    copy.unmap();
-    Ok(rows)
+        .collect())
 }
 
 pub(super) fn plugin(app: &mut App) {

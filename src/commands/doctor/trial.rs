@@ -4,7 +4,7 @@
 use glam::UVec2;
 use lightfall_core::accuracy::{ErrorSummary, Ray, Truth, critical, on_picture};
 use lightfall_core::gpu::rays::RayKernel;
-use lightfall_core::gpu::timing::{Clock, Effort, Stage, Stopwatch};
+use lightfall_core::gpu::timing::{Effort, Stage, Stopwatch};
 use lightfall_core::gpu::{Gpu, GpuError};
 use lightfall_core::reports::bench::{CRITICAL, short};
 use lightfall_core::reports::extremes::tolerance;
@@ -18,8 +18,8 @@ const RAYS: usize = 512;
 const TIMED: UVec2 = UVec2::new(1920, 1080);
 /// How often they are.
 const EFFORT: Effort = Effort {
-    least_runs: 3,
-    longest: Duration::from_millis(100),
+    min_samples: 3,
+    max_time: Duration::from_millis(100),
 };
 
 /// The backward errors that the documentation states for a method, in radians.
@@ -129,10 +129,7 @@ impl Trial {
             stated_p99: stated.p99,
             holds: stated.admits(&errors),
             trace_ms_1920x1080: timing.median_ms,
-            clock: match timing.clock {
-                Clock::Timestamps => "timestamps",
-                Clock::Wall => "wall",
-            },
+            clock: timing.clock.word(),
         })
     }
 

@@ -1,19 +1,19 @@
-//! Which graphics adapter is used: the one that the environment names (there the command line is
-//! written), else the one that is preferred, else the fastest.
+//! The choice of the graphics adapter: the one that the environment names (the command line is
+//! copied there), else the preferred one, else the fastest.
 
-use super::GpuError;
+use super::error::GpuError;
 use serde::{Deserialize, Serialize};
 use std::env;
 use std::fmt::{Display, Formatter};
 use std::sync::{Mutex, PoisonError};
 use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, Features, Instance, Limits};
 
-/// An adapter by its full name, and through which interface it is used: on some systems there are
-/// several.
+/// An adapter by its full name and its interface: on some systems one adapter has several
+/// interfaces.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct AdapterName {
-    /// As its driver calls it.
+    /// The name that its driver gives.
     pub name: String,
     /// vulkan, metal, dx12 or gl.
     pub backend: String,
@@ -45,9 +45,9 @@ pub struct Listed {
     pub kind: &'static str,
     /// Its driver, with the version.
     pub driver: String,
-    /// Whether it can tell how long passes take.
+    /// Whether it can measure the duration of passes.
     pub timestamps: bool,
-    /// What it allows.
+    /// Its limits.
     pub limits: Limits,
 }
 
@@ -61,65 +61,66 @@ impl Display for Listed {
     }
 }
 
-/// The adapter that is preferred. Like the environment it is the process's, for devices are opened
-/// in many places.
+/// The preferred adapter. It belongs to the whole process, as the environment does, because devices
+/// are opened in many places.
 static PREFERRED: Mutex<Option<AdapterName>> = Mutex::new(None);
 
-/// From now on devices are opened on this adapter, as long as it is there and the environment names
-/// no other.
+/// From now on, devices are opened on this adapter if it exists and the environment names no other
+/// one.
 pub fn prefer(adapter: Option<AdapterName>) {
     *PREFERRED.lock().unwrap_or_else(PoisonError::into_inner) = adapter;
 }
 
-/// The variable of the environment that says which adapter is used, if one does.
+/// The environment variable that chooses the adapter, if one is set.
 #[must_use]
 pub fn named_by_environment() -> Option<&'static str> {
-    let says = |variable: &&str| env::var(variable).is_ok_and(|value| !value.is_empty());
+    let is_set = |variable: &&str| env::var(variable).is_ok_and(|value| !value.is_empty());
     [
         "WGPU_ADAPTER_NAME",
         "WGPU_BACKEND",
         "WGPU_FORCE_FALLBACK_ADAPTER",
     ]
     .into_iter()
-    .find(says)
+    .find(is_set)
 }
 
-/// The backends that the program draws with: those of `WGPU_BACKEND`, else the first-class ones.
-/// OpenGL is left out, for it lacks what the passes need and is noisy to ask.
+/// The backends that the program draws with: those of `WGPU_BACKEND`, else Vulkan, Metal and DX12.
+/// OpenGL is left out: it lacks features that the passes need, and its drivers print messages when
+/// they are queried.
 fn backends() -> Backends {
     backends_named().map_or(Backends::PRIMARY, |names| Backends::from_comma_list(&names))
 }
 
-/// What the environment says of the backends; nothing by an empty text.
+/// The value of `WGPU_BACKEND`, unless it is empty.
 fn backends_named() -> Option<String> {
     env::var("WGPU_BACKEND")
         .ok()
         .filter(|names| !names.is_empty())
 }
 
-/// Why there is no adapter: no driver at all, or none through the interface that the environment
-/// names.
-fn none_of_these() -> GpuError {
+/// Why there is no adapter: there is no driver at all, or none for the interface that the
+/// environment names.
+fn no_adapter() -> GpuError {
     let others = Instance::enabled_backend_features().difference(backends() | Backends::NOOP);
-    let mut there: Vec<&str> = found_through(others)
+    let mut available: Vec<&str> = adapters_of(others)
         .iter()
         .map(|adapter| adapter.get_info().backend.to_str())
         .collect();
-    there.sort_unstable();
-    there.dedup();
+    available.sort_unstable();
+    available.dedup();
     match backends_named() {
-        Some(given) if !there.is_empty() => GpuError::UnknownBackend { given, there },
+        Some(given) if !available.is_empty() => GpuError::UnknownBackend { given, available },
         _ => GpuError::NoAdapter,
     }
 }
 
-/// Every adapter that is reached through these interfaces.
-fn found_through(backends: Backends) -> Vec<Adapter> {
+/// Every adapter of these interfaces.
+fn adapters_of(backends: Backends) -> Vec<Adapter> {
     pollster::block_on(instance(backends).enumerate_adapters(backends))
 }
 
-/// What to tell whoever opens a device on his own: the backends, and the name if one is preferred
-/// and there.
+/// The choice for code that opens a device by itself, as Bevy does: the backends, and the name of
+/// the preferred adapter if it exists.
 #[must_use]
 pub fn chosen() -> (Backends, Option<String>) {
     let preferred =
@@ -146,9 +147,8 @@ fn instance(backends: Backends) -> Instance {
     })
 }
 
-/// The adapter that Bevy would choose: the fastest, or the first whose name contains
-/// `WGPU_ADAPTER_NAME`, a software one if `WGPU_FORCE_FALLBACK_ADAPTER` is 1, or the one that is
-/// preferred.
+/// The adapter that Bevy would choose: the first whose name contains `WGPU_ADAPTER_NAME`, else the
+/// preferred one, else a software adapter if `WGPU_FORCE_FALLBACK_ADAPTER` is 1, else the fastest.
 pub(super) async fn adapter() -> Result<Adapter, GpuError> {
     let instance = instance(backends());
     let name = env::var("WGPU_ADAPTER_NAME")
@@ -166,7 +166,7 @@ pub(super) async fn adapter() -> Result<Adapter, GpuError> {
             .find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted));
         return found.ok_or_else(|| {
             if names.is_empty() {
-                none_of_these()
+                no_adapter()
             } else {
                 GpuError::UnknownAdapter { given, names }
             }
@@ -190,23 +190,23 @@ pub(super) async fn adapter() -> Result<Adapter, GpuError> {
     instance
         .request_adapter(&options)
         .await
-        .map_err(|_| none_of_these())
+        .map_err(|_| no_adapter())
 }
 
-/// Whether there is an adapter to draw with.
+/// Checks that there is an adapter to draw with.
 ///
-/// # ErrorSummary
-/// There is none.
+/// # Errors
+/// There is none, or none that the environment asks for.
 pub fn check_adapter() -> Result<(), GpuError> {
     pollster::block_on(adapter()).map(drop)
 }
 
-/// Every adapter that could be chosen. Of several with the same name and interface the first is
-/// used, and listed.
+/// Every adapter that can be chosen. If several have the same name and interface, only the first is
+/// listed, which is the one that would be used.
 #[must_use]
 pub fn adapters() -> Vec<Listed> {
     let mut listed: Vec<Listed> = Vec::new();
-    for adapter in found_through(backends()) {
+    for adapter in adapters_of(backends()) {
         let info = adapter.get_info();
         let name = AdapterName::of(&info);
         if listed.iter().all(|other| other.name != name) {
@@ -225,7 +225,7 @@ pub fn adapters() -> Vec<Listed> {
     listed
 }
 
-/// What kind of an adapter it is, in a word.
+/// The kind of an adapter in one word.
 #[must_use]
 pub fn kind(kind: DeviceType) -> &'static str {
     match kind {

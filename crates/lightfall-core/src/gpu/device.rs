@@ -1,29 +1,31 @@
 //! A graphics device without a window.
 
-use super::GpuError;
 use super::adapter::adapter;
-use std::sync::Mutex;
-use wgpu::{AdapterInfo, Device, Queue, ShaderModule};
+use super::error::GpuError;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use wgpu::{AdapterInfo, Device, ErrorFilter, Queue, ShaderModule};
 
-/// A device, its queue, and which adapter they belong to.
+/// A device with its queue and the description of its adapter.
 #[derive(Debug)]
 pub struct Gpu {
     /// The device.
     pub device: Device,
-    /// Its queue.
+    /// The device's queue.
     pub queue: Queue,
     /// Name, driver and backend of the adapter.
     pub info: AdapterInfo,
-    /// Held while an error scope is open.
+    /// Held while error scopes are open.
     scope: Mutex<()>,
+    /// The reason why the device is lost, once it is.
+    lost: Arc<OnceLock<String>>,
 }
 
 impl Gpu {
-    /// The device of the adapter that Bevy would choose; see
+    /// Opens a device of the adapter that Bevy would choose, see
     /// [`check_adapter`](super::check_adapter).
     ///
-    /// # ErrorSummary
-    /// No adapter, or one that gives no device.
+    /// # Errors
+    /// There is no adapter, or it provides no device.
     pub fn headless() -> Result<Self, GpuError> {
         pollster::block_on(async {
             let adapter = adapter().await?;
@@ -36,51 +38,84 @@ impl Gpu {
             let (device, queue) = adapter
                 .request_device(&descriptor)
                 .await
-                .map_err(|error| GpuError::Device(error.to_string()))?;
+                .map_err(GpuError::device_failed)?;
+            let lost = Arc::new(OnceLock::new());
+            let reason = Arc::clone(&lost);
+            device.set_device_lost_callback(move |_, message| {
+                reason.get_or_init(|| message);
+            });
             Ok(Self {
                 device,
                 queue,
                 info: adapter.get_info(),
                 scope: Mutex::new(()),
+                lost,
             })
         })
     }
 
-    /// A compiled shader, without the run-time checks that Bevy leaves out too, so that what is
-    /// tested and measured is what is drawn.
+    /// Compiles a shader without the run-time checks that Bevy omits too, so that tests and
+    /// measurements run the same code as pictures.
     ///
-    /// # ErrorSummary
-    /// The compiler's message.
+    /// # Errors
+    /// [`GpuError::Shader`] with the compiler's message.
     pub fn shader(&self, label: &str, source: &str) -> Result<ShaderModule, GpuError> {
         let source = wgpu::ShaderSource::Wgsl(source.into());
         let module = self.validated(|| {
-            self.unchecked(wgpu::ShaderModuleDescriptor {
+            self.unchecked_module(wgpu::ShaderModuleDescriptor {
                 label: Some(label),
                 source,
             })
         });
-        module.map_err(GpuError::Shader)
+        module.map_err(|error| match error {
+            GpuError::Invalid(message) => GpuError::Shader(message),
+            other => other,
+        })
     }
 
-    /// What `work` gives, or what the device has to say against it.
-    pub(super) fn validated<T>(&self, work: impl FnOnce() -> T) -> Result<T, String> {
-        // A device's error scopes may be one stack for all threads, so only one is open at a time.
-        let _alone = self
-            .scope
-            .lock()
-            .unwrap_or_else(std::sync::PoisonError::into_inner);
-        let scope = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
+    /// The result of `work`, or the error that the device reports about its commands:
+    /// [`GpuError::Invalid`], [`GpuError::OutOfMemory`] or, for a lost device,
+    /// [`GpuError::Device`].
+    pub(super) fn validated<T>(&self, work: impl FnOnce() -> T) -> Result<T, GpuError> {
+        // All threads may share one stack of error scopes, so only one thread opens scopes at a
+        // time.
+        let _lock = self.scope.lock().unwrap_or_else(PoisonError::into_inner);
+        self.check_not_lost()?;
+        let memory = self.device.push_error_scope(ErrorFilter::OutOfMemory);
+        let validation = self.device.push_error_scope(ErrorFilter::Validation);
         let done = work();
-        pollster::block_on(scope.pop()).map_or(Ok(done), |error| Err(error.to_string()))
+        let invalid = pollster::block_on(validation.pop());
+        let out_of_memory = pollster::block_on(memory.pop());
+        // A lost device reports no other errors, but leaves its resources invalid.
+        self.check_not_lost()?;
+        // A buffer that could not be allocated is invalid in every later command, so the lack of
+        // memory is the cause.
+        match (out_of_memory, invalid) {
+            (Some(error), _) => Err(GpuError::OutOfMemory(error.to_string())),
+            (None, Some(error)) => Err(GpuError::Invalid(error.to_string())),
+            (None, None) => Ok(done),
+        }
+    }
+
+    /// Checks that the device still works.
+    fn check_not_lost(&self) -> Result<(), GpuError> {
+        // Polling calls the callback that notes the loss.
+        self.device
+            .poll(wgpu::PollType::Poll)
+            .map_err(GpuError::device_failed)?;
+        match self.lost.get() {
+            Some(reason) => Err(GpuError::device_failed(reason)),
+            None => Ok(()),
+        }
     }
 
     #[expect(
         unsafe_code,
-        reason = "the only way to the module that Bevy makes, too"
+        reason = "the only way to the same module that Bevy creates"
     )]
-    fn unchecked(&self, descriptor: wgpu::ShaderModuleDescriptor<'_>) -> ShaderModule {
-        // SAFETY: the shaders are this crate's own; each bounds its loops by constants and its
-        // indices by lengths.
+    fn unchecked_module(&self, descriptor: wgpu::ShaderModuleDescriptor<'_>) -> ShaderModule {
+        // SAFETY: all shaders are this crate's own. Constants bound their loops, and array lengths
+        // bound their indices.
         unsafe {
             self.device
                 .create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked())

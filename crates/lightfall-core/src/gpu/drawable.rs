@@ -1,15 +1,16 @@
-//! A scene that can be drawn: the only thing that the passes accept.
+//! A checked scene: the only thing that the passes accept.
 
-use super::{GpuError, GpuScene};
+use super::error::GpuError;
+use super::scene::GpuScene;
 use crate::scene::{ObserverKind, Refusal, Scene};
 use glam::UVec2;
 use std::ops::Deref;
 use thiserror::Error;
 
-/// A scene that passed every check, together with what the GPU is told of it.
+/// A scene that passed every check, together with its numbers for the GPU.
 ///
-/// It reads as a [`Scene`], and cannot be changed: whoever wants another scene makes another
-/// `Drawable` of it, and so learns whether that one can be drawn.
+/// It dereferences to its [`Scene`], but cannot be changed: every changed scene goes through
+/// [`Drawable::new`], which says whether it can be drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawable {
     scene: Scene,
@@ -19,19 +20,19 @@ pub struct Drawable {
 /// Why a scene cannot be drawn.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum Undrawable {
-    /// A field has a value that it cannot have beside the others.
+    /// A field has a value that it cannot have together with the others.
     #[error(transparent)]
     Refused(#[from] Refusal),
-    /// The method, the spin and the observer do not go together.
+    /// The method, the spin and the observer are not compatible.
     #[error(transparent)]
     Gpu(#[from] GpuError),
 }
 
 impl Drawable {
-    /// Checks a scene and works out its numbers.
+    /// Checks a scene and computes its numbers for the GPU.
     ///
     /// # Errors
-    /// The first field that is refused, or else why no shader can trace the scene.
+    /// The first refused field, or the reason why no shader can trace the scene.
     pub fn new(scene: Scene) -> Result<Self, Undrawable> {
         scene.check()?;
         let size = UVec2::new(scene.picture.width, scene.picture.height);
@@ -39,14 +40,15 @@ impl Drawable {
         Ok(Self { scene, numbers })
     }
 
-    /// As [`Drawable::new`]; but where the scene's observer cannot exist at the camera's place, the
-    /// nearest observer that can takes its place. The second value is the kind that was put in.
+    /// As [`Drawable::new`], but if the scene's observer cannot exist at the camera's place, another
+    /// kind of observer that can replaces it. The second value is the new kind.
     ///
-    /// Nearer to the hole fewer kinds exist: a circular orbit ends at the photon orbit and off the
-    /// equator, rest at the static limit, zero angular momentum at the horizon; free fall goes on.
+    /// The kinds are tried in the order in which they cease to exist toward the hole: circular orbits
+    /// exist only in the equatorial plane outside the photon orbit, static observers outside the
+    /// static limit, ZAMOs outside the horizon, and free fall continues inside.
     ///
     /// # Errors
-    /// Why the scene cannot be drawn with its own observer, if no other one helps.
+    /// The reason why the scene cannot be drawn with its own observer, if no other kind helps.
     pub fn with_nearest_observer(
         mut scene: Scene,
     ) -> Result<(Self, Option<ObserverKind>), Undrawable> {
@@ -72,13 +74,13 @@ impl Drawable {
         &self.scene
     }
 
-    /// What the GPU is told of the scene, for a picture of the scene's own size.
+    /// The scene's numbers for the GPU, for a picture of the scene's own size.
     #[must_use]
     pub fn numbers(&self) -> &GpuScene {
         &self.numbers
     }
 
-    /// The scene, to be changed and checked again.
+    /// The scene, for changes that are checked again.
     #[must_use]
     pub fn into_scene(self) -> Scene {
         self.scene

@@ -1,14 +1,15 @@
-//! Compute shaders that map one array to another: rays to traces, and whatever a test asks of a
-//! shader's functions.
+//! Compute shaders that map one array to another: rays to traces, and arguments to results in tests
+//! of shader functions.
 
-use super::{Gpu, GpuError};
+use super::buffer::{buffer_with, empty_buffer};
+use super::device::Gpu;
+use super::error::GpuError;
+use super::read_back::read_back;
 use encase::internal::{CreateFrom, ReadFrom, WriteInto};
 use encase::{ShaderSize, ShaderType, StorageBuffer, UniformBuffer};
-use std::fmt::Display;
-use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages};
 
-/// Invocations of a workgroup, as the shaders declare it.
+/// Number of invocations of a workgroup, as the shaders declare it.
 const WORKGROUP: usize = 64;
 
 /// The bytes of a uniform.
@@ -18,8 +19,8 @@ pub fn uniform<U: ShaderType + WriteInto>(value: &U) -> Vec<u8> {
     bytes.into_inner()
 }
 
-/// A compute shader that maps a storage array (binding 2) to another (binding 3), one element an
-/// invocation, in workgroups of 64; the other bindings are uniforms.
+/// A compute shader that maps a storage array (binding 2) to another one (binding 3), one element
+/// per invocation, in workgroups of 64. The other bindings are uniforms.
 #[derive(Debug)]
 pub struct Kernel {
     pipeline: wgpu::ComputePipeline,
@@ -27,10 +28,11 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    /// Compiles `entry` of a WGSL text, with the bytes of the uniforms that it uses, by binding.
+    /// Compiles the entry point `entry` of a WGSL text. `uniforms` lists the bindings of its
+    /// uniforms with their bytes.
     ///
-    /// # ErrorSummary
-    /// A text that does not compile.
+    /// # Errors
+    /// The text does not compile, or the device refuses the pipeline.
     pub fn new(
         gpu: &Gpu,
         source: &str,
@@ -42,12 +44,7 @@ impl Kernel {
             let uniforms = uniforms.iter().map(|(binding, bytes)| {
                 (
                     *binding,
-                    buffer(
-                        gpu,
-                        "uniform",
-                        bytes,
-                        BufferUsages::UNIFORM | BufferUsages::COPY_DST,
-                    ),
+                    buffer_with(gpu, "uniform", bytes, BufferUsages::UNIFORM),
                 )
             });
             let pipeline = gpu
@@ -65,20 +62,19 @@ impl Kernel {
                 uniforms: uniforms.collect(),
             }
         })
-        .map_err(GpuError::Shader)
     }
 
-    /// Gives a uniform other bytes, as many as it has.
+    /// Replaces the bytes of a uniform by as many others.
     pub fn write_uniform(&self, gpu: &Gpu, binding: u32, bytes: &[u8]) {
         for (_, buffer) in self.uniforms.iter().filter(|(at, _)| *at == binding) {
             gpu.queue.write_buffer(buffer, 0, bytes);
         }
     }
 
-    /// Runs it over `input`; nothing in, nothing out.
+    /// Runs the shader over `input`. The result has one element for each of `input`.
     ///
-    /// # ErrorSummary
-    /// A device that failed.
+    /// # Errors
+    /// The device refuses the commands, or it failed.
     pub fn run<I, O>(&self, gpu: &Gpu, input: &[I]) -> Result<Vec<O>, GpuError>
     where
         I: ShaderSize + WriteInto + Clone,
@@ -87,54 +83,34 @@ impl Kernel {
         if input.is_empty() {
             return Ok(Vec::new());
         }
-        let failed = |error: &dyn Display| GpuError::Device(error.to_string());
         let mut bytes = StorageBuffer::new(Vec::new());
         bytes
             .write(&input.to_vec())
-            .map_err(|error| failed(&error))?;
+            .expect("a vector grows as it is written");
         let size = O::SHADER_SIZE.get() * input.len() as u64;
-        let readable = gpu
-            .validated(|| self.dispatch(gpu, &bytes.into_inner(), input.len(), size))
-            .map_err(GpuError::Device)?;
-        let (sender, receiver) = std::sync::mpsc::channel();
-        readable
-            .slice(..)
-            .map_async(wgpu::MapMode::Read, move |result| {
-                // Nobody listens once the device has failed; the error is reported there.
-                let _ = sender.send(result);
-            });
-        gpu.device
-            .poll(wgpu::PollType::wait_indefinitely())
-            .map_err(|error| failed(&error))?;
-        // The submission is done; another thread that polls the same device may still be about to
-        // say so.
-        receiver
-            .recv()
-            .map_err(|error| failed(&error))?
-            .map_err(|error| failed(&error))?;
+        let readable =
+            gpu.validated(|| self.dispatch(gpu, &bytes.into_inner(), input.len(), size))?;
+        let bytes = read_back(&gpu.device, &readable)?;
         let mut records = vec![O::default(); input.len()];
-        let bytes = readable.slice(..).get_mapped_range();
-        StorageBuffer::new(&bytes[..])
+        StorageBuffer::new(bytes)
             .read(&mut records)
-            .map_err(|error| failed(&error))?;
+            .map_err(GpuError::device_failed)?;
         Ok(records)
     }
 
-    /// Submits one run over `count` elements; the answer, of `size` bytes, will be in the buffer.
+    /// Submits one run over `count` elements. The returned buffer will hold the result, `size` bytes.
     fn dispatch(&self, gpu: &Gpu, input: &[u8], count: usize, size: u64) -> Buffer {
-        let input = buffer(gpu, "input", input, BufferUsages::STORAGE);
-        let make = |label, usage| {
-            let descriptor = wgpu::BufferDescriptor {
-                label: Some(label),
-                size,
-                usage,
-                mapped_at_creation: false,
-            };
-            gpu.device.create_buffer(&descriptor)
-        };
-        let output = make("output", BufferUsages::STORAGE | BufferUsages::COPY_SRC);
-        let readable = make(
+        let input = buffer_with(gpu, "input", input, BufferUsages::STORAGE);
+        let output = empty_buffer(
+            gpu,
+            "output",
+            size,
+            BufferUsages::STORAGE | BufferUsages::COPY_SRC,
+        );
+        let readable = empty_buffer(
+            gpu,
             "readable output",
+            size,
             BufferUsages::COPY_DST | BufferUsages::MAP_READ,
         );
         let arrays = [(2, &input), (3, &output)];
@@ -165,12 +141,4 @@ impl Kernel {
         gpu.queue.submit([encoder.finish()]);
         readable
     }
-}
-
-fn buffer(gpu: &Gpu, label: &str, contents: &[u8], usage: BufferUsages) -> Buffer {
-    gpu.device.create_buffer_init(&BufferInitDescriptor {
-        label: Some(label),
-        contents,
-        usage,
-    })
 }

@@ -1,14 +1,18 @@
-//! Rays in, traces out: the compute entry that runs the very WGSL of the picture.
+//! Rays in, traces out: the compute entry that runs the same WGSL as the picture.
 
+use super::device::Gpu;
+use super::error::GpuError;
 use super::kernel::{Kernel, uniform};
-use super::{Gpu, GpuError, GpuScene, Variant};
+use super::scene::GpuScene;
+use super::shader::Variant;
 use crate::optics::trace::{Hit, Outcome, Trace};
 use crate::scene::Scene;
 use encase::ShaderType;
 use glam::{DVec3, UVec2, Vec3, Vec4};
 use std::f64::consts::{PI, TAU};
 
-/// Rays of one dispatch, so that a slow device answers well before its driver loses patience.
+/// Maximum number of rays of one dispatch. More could take a slow device so long that its driver
+/// resets it.
 const MAX_RAYS: usize = 1 << 15;
 
 /// One crossing of the annulus, as shaders/scene.wgsl lays it out.
@@ -19,7 +23,7 @@ pub struct GpuHit {
     pub g: f32,
 }
 
-/// What became of a ray, as shaders/scene.wgsl lays it out.
+/// The trace of a ray, as shaders/scene.wgsl lays it out.
 #[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
 #[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
 pub struct GpuTrace {
@@ -34,11 +38,11 @@ pub struct GpuTrace {
 }
 
 /// Traces the rays that leave the scene's camera in these directions, on the observer's axes
-/// (outward, toward growing theta, toward growing phi), any length but zero. One record a ray, in
-/// order.
+/// (outward, toward increasing theta, toward increasing phi), of any nonzero length. Returns one
+/// trace per ray, in order.
 ///
-/// # ErrorSummary
-/// A scene the GPU cannot trace, or a device that failed.
+/// # Errors
+/// The GPU cannot trace the scene, or the device failed.
 pub fn trace(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<Trace>, GpuError> {
     Ok(records(gpu, scene, directions)?
         .iter()
@@ -46,9 +50,10 @@ pub fn trace(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<Trace
         .collect())
 }
 
-/// As [`trace`], with the GPU's own records, which also tell the drift of the angular momentum.
+/// As [`trace`], but returns the GPU's own records, which also hold the drift of the angular
+/// momentum.
 ///
-/// # ErrorSummary
+/// # Errors
 /// As [`trace`].
 pub fn records(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<GpuTrace>, GpuError> {
     let directions: Vec<Vec3> = directions
@@ -58,15 +63,15 @@ pub fn records(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<Gpu
     RayKernel::new(gpu, scene)?.run(gpu, &GpuScene::for_rays(scene)?, &directions)
 }
 
-/// The compiled variant of a scene, for rays that are given as a picture's are.
+/// The compiled variant of a scene, for rays in the directions of its camera.
 #[derive(Debug)]
 pub struct RayKernel(Kernel);
 
 impl RayKernel {
     /// Compiles the scene's variant.
     ///
-    /// # ErrorSummary
-    /// A scene the GPU cannot trace.
+    /// # Errors
+    /// The GPU cannot trace the scene.
     pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
         let numbers = GpuScene::for_rays(scene)?;
         Ok(Self(Kernel::new(
@@ -77,10 +82,10 @@ impl RayKernel {
         )?))
     }
 
-    /// Traces rays through a scene of this variant; unit directions are (right, up, forward) of its
-    /// camera. One record a ray, in order.
+    /// Traces rays through a scene of this variant. Directions are unit vectors (right, up, forward)
+    /// of its camera. Returns one trace per ray, in order.
     ///
-    /// # ErrorSummary
+    /// # Errors
     /// As [`trace`].
     pub fn trace(
         &self,
@@ -115,7 +120,8 @@ impl RayKernel {
     }
 }
 
-/// A direction of length one, whatever its length was; zero stays zero.
+/// The unit vector in a direction of any length. Dividing by the largest component first avoids
+/// overflow and underflow. Zero stays zero.
 fn unit(direction: DVec3) -> DVec3 {
     let largest = direction.abs().max_element();
     if largest > 0.0 {

@@ -1,140 +1,161 @@
 //! How long the GPU takes to trace a picture's rays, and nothing else: the variant that draws the
-//! picture, with one vector a pixel in place of its light.
+//! picture, but with one vector per pixel as its output instead of light.
 
+mod timestamps;
 mod work;
 
+use super::buffer::{buffer_with, empty_buffer};
+use super::device::Gpu;
+use super::error::GpuError;
 use super::kernel::uniform;
-use super::{Gpu, GpuError, GpuScene, Variant};
+use super::scene::GpuScene;
+use super::shader::Variant;
 use crate::scene::Scene;
 use glam::UVec2;
 use std::time::{Duration, Instant};
-use wgpu::util::{BufferInitDescriptor, DeviceExt};
-use wgpu::{BindGroup, Buffer, BufferUsages, CommandEncoder, QuerySet};
+use timestamps::Timestamps;
+use wgpu::{BindGroup, Buffer, BufferUsages, CommandEncoder, PollType};
 use work::{Work, compute, fragment};
 
-/// Invocations of a workgroup, as shaders/timed.wgsl declares it.
+/// Number of invocations of a workgroup, as shaders/timed.wgsl declares it.
 const WORKGROUP: u32 = 64;
 
-/// Most workgroups along one axis of a dispatch, whatever the device.
+/// Maximum number of workgroups along one axis of a dispatch. Every device allows more.
 const MAX_COLUMNS: u32 = 1 << 15;
 
-/// Time to run before anything counts, as a multiple of the effort's longest: clocks rise under
-/// load, but not at once.
+/// Bytes of one output vector.
+const VECTOR_BYTES: u64 = 16;
+
+/// Duration of the warm-up, as a multiple of [`Effort::max_time`]: a GPU needs a while to raise its
+/// clock under load.
 const WARM_UP: u32 = 2;
 
-/// Runs of a sample: as many as take this long, so that what it costs to submit them is little.
+/// Minimum duration of a sample. A sample has as many runs as fit into it, so that the cost of
+/// submitting them matters little.
 const MIN_SAMPLE: Duration = Duration::from_millis(10);
 
-/// But no more than this.
-const MAX_RUNS_A_SAMPLE: f64 = 50.0;
+/// Maximum number of runs of a sample.
+const MAX_RUNS_PER_SAMPLE: f64 = 50.0;
 
-/// More samples add nothing to a median.
-const MAX_RUNS: usize = 200;
+/// Maximum number of samples. More do not improve a median.
+const MAX_SAMPLES: usize = 200;
 
-/// Which stage of the pipeline traces.
+/// The time limit of all samples of a slow method, as a multiple of [`Effort::max_time`].
+const MAX_OVERTIME: u32 = 8;
+
+/// The pipeline stage that traces the rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Stage {
-    /// A compute shader: on chips with few graphics units the one to compare methods by.
+    /// A compute shader. It compares methods fairly, also on devices with few graphics units.
     #[default]
     Compute,
     /// A fragment shader, as in the picture.
     Fragment,
 }
 
-/// What the times were read from.
+/// The clock that the times were read from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Clock {
-    /// The GPU's own timestamps, around one run.
+    /// The GPU's timestamps, around one run.
     Timestamps,
-    /// The CPU's clock, around runs of many.
+    /// The CPU's clock, around many runs.
     Wall,
 }
 
-/// Time of one run, in milliseconds.
+impl Clock {
+    /// The clock's name in reports.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Timestamps => "timestamps",
+            Self::Wall => "wall",
+        }
+    }
+}
+
+/// The duration of one run, in milliseconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Timing {
-    /// Median.
+    /// The median of the samples.
     pub median_ms: f64,
-    /// From the tenth percentile to the ninetieth.
+    /// The difference between the 90th and the 10th percentile.
     pub spread_ms: f64,
-    /// What it was read from.
+    /// The clock.
     pub clock: Clock,
 }
 
-/// How many runs are timed.
+/// How many samples are taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
-    /// At least so many.
-    pub least_runs: usize,
-    /// No more after so long.
-    pub longest: Duration,
+    /// Minimum number of samples.
+    pub min_samples: usize,
+    /// Once the minimum is reached, no sample starts later than this.
+    pub max_time: Duration,
 }
 
-/// The rays of a scene's picture, ready to be traced again and again.
+/// Traces the rays of a scene's picture again and again, and times it.
 pub struct Stopwatch {
     work: Work,
     size: UVec2,
     numbers: Buffer,
     bind_group: BindGroup,
-    /// Two timestamps, where they are resolved, and where they are read.
-    timestamps: Option<(QuerySet, Buffer, Buffer)>,
+    timestamps: Option<Timestamps>,
 }
 
 impl Stopwatch {
-    /// Compiles the variant of the scene.
+    /// Compiles the variant of the scene for a picture of `size` pixels.
     ///
-    /// # ErrorSummary
-    /// A scene that the GPU cannot trace, or a shader that does not compile.
+    /// # Errors
+    /// The GPU cannot trace the scene, the picture is too large for the device, or a shader does
+    /// not compile.
     pub fn new(gpu: &Gpu, scene: &Scene, size: UVec2, stage: Stage) -> Result<Self, GpuError> {
         let numbers = GpuScene::new(scene, size)?;
+        if stage == Stage::Compute {
+            check_output_size(gpu, size)?;
+        }
         let module = gpu.shader("timed", &Variant::timed(scene).source())?;
-        let made = gpu.validated(|| {
-            let numbers = gpu.device.create_buffer_init(&BufferInitDescriptor {
-                label: Some("scene"),
-                contents: &uniform(&numbers),
-                usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
-            });
-            let answers = buffer(
-                gpu,
-                u64::from(size.x) * u64::from(size.y) * 16,
-                BufferUsages::STORAGE,
-            );
-            let (work, layout) = match stage {
-                Stage::Compute => compute(gpu, &module),
-                Stage::Fragment => fragment(gpu, &module, size),
+        gpu.validated(|| {
+            let numbers = buffer_with(gpu, "scene", &uniform(&numbers), BufferUsages::UNIFORM);
+            let (work, layout, output) = match stage {
+                Stage::Compute => {
+                    let output =
+                        empty_buffer(gpu, "traces", output_bytes(size), BufferUsages::STORAGE);
+                    let (work, layout) = compute(gpu, &module);
+                    (work, layout, Some(output))
+                }
+                Stage::Fragment => {
+                    let (work, layout) = fragment(gpu, &module, size);
+                    (work, layout, None)
+                }
             };
             let mut entries = vec![wgpu::BindGroupEntry {
                 binding: 0,
                 resource: numbers.as_entire_binding(),
             }];
-            if stage == Stage::Compute {
-                entries.push(wgpu::BindGroupEntry {
-                    binding: 3,
-                    resource: answers.as_entire_binding(),
-                });
-            }
-            let descriptor = wgpu::BindGroupDescriptor {
+            entries.extend(output.as_ref().map(|output| wgpu::BindGroupEntry {
+                binding: 3,
+                resource: output.as_entire_binding(),
+            }));
+            let bind_group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: None,
                 layout: &layout,
                 entries: &entries,
-            };
-            let bind_group = gpu.device.create_bind_group(&descriptor);
+            });
             Self {
                 work,
                 size,
                 numbers,
                 bind_group,
-                timestamps: timestamps(gpu),
+                timestamps: Timestamps::new(gpu),
             }
-        });
-        made.map_err(GpuError::Shader)
+        })
     }
 
-    /// Goes over to the numbers of another scene that has the same variant, such as one of another
-    /// step scale.
+    /// Changes to the numbers of another scene of the same variant, such as one with another step
+    /// scale.
     ///
-    /// # ErrorSummary
-    /// A scene that the GPU cannot trace.
+    /// # Errors
+    /// The GPU cannot trace the scene.
     pub fn set_scene(&self, gpu: &Gpu, scene: &Scene) -> Result<(), GpuError> {
         gpu.queue.write_buffer(
             &self.numbers,
@@ -144,23 +165,20 @@ impl Stopwatch {
         Ok(())
     }
 
-    /// Times the work: warms up, then runs as often as the effort says.
+    /// Warms the GPU up and takes samples.
     ///
-    /// # ErrorSummary
-    /// A device that failed.
+    /// # Errors
+    /// The device refuses the commands, or it failed.
     pub fn time(&self, gpu: &Gpu, effort: Effort) -> Result<Timing, GpuError> {
-        let warm_up = gpu
-            .validated(|| self.warm_up(gpu, WARM_UP * effort.longest))
-            .map_err(GpuError::Device)?;
-        let runs = warm_up.map_err(|error| GpuError::Device(error.to_string()))?;
+        let runs = gpu.validated(|| self.warm_up(gpu, WARM_UP * effort.max_time))??;
         let began = Instant::now();
         let mut samples = Vec::new();
-        while samples.len() < effort.least_runs
-            || began.elapsed() < effort.longest && samples.len() < MAX_RUNS
+        while samples.len() < effort.min_samples
+            || began.elapsed() < effort.max_time && samples.len() < MAX_SAMPLES
         {
             samples.push(self.sample(gpu, runs)?);
-            // One run of a slow method on a slow device may take longer than all the rest.
-            if began.elapsed() > 8 * effort.longest {
+            // One run of a slow method on a slow device may take longer than everything else.
+            if began.elapsed() > MAX_OVERTIME * effort.max_time {
                 break;
             }
         }
@@ -178,60 +196,35 @@ impl Stopwatch {
         })
     }
 
-    /// Runs until nothing is cold any more, and tells how many runs a sample takes.
-    fn warm_up(&self, gpu: &Gpu, least: Duration) -> Result<u32, wgpu::PollError> {
+    /// Runs for at least `min_time` and returns the number of runs of a sample.
+    fn warm_up(&self, gpu: &Gpu, min_time: Duration) -> Result<u32, GpuError> {
         let began = Instant::now();
         let mut runs = 1;
         loop {
             let this = Instant::now();
             self.submit(gpu, runs);
-            gpu.device.poll(wgpu::PollType::wait_indefinitely())?;
+            wait(gpu)?;
             let one = this.elapsed().as_secs_f64() / f64::from(runs);
-            runs = (MIN_SAMPLE.as_secs_f64() / one).clamp(1.0, MAX_RUNS_A_SAMPLE) as u32;
-            if began.elapsed() > least {
+            runs = (MIN_SAMPLE.as_secs_f64() / one).clamp(1.0, MAX_RUNS_PER_SAMPLE) as u32;
+            if began.elapsed() > min_time {
                 return Ok(runs);
             }
         }
     }
 
-    /// One sample, in milliseconds a run, of so many runs: by the CPU's clock around all of them,
-    /// or by the GPU's around the last. A GPU that is given a single short run at a time lowers its
+    /// One sample: milliseconds per run, from the GPU's clock around the last of `runs` runs, else
+    /// from the CPU's clock around all of them. A GPU that gets one short run at a time lowers its
     /// clock.
     fn sample(&self, gpu: &Gpu, runs: u32) -> Result<f64, GpuError> {
-        let failed = |error: &dyn std::fmt::Display| GpuError::Device(error.to_string());
-        let wait = || {
-            gpu.device
-                .poll(wgpu::PollType::wait_indefinitely())
-                .map_err(|error| failed(&error))
-        };
-        let Some((_, _, readable)) = &self.timestamps else {
-            let began = Instant::now();
-            self.submit(gpu, runs);
-            wait()?;
-            return Ok(began.elapsed().as_secs_f64() * 1e3 / f64::from(runs));
-        };
+        let began = Instant::now();
         self.submit(gpu, runs);
-        let (sender, receiver) = std::sync::mpsc::channel();
-        readable
-            .slice(..)
-            .map_async(wgpu::MapMode::Read, move |result| {
-                // Nobody listens once the device has failed; the error is reported there.
-                let _ = sender.send(result);
-            });
-        wait()?;
-        receiver
-            .recv()
-            .map_err(|error| failed(&error))?
-            .map_err(|error| failed(&error))?;
-        let bytes = readable.slice(..).get_mapped_range().to_vec();
-        readable.unmap();
-        let [before, after] =
-            [0, 8].map(|at| u64::from_le_bytes(std::array::from_fn(|i| bytes[at + i])));
-        Ok(
-            after.saturating_sub(before) as f64
-                * f64::from(gpu.queue.get_timestamp_period())
-                * 1e-6,
-        )
+        match &self.timestamps {
+            Some(timestamps) => timestamps.elapsed_ms(gpu),
+            None => {
+                wait(gpu)?;
+                Ok(began.elapsed().as_secs_f64() * 1e3 / f64::from(runs))
+            }
+        }
     }
 
     fn submit(&self, gpu: &Gpu, runs: u32) {
@@ -239,28 +232,19 @@ impl Stopwatch {
         for run in 1..=runs {
             self.encode(&mut encoder, run == runs);
         }
-        if let Some((queries, resolved, readable)) = &self.timestamps {
-            encoder.resolve_query_set(queries, 0..2, resolved, 0);
-            encoder.copy_buffer_to_buffer(resolved, 0, readable, 0, 16);
+        if let Some(timestamps) = &self.timestamps {
+            timestamps.resolve(&mut encoder);
         }
         gpu.queue.submit([encoder.finish()]);
     }
 
     fn encode(&self, encoder: &mut CommandEncoder, timed: bool) {
-        let queries = self
-            .timestamps
-            .as_ref()
-            .filter(|_| timed)
-            .map(|(queries, ..)| queries);
+        let timestamps = self.timestamps.as_ref().filter(|_| timed);
         match &self.work {
             Work::Compute(pipeline) => {
                 let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
                     label: None,
-                    timestamp_writes: queries.map(|query_set| wgpu::ComputePassTimestampWrites {
-                        query_set,
-                        beginning_of_pass_write_index: Some(0),
-                        end_of_pass_write_index: Some(1),
-                    }),
+                    timestamp_writes: timestamps.map(Timestamps::compute_writes),
                 });
                 pass.set_pipeline(pipeline);
                 pass.set_bind_group(0, &self.bind_group, &[]);
@@ -276,11 +260,7 @@ impl Stopwatch {
                         resolve_target: None,
                         ops: Default::default(),
                     })],
-                    timestamp_writes: queries.map(|query_set| wgpu::RenderPassTimestampWrites {
-                        query_set,
-                        beginning_of_pass_write_index: Some(0),
-                        end_of_pass_write_index: Some(1),
-                    }),
+                    timestamp_writes: timestamps.map(Timestamps::render_writes),
                     ..Default::default()
                 });
                 pass.set_pipeline(pipeline);
@@ -291,39 +271,33 @@ impl Stopwatch {
     }
 }
 
-/// Two timestamps, on a device that has them. Those of a software device are left alone: Mesa's are
-/// taken when a compute shader is queued, not when it has run.
-fn timestamps(gpu: &Gpu) -> Option<(QuerySet, Buffer, Buffer)> {
-    let software = gpu.info.device_type == wgpu::DeviceType::Cpu;
-    (!software
-        && gpu
-            .device
-            .features()
-            .contains(wgpu::Features::TIMESTAMP_QUERY))
-    .then(|| {
-        let queries = gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
-            label: None,
-            ty: wgpu::QueryType::Timestamp,
-            count: 2,
-        });
-        let resolved = buffer(
-            gpu,
-            16,
-            BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC,
-        );
-        (
-            queries,
-            resolved,
-            buffer(gpu, 16, BufferUsages::COPY_DST | BufferUsages::MAP_READ),
-        )
-    })
+/// Waits until all submitted work is done.
+fn wait(gpu: &Gpu) -> Result<(), GpuError> {
+    gpu.device
+        .poll(PollType::wait_indefinitely())
+        .map(drop)
+        .map_err(GpuError::device_failed)
 }
 
-fn buffer(gpu: &Gpu, size: u64, usage: BufferUsages) -> Buffer {
-    gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: None,
-        size,
-        usage,
-        mapped_at_creation: false,
-    })
+/// Size of the output of the compute entry, in bytes.
+fn output_bytes(size: UVec2) -> u64 {
+    u64::from(size.x) * u64::from(size.y) * VECTOR_BYTES
+}
+
+/// Checks that the device allows a buffer for the output of the compute entry.
+fn check_output_size(gpu: &Gpu, size: UVec2) -> Result<(), GpuError> {
+    let limits = gpu.device.limits();
+    let limit = u64::min(
+        limits.max_buffer_size,
+        limits.max_storage_buffer_binding_size,
+    );
+    let bytes = output_bytes(size);
+    if bytes > limit {
+        return Err(GpuError::TooLarge {
+            what: "the rays of the picture",
+            bytes,
+            limit,
+        });
+    }
+    Ok(())
 }

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 mod adapter;
+mod background_device;
 mod camera;
 mod choice;
 mod closed;

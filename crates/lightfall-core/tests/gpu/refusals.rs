@@ -1,5 +1,9 @@
-//! What the GPU cannot do, and the sentence that says so.
+//! What the GPU cannot do, and the error that says so.
 
+use crate::edge_on;
+use glam::UVec2;
+use lightfall_core::gpu::kernel::Kernel;
+use lightfall_core::gpu::timing::{Stage, Stopwatch};
 use lightfall_core::gpu::{GpuError, GpuScene};
 use lightfall_core::scene::{Method, ObserverKind, Scene};
 
@@ -10,7 +14,7 @@ fn refusal(change: fn(&mut Scene)) -> String {
 }
 
 #[test]
-fn a_spinning_hole_is_refused_by_a_method_that_knows_none() {
+fn methods_without_spin_refuse_a_spinning_hole() {
     let sentence = "hole.spin = 0.9 is refused: methods verlet and closed trace holes without spin only, so it must be 0 \
                     (methods auto, mino and kerr-schild trace any spin)";
     for method in [Method::Verlet, Method::Closed] {
@@ -34,7 +38,7 @@ fn the_reference_is_refused_on_the_gpu() {
 }
 
 #[test]
-fn an_observer_that_cannot_be_is_refused_in_its_own_words() {
+fn an_impossible_observer_is_refused_with_the_observers_own_reason() {
     let sentence = refusal(|scene| {
         scene.observer.kind = ObserverKind::Orbit;
         scene.camera.theta_deg = 80.0;
@@ -43,13 +47,13 @@ fn an_observer_that_cannot_be_is_refused_in_its_own_words() {
 }
 
 #[test]
-fn a_missing_driver_is_told_with_the_packages_that_help() {
+fn the_message_about_a_missing_driver_names_the_packages_to_install() {
     let sentence = GpuError::NoAdapter.to_string();
     assert!(
         sentence.contains("libvulkan1") && sentence.contains("mesa-vulkan-drivers"),
         "{sentence}"
     );
-    // An adapter that is only called otherwise needs no driver.
+    // A wrong adapter name is no reason to install a driver.
     let named = GpuError::UnknownAdapter {
         given: "zzz".into(),
         names: vec!["llvmpipe".into()],
@@ -70,4 +74,26 @@ fn a_shader_that_does_not_compile_is_an_error_and_no_panic() {
         .shader("broken", "fn broken() -> f32 { return true; }")
         .unwrap_err();
     assert!(matches!(error, GpuError::Shader(_)), "{error}");
+}
+
+/// The entry point is missing, but the text is valid: nothing is wrong with the shader.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn a_pipeline_that_the_device_refuses_is_not_called_a_shader_that_does_not_compile() {
+    let text = "@compute @workgroup_size(64) fn there() {}";
+    let error = Kernel::new(crate::gpu(), text, "missing", &[]).unwrap_err();
+    assert!(matches!(error, GpuError::Invalid(_)), "{error}");
+}
+
+/// 16 GiB: Vulkan states the limit of a storage buffer in 32 bits, so no device allows as much.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn a_picture_that_needs_too_large_a_buffer_is_refused_with_the_devices_limit() {
+    let size = UVec2::splat(1 << 15);
+    let timed = Stopwatch::new(crate::gpu(), &edge_on(), size, Stage::Compute);
+    let Err(GpuError::TooLarge { bytes, limit, .. }) = timed else {
+        panic!("{:?}", timed.err())
+    };
+    assert_eq!(bytes, 16 << 30);
+    assert!(limit < bytes);
 }

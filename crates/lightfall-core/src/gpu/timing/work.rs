@@ -1,19 +1,18 @@
-//! What is timed: the pipeline of a compute entry, or of a fragment entry with a texture to draw
-//! into.
+//! The pipelines that are timed: a compute entry, or a fragment entry with a texture to draw into.
 
-use crate::gpu::Gpu;
+use crate::gpu::device::Gpu;
 use glam::UVec2;
 
-/// One of the two.
+/// A pipeline that is timed.
 pub(super) enum Work {
     Compute(wgpu::ComputePipeline),
     Fragment(wgpu::RenderPipeline, wgpu::TextureView),
 }
 
-/// The texture that a fragment entry writes, as the picture's.
+/// Format of the texture that the fragment entry writes: that of the picture.
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 
-/// The compute entry, with the layout of what it reads.
+/// The pipeline of the compute entry, with the layout of its bind group.
 pub(super) fn compute(gpu: &Gpu, module: &wgpu::ShaderModule) -> (Work, wgpu::BindGroupLayout) {
     let pipeline = gpu
         .device
@@ -29,7 +28,8 @@ pub(super) fn compute(gpu: &Gpu, module: &wgpu::ShaderModule) -> (Work, wgpu::Bi
     (Work::Compute(pipeline), layout)
 }
 
-/// The fragment entry and its texture, with the layout of what it reads.
+/// The pipeline of the fragment entry with a texture of `size` pixels, and the layout of its bind
+/// group.
 pub(super) fn fragment(
     gpu: &Gpu,
     module: &wgpu::ShaderModule,

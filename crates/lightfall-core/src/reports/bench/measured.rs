@@ -2,7 +2,7 @@
 
 use super::sweep::Setting;
 use crate::accuracy::{ErrorSummary, Truth};
-use crate::gpu::timing::{Clock, Timing};
+use crate::gpu::timing::Timing;
 use crate::optics::trace::Trace;
 use serde::Serialize;
 
@@ -94,10 +94,7 @@ impl Measured {
             auto: setting.auto,
             trace_ms: timing.median_ms,
             trace_spread_ms: timing.spread_ms,
-            clock: match timing.clock {
-                Clock::Timestamps => "timestamps",
-                Clock::Wall => "wall",
-            },
+            clock: timing.clock.word(),
             frame_ms: None,
             rays: errors.rays,
             unfinished: errors.unfinished(),

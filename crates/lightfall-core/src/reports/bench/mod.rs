@@ -70,8 +70,8 @@ impl Plan {
             },
             stage: Stage::Compute,
             effort: Effort {
-                least_runs: if quick { 3 } else { 5 },
-                longest: Duration::from_millis(if quick { 30 } else { 300 }),
+                min_samples: if quick { 3 } else { 5 },
+                max_time: Duration::from_millis(if quick { 30 } else { 300 }),
             },
             rays: if quick { 512 } else { 8192 },
             few_settings: quick,
