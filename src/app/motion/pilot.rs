@@ -13,7 +13,7 @@ use bevy::prelude::*;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::gpu::{Drawable, Undrawable};
-use lightfall_core::scene::ObserverKind;
+use lightfall_core::scene::{MAX_RADIUS, ObserverKind};
 
 /// How the hand is on the stick.
 #[derive(Resource)]
@@ -39,8 +39,6 @@ const ROLL_SPEED: f64 = 0.9;
 const LOOK_SHARE: f64 = 1.0 / 500.0;
 /// Share of it that a stick turns in a second.
 const STICK_SHARE: f64 = 1.0;
-/// Farthest the camera flies, as in Scene's limits.
-const MAX_RADIUS: f64 = 1e7;
 
 pub(crate) fn plugin(app: &mut App) {
     app.insert_resource(Pilot {

@@ -6,8 +6,7 @@ use crate::app::state::toast::Toast;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::optics::exposure::suiting;
-use lightfall_core::optics::photometry::DISK_HDR_SCALE;
+use lightfall_core::optics::exposure::metered_exposure;
 
 /// Powers of two a second, at most.
 const SLEW: f64 = 0.6;
@@ -57,7 +56,7 @@ fn follow(
     let (age, wanted) = &mut *meter;
     *age += time.delta_secs_f64();
     if *age > LOOK {
-        (*age, *wanted) = (0.0, suiting(&scene, DISK_HDR_SCALE).ok().flatten());
+        (*age, *wanted) = (0.0, metered_exposure(&scene).ok().flatten());
     }
     let Some(wanted) = wanted.map(|wanted| wanted.clamp(RANGE[0], RANGE[1])) else {
         return;

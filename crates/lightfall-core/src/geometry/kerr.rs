@@ -51,6 +51,14 @@ impl Kerr {
         r * r + (self.a() * cos_theta).powi(2)
     }
 
+    /// A = (r^2 + a^2)^2 - a^2 Delta sin^2 theta = Sigma (r^2 + a^2) + 2 M r a^2 sin^2 theta, in
+    /// r_s^4. Bardeen, Press & Teukolsky 1972 eq. 2.5; the second form has no cancellation.
+    #[must_use]
+    pub fn area(self, r: f64, (sin_theta, cos_theta): (f64, f64)) -> f64 {
+        let a2 = self.a().powi(2);
+        self.sigma(r, cos_theta) * (r * r + a2) + 2.0 * MASS * r * a2 * sin_theta * sin_theta
+    }
+
     /// Kerr's ingoing azimuth less Boyer-Lindquist's: the integral of a/Delta dr, (a / (r_+ - r_-))
     /// ln|(r - r_+) / (r - r_-)|, zero at infinity. Misner, Thorne & Wheeler 1973 box 33.2.
     #[must_use]

@@ -148,7 +148,7 @@ pub fn observer_matrix(
 /// What the rows of every kind are made of, at one place.
 struct Local {
     sin: f64,
-    /// A = (r^2 + a^2)^2 - a^2 Delta sin^2 = Sigma (r^2 + a^2) + 2 M r a^2 sin^2.
+    /// See [`Kerr::area`].
     area: f64,
     sigma: f64,
     delta: f64,
@@ -157,12 +157,10 @@ struct Local {
 impl Local {
     fn new(kerr: Kerr, r: f64, theta: f64) -> Self {
         let (sin, cos) = polar_sin_cos(theta);
-        let (a2, sigma) = (kerr.a().powi(2), kerr.sigma(r, cos));
-        let area = sigma * (r * r + a2) + 2.0 * MASS * r * a2 * sin * sin;
         Self {
             sin,
-            area,
-            sigma,
+            area: kerr.area(r, (sin, cos)),
+            sigma: kerr.sigma(r, cos),
             delta: kerr.delta(r),
         }
     }

@@ -30,7 +30,7 @@ pub fn celestial_frame(theta: f64, phi: f64) -> [DVec3; 3] {
     ]
 }
 
-/// The same angle in (-pi, pi].
+/// The same angle in (-pi, pi]; in radians.
 #[must_use]
 pub fn wrap_angle(angle: f64) -> f64 {
     let angle = PI - (PI - angle).rem_euclid(TAU);
@@ -41,4 +41,10 @@ pub fn wrap_angle(angle: f64) -> f64 {
 #[must_use]
 pub fn angle_between(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
+}
+
+/// The same angle between -180 and 180 degrees.
+#[must_use]
+pub fn wrap_degrees(degrees: f64) -> f64 {
+    degrees - 360.0 * (degrees / 360.0).round()
 }

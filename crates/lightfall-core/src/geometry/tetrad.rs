@@ -37,7 +37,7 @@ pub fn in_rain(
 ) -> (f64, DVec3) {
     let (sin, cos) = polar_sin_cos(theta);
     let (a2, sigma) = (kerr.a().powi(2), kerr.sigma(r, cos));
-    let area = sigma * (r * r + a2) + 2.0 * MASS * r * a2 * sin * sin;
+    let area = kerr.area(r, (sin, cos));
     let [_, theta_hat, phi_hat] = celestial_frame(theta, phi);
     let down = r * momentum.w.dot(theta_hat) / sigma.sqrt();
     let along = r * momentum.w.dot(phi_hat) / (area / sigma).sqrt();

@@ -1,4 +1,5 @@
-//! The thin disk: where it begins, how hot it is, how its matter moves.
+//! The thin disk: its inner edge, its flux and temperature, and the redshift of its light. The
+//! twins in WGSL are shaders/disk.wgsl and shaders/disk/emission.wgsl.
 
 mod newtonian;
 mod page_thorne;
@@ -29,7 +30,7 @@ pub fn inner_edge(scene: &Scene) -> f64 {
 pub enum Profile {
     /// [`newtonian_flux`] of a disk with this inner edge, in r_s.
     Newtonian(f64),
-    /// Around Kerr.
+    /// The flux of a relativistic disk around a Kerr hole.
     PageThorne(PageThorne),
 }
 
@@ -44,8 +45,8 @@ impl Profile {
         }
     }
 
-    /// Relative bolometric flux at radius `r`, in the frame of the matter; zero inside. Either
-    /// profile peaks at [`NEWTONIAN_PEAK`].
+    /// Relative bolometric flux at radius `r`, in the frame of the matter; zero inside the inner
+    /// edge. Both profiles peak at [`NEWTONIAN_PEAK`].
     #[must_use]
     pub fn flux(&self, r: f64) -> f64 {
         match self {
@@ -55,18 +56,18 @@ impl Profile {
     }
 }
 
-/// Temperature in kelvin where the relative flux is `flux`, in the frame of the matter: T =
-/// temperature_k F^(1/4), after Stefan-Boltzmann.
+/// Temperature, in kelvin and in the frame of the matter, where the relative flux is `flux`: T =
+/// temperature_k F^(1/4), by the Stefan-Boltzmann law.
 #[must_use]
 pub fn temperature(disk: &Disk, flux: f64) -> f64 {
     disk.temperature_k * flux.powf(0.25)
 }
 
-/// g = observed over emitted frequency: g = 1 / (u^t (E - Omega L)), for light with the constants E
-/// = -p_t and L = p_phi per unit frequency for the camera. Bardeen, Press & Teukolsky 1972 section
-/// III, Cunningham 1975; the same as 1 / (E u^t (1 - Omega lambda)) with lambda = L/E.
+/// Observed over emitted frequency, g = 1 / (u^t (E - Omega L)), for light with the constants E =
+/// -p_t and L = p_phi per unit frequency for the camera. Bardeen, Press & Teukolsky 1972 section
+/// III, Cunningham 1975; equal to 1 / (E u^t (1 - Omega lambda)) with lambda = L/E.
 ///
-/// The article's 1 + Omega L_n is the same number: its L_n is that of the backward ray, which is
+/// The article's 1 + Omega L_n is the same number, since its L_n belongs to the backward ray and is
 /// -lambda.
 #[must_use]
 pub fn redshift(orbit: &CircularOrbit, energy: f64, angular_momentum: f64) -> f64 {

@@ -1,39 +1,37 @@
-//! A light meter: how bright a scene's picture is, from a few of its rays.
+//! A light meter: measures how bright the disk is in a scene's picture, with a few rays.
 
 use crate::geometry::observer::ObserverError;
+use crate::optics::photometry::DISK_HDR_SCALE;
 use crate::optics::reference::Reference;
 use crate::optics::{disk, spectrum};
 use crate::scene::Scene;
 use glam::{DVec2, DVec3};
 
-/// Rays across and down the picture.
+/// Columns and rows of rays over the picture.
 const RAYS: [usize; 2] = [16, 9];
-/// The light that is exposed for: this share of the lit rays is darker.
-const PERCENTILE: f64 = 0.85;
-/// Light after exposure that such a place gets: bright, and not yet bleached by the tone mapping.
-const WANTED: f64 = 0.7;
-/// Luminance of linear sRGB.
+/// The exposure is for the light of this quantile: this share of the rays that meet the disk is
+/// darker.
+const QUANTILE: f64 = 0.85;
+/// Luminance of that quantile after exposure: bright, and not yet desaturated by the tone mapping.
+const TARGET_LUMINANCE: f64 = 0.7;
+/// Luminance of the channels of linear sRGB (Rec. 709).
 const LUMINANCE: DVec3 = DVec3::new(0.2126, 0.7152, 0.0722);
 
-/// The exposure, in powers of two, that suits the light of the scene's disk as the camera sees it,
-/// `scale` being the disk's linear light per unit of brightness and relative flux. None where no
-/// ray of the meter meets the disk: stars need no meter.
+/// The exposure, in powers of two, for the disk's light as the scene's camera sees it. `None` where
+/// no ray of the meter meets the disk: the exposure does not depend on the stars.
 ///
-/// # ErrorSummary
+/// # Errors
 /// If the scene's observer cannot exist.
-pub fn suiting(scene: &Scene, scale: f64) -> Result<Option<f64>, ObserverError> {
+pub fn metered_exposure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
     let reference = Reference::new(scene)?;
     let profile = disk::Profile::new(scene);
     let axes = scene.camera.tetrad_from_camera();
-    let size = DVec2::new(
-        f64::from(scene.picture.width),
-        f64::from(scene.picture.height),
-    );
-    let [across, down] = RAYS;
-    let mut lights: Vec<f64> = (0..across * down)
+    let size = scene.picture.size().as_dvec2();
+    let [columns, rows] = RAYS;
+    let mut lights: Vec<f64> = (0..columns * rows)
         .filter_map(|i| {
-            let place = DVec2::new((i % across) as f64 + 0.5, (i / across) as f64 + 0.5);
-            let pixel = place / DVec2::new(across as f64, down as f64) * size;
+            let cell = DVec2::new((i % columns) as f64 + 0.5, (i / columns) as f64 + 0.5);
+            let pixel = cell / DVec2::new(columns as f64, rows as f64) * size;
             let hit = reference
                 .trace(axes * scene.camera.looking(pixel, size))
                 .hits[0]?;
@@ -46,11 +44,12 @@ pub fn suiting(scene: &Scene, scale: f64) -> Result<Option<f64>, ObserverError> 
             } else {
                 1.0
             };
-            let light = LUMINANCE.dot(seen) * flux * beaming * scene.disk.brightness * scale;
+            let light =
+                LUMINANCE.dot(seen) * flux * beaming * scene.disk.brightness * DISK_HDR_SCALE;
             (light.is_finite() && light > 0.0).then_some(light)
         })
         .collect();
     lights.sort_by(f64::total_cmp);
-    let bright = lights.get((PERCENTILE * lights.len() as f64) as usize);
-    Ok(bright.map(|light| (WANTED / light).log2()))
+    let bright = lights.get((QUANTILE * lights.len() as f64) as usize);
+    Ok(bright.map(|light| (TARGET_LUMINANCE / light).log2()))
 }

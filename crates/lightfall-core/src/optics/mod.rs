@@ -1,8 +1,8 @@
-//! What a scene's camera sees, in f64: camera rays, null geodesics, the disk, shifts and the
-//! spectrum. This is the truth that the shaders are measured against.
+//! What a scene's camera sees, in f64: camera rays, null geodesics, the disk, frequency shifts and
+//! the spectrum. The shaders are measured against these functions.
 //!
-//! Every photon is the physical, future-directed one, with E = -p_t, L = p_phi and Carter's Q, per
-//! unit frequency for the camera; rays are followed backward from the camera.
+//! Every photon is the physical, future-directed one, with E = -p_t, L = p_phi and Carter's Q per
+//! unit frequency for the camera. Rays are followed backward from the camera.
 
 pub mod camera_rays;
 pub mod disk;

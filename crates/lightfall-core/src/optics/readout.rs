@@ -95,7 +95,7 @@ impl Readout {
                 // u^t = (E - omega L) / N^2.
                 let RestFrame {
                     lapse, dragging, ..
-                } = RestFrame::at(kerr, r, camera.direction().z);
+                } = RestFrame::at(kerr, r, theta);
                 lapse * lapse / (u.energy - dragging * angular_momentum)
             }),
             ahead: light_ahead(scene)?,

@@ -90,11 +90,16 @@ pub fn black_body_xyz(temperature: f64) -> DVec3 {
 /// their chromaticities, ITU-R BT.709-6 table 1 items 1.3 and 1.4.
 #[must_use]
 pub fn rgb_from_xyz() -> DMat3 {
+    *RGB_FROM_XYZ
+}
+
+/// Computed once.
+static RGB_FROM_XYZ: LazyLock<DMat3> = LazyLock::new(|| {
     let xyz = |x: f64, y: f64| DVec3::new(x / y, 1.0, (1.0 - x - y) / y);
     let primaries = DMat3::from_cols(xyz(0.64, 0.33), xyz(0.30, 0.60), xyz(0.15, 0.06));
     let amounts = primaries.inverse() * xyz(0.3127, 0.3290);
     (primaries * DMat3::from_diagonal(amounts)).inverse()
-}
+});
 
 /// Linear sRGB of a black body of `temperature` (kelvin), per unit of bolometric flux (sigma T^4),
 /// by direct summation.

@@ -1,6 +1,6 @@
-//! Rays that nothing bends: what `effects.lensing = false` shows, for comparison. Space is flat,
-//! with Boyer-Lindquist r, theta, phi as its spherical coordinates; the hole is the black ball
-//! within the horizon.
+//! Straight rays, which `effects.lensing = false` shows for comparison. Space is flat, with
+//! Boyer-Lindquist r, theta, phi as its spherical coordinates, and the hole is a black ball that
+//! ends at the horizon. The twin in WGSL is shaders/method/straight.wgsl.
 
 use crate::geometry::kerr::Kerr;
 use crate::geometry::observer::Photon;
@@ -8,16 +8,18 @@ use crate::optics::disk;
 use crate::optics::shift::RestFrame;
 use crate::optics::trace::{Hit, Outcome, Trace};
 use glam::DVec3;
+use std::f64::consts::FRAC_PI_2;
 
-/// Follows the straight backward ray of `photon`, as [`CameraRays`](crate::optics::camera_rays::CameraRays) has it without
-/// lensing, from the radius `r` in the direction `n`. `annulus` is the disk's inner and outer edge.
+/// Follows the straight backward ray of `photon`, which is one of
+/// [`CameraRays`](crate::optics::camera_rays::CameraRays) without lensing, from radius `r` and the
+/// place `n` on the celestial sphere. `annulus` holds the disk's inner and outer edge.
 #[must_use]
 pub fn trace(kerr: Kerr, annulus: Option<[f64; 2]>, photon: &Photon, r: f64, n: DVec3) -> Trace {
     let start = r * n;
     let direction = (-photon.radial * n - photon.w).normalize();
     let along = start.dot(direction);
     let moment = start.cross(direction);
-    // Half of the chord through the hole; not a number for a ray that misses it.
+    // Half of the chord through the hole; NaN for a ray that misses it.
     let half_chord = (kerr.horizon().powi(2) - moment.length_squared()).sqrt();
     let captured = along < 0.0 && half_chord >= 0.0;
     let to_end = if captured {
@@ -35,10 +37,10 @@ pub fn trace(kerr: Kerr, annulus: Option<[f64; 2]>, photon: &Photon, r: f64, n: 
             let orbit = (inner < r && r < outer)
                 .then(|| kerr.circular_orbit(r))
                 .flatten()?;
-            // The matter's speed for the observer at rest there is (Omega - omega) W / N, and the
-            // light's direction along it is -moment_z / r: the lambda that makes 1 - Omega lambda
-            // of it.
-            let rest = RestFrame::at(kerr, r, 0.0);
+            // For the ZAMO the matter's speed is (Omega - omega) W / N, and the cosine of the angle
+            // between its velocity and the light is -moment_z / r. Their product is Omega times the
+            // effective lambda of the Doppler factor 1 - Omega lambda.
+            let rest = RestFrame::at(kerr, r, FRAC_PI_2);
             let speed = (orbit.angular_velocity - rest.dragging) * rest.width / rest.lapse;
             let lambda = -moment.z / r * speed / orbit.angular_velocity;
             let g = disk::redshift(&orbit, photon.energy, photon.energy * lambda);

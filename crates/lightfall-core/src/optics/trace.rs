@@ -1,15 +1,16 @@
-//! What became of a ray: the record that every method, on the CPU and on the GPU, answers with.
+//! The result of tracing a ray, the same for every method on the CPU and on the GPU. The twin in
+//! WGSL is `Trace` in shaders/scene.wgsl.
 
 use glam::DVec3;
 
-/// Where a backward ray ends. Shaders and EXR pictures number them from 0, in this order.
+/// Where a backward ray ends. Shaders and EXR pictures number the outcomes from 0, in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Outcome {
-    /// It reaches infinity: its light comes from the sky.
+    /// The ray reaches infinity: its light comes from the sky.
     Sky,
-    /// It meets the horizon: no light comes along it.
+    /// The ray meets the horizon: no light comes along it.
     Captured,
-    /// The method gave up; nothing is known.
+    /// The method gave up; the end of the ray is unknown.
     Unfinished,
 }
 
@@ -18,24 +19,25 @@ pub enum Outcome {
 pub struct Hit {
     /// Boyer-Lindquist radius, in r_s.
     pub r: f64,
-    /// Boyer-Lindquist azimuth, in (-pi, pi], with the observer at `camera.phi_deg`.
+    /// Boyer-Lindquist azimuth, in (-pi, pi], in the frame where the observer is at
+    /// `camera.phi_deg`.
     pub phi: f64,
-    /// Observed over emitted frequency of light from circular matter there.
+    /// Observed over emitted frequency of light from matter on the circular orbit there.
     pub g: f64,
 }
 
-/// What became of a ray.
+/// The result of tracing a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trace {
     /// Where it ends.
     pub outcome: Outcome,
-    /// Unit vector toward the source at infinity, in the hole's frame; present where the outcome is
+    /// Unit vector toward the source at infinity, in the hole's frame; `None` unless the outcome is
     /// the sky.
     pub sky: Option<DVec3>,
     /// The first two crossings of the disk's annulus along the backward ray.
     pub hits: [Option<Hit>; 2],
-    /// Steps the method took.
+    /// Number of steps of the method.
     pub steps: u32,
-    /// Largest normalized residual of the null constraint met on the way.
+    /// Largest normalized residual of the null constraint along the ray.
     pub residual: f64,
 }

@@ -1,6 +1,7 @@
 //! The field table: every leaf field of a [`Scene`](super::Scene) with its kind, range, unit and
 //! meaning. Validation, `presets show`, the documentation and the panel all read it from here.
 
+use super::MAX_RADIUS;
 use std::fmt;
 use std::ops::Bound::{self, Excluded, Included, Unbounded};
 
@@ -243,7 +244,7 @@ pub const MAX_PICTURE_SIDE: u32 = 8192;
 const SIDE: Range = Range::closed(1.0, MAX_PICTURE_SIDE as f64);
 /// A radius where a camera may be around some hole; the hole's own horizons narrow it (see
 /// `limits`).
-const CAMERA: Range = Range::closed(0.1, 1e7);
+const CAMERA: Range = Range::closed(0.1, MAX_RADIUS);
 /// A vertical field of view, from a millionth of a radian up.
 const FIELD_OF_VIEW: Range = Range::closed(1e-6_f64.to_degrees(), 179.0);
 
@@ -436,7 +437,7 @@ pub const FIELDS: &[Field] = &[
     boolean("probe.enabled", "Whether the foreground probe is there"),
     float(
         "probe.r",
-        Range::above(1.0, 1e7),
+        Range::above(1.0, MAX_RADIUS),
         "r_s",
         "Radius where the probe hovers",
     ),

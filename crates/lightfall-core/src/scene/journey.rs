@@ -16,6 +16,7 @@ pub use track::Track;
 
 use super::{Camera, ObserverKind, Scene};
 use crate::geometry::kerr::Kerr;
+use crate::geometry::sphere::wrap_degrees;
 
 /// The built-in journey, part of the program itself.
 pub const DEFAULT: &str = include_str!("../../../../assets/journeys/default.toml");
@@ -99,7 +100,7 @@ impl Journey {
                         },
                     )
                     .to_degrees();
-            scene.camera.phi_deg = within_half_a_turn(phi);
+            scene.camera.phi_deg = wrap_degrees(phi);
         }
     }
 
@@ -168,7 +169,7 @@ impl Tracks {
                 *field(&mut scene.camera) = if *name == "theta_deg" {
                     angle
                 } else {
-                    within_half_a_turn(angle)
+                    wrap_degrees(angle)
                 };
             }
         }
@@ -200,18 +201,13 @@ pub fn between(from: &Camera, to: &Camera, share: f64) -> Camera {
             let turn = if name == "theta_deg" {
                 end - start
             } else {
-                within_half_a_turn(end - start)
+                wrap_degrees(end - start)
             };
             *field(&mut camera) = start + turn * gently;
         }
         for field in [ANGLES[1].1, ANGLES[2].1, ANGLES[3].1, ANGLES[4].1] {
-            *field(&mut camera) = within_half_a_turn(*field(&mut camera));
+            *field(&mut camera) = wrap_degrees(*field(&mut camera));
         }
     }
     camera
-}
-
-/// The same angle, in degrees, from -180 to 180.
-fn within_half_a_turn(degrees: f64) -> f64 {
-    degrees - 360.0 * (degrees / 360.0).round()
 }

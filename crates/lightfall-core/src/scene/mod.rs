@@ -20,6 +20,7 @@ mod relevant;
 mod save;
 
 pub use crate::geometry::observer::ObserverKind;
+pub use camera::MAX_RADIUS;
 pub use error::{Because, Refusal, SceneError};
 pub use fields::{FIELDS, Field, Kind, MAX_PICTURE_SIDE, MAX_TEXT_CHARS, Range, field};
 pub use load::{Override, load};

@@ -65,7 +65,7 @@ fn the_matters_motion_is_the_doppler_shift_of_special_relativity_in_the_local_fr
             lapse,
             dragging,
             width,
-        } = RestFrame::at(kerr, r, 0.0);
+        } = RestFrame::at(kerr, r, FRAC_PI_2);
         let speed = (orbit.angular_velocity - dragging) * width / lapse;
         for direction in directions() {
             let photon = matrix.photon(direction);
@@ -137,7 +137,7 @@ fn without_aberration_photons_come_as_to_the_local_frame_with_the_frequency_of_t
 /// Bardeen, Press & Teukolsky 1972 eq. 3.2.
 fn on_local_legs(spin: f64, vector: &Photon, theta: f64, phi: f64) -> [f64; 4] {
     let (kerr, r) = (Kerr { spin }, 6.0);
-    let frame = RestFrame::at(kerr, r, theta.cos());
+    let frame = RestFrame::at(kerr, r, theta);
     let [_, theta_hat, phi_hat] = celestial_frame(theta, phi);
     let (sigma, delta) = (kerr.sigma(r, theta.cos()), kerr.delta(r));
     let momentum = r * vector.w.dot(phi_hat) * theta.sin();

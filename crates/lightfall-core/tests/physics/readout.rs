@@ -51,9 +51,7 @@ fn thrust_is_that_of_hovering_and_none_in_free_fall() {
                 (Static, &|r, theta| {
                     0.5 * (1.0 - r / kerr.sigma(r, theta.cos())).ln()
                 }),
-                (Zamo, &|r, theta| {
-                    RestFrame::at(kerr, r, theta.cos()).lapse.ln()
-                }),
+                (Zamo, &|r, theta| RestFrame::at(kerr, r, theta).lapse.ln()),
             ];
             for (kind, potential) in potentials {
                 let h = 1e-5;

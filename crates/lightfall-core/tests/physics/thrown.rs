@@ -147,7 +147,7 @@ fn places_and_far_time_grow_as_the_metric_says() {
                 lapse,
                 dragging,
                 width,
-            } = RestFrame::at(kerr, r, cos);
+            } = RestFrame::at(kerr, r, here.camera.theta_deg.to_radians());
             let time_rate =
                 (particle.energy - dragging * particle.angular_momentum) / (lapse * lapse);
             let phi_rate =

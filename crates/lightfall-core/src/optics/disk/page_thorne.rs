@@ -1,5 +1,5 @@
-//! The relativistic thin disk: what a steady accretion rate radiates around Kerr, without torque at
-//! the inner edge.
+//! The flux of a relativistic thin disk: steady accretion around Kerr, without torque at the inner
+//! edge. The twin in WGSL is shaders/disk/page_thorne.wgsl, which samples the table made here.
 
 use super::newtonian::{NEWTONIAN_PEAK, newtonian_flux};
 use crate::geometry::kerr::MASS;
@@ -13,12 +13,12 @@ pub const TABLE_LEN: usize = 64;
 /// 4 pi F / Mdot = 3 / (2 M^2 x^4 q) [x - x_0 - (3/2) chi ln(x/x_0) - sum_i (x_i - chi)/2 ln((x -
 /// x_i)/(x_0 - x_i))].
 ///
-/// Their factor 3 (x_i - chi)^2 / (x_i (x_i - x_j)(x_i - x_k)) is (x_i - chi)/2: the two
-/// differences multiply to q'(x_i) = 3 (x_i^2 - 1), and q(x_i) = 0 makes x_i (x_i^2 - 1) = 2 (x_i -
-/// chi). So spin zero, where one root is zero, is an ordinary case.
+/// Their factor 3 (x_i - chi)^2 / (x_i (x_i - x_j)(x_i - x_k)) equals (x_i - chi)/2, because the two
+/// differences multiply to q'(x_i) = 3 (x_i^2 - 1), and from q(x_i) = 0 follows x_i (x_i^2 - 1) = 2
+/// (x_i - chi). So spin zero, where one root is zero, is not a special case.
 ///
-/// What it has beyond the Newtonian profile of the same edge is one slowly varying factor, the
-/// correction:
+/// The flux is the Newtonian profile with the same inner edge times one slowly varying factor, the
+/// correction C:
 ///
 /// F = constant (r_in/r)^3 (1 - sqrt(r_in/r)) C,   C = x^3/q [...] / (x - x_0),   C -> 1 far out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,16 +31,16 @@ pub struct PageThorne {
 }
 
 impl PageThorne {
-    /// The disk around a hole of spin `spin`, in (-1, 1), with its edge at `inner` r_s: the
-    /// innermost stable circular orbit or beyond. The torque vanishes at the edge. The flux is
-    /// positive outside, since it is an integral of (E - Omega L) dL/dr from there, whose factors
-    /// are positive beyond the innermost stable orbit.
+    /// The disk around a hole of spin `spin`, in (-1, 1), with its inner edge at `inner` r_s, at
+    /// the innermost stable circular orbit or beyond. The torque vanishes at the edge. Outside it
+    /// the flux is positive: it is an integral of (E - Omega L) dL/dr from the edge outward, and both
+    /// factors are positive beyond the innermost stable orbit.
     #[must_use]
     pub fn new(spin: f64, inner: f64) -> Self {
         let third = spin.acos() / 3.0;
         let sixty = std::f64::consts::FRAC_PI_3;
-        // The middle root is 2 cos((arccos chi + pi)/3), written so that it keeps its digits for
-        // small spin.
+        // The middle root is 2 cos((arccos chi + pi)/3), in a form without cancellation at small
+        // spin.
         let roots = [
             2.0 * (third - sixty).cos(),
             2.0 * (spin.asin() / 3.0).sin(),
@@ -57,9 +57,9 @@ impl PageThorne {
         disk
     }
 
-    /// Relative flux at radius `r`, without unit; zero inside the edge. Scaled so that its peak is
-    /// the Newtonian profile's, (36/49)^3 / 7: the disk's temperature and brightness keep their
-    /// meaning.
+    /// Relative flux at radius `r`, without unit; zero inside the edge. Its peak is scaled to that
+    /// of the Newtonian profile, (36/49)^3 / 7, so that the disk's temperature and brightness have
+    /// the same meaning in both models.
     #[must_use]
     pub fn flux(&self, r: f64) -> f64 {
         let depth = (r - self.inner) / (r * (1.0 + (self.inner / r).sqrt()));
@@ -76,9 +76,9 @@ impl PageThorne {
         1.5 / (MASS * self.x0.powi(3)).powi(2) * self.flux(r) / self.scale
     }
 
-    /// Radius of the largest flux, in r_s: where 0 = d ln F/dx = B'/B - 4/x - q'/q. B is the
-    /// bracket, and its terms' derivatives add up to x q B' = x^4 - 6 x^2 + 8 chi x - 3 chi^2,
-    /// which vanishes at the innermost stable orbit.
+    /// Radius of the largest flux, in r_s: the root of d ln F/dx = B'/B - 4/x - q'/q. B is the
+    /// bracket, and the derivatives of its terms add up to x q B' = x^4 - 6 x^2 + 8 chi x - 3
+    /// chi^2, which vanishes at the innermost stable orbit.
     #[must_use]
     pub fn peak(&self) -> f64 {
         let rises = |x: f64| {
@@ -86,8 +86,8 @@ impl PageThorne {
             let slope = x * (x * (x * x - 6.0) + 8.0 * self.spin) - 3.0 * self.spin.powi(2);
             slope > bracket * (x * (7.0 * x * x - 15.0) + 8.0 * self.spin)
         };
-        // The Newtonian profile peaks at (7/6) x_0, the relativistic one at most at 1.28 x_0 (spin
-        // -1).
+        // The Newtonian profile peaks at (7/6) x_0, the relativistic one at 1.28 x_0 or less
+        // (spin -1).
         let (mut low, mut high) = (self.x0, 2.0 * self.x0);
         for _ in 0..f64::MANTISSA_DIGITS {
             let middle = 0.5 * (low + high);
@@ -108,12 +108,12 @@ impl PageThorne {
             .iter()
             .map(|root| 1.0 - root * w / self.x0)
             .product();
-        // Next to the edge the terms cancel, to the square of the distance at the innermost stable
-        // orbit.
+        // Near the edge the terms cancel: at the innermost stable orbit the bracket is of second
+        // order in the distance. Rounding may leave a negative value.
         self.mean_slope(self.x0 * depth / w).max(0.0) / q
     }
 
-    /// The bracket over x - x_0, at a `distance` x - x_0 of zero or more.
+    /// The bracket divided by the `distance` x - x_0, which is not negative.
     fn mean_slope(&self, distance: f64) -> f64 {
         let share = |weight: f64, root: f64| {
             let z = distance / (self.x0 - root);
@@ -132,10 +132,10 @@ impl PageThorne {
                 .sum::<f64>()
     }
 
-    /// The table that the shader samples: entry i holds the coefficients, from the constant on, of
-    /// the cubic in t = 64 p - i through four values of the correction (times the scale) at t = 0,
-    /// 1/3, 2/3, 1, where p = sqrt(1 - sqrt(r_in/r)) stretches the edge, from which a fast hole's
-    /// disk rises steeply. Off by at most 2e-7 of the peak up to spin 0.998, 1e-6 up to 0.9999,
+    /// The table that the shader samples. Entry i holds the coefficients, in ascending order, of the
+    /// cubic in t = 64 p - i through the correction (times the scale) at t = 0, 1/3, 2/3 and 1. The
+    /// variable p = sqrt(1 - sqrt(r_in/r)) stretches the edge, where the flux around a fast hole
+    /// rises steeply. The error is at most 2e-7 of the peak up to spin 0.998, 1e-6 up to 0.9999 and
     /// 2e-5 up to 1 - 1e-6.
     #[must_use]
     pub fn table(&self) -> [[f32; 4]; TABLE_LEN] {
@@ -155,7 +155,7 @@ impl PageThorne {
         })
     }
 
-    /// The flux that the shader finds in `table`, in f64.
+    /// The flux that the shader computes from `table`, in f64.
     #[must_use]
     pub fn sample(&self, table: &[[f32; 4]; TABLE_LEN], r: f64) -> f64 {
         let depth = (1.0 - (self.inner / r).sqrt()).max(0.0);

@@ -29,7 +29,7 @@ pub fn held_acceleration(kerr: Kerr, kind: ObserverKind, r: f64, theta: f64) -> 
         }
         ObserverKind::Zamo => {
             // 1/N^2 = 1 + g, g = 2 M r (r^2 + a^2)/(Sigma Delta).
-            let area = sigma * (r * r + a2) + 2.0 * MASS * r * a2 * sin * sin;
+            let area = kerr.area(r, (sin, cos));
             let share = 2.0 * MASS * r * (r * r + a2) / area;
             let by_r =
                 1.0 / r + 2.0 * r / (r * r + a2) - 2.0 * r / sigma - 2.0 * (r - MASS) / delta;
