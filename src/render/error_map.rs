@@ -8,7 +8,7 @@ use crate::render::current_scene::CurrentScene;
 use crate::worker::Worker;
 use bevy::prelude::*;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
-use lightfall_core::accuracy::over_picture;
+use lightfall_core::accuracy::picture_errors;
 use lightfall_core::gpu::{ERROR_MAP_SIZE, ErrorMap, GpuError, with_background_device};
 use lightfall_core::scene::{Scene, View};
 
@@ -74,7 +74,7 @@ impl ErrorMapRequest {
 }
 
 fn compute(scene: Scene) -> ComputedMap {
-    let map = with_background_device(|gpu| over_picture(gpu, &scene, ERROR_MAP_SIZE))
+    let map = with_background_device(|gpu| picture_errors(gpu, &scene, ERROR_MAP_SIZE))
         .map(|errors| ErrorMap::new(&errors));
     ComputedMap { scene, map }
 }

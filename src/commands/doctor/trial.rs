@@ -2,7 +2,7 @@
 //! reference, and timed.
 
 use glam::UVec2;
-use lightfall_core::accuracy::{ErrorSummary, Ray, Truth, critical, on_picture};
+use lightfall_core::accuracy::{ErrorSummary, Ray, Truth, rays_near_edge, rays_over_picture};
 use lightfall_core::gpu::rays::RayKernel;
 use lightfall_core::gpu::timing::{Effort, Stage, Stopwatch};
 use lightfall_core::gpu::{Gpu, GpuError};
@@ -68,8 +68,8 @@ fn unanswered(errors: &ErrorSummary) -> usize {
 /// # ErrorSummary
 /// A scene that cannot be traced, or a device that failed.
 pub fn errors(gpu: &Gpu, scene: &Scene) -> Result<ErrorSummary, GpuError> {
-    let mut rays = on_picture(scene, RAYS / 2);
-    rays.extend(critical(scene, RAYS / 2, CRITICAL));
+    let mut rays = rays_over_picture(scene, RAYS / 2);
+    rays.extend(rays_near_edge(scene, RAYS / 2, CRITICAL));
     let truth = Truth::of(scene, rays)?;
     let given: Vec<_> = truth.rays.iter().map(Ray::given).collect();
     Ok(ErrorSummary::of(

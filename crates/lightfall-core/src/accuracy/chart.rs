@@ -7,40 +7,40 @@ use crate::geometry::sphere::angle_between;
 use crate::optics::trace::Trace;
 use glam::{DVec2, DVec3};
 
-/// Share of a chart's unit over which differences are taken: the derivative is then right to this
-/// share, and the reference's twelve digits leave enough of the difference.
+/// Finite differences are taken over this share of a chart's unit. The derivative is then accurate
+/// to this share, and the reference's twelve digits leave enough digits of the difference.
 pub(super) const DIFFERENCE: f64 = 1e-4;
-/// The same along an edge, as a share of its radius.
+/// The minimum difference along an edge, as a share of its radius.
 const ALONG_EDGE: f64 = 1e-5;
-/// Steps along the line toward an edge, in powers of e of the distance to it, how far the line goes
-/// in these, and how many steps it has.
+/// The line toward an edge: smallest and largest step and the length, all in e-folds of the
+/// distance to the edge, and the maximum number of steps.
 const MIN_STEP: f64 = 1e-4;
 const MAX_STEP: f64 = 0.2;
 const MAX_RADIUS: f64 = 12.0;
 const MAX_SCANNED: u32 = 300;
 
-/// Rays around one ray, by two coordinates that are zero there.
+/// The rays around one ray, by two coordinates that are zero at that ray.
 ///
-/// Next to the edge of the shadow the bending goes with the logarithm of the distance to it (Darwin
-/// 1959), so there the first coordinate is that logarithm: what is asked for is then nearly linear
-/// in both, and Newton's method is at home.
+/// Near the edge of the shadow the deflection grows with the logarithm of the distance to the edge
+/// (Darwin 1959). There the first coordinate is this logarithm, so that answers are nearly linear
+/// in both coordinates and Newton's method converges.
 pub(super) struct Chart {
     direction: DVec3,
     kind: Kind,
-    /// The unit of both coordinates, in radians: next to an edge the distance to it.
+    /// The unit of both coordinates, in radians: near an edge the distance to it.
     pub(super) scale: f64,
 }
 
 enum Kind {
-    /// Two directions at right angles to the ray.
+    /// Two directions perpendicular to the ray and to each other.
     Plane([DVec3; 2]),
-    /// An edge, the ray's position angle at it, how long an arc its unit is, and the ray's angle
-    /// beyond it.
+    /// An edge, the ray's position angle about its centre, the arc length per unit of position
+    /// angle, and the ray's angle beyond the edge.
     Edge(Edge, f64, f64, f64),
 }
 
 impl Chart {
-    /// The chart about a ray that knows of no edge, with a unit in radians.
+    /// The chart about a ray without an edge, with a unit in radians.
     pub(super) fn plane(ray: &Ray, scale: f64) -> Self {
         let direction = ray.direction();
         Self {
@@ -50,7 +50,7 @@ impl Chart {
         }
     }
 
-    /// The chart about a ray next to an edge.
+    /// The chart about a ray with an edge.
     pub(super) fn edge(ray: &Ray) -> Option<Self> {
         let direction = ray.direction();
         let edge = ray.edge?;
@@ -64,7 +64,7 @@ impl Chart {
         })
     }
 
-    /// The same chart on the other side of its edge; zero there is as far beyond it.
+    /// The same chart on the other side of its edge, with its origin at the same distance.
     pub(super) fn mirrored(&self) -> Option<Self> {
         let Kind::Edge(edge, position_angle, arc, beyond) = self.kind else {
             return None;
@@ -88,8 +88,8 @@ impl Chart {
         }
     }
 
-    /// How far the coordinates may go in one step of Newton's method: a hundredth of a radian, but
-    /// no more than a factor e of the distance to an edge.
+    /// Maximum change of the coordinates in one step of Newton's method: a hundredth of a radian,
+    /// but no more than a factor e of the distance to an edge.
     pub(super) fn reach(&self) -> DVec2 {
         let far = (0.01 / self.scale).max(1.0);
         if matches!(self.kind, Kind::Edge(..)) {
@@ -99,9 +99,9 @@ impl Chart {
         }
     }
 
-    /// The coordinates over which to take differences: a small share of the unit, but along an edge
-    /// no less than a small share of its radius, lest next to it the difference be that of the
-    /// reference's rounding across the edge.
+    /// The steps of finite differences in the two coordinates: a small share of the unit, but along
+    /// an edge at least a small share of its radius. Close to the edge a smaller step would only
+    /// measure the reference's rounding across the edge.
     pub(super) fn differences(&self) -> DVec2 {
         match self.kind {
             Kind::Plane(_) => DVec2::splat(DIFFERENCE),
@@ -117,14 +117,14 @@ impl Chart {
         angle_between(self.direction, self.at(place))
     }
 
-    /// The rays along the line toward the edge (`side` -1) or away from it (1), as far as a turn by
-    /// no more than `farthest` goes, by their first coordinates. Steps are such that what `moved`
-    /// says of two neighbours is about `step_size`.
+    /// The rays along the line toward the edge (`side` -1) or away from it (1), up to a turn of
+    /// `max_turn`, by their first coordinates. The steps are chosen such that `moved` of two
+    /// neighbours is about `step_size`.
     pub(super) fn line(
         &self,
         camera: &ReferenceCamera,
         side: f64,
-        farthest: f64,
+        max_turn: f64,
         step_size: f64,
         moved: impl Fn(&Trace, &Trace) -> f64,
     ) -> Vec<(f64, Trace)> {
@@ -132,7 +132,7 @@ impl Chart {
         let mut line: Vec<(f64, Trace)> = Vec::new();
         for _ in 0..MAX_SCANNED {
             let place = DVec2::new(x, 0.0);
-            if self.turn(place) > farthest || x.abs() > MAX_RADIUS {
+            if self.turn(place) > max_turn || x.abs() > MAX_RADIUS {
                 break;
             }
             let trace = camera.trace(self.at(place));

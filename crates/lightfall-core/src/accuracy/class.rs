@@ -1,8 +1,10 @@
-//! The backward error of an answer of the wrong class: of another outcome, or with another number
+//! The backward error of an answer of the wrong class: one with another outcome or another number
 //! of hits.
 
-use super::backward::{Part, beside_edge, in_plane};
+use super::backward::turn_in_plane;
 use super::chart::{Chart, sky_moved};
+use super::near_edge::turn_near_edge;
+use super::part::Part;
 use super::ray::Ray;
 use super::reference_camera::ReferenceCamera;
 use crate::optics::trace::Trace;
@@ -10,21 +12,30 @@ use glam::{DVec2, DVec3};
 use std::cell::Cell;
 use std::f64::consts::TAU;
 
-/// Rings and spokes of the search, and the factor between rings.
+/// The directions of the search lie on rings about the ray: their number on each ring, the factor
+/// between the radii, and the smallest and largest radius in radians.
 const SPOKES: u32 = 8;
 const RING_FACTOR: f64 = 3.0;
 const MIN_RING_DISTANCE: f64 = 1e-10;
 const MAX_RING_DISTANCE: f64 = 0.3;
 const BISECTIONS: u32 = 8;
-/// Steps of the sky along the line toward the edge, for the narrow image of a ring of the disk.
+/// Change of the sky direction, in radians, in one step along the line toward the edge: small
+/// enough to find the narrow image of a thin disk.
 const SKY_STEP: f64 = 0.01;
 
-/// The smallest turn found after which the reference gives the same outcome and number of hits;
-/// infinite where there is none within 0.3 rad. On rings of directions, then by bisection toward
-/// the ray: right to a third or so. Where that finds none within `fine`, along the line through the
-/// edge, on both its sides, where images of the disk crowd, and where the answer's own numbers lead
-/// to.
-pub(super) fn of_class(camera: &ReferenceCamera, ray: &Ray, given: &Trace, fine: f64) -> f64 {
+/// The smallest turn found, in radians, after which the reference gives the same outcome and number
+/// of hits; infinite if there is none within 0.3 rad.
+///
+/// The search tries rings of directions and then bisects toward the ray, which is accurate to about
+/// a third. If that finds nothing within `precision`, it goes along the line through the shadow's
+/// edge, where the images of the disk are, on both sides of the edge, and to the places that
+/// explain the answer's own numbers.
+pub(super) fn class_backward_error(
+    camera: &ReferenceCamera,
+    ray: &Ray,
+    given: &Trace,
+    precision: f64,
+) -> f64 {
     let same = |trace: &Trace| trace.outcome == given.outcome && hits(trace) == hits(given);
     let nearest = Cell::new(on_rings(camera, ray.direction(), &same));
     let seen = |turn: f64, trace: &Trace| {
@@ -32,7 +43,7 @@ pub(super) fn of_class(camera: &ReferenceCamera, ray: &Ray, given: &Trace, fine:
             nearest.set(turn);
         }
     };
-    let own = (nearest.get() > fine)
+    let own = (nearest.get() > precision)
         .then(|| Chart::edge(&camera.with_edge(ray)))
         .flatten();
     let mirrored = own.as_ref().and_then(Chart::mirrored);
@@ -43,21 +54,21 @@ pub(super) fn of_class(camera: &ReferenceCamera, ray: &Ray, given: &Trace, fine:
             }
         }
         for part in Part::all(given) {
-            if nearest.get() > fine {
-                beside_edge(camera, chart, part, [fine, f64::INFINITY], &seen);
+            if nearest.get() > precision {
+                turn_near_edge(camera, chart, part, [precision, f64::INFINITY], &seen);
             }
         }
     }
-    // Far from any edge, or where none was found.
+    // Far from an edge, or without one.
     for part in Part::all(given) {
-        if nearest.get() > fine {
-            in_plane(camera, ray, part, &seen);
+        if nearest.get() > precision {
+            turn_in_plane(camera, ray, part, &seen);
         }
     }
     nearest.get()
 }
 
-/// The same on rings about a direction.
+/// The same on rings about a direction only.
 fn on_rings(camera: &ReferenceCamera, direction: DVec3, same: &impl Fn(&Trace) -> bool) -> f64 {
     let (u, v) = direction.any_orthonormal_pair();
     let same_toward = |spoke: u32, turn: f64| {
@@ -86,7 +97,7 @@ fn on_rings(camera: &ReferenceCamera, direction: DVec3, same: &impl Fn(&Trace) -
     f64::INFINITY
 }
 
-/// How many hits an answer has.
+/// The number of hits of an answer.
 pub(super) fn hits(trace: &Trace) -> usize {
     trace.hits.iter().flatten().count()
 }

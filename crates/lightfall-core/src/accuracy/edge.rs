@@ -1,4 +1,4 @@
-//! Where the shadow ends: rays next to it are the hardest.
+//! The edge of the shadow: rays close to it are the hardest to trace.
 
 use super::camera_tracer::CameraTracer;
 use crate::geometry::sphere::{angle_between, celestial_frame};
@@ -8,31 +8,32 @@ use crate::scene::Scene;
 use glam::{DMat4, DVec3, DVec4};
 use std::f64::consts::TAU;
 
-/// Bisections of the logarithm of the edge's angle, which leave it to f64's digits.
+/// Maximum number of bisections of the logarithm of the edge's angle: enough for all digits of f64.
 const BISECTIONS: u32 = 64;
-/// How far aside, in radians of position angle, the edge's slope and bend are measured.
+/// Distance, in radians of position angle, over which the slope and the curvature of the edge are
+/// measured.
 const NEIGHBOURHOOD: f64 = 2e-3;
 
-/// The shadow on the observer's sky: everything within an edge about a centre, or everything beyond
-/// one.
+/// The shadow on the observer's sky: everything inside an edge about a centre, or everything
+/// outside it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shadow {
     /// A direction, (right, up, forward) of the camera.
     pub centre: DVec3,
-    /// Whether rays at the centre are captured, and the shadow is about it; else the sky is.
+    /// Whether rays at the centre are captured, so that the shadow surrounds the centre. Otherwise
+    /// the sky surrounds it.
     pub captured: bool,
 }
 
 impl Shadow {
-    /// The shadow of a scene, unless there is none to find: without lensing, or from a place where
-    /// the whole sky is on one side of it.
+    /// The shadow of a scene. `None` without lensing, or if no edge separates opposite directions.
     pub(super) fn of(scene: &Scene, tracer: &CameraTracer) -> Option<Self> {
         if !scene.effects.lensing {
             return None;
         }
         // Light along the principal null directions has L = a E sin^2(theta), Q = -(a E
-        // cos(theta))^2, Sigma p^r = +- E Sigma: whatever the spin, one comes straight from the
-        // hole and the other straight from the sky. In r_s, a = chi/2.
+        // cos(theta))^2, Sigma p^r = +- E Sigma: for any spin, one of the two directions comes
+        // straight from the hole and the other straight from the sky. In r_s, a = chi/2.
         let matrix = CameraRays::new(scene).ok()?.matrix;
         let camera = &scene.camera;
         let [n, theta, phi] =
@@ -63,7 +64,7 @@ impl Shadow {
         about(1.0, true).or_else(|| about(-1.0, false))
     }
 
-    /// The direction at an angle from the centre, at a position angle about it.
+    /// The direction at an angle from the centre and a position angle about it.
     #[must_use]
     pub fn direction(&self, position_angle: f64, angle: f64) -> DVec3 {
         let (u, v) = self.centre.any_orthonormal_pair();
@@ -75,10 +76,10 @@ impl Shadow {
     pub(super) fn edge(&self, tracer: &CameraTracer, position_angle: f64) -> Edge {
         let whole = [-46.0, 46.0];
         let t = self.bisected(tracer, position_angle, whole);
-        let beside = |side: f64| {
+        let neighbour = |side: f64| {
             let near = [t - NEIGHBOURHOOD, t + NEIGHBOURHOOD];
             let found = self.bisected(tracer, position_angle + side * NEIGHBOURHOOD, near);
-            // At a corner of the edge the neighbour is farther off.
+            // At a corner of the edge the neighbour lies outside this bracket.
             let cut_off = (found - t).abs() > 0.99 * NEIGHBOURHOOD;
             angle(if cut_off {
                 self.bisected(tracer, position_angle + side * NEIGHBOURHOOD, whole)
@@ -86,24 +87,24 @@ impl Shadow {
                 found
             })
         };
-        let (before, here, after) = (beside(-1.0), angle(t), beside(1.0));
+        let (before, here, after) = (neighbour(-1.0), angle(t), neighbour(1.0));
         let slope = (after - before) / (2.0 * NEIGHBOURHOOD);
-        let bend = (after - 2.0 * here + before) / (2.0 * NEIGHBOURHOOD.powi(2));
+        let curvature = (after - 2.0 * here + before) / (2.0 * NEIGHBOURHOOD.powi(2));
         Edge {
             centre: self.centre,
             along: self.direction(position_angle, 0.25 * TAU),
-            angle: [here, slope, bend],
+            angle: [here, slope, curvature],
         }
     }
 
-    /// The edge between the centre and a direction, or beyond it.
+    /// The edge on the great circle from the centre through a direction.
     pub(super) fn edge_toward(&self, tracer: &CameraTracer, direction: DVec3) -> Edge {
         let (u, v) = self.centre.any_orthonormal_pair();
         self.edge(tracer, direction.dot(v).atan2(direction.dot(u)))
     }
 
-    /// Where the outcome changes, as the logarithm of the tangent of half the angle from the
-    /// centre.
+    /// The angle from the centre at which the outcome changes, as the logarithm of the tangent of
+    /// its half.
     fn bisected(&self, tracer: &CameraTracer, position_angle: f64, mut bracket: [f64; 2]) -> f64 {
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (bracket[0] + bracket[1]);
@@ -120,7 +121,7 @@ impl Shadow {
     }
 }
 
-/// The angle whose half has this logarithm of its tangent.
+/// The angle, given the logarithm of the tangent of its half.
 fn angle(t: f64) -> f64 {
     2.0 * t.exp().atan()
 }
@@ -130,25 +131,26 @@ fn angle(t: f64) -> f64 {
 pub(super) struct Edge {
     /// The shadow's centre.
     pub(super) centre: DVec3,
-    /// Where the position angle, from here on, is zero: at right angles to the centre.
+    /// The direction of position angle zero, perpendicular to the centre.
     along: DVec3,
-    /// Angle of the edge from the centre in radians, as a polynomial of the position angle.
+    /// Angle of the edge from the centre in radians, as coefficients of a polynomial in the
+    /// position angle, from the constant up.
     angle: [f64; 3],
 }
 
 impl Edge {
-    /// Angle of the edge from the centre at the position angle it was found at.
+    /// Angle of the edge from the centre at position angle zero, in radians.
     pub(super) fn middle(&self) -> f64 {
         self.angle[0]
     }
 
-    /// Angle of the edge from the centre at a position angle from there.
+    /// Angle of the edge from the centre at a position angle, in radians.
     pub(super) fn at(&self, position_angle: f64) -> f64 {
-        let [here, slope, bend] = self.angle;
-        here + position_angle * (slope + position_angle * bend)
+        let [here, slope, curvature] = self.angle;
+        here + position_angle * (slope + position_angle * curvature)
     }
 
-    /// Position angle of a direction, and its angle beyond the edge.
+    /// Position angle of a direction, and its angle beyond the edge, in radians.
     pub(super) fn place(&self, direction: DVec3) -> [f64; 2] {
         let across = self.centre.cross(self.along);
         let position_angle = direction.dot(across).atan2(direction.dot(self.along));
@@ -158,7 +160,7 @@ impl Edge {
         ]
     }
 
-    /// The direction at a position angle, that far beyond the edge.
+    /// The direction at a position angle and an angle `beyond` the edge.
     pub(super) fn direction(&self, position_angle: f64, beyond: f64) -> DVec3 {
         let angle = self.at(position_angle) + beyond;
         let (sin, cos) = position_angle.sin_cos();

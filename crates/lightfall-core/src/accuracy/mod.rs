@@ -1,5 +1,5 @@
-//! How wrong a method is: its answers compared with those of the f64 reference, on rays that look
-//! for trouble.
+//! How wrong a method is: its answers compared with those of the f64 reference, on samples with
+//! many difficult rays.
 //!
 //! Close to the critical curve every half-turn multiplies an error by e^pi whatever the method. So
 //! three things are stated side by side: the forward error, which the picture shows; the backward
@@ -13,6 +13,9 @@ mod chart;
 mod class;
 mod edge;
 mod finite;
+mod near_edge;
+mod newton;
+mod part;
 mod picture;
 mod ray;
 mod reference_camera;
@@ -21,8 +24,8 @@ mod summary;
 mod truth;
 
 pub use edge::Shadow;
-pub use picture::over_picture;
+pub use picture::picture_errors;
 pub use ray::Ray;
-pub use sample::{critical, everywhere, on_picture};
+pub use sample::{EDGE_DISTANCES, rays_near_edge, rays_over_picture, rays_over_sky};
 pub use summary::{ErrorSummary, Quantiles};
 pub use truth::{RayError, Truth};

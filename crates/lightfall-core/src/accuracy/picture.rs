@@ -1,4 +1,4 @@
-//! The backward error all over a picture, on a coarse grid: what the view `error` shows.
+//! The backward errors of a picture on a coarse grid, which the view `error` shows.
 
 use super::ray::Ray;
 use super::truth::Truth;
@@ -8,19 +8,20 @@ use crate::optics::trace::Outcome;
 use crate::scene::Scene;
 use glam::DVec2;
 
-/// Least error that is looked at closer, in pixels: what an answer is off by bounds its backward
-/// error, and below this no eye tells one from the other.
-const FINE: f64 = 1e-4;
+/// Precision of the errors, in pixels. The view shows no difference between smaller errors.
+const PRECISION_PX: f64 = 1e-4;
 
-/// The backward error of the GPU's answers to the rays through the middles of the cells of `grid`,
-/// columns and rows, that the scene's picture is divided into: in pixels of that picture, rows from
-/// the top; infinite where no turn of the ray explains the answer; none where the ray rightly ends
-/// unseen at the horizon. Errors below a ten-thousandth of a pixel may be overstated, but not
-/// beyond that.
+/// The backward errors of the GPU's answers to the rays through the centres of a grid of cells
+/// (columns and rows) that divides the scene's picture: in pixels of the picture, rows from the
+/// top.
+///
+/// An error is infinite if no turn of the ray explains the answer, and `None` if the ray correctly
+/// ends at the horizon without a hit, so that nothing is seen. Errors below a ten-thousandth of a
+/// pixel are upper bounds.
 ///
 /// # Errors
-/// A scene that the GPU cannot trace, or a device that failed.
-pub fn over_picture(
+/// The GPU cannot trace the scene, or the device failed.
+pub fn picture_errors(
     gpu: &Gpu,
     scene: &Scene,
     grid: [u32; 2],
@@ -39,7 +40,7 @@ pub fn over_picture(
     let directions: Vec<_> = truth.rays.iter().map(Ray::given).collect();
     let given = RayKernel::new(gpu, scene)?.trace(gpu, scene, &directions)?;
     let pixel = scene.camera.pixel_angle(picture.y);
-    let errors = truth.judge_beyond(FINE * pixel, &given);
+    let errors = truth.judge_to_precision(PRECISION_PX * pixel, &given);
     let pixels = errors.iter().zip(&truth.traces).map(|(error, trace)| {
         let seen =
             error.misclassified || trace.outcome != Outcome::Captured || trace.hits[0].is_some();

@@ -6,15 +6,15 @@ use glam::{DVec3, Vec3};
 /// One ray of a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// (right, up, forward) of the camera, rounded to f32: what every method is given, the
-    /// reference too.
+    /// Direction (right, up, forward) of the camera, rounded to f32. Every method gets this
+    /// direction, the reference as well.
     pub(super) given: Vec3,
     /// The shadow's edge on the great circle from its centre through the ray.
     pub(super) edge: Option<Edge>,
 }
 
 impl Ray {
-    /// The ray nearest to a direction of the camera's.
+    /// The ray closest to a direction (right, up, forward) of the camera.
     #[must_use]
     pub fn toward(direction: DVec3) -> Self {
         Self {
@@ -23,20 +23,20 @@ impl Ray {
         }
     }
 
-    /// Its direction as the shaders get it.
+    /// Its direction in f32, as the shaders get it.
     #[must_use]
     pub fn given(&self) -> Vec3 {
         self.given
     }
 
-    /// Its direction, of length one.
+    /// Its direction as a unit vector in f64.
     #[must_use]
     pub fn direction(&self) -> DVec3 {
         self.given.as_dvec3().normalize_or_zero()
     }
 
-    /// Angle from the shadow's edge, in radians, positive away from its centre, where the sample
-    /// knows it.
+    /// Angle from the shadow's edge, in radians, positive away from the shadow's centre. `None` if
+    /// the sample did not look for the edge.
     #[must_use]
     pub fn distance_to_edge(&self) -> Option<f64> {
         self.edge.map(|edge| edge.place(self.direction())[1])

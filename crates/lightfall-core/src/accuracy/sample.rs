@@ -1,4 +1,4 @@
-//! Which rays a method is judged by: half all over the picture, half crowding the edge of the
+//! Samples of rays: spread over the picture, spread over the sky, or close to the edge of the
 //! shadow.
 
 use super::edge::Edge;
@@ -9,19 +9,22 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Position angles a critical sample looks along share an edge between this many rays.
-const RAYS_A_DIRECTION: usize = 8;
+/// Distances from the shadow's edge of the usual sample, as shares of the shadow's radius.
+pub const EDGE_DISTANCES: [f64; 2] = [1e-6, 0.3];
 
-/// Steps of the R2 sequence, the plastic number's inverse powers (Roberts 2018): evenly spread
-/// without a lattice.
+/// Number of rays near the edge at each position angle. They share one search for the edge.
+const RAYS_PER_POSITION_ANGLE: usize = 8;
+
+/// Steps of the R2 sequence, inverse powers of the plastic number (Roberts 2018): its points are
+/// spread evenly but form no lattice.
 const PLASTIC: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_2];
 
-/// The golden ratio less one.
+/// The golden ratio minus one.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// `count` rays spread evenly over the scene's picture.
 #[must_use]
-pub fn on_picture(scene: &Scene, count: usize) -> Vec<Ray> {
+pub fn rays_over_picture(scene: &Scene, count: usize) -> Vec<Ray> {
     let size = DVec2::new(
         f64::from(scene.picture.width),
         f64::from(scene.picture.height),
@@ -33,9 +36,9 @@ pub fn on_picture(scene: &Scene, count: usize) -> Vec<Ray> {
     (0..count).map(ray).collect()
 }
 
-/// `count` rays spread evenly over the whole sky, on Fibonacci's spiral.
+/// `count` rays spread evenly over the whole sky, on a Fibonacci spiral.
 #[must_use]
-pub fn everywhere(count: usize) -> Vec<Ray> {
+pub fn rays_over_sky(count: usize) -> Vec<Ray> {
     let ray = |i: usize| {
         let z = 1.0 - (2 * i + 1) as f64 / count as f64;
         let (sin, cos) = (TAU * (i as f64 * GOLDEN).fract()).sin_cos();
@@ -45,17 +48,18 @@ pub fn everywhere(count: usize) -> Vec<Ray> {
     (0..count).map(ray).collect()
 }
 
-/// `count` rays at distances from the shadow's edge that are spread evenly in their logarithm over
-/// `range`, as shares of the shadow's radius (or of the rest of the sky, where that is smaller), on
-/// both sides and all around. Without a shadow: none.
-pub fn critical(scene: &Scene, count: usize, range: [f64; 2]) -> Vec<Ray> {
+/// `count` rays close to the shadow's edge, on both sides and all around it. Their distances from
+/// the edge are spread evenly in the logarithm over `range`, as shares of the shadow's radius (or
+/// of the rest of the sky if that is smaller). Empty if there is no shadow.
+pub fn rays_near_edge(scene: &Scene, count: usize, range: [f64; 2]) -> Vec<Ray> {
     let Ok(camera) = ReferenceCamera::new(scene) else {
         return Vec::new();
     };
-    let directions = count.div_ceil(RAYS_A_DIRECTION);
+    let directions = count.div_ceil(RAYS_PER_POSITION_ANGLE);
     let [nearest, farthest] = range.map(f64::ln);
     let ray = |(direction, i): (usize, usize), edge: Edge| {
-        let share = (0.5 + PLASTIC[0] * (direction * RAYS_A_DIRECTION + i + 1) as f64).fract();
+        let share =
+            (0.5 + PLASTIC[0] * (direction * RAYS_PER_POSITION_ANGLE + i + 1) as f64).fract();
         let distance = (nearest + share * (farthest - nearest)).exp()
             * f64::min(edge.middle(), TAU / 2.0 - edge.middle());
         let toward =
@@ -70,7 +74,7 @@ pub fn critical(scene: &Scene, count: usize, range: [f64; 2]) -> Vec<Ray> {
         camera.edge(position_angle).map(|edge| (direction, edge))
     });
     let rays = edges.flat_map_iter(|(direction, edge)| {
-        (0..RAYS_A_DIRECTION).map(move |i| (direction, i, edge))
+        (0..RAYS_PER_POSITION_ANGLE).map(move |i| (direction, i, edge))
     });
     let mut rays: Vec<Ray> = rays
         .map(|(direction, i, edge)| ray((direction, i), edge))

@@ -1,31 +1,31 @@
-//! Many rays' errors in a few numbers.
+//! The errors of many rays in a few numbers.
 
 use super::finite::{all_finite, greater};
 use super::truth::{RayError, Truth};
 use crate::optics::trace::{Outcome, Trace};
 
-/// Median, 99th percentile and largest of a set; not a number where it is empty.
+/// Median, 99th percentile and maximum of a set of values; NaN if the set is empty.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantiles {
-    /// How many there are.
+    /// Number of values.
     pub count: usize,
-    /// Half are no larger.
+    /// The median: half of the values are no larger.
     pub p50: f64,
-    /// 99 of 100 are no larger.
+    /// The 99th percentile.
     pub p99: f64,
-    /// None is larger.
+    /// The maximum.
     pub max: f64,
 }
 
 impl Quantiles {
-    /// Of these values; what is no number counts as infinite.
+    /// The quantiles of a set of values. NaN counts as infinite.
     pub fn of(values: impl Iterator<Item = f64>) -> Self {
         let mut values: Vec<f64> = values
             .map(|value| if value.is_nan() { f64::INFINITY } else { value })
             .collect();
         values.sort_by(f64::total_cmp);
         let count = values.len();
-        // The smallest value that is no less than that share of all.
+        // The smallest value that is no less than this share of all values.
         let at = |share: f64| {
             let index = ((share * count as f64).ceil() as usize).clamp(1, count.max(1)) - 1;
             values.get(index).copied().unwrap_or(f64::NAN)
@@ -39,51 +39,47 @@ impl Quantiles {
     }
 }
 
-/// What is wrong with a method's answers.
+/// The errors of a method's answers to a sample of rays.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorSummary {
     /// Number of rays.
     pub rays: usize,
-    /// Rays by the reference's outcome (sky, captured) and the method's (sky, captured,
-    /// unfinished).
+    /// Numbers of rays by the reference's outcome (sky, captured) and the method's outcome (sky,
+    /// captured, unfinished).
     pub confusion: [[usize; 3]; 2],
-    /// Rays whose answer holds something that is no number.
+    /// Number of rays whose answer has a value that is not finite.
     pub not_finite: usize,
-    /// Rays whose outcome or number of hits is wrong, unfinished ones aside.
+    /// Number of rays with a wrong outcome or number of hits. Unfinished rays do not count.
     pub misclassified: usize,
-    /// The backward errors of those.
+    /// Backward errors of those rays, in radians.
     pub misclassified_backward: Quantiles,
-    /// Forward: angle between the sky directions, in radians.
+    /// Forward error: angle between the sky directions, in radians.
     pub sky: Quantiles,
-    /// Forward: relative error of the radius of hits.
+    /// Forward error: relative error of the radius of hits.
     pub hit_r: Quantiles,
-    /// Forward: relative error of g.
+    /// Forward error: relative error of the g of hits.
     pub hit_g: Quantiles,
     /// Backward errors, in radians, of the rays that see something or should; infinite for
-    /// unfinished ones.
+    /// unfinished rays.
     pub backward: Quantiles,
     /// Largest normalized residual of the null constraint.
     pub residual: f64,
-    /// Steps: mean and most.
+    /// Steps: mean and maximum.
     pub steps: [f64; 2],
 }
 
 impl ErrorSummary {
-    /// Of a method's answers to the rays of `truth`.
+    /// The errors of a method's answers to the rays of `truth`.
     ///
     /// # Panics
-    /// If there are not as many answers as rays.
+    /// There are not as many answers as rays.
     #[must_use]
     pub fn of(truth: &Truth, given: &[Trace]) -> Self {
         let errors = truth.judge(given);
         let mut confusion = [[0; 3]; 2];
         for (truth, given) in truth.traces.iter().zip(given) {
-            let column = match given.outcome {
-                Outcome::Sky => 0,
-                Outcome::Captured => 1,
-                Outcome::Unfinished => 2,
-            };
-            confusion[usize::from(truth.outcome != Outcome::Sky)][column] += 1;
+            let row = usize::from(truth.outcome != Outcome::Sky);
+            confusion[row][given.outcome as usize] += 1;
         }
         let seen = |trace: &Trace| trace.sky.is_some() || trace.hits[0].is_some();
         let counted = truth.traces.iter().zip(given).zip(&errors);
@@ -116,7 +112,7 @@ impl ErrorSummary {
         }
     }
 
-    /// Rays that the method gave up.
+    /// Number of rays that the method gave up.
     #[must_use]
     pub fn unfinished(&self) -> usize {
         self.confusion[0][2] + self.confusion[1][2]

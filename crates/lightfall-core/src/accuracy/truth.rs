@@ -1,7 +1,7 @@
 //! The reference's answers to a set of rays, and a method's answers judged by them.
 
-use super::backward::of_answer;
-use super::class::{hits, of_class};
+use super::backward::backward_error;
+use super::class::{class_backward_error, hits};
 use super::finite::{all_finite, greater};
 use super::ray::Ray;
 use super::reference_camera::ReferenceCamera;
@@ -38,10 +38,10 @@ pub struct RayError {
 }
 
 impl Truth {
-    /// Traces the rays by the reference.
+    /// Traces the rays with the reference.
     ///
     /// # Errors
-    /// If the scene's observer cannot exist.
+    /// The scene's observer cannot exist.
     pub fn of(scene: &Scene, rays: Vec<Ray>) -> Result<Self, ObserverError> {
         let camera = ReferenceCamera::new(scene)?;
         let traces = rays
@@ -55,32 +55,31 @@ impl Truth {
         })
     }
 
-    /// Judges a method's answers to the same rays, ray by ray.
+    /// The errors of a method's answers to the same rays, ray by ray.
     ///
     /// # Panics
-    /// If there are not as many answers as rays.
+    /// There are not as many answers as rays.
     #[must_use]
     pub fn judge(&self, given: &[Trace]) -> Vec<RayError> {
-        self.judge_beyond(0.0, given)
+        self.judge_to_precision(0.0, given)
     }
 
-    /// As [`Truth::judge`], but an answer that is off by less than `fine` radians is not searched
-    /// for a smaller turn: its forward error bounds the backward error and is given in its place.
+    /// As [`Truth::judge`], but faster: a search ends once the backward error is known to be below
+    /// `precision` radians, so errors below it are only upper bounds.
     ///
     /// # Panics
-    /// If there are not as many answers as rays.
+    /// There are not as many answers as rays.
     #[must_use]
-    pub fn judge_beyond(&self, fine: f64, given: &[Trace]) -> Vec<RayError> {
-        assert_eq!(given.len(), self.rays.len(), "one answer a ray");
+    pub fn judge_to_precision(&self, precision: f64, given: &[Trace]) -> Vec<RayError> {
+        assert_eq!(given.len(), self.rays.len(), "one answer per ray");
         let known = self.rays.par_iter().zip(&self.traces);
         known
             .zip(given)
-            .map(|((ray, truth), given)| self.judge_ray(ray, truth, given, fine))
+            .map(|((ray, truth), given)| self.judge_ray(ray, truth, given, precision))
             .collect()
     }
 
-    /// The backward error, in radians, of another scene's reference in its answer to one of the
-    /// rays.
+    /// The backward error, in radians, of another scene's reference for the ray of index `ray`.
     #[must_use]
     pub fn error_of(&self, ray: usize, other: &Reference) -> f64 {
         let given = self.camera.trace_by(other, self.rays[ray].direction());
@@ -88,7 +87,7 @@ impl Truth {
             .backward
     }
 
-    fn judge_ray(&self, ray: &Ray, truth: &Trace, given: &Trace, fine: f64) -> RayError {
+    fn judge_ray(&self, ray: &Ray, truth: &Trace, given: &Trace, precision: f64) -> RayError {
         let misclassified = given.outcome != truth.outcome || hits(given) != hits(truth);
         let pairs = || {
             truth
@@ -98,8 +97,8 @@ impl Truth {
                 .filter_map(|(truth, given)| truth.zip(*given))
         };
         let largest = |of: fn((f64, f64)) -> f64, pairs: &mut dyn Iterator<Item = (f64, f64)>| {
-            pairs.map(of).fold(None, |most: Option<f64>, error| {
-                Some(most.map_or(error, |most| greater(most, error)))
+            pairs.map(of).fold(None, |max: Option<f64>, error| {
+                Some(max.map_or(error, |max| greater(max, error)))
             })
         };
         let relative = |(truth, given): (f64, f64)| (given / truth - 1.0).abs();
@@ -122,9 +121,9 @@ impl Truth {
         error.backward = if given.outcome == Outcome::Unfinished || !all_finite(given) {
             f64::INFINITY
         } else if misclassified {
-            of_class(&self.camera, ray, given, fine)
+            class_backward_error(&self.camera, ray, given, precision)
         } else {
-            of_answer(&self.camera, ray, truth, given, fine)
+            backward_error(&self.camera, ray, truth, given, precision)
         };
         error
     }

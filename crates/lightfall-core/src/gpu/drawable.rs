@@ -40,12 +40,12 @@ impl Drawable {
         Ok(Self { scene, numbers })
     }
 
-    /// As [`Drawable::new`], but if the scene's observer cannot exist at the camera's place, another
-    /// kind of observer that can replaces it. The second value is the new kind.
+    /// As [`Drawable::new`], but if the scene's observer cannot exist at the camera's place,
+    /// another kind of observer that can replaces it. The second value is the new kind.
     ///
-    /// The kinds are tried in the order in which they cease to exist toward the hole: circular orbits
-    /// exist only in the equatorial plane outside the photon orbit, static observers outside the
-    /// static limit, ZAMOs outside the horizon, and free fall continues inside.
+    /// The kinds are tried in the order in which they cease to exist toward the hole: circular
+    /// orbits exist only in the equatorial plane outside the photon orbit, static observers outside
+    /// the static limit, ZAMOs outside the horizon, and free fall continues inside.
     ///
     /// # Errors
     /// The reason why the scene cannot be drawn with its own observer, if no other kind helps.

@@ -98,7 +98,8 @@ impl Kernel {
         Ok(records)
     }
 
-    /// Submits one run over `count` elements. The returned buffer will hold the result, `size` bytes.
+    /// Submits one run over `count` elements. The returned buffer will hold the result, `size`
+    /// bytes.
     fn dispatch(&self, gpu: &Gpu, input: &[u8], count: usize, size: u64) -> Buffer {
         let input = buffer_with(gpu, "input", input, BufferUsages::STORAGE);
         let output = empty_buffer(

@@ -82,8 +82,8 @@ impl RayKernel {
         )?))
     }
 
-    /// Traces rays through a scene of this variant. Directions are unit vectors (right, up, forward)
-    /// of its camera. Returns one trace per ray, in order.
+    /// Traces rays through a scene of this variant. Directions are unit vectors (right, up,
+    /// forward) of its camera. Returns one trace per ray, in order.
     ///
     /// # Errors
     /// As [`trace`].

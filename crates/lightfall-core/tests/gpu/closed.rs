@@ -2,7 +2,7 @@
 
 use crate::{beside_the_hole, gpu, pixel_directions};
 use glam::DVec3;
-use lightfall_core::accuracy::{ErrorSummary, Ray, Truth, critical, everywhere};
+use lightfall_core::accuracy::{ErrorSummary, Ray, Truth, rays_near_edge, rays_over_sky};
 use lightfall_core::geometry::schwarzschild::{
     deflection, shadow_half_angle_rain, shadow_half_angle_static,
 };
@@ -437,8 +437,8 @@ fn fast_observers_next_to_the_horizon_have_every_ray_within_a_millionth() {
         (scene.camera.r, scene.camera.theta_deg) = (r, theta_deg);
         (scene.observer.kind, scene.observer.velocity) = (kind, velocity);
         (scene.disk.inner, scene.disk.outer) = (9.5, 13.5);
-        let mut rays = everywhere(100);
-        rays.extend(critical(&scene, 300, [1e-7, 0.3]));
+        let mut rays = rays_over_sky(100);
+        rays.extend(rays_near_edge(&scene, 300, [1e-7, 0.3]));
         let truth = Truth::of(&scene, rays).unwrap();
         let directions: Vec<_> = truth.rays.iter().map(Ray::given).collect();
         let given = rays::RayKernel::new(gpu, &scene)

@@ -3,7 +3,7 @@
 use crate::light::light_from;
 use crate::{edge_on, gpu, median};
 use glam::{UVec2, Vec3};
-use lightfall_core::accuracy::over_picture;
+use lightfall_core::accuracy::picture_errors;
 use lightfall_core::gpu::kernel::uniform;
 use lightfall_core::gpu::{ERROR_MAP_SIZE, ErrorMap, Gpu, GpuScene, Variant};
 use lightfall_core::scene::{Method, Scene, View};
@@ -50,7 +50,7 @@ fn every_cell_has_the_colour_of_its_error_all_over() {
         ..edge_on()
     };
     scene.quality.max_steps = 60;
-    let errors = over_picture(gpu, &scene, ERROR_MAP_SIZE).unwrap();
+    let errors = picture_errors(gpu, &scene, ERROR_MAP_SIZE).unwrap();
     let lights = shown(gpu, &scene, &errors);
     assert_eq!(lights.len(), errors.len());
     let mut known = Vec::new();
@@ -110,7 +110,7 @@ fn what_is_not_known_yet_is_grey() {
 fn the_grid_tells_the_methods_apart_as_their_errors_do() {
     let gpu = gpu();
     let of = |method: Method| {
-        let errors = over_picture(
+        let errors = picture_errors(
             gpu,
             &Scene {
                 method,
@@ -153,7 +153,7 @@ fn only_what_rightly_ends_unseen_at_the_horizon_has_no_error() {
     };
     scene.disk.enabled = false;
     scene.camera.fov_deg = 30.0;
-    let unseen = over_picture(gpu, &scene, ERROR_MAP_SIZE)
+    let unseen = picture_errors(gpu, &scene, ERROR_MAP_SIZE)
         .unwrap()
         .iter()
         .filter(|error| error.is_none())

@@ -3,7 +3,7 @@
 
 use glam::{DQuat, DVec3};
 use lightfall_core::accuracy::{
-    ErrorSummary, Quantiles, Ray, Truth, critical, everywhere, on_picture,
+    ErrorSummary, Quantiles, Ray, Truth, rays_near_edge, rays_over_picture, rays_over_sky,
 };
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::{Outcome, Trace};
@@ -39,8 +39,8 @@ fn answers_to_turned_rays(scene: &Scene, truth: &Truth, angle: f64) -> Vec<Trace
 fn a_known_turn_of_every_ray_is_found_to_within_the_factor_of_two_that_the_mixed_error_allows() {
     for spin in [0.0, 0.9] {
         let scene = scene(spin);
-        let mut rays = on_picture(&scene, 200);
-        rays.extend(critical(&scene, 200, [1e-4, 0.3]));
+        let mut rays = rays_over_picture(&scene, 200);
+        rays.extend(rays_near_edge(&scene, 200, [1e-4, 0.3]));
         let truth = Truth::of(&scene, rays).expect("a static observer");
         for angle in [1e-9, 1e-7, 1e-6] {
             let errors = truth.judge(&answers_to_turned_rays(&scene, &truth, angle));
@@ -88,7 +88,7 @@ fn a_known_turn_is_found_where_rays_wind_many_times() {
         scene.camera.r = r;
         scene.disk.enabled = false;
         let truth =
-            Truth::of(&scene, critical(&scene, 64, [1e-5, 0.1])).expect("a static observer");
+            Truth::of(&scene, rays_near_edge(&scene, 64, [1e-5, 0.1])).expect("a static observer");
         let reference = Reference::new(&scene).expect("a static observer");
         let axes = scene.camera.tetrad_from_camera();
         let turned = |(i, ray): (usize, &Ray)| {
@@ -128,7 +128,8 @@ fn a_ray_on_the_wrong_side_of_the_edge_is_off_by_its_distance_from_it() {
     // Without a disk, whose edges are boundaries of the class, too.
     let mut scene = scene(0.5);
     scene.disk.enabled = false;
-    let truth = Truth::of(&scene, critical(&scene, 64, [1e-3, 1e-2])).expect("a static observer");
+    let truth =
+        Truth::of(&scene, rays_near_edge(&scene, 64, [1e-3, 1e-2])).expect("a static observer");
     // The nearest ray on the other side, as another method might answer.
     let reference = Reference::new(&scene).expect("a static observer");
     let axes = scene.camera.tetrad_from_camera();
@@ -171,7 +172,7 @@ fn a_ray_on_the_wrong_side_of_the_edge_is_off_by_its_distance_from_it() {
 #[test]
 fn perfect_answers_have_no_error_and_missing_ones_an_infinite_one() {
     let scene = scene(0.9);
-    let truth = Truth::of(&scene, everywhere(200)).expect("a static observer");
+    let truth = Truth::of(&scene, rays_over_sky(200)).expect("a static observer");
     let perfect = ErrorSummary::of(&truth, &truth.traces);
     assert_eq!((perfect.misclassified, perfect.unfinished()), (0, 0));
     // A direction's own rounding in f64.
@@ -210,7 +211,8 @@ fn quantiles_are_values_of_the_set_and_what_is_no_number_is_the_worst() {
 #[test]
 fn a_known_turn_is_found_where_it_is_many_orbits_of_a_fast_hole() {
     let scene = scene(0.99999);
-    let truth = Truth::of(&scene, critical(&scene, 64, [1e-5, 1e-3])).expect("a static observer");
+    let truth =
+        Truth::of(&scene, rays_near_edge(&scene, 64, [1e-5, 1e-3])).expect("a static observer");
     let angle = 1e-7;
     let errors = truth.judge(&answers_to_turned_rays(&scene, &truth, angle));
     let seen = truth

@@ -17,7 +17,7 @@ pub use sweep::{Setting, methods_for, settings};
 pub use table::short;
 pub use table::{Circumstances, csv, json, markdown};
 
-use crate::accuracy::{Truth, critical, on_picture};
+use crate::accuracy::{Truth, rays_near_edge, rays_over_picture};
 use crate::gpu::rays::RayKernel;
 use crate::gpu::timing::{Effort, Stage, Stopwatch};
 use crate::gpu::{Gpu, GpuError};
@@ -126,8 +126,8 @@ impl Plan {
     ) -> Result<Vec<Measured>, GpuError> {
         let mut all = Vec::new();
         for subject in &self.subjects {
-            let mut rays = on_picture(&subject.scene, self.rays - self.rays / 2);
-            rays.extend(critical(&subject.scene, self.rays / 2, CRITICAL));
+            let mut rays = rays_over_picture(&subject.scene, self.rays - self.rays / 2);
+            rays.extend(rays_near_edge(&subject.scene, self.rays / 2, CRITICAL));
             let truth = Truth::of(&subject.scene, rays)?;
             let given: Vec<_> = truth.rays.iter().map(crate::accuracy::Ray::given).collect();
             let mut made: Option<(Method, Stopwatch, RayKernel)> = None;

@@ -1,6 +1,6 @@
 //! The hardest places, by what makes them hard.
 
-use crate::accuracy::{Ray, critical, everywhere, on_picture};
+use crate::accuracy::{Ray, rays_near_edge, rays_over_picture, rays_over_sky};
 use crate::geometry::kerr::Kerr;
 use crate::scene::{ObserverKind, Scene};
 use glam::DVec3;
@@ -48,8 +48,8 @@ pub(super) fn view(spin: f64, r: f64) -> Scene {
 
 /// Half of the rays all over the sky, half next to the shadow's edge.
 pub(super) fn everywhere_and_critical(scene: &Scene, count: usize) -> Vec<Ray> {
-    let mut rays = everywhere(count / 2);
-    rays.extend(critical(scene, count / 2, NEAR));
+    let mut rays = rays_over_sky(count / 2);
+    rays.extend(rays_near_edge(scene, count / 2, NEAR));
     rays
 }
 
@@ -67,7 +67,7 @@ fn distances(all: &mut Vec<Cell>, count: usize) {
         for decade in 1..=6 {
             let range = [10_f64.powi(-decade - 1), 10_f64.powi(-decade)];
             let scene = view(spin, 20.0);
-            let rays = critical(&scene, count, range);
+            let rays = rays_near_edge(&scene, count, range);
             add(
                 all,
                 "distance to the critical curve",
@@ -108,8 +108,8 @@ fn radii(all: &mut Vec<Cell>, count: usize) {
             };
             // Far away, the picture is of the hole and its disk.
             scene.camera.fov_deg = scene.camera.fov_deg.min((30.0 / r).to_degrees());
-            let mut rays = on_picture(&scene, count / 2);
-            rays.extend(critical(&scene, count / 2, NEAR));
+            let mut rays = rays_over_picture(&scene, count / 2);
+            rays.extend(rays_near_edge(&scene, count / 2, NEAR));
             add(
                 all,
                 "place of the camera",
@@ -233,7 +233,7 @@ fn fields_of_view(all: &mut Vec<Cell>, count: usize) {
         for (name, radians) in [("1e-6 rad", 1e-6), ("1e-4 rad", 1e-4), ("0.01 rad", 0.01)] {
             let mut scene = view(spin, 20.0);
             scene.camera.fov_deg = f64::to_degrees(radians);
-            let rays = on_picture(&scene, count);
+            let rays = rays_over_picture(&scene, count);
             add(
                 all,
                 "field of view",
@@ -243,7 +243,7 @@ fn fields_of_view(all: &mut Vec<Cell>, count: usize) {
             );
             // Half the shadow's size aside there is its edge, or not far from it.
             scene.camera.yaw_deg = 7.27;
-            let rays = on_picture(&scene, count);
+            let rays = rays_over_picture(&scene, count);
             add(
                 all,
                 "field of view",
@@ -254,7 +254,7 @@ fn fields_of_view(all: &mut Vec<Cell>, count: usize) {
         }
         let mut scene = view(spin, 20.0);
         scene.camera.fov_deg = 179.0;
-        let rays = on_picture(&scene, count);
+        let rays = rays_over_picture(&scene, count);
         add(
             all,
             "field of view",

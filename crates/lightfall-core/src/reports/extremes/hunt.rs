@@ -1,7 +1,7 @@
 //! A search at random, but from a seed, for the ray that a method does worst.
 
 use super::{Cause, Kernels, tolerance};
-use crate::accuracy::{RayError, Truth, critical, everywhere, on_picture};
+use crate::accuracy::{RayError, Truth, rays_near_edge, rays_over_picture, rays_over_sky};
 use crate::geometry::kerr::Kerr;
 use crate::gpu::{Gpu, GpuError, GpuScene};
 use crate::optics::trace::Trace;
@@ -85,9 +85,9 @@ impl Hunt {
         let mut worst = Vec::new();
         for _ in 0..self.scenes() {
             let scene = scene(&mut random);
-            let mut rays = everywhere(RAYS_A_SCENE / 4);
-            rays.extend(on_picture(&scene, RAYS_A_SCENE / 4));
-            rays.extend(critical(&scene, RAYS_A_SCENE / 2, [1e-7, 0.3]));
+            let mut rays = rays_over_sky(RAYS_A_SCENE / 4);
+            rays.extend(rays_over_picture(&scene, RAYS_A_SCENE / 4));
+            rays.extend(rays_near_edge(&scene, RAYS_A_SCENE / 2, [1e-7, 0.3]));
             let truth = Truth::of(&scene, rays)?;
             let traces = kernels.traces(gpu, &scene, &truth)?;
             if let Some(found) = Found::worst(&scene, &truth, &traces) {
@@ -103,7 +103,7 @@ impl Hunt {
 impl Found {
     fn worst(scene: &Scene, truth: &Truth, traces: &[Trace]) -> Option<Self> {
         let bar = tolerance(scene).backward;
-        let errors = truth.judge_beyond(0.5 * bar, traces);
+        let errors = truth.judge_to_precision(0.5 * bar, traces);
         let found = |(i, error): (usize, &RayError)| {
             let far = error.backward > bar;
             let cause = far

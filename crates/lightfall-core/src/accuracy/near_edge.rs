@@ -1,0 +1,148 @@
+//! The search for the turn that explains an answer near the edge of the shadow.
+
+use super::chart::{Chart, DIFFERENCE};
+use super::newton::{MIN_DAMPING, NO_DAMPING, along_first_axis, newton};
+use super::part::{Part, miss_on_chart};
+use super::reference_camera::ReferenceCamera;
+use crate::geometry::sphere::wrap_angle;
+use crate::optics::trace::Trace;
+use glam::DVec2;
+use std::f64::consts::TAU;
+
+/// If the turn is within `NEAR` times the distance to the edge, the plane is as good a chart as the
+/// edge's own. Beyond `FAR` times that distance a found explanation may not be the smallest.
+const NEAR: f64 = 0.1;
+const FAR: f64 = 3.0;
+/// Change of an answer's height in one step along the line toward the edge.
+const HEIGHT_STEP: f64 = 0.1;
+/// Number of bisections of such a step.
+const BISECTIONS: u32 = 30;
+/// Maximum number of places of the right height that are searched, the nearest first.
+const MAX_PLACES: usize = 4;
+/// Where the azimuth changes faster than this, in radians per e-fold of the distance to the edge,
+/// every azimuth occurs close to each place of the right height.
+const FAST_AZIMUTH: f64 = 2.0 * TAU;
+
+/// The smallest angle found such that turning the ray by at most this angle leaves a miss of at
+/// most this angle, searched on the edge's own chart. `least` is the bound that is known already. A
+/// bound below `precision` ends the search. `visit` is called with the turn and the answer at each
+/// place that is tried.
+pub(super) fn turn_near_edge(
+    camera: &ReferenceCamera,
+    chart: &Chart,
+    part: Part,
+    [precision, mut least]: [f64; 2],
+    visit: &dyn Fn(f64, &Trace),
+) -> f64 {
+    let at = miss_on_chart(camera, chart, part, visit);
+    if least > NEAR * chart.scale {
+        least = least.min(newton(chart, &at, along_first_axis(&at, 0.0), MIN_DAMPING));
+    }
+    if least > precision.max(FAR * chart.scale) {
+        least = least.min(newton(chart, &at, along_first_axis(&at, 0.0), NO_DAMPING));
+    }
+    // Where the azimuth changes fast, rays with the same answer are close to any ray.
+    let near = if rate(camera, chart, part, 0.0).is_some_and(|[_, rate]| rate.abs() > FAST_AZIMUTH)
+    {
+        NEAR * NEAR
+    } else {
+        FAR
+    };
+    if least < precision.max(near * chart.scale) {
+        return least;
+    }
+    // The answer may belong to a ray with another number of turns about the hole. Those rays lie in
+    // a row toward the edge and away from it.
+    let [inward, outward] = [-1.0, 1.0].map(|side| heights(camera, chart, part, side, least));
+    // Each e-fold of the distance to the edge adds an equal part of an orbit, without end. About a
+    // spinning hole such an orbit fills the whole range of latitudes in which it moves. So if rays
+    // pass an answer above and below, others come arbitrarily close to it, and the distance to the
+    // edge bounds its error.
+    if camera.is_spinning && passes(&inward) {
+        least = least.min(chart.scale);
+    }
+    let mut places = places(&inward);
+    places.extend(self::places(&outward));
+    places.sort_by(|a, b| a[0].abs().total_cmp(&b[0].abs()));
+    for place in places.into_iter().take(MAX_PLACES) {
+        if least <= precision {
+            break;
+        }
+        for start in starts(camera, chart, part, place) {
+            least = least.min(newton(chart, &at, along_first_axis(&at, start), NO_DAMPING));
+        }
+    }
+    least
+}
+
+/// The places on the line toward the edge (`side` -1) or away from it (1), with the difference in
+/// height there.
+fn heights(
+    camera: &ReferenceCamera,
+    chart: &Chart,
+    part: Part,
+    side: f64,
+    farthest: f64,
+) -> Vec<[f64; 2]> {
+    let moved = |before: &Trace, after: &Trace| {
+        part.height(before)
+            .zip(part.height(after))
+            .map_or(0.0, |(before, after)| (after - before).abs())
+    };
+    let line = chart
+        .line(camera, side, farthest, HEIGHT_STEP, moved)
+        .into_iter();
+    line.filter_map(|(x, trace)| part.height(&trace).map(|height| [x, height]))
+        .collect()
+}
+
+/// Whether the height is too great at one place of a line and too small at another.
+fn passes(line: &[[f64; 2]]) -> bool {
+    line.iter().any(|[_, height]| *height > 0.0) && line.iter().any(|[_, height]| *height < 0.0)
+}
+
+/// The steps of a line in which the height is right somewhere, by their two ends; and the places
+/// where it is locally closest to right, as steps of length zero.
+fn places(line: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let right = line
+        .windows(2)
+        .filter(|two| two[0][1] * two[1][1] <= 0.0)
+        .map(|two| [two[0][0], two[1][0]]);
+    let nearest = line.windows(3).filter(|three| {
+        let [before, here, after] = [three[0][1].abs(), three[1][1].abs(), three[2][1].abs()];
+        here <= before
+            && here <= after
+            && three[0][1] * three[1][1] > 0.0
+            && three[1][1] * three[2][1] > 0.0
+    });
+    right.chain(nearest.map(|three| [three[1][0]; 2])).collect()
+}
+
+/// The first coordinates near a place of the right height at which the azimuth is right as well.
+fn starts(camera: &ReferenceCamera, chart: &Chart, part: Part, [from, to]: [f64; 2]) -> Vec<f64> {
+    let at = |x: f64| camera.trace(chart.at(DVec2::new(x, 0.0)));
+    let mut bracket = [from, to];
+    let below = part.height(&at(from)).is_some_and(|height| height < 0.0);
+    for _ in 0..if from == to { 0 } else { BISECTIONS } {
+        let middle = 0.5 * (bracket[0] + bracket[1]);
+        let same = part
+            .height(&at(middle))
+            .is_some_and(|height| (height < 0.0) == below);
+        bracket[usize::from(!same)] = middle;
+    }
+    let x = bracket[0];
+    match rate(camera, chart, part, x) {
+        Some([off, rate]) if rate.abs() > FAST_AZIMUTH => [-1.0, 0.0, 1.0]
+            .map(|turns| x + (TAU * turns - off) / rate)
+            .into(),
+        _ => vec![x],
+    }
+}
+
+/// The difference in azimuth at a place on the line toward the edge, and its derivative along the
+/// line.
+fn rate(camera: &ReferenceCamera, chart: &Chart, part: Part, x: f64) -> Option<[f64; 2]> {
+    let at = |x: f64| part.azimuth(&camera.trace(chart.at(DVec2::new(x, 0.0))));
+    let (here, next) = at(x).zip(at(x + DIFFERENCE))?;
+    Some([here, wrap_angle(next - here) / DIFFERENCE])
+}
