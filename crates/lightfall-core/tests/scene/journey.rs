@@ -383,6 +383,6 @@ fn a_journey_is_refused_where_its_observer_cannot_be() {
     assert!(
         fault_of(journey::DEFAULT, &verlet, 0.0)
             .unwrap()
-            .contains("methods verlet and kerr-schild cannot begin")
+            .contains("methods verlet and kerr-schild cannot start a ray")
     );
 }
