@@ -92,7 +92,7 @@ fn time_frames(plan: &Plan, rows: &mut [Measured]) -> Result<(), Stop> {
             .subjects
             .iter()
             .find(|subject| subject.name == row.scene);
-        let Some((subject, method)) = subject.zip(Method::named(&row.method)) else {
+        let Some((subject, method)) = subject.zip(Method::from_word(&row.method)) else {
             continue;
         };
         let scene = Scene {

@@ -28,16 +28,16 @@ pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
         );
     }
     let methods = if args.methods.is_empty() {
-        &Method::ON_GPU[..]
+        Method::on_gpu()
     } else {
-        &args.methods
+        args.methods.clone()
     };
     let bar = progress(1);
     bar.set_message("looking for the shadows' edges");
     bar.tick();
     let cells = if args.grid { grid } else { cells }(args.rays as usize);
-    bar.set_length(verdicts(&cells, methods) as u64);
-    let measured = run(&gpu, &cells, methods, |verdict| {
+    bar.set_length(verdicts(&cells, &methods) as u64);
+    let measured = run(&gpu, &cells, &methods, |verdict| {
         bar.set_message(format!(
             "{}: {}, {}",
             verdict.group, verdict.cell, verdict.method
@@ -56,7 +56,8 @@ pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     }
     print(if args.json { &json } else { &markdown })?;
     let solved = |method: &str| {
-        method.starts_with(Method::Closed.name()) || method.starts_with(Method::Mino.name())
+        let word = method.split(',').next().unwrap_or_default();
+        Method::from_word(word).is_some_and(|method| method.properties().answers_every_ray)
     };
     let failing = verdicts
         .iter()

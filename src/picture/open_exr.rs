@@ -138,7 +138,7 @@ fn text(text: &str) -> Text {
 /// The method by which light was traced: what `auto` stands for.
 fn method(scene: &Scene) -> &'static str {
     if scene.effects.lensing {
-        scene.method.resolved(scene.hole.spin).name()
+        scene.method.resolved(scene.hole.spin).word()
     } else {
         "straight lines, without lensing"
     }

@@ -36,8 +36,8 @@ pub fn cost_report(scene: &Scene) -> String {
         "method",
         &[format!(
             "{} (asked for: {})",
-            word(variant.tracer),
-            word(scene.method)
+            traced_by(scene),
+            scene.method.word()
         )],
     );
     line(
@@ -110,14 +110,11 @@ fn chain_with_everything(chain: &Chain) -> Chain {
     }
 }
 
-/// An enumeration's value in the words that presets use.
-fn word(name: impl std::fmt::Debug) -> String {
-    let mut word = String::new();
-    for letter in format!("{name:?}").chars() {
-        if letter.is_uppercase() && !word.is_empty() {
-            word.push('-');
-        }
-        word.extend(letter.to_lowercase());
+/// The word of the method that traces the scene; without lensing, what takes its place.
+fn traced_by(scene: &Scene) -> &'static str {
+    if scene.effects.lensing {
+        scene.method.resolved(scene.hole.spin).word()
+    } else {
+        "straight"
     }
-    word
 }

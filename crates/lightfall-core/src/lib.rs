@@ -3,12 +3,13 @@
 //!
 //! Each module may import from those before it in this list, and from no other:
 //!
-//! 1. [`geometry`]: Kerr and Schwarzschild, observers and geodesics, as pure functions in f64.
-//! 2. [`scene`]: the one description of what is drawn, with its fields, limits and presets.
-//! 3. [`optics`]: what a scene's camera sees, in f64: the truth that everything is measured against.
-//! 4. [`gpu`]: a scene as the GPU's numbers and shaders, and rays traced by them.
-//! 5. [`accuracy`]: how wrong an answer is, against the reference.
-//! 6. [`reports`]: measurements in forms that people and programs read.
+//! 1. [`words`]: enumerations with a word for each variant.
+//! 2. [`geometry`]: Kerr and Schwarzschild, observers and geodesics, as pure functions in f64.
+//! 3. [`scene`]: the one description of what is drawn, with its fields, limits and presets.
+//! 4. [`optics`]: what a scene's camera sees, in f64: the truth that everything is measured against.
+//! 5. [`gpu`]: a scene as the GPU's numbers and shaders, and rays traced by them.
+//! 6. [`accuracy`]: how wrong an answer is, against the reference.
+//! 7. [`reports`]: measurements in forms that people and programs read.
 //!
 //! A test, `cargo test -p lightfall-core --test structure`, fails on an import that runs the other
 //! way and on files that import each other in a circle. docs/PHYSICS.md explains the words and signs.
@@ -19,3 +20,4 @@ pub mod gpu;
 pub mod optics;
 pub mod reports;
 pub mod scene;
+pub mod words;

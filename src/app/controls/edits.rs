@@ -12,12 +12,7 @@ const SPIN: f64 = 0.9;
 /// As many levels as eight bits can tell.
 pub(crate) const ALL_LEVELS: u32 = 256;
 /// The kinds of observer, in the order of their key.
-pub(crate) const OBSERVERS: [ObserverKind; 4] = [
-    ObserverKind::Static,
-    ObserverKind::Zamo,
-    ObserverKind::Orbit,
-    ObserverKind::Rain,
-];
+pub(crate) const OBSERVERS: [ObserverKind; ObserverKind::ALL.len()] = ObserverKind::ALL;
 /// One press of the exposure keys, in powers of two.
 const EXPOSURE_STEP: f64 = 0.25;
 
@@ -77,7 +72,7 @@ pub(crate) fn switch_spin(scene: &mut Scene, loaded: &Scene) {
     // Some methods know no spin; without any, what was loaded serves again.
     if scene.hole.spin == 0.0 && loaded.hole.spin == 0.0 {
         scene.method = loaded.method;
-    } else if matches!(scene.method, Method::Verlet | Method::Closed) {
+    } else if !scene.method.properties().spins {
         scene.method = Method::Auto;
     }
 }
@@ -105,11 +100,7 @@ pub(crate) fn switch_sky(scene: &mut Scene, loaded: &Scene) {
 }
 
 pub(crate) fn next_sky(scene: &mut Scene) {
-    scene.sky.mode = match scene.sky.mode {
-        SkyMode::Stars => SkyMode::Grid,
-        SkyMode::Grid => SkyMode::Off,
-        SkyMode::Off => SkyMode::Stars,
-    };
+    scene.sky.mode = scene.sky.mode.next();
 }
 
 /// The next kind of observer that can exist at the camera's place.

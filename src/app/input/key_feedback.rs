@@ -2,12 +2,11 @@
 
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::edits::{ALL_LEVELS, OBSERVERS};
-use crate::app::controls::table::Control;
+use crate::app::controls::table::{Control, control_named};
 use lightfall_core::geometry::kerr::Kerr;
-use lightfall_core::gpu::{Tracer, Variant};
 use lightfall_core::optics::camera_rays::CameraRays;
 use lightfall_core::optics::disk::inner_edge;
-use lightfall_core::scene::{ObserverKind, Scene, View};
+use lightfall_core::scene::{Content, ObserverKind, Scene, View};
 
 /// A remark on the change that a control has made; none where the picture says it all. Keys are
 /// named as they are bound. `metered` says whether the exposure follows the light.
@@ -23,7 +22,7 @@ pub fn remark(
     match control.id {
         "scene.observer" => passed_over(before, after),
         "scene.spin" if before.method != after.method => {
-            Some(format!("the method is {} now", after.method.name()))
+            Some(format!("the method is {} now", after.method.word()))
         }
         "scene.isco" if !after.disk.enabled => {
             Some(format!("the disk is off; {} shows it", key("scene.disk")))
@@ -97,47 +96,34 @@ fn passed_over(before: &Scene, after: &Scene) -> Option<String> {
 
 /// Whether a view shows nothing of what this control does to light.
 fn hides_light(control: &Control, view: View) -> bool {
-    match view {
-        View::Colour | View::Unfinished => false,
-        View::Redshift => control.id == "light.beaming",
-        _ => true,
+    match view.properties().content {
+        Content::Light => false,
+        Content::Shift => control.id == "light.beaming",
+        Content::Rays => true,
     }
 }
 
 /// The control that leaves a view for the light; that of errors has none.
 fn view_key(view: View) -> Option<&'static str> {
-    match view {
-        View::Classes => Some("view.classes"),
-        View::Residual => Some("view.residual"),
-        View::Order => Some("view.order"),
-        View::Redshift => Some("view.redshift"),
-        View::Unfinished => Some("view.unfinished"),
-        View::Colour | View::Error => None,
-    }
+    let id = format!("view.{}", view.word());
+    control_named(&id).map(|control| control.id)
 }
 
 /// Whether the observer stands still where nothing is dragged along.
 fn at_rest(scene: &Scene) -> bool {
-    let still = match scene.observer.kind {
-        ObserverKind::Zamo => true,
-        ObserverKind::Static => scene.hole.spin == 0.0,
-        ObserverKind::Orbit | ObserverKind::Rain => false,
-    };
-    still && scene.observer.velocity == [0.0; 3]
+    let kind = scene.observer.kind;
+    let dragged = scene.hole.spin != 0.0 && kind != ObserverKind::Zamo;
+    !kind.properties().falls_freely && !dragged && scene.observer.velocity == [0.0; 3]
 }
 
 /// Whether a scene's method gives every ray an answer.
 pub(crate) fn leaves_none(scene: &Scene) -> bool {
-    matches!(
-        Variant::picture(scene).tracer,
-        Tracer::Closed | Tracer::Mino | Tracer::Straight
-    )
+    let method = scene.method.resolved(scene.hole.spin).properties();
+    !scene.effects.lensing || method.answers_every_ray
 }
 
 /// Whether a scene's method solves rays instead of stepping them.
 pub(crate) fn steps_none(scene: &Scene) -> bool {
-    matches!(
-        Variant::picture(scene).tracer,
-        Tracer::Closed | Tracer::Straight
-    )
+    let method = scene.method.resolved(scene.hole.spin).properties();
+    !scene.effects.lensing || !method.steps
 }

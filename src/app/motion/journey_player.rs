@@ -13,7 +13,7 @@ use bevy::prelude::*;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::journey::{Journey, Unflyable, between};
-use lightfall_core::scene::{Camera, ObserverKind, Scene};
+use lightfall_core::scene::{Camera, Scene};
 
 /// Seconds in which the camera comes from where it is to where the journey is.
 const APPROACH: f64 = 4.0;
@@ -270,18 +270,12 @@ fn ending(scene: &Scene, bindings: &Bindings) -> String {
              the outside, and every way leads further in."
         );
     }
-    let here = match scene.observer.kind {
-        ObserverKind::Static | ObserverKind::Zamo => {
-            "The nearer it is, the more thrust hovering takes, without limit.".into()
-        }
-        ObserverKind::Orbit => format!(
-            "You circle it: {} lets the orbit go on.",
-            bindings.named("motion.let_go")
-        ),
-        ObserverKind::Rain => format!(
-            "You fall freely: {} lets the fall go on.",
-            bindings.named("motion.let_go")
-        ),
+    let observer = scene.observer.kind.properties();
+    let let_go = bindings.named("motion.let_go");
+    let here = match (observer.falls_freely, observer.equatorial) {
+        (false, _) => "The nearer it is, the more thrust hovering takes, without limit.".into(),
+        (true, true) => format!("You circle it: {let_go} lets the orbit go on."),
+        (true, false) => format!("You fall freely: {let_go} lets the fall go on."),
     };
     format!("r = {r:.3} r_s. The horizon is at {horizon:.3}. {here}")
 }

@@ -139,8 +139,8 @@ fn steer(
             if let Some(kind) = replaced {
                 toast.say(format!(
                     "No observer {} can exist here: the camera flies on as {}",
-                    observer_word(scene.observer.kind),
-                    observer_word(kind)
+                    scene.observer.kind.word(),
+                    kind.word()
                 ));
             }
             scene.0 = next;
@@ -222,15 +222,5 @@ fn kept_outside(position: DVec3, side: DVec3, nearest: f64) -> DVec3 {
         position / distance * distance.clamp(nearest, MAX_RADIUS)
     } else {
         side * nearest
-    }
-}
-
-/// The word of a kind of observer, as presets have it.
-fn observer_word(kind: ObserverKind) -> &'static str {
-    match kind {
-        ObserverKind::Static => "static",
-        ObserverKind::Zamo => "zamo",
-        ObserverKind::Orbit => "orbit",
-        ObserverKind::Rain => "rain",
     }
 }

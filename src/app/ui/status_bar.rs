@@ -10,7 +10,6 @@ use crate::app::state::toast::Toast;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
-use lightfall_core::scene::ObserverKind;
 
 /// Controls that somebody new has to know of, by name, and what to call them; the help has all.
 const FIRST: [(&[&str], &str); 8] = [
@@ -67,12 +66,7 @@ fn beginning(bindings: &Bindings) -> String {
 /// Where the camera is, how fast it flies, and what it looks at.
 fn whereabouts(scene: &CurrentScene, pilot: &Pilot) -> String {
     let camera = scene.camera;
-    let observer = match scene.observer.kind {
-        ObserverKind::Static => "at rest",
-        ObserverKind::Zamo => "zamo",
-        ObserverKind::Orbit => "in orbit",
-        ObserverKind::Rain => "in free fall",
-    };
+    let observer = scene.observer.kind.properties().motion;
     format!(
         "{} · r {:.3} r_s · theta {:.1}° · phi {:.1}° · {observer} · spin {} · speed {:.2}x",
         scene.name, camera.r, camera.theta_deg, camera.phi_deg, scene.hole.spin, pilot.throttle

@@ -138,8 +138,10 @@ fn subject(text: &str) -> Result<Subject, String> {
 
 /// A method that runs on the GPU.
 fn method(text: &str) -> Result<Method, String> {
-    let allowed = Method::ON_GPU.map(Method::name).join(", ");
-    Method::named(text)
-        .filter(|method| Method::ON_GPU.contains(method))
-        .ok_or(format!("the methods are {allowed}"))
+    let methods = Method::on_gpu();
+    let found = methods.iter().find(|method| method.word() == text).copied();
+    found.ok_or_else(|| {
+        let allowed: Vec<_> = methods.into_iter().map(Method::word).collect();
+        format!("the methods are {}", allowed.join(", "))
+    })
 }

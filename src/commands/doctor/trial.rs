@@ -8,7 +8,7 @@ use lightfall_core::gpu::timing::{Effort, Stage, Stopwatch};
 use lightfall_core::gpu::{Gpu, GpuError};
 use lightfall_core::reports::bench::{CRITICAL, short};
 use lightfall_core::reports::extremes::tolerance;
-use lightfall_core::scene::{Method, Scene};
+use lightfall_core::scene::Scene;
 use serde::Serialize;
 use std::time::Duration;
 
@@ -41,11 +41,7 @@ impl Stated {
             ..scene.clone()
         })
         .backward;
-        let p99 = match method {
-            Method::Closed => 3e-7,
-            Method::Mino => 4e-6,
-            _ => max,
-        };
+        let p99 = method.properties().backward_p99.unwrap_or(max);
         Self { p99, max }
     }
 
@@ -118,7 +114,7 @@ impl Trial {
         let backward = errors.backward;
         Ok(Self {
             scene: name.into(),
-            method: scene.method.resolved(scene.hole.spin).name(),
+            method: scene.method.resolved(scene.hole.spin).word(),
             rays: errors.rays,
             unanswered: unanswered(&errors),
             backward_max_px: backward.max

@@ -1,38 +1,21 @@
-//! Observers: which photon arrives from which direction.
+//! Observers: which photon arrives from which direction, and where an observer can be.
 //!
-//! Whoever looks, the answer is linear in (1, d), d the unit looking direction on the observer's
-//! own axes (outward, toward growing theta, toward growing phi): the photon that arrives from d
-//! with unit frequency has the momentum p = e_t - d^i e_i, future-directed. So an observer is a
-//! matrix.
+//! For every observer the answer is linear in (1, d), where d is the unit looking direction on the
+//! observer's own axes (outward, toward growing theta, toward growing phi): the photon that arrives
+//! from d with unit frequency has the momentum p = e_t - d^i e_i, future-directed. So an observer
+//! is a matrix.
 
 mod error;
+mod kind;
+mod rows;
 
 pub use error::ObserverError;
+pub use kind::{Limit, ObserverKind, ObserverProperties, min_infall_radius};
 
-use super::sphere::{celestial_frame, polar_sin_cos};
-use crate::geometry::kerr::{Kerr, MASS};
+use super::sphere::celestial_frame;
+use crate::geometry::kerr::Kerr;
 use glam::DVec3;
-use serde::{Deserialize, Serialize};
-use std::f64::consts::FRAC_PI_2;
-
-/// The frames of reference that have a name.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum ObserverKind {
-    /// At rest with respect to infinity.
-    #[default]
-    Static,
-    /// Zero angular momentum.
-    Zamo,
-    /// Prograde circular geodesic in the disk's plane.
-    Orbit,
-    /// Free fall from rest at infinity.
-    Rain,
-}
-
-/// Four by four: of a boost, or of an observer's rows before the sphere's tangent vectors become
-/// Cartesian.
-type Matrix4 = [[f64; 4]; 4];
+use rows::Matrix4;
 
 /// Takes (1, d) to the photon that arrives from the direction d with unit frequency for the
 /// observer.
@@ -80,24 +63,15 @@ impl ObserverMatrix {
     }
 }
 
-/// The least radius to which motion leads, in r_s: nine tenths of the way from the outer horizon to
-/// the inner one, which without spin is the centre. Beyond it the tide grows without end, or with
-/// spin the blueshift of what falls in along with the hole's turning, as 1/|Delta|; and a real
-/// hole's inner horizon is no vacuum's (Poisson & Israel 1990).
-#[must_use]
-pub fn min_infall_radius(kerr: Kerr) -> f64 {
-    0.9 * kerr.inner_horizon() + 0.1 * kerr.horizon()
-}
-
 /// The matrix of an observer of kind `kind` around a hole of spin `spin` (chi), at (`r`, `theta`,
-/// `phi`) (r_s, radians), who moves with `velocity` (units of c; outward, toward growing theta,
+/// `phi`) (r_s, radians), which moves with `velocity` (units of c; outward, toward growing theta,
 /// toward growing phi) in the frame of that kind.
 ///
 /// The axes are those of the zero-angular-momentum observer (Bardeen, Press & Teukolsky 1972 eqs.
 /// 3.2-3.4) carried along by pure boosts: first to the kind's observer, then by `velocity`.
 ///
-/// # ErrorSummary
-/// If there is no such observer: see [`ObserverError`].
+/// # Errors
+/// There is no such observer: see [`ObserverError`].
 pub fn observer_matrix(
     spin: f64,
     kind: ObserverKind,
@@ -122,18 +96,12 @@ pub fn observer_matrix(
         }
     }
     let kerr = Kerr { spin };
-    // The inner horizon is zero without spin, and then the centre itself is what lies too deep.
-    if r <= kerr.inner_horizon() {
-        return Err(ObserverError::TooDeep {
-            r,
-            inner: kerr.inner_horizon(),
-        });
-    }
+    kind.check_place(kerr, r, theta)?;
     let rows = match kind {
-        ObserverKind::Static => static_rows(kerr, r, theta)?,
-        ObserverKind::Zamo => zamo_rows(kerr, r, theta)?,
-        ObserverKind::Orbit => orbit_rows(kerr, r, theta)?,
-        ObserverKind::Rain => rain_rows(kerr, r, theta),
+        ObserverKind::Static => rows::at_rest(kerr, r, theta),
+        ObserverKind::Zamo => rows::zero_angular_momentum(kerr, r, theta),
+        ObserverKind::Orbit => rows::in_orbit(kerr, r)?,
+        ObserverKind::Rain => rows::in_free_fall(kerr, r, theta),
     };
     let [energy, radial, w_theta, w_phi] = product(rows, boost(velocity)?);
     let [_, theta_hat, phi_hat] = celestial_frame(theta, phi);
@@ -145,139 +113,7 @@ pub fn observer_matrix(
     })
 }
 
-/// What the rows of every kind are made of, at one place.
-struct Local {
-    sin: f64,
-    /// See [`Kerr::area`].
-    area: f64,
-    sigma: f64,
-    delta: f64,
-}
-
-impl Local {
-    fn new(kerr: Kerr, r: f64, theta: f64) -> Self {
-        let (sin, cos) = polar_sin_cos(theta);
-        Self {
-            sin,
-            area: kerr.area(r, (sin, cos)),
-            sigma: kerr.sigma(r, cos),
-            delta: kerr.delta(r),
-        }
-    }
-}
-
-/// Zero angular momentum: u = -N dt with N^2 = Sigma Delta / A, axes sqrt(Sigma/Delta) dr,
-/// sqrt(Sigma) dtheta, sin(theta) sqrt(A/Sigma) (dphi - omega dt) with omega = 2 M a r / A.
-/// Bardeen, Press & Teukolsky 1972 eqs. 2.5, 3.2.
-fn zamo_rows(kerr: Kerr, r: f64, theta: f64) -> Result<Matrix4, ObserverError> {
-    if r <= kerr.horizon() {
-        return Err(ObserverError::Zamo {
-            r,
-            horizon: kerr.horizon(),
-        });
-    }
-    let Local {
-        sin,
-        area,
-        sigma,
-        delta,
-    } = Local::new(kerr, r, theta);
-    let width = (area / sigma).sqrt();
-    let omega = 2.0 * MASS * kerr.a() * r / area;
-    Ok([
-        [
-            (sigma * delta / area).sqrt(),
-            0.0,
-            0.0,
-            -sin * width * omega,
-        ],
-        [0.0, -(sigma * delta).sqrt() / (r * r), 0.0, 0.0],
-        [0.0, 0.0, -sigma.sqrt() / r, 0.0],
-        [0.0, 0.0, 0.0, -width / r],
-    ])
-}
-
-/// At rest: u along d/dt, so p_t = -sqrt(f) whatever the direction, f = 1 - 2 M r / Sigma; the
-/// third axis, orthogonal to u in the (t, phi) plane, has p_phi = sin(theta) sqrt(Delta / f).
-/// Derived.
-fn static_rows(kerr: Kerr, r: f64, theta: f64) -> Result<Matrix4, ObserverError> {
-    let limit = kerr.static_limit(polar_sin_cos(theta).1);
-    if r <= limit {
-        return Err(ObserverError::Static { r, limit });
-    }
-    let Local {
-        sin, sigma, delta, ..
-    } = Local::new(kerr, r, theta);
-    // The roots of r^2 - 2 M r + a^2 cos^2 theta are the static limit and 2 M minus it.
-    let root_f = ((r - limit) * (r - (2.0 * MASS - limit)) / sigma).sqrt();
-    Ok([
-        [root_f, 0.0, 0.0, 0.0],
-        [0.0, -(sigma * delta).sqrt() / (r * r), 0.0, 0.0],
-        [0.0, 0.0, -sigma.sqrt() / r, 0.0],
-        [
-            -2.0 * MASS * kerr.a() * sin / (sigma * root_f),
-            0.0,
-            0.0,
-            -delta.sqrt() / (root_f * r),
-        ],
-    ])
-}
-
-/// On the prograde circular geodesic: p = u has -p_t = E, p_phi = L of the orbit; the third axis,
-/// orthogonal to u in the (t, phi) plane, is (p_t, p_phi) = sqrt(Delta) (-u^phi, u^t). Derived.
-fn orbit_rows(kerr: Kerr, r: f64, theta: f64) -> Result<Matrix4, ObserverError> {
-    if (theta - FRAC_PI_2).abs() > 1e-9 {
-        return Err(ObserverError::OffPlane {
-            theta_deg: theta.to_degrees(),
-        });
-    }
-    let orbit = kerr.circular_orbit(r).ok_or_else(|| ObserverError::Orbit {
-        r,
-        photon_orbit: kerr.photon_orbit_prograde(),
-    })?;
-    let root_delta = kerr.delta(r).sqrt();
-    Ok([
-        [
-            orbit.energy,
-            0.0,
-            0.0,
-            -root_delta * orbit.angular_velocity * orbit.u_t,
-        ],
-        [0.0, -root_delta / r, 0.0, 0.0],
-        [0.0, 0.0, -1.0, 0.0],
-        [
-            orbit.angular_momentum / r,
-            0.0,
-            0.0,
-            -root_delta * orbit.u_t / r,
-        ],
-    ])
-}
-
-/// Free fall from rest at infinity with E = 1, L = 0, theta constant:
-/// Sigma u^r = -sqrt(2 M r (r^2 + a^2)), which is the speed beta = sqrt(2 M r (r^2 + a^2) / A)
-/// inward for the zero-angular-momentum observer; its outward axis has Sigma e^r = sqrt(A) and e_t = beta. Nothing
-/// here knows of the horizon. Derived; the frame is Doran's (2000).
-fn rain_rows(kerr: Kerr, r: f64, theta: f64) -> Matrix4 {
-    let Local {
-        sin, area, sigma, ..
-    } = Local::new(kerr, r, theta);
-    let width = (area / sigma).sqrt();
-    let fall = (2.0 * MASS * r * (r * r + kerr.a().powi(2))).sqrt();
-    [
-        [
-            1.0,
-            fall / area.sqrt(),
-            0.0,
-            -sin * 2.0 * MASS * kerr.a() * r / (area * sigma).sqrt(),
-        ],
-        [-fall / (r * r), -area.sqrt() / (r * r), 0.0, 0.0],
-        [0.0, 0.0, -sigma.sqrt() / r, 0.0],
-        [0.0, 0.0, 0.0, -width / r],
-    ]
-}
-
-/// The pure boost that takes a light ray (1, d) of an observer who moves with `velocity` v in a
+/// The pure boost that takes a light ray (1, d) of an observer that moves with `velocity` v in a
 /// frame to that frame's own (frequency, frequency times direction): gamma (1 - v.d) and d +
 /// (gamma^2 / (gamma + 1)) (v.d) v - gamma v. The Lorentz transformation, d being opposite to the
 /// momentum.

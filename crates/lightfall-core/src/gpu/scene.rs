@@ -10,7 +10,7 @@ use crate::optics::camera_rays::CameraRays;
 use crate::optics::disk;
 use crate::optics::photometry::DISK_HDR_SCALE;
 use crate::optics::shift::Shift;
-use crate::scene::{Method, ObserverKind, Quality, Scene};
+use crate::scene::{ObserverKind, Quality, Scene};
 use encase::ShaderType;
 use glam::{DMat3, DVec2, DVec3, DVec4, UVec2, Vec2, Vec3, Vec4};
 
@@ -107,12 +107,12 @@ impl GpuScene {
     }
 
     fn looking(scene: &Scene, size: UVec2, tetrad_from_direction: DMat3) -> Result<Self, GpuError> {
-        match scene.method {
-            Method::Reference => return Err(GpuError::MethodOfCpu),
-            Method::Verlet | Method::Closed if scene.hole.spin != 0.0 && scene.effects.lensing => {
-                return Err(GpuError::Spin(scene.hole.spin));
-            }
-            Method::Auto | Method::Verlet | Method::Closed | Method::Mino | Method::KerrSchild => {}
+        let method = scene.method.properties();
+        if !method.on_gpu {
+            return Err(GpuError::MethodOfCpu);
+        }
+        if !method.spins && scene.hole.spin != 0.0 && scene.effects.lensing {
+            return Err(GpuError::Spin(scene.hole.spin));
         }
         let Scene {
             camera,
@@ -125,8 +125,7 @@ impl GpuScene {
             spin: scene.hole.spin,
         };
         let inside = camera.r <= kerr.horizon();
-        // Verlet and Kerr-Schild capture there.
-        if inside && matches!(scene.method, Method::Verlet | Method::KerrSchild) {
+        if inside && !method.inside {
             return Err(GpuError::Inside { r: camera.r });
         }
         let CameraRays { matrix, frequency } = CameraRays::new(scene)?;

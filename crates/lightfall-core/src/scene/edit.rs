@@ -1,54 +1,36 @@
-//! Changes of single fields by their keys, as the panel and the undo make them.
-
-use toml::{Table, Value};
+//! Reading and changing single fields by their keys, as the panel and the undo do.
 
 use super::Scene;
 use super::error::Refusal;
-use super::fields::field;
-use super::limits::given;
+use super::fields::{FIELDS, Field, field};
+use super::value::Value;
 
 impl Scene {
-    /// This scene with some fields set otherwise. A key that is none is passed over.
+    /// Every field with its value, in the order of the table.
+    pub fn values(&self) -> impl Iterator<Item = (&'static Field, Value)> {
+        FIELDS.iter().map(|field| (field, field.get(self)))
+    }
+
+    /// This scene with some fields set to other values. Unknown keys are ignored.
     ///
-    /// # ErrorSummary
-    /// The first value of the wrong type, or the first field that is not allowed beside the others.
+    /// # Errors
+    /// The first value of the wrong kind, or the first field that the others do not allow.
     pub fn with<'a>(
         &self,
         changes: impl IntoIterator<Item = (&'a str, Value)>,
     ) -> Result<Self, Refusal> {
-        let mut table =
-            Table::try_from(self).expect("a scene is made of numbers, words and tables only");
+        let mut scene = self.clone();
         let mut changed = Vec::new();
         for (key, value) in changes {
-            let Some(field) = field(key) else { continue };
-            field.check_type(&value)?;
-            let place = match key.split_once('.') {
-                None => table.get_mut(key),
-                Some((outer, inner)) => table.get_mut(outer).and_then(|outer| outer.get_mut(inner)),
-            };
-            changed.push((field.key, given(&value)));
-            *place.expect("every key of the field table is a field of the scene") = value;
+            if let Some(field) = field(key) {
+                field.set(&mut scene, value)?;
+                changed.push(field);
+            }
         }
-        let scene: Self = table
-            .try_into()
-            .expect("every value was checked against the field table");
-        scene.check().map(|()| scene).map_err(|refusal| {
-            // Who drags one field is not told that it is another's fault.
-            let culprit = |(key, _): &&(&'static str, String)| {
-                refusal
-                    .because
-                    .as_ref()
-                    .is_some_and(|because| because.keys.contains(key))
-            };
-            let own = changed.iter().any(|(key, _)| *key == refusal.key);
-            let blamed = changed
-                .iter()
-                .filter(|_| !own)
-                .find(culprit)
-                .cloned()
-                .map(Box::new);
-            Refusal { blamed, ..refusal }
-        })
+        match scene.check() {
+            Ok(()) => Ok(scene),
+            Err(refusal) => Err(refusal.blaming(&changed, &scene)),
+        }
     }
 
     /// The fields in which `after` differs from this scene, each with its value here.
@@ -58,5 +40,22 @@ impl Scene {
         both.filter(|((_, before), (_, after))| before != after)
             .map(|((field, before), _)| (field.key, before))
             .collect()
+    }
+}
+
+impl Refusal {
+    /// The same refusal, blamed on the changed field that narrows the range, so that somebody who
+    /// changes one field is told about that field. A refused field that was itself changed keeps
+    /// the blame.
+    fn blaming(self, changed: &[&'static Field], scene: &Scene) -> Self {
+        let narrows = |field: &&&Field| {
+            self.because
+                .as_ref()
+                .is_some_and(|because| because.keys.contains(&field.key))
+        };
+        let own = changed.iter().any(|field| field.key == self.key);
+        let culprit = changed.iter().filter(|_| !own).find(narrows);
+        let blamed = culprit.map(|field| Box::new((field.key, field.get(scene).quoted())));
+        Self { blamed, ..self }
     }
 }

@@ -7,11 +7,15 @@
 //! names stays what it is in the scene.
 
 mod check;
+mod error;
+mod format;
+mod keyframe;
 mod load;
 mod track;
 
 pub use check::Unflyable;
-pub use load::{JourneyError, load};
+pub use error::JourneyError;
+pub use load::load;
 pub use track::Track;
 
 use super::{Camera, ObserverKind, Scene};
@@ -31,7 +35,7 @@ pub struct Journey {
     /// When each keyframe is, in the seconds of its text.
     times: Vec<f64>,
     tracks: Tracks,
-    /// For observers who fall from rest at infinity.
+    /// For observers that fall from rest at infinity.
     tracks_in_rain: Tracks,
     /// From when on the observer is of which kind.
     kinds: Vec<(f64, ObserverKind)>,

@@ -1,29 +1,125 @@
-//! How light is traced: the methods by name.
+//! How light is traced: the methods, and what distinguishes one from another.
 
-use serde::{Deserialize, Serialize};
-
-/// How light is traced.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Method {
-    /// The method best suited to the scene among those that are built.
-    #[default]
-    Auto,
-    /// Velocity Verlet in Schwarzschild's areal Cartesian coordinates.
-    Verlet,
-    /// Schwarzschild's null geodesics in closed form.
-    Closed,
-    /// Kerr's null geodesics in Mino time.
-    Mino,
-    /// Kerr's null geodesics in ingoing Kerr-Schild coordinates, by Runge-Kutta.
-    KerrSchild,
-    /// The f64 reference, on the CPU only.
-    Reference,
+crate::words! {
+    /// How light is traced.
+    #[derive(Default)]
+    pub enum Method {
+        /// The method best suited to the scene among those that are built.
+        #[default]
+        Auto = "auto",
+        /// Velocity Verlet in Schwarzschild's areal Cartesian coordinates.
+        Verlet = "verlet",
+        /// Schwarzschild's null geodesics in closed form.
+        Closed = "closed",
+        /// Kerr's null geodesics in Mino time.
+        Mino = "mino",
+        /// Kerr's null geodesics in ingoing Kerr-Schild coordinates, by Runge-Kutta.
+        KerrSchild = "kerr-schild",
+        /// The f64 reference, on the CPU only.
+        Reference = "reference",
+    }
 }
 
+/// The field that trades a method's accuracy against time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AccuracySetting {
+    /// There is none: the method is as exact as its numbers.
+    None,
+    /// `quality.max_error_px`: the method keeps its error below this one.
+    MaxError,
+    /// `quality.step_scale`, with `max_steps` and `max_affine`: the error follows from the steps.
+    StepScale,
+}
+
+/// What distinguishes a method from the others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MethodProperties {
+    /// Whether it traces holes that spin.
+    pub spins: bool,
+    /// Whether it can begin inside the horizon.
+    pub inside: bool,
+    /// Whether a shader exists for it.
+    pub on_gpu: bool,
+    /// Whether it takes steps, each with a residual of the null constraint.
+    pub steps: bool,
+    /// Whether every ray gets an answer; otherwise some run out of steps.
+    pub answers_every_ray: bool,
+    /// The field that sets its accuracy.
+    pub setting: AccuracySetting,
+    /// 99 of 100 rays have a backward error of at most this many radians at the default setting
+    /// (docs/ACCURACY.md); none where nothing is stated.
+    pub backward_p99: Option<f64>,
+    /// Every ray has a backward error of at most this many radians, or of the method's own setting
+    /// if that is larger (docs/EXTREMES.md).
+    pub backward_max: f64,
+}
+
+/// What f32 leaves of a direction, solved in closed form.
+const CLOSED: MethodProperties = MethodProperties {
+    spins: false,
+    inside: true,
+    on_gpu: true,
+    steps: false,
+    answers_every_ray: true,
+    setting: AccuracySetting::None,
+    backward_p99: Some(3e-7),
+    backward_max: 1e-6,
+};
+
+const MINO: MethodProperties = MethodProperties {
+    spins: true,
+    inside: true,
+    on_gpu: true,
+    steps: true,
+    answers_every_ray: true,
+    setting: AccuracySetting::MaxError,
+    backward_p99: Some(4e-6),
+    backward_max: 2e-6,
+};
+
+/// The article's methods are held to a pixel of the article's own pictures, 960x540 at 60 degrees.
+const KERR_SCHILD: MethodProperties = MethodProperties {
+    spins: true,
+    inside: false,
+    on_gpu: true,
+    steps: true,
+    answers_every_ray: false,
+    setting: AccuracySetting::StepScale,
+    backward_p99: None,
+    backward_max: 2.1e-3,
+};
+
 impl Method {
-    /// Those that a shader traces by, the solved ones first.
-    pub const ON_GPU: [Self; 4] = [Self::Closed, Self::Mino, Self::Verlet, Self::KerrSchild];
+    /// The method's properties: a new method is a new row. Those of `auto` are those of the method
+    /// it means for a hole that spins; ask [`Method::resolved`] first to have them for a scene.
+    #[must_use]
+    pub const fn properties(self) -> MethodProperties {
+        match self {
+            Self::Closed => CLOSED,
+            Self::Auto | Self::Mino => MINO,
+            Self::KerrSchild => KERR_SCHILD,
+            Self::Verlet => MethodProperties {
+                spins: false,
+                ..KERR_SCHILD
+            },
+            Self::Reference => MethodProperties {
+                on_gpu: false,
+                setting: AccuracySetting::None,
+                ..MINO
+            },
+        }
+    }
+
+    /// The methods that a shader traces by, those that answer every ray first.
+    #[must_use]
+    pub fn on_gpu() -> Vec<Self> {
+        let mut methods: Vec<Self> = Self::ALL
+            .into_iter()
+            .filter(|method| *method != Self::Auto && method.properties().on_gpu)
+            .collect();
+        methods.sort_by_key(|method| !method.properties().answers_every_ray);
+        methods
+    }
 
     /// What `auto` means for a hole of spin `chi`.
     #[must_use]
@@ -39,34 +135,5 @@ impl Method {
         } else {
             self
         }
-    }
-
-    /// Every method.
-    pub const ALL: [Self; 6] = [
-        Self::Auto,
-        Self::Verlet,
-        Self::Closed,
-        Self::Mino,
-        Self::KerrSchild,
-        Self::Reference,
-    ];
-
-    /// Its name, as presets and the command line have it.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Auto => "auto",
-            Self::Verlet => "verlet",
-            Self::Closed => "closed",
-            Self::Mino => "mino",
-            Self::KerrSchild => "kerr-schild",
-            Self::Reference => "reference",
-        }
-    }
-
-    /// The method of this name.
-    #[must_use]
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|method| method.name() == name)
     }
 }

@@ -1,11 +1,13 @@
-//! The built-in presets, part of the program itself so that no missing folder can break it.
+//! The built-in presets, part of the program itself, so that they are found wherever it runs.
+
+use std::sync::LazyLock;
 
 use super::{Override, Scene, SceneError, load};
 
 /// A built-in preset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Preset {
-    /// Its number, from 1; also its key in flight.
+    /// Its number, from 1; also its key in the window.
     pub number: usize,
     /// Its name; the same as in its text.
     pub name: &'static str,
@@ -13,7 +15,7 @@ pub struct Preset {
     pub text: &'static str,
 }
 
-/// The number of the preset that is shown where none is asked for.
+/// The number of the preset that is shown if none is asked for.
 pub const DEFAULT: usize = 2;
 
 macro_rules! presets {
@@ -46,12 +48,33 @@ pub fn find(number_or_name: &str) -> Option<&'static Preset> {
         .find(|preset| preset.name == number_or_name || preset.number.to_string() == number_or_name)
 }
 
+/// The scenes of all presets, read once.
+static SCENES: LazyLock<Vec<Scene>> = LazyLock::new(|| {
+    let scenes = PRESETS.iter().map(|preset| preset.load(&[]));
+    scenes
+        .collect::<Result<_, _>>()
+        .expect("every built-in preset is a scene")
+});
+
 impl Preset {
-    /// The preset's scene, with some fields set otherwise.
+    /// The preset's scene as it is written.
+    #[must_use]
+    pub fn plain_scene(&self) -> &'static Scene {
+        &SCENES[self.number - 1]
+    }
+
+    /// The preset's scene, with some fields set to other values.
     ///
-    /// # ErrorSummary
-    /// An override is wrong, or does not fit the preset; without overrides, never.
+    /// # Errors
+    /// An override is wrong, or the preset's other fields do not allow it; without overrides, never.
     pub fn scene(&self, overrides: &[Override]) -> Result<Scene, SceneError> {
+        if overrides.is_empty() {
+            return Ok(self.plain_scene().clone());
+        }
+        self.load(overrides)
+    }
+
+    fn load(&self, overrides: &[Override]) -> Result<Scene, SceneError> {
         load(
             &format!("preset {} ({})", self.number, self.name),
             self.text,

@@ -1,5 +1,5 @@
-//! From a scene to the text of a preset: complete, commented, and read back by `load` as the same
-//! scene.
+//! From a scene to the text of a preset: complete, with comments, and read back by `load` as the
+//! same scene.
 
 use std::fmt::Write;
 

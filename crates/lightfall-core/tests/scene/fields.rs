@@ -3,19 +3,98 @@
 use std::collections::BTreeSet;
 use std::ops::Bound::{Excluded, Included, Unbounded};
 
-use lightfall_core::scene::{FIELDS, Field, Kind, ObserverKind, Override, Scene, field, load};
+use lightfall_core::scene::{
+    FIELDS, Field, Kind, ObserverKind, Override, Scene, Value, field, load,
+};
 
 fn set(key: &str, value: &str) -> Result<Scene, String> {
     load("t.toml", "", &[Override::new("--set", key, value)]).map_err(|error| error.to_string())
 }
 
-fn value_of(scene: &Scene, field: &Field) -> String {
-    scene
-        .values()
-        .find(|(other, _)| other.key == field.key)
-        .unwrap()
-        .1
-        .to_string()
+/// Two values of a field that differ from its default and from each other, as far as it has some.
+fn other_values(field: &Field) -> Vec<Value> {
+    let default = field.get(&Scene::default());
+    let candidates = match field.kind {
+        Kind::Float(_) => [0.125, 12.3, 54.7, 321.5].map(Value::Float).to_vec(),
+        Kind::Integer(_) => [1, 12, 77].map(Value::Integer).to_vec(),
+        Kind::Boolean => [false, true].map(Value::Boolean).to_vec(),
+        Kind::Choice(words) => words.iter().map(|word| Value::Word(word)).collect(),
+        Kind::Text => ["a", "\"b\" \\ ä"]
+            .map(|text| Value::Text(text.into()))
+            .to_vec(),
+        Kind::Velocity => vec![Value::Velocity([0.1, -0.2, 0.3])],
+    };
+    let allowed = |value: &Value| {
+        let number = value.number();
+        *value != default && number.is_none_or(|number| field.kind.range().contains(number))
+    };
+    candidates.into_iter().filter(allowed).collect()
+}
+
+#[test]
+fn every_field_reads_back_what_was_set_by_its_key_and_leaves_the_others_alone() {
+    let before = Scene::default();
+    for row in FIELDS {
+        let others = other_values(row);
+        assert!(!others.is_empty() || row.key == "schema", "{}", row.key);
+        for value in others {
+            let mut scene = before.clone();
+            field(row.key)
+                .unwrap()
+                .set(&mut scene, value.clone())
+                .unwrap();
+            assert_eq!(row.get(&scene), value, "{}", row.key);
+            assert_eq!(
+                scene.differences(&before),
+                [(row.key, value)],
+                "{}",
+                row.key
+            );
+        }
+    }
+}
+
+#[test]
+fn the_value_of_every_field_is_the_one_that_serde_writes_and_reads() {
+    for row in FIELDS {
+        for value in other_values(row) {
+            let mut scene = Scene::default();
+            row.set(&mut scene, value.clone()).unwrap();
+            let table = toml::Table::try_from(&scene).unwrap();
+            let (outer, inner) = row.key.split_once('.').unwrap_or((row.key, ""));
+            let written = match inner {
+                "" => &table[outer],
+                name => &table[outer][name],
+            };
+            assert_eq!(written.to_string(), value.to_string(), "{}", row.key);
+            assert_eq!(table.try_into::<Scene>().unwrap(), scene, "{}", row.key);
+        }
+    }
+}
+
+#[test]
+fn a_value_of_another_kind_is_refused_by_every_field() {
+    for row in FIELDS {
+        let own = row.get(&Scene::default());
+        let values = [
+            Value::Float(1.0),
+            Value::Integer(1),
+            Value::Boolean(true),
+            Value::Word("no word"),
+            Value::Text("text".into()),
+            Value::Velocity([0.0; 3]),
+        ];
+        for value in values {
+            let same_kind = std::mem::discriminant(&value) == std::mem::discriminant(&own);
+            if same_kind && !matches!(value, Value::Word(_)) {
+                continue;
+            }
+            let mut scene = Scene::default();
+            let refusal = row.set(&mut scene, value).unwrap_err();
+            assert_eq!(refusal.key, row.key);
+            assert_eq!(scene, Scene::default(), "{}", row.key);
+        }
+    }
 }
 
 #[test]
@@ -187,7 +266,7 @@ fn every_word_of_every_choice_is_kept() {
         };
         for word in words {
             let scene = set(field.key, word).unwrap();
-            assert_eq!(value_of(&scene, field), format!("\"{word}\""));
+            assert_eq!(field.get(&scene), Value::Word(word));
         }
     }
 }

@@ -247,8 +247,8 @@ fn faults_of_a_journey_are_told_with_their_keyframe() {
     let two = "[[keyframe]]\ntime = 0\n[[keyframe]]\n";
     let fault = |text: &str| journey::load("j.toml", text).unwrap_err().to_string();
     for (text, sentence) in [
-        (String::new(), "j.toml: a journey has from 2 to 1000 tables [[keyframe]], and here are 0"),
-        ("[[keyframe]]\ntime = 1".into(), "j.toml: a journey has from 2 to 1000 tables [[keyframe]], and here are 1"),
+        (String::new(), "j.toml: a journey has from 2 to 1000 tables [[keyframe]], and this one has 0"),
+        ("[[keyframe]]\ntime = 1".into(), "j.toml: a journey has from 2 to 1000 tables [[keyframe]], and this one has 1"),
         (
             "schema = 2".into(),
             "j.toml: schema = 2 is another version of the preset format; this program reads schema 1",
@@ -263,12 +263,12 @@ fn faults_of_a_journey_are_told_with_their_keyframe() {
         ),
         (
             two.into(),
-            "j.toml: keyframe 2: time = nothing is refused: it must be a number of seconds above 0, that of the keyframe \
+            "j.toml: keyframe 2: time = nothing is refused: it must be a number of seconds above 0, the time of the keyframe \
              before",
         ),
         (
             format!("{two}time = 0.0"),
-            "j.toml: keyframe 2: time = 0 is refused: it must be a number of seconds above 0, that of the keyframe before",
+            "j.toml: keyframe 2: time = 0 is refused: it must be a number of seconds above 0, the time of the keyframe before",
         ),
         (
             format!("{two}time = inf"),
@@ -277,8 +277,8 @@ fn faults_of_a_journey_are_told_with_their_keyframe() {
         (
             format!("{two}time = 1\nradius = 3"),
             "j.toml: keyframe 2: there is no radius; a keyframe has time, any of r, theta_deg, phi_deg, yaw_deg, \
-             pitch_deg, roll_deg, fov_deg, observer, velocity, and a table rain of those but the observer for who falls \
-             from rest at infinity",
+             pitch_deg, roll_deg, fov_deg, observer, velocity, and a table rain of those but the observer, for an \
+             observer that falls from rest at infinity",
         ),
         (
             format!("{two}time = 1\nrain.theta_deg = 200"),

@@ -10,3 +10,4 @@ mod limits;
 mod load;
 mod pose;
 mod presets;
+mod words;

@@ -12,7 +12,8 @@ use graph::Graph;
 use std::path::{Path, PathBuf};
 
 /// The core's modules, lowest first: each may import from those before it.
-const CORE_ORDER: [&str; 6] = [
+const CORE_ORDER: [&str; 7] = [
+    "lightfall_core::words",
     "lightfall_core::geometry",
     "lightfall_core::scene",
     "lightfall_core::optics",

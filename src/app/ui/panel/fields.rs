@@ -6,9 +6,8 @@ use crate::app::input::keyboard::SceneEditor;
 use crate::render::{Letterbox, letterbox};
 use bevy::math::UVec2;
 use bevy_egui::egui;
-use lightfall_core::scene::{FIELDS, Field, Kind, Picture, Range};
+use lightfall_core::scene::{FIELDS, Field, Kind, Picture, Range, Value};
 use std::ops::Bound::{Excluded, Included, Unbounded};
-use toml::Value;
 
 /// Ranges that span more than this are typed or dragged; narrower ones have a slider.
 const MAX_SLIDER_RANGE: f64 = 1000.0;
@@ -189,22 +188,22 @@ fn widget(ui: &mut egui::Ui, field: &Field, value: &Value, range: Range) -> Opti
                 .changed()
                 .then_some(Value::Boolean(on))
         }
-        (Kind::Choice(choices), Value::String(word)) => {
-            let mut chosen = word.clone();
+        (Kind::Choice(choices), Value::Word(word)) => {
+            let mut chosen = *word;
             egui::ComboBox::from_id_salt(field.key)
-                .selected_text(word)
+                .selected_text(*word)
                 .width(150.0)
                 .show_ui(ui, |ui| {
                     for choice in choices {
-                        ui.selectable_value(&mut chosen, (*choice).to_owned(), *choice);
+                        ui.selectable_value(&mut chosen, choice, *choice);
                     }
                 });
-            (chosen != *word).then_some(Value::String(chosen))
+            (chosen != *word).then_some(Value::Word(chosen))
         }
-        (Kind::Text, Value::String(text)) => {
+        (Kind::Text, Value::Text(text)) => {
             let mut text = text.clone();
             let edit = egui::TextEdit::singleline(&mut text).desired_width(VALUE_WIDTH - 10.0);
-            ui.add(edit).changed().then_some(Value::String(text))
+            ui.add(edit).changed().then_some(Value::Text(text))
         }
         (Kind::Float(_), Value::Float(number)) => {
             let mut number = *number;
@@ -215,13 +214,13 @@ fn widget(ui: &mut egui::Ui, field: &Field, value: &Value, range: Range) -> Opti
             drag(ui, &mut float, range, field.unit, true)
                 .then_some(Value::Integer(float.round() as i64))
         }
-        (Kind::Velocity, Value::Array(components)) => {
-            let mut components: Vec<f64> = components.iter().filter_map(Value::as_float).collect();
+        (Kind::Velocity, Value::Velocity(components)) => {
+            let mut components = *components;
             let mut changed = false;
             for component in &mut components {
                 changed |= ui.add(number(component, 0.005, "")).changed();
             }
-            changed.then(|| Value::Array(components.into_iter().map(Value::Float).collect()))
+            changed.then_some(Value::Velocity(components))
         }
         _ => None,
     }

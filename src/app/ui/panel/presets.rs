@@ -39,16 +39,14 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut State, editor: &mut SceneEdito
     ui.strong("Built in");
     let name = editor.meant().name;
     for preset in presets::PRESETS {
-        let Ok(scene) = preset.scene(&[]) else {
-            continue;
-        };
+        let scene = preset.plain_scene();
         let text = format!("{}  {}", preset.number, preset.name);
         if ui
             .selectable_label(name == preset.name, text)
             .on_hover_text(&scene.title)
             .clicked()
         {
-            editor.load("", Ok(scene));
+            editor.load("", Ok(scene.clone()));
         }
     }
     ui.separator();

@@ -6,7 +6,7 @@ use crate::app::state::settings::{HOLE_MASSES, Settings};
 use bevy_egui::egui;
 use lightfall_core::optics::readout::Readout;
 use lightfall_core::optics::readout::si::{HoleMass, MASSES};
-use lightfall_core::scene::{ObserverKind, Scene};
+use lightfall_core::scene::Scene;
 use std::time::{Duration, Instant};
 
 /// Read-outs of a moving observer are made anew this often: they are to be read.
@@ -69,12 +69,7 @@ pub(super) fn show(
             ("phi", format!("{phi:.3}°")),
         ],
     );
-    let kind = match scene.observer.kind {
-        ObserverKind::Static => "at rest",
-        ObserverKind::Zamo => "no angular momentum",
-        ObserverKind::Orbit => "circular orbit",
-        ObserverKind::Rain => "free fall from far away",
-    };
+    let kind = scene.observer.kind.properties().motion_in_full;
     table(
         ui,
         "Observer",

@@ -24,7 +24,7 @@ pub enum ObserverError {
         /// The inner horizon.
         inner: f64,
     },
-    /// Effects are told apart by an observer who stays outside the horizon.
+    /// Some effects are defined for an observer outside the horizon only.
     #[error(
         "camera.r is {r}; it must be greater than {horizon:.6}, the horizon, where effects.lensing, aberration, doppler or \
          gravitational_shift is false"

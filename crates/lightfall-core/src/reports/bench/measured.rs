@@ -87,7 +87,7 @@ impl Measured {
         let [steps_mean, steps_max] = errors.steps;
         Self {
             scene: name.into(),
-            method: scene.method.name().into(),
+            method: scene.method.word().into(),
             setting: setting.key,
             value: setting.key.map(|_| setting.value),
             own_setting: setting.own,

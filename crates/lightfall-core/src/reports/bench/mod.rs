@@ -62,7 +62,7 @@ impl Plan {
     pub fn new(quick: bool) -> Self {
         Self {
             subjects: subjects(),
-            methods: Method::ON_GPU.to_vec(),
+            methods: Method::on_gpu(),
             size: if quick {
                 UVec2::new(160, 90)
             } else {

@@ -1,7 +1,7 @@
 //! Which methods can trace a scene, and the settings each is measured at.
 
 use crate::gpu::GpuScene;
-use crate::scene::{Method, Scene};
+use crate::scene::{AccuracySetting, Method, Scene};
 use glam::UVec2;
 
 /// Step scales of the article's methods, from its cheapest to where their 768 steps no longer
@@ -32,11 +32,9 @@ pub struct Setting {
 /// The methods that can trace a scene on the GPU.
 #[must_use]
 pub fn methods_for(scene: &Scene) -> Vec<Method> {
-    if scene.hole.spin == 0.0 {
-        Method::ON_GPU.to_vec()
-    } else {
-        vec![Method::Mino, Method::KerrSchild]
-    }
+    let mut methods = Method::on_gpu();
+    methods.retain(|method| scene.hole.spin == 0.0 || method.properties().spins);
+    methods
 }
 
 /// A method's settings for a scene, few or many; those that make no difference are left out.
@@ -59,8 +57,8 @@ pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
             auto: false,
         }
     };
-    let mut all: Vec<Setting> = match method {
-        Method::Verlet | Method::KerrSchild => {
+    let mut all: Vec<Setting> = match method.properties().setting {
+        AccuracySetting::StepScale => {
             let values: &[f64] = if few { &FEW_STEP_SCALES } else { &STEP_SCALES };
             let change: fn(&mut Scene, f64) = |scene, value| scene.quality.step_scale = value;
             values
@@ -68,7 +66,7 @@ pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
                 .map(|value| set(Some("quality.step_scale"), *value, change))
                 .collect()
         }
-        Method::Mino => {
+        AccuracySetting::MaxError => {
             let values: &[f64] = if few { &FEW_ERRORS } else { &ERRORS };
             let change: fn(&mut Scene, f64) = |scene, value| scene.quality.max_error_px = value;
             let own = scene.quality.max_error_px;
@@ -80,7 +78,7 @@ pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
             )
             .collect()
         }
-        Method::Auto | Method::Closed | Method::Reference => vec![set(None, f64::NAN, |_, _| {})],
+        AccuracySetting::None => vec![set(None, f64::NAN, |_, _| {})],
     };
     let numbers = |setting: &Setting| GpuScene::new(&setting.scene, UVec2::new(1920, 1080)).ok();
     let mut kept: Vec<Option<GpuScene>> = Vec::new();

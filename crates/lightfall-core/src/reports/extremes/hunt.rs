@@ -162,18 +162,13 @@ impl Found {
             method,
             ..
         } = &self.scene;
-        let kind = match observer.kind {
-            ObserverKind::Static => "static",
-            ObserverKind::Zamo => "zamo",
-            ObserverKind::Orbit => "orbit",
-            ObserverKind::Rain => "rain",
-        };
+        let kind = observer.kind.word();
         let [v_r, v_theta, v_phi] = observer.velocity;
         format!(
             "for device in gpu cpu; do echo {x:?},{y:?},{z:?} | lightfall trace --rays - --device $device --method {} \
              --spin {:?} --set camera.r={:?} --set camera.theta_deg={:?} --set camera.fov_deg={:?} --set observer.kind={kind} \
              --set 'observer.velocity=[{v_r:?},{v_theta:?},{v_phi:?}]' --set disk.inner={:?} --set disk.outer={:?}; done",
-            method.name(),
+            method.word(),
             hole.spin,
             camera.r,
             camera.theta_deg,

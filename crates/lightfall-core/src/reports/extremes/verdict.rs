@@ -3,7 +3,7 @@
 use super::Cell;
 use crate::accuracy::ErrorSummary;
 use crate::reports::bench::short;
-use crate::scene::{Method, Quality, Scene};
+use crate::scene::{AccuracySetting, Method, Quality, Scene};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -35,13 +35,13 @@ pub struct Tolerance {
 /// own pictures, 960x540 at 60 degrees.
 #[must_use]
 pub fn tolerance(scene: &Scene) -> Tolerance {
-    let backward = match scene.method {
-        Method::Closed => 1e-6,
-        Method::Auto | Method::Mino | Method::Reference => {
+    let method = scene.method.properties();
+    let backward = match method.setting {
+        AccuracySetting::MaxError => {
             let pixel = scene.camera.pixel_angle(f64::from(scene.picture.height));
-            f64::max(2e-6, scene.quality.max_error_px * pixel)
+            f64::max(method.backward_max, scene.quality.max_error_px * pixel)
         }
-        Method::Verlet | Method::KerrSchild => 2.1e-3,
+        AccuracySetting::None | AccuracySetting::StepScale => method.backward_max,
     };
     Tolerance { backward }
 }
@@ -94,7 +94,7 @@ impl Verdict {
             method: if *scene == tightest(scene) {
                 TIGHTEST
             } else {
-                scene.method.name()
+                scene.method.word()
             },
             rays: errors.rays,
             unfinished: errors.unfinished(),

@@ -28,7 +28,7 @@ impl Journey {
     /// on: at each keyframe, then at moments in between. `possible` says whether a scene can be
     /// drawn.
     ///
-    /// # ErrorSummary
+    /// # Errors
     /// The first keyframe that is refused, or else the first such moment.
     pub fn check<T, E: Display>(
         &self,

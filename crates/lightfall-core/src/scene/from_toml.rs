@@ -1,0 +1,96 @@
+//! From TOML's values and faults to the scene's.
+
+use super::error::{Refusal, SceneError};
+use super::fields::Field;
+use super::range::{Kind, number};
+use super::value::{Value, quoted};
+
+impl Field {
+    /// A TOML value as a value of this field. Whole numbers are accepted where a number is asked
+    /// for. The range of a float is not checked.
+    ///
+    /// # Errors
+    /// The value is of another kind, or cannot be kept in the field.
+    pub(super) fn read(&self, value: &toml::Value) -> Result<Value, Refusal> {
+        let typed = match (self.kind, value) {
+            (Kind::Float(_), value) => float(value).map(Value::Float),
+            (Kind::Integer(_), toml::Value::Integer(number)) => Some(Value::Integer(*number)),
+            (Kind::Boolean, toml::Value::Boolean(on)) => Some(Value::Boolean(*on)),
+            (Kind::Choice(words), toml::Value::String(given)) => {
+                let word = words.iter().find(|word| *word == given);
+                word.map(|word| Value::Word(word))
+            }
+            (Kind::Text, toml::Value::String(text)) => Some(Value::Text(text.clone())),
+            (Kind::Velocity, toml::Value::Array(components)) => velocity(components),
+            _ => None,
+        };
+        let typed = typed.ok_or_else(|| self.refusal(given(value)))?;
+        self.check_kind(&typed).map(|()| typed)
+    }
+}
+
+/// A number, written with or without a decimal point.
+pub(super) fn float(value: &toml::Value) -> Option<f64> {
+    match value {
+        toml::Value::Float(number) => Some(*number),
+        toml::Value::Integer(number) => Some(*number as f64),
+        _ => None,
+    }
+}
+
+fn velocity(components: &[toml::Value]) -> Option<Value> {
+    let [r, theta, phi] = components else {
+        return None;
+    };
+    Some(Value::Velocity([float(r)?, float(theta)?, float(phi)?]))
+}
+
+impl From<Value> for toml::Value {
+    fn from(value: Value) -> Self {
+        match value {
+            Value::Float(number) => Self::Float(number),
+            Value::Integer(number) => Self::Integer(number),
+            Value::Boolean(on) => Self::Boolean(on),
+            Value::Word(word) => Self::String(word.into()),
+            Value::Text(text) => Self::String(text),
+            Value::Velocity(components) => Self::Array(components.map(Self::Float).into()),
+        }
+    }
+}
+
+/// A TOML value as one short line, for a message.
+pub(super) fn given(value: &toml::Value) -> String {
+    match value {
+        toml::Value::Float(x) => number(*x),
+        toml::Value::String(text) => quoted(text),
+        toml::Value::Table(_) => "{...}".into(),
+        toml::Value::Array(values) if values.len() > 8 => format!("an array of {}", values.len()),
+        toml::Value::Array(values) => format!(
+            "[{}]",
+            values.iter().map(given).collect::<Vec<_>>().join(", ")
+        ),
+        other => other.to_string(),
+    }
+}
+
+/// A fault of TOML with the line and column where it was noticed.
+pub(super) fn syntax(origin: &str, text: &str, error: &toml::de::Error) -> SceneError {
+    let at = error.span().map_or(0, |span| span.start.min(text.len()));
+    let before = String::from_utf8_lossy(&text.as_bytes()[..at]);
+    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    SceneError::Syntax {
+        origin: origin.into(),
+        line: 1 + before.matches('\n').count(),
+        column: 1 + before[line_start..].chars().count(),
+        message: one_line(error.message()),
+    }
+}
+
+fn one_line(message: &str) -> String {
+    message
+        .lines()
+        .map(str::trim)
+        .filter(|line| !line.is_empty())
+        .collect::<Vec<_>>()
+        .join(", ")
+}

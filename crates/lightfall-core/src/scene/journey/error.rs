@@ -1,0 +1,79 @@
+//! What can be wrong with the text of a journey, each in one sentence.
+
+use super::format::{MAX_KEYFRAMES, NAMES};
+use crate::scene::error::SceneError;
+use thiserror::Error;
+
+/// Why a text is not a journey. `origin` is its file; keyframes count from 1.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum JourneyError {
+    /// The text is not TOML, or of another version.
+    #[error(transparent)]
+    Text(#[from] SceneError),
+    /// A key at the top level that is unknown, or has a value of the wrong type.
+    #[error(
+        "{origin}: {key} = {given} is refused: a journey has schema = 1, title = \"...\" and tables [[keyframe]]"
+    )]
+    Top {
+        /// Where it was written.
+        origin: String,
+        /// The key.
+        key: String,
+        /// Its value.
+        given: String,
+    },
+    /// Too few or too many keyframes.
+    #[error(
+        "{origin}: a journey has from 2 to {MAX_KEYFRAMES} tables [[keyframe]], and this one has {count}"
+    )]
+    Count {
+        /// Where it was written.
+        origin: String,
+        /// How many there are.
+        count: usize,
+    },
+    /// A keyframe without a time, or with one that is not after the time before.
+    #[error("{origin}: keyframe {number}: time = {given} is refused: it must be {allowed}")]
+    Time {
+        /// Where it was written.
+        origin: String,
+        /// Which keyframe.
+        number: usize,
+        /// What was given.
+        given: String,
+        /// What it may be.
+        allowed: String,
+    },
+    /// A keyframe with an unknown key.
+    #[error(
+        "{origin}: keyframe {number}: there is no {key}; a keyframe has time, any of {}, and a table rain of those but \
+             the observer, for an observer that falls from rest at infinity",
+        names()
+    )]
+    UnknownKey {
+        /// Where it was written.
+        origin: String,
+        /// Which keyframe.
+        number: usize,
+        /// The name.
+        key: String,
+    },
+    /// A value of the wrong type or out of range.
+    #[error("{origin}: keyframe {number}: {key} = {given} is refused: it must be {allowed}")]
+    Value {
+        /// Where it was written.
+        origin: String,
+        /// Which keyframe.
+        number: usize,
+        /// The name.
+        key: &'static str,
+        /// What was given.
+        given: String,
+        /// What it may be.
+        allowed: String,
+    },
+}
+
+fn names() -> String {
+    NAMES.map(|(name, _)| name).join(", ")
+}

@@ -1,0 +1,140 @@
+//! One keyframe of a journey: its values, each checked by the field that it will be written to.
+
+use super::error::JourneyError;
+use super::format::NAMES;
+use crate::scene::fields::{Field, field};
+use crate::scene::from_toml::{float, given};
+use crate::scene::range::{Kind, Range};
+use crate::scene::value::{FieldValue, Value, shortened};
+use std::collections::BTreeMap;
+use toml::Table;
+
+/// Longest journey, in seconds.
+const MAX_LENGTH: f64 = 86_400.0;
+
+/// An angle of any number of turns, as a field that belongs to no scene.
+const ANY_ANGLE: Field = Field::new(
+    ("", Kind::Float(Range::FINITE), "of degrees", ""),
+    |_| Value::Float(0.0),
+    |_, _| false,
+);
+
+/// The values of a keyframe by their names.
+pub(super) type Values = BTreeMap<&'static str, Value>;
+
+/// One keyframe, each value checked.
+pub(super) struct Keyframe {
+    /// When it is, in seconds.
+    pub(super) time: f64,
+    values: Values,
+    values_in_rain: Values,
+}
+
+impl Keyframe {
+    /// What it names.
+    pub(super) fn values(&self) -> &Values {
+        &self.values
+    }
+
+    /// The same, with what differs for an observer that falls freely.
+    pub(super) fn values_in_rain(&self) -> &Values {
+        &self.values_in_rain
+    }
+
+    /// Reads the keyframe of this number, counted from 1, after one at the time `before`.
+    pub(super) fn read(
+        origin: &str,
+        number: usize,
+        mut frame: Table,
+        before: Option<f64>,
+    ) -> Result<Self, JourneyError> {
+        let unknown = |key: &str| JourneyError::UnknownKey {
+            origin: origin.into(),
+            number,
+            key: key.into(),
+        };
+        let time = time(origin, number, frame.remove("time").as_ref(), before)?;
+        let in_rain = match frame.remove("rain") {
+            Some(toml::Value::Table(in_rain)) => in_rain,
+            Some(_) => return Err(unknown("value rain")),
+            None => Table::new(),
+        };
+        if in_rain.contains_key("observer") {
+            return Err(unknown("rain.observer"));
+        }
+        let values = checked(origin, number, &frame)?;
+        let mut values_in_rain = values.clone();
+        values_in_rain.extend(checked(origin, number, &in_rain)?);
+        Ok(Self {
+            time,
+            values,
+            values_in_rain,
+        })
+    }
+}
+
+/// The time of a keyframe, which comes after the one before.
+fn time(
+    origin: &str,
+    number: usize,
+    time: Option<&toml::Value>,
+    before: Option<f64>,
+) -> Result<f64, JourneyError> {
+    let seconds = time.and_then(float);
+    let later = |seconds: f64| before.is_none_or(|last| seconds > last);
+    if let Some(seconds) = seconds
+        && (0.0..=MAX_LENGTH).contains(&seconds)
+        && later(seconds)
+    {
+        return Ok(seconds);
+    }
+    let allowed = match before {
+        Some(last) if !seconds.is_some_and(later) => {
+            format!("a number of seconds above {last}, the time of the keyframe before")
+        }
+        _ => format!("a number of seconds from 0 to {MAX_LENGTH}"),
+    };
+    Err(JourneyError::Time {
+        origin: origin.into(),
+        number,
+        given: match (seconds, time) {
+            (Some(seconds), _) => seconds.to_value().quoted(),
+            (None, Some(time)) => given(time),
+            (None, None) => "nothing".into(),
+        },
+        allowed,
+    })
+}
+
+/// The values of a keyframe, each by its name.
+fn checked(origin: &str, number: usize, frame: &Table) -> Result<Values, JourneyError> {
+    let mut values = Values::new();
+    for (key, value) in frame {
+        let Some((name, like)) = NAMES.into_iter().find(|(name, _)| name == key) else {
+            return Err(JourneyError::UnknownKey {
+                origin: origin.into(),
+                number,
+                key: shortened(key),
+            });
+        };
+        let field = field(like).unwrap_or(&ANY_ANGLE);
+        let refused = |given| JourneyError::Value {
+            origin: origin.into(),
+            number,
+            key: name,
+            given,
+            allowed: field.allowed(),
+        };
+        let value = field
+            .read(value)
+            .map_err(|refusal| refused(refusal.given))?;
+        if value
+            .number()
+            .is_some_and(|number| !field.kind.range().contains(number))
+        {
+            return Err(refused(value.quoted()));
+        }
+        values.insert(name, value);
+    }
+    Ok(values)
+}

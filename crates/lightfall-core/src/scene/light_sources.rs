@@ -1,0 +1,35 @@
+//! What shines: the models of the disk's flux and of the sky.
+
+crate::words! {
+    /// Radial profile of the disk's flux.
+    #[derive(Default)]
+    pub enum DiskModel {
+        /// F = (r_in/r)^3 (1 - sqrt(r_in/r)).
+        #[default]
+        Newtonian = "newtonian",
+        /// Relativistic, around Kerr: Page & Thorne 1974, with the same peak.
+        PageThorne = "page-thorne",
+    }
+}
+
+crate::words! {
+    /// What is drawn at infinity.
+    #[derive(Default)]
+    pub enum SkyMode {
+        /// Deterministic stars.
+        #[default]
+        Stars = "stars",
+        /// A celestial grid.
+        Grid = "grid",
+        /// Nothing.
+        Off = "off",
+    }
+}
+
+impl SkyMode {
+    /// The mode after this one, in the order of declaration; after the last comes the first.
+    #[must_use]
+    pub fn next(self) -> Self {
+        Self::ALL[(self as usize + 1) % Self::ALL.len()]
+    }
+}

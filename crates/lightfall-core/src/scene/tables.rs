@@ -1,0 +1,297 @@
+//! The scene and its tables of fields. Each field is declared once, with its meaning, which is both
+//! its documentation and its help, its type, its default, and for a number its range and unit:
+//!
+//! ```text
+//! /// Angle from the disk normal.
+//! theta_deg: f64 = 80.0, POLAR, "degrees";
+//! ```
+
+use serde::{Deserialize, Serialize};
+
+use super::range::Range;
+use super::row::Row;
+use super::value::FieldValue;
+use super::{DiskModel, MAX_PICTURE_SIDE, MAX_RADIUS, Method, ObserverKind, SCHEMA, SkyMode, View};
+
+/// A radius in the disk.
+pub(super) const EDGE: Range = Range::above(0.0, 1e6);
+/// From pole to pole.
+pub(super) const POLAR: Range = Range::closed(0.0, 180.0);
+/// A turn either way.
+const TURN: Range = Range::closed(-360.0, 360.0);
+/// A share of a whole.
+const SHARE: Range = Range::closed(0.0, 1.0);
+/// An artistic scale of light.
+const SCALE: Range = Range::closed(0.0, 1e3);
+/// A side of a picture.
+const SIDE: Range = Range::closed(1.0, MAX_PICTURE_SIDE as f64);
+/// A radius where a camera may be around some hole; `limits` narrows it to where the scene's
+/// observer exists.
+const CAMERA: Range = Range::closed(0.1, MAX_RADIUS);
+/// A vertical field of view, from a millionth of a radian up.
+const FIELD_OF_VIEW: Range = Range::closed(1e-6_f64.to_degrees(), 179.0);
+
+/// Declares a table: the struct with its defaults, and the rows of its fields in the field table.
+/// `in (camera)` is the table's name in a preset; the scene itself has none, and holds the tables.
+macro_rules! table {
+    (
+        $(#[$attribute:meta])*
+        pub struct $Table:ident in $table:tt {
+            $(
+                $(#[doc = $about:literal])+
+                $field:ident: $type:ty = $default:expr $(, $range:expr, $unit:literal)?;
+            )+
+            $(tables: $($(#[doc = $inner_about:literal])+ $inner:ident: $Inner:ty;)+)?
+        }
+    ) => {
+        $(#[$attribute])*
+        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+        #[serde(deny_unknown_fields, default)]
+        pub struct $Table {
+            $($(#[doc = $about])+ pub $field: $type,)+
+            $($($(#[doc = $inner_about])+ pub $inner: $Inner,)+)?
+        }
+
+        impl Default for $Table {
+            fn default() -> Self {
+                Self {
+                    $($field: $default,)+
+                    $($($inner: Default::default(),)+)?
+                }
+            }
+        }
+
+        impl $Table {
+            /// The rows of this table's own fields.
+            pub(super) const FIELDS: &'static [Row<Scene>] = &[$(
+                Row::new(
+                    (
+                        table!(@key $table $field),
+                        <$type as FieldValue>::KIND$(.within($range))?,
+                        concat!($($unit)?),
+                        concat!($($about),+),
+                    ),
+                    |scene| FieldValue::to_value(&table!(@place scene $table $field)),
+                    |scene, value| match FieldValue::from_value(value) {
+                        Some(value) => {
+                            table!(@place scene $table $field) = value;
+                            true
+                        }
+                        None => false,
+                    },
+                ),
+            )+];
+        }
+    };
+    (@key () $field:ident) => { stringify!($field) };
+    (@key ($table:ident) $field:ident) => { concat!(stringify!($table), ".", stringify!($field)) };
+    (@place $scene:ident () $field:ident) => { $scene.$field };
+    (@place $scene:ident ($table:ident) $field:ident) => { $scene.$table.$field };
+}
+
+table! {
+    /// Everything that decides a picture.
+    pub struct Scene in () {
+        /// Version of the preset format.
+        schema: u32 = SCHEMA, Range::closed(SCHEMA as f64, SCHEMA as f64), "";
+        /// Short name.
+        name: String = "unnamed".into();
+        /// One line that says what there is to see.
+        title: String = String::new();
+        /// How light is traced.
+        method: Method = Method::default();
+        /// What is shown: the light, the light with rays without an answer in magenta, or a
+        /// diagnostic.
+        view: View = View::default();
+        tables:
+        /// The hole.
+        hole: Hole;
+        /// Where the camera is and where it looks.
+        camera: Camera;
+        /// How the camera moves through the place where it is.
+        observer: Observer;
+        /// Which effects there are; without one of them the physics is broken on purpose.
+        effects: Effects;
+        /// The thin disk.
+        disk: Disk;
+        /// What lies at infinity.
+        sky: Sky;
+        /// The foreground probe.
+        probe: Probe;
+        /// The way from light to pixels.
+        picture: Picture;
+        /// Accuracy against time.
+        quality: Quality;
+    }
+}
+
+table! {
+    /// The black hole; its Schwarzschild radius is the unit of length.
+    #[derive(Copy)]
+    pub struct Hole in (hole) {
+        /// chi = a/M; positive turns with the disk.
+        spin: f64 = 0.0, Range::between(-1.0, 1.0), "";
+    }
+}
+
+table! {
+    /// Where the camera is and where it looks. With yaw, pitch and roll zero it looks at the hole's
+    /// centre, with decreasing theta up and growing phi to the right.
+    ///
+    /// `r`, `theta_deg` and `phi_deg` are Boyer-Lindquist; at and inside the horizon `phi_deg` is
+    /// Kerr's ingoing azimuth.
+    #[derive(Copy)]
+    pub struct Camera in (camera) {
+        /// Boyer-Lindquist radius of the camera, outside the horizon unless observer.kind is rain.
+        r: f64 = 20.0, CAMERA, "r_s";
+        /// Angle from the disk normal.
+        theta_deg: f64 = 80.0, POLAR, "degrees";
+        /// Azimuth.
+        phi_deg: f64 = 0.0, TURN, "degrees";
+        /// Vertical field of view.
+        fov_deg: f64 = 60.0, FIELD_OF_VIEW, "degrees";
+        /// Turn to the right, away from the hole's centre.
+        yaw_deg: f64 = 0.0, TURN, "degrees";
+        /// Turn upward, after the yaw.
+        pitch_deg: f64 = 0.0, TURN, "degrees";
+        /// Turn clockwise about the line of sight, last.
+        roll_deg: f64 = 0.0, TURN, "degrees";
+    }
+}
+
+table! {
+    /// How the camera moves. The components of `velocity` point outward, toward growing theta and
+    /// toward growing phi.
+    #[derive(Copy)]
+    pub struct Observer in (observer) {
+        /// How the camera moves.
+        kind: ObserverKind = ObserverKind::default();
+        /// One more boost, in the observer's frame.
+        velocity: [f64; 3] = [0.0; 3], Range::FINITE, "c";
+    }
+}
+
+table! {
+    /// Which effects there are. Switching one off breaks the physics on purpose, to show what the
+    /// effect does: without `lensing` rays are straight lines of flat space; without `beaming` a
+    /// shift changes colour only; without `aberration` directions are those of an observer with
+    /// zero angular momentum.
+    #[derive(Copy, Eq, Hash)]
+    pub struct Effects in (effects) {
+        /// Whether light is bent; off breaks the physics on purpose.
+        lensing: bool = true;
+        /// Whether motion shifts light; off breaks the physics on purpose.
+        doppler: bool = true;
+        /// Whether a shift changes the brightness by g^4; off breaks the physics on purpose.
+        beaming: bool = true;
+        /// Whether potentials shift light; off breaks the physics on purpose.
+        gravitational_shift: bool = true;
+        /// Whether motion displaces directions; off breaks the physics on purpose.
+        aberration: bool = true;
+    }
+}
+
+table! {
+    /// The thin emitting disk in the equatorial plane.
+    #[derive(Copy)]
+    pub struct Disk in (disk) {
+        /// Whether there is a disk.
+        enabled: bool = true;
+        /// Inner edge; never inside the innermost stable circular orbit.
+        inner: f64 = 3.0, EDGE, "r_s";
+        /// Whether the inner edge is the innermost stable circular orbit, whatever disk.inner says.
+        follow_isco: bool = false;
+        /// Outer edge; outside the innermost stable circular orbit.
+        outer: f64 = 11.0, EDGE, "r_s";
+        /// Radial profile of the flux.
+        model: DiskModel = DiskModel::default();
+        /// Temperature scale: T = temperature_k F^(1/4); a hotter disk keeps its total flux, ever
+        /// less of it visible.
+        temperature_k: f64 = 18_000.0, Range::closed(100.0, 1e6), "K";
+        /// Artistic scale of the emission.
+        brightness: f64 = 1.0, SCALE, "";
+        /// Width of the fade at each edge, as a fraction of its radius.
+        edge_taper: f64 = 0.03, Range::closed(0.0, 0.5), "";
+        /// Share of the light from behind that passes through.
+        transmission: f64 = 0.04, SHARE, "";
+    }
+}
+
+table! {
+    /// What lies at infinity.
+    #[derive(Copy)]
+    pub struct Sky in (sky) {
+        /// What is drawn at infinity.
+        mode: SkyMode = SkyMode::default();
+        /// Which stars.
+        seed: u32 = 1, Range::closed(0.0, u32::MAX as f64), "";
+        /// Scale of the sky's light.
+        brightness: f64 = 1.0, SCALE, "";
+        /// Whether one bright star is added, in any mode but `off`.
+        reference_star: bool = false;
+        /// The reference star's angle from the disk normal.
+        reference_theta_deg: f64 = 90.0, POLAR, "degrees";
+        /// The reference star's azimuth.
+        reference_phi_deg: f64 = 180.0, TURN, "degrees";
+    }
+}
+
+table! {
+    /// A small craft, drawn by ordinary projection in front of the traced light.
+    #[derive(Copy)]
+    pub struct Probe in (probe) {
+        /// Whether the foreground probe is there.
+        enabled: bool = false;
+        /// Radius where the probe hovers.
+        r: f64 = 20.0, Range::above(1.0, MAX_RADIUS), "r_s";
+        /// The probe's angle from the disk normal.
+        theta_deg: f64 = 80.0, POLAR, "degrees";
+        /// The probe's azimuth.
+        phi_deg: f64 = 0.0, TURN, "degrees";
+        /// Length of the probe's body.
+        size: f64 = 0.2, Range::above(0.0, 1e3), "r_s";
+        /// Whether the probe's edges are smoothed, by four samples a pixel.
+        antialias: bool = false;
+    }
+}
+
+table! {
+    /// The way from light to pixels.
+    #[derive(Copy)]
+    pub struct Picture in (picture) {
+        /// Width of the HDR picture.
+        width: u32 = 960, SIDE, "pixels";
+        /// Height of the HDR picture.
+        height: u32 = 540, SIDE, "pixels";
+        /// Width of the presentation grid; not more than picture.width.
+        grid_width: u32 = 480, SIDE, "cells";
+        /// Height of the presentation grid; not more than picture.height.
+        grid_height: u32 = 270, SIDE, "cells";
+        /// Exposure.
+        exposure_ev: f64 = 1.2, Range::closed(-20.0, 20.0), "powers of two";
+        /// Strength of the bloom; zero leaves it out.
+        bloom: f64 = 0.08, SHARE, "";
+        /// How many levels a channel is rounded to.
+        levels: u32 = 24, Range::closed(2.0, 256.0), "levels";
+        /// Whether a 4x4 Bayer pattern spreads the rounding error.
+        dither: bool = true;
+        /// Whether the pixel treatment is left out.
+        bypass: bool = false;
+    }
+}
+
+table! {
+    /// Accuracy against time. An error is stated in pixels of the picture: the turn of a pixel's
+    /// ray that would explain it.
+    #[derive(Copy)]
+    pub struct Quality in (quality) {
+        /// Largest error of a ray, for method mino.
+        max_error_px: f64 = 0.05, Range::closed(1e-4, 1.0), "pixels";
+        /// Scale of the step rule of verlet and kerr-schild: 1.55 cheap, 0.85 balanced, 0.45 high.
+        step_scale: f64 = 0.85, Range::above(0.0, 16.0), "";
+        /// Most steps of verlet and kerr-schild.
+        max_steps: u32 = 768, Range::closed(1.0, 768.0), "steps";
+        /// Most affine length of verlet and kerr-schild.
+        max_affine: f64 = 2000.0, Range::above(0.0, 1e9), "r_s";
+    }
+}

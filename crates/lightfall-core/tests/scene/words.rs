@@ -1,0 +1,92 @@
+//! The words of the enumerations, and the property tables of their variants.
+
+use lightfall_core::scene::{
+    AccuracySetting, DiskModel, Kind, Method, ObserverKind, SkyMode, View, field,
+};
+use lightfall_core::words::Words;
+use std::collections::BTreeSet;
+use std::fmt::Debug;
+
+/// Checks one enumeration against serde, which knows the variants on its own.
+fn check<T>(all: &[T], key: &str)
+where
+    T: Words + Debug + PartialEq + serde::Serialize + serde::de::DeserializeOwned,
+{
+    assert_eq!(all.len(), T::WORDS.len());
+    for (variant, word) in all.iter().zip(T::WORDS) {
+        assert_eq!(variant.word(), *word);
+        assert_eq!(T::from_word(word).as_ref(), Some(variant));
+        assert_eq!(serde_json::to_value(variant).unwrap(), *word);
+        assert_eq!(
+            serde_json::from_value::<T>((*word).into()).unwrap(),
+            *variant
+        );
+    }
+    let distinct: BTreeSet<_> = T::WORDS.iter().collect();
+    assert_eq!(
+        distinct.len(),
+        T::WORDS.len(),
+        "{key}: two variants share a word"
+    );
+    assert_eq!(field(key).unwrap().kind, Kind::Choice(T::WORDS));
+    assert_eq!(T::from_word("no such word"), None);
+    // Serde's own complaint lists every variant that it knows.
+    let complaint = serde_json::from_value::<T>("?".into())
+        .unwrap_err()
+        .to_string();
+    let known: Vec<&str> = complaint.split('`').skip(3).step_by(2).collect();
+    assert_eq!(known, T::WORDS, "{complaint}");
+}
+
+#[test]
+fn every_variant_has_one_word_that_serde_fields_and_messages_share() {
+    check(&Method::ALL, "method");
+    check(&View::ALL, "view");
+    check(&ObserverKind::ALL, "observer.kind");
+    check(&DiskModel::ALL, "disk.model");
+    check(&SkyMode::ALL, "sky.mode");
+}
+
+#[test]
+fn the_methods_on_the_gpu_begin_with_those_that_answer_every_ray() {
+    assert_eq!(
+        Method::on_gpu()
+            .into_iter()
+            .map(Method::word)
+            .collect::<Vec<_>>(),
+        ["closed", "mino", "verlet", "kerr-schild"]
+    );
+}
+
+#[test]
+fn auto_means_a_method_that_can_trace_the_hole_from_anywhere() {
+    for chi in [-0.999, -0.1, 0.0, 1e-9, 0.9] {
+        let method = Method::Auto.resolved(chi);
+        let properties = method.properties();
+        assert_ne!(method, Method::Auto);
+        assert!(properties.spins || chi == 0.0, "{chi}");
+        assert!(properties.inside && properties.on_gpu && properties.answers_every_ray);
+    }
+}
+
+#[test]
+fn a_method_has_a_bar_that_its_setting_can_reach() {
+    for method in Method::on_gpu() {
+        let properties = method.properties();
+        assert!(properties.backward_max > 0.0 && properties.backward_max < 0.01);
+        if properties.setting == AccuracySetting::None {
+            let p99 = properties.backward_p99.unwrap();
+            assert!(p99 <= properties.backward_max, "{}", method.word());
+        }
+    }
+}
+
+#[test]
+fn every_sky_follows_another_and_the_last_leads_back_to_the_first() {
+    let mut seen = vec![SkyMode::default()];
+    while seen.len() < SkyMode::ALL.len() {
+        seen.push(seen[seen.len() - 1].next());
+    }
+    assert_eq!(seen, SkyMode::ALL);
+    assert_eq!(seen[seen.len() - 1].next(), SkyMode::default());
+}
