@@ -4,9 +4,6 @@ use super::Camera;
 use crate::geometry::sphere::celestial_frame;
 use glam::{DMat3, DVec2, DVec3};
 
-/// Largest radius of a camera, in r_s.
-pub const MAX_RADIUS: f64 = 1e7;
-
 impl Camera {
     /// Unit vector from the hole to the camera, toward Boyer-Lindquist theta and phi, in the hole's
     /// frame.

@@ -31,7 +31,6 @@ mod value;
 mod view;
 
 pub use crate::geometry::observer::ObserverKind;
-pub use camera::MAX_RADIUS;
 pub use error::{Because, Refusal, SceneError};
 pub use fields::{FIELDS, Field, field};
 pub use light_sources::{DiskModel, SkyMode};
@@ -49,3 +48,6 @@ pub const SCHEMA: u32 = 1;
 /// Longest side of a picture, in pixels: what every device that the passes run on can do (WebGPU's
 /// default limit).
 pub const MAX_PICTURE_SIDE: u32 = 8192;
+
+/// Largest radius of a camera, in r_s.
+pub const MAX_RADIUS: f64 = 1e7;
