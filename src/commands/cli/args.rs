@@ -1,6 +1,6 @@
 //! What each command is told.
 
-use super::size;
+use super::size::size;
 use crate::picture::{CHANNELS, Channels, Frames, frame_rate};
 use clap::{Args, Subcommand, ValueEnum};
 use glam::UVec2;

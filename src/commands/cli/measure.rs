@@ -23,7 +23,7 @@ pub struct BenchArgs {
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = method)]
     pub methods: Vec<Method>,
     /// Picture whose rays are timed [default: 1920x1080, with --quick 160x90]
-    #[arg(long, value_name = "WxH", value_parser = super::size)]
+    #[arg(long, value_name = "WxH", value_parser = super::size::size)]
     pub size: Option<UVec2>,
     /// Entry of the shader that is timed
     #[arg(long, value_enum, default_value_t = EntryArg::Compute)]

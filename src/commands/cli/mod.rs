@@ -2,6 +2,7 @@
 
 mod args;
 mod measure;
+mod size;
 
 pub use args::{Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs};
 pub use measure::{BenchArgs, DoctorArgs, EntryArg, ExtremesArgs};
@@ -9,8 +10,6 @@ pub use measure::{BenchArgs, DoctorArgs, EntryArg, ExtremesArgs};
 use crate::app::NO_GAMEPAD;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
-use glam::UVec2;
-use lightfall_core::scene::MAX_PICTURE_SIDE;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -172,20 +171,4 @@ fn asked(
         Command::Doctor(_) => return Err(conflict("`doctor` takes no scene options")),
     }
     Ok(command)
-}
-
-/// Reads a size such as `960x540`.
-fn size(text: &str) -> Result<UVec2, String> {
-    let side = |side: &str| {
-        side.parse()
-            .ok()
-            .filter(|side| (1..=MAX_PICTURE_SIDE).contains(side))
-    };
-    let (width, height) = text.split_once(['x', 'X']).unwrap_or_default();
-    side(width)
-        .zip(side(height))
-        .map(UVec2::from)
-        .ok_or(format!(
-            "a size is WxH, such as 960x540, each from 1 to {MAX_PICTURE_SIDE}"
-        ))
 }

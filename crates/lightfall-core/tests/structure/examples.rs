@@ -182,7 +182,20 @@ fn a_parent_that_uses_a_child_which_uses_the_parents_own_type_is_a_circle() {
 }
 
 #[test]
-fn a_module_inside_a_file_is_reported() {
-    let graph = made_up(&[("low.rs", "\nmod inner { use crate::high::Item; }")]);
-    assert_eq!(graph.inline_modules(), ["low.rs:2: inner"]);
+fn a_module_inside_a_file_is_reported_if_it_imports() {
+    let graph = made_up(&[
+        ("low.rs", "\nmod inner {\n    use crate::high::Item;\n}"),
+        (
+            "high.rs",
+            "mod plain { pub const A: u32 = 1; }\nconst B: u32 = plain::A;",
+        ),
+        ("path.rs", "mod inner { fn f() { super::super::g() } }"),
+    ]);
+    assert_eq!(
+        graph.inline_imports(),
+        [
+            "low.rs:3: the module inner imports something and has no file of its own",
+            "path.rs:1: the module inner imports something and has no file of its own"
+        ]
+    );
 }

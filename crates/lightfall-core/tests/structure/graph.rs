@@ -81,12 +81,14 @@ impl Graph {
         self.files.get(module).map_or("", |(shown, _)| shown)
     }
 
-    /// Modules that are written out inside a file, as `file:line: name`.
-    pub fn inline_modules(&self) -> Vec<String> {
+    /// Imports of modules that are written inside a file, one sentence for each.
+    pub fn inline_imports(&self) -> Vec<String> {
         let mut found = Vec::new();
         for (shown, source) in self.files.values() {
-            for (name, line) in &source.inline_modules {
-                found.push(format!("{shown}:{line}: {name}"));
+            for (name, line) in &source.importing_inline_modules {
+                found.push(format!(
+                    "{shown}:{line}: the module {name} imports something and has no file of its own"
+                ));
             }
         }
         found

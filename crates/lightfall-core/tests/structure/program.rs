@@ -28,9 +28,9 @@ fn every_module_of_the_program_imports_only_from_modules_below_it() {
     assert!(faults.is_empty(), "\n{}", faults.join("\n"));
 }
 
-/// The check reads one module per file, so a module written inside another file would escape it.
+/// The check reads one module per file, so imports of a module inside another file would escape it.
 #[test]
-fn every_module_of_the_program_has_its_own_file() {
-    let found = sources().inline_modules();
+fn every_module_of_the_program_that_imports_has_its_own_file() {
+    let found = sources().inline_imports();
     assert!(found.is_empty(), "\n{}", found.join("\n"));
 }

@@ -36,8 +36,9 @@ pub struct Source {
     pub paths: Vec<InlinePath>,
     /// The names of the items defined at the top of the file.
     pub definitions: BTreeSet<String>,
-    /// Modules written out inside the file, which the check does not read.
-    pub inline_modules: Vec<(String, usize)>,
+    /// Modules written inside the file that import something, with the line. The check reads one
+    /// module per file, so it cannot follow their imports.
+    pub importing_inline_modules: Vec<(String, usize)>,
     /// The words of the code outside `use` lines that can name an item.
     words: BTreeSet<String>,
 }
@@ -48,10 +49,14 @@ impl Source {
         let tokens = tokens(text);
         let mut source = Self::default();
         let (mut at, mut depth) = (0, 0_usize);
+        let mut inline_modules: Vec<(String, usize)> = Vec::new();
         while at < tokens.len() {
+            let line = tokens[at].line;
+            let found = (source.imports.len(), source.paths.len());
             match word(&tokens, at) {
                 "use" if word(&tokens, at + 1) != "<" => {
                     at = source.read_use(&tokens, at);
+                    source.note_inline_module(&inline_modules, line, found);
                     continue;
                 }
                 "pub" if word(&tokens, at + 1) == "(" => {
@@ -59,18 +64,37 @@ impl Source {
                     continue;
                 }
                 "{" => depth += 1,
-                "}" => depth = depth.saturating_sub(1),
-                "mod" if word(&tokens, at + 2) == "{" => source
-                    .inline_modules
-                    .push((word(&tokens, at + 1).to_owned(), tokens[at].line)),
+                "}" => {
+                    depth = depth.saturating_sub(1);
+                    inline_modules.retain(|(_, outside)| *outside < depth);
+                }
+                "mod" if word(&tokens, at + 2) == "{" => {
+                    inline_modules.push((word(&tokens, at + 1).to_owned(), depth));
+                }
                 _ => {}
             }
             if depth == 0 {
                 source.definitions.extend(definition(&tokens, at));
             }
             at = source.read_path(&tokens, at);
+            source.note_inline_module(&inline_modules, line, found);
         }
         source
+    }
+
+    /// Notes the innermost of the open inline modules if there are more imports and paths than
+    /// `before`.
+    fn note_inline_module(
+        &mut self,
+        open: &[(String, usize)],
+        line: usize,
+        before: (usize, usize),
+    ) {
+        if let Some((name, _)) = open.last()
+            && before != (self.imports.len(), self.paths.len())
+        {
+            self.importing_inline_modules.push((name.clone(), line));
+        }
     }
 
     /// Whether code outside `use` lines refers to `name`.
