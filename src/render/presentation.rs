@@ -259,7 +259,7 @@ fn draw_output(
     );
 }
 
-/// Draws one stage, and says whether it could: its pipeline may still be in the making.
+/// Draws one stage. Returns whether it was drawn: its pipeline may still be compiling.
 fn draw_stage(
     pass: &PresentationPass,
     cache: &PipelineCache,

@@ -34,7 +34,7 @@ const LAMPS: usize = 6;
 /// real stars' light, so that the shape of the dark side is visible.
 const STARLIGHT: f32 = 0.12;
 
-/// Range of a lamp, in r_s: farther than any probe is from the disk.
+/// Range of a lamp, in r_s.
 const LAMP_RANGE: f32 = 1e4;
 
 pub(super) fn plugin(app: &mut App) {

@@ -146,7 +146,7 @@ fn who_is_let_go_in_free_fall_ends_inside() {
         frames += 1;
         assert!(frames < 60 * 60, "{:?}", scene.camera);
         let own = (1.4_f64.powf(1.5) - scene.camera.r.powf(1.5)) / 1.5;
-        assert!((voyage.worldline().unwrap().own_time() - own).abs() < 1e-9);
+        assert!((voyage.worldline().unwrap().proper_time() - own).abs() < 1e-9);
     }
     assert!((scene.camera.r - 0.1).abs() < 1e-12 && frames > 300);
     assert!(voyage.clocks(scene.camera.r).contains("ingoing time"));
@@ -280,9 +280,9 @@ fn a_machine_that_slept_finds_the_flight_where_it_was() {
     let mut voyage = FreeFall::default();
     voyage.start(&scene).unwrap();
     scene = next(voyage.pass(FRAME, &scene));
-    let (own, r) = (voyage.worldline().unwrap().own_time(), scene.camera.r);
+    let (own, r) = (voyage.worldline().unwrap().proper_time(), scene.camera.r);
     scene = next(voyage.pass(night, &scene));
-    let slept = voyage.worldline().unwrap().own_time() - own;
+    let slept = voyage.worldline().unwrap().proper_time() - own;
     assert!(
         slept < 0.5 * voyage.rate(r) && scene.camera.r > 0.9 * r,
         "{slept}"

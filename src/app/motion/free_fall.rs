@@ -131,18 +131,18 @@ impl FreeFall {
         let Some(Way { worldline, .. }) = &self.way else {
             return String::new();
         };
-        let far = match worldline.far_time() {
+        let far = match worldline.coordinate_time() {
             Some(far) => format!("far time {far:.3}"),
             None => format!("ingoing time {:.3}", worldline.ingoing_time()),
         };
         format!(
             "{} · own time {:.3} r_s/c · {far} r_s/c · {:.3} r_s/c a second",
-            if worldline.circles() {
+            if worldline.is_circular() {
                 "circling"
             } else {
                 "falling freely"
             },
-            worldline.own_time(),
+            worldline.proper_time(),
             self.rate(r)
         )
     }
@@ -223,7 +223,7 @@ fn ending(voyage: &FreeFall, scene: &Scene) -> String {
     else {
         return String::new();
     };
-    let (r, own) = (scene.camera.r, worldline.own_time());
+    let (r, own) = (scene.camera.r, worldline.proper_time());
     match limit {
         Some(Limit::Inner) => {
             let kerr = Kerr {

@@ -1,11 +1,11 @@
 //! Carlson's symmetric elliptic integral of the first kind.
 
 /// R_F(x, y, z) = (1/2) integral from 0 to infinity of dt / sqrt((t + x)(t + y)(t + z)), for
-/// arguments that are not negative and of which at most one is zero; otherwise not a number.
+/// finite arguments that are not negative and of which at most one is zero; otherwise NaN.
 ///
-/// Carlson's duplication theorem (DLMF 19.26.18) brings the arguments together, then the series of
-/// DLMF 19.36.1 ends it. The first term left out is of eighth order in the spread, hence the bound
-/// on the loop.
+/// Carlson's duplication theorem (DLMF 19.26.18) reduces the spread of the arguments, then the
+/// series of DLMF 19.36.1 gives the value. Its first omitted term is of eighth order in the spread,
+/// which sets the bound on the spread. The twin in WGSL is shaders/elliptic.wgsl.
 #[must_use]
 pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
     let zeros = [x, y, z].into_iter().filter(|&v| v == 0.0).count();
@@ -13,8 +13,8 @@ pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
         return f64::NAN;
     }
     let (mut x, mut y, mut z) = (x, y, z);
-    // Every duplication divides the spread by about four; five hundred cover the whole range of
-    // f64.
+    // Every duplication divides the spread by about four, and five hundred of them cover the whole
+    // range of f64.
     for _ in 0..600 {
         let mean = (x + y + z) / 3.0;
         let (dx, dy) = (1.0 - x / mean, 1.0 - y / mean);

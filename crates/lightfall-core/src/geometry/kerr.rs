@@ -1,13 +1,13 @@
-//! Kerr's geometry: its special radii and metric functions, in units of r_s.
+//! The Kerr geometry: special radii and metric functions, in units of r_s.
 
 /// The hole's mass, in units of r_s.
 pub const MASS: f64 = 0.5;
 
-/// A Kerr hole. *Prograde* means toward growing phi, as the disk turns, whatever the sign of the
-/// spin.
+/// A Kerr hole. *Prograde* means toward growing phi, in which direction the disk rotates, whatever
+/// the sign of the spin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kerr {
-    /// chi = a/M, in (-1, 1); positive turns with the disk.
+    /// chi = a/M, in (-1, 1); positive where the hole rotates with the disk.
     pub spin: f64,
 }
 
@@ -25,7 +25,7 @@ impl Kerr {
         MASS * (1.0 + ((1.0 - self.spin) * (1.0 + self.spin)).sqrt())
     }
 
-    /// The inner horizon, from r_+ r_- = a^2, which does not cancel for small spin.
+    /// The inner horizon, from r_+ r_- = a^2, which has no cancellation at small spin.
     #[must_use]
     pub fn inner_horizon(self) -> f64 {
         self.a().powi(2) / self.horizon()
@@ -59,7 +59,7 @@ impl Kerr {
         self.sigma(r, cos_theta) * (r * r + a2) + 2.0 * MASS * r * a2 * sin_theta * sin_theta
     }
 
-    /// Kerr's ingoing azimuth less Boyer-Lindquist's: the integral of a/Delta dr, (a / (r_+ - r_-))
+    /// Kerr's ingoing azimuth minus Boyer-Lindquist's: the integral of a/Delta dr, (a / (r_+ - r_-))
     /// ln|(r - r_+) / (r - r_-)|, zero at infinity. Misner, Thorne & Wheeler 1973 box 33.2.
     #[must_use]
     pub fn ingoing_azimuth_lead(self, r: f64) -> f64 {
@@ -67,19 +67,19 @@ impl Kerr {
         self.a() / (outer - inner) * ((r - outer) / (r - inner)).abs().ln()
     }
 
-    /// Kerr's ingoing time v less Boyer-Lindquist's t: the integral of (r^2 + a^2)/Delta dr, r +
+    /// Kerr's ingoing time v minus Boyer-Lindquist's t: the integral of (r^2 + a^2)/Delta dr, r +
     /// (r_+ ln|r - r_+| - r_- ln|r - r_-|) / (r_+ - r_-) with 2M = 1. Misner, Thorne & Wheeler 1973
     /// box 33.2.
     #[must_use]
     pub fn ingoing_time_lead(self, r: f64) -> f64 {
         let (outer, inner) = (self.horizon(), self.inner_horizon());
-        // Without spin the inner horizon is at zero and has no share.
-        let inside = if inner > 0.0 {
+        // Without spin the inner horizon is at zero and its term vanishes.
+        let inner_term = if inner > 0.0 {
             inner * (r - inner).abs().ln()
         } else {
             0.0
         };
-        r + (outer * (r - outer).abs().ln() - inside) / (outer - inner)
+        r + (outer * (r - outer).abs().ln() - inner_term) / (outer - inner)
     }
 
     /// The prograde equatorial photon orbit: r = 2M (1 + cos((2/3) arccos(-chi))), written as a
@@ -89,7 +89,7 @@ impl Kerr {
         4.0 * MASS * ((-self.spin).acos() / 3.0).cos().powi(2)
     }
 
-    /// The retrograde equatorial photon orbit; the prograde one of the mirrored hole.
+    /// The retrograde equatorial photon orbit: the prograde one of the hole with the opposite spin.
     #[must_use]
     pub fn photon_orbit_retrograde(self) -> f64 {
         Kerr { spin: -self.spin }.photon_orbit_prograde()
@@ -118,15 +118,15 @@ impl Kerr {
         -Kerr { spin: -self.spin }.critical_impact_prograde()
     }
 
-    /// The innermost stable circular orbit of matter that turns with the disk. Bardeen, Press &
+    /// The innermost stable circular orbit of matter that rotates with the disk. Bardeen, Press &
     /// Teukolsky 1972 eq. 2.21, with p = (1 + chi)^(1/3), q = (1 - chi)^(1/3):
     ///
     /// Z1 = 1 + p q (p + q),  Z2 = sqrt(3 chi^2 + Z1^2),  r = M (3 + Z2 - s),  s = +-sqrt((3 -
     /// Z1)(3 + Z1 + 2 Z2)).
     ///
-    /// Since p^3 + q^3 = 2, 3 - Z1 = (p + q)(p - q)^2, which keeps its digits for small spin and
-    /// gives s the spin's sign; since (3 + Z2)^2 - s^2 = (Z1 + Z2)^2, the difference becomes a
-    /// quotient for positive spin.
+    /// Since p^3 + q^3 = 2, 3 - Z1 = (p + q)(p - q)^2, which has no cancellation at small spin and
+    /// gives s the sign of the spin. Since (3 + Z2)^2 - s^2 = (Z1 + Z2)^2, the difference can be
+    /// written as a quotient for positive spin.
     #[must_use]
     pub fn isco(self) -> f64 {
         let (p, q) = ((1.0 + self.spin).cbrt(), (1.0 - self.spin).cbrt());
@@ -141,12 +141,12 @@ impl Kerr {
         }
     }
 
-    /// The prograde circular geodesic of radius `r` in the equatorial plane, or nothing where there
-    /// is none that is timelike (at and inside the photon orbit).
+    /// The prograde circular geodesic of radius `r` in the equatorial plane. `None` at and inside the
+    /// photon orbit, where it is not timelike.
     #[must_use]
     pub fn circular_orbit(self, r: f64) -> Option<CircularOrbit> {
         let (chi, y) = (self.spin, (MASS / r).sqrt());
-        // 1 - 3 y^2 + 2 chi y^3, arranged to keep its digits for chi -> 1, r -> M.
+        // 1 - 3 y^2 + 2 chi y^3, in a form without cancellation for chi -> 1, r -> M.
         let one_minus_y = (r - MASS) / r / (1.0 + y);
         let square = one_minus_y.powi(2) * (1.0 + 2.0 * y) - 2.0 * (1.0 - chi) * y.powi(3);
         if !(r > self.photon_orbit_prograde() && square > 0.0) {

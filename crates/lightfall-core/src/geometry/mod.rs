@@ -9,6 +9,7 @@ pub mod elliptic;
 pub mod kerr;
 pub mod mino;
 pub mod observer;
+pub mod quadrature;
 pub mod schwarzschild;
 pub mod sphere;
 pub mod taylor;

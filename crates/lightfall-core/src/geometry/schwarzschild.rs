@@ -1,8 +1,9 @@
-//! Closed forms for light around a hole without spin, as a truth that does not depend on any
-//! integrator.
+//! Closed forms for light around a hole without spin, which do not depend on any integrator. The twin
+//! in WGSL is shaders/method/closed.wgsl.
 //!
-//! The orbit obeys (du/dphi)^2 = 1/b^2 - u^2 + u^3 with u = 1/r (Darwin 1959; r_s = 1). Everything
-//! depends on D = b_c^2/b^2 - 1, with b_c^2 = 27/4: D > 0 plunges, D < 0 has turning points.
+//! The orbit obeys (du/dphi)^2 = 1/b^2 - u^2 + u^3 with u = 1/r (Darwin 1959; r_s = 1). Its kind
+//! depends on D = b_c^2/b^2 - 1, with b_c^2 = 27/4: an orbit with D > 0 plunges into the hole, and one
+//! with D < 0 has turning points.
 
 use crate::geometry::elliptic::carlson_rf;
 use glam::DVec3;
@@ -68,14 +69,14 @@ impl Plunge {
     }
 }
 
-/// Bending, in radians, of light that comes from infinity with impact parameter `b` (r_s) and goes
-/// back there; nothing if it is captured.
+/// Deflection, in radians, of light that comes from infinity with impact parameter `b` (r_s) and
+/// returns there. `None` if it is captured.
 ///
 /// With eta = (2/3) arcsin(b_c/b) and eps = pi/3 - eta = (2/3) arcsin(sqrt(-D)), the roots of the
 /// cubic are u1 < 0 < u2 <= 2/3 <= u3 with u3 - u2 = (2/sqrt 3) sin eps, u2 - u1 = (2/sqrt 3) sin
-/// eta, u1,2 = (2/3) sin^2(eta/2) -+ sin(eta)/sqrt 3, and the bending is 4 sqrt(u2) R_F(-u1 u32,
+/// eta, u1,2 = (2/3) sin^2(eta/2) -+ sin(eta)/sqrt 3, and the deflection is 4 sqrt(u2) R_F(-u1 u32,
 /// u21 u32, u21 u3) - pi. Derived from Darwin 1959 through the cubic's trigonometric solution and
-/// DLMF 19.29.4. Whichever of eta and eps is small is computed directly, so both limits keep their
+/// DLMF 19.29.4. The smaller of eta and eps is computed directly, so neither limit loses
 /// digits.
 #[must_use]
 pub fn deflection(b: f64) -> Option<f64> {
@@ -108,11 +109,11 @@ pub fn shadow_half_angle_static(r: f64) -> f64 {
     sine.atan2(cosine)
 }
 
-/// Angular radius of the shadow, in radians from the inward direction, for an observer who falls
-/// freely from rest at infinity, at any `r` > 0.
+/// Angular radius of the shadow, in radians from the inward direction, for an observer in free fall
+/// from rest at infinity, at any `r` > 0.
 ///
-/// With beta = 1/sqrt(r), a ray at the angle alpha has b = r sin(alpha) / (1 - beta cos(alpha)); b
-/// = b_c gives cos(alpha) = (b_c^2 beta + r (r - 3/2) sqrt(1 + 3/r)) / (r^2 + b_c^2 beta^2), where
+/// With beta = 1/sqrt(r), a ray at the angle alpha has b = r sin(alpha) / (1 - beta cos(alpha)).
+/// Solving b = b_c gives cos(alpha) = (b_c^2 beta + r (r - 3/2) sqrt(1 + 3/r)) / (r^2 + b_c^2 beta^2), where
 /// r - 3/2 without its absolute value chooses the right root on both sides of the photon sphere.
 /// Derived.
 #[must_use]

@@ -3,8 +3,8 @@
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// sin and cos of a polar angle in radians, exactly 0 at the doubles nearest to 0, pi/2 and pi, so
-/// that a camera set to 90 degrees is in the disk's plane and not 6e-17 beside it.
+/// sin and cos of a polar angle in radians. At the doubles nearest to 0, pi/2 and pi the zero is
+/// exact, so that a camera at 90 degrees lies in the disk's plane and not 6e-17 off it.
 #[must_use]
 pub fn polar_sin_cos(theta: f64) -> (f64, f64) {
     if theta == FRAC_PI_2 {
@@ -16,9 +16,9 @@ pub fn polar_sin_cos(theta: f64) -> (f64, f64) {
     }
 }
 
-/// The unit vector n toward (theta, phi) and its tangents theta_hat, phi_hat there, Cartesian in
-/// the hole's frame. On the axis the tangents are the limits at constant phi, so phi_hat is the
-/// direction of azimuth phi + 90 degrees.
+/// The unit vector n toward (theta, phi) and the unit tangents theta_hat, phi_hat there, Cartesian
+/// in the hole's frame. On the axis the tangents are the limits at constant phi, so phi_hat has the
+/// azimuth phi + 90 degrees.
 #[must_use]
 pub fn celestial_frame(theta: f64, phi: f64) -> [DVec3; 3] {
     let (sin, cos) = polar_sin_cos(theta);
@@ -37,7 +37,7 @@ pub fn wrap_angle(angle: f64) -> f64 {
     if angle <= -PI { PI } else { angle }
 }
 
-/// The angle between two directions in radians, to f64's digits however small it is.
+/// The angle between two directions in radians, with full relative precision for small angles.
 #[must_use]
 pub fn angle_between(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))

@@ -1,8 +1,11 @@
 //! Truncated power series: values, products, roots.
 
-/// Highest power kept. The cost of a step grows with its square, its length like eps^(1/ORDER); the
-/// product is flat between 18 and 26.
+/// Highest power. The cost of a step grows with the square of the order, and its length like
+/// eps^(1/ORDER). The total cost is nearly constant between 18 and 26.
 pub const ORDER: usize = 22;
+
+/// Largest omitted term of a series, relative to the value of the series; well below rounding.
+const TRUNCATION: f64 = 1e-18;
 
 /// The series c_0 + c_1 t + ... + c_ORDER t^ORDER.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,15 +20,15 @@ impl Taylor {
         })
     }
 
-    /// Where the series vanishes between 0 and `end`, given that its values there differ in sign or
-    /// that it vanishes at `end`: Newton's method, with a bisection wherever Newton leaves the
-    /// bracket or does not halve it.
+    /// The root of the series between 0 and `end`, given that its values there differ in sign or that
+    /// it vanishes at `end`. Newton's method, with a bisection where a Newton step leaves the
+    /// bracket.
     #[must_use]
     pub fn root(&self, end: f64) -> f64 {
         let rising = self.0[0] < 0.0;
         let (mut low, mut high) = (0.0, end);
         let mut t = 0.5 * end;
-        // Newton needs about six; bisection alone would need some sixty.
+        // Newton's method takes about six iterations, bisection alone would take about sixty.
         for _ in 0..200 {
             let (value, slope) = self.at(t);
             if value == 0.0 {
@@ -51,7 +54,8 @@ impl Taylor {
     }
 }
 
-/// The coefficient of t^k in the product of two series, whose first k + 1 coefficients are given.
+/// The coefficient of t^k in the product of two series, of which at least the first k + 1
+/// coefficients are given.
 #[must_use]
 pub fn product_coefficient(left: &[f64], right: &[f64], k: usize) -> f64 {
     left[..=k]
@@ -59,4 +63,14 @@ pub fn product_coefficient(left: &[f64], right: &[f64], k: usize) -> f64 {
         .zip(right[..=k].iter().rev())
         .map(|(l, r)| l * r)
         .sum()
+}
+
+/// The t at which the term `coefficient` t^`power` is negligible relative to `scale`.
+#[must_use]
+pub fn reach_of_term(coefficient: f64, scale: f64, power: usize) -> f64 {
+    if coefficient == 0.0 {
+        f64::INFINITY
+    } else {
+        (TRUNCATION * scale.abs() / coefficient.abs()).powf(1.0 / power as f64)
+    }
 }

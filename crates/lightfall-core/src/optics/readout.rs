@@ -1,8 +1,8 @@
-//! Read-outs: what a scene's observer would note down about place, motion, light and strain, in
-//! units of r_s and c.
+//! Read-outs: what a scene's observer measures of its place, motion, light and forces, in units of
+//! r_s and c.
 //!
-//! Everything here is a pure function of the [`Scene`]. [`si`] says it for a hole of some mass in
-//! metres and seconds.
+//! Every read-out is a pure function of the [`Scene`]. [`si`] converts them to metres and seconds
+//! for a hole of a given mass.
 
 mod shadow;
 pub mod si;
@@ -20,51 +20,51 @@ use crate::optics::shift::{RestFrame, Shift};
 use crate::optics::trace::Outcome;
 use crate::scene::{ObserverKind, Scene};
 
-/// What an observer reads.
+/// The read-outs of a scene's observer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Readout {
     /// Boyer-Lindquist radius, in r_s.
     pub r: f64,
-    /// Boyer-Lindquist polar angle and azimuth, in degrees; at and inside the horizon Kerr's
-    /// ingoing azimuth.
+    /// Boyer-Lindquist polar angle and azimuth, in degrees. At and inside the horizon the azimuth is
+    /// Kerr's ingoing one.
     pub angles_deg: [f64; 2],
-    /// Speed for the observer with zero angular momentum at this place, in c; there is none at and
+    /// Speed relative to the zero-angular-momentum observer at this place, in c; `None` at and
     /// inside the horizon.
     pub speed_for_zamo: Option<f64>,
-    /// Speed for the observer at rest at this place, in c; there is none at and inside the static
+    /// Speed relative to the observer at rest at this place, in c; `None` at and inside the static
     /// limit.
     pub speed_for_static: Option<f64>,
-    /// d tau/dt: her own time over that of clocks far away; there is none at and inside the
-    /// horizon.
+    /// d tau/dt: the observer's proper time over the time of clocks far away; `None` at and inside
+    /// the horizon.
     pub time_dilation: Option<f64>,
-    /// Of the light from straight ahead.
+    /// The light from straight ahead; `None` where it is dark.
     pub ahead: Option<LightAhead>,
-    /// Angular radius of the hole's shadow, in radians: see [`shadow_radius`].
+    /// Angular radius of the hole's shadow, in radians; see [`shadow_radius`].
     pub shadow_radius: f64,
-    /// Proper acceleration, in c^2/r_s: what holds `static` and `zamo` where they are. Zero in free
-    /// fall, as `orbit` and `rain` are, and whatever has a velocity of its own: that coasts.
+    /// Proper acceleration, in c^2/r_s, that holds `static` and `zamo` in place. Zero for observers
+    /// in free fall: `orbit`, `rain`, and every observer with a velocity of its own.
     pub acceleration: f64,
-    /// Largest stretch by the tide: relative acceleration per distance, in c^2/r_s^2.
+    /// Largest tidal stretching: relative acceleration per distance, in c^2/r_s^2.
     pub tide: f64,
 }
 
-/// Light from straight ahead: from the first crossing of the disk, else from the sky.
+/// The light from straight ahead: from the first crossing of the disk, or else from the sky.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightAhead {
     /// Whether it comes from the disk.
     pub from_disk: bool,
     /// Observed over emitted frequency.
     pub shift: f64,
-    /// The share of the potentials at both ends in it; there is none at and inside the horizon.
+    /// The gravitational factor of the shift; `None` at and inside the horizon.
     pub gravitational_shift: Option<f64>,
 }
 
 impl Readout {
-    /// What the scene's observer reads. Effects that the scene switches off are on here: these are
-    /// the numbers of the world, not of the picture.
+    /// The read-outs of the scene's observer. All effects are on here, whatever the scene says: these
+    /// are the numbers of the world, not of the picture.
     ///
-    /// # ErrorSummary
-    /// If the scene's observer cannot exist.
+    /// # Errors
+    /// If the scene's observer does not exist.
     pub fn new(scene: &Scene) -> Result<Self, ObserverError> {
         let (camera, observer) = (&scene.camera, &scene.observer);
         let kerr = Kerr {
@@ -75,17 +75,18 @@ impl Readout {
             camera.theta_deg.to_radians(),
             camera.phi_deg.to_radians(),
         );
-        let of = |kind, velocity| observer_matrix(scene.hole.spin, kind, velocity, r, theta, phi);
-        let matrix = of(observer.kind, observer.velocity)?;
+        let matrix_of =
+            |kind, velocity| observer_matrix(scene.hole.spin, kind, velocity, r, theta, phi);
+        let matrix = matrix_of(observer.kind, observer.velocity)?;
         let speed = |kind| {
-            of(kind, [0.0; 3])
+            matrix_of(kind, [0.0; 3])
                 .ok()
                 .map(|frame| relative_velocity(&matrix, &frame, theta, phi).length())
         };
         let u = four_velocity(&matrix);
         let outside = r > kerr.horizon();
         let angular_momentum = r * camera.direction().cross(u.w).z;
-        let coasts = observer.velocity != [0.0; 3];
+        let in_free_fall = observer.velocity != [0.0; 3];
         Ok(Self {
             r,
             angles_deg: [camera.theta_deg, camera.phi_deg],
@@ -100,7 +101,7 @@ impl Readout {
             }),
             ahead: light_ahead(scene)?,
             shadow_radius: shadow_radius(kerr, &matrix, r, theta, phi),
-            acceleration: if coasts {
+            acceleration: if in_free_fall {
                 0.0
             } else {
                 held_acceleration(kerr, observer.kind, r, theta)

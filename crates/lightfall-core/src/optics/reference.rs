@@ -1,12 +1,12 @@
-//! The reference: what becomes of a ray, in f64, for any spin.
+//! The reference method: traces rays in f64, for any spin.
 //!
-//! A ray ends where u = 0, which is infinity itself, or where its capture is certain; there is
-//! neither a radius of escape nor a margin at the horizon. Both ends, and the crossings of the
-//! disk's plane, are roots of the step's own series.
+//! A ray ends at u = 0, which is infinity itself, or as soon as its capture is certain. There is
+//! neither an escape radius nor a margin at the horizon. Infinity and the crossings of the disk's
+//! plane are roots of the step's own series.
 //!
-//! A crossing belongs to the step at whose end or within which it lies, never to the one that
-//! starts there: so none counts twice, and a camera in the plane does not see the disk at its own
-//! place. A ray that lies in the plane has no isolated crossing and so no hit.
+//! A crossing within a step or at its end belongs to that step, never to the step that starts there.
+//! So no crossing counts twice, and a camera in the plane does not see the disk at its own place. A
+//! ray that lies in the plane has no isolated crossing and therefore no hit.
 
 use crate::geometry::kerr::Kerr;
 use crate::geometry::mino::{Constants, Expansion, State};
@@ -19,42 +19,42 @@ use crate::optics::{disk, straight};
 use crate::scene::Scene;
 use glam::{DMat3, DVec3};
 
-/// More steps than any ray needs: one within 1e-15 of the critical curve takes some hundred.
+/// Most steps of a ray. A ray within 1e-15 of the critical curve takes a few hundred.
 const MAX_STEPS: u32 = 10_000;
 
-/// A scene's rays.
+/// The rays of a scene's camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference {
-    surroundings: Surroundings,
-    sight: CameraRays,
+    hole_and_disk: HoleAndDisk,
+    camera_rays: CameraRays,
     shift: Shift,
     lensing: bool,
     r: f64,
     n: DVec3,
 }
 
-/// What a ray can meet.
+/// The hole and the disk, which rays can hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Surroundings {
+pub struct HoleAndDisk {
     /// The hole.
     pub kerr: Kerr,
-    /// Inner and outer edge of the disk, in r_s, if there is one.
+    /// Inner and outer edge of the disk, in r_s; `None` without a disk.
     pub annulus: Option<[f64; 2]>,
 }
 
 impl Reference {
     /// Prepares the rays of `scene`.
     ///
-    /// # ErrorSummary
-    /// If the scene's observer cannot exist.
+    /// # Errors
+    /// If the scene's observer does not exist.
     pub fn new(scene: &Scene) -> Result<Self, ObserverError> {
         let camera = &scene.camera;
-        let sight = CameraRays::new(scene)?;
+        let camera_rays = CameraRays::new(scene)?;
         let annulus = scene
             .disk
             .enabled
             .then(|| [disk::inner_edge(scene), scene.disk.outer]);
-        let surroundings = Surroundings {
+        let hole_and_disk = HoleAndDisk {
             kerr: Kerr {
                 spin: scene.hole.spin,
             },
@@ -63,8 +63,8 @@ impl Reference {
         let [n, ..] = celestial_frame(camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
         let (shift, lensing) = (Shift::new(scene), scene.effects.lensing);
         Ok(Self {
-            surroundings,
-            sight,
+            hole_and_disk,
+            camera_rays,
             shift,
             lensing,
             r: camera.r,
@@ -72,9 +72,8 @@ impl Reference {
         })
     }
 
-    /// Follows the ray that arrives from `direction`, on the observer's axes; any length but zero.
-    /// A direction that is zero or not finite is `Unfinished`, with a residual that is not a
-    /// number.
+    /// Follows the ray that arrives from `direction`, given on the observer's axes and of any length.
+    /// For a direction that is zero or not finite the outcome is `Unfinished` and the residual NaN.
     #[must_use]
     pub fn trace(&self, direction: DVec3) -> Trace {
         let Some(direction) = (direction / direction.abs().max_element()).try_normalize() else {
@@ -87,15 +86,15 @@ impl Reference {
             };
         };
         let photon = self.photon(direction);
-        let Surroundings { kerr, annulus } = self.surroundings;
+        let HoleAndDisk { kerr, annulus } = self.hole_and_disk;
         let (mut trace, lambda) = if self.lensing {
             let (constants, start) = Constants::of_photon(kerr, &photon, self.r, self.n);
             (
-                self.surroundings.trace(&constants, start),
+                self.hole_and_disk.trace(&constants, start),
                 constants.angular_momentum / constants.energy,
             )
         } else {
-            // Without the frame-dragging no shift depends on it.
+            // Without frame dragging no shift depends on lambda.
             (straight::trace(kerr, annulus, &photon, self.r, self.n), 0.0)
         };
         for hit in trace.hits.iter_mut().flatten() {
@@ -103,22 +102,20 @@ impl Reference {
         }
         trace
     }
-}
 
-impl Reference {
     /// The photon that arrives from a unit direction.
     #[must_use]
     pub fn photon(&self, direction: DVec3) -> Photon {
-        self.sight.photon(direction)
+        self.camera_rays.photon(direction)
     }
 
     /// The hole and the disk.
     #[must_use]
-    pub fn surroundings(&self) -> Surroundings {
-        self.surroundings
+    pub fn hole_and_disk(&self) -> HoleAndDisk {
+        self.hole_and_disk
     }
 
-    /// Where the camera is: radius, in r_s, and unit vector.
+    /// The camera's place: its radius, in r_s, and its unit vector on the celestial sphere.
     #[must_use]
     pub fn camera(&self) -> (f64, DVec3) {
         (self.r, self.n)
@@ -131,15 +128,15 @@ impl Reference {
     }
 }
 
-impl Surroundings {
+impl HoleAndDisk {
     /// Follows the backward ray with these constants from `start` to its end.
     #[must_use]
     pub fn trace(&self, constants: &Constants, start: State) -> Trace {
         self.follow(constants, start, |_, _, _| {})
     }
 
-    /// As [`trace`](Self::trace), and shows every step on the way: where it starts, its series, and
-    /// the Mino time that it takes.
+    /// As [`trace`](Self::trace), and calls `visit` with every step: its start, its series, and its
+    /// length in Mino time.
     pub fn follow(
         &self,
         constants: &Constants,
@@ -147,7 +144,7 @@ impl Surroundings {
         mut visit: impl FnMut(&State, &Expansion, f64),
     ) -> Trace {
         let u_horizon = 1.0 / self.kerr.horizon();
-        // Hits lie between these; without a disk there are none.
+        // Hits lie between these values of u. Without a disk the interval is empty.
         let [u_outer, u_inner] = self
             .annulus
             .map_or([0.0, 0.0], |[inner, outer]| [1.0 / outer, 1.0 / inner]);
@@ -159,18 +156,18 @@ impl Surroundings {
             residual: constants.residual(&start),
         };
         let mut state = start;
-        if constants.kept_inside(&state, u_horizon) {
+        if constants.stays_inside(&state, u_horizon) {
             return Trace {
                 outcome: Outcome::Captured,
                 ..trace
             };
         }
         while trace.steps < MAX_STEPS {
-            let nothing_more_to_hit = state.u >= u_inner || trace.hits[1].is_some();
+            let no_more_hits = state.u >= u_inner || trace.hits[1].is_some();
             let inward = state.du > 0.0;
             if inward
                 && (state.u >= u_horizon
-                    || nothing_more_to_hit && constants.cannot_turn_within(state.u, u_horizon))
+                    || no_more_hits && constants.cannot_turn_within(state.u, u_horizon))
             {
                 return Trace {
                     outcome: Outcome::Captured,
@@ -199,7 +196,7 @@ impl Surroundings {
                 }
             }
             if to_infinity.is_some() {
-                // Light of negative energy never was at infinity.
+                // Light of negative energy cannot come from infinity.
                 if constants.energy <= 0.0 {
                     return Trace {
                         outcome: Outcome::Captured,
@@ -218,6 +215,7 @@ impl Surroundings {
         trace
     }
 
+    /// The hit at a crossing of the disk's plane; `None` where no circular orbit exists.
     fn hit(&self, constants: &Constants, crossing: &State) -> Option<Hit> {
         let r = 1.0 / crossing.u;
         let orbit = self.kerr.circular_orbit(r)?;
@@ -236,15 +234,15 @@ impl Surroundings {
     }
 }
 
-/// The Mino time within `reach` at which an outgoing ray is at u = 0, if it gets there. A step, of
-/// one radian at most, is too short to pass infinity and come back, which takes more than two.
+/// The Mino time within `reach` at which an outgoing ray is at u = 0, if it gets there. A step of at
+/// most one radian is too short to pass infinity and come back, which takes more than two radians.
 fn time_to_infinity(expansion: &Expansion, reach: f64) -> Option<f64> {
     let outward = expansion.u.0[1] < 0.0;
     (outward && expansion.u.at(reach).0 <= 0.0).then(|| expansion.u.root(reach))
 }
 
-/// The Mino time within (0, `end_time`] at which the ray crosses the disk's plane, n_z being
-/// `z_end` at the end.
+/// The Mino time in (0, `end_time`] at which the ray crosses the disk's plane; `z_end` is n_z at the
+/// end.
 fn time_to_plane(expansion: &Expansion, z_end: f64, end_time: f64) -> Option<f64> {
     let z = expansion.n[2].0[0];
     (z > 0.0 && z_end <= 0.0 || z < 0.0 && z_end >= 0.0).then(|| expansion.n[2].root(end_time))

@@ -1,16 +1,17 @@
-//! What heat looks like: Planck's spectrum through the CIE 1931 2-degree observer to linear sRGB.
+//! The colour of thermal light: Planck's spectrum, seen by the CIE 1931 2-degree observer, in linear
+//! sRGB. The twin in WGSL is shaders/spectrum.wgsl, which samples the table made here.
 //!
-//! A colour here is per unit of bolometric flux, so that it depends on the temperature alone: light
-//! of temperature T with relative flux F, seen with the frequency ratio g, has the colour `colour(g
-//! T)` times F g^4. The unit is such that 6500 K has the luminance Y = 1.
+//! A colour is per unit of bolometric flux, so that it depends only on the temperature: light of
+//! temperature T and relative flux F, seen with the frequency ratio g, has the colour `colour(g T)`
+//! times F g^4. The unit is chosen so that 6500 K has the luminance Y = 1.
 //!
-//! Colours outside the gamut (red below 1900 K) keep their negative channel; whoever shows them
-//! clips it.
+//! Colours outside the gamut (red below 1900 K) have a negative channel, which is clipped only when
+//! the colour is shown.
 
 use glam::{DMat3, DVec3};
 use std::sync::LazyLock;
 
-/// Entries of the table.
+/// Number of entries of the table.
 pub const TABLE_LEN: usize = 512;
 
 /// Temperature of the table's first entry, in kelvin.
@@ -19,16 +20,16 @@ pub const TABLE_MIN_TEMPERATURE: f64 = 500.0;
 /// Temperature of the table's last entry, in kelvin.
 pub const TABLE_MAX_TEMPERATURE: f64 = 1e6;
 
-/// The temperature whose light has luminance one per unit of bolometric flux, in kelvin.
+/// The temperature whose light has the luminance one per unit of bolometric flux, in kelvin.
 pub const WHITE_TEMPERATURE: f64 = 6500.0;
 
-/// The colour-matching functions; source and licence stand in the file and in the notice beside it.
+/// The colour-matching functions. The file and the notice next to it name the source and licence.
 const CIE_1931: &str = include_str!("../../../../assets/cie1931.csv");
 
-/// Wavelengths of the sum: 380, 390, ... 780 nm.
+/// Number of wavelengths that are summed: 380, 390, ... 780 nm.
 const WAVELENGTHS: usize = 41;
 
-/// Second radiation constant h c / k_B in nm K (CODATA 2018, exact but for rounding).
+/// Second radiation constant h c / k_B, in nm K (CODATA 2018; exact except for rounding).
 const SECOND_RADIATION: f64 = 14_387_768.77;
 
 /// Spectral radiance of a black body, in arbitrary units, at `wavelength_nm` and `temperature`
@@ -41,15 +42,15 @@ pub fn planck(wavelength_nm: f64, temperature: f64) -> f64 {
 
 /// The 41 samples (wavelength in nm; x, y, z) of the colour-matching functions, from 380 to 780 nm.
 ///
-/// # ErrorSummary
-/// A sentence, if the asset lacks one of them or holds a line that is not four numbers.
+/// # Errors
+/// One sentence, if the asset lacks a sample or has a line that is not four numbers.
 pub fn colour_matching() -> Result<[(f64, DVec3); WAVELENGTHS], String> {
     let mut samples = [None; WAVELENGTHS];
     let lines = CIE_1931
         .lines()
         .enumerate()
         .filter(|(_, line)| !line.starts_with('#') && !line.trim().is_empty());
-    // The first line that is no comment names the columns.
+    // The first line that is not a comment names the columns.
     for (number, line) in lines.skip(1) {
         let numbers: Vec<f64> = line
             .split(',')
@@ -76,7 +77,7 @@ pub fn colour_matching() -> Result<[(f64, DVec3); WAVELENGTHS], String> {
     })
 }
 
-/// CIE XYZ of a black body of `temperature` (kelvin): the sum of the 41 samples, in arbitrary units
+/// CIE XYZ of a black body of `temperature` (kelvin), summed over the 41 samples; in arbitrary units
 /// per unit of radiance at each wavelength.
 #[must_use]
 pub fn black_body_xyz(temperature: f64) -> DVec3 {
@@ -86,14 +87,14 @@ pub fn black_body_xyz(temperature: f64) -> DVec3 {
         .sum()
 }
 
-/// The matrix from XYZ to linear sRGB: Rec. 709's primaries, white D65 with Y = 1. Derived from
-/// their chromaticities, ITU-R BT.709-6 table 1 items 1.3 and 1.4.
+/// The matrix from XYZ to linear sRGB, with Rec. 709's primaries and white D65 at Y = 1. Derived
+/// from the chromaticities in ITU-R BT.709-6 table 1 items 1.3 and 1.4.
 #[must_use]
 pub fn rgb_from_xyz() -> DMat3 {
     *RGB_FROM_XYZ
 }
 
-/// Computed once.
+/// See [`rgb_from_xyz`].
 static RGB_FROM_XYZ: LazyLock<DMat3> = LazyLock::new(|| {
     let xyz = |x: f64, y: f64| DVec3::new(x / y, 1.0, (1.0 - x - y) / y);
     let primaries = DMat3::from_cols(xyz(0.64, 0.33), xyz(0.30, 0.60), xyz(0.15, 0.06));
@@ -109,10 +110,10 @@ pub fn colour(temperature: f64) -> [f64; 3] {
     (rgb_from_xyz() * black_body_xyz(temperature) * per_flux).to_array()
 }
 
-/// The table that the shader samples: entry i is for ln T = ln 500 + i ln(2000) / 511 and holds the
-/// colour divided by its brightest channel, and the natural logarithm of that channel. All four
-/// vary slowly enough to be interpolated linearly in ln T; the colour itself, which falls like
-/// exp(-c/T), would not.
+/// The table that the shader samples. Entry i is for ln T = ln 500 + i ln(2000) / 511 and holds the
+/// colour divided by its largest channel, and the natural logarithm of that channel. All four
+/// vary slowly enough for linear interpolation in ln T. The colour itself does not: it falls like
+/// exp(-c/T).
 #[must_use]
 pub fn table() -> Vec<[f32; 4]> {
     (0..TABLE_LEN)
@@ -121,15 +122,15 @@ pub fn table() -> Vec<[f32; 4]> {
             let rgb = DVec3::from(colour(
                 TABLE_MIN_TEMPERATURE * (TABLE_MAX_TEMPERATURE / TABLE_MIN_TEMPERATURE).powf(share),
             ));
-            let brightest = rgb.max_element();
-            let [r, g, b] = (rgb / brightest).as_vec3().to_array();
-            [r, g, b, brightest.ln() as f32]
+            let largest = rgb.max_element();
+            let [r, g, b] = (rgb / largest).as_vec3().to_array();
+            [r, g, b, largest.ln() as f32]
         })
         .collect()
 }
 
-/// The colour that the shader finds in `table` for `temperature` (kelvin); the shader's look-up in
-/// f64, before clipping. Temperatures outside the table count as its first or last.
+/// The colour that the shader looks up in `table` for `temperature` (kelvin), in f64 and before
+/// clipping. A temperature outside the table is replaced by the first or last one in it.
 #[must_use]
 pub fn sample(table: &[[f32; 4]], temperature: f64) -> [f64; 3] {
     let share = (temperature.max(TABLE_MIN_TEMPERATURE) / TABLE_MIN_TEMPERATURE).ln()
@@ -143,8 +144,7 @@ pub fn sample(table: &[[f32; 4]], temperature: f64) -> [f64; 3] {
     [r, g, b].map(|channel| channel * ln_scale.exp())
 }
 
-/// Read once. The asset is part of the program and the test of its parsing is the test of the
-/// asset.
+/// The colour-matching functions, parsed once. The asset is compiled in, and a test parses it.
 static MATCHING: LazyLock<[(f64, DVec3); WAVELENGTHS]> = LazyLock::new(|| {
     colour_matching().expect("assets/cie1931.csv is compiled in and a test reads it")
 });

@@ -1,84 +1,83 @@
-//! Real motion: an observer who falls freely, or circles, in her own time.
+//! The worldline of an observer that falls freely or orbits, by its proper time.
 //!
-//! The scene stays the one description: where the camera comes to, and how it moves there, is
-//! written back to its fields, so that the picture is that of the moving observer. A circular orbit
-//! stays `orbit`, free fall from rest at infinity stays `rain`; whatever else is let go is from
-//! then on `rain` with one more velocity, a frame that knows no horizon.
+//! The camera's place and the observer's motion are written back to the scene, so that the picture
+//! is the moving observer's. A circular orbit stays `orbit`, and free fall from rest at infinity
+//! stays `rain`. Every other observer becomes `rain` with a velocity relative to it, since that frame
+//! is regular at the horizon.
 //!
-//! The camera keeps looking where it looks: it is carried along the great circle between two
-//! places, without a turn about the hole's direction, so that the hole stays where it is in the
-//! picture, over a pole as elsewhere.
+//! The camera's direction is carried along the great circle between two places, without a rotation
+//! about the radial direction. So the hole keeps its place in the picture, also over a pole.
 
 use crate::geometry::kerr::{CircularOrbit, Kerr};
 use crate::geometry::observer::min_infall_radius;
 use crate::geometry::observer::{ObserverError, observer_matrix};
-use crate::geometry::sphere::celestial_frame;
-use crate::geometry::tetrad::{four_velocity, turn_between, velocity_in_rain};
+use crate::geometry::sphere::{celestial_frame, wrap_degrees};
+use crate::geometry::tetrad::{four_velocity, rotation_between, velocity_in_rain};
 use crate::geometry::timelike::{Geodesic, Limit, State};
-use crate::scene::{Camera, ObserverKind, Scene};
+use crate::scene::{Camera, MAX_RADIUS, ObserverKind, Scene};
 use glam::{DMat3, DQuat};
 use std::f64::consts::TAU;
 
-/// Farthest a flight goes, in r_s: the limit of `camera.r`.
-const MAX_RADIUS: f64 = 1e7;
+/// Rotations smaller than this, in radians, are rounding errors.
+const MIN_ROTATION: f64 = 1e-12;
 
-/// Turns smaller than this, in radians, are rounding.
-const NO_TURN: f64 = 1e-12;
-
-/// An observer on her way.
+/// The worldline of a freely moving observer, from the moment of its release.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Worldline {
     kerr: Kerr,
-    path: Path,
-    /// Where the way began.
+    motion: Motion,
+    /// Radius at the release, in r_s.
     start_r: f64,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum Path {
-    /// The azimuth is kept within a turn: it would lose digits with time.
-    Circle {
+enum Motion {
+    /// A circular orbit, known in closed form.
+    Circular {
         orbit: CircularOrbit,
+        /// Azimuth, kept within one revolution so that it does not lose digits with time.
         phi: f64,
-        own_time: f64,
+        proper_time: f64,
     },
-    Free(Box<Fall>),
+    Free(Box<FreeFall>),
 }
 
 #[derive(Clone, Debug, PartialEq)]
-struct Fall {
+struct FreeFall {
     geodesic: Geodesic,
-    /// Whether it is `rain` itself, whose velocity is zero to the last bit.
-    from_rest: bool,
-    /// Polar angle and azimuth psi of the frame that the camera's turns refer to.
-    frame: [f64; 2],
-    /// A turn of the axes that is still to be written.
-    turn: DMat3,
+    /// Whether the observer is `rain` itself, whose velocity is exactly zero.
+    is_rain: bool,
+    /// Polar angle and azimuth psi of the axes that the camera's direction refers to.
+    axes: [f64; 2],
+    /// A rotation of the axes that the camera has not made yet.
+    pending_rotation: DMat3,
 }
 
 impl Worldline {
-    /// Lets go of the scene's observer.
+    /// Releases the scene's observer.
     ///
-    /// # ErrorSummary
-    /// If the scene's observer cannot exist.
+    /// # Errors
+    /// If the scene's observer does not exist.
     pub fn start(scene: &Scene) -> Result<Self, ObserverError> {
         let (camera, observer) = (&scene.camera, &scene.observer);
         let kerr = Kerr {
             spin: scene.hole.spin,
         };
         let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
-        let of =
+        let matrix_of =
             |kind, velocity| observer_matrix(scene.hole.spin, kind, velocity, camera.r, theta, phi);
-        let matrix = of(observer.kind, observer.velocity)?;
-        let untouched = observer.velocity == [0.0; 3];
-        let path = match kerr.circular_orbit(camera.r) {
-            Some(orbit) if untouched && observer.kind == ObserverKind::Orbit => Path::Circle {
-                orbit,
-                phi,
-                own_time: 0.0,
-            },
+        let matrix = matrix_of(observer.kind, observer.velocity)?;
+        let has_no_velocity = observer.velocity == [0.0; 3];
+        let motion = match kerr.circular_orbit(camera.r) {
+            Some(orbit) if has_no_velocity && observer.kind == ObserverKind::Orbit => {
+                Motion::Circular {
+                    orbit,
+                    phi,
+                    proper_time: 0.0,
+                }
+            }
             _ => {
-                let from_rest = untouched && observer.kind == ObserverKind::Rain;
+                let is_rain = has_no_velocity && observer.kind == ObserverKind::Rain;
                 let outside = camera.r > kerr.horizon();
                 let chi = if outside {
                     kerr.ingoing_azimuth_lead(camera.r)
@@ -86,79 +85,79 @@ impl Worldline {
                     0.0
                 };
                 let velocity = four_velocity(&matrix);
-                let turn = if observer.kind == ObserverKind::Rain {
+                let pending_rotation = if observer.kind == ObserverKind::Rain {
                     DMat3::IDENTITY
                 } else {
                     let rain = velocity_in_rain(kerr, camera.r, theta, phi, &velocity);
-                    turn_between(
+                    rotation_between(
                         &matrix,
-                        &of(ObserverKind::Rain, rain.to_array())?,
+                        &matrix_of(ObserverKind::Rain, rain.to_array())?,
                         theta,
                         phi,
                     )
                 };
                 let geodesic = Geodesic::new(kerr, &velocity, camera.r, camera.direction(), chi);
-                Path::Free(Box::new(Fall {
+                Motion::Free(Box::new(FreeFall {
                     geodesic,
-                    from_rest,
-                    frame: [theta, phi],
-                    turn,
+                    is_rain,
+                    axes: [theta, phi],
+                    pending_rotation,
                 }))
             }
         };
         Ok(Self {
             kerr,
-            path,
+            motion,
             start_r: camera.r,
         })
     }
 
-    /// Lets her own time `own_time` (r_s, not negative) pass and writes to `scene` where she is
-    /// then and how she moves. Says so if a limit of the motion was met before.
-    pub fn advance(&mut self, own_time: f64, scene: &mut Scene) -> Option<Limit> {
+    /// Advances the observer by `proper_time` (r_s, not negative) and writes its place and motion to
+    /// `scene`. Returns the limit that ended the motion earlier, if there was one.
+    pub fn advance(&mut self, proper_time: f64, scene: &mut Scene) -> Option<Limit> {
         let kerr = self.kerr;
-        match &mut self.path {
-            Path::Circle {
+        match &mut self.motion {
+            Motion::Circular {
                 orbit,
                 phi,
-                own_time: passed,
+                proper_time: passed,
             } => {
-                *passed += own_time;
-                *phi = (*phi + orbit.angular_velocity * orbit.u_t * own_time) % TAU;
+                *passed += proper_time;
+                *phi = (*phi + orbit.angular_velocity * orbit.u_t * proper_time) % TAU;
                 scene.camera.r = self.start_r;
-                scene.camera.phi_deg = degrees(*phi);
+                scene.camera.phi_deg = wrap_degrees(phi.to_degrees());
                 scene.observer.kind = ObserverKind::Orbit;
                 scene.observer.velocity = [0.0; 3];
                 None
             }
-            Path::Free(fall) => {
+            Motion::Free(fall) => {
                 let limit = fall
                     .geodesic
-                    .advance(own_time, [min_infall_radius(kerr), MAX_RADIUS]);
+                    .advance(proper_time, [min_infall_radius(kerr), MAX_RADIUS]);
                 fall.write(kerr, scene);
                 limit
             }
         }
     }
 
-    /// Her own time since she was let go, in r_s.
+    /// Proper time since the release, in r_s.
     #[must_use]
-    pub fn own_time(&self) -> f64 {
-        match &self.path {
-            Path::Circle { own_time, .. } => *own_time,
-            Path::Free(fall) => fall.geodesic.state.own_time,
+    pub fn proper_time(&self) -> f64 {
+        match &self.motion {
+            Motion::Circular { proper_time, .. } => *proper_time,
+            Motion::Free(fall) => fall.geodesic.state.proper_time,
         }
     }
 
-    /// The time t that passed meanwhile on clocks far away, in r_s; none where one of the two
-    /// places is not outside the horizon.
+    /// Boyer-Lindquist time since the release, in r_s: the time on clocks far away. `None` unless both
+    /// the release and the present place are outside the horizon.
     #[must_use]
-    pub fn far_time(&self) -> Option<f64> {
-        match &self.path {
-            Path::Circle {
-                orbit, own_time, ..
-            } => Some(orbit.u_t * own_time),
-            Path::Free(fall) => {
+    pub fn coordinate_time(&self) -> Option<f64> {
+        match &self.motion {
+            Motion::Circular {
+                orbit, proper_time, ..
+            } => Some(orbit.u_t * proper_time),
+            Motion::Free(fall) => {
                 let (r, horizon) = (1.0 / fall.geodesic.state.u, self.kerr.horizon());
                 let lead = |r: f64| self.kerr.ingoing_time_lead(r);
                 (r > horizon && self.start_r > horizon)
@@ -167,44 +166,45 @@ impl Worldline {
         }
     }
 
-    /// The ingoing time that passed meanwhile, in r_s: Kerr's v less r, which far away is t, and
-    /// which goes on through the horizon.
+    /// Ingoing time since the release, in r_s: Kerr's v minus r, which far away equals t and is
+    /// regular at the horizon.
     #[must_use]
     pub fn ingoing_time(&self) -> f64 {
-        match &self.path {
-            Path::Circle {
-                orbit, own_time, ..
-            } => orbit.u_t * own_time,
-            Path::Free(fall) => {
+        match &self.motion {
+            Motion::Circular {
+                orbit, proper_time, ..
+            } => orbit.u_t * proper_time,
+            Motion::Free(fall) => {
                 fall.geodesic.state.ingoing_time - (1.0 / fall.geodesic.state.u - self.start_r)
             }
         }
     }
 
-    /// Whether she circles, rather than falls.
+    /// Whether the observer is on a circular orbit.
     #[must_use]
-    pub fn circles(&self) -> bool {
-        matches!(self.path, Path::Circle { .. })
+    pub fn is_circular(&self) -> bool {
+        matches!(self.motion, Motion::Circular { .. })
     }
 
-    /// Her geodesic, unless it is a circle known in closed form.
+    /// The observer's geodesic; `None` for a circular orbit, which is known in closed form.
     #[must_use]
     pub fn geodesic(&self) -> Option<&Geodesic> {
-        match &self.path {
-            Path::Circle { .. } => None,
-            Path::Free(fall) => Some(&fall.geodesic),
+        match &self.motion {
+            Motion::Circular { .. } => None,
+            Motion::Free(fall) => Some(&fall.geodesic),
         }
     }
 }
 
-impl Fall {
+impl FreeFall {
+    /// Writes the present place and motion to `scene`.
     fn write(&mut self, kerr: Kerr, scene: &mut Scene) {
         let State { u, n, chi, .. } = self.geodesic.state;
         let r = 1.0 / u;
         let theta = n.truncate().length().atan2(n.z);
-        // On the axis any azimuth will do, and the last one keeps the axes.
+        // On the axis every azimuth is right, and the last one leaves the axes unchanged.
         let psi = if n.x == 0.0 && n.y == 0.0 {
-            self.frame[1]
+            self.axes[1]
         } else {
             n.y.atan2(n.x)
         };
@@ -213,42 +213,39 @@ impl Fall {
         } else {
             0.0
         };
-        let velocity = if self.from_rest {
+        let velocity = if self.is_rain {
             [0.0; 3]
         } else {
             velocity_in_rain(kerr, r, theta, psi, &self.geodesic.velocity()).to_array()
         };
-        let axes = |[theta, psi]: [f64; 2]| {
+        let axes_at = |[theta, psi]: [f64; 2]| {
             let [outward, theta_hat, psi_hat] = celestial_frame(theta, psi);
             DMat3::from_cols(outward, theta_hat, psi_hat)
         };
-        let (before, after) = (axes(self.frame), axes([theta, psi]));
+        let (before, after) = (axes_at(self.axes), axes_at([theta, psi]));
         let carried =
             DMat3::from_quat(DQuat::from_rotation_arc(before.x_axis, after.x_axis)) * before;
-        let turn = after.transpose() * carried * self.turn;
-        (self.frame, self.turn) = ([theta, psi], DMat3::IDENTITY);
+        let rotation = after.transpose() * carried * self.pending_rotation;
+        (self.axes, self.pending_rotation) = ([theta, psi], DMat3::IDENTITY);
         let camera = &mut scene.camera;
-        // Where motion ends, one over one over r may be less than r.
+        // At a limit of the motion, 1/(1/r) may lie outside the limit by rounding.
         camera.r = r.clamp(min_infall_radius(kerr), MAX_RADIUS);
-        (camera.theta_deg, camera.phi_deg) = (theta.to_degrees(), degrees(psi + chi - lead));
+        (camera.theta_deg, camera.phi_deg) = (
+            theta.to_degrees(),
+            wrap_degrees((psi + chi - lead).to_degrees()),
+        );
         (scene.observer.kind, scene.observer.velocity) = (ObserverKind::Rain, velocity);
-        turn_camera(camera, turn);
+        rotate_camera(camera, rotation);
     }
 }
 
-/// Turns the camera with its axes, unless the turn is none.
-fn turn_camera(camera: &mut Camera, turn: DMat3) {
-    let largest = (turn - DMat3::IDENTITY)
+/// Rotates the camera with its axes, unless the rotation is only a rounding error.
+fn rotate_camera(camera: &mut Camera, rotation: DMat3) {
+    let largest = (rotation - DMat3::IDENTITY)
         .to_cols_array()
         .into_iter()
         .fold(0.0, |most: f64, x| most.max(x.abs()));
-    if largest > NO_TURN {
-        camera.set_turns(turn * camera.tetrad_from_camera());
+    if largest > MIN_ROTATION {
+        camera.set_turns(rotation * camera.tetrad_from_camera());
     }
-}
-
-/// Radians as degrees within half a turn.
-fn degrees(angle: f64) -> f64 {
-    let degrees = angle.to_degrees();
-    degrees - 360.0 * (degrees / 360.0).round()
 }

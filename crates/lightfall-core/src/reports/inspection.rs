@@ -157,7 +157,7 @@ impl Inspected {
             lambda: path.constants.map(|constants| constants.lambda),
             eta: path.constants.map(|constants| constants.eta),
             closest_r: path.closest_r,
-            half_turns: path.turn / PI,
+            half_turns: path.swept_angle / PI,
             order: path.order(&cpu),
             hit1_temperature_k: temperature(cpu.hits[0]),
             hit1_delay: path.delays[0],

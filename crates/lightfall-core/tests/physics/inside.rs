@@ -7,7 +7,7 @@ use crate::timelike::scene;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::observer::{Photon, min_infall_radius};
 use lightfall_core::geometry::sphere::celestial_frame;
-use lightfall_core::geometry::tetrad::in_rain;
+use lightfall_core::geometry::tetrad::rain_components;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::scene::{ObserverKind, Scene};
@@ -43,7 +43,7 @@ fn along_a_principal_null_ray_the_sky_is_straight_overhead() {
                 radial: -kerr.sigma(r, n.z) / (r * r),
                 w: kerr.a() * n.truncate().length() / r * phi_hat,
             };
-            let (frequency, momentum) = in_rain(kerr, r, theta, phi, &wanted, 0.0);
+            let (frequency, momentum) = rain_components(kerr, r, theta, phi, &wanted, 0.0);
             let direction = -momentum / frequency;
             let trace = Reference::new(&scene).unwrap().trace(direction);
             let off = trace.sky.map(|sky| (sky - n).length());

@@ -4,7 +4,7 @@ use glam::DVec3;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::mino::Constants;
 use lightfall_core::geometry::schwarzschild::deflection;
-use lightfall_core::optics::reference::Surroundings;
+use lightfall_core::optics::reference::HoleAndDisk;
 use lightfall_core::optics::trace::{Outcome, Trace};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -12,7 +12,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 fn trace(spin: f64, screen: [f64; 2], u: f64, theta: f64, annulus: Option<[f64; 2]>) -> Trace {
     let kerr = Kerr { spin };
     let (constants, start) = Constants::of_screen(kerr, screen, u, [theta, 0.0], true);
-    Surroundings { kerr, annulus }.trace(&constants, start)
+    HoleAndDisk { kerr, annulus }.trace(&constants, start)
 }
 
 /// Infinity to infinity in the plane without spin: the ray turns by bending + pi, clockwise for

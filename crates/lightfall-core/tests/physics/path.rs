@@ -45,18 +45,18 @@ fn a_path_begins_at_the_camera_and_ends_where_its_trace_ends() {
         let farthest = 3.0 * scene.camera.r + 60.0;
         for direction in directions(&scene) {
             let (trace, path) = Path::of(&reference, direction, farthest);
-            let first = path.places[0];
+            let first = path.points[0];
             assert!(
                 first.distance(camera) < 1e-9 * scene.camera.r,
                 "{} starts at {first}",
                 scene.name
             );
             assert!(
-                path.places.iter().all(|place| place.is_finite()),
+                path.points.iter().all(|place| place.is_finite()),
                 "{}",
                 scene.name
             );
-            let last = *path.places.last().unwrap();
+            let last = *path.points.last().unwrap();
             match trace.outcome {
                 // Bent light still turns by some r_s / r beyond the last place.
                 Outcome::Sky => {
@@ -73,7 +73,7 @@ fn a_path_begins_at_the_camera_and_ends_where_its_trace_ends() {
                 ),
             }
             let nearest = path
-                .places
+                .points
                 .iter()
                 .map(|place| place.length())
                 .fold(f64::INFINITY, f64::min);
@@ -110,7 +110,7 @@ fn paths_from_inside_lead_out_only_where_light_came_in() {
             let direction = DVec3::new(height, across * turn.cos(), across * turn.sin());
             let (trace, path) = Path::of(&reference, direction, 60.0);
             let farthest = path
-                .places
+                .points
                 .iter()
                 .map(|place| place.length())
                 .fold(0.0, f64::max);
@@ -163,9 +163,9 @@ fn without_spin_the_closest_place_and_the_turn_are_those_of_the_orbit_equation()
         };
         let expected = swept(1.0 / r) + swept(0.0);
         assert!(
-            (path.turn - expected).abs() < 1e-8,
+            (path.swept_angle - expected).abs() < 1e-8,
             "{aside}: turned {} and not {expected}",
-            path.turn
+            path.swept_angle
         );
     }
 }
@@ -307,7 +307,7 @@ fn orders_are_whole_half_turns_and_straight_rays_have_order_zero() {
         )
         .unwrap()
         .path
-        .turn
+        .swept_angle
     };
     let more = turn(1e-7 / PI.exp()) - turn(1e-7);
     assert!((more - PI).abs() < 1e-4, "{more}");

@@ -53,9 +53,9 @@ fn a_circular_orbit_has_keplers_period_and_its_own_time() {
             let mut scene = scene(spin, ObserverKind::Orbit, [0.0; 3], r, 90.0);
             let start = place(&scene);
             let mut worldline = Worldline::start(&scene).unwrap();
-            assert!(worldline.circles());
+            assert!(worldline.is_circular());
             assert_eq!(worldline.advance(own, &mut scene), None);
-            assert_close("far time", worldline.far_time().unwrap(), far, BAR);
+            assert_close("far time", worldline.coordinate_time().unwrap(), far, BAR);
             assert!((place(&scene) - start).length() < BAR, "spin {spin}, r {r}");
         }
     }
@@ -103,7 +103,12 @@ fn a_particle_thrown_into_a_circular_orbit_stays_on_it_for_a_hundred_turns() {
         "{:e}",
         (place(&scene) - start).length()
     );
-    assert_close("far time", worldline.far_time().unwrap(), 100.0 * far, BAR);
+    assert_close(
+        "far time",
+        worldline.coordinate_time().unwrap(),
+        100.0 * far,
+        BAR,
+    );
 }
 
 #[test]
@@ -113,7 +118,7 @@ fn the_fall_from_rest_at_infinity_takes_the_time_it_takes() {
     assert_eq!(fall.advance(1e3, [1.0, 1e7]), Some(Limit::Inner));
     assert_close(
         "to the horizon",
-        fall.state.own_time,
+        fall.state.proper_time,
         (10.0_f64.powf(1.5) - 1.0) / 1.5,
         BAR,
     );
@@ -121,7 +126,7 @@ fn the_fall_from_rest_at_infinity_takes_the_time_it_takes() {
     assert_eq!(fall.advance(1e3, [1e-8, 1e7]), Some(Limit::Inner));
     assert_close(
         "to the centre",
-        fall.state.own_time,
+        fall.state.proper_time,
         10.0_f64.powf(1.5) / 1.5,
         BAR,
     );
@@ -132,14 +137,14 @@ fn the_fall_from_rest_at_infinity_takes_the_time_it_takes() {
     let still = scene.camera;
     for frame in 1.. {
         let limit = worldline.advance(0.01, &mut scene);
-        let own_time = worldline.own_time();
+        let own_time = worldline.proper_time();
         assert_close(
             "r",
             scene.camera.r,
             (10.0_f64.powf(1.5) - 1.5 * own_time).powf(2.0 / 3.0),
             BAR,
         );
-        assert_eq!(worldline.far_time().is_some(), scene.camera.r > 1.0);
+        assert_eq!(worldline.coordinate_time().is_some(), scene.camera.r > 1.0);
         assert_eq!(
             (scene.observer.kind, scene.observer.velocity),
             (ObserverKind::Rain, [0.0; 3])
@@ -179,7 +184,7 @@ fn a_drop_from_rest_follows_the_cycloid_on_both_clocks() {
         let mut worldline = Worldline::start(&scene).unwrap();
         assert_eq!(worldline.advance(own, &mut scene), None);
         assert_close("r", scene.camera.r, r, BAR);
-        assert_close("far time", worldline.far_time().unwrap(), far, BAR);
+        assert_close("far time", worldline.coordinate_time().unwrap(), far, BAR);
     }
 }
 
@@ -215,7 +220,7 @@ fn a_spinning_holes_rain_falls_through_the_horizon_as_quadratures_say() {
         let own = integral(&|r| kerr.sigma(r, cos) / fall(r));
         assert_close(
             format!("own time, spin {spin}"),
-            particle.state.own_time,
+            particle.state.proper_time,
             own,
             BAR,
         );

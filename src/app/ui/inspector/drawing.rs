@@ -279,7 +279,7 @@ fn path(painter: &egui::Painter, projection: &Projection, inspected: &Inspected,
     } else {
         Stroke::new(1.0, colour.gamma_multiply(0.6))
     };
-    projection.line(painter, inspected.path.places.iter().copied(), stroke);
+    projection.line(painter, inspected.path.points.iter().copied(), stroke);
     for hit in inspected.trace.hits.iter().flatten() {
         let place = DVec3::new(hit.r * hit.phi.cos(), hit.r * hit.phi.sin(), 0.0);
         if !projection.hidden(place) {

@@ -140,14 +140,14 @@ fn clocks(ui: &mut egui::Ui, voyage: &FreeFall, mass: HoleMass) {
             number(time * mass.seconds())
         )
     };
-    let far = match worldline.far_time() {
+    let far = match worldline.coordinate_time() {
         Some(far) => ("far time", both(far)),
         None => ("ingoing time", both(worldline.ingoing_time())),
     };
     table(
         ui,
         "Clocks since letting go",
-        &[("own time", both(worldline.own_time())), far],
+        &[("own time", both(worldline.proper_time())), far],
     );
 }
 

@@ -1,25 +1,25 @@
-//! The same numbers for a hole of some mass, in metres, seconds and g.
+//! Read-outs in metres, seconds and g, for a hole of a given mass.
 
 use super::Readout;
 
 /// The speed of light, in m/s; exact.
 pub const LIGHT_SPEED: f64 = 299_792_458.0;
-/// The sun's G M, in m^3/s^2: the nominal value, IAU 2015 resolution B3.
+/// The Sun's G M, in m^3/s^2: the nominal value of IAU 2015 resolution B3.
 pub const SOLAR_GM: f64 = 1.327_124_4e20;
 /// Standard gravity, in m/s^2; exact.
 pub const STANDARD_GRAVITY: f64 = 9.806_65;
 
-/// A hole's mass.
+/// The mass of a hole.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HoleMass {
-    /// Whose it is.
+    /// Name of the hole.
     pub name: &'static str,
-    /// In suns.
+    /// Mass, in solar masses.
     pub suns: f64,
 }
 
-/// Masses to choose from: Sagittarius A* (GRAVITY Collaboration 2022), M87* (Event Horizon
-/// Telescope Collaboration 2019), and one as dead stars leave behind.
+/// The masses to choose from: Sagittarius A* (GRAVITY Collaboration 2022), M87* (Event Horizon
+/// Telescope Collaboration 2019), and a hole that a star leaves behind.
 pub const MASSES: [HoleMass; 3] = [
     HoleMass {
         name: "Sgr A*",
@@ -55,19 +55,19 @@ impl HoleMass {
     }
 }
 
-/// What of a read-out has a unit.
+/// The read-outs that have a unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SiReadout {
     /// Boyer-Lindquist radius, in km.
     pub r_km: f64,
     /// Proper acceleration, in g.
     pub acceleration_g: f64,
-    /// Largest stretch by the tide, in g a metre.
+    /// Largest tidal stretching, in g per metre.
     pub tide_g_per_metre: f64,
 }
 
 impl Readout {
-    /// The same for a hole of this mass.
+    /// The read-outs for a hole of this mass.
     #[must_use]
     pub fn in_si(&self, mass: HoleMass) -> SiReadout {
         SiReadout {

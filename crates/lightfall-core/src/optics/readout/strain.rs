@@ -1,4 +1,4 @@
-//! What pulls at an observer: the thrust that holds her, and the tide.
+//! The forces on an observer: the thrust that holds it in place, and the tide.
 
 use crate::geometry::kerr::{Kerr, MASS};
 use crate::geometry::observer::Photon;
@@ -7,11 +7,11 @@ use crate::scene::ObserverKind;
 use glam::DVec3;
 
 /// Proper acceleration, in c^2/r_s, of an observer of this kind at (`r`, `theta`) (r_s, radians),
-/// where she exists.
+/// where the observer exists.
 ///
-/// `static` follows the Killing vector d/dt and `zamo` is orthogonal to the slices of constant t,
-/// so that either's acceleration is the gradient of a potential: ln sqrt(f), f = 1 - 2 M r/Sigma,
-/// and ln N, N^2 = Sigma Delta/A. Misner, Thorne & Wheeler 1973 exercise 23.1 in Schwarzschild;
+/// `static` follows the Killing vector d/dt, and `zamo` is orthogonal to the slices of constant t.
+/// So the acceleration of each is the gradient of a potential: ln sqrt(f) with f = 1 - 2 M r/Sigma,
+/// and ln N with N^2 = Sigma Delta/A. Misner, Thorne & Wheeler 1973 exercise 23.1 in Schwarzschild;
 /// Thorne & MacDonald 1982 for ln N. `orbit` and `rain` fall freely.
 #[must_use]
 pub fn held_acceleration(kerr: Kerr, kind: ObserverKind, r: f64, theta: f64) -> f64 {
@@ -19,7 +19,7 @@ pub fn held_acceleration(kerr: Kerr, kind: ObserverKind, r: f64, theta: f64) -> 
     let a2 = kerr.a().powi(2);
     let (sigma, delta) = (kerr.sigma(r, cos), kerr.delta(r));
     let sigma_theta = -2.0 * a2 * sin * cos;
-    // Derivatives of the potential by r and theta.
+    // Derivatives of the potential with respect to r and theta.
     let [by_r, by_theta] = match kind {
         ObserverKind::Static => {
             let f = 1.0 - 2.0 * MASS * r / sigma;
@@ -40,20 +40,20 @@ pub fn held_acceleration(kerr: Kerr, kind: ObserverKind, r: f64, theta: f64) -> 
     (delta / sigma * by_r * by_r + by_theta * by_theta / sigma).sqrt()
 }
 
-/// The largest stretch by the tide, in c^2/r_s^2, on what moves with the four-velocity `u` at
-/// radius `r` (r_s) and place `n`: the relative acceleration of two of its points over their
-/// distance, along the direction where it is largest.
+/// The largest tidal stretching, in c^2/r_s^2, of a body with the four-velocity `u` at radius `r`
+/// (r_s) and the place `n` on the celestial sphere: the relative acceleration of two of its points
+/// divided by their distance, along the direction where it is largest.
 ///
-/// In the frame of Carter's tetrad the Weyl tensor is psi (1 - 3 e e) with psi = M/(r - i a
-/// cos(theta))^3 and e the radial direction (Kinnersley 1969). A boost along e changes nothing; one
-/// across it, by gamma, makes e the complex unit vector (gamma, 0, i sqrt(gamma^2 - 1)), as it does
-/// with an electric field (Landau & Lifshitz, Classical Theory of Fields, section 25). So the
-/// stretch is the larger root of a two by two matrix. Without spin gamma^2 = 1 + L^2/r^2 and the
-/// stretch is (M/r^3)(2 + 3 L^2/r^2), as Marck's (1983).
+/// In the frame of Carter's tetrad the Weyl tensor is psi (1 - 3 e e), with psi = M/(r - i a
+/// cos(theta))^3 and e the radial direction (Kinnersley 1969). A boost along e changes nothing. A
+/// boost by gamma across e turns e into the complex unit vector (gamma, 0, i sqrt(gamma^2 - 1)), as
+/// for an electric field (Landau & Lifshitz, Classical Theory of Fields, section 25). So the
+/// stretching is the larger eigenvalue of a two by two matrix. Without spin gamma^2 = 1 + L^2/r^2
+/// and the stretching is (M/r^3)(2 + 3 L^2/r^2), in agreement with Marck 1983.
 #[must_use]
 pub fn tide(kerr: Kerr, r: f64, n: DVec3, u: &Photon) -> f64 {
     let (a, sigma) = (kerr.a(), kerr.sigma(r, n.z));
-    // The part of the momentum across e: r w less a E sin(theta) along phi.
+    // The part of the momentum across e: r w minus a E sin(theta) phi_hat.
     let across = r * u.w - a * u.energy * DVec3::Z.cross(n);
     let excess = across.length_squared() / sigma;
     // psi = M (r + i a cos)^3 / Sigma^3.
