@@ -5,10 +5,19 @@ use crate::render::chain::{Chain, EMPTY_PASSES, WrittenTexture};
 use lightfall_core::gpu::{Entry, Variant};
 use lightfall_core::scene::Scene;
 use std::collections::BTreeSet;
-use std::fmt::Write;
 
-/// The cost report of the scene: one line per topic, first the topic and then what belongs to it.
+/// The cost report of the scene as text: its name, then one line per topic.
 pub fn cost_report(scene: &Scene) -> String {
+    let rows = cost_rows(scene);
+    let lines = rows
+        .iter()
+        .map(|(topic, items)| format!("{topic:16} {items}\n"));
+    format!("{}: {}\n", scene.name, scene.title) + &lines.collect::<String>()
+}
+
+/// The cost report of the scene as rows: a topic, and what belongs to it. The rows depend on the
+/// scene's method, its [`Variant`] and its [`Chain`], and on nothing else.
+pub fn cost_rows(scene: &Scene) -> Vec<(&'static str, String)> {
     let variant = Variant::picture(scene);
     let chain = Chain::of(scene);
     let (set, unset): (Vec<_>, Vec<_>) = variant.flags().into_iter().partition(|(_, set)| *set);
@@ -22,17 +31,17 @@ pub fn cost_report(scene: &Scene) -> String {
         .into_iter()
         .filter(|absent| textures.iter().all(|texture| texture.name != absent.name));
     let passes = chain.passes();
-    let mut text = format!("{}: {}\n", scene.name, scene.title);
-    let mut line = |topic: &str, items: &[String]| {
+    let mut rows = Vec::new();
+    let mut row = |topic: &'static str, items: &[String]| {
         let items = if items.is_empty() {
             "none".into()
         } else {
             items.join(", ")
         };
-        writeln!(text, "{topic:16} {items}").expect("writing to a string cannot fail");
+        rows.push((topic, items));
     };
     let own = |names: Vec<&str>| names.into_iter().map(str::to_owned).collect::<Vec<_>>();
-    line(
+    row(
         "method",
         &[format!(
             "{} (asked for: {})",
@@ -40,7 +49,7 @@ pub fn cost_report(scene: &Scene) -> String {
             scene.method.word()
         )],
     );
-    line(
+    row(
         "disk crossings",
         &[if variant.disk {
             variant.most_hits.to_string()
@@ -48,12 +57,12 @@ pub fn cost_report(scene: &Scene) -> String {
             "none".into()
         }],
     );
-    line("flags set", &own(names(set)));
-    line("flags not set", &own(names(unset)));
-    line("shader files", &own(variant.files()));
-    line("files left out", &own(unused_files(variant)));
-    line("passes", &own(passes.clone()));
-    line(
+    row("flags set", &own(names(set)));
+    row("flags not set", &own(names(unset)));
+    row("shader files", &own(variant.files()));
+    row("files left out", &own(unused_files(variant)));
+    row("passes", &own(passes.clone()));
+    row(
         "passes left out",
         &own(full
             .passes()
@@ -61,8 +70,8 @@ pub fn cost_report(scene: &Scene) -> String {
             .filter(|pass| !passes.contains(pass))
             .collect()),
     );
-    line("passes, empty", &own(EMPTY_PASSES.to_vec()));
-    line("while idle", &own(chain.idle_passes().to_vec()));
+    row("passes, empty", &own(EMPTY_PASSES.to_vec()));
+    row("while idle", &own(chain.idle_passes().to_vec()));
     let written = |texture: &WrittenTexture| {
         let levels = if texture.levels > 1 {
             format!(", {} levels", texture.levels)
@@ -74,15 +83,15 @@ pub fn cost_report(scene: &Scene) -> String {
             texture.name, texture.size.x, texture.size.y, texture.format
         )
     };
-    line(
+    row(
         "textures",
         &textures.iter().map(written).collect::<Vec<_>>(),
     );
-    line(
+    row(
         "not allocated",
         &own(absent.map(|texture| texture.name).collect()),
     );
-    text
+    rows
 }
 
 /// Shader files that pictures of other scenes use and this one does not.

@@ -31,7 +31,7 @@ mod scene_camera;
 
 pub use capture::{Capture, Captured, ROW_ALIGNMENT};
 pub use chain::{Chain, EMPTY_PASSES, WrittenTexture};
-pub use cost_report::cost_report;
+pub use cost_report::{cost_report, cost_rows};
 pub use current_scene::CurrentScene;
 pub use device::render_plugin;
 pub use error_map::AwaitErrorMap;

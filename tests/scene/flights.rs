@@ -1,7 +1,7 @@
-//! Flights that nobody steers: the guided journey and real motion, moment by moment, and how they
-//! give way.
+//! Flights that steer themselves: the guided journey and free motion, frame by frame, and how they
+//! end when something else moves the camera.
 
-use lightfall::app::{FreeFall, JourneyPlayer, Moment};
+use lightfall::app::{FlightStep, FreeFall, JourneyPlayer};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::observer::min_infall_radius;
 use lightfall_core::optics::reference::Reference;
@@ -13,15 +13,15 @@ fn preset(name: &str) -> Scene {
     presets::find(name).unwrap().scene(&[]).unwrap()
 }
 
-fn guide() -> JourneyPlayer {
+fn player() -> JourneyPlayer {
     JourneyPlayer::new(journey::load("default.toml", journey::DEFAULT).unwrap())
 }
 
-/// The scene after a moment that goes on.
+/// The scene after a step that goes on.
 #[track_caller]
-fn next(moment: Moment) -> Scene {
-    match moment {
-        Moment::Scene(scene) => scene.into_scene(),
+fn next(step: FlightStep) -> Scene {
+    match step {
+        FlightStep::Moved(scene) => scene.into_scene(),
         other => panic!("{other:?}"),
     }
 }
@@ -36,16 +36,16 @@ fn moved(a: &Scene, b: &Scene) -> f64 {
 }
 
 #[test]
-fn a_journey_comes_gently_from_anywhere_and_goes_to_its_end_without_a_jump() {
+fn a_journey_starts_gently_from_anywhere_and_reaches_its_end_without_a_jump() {
     for (name, kind) in [
         ("above", ObserverKind::Static),
         ("limit", ObserverKind::Rain),
     ] {
         let mut scene = preset(name);
         scene.observer.kind = kind;
-        let (mut guide, start) = (guide(), scene.clone());
-        guide.start(&scene);
-        scene = next(guide.pass(FRAME, &scene, false));
+        let (mut player, start) = (player(), scene.clone());
+        player.start(&scene);
+        scene = next(player.advance(FRAME, &scene, false));
         assert!(
             moved(&start, &scene) < 1e-9,
             "it begins where the camera is"
@@ -53,10 +53,10 @@ fn a_journey_comes_gently_from_anywhere_and_goes_to_its_end_without_a_jump() {
         let mut frames = 0;
         loop {
             let before = scene.clone();
-            let moment = guide.pass(FRAME, &scene, false);
-            let ended = matches!(moment, Moment::End(_));
-            match moment {
-                Moment::Scene(after) | Moment::End(after) => scene = after.into_scene(),
+            let step = player.advance(FRAME, &scene, false);
+            let ended = matches!(step, FlightStep::Ended(_));
+            match step {
+                FlightStep::Moved(after) | FlightStep::Ended(after) => scene = after.into_scene(),
                 other => panic!("{other:?} after {frames} frames"),
             }
             // A tenth a frame is fast, but no jump: the way to the start is twenty times as far as
@@ -73,39 +73,39 @@ fn a_journey_comes_gently_from_anywhere_and_goes_to_its_end_without_a_jump() {
         }
         assert!((149.0..151.0).contains(&(f64::from(frames) * FRAME)));
         assert_eq!(scene.camera.r < 1.0, kind == ObserverKind::Rain);
-        assert!(!guide.flies() && guide.pass(FRAME, &scene, false) == Moment::None);
+        assert!(!player.is_playing() && player.advance(FRAME, &scene, false) == FlightStep::Idle);
     }
 }
 
 #[test]
-fn whoever_moves_the_camera_has_it_and_can_give_it_back() {
+fn moving_the_camera_ends_a_journey_which_can_then_go_on() {
     let mut scene = preset("edge-on");
-    let mut guide = guide();
-    guide.restart();
+    let mut player = player();
+    player.restart();
     for _ in 0..600 {
-        scene = next(guide.pass(FRAME, &scene, false));
+        scene = next(player.advance(FRAME, &scene, false));
     }
-    let time = guide.time();
+    let time = player.time();
     assert!((time - 10.0).abs() < 0.1);
     // Other changes than of the camera do not end it.
     scene.disk.enabled = false;
-    scene = next(guide.pass(FRAME, &scene, false));
+    scene = next(player.advance(FRAME, &scene, false));
     assert!(!scene.disk.enabled);
     scene.camera.yaw_deg += 0.01;
-    assert_eq!(guide.pass(FRAME, &scene, false), Moment::None);
-    assert!(!guide.flies());
+    assert_eq!(player.advance(FRAME, &scene, false), FlightStep::Idle);
+    assert!(!player.is_playing());
     scene.camera.r = 7.0;
-    guide.start(&scene);
-    let again = next(guide.pass(FRAME, &scene, false));
+    player.start(&scene);
+    let again = next(player.advance(FRAME, &scene, false));
     assert!(
-        moved(&scene, &again) < 1e-9 && (guide.time() - time).abs() < 0.1,
+        moved(&scene, &again) < 1e-9 && (player.time() - time).abs() < 0.1,
         "it goes on where it was left"
     );
-    guide.restart();
+    player.restart();
     assert_eq!(
         (
-            guide.time(),
-            next(guide.pass(FRAME, &scene, false)).camera.r.round()
+            player.time(),
+            next(player.advance(FRAME, &scene, false)).camera.r.round()
         ),
         (0.0, 160.0)
     );
@@ -114,14 +114,14 @@ fn whoever_moves_the_camera_has_it_and_can_give_it_back() {
 #[test]
 fn a_calm_journey_does_not_roll() {
     let mut scene = preset("edge-on");
-    let mut guide = guide();
-    guide.restart();
+    let mut player = player();
+    player.restart();
     let mut rolls = [0.0_f64; 2];
     for (roll, calm) in rolls.iter_mut().zip([false, true]) {
-        guide.restart();
+        player.restart();
         scene.camera.roll_deg = 0.0;
         for _ in 0..6000 {
-            scene = next(guide.pass(FRAME, &scene, calm));
+            scene = next(player.advance(FRAME, &scene, calm));
             *roll = roll.max(scene.camera.roll_deg.abs());
         }
     }
@@ -129,15 +129,15 @@ fn a_calm_journey_does_not_roll() {
 }
 
 #[test]
-fn who_is_let_go_in_free_fall_ends_inside() {
+fn an_observer_let_go_in_free_fall_ends_inside_the_horizon() {
     let mut scene = preset("falling");
-    let mut voyage = FreeFall::default();
-    voyage.start(&scene).unwrap();
+    let mut free_fall = FreeFall::default();
+    free_fall.start(&scene).unwrap();
     let mut frames = 0;
     loop {
-        match voyage.pass(FRAME, &scene) {
-            Moment::Scene(after) => scene = after.into_scene(),
-            Moment::End(after) => {
+        match free_fall.advance(FRAME, &scene) {
+            FlightStep::Moved(after) => scene = after.into_scene(),
+            FlightStep::Ended(after) => {
                 scene = after.into_scene();
                 break;
             }
@@ -146,10 +146,10 @@ fn who_is_let_go_in_free_fall_ends_inside() {
         frames += 1;
         assert!(frames < 60 * 60, "{:?}", scene.camera);
         let own = (1.4_f64.powf(1.5) - scene.camera.r.powf(1.5)) / 1.5;
-        assert!((voyage.worldline().unwrap().proper_time() - own).abs() < 1e-9);
+        assert!((free_fall.worldline().unwrap().proper_time() - own).abs() < 1e-9);
     }
     assert!((scene.camera.r - 0.1).abs() < 1e-12 && frames > 300);
-    assert!(voyage.clocks(scene.camera.r).contains("ingoing time"));
+    assert!(free_fall.clocks(scene.camera.r).contains("ingoing time"));
 }
 
 /// Through a spinning hole's horizon, dropped and thrown: the sky in the picture moves on as it
@@ -169,9 +169,9 @@ fn through_a_spinning_holes_horizon_the_picture_goes_on() {
             scene.observer.velocity,
         ) = (spin, 60.0, velocity);
         scene.camera.r = 1.5 * kerr.horizon();
-        let mut voyage = FreeFall::default();
-        voyage.start(&scene).unwrap();
-        voyage.turn_pace(-2);
+        let mut free_fall = FreeFall::default();
+        free_fall.start(&scene).unwrap();
+        free_fall.change_pace(-2);
         // What is seen where the camera looks, away from the hole, and how far that moved in the
         // frame before.
         let looked = |scene: &Scene| {
@@ -184,10 +184,10 @@ fn through_a_spinning_holes_horizon_the_picture_goes_on() {
         let (mut last, mut step, mut inside) = (looked(&scene).unwrap(), None::<f64>, 0);
         for frame in 0.. {
             assert!(frame < 20_000, "{:?}", scene.camera);
-            let moment = voyage.pass(FRAME, &scene);
-            let ended = matches!(moment, Moment::End(_));
-            match moment {
-                Moment::Scene(after) | Moment::End(after) => scene = after.into_scene(),
+            let flight = free_fall.advance(FRAME, &scene);
+            let ended = matches!(flight, FlightStep::Ended(_));
+            match flight {
+                FlightStep::Moved(after) | FlightStep::Ended(after) => scene = after.into_scene(),
                 other => panic!("spin {spin}: {other:?} at {:?}", scene.camera),
             }
             let seen = looked(&scene).unwrap();
@@ -210,44 +210,44 @@ fn through_a_spinning_holes_horizon_the_picture_goes_on() {
         }
         assert_eq!(scene.camera.r, min_infall_radius(kerr));
         assert!(
-            inside > 100 && voyage.clocks(scene.camera.r).contains("ingoing time"),
+            inside > 100 && free_fall.clocks(scene.camera.r).contains("ingoing time"),
             "{inside} frames inside"
         );
     }
 }
 
 #[test]
-fn motion_goes_on_while_looking_around_and_ends_under_the_hand() {
+fn free_motion_goes_on_while_looking_around_and_ends_when_the_camera_is_moved() {
     let mut scene = preset("edge-on");
     (scene.camera.theta_deg, scene.observer.kind) = (90.0, ObserverKind::Orbit);
-    let mut voyage = FreeFall::default();
-    voyage.start(&scene).unwrap();
-    scene = next(voyage.pass(1.0, &scene));
-    assert!(voyage.clocks(scene.camera.r).starts_with("circling"));
+    let mut free_fall = FreeFall::default();
+    free_fall.start(&scene).unwrap();
+    scene = next(free_fall.advance(1.0, &scene));
+    assert!(free_fall.clocks(scene.camera.r).starts_with("in orbit"));
     scene.camera.yaw_deg = 33.0;
-    let after = next(voyage.pass(1.0, &scene));
+    let after = next(free_fall.advance(1.0, &scene));
     assert!(after.camera.yaw_deg == 33.0 && after.camera.phi_deg != scene.camera.phi_deg);
     // Twice the pace, twice the way.
     let way = after.camera.phi_deg - scene.camera.phi_deg;
-    voyage.turn_pace(1);
-    let faster = next(voyage.pass(1.0, &after));
+    free_fall.change_pace(1);
+    let faster = next(free_fall.advance(1.0, &after));
     assert!(((faster.camera.phi_deg - after.camera.phi_deg) / way - 2.0).abs() < 1e-9);
     let mut taken = faster.clone();
     taken.camera.r += 0.1;
-    assert_eq!(voyage.pass(1.0, &taken), Moment::None);
-    assert!(!voyage.moves());
+    assert_eq!(free_fall.advance(1.0, &taken), FlightStep::Idle);
+    assert!(!free_fall.is_moving());
 }
 
 #[test]
-fn a_fall_that_cannot_be_drawn_farther_stops_at_its_last_true_picture_and_says_why() {
+fn a_fall_that_cannot_be_drawn_farther_stops_at_its_last_picture_and_says_why() {
     let mut scene = preset("falling");
     (scene.hole.spin, scene.camera.theta_deg, scene.method) = (0.9, 60.0, Method::KerrSchild);
-    let mut voyage = FreeFall::default();
-    voyage.start(&scene).unwrap();
+    let mut free_fall = FreeFall::default();
+    free_fall.start(&scene).unwrap();
     for _ in 0..6000 {
-        match voyage.pass(FRAME, &scene) {
-            Moment::Scene(after) => scene = after.into_scene(),
-            Moment::Refused(reason) => {
+        match free_fall.advance(FRAME, &scene) {
+            FlightStep::Moved(after) => scene = after.into_scene(),
+            FlightStep::Refused(reason) => {
                 assert!(reason.contains("inside the horizon"), "{reason}");
                 assert!(scene.camera.r > Kerr { spin: 0.9 }.horizon());
                 return;
@@ -259,61 +259,61 @@ fn a_fall_that_cannot_be_drawn_farther_stops_at_its_last_true_picture_and_says_w
 }
 
 #[test]
-fn a_machine_that_slept_finds_the_flight_where_it_was() {
+fn a_flight_stands_still_while_the_machine_sleeps() {
     let night = 8.0 * 3600.0;
     let mut scene = preset("edge-on");
-    let mut guide = guide();
-    guide.restart();
+    let mut player = player();
+    player.restart();
     for _ in 0..600 {
-        scene = next(guide.pass(FRAME, &scene, false));
+        scene = next(player.advance(FRAME, &scene, false));
     }
-    assert_eq!(guide.progress(), "9 of 150 s");
-    let (time, before) = (guide.time(), scene.clone());
-    scene = next(guide.pass(night, &scene, false));
+    assert_eq!(player.progress(), "9 of 150 s");
+    let (time, before) = (player.time(), scene.clone());
+    scene = next(player.advance(night, &scene, false));
     assert!(
-        guide.time() - time < 0.5 && moved(&before, &scene) < 0.1,
+        player.time() - time < 0.5 && moved(&before, &scene) < 0.1,
         "{} s",
-        guide.time() - time
+        player.time() - time
     );
 
     let mut scene = preset("falling");
-    let mut voyage = FreeFall::default();
-    voyage.start(&scene).unwrap();
-    scene = next(voyage.pass(FRAME, &scene));
-    let (own, r) = (voyage.worldline().unwrap().proper_time(), scene.camera.r);
-    scene = next(voyage.pass(night, &scene));
-    let slept = voyage.worldline().unwrap().proper_time() - own;
+    let mut free_fall = FreeFall::default();
+    free_fall.start(&scene).unwrap();
+    scene = next(free_fall.advance(FRAME, &scene));
+    let (own, r) = (free_fall.worldline().unwrap().proper_time(), scene.camera.r);
+    scene = next(free_fall.advance(night, &scene));
+    let slept = free_fall.worldline().unwrap().proper_time() - own;
     assert!(
-        slept < 0.5 * voyage.rate(r) && scene.camera.r > 0.9 * r,
+        slept < 0.5 * free_fall.rate(r) && scene.camera.r > 0.9 * r,
         "{slept}"
     );
 }
 
 #[test]
-fn a_journey_that_cannot_be_flown_to_its_end_is_known_before_and_flown_as_far_as_it_can() {
+fn a_journey_that_cannot_be_flown_to_its_end_is_reported_at_once_and_flown_as_far_as_possible() {
     let mut scene = preset("edge-on");
     (scene.hole.spin, scene.observer.kind) = (0.9, ObserverKind::Rain);
     // A last keyframe that is deeper inside than the innermost radius of this spin.
     let deep = journey::DEFAULT.replace("rain = { r = 0.5,", "rain = { r = 0.3,");
-    let mut guide = JourneyPlayer::new(journey::load("deep.toml", &deep).unwrap());
-    guide.start(&scene);
-    let fault = guide.check(&scene).unwrap_err();
+    let mut player = JourneyPlayer::new(journey::load("deep.toml", &deep).unwrap());
+    player.start(&scene);
+    let fault = player.check(&scene).unwrap_err();
     assert!(
         fault.place.starts_with("keyframe 10 ")
             && fault.reason.contains("camera.r = 0.3 is refused"),
         "{fault}"
     );
     let refused = loop {
-        match guide.pass(0.25, &scene, false) {
-            Moment::Scene(next) => scene = next.into_scene(),
+        match player.advance(0.25, &scene, false) {
+            FlightStep::Moved(next) => scene = next.into_scene(),
             other => break other,
         }
     };
     assert!(
-        matches!(&refused, Moment::Refused(reason) if reason.contains("camera.r = 0.3")),
+        matches!(&refused, FlightStep::Refused(reason) if reason.contains("camera.r = 0.3")),
         "{refused:?}"
     );
-    assert!(scene.camera.r < Kerr { spin: 0.9 }.horizon() && guide.time() > 140.0);
+    assert!(scene.camera.r < Kerr { spin: 0.9 }.horizon() && player.time() > 140.0);
     scene.hole.spin = 0.0;
-    assert_eq!(guide.check(&scene), Ok(()));
+    assert_eq!(player.check(&scene), Ok(()));
 }

@@ -1,12 +1,12 @@
-//! What a gamepad's sticks and triggers are worth, and which controls its buttons have.
+//! The response to a gamepad's sticks and triggers, and the controls that its buttons are bound to.
 
 use bevy::prelude::{GamepadButton, Vec2};
-use lightfall::app::{CONTROLS, PadBindings, Settings, Switch};
+use lightfall::app::{Bindable, CONTROLS, PadBindings, Settings};
 use lightfall::app::{control_named, deflection, squeeze};
 use std::collections::BTreeMap;
 
 #[test]
-fn a_stick_keeps_its_direction_and_is_worth_nothing_in_the_middle_and_one_at_most() {
+fn a_stick_keeps_its_direction_with_no_response_in_the_dead_zone_and_at_most_one_beyond() {
     // What worn sticks rest at, and what the dead middle is for.
     for at_rest in [Vec2::ZERO, Vec2::new(0.1, 0.1), Vec2::new(-0.149, 0.0)] {
         assert_eq!(deflection(at_rest).length(), 0.0, "{at_rest}");
@@ -35,7 +35,7 @@ fn a_stick_keeps_its_direction_and_is_worth_nothing_in_the_middle_and_one_at_mos
 }
 
 #[test]
-fn a_trigger_begins_at_nothing_and_ends_at_one() {
+fn the_response_of_a_trigger_goes_from_zero_to_one() {
     assert_eq!(
         [0.0, 0.05, 1.0, f32::NAN].map(squeeze),
         [0.0, 0.0, 1.0, 0.0]
@@ -45,7 +45,7 @@ fn a_trigger_begins_at_nothing_and_ends_at_one() {
 }
 
 #[test]
-fn every_default_button_has_a_name_and_one_control_that_there_is() {
+fn every_default_button_has_a_name_and_belongs_to_one_existing_control() {
     let bindings = PadBindings::default();
     let bound: Vec<GamepadButton> = bindings
         .iter()
@@ -97,7 +97,7 @@ fn names_of_buttons_are_read_back_as_the_same_buttons() {
 }
 
 #[test]
-fn buttons_are_bound_anew_beside_the_keys() {
+fn settings_bind_buttons_separately_from_keys() {
     let text = "[keys]\n\"window.help\" = [\"F10\"]\n[buttons]\n\"window.help\" = [\"Guide\", \"L3\"]\n\"picture.bypass\" = []";
     let settings = Settings::read(text).unwrap();
     let bindings = PadBindings::new(&settings.buttons).unwrap();
@@ -110,7 +110,7 @@ fn buttons_are_bound_anew_beside_the_keys() {
     for (line, said) in [
         (
             "\"window.help\" = [\"F1\"]",
-            "buttons: window.help is given the button \"F1\", which is none",
+            "buttons: window.help is given \"F1\", which is no button",
         ),
         (
             "\"window.help\" = [\"A\"]",
@@ -127,7 +127,7 @@ fn buttons_are_bound_anew_beside_the_keys() {
 }
 
 #[test]
-fn a_button_bound_by_hand_is_taken_from_whoever_had_it_even_where_the_key_needs_alt() {
+fn binding_a_button_takes_it_from_its_former_control_even_where_the_key_needs_alt() {
     let mut bindings = PadBindings::default();
     bindings.bind("window.fullscreen", GamepadButton::South);
     assert_eq!(bindings.of("window.fullscreen"), [GamepadButton::South]);

@@ -1,4 +1,4 @@
-//! Undoing: what was changed comes back, and only that.
+//! Undoing restores what was changed, and nothing else.
 
 use lightfall::app::History;
 use lightfall_core::scene::{ObserverKind, Scene, presets};
@@ -9,7 +9,7 @@ fn seconds(seconds: u64) -> Duration {
 }
 
 #[test]
-fn the_last_change_is_taken_back_and_what_was_flown_since_stays() {
+fn undoing_restores_the_last_change_and_keeps_what_was_flown_since() {
     let start = Scene::default();
     let mut history = History::new(start.clone());
     let mut scene = start.clone();
@@ -23,7 +23,7 @@ fn the_last_change_is_taken_back_and_what_was_flown_since_stays() {
 }
 
 #[test]
-fn after_a_fall_or_a_journey_the_camera_comes_back_to_where_it_left_and_other_changes_stay() {
+fn undoing_a_fall_or_a_journey_returns_the_camera_to_its_start_and_keeps_other_changes() {
     let start = Scene::default();
     let mut history = History::new(start.clone());
     history.note_departure(&start, seconds(1));
@@ -40,7 +40,7 @@ fn after_a_fall_or_a_journey_the_camera_comes_back_to_where_it_left_and_other_ch
 }
 
 #[test]
-fn loading_a_preset_is_a_change_too_and_brings_back_what_was_loaded_before() {
+fn loading_a_preset_is_undone_together_with_what_counts_as_loaded() {
     let start = Scene::default();
     let mut history = History::new(start.clone());
     let preset = presets::PRESETS[7].scene(&[]).unwrap();
@@ -51,7 +51,7 @@ fn loading_a_preset_is_a_change_too_and_brings_back_what_was_loaded_before() {
 }
 
 #[test]
-fn a_slider_that_is_dragged_is_one_change() {
+fn dragging_a_slider_is_one_change() {
     let start = Scene::default();
     let mut history = History::new(start.clone());
     let mut scene = start.clone();
@@ -77,7 +77,7 @@ fn a_slider_that_is_dragged_is_one_change() {
 }
 
 #[test]
-fn no_more_changes_are_kept_than_fit() {
+fn the_history_keeps_its_64_newest_changes() {
     let mut scene = Scene::default();
     let mut history = History::new(scene.clone());
     for step in 0..200 {
@@ -90,7 +90,7 @@ fn no_more_changes_are_kept_than_fit() {
 }
 
 #[test]
-fn a_change_that_the_cameras_place_forbids_to_undo_is_undone_with_the_place() {
+fn a_change_that_the_cameras_place_forbids_to_undo_is_undone_together_with_the_place() {
     // Without the spin that was added, the camera that flew in since would be inside the horizon.
     let start = Scene::default();
     let mut spinning = start.clone();

@@ -1,7 +1,9 @@
-//! The key table: what each control does to a scene, and which keys it has.
+//! The control table: how each control changes a scene, and which keys it has.
 
 use bevy::prelude::KeyCode;
-use lightfall::app::{Action, Bindings, CONTROLS, Switch, control_named, edited, remark};
+use lightfall::app::{
+    Action, Bindable, Bindings, CONTROLS, checked_change, control_named, edited, remark,
+};
 use lightfall_core::scene::{Method, ObserverKind, Scene, View, presets};
 use std::collections::BTreeMap;
 
@@ -9,7 +11,8 @@ use std::collections::BTreeMap;
 fn used_from(loaded: &Scene, scene: &Scene, id: &str, times: usize) -> Scene {
     let control = control_named(id).unwrap();
     (0..times).fold(scene.clone(), |scene, _| {
-        edited(control, &scene, loaded).unwrap().unwrap()
+        let changed = edited(control, &scene, loaded).unwrap();
+        checked_change(&scene, changed).unwrap().into_scene()
     })
 }
 
@@ -23,16 +26,22 @@ fn every_control_of_the_scene_changes_it_into_one_that_can_be_drawn_from_any_pre
         let scene = preset.scene(&[]).unwrap();
         for control in CONTROLS {
             let changes = matches!(control.action, Action::Edit(_) | Action::Load(_));
-            match edited(control, &scene, &scene) {
+            let changed = edited(control, &scene, &scene);
+            match changed.map(|changed| checked_change(&scene, changed)) {
                 None => assert!(!changes, "{} changes no scene", control.id),
                 // Only its own number leaves a preset as it is.
                 Some(Ok(changed))
                     if control.keys[0] == KeyCode::named(&preset.number.to_string()).unwrap() =>
                 {
-                    assert_eq!(changed, scene);
+                    assert_eq!(*changed.scene(), scene);
                 }
                 // Where only free fall is possible, there is no other observer.
-                Some(Ok(changed)) => assert!(changed != scene, "{} in {}", control.id, preset.name),
+                Some(Ok(changed)) => assert!(
+                    *changed.scene() != scene,
+                    "{} in {}",
+                    control.id,
+                    preset.name
+                ),
                 Some(Err(error)) => panic!("{} in {}: {error}", control.id, preset.name),
             }
         }
@@ -40,7 +49,7 @@ fn every_control_of_the_scene_changes_it_into_one_that_can_be_drawn_from_any_pre
 }
 
 #[test]
-fn switches_lead_back_when_used_again_from_any_preset() {
+fn a_switch_used_twice_restores_any_preset() {
     let switches = [
         "scene.disk",
         "scene.isco",
@@ -79,7 +88,7 @@ fn switches_lead_back_when_used_again_from_any_preset() {
 }
 
 #[test]
-fn spin_comes_back_as_the_preset_has_it() {
+fn the_spin_switch_returns_to_the_presets_spin() {
     let extremal = presets::find("extremal").unwrap().scene(&[]).unwrap();
     assert!(extremal.hole.spin > 0.95);
     let without = used(&extremal, "scene.spin", 1);
@@ -91,7 +100,7 @@ fn spin_comes_back_as_the_preset_has_it() {
 }
 
 #[test]
-fn observers_follow_each_other_as_far_as_they_can_exist() {
+fn the_observer_key_goes_through_the_observers_that_can_exist() {
     let mut scene = Scene::default();
     let kinds = |scene: &Scene, times| used(scene, "scene.observer", times).observer.kind;
     // Off the disk's plane there is no orbit.
@@ -103,7 +112,7 @@ fn observers_follow_each_other_as_far_as_they_can_exist() {
     assert_eq!(kinds(&scene, 2), ObserverKind::Orbit);
 }
 
-/// What a control says beside what it does.
+/// What a control says in addition to what it does.
 fn said(scene: &Scene, id: &str) -> String {
     remark(
         control_named(id).unwrap(),
@@ -116,11 +125,11 @@ fn said(scene: &Scene, id: &str) -> String {
 }
 
 #[test]
-fn an_observer_that_is_passed_over_is_named_with_the_reason() {
+fn a_skipped_observer_is_named_with_the_reason() {
     let mut scene = Scene::default();
     scene.camera.theta_deg = 83.0;
     scene.observer.kind = ObserverKind::Zamo;
-    let off_plane = "passed over: camera.theta_deg is 83 with observer.kind = \"orbit\"; it must be 90, the plane of the disk";
+    let off_plane = "skipped: camera.theta_deg is 83 with observer.kind = \"orbit\"; it must be 90, the plane of the disk";
     assert_eq!(said(&scene, "scene.observer"), off_plane);
     // From at rest to zamo nothing is passed over, and in the plane there is an orbit.
     scene.observer.kind = ObserverKind::Static;
@@ -131,12 +140,12 @@ fn an_observer_that_is_passed_over_is_named_with_the_reason() {
     (scene.camera.r, scene.observer.kind) = (0.9, ObserverKind::Rain);
     assert_eq!(
         said(&scene, "scene.observer"),
-        "inside the horizon everybody falls"
+        "inside the horizon every observer falls"
     );
 }
 
 #[test]
-fn a_key_that_shows_nothing_says_why_and_names_the_key_that_helps() {
+fn a_key_without_a_visible_effect_says_why_and_names_the_key_that_helps() {
     let without = |change: fn(&mut Scene)| {
         let mut scene = presets::find("edge-on").unwrap().scene(&[]).unwrap();
         change(&mut scene);
@@ -151,42 +160,42 @@ fn a_key_that_shows_nothing_says_why_and_names_the_key_that_helps() {
         (
             |scene| scene.disk.inner = 3.0,
             "scene.isco",
-            "the disk begins at the innermost stable orbit either way",
+            "the disk begins at the innermost stable orbit in either case",
         ),
         (
             |scene| scene.method = Method::Verlet,
             "scene.spin",
-            "the method is auto now",
+            "the method is now auto",
         ),
         (
             |scene| scene.view = View::Classes,
             "light.doppler",
-            "this view shows no light; B goes back to it",
+            "this view shows no light; B shows it again",
         ),
         (
             |scene| scene.view = View::Redshift,
             "light.beaming",
-            "this view shows no light; R goes back to it",
+            "this view shows no light; R shows it again",
         ),
         (
             |scene| scene.disk.enabled = false,
             "light.doppler",
-            "nothing that is seen moves",
+            "nothing in view moves",
         ),
         (
             |_| {},
             "picture.antialias",
-            "there is no probe to smooth; F4 puts it there",
+            "there is no probe to smooth; F4 adds it",
         ),
         (
             |scene| scene.picture.bypass = true,
             "picture.dither",
-            "it shows in cells only; F7 brings them back",
+            "this shows in cells only; F7 brings the cells back",
         ),
         (
             |scene| scene.picture.bypass = true,
             "picture.levels",
-            "it shows in cells only; F7 brings them back",
+            "this shows in cells only; F7 brings the cells back",
         ),
     ] {
         assert_eq!(said(&without(change), id), words, "{id}");
@@ -201,7 +210,7 @@ fn a_key_that_shows_nothing_says_why_and_names_the_key_that_helps() {
     );
     assert_eq!(
         metered.as_deref(),
-        Some("the exposure follows the light; F9 leaves it to you")
+        Some("the exposure is automatic; F9 leaves it to you")
     );
     // Where there is something to see, nothing is said.
     let plain = without(|scene| (scene.disk.inner, scene.probe.enabled) = (4.0, true));
@@ -219,17 +228,16 @@ fn a_key_that_shows_nothing_says_why_and_names_the_key_that_helps() {
 }
 
 #[test]
-fn a_key_that_would_lead_where_nothing_can_be_drawn_is_refused_with_the_reason() {
+fn a_change_that_cannot_be_drawn_is_refused_with_the_reason() {
     // A camera that only spin keeps outside the horizon.
     let mut deep = Scene::default();
     deep.hole.spin = 0.9;
     deep.camera.r = 0.9;
     deep.observer.kind = ObserverKind::Zamo;
-    let refused = edited(control_named("scene.spin").unwrap(), &deep, &deep)
-        .unwrap()
-        .unwrap_err();
+    let without_spin = edited(control_named("scene.spin").unwrap(), &deep, &deep).unwrap();
+    let refused = checked_change(&deep, without_spin).unwrap_err();
     assert!(
-        refused.starts_with("camera.r = 0.9 is refused"),
+        refused.starts_with("hole.spin = 0 is refused beside camera.r = 0.9"),
         "{refused}"
     );
 }
@@ -285,7 +293,7 @@ fn number_keys_load_the_presets() {
 }
 
 #[test]
-fn page_up_and_down_go_round_the_presets() {
+fn page_up_and_down_go_through_the_presets_in_a_circle() {
     let count = presets::PRESETS.len();
     let mut scene = presets::PRESETS[0].scene(&[]).unwrap();
     for place in (1..count).chain([0]) {
@@ -316,7 +324,7 @@ fn settings(id: &str, keys: &[&str]) -> BTreeMap<String, Vec<String>> {
 }
 
 #[test]
-fn settings_bind_keys_anew_and_say_what_is_wrong_with_them() {
+fn settings_bind_keys_and_say_what_is_wrong_with_them() {
     let bound = Bindings::new(&settings("view.classes", &["K", "F10"])).unwrap();
     assert_eq!(
         bound.of("view.classes"),
@@ -332,7 +340,7 @@ fn settings_bind_keys_anew_and_say_what_is_wrong_with_them() {
         (
             "view.classes",
             ["Any"],
-            "view.classes is given the key \"Any\", which is none",
+            "view.classes is given \"Any\", which is no key",
         ),
         (
             "view.classes",
@@ -346,7 +354,7 @@ fn settings_bind_keys_anew_and_say_what_is_wrong_with_them() {
 }
 
 #[test]
-fn a_key_bound_by_hand_is_taken_from_whoever_had_it() {
+fn binding_a_key_takes_it_from_its_former_control() {
     let mut bindings = Bindings::default();
     let w = KeyCode::named("W").unwrap();
     bindings.bind("window.help", w);

@@ -1,4 +1,4 @@
-//! The settings file: read back as it was written, and never fatal.
+//! The settings file is read back as it was written, and a broken file is never fatal.
 
 use lightfall::app::{Automatic, Settings};
 use lightfall_core::gpu::AdapterName;
@@ -27,7 +27,7 @@ fn settings_are_read_back_as_they_were_written() {
 }
 
 #[test]
-fn without_a_file_there_are_defaults_and_no_complaint() {
+fn without_a_file_the_settings_are_the_defaults_and_nothing_is_reported() {
     let folder = tempfile::tempdir().unwrap();
     assert_eq!(
         Settings::load(&folder.path().join("none.toml")),
@@ -36,7 +36,7 @@ fn without_a_file_there_are_defaults_and_no_complaint() {
 }
 
 #[test]
-fn a_broken_file_is_set_aside_and_reported() {
+fn a_broken_file_is_renamed_and_reported() {
     for (text, said) in [
         ("ui_scale = ", "line 1"),
         ("\nui_skale = 1.0", "ui_skale"),
@@ -72,7 +72,7 @@ fn a_broken_file_is_set_aside_and_reported() {
 }
 
 #[test]
-fn a_file_that_is_no_text_is_reported_too() {
+fn a_file_that_is_not_text_is_reported_too() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("settings.toml");
     std::fs::write(&file, [0xff, 0xfe, 0x00]).unwrap();

@@ -3,7 +3,7 @@
 use crate::desktop::Desktop;
 use crate::shot::Shot;
 use crate::{HINT, WINDOW, changed};
-use lightfall::app::{Switch, control_named};
+use lightfall::app::{Bindable, control_named};
 use lightfall::storage::embedded_preset;
 
 /// Width of the panel on the right, with some room.

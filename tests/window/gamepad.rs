@@ -53,7 +53,7 @@ fn hand(
     mut hand: ResMut<Hand>,
     mut connections: MessageWriter<GamepadConnectionEvent>,
     mut raw: MessageWriter<RawGamepadEvent>,
-    (scene, guide, pace): (Res<CurrentScene>, Res<JourneyPlayer>, Res<FramePacing>),
+    (scene, player, pace): (Res<CurrentScene>, Res<JourneyPlayer>, Res<FramePacing>),
 ) {
     let pad = *hand.pad.get_or_insert_with(|| commands.spawn_empty().id());
     if keys.just_pressed(KeyCode::Home) {
@@ -94,7 +94,7 @@ fn hand(
         camera.fov_deg,
         camera.roll_deg,
         pace.resting,
-        guide.flies(),
+        player.is_playing(),
         scene.name
     );
     if !*pushed && Instant::now() >= *start {

@@ -1,41 +1,41 @@
-//! Which keys and which buttons of a gamepad the controls have: those of the tables, unless the
-//! settings say otherwise.
+//! Which keys and which gamepad buttons each control is bound to: the defaults of the tables,
+//! unless the settings say otherwise.
 
-use crate::app::controls::buttons;
-use crate::app::controls::buttons::default_buttons;
-use crate::app::controls::keys;
-use crate::app::controls::table::{CONTROLS, Control, control_named};
+use super::buttons;
+use super::control::Control;
+use super::keys;
+use super::table::{CONTROLS, control_named};
 use bevy::prelude::{GamepadButton, KeyCode, Resource};
 use std::collections::BTreeMap;
 
-/// What a hand presses.
-pub trait Switch: Copy + PartialEq + Send + Sync + 'static {
-    /// What it is called in a sentence; with an s, its table in the settings file.
+/// A kind of input that controls are bound to: keys, or buttons of a gamepad.
+pub trait Bindable: Copy + PartialEq + Send + Sync + 'static {
+    /// What one is called in a sentence. With an s, the name of its table in the settings file.
     const WORD: &'static str;
 
     /// Every one that a control can be bound to, with its name.
     const NAMES: &'static [(Self, &'static str)];
 
-    /// Those of a control where the settings say nothing else.
+    /// The defaults of a control.
     fn defaults(control: &Control) -> &'static [Self];
 
-    /// Whether Alt belongs to it for this control. The same switch with Alt and without is two.
+    /// Whether this control wants Alt held. The same key with Alt and without counts as two.
     fn with_alt(control: &Control) -> bool;
 
-    /// Its name; none if nothing can be bound to it.
+    /// Its name. None if nothing can be bound to it.
     fn name(self) -> Option<&'static str> {
         Self::NAMES
             .iter()
-            .find(|(switch, _)| *switch == self)
+            .find(|(input, _)| *input == self)
             .map(|(_, name)| *name)
     }
 
-    /// The one with this name, however it is capitalized.
+    /// The one with this name, in capitals or not.
     fn named(name: &str) -> Option<Self> {
         Self::NAMES
             .iter()
             .find(|(_, known)| known.eq_ignore_ascii_case(name.trim()))
-            .map(|(switch, _)| *switch)
+            .map(|(input, _)| *input)
     }
 
     /// Every name, in the order of the table.
@@ -44,7 +44,7 @@ pub trait Switch: Copy + PartialEq + Send + Sync + 'static {
     }
 }
 
-impl Switch for KeyCode {
+impl Bindable for KeyCode {
     const WORD: &'static str = "key";
     const NAMES: &'static [(Self, &'static str)] = keys::NAMES;
 
@@ -57,12 +57,12 @@ impl Switch for KeyCode {
     }
 }
 
-impl Switch for GamepadButton {
+impl Bindable for GamepadButton {
     const WORD: &'static str = "button";
     const NAMES: &'static [(Self, &'static str)] = buttons::NAMES;
 
     fn defaults(control: &Control) -> &'static [Self] {
-        default_buttons(control.id)
+        buttons::default_buttons(control.id)
     }
 
     fn with_alt(_: &Control) -> bool {
@@ -71,32 +71,32 @@ impl Switch for GamepadButton {
 }
 
 /// The keys of every control.
-pub type Bindings = Bound<KeyCode>;
-/// The buttons of every control, on a gamepad.
-pub type PadBindings = Bound<GamepadButton>;
+pub type Bindings = BindingTable<KeyCode>;
+/// The gamepad buttons of every control.
+pub type PadBindings = BindingTable<GamepadButton>;
 
-/// The switches of every control, in the order of the key table.
+/// The inputs of every control, in the order of the control table.
 #[derive(Resource, Clone, Debug, PartialEq, Eq)]
-pub struct Bound<S: Switch>(Vec<Vec<S>>);
+pub struct BindingTable<B: Bindable>(Vec<Vec<B>>);
 
-impl<S: Switch> Default for Bound<S> {
+impl<B: Bindable> Default for BindingTable<B> {
     fn default() -> Self {
         Self(
             CONTROLS
                 .iter()
-                .map(|control| S::defaults(control).to_vec())
+                .map(|control| B::defaults(control).to_vec())
                 .collect(),
         )
     }
 }
 
-impl<S: Switch> Bound<S> {
-    /// The table's, with those of some controls replaced: names of switches by names of controls.
+impl<B: Bindable> BindingTable<B> {
+    /// The defaults, with the inputs of some controls replaced: names of inputs by name of control.
     ///
     /// # Errors
-    /// One sentence: a control or switch that does not exist, or a switch that two controls have.
+    /// One sentence: a control or an input does not exist, or two controls share an input.
     pub fn new(settings: &BTreeMap<String, Vec<String>>) -> Result<Self, String> {
-        let word = S::WORD;
+        let word = B::WORD;
         let mut bindings = Self::default();
         for (id, names) in settings {
             let place = CONTROLS
@@ -110,21 +110,21 @@ impl<S: Switch> Bound<S> {
                         .join(", ");
                     format!("{word}s: there is no control {id}; the controls are {known}")
                 })?;
-            let switches = names.iter().map(|name| {
-                S::named(name).ok_or_else(|| {
-                    let known = S::names().collect::<Vec<_>>().join(" ");
-                    format!("{word}s: {id} is given the {word} \"{name}\", which is none; the {word}s are {known}")
+            let inputs = names.iter().map(|name| {
+                B::named(name).ok_or_else(|| {
+                    let known = B::names().collect::<Vec<_>>().join(" ");
+                    format!("{word}s: {id} is given \"{name}\", which is no {word}; the {word}s are {known}")
                 })
             });
-            bindings.0[place] = switches.collect::<Result<_, _>>()?;
+            bindings.0[place] = inputs.collect::<Result<_, _>>()?;
         }
-        for (control, switches) in bindings.iter() {
-            for switch in switches {
+        for (control, inputs) in bindings.iter() {
+            for input in inputs {
                 if let Some(other) = bindings
-                    .owner(*switch, S::with_alt(control))
+                    .owner(*input, B::with_alt(control))
                     .filter(|other| other.id != control.id)
                 {
-                    let name = switch.name().unwrap_or("?");
+                    let name = input.name().unwrap_or("?");
                     return Err(format!(
                         "{word}s: {name} is given to both {} and {}",
                         other.id, control.id
@@ -135,60 +135,58 @@ impl<S: Switch> Bound<S> {
         Ok(bindings)
     }
 
-    /// The first control that has this switch.
+    /// The first control that is bound to this input.
     #[must_use]
-    pub fn owner(&self, switch: S, alt: bool) -> Option<&'static Control> {
+    pub fn owner(&self, input: B, alt: bool) -> Option<&'static Control> {
         self.iter()
-            .find(|(control, switches)| S::with_alt(control) == alt && switches.contains(&switch))
+            .find(|(control, inputs)| B::with_alt(control) == alt && inputs.contains(&input))
             .map(|(control, _)| control)
     }
 
-    /// Every control with its switches.
-    pub fn iter(&self) -> impl Iterator<Item = (&'static Control, &[S])> {
+    /// Every control with its inputs.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static Control, &[B])> {
         CONTROLS.iter().zip(self.0.iter().map(Vec::as_slice))
     }
 
-    /// The switches of one control.
+    /// The inputs of one control.
     #[must_use]
-    pub fn of(&self, id: &str) -> &[S] {
+    pub fn of(&self, id: &str) -> &[B] {
         self.iter()
             .find(|(control, _)| control.id == id)
-            .map_or(&[], |(_, switches)| switches)
+            .map_or(&[], |(_, inputs)| inputs)
     }
 
-    /// Gives a control this switch and no other, and takes it from whoever had it.
-    pub fn bind(&mut self, id: &str, switch: S) {
+    /// Binds a control to this input alone, and takes the input from the control that had it.
+    pub fn bind(&mut self, id: &str, input: B) {
         let Some(bound) = control_named(id) else {
             return;
         };
-        for (control, switches) in CONTROLS.iter().zip(&mut self.0) {
+        for (control, inputs) in CONTROLS.iter().zip(&mut self.0) {
             if control.id == id {
-                *switches = vec![switch];
-            } else if S::with_alt(control) == S::with_alt(bound) {
-                switches.retain(|other| *other != switch);
+                *inputs = vec![input];
+            } else if B::with_alt(control) == B::with_alt(bound) {
+                inputs.retain(|other| *other != input);
             }
         }
     }
 
-    /// What the settings file says of the controls that differ from the table.
+    /// The controls whose inputs differ from the defaults, as the settings file has them.
     #[must_use]
     pub fn settings(&self) -> BTreeMap<String, Vec<String>> {
-        let names = |switches: &[S]| {
-            switches
+        let names = |inputs: &[B]| {
+            inputs
                 .iter()
-                .filter_map(|switch| switch.name())
+                .filter_map(|input| input.name())
                 .map(str::to_owned)
                 .collect::<Vec<_>>()
         };
-        let changed = self
-            .iter()
-            .filter(|(control, switches)| S::defaults(control) != *switches);
-        changed
-            .map(|(control, switches)| (control.id.to_owned(), names(switches)))
+        self.iter()
+            .filter(|(control, inputs)| B::defaults(control) != *inputs)
+            .map(|(control, inputs)| (control.id.to_owned(), names(inputs)))
             .collect()
     }
 
-    /// The switches of the control with this name, in words; empty where there is none.
+    /// The inputs of the control with this name, in words. Empty if it has none.
     #[must_use]
     pub fn named(&self, id: &str) -> String {
         control_named(id)
@@ -196,18 +194,15 @@ impl<S: Switch> Bound<S> {
             .unwrap_or_default()
     }
 
-    /// A control's switches in words, e.g. `F12, Print`.
+    /// A control's inputs in words, e.g. `F12, Print`.
     #[must_use]
     pub fn in_words(&self, control: &Control) -> String {
-        let names = self
-            .of(control.id)
+        let alt = if B::with_alt(control) { "Alt+" } else { "" };
+        self.of(control.id)
             .iter()
-            .filter_map(|switch| switch.name());
-        // The same key on the right is no news.
-        let names =
-            names.filter(|name| !name.starts_with("Right ") && !name.starts_with("Keypad "));
-        let alt = if S::with_alt(control) { "Alt+" } else { "" };
-        names
+            .filter_map(|input| input.name())
+            // A second key of the same name, on the right or on the keypad, needs no mention.
+            .filter(|name| !name.starts_with("Right ") && !name.starts_with("Keypad "))
             .map(|name| format!("{alt}{name}"))
             .collect::<Vec<_>>()
             .join(", ")

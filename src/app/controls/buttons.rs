@@ -1,6 +1,6 @@
-//! The buttons of a gamepad: their names, and which controls have one. They go by their place, and
-//! are named as on the most common pad; what is the lowest of the four on the right is A here,
-//! whatever is printed on it.
+//! The buttons of a gamepad: their names, and the controls that are bound to them by default.
+//! Buttons are known by their place and named as on the most common pad: the lowest of the four on
+//! the right is A here, whatever is printed on it.
 
 use bevy::prelude::GamepadButton;
 
@@ -27,8 +27,8 @@ pub(crate) const NAMES: &[(GamepadButton, &str)] = &[
     (GamepadButton::Z, "Z"),
 ];
 
-/// The controls that have a button where the settings say nothing else, by name. The sticks fly and
-/// look, and have no other use, as the mouse has none.
+/// The controls that have default buttons, by name. The sticks fly and look; like the mouse, they
+/// cannot be bound to anything else.
 const DEFAULTS: &[(&str, &[GamepadButton])] = &[
     ("fly.up", &[GamepadButton::DPadUp]),
     ("fly.down", &[GamepadButton::DPadDown]),
@@ -48,7 +48,7 @@ const DEFAULTS: &[(&str, &[GamepadButton])] = &[
     ("window.help", &[GamepadButton::Select]),
 ];
 
-/// The buttons of the control with this name, where the settings say nothing else.
+/// The default buttons of the control with this name.
 #[must_use]
 pub fn default_buttons(id: &str) -> &'static [GamepadButton] {
     DEFAULTS

@@ -1,75 +1,103 @@
-//! What single keys make of a scene. Switches that are more than on and off come back to what was
+//! How controls edit a scene. A switch that is more than on and off returns to the value that was
 //! loaded.
 
-use lightfall_core::gpu::Drawable;
+use super::control::{Action, Control};
 use lightfall_core::optics::camera_rays::CameraRays;
-use lightfall_core::scene::{Method, ObserverKind, Picture, Scene, SkyMode, View, presets};
+use lightfall_core::scene::presets::PRESETS;
+use lightfall_core::scene::{Method, ObserverKind, Picture, Scene, SkyMode, View};
 
-use crate::app::controls::table::{Action, Control};
-
-/// Spin that is switched on where the scene was loaded without.
-const SPIN: f64 = 0.9;
-/// As many levels as eight bits can tell.
+/// The spin that is switched on where the loaded scene has none.
+const DEFAULT_SPIN: f64 = 0.9;
+/// As many levels as eight bits can tell apart.
 pub(crate) const ALL_LEVELS: u32 = 256;
-/// The kinds of observer, in the order of their key.
+/// The kinds of observer, in the order in which their key goes through them.
 pub(crate) const OBSERVERS: [ObserverKind; ObserverKind::ALL.len()] = ObserverKind::ALL;
-/// One press of the exposure keys, in powers of two.
+/// One press of an exposure key, in powers of two.
 const EXPOSURE_STEP: f64 = 0.25;
 
-/// What a control makes of a scene, given the one that was loaded, if such a scene can be drawn.
-/// None for controls that change no scene.
-///
-/// # Errors
-/// Why it cannot be drawn, in one sentence.
-pub fn edited(control: &Control, scene: &Scene, loaded: &Scene) -> Option<Result<Scene, String>> {
-    let mut changed = scene.clone();
+/// The scene that a control makes of `scene`, where `loaded` is the scene that was loaded. None
+/// for controls that change no scene. The result is not checked.
+#[must_use]
+pub fn edited(control: &Control, scene: &Scene, loaded: &Scene) -> Option<Scene> {
     match control.action {
-        Action::Edit(edit) => edit(&mut changed, loaded),
-        Action::Load(number) => {
-            let preset = presets::PRESETS
-                .iter()
-                .find(|preset| preset.number == number)?;
-            return Some(preset.scene(&[]).map_err(|error| error.to_string()));
+        Action::Edit(edit) => {
+            let mut changed = scene.clone();
+            edit(&mut changed, loaded);
+            Some(changed)
         }
-        Action::Turn(places) => {
-            let preset = &presets::PRESETS[turned(&scene.name, places)];
-            return Some(preset.scene(&[]).map_err(|error| error.to_string()));
-        }
-        Action::Do(_) | Action::Hold(_) => return None,
+        Action::Load(number) => PRESETS
+            .iter()
+            .find(|preset| preset.number == number)
+            .map(|preset| preset.plain_scene().clone()),
+        Action::Turn(places) => Some(turned_to(&scene.name, places).clone()),
+        Action::Do(_) | Action::Hold(_) => None,
     }
-    Some(
-        Drawable::new(changed)
-            .map(Drawable::into_scene)
-            .map_err(|reason| reason.to_string()),
-    )
 }
 
-/// The place of the preset that is so many places on from the one of this name; one end or the
-/// other from a scene that is none of them.
-fn turned(name: &str, places: i32) -> usize {
-    let count = presets::PRESETS.len();
-    match presets::PRESETS
-        .iter()
-        .position(|preset| preset.name == name)
-    {
+/// The scene of the preset `places` further on from the one with this name, wrapping around. From
+/// a scene that is no built-in preset: the first or the last preset.
+fn turned_to(name: &str, places: i32) -> &'static Scene {
+    let count = PRESETS.len();
+    let next = match PRESETS.iter().position(|preset| preset.name == name) {
         Some(now) => (now as i32 + places).rem_euclid(count as i32) as usize,
         None if places > 0 => 0,
         None => count - 1,
-    }
+    };
+    PRESETS[next].plain_scene()
 }
 
-pub(crate) fn flip(switch: &mut bool) {
+fn flip(switch: &mut bool) {
     *switch = !*switch;
 }
 
-pub(crate) fn switch_spin(scene: &mut Scene, loaded: &Scene) {
-    let spin = if loaded.hole.spin == 0.0 {
-        SPIN
+pub(super) fn switch_disk(scene: &mut Scene, _: &Scene) {
+    flip(&mut scene.disk.enabled);
+}
+
+pub(super) fn switch_isco(scene: &mut Scene, _: &Scene) {
+    flip(&mut scene.disk.follow_isco);
+}
+
+pub(super) fn switch_probe(scene: &mut Scene, _: &Scene) {
+    flip(&mut scene.probe.enabled);
+}
+
+pub(super) fn switch_antialias(scene: &mut Scene, _: &Scene) {
+    flip(&mut scene.probe.antialias);
+}
+
+pub(super) fn switch_lensing(scene: &mut Scene, _: &Scene) {
+    flip(&mut scene.effects.lensing);
+}
+
+pub(super) fn switch_doppler(scene: &mut Scene, _: &Scene) {
+    flip(&mut scene.effects.doppler);
+}
+
+pub(super) fn switch_beaming(scene: &mut Scene, _: &Scene) {
+    flip(&mut scene.effects.beaming);
+}
+
+pub(super) fn switch_gravitational_shift(scene: &mut Scene, _: &Scene) {
+    flip(&mut scene.effects.gravitational_shift);
+}
+
+pub(super) fn switch_bypass(scene: &mut Scene, _: &Scene) {
+    flip(&mut scene.picture.bypass);
+}
+
+pub(super) fn switch_dither(scene: &mut Scene, _: &Scene) {
+    flip(&mut scene.picture.dither);
+}
+
+pub(super) fn switch_spin(scene: &mut Scene, loaded: &Scene) {
+    let on = if loaded.hole.spin == 0.0 {
+        DEFAULT_SPIN
     } else {
         loaded.hole.spin
     };
-    scene.hole.spin = if scene.hole.spin == 0.0 { spin } else { 0.0 };
-    // Some methods know no spin; without any, what was loaded serves again.
+    scene.hole.spin = if scene.hole.spin == 0.0 { on } else { 0.0 };
+    // Some methods trace no spin. Without spin, the loaded method serves again.
     if scene.hole.spin == 0.0 && loaded.hole.spin == 0.0 {
         scene.method = loaded.method;
     } else if !scene.method.properties().spins {
@@ -78,7 +106,7 @@ pub(crate) fn switch_spin(scene: &mut Scene, loaded: &Scene) {
 }
 
 /// Shows a view, or the light again where that view is shown already.
-pub(crate) fn toggle(scene: &mut Scene, view: View) {
+fn toggle(scene: &mut Scene, view: View) {
     scene.view = if scene.view == view {
         View::Colour
     } else {
@@ -86,7 +114,27 @@ pub(crate) fn toggle(scene: &mut Scene, view: View) {
     };
 }
 
-pub(crate) fn switch_sky(scene: &mut Scene, loaded: &Scene) {
+pub(super) fn toggle_unfinished(scene: &mut Scene, _: &Scene) {
+    toggle(scene, View::Unfinished);
+}
+
+pub(super) fn toggle_classes(scene: &mut Scene, _: &Scene) {
+    toggle(scene, View::Classes);
+}
+
+pub(super) fn toggle_residual(scene: &mut Scene, _: &Scene) {
+    toggle(scene, View::Residual);
+}
+
+pub(super) fn toggle_order(scene: &mut Scene, _: &Scene) {
+    toggle(scene, View::Order);
+}
+
+pub(super) fn toggle_redshift(scene: &mut Scene, _: &Scene) {
+    toggle(scene, View::Redshift);
+}
+
+pub(super) fn switch_sky(scene: &mut Scene, loaded: &Scene) {
     let on = if loaded.sky.mode == SkyMode::Off {
         SkyMode::default()
     } else {
@@ -99,12 +147,12 @@ pub(crate) fn switch_sky(scene: &mut Scene, loaded: &Scene) {
     };
 }
 
-pub(crate) fn next_sky(scene: &mut Scene) {
+pub(super) fn next_sky(scene: &mut Scene, _: &Scene) {
     scene.sky.mode = scene.sky.mode.next();
 }
 
 /// The next kind of observer that can exist at the camera's place.
-pub(crate) fn next_observer(scene: &mut Scene) {
+pub(super) fn next_observer(scene: &mut Scene, _: &Scene) {
     let now = OBSERVERS
         .iter()
         .position(|kind| *kind == scene.observer.kind)
@@ -118,7 +166,7 @@ pub(crate) fn next_observer(scene: &mut Scene) {
     scene.observer.kind = OBSERVERS[now];
 }
 
-pub(crate) fn switch_bloom(scene: &mut Scene, loaded: &Scene) {
+pub(super) fn switch_bloom(scene: &mut Scene, loaded: &Scene) {
     let on = if loaded.picture.bloom == 0.0 {
         Picture::default().bloom
     } else {
@@ -127,7 +175,7 @@ pub(crate) fn switch_bloom(scene: &mut Scene, loaded: &Scene) {
     scene.picture.bloom = if scene.picture.bloom == 0.0 { on } else { 0.0 };
 }
 
-pub(crate) fn switch_levels(scene: &mut Scene, loaded: &Scene) {
+pub(super) fn switch_levels(scene: &mut Scene, loaded: &Scene) {
     let few = if loaded.picture.levels == ALL_LEVELS {
         Picture::default().levels
     } else {
@@ -140,6 +188,10 @@ pub(crate) fn switch_levels(scene: &mut Scene, loaded: &Scene) {
     };
 }
 
-pub(crate) fn expose(scene: &mut Scene, steps: f64) {
-    scene.picture.exposure_ev += steps * EXPOSURE_STEP;
+pub(super) fn brighten(scene: &mut Scene, _: &Scene) {
+    scene.picture.exposure_ev += EXPOSURE_STEP;
+}
+
+pub(super) fn darken(scene: &mut Scene, _: &Scene) {
+    scene.picture.exposure_ev -= EXPOSURE_STEP;
 }

@@ -1,4 +1,4 @@
-//! The names of keys: as they are printed on a keyboard, in the help and in the settings file.
+//! The names of keys, as the help and the settings file have them.
 
 use bevy::prelude::KeyCode;
 

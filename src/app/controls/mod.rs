@@ -1,5 +1,10 @@
+//! What keys and buttons mean: the controls, what each does, and what each is bound to. Nothing
+//! here reads a device or draws.
+
 pub(crate) mod bindings;
 pub(crate) mod buttons;
+pub(crate) mod control;
 pub(crate) mod edits;
+pub(crate) mod key_feedback;
 pub(crate) mod keys;
 pub(crate) mod table;

@@ -1,11 +1,11 @@
-//! Gamepads: the sticks fly and look, the buttons are bound as keys are. What reads the hardware is
-//! the feature `gamepad`; everything here goes by Bevy's own [`Gamepad`] and does nothing while
-//! there is none.
+//! Gamepads: the sticks fly and look, and the buttons are bound to controls as keys are. The
+//! feature `gamepad` reads the hardware. Everything here uses Bevy's own [`Gamepad`] and does
+//! nothing while there is none.
 
 use crate::app::controls::bindings::{Bindings, PadBindings};
-use crate::app::controls::table::{Action, Control, FlightInput};
+use crate::app::controls::control::{Action, Control, FlightInput};
+use crate::app::state::rebinding::Rebinding;
 use crate::app::state::toast::Toast;
-use crate::app::ui::panel::Rebinding;
 use bevy::ecs::system::SystemParam;
 use bevy::input::gamepad::{GamepadConnection, GamepadConnectionEvent};
 use bevy::prelude::*;
@@ -21,40 +21,40 @@ pub const NO_GAMEPAD: Option<&str> = if cfg!(feature = "gamepad") {
     )
 };
 
-/// Share of a stick's way, and of a trigger's, that counts as none: worn ones do not come back to
-/// the middle.
-const DEAD_STICK: f64 = 0.15;
-const DEAD_TRIGGER: f64 = 0.06;
-/// The answer is this power of how far a stick is pushed, so that a little is really a little.
-const CURVE: f64 = 2.0;
+/// Share of a stick's travel that counts as none: worn sticks do not return to the middle.
+const STICK_DEAD_ZONE: f64 = 0.15;
+/// Share of a trigger's travel that counts as none.
+const TRIGGER_DEAD_ZONE: f64 = 0.06;
+/// A stick's response is this power of how far it is pushed, so that small movements are fine.
+const RESPONSE_EXPONENT: f64 = 2.0;
 
-/// What a stick's place, each axis from -1 to 1, is worth: none in the dead middle, 1 at most, the
-/// direction kept.
+/// The response to a stick's position, each axis from -1 to 1: zero in the dead zone, of length 1 at
+/// most, in the direction of the stick.
 #[must_use]
 pub fn deflection(stick: Vec2) -> DVec2 {
     let stick = stick.as_dvec2();
-    stick.normalize_or_zero() * beyond(stick.length(), DEAD_STICK).powf(CURVE)
+    stick.normalize_or_zero() * beyond(stick.length(), STICK_DEAD_ZONE).powf(RESPONSE_EXPONENT)
 }
 
-/// What a button's or trigger's place, from 0 to 1, is worth.
+/// The response to a button's or trigger's position, from 0 to 1.
 #[must_use]
 pub fn squeeze(trigger: f32) -> f64 {
-    beyond(trigger.into(), DEAD_TRIGGER)
+    beyond(trigger.into(), TRIGGER_DEAD_ZONE)
 }
 
-/// How far along the way from `dead` to 1. A stick's corners are farther than its sides, and worth
-/// no more.
-fn beyond(place: f64, dead: f64) -> f64 {
-    // A pad that reports nonsense is at rest.
-    if place.is_finite() {
-        ((place - dead) / (1.0 - dead)).clamp(0.0, 1.0)
+/// How far a position is along the way from `dead` to 1. A stick's corners are farther away than its
+/// sides, and count no more.
+fn beyond(position: f64, dead: f64) -> f64 {
+    // A pad that reports no number is at rest.
+    if position.is_finite() {
+        ((position - dead) / (1.0 - dead)).clamp(0.0, 1.0)
     } else {
         0.0
     }
 }
 
-/// The gamepads at hand, all of them as one. Nothing that is done with them counts while the window
-/// has not the focus, or while a control waits for its new key or button.
+/// All gamepads, as if they were one. They do nothing while the window lacks the focus, or while a
+/// control waits for its new key or button.
 #[derive(SystemParam)]
 pub(crate) struct Pads<'w, 's> {
     pads: Query<'w, 's, &'static Gamepad>,
@@ -64,53 +64,54 @@ pub(crate) struct Pads<'w, 's> {
 }
 
 impl Pads<'_, '_> {
-    /// Whether there is one.
+    /// Whether there is a gamepad.
     pub(crate) fn any(&self) -> bool {
         !self.pads.is_empty()
     }
 
-    fn heard(&self) -> impl Iterator<Item = &Gamepad> {
-        let heard = self.windows.iter().any(|window| window.focused) && !self.rebinding.waits();
-        self.pads.iter().filter(move |_| heard)
+    fn active(&self) -> impl Iterator<Item = &Gamepad> {
+        let active =
+            self.windows.iter().any(|window| window.focused) && !self.rebinding.is_waiting();
+        self.pads.iter().filter(move |_| active)
     }
 
-    /// Where the left stick is: right, up.
+    /// The response to the left stick: right, up.
     pub(crate) fn left_stick(&self) -> DVec2 {
-        self.heard().map(|pad| deflection(pad.left_stick())).sum()
+        self.active().map(|pad| deflection(pad.left_stick())).sum()
     }
 
-    /// Where the right stick is: right, up.
+    /// The response to the right stick: right, up.
     pub(crate) fn right_stick(&self) -> DVec2 {
-        self.heard().map(|pad| deflection(pad.right_stick())).sum()
+        self.active().map(|pad| deflection(pad.right_stick())).sum()
     }
 
-    /// How far a motion's buttons are pressed, from 0 to 1.
-    pub(crate) fn motion(&self, motion: FlightInput) -> f64 {
+    /// How far an input's buttons are pressed, from 0 to 1.
+    pub(crate) fn strength(&self, input: FlightInput) -> f64 {
         let holds =
-            |control: &Control| matches!(control.action, Action::Hold(held) if held == motion);
+            |control: &Control| matches!(control.action, Action::Hold(held) if held == input);
         let buttons = self
             .bindings
             .iter()
             .filter(|(control, _)| holds(control))
             .flat_map(|(_, buttons)| buttons);
-        let places = buttons.flat_map(|button| self.heard().filter_map(|pad| pad.get(*button)));
-        places.map(squeeze).fold(0.0, f64::max)
+        let positions = buttons.flat_map(|button| self.active().filter_map(|pad| pad.get(*button)));
+        positions.map(squeeze).fold(0.0, f64::max)
     }
 
-    /// Whether a control's button went down in this frame; if so, its name.
+    /// The name of a control's button, if the button went down in this frame.
     pub(crate) fn pressed(&self, control: &Control) -> Option<String> {
         let buttons = self.bindings.of(control.id);
-        self.heard()
+        self.active()
             .any(|pad| pad.any_just_pressed(buttons.iter().copied()))
             .then(|| self.bindings.in_words(control))
     }
 
-    /// Whether a hand is on one.
+    /// Whether a stick or a button is being used.
     pub(crate) fn in_use(&self) -> bool {
         let pushed = |pad: &Gamepad| {
             [pad.left_stick(), pad.right_stick()].map(deflection) != [DVec2::ZERO; 2]
         };
-        self.heard()
+        self.active()
             .any(|pad| pushed(pad) || pad.get_pressed().next().is_some())
     }
 }
@@ -118,15 +119,15 @@ impl Pads<'_, '_> {
 pub(crate) fn plugin(app: &mut App) {
     #[cfg(feature = "gamepad")]
     app.add_plugins(bevy_gilrs::GilrsPlugin);
-    app.add_systems(Update, tell);
+    app.add_systems(Update, announce_gamepads);
 }
 
-/// Says which gamepads come and go.
-fn tell(
+/// Says which gamepads are connected and disconnected.
+fn announce_gamepads(
     mut connections: MessageReader<GamepadConnectionEvent>,
     names: Query<&Name>,
     bindings: Res<Bindings>,
-    mut notice: ResMut<Toast>,
+    mut toast: ResMut<Toast>,
 ) {
     for GamepadConnectionEvent {
         gamepad,
@@ -142,12 +143,12 @@ fn tell(
             }
             GamepadConnection::Disconnected => {
                 format!(
-                    "{} is gone",
+                    "{} was disconnected",
                     names.get(*gamepad).map_or("The gamepad", Name::as_str)
                 )
             }
         };
-        // One that is there from the start does not hide what was wrong with the settings.
-        notice.add(&news);
+        // A gamepad found at the start must not hide what was wrong with the settings.
+        toast.add(&news);
     }
 }

@@ -1,3 +1,7 @@
+//! Keyboard, gamepads and mouse: what is pressed, and whom it belongs to.
+
 pub(crate) mod gamepad;
-pub(crate) mod key_feedback;
+pub(crate) mod held;
 pub(crate) mod keyboard;
+pub(crate) mod pointer;
+pub(crate) mod typing;

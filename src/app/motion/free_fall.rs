@@ -1,14 +1,14 @@
-//! Real motion in the window: let go, and the camera moves as an observer who falls or circles, in
-//! her own time.
+//! The observer's own motion: once let go, the observer falls or orbits, in its own proper time,
+//! and the camera with it.
 
 use super::MAX_FRAME_SECONDS;
+use super::flight_step::FlightStep;
 use crate::app::controls::bindings::Bindings;
-use crate::app::controls::table::Command;
-use crate::app::motion::journey_player::Moment;
+use crate::app::controls::control::AppCommand;
+use crate::app::state::end_card::EndCard;
 use crate::app::state::history::History;
 use crate::app::state::last_pose::LastPose;
 use crate::app::state::toast::Toast;
-use crate::app::ui::end_card::EndCard;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use lightfall_core::geometry::kerr::Kerr;
@@ -18,23 +18,24 @@ use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::worldline::Worldline;
 use lightfall_core::scene::Scene;
 
-/// Own time that passes in a second, over the time r^(3/2) in which things fall from r: so a fall
-/// takes about as long from anywhere, and a turn of an orbit a minute and a half.
-const PACE: f64 = 0.1;
-/// The pace changes by this factor, within a range.
-const PACE_NOTCH: f64 = 2.0;
-const MIN_TIME_RATE: f64 = PACE / 1024.0;
-const MAX_TIME_RATE: f64 = PACE * 1024.0;
+/// Proper time that passes in a second, divided by r^(3/2), the time scale of a fall from r. So a
+/// fall takes about as long from anywhere, and one orbit takes a minute and a half.
+const DEFAULT_PACE: f64 = 0.1;
+/// One press changes the pace by this factor, within a range.
+const PACE_STEP: f64 = 2.0;
+const MIN_PACE: f64 = DEFAULT_PACE / 1024.0;
+const MAX_PACE: f64 = DEFAULT_PACE * 1024.0;
 
-/// An observer on her way, if one was let go.
+/// The motion of an observer that was let go, if one was, and its pace.
 #[derive(Resource, Clone, Debug)]
 pub struct FreeFall {
-    way: Option<Way>,
+    motion: Option<Motion>,
     pace: f64,
 }
 
+/// A motion under way.
 #[derive(Clone, Debug)]
-struct Way {
+struct Motion {
     worldline: Worldline,
     spin: f64,
     last: LastPose,
@@ -44,43 +45,43 @@ struct Way {
 impl Default for FreeFall {
     fn default() -> Self {
         Self {
-            way: None,
-            pace: PACE,
+            motion: None,
+            pace: DEFAULT_PACE,
         }
     }
 }
 
 impl FreeFall {
-    /// Whether she is on her way.
+    /// Whether an observer was let go and still moves.
     #[must_use]
-    pub fn moves(&self) -> bool {
-        self.way.is_some()
+    pub fn is_moving(&self) -> bool {
+        self.motion.is_some()
     }
 
-    /// Her motion, with the clocks.
+    /// The motion, with its clocks.
     #[must_use]
     pub fn worldline(&self) -> Option<&Worldline> {
-        self.way.as_ref().map(|way| &way.worldline)
+        self.motion.as_ref().map(|motion| &motion.worldline)
     }
 
-    /// Own time, in r_s, that passes in a second at the radius `r` (r_s).
+    /// Proper time, in r_s, that passes in a second at the radius `r` (r_s).
     #[must_use]
     pub fn rate(&self, r: f64) -> f64 {
         self.pace * r.powf(1.5)
     }
 
-    /// Faster or slower by so many notches.
-    pub fn turn_pace(&mut self, notches: i32) {
-        self.pace = (self.pace * PACE_NOTCH.powi(notches)).clamp(MIN_TIME_RATE, MAX_TIME_RATE);
+    /// Doubles the pace this many times. A negative number halves it.
+    pub fn change_pace(&mut self, steps: i32) {
+        self.pace = (self.pace * PACE_STEP.powi(steps)).clamp(MIN_PACE, MAX_PACE);
     }
 
-    /// Lets the scene's observer go.
+    /// Lets go of the scene's observer.
     ///
     /// # Errors
-    /// If the scene's observer cannot exist.
+    /// The scene's observer cannot exist.
     pub fn start(&mut self, scene: &Scene) -> Result<(), ObserverError> {
         let worldline = Worldline::start(scene)?;
-        self.way = Some(Way {
+        self.motion = Some(Motion {
             worldline,
             spin: scene.hole.spin,
             last: LastPose::new(scene),
@@ -89,46 +90,46 @@ impl FreeFall {
         Ok(())
     }
 
-    /// Stays where she is.
+    /// Holds the observer where it is.
     pub fn stop(&mut self) {
-        self.way = None;
+        self.motion = None;
     }
 
-    /// Lets `seconds` pass at the pace that is set, but no more than a slow frame's: while the
-    /// machine slept, her clock stood still. A camera that is not where it was left has been taken
-    /// over by somebody, and the motion is over; looking around is left to everybody.
-    pub fn pass(&mut self, seconds: f64, scene: &Scene) -> Moment {
+    /// Lets `seconds` pass at the present pace, but no more than one frame may: while the machine
+    /// slept, the clocks stood still. A camera that is not where it was left was moved by
+    /// something else, which ends the motion. Looking around does not end it.
+    pub fn advance(&mut self, seconds: f64, scene: &Scene) -> FlightStep {
         let rate = self.rate(scene.camera.r);
-        let Some(way) = &mut self.way else {
-            return Moment::None;
+        let Some(motion) = &mut self.motion else {
+            return FlightStep::Idle;
         };
-        if !way.last.place_left_alone(scene) || way.spin != scene.hole.spin {
-            self.way = None;
-            return Moment::None;
+        if !motion.last.has_place_of(scene) || motion.spin != scene.hole.spin {
+            self.motion = None;
+            return FlightStep::Idle;
         }
-        let (mut worldline, mut next) = (way.worldline.clone(), scene.clone());
+        let (mut worldline, mut next) = (motion.worldline.clone(), scene.clone());
         let limit = worldline.advance(rate * seconds.min(MAX_FRAME_SECONDS), &mut next);
         match Drawable::new(next) {
             Ok(next) => {
-                (way.worldline, way.last) = (worldline, LastPose::new(&next));
-                way.limit = limit;
+                (motion.worldline, motion.last) = (worldline, LastPose::new(&next));
+                motion.limit = limit;
                 if limit.is_some() {
-                    Moment::End(Box::new(next))
+                    FlightStep::Ended(Box::new(next))
                 } else {
-                    Moment::Scene(Box::new(next))
+                    FlightStep::Moved(Box::new(next))
                 }
             }
             Err(reason) => {
-                self.way = None;
-                Moment::Refused(reason.to_string())
+                self.motion = None;
+                FlightStep::Refused(reason.to_string())
             }
         }
     }
 
-    /// The clocks, in a line; empty without motion.
+    /// The clocks in one line. Empty without motion.
     #[must_use]
     pub fn clocks(&self, r: f64) -> String {
-        let Some(Way { worldline, .. }) = &self.way else {
+        let Some(worldline) = self.worldline() else {
             return String::new();
         };
         let far = match worldline.coordinate_time() {
@@ -136,115 +137,117 @@ impl FreeFall {
             None => format!("ingoing time {:.3}", worldline.ingoing_time()),
         };
         format!(
-            "{} · own time {:.3} r_s/c · {far} r_s/c · {:.3} r_s/c a second",
+            "{} · proper time {:.3} r_s/c · {far} r_s/c · {:.3} r_s/c per second",
             if worldline.is_circular() {
-                "circling"
+                "in orbit"
             } else {
-                "falling freely"
+                "in free fall"
             },
             worldline.proper_time(),
             self.rate(r)
         )
     }
+
+    /// Where and when the motion has ended, for the end card.
+    fn ending(&self, scene: &Scene) -> String {
+        let Some(Motion {
+            worldline, limit, ..
+        }) = &self.motion
+        else {
+            return String::new();
+        };
+        let (r, proper_time) = (scene.camera.r, worldline.proper_time());
+        match limit {
+            Some(Limit::Inner) => {
+                let kerr = Kerr {
+                    spin: scene.hole.spin,
+                };
+                let (horizon, inner) = (kerr.horizon(), kerr.inner_horizon());
+                let reason = if kerr.spin == 0.0 {
+                    "From here on tide and blueshift grow without limit, and no picture would be true.".into()
+                } else {
+                    format!(
+                        "Toward the inner horizon, at {inner:.3}, the blueshift of light that fell in along with the hole's rotation grows \
+                         without limit, and nobody knows what a real hole is like there: no picture would be true."
+                    )
+                };
+                format!(
+                    "r = {r:.3} r_s, inside the horizon at {horizon:.3}, after {proper_time:.3} r_s/c of your proper time. {reason}"
+                )
+            }
+            _ => format!(
+                "r = {r:.3e} r_s, after {proper_time:.3e} r_s/c of your proper time. The camera goes no farther."
+            ),
+        }
+    }
 }
 
 pub(crate) fn plugin(app: &mut App) {
-    app.init_resource::<FreeFall>()
-        .add_systems(Update, (obey, go).chain());
+    app.init_resource::<FreeFall>().add_systems(
+        Update,
+        (apply_free_fall_commands, advance_free_fall).chain(),
+    );
 }
 
-fn obey(
-    mut commands: MessageReader<Command>,
-    mut voyage: ResMut<FreeFall>,
+fn apply_free_fall_commands(
+    mut commands: MessageReader<AppCommand>,
+    mut free_fall: ResMut<FreeFall>,
     scene: Res<CurrentScene>,
     time: Res<Time<Real>>,
     mut history: ResMut<History>,
     bindings: Res<Bindings>,
-    mut notice: ResMut<Toast>,
-    mut card: ResMut<EndCard>,
+    mut toast: ResMut<Toast>,
+    mut end_card: ResMut<EndCard>,
 ) {
     for command in commands.read() {
         match command {
-            Command::LetGo if voyage.moves() => voyage.stop(),
-            Command::LetGo => {
-                card.close();
-                match voyage.start(&scene) {
+            AppCommand::LetGo if free_fall.is_moving() => free_fall.stop(),
+            AppCommand::LetGo => {
+                end_card.close();
+                match free_fall.start(&scene) {
                     Ok(()) => history.note_departure(&scene, time.elapsed()),
-                    Err(error) => notice.say(error.to_string()),
+                    Err(error) => toast.say(error.to_string()),
                 }
             }
-            Command::TimeFaster => voyage.turn_pace(1),
-            Command::TimeSlower => voyage.turn_pace(-1),
+            AppCommand::FasterTime => free_fall.change_pace(1),
+            AppCommand::SlowerTime => free_fall.change_pace(-1),
             _ => continue,
         }
-        // The clocks in the hint tell the pace; where there are none, this does.
-        if matches!(command, Command::TimeFaster | Command::TimeSlower) && !voyage.moves() {
-            let (rate, key) = (voyage.rate(scene.camera.r), bindings.named("motion.let_go"));
-            notice.say(format!(
-                "Own time will pass at {rate:.3} r_s/c a second, once {key} lets go"
+        // The clocks in the status bar show the pace. Without clocks, the toast does.
+        if matches!(command, AppCommand::FasterTime | AppCommand::SlowerTime)
+            && !free_fall.is_moving()
+        {
+            let rate = free_fall.rate(scene.camera.r);
+            toast.say(format!(
+                "Once {} lets go, proper time passes at {rate:.3} r_s/c per second",
+                bindings.named("motion.let_go")
             ));
         }
     }
 }
 
-fn go(
+fn advance_free_fall(
     time: Res<Time>,
-    mut voyage: ResMut<FreeFall>,
+    mut free_fall: ResMut<FreeFall>,
     mut scene: ResMut<CurrentScene>,
     bindings: Res<Bindings>,
-    mut notice: ResMut<Toast>,
-    mut card: ResMut<EndCard>,
+    mut toast: ResMut<Toast>,
+    mut end_card: ResMut<EndCard>,
 ) {
-    if !voyage.moves() {
+    if !free_fall.is_moving() {
         return;
     }
-    match voyage.pass(time.delta_secs_f64(), &scene) {
-        Moment::None => notice.say(format!(
+    match free_fall.advance(time.delta_secs_f64(), &scene) {
+        FlightStep::Idle => toast.say(format!(
             "The clocks stop here: {} lets go again",
             bindings.named("motion.let_go")
         )),
-        Moment::Scene(next) => scene.0 = *next,
-        Moment::End(next) => {
+        FlightStep::Moved(next) => scene.0 = *next,
+        FlightStep::Ended(next) => {
             scene.0 = *next;
-            card.show("The fall ends here", &ending(&voyage, &scene));
-            voyage.stop();
+            end_card.show("The fall ends here", &free_fall.ending(&scene));
+            free_fall.stop();
         }
-        Moment::Refused(reason) => {
-            notice.say(format!("The fall cannot be followed farther: {reason}"))
-        }
-    }
-}
-
-/// Where and when a fall has ended.
-fn ending(voyage: &FreeFall, scene: &Scene) -> String {
-    let Some(Way {
-        worldline, limit, ..
-    }) = &voyage.way
-    else {
-        return String::new();
-    };
-    let (r, own) = (scene.camera.r, worldline.proper_time());
-    match limit {
-        Some(Limit::Inner) => {
-            let kerr = Kerr {
-                spin: scene.hole.spin,
-            };
-            let (horizon, inner) = (kerr.horizon(), kerr.inner_horizon());
-            let reason = match kerr.spin == 0.0 {
-                true => {
-                    "From here on the tide and the blueshift grow without limit, and no picture would be true.".into()
-                }
-                false => format!(
-                    "Toward the inner horizon, at {inner:.3}, light that fell in with the hole's turning is blueshifted without limit, and what a \
-                     real hole is like there nobody knows: no picture would be true."
-                ),
-            };
-            format!(
-                "r = {r:.3} r_s, inside the horizon at {horizon:.3}, {own:.3} r_s/c of your own time after letting go. {reason}"
-            )
-        }
-        _ => format!(
-            "r = {r:.3e} r_s, {own:.3e} r_s/c of your own time after letting go: as far as a camera goes."
-        ),
+        FlightStep::Refused(reason) => toast.say(format!("The fall cannot go on: {reason}")),
     }
 }

@@ -1,13 +1,15 @@
-//! The guided journey in the window: starts, stops, begins again, and gives way to the hand.
+//! The guided journey: it starts, stops, starts again, and ends when something else moves the
+//! camera.
 
 use super::MAX_FRAME_SECONDS;
+use super::flight_step::FlightStep;
 use crate::app::controls::bindings::Bindings;
-use crate::app::controls::table::Command;
-use crate::app::session::window::Preferences;
+use crate::app::controls::control::AppCommand;
+use crate::app::state::end_card::EndCard;
 use crate::app::state::history::History;
 use crate::app::state::last_pose::LastPose;
+use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
-use crate::app::ui::end_card::EndCard;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use lightfall_core::geometry::kerr::Kerr;
@@ -30,23 +32,11 @@ pub struct JourneyPlayer {
 /// A journey under way.
 #[derive(Clone, Debug)]
 struct Flight {
-    /// Where the camera was, and since how many seconds it leaves there.
+    /// The camera at the start, which the flight leaves within [`APPROACH`] seconds.
     from: Camera,
+    /// Seconds since the start.
     since: f64,
     last: Option<LastPose>,
-}
-
-/// What a moment of a guided flight comes to.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Moment {
-    /// Nothing: there is no flight, or somebody else has moved the camera and keeps it.
-    None,
-    /// The scene as it is now.
-    Scene(Box<Drawable>),
-    /// As before, and that is the end of it.
-    End(Box<Drawable>),
-    /// It cannot go on, for this reason.
-    Refused(String),
 }
 
 impl JourneyPlayer {
@@ -60,9 +50,9 @@ impl JourneyPlayer {
         }
     }
 
-    /// Whether it is under way.
+    /// Whether the journey is being flown.
     #[must_use]
-    pub fn flies(&self) -> bool {
+    pub fn is_playing(&self) -> bool {
         self.flight.is_some()
     }
 
@@ -72,32 +62,23 @@ impl JourneyPlayer {
         self.time
     }
 
-    /// How far along the journey it is, in words.
+    /// How far the journey has been flown, in words.
     #[must_use]
     pub fn progress(&self) -> String {
         format!("{:.0} of {:.0} s", self.time.floor(), self.journey.duration)
     }
 
-    /// Whether what is left of it can be flown in this scene: all of it where it would begin again.
+    /// Checks whether the rest of the journey can be flown in this scene; after its end, whether
+    /// all of it can.
     ///
     /// # Errors
-    /// The first moment that cannot, and why.
+    /// The first moment that cannot be flown, and why.
     pub fn check(&self, scene: &Scene) -> Result<(), Unflyable> {
         self.journey.check(scene, self.time, Drawable::new)
     }
 
-    /// The journey's title as the beginning of a text; empty if it has none.
-    fn heading(&self) -> String {
-        let title = self.journey.title.trim();
-        if title.is_empty() {
-            String::new()
-        } else {
-            format!("{title}.\n\n")
-        }
-    }
-
-    /// Goes on from where the journey was left, coming gently from where the camera is; after its
-    /// end from the beginning.
+    /// Goes on from where the journey was left, and approaches that place gently from where the
+    /// camera is. After the end, starts again from the beginning.
     pub fn start(&mut self, scene: &Scene) {
         if self.time >= self.journey.duration {
             self.time = 0.0;
@@ -109,7 +90,7 @@ impl JourneyPlayer {
         });
     }
 
-    /// Begins again, with the camera at the beginning.
+    /// Starts from the beginning, with the camera there at once.
     pub fn restart(&mut self) {
         self.time = 0.0;
         self.flight = Some(Flight {
@@ -124,22 +105,22 @@ impl JourneyPlayer {
         self.flight = None;
     }
 
-    /// Lets `seconds` pass, but no more than a slow frame's: a machine that slept meanwhile did not
-    /// fly. A camera that is not where it was left has been taken over by somebody, and the flight
-    /// is over. A calm flight does not roll.
-    pub fn pass(&mut self, seconds: f64, scene: &Scene, calm: bool) -> Moment {
+    /// Lets `seconds` pass, but no more than one frame may: a machine that slept did not fly
+    /// meanwhile. A camera that is not where it was left was moved by something else, which ends
+    /// the flight. A calm flight does not roll.
+    pub fn advance(&mut self, seconds: f64, scene: &Scene, calm: bool) -> FlightStep {
         let Some(flight) = &mut self.flight else {
-            return Moment::None;
+            return FlightStep::Idle;
         };
         if flight
             .last
             .as_ref()
-            .is_some_and(|last| !last.left_alone(scene))
+            .is_some_and(|last| !last.has_camera_of(scene))
         {
             self.flight = None;
-            return Moment::None;
+            return FlightStep::Idle;
         }
-        // The first moment shows where it begins.
+        // The first frame shows the start itself.
         if flight.last.is_some() {
             self.time += seconds.min(MAX_FRAME_SECONDS);
             flight.since += seconds.min(MAX_FRAME_SECONDS);
@@ -151,131 +132,123 @@ impl JourneyPlayer {
         }
         next.camera = between(&flight.from, &next.camera, flight.since / APPROACH);
         match Drawable::new(next) {
+            Ok(next) if self.time >= self.journey.duration => {
+                self.flight = None;
+                FlightStep::Ended(Box::new(next))
+            }
             Ok(next) => {
                 flight.last = Some(LastPose::new(&next));
-                let ended = self.time >= self.journey.duration;
-                if ended {
-                    self.flight = None;
-                }
-                if ended {
-                    Moment::End(Box::new(next))
-                } else {
-                    Moment::Scene(Box::new(next))
-                }
+                FlightStep::Moved(Box::new(next))
             }
             Err(reason) => {
                 self.flight = None;
-                Moment::Refused(reason.to_string())
+                FlightStep::Refused(reason.to_string())
             }
         }
+    }
+
+    /// Where the journey has ended, for the end card.
+    fn ending(&self, scene: &Scene, bindings: &Bindings) -> String {
+        let title = self.journey.title.trim();
+        let heading = if title.is_empty() {
+            String::new()
+        } else {
+            format!("{title}.\n\n")
+        };
+        let r = scene.camera.r;
+        let horizon = Kerr {
+            spin: scene.hole.spin,
+        }
+        .horizon();
+        if r < horizon {
+            return format!(
+                "{heading}r = {r:.3} r_s, inside the horizon at {horizon:.3}. What you see fell in after you. Nothing that you send \
+                 reaches the outside, and every way leads farther in."
+            );
+        }
+        let let_go = bindings.named("motion.let_go");
+        let observer = scene.observer.kind.properties();
+        let here = if observer.falls_freely {
+            format!("You are {}: {let_go} lets it go on.", observer.motion)
+        } else {
+            "Closer to it, hovering takes ever more thrust, without limit.".into()
+        };
+        format!("{heading}r = {r:.3} r_s. The horizon is at {horizon:.3}. {here}")
     }
 }
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(Update, (obey, fly).chain());
+    app.add_systems(Update, (apply_journey_commands, advance_journey).chain());
 }
 
-fn obey(
-    mut commands: MessageReader<Command>,
-    mut guide: ResMut<JourneyPlayer>,
+fn apply_journey_commands(
+    mut commands: MessageReader<AppCommand>,
+    mut player: ResMut<JourneyPlayer>,
     scene: Res<CurrentScene>,
     time: Res<Time<Real>>,
     mut history: ResMut<History>,
     bindings: Res<Bindings>,
-    mut notice: ResMut<Toast>,
-    mut card: ResMut<EndCard>,
+    mut toast: ResMut<Toast>,
+    mut end_card: ResMut<EndCard>,
 ) {
     for command in commands.read() {
         match command {
-            Command::Journey if guide.flies() => {
-                notice.say(format!(
+            AppCommand::Journey if player.is_playing() => {
+                player.stop();
+                toast.say(format!(
                     "The journey stops at {}: {}",
-                    guide.progress(),
-                    onward(&bindings)
+                    player.progress(),
+                    how_to_go_on(&bindings)
                 ));
-                guide.stop();
-                card.close();
+                end_card.close();
                 continue;
             }
-            Command::Journey => guide.start(&scene),
-            Command::JourneyAgain => guide.restart(),
+            AppCommand::Journey => player.start(&scene),
+            AppCommand::RestartJourney => player.restart(),
             _ => continue,
         }
         history.note_departure(&scene, time.elapsed());
-        notice.clear();
-        card.close();
-        // What can be flown of it is.
-        if let Err(fault) = guide.check(&scene) {
-            notice.say(format!(
+        toast.clear();
+        end_card.close();
+        // A journey that cannot be flown to its end is flown as far as possible.
+        if let Err(fault) = player.check(&scene) {
+            toast.say(format!(
                 "This journey cannot be flown to its end here: {fault}"
             ));
         }
     }
 }
 
-/// How a journey that was left goes on.
-fn onward(bindings: &Bindings) -> String {
+/// Which keys go on with a journey that was left.
+fn how_to_go_on(bindings: &Bindings) -> String {
     let [on, again] = ["journey.fly", "journey.again"].map(|id| bindings.named(id));
-    format!("{on} goes on, {again} begins again")
+    format!("{on} goes on, {again} starts again")
 }
 
-fn fly(
+fn advance_journey(
     time: Res<Time>,
-    mut guide: ResMut<JourneyPlayer>,
+    mut player: ResMut<JourneyPlayer>,
     mut scene: ResMut<CurrentScene>,
     preferences: Res<Preferences>,
     bindings: Res<Bindings>,
-    mut notice: ResMut<Toast>,
-    mut card: ResMut<EndCard>,
+    mut toast: ResMut<Toast>,
+    mut end_card: ResMut<EndCard>,
 ) {
-    if !guide.flies() {
+    if !player.is_playing() {
         return;
     }
-    match guide.pass(
-        time.delta_secs_f64(),
-        &scene,
-        preferences.settings.reduced_motion,
-    ) {
-        Moment::None => {
-            notice.say(format!(
-                "You fly now. The journey waits at {}: {}",
-                guide.progress(),
-                onward(&bindings)
-            ));
-        }
-        Moment::Scene(next) => scene.0 = *next,
-        Moment::End(next) => {
+    let calm = preferences.settings.reduced_motion;
+    match player.advance(time.delta_secs_f64(), &scene, calm) {
+        FlightStep::Idle => toast.say(format!(
+            "You are flying now. The journey waits at {}: {}",
+            player.progress(),
+            how_to_go_on(&bindings)
+        )),
+        FlightStep::Moved(next) => scene.0 = *next,
+        FlightStep::Ended(next) => {
             scene.0 = *next;
-            card.show(
-                "The journey ends here",
-                &format!("{}{}", guide.heading(), ending(&scene, &bindings)),
-            );
+            end_card.show("The journey ends here", &player.ending(&scene, &bindings));
         }
-        Moment::Refused(reason) => notice.say(format!("The journey cannot go on here: {reason}")),
+        FlightStep::Refused(reason) => toast.say(format!("The journey cannot go on: {reason}")),
     }
-}
-
-/// Where a journey has ended, in a sentence.
-fn ending(scene: &Scene, bindings: &Bindings) -> String {
-    let (r, horizon) = (
-        scene.camera.r,
-        Kerr {
-            spin: scene.hole.spin,
-        }
-        .horizon(),
-    );
-    if r < horizon {
-        return format!(
-            "r = {r:.3} r_s, inside the horizon at {horizon:.3}. What you see fell in after you; nothing that you send reaches \
-             the outside, and every way leads further in."
-        );
-    }
-    let observer = scene.observer.kind.properties();
-    let let_go = bindings.named("motion.let_go");
-    let here = match (observer.falls_freely, observer.equatorial) {
-        (false, _) => "The nearer it is, the more thrust hovering takes, without limit.".into(),
-        (true, true) => format!("You circle it: {let_go} lets the orbit go on."),
-        (true, false) => format!("You fall freely: {let_go} lets the fall go on."),
-    };
-    format!("r = {r:.3} r_s. The horizon is at {horizon:.3}. {here}")
 }

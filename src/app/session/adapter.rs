@@ -1,7 +1,7 @@
-//! The graphics adapter that the settings name: used from the next start on, and given up where it
-//! does not work, so that no choice locks its player out.
+//! The graphics adapter that the settings name. A choice takes effect at the next start, and is given
+//! up if it did not come to a picture, so that no choice locks the user out.
 
-use crate::app::session::window::Preferences;
+use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
 use crate::render::DrawRequest;
 use crate::storage::settings_file;
@@ -11,19 +11,19 @@ use lightfall_core::gpu;
 use lightfall_core::gpu::AdapterName;
 use std::path::PathBuf;
 
-/// How it stands with the adapter of the settings in this run.
+/// What became of the settings' adapter in this run.
 #[derive(Resource, Default)]
 pub(crate) struct AdapterChoice {
-    /// The one that the renderer was told to use.
+    /// The adapter that the renderer was told to use.
     pub(crate) used: Option<AdapterName>,
-    /// The file that is there while it is not known whether that one works.
+    /// The file that exists while it is not known whether that adapter works.
     trial: Option<PathBuf>,
-    /// What there is to tell the player.
+    /// What the user is to be told.
     news: Option<String>,
 }
 
 impl AdapterChoice {
-    /// Prefers the adapter of the settings. This comes before anything opens a device.
+    /// Prefers the adapter of the settings. Must be called before anything opens a device.
     pub(crate) fn apply(preferences: &mut Preferences) -> Self {
         let Some(wanted) = preferences.settings.adapter.clone() else {
             return Self::default();
@@ -53,7 +53,7 @@ impl AdapterChoice {
                 "{wanted}, which the settings name, is not there: the best adapter is used"
             ));
         }
-        // Without a place for the file there is none for settings either.
+        // A system without a place for this file has none for settings either.
         let trial = trial.filter(|trial| std::fs::write(trial, wanted.to_string()).is_ok());
         gpu::prefer(Some(wanted.clone()));
         Self {
@@ -73,13 +73,13 @@ impl AdapterChoice {
 }
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(Startup, compare)
-        .add_systems(Update, tell)
-        .add_systems(Last, conclude);
+    app.add_systems(Startup, compare_adapters)
+        .add_systems(Update, report_adapter)
+        .add_systems(Last, end_adapter_trial);
 }
 
-/// An adapter that cannot show this window is passed over by the renderer.
-fn compare(mut choice: ResMut<AdapterChoice>, present: Option<Res<RenderAdapterInfo>>) {
+/// Finds out whether the renderer passed over the adapter, because it cannot show this window.
+fn compare_adapters(mut choice: ResMut<AdapterChoice>, present: Option<Res<RenderAdapterInfo>>) {
     let Some((wanted, present)) = choice
         .used
         .clone()
@@ -94,15 +94,16 @@ fn compare(mut choice: ResMut<AdapterChoice>, present: Option<Res<RenderAdapterI
     }
 }
 
-fn tell(mut choice: ResMut<AdapterChoice>, mut notice: ResMut<Toast>) {
+fn report_adapter(mut choice: ResMut<AdapterChoice>, mut toast: ResMut<Toast>) {
     if let Some(news) = choice.bypass_change_detection().news.take() {
         warn!("{news}");
-        notice.add(&news);
+        toast.add(&news);
     }
 }
 
-/// It works once there is a picture; who closes the window before does not say that it does not.
-fn conclude(
+/// The adapter works once there is a picture. A window that is closed earlier does not count as a
+/// failure.
+fn end_adapter_trial(
     mut choice: ResMut<AdapterChoice>,
     request: Res<DrawRequest>,
     mut exits: MessageReader<AppExit>,

@@ -1,107 +1,85 @@
-//! The clipboard: text fields copy, cut and paste, the ray inspector copies. A thread of its own
-//! holds it, for a text has to stay with whoever copied it, and one that is asked for comes when
-//! its owner gives it.
+//! The clipboard: text fields copy, cut and paste, and the ray inspector copies. A thread of its own
+//! serves it, because the program has to hold a copied text until another one replaces it, and a
+//! text to paste comes only when its owner hands it over.
 
-use crate::app::input::keyboard::Typing;
+use crate::app::input::typing::Typing;
 use crate::app::state::toast::Toast;
+use crate::worker::Worker;
 use bevy::prelude::*;
 use bevy_egui::{
     EguiInput, EguiOutput, EguiPostUpdateSet, EguiPreUpdateSet, PrimaryEguiContext, egui,
 };
-use std::sync::mpsc::{Receiver, Sender, channel};
-use std::sync::{Mutex, PoisonError};
 
 enum Order {
     Copy(String),
     Paste,
 }
 
-/// The way to the thread and back.
+/// The thread that holds the clipboard. It answers with texts to paste, or with what could not be
+/// done.
 #[derive(Resource)]
-pub(crate) struct Clipboard {
-    orders: Sender<Order>,
-    /// Texts to paste, or what could not be done.
-    answers: Mutex<Receiver<Result<String, String>>>,
-}
+pub(crate) struct Clipboard(Worker<Order, Result<String, String>>);
 
 impl Clipboard {
     fn start() -> Self {
-        let (orders, work) = channel();
-        let (answer, answers) = channel();
-        std::thread::spawn(move || run(&work, &answer));
-        Self {
-            orders,
-            answers: Mutex::new(answers),
-        }
+        let mut clipboard = None;
+        Self(Worker::serving_all(move |order, answers| {
+            match serve(order, &mut clipboard) {
+                Ok(Some(text)) => answers.send(Ok(text)),
+                Ok(None) => {}
+                Err(arboard::Error::ContentNotAvailable) => {
+                    answers.send(Err("There is no text on the clipboard".into()));
+                }
+                Err(error) => {
+                    answers.send(Err(format!("The clipboard cannot be reached: {error}")));
+                }
+            }
+        }))
     }
 
     /// Puts a text on the clipboard.
     pub(crate) fn copy(&self, text: String) {
-        self.order(Order::Copy(text));
-    }
-
-    fn order(&self, order: Order) {
-        // A thread that is gone does nothing; the fields then are as they were.
-        let _ = self.orders.send(order);
-    }
-
-    fn answer(&self) -> Option<Result<String, String>> {
-        self.answers
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .try_recv()
-            .ok()
+        self.0.ask(Order::Copy(text));
     }
 }
 
-fn run(work: &Receiver<Order>, answer: &Sender<Result<String, String>>) {
-    let mut board = None;
-    while let Ok(order) = work.recv() {
-        let answered = match serve(order, &mut board) {
-            Ok(Some(text)) => answer.send(Ok(text)),
-            Ok(None) => Ok(()),
-            Err(arboard::Error::ContentNotAvailable) => {
-                answer.send(Err("There is no text on the clipboard".into()))
-            }
-            Err(error) => answer.send(Err(format!("The clipboard cannot be reached: {error}"))),
-        };
-        if answered.is_err() {
-            return;
-        }
-    }
-}
-
+/// Serves one order. Returns the text to paste, if that was asked for.
 fn serve(
     order: Order,
-    board: &mut Option<arboard::Clipboard>,
+    clipboard: &mut Option<arboard::Clipboard>,
 ) -> Result<Option<String>, arboard::Error> {
-    let board = match board {
-        Some(board) => board,
+    let clipboard = match clipboard {
+        Some(clipboard) => clipboard,
         none => none.insert(arboard::Clipboard::new()?),
     };
     match order {
-        Order::Copy(text) => board.set_text(text).map(|()| None),
-        Order::Paste => board.get_text().map(Some),
+        Order::Copy(text) => clipboard.set_text(text).map(|()| None),
+        Order::Paste => clipboard.get_text().map(Some),
     }
 }
 
 pub(crate) fn plugin(app: &mut App) {
-    let hear = hear
-        .after(EguiPreUpdateSet::ProcessInput)
-        .before(EguiPreUpdateSet::BeginPass);
     app.insert_resource(Clipboard::start())
-        .add_systems(PreUpdate, hear)
-        .add_systems(PostUpdate, give.after(EguiPostUpdateSet::ProcessOutput));
+        .add_systems(
+            PreUpdate,
+            serve_text_fields
+                .after(EguiPreUpdateSet::ProcessInput)
+                .before(EguiPreUpdateSet::BeginPass),
+        )
+        .add_systems(
+            PostUpdate,
+            copy_from_text_fields.after(EguiPostUpdateSet::ProcessOutput),
+        );
 }
 
-/// What a key means to a text field, beside what egui makes of it.
-enum Wish {
+/// What a key means to a text field.
+enum Edit {
     Copy,
     Cut,
     Paste,
 }
 
-fn wish(event: &egui::Event) -> Option<Wish> {
+fn edit_of(event: &egui::Event) -> Option<Edit> {
     let egui::Event::Key {
         key,
         pressed: true,
@@ -113,49 +91,53 @@ fn wish(event: &egui::Event) -> Option<Wish> {
     };
     let command = modifiers.command && !modifiers.alt;
     match key {
-        egui::Key::Copy => Some(Wish::Copy),
-        egui::Key::Cut => Some(Wish::Cut),
-        egui::Key::Paste => Some(Wish::Paste),
-        egui::Key::C | egui::Key::Insert if command => Some(Wish::Copy),
-        egui::Key::X if command => Some(Wish::Cut),
-        egui::Key::V if command => Some(Wish::Paste),
-        egui::Key::Insert if modifiers.shift => Some(Wish::Paste),
+        egui::Key::Copy => Some(Edit::Copy),
+        egui::Key::Cut => Some(Edit::Cut),
+        egui::Key::Paste => Some(Edit::Paste),
+        egui::Key::C | egui::Key::Insert if command => Some(Edit::Copy),
+        egui::Key::X if command => Some(Edit::Cut),
+        egui::Key::V if command => Some(Edit::Paste),
+        egui::Key::Insert if modifiers.shift => Some(Edit::Paste),
         _ => None,
     }
 }
 
 /// Tells egui of copying, cutting and pasting while a text field has the keyboard.
-fn hear(
+fn serve_text_fields(
     mut inputs: Query<&mut EguiInput, With<PrimaryEguiContext>>,
     typing: Res<Typing>,
     clipboard: Res<Clipboard>,
-    mut notice: ResMut<Toast>,
+    mut toast: ResMut<Toast>,
 ) {
-    // A text that comes when its field has been left is for no other.
-    let pasted = match clipboard.answer() {
+    let pasted = match clipboard.0.next_answer() {
+        Some(Ok(text)) => Some(text),
         Some(Err(fault)) => {
-            notice.say(fault);
+            toast.say(fault);
             None
         }
-        answer => answer.and_then(Result::ok),
+        None => None,
     };
+    // A text that comes after its field was left is dropped.
     if !typing.0 {
         return;
     }
     for mut input in &mut inputs {
-        for wish in input.events.iter().filter_map(wish).collect::<Vec<_>>() {
-            match wish {
-                Wish::Copy => input.events.push(egui::Event::Copy),
-                Wish::Cut => input.events.push(egui::Event::Cut),
-                Wish::Paste => clipboard.order(Order::Paste),
+        for edit in input.events.iter().filter_map(edit_of).collect::<Vec<_>>() {
+            match edit {
+                Edit::Copy => input.events.push(egui::Event::Copy),
+                Edit::Cut => input.events.push(egui::Event::Cut),
+                Edit::Paste => clipboard.0.ask(Order::Paste),
             }
         }
         input.events.extend(pasted.clone().map(egui::Event::Paste));
     }
 }
 
-/// Puts what was copied or cut on the clipboard.
-fn give(outputs: Query<&EguiOutput, With<PrimaryEguiContext>>, clipboard: Res<Clipboard>) {
+/// Puts what text fields have copied or cut on the clipboard.
+fn copy_from_text_fields(
+    outputs: Query<&EguiOutput, With<PrimaryEguiContext>>,
+    clipboard: Res<Clipboard>,
+) {
     for command in outputs
         .iter()
         .flat_map(|output| &output.platform_output.commands)

@@ -1,9 +1,9 @@
-//! Whether there is a display to open a window on, asked before the window system is started.
+//! Whether a window can be opened here, found out before the window system is started.
 
-/// The display that a window can be opened on here; if there is none, the reason.
+/// The display on which a window can be opened.
 ///
 /// # Errors
-/// One clause that says what is missing.
+/// There is no display. One clause says what is missing.
 #[cfg(target_os = "linux")]
 pub fn display() -> Result<String, String> {
     let set = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty());
@@ -30,7 +30,7 @@ pub fn display() -> Result<String, String> {
     }
 }
 
-/// Elsewhere the desktop is always there.
+/// The desktop, which other systems always have.
 ///
 /// # Errors
 /// None.

@@ -1,38 +1,39 @@
-//! Automatic exposure: slowly toward what the light meter says, never faster than eyes find calm.
+//! Automatic exposure: it approaches what the light meter measures, slowly enough for the eye.
 
-use crate::app::controls::table::Command;
-use crate::app::session::window::Preferences;
+use crate::app::controls::control::AppCommand;
+use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::exposure::metered_exposure;
+use lightfall_core::scene::Scene;
 
-/// Powers of two a second, at most.
-const SLEW: f64 = 0.6;
-/// Seconds between two looks at the meter.
-const LOOK: f64 = 0.25;
-/// Differences below this are left alone, so that a picture at rest stays at rest.
-const ENOUGH: f64 = 0.05;
-/// Exposures that are chosen by itself.
+/// Largest change, in powers of two per second.
+const MAX_RATE: f64 = 0.6;
+/// Seconds between two measurements.
+const METER_INTERVAL: f64 = 0.25;
+/// Smaller differences are left alone, so that a picture at rest stays at rest.
+const TOLERANCE: f64 = 0.05;
+/// The exposures that are chosen automatically.
 const RANGE: [f64; 2] = [-8.0, 8.0];
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(Update, (switch, follow).chain());
+    app.add_systems(Update, (toggle_automatic_exposure, adapt_exposure).chain());
 }
 
-fn switch(
-    mut commands: MessageReader<Command>,
+fn toggle_automatic_exposure(
+    mut commands: MessageReader<AppCommand>,
     mut preferences: ResMut<Preferences>,
-    mut notice: ResMut<Toast>,
+    mut toast: ResMut<Toast>,
 ) {
     for _ in commands
         .read()
-        .filter(|command| **command == Command::AutomaticExposure)
+        .filter(|command| **command == AppCommand::AutomaticExposure)
     {
         let settings = &mut preferences.settings;
         settings.automatic_exposure = !settings.automatic_exposure;
-        notice.say(
+        toast.say(
             match (settings.automatic_exposure, settings.reduced_motion) {
                 (false, _) => "The exposure stays as it is",
                 (true, false) => "The exposure follows the light of the disk",
@@ -44,26 +45,52 @@ fn switch(
     }
 }
 
-fn follow(
+/// The light meter: what it measured last, and of which scene.
+#[derive(Default)]
+struct Meter {
+    /// Seconds since the last measurement.
+    age: f64,
+    /// The scene without its exposure, which the meter does not read.
+    scene: Option<Scene>,
+    /// The exposure that suits the scene. None where the meter sees no disk.
+    wanted: Option<f64>,
+}
+
+impl Meter {
+    /// Measures again where the last measurement is old and the scene has changed since.
+    fn read(&mut self, scene: &Scene, seconds: f64) -> Option<f64> {
+        self.age += seconds;
+        if self.age > METER_INTERVAL {
+            self.age = 0.0;
+            let mut metered = scene.clone();
+            metered.picture.exposure_ev = 0.0;
+            if self.scene.as_ref() != Some(&metered) {
+                self.wanted = metered_exposure(&metered)
+                    .ok()
+                    .flatten()
+                    .map(|wanted| wanted.clamp(RANGE[0], RANGE[1]));
+                self.scene = Some(metered);
+            }
+        }
+        self.wanted
+    }
+}
+
+fn adapt_exposure(
     time: Res<Time>,
     preferences: Res<Preferences>,
     mut scene: ResMut<CurrentScene>,
-    mut meter: Local<(f64, Option<f64>)>,
+    mut meter: Local<Meter>,
 ) {
-    if !preferences.settings.follows_light() {
+    if !preferences.settings.exposes_automatically() {
         return;
     }
-    let (age, wanted) = &mut *meter;
-    *age += time.delta_secs_f64();
-    if *age > LOOK {
-        (*age, *wanted) = (0.0, metered_exposure(&scene).ok().flatten());
-    }
-    let Some(wanted) = wanted.map(|wanted| wanted.clamp(RANGE[0], RANGE[1])) else {
+    let Some(wanted) = meter.read(&scene, time.delta_secs_f64()) else {
         return;
     };
     let missing = wanted - scene.picture.exposure_ev;
-    if missing.abs() > ENOUGH {
-        let step = SLEW * time.delta_secs_f64().min(LOOK);
+    if missing.abs() > TOLERANCE {
+        let step = MAX_RATE * time.delta_secs_f64().min(METER_INTERVAL);
         let mut exposed = scene.scene().clone();
         exposed.picture.exposure_ev += missing.clamp(-step, step);
         match Drawable::new(exposed) {

@@ -1,9 +1,12 @@
+//! What runs around the picture: the window, the frame rate, resolution and exposure, the graphics
+//! adapter, screenshots and the clipboard.
+
 pub(crate) mod adapter;
+pub(crate) mod adaptive_resolution;
 pub(crate) mod clipboard;
 pub(crate) mod display;
 pub(crate) mod exposure;
 pub(crate) mod frame_pacing;
 pub(crate) mod recovery;
-pub(crate) mod resolution;
 pub(crate) mod screenshot;
 pub(crate) mod window;

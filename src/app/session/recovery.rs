@@ -1,5 +1,5 @@
-//! After the loss of the graphics device: what the user interface had there is made anew, and the
-//! window says what happened.
+//! After the loss of the graphics device: makes the user interface's resources on the new device, and
+//! says what happened.
 
 use crate::app::state::toast::Toast;
 use crate::render::recovery;
@@ -15,9 +15,12 @@ pub(crate) struct RecoveryPlugin;
 impl Plugin for RecoveryPlugin {
     fn build(&self, app: &mut App) {
         recovery::plugin(app);
-        app.add_systems(Update, tell.run_if(resource_changed::<DeviceLosses>));
-        // egui's own plugin makes these once only, and they would go on naming buffers and
-        // pipelines of the lost device.
+        app.add_systems(
+            Update,
+            report_device_loss.run_if(resource_changed::<DeviceLosses>),
+        );
+        // egui's own plugin makes these only once. They would go on naming buffers and pipelines of
+        // the lost device.
         let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
             return;
         };
@@ -29,10 +32,10 @@ impl Plugin for RecoveryPlugin {
     }
 }
 
-fn tell(losses: Res<DeviceLosses>, mut notice: ResMut<Toast>, mut told: Local<usize>) {
+fn report_device_loss(losses: Res<DeviceLosses>, mut toast: ResMut<Toast>, mut told: Local<usize>) {
     if losses.recovered > *told {
         *told = losses.recovered;
-        notice
+        toast
             .say("The graphics device was lost and has been opened again. The scene is as it was.");
     }
 }

@@ -1,63 +1,68 @@
-//! Pictures of what the window shows, as files that replace no other.
+//! Screenshots: what the window shows, in new files that replace no others.
 
-use crate::app::controls::table::Command;
+use crate::app::controls::control::AppCommand;
 use crate::app::state::toast::Toast;
 use crate::picture;
 use crate::render::CurrentScene;
 use crate::storage::{file_safe_name, pictures_folder};
+use crate::worker::Worker;
 use bevy::prelude::*;
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
+use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::Scene;
 use std::fs::File;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
-use std::sync::mpsc::{Receiver, Sender, channel};
-
-/// Where threads that write pictures say how it went.
+/// The thread that encodes and writes pictures, so that no frame waits for it. It answers with
+/// what to tell the user.
 #[derive(Resource)]
-struct Answers {
-    sender: Sender<String>,
-    receiver: Mutex<Receiver<String>>,
-}
+struct ScreenshotWriter(Worker<(Image, Drawable), String>);
 
 pub(crate) fn plugin(app: &mut App) {
-    let (sender, receiver) = channel();
-    app.insert_resource(Answers {
-        sender,
-        receiver: Mutex::new(receiver),
-    })
-    .add_systems(Update, (take, answer));
+    let writer = Worker::serving_all(|(image, scene): (Image, Drawable), answers| {
+        answers.send(match write_picture(image, &pictures_folder(), &scene) {
+            Ok(file) => format!("Screenshot: {}", file.display()),
+            Err(reason) => format!("Screenshot: {reason}"),
+        });
+    });
+    app.insert_resource(ScreenshotWriter(writer))
+        .add_systems(Update, (take_screenshot, report_screenshot));
 }
 
-fn take(mut asked: MessageReader<Command>, mut commands: Commands) {
-    if asked.read().any(|command| *command == Command::Screenshot) {
-        commands.spawn(Screenshot::primary_window()).observe(write);
+fn take_screenshot(mut asked: MessageReader<AppCommand>, mut commands: Commands) {
+    if asked
+        .read()
+        .any(|command| *command == AppCommand::Screenshot)
+    {
+        commands
+            .spawn(Screenshot::primary_window())
+            .observe(write_screenshot);
     }
 }
 
-/// Encodes and writes in a thread of its own, so that no frame waits for it.
-fn write(captured: On<ScreenshotCaptured>, scene: Res<CurrentScene>, answers: Res<Answers>) {
-    let (image, scene, sender) = (
-        captured.image.clone(),
-        scene.0.clone(),
-        answers.sender.clone(),
-    );
-    std::thread::spawn(move || {
-        let answer = match written(image, &pictures_folder(), &scene) {
-            Ok(file) => format!("Screenshot: {}", file.display()),
-            Err(reason) => format!("Screenshot: {reason}"),
-        };
-        // Nobody listens once the window is closed.
-        let _ = sender.send(answer);
-    });
+fn write_screenshot(
+    captured: On<ScreenshotCaptured>,
+    scene: Res<CurrentScene>,
+    writer: Res<ScreenshotWriter>,
+) {
+    writer.0.ask((captured.image.clone(), scene.0.clone()));
 }
 
-fn written(image: Image, folder: &Path, scene: &Scene) -> Result<PathBuf, String> {
+fn report_screenshot(writer: Res<ScreenshotWriter>, mut toast: ResMut<Toast>) {
+    if let Some(answer) = writer.0.latest_answer() {
+        toast.say(answer);
+    }
+}
+
+/// Writes a picture of a scene into a folder and returns its file.
+///
+/// # Errors
+/// The picture cannot be encoded or written; one sentence.
+fn write_picture(image: Image, folder: &Path, scene: &Scene) -> Result<PathBuf, String> {
     let rgb = image
         .try_into_dynamic()
         .map_err(|error| error.to_string())?
         .to_rgb8();
-    let file = reserved(folder, &scene.name)?;
+    let file = reserve_file(folder, &scene.name)?;
     let done = picture::write_png(
         &file,
         rgb.width(),
@@ -66,18 +71,18 @@ fn written(image: Image, folder: &Path, scene: &Scene) -> Result<PathBuf, String
         &scene.to_preset(),
     );
     if done.is_err() {
-        // Only the empty file that holds the name.
-        let _ = std::fs::remove_file(&file);
+        // The file is still empty: it only reserved the name.
+        std::fs::remove_file(&file).ok();
     }
     done.map(|()| file).map_err(|error| error.to_string())
 }
 
-/// A file of its own for a picture of the scene with this name: created empty, so that no other can
-/// take its place.
+/// Creates an empty file for a picture of the scene with this name, so that the picture replaces no
+/// other file.
 ///
 /// # Errors
-/// The folder cannot be written; one sentence that names it.
-fn reserved(folder: &Path, scene: &str) -> Result<PathBuf, String> {
+/// The folder cannot be written, or is full; one sentence that names it.
+fn reserve_file(folder: &Path, scene: &str) -> Result<PathBuf, String> {
     let safe = file_safe_name(scene);
     for number in 1..10_000 {
         let file = folder.join(format!("lightfall-{safe}-{number:04}.png"));
@@ -91,14 +96,4 @@ fn reserved(folder: &Path, scene: &str) -> Result<PathBuf, String> {
         "{}: holds 9999 pictures of this scene already",
         folder.display()
     ))
-}
-
-fn answer(answers: Res<Answers>, mut notice: ResMut<Toast>) {
-    let receiver = answers
-        .receiver
-        .lock()
-        .unwrap_or_else(std::sync::PoisonError::into_inner);
-    if let Some(answer) = receiver.try_iter().last() {
-        notice.say(answer);
-    }
 }

@@ -1,4 +1,4 @@
-//! What has been done to the scene, so that it can be undone.
+//! The changes of the scene, so that they can be undone.
 
 use bevy::prelude::Resource;
 use lightfall_core::gpu::Drawable;
@@ -6,35 +6,36 @@ use lightfall_core::scene::Scene;
 use std::collections::VecDeque;
 use std::time::Duration;
 
-/// Most changes that are kept.
-pub const MAX_LENGTH: usize = 64;
+/// The largest number of changes that are kept.
+const MAX_CHANGES: usize = 64;
 
-/// Changes of the same fields within this time, as a slider that is dragged makes them, are one.
-const ONE_CHANGE: Duration = Duration::from_millis(700);
+/// Changes of the same fields that follow each other within this time count as one change: a
+/// dragged slider makes one in every frame.
+const MERGE_TIME: Duration = Duration::from_millis(700);
 
 /// The scene as it was loaded, and the changes since.
 #[derive(Resource, Clone, Debug)]
 pub struct History {
-    /// What switches and `reset` come back to.
+    /// The scene that switches and `Reset` return to.
     loaded: Scene,
     past: VecDeque<Change>,
 }
 
-/// One change: the scene on both sides of it. Only the fields that differ are taken back, so that
-/// flying on in between stays as it is.
+/// One change: the scene before and after it. Undoing it restores only the fields that differ, so
+/// that what was flown since is kept.
 #[derive(Clone, Debug)]
 struct Change {
     before: Scene,
-    /// None for a departure: where it leads is not known yet, and all that is taken back is where
-    /// the camera was and how it moved.
+    /// None for a departure, whose end is not known yet. Undoing it restores where the camera was
+    /// and how it moved.
     after: Option<Scene>,
-    /// What was loaded before.
+    /// The loaded scene before the change.
     loaded: Scene,
     at: Duration,
 }
 
 impl History {
-    /// Begins with a scene that was just loaded.
+    /// The history of a scene that was just loaded.
     #[must_use]
     pub fn new(loaded: Scene) -> Self {
         Self {
@@ -49,7 +50,7 @@ impl History {
         &self.loaded
     }
 
-    /// Notes a change made at the time `at` since some start.
+    /// Notes a change made at the time `at`, counted from any fixed start.
     pub fn note(&mut self, before: &Scene, after: &Scene, at: Duration) {
         if before == after {
             return;
@@ -61,7 +62,7 @@ impl History {
                 .collect::<Vec<_>>()
         };
         if let Some(last) = self.past.back_mut()
-            && at.saturating_sub(last.at) < ONE_CHANGE
+            && at.saturating_sub(last.at) < MERGE_TIME
             && last.loaded == self.loaded
             && let Some(middle) = &last.after
             && middle == before
@@ -73,13 +74,13 @@ impl History {
         self.push(before, Some(after.clone()), at);
     }
 
-    /// Notes that the camera is about to be led away from where it is.
+    /// Notes that a flight is about to lead the camera away.
     pub fn note_departure(&mut self, before: &Scene, at: Duration) {
         self.push(before, None, at);
     }
 
     fn push(&mut self, before: &Scene, after: Option<Scene>, at: Duration) {
-        if self.past.len() == MAX_LENGTH {
+        if self.past.len() == MAX_CHANGES {
             self.past.pop_front();
         }
         self.past.push_back(Change {
@@ -96,12 +97,12 @@ impl History {
         self.loaded = after.clone();
     }
 
-    /// What the scene `now` is without the last change; none if there is no change left. Where the
-    /// camera has gone to a place that forbids it, the place of the change comes back, too. The
-    /// change is forgotten, also where it cannot be undone.
+    /// The scene `now` without the last change. None if there is no change left. Where the camera
+    /// has since flown to a place that does not allow this, the place of the change is restored
+    /// too. The change is forgotten, even if it cannot be undone.
     ///
     /// # Errors
-    /// Why the scene without it cannot be drawn.
+    /// Why the scene without the change cannot be drawn.
     pub fn undo(&mut self, now: &Scene) -> Option<Result<Drawable, String>> {
         let Change {
             before,

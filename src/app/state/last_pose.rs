@@ -1,4 +1,5 @@
-//! Where something that flies the camera by itself has left it: so it notices whoever takes over.
+//! Where a flight that steers itself has left the camera. A camera found elsewhere was moved by
+//! someone else.
 
 use lightfall_core::scene::{Camera, Observer, Scene};
 
@@ -17,14 +18,13 @@ impl LastPose {
         }
     }
 
-    /// Whether nobody has touched them since. That the observer is of another kind is not the hand
-    /// at the camera.
-    pub(crate) fn left_alone(&self, scene: &Scene) -> bool {
+    /// Whether the camera is as it was left. Another kind of observer does not count as moving it.
+    pub(crate) fn has_camera_of(&self, scene: &Scene) -> bool {
         self.camera == scene.camera
     }
 
-    /// Whether the camera is where it was, moving as it did, wherever it may look now.
-    pub(crate) fn place_left_alone(&self, scene: &Scene) -> bool {
+    /// Whether the camera is at the place where it was left and moves as it did, wherever it looks.
+    pub(crate) fn has_place_of(&self, scene: &Scene) -> bool {
         let place = |camera: &Camera| (camera.r, camera.theta_deg, camera.phi_deg);
         place(&self.camera) == place(&scene.camera) && self.observer == scene.observer
     }

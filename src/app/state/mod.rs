@@ -1,4 +1,14 @@
+//! What the window program remembers: the scene's history and the way to change the scene, the
+//! settings, which overlays are open, and what is being said. Nothing here reads a device, and
+//! nothing draws.
+
+pub(crate) mod end_card;
 pub(crate) mod history;
 pub(crate) mod last_pose;
+pub(crate) mod overlays;
+pub(crate) mod preferences;
+pub(crate) mod rebinding;
+pub(crate) mod resolution;
+pub(crate) mod scene_editor;
 pub(crate) mod settings;
 pub(crate) mod toast;

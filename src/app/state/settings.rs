@@ -1,5 +1,4 @@
-//! What the program remembers from one start to the next: a TOML file in the platform's folder for
-//! settings.
+//! The settings that outlast the program: a TOML file in the platform's folder for settings.
 
 use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::storage;
@@ -10,39 +9,38 @@ use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::Path;
 
-/// Everything that is remembered. A file may leave out what it does not change.
+/// The settings. A file may leave out fields, which then have their defaults.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Settings {
-    /// Size of the text and the panel, as a multiple of the desktop's.
+    /// Size of texts and panels, as a multiple of the desktop's.
     pub ui_scale: f32,
-    /// Whether the picture gets coarser while something moves, so that the frame rate is held.
+    /// Whether the picture gets coarser while something moves, to hold the frame rate.
     pub automatic_resolution: Automatic,
-    /// The frame rate that is held, in frames a second.
+    /// The frame rate to hold, in frames per second.
     pub frame_rate: f64,
-    /// Most frames a second; 0 leaves it to the monitor.
+    /// The largest number of frames per second. 0 leaves it to the monitor.
     pub most_frames: f64,
-    /// Whether the exposure follows the light.
+    /// Whether the exposure is automatic.
     pub automatic_exposure: bool,
-    /// Whether motion that nobody steers is kept calm: no roll in journeys, no exposure that
-    /// changes by itself.
+    /// Whether motion that nobody steers is kept calm: journeys do not roll, and the exposure does
+    /// not change by itself.
     pub reduced_motion: bool,
-    /// The hole's mass for the read-outs, in suns.
+    /// The hole's mass for the read-outs, in solar masses.
     pub hole_mass_suns: f64,
-    /// The graphics adapter that the window is drawn with, from the next start on; none for the
-    /// best.
+    /// The graphics adapter that draws the window from the next start on. None for the best.
     pub adapter: Option<AdapterName>,
-    /// Keys of the controls that differ from the key table.
+    /// Keys of the controls whose keys differ from the defaults.
     pub keys: BTreeMap<String, Vec<String>>,
-    /// Buttons of a gamepad, likewise.
+    /// Gamepad buttons of the controls whose buttons differ from the defaults.
     pub buttons: BTreeMap<String, Vec<String>>,
 }
 
-/// Whether something is done.
+/// Whether the automatic resolution is used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Automatic {
-    /// Where the graphics adapter is software or part of the processor.
+    /// On software adapters and on those that are part of the processor.
     #[default]
     Auto,
     /// Always.
@@ -51,11 +49,11 @@ pub enum Automatic {
     Off,
 }
 
-/// Sizes of the text that still fit into a window.
+/// The range of `ui_scale`, in which texts still fit into a window.
 pub const UI_SCALES: [f32; 2] = [0.6, 2.5];
-/// Masses that can be chosen, in suns.
+/// The range of the hole's mass, in solar masses.
 pub const HOLE_MASSES: [f64; 2] = [0.1, 1e11];
-/// Frame rates that can be asked for.
+/// The range of the frame rates, in frames per second.
 pub const FRAME_RATES: [f64; 2] = [5.0, 240.0];
 
 impl Default for Settings {
@@ -76,16 +74,16 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Whether the exposure follows the light.
+    /// Whether the exposure changes by itself.
     #[must_use]
-    pub fn follows_light(&self) -> bool {
+    pub fn exposes_automatically(&self) -> bool {
         self.automatic_exposure && !self.reduced_motion
     }
 
     /// Reads the text of a settings file.
     ///
     /// # Errors
-    /// One sentence that names the fault.
+    /// One sentence that names the line or the field, and what is wrong with it.
     pub fn read(text: &str) -> Result<Self, String> {
         let settings: Self = toml::from_str(text).map_err(|error| {
             let line = error.span().map_or(1, |span| {
@@ -121,11 +119,11 @@ impl Settings {
         PadBindings::new(&self.buttons).map(drop)
     }
 
-    /// Reads a settings file. Without one, the defaults; a broken one is renamed, and the defaults
-    /// serve. The second value says what was wrong.
+    /// Reads a settings file. A file that does not exist gives the defaults. A broken file is
+    /// renamed and gives the defaults too; the second value then says what was wrong.
     #[must_use]
     pub fn load(file: &Path) -> (Self, Option<String>) {
-        match Self::look(file) {
+        match Self::read_file(file) {
             Ok(settings) => (settings.unwrap_or_default(), None),
             Err(fault) => (
                 Self::default(),
@@ -134,11 +132,11 @@ impl Settings {
         }
     }
 
-    /// What a settings file says; none where there is no such file. It is left as it is.
+    /// Reads a settings file and leaves it as it is. None if there is no such file.
     ///
     /// # Errors
-    /// One clause that names the fault, without the file.
-    pub fn look(file: &Path) -> Result<Option<Self>, String> {
+    /// One clause that says what is wrong, without the file's name.
+    pub fn read_file(file: &Path) -> Result<Option<Self>, String> {
         match std::fs::read_to_string(file) {
             Ok(text) => Self::read(&text).map(Some),
             Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
@@ -146,13 +144,13 @@ impl Settings {
         }
     }
 
-    /// Writes the settings; the file appears whole or not at all.
+    /// Writes the settings to a file.
     ///
     /// # Errors
-    /// What the file system says, with the file's name.
+    /// The file's name and the file system's reason.
     pub fn save(&self, file: &Path) -> Result<(), String> {
         let text = format!(
-            "# Settings of Lightfall. What is left out has its default.\n\n{}",
+            "# Settings of Lightfall. Fields that are left out have their defaults.\n\n{}",
             self.text()
         );
         let written = storage::create_parent_folder(file)
@@ -167,11 +165,11 @@ impl Settings {
     }
 
     fn text(&self) -> String {
-        toml::to_string_pretty(self).expect("settings are made of numbers, words and tables only")
+        toml::to_string_pretty(self).expect("settings consist of numbers, words and tables")
     }
 }
 
-/// Renames a file that is no use, so that nothing a user wrote is lost, and says how that went.
+/// Renames a broken file, so that nothing the user wrote is lost, and says how that went.
 fn set_aside(file: &Path) -> String {
     let names = (1..1000).map(|number| file.with_extension(format!("broken-{number}.toml")));
     let Some(aside) = names.into_iter().find(|name| !name.exists()) else {

@@ -1,21 +1,21 @@
-//! One sentence at the bottom of the window: what was refused, or where a file went.
+//! The toast: one sentence in the status bar that says what was refused, or where a file went.
 
 use bevy::prelude::*;
 use std::time::Duration;
 
 /// How long a sentence stays.
-const STAYS: Duration = Duration::from_secs(10);
+const DURATION: Duration = Duration::from_secs(10);
 
 /// The sentence.
 #[derive(Resource, Default)]
 pub(crate) struct Toast {
     text: String,
-    /// Time since the start at which it goes; set at the first look at it.
+    /// When it goes, as a time since the start. None before its first frame.
     ends: Option<Duration>,
 }
 
 impl Toast {
-    /// Says something in place of what was said before.
+    /// Says something in place of the last sentence.
     pub(crate) fn say(&mut self, text: impl Into<String>) {
         *self = Self {
             text: text.into(),
@@ -23,7 +23,7 @@ impl Toast {
         };
     }
 
-    /// Says something beside what is being said.
+    /// Says something after the present sentence.
     pub(crate) fn add(&mut self, text: &str) {
         let both = if self.text.is_empty() {
             text.to_owned()
@@ -33,28 +33,29 @@ impl Toast {
         self.say(both);
     }
 
-    /// Takes back what was said.
+    /// Takes the sentence away.
     pub(crate) fn clear(&mut self) {
         self.say("");
     }
 
-    /// What is said; empty if nothing.
+    /// The sentence. Empty if there is none.
     pub(crate) fn text(&self) -> &str {
         &self.text
     }
 }
 
 pub(crate) fn plugin(app: &mut App) {
-    app.init_resource::<Toast>().add_systems(Update, fade);
+    app.init_resource::<Toast>()
+        .add_systems(Update, expire_toast);
 }
 
-fn fade(time: Res<Time<Real>>, mut notice: ResMut<Toast>) {
-    if notice.text.is_empty() {
+fn expire_toast(time: Res<Time<Real>>, mut toast: ResMut<Toast>) {
+    if toast.text.is_empty() {
         return;
     }
-    match notice.ends {
-        None => notice.ends = Some(time.elapsed() + STAYS),
-        Some(end) if time.elapsed() > end => notice.clear(),
+    match toast.ends {
+        None => toast.ends = Some(time.elapsed() + DURATION),
+        Some(end) if time.elapsed() > end => toast.clear(),
         Some(_) => {}
     }
 }

@@ -1,70 +1,45 @@
-//! Panels along the sides of the window, over the picture.
+//! The two panels at the sides of the window, and the help: opening and closing them, and drawing a
+//! panel's frame.
 
-use crate::app::session::window::Overlays;
-use crate::app::ui::{inspector, panel};
+use crate::app::controls::control::AppCommand;
+use crate::app::input::pointer::locate_pointer;
+use crate::app::state::overlays::{Overlays, Side};
 use bevy::prelude::*;
-use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, egui};
 
-/// Which side.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Side {
-    Left,
-    Right,
-}
-
-/// Room inside, in points.
+/// Room inside a panel, in points.
 const MARGIN: f32 = 8.0;
 
-/// Whether the mouse is the picture's, and not the user interface's.
-#[derive(Resource, Default)]
-pub(crate) struct OverPicture(bool);
-
-/// For systems that ask the mouse only where it is the picture's; they run after [`look`].
-pub(crate) fn over_picture(over: Res<OverPicture>) -> bool {
-    over.0
+pub(crate) fn plugin(app: &mut App) {
+    app.init_resource::<Overlays>().add_systems(
+        Update,
+        (apply_overlay_commands, share_window)
+            .chain()
+            .before(locate_pointer),
+    );
 }
 
-/// Where the mouse is now: egui itself tells only where it was when the last frame was drawn. It
-/// knows no panel either that has just been opened.
-pub(crate) fn look(
-    mut contexts: EguiContexts,
-    shown: Res<Overlays>,
-    window: Single<&Window, With<PrimaryWindow>>,
-    mut over: ResMut<OverPicture>,
-) {
-    let (Some(mouse), Ok(context)) = (window.cursor_position(), contexts.ctx_mut()) else {
-        over.0 = true;
-        return;
-    };
-    let [x, y] = (mouse / context.zoom_factor()).to_array();
-    let on_panel = x < shown.left() || context.content_rect().right() - x < shown.right();
-    let on_area = context
-        .layer_id_at(egui::pos2(x, y))
-        .is_some_and(|layer| layer.order != egui::Order::Background);
-    over.0 = !(on_panel || on_area || context.egui_is_using_pointer());
-}
-
-/// In a window too narrow for both panels the one that was opened last is shown, as long as it is
-/// so.
-pub(crate) fn make_room(mut contexts: EguiContexts, mut shown: ResMut<Overlays>) {
-    let Ok(context) = contexts.ctx_mut() else {
-        return;
-    };
-    let narrow = context.content_rect().width() < panel::WIDTH + inspector::WIDTH;
-    let gives_way = if shown.last == Some(Side::Left) {
-        Side::Right
-    } else {
-        Side::Left
-    };
-    let gives_way = Some(gives_way).filter(|_| shown.panel && shown.inspector && narrow);
-    if shown.gives_way != gives_way {
-        shown.gives_way = gives_way;
+fn apply_overlay_commands(mut commands: MessageReader<AppCommand>, mut overlays: ResMut<Overlays>) {
+    for command in commands.read() {
+        match command {
+            AppCommand::Hide => overlays.hidden = !overlays.hidden,
+            AppCommand::Help => overlays.toggle_help(),
+            AppCommand::Panel => overlays.toggle_side(Side::Right),
+            AppCommand::Inspector => overlays.toggle_side(Side::Left),
+            AppCommand::Escape => overlays.help = false,
+            _ => {}
+        }
     }
 }
 
-/// Shows a panel as high as the window. It is an area of egui's own, so that the mouse over it does
-/// nothing to the picture.
+fn share_window(mut contexts: EguiContexts, mut overlays: ResMut<Overlays>) {
+    if let Ok(context) = contexts.ctx_mut() {
+        overlays.share(context.content_rect().width());
+    }
+}
+
+/// Shows a panel as high as the window. It is an egui area of its own, so that the mouse over it
+/// does nothing to the picture.
 pub(crate) fn docked(
     context: &egui::Context,
     name: &'static str,

@@ -1,19 +1,19 @@
-//! The overlay of all controls, made from the key table itself.
+//! The help: a list of all controls, made from the control table.
 
 use crate::app::controls::bindings::{Bindings, PadBindings};
-use crate::app::controls::table::{Control, Group};
+use crate::app::controls::control::{Control, Group};
 use crate::app::input::gamepad::Pads;
-use crate::app::session::window::Overlays;
+use crate::app::state::overlays::Overlays;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 
-/// What the mouse does; the key table is about keys.
+/// What the mouse does. The control table holds keys only.
 const MOUSE: [[&str; 2]; 2] = [["right mouse button", "look around"], ["wheel", "speed"]];
 
-/// What a gamepad's sticks do; its buttons are bound.
+/// What a gamepad's sticks do. Its buttons are bound to controls.
 const STICKS: [[&str; 2]; 2] = [["left stick", "fly"], ["right stick", "look around"]];
 
-/// The headings side by side: in the first of these that the window has room for.
+/// How the headings are arranged in columns: the first arrangement that fits the window is used.
 const COLUMNS: [&[&[Group]]; 3] = [
     &[
         &[Group::Flight, Group::Light],
@@ -26,8 +26,8 @@ const COLUMNS: [&[&[Group]]; 3] = [
     ],
     &[&Group::ALL],
 ];
-/// The same where the gamepad's own stands under the last.
-const WITH_PAD: [&[&[Group]]; 3] = [
+/// The same with room for the gamepad's table under the last column.
+const COLUMNS_WITH_GAMEPAD: [&[&[Group]]; 3] = [
     &[
         &[Group::Flight, Group::Picture],
         &[Group::Scene, Group::Light, Group::View],
@@ -39,17 +39,19 @@ const WITH_PAD: [&[&[Group]]; 3] = [
     ],
     &[&Group::ALL],
 ];
-/// Width of a column, in points; of what lies about the window, and of its title and last line.
-const COLUMN: f32 = 310.0;
-const EDGE: f32 = 24.0;
-const TITLE: f32 = 76.0;
+/// Width of a column, in points.
+const COLUMN_WIDTH: f32 = 310.0;
+/// Room that is left free around the help, in points.
+const MARGIN: f32 = 24.0;
+/// Height of the title above the list and of the line below it, in points.
+const TITLE_HEIGHT: f32 = 76.0;
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(EguiPrimaryContextPass, show);
+    app.add_systems(EguiPrimaryContextPass, show_help);
 }
 
-/// The rows under one heading: keys, and what they do. Controls in a row that do the same are one
-/// row.
+/// The rows under one heading: keys, and what they do. Neighbouring controls with the same words
+/// share a row.
 fn rows(bindings: &Bindings, group: Group) -> Vec<[String; 2]> {
     let controls: Vec<&Control> = bindings
         .iter()
@@ -79,7 +81,7 @@ fn rows(bindings: &Bindings, group: Group) -> Vec<[String; 2]> {
     entries.chain(mouse).collect()
 }
 
-/// The rows of a gamepad: its sticks, and the controls that have buttons.
+/// The rows of a gamepad: its sticks, and the controls that are bound to buttons.
 fn pad_rows(buttons: &PadBindings) -> Vec<[String; 2]> {
     let bound: Vec<&Control> = buttons
         .iter()
@@ -100,22 +102,26 @@ fn pad_rows(buttons: &PadBindings) -> Vec<[String; 2]> {
         .collect()
 }
 
-fn show(
+fn show_help(
     mut contexts: EguiContexts,
-    mut shown: ResMut<Overlays>,
+    mut overlays: ResMut<Overlays>,
     bindings: Res<Bindings>,
     buttons: Res<PadBindings>,
     pads: Pads,
 ) -> Result {
-    if !shown.help || shown.hidden {
+    if !overlays.help || overlays.hidden {
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
-    let room = context.content_rect().size() - egui::vec2(EDGE, EDGE);
-    let sets = if pads.any() { WITH_PAD } else { COLUMNS };
+    let room = context.content_rect().size() - egui::Vec2::splat(MARGIN);
+    let sets = if pads.any() {
+        COLUMNS_WITH_GAMEPAD
+    } else {
+        COLUMNS
+    };
     let columns = sets
         .into_iter()
-        .find(|columns| columns.len() as f32 * COLUMN < room.x)
+        .find(|columns| columns.len() as f32 * COLUMN_WIDTH < room.x)
         .unwrap_or(sets[2]);
     let mut open = true;
     egui::Window::new("Help")
@@ -126,11 +132,10 @@ fn show(
         .anchor(egui::Align2::CENTER_CENTER, [0.0, 0.0])
         .show(context, |ui| {
             ui.set_max_width(room.x);
-            // Bars that show, or nobody would know that there is more.
+            // Solid scroll bars show that there is more.
             ui.spacing_mut().scroll = egui::style::ScrollStyle::solid();
-            // Under it there is a line more, above it the title.
             egui::ScrollArea::both()
-                .max_height((room.y - TITLE).max(40.0))
+                .max_height((room.y - TITLE_HEIGHT).max(40.0))
                 .show(ui, |ui| {
                     ui.horizontal_top(|ui| {
                         ui.spacing_mut().item_spacing.x = 24.0;
@@ -146,10 +151,10 @@ fn show(
                         }
                     });
                 });
-            ui.label("Keys are bound anew in the panel, on its page Settings.");
+            ui.label("The panel's page Settings binds keys anew.");
         });
     if !open {
-        shown.help = false;
+        overlays.help = false;
     }
     Ok(())
 }

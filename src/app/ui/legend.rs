@@ -1,13 +1,12 @@
-//! What the colours of a diagnostic view mean, in the upper left corner while one is shown.
+//! The legend of a diagnostic view, in the upper left corner: what its colours mean.
 
-use crate::app::input::key_feedback;
-use crate::app::session::window::Overlays;
+use crate::app::state::overlays::Overlays;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_core::scene::{Scene, View};
 
-/// A colour of a view, as its shader has it (linear sRGB), and what it stands for.
+/// A colour of a view as its shader has it (linear sRGB), and its meaning.
 pub type Swatch = (Vec3, &'static str);
 
 const MAGENTA: Vec3 = Vec3::new(1.0, 0.0, 1.0);
@@ -70,7 +69,7 @@ const ERRORS: &[Swatch] = &[
     (Vec3::splat(0.05), "not known yet"),
 ];
 
-/// What a view shows, and its colours; none for the light itself.
+/// What a view shows, and its colours. None for the light itself.
 #[must_use]
 pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
     Some(match view {
@@ -87,19 +86,23 @@ pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
     })
 }
 
-/// Room around it, in points.
+/// Room around the legend, in points.
 const MARGIN: f32 = 8.0;
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(EguiPrimaryContextPass, show);
+    app.add_systems(EguiPrimaryContextPass, show_legend);
 }
 
-fn show(mut contexts: EguiContexts, scene: Res<CurrentScene>, shown: Res<Overlays>) -> Result {
-    let Some((title, swatches)) = legend(scene.view).filter(|_| !shown.hidden) else {
+fn show_legend(
+    mut contexts: EguiContexts,
+    scene: Res<CurrentScene>,
+    overlays: Res<Overlays>,
+) -> Result {
+    let Some((title, swatches)) = legend(scene.view).filter(|_| !overlays.hidden) else {
         return Ok(());
     };
     egui::Area::new("legend".into())
-        .fixed_pos([shown.left() + MARGIN, MARGIN])
+        .fixed_pos([overlays.left_width() + MARGIN, MARGIN])
         .interactable(false)
         .order(egui::Order::Background)
         .show(contexts.ctx_mut()?, |ui| {
@@ -126,27 +129,31 @@ fn show(mut contexts: EguiContexts, scene: Res<CurrentScene>, shown: Res<Overlay
                         ui.label(egui::RichText::new(*meaning).size(13.0));
                     });
                 }
-                if let Some(none) = none_of_it(&scene) {
-                    ui.label(egui::RichText::new(none).size(13.0));
+                if let Some(reason) = why_empty(&scene) {
+                    ui.label(egui::RichText::new(reason).size(13.0));
                 }
             });
         });
     Ok(())
 }
 
-/// Why a view shows nothing of what it is for.
-fn none_of_it(scene: &Scene) -> Option<&'static str> {
+/// Why a view has nothing to show with the scene's method.
+fn why_empty(scene: &Scene) -> Option<&'static str> {
+    let method = scene.method.resolved(scene.hole.spin).properties();
+    let straight = !scene.effects.lensing;
     match scene.view {
-        View::Unfinished if key_feedback::leaves_none(scene) => Some("This method leaves none."),
-        View::Residual if key_feedback::steps_none(scene) => {
-            Some("This method solves rays instead of stepping them: it has none.")
+        View::Unfinished if straight || method.answers_every_ray => {
+            Some("This method leaves none.")
+        }
+        View::Residual if straight || !method.steps => {
+            Some("This method solves for rays instead of stepping along them: it has no residual.")
         }
         _ => None,
     }
 }
 
-/// The colour that a mark has on the screen: its light, a little below white's, tone-mapped as the
-/// picture is (Khronos PBR neutral, whose shoulder no mark reaches).
+/// The colour of a mark on the screen: its light, a little below white's, tone-mapped like the
+/// picture (Khronos PBR neutral; no mark is bright enough for its shoulder).
 fn as_shown(colour: Vec3) -> egui::Color32 {
     let light = lightfall_core::gpu::MARK_BRIGHTNESS as f32 * colour;
     let least = light.min_element();

@@ -1,18 +1,18 @@
-//! The lines at the bottom of the window: where the camera is, what was just said, and where to
-//! begin.
+//! The status bar: the lines at the bottom of the window, which say where the camera is, show the
+//! toast, and name the most important keys.
 
 use crate::app::controls::bindings::Bindings;
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::motion::pilot::Pilot;
-use crate::app::session::window::Overlays;
+use crate::app::state::overlays::Overlays;
 use crate::app::state::toast::Toast;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 
-/// Controls that somebody new has to know of, by name, and what to call them; the help has all.
-const FIRST: [(&[&str], &str); 8] = [
+/// The controls that a newcomer has to know, by name, and what to call them. The help lists all.
+const MAIN_CONTROLS: [(&[&str], &str); 8] = [
     (
         &["fly.forward", "fly.left", "fly.backward", "fly.right"],
         "fly",
@@ -26,24 +26,24 @@ const FIRST: [(&[&str], &str); 8] = [
     (&["window.help"], "all keys"),
 ];
 
-/// Room around the lines, in points.
+/// Room around the status bar, in points.
 const MARGIN: f32 = 8.0;
-/// Between panels that leave less than this, in points, there is no room to say where to begin.
-const NARROW: f32 = 560.0;
-/// And below this only what was just said is shown.
+/// Free width, in points, below which the keys are not named.
+const MIN_WIDTH_FOR_KEYS: f32 = 560.0;
+/// Free width, in points, below which only the toast is shown, over the panels.
 const MIN_WIDTH: f32 = 240.0;
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(EguiPrimaryContextPass, show);
+    app.add_systems(EguiPrimaryContextPass, show_status_bar);
 }
 
-/// Where to begin, with the keys as they are bound.
-fn beginning(bindings: &Bindings) -> String {
+/// The main controls, with their keys as they are bound.
+fn main_controls(bindings: &Bindings) -> String {
     let mut entries = vec![
         "right mouse button look".to_owned(),
         "wheel speed".to_owned(),
     ];
-    for (place, (ids, does)) in FIRST.iter().enumerate() {
+    for (place, (ids, does)) in MAIN_CONTROLS.iter().enumerate() {
         let name = |id: &&str| bindings.named(id);
         let names: Vec<_> = ids
             .iter()
@@ -54,7 +54,7 @@ fn beginning(bindings: &Bindings) -> String {
             2 => names.join("-"),
             _ => names.concat(),
         };
-        // Flying first, before the mouse.
+        // Flying comes first, before the mouse.
         entries.insert(
             if place == 0 { 0 } else { entries.len() },
             format!("{keys} {does}"),
@@ -63,8 +63,8 @@ fn beginning(bindings: &Bindings) -> String {
     entries.join(" · ")
 }
 
-/// Where the camera is, how fast it flies, and what it looks at.
-fn whereabouts(scene: &CurrentScene, pilot: &Pilot) -> String {
+/// Where the camera is, how it moves, and how fast it flies.
+fn position(scene: &CurrentScene, pilot: &Pilot) -> String {
     let camera = scene.camera;
     let observer = scene.observer.kind.properties().motion;
     format!(
@@ -73,34 +73,34 @@ fn whereabouts(scene: &CurrentScene, pilot: &Pilot) -> String {
     )
 }
 
-/// That a journey runs, how far it is, and how it ends; empty while there is none.
-fn journey(guide: &JourneyPlayer, bindings: &Bindings) -> String {
-    if !guide.flies() {
+/// How far a journey has been flown, and how to end it. Empty while there is none.
+fn journey(player: &JourneyPlayer, bindings: &Bindings) -> String {
+    if !player.is_playing() {
         return String::new();
     }
     let stop = bindings.named("journey.fly");
     format!(
         "journey, {} · {stop} stops it, flying or looking around takes over",
-        guide.progress()
+        player.progress()
     )
 }
 
-fn show(
+fn show_status_bar(
     mut contexts: EguiContexts,
     scene: Res<CurrentScene>,
     pilot: Res<Pilot>,
-    notice: Res<Toast>,
-    voyage: Res<FreeFall>,
-    guide: Res<JourneyPlayer>,
-    shown: Res<Overlays>,
+    toast: Res<Toast>,
+    free_fall: Res<FreeFall>,
+    player: Res<JourneyPlayer>,
+    overlays: Res<Overlays>,
     bindings: Res<Bindings>,
 ) -> Result {
-    if shown.hidden {
+    if overlays.hidden {
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
-    // In what the panels leave free; what was just said is said over them where that is too little.
-    let [left, right] = [shown.left(), shown.right()];
+    // Between the panels, or over them where they leave too little room.
+    let [left, right] = [overlays.left_width(), overlays.right_width()];
     let width = context.content_rect().width() - 2.0 * MARGIN;
     let free = width - left - right;
     let (widest, shift, order) = if free > MIN_WIDTH {
@@ -108,26 +108,29 @@ fn show(
     } else {
         (width, 0.0, egui::Order::Foreground)
     };
-    let roomy = |least: f32, line: String| if free > least { line } else { String::new() };
-    let mut lines = vec![
-        roomy(MIN_WIDTH, whereabouts(&scene, &pilot)),
-        roomy(MIN_WIDTH, journey(&guide, &bindings)),
-        roomy(MIN_WIDTH, voyage.clocks(scene.camera.r)),
-        notice.text().to_owned(),
-        if free > NARROW {
-            beginning(&bindings)
+    let where_room = |line: String| {
+        if free > MIN_WIDTH {
+            line
         } else {
-            roomy(
-                MIN_WIDTH,
-                format!("{} all keys", bindings.named("window.help")),
-            )
+            String::new()
+        }
+    };
+    let mut lines = vec![
+        where_room(position(&scene, &pilot)),
+        where_room(journey(&player, &bindings)),
+        where_room(free_fall.clocks(scene.camera.r)),
+        toast.text().to_owned(),
+        if free > MIN_WIDTH_FOR_KEYS {
+            main_controls(&bindings)
+        } else {
+            where_room(format!("{} all keys", bindings.named("window.help")))
         },
     ];
     lines.retain(|line| !line.is_empty());
     if lines.is_empty() {
         return Ok(());
     }
-    egui::Area::new("hint".into())
+    egui::Area::new("status bar".into())
         .anchor(egui::Align2::CENTER_BOTTOM, [shift, -MARGIN])
         .interactable(false)
         .order(order)

@@ -37,7 +37,7 @@ impl SettingsFile {
     #[must_use]
     pub fn here() -> Self {
         let path = settings_file();
-        let looked = path.as_deref().map_or(Ok(None), Settings::look);
+        let looked = path.as_deref().map_or(Ok(None), Settings::read_file);
         let (settings, wrong) =
             looked.map_or_else(|wrong| (None, Some(wrong)), |settings| (settings, None));
         let exists = settings.is_some() || wrong.is_some();

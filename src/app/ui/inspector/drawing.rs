@@ -1,6 +1,7 @@
-//! The drawing of paths: the hole and what is about it, seen from the side, from the top, or from
-//! where one drags it.
+//! The drawing of light paths: the hole and its surroundings, seen from the side, from the top, or
+//! from any direction.
 
+use crate::app::ui::number::four_decimals;
 use bevy_egui::egui::{self, Color32, Pos2, Rect, Stroke};
 use glam::{DMat3, DVec3};
 use lightfall_core::geometry::kerr::Kerr;
@@ -10,42 +11,42 @@ use lightfall_core::reports::inspection::Inspected;
 use lightfall_core::scene::Scene;
 use std::f64::consts::{PI, TAU};
 
-/// From where it is seen.
+/// The direction of view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum View {
+pub(super) enum Viewpoint {
     /// The axis upright, the camera to the left.
     #[default]
     Side,
     /// From above, the camera to the left.
     Top,
-    /// As it is dragged.
+    /// From a direction that the mouse drags.
     Orbit,
 }
 
-/// A view and its scale.
+/// The viewpoint and the scale.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sketch {
-    pub(super) view: View,
-    /// Half of the width that is shown, in r_s; none shows the camera too.
+    pub(super) viewpoint: Viewpoint,
+    /// Half of the width that is shown, in r_s. None fits the camera in.
     pub(super) half_width: Option<f64>,
-    /// Turn about the axis and tilt of the orbit view, in radians.
+    /// Turn about the axis and tilt of the orbit viewpoint, in radians.
     turn: [f64; 2],
 }
 
 impl Default for Sketch {
     fn default() -> Self {
         Self {
-            view: View::Side,
+            viewpoint: Viewpoint::Side,
             half_width: None,
             turn: [0.5, 0.5],
         }
     }
 }
 
-/// Widths that can be shown, in r_s.
+/// The range of the half width, in r_s.
 const HALF_WIDTHS: [f64; 2] = [0.8, 1e5];
-/// Sides of a circle.
-const SIDES: usize = 96;
+/// Segments of a circle.
+const SEGMENTS: usize = 96;
 
 const HORIZON: Color32 = Color32::from_gray(120);
 const ERGOSPHERE: Color32 = Color32::from_rgb(150, 90, 200);
@@ -54,7 +55,7 @@ const ISCO: Color32 = Color32::from_rgb(90, 200, 130);
 const DISK: Color32 = Color32::from_rgb(215, 130, 70);
 const CAMERA: Color32 = Color32::WHITE;
 
-/// What the colours mean.
+/// The colours and what they mean.
 pub(super) const LEGEND: [(Color32, &str); 5] = [
     (HORIZON, "horizon"),
     (ERGOSPHERE, "ergosphere"),
@@ -63,7 +64,7 @@ pub(super) const LEGEND: [(Color32, &str); 5] = [
     (DISK, "disk"),
 ];
 
-/// Colours of paths.
+/// The colour of a path.
 pub(super) fn path_colour(inspected: &Inspected) -> Color32 {
     match (inspected.trace.hits[0], inspected.trace.outcome) {
         (Some(_), _) => Color32::from_rgb(255, 170, 90),
@@ -73,38 +74,38 @@ pub(super) fn path_colour(inspected: &Inspected) -> Color32 {
     }
 }
 
-/// From places about the hole to places on the screen.
+/// From places around the hole to places on the screen.
 struct Projection {
-    /// Rows: right, up, toward the eye.
+    /// Rows: right, up, toward the viewer.
     axes: DMat3,
     centre: Pos2,
     points_per_length: f64,
     horizon: f64,
-    /// Whether the camera is inside, so that the hole is drawn as a line about what happens there.
+    /// Whether the camera is inside the horizon. The hole is then only an outline.
     inside: bool,
 }
 
 impl Projection {
-    fn seen(&self, place: DVec3) -> DVec3 {
+    fn to_view(&self, place: DVec3) -> DVec3 {
         self.axes * place
     }
 
     fn point(&self, place: DVec3) -> Pos2 {
-        let seen = self.seen(place);
+        let seen = self.to_view(place);
         let far = |length: f64| (length * self.points_per_length).clamp(-1e5, 1e5) as f32;
         Pos2::new(self.centre.x + far(seen.x), self.centre.y - far(seen.y))
     }
 
-    /// Whether the hole itself is in front of a place; for a camera inside it is not.
+    /// Whether the hole covers a place.
     fn hidden(&self, place: DVec3) -> bool {
         if self.inside {
             return false;
         }
-        let seen = self.seen(place);
+        let seen = self.to_view(place);
         seen.z < 0.0 && seen.x.hypot(seen.y) < self.horizon
     }
 
-    /// A line through places, without what is behind the hole.
+    /// Draws a line through places, without the parts that the hole covers.
     fn line(&self, painter: &egui::Painter, places: impl Iterator<Item = DVec3>, stroke: Stroke) {
         let mut run = Vec::new();
         for place in places {
@@ -121,7 +122,7 @@ impl Projection {
 }
 
 impl Sketch {
-    /// Draws it on `size` points of the panel, and lets it be dragged and zoomed.
+    /// Draws on `size` points of the panel, and lets the mouse turn and zoom the drawing.
     pub(super) fn show(
         &mut self,
         ui: &mut egui::Ui,
@@ -132,17 +133,17 @@ impl Sketch {
         let (response, painter) = ui.allocate_painter(size, egui::Sense::drag());
         let rect = response.rect;
         painter.rect_filled(rect, 4.0, Color32::from_gray(14));
-        let half_width = self.half_width.unwrap_or_else(|| fitting(scene));
+        let half_width = self.half_width.unwrap_or_else(|| fitting_half_width(scene));
         if response.hovered() {
             let scroll = ui.input(|input| input.smooth_scroll_delta.y);
             if scroll != 0.0 {
-                let [least, most] = HALF_WIDTHS;
+                let [min, max] = HALF_WIDTHS;
                 self.half_width =
-                    Some((half_width * f64::from(-0.004 * scroll).exp()).clamp(least, most));
+                    Some((half_width * f64::from(-0.004 * scroll).exp()).clamp(min, max));
             }
         }
         if response.dragged() {
-            self.view = View::Orbit;
+            self.viewpoint = Viewpoint::Orbit;
             let drag = response.drag_delta();
             self.turn[0] += f64::from(drag.x) * 0.01;
             self.turn[1] = (self.turn[1] + f64::from(drag.y) * 0.01).clamp(-PI / 2.0, PI / 2.0);
@@ -158,9 +159,9 @@ impl Sketch {
             horizon,
             inside: scene.camera.r < horizon,
         };
-        hole(&painter, &projection, scene);
+        draw_hole(&painter, &projection, scene);
         for inspected in rays.iter().skip(1).chain(rays.first()) {
-            path(
+            draw_path(
                 &painter,
                 &projection,
                 inspected,
@@ -170,19 +171,19 @@ impl Sketch {
         }
         let camera = projection.point(scene.camera.direction() * scene.camera.r);
         painter.circle_filled(camera, 3.5, CAMERA);
-        scale(&painter, rect, projection.points_per_length);
+        draw_scale(&painter, rect, projection.points_per_length);
     }
 
-    /// Rows: right, up, toward the eye. The camera's azimuth points left.
+    /// Rows: right, up, toward the viewer. The camera's azimuth points left.
     fn axes(&self, scene: &Scene) -> DMat3 {
         let (sin, cos) = scene.camera.phi_deg.to_radians().sin_cos();
-        let (left, beside) = (DVec3::new(cos, sin, 0.0), DVec3::new(-sin, cos, 0.0));
-        let rows = match self.view {
-            View::Side => [-left, DVec3::Z, beside],
-            View::Top => [-left, -beside, DVec3::Z],
-            View::Orbit => {
+        let (left, growing_phi) = (DVec3::new(cos, sin, 0.0), DVec3::new(-sin, cos, 0.0));
+        let rows = match self.viewpoint {
+            Viewpoint::Side => [-left, DVec3::Z, growing_phi],
+            Viewpoint::Top => [-left, -growing_phi, DVec3::Z],
+            Viewpoint::Orbit => {
                 let turned = DMat3::from_rotation_z(self.turn[0]);
-                let (right, toward) = (turned * -left, turned * beside);
+                let (right, toward) = (turned * -left, turned * growing_phi);
                 let (sin, cos) = self.turn[1].sin_cos();
                 [
                     right,
@@ -195,8 +196,8 @@ impl Sketch {
     }
 }
 
-/// A width that shows the camera, or what is about the hole where the camera is far away.
-fn fitting(scene: &Scene) -> f64 {
+/// A half width that shows the camera, or only the hole's surroundings where the camera is far away.
+fn fitting_half_width(scene: &Scene) -> f64 {
     const FAR: f64 = 60.0;
     if scene.camera.r > FAR {
         16.0
@@ -206,13 +207,13 @@ fn fitting(scene: &Scene) -> f64 {
 }
 
 fn circle(radius: f64) -> impl Iterator<Item = DVec3> {
-    (0..=SIDES).map(move |i| {
-        let (sin, cos) = (TAU * i as f64 / SIDES as f64).sin_cos();
+    (0..=SEGMENTS).map(move |i| {
+        let (sin, cos) = (TAU * i as f64 / SEGMENTS as f64).sin_cos();
         DVec3::new(radius * cos, radius * sin, 0.0)
     })
 }
 
-fn hole(painter: &egui::Painter, projection: &Projection, scene: &Scene) {
+fn draw_hole(painter: &egui::Painter, projection: &Projection, scene: &Scene) {
     let kerr = Kerr {
         spin: scene.hole.spin,
     };
@@ -250,7 +251,7 @@ fn hole(painter: &egui::Painter, projection: &Projection, scene: &Scene) {
         thin(PHOTON_ORBITS),
     );
     if scene.hole.spin != 0.0 {
-        // The static limit: its waist, and its outline as it is seen from here.
+        // The static limit: its equator, and its outline from this viewpoint.
         projection.line(
             painter,
             circle(kerr.static_limit(0.0)),
@@ -263,8 +264,8 @@ fn hole(painter: &egui::Painter, projection: &Projection, scene: &Scene) {
         } else {
             (DVec3::Z - toward * toward.z).normalize()
         };
-        let outline = (0..=SIDES).map(|i| {
-            let (sin, cos) = (TAU * i as f64 / SIDES as f64).sin_cos();
+        let outline = (0..=SEGMENTS).map(|i| {
+            let (sin, cos) = (TAU * i as f64 / SEGMENTS as f64).sin_cos();
             let direction = (across * sin + upright * cos).normalize_or_zero();
             direction * kerr.static_limit(direction.z)
         });
@@ -272,7 +273,7 @@ fn hole(painter: &egui::Painter, projection: &Projection, scene: &Scene) {
     }
 }
 
-fn path(painter: &egui::Painter, projection: &Projection, inspected: &Inspected, first: bool) {
+fn draw_path(painter: &egui::Painter, projection: &Projection, inspected: &Inspected, first: bool) {
     let colour = path_colour(inspected);
     let stroke = if first {
         Stroke::new(2.0, colour)
@@ -292,8 +293,8 @@ fn path(painter: &egui::Painter, projection: &Projection, inspected: &Inspected,
     }
 }
 
-/// A bar of a round length.
-fn scale(painter: &egui::Painter, rect: Rect, points_per_length: f64) {
+/// Draws a bar of a round length.
+fn draw_scale(painter: &egui::Painter, rect: Rect, points_per_length: f64) {
     let wanted = 0.25 * f64::from(rect.width()) / points_per_length;
     let decade = 10.0_f64.powf(wanted.log10().floor());
     let length = [5.0, 2.0, 1.0]
@@ -307,7 +308,7 @@ fn scale(painter: &egui::Painter, rect: Rect, points_per_length: f64) {
         [Pos2::new(left, y), Pos2::new(right, y)],
         Stroke::new(1.5, Color32::from_gray(200)),
     );
-    let text = format!("{} r_s", crate::app::shown_number(length));
+    let text = format!("{} r_s", four_decimals(length));
     let font = egui::FontId::proportional(12.0);
     painter.text(
         Pos2::new(left, y - 3.0),

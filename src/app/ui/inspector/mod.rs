@@ -1,46 +1,48 @@
-//! The ray inspector: click a pixel, and its light is traced again, told in numbers and drawn.
+//! The ray inspector: the light of a clicked pixel is traced again, listed in numbers and drawn.
 
 mod drawing;
 mod numbers;
-mod worker;
+mod ray_worker;
 
+use crate::app::input::pointer::{locate_pointer, pointer_over_picture};
 use crate::app::session::clipboard::Clipboard;
-use crate::app::session::window::Overlays;
+use crate::app::state::overlays::{INSPECTOR_WIDTH, Overlays, Side};
 use crate::app::state::toast::Toast;
-use crate::app::ui::dock::{Side, docked, look, over_picture};
+use crate::app::ui::dock::docked;
 use crate::render::{CurrentScene, letterbox};
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
-use drawing::{LEGEND, Sketch, View, path_colour};
+use drawing::{LEGEND, Sketch, Viewpoint, path_colour};
 use glam::DVec2;
 use lightfall_core::accuracy::Ray;
+use lightfall_core::reports::inspection::Inspected;
 use lightfall_core::scene::{Picture, Scene};
-pub(crate) use worker::Worker;
-use worker::{Answer, GpuState, Job};
+use ray_worker::{GpuState, InspectedRays, RayJob, RayWorker};
 
-/// Width of the inspector's panel, in points.
-pub(crate) const WIDTH: f32 = 390.0;
-/// Fans: how many rays a side.
+/// The fans to choose from: rays per side.
 const FANS: [u32; 3] = [1, 3, 5];
-/// Height of the drawing, as a share of the window's, at most.
-const DRAWING: f32 = 0.35;
+/// Largest height of the drawing, as a share of the window's.
+const MAX_DRAWING_SHARE: f32 = 0.35;
 
-/// What the inspector remembers.
+/// What the inspector remembers, and the thread that traces for it.
 #[derive(Resource)]
 struct Inspector {
+    worker: RayWorker,
     sketch: Sketch,
-    /// Rays a side of the fan, and pixels between them.
+    /// Rays per side of the fan.
     fan: u32,
+    /// Pixels between the rays of the fan.
     spacing: f64,
-    /// The scene and the place on its picture that were clicked last.
+    /// The scene that was clicked last, and the pixel.
     asked: Option<(Scene, DVec2)>,
-    answer: Option<Answer>,
+    answer: Option<InspectedRays>,
 }
 
 impl Default for Inspector {
     fn default() -> Self {
         Self {
+            worker: ray_worker::start(),
             sketch: Sketch::default(),
             fan: 1,
             spacing: 12.0,
@@ -52,13 +54,20 @@ impl Default for Inspector {
 
 pub(crate) fn plugin(app: &mut App) {
     app.init_resource::<Inspector>()
-        .insert_resource(Worker::start())
-        .add_systems(Update, (click.after(look).run_if(over_picture), receive))
-        .add_systems(EguiPrimaryContextPass, show);
+        .add_systems(
+            Update,
+            (
+                inspect_clicked_pixel
+                    .after(locate_pointer)
+                    .run_if(pointer_over_picture),
+                receive_rays,
+            ),
+        )
+        .add_systems(EguiPrimaryContextPass, show_inspector);
 }
 
 /// The pixel of the picture at a place of the window, in pixels from the picture's upper left
-/// corner; none beside it.
+/// corner. None outside the picture.
 #[must_use]
 pub fn pixel_at(picture: &Picture, place: Vec2, window: UVec2) -> Option<DVec2> {
     if window.min_element() == 0 {
@@ -67,11 +76,11 @@ pub fn pixel_at(picture: &Picture, place: Vec2, window: UVec2) -> Option<DVec2> 
     let shown = letterbox(picture, window);
     let share = ((place - shown.offset) / shown.extent).as_dvec2();
     let inside = share.min_element() >= 0.0 && share.max_element() < 1.0;
-    // Rays are traced through the middle of pixels.
+    // Rays go through the middle of pixels.
     inside.then(|| (share * size(picture)).floor() + 0.5)
 }
 
-/// The place of the window at which a pixel of the picture is shown.
+/// The place in the window where a pixel of the picture is shown.
 fn place_of(picture: &Picture, pixel: DVec2, window: UVec2) -> Vec2 {
     let shown = letterbox(picture, window);
     shown.offset + shown.extent * (pixel / size(picture)).as_vec2()
@@ -81,15 +90,14 @@ fn size(picture: &Picture) -> DVec2 {
     DVec2::new(f64::from(picture.width), f64::from(picture.height))
 }
 
-fn click(
+fn inspect_clicked_pixel(
     buttons: Res<ButtonInput<MouseButton>>,
     window: Single<&Window, With<PrimaryWindow>>,
-    shown: Res<Overlays>,
+    overlays: Res<Overlays>,
     scene: Res<CurrentScene>,
-    worker: Res<Worker>,
     mut inspector: ResMut<Inspector>,
 ) {
-    if !shown.inspector_seen() || !buttons.just_pressed(MouseButton::Left) {
+    if !overlays.shows_inspector() || !buttons.just_pressed(MouseButton::Left) {
         return;
     }
     let pixel = window
@@ -97,20 +105,20 @@ fn click(
         .and_then(|place| pixel_at(&scene.picture, place, window.physical_size()));
     if let Some(pixel) = pixel {
         inspector.asked = Some((scene.scene().clone(), pixel));
-        inspector.ask(&worker);
+        inspector.ask();
     }
 }
 
 impl Inspector {
-    /// Has the ray that was clicked last, and the fan about it, traced.
-    fn ask(&self, worker: &Worker) {
+    /// Asks for the ray that was clicked last and the fan around it.
+    fn ask(&self) {
         let Some((scene, pixel)) = &self.asked else {
             return;
         };
         let half = i64::from(self.fan / 2);
         let offsets = (-half..=half)
             .flat_map(|y| (-half..=half).map(move |x| DVec2::new(x as f64, y as f64)));
-        // The one that was clicked comes first.
+        // The clicked ray comes first.
         let mut offsets: Vec<DVec2> = offsets.collect();
         offsets.sort_by_key(|offset| *offset != DVec2::ZERO);
         let ray = |offset: DVec2| {
@@ -120,50 +128,49 @@ impl Inspector {
                 place.to_array(),
             )
         };
-        worker.trace(Job {
+        self.worker.ask(RayJob {
             scene: scene.clone(),
             rays: offsets.into_iter().map(ray).collect(),
         });
     }
 }
 
-fn receive(worker: Res<Worker>, mut inspector: ResMut<Inspector>, mut notice: ResMut<Toast>) {
-    match worker.answer() {
+fn receive_rays(mut inspector: ResMut<Inspector>, mut toast: ResMut<Toast>) {
+    match inspector.worker.latest_answer() {
         Some(Ok(answer)) => inspector.answer = Some(answer),
-        Some(Err(fault)) => notice.say(fault),
+        Some(Err(fault)) => toast.say(fault),
         None => {}
     }
 }
 
-fn show(
+fn show_inspector(
     mut contexts: EguiContexts,
     window: Single<&Window, With<PrimaryWindow>>,
     scene: Res<CurrentScene>,
-    worker: Res<Worker>,
     clipboard: Res<Clipboard>,
-    mut shown: ResMut<Overlays>,
+    mut overlays: ResMut<Overlays>,
     mut inspector: ResMut<Inspector>,
-    mut notice: ResMut<Toast>,
+    mut toast: ResMut<Toast>,
 ) -> Result {
-    if !shown.inspector_seen() {
+    if !overlays.shows_inspector() {
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
     let inspector = &mut *inspector;
-    mark(context, inspector, &scene, &window);
-    docked(context, "inspector", Side::Left, WIDTH, |ui| {
+    mark_rays(context, inspector, &scene, &window);
+    docked(context, "inspector", Side::Left, INSPECTOR_WIDTH, |ui| {
         ui.horizontal(|ui| {
             ui.strong("Ray inspector");
-            fan(ui, inspector, &worker);
+            choose_fan(ui, inspector);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if ui.button("×").on_hover_text("Close").clicked() {
-                    shown.inspector = false;
+                    overlays.inspector = false;
                 }
             });
         });
         ui.separator();
         let Inspector { answer, sketch, .. } = inspector;
-        let Some(Answer {
+        let Some(InspectedRays {
             scene: seen,
             rays,
             gpu,
@@ -176,15 +183,15 @@ fn show(
         ui.horizontal(|ui| {
             if ui.button("Copy text").clicked() {
                 clipboard.copy(first.numbers.to_text());
-                notice.say("The ray's numbers are on the clipboard, as text");
+                toast.say("The ray's numbers are on the clipboard, as text");
             }
             if ui.button("Copy JSON").clicked() {
                 clipboard.copy(first.numbers.to_json());
-                notice.say("The ray's numbers are on the clipboard, as JSON");
+                toast.say("The ray's numbers are on the clipboard, as JSON");
             }
         });
         heading(ui, first, seen, &scene, gpu);
-        let tallest = ui.max_rect().height() * DRAWING;
+        let tallest = ui.max_rect().height() * MAX_DRAWING_SHARE;
         let left = (ui.available_height() - tallest - 60.0).max(80.0);
         egui::ScrollArea::both()
             .id_salt("numbers")
@@ -194,12 +201,12 @@ fn show(
                 numbers::show(ui, &first.numbers, gpu);
             });
         ui.horizontal(|ui| {
-            for (view, name) in [
-                (View::Side, "Side"),
-                (View::Top, "Top"),
-                (View::Orbit, "3-D"),
+            for (viewpoint, name) in [
+                (Viewpoint::Side, "Side"),
+                (Viewpoint::Top, "Top"),
+                (Viewpoint::Orbit, "3-D"),
             ] {
-                ui.selectable_value(&mut sketch.view, view, name);
+                ui.selectable_value(&mut sketch.viewpoint, viewpoint, name);
             }
             if ui.button("Fit").clicked() {
                 sketch.half_width = None;
@@ -217,14 +224,8 @@ fn show(
     Ok(())
 }
 
-/// Which pixel of what it was.
-fn heading(
-    ui: &mut egui::Ui,
-    first: &lightfall_core::reports::inspection::Inspected,
-    seen: &Scene,
-    now: &Scene,
-    gpu: &GpuState,
-) {
+/// Says which pixel of which picture was clicked.
+fn heading(ui: &mut egui::Ui, first: &Inspected, seen: &Scene, now: &Scene, gpu: &GpuState) {
     let [x, y] = first.numbers.pixel.unwrap_or_default().map(f64::floor);
     let earlier = if seen == now {
         ""
@@ -232,7 +233,7 @@ fn heading(
         ", of an earlier picture"
     };
     let asked = if *gpu == GpuState::Waiting {
-        ", GPU is asked"
+        ", waiting for the GPU"
     } else {
         ""
     };
@@ -242,7 +243,7 @@ fn heading(
     ));
 }
 
-fn fan(ui: &mut egui::Ui, inspector: &mut Inspector, worker: &Worker) {
+fn choose_fan(ui: &mut egui::Ui, inspector: &mut Inspector) {
     let before = (inspector.fan, inspector.spacing);
     ui.label("rays");
     for fan in FANS {
@@ -257,12 +258,17 @@ fn fan(ui: &mut egui::Ui, inspector: &mut Inspector, worker: &Worker) {
             .on_hover_text("Pixels between the rays of the fan");
     }
     if before != (inspector.fan, inspector.spacing) {
-        inspector.ask(worker);
+        inspector.ask();
     }
 }
 
-/// Marks the rays on the picture, as long as it is the one that was clicked on.
-fn mark(context: &egui::Context, inspector: &Inspector, scene: &CurrentScene, window: &Window) {
+/// Marks the rays on the picture, as long as it is the picture that was clicked.
+fn mark_rays(
+    context: &egui::Context,
+    inspector: &Inspector,
+    scene: &CurrentScene,
+    window: &Window,
+) {
     let Some(answer) = inspector
         .answer
         .as_ref()

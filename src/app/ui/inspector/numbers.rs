@@ -1,10 +1,11 @@
-//! The numbers of an inspected ray, in few enough digits to read; copying gives all of them.
+//! The numbers of an inspected ray, in few enough digits to read. Copying gives all digits.
 
-use super::worker::GpuState;
+use super::ray_worker::GpuState;
+use crate::app::ui::number::six_digits;
 use bevy_egui::egui;
 use lightfall_core::reports::inspection::{Difference, Inspection, Record};
 
-/// The row that most people look for.
+/// The row that answers how true the picture is at this pixel.
 const OFF_BY: &str = "GPU's ray is off by";
 
 pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
@@ -22,14 +23,14 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
             };
             let cpu = &numbers.cpu;
             row("outcome", Some(outcome(cpu).into()));
-            // How true the picture is here comes before what is known of the ray.
+            // How true the picture is comes first.
             match gpu {
-                GpuState::Waiting => row(OFF_BY, Some("the GPU is asked".into())),
+                GpuState::Waiting => row(OFF_BY, Some("waiting for the GPU".into())),
                 GpuState::Failed(reason) => row(OFF_BY, Some(reason.clone())),
                 GpuState::Done => {}
             }
             if let Some(difference) = numbers.difference {
-                compared(&mut row, &difference, numbers);
+                differences(&mut row, &difference, numbers);
             }
             row(
                 "order of the image",
@@ -38,10 +39,10 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
             row("half-turns", Some(format!("{:.4}", numbers.half_turns)));
             row(
                 "closest r",
-                Some(format!("{} r_s", short(numbers.closest_r))),
+                Some(format!("{} r_s", six_digits(numbers.closest_r))),
             );
-            // Inside the horizon there is light whose energy at infinity is negative; b, L/E and E
-            // have one sign.
+            // Inside the horizon the energy at infinity of some light is negative. b, L/E and E have
+            // the same sign.
             let backward = numbers.impact_parameter.is_some_and(|b| b < 0.0);
             row(
                 if backward {
@@ -51,17 +52,17 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
                 },
                 numbers
                     .impact_parameter
-                    .map(|b| format!("{} r_s", short(b))),
+                    .map(|b| format!("{} r_s", six_digits(b))),
             );
             row(
                 "lambda = L/E",
                 numbers
                     .lambda
-                    .map(|lambda| format!("{} r_s", short(lambda))),
+                    .map(|lambda| format!("{} r_s", six_digits(lambda))),
             );
             row(
                 "eta = Q/E²",
-                numbers.eta.map(|eta| format!("{} r_s²", short(eta))),
+                numbers.eta.map(|eta| format!("{} r_s²", six_digits(eta))),
             );
             let sky = [cpu.sky_x, cpu.sky_y, cpu.sky_z]
                 .into_iter()
@@ -94,17 +95,17 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
                 ),
             ];
             for (which, r, phi, g, temperature, delay) in hits {
-                let place = r
-                    .zip(phi)
-                    .map(|(r, phi)| format!("r {} r_s, phi {:.2}°", short(r), phi.to_degrees()));
+                let place = r.zip(phi).map(|(r, phi)| {
+                    format!("r {} r_s, phi {:.2}°", six_digits(r), phi.to_degrees())
+                });
                 row(&format!("{which} disk hit"), place);
                 let light = g
                     .zip(temperature)
-                    .map(|(g, t)| format!("g {}, {t:.0} K to {:.0} K", short(g), g * t));
+                    .map(|(g, t)| format!("g {}, {t:.0} K to {:.0} K", six_digits(g), g * t));
                 row("   its light", light);
                 row(
                     "   emitted before",
-                    delay.map(|delay| format!("{} r_s/c", short(delay))),
+                    delay.map(|delay| format!("{} r_s/c", six_digits(delay))),
                 );
             }
             row(
@@ -122,7 +123,7 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
         });
 }
 
-fn compared(
+fn differences(
     row: &mut impl FnMut(&str, Option<String>),
     difference: &Difference,
     numbers: &Inspection,
@@ -151,22 +152,12 @@ fn compared(
     );
 }
 
-/// What is seen, in words.
+/// What the ray shows, in words.
 fn outcome(record: &Record) -> &'static str {
     match (record.outcome, record.hit1_r) {
         ("sky", Some(_)) => "disk, then sky",
         ("captured", Some(_)) => "disk, then the hole",
         ("captured", None) => "captured by the hole",
         (other, _) => other,
-    }
-}
-
-/// A number in six digits.
-fn short(x: f64) -> String {
-    if x == 0.0 || (1e-3..1e6).contains(&x.abs()) {
-        let whole = x.abs().max(1.0).log10().floor() as usize;
-        format!("{x:.*}", 5_usize.saturating_sub(whole))
-    } else {
-        format!("{x:.5e}")
     }
 }

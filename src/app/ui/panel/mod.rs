@@ -1,28 +1,29 @@
-//! The panel: every field of the scene, presets, what the machine does, what is exact, and the
-//! settings.
+//! The panel at the right: every field of the scene, presets, read-outs, the machine, what the
+//! picture leaves out, and the settings.
 
-mod fields;
-mod limitations;
-mod machine;
-mod preferences;
-mod presets;
-mod readouts;
-mod steps;
+mod limitations_page;
+mod machine_page;
+mod presets_page;
+mod readouts_page;
+mod scene_page;
+mod settings_page;
+mod step_count;
 
-pub use fields::shown_number;
-pub(crate) use preferences::Rebinding;
-
+use super::dock::docked;
 use crate::app::controls::bindings::{Bindings, PadBindings};
-use crate::app::input::keyboard::SceneEditor;
 use crate::app::motion::free_fall::FreeFall;
-use crate::app::session::window::{Overlays, Preferences};
-use crate::app::ui::dock::{Side, docked};
+use crate::app::state::overlays::{Overlays, PANEL_WIDTH, Side};
+use crate::app::state::preferences::Preferences;
+use crate::app::state::rebinding::Rebinding;
+use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
-
-/// Width of the panel, in points.
-pub(crate) const WIDTH: f32 = 384.0;
+use machine_page::{Machine, MachinePage};
+use presets_page::PresetsPage;
+use readouts_page::ReadoutsPage;
+use scene_page::ScenePage;
+use step_count::StepCounter;
 
 /// The pages.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -32,7 +33,7 @@ enum Page {
     Presets,
     Readouts,
     Machine,
-    Honesty,
+    Limitations,
     Settings,
 }
 
@@ -41,7 +42,7 @@ const PAGES: [(Page, &str); 6] = [
     (Page::Presets, "Presets"),
     (Page::Readouts, "Read-outs"),
     (Page::Machine, "Machine"),
-    (Page::Honesty, "Truth"),
+    (Page::Limitations, "Limitations"),
     (Page::Settings, "Settings"),
 ];
 
@@ -49,56 +50,56 @@ const PAGES: [(Page, &str); 6] = [
 #[derive(Resource, Default)]
 struct Panel {
     page: Page,
-    fields: fields::State,
-    presets: presets::State,
-    readouts: readouts::State,
-    machine: machine::State,
+    scene: ScenePage,
+    presets: PresetsPage,
+    readouts: ReadoutsPage,
+    machine: MachinePage,
 }
 
 pub(crate) fn plugin(app: &mut App) {
     app.init_resource::<Panel>()
         .init_resource::<Rebinding>()
-        .add_plugins((machine::plugin, steps::plugin))
-        .add_systems(Update, presets::drop_file)
-        .add_systems(EguiPrimaryContextPass, show);
+        .add_plugins((machine_page::plugin, step_count::plugin))
+        .add_systems(Update, presets_page::load_dropped_files)
+        .add_systems(EguiPrimaryContextPass, show_panel);
 }
 
-fn show(
+fn show_panel(
     mut contexts: EguiContexts,
     window: Single<&Window, With<PrimaryWindow>>,
-    mut shown: ResMut<Overlays>,
+    mut overlays: ResMut<Overlays>,
     mut panel: ResMut<Panel>,
     mut editor: SceneEditor,
     mut preferences: ResMut<Preferences>,
     mut bindings: ResMut<Bindings>,
-    mut buttons: ResMut<PadBindings>,
+    mut pad_bindings: ResMut<PadBindings>,
     pads: Query<&Gamepad>,
     mut rebinding: ResMut<Rebinding>,
     keys: Res<ButtonInput<KeyCode>>,
-    machine: machine::Machine,
-    voyage: Res<FreeFall>,
-    steps: Res<steps::Steps>,
+    machine: Machine,
+    free_fall: Res<FreeFall>,
+    steps: Res<StepCounter>,
 ) -> Result {
-    if !shown.panel_seen() {
+    if !overlays.shows_panel() {
         rebinding.stop();
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
     let Panel {
         page,
-        fields,
+        scene,
         presets,
         readouts,
-        machine: needs,
+        machine: machine_page,
     } = &mut *panel;
-    docked(context, "panel", Side::Right, WIDTH, |ui| {
+    docked(context, "panel", Side::Right, PANEL_WIDTH, |ui| {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
             for (each, title) in PAGES {
                 ui.selectable_value(page, each, title);
             }
             if ui.button("×").on_hover_text("Close").clicked() {
-                shown.panel = false;
+                overlays.panel = false;
             }
         });
         ui.separator();
@@ -110,34 +111,28 @@ fn show(
             .auto_shrink(false)
             .show(ui, |ui| match page {
                 Page::Scene => {
-                    fields::show(ui, fields, &mut editor, &steps, window.physical_size())
+                    let size = window.physical_size();
+                    scene.show(ui, &mut editor, &steps, &bindings, size);
                 }
-                Page::Presets => presets::show(ui, presets, &mut editor),
+                Page::Presets => presets.show(ui, &mut editor),
                 Page::Readouts => {
-                    readouts::show(
-                        ui,
-                        readouts,
-                        editor.drawn(),
-                        &voyage,
-                        &mut preferences.settings,
-                    );
+                    let settings = &mut preferences.settings;
+                    readouts.show(ui, editor.drawn_scene(), &free_fall, &bindings, settings);
                 }
                 Page::Machine => {
                     let chosen = &mut preferences.settings.adapter;
-                    machine::show(ui, needs, &machine, chosen, editor.drawn(), &editor.meant());
+                    machine_page.show(ui, &machine, chosen, &editor);
                 }
-                Page::Honesty => limitations::show(ui),
-                Page::Settings => {
-                    preferences::show(
-                        ui,
-                        &mut preferences,
-                        &mut bindings,
-                        &mut buttons,
-                        &mut rebinding,
-                        &keys,
-                        &pads,
-                    );
-                }
+                Page::Limitations => limitations_page::show(ui, &bindings),
+                Page::Settings => settings_page::show(
+                    ui,
+                    &mut preferences.settings,
+                    &mut bindings,
+                    &mut pad_bindings,
+                    &mut rebinding,
+                    &keys,
+                    &pads,
+                ),
             });
     });
     Ok(())

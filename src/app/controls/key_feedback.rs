@@ -1,69 +1,70 @@
-//! What a key says beside what it does: why nothing is to be seen of it, or what was passed over.
+//! What a key says in addition to what it does: why nothing can be seen of it, or what it skipped.
 
-use crate::app::controls::bindings::Bindings;
-use crate::app::controls::edits::{ALL_LEVELS, OBSERVERS};
-use crate::app::controls::table::{Control, control_named};
+use super::bindings::Bindings;
+use super::control::Control;
+use super::edits::{ALL_LEVELS, OBSERVERS};
+use super::table::control_named;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::camera_rays::CameraRays;
 use lightfall_core::optics::disk::inner_edge;
 use lightfall_core::scene::{Content, ObserverKind, Scene, View};
 
-/// A remark on the change that a control has made; none where the picture says it all. Keys are
-/// named as they are bound. `metered` says whether the exposure follows the light.
+/// A remark on the change that a control has made. None where the picture shows the change. Keys
+/// are named as they are bound. `automatic` says whether the exposure is automatic.
 #[must_use]
 pub fn remark(
     control: &Control,
     before: &Scene,
     after: &Scene,
     bindings: &Bindings,
-    metered: bool,
+    automatic: bool,
 ) -> Option<String> {
     let key = |id| bindings.named(id);
     match control.id {
-        "scene.observer" => passed_over(before, after),
+        "scene.observer" => skipped_observers(before, after),
         "scene.spin" if before.method != after.method => {
-            Some(format!("the method is {} now", after.method.word()))
+            Some(format!("the method is now {}", after.method.word()))
         }
         "scene.isco" if !after.disk.enabled => {
             Some(format!("the disk is off; {} shows it", key("scene.disk")))
         }
         "scene.isco" if inner_edge(before) == inner_edge(after) => {
-            Some("the disk begins at the innermost stable orbit either way".into())
+            Some("the disk begins at the innermost stable orbit in either case".into())
         }
         "light.doppler" | "light.gravitational_shift" | "light.beaming"
             if hides_light(control, after.view) =>
         {
-            let back = view_key(after.view).map(|id| format!("; {} goes back to it", key(id)));
+            let back = view_key(after.view).map(|id| format!("; {} shows it again", key(id)));
             Some(format!(
                 "this view shows no light{}",
                 back.unwrap_or_default()
             ))
         }
         "light.doppler" if !after.disk.enabled && at_rest(after) => {
-            Some("nothing that is seen moves".into())
+            Some("nothing in view moves".into())
         }
-        "picture.brighter" | "picture.darker" if metered => Some(format!(
-            "the exposure follows the light; {} leaves it to you",
+        "picture.brighter" | "picture.darker" if automatic => Some(format!(
+            "the exposure is automatic; {} leaves it to you",
             key("picture.automatic_exposure")
         )),
         "picture.antialias" if !after.probe.enabled => Some(format!(
-            "there is no probe to smooth; {} puts it there",
+            "there is no probe to smooth; {} adds it",
             key("scene.probe")
         )),
         "picture.dither" | "picture.levels" if after.picture.bypass => Some(format!(
-            "it shows in cells only; {} brings them back",
+            "this shows in cells only; {} brings the cells back",
             key("picture.bypass")
         )),
         "picture.dither" if after.picture.levels == ALL_LEVELS => Some(format!(
-            "with all tones there is little to dither; {} takes few",
+            "with all tones there is little to dither; {} chooses few",
             key("picture.levels")
         )),
         _ => None,
     }
 }
 
-/// The kinds of observer between two that cannot exist here, each with the reason.
-fn passed_over(before: &Scene, after: &Scene) -> Option<String> {
+/// The kinds of observer that the key skipped because they cannot exist here, with the reasons.
+fn skipped_observers(before: &Scene, after: &Scene) -> Option<String> {
     let place = |kind| {
         OBSERVERS
             .iter()
@@ -81,7 +82,7 @@ fn passed_over(before: &Scene, after: &Scene) -> Option<String> {
     }
     .horizon();
     if steps == OBSERVERS.len() && after.camera.r < horizon {
-        return Some("inside the horizon everybody falls".into());
+        return Some("inside the horizon every observer falls".into());
     }
     let reasons = (1..steps).filter_map(|step| {
         let mut other = before.clone();
@@ -91,10 +92,10 @@ fn passed_over(before: &Scene, after: &Scene) -> Option<String> {
             .map(|reason| reason.to_string())
     });
     let reasons = reasons.collect::<Vec<_>>().join(". ");
-    (!reasons.is_empty()).then(|| format!("passed over: {reasons}"))
+    (!reasons.is_empty()).then(|| format!("skipped: {reasons}"))
 }
 
-/// Whether a view shows nothing of what this control does to light.
+/// Whether a view hides what this control does to light.
 fn hides_light(control: &Control, view: View) -> bool {
     match view.properties().content {
         Content::Light => false,
@@ -103,27 +104,15 @@ fn hides_light(control: &Control, view: View) -> bool {
     }
 }
 
-/// The control that leaves a view for the light; that of errors has none.
+/// The control that leaves a view for the light. The view of errors has none.
 fn view_key(view: View) -> Option<&'static str> {
     let id = format!("view.{}", view.word());
     control_named(&id).map(|control| control.id)
 }
 
-/// Whether the observer stands still where nothing is dragged along.
+/// Whether the observer has no motion of its own, so that the sky shows no Doppler shift.
 fn at_rest(scene: &Scene) -> bool {
     let kind = scene.observer.kind;
     let dragged = scene.hole.spin != 0.0 && kind != ObserverKind::Zamo;
     !kind.properties().falls_freely && !dragged && scene.observer.velocity == [0.0; 3]
-}
-
-/// Whether a scene's method gives every ray an answer.
-pub(crate) fn leaves_none(scene: &Scene) -> bool {
-    let method = scene.method.resolved(scene.hole.spin).properties();
-    !scene.effects.lensing || method.answers_every_ray
-}
-
-/// Whether a scene's method solves rays instead of stepping them.
-pub(crate) fn steps_none(scene: &Scene) -> bool {
-    let method = scene.method.resolved(scene.hole.spin).properties();
-    !scene.effects.lensing || !method.steps
 }

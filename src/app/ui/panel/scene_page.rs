@@ -1,68 +1,75 @@
-//! The page of the scene: one row for every field of the field table, so that a new field shows by
-//! itself.
+//! The page of the scene: one row for every field of the field table, so that a new field appears
+//! here by itself.
 
-use super::steps::Steps;
-use crate::app::input::keyboard::SceneEditor;
+use super::step_count::StepCounter;
+use crate::app::controls::bindings::Bindings;
+use crate::app::state::scene_editor::SceneEditor;
+use crate::app::ui::number::four_decimals;
 use crate::render::{Letterbox, letterbox};
 use bevy::math::UVec2;
 use bevy_egui::egui;
 use lightfall_core::scene::{FIELDS, Field, Kind, Picture, Range, Value};
 use std::ops::Bound::{Excluded, Included, Unbounded};
 
-/// Ranges that span more than this are typed or dragged; narrower ones have a slider.
+/// Fields with a wider range than this are typed or dragged. Others have a slider.
 const MAX_SLIDER_RANGE: f64 = 1000.0;
-/// Share of an open range that a slider keeps from its ends.
-const OPEN_END: f64 = 1e-4;
+/// Share of an open range that a slider stays away from its ends.
+const OPEN_END_MARGIN: f64 = 1e-4;
 /// Width of a row's value, in points.
 const VALUE_WIDTH: f32 = 190.0;
-/// Width of its name, at least.
-const NAME_WIDTH: f32 = 90.0;
-/// Width kept for the button that resets it.
+/// Smallest width of a row's name, in points.
+const MIN_NAME_WIDTH: f32 = 90.0;
+/// Width kept for the button that resets a row, in points.
 const RESET_WIDTH: f32 = 36.0;
 
-/// The fields under which it says how many steps that comes to.
-const STEPPED: [&str; 2] = ["method", "quality.max_error_px"];
+/// The tables that are open at first.
+const OPEN_TABLES: [&str; 3] = ["scene", "hole", "camera"];
+
+/// The fields below which the number of steps is shown.
+const FIELDS_WITH_STEPS: [&str; 2] = ["method", "quality.max_error_px"];
 
 /// What the page remembers.
 #[derive(Default)]
-pub(super) struct State {
+pub(super) struct ScenePage {
     /// The field whose last change was refused, and why.
     refused: Option<(&'static str, String)>,
 }
 
-/// The field under which it says how the cells lie in the window.
-const SHOWN: &str = "picture.grid_height";
+/// The field below which the size of the cells in the window is shown.
+const FIELD_WITH_CELLS: &str = "picture.grid_height";
 
-pub(super) fn show(
-    ui: &mut egui::Ui,
-    state: &mut State,
-    editor: &mut SceneEditor,
-    steps: &Steps,
-    window: UVec2,
-) {
-    ui.horizontal(|ui| {
-        if ui
-            .button("Reset all")
-            .on_hover_text("Everything as it was loaded")
-            .clicked()
-        {
-            let loaded = editor.loaded().clone();
-            editor.change("Reset", Ok(loaded));
-            state.refused = None;
-        }
-        if ui.button("Undo").clicked() {
-            editor.undo();
-            state.refused = None;
-        }
-        ui.weak("Point at a name to see what it means.");
-    });
-    ui.spacing_mut().slider_width = 100.0;
-    let scene = editor.meant();
-    let values: Vec<(&Field, Value)> = scene.values().collect();
-    let loaded: Vec<Value> = editor.loaded().values().map(|(_, value)| value).collect();
-    let mut change = None;
-    for (heading, first, last) in tables() {
-        egui::CollapsingHeader::new(heading).default_open(first < OPEN).show(ui, |ui| {
+impl ScenePage {
+    pub(super) fn show(
+        &mut self,
+        ui: &mut egui::Ui,
+        editor: &mut SceneEditor,
+        steps: &StepCounter,
+        bindings: &Bindings,
+        window: UVec2,
+    ) {
+        ui.horizontal(|ui| {
+            if ui
+                .button("Reset all")
+                .on_hover_text("Everything as it was loaded")
+                .clicked()
+            {
+                let loaded = editor.loaded().clone();
+                editor.change("Reset", loaded);
+                self.refused = None;
+            }
+            if ui.button("Undo").clicked() {
+                editor.undo();
+                self.refused = None;
+            }
+            ui.weak("Point at a name to see what it means.");
+        });
+        ui.spacing_mut().slider_width = 100.0;
+        let scene = editor.scene();
+        let values: Vec<(&Field, Value)> = scene.values().collect();
+        let loaded: Vec<Value> = editor.loaded().values().map(|(_, value)| value).collect();
+        let mut change = None;
+        for (heading, first, last) in tables() {
+            egui::CollapsingHeader::new(heading).default_open(OPEN_TABLES.contains(&heading)).show(ui, |ui| {
             for (i, (field, value)) in values.iter().enumerate().take(last).skip(first) {
                 let (range, _) = scene.range(field);
                 if matches!(range, Range { low: Included(low), high: Included(high) } if low == high) {
@@ -70,31 +77,33 @@ pub(super) fn show(
                 }
                 let fresh = row(ui, field, value, range, &loaded[i]);
                 change = fresh.map(|fresh| (field.key, fresh)).or(change.take());
-                if let Some((_, reason)) = state.refused.as_ref().filter(|(key, _)| *key == field.key) {
+                if let Some((_, reason)) = self.refused.as_ref().filter(|(key, _)| *key == field.key) {
                     ui.colored_label(ui.visuals().error_fg_color, reason);
                 }
-                if STEPPED.contains(&field.key) {
-                    ui.weak(steps.in_words()).on_hover_text("What method and error setting come to in this picture");
+                if FIELDS_WITH_STEPS.contains(&field.key) {
+                    ui.weak(steps.in_words()).on_hover_text("The work that method and error setting mean for this picture");
                 }
-                if field.key == SHOWN
-                    && let Some(cells) = cells_in_words(&scene.picture, window)
+                if field.key == FIELD_WITH_CELLS
+                    && let Some(cells) = cells_in_words(&scene.picture, window, bindings)
                 {
                     ui.weak(cells);
                 }
             }
         });
-    }
-    if let Some((key, value)) = change {
-        let changed = scene
-            .with([(key, value)])
-            .map_err(|refusal| refusal.to_string());
-        state.refused = editor.try_change(changed).err().map(|reason| (key, reason));
+        }
+        if let Some((key, value)) = change {
+            let changed = scene
+                .with([(key, value)])
+                .map_err(|refusal| refusal.to_string())
+                .and_then(|changed| editor.try_change(changed));
+            self.refused = changed.err().map(|reason| (key, reason));
+        }
     }
 }
 
-/// How large the cells are in a window of this many pixels, and what bars that leaves; none where
-/// they are bypassed.
-fn cells_in_words(picture: &Picture, window: UVec2) -> Option<String> {
+/// How large the cells are in a window of this many pixels, and which bars they leave. None where
+/// the picture is shown without cells.
+fn cells_in_words(picture: &Picture, window: UVec2, bindings: &Bindings) -> Option<String> {
     let Letterbox { extent, .. } = letterbox(picture, window);
     let (shown, bars) = (
         extent.as_uvec2(),
@@ -104,16 +113,16 @@ fn cells_in_words(picture: &Picture, window: UVec2) -> Option<String> {
     (!picture.bypass && whole > 0).then(|| {
         let bars = match (bars.x, bars.y) {
             (0, 0) => "which fills the window".to_owned(),
-            (x, y) => format!("bars of {x} and {y} px, for cells are whole; F7 fills the window"),
+            (x, y) => format!(
+                "bars of {x} and {y} px, because cells are whole; {} fills the window",
+                bindings.named("picture.bypass")
+            ),
         };
-        format!("{} x {} px: {whole} px a cell, {bars}", shown.x, shown.y)
+        format!("{} x {} px: {whole} px per cell, {bars}", shown.x, shown.y)
     })
 }
 
-/// Fields before this one are open at first.
-const OPEN: usize = 12;
-
-/// The field table in parts with a heading each: the first and one past the last of its fields.
+/// The tables of the field table: a heading, the first field, and one past the last field.
 fn tables() -> Vec<(&'static str, usize, usize)> {
     let table = |field: &Field| {
         field
@@ -132,7 +141,7 @@ fn tables() -> Vec<(&'static str, usize, usize)> {
         .collect()
 }
 
-/// One field; its new value if it is changed.
+/// Shows one field. Returns its new value if it was changed.
 fn row(
     ui: &mut egui::Ui,
     field: &Field,
@@ -150,7 +159,7 @@ fn row(
         .min(ui.clip_rect().right() - ui.cursor().left())
         - VALUE_WIDTH
         - RESET_WIDTH;
-    let width = width.max(NAME_WIDTH);
+    let width = width.max(MIN_NAME_WIDTH);
     ui.horizontal(|ui| {
         ui.set_min_height(22.0);
         ui.spacing_mut().item_spacing.x = 4.0;
@@ -179,6 +188,7 @@ fn row(
     change
 }
 
+/// Shows a field's value. Returns its new value if it was changed.
 fn widget(ui: &mut egui::Ui, field: &Field, value: &Value, range: Range) -> Option<Value> {
     match (field.kind, value) {
         (Kind::Boolean, Value::Boolean(on)) => {
@@ -226,18 +236,18 @@ fn widget(ui: &mut egui::Ui, field: &Field, value: &Value, range: Range) -> Opti
     }
 }
 
-/// A number in a range: a slider where the range is short enough for one. What is typed may lie
-/// outside, and is refused in words.
+/// Shows a number, with a slider where its range is narrow enough. Returns whether it was changed.
+/// A number outside the range can be typed, and is then refused with a reason.
 fn drag(ui: &mut egui::Ui, value: &mut f64, range: Range, unit: &str, whole: bool) -> bool {
-    let suffix = short(unit);
-    if let Some((low, high)) = ends(range)
+    let suffix = unit_suffix(unit);
+    if let Some((low, high)) = slider_ends(range)
         && high - low <= MAX_SLIDER_RANGE
     {
         let mut slider = egui::Slider::new(value, low..=high)
             .clamping(egui::SliderClamping::Never)
             .suffix(suffix)
             .smart_aim(true)
-            .custom_formatter(|number, _| shown_number(number));
+            .custom_formatter(|number, _| four_decimals(number));
         if whole {
             slider = slider.integer();
         }
@@ -255,11 +265,11 @@ fn number<'a>(value: &'a mut f64, speed: f64, suffix: &'a str) -> egui::DragValu
     egui::DragValue::new(value)
         .speed(speed)
         .suffix(suffix)
-        .custom_formatter(|number, _| shown_number(number))
+        .custom_formatter(|number, _| four_decimals(number))
 }
 
 /// A unit as it follows a number on the panel.
-fn short(unit: &str) -> &str {
+fn unit_suffix(unit: &str) -> &str {
     match unit {
         "" => "",
         "degrees" => "°",
@@ -274,13 +284,13 @@ fn short(unit: &str) -> &str {
     }
 }
 
-/// The ends of a range as a slider goes, if it has two.
-fn ends(range: Range) -> Option<(f64, f64)> {
+/// The ends of a slider for a range, if the range has two ends.
+fn slider_ends(range: Range) -> Option<(f64, f64)> {
     let (low, high) = match (range.low, range.high) {
         (Unbounded, _) | (_, Unbounded) => return None,
         (Included(low) | Excluded(low), Included(high) | Excluded(high)) => (low, high),
     };
-    let margin = OPEN_END * (high - low);
+    let margin = OPEN_END_MARGIN * (high - low);
     let low = if matches!(range.low, Excluded(_)) {
         low + margin
     } else {
@@ -292,24 +302,4 @@ fn ends(range: Range) -> Option<(f64, f64)> {
         high
     };
     Some((low, high))
-}
-
-/// A number in four decimals at most, or, where that would hide it, in all of its digits.
-#[must_use]
-pub fn shown_number(number: f64) -> String {
-    let size = number.abs();
-    if (0.01..1e9).contains(&size) {
-        let rounded = format!("{number:.4}");
-        return rounded
-            .trim_end_matches('0')
-            .trim_end_matches('.')
-            .to_owned();
-    }
-    if number == 0.0 {
-        "0".into()
-    } else if !(1e-3..1e9).contains(&size) {
-        format!("{number:e}")
-    } else {
-        format!("{number}")
-    }
 }

@@ -1,29 +1,31 @@
-//! The page of read-outs: what the observer would note down, in units of the hole and for a hole of
-//! some mass.
+//! The page of read-outs: what the observer would measure, in units of the hole and, for a hole of a
+//! chosen mass, in SI units.
 
+use crate::app::controls::bindings::Bindings;
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::state::settings::{HOLE_MASSES, Settings};
+use crate::app::ui::number::six_digits;
 use bevy_egui::egui;
 use lightfall_core::optics::readout::Readout;
 use lightfall_core::optics::readout::si::{HoleMass, MASSES};
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{ObserverKind, Scene};
 use std::time::{Duration, Instant};
 
-/// Read-outs of a moving observer are made anew this often: they are to be read.
-const AGE: Duration = Duration::from_millis(150);
+/// Time between two read-outs of a moving observer, long enough to read them.
+const MIN_AGE: Duration = Duration::from_millis(150);
 
 /// What the page remembers.
 #[derive(Default)]
-pub(super) struct State {
+pub(super) struct ReadoutsPage {
     last: Option<(Scene, Instant, Result<Readout, String>)>,
 }
 
-impl State {
+impl ReadoutsPage {
     fn readout(&mut self, scene: &Scene) -> &Result<Readout, String> {
         let stale = self
             .last
             .as_ref()
-            .is_none_or(|(seen, made, _)| seen != scene && made.elapsed() > AGE);
+            .is_none_or(|(seen, made, _)| seen != scene && made.elapsed() > MIN_AGE);
         if stale {
             self.last = None;
         }
@@ -36,40 +38,46 @@ impl State {
         };
         &self.last.get_or_insert_with(fresh).2
     }
+
+    pub(super) fn show(
+        &mut self,
+        ui: &mut egui::Ui,
+        scene: &Scene,
+        free_fall: &FreeFall,
+        bindings: &Bindings,
+        settings: &mut Settings,
+    ) {
+        let mass = choose_mass(ui, settings);
+        ui.separator();
+        match self.readout(scene) {
+            Ok(readout) => {
+                tables(ui, readout, scene.observer.kind, mass);
+                clocks(ui, free_fall, bindings, mass);
+            }
+            Err(reason) => {
+                ui.colored_label(ui.visuals().error_fg_color, reason);
+            }
+        }
+    }
 }
 
-pub(super) fn show(
-    ui: &mut egui::Ui,
-    state: &mut State,
-    scene: &Scene,
-    voyage: &FreeFall,
-    settings: &mut Settings,
-) {
-    let mass = choose_mass(ui, settings);
-    ui.separator();
-    let readout = match state.readout(scene) {
-        Ok(readout) => *readout,
-        Err(reason) => {
-            ui.colored_label(ui.visuals().error_fg_color, reason);
-            return;
-        }
-    };
+fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMass) {
     let si = readout.in_si(mass);
     let none = || "none here".to_owned();
     let speed =
-        |speed: Option<f64>| speed.map_or_else(none, |speed| format!("{} c", number(speed)));
+        |speed: Option<f64>| speed.map_or_else(none, |speed| format!("{} c", six_digits(speed)));
     let [theta, phi] = readout.angles_deg;
     table(
         ui,
-        "Place, Boyer-Lindquist",
+        "Position, Boyer-Lindquist",
         &[
-            ("r", format!("{} r_s", number(readout.r))),
-            ("", format!("{} km", number(si.r_km))),
+            ("r", format!("{} r_s", six_digits(readout.r))),
+            ("", format!("{} km", six_digits(si.r_km))),
             ("theta", format!("{theta:.3}°")),
             ("phi", format!("{phi:.3}°")),
         ],
     );
-    let kind = scene.observer.kind.properties().motion_in_full;
+    let kind = kind.properties().motion_in_full;
     table(
         ui,
         "Observer",
@@ -79,15 +87,18 @@ pub(super) fn show(
             ("speed, seen by zamo", speed(readout.speed_for_zamo)),
             (
                 "d tau / dt",
-                readout.time_dilation.map_or_else(none, number),
+                readout.time_dilation.map_or_else(none, six_digits),
             ),
             (
                 "acceleration felt",
-                format!("{} c²/r_s", number(readout.acceleration)),
+                format!("{} c²/r_s", six_digits(readout.acceleration)),
             ),
-            ("", format!("{} g", number(si.acceleration_g))),
-            ("tide", format!("{} c²/r_s²", number(readout.tide))),
-            ("", format!("{} g per metre", number(si.tide_g_per_metre))),
+            ("", format!("{} g", six_digits(si.acceleration_g))),
+            ("tide", format!("{} c²/r_s²", six_digits(readout.tide))),
+            (
+                "",
+                format!("{} g per metre", six_digits(si.tide_g_per_metre)),
+            ),
         ],
     );
     let ahead = readout.ahead.map(|light| {
@@ -100,10 +111,10 @@ pub(super) fn show(
                     "the sky".into()
                 },
             ),
-            ("shift g", number(light.shift)),
+            ("shift g", six_digits(light.shift)),
             (
                 "of it by gravity",
-                light.gravitational_shift.map_or_else(none, number),
+                light.gravitational_shift.map_or_else(none, six_digits),
             ),
         ]
     });
@@ -121,23 +132,25 @@ pub(super) fn show(
                 "shadow's radius",
                 format!("{:.4}°", readout.shadow_radius.to_degrees()),
             ),
-            ("r_s", format!("{} km", number(mass.metres() / 1000.0))),
-            ("r_s / c", format!("{} s", number(mass.seconds()))),
+            ("r_s", format!("{} km", six_digits(mass.metres() / 1000.0))),
+            ("r_s / c", format!("{} s", six_digits(mass.seconds()))),
         ],
     );
-    clocks(ui, voyage, mass);
 }
 
-fn clocks(ui: &mut egui::Ui, voyage: &FreeFall, mass: HoleMass) {
-    let Some(worldline) = voyage.worldline() else {
-        ui.weak("F lets go: the observer falls or orbits, and her clocks show here.");
+fn clocks(ui: &mut egui::Ui, free_fall: &FreeFall, bindings: &Bindings, mass: HoleMass) {
+    let Some(worldline) = free_fall.worldline() else {
+        ui.weak(format!(
+            "{} lets go: the observer falls or orbits, and its clocks appear here.",
+            bindings.named("motion.let_go")
+        ));
         return;
     };
     let both = |time: f64| {
         format!(
             "{} r_s/c = {} s",
-            number(time),
-            number(time * mass.seconds())
+            six_digits(time),
+            six_digits(time * mass.seconds())
         )
     };
     let far = match worldline.coordinate_time() {
@@ -146,8 +159,8 @@ fn clocks(ui: &mut egui::Ui, voyage: &FreeFall, mass: HoleMass) {
     };
     table(
         ui,
-        "Clocks since letting go",
-        &[("own time", both(worldline.proper_time())), far],
+        "Clocks since it was let go",
+        &[("proper time", both(worldline.proper_time())), far],
     );
 }
 
@@ -179,24 +192,10 @@ fn choose_mass(ui: &mut egui::Ui, settings: &mut Settings) -> HoleMass {
             .range(HOLE_MASSES[0]..=HOLE_MASSES[1])
             .speed(speed)
             .suffix(" suns");
-        ui.add(own.custom_formatter(|suns, _| number(suns)));
+        ui.add(own.custom_formatter(|suns, _| six_digits(suns)));
     });
     HoleMass {
         name: "chosen",
         suns: *suns,
     }
-}
-
-/// A number in six digits.
-fn number(x: f64) -> String {
-    if x == 0.0 || (1e-3..1e6).contains(&x.abs()) {
-        let whole = x.abs().max(1.0).log10().floor() as usize;
-        let digits = format!("{x:.*}", 5_usize.saturating_sub(whole));
-        return if digits.contains('.') {
-            digits.trim_end_matches('0').trim_end_matches('.').into()
-        } else {
-            digits
-        };
-    }
-    format!("{x:.4e}")
 }

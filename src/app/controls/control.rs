@@ -1,0 +1,131 @@
+//! A control: one thing that a key or a button does.
+
+use bevy::prelude::{KeyCode, Message};
+use lightfall_core::scene::Scene;
+
+/// One control.
+#[derive(Clone, Copy, Debug)]
+pub struct Control {
+    /// Its name in the settings file.
+    pub id: &'static str,
+    /// Its default keys, by their place on the keyboard.
+    pub keys: &'static [KeyCode],
+    /// Whether Alt must be held with them. Without this, a key pressed with Alt is left to the
+    /// desktop.
+    pub alt: bool,
+    /// The heading under which the help lists it.
+    pub group: Group,
+    /// What it does, in a few words. Neighbouring controls with the same words share one entry of
+    /// the help.
+    pub does: &'static str,
+    /// What happens.
+    pub action: Action,
+}
+
+/// The headings of the help.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// Moving and looking.
+    Flight,
+    /// The hole, the disk, the sky, the observer.
+    Scene,
+    /// The effects on light.
+    Light,
+    /// What the picture shows.
+    View,
+    /// From light to pixels.
+    Picture,
+    /// Everything around the picture.
+    Window,
+}
+
+impl Group {
+    /// Every heading, in the order of the help.
+    pub const ALL: [Self; 6] = [
+        Self::Flight,
+        Self::Scene,
+        Self::Light,
+        Self::View,
+        Self::Picture,
+        Self::Window,
+    ];
+
+    /// The heading as text.
+    #[must_use]
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Flight => "Flying",
+            Self::Scene => "Scene",
+            Self::Light => "Light: off breaks the physics on purpose",
+            Self::View => "Views",
+            Self::Picture => "Picture",
+            Self::Window => "Window",
+        }
+    }
+}
+
+/// What a control does.
+#[derive(Clone, Copy, Debug)]
+pub enum Action {
+    /// Edits the first scene; the second one is the scene as it was loaded.
+    Edit(fn(&mut Scene, &Scene)),
+    /// Loads the built-in preset with this number.
+    Load(usize),
+    /// Loads the built-in preset this many places further on, wrapping around.
+    Turn(i32),
+    /// Sends a command.
+    Do(AppCommand),
+    /// Moves the camera for as long as the control is held.
+    Hold(FlightInput),
+}
+
+/// What a control asks of the program, other than to change the scene.
+#[derive(Message, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AppCommand {
+    /// Open or close the list of all controls.
+    Help,
+    /// Open or close the panel.
+    Panel,
+    /// Hide or show everything but the picture.
+    Hide,
+    /// Open or close the ray inspector.
+    Inspector,
+    /// Write what the window shows to a picture file.
+    Screenshot,
+    /// Use the whole monitor, or a window.
+    Fullscreen,
+    /// Take back the last change of the scene.
+    Undo,
+    /// Let the mouse look around, or stop that.
+    MouseLook,
+    /// Free the mouse and close the help.
+    Escape,
+    /// Switch the automatic exposure on or off.
+    AutomaticExposure,
+    /// Start or stop the guided journey.
+    Journey,
+    /// Start the journey from its beginning.
+    RestartJourney,
+    /// Let go of the observer, so that it falls or orbits, or hold it again.
+    LetGo,
+    /// Let the observer's proper time run faster.
+    FasterTime,
+    /// Let the observer's proper time run slower.
+    SlowerTime,
+}
+
+/// The ways to move while a control is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum FlightInput {
+    Forward,
+    Backward,
+    Left,
+    Right,
+    Up,
+    Down,
+    RollLeft,
+    RollRight,
+    Faster,
+    Slower,
+}

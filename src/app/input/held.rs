@@ -1,0 +1,41 @@
+//! Controls that are held down, on the keyboard or on a gamepad.
+
+use super::gamepad::Pads;
+use super::typing::Typing;
+use crate::app::controls::bindings::Bindings;
+use crate::app::controls::control::{Action, FlightInput};
+use bevy::ecs::system::SystemParam;
+use bevy::prelude::*;
+
+/// The controls that are held down.
+#[derive(SystemParam)]
+pub(crate) struct HeldControls<'w, 's> {
+    keys: Res<'w, ButtonInput<KeyCode>>,
+    bindings: Res<'w, Bindings>,
+    pub(crate) typing: Res<'w, Typing>,
+    pub(crate) pads: Pads<'w, 's>,
+}
+
+impl HeldControls<'_, '_> {
+    /// One input against its opposite, from 1 to -1.
+    pub(crate) fn axis(&self, plus: FlightInput, minus: FlightInput) -> f64 {
+        self.strength(plus) - self.strength(minus)
+    }
+
+    /// How far an input's key or button is pressed, from 0 to 1.
+    fn strength(&self, input: FlightInput) -> f64 {
+        let holds = |action| matches!(action, Action::Hold(held) if held == input);
+        // A tap that begins and ends within one slow frame counts for that frame.
+        let held = |code: &KeyCode| self.keys.pressed(*code) || self.keys.just_pressed(*code);
+        let mut controls = self
+            .bindings
+            .iter()
+            .filter(|(control, _)| holds(control.action));
+        let by_key = !self.typing.0 && controls.any(|(_, codes)| codes.iter().any(held));
+        if by_key {
+            1.0
+        } else {
+            self.pads.strength(input)
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! Automatic resolution: while something moves, the picture is drawn with as many pixels as the
+//! wanted frame rate allows. A picture at rest is drawn in full.
+
+use crate::app::session::frame_pacing::FramePacing;
+use crate::app::state::preferences::Preferences;
+use crate::app::state::resolution::Resolution;
+use crate::app::state::settings::Automatic;
+use crate::render::CurrentScene;
+use bevy::prelude::*;
+use bevy::render::renderer::RenderAdapterInfo;
+
+/// The coarsest picture, as a share of each side.
+const MIN_SHARE: f64 = 0.25;
+/// Shares are multiples of this, so that sizes do not change with every frame.
+const STEP: f64 = 1.0 / 16.0;
+/// Frames of a movement over which the frame time is averaged.
+const FRAMES: u32 = 4;
+/// A frame time, in seconds, that is too long for flying.
+const SLIDE_SHOW: f64 = 0.1;
+/// Longest time that counts for one frame, in seconds: a machine that slept drew nothing meanwhile.
+const MAX_FRAME_SECONDS: f64 = 2.0;
+/// The picture gets finer only where the frame rate exceeds the wanted one by this factor.
+const SPARE: f64 = 1.35;
+
+/// What the frame times of the present movement have shown so far.
+#[derive(Default)]
+struct Measurement {
+    /// Share of each side that held the frame rate last. None before the first movement.
+    share: Option<f64>,
+    frames: u32,
+    seconds: f64,
+}
+
+pub(crate) fn plugin(app: &mut App) {
+    // Before PostUpdate prepares the picture, so that no frame is drawn with the size of the last.
+    app.add_systems(Update, adapt_resolution);
+}
+
+fn adapt_resolution(
+    time: Res<Time<Real>>,
+    pacing: Res<FramePacing>,
+    preferences: Res<Preferences>,
+    adapter: Option<Res<RenderAdapterInfo>>,
+    mut resolution: ResMut<Resolution>,
+    mut scene: ResMut<CurrentScene>,
+    mut measurement: Local<Measurement>,
+) {
+    let settings = &preferences.settings;
+    let is_slow = || {
+        adapter.is_some_and(|info| {
+            matches!(
+                info.device_type,
+                wgpu::DeviceType::Cpu | wgpu::DeviceType::IntegratedGpu
+            )
+        })
+    };
+    let wanted = match settings.automatic_resolution {
+        Automatic::On => true,
+        Automatic::Off => false,
+        Automatic::Auto => is_slow(),
+    };
+    let adapts = wanted && pacing.moving;
+    let mut share = measurement.share.unwrap_or(1.0);
+    // The first frames of a movement still wait for the full picture.
+    if adapts && pacing.frames > 1 {
+        measurement.frames += 1;
+        measurement.seconds += time.delta_secs_f64().min(MAX_FRAME_SECONDS);
+        if measurement.frames >= FRAMES {
+            let frame = measurement.seconds / f64::from(measurement.frames);
+            // Fewer pixels than cells only where flying would be a slide show.
+            let min_share = if frame > SLIDE_SHOW || scene.picture.bypass {
+                MIN_SHARE
+            } else {
+                resolution.share_of_one_pixel_per_cell()
+            };
+            share = next_share(share, frame * settings.frame_rate).max(min_share);
+            *measurement = Measurement {
+                share: Some(share),
+                ..default()
+            };
+        }
+    } else {
+        (measurement.frames, measurement.seconds) = (0, 0.0);
+    }
+    resolution.set_share(if adapts { share } else { 1.0 });
+    if let Some(resized) = resolution.resized(&scene) {
+        scene.0 = resized;
+    }
+}
+
+/// The next share of each side, where frames last `slowness` times as long as wanted. The time of
+/// a frame is taken as proportional to the number of pixels.
+fn next_share(share: f64, slowness: f64) -> f64 {
+    let wanted = if slowness > 1.0 {
+        share / slowness.sqrt()
+    } else if slowness * SPARE < 1.0 {
+        share + STEP
+    } else {
+        share
+    };
+    ((wanted / STEP).round() * STEP).clamp(MIN_SHARE, 1.0)
+}

@@ -1,0 +1,90 @@
+//! Which overlays are open over the picture, and how the two side panels share the window.
+
+use bevy::prelude::Resource;
+
+/// Width of the panel at the right, in points.
+pub(crate) const PANEL_WIDTH: f32 = 384.0;
+/// Width of the ray inspector at the left, in points.
+pub(crate) const INSPECTOR_WIDTH: f32 = 390.0;
+
+/// A side of the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// The ray inspector's.
+    Left,
+    /// The panel's.
+    Right,
+}
+
+/// What is open over the picture.
+#[derive(Resource, Default)]
+pub(crate) struct Overlays {
+    pub(crate) help: bool,
+    pub(crate) panel: bool,
+    pub(crate) inspector: bool,
+    /// Whether every overlay and the status bar are hidden for now.
+    pub(crate) hidden: bool,
+    /// The side whose panel is covered, in a window too narrow for both.
+    covered: Option<Side>,
+    /// The side that was opened last.
+    last_opened: Option<Side>,
+}
+
+impl Overlays {
+    /// Width that the inspector takes at the left, in points.
+    pub(crate) fn left_width(&self) -> f32 {
+        if self.shows_inspector() {
+            INSPECTOR_WIDTH
+        } else {
+            0.0
+        }
+    }
+
+    /// Width that the panel takes at the right, in points.
+    pub(crate) fn right_width(&self) -> f32 {
+        if self.shows_panel() { PANEL_WIDTH } else { 0.0 }
+    }
+
+    pub(crate) fn shows_inspector(&self) -> bool {
+        self.inspector && !self.hidden && self.covered != Some(Side::Left)
+    }
+
+    pub(crate) fn shows_panel(&self) -> bool {
+        self.panel && !self.hidden && self.covered != Some(Side::Right)
+    }
+
+    /// Opens or closes the help.
+    pub(crate) fn toggle_help(&mut self) {
+        self.help = !self.help || self.hidden;
+        self.hidden &= !self.help;
+    }
+
+    /// Opens or closes the panel of a side. While everything is hidden, or while the other panel
+    /// covers this one, it is brought to the front instead.
+    pub(crate) fn toggle_side(&mut self, side: Side) {
+        let (hidden, covered) = (self.hidden, self.covered == Some(side));
+        let panel = match side {
+            Side::Left => &mut self.inspector,
+            Side::Right => &mut self.panel,
+        };
+        if hidden || !covered {
+            *panel = !*panel || hidden;
+        }
+        if *panel {
+            self.hidden = false;
+            self.last_opened = Some(side);
+        }
+    }
+
+    /// Shares a window of this width, in points: where both panels are open and do not fit, the
+    /// one that was opened last covers the other.
+    pub(crate) fn share(&mut self, window_width: f32) {
+        let narrow = window_width < PANEL_WIDTH + INSPECTOR_WIDTH;
+        let other = if self.last_opened == Some(Side::Left) {
+            Side::Right
+        } else {
+            Side::Left
+        };
+        self.covered = Some(other).filter(|_| self.panel && self.inspector && narrow);
+    }
+}

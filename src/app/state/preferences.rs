@@ -1,0 +1,111 @@
+//! The settings as a resource, kept in their file.
+
+use super::settings::Settings;
+use super::toast::Toast;
+use crate::app::controls::bindings::{Bindings, PadBindings};
+use crate::storage::settings_file;
+use bevy::prelude::*;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// The settings, and the file that they are kept in.
+#[derive(Resource)]
+pub(crate) struct Preferences {
+    pub(crate) settings: Settings,
+    /// The settings as they are in the file.
+    saved: Settings,
+    file: Option<PathBuf>,
+    /// When they were last seen to differ from the file, as a time since the start.
+    changed: Option<Duration>,
+}
+
+/// Settings are written this long after their first change.
+const SAVE_DELAY: Duration = Duration::from_secs(1);
+
+impl Preferences {
+    /// Reads the settings. The second value says what was wrong with the file.
+    pub(crate) fn load() -> (Self, Option<String>) {
+        let file = settings_file();
+        let (settings, fault) = file
+            .as_deref()
+            .map_or_else(Default::default, Settings::load);
+        (
+            Self {
+                saved: settings.clone(),
+                settings,
+                file,
+                changed: None,
+            },
+            fault,
+        )
+    }
+
+    fn save(&mut self) -> Result<(), String> {
+        self.changed = None;
+        if self.settings == self.saved {
+            return Ok(());
+        }
+        self.saved = self.settings.clone();
+        self.file
+            .as_deref()
+            .map_or(Ok(()), |file| self.settings.save(file))
+    }
+}
+
+/// Adds the settings and the bindings in them, and says what was wrong with their file.
+pub(crate) fn insert(app: &mut App, preferences: Preferences, fault: Option<String>) {
+    // Both were checked when the file was read.
+    let bindings = Bindings::new(&preferences.settings.keys).unwrap_or_default();
+    let pad_bindings = PadBindings::new(&preferences.settings.buttons).unwrap_or_default();
+    app.insert_resource(preferences)
+        .insert_resource(bindings)
+        .insert_resource(pad_bindings);
+    if let Some(fault) = fault {
+        app.world_mut().get_resource_or_init::<Toast>().say(fault);
+    }
+}
+
+pub(crate) fn plugin(app: &mut App) {
+    app.add_systems(Update, (take_in_bindings, save_settings).chain())
+        .add_systems(Last, save_settings_at_exit);
+}
+
+fn take_in_bindings(
+    mut preferences: ResMut<Preferences>,
+    bindings: Res<Bindings>,
+    pad_bindings: Res<PadBindings>,
+) {
+    if bindings.is_changed() && !bindings.is_added() {
+        preferences.settings.keys = bindings.settings();
+    }
+    if pad_bindings.is_changed() && !pad_bindings.is_added() {
+        preferences.settings.buttons = pad_bindings.settings();
+    }
+}
+
+fn save_settings(
+    time: Res<Time<Real>>,
+    mut preferences: ResMut<Preferences>,
+    mut toast: ResMut<Toast>,
+) {
+    if preferences.settings == preferences.saved {
+        return;
+    }
+    match preferences.changed {
+        None => preferences.changed = Some(time.elapsed()),
+        Some(changed) if time.elapsed() > changed + SAVE_DELAY => {
+            if let Err(fault) = preferences.save() {
+                toast.say(fault);
+            }
+        }
+        Some(_) => {}
+    }
+}
+
+fn save_settings_at_exit(mut exits: MessageReader<AppExit>, mut preferences: ResMut<Preferences>) {
+    if exits.read().next().is_some()
+        && let Err(fault) = preferences.save()
+    {
+        error!("{fault}");
+    }
+}

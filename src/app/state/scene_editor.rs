@@ -1,0 +1,116 @@
+//! The scene's door: every change of the scene that can be undone goes through here, whether a key,
+//! the panel or a file asks for it.
+
+use super::history::History;
+use super::resolution::Resolution;
+use super::toast::Toast;
+use crate::render::CurrentScene;
+use bevy::ecs::system::SystemParam;
+use bevy::prelude::*;
+use lightfall_core::gpu::Drawable;
+use lightfall_core::scene::Scene;
+
+/// The scene, and the way to change it so that the change can be undone.
+#[derive(SystemParam)]
+pub(crate) struct SceneEditor<'w> {
+    scene: ResMut<'w, CurrentScene>,
+    resolution: ResMut<'w, Resolution>,
+    history: ResMut<'w, History>,
+    toast: ResMut<'w, Toast>,
+    time: Res<'w, Time<Real>>,
+}
+
+impl SceneEditor<'_> {
+    /// The scene at its own resolution.
+    pub(crate) fn scene(&self) -> Scene {
+        self.resolution.full_scene(&self.scene)
+    }
+
+    /// The scene at the resolution that is drawn now.
+    pub(crate) fn drawn_scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The scene as it was loaded.
+    pub(crate) fn loaded(&self) -> &Scene {
+        self.history.loaded()
+    }
+
+    /// Puts a changed scene in place, or says why it cannot be drawn. `asker` is the key or button
+    /// that asked for it. Returns whether the scene is in place.
+    pub(crate) fn change(&mut self, asker: &str, changed: Scene) -> bool {
+        let done = self.try_change(changed);
+        self.report(asker, done)
+    }
+
+    /// As [`change`](Self::change), without a toast.
+    ///
+    /// # Errors
+    /// Why the scene cannot be drawn.
+    pub(crate) fn try_change(&mut self, changed: Scene) -> Result<(), String> {
+        let before = self.scene();
+        let changed = checked_change(&before, changed)?;
+        self.history.note(&before, &changed, self.time.elapsed());
+        self.put(changed);
+        Ok(())
+    }
+
+    /// Puts another scene altogether in place, or says why it cannot be read or drawn. Returns
+    /// whether the scene is in place.
+    pub(crate) fn load(&mut self, asker: &str, loaded: Result<Scene, String>) -> bool {
+        let loaded = loaded
+            .and_then(|scene| Drawable::new(scene).map_err(|reason| reason.to_string()))
+            .map(|loaded| {
+                let before = self.scene();
+                self.history
+                    .note_loaded(&before, &loaded, self.time.elapsed());
+                self.put(loaded);
+            });
+        self.report(asker, loaded)
+    }
+
+    /// Takes the last change back.
+    pub(crate) fn undo(&mut self) {
+        let now = self.scene();
+        match self.history.undo(&now) {
+            None => self.toast.say("There is nothing to undo"),
+            Some(undone) => {
+                let undone = undone.map(|undone| self.put(undone));
+                self.report("Undo", undone);
+            }
+        }
+    }
+
+    /// Shows a toast.
+    pub(crate) fn say(&mut self, text: impl Into<String>) {
+        self.toast.say(text);
+    }
+
+    fn put(&mut self, changed: Drawable) {
+        self.scene.0 = self.resolution.to_drawn(changed);
+        self.toast.clear();
+    }
+
+    fn report(&mut self, asker: &str, done: Result<(), String>) -> bool {
+        match &done {
+            Ok(()) => {}
+            Err(reason) if asker.is_empty() => self.toast.say(reason),
+            Err(reason) => self.toast.say(format!("{asker}: {reason}")),
+        }
+        done.is_ok()
+    }
+}
+
+/// A scene that was made from `before`, checked.
+///
+/// # Errors
+/// Why it cannot be drawn. Where fields contradict each other, the error names the field that was
+/// changed, and not the one that stayed.
+pub fn checked_change(before: &Scene, changed: Scene) -> Result<Drawable, String> {
+    Drawable::new(changed.clone()).map_err(|reason| {
+        match before.with(changed.differences(before)) {
+            Err(refusal) => refusal.to_string(),
+            Ok(_) => reason.to_string(),
+        }
+    })
+}

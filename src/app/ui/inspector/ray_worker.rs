@@ -1,0 +1,98 @@
+//! The thread that traces inspected rays again: first with the f64 reference, which answers at once,
+//! then on a background GPU device. No frame waits for it.
+
+use crate::worker::{Answers, Worker};
+use lightfall_core::accuracy::Ray;
+use lightfall_core::gpu::rays::RayKernel;
+use lightfall_core::gpu::{GpuError, with_background_device};
+use lightfall_core::optics::trace::Trace;
+use lightfall_core::reports::inspection::Inspected;
+use lightfall_core::scene::Scene;
+
+/// The thread.
+pub(super) type RayWorker = Worker<RayJob, RayAnswer>;
+
+/// What the thread answers: the rays so far, or what could not be done.
+pub(super) type RayAnswer = Result<InspectedRays, String>;
+
+/// Rays to inspect. The first is the one that was clicked, the others are the fan around it.
+pub(super) struct RayJob {
+    /// The scene, with the picture that was clicked.
+    pub(super) scene: Scene,
+    /// The rays, and their places on the picture in pixels.
+    pub(super) rays: Vec<(Ray, [f64; 2])>,
+}
+
+/// What is known of a job so far.
+pub(super) struct InspectedRays {
+    pub(super) scene: Scene,
+    /// The rays, in the order of the job.
+    pub(super) rays: Vec<Inspected>,
+    /// What the GPU has answered.
+    pub(super) gpu: GpuState,
+}
+
+/// What the GPU has answered.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum GpuState {
+    Waiting,
+    Done,
+    Failed(String),
+}
+
+/// Starts the thread.
+pub(super) fn start() -> RayWorker {
+    Worker::serving_latest(|job, answers| {
+        if let Err(fault) = trace(job, answers) {
+            answers.send(Err(fault));
+        }
+    })
+}
+
+/// How far out a path is drawn, in r_s.
+fn path_end(scene: &Scene) -> f64 {
+    3.0 * scene.camera.r + 60.0
+}
+
+fn trace(RayJob { scene, rays }: RayJob, answers: &Answers<RayAnswer>) -> Result<(), String> {
+    let axes = scene.camera.tetrad_from_camera();
+    let inspected = rays.iter().map(|(ray, pixel)| {
+        let direction = axes * ray.direction();
+        Inspected::new(&scene, direction, Some(*pixel), path_end(&scene))
+            .map_err(|error| error.to_string())
+    });
+    let mut inspected = inspected.collect::<Result<Vec<_>, _>>()?;
+    let send = |rays: &[Inspected], gpu: GpuState| {
+        answers.send(Ok(InspectedRays {
+            scene: scene.clone(),
+            rays: rays.to_vec(),
+            gpu,
+        }));
+    };
+    send(&inspected, GpuState::Waiting);
+    let (Some((ray, _)), Some(first)) = (rays.first(), inspected.first_mut()) else {
+        return Ok(());
+    };
+    let state = match trace_on_gpu(&scene, *ray) {
+        Ok(trace) => {
+            let height = f64::from(scene.picture.height);
+            first
+                .compare(&scene, *ray, &trace, height)
+                .map_err(|error| error.to_string())?;
+            GpuState::Done
+        }
+        Err(error) => GpuState::Failed(error.to_string()),
+    };
+    send(&inspected, state);
+    Ok(())
+}
+
+fn trace_on_gpu(scene: &Scene, ray: Ray) -> Result<Trace, GpuError> {
+    with_background_device(|gpu| {
+        let traces = RayKernel::new(gpu, scene)?.trace(gpu, scene, &[ray.given()])?;
+        traces
+            .into_iter()
+            .next()
+            .ok_or_else(|| GpuError::Device("it gave no answer".into()))
+    })
+}

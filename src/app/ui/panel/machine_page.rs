@@ -1,0 +1,231 @@
+//! The page about the machine: how fast it draws, what the passes cost, which adapter draws, and what
+//! the scene compiles.
+
+use crate::app::session::adapter::AdapterChoice;
+use crate::app::session::frame_pacing::FramePacing;
+use crate::app::state::scene_editor::SceneEditor;
+use crate::render::{Chain, cost_rows};
+use bevy::diagnostic::DiagnosticsStore;
+use bevy::ecs::system::SystemParam;
+use bevy::prelude::*;
+use bevy::render::diagnostic::RenderDiagnosticsPlugin;
+use bevy::render::renderer::RenderAdapterInfo;
+use bevy_egui::egui;
+use lightfall_core::gpu;
+use lightfall_core::gpu::{AdapterName, Listed, Variant};
+use lightfall_core::scene::{Method, Scene};
+use std::sync::{Arc, OnceLock};
+use std::time::{Duration, Instant};
+
+/// A pass that has not run for this long is not listed.
+const STALE: Duration = Duration::from_secs(2);
+/// Longest time that counts for one frame, in seconds: a machine that slept drew nothing meanwhile.
+const MAX_FRAME_SECONDS: f64 = 2.0;
+/// Weight of the newest frame in the mean.
+const NEWEST_WEIGHT: f64 = 0.1;
+/// Width of the topics of the cost report, in points.
+const TOPIC_WIDTH: f32 = 104.0;
+
+/// What the page remembers.
+#[derive(Default)]
+pub(super) struct MachinePage {
+    costs: CostReport,
+    /// The adapters of this machine. A thread looks for them when the page is first opened.
+    adapters: Option<Arc<OnceLock<Vec<Listed>>>>,
+}
+
+/// The rows of the scene's cost report, and what they were made for.
+#[derive(Default)]
+struct CostReport {
+    rows: Vec<(&'static str, String)>,
+    made_for: Option<(Method, Variant, Chain)>,
+}
+
+/// Mean time of a frame, in seconds.
+#[derive(Resource, Default)]
+pub(super) struct FrameTime(f64);
+
+/// What the page reads.
+#[derive(SystemParam)]
+pub(super) struct Machine<'w> {
+    diagnostics: Res<'w, DiagnosticsStore>,
+    adapter: Option<Res<'w, RenderAdapterInfo>>,
+    frame_time: Res<'w, FrameTime>,
+    pacing: Res<'w, FramePacing>,
+    choice: Res<'w, AdapterChoice>,
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.add_plugins(RenderDiagnosticsPlugin)
+        .init_resource::<FrameTime>()
+        .add_systems(First, measure_frame_time);
+}
+
+fn measure_frame_time(time: Res<Time<Real>>, mut mean: ResMut<FrameTime>) {
+    let seconds = time.delta_secs_f64().min(MAX_FRAME_SECONDS);
+    mean.0 = if mean.0 == 0.0 {
+        seconds
+    } else {
+        mean.0 + NEWEST_WEIGHT * (seconds - mean.0)
+    };
+}
+
+impl Machine<'_> {
+    /// Each pass that ran lately, with its smoothed GPU time in milliseconds.
+    fn passes(&self) -> Vec<(&str, f64)> {
+        let now = Instant::now();
+        let mut passes: Vec<_> = self
+            .diagnostics
+            .iter()
+            .filter_map(|diagnostic| {
+                let name = diagnostic
+                    .path()
+                    .as_str()
+                    .strip_prefix("render/")?
+                    .strip_suffix("/elapsed_gpu")?;
+                let fresh = now.duration_since(diagnostic.measurement()?.time) < STALE;
+                Some((name, diagnostic.smoothed().filter(|_| fresh)?))
+            })
+            .collect();
+        passes.sort_by(|a, b| b.1.total_cmp(&a.1));
+        passes
+    }
+}
+
+impl MachinePage {
+    pub(super) fn show(
+        &mut self,
+        ui: &mut egui::Ui,
+        machine: &Machine,
+        chosen: &mut Option<AdapterName>,
+        editor: &SceneEditor,
+    ) {
+        let drawn = editor.drawn_scene();
+        speed(ui, machine, drawn, &editor.scene());
+        ui.add_space(8.0);
+        passes(ui, machine);
+        ui.add_space(8.0);
+        ui.strong("Graphics adapter");
+        if let Some(info) = &machine.adapter {
+            ui.label(format!(
+                "{} ({} through {})",
+                info.name,
+                gpu::kind(info.device_type),
+                info.backend
+            ));
+            ui.label(format!("{} {}", info.driver, info.driver_info));
+        }
+        self.choose_adapter(ui, machine, chosen);
+        ui.add_space(8.0);
+        ui.strong("What this scene needs");
+        for (topic, items) in self.costs.rows(drawn) {
+            ui.horizontal_top(|ui| {
+                let left = egui::Layout::left_to_right(egui::Align::Min);
+                ui.allocate_ui_with_layout(egui::vec2(TOPIC_WIDTH, 18.0), left, |ui| {
+                    ui.set_min_width(TOPIC_WIDTH);
+                    ui.weak(*topic);
+                });
+                ui.add(egui::Label::new(items).wrap());
+            });
+        }
+    }
+
+    /// Chooses the adapter for the next start.
+    fn choose_adapter(
+        &mut self,
+        ui: &mut egui::Ui,
+        machine: &Machine,
+        chosen: &mut Option<AdapterName>,
+    ) {
+        let list = self.adapters.get_or_insert_with(|| {
+            let list = Arc::new(OnceLock::new());
+            let found = Arc::clone(&list);
+            std::thread::spawn(move || found.set(gpu::adapters()));
+            list
+        });
+        let present = machine.adapter.as_deref().map(|info| AdapterName::of(info));
+        ui.weak("From the next start on:");
+        ui.radio_value(chosen, None, "the best one");
+        let listed = list.get().map_or(&[][..], Vec::as_slice);
+        for Listed {
+            name, kind, driver, ..
+        } in listed
+        {
+            let mark = if present.as_ref() == Some(name) {
+                ", in use now"
+            } else {
+                ""
+            };
+            ui.radio_value(chosen, Some(name.clone()), format!("{name}{mark}"))
+                .on_hover_text(format!("{kind}, {driver}"));
+        }
+        if let Some(missing) = chosen
+            .clone()
+            .filter(|name| list.get().is_some() && listed.iter().all(|it| it.name != *name))
+        {
+            ui.radio_value(chosen, Some(missing.clone()), format!("{missing}, missing"));
+        }
+        if let Some(variable) = gpu::named_by_environment() {
+            ui.weak(format!(
+                "The command line or {variable} chose the adapter of this start."
+            ));
+        } else if *chosen != machine.choice.used {
+            ui.weak("Kept in the settings. It takes effect at the next start.");
+        }
+    }
+}
+
+fn speed(ui: &mut egui::Ui, machine: &Machine, drawn: &Scene, full: &Scene) {
+    ui.strong("Speed");
+    let milliseconds = 1e3 * machine.frame_time.0;
+    let resting = if machine.pacing.resting {
+        ", because nothing moves"
+    } else {
+        ""
+    };
+    ui.label(format!(
+        "{:.1} frames per second, {milliseconds:.1} ms each{resting}",
+        1e3 / milliseconds.max(1e-3)
+    ));
+    let (drawn, full) = (drawn.picture, full.picture);
+    let coarser = if drawn == full {
+        String::new()
+    } else {
+        format!(" instead of {} x {}", full.width, full.height)
+    };
+    ui.label(format!(
+        "drawn with {} x {} pixels{coarser}",
+        drawn.width, drawn.height
+    ));
+}
+
+fn passes(ui: &mut egui::Ui, machine: &Machine) {
+    ui.strong("GPU time of the passes");
+    let passes = machine.passes();
+    egui::Grid::new("passes")
+        .num_columns(2)
+        .spacing([16.0, 3.0])
+        .striped(true)
+        .show(ui, |ui| {
+            for (name, time) in &passes {
+                ui.label(*name);
+                ui.monospace(format!("{time:8.3} ms"));
+                ui.end_row();
+            }
+        });
+    if passes.is_empty() {
+        ui.weak("No pass ran lately, or the adapter does not measure time.");
+    }
+}
+
+impl CostReport {
+    /// The rows for a scene, made again only where what they depend on has changed.
+    fn rows(&mut self, scene: &Scene) -> &[(&'static str, String)] {
+        let wanted = (scene.method, Variant::picture(scene), Chain::of(scene));
+        if self.made_for != Some(wanted) {
+            self.rows = cost_rows(scene);
+            self.made_for = Some(wanted);
+        }
+        &self.rows
+    }
+}

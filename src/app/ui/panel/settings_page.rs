@@ -1,0 +1,195 @@
+//! The page of settings, which outlast the program: size of texts, motion, frame rate, keys and
+//! buttons.
+
+use crate::app::controls::bindings::{Bindable, BindingTable, Bindings, PadBindings};
+use crate::app::controls::control::Group;
+use crate::app::input::gamepad::NO_GAMEPAD;
+use crate::app::state::rebinding::Rebinding;
+use crate::app::state::settings::{Automatic, FRAME_RATES, Settings, UI_SCALES};
+use crate::storage::{pictures_folder, settings_file};
+use bevy::prelude::*;
+use bevy_egui::egui;
+
+/// The control whose own key may be [`CANCEL`].
+const ESCAPE: &str = "fly.escape";
+/// The key that binds nothing and leaves a control as it is.
+const CANCEL: &str = "Esc";
+
+pub(super) fn show(
+    ui: &mut egui::Ui,
+    settings: &mut Settings,
+    bindings: &mut ResMut<Bindings>,
+    pad_bindings: &mut ResMut<PadBindings>,
+    rebinding: &mut Rebinding,
+    keys: &ButtonInput<KeyCode>,
+    pads: &Query<&Gamepad>,
+) {
+    comfort(ui, settings);
+    ui.separator();
+    ui.horizontal(|ui| {
+        ui.strong("Keys");
+        if ui.button("Reset all").clicked() {
+            **bindings = Bindings::default();
+            **pad_bindings = PadBindings::default();
+        }
+    });
+    ui.weak("Click one, then press the new key or gamepad button. Esc leaves it as it is.");
+    if let Some(reason) = NO_GAMEPAD {
+        ui.weak(reason);
+    }
+    bind_pressed(bindings, rebinding, keys.get_just_pressed());
+    bind_pressed(
+        pad_bindings,
+        rebinding,
+        pads.iter().flat_map(Gamepad::get_just_pressed),
+    );
+    for group in Group::ALL {
+        egui::CollapsingHeader::new(group.title()).show(ui, |ui| {
+            key_table(
+                ui,
+                group,
+                bindings,
+                pad_bindings,
+                rebinding,
+                !pads.is_empty(),
+            );
+        });
+    }
+    ui.separator();
+    if let Some(file) = settings_file() {
+        ui.weak(format!("Settings are kept in {}", file.display()));
+    }
+    ui.weak(format!("Screenshots go to {}", pictures_folder().display()));
+}
+
+fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
+    ui.strong("Comfort");
+    egui::Grid::new("comfort")
+        .num_columns(2)
+        .spacing([12.0, 6.0])
+        .show(ui, |ui| {
+            ui.label("size of texts and panels");
+            ui_scale(ui, settings);
+            ui.end_row();
+            ui.label("reduced motion")
+                .on_hover_text("Journeys do not roll, and the exposure does not change by itself");
+            ui.checkbox(&mut settings.reduced_motion, "");
+            ui.end_row();
+            ui.label("coarser while moving").on_hover_text(
+                "While something moves, the picture is drawn with as many pixels as the frame rate to hold allows. A picture at \
+                 rest is drawn in full. auto: on for software and integrated graphics",
+            );
+            ui.horizontal(|ui| {
+                for (value, text) in [
+                    (Automatic::Auto, "auto"),
+                    (Automatic::On, "on"),
+                    (Automatic::Off, "off"),
+                ] {
+                    ui.selectable_value(&mut settings.automatic_resolution, value, text);
+                }
+            });
+            ui.end_row();
+            ui.label("frame rate to hold");
+            ui.add(
+                egui::Slider::new(&mut settings.frame_rate, FRAME_RATES[0]..=120.0)
+                    .integer()
+                    .suffix(" /s"),
+            );
+            ui.end_row();
+            ui.label("frame rate limit");
+            frame_rate_limit(ui, settings);
+            ui.end_row();
+        });
+}
+
+/// The size takes effect when the slider is let go, so that it does not move under the mouse.
+fn ui_scale(ui: &mut egui::Ui, settings: &mut Settings) {
+    let id = egui::Id::new("scale being dragged");
+    let dragged = ui.data(|data| data.get_temp(id));
+    let mut scale = dragged.unwrap_or(settings.ui_scale);
+    let slider = egui::Slider::new(&mut scale, UI_SCALES[0]..=UI_SCALES[1])
+        .step_by(0.05)
+        .fixed_decimals(2);
+    if ui.add(slider).dragged() {
+        ui.data_mut(|data| data.insert_temp(id, scale));
+    } else {
+        ui.data_mut(|data| data.remove::<f32>(id));
+        settings.ui_scale = scale;
+    }
+}
+
+fn frame_rate_limit(ui: &mut egui::Ui, settings: &mut Settings) {
+    ui.horizontal(|ui| {
+        let mut limited = settings.most_frames != 0.0;
+        if ui.checkbox(&mut limited, "").changed() {
+            settings.most_frames = if limited { 60.0 } else { 0.0 };
+        }
+        if limited {
+            ui.add(
+                egui::Slider::new(&mut settings.most_frames, FRAME_RATES[0]..=FRAME_RATES[1])
+                    .integer()
+                    .suffix(" /s"),
+            );
+        } else {
+            ui.weak("the monitor's");
+        }
+    });
+}
+
+/// The controls of a group with their keys, which wait for a new one when clicked.
+fn key_table(
+    ui: &mut egui::Ui,
+    group: Group,
+    bindings: &Bindings,
+    pad_bindings: &PadBindings,
+    rebinding: &mut Rebinding,
+    with_buttons: bool,
+) {
+    egui::Grid::new(group.title())
+        .spacing([12.0, 4.0])
+        .show(ui, |ui| {
+            for (control, _) in bindings
+                .iter()
+                .filter(|(control, _)| control.group == group)
+            {
+                let words = bindings.in_words(control);
+                let waits = rebinding.control() == Some(control.id);
+                let text = match words.as_str() {
+                    _ if waits => "press a key",
+                    "" => "none",
+                    words => words,
+                };
+                if ui
+                    .add_sized([110.0, 20.0], egui::Button::selectable(waits, text))
+                    .clicked()
+                {
+                    rebinding.start(control.id);
+                }
+                if with_buttons {
+                    ui.weak(pad_bindings.in_words(control));
+                }
+                ui.add(egui::Label::new(control.id).truncate())
+                    .on_hover_text(control.does);
+                ui.end_row();
+            }
+        });
+}
+
+/// While a control waits, binds it to the first of the inputs that were just pressed.
+fn bind_pressed<'a, B: Bindable>(
+    bindings: &mut ResMut<BindingTable<B>>,
+    rebinding: &mut Rebinding,
+    pressed: impl IntoIterator<Item = &'a B>,
+) {
+    let Some(id) = rebinding.control() else {
+        return;
+    };
+    let Some(pressed) = pressed.into_iter().find(|input| input.name().is_some()) else {
+        return;
+    };
+    let cancels = B::named(CANCEL) == Some(*pressed) && id != ESCAPE;
+    if !cancels {
+        bindings.bind(id, *pressed);
+    }
+    rebinding.stop();
+}
