@@ -1,7 +1,7 @@
 //! Copies of the traced light and the depth, taken before bloom and tone mapping, for pictures of
 //! linear light. A chain copies them only where there is a [`Capture`].
 
-use crate::render::scene_camera::SceneCamera;
+use crate::render::camera_markers::SceneCamera;
 use bevy::core_pipeline::core_3d::main_transparent_pass_3d;
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::prelude::*;

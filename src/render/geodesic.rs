@@ -6,9 +6,9 @@ mod shader;
 
 pub(super) use shader::{GeodesicShader, select_geodesic_shader};
 
+use crate::render::camera_markers::SceneCamera;
 use crate::render::current_scene::CurrentScene;
 use crate::render::error_map::ShownErrorMap;
-use crate::render::scene_camera::SceneCamera;
 use bevy::asset::AssetEventSystems;
 use bevy::core_pipeline::core_3d::{main_opaque_pass_3d, main_transparent_pass_3d};
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};

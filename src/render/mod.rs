@@ -16,6 +16,7 @@
 //!
 //! error_map.rs computes what the view `error` shows, on a background thread.
 
+mod camera_markers;
 mod capture;
 mod chain;
 mod cost_report;
@@ -29,6 +30,7 @@ pub mod recovery;
 mod redraw;
 mod scene_camera;
 
+pub use camera_markers::{SceneCamera, ScreenCamera};
 pub use capture::{Capture, Captured, ROW_ALIGNMENT};
 pub use chain::{Chain, EMPTY_PASSES, WrittenTexture};
 pub use cost_report::{cost_report, cost_rows};
@@ -37,7 +39,7 @@ pub use device::render_plugin;
 pub use error_map::AwaitErrorMap;
 pub use presentation::{Letterbox, letterbox};
 pub use redraw::{AlwaysDraw, DrawRequest, is_drawn};
-pub use scene_camera::{NEAR_PLANE, SceneCamera, ScreenCamera};
+pub use scene_camera::NEAR_PLANE;
 
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;

@@ -6,9 +6,9 @@ mod pipeline;
 
 pub use letterbox::{Letterbox, letterbox};
 
+use crate::render::camera_markers::{SceneCamera, ScreenCamera};
 use crate::render::chain::Chain;
 use crate::render::current_scene::CurrentScene;
-use crate::render::scene_camera::{SceneCamera, ScreenCamera};
 use bevy::core_pipeline::core_2d::main_transparent_pass_2d;
 use bevy::core_pipeline::schedule::{Core2d, Core2dSystems};
 use bevy::image::ToExtents;

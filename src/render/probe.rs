@@ -2,9 +2,9 @@
 //! stars. It is drawn in ordinary perspective, neither lensed nor hidden by the hole, and the
 //! geodesic pass does not draw over it.
 
+use crate::render::camera_markers::SceneCamera;
 use crate::render::chain::Chain;
 use crate::render::current_scene::CurrentScene;
-use crate::render::scene_camera::SceneCamera;
 use bevy::light::GlobalAmbientLight;
 use bevy::pbr::ExtractedClusterConfig;
 use bevy::prelude::*;

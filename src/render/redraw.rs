@@ -6,11 +6,11 @@
 //! change. The render world marks the request as drawn once a frame has drawn all of it. While the
 //! shader of a new request compiles, the camera stays idle, so the last picture stays complete.
 
+use crate::render::camera_markers::SceneCamera;
 use crate::render::chain::Chain;
 use crate::render::current_scene::CurrentScene;
 use crate::render::error_map::{ErrorMapRequest, ShownErrorMap, update_error_map};
 use crate::render::geodesic::{GeodesicPass, GeodesicShader, select_geodesic_shader};
-use crate::render::scene_camera::SceneCamera;
 use bevy::camera::CameraUpdateSystems;
 use bevy::prelude::*;
 use bevy::render::camera::ExtractedCamera;

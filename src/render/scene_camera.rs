@@ -1,6 +1,7 @@
 //! The two cameras: the scene camera draws the scene at the HDR picture's size, and the screen
 //! camera shows the picture.
 
+use crate::render::camera_markers::{SceneCamera, ScreenCamera};
 use crate::render::capture::Capture;
 use crate::render::chain::Chain;
 use crate::render::current_scene::CurrentScene;
@@ -11,17 +12,9 @@ use bevy::core_pipeline::tonemapping::{DebandDither, Tonemapping};
 use bevy::light::cluster::ClusterConfig;
 use bevy::post_process::bloom::Bloom;
 use bevy::prelude::*;
-use bevy::render::extract_component::{ExtractComponent, ExtractComponentPlugin};
+use bevy::render::extract_component::ExtractComponentPlugin;
 use bevy::render::render_resource::TextureUsages;
 use bevy::render::view::{ColorGrading, ColorGradingGlobal, Msaa};
-
-/// Marks the camera that draws the scene.
-#[derive(Component, Clone, Copy, ExtractComponent)]
-pub struct SceneCamera;
-
-/// Marks the camera that shows the picture in a window or an image.
-#[derive(Component, Clone, Copy, ExtractComponent)]
-pub struct ScreenCamera;
 
 /// Distance of the near plane from the scene camera, in r_s.
 pub const NEAR_PLANE: f32 = 1e-3;

@@ -28,6 +28,13 @@ fn every_module_of_the_program_imports_only_from_modules_below_it() {
     assert!(faults.is_empty(), "\n{}", faults.join("\n"));
 }
 
+#[test]
+fn no_files_of_the_program_import_each_other_in_a_circle() {
+    let circles = rules::circles(&sources(), "lightfall");
+    let faults: Vec<String> = circles.iter().map(rules::Circle::describe).collect();
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+}
+
 /// The check reads one module per file, so imports of a module inside another file would escape it.
 #[test]
 fn every_module_of_the_program_that_imports_has_its_own_file() {
