@@ -60,8 +60,8 @@ impl GeodesicPass {
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<JoinedShaders>()
         .add_plugins(ExtractResourcePlugin::<GeodesicShader>::default())
-        // Before asset events, so that the pipeline cache knows a new or replaced shader in the same
-        // frame.
+        // Before asset events, so that the pipeline cache knows a new or replaced shader in the
+        // same frame.
         .add_systems(
             PostUpdate,
             select_geodesic_shader

@@ -1,5 +1,5 @@
-//! The presentation: reduces the tone-mapped picture to a grid of cells, quantizes them, and expands
-//! them to the output.
+//! The presentation: reduces the tone-mapped picture to a grid of cells, quantizes them, and
+//! expands them to the output.
 
 mod letterbox;
 mod pipeline;

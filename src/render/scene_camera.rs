@@ -140,8 +140,8 @@ fn apply_scene_to_camera(
         near: NEAR_PLANE,
         ..default()
     });
-    // The camera stays at the origin, and the probe is placed relative to it in f64, so that it does
-    // not jitter far from the hole.
+    // The camera stays at the origin, and the probe is placed relative to it in f64, so that it
+    // does not jitter far from the hole.
     let world_from_camera = scene.camera.tetrad() * scene.camera.tetrad_from_camera();
     let [right, up, forward] = [
         world_from_camera.x_axis,

@@ -4,7 +4,8 @@ use bevy::core_pipeline::core_3d::CORE_3D_DEPTH_FORMAT;
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
 
-/// With several samples the shader still runs once per pixel; only the foreground's edges are finer.
+/// With several samples the shader still runs once per pixel; only the foreground's edges are
+/// finer.
 pub(super) fn pipeline_descriptor(
     layout: BindGroupLayoutDescriptor,
     shader: Handle<Shader>,

@@ -59,8 +59,8 @@ impl Kerr {
         self.sigma(r, cos_theta) * (r * r + a2) + 2.0 * MASS * r * a2 * sin_theta * sin_theta
     }
 
-    /// Kerr's ingoing azimuth minus Boyer-Lindquist's: the integral of a/Delta dr, (a / (r_+ - r_-))
-    /// ln|(r - r_+) / (r - r_-)|, zero at infinity. Misner, Thorne & Wheeler 1973 box 33.2.
+    /// Kerr's ingoing azimuth minus Boyer-Lindquist's: the integral of a/Delta dr, (a / (r_+ -
+    /// r_-)) ln|(r - r_+) / (r - r_-)|, zero at infinity. Misner, Thorne & Wheeler 1973 box 33.2.
     #[must_use]
     pub fn ingoing_azimuth_lead(self, r: f64) -> f64 {
         let (outer, inner) = (self.horizon(), self.inner_horizon());
@@ -141,8 +141,8 @@ impl Kerr {
         }
     }
 
-    /// The prograde circular geodesic of radius `r` in the equatorial plane. `None` at and inside the
-    /// photon orbit, where it is not timelike.
+    /// The prograde circular geodesic of radius `r` in the equatorial plane. `None` at and inside
+    /// the photon orbit, where it is not timelike.
     #[must_use]
     pub fn circular_orbit(self, r: f64) -> Option<CircularOrbit> {
         let (chi, y) = (self.spin, (MASS / r).sqrt());

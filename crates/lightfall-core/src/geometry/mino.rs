@@ -2,9 +2,10 @@
 //! shaders/method/mino.wgsl.
 //!
 //! In Mino time tau (Mino 2003: dtau = d(affine)/Sigma) the radial and angular motions separate. In
-//! u = 1/r and the unit vector n = (sin theta cos psi, sin theta sin psi, cos theta) their equations
-//! are polynomial, without a singularity at the poles, the horizon or infinity. With K = Q + L^2, K'
-//! = Q + (L - a E)^2 = K - 2 a E L + a^2 E^2, 2 M = 1, and tau growing along the *backward* ray,
+//! u = 1/r and the unit vector n = (sin theta cos psi, sin theta sin psi, cos theta) their
+//! equations are polynomial, without a singularity at the poles, the horizon or infinity. With K =
+//! Q + L^2, K' = Q + (L - a E)^2 = K - 2 a E L + a^2 E^2, 2 M = 1, and tau growing along the
+//! *backward* ray,
 //!
 //! * u'^2 = U(u) = E^2 + (a^2 E^2 - K) u^2 + K' u^3 - a^2 Q u^4, and u'' = U'(u)/2;
 //! * n'' = a^2 E^2 n_z e_z - (K + 2 a^2 E^2 n_z^2) n, with |n'|^2 = K + a^2 E^2 n_z^2 and (n x
@@ -13,21 +14,20 @@
 //!
 //! Derived from Carter's separated equations (1968; Bardeen, Press & Teukolsky 1972 eqs. 2.9-2.10)
 //! by setting u = 1/r and by combining theta and the part L/sin^2(theta) of phi's equation into one
-//! vector, whose motion is Neumann's problem on the sphere. The constants are not divided by E, which
-//! may vanish or be negative in the ergosphere.
+//! vector, whose motion is Neumann's problem on the sphere. The constants are not divided by E,
+//! which may vanish or be negative in the ergosphere.
 //!
-//! At and inside the horizon there is no Boyer-Lindquist azimuth. A camera there uses Kerr's ingoing
-//! azimuth, phi + integral of a dr / Delta, for which
-//! chi' = a E - a K' u^2 / (E + (a^2 E - a L) u^2 - u').
-//! This is regular for light that falls in, and the same at infinity. It is also used for backward
-//! rays that leave from very close to the horizon, where the pole of Boyer-Lindquist's chi' would leave
-//! the series no radius of convergence.
+//! At and inside the horizon there is no Boyer-Lindquist azimuth. A camera there uses Kerr's
+//! ingoing azimuth, phi + integral of a dr / Delta, for which chi' = a E - a K' u^2 / (E + (a^2 E -
+//! a L) u^2 - u'). This is regular for light that falls in, and the same at infinity. It is also
+//! used for backward rays that leave from very close to the horizon, where the pole of
+//! Boyer-Lindquist's chi' would leave the series no radius of convergence.
 //!
 //! The method expands the motion in a Taylor series of high order about the start of every step, by
-//! recurrences on these right-hand sides. The equations are short, so a step costs little. The steps
-//! are long (about one radian), the series itself is the dense output on which events are found to
-//! full precision, and there is no error estimate to tune. (The dense output of DOP853 is of seventh
-//! order, below that of its steps.)
+//! recurrences on these right-hand sides. The equations are short, so a step costs little. The
+//! steps are long (about one radian), the series itself is the dense output on which events are
+//! found to full precision, and there is no error estimate to tune. (The dense output of DOP853 is
+//! of seventh order, below that of its steps.)
 
 mod motion;
 mod series;

@@ -1,8 +1,8 @@
 //! The geometry of a Kerr black hole: metric functions, observers and geodesics, as pure functions
 //! in f64.
 //!
-//! Units are G = c = 1 and r_s = 1, so M = 1/2 and a = chi/2. Coordinates are Boyer-Lindquist, and a
-//! place on the celestial sphere is the unit vector n = (sin theta cos phi, sin theta sin phi,
+//! Units are G = c = 1 and r_s = 1, so M = 1/2 and a = chi/2. Coordinates are Boyer-Lindquist, and
+//! a place on the celestial sphere is the unit vector n = (sin theta cos phi, sin theta sin phi,
 //! cos theta).
 
 pub mod elliptic;

@@ -1,9 +1,9 @@
-//! Closed forms for light around a hole without spin, which do not depend on any integrator. The twin
-//! in WGSL is shaders/method/closed.wgsl.
+//! Closed forms for light around a hole without spin, which do not depend on any integrator. The
+//! twin in WGSL is shaders/method/closed.wgsl.
 //!
 //! The orbit obeys (du/dphi)^2 = 1/b^2 - u^2 + u^3 with u = 1/r (Darwin 1959; r_s = 1). Its kind
-//! depends on D = b_c^2/b^2 - 1, with b_c^2 = 27/4: an orbit with D > 0 plunges into the hole, and one
-//! with D < 0 has turning points.
+//! depends on D = b_c^2/b^2 - 1, with b_c^2 = 27/4: an orbit with D > 0 plunges into the hole, and
+//! one with D < 0 has turning points.
 
 use crate::geometry::elliptic::carlson_rf;
 use glam::DVec3;
@@ -113,9 +113,9 @@ pub fn shadow_half_angle_static(r: f64) -> f64 {
 /// from rest at infinity, at any `r` > 0.
 ///
 /// With beta = 1/sqrt(r), a ray at the angle alpha has b = r sin(alpha) / (1 - beta cos(alpha)).
-/// Solving b = b_c gives cos(alpha) = (b_c^2 beta + r (r - 3/2) sqrt(1 + 3/r)) / (r^2 + b_c^2 beta^2), where
-/// r - 3/2 without its absolute value chooses the right root on both sides of the photon sphere.
-/// Derived.
+/// Solving b = b_c gives cos(alpha) = (b_c^2 beta + r (r - 3/2) sqrt(1 + 3/r)) / (r^2 + b_c^2
+/// beta^2), where r - 3/2 without its absolute value chooses the right root on both sides of the
+/// photon sphere. Derived.
 #[must_use]
 pub fn shadow_half_angle_rain(r: f64) -> f64 {
     let beta = 1.0 / r.sqrt();

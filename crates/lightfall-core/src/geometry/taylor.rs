@@ -20,8 +20,8 @@ impl Taylor {
         })
     }
 
-    /// The root of the series between 0 and `end`, given that its values there differ in sign or that
-    /// it vanishes at `end`. Newton's method, with a bisection where a Newton step leaves the
+    /// The root of the series between 0 and `end`, given that its values there differ in sign or
+    /// that it vanishes at `end`. Newton's method, with a bisection where a Newton step leaves the
     /// bracket.
     #[must_use]
     pub fn root(&self, end: f64) -> f64 {

@@ -6,8 +6,8 @@ use crate::geometry::observer::{ObserverMatrix, Photon};
 use crate::geometry::sphere::{celestial_frame, polar_sin_cos};
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
-/// The observer's four-velocity, in the form of a photon: the first column of its matrix holds -u_t,
-/// Sigma u^r / r^2 and so on.
+/// The observer's four-velocity, in the form of a photon: the first column of its matrix holds
+/// -u_t, Sigma u^r / r^2 and so on.
 #[must_use]
 pub fn four_velocity(matrix: &ObserverMatrix) -> Photon {
     let [energy, radial, x, y, z] = matrix.rows.map(|row| row[0]);
@@ -18,9 +18,9 @@ pub fn four_velocity(matrix: &ObserverMatrix) -> Photon {
     }
 }
 
-/// The energy and the momentum (outward, toward growing theta, toward growing phi) that the observer
-/// `rain`, which falls from rest at infinity, measures at (`r`, `theta`, `phi`) (r_s, radians).
-/// `mass_squared` is the rest mass squared.
+/// The energy and the momentum (outward, toward growing theta, toward growing phi) that the
+/// observer `rain`, which falls from rest at infinity, measures at (`r`, `theta`, `phi`) (r_s,
+/// radians). `mass_squared` is the rest mass squared.
 ///
 /// Let beta = sqrt(2 M r (r^2 + a^2)/A) be the speed of rain relative to the zero-angular-momentum
 /// observer. One of the light-cone components energy -+ outward has the factor 1 - beta, which

@@ -1,8 +1,9 @@
 //! Timelike geodesics of Kerr in Mino time, on the celestial sphere.
 //!
-//! The equations are those of light (`mino.rs`), but for unit rest mass and followed forward. In Mino
-//! time lambda (dtau = Sigma dlambda), with u = 1/r, n the place on the celestial sphere without the
-//! dragged part of the azimuth, E, L and Carter's Q per unit mass, 2 M = 1, K = Q + L^2, K' = Q + (L
+//! The equations are those of light (`mino.rs`), but for unit rest mass and followed forward. In
+//! Mino time lambda (dtau = Sigma dlambda), with u = 1/r, n the place on the celestial sphere
+//! without the dragged part of the azimuth, E, L and Carter's Q per unit mass, 2 M = 1, K = Q +
+//! L^2, K' = Q + (L
 //! - a E)^2, B = a (a E - L) and kappa = a^2 (1 - E^2),
 //!
 //! * u'^2 = U(u) = W^2 - D (1 + K' u^2), W = E + B u^2, D = 1 - u + a^2 u^2, and u'' = U'(u)/2;

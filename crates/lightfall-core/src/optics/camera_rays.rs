@@ -13,12 +13,12 @@ use glam::{DVec3, DVec4};
 pub struct CameraRays {
     /// The observer's matrix. Without aberration it is the matrix of the zero-angular-momentum
     /// observer (ZAMO) at the camera's place. Without lensing its photons belong to flat space:
-    /// `radial` and `w` are the direction of the light for the ZAMO times the frequency it measures,
-    /// and `energy` is that frequency times the lapse.
+    /// `radial` and `w` are the direction of the light for the ZAMO times the frequency it
+    /// measures, and `energy` is that frequency times the lapse.
     pub matrix: ObserverMatrix,
     /// Takes (1, d) to the frequency that the camera measures of the matrix's photon, by which the
-    /// photon is divided. It is 1 with aberration, and gamma (1 + v.d) without, v being the camera's
-    /// velocity for the ZAMO.
+    /// photon is divided. It is 1 with aberration, and gamma (1 + v.d) without, v being the
+    /// camera's velocity for the ZAMO.
     pub frequency: [f64; 4],
 }
 

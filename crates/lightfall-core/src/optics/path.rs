@@ -1,12 +1,13 @@
-//! The path of one ray, to be drawn and read: points along it, the angle it sweeps, and the time the
-//! light takes.
+//! The path of one ray, to be drawn and read: points along it, the angle it sweeps, and the time
+//! the light takes.
 //!
 //! The path takes the same steps as the reference and uses the same series. Two quantities along it
 //! are integrals over Mino time:
 //!
 //! * the angle swept about the hole, from dpsi = |n'| dtau with |n'|^2 = K + a^2 E^2 n_z^2 (without
 //!   the azimuth due to frame dragging);
-//! * the Boyer-Lindquist time that light takes, from dt = ((r^2 + a^2) (E (r^2 + a^2) - a L) / Delta
+//! * the Boyer-Lindquist time that light takes, from dt = ((r^2 + a^2) (E (r^2 + a^2) - a L) /
+//! Delta
 //!   + a L - a^2 E sin^2 theta) dtau (Carter 1968; Misner, Thorne & Wheeler 1973 eq. 33.32d).
 
 use crate::geometry::kerr::Kerr;
@@ -145,8 +146,8 @@ fn points(
 ) -> Vec<DVec3> {
     let u_end = (1.0 - HORIZON_MARGIN) / hole_and_disk.kerr.horizon();
     // A path that begins inside the horizon, or next to it, ends there only after it has been
-    // outside. Light that comes from the horizon's other branch was never outside, and its path ends
-    // at that branch.
+    // outside. Light that comes from the horizon's other branch was never outside, and its path
+    // ends at that branch.
     let mut outside = start.u < u_end;
     let u_horizon = 1.0 / hole_and_disk.kerr.horizon();
     let stays_inside = constants.stays_inside(&start, u_horizon);

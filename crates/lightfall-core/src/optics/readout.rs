@@ -25,8 +25,8 @@ use crate::scene::{ObserverKind, Scene};
 pub struct Readout {
     /// Boyer-Lindquist radius, in r_s.
     pub r: f64,
-    /// Boyer-Lindquist polar angle and azimuth, in degrees. At and inside the horizon the azimuth is
-    /// Kerr's ingoing one.
+    /// Boyer-Lindquist polar angle and azimuth, in degrees. At and inside the horizon the azimuth
+    /// is Kerr's ingoing one.
     pub angles_deg: [f64; 2],
     /// Speed relative to the zero-angular-momentum observer at this place, in c; `None` at and
     /// inside the horizon.
@@ -60,8 +60,8 @@ pub struct LightAhead {
 }
 
 impl Readout {
-    /// The read-outs of the scene's observer. All effects are on here, whatever the scene says: these
-    /// are the numbers of the world, not of the picture.
+    /// The read-outs of the scene's observer. All effects are on here, whatever the scene says:
+    /// these are the numbers of the world, not of the picture.
     ///
     /// # Errors
     /// If the scene's observer does not exist.

@@ -4,9 +4,9 @@
 //! neither an escape radius nor a margin at the horizon. Infinity and the crossings of the disk's
 //! plane are roots of the step's own series.
 //!
-//! A crossing within a step or at its end belongs to that step, never to the step that starts there.
-//! So no crossing counts twice, and a camera in the plane does not see the disk at its own place. A
-//! ray that lies in the plane has no isolated crossing and therefore no hit.
+//! A crossing within a step or at its end belongs to that step, never to the step that starts
+//! there. So no crossing counts twice, and a camera in the plane does not see the disk at its own
+//! place. A ray that lies in the plane has no isolated crossing and therefore no hit.
 
 use crate::geometry::kerr::Kerr;
 use crate::geometry::mino::{Constants, Expansion, State};
@@ -72,8 +72,9 @@ impl Reference {
         })
     }
 
-    /// Follows the ray that arrives from `direction`, given on the observer's axes and of any length.
-    /// For a direction that is zero or not finite the outcome is `Unfinished` and the residual NaN.
+    /// Follows the ray that arrives from `direction`, given on the observer's axes and of any
+    /// length. For a direction that is zero or not finite the outcome is `Unfinished` and the
+    /// residual NaN.
     #[must_use]
     pub fn trace(&self, direction: DVec3) -> Trace {
         let Some(direction) = (direction / direction.abs().max_element()).try_normalize() else {
@@ -234,15 +235,16 @@ impl HoleAndDisk {
     }
 }
 
-/// The Mino time within `reach` at which an outgoing ray is at u = 0, if it gets there. A step of at
-/// most one radian is too short to pass infinity and come back, which takes more than two radians.
+/// The Mino time within `reach` at which an outgoing ray is at u = 0, if it gets there. A step of
+/// at most one radian is too short to pass infinity and come back, which takes more than two
+/// radians.
 fn time_to_infinity(expansion: &Expansion, reach: f64) -> Option<f64> {
     let outward = expansion.u.0[1] < 0.0;
     (outward && expansion.u.at(reach).0 <= 0.0).then(|| expansion.u.root(reach))
 }
 
-/// The Mino time in (0, `end_time`] at which the ray crosses the disk's plane; `z_end` is n_z at the
-/// end.
+/// The Mino time in (0, `end_time`] at which the ray crosses the disk's plane; `z_end` is n_z at
+/// the end.
 fn time_to_plane(expansion: &Expansion, z_end: f64, end_time: f64) -> Option<f64> {
     let z = expansion.n[2].0[0];
     (z > 0.0 && z_end <= 0.0 || z < 0.0 && z_end >= 0.0).then(|| expansion.n[2].root(end_time))

@@ -1,5 +1,5 @@
-//! The colour of thermal light: Planck's spectrum, seen by the CIE 1931 2-degree observer, in linear
-//! sRGB. The twin in WGSL is shaders/spectrum.wgsl, which samples the table made here.
+//! The colour of thermal light: Planck's spectrum, seen by the CIE 1931 2-degree observer, in
+//! linear sRGB. The twin in WGSL is shaders/spectrum.wgsl, which samples the table made here.
 //!
 //! A colour is per unit of bolometric flux, so that it depends only on the temperature: light of
 //! temperature T and relative flux F, seen with the frequency ratio g, has the colour `colour(g T)`
@@ -77,8 +77,8 @@ pub fn colour_matching() -> Result<[(f64, DVec3); WAVELENGTHS], String> {
     })
 }
 
-/// CIE XYZ of a black body of `temperature` (kelvin), summed over the 41 samples; in arbitrary units
-/// per unit of radiance at each wavelength.
+/// CIE XYZ of a black body of `temperature` (kelvin), summed over the 41 samples; in arbitrary
+/// units per unit of radiance at each wavelength.
 #[must_use]
 pub fn black_body_xyz(temperature: f64) -> DVec3 {
     MATCHING

@@ -2,8 +2,8 @@
 //!
 //! The camera's place and the observer's motion are written back to the scene, so that the picture
 //! is the moving observer's. A circular orbit stays `orbit`, and free fall from rest at infinity
-//! stays `rain`. Every other observer becomes `rain` with a velocity relative to it, since that frame
-//! is regular at the horizon.
+//! stays `rain`. Every other observer becomes `rain` with a velocity relative to it, since that
+//! frame is regular at the horizon.
 //!
 //! The camera's direction is carried along the great circle between two places, without a rotation
 //! about the radial direction. So the hole keeps its place in the picture, also over a pole.
@@ -112,8 +112,8 @@ impl Worldline {
         })
     }
 
-    /// Advances the observer by `proper_time` (r_s, not negative) and writes its place and motion to
-    /// `scene`. Returns the limit that ended the motion earlier, if there was one.
+    /// Advances the observer by `proper_time` (r_s, not negative) and writes its place and motion
+    /// to `scene`. Returns the limit that ended the motion earlier, if there was one.
     pub fn advance(&mut self, proper_time: f64, scene: &mut Scene) -> Option<Limit> {
         let kerr = self.kerr;
         match &mut self.motion {
@@ -149,8 +149,8 @@ impl Worldline {
         }
     }
 
-    /// Boyer-Lindquist time since the release, in r_s: the time on clocks far away. `None` unless both
-    /// the release and the present place are outside the horizon.
+    /// Boyer-Lindquist time since the release, in r_s: the time on clocks far away. `None` unless
+    /// both the release and the present place are outside the horizon.
     #[must_use]
     pub fn coordinate_time(&self) -> Option<f64> {
         match &self.motion {

@@ -1,5 +1,5 @@
-//! The measure of errors, measured: answers that are wrong by a known turn must be found to be
-//! wrong by just that.
+//! The backward error against known errors: for answers that belong to rays rotated by a known
+//! angle, the measure must find this angle.
 
 use glam::{DQuat, DVec3};
 use lightfall_core::accuracy::{
@@ -16,8 +16,7 @@ fn scene(spin: f64) -> Scene {
     scene
 }
 
-/// What the reference says of the rays of `truth` turned by `angle` about axes that differ from ray
-/// to ray.
+/// The reference's answers for the rays of `truth` rotated by `angle`, each about another axis.
 fn answers_to_turned_rays(scene: &Scene, truth: &Truth, angle: f64) -> Vec<Trace> {
     let reference = Reference::new(scene).expect("a static observer outside the horizon");
     let axes = scene.camera.tetrad_from_camera();
@@ -36,7 +35,7 @@ fn answers_to_turned_rays(scene: &Scene, truth: &Truth, angle: f64) -> Vec<Trace
 }
 
 #[test]
-fn a_known_turn_of_every_ray_is_found_to_within_the_factor_of_two_that_the_mixed_error_allows() {
+fn a_known_rotation_of_every_ray_is_found_within_the_factor_of_two_of_the_mixed_error() {
     for spin in [0.0, 0.9] {
         let scene = scene(spin);
         let mut rays = rays_over_picture(&scene, 200);
@@ -49,8 +48,8 @@ fn a_known_turn_of_every_ray_is_found_to_within_the_factor_of_two_that_the_mixed
                 .iter()
                 .zip(&errors)
                 .filter(|(truth, _)| truth.sky.is_some());
-            // A hundredth more for what Newton's method leaves; next to a caustic a smaller turn
-            // explains as much.
+            // A hundredth more for the remainder of Newton's method. Next to a caustic a smaller
+            // rotation explains the same answer.
             let seen: Vec<f64> = seen
                 .filter(|(_, error)| !error.misclassified)
                 .map(|(_, error)| error.backward)
@@ -63,8 +62,8 @@ fn a_known_turn_of_every_ray_is_found_to_within_the_factor_of_two_that_the_mixed
                 "chi {spin}: a turn of {angle:e} was found to be {:e}",
                 quantiles.p99
             );
-            // Near an edge the shortest explanation is sought by logarithms of distances, and may
-            // be missed by that much.
+            // Near an edge the search for the shortest rotation has steps in the logarithm of the
+            // distance, and may miss it by this factor.
             assert!(
                 quantiles.max <= 1.5 * angle,
                 "chi {spin}: a turn of {angle:e} was found to be {:e}",
@@ -79,10 +78,10 @@ fn a_known_turn_of_every_ray_is_found_to_within_the_factor_of_two_that_the_mixed
     }
 }
 
-/// Next to a fast hole an e-fold of the distance to the edge is hundreds of radians of azimuth, so
-/// that an answer tells of the ray's turns only what is left of them.
+/// Next to a fast hole a factor e of the distance to the edge is hundreds of radians of azimuth,
+/// and an answer contains the azimuth only modulo whole revolutions.
 #[test]
-fn a_known_turn_is_found_where_rays_wind_many_times() {
+fn a_known_rotation_is_found_where_rays_wind_many_times() {
     for (spin, r) in [(0.999, 12.0), (0.99999, 30.0), (-0.999_999, 1000.0)] {
         let mut scene = scene(spin);
         scene.camera.r = r;
@@ -113,8 +112,8 @@ fn a_known_turn_is_found_where_rays_wind_many_times() {
         });
         let quantiles = Quantiles::of(shares);
         println!("chi {spin}: {quantiles:?}");
-        // The turn is found, or a shorter one that explains as much; at worst the distance to the
-        // edge, which is 1/0.3 of it.
+        // The measure finds the rotation, or a shorter one that explains the same answer. At worst
+        // it finds the distance to the edge, which is 1/0.3 of the rotation.
         assert!(
             quantiles.count > 20 && quantiles.p50 < 1.01,
             "chi {spin}: {quantiles:?}"
@@ -125,12 +124,12 @@ fn a_known_turn_is_found_where_rays_wind_many_times() {
 
 #[test]
 fn a_ray_on_the_wrong_side_of_the_edge_is_off_by_its_distance_from_it() {
-    // Without a disk, whose edges are boundaries of the class, too.
+    // Without a disk, because its edges are boundaries of classes, too.
     let mut scene = scene(0.5);
     scene.disk.enabled = false;
     let truth =
         Truth::of(&scene, rays_near_edge(&scene, 64, [1e-3, 1e-2])).expect("a static observer");
-    // The nearest ray on the other side, as another method might answer.
+    // The nearest ray on the other side, which stands for a wrong answer of another method.
     let reference = Reference::new(&scene).expect("a static observer");
     let axes = scene.camera.tetrad_from_camera();
     let shadow_centre = DVec3::Z;
@@ -158,8 +157,8 @@ fn a_ray_on_the_wrong_side_of_the_edge_is_off_by_its_distance_from_it() {
             panic!("one answer for one ray")
         };
         assert!(error.misclassified);
-        // Eight spokes miss the shortest way by 1/cos(22.5 deg) at most, and rings of a factor
-        // three are bisected to 1 %.
+        // Eight spokes exceed the shortest distance by 1/cos(22.5 deg) at most, and rings that
+        // differ by a factor of three are bisected to 1 %.
         let ratio = error.backward / distance.abs();
         assert!(
             (0.9..1.3).contains(&ratio),
@@ -170,12 +169,12 @@ fn a_ray_on_the_wrong_side_of_the_edge_is_off_by_its_distance_from_it() {
 }
 
 #[test]
-fn perfect_answers_have_no_error_and_missing_ones_an_infinite_one() {
+fn perfect_answers_have_no_error_and_missing_ones_an_infinite_error() {
     let scene = scene(0.9);
     let truth = Truth::of(&scene, rays_over_sky(200)).expect("a static observer");
     let perfect = ErrorSummary::of(&truth, &truth.traces);
     assert_eq!((perfect.misclassified, perfect.unfinished()), (0, 0));
-    // A direction's own rounding in f64.
+    // The rounding of a direction in f64.
     assert!(perfect.backward.max < 1e-15, "{:e}", perfect.backward.max);
     let mut given = truth.traces.clone();
     let given_up = Trace {
@@ -193,7 +192,7 @@ fn perfect_answers_have_no_error_and_missing_ones_an_infinite_one() {
 }
 
 #[test]
-fn quantiles_are_values_of_the_set_and_what_is_no_number_is_the_worst() {
+fn quantiles_are_values_of_the_set_and_nan_is_the_worst() {
     let quantiles = Quantiles::of((1..=200).map(f64::from));
     assert_eq!(
         (quantiles.count, quantiles.p50, quantiles.p99, quantiles.max),
@@ -206,10 +205,10 @@ fn quantiles_are_values_of_the_set_and_what_is_no_number_is_the_worst() {
     assert!(Quantiles::of(std::iter::empty()).max.is_nan());
 }
 
-/// Next to an almost extremal hole a hundredth of the distance to the edge is an orbit, so a small
-/// turn is many of them away.
+/// Next to an almost extremal hole a hundredth of the distance to the edge adds one orbit, so a
+/// small rotation changes the number of orbits by many.
 #[test]
-fn a_known_turn_is_found_where_it_is_many_orbits_of_a_fast_hole() {
+fn a_known_rotation_is_found_where_it_changes_the_orbits_around_a_fast_hole() {
     let scene = scene(0.99999);
     let truth =
         Truth::of(&scene, rays_near_edge(&scene, 64, [1e-5, 1e-3])).expect("a static observer");
@@ -226,8 +225,8 @@ fn a_known_turn_is_found_where_it_is_many_orbits_of_a_fast_hole() {
         worst = f64::max(worst, error.backward);
     }
     assert!(far > 5, "{far} of the answers are far off");
-    // Every turn found is one that explains the answer, but the shortest may hide between two
-    // orbits: 7 times at most.
+    // Every rotation that is found explains the answer, but the shortest one may lie between two
+    // orbits: it is exceeded by a factor of 7 at most.
     assert!(
         worst <= 10.0 * angle,
         "a turn of {angle:e} was found to be {worst:e}"

@@ -1,3 +1,6 @@
+//! The thin disk: edges, redshifts, hits and flux, against published formulas, tables and
+//! integrals.
+
 use crate::assert_close;
 use crate::reference::directions;
 use lightfall_core::geometry::kerr::Kerr;
@@ -48,7 +51,7 @@ const REDSHIFT: [[f64; 5]; 5] = [
 ];
 
 #[test]
-fn disk_edges_are_never_inside_the_innermost_stable_orbit_and_follow_it_where_asked() {
+fn disk_edges_are_never_inside_the_innermost_stable_orbit_and_can_follow_it() {
     for spin in [-0.9, 0.0, 0.998] {
         let isco = Kerr { spin }.isco();
         let mut scene = Scene::default();
@@ -63,7 +66,7 @@ fn disk_edges_are_never_inside_the_innermost_stable_orbit_and_follow_it_where_as
 /// The extreme rays leave along or against the motion: lambda = (r^2 + a^2 +- a sqrt(Delta)) / (a
 /// +- sqrt(Delta)). The table carries twelve digits, so half a unit of the last is 5e-12.
 #[test]
-fn disk_redshifts_are_those_of_the_table() {
+fn disk_redshifts_have_the_tabulated_values() {
     for [chi, r, bluest, reddest, middle] in REDSHIFT {
         let (kerr, r, a) = (Kerr { spin: chi }, r / 2.0, chi / 2.0);
         let (orbit, root) = (kerr.circular_orbit(r).unwrap(), (r * r - r + a * a).sqrt());
@@ -84,7 +87,7 @@ fn disk_redshifts_are_those_of_the_table() {
 }
 
 /// Seen along the axis every ray has L = 0, so g = sqrt(1 - 3/(2r)) / sqrt(1 - 1/r0) by the
-/// article's formula, whatever way the ray took. 1e-13 leaves room for rounding only.
+/// article's formula, for every path of the ray. 1e-13 allows only for rounding.
 #[test]
 fn disk_seen_face_on_has_the_redshift_of_gravity_and_transverse_motion() {
     let mut scene = Scene::default();
@@ -111,7 +114,7 @@ fn disk_seen_face_on_has_the_redshift_of_gravity_and_transverse_motion() {
     assert!(seen > 20, "only {seen} hits");
 }
 
-/// Matter at negative phi comes toward a camera at phi = 0 when it turns toward growing phi.
+/// Matter that orbits toward growing phi approaches a camera at phi = 0 where phi is negative.
 #[test]
 fn disk_is_bluer_on_its_approaching_side() {
     let mut scene = Scene::default();
@@ -145,8 +148,8 @@ fn disk_begins_at_the_isco_where_that_lies_outside_the_given_edge() {
     assert_eq!(disk::inner_edge(&scene), 3.0);
 }
 
-/// The zero-torque profile peaks at (49/36) r_in with F = (36/49)^3 / 7: its derivative set to zero
-/// by hand.
+/// The zero-torque profile peaks at (49/36) r_in with F = (36/49)^3 / 7, found by setting its
+/// derivative to zero.
 #[test]
 fn disk_flux_peaks_where_the_zero_torque_profile_does() {
     let flux = |r: f64| disk::newtonian_flux(r, 3.0);
@@ -163,8 +166,9 @@ fn disk_flux_peaks_where_the_zero_torque_profile_does() {
     );
 }
 
-/// The two hits are crossings in the order of the backward ray, within the annulus, and a third is
-/// not recorded over them: the same annulus cut at the first hit's radius keeps exactly the other.
+/// The two hits are the first two crossings of the annulus in the order of the backward ray, and a
+/// third crossing does not replace them. An annulus that is cut off at the first hit's radius keeps
+/// exactly the other hit.
 #[test]
 fn disk_hits_are_the_first_two_crossings_of_the_annulus() {
     let view = Scene::default();
@@ -214,17 +218,17 @@ const PAGE_THORNE: [[f64; 3]; 10] = [
 
 /// The values carry twelve digits, so half a unit of the last is 5e-12.
 #[test]
-fn disk_page_thorne_has_the_flux_of_the_table() {
+fn disk_page_thorne_has_the_tabulated_flux() {
     for [chi, r, expected] in PAGE_THORNE {
         let flux = at_the_isco(chi).flux_per_accretion_rate(r / 2.0) / 4.0;
         assert_close(format_args!("chi {chi}, r {r}"), flux, expected, 5e-12);
     }
 }
 
-/// Eight digits after the point: half a unit of the last is 5e-9 M. The scaled peak is the
-/// Newtonian one.
+/// The table has eight digits after the point, so half a unit of the last is 5e-9 M. The scaled
+/// peak equals the Newtonian one.
 #[test]
-fn disk_page_thorne_peaks_where_the_table_says_as_high_as_the_newtonian_profile() {
+fn disk_page_thorne_peaks_at_the_tabulated_radius_with_the_height_of_the_newtonian_profile() {
     for (chi, peak) in [
         (0.0, 9.550_928_08),
         (0.5, 6.615_087_61),
@@ -250,17 +254,17 @@ fn at_the_isco(chi: f64) -> PageThorne {
     PageThorne::new(chi, Kerr { spin: chi }.isco())
 }
 
-/// Conservation of energy and angular momentum makes it an integral over orbits (Page & Thorne 1974
-/// eq. 12):
+/// By conservation of energy and angular momentum the flux is an integral over orbits (Page &
+/// Thorne 1974 eq. 12):
 ///
 /// 4 pi r F / Mdot = -Omega' / (E - Omega L)^2 times the integral of (E - Omega L) dL from the
 /// edge,
 ///
-/// here with this crate's orbits, a sum over small pieces of dL, a difference for Omega', and
-/// nothing of the closed form. The sum's error falls as the square of the pieces' number: 2.1e-8 at
-/// most with 4000 of them, measured.
+/// It is computed here from the orbits of this crate, with a sum over small steps of dL and a
+/// difference quotient for Omega', without the closed form. The error of the sum falls with the
+/// square of the number of steps; with 4000 steps the largest measured error is 2.1e-8.
 #[test]
-fn disk_page_thorne_is_the_integral_of_what_the_orbits_give_up() {
+fn disk_page_thorne_is_the_integral_of_the_energy_that_orbits_lose() {
     for chi in [-0.998, -0.5, 0.0, 1e-7, 0.3, 0.9, 0.998] {
         let kerr = Kerr { spin: chi };
         for beyond in [1.0, 1.2, 3.0] {
@@ -294,7 +298,8 @@ fn disk_page_thorne_is_the_integral_of_what_the_orbits_give_up() {
     }
 }
 
-/// Beyond the innermost stable orbit, too, where the torque vanishes at the given edge.
+/// This includes edges beyond the innermost stable orbit, where the torque vanishes at the given
+/// edge.
 #[test]
 fn disk_page_thorne_shines_everywhere_outside_its_edge_and_nowhere_inside() {
     for chi in [-0.999_999, -0.5, 0.0, 1e-12, 0.5, 0.998, 0.999_999] {
@@ -314,10 +319,10 @@ fn disk_page_thorne_shines_everywhere_outside_its_edge_and_nowhere_inside() {
     }
 }
 
-/// The shader's table against the closed form, by the share of the peak: measured 2.0e-7 at 0.998,
-/// 1.0e-6 at 0.9999 and 1.6e-5 at 1 - 1e-6, where the rise takes a hundredth of the radius;
-/// elsewhere 6e-8, the rounding of f32. The last line asks of the fastest hole that f64 can write
-/// only that the table stays finite.
+/// The shader's table against the closed form, relative to the peak. The measured errors are 2.0e-7
+/// at spin 0.998, 1.0e-6 at 0.9999 and 1.6e-5 at 1 - 1e-6, where the flux rises within a hundredth
+/// of the radius; elsewhere 6e-8, which is the rounding of f32. For the fastest hole that f64 can
+/// represent the table must only be finite.
 #[test]
 fn disk_page_thorne_table_is_the_closed_form() {
     let spins = [

@@ -20,7 +20,7 @@ fn scene(spin: f64, kind: ObserverKind, velocity: [f64; 3]) -> Scene {
     scene
 }
 
-/// Directions all around.
+/// Directions over the whole sphere.
 fn directions() -> impl Iterator<Item = DVec3> {
     (0..400).map(|i| {
         let (z, turn) = (1.0 - (2.0 * f64::from(i) + 1.0) / 400.0, 2.4 * f64::from(i));
@@ -29,7 +29,7 @@ fn directions() -> impl Iterator<Item = DVec3> {
 }
 
 #[test]
-fn an_observer_at_rest_in_the_local_frame_has_no_share_of_motion() {
+fn an_observer_at_rest_in_the_local_frame_has_no_doppler_factor() {
     for spin in [-0.9, 0.0, 0.5, 0.998] {
         let mut scene = scene(spin, ObserverKind::Zamo, [0.0; 3]);
         scene.effects.gravitational_shift = false;
@@ -38,7 +38,7 @@ fn an_observer_at_rest_in_the_local_frame_has_no_share_of_motion() {
             let photon = sight.photon(direction);
             let n = scene.camera.direction();
             let lambda = scene.camera.r * n.cross(photon.w).z / photon.energy;
-            // What is left is motion, of which this camera has none; f64's rounding.
+            // Only the Doppler factor remains, which is one for this camera, except for rounding.
             assert!(
                 (shift.of_sky(1.0 / photon.energy, lambda) - 1.0).abs() < 1e-13,
                 "spin {spin}, {direction}"
@@ -50,8 +50,8 @@ fn an_observer_at_rest_in_the_local_frame_has_no_share_of_motion() {
 #[test]
 fn the_matters_motion_is_the_doppler_shift_of_special_relativity_in_the_local_frame() {
     for spin in [-0.9, 0.0, 0.5, 0.998] {
-        // The camera stays with the local frame in the plane, next to the matter: gravity has no
-        // share at one radius.
+        // The camera is at rest in the local frame in the plane, next to the matter. At equal radii
+        // the gravitational factor is one.
         let mut scene = scene(spin, ObserverKind::Zamo, [0.0; 3]);
         let kerr = Kerr { spin };
         (scene.camera.r, scene.camera.theta_deg) = (1.3 * kerr.isco(), 90.0);
@@ -60,7 +60,8 @@ fn the_matters_motion_is_the_doppler_shift_of_special_relativity_in_the_local_fr
         let orbit = kerr.circular_orbit(r).unwrap();
         let matrix =
             observer_matrix(spin, ObserverKind::Zamo, [0.0; 3], r, FRAC_PI_2, 0.0).unwrap();
-        // The frame's own speed of the matter: d(phi) - omega dt by its own lengths and times.
+        // The matter's speed in the local frame: d(phi) - omega dt in the frame's lengths and
+        // times.
         let RestFrame {
             lapse,
             dragging,
@@ -83,18 +84,19 @@ fn the_matters_motion_is_the_doppler_shift_of_special_relativity_in_the_local_fr
 }
 
 #[test]
-fn without_spin_the_share_of_gravity_is_that_of_observers_at_rest() {
+fn without_spin_the_gravitational_factor_is_that_of_observers_at_rest() {
     let mut scene = scene(0.0, ObserverKind::Rain, [0.1, -0.2, 0.3]);
     scene.effects.doppler = false;
     let shift = Shift::new(&scene);
-    // sqrt(1 - 1/r) at both ends, whatever the camera does.
+    // sqrt(1 - 1/r) at both ends, for every motion of the camera.
     let lapse = |r: f64| (1.0 - 1.0 / r).sqrt();
     assert!((shift.of_sky(0.7, 2.0) - 1.0 / lapse(6.0)).abs() < 1e-15);
     assert!((shift.of_disk(0.7, 4.0, 2.0) - lapse(4.0) / lapse(6.0)).abs() < 1e-15);
 }
 
 #[test]
-fn without_aberration_photons_come_as_to_the_local_frame_with_the_frequency_of_the_moving_camera() {
+fn without_aberration_directions_are_those_of_the_local_frame_and_frequencies_those_of_the_camera()
+{
     for (spin, kind, velocity) in [
         (0.0, ObserverKind::Static, [0.3, -0.4, 0.5]),
         (0.9, ObserverKind::Rain, [0.1, 0.0, -0.6]),
@@ -111,7 +113,7 @@ fn without_aberration_photons_come_as_to_the_local_frame_with_the_frequency_of_t
         let rest = observer_matrix(spin, ObserverKind::Zamo, [0.0; 3], 6.0, theta, phi).unwrap();
         for direction in directions() {
             let (photon, at_rest) = (without.photon(direction), rest.photon(direction));
-            // The same path: equal but for a factor.
+            // The same path: the photons differ only by a factor.
             let factor = at_rest.energy / photon.energy;
             assert!((factor * photon.w - at_rest.w).length() < 1e-13);
             assert!((factor * photon.radial - at_rest.radial).abs() < 1e-13);
@@ -123,7 +125,7 @@ fn without_aberration_photons_come_as_to_the_local_frame_with_the_frequency_of_t
                 radial: camera[1],
                 w: DVec3::from_slice(&camera[2..]),
             };
-            let [p, u] = [photon, camera].map(|vector| on_local_legs(spin, &vector, theta, phi));
+            let [p, u] = [photon, camera].map(|vector| on_zamo_tetrad(spin, &vector, theta, phi));
             // f64's rounding, times the camera's gamma squared.
             assert!(
                 (p[0] * u[0] - p[1] * u[1] - p[2] * u[2] - p[3] * u[3] - 1.0).abs() < 1e-13,
@@ -133,9 +135,9 @@ fn without_aberration_photons_come_as_to_the_local_frame_with_the_frequency_of_t
     }
 }
 
-/// A vector on the axes of the observer with zero angular momentum at r = 6, from the metric:
-/// Bardeen, Press & Teukolsky 1972 eq. 3.2.
-fn on_local_legs(spin: f64, vector: &Photon, theta: f64, phi: f64) -> [f64; 4] {
+/// A vector on the axes of the zero-angular-momentum observer at r = 6, from the metric: Bardeen,
+/// Press & Teukolsky 1972 eq. 3.2.
+fn on_zamo_tetrad(spin: f64, vector: &Photon, theta: f64, phi: f64) -> [f64; 4] {
     let (kerr, r) = (Kerr { spin }, 6.0);
     let frame = RestFrame::at(kerr, r, theta);
     let [_, theta_hat, phi_hat] = celestial_frame(theta, phi);
@@ -188,8 +190,8 @@ fn far_from_the_hole_the_disks_shifts_do_not_depend_on_lensing() {
         if let [Some(bent), Some(straight)] =
             [bent, straight].map(|reference| reference.trace(direction).hits[0])
         {
-            // Matter moves with 0.007 c at most. Light is bent by about 1/r, and moves its hit by
-            // as much.
+            // Matter moves with 0.007 c at most. Light is deflected by about 1/r, which displaces
+            // its hit by the same angle.
             assert!((bent.g - straight.g).abs() < 3e-6, "{bent:?} {straight:?}");
             assert!(
                 (straight.g - 1.0).abs() > 3e-6 && (bent.r / straight.r - 1.0).abs() < 1e-3,

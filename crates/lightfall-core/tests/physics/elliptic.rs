@@ -1,7 +1,9 @@
+//! Carlson's R_F against another implementation and its special values.
+
 use crate::assert_close;
 use lightfall_core::geometry::elliptic::carlson_rf;
 
-/// Against the `ellip` crate, a code of other authors; 1e-14 is some fifty roundings.
+/// Against the `ellip` crate, an independent implementation. 1e-14 is about fifty rounding errors.
 #[test]
 fn carlson_rf_agrees_with_another_implementation() {
     let values = [1e-12, 1e-3, 0.2, 1.0, 3.7, 50.0, 1e9];
@@ -33,7 +35,7 @@ fn carlson_rf_has_its_special_values() {
 }
 
 #[test]
-fn carlson_rf_refuses_what_has_no_value() {
+fn carlson_rf_is_nan_where_it_is_not_defined() {
     for [x, y, z] in [
         [-1.0, 1.0, 1.0],
         [0.0, 0.0, 1.0],

@@ -1,6 +1,5 @@
-//! A camera that has fallen into a spinning hole: the reference against closed forms and limits.
-//! Another code's answers from inside are in kerr_schild.rs, the motion there in timelike.rs and
-//! thrown.rs.
+//! A camera inside a spinning hole: the reference against closed forms and limits. kerr_schild.rs
+//! compares it with another code; timelike.rs and released.rs test the motion inside.
 
 use crate::reference::directions;
 use crate::timelike::scene;
@@ -16,17 +15,18 @@ fn rain(spin: f64, r: f64, theta_deg: f64, velocity: [f64; 3]) -> Scene {
     scene(spin, ObserverKind::Rain, velocity, r, theta_deg)
 }
 
-/// Places from the horizon to where motion ends.
+/// Radii from the horizon to the smallest radius of motion.
 fn depths(spin: f64) -> [f64; 4] {
     let (horizon, end) = (Kerr { spin }.horizon(), min_infall_radius(Kerr { spin }));
     [1.0, 0.9, 0.5, 0.0].map(|share| end + share * (horizon - end))
 }
 
 /// Along the ingoing principal null rays, L = a E sin^2(theta) and Sigma p^r = -E Sigma, neither
-/// theta nor the ingoing azimuth changes (Misner, Thorne & Wheeler 1973 box 33.2): who looks along
-/// one sees the place of the sky that she is below, from wherever she is. Only rounding is left.
+/// theta nor the ingoing azimuth changes (Misner, Thorne & Wheeler 1973 box 33.2). So an observer
+/// that looks along such a ray sees the point of the sky above it, from every radius. The tolerance
+/// allows only for rounding.
 #[test]
-fn along_a_principal_null_ray_the_sky_is_straight_overhead() {
+fn along_a_principal_null_ray_the_sky_is_directly_overhead() {
     for spin in [-0.998, -0.4, 0.0, 0.7, 0.95, 0.9999] {
         for (r, theta_deg) in depths(spin)
             .into_iter()
@@ -55,10 +55,10 @@ fn along_a_principal_null_ray_the_sky_is_straight_overhead() {
     }
 }
 
-/// A spin of 1e-9 changes what is seen by as much times what lensing stretches it by, some
+/// A spin of 1e-9 changes the picture by 1e-9 times the lensing magnification, which is some
 /// thousands next to the critical curve.
 #[test]
-fn without_spin_it_is_schwarzschilds_inside() {
+fn without_spin_the_inside_is_schwarzschilds() {
     for r in [1.0, 0.9, 0.5, 0.2] {
         for velocity in [[0.0; 3], [-0.3, 0.4, 0.5]] {
             let [still, turning] =
@@ -80,10 +80,10 @@ fn without_spin_it_is_schwarzschilds_inside() {
     }
 }
 
-/// The motion from just outside to just inside turns the picture by as much as the way is long, and
-/// by nothing else: the azimuth's name changes there, and the sky does not.
+/// Between a place just outside the horizon and one just inside the picture changes only by the
+/// distance between the two: the azimuth coordinate changes there, the sky does not.
 #[test]
-fn the_horizon_is_no_place_in_the_picture() {
+fn the_picture_is_continuous_through_the_horizon() {
     for (spin, theta_deg) in [(0.9, 90.0), (-0.9, 40.0), (0.998, 80.0), (0.3, 0.0)] {
         let kerr = Kerr { spin };
         let seen = |share: f64| {
@@ -114,9 +114,9 @@ fn the_horizon_is_no_place_in_the_picture() {
     }
 }
 
-/// Every backward ray from inside moves outward until it is outside, and keeps its constants.
+/// Every backward ray from inside moves outward until it has left the hole, and its constants hold.
 #[test]
-fn no_ray_from_inside_is_given_up() {
+fn every_ray_from_inside_is_finished() {
     for spin in [-0.9999, -0.5, 0.05, 0.9, 0.999_999] {
         for r in depths(spin) {
             let reference = Reference::new(&rain(spin, r, 77.0, [0.0, 0.5, 0.5])).unwrap();

@@ -1,3 +1,5 @@
+//! Special radii and circular orbits of Kerr against a table, expansions and the metric.
+
 use crate::assert_close;
 use lightfall_core::geometry::kerr::Kerr;
 
@@ -114,9 +116,9 @@ const EFFICIENCY: [[f64; 2]; 5] = [
     [0.9999, 0.3820415314851],
 ];
 
-/// The table prints twelve decimals, so 1e-12 relative is its own rounding.
+/// The table has twelve decimals, so a relative 1e-12 is its own rounding.
 #[test]
-fn special_radii_are_those_of_the_published_table() {
+fn special_radii_have_the_tabulated_values() {
     for [
         chi,
         horizon,
@@ -163,7 +165,8 @@ fn special_radii_are_those_of_the_published_table() {
 }
 
 /// Near |chi| = 1 the radii follow their expansions in delta = sqrt(1 - chi^2) or in the cube root
-/// of 1 - chi, whose next terms bound the tolerance; with cancellation the digits would be gone.
+/// of 1 - chi. The next terms of the expansions set the tolerance. A formula with cancellation
+/// would lose all digits here.
 #[test]
 fn near_extremal_spins_keep_their_digits() {
     let gap = 2.0_f64.powi(-46);
@@ -179,8 +182,8 @@ fn near_extremal_spins_keep_their_digits() {
     assert_close("photon orbit - M", photon, 1.0, 1e-7);
 }
 
-/// For small spin the ISCO is 6 M (1 - 4 sqrt(2/3) chi / 6 ...), linear through zero. 1e-13 of the
-/// radius is left for rounding: the textbook form loses half of all digits here.
+/// For small spin the ISCO is 6 M (1 - 4 sqrt(2/3) chi / 6 ...), linear through zero. A relative
+/// 1e-13 allows for rounding; the textbook form loses half of all digits here.
 #[test]
 fn the_isco_is_linear_in_small_spins() {
     for chi in [1e-7, -1e-7, 1e-10, 0.0] {

@@ -103,18 +103,19 @@ impl Metric {
     }
 }
 
-fn scaled(p: (f64, DVec3), factor: f64) -> (f64, DVec3) {
+fn scale(p: (f64, DVec3), factor: f64) -> (f64, DVec3) {
     (p.0 * factor, p.1 * factor)
 }
 
 /// The covectors of e_t, e_r, e_theta, e_phi: u along d/dt or along d/dt + omega d/dphi; e_r and
 /// e_theta along dr and dtheta, since Boyer-Lindquist's r and theta are orthogonal; e_phi what is
-/// left, by Gram and Schmidt.
+/// left, by the Gram-Schmidt process.
 ///
-/// Of `rain` u has E = 1, no angular momentum and no share along dtheta, so that it is -dt plus a
-/// share of dr, such that its square is -1 and it falls in; e_r is what is left of dr.
+/// For `rain` u has E = 1, no angular momentum and no component along dtheta. So it is -dt plus a
+/// multiple of dr, chosen so that its square is -1 and it points inward; e_r is the remainder of
+/// dr.
 fn tetrad(metric: &Metric, place: DVec3, kind: ObserverKind) -> [(f64, DVec3); 4] {
-    let normal = |p: (f64, DVec3)| scaled(p, 1.0 / metric.inverse(p, p).abs().sqrt());
+    let normal = |p: (f64, DVec3)| scale(p, 1.0 / metric.inverse(p, p).abs().sqrt());
     let rotation = (0.0, DVec3::new(-place.y, place.x, 0.0));
     let (time, turn) = (metric.lower((1.0, DVec3::ZERO)), metric.lower(rotation));
     let u = match kind {
@@ -163,7 +164,7 @@ fn tetrad(metric: &Metric, place: DVec3, kind: ObserverKind) -> [(f64, DVec3); 4
     ]
 }
 
-/// The axes of who moves with the velocity v for others: u' = gamma (u + v^i e_i), e_j' = e_j +
+/// The axes of an observer that moves with the velocity v: u' = gamma (u + v^i e_i), e_j' = e_j +
 /// (gamma v_j) u + (gamma^2/(gamma + 1)) v_j v^i e_i.
 fn boosted([u, axes @ ..]: [(f64, DVec3); 4], velocity: [f64; 3]) -> [(f64, DVec3); 4] {
     let gamma = 1.0 / (1.0 - DVec3::from_array(velocity).length_squared()).sqrt();
@@ -181,7 +182,7 @@ fn boosted([u, axes @ ..]: [(f64, DVec3); 4], velocity: [f64; 3]) -> [(f64, DVec
             along,
         )
     };
-    [scaled(sum(u, 1.0, along), gamma), axis(0), axis(1), axis(2)]
+    [scale(sum(u, 1.0, along), gamma), axis(0), axis(1), axis(2)]
 }
 
 /// dx and dp along the backward ray, H = g^(mu nu) p_mu p_nu / 2.
@@ -233,9 +234,9 @@ const ERROR: [f64; 7] = [
     -1.0 / 40.0,
 ];
 
-/// The direction in which the backward ray leaves, or nothing if it comes near the horizon from
-/// outside, or piles up there from inside: in these coordinates light does that which never was
-/// outside. At r = 1e8 what is left of the bending is of the order b/r^2.
+/// The direction in which the backward ray leaves. `None` if it comes near the horizon from
+/// outside, or accumulates there from inside, which light that was never outside does in these
+/// coordinates. At r = 1e8 the remaining deflection is of the order b/r^2.
 fn sky(scene: &Scene, direction: DVec3, tolerance: f64) -> Option<DVec3> {
     let kerr = Kerr {
         spin: scene.hole.spin,
@@ -302,8 +303,8 @@ fn sky(scene: &Scene, direction: DVec3, tolerance: f64) -> Option<DVec3> {
     None
 }
 
-/// Both must find the same sky. The other code's error is found by tightening its tolerance: what
-/// is left at 1e-13 is its own, and it shrinks a hundred times or more from 1e-9.
+/// Both codes must find the same sky. The other code's own error is measured by tightening its
+/// tolerance from 1e-9 to 1e-13, which must reduce it by a factor of a hundred or more.
 fn assert_same_sky(scenes: impl IntoIterator<Item = Scene>, least: u32) {
     let (mut coarse, mut fine, mut compared) = (0.0_f64, 0.0_f64, 0);
     for scene in scenes {
@@ -371,7 +372,7 @@ fn an_independent_code_in_kerr_schild_coordinates_sees_the_same_sky() {
 }
 
 #[test]
-fn from_inside_the_horizon_it_sees_the_same_sky_too() {
+fn an_independent_code_sees_the_same_sky_from_inside_the_horizon() {
     let mut scenes = Vec::new();
     for (spin, theta_deg) in [
         (0.0, 60.0),
@@ -387,7 +388,7 @@ fn from_inside_the_horizon_it_sees_the_same_sky_too() {
             (0.5, [-0.2, 0.3, 0.5]),
             (0.0, [0.0, 0.0, -0.6]),
         ] {
-            // From the horizon to the end of the way in.
+            // From the horizon to the smallest radius of motion.
             let r = min_infall_radius(kerr) + depth * (kerr.horizon() - min_infall_radius(kerr));
             scenes.push(scene(spin, [r, theta_deg], ObserverKind::Rain, velocity));
         }

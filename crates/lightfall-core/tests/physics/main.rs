@@ -1,5 +1,5 @@
-//! The physics against independent truth: closed forms, published values, identities, and a code of
-//! another kind.
+//! The physics against independent results: closed forms, published values, identities, and a code
+//! that uses other coordinates and another integrator.
 #![allow(clippy::unwrap_used, reason = "a failed unwrap is a failed test")]
 
 mod accuracy;
@@ -14,13 +14,13 @@ mod observer;
 mod path;
 mod readout;
 mod reference;
+mod released;
 mod schwarzschild;
 mod shadow_edge;
 mod spectrum;
-mod thrown;
 mod timelike;
 
-/// Asserts that `found` is `expected` within `relative` of it.
+/// Asserts that `found` equals `expected` within the relative tolerance `relative`.
 #[track_caller]
 fn assert_close(what: impl std::fmt::Display, found: f64, expected: f64, relative: f64) {
     let error = (found - expected).abs();

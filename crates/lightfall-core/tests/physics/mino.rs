@@ -1,3 +1,5 @@
+//! Null geodesics from infinity against tables, elliptic integrals and other codes.
+
 use crate::schwarzschild::{DEFLECTION, RINGS, rounding_of_b};
 use crate::{assert_close, bisect};
 use glam::DVec3;
@@ -15,24 +17,24 @@ fn trace(spin: f64, screen: [f64; 2], u: f64, theta: f64, annulus: Option<[f64; 
     HoleAndDisk { kerr, annulus }.trace(&constants, start)
 }
 
-/// Infinity to infinity in the plane without spin: the ray turns by bending + pi, clockwise for
-/// positive L.
-fn error_of_bending(b: f64, bending: f64) -> f64 {
+/// The error of the deflection from infinity to infinity in the plane without spin: the ray's
+/// azimuth changes by the deflection + pi, clockwise for positive L.
+fn deflection_error(b: f64, bending: f64) -> f64 {
     let sky = trace(0.0, [-b, 0.0], 0.0, FRAC_PI_2, None).sky.unwrap();
     let turn = -(bending + PI);
     (sky - DVec3::new(turn.cos(), turn.sin(), 0.0)).length()
 }
 
-/// The tables (mpmath) carry sixteen digits; 1e-12 rad is some thousand roundings over up to
-/// twenty-six steps, and near the critical curve b's own rounding is amplified by b/(b - b_c).
+/// The tables (mpmath) have sixteen digits. 1e-12 rad is about a thousand rounding errors in up to
+/// twenty-six steps. Near the critical curve the rounding of b is amplified by b/(b - b_c).
 #[test]
-fn light_from_infinity_is_bent_as_in_the_table() {
+fn light_from_infinity_has_the_tabulated_deflection() {
     for [b, bending] in DEFLECTION {
-        let error = error_of_bending(b / 2.0, bending);
+        let error = deflection_error(b / 2.0, bending);
         assert!(error < 1e-12 + rounding_of_b(b), "b = {b} M: {error:e}");
     }
     for (n, b) in (1..).zip(RINGS) {
-        let error = error_of_bending(b / 2.0, f64::from(n) * PI);
+        let error = deflection_error(b / 2.0, f64::from(n) * PI);
         assert!(error < 1e-12 + rounding_of_b(b), "ring {n}: {error:e}");
     }
 }
@@ -40,11 +42,11 @@ fn light_from_infinity_is_bent_as_in_the_table() {
 /// Thousands of impact parameters against the elliptic integral, over nine decades of distance to
 /// the critical curve.
 #[test]
-fn light_from_infinity_is_bent_as_in_closed_form() {
+fn light_from_infinity_has_the_deflection_of_the_closed_form() {
     let mut worst = 0.0_f64;
     for i in 0..2000 {
         let b = 2.598_076_211_353_316 * (1.0 + 10.0_f64.powf(-6.0 + 9.0 * f64::from(i) / 2000.0));
-        let error = error_of_bending(b, deflection(b).unwrap());
+        let error = deflection_error(b, deflection(b).unwrap());
         assert!(
             error < 1e-13 + 2.0 * rounding_of_b(2.0 * b),
             "b = {b}: {error:e}"
@@ -79,10 +81,10 @@ const KERR_BENDING: [[f64; 3]; 21] = [
     [0.998, -10.0, 0.739_104_522_448_639],
 ];
 
-/// Fifteen digits in the table; the ray at L = -7 M, 5e-4 from critical, amplifies rounding by some
-/// thousand.
+/// The table has fifteen digits. The ray at L = -7 M, 5e-4 from the critical one, amplifies
+/// rounding errors by about a thousand.
 #[test]
-fn light_in_the_plane_of_a_spinning_hole_is_bent_as_in_the_table() {
+fn light_in_the_plane_of_a_spinning_hole_has_the_tabulated_deflection() {
     for [chi, lambda, bending] in KERR_BENDING {
         let sky = trace(chi, [-lambda / 2.0, 0.0], 0.0, FRAC_PI_2, None)
             .sky
@@ -94,8 +96,8 @@ fn light_in_the_plane_of_a_spinning_hole_is_bent_as_in_the_table() {
 }
 
 /// chi, inclination, alpha, beta, then x and y of the first crossing of the plane; lengths in M.
-/// The observer is at r = 1000 M: kgeo's table (which agrees with ipole) to its six digits, here to
-/// ten.
+/// The observer is at r = 1000 M. The rows agree with the six digits of kgeo's table (which agrees
+/// with ipole), and have ten digits here.
 const CROSSINGS: [[f64; 6]; 8] = [
     [0.42, 60.0, -17.0, 0.0, -0.052_233_590_8, -16.034_233_4],
     [0.42, 60.0, -9.0, 0.0, -0.103_693_371_1, -8.097_835_112_7],
@@ -114,10 +116,10 @@ const CROSSINGS: [[f64; 6]; 8] = [
     [0.73, 35.0, 0.0001, 4.0, -2.112_207_118_2, 1.023_229_137],
 ];
 
-/// Eight digits after the point or more, hence 1e-9 of the radius (the first row's y: nine digits
-/// in all).
+/// The rows have eight or more digits after the point, hence 1e-9 of the radius (the first row's y
+/// has nine digits in all).
 #[test]
-fn light_crosses_the_plane_where_other_codes_say() {
+fn light_crosses_the_plane_where_other_codes_find_it() {
     for [chi, inclination, alpha, beta, x, y] in CROSSINGS {
         let inclination = inclination.to_radians();
         let screen = [alpha / 2.0, beta / 2.0];
@@ -156,7 +158,7 @@ fn rings_seen_along_the_axis_appear_at_the_tabulated_impact_parameters() {
         for b in impacts {
             let annulus = [0.4999 * r, 0.5001 * r];
             let hit = trace(0.0, [0.0, b / 2.0], 0.0, 0.0, Some(annulus)).hits[0].unwrap();
-            // dr/db grows like exp(pi) per image: 1.5e3 r at most, on thirteen digits of b.
+            // dr/db grows like exp(pi) per image, to 1.5e3 r at most, and b has thirteen digits.
             assert_close(format_args!("r = {r} M, b = {b} M"), hit.r, r / 2.0, 1e-9);
         }
     }
@@ -207,7 +209,7 @@ fn shadow_seen_along_the_axis_is_that_of_the_polar_photon_orbit() {
         let found = bisect(0.0, 20.0, |radius| {
             trace(chi, [0.3 * radius, 0.4 * radius], 0.0, 0.0, None).outcome == Outcome::Captured
         });
-        // eta cancels for small spin: a few roundings over a^2.
+        // eta has a cancellation at small spin: a few rounding errors over a^2.
         assert_close(
             format_args!("chi {chi}"),
             found,

@@ -1,3 +1,5 @@
+//! Observer matrices against the metric, boosts, conserved energies and special relativity.
+
 use crate::assert_close;
 use glam::{DMat3, DVec3};
 use lightfall_core::geometry::kerr::Kerr;
@@ -14,7 +16,7 @@ fn matrix(spin: f64, kind: ObserverKind, velocity: [f64; 3], r: f64, theta: f64)
     observer_matrix(spin, kind, velocity, r, theta, 0.7).unwrap()
 }
 
-/// Every place and kind that the tests below go through.
+/// The places and observers of the tests below.
 fn observers() -> Vec<(f64, ObserverKind, [f64; 3], f64, f64)> {
     let mut all = Vec::new();
     for spin in [-0.998, -0.4, 0.0, 0.7, 0.998] {
@@ -33,8 +35,8 @@ fn observers() -> Vec<(f64, ObserverKind, [f64; 3], f64, f64)> {
 }
 
 /// The product of two momenta given as columns of the matrix, by the inverse metric in
-/// Boyer-Lindquist's own components (Bardeen, Press & Teukolsky 1972 section II): independent of
-/// how the rows were made.
+/// Boyer-Lindquist components (Bardeen, Press & Teukolsky 1972 section II), independent of the
+/// derivation of the rows.
 fn product(spin: f64, r: f64, theta: f64, left: [f64; 4], right: [f64; 4]) -> f64 {
     let (a, sin, cos) = (spin / 2.0, theta.sin(), theta.cos());
     let (sigma, delta) = (r * r + (a * cos).powi(2), r * r - r + a * a);
@@ -54,10 +56,10 @@ fn product(spin: f64, r: f64, theta: f64, left: [f64; 4], right: [f64; 4]) -> f6
         + (delta - (a * sin).powi(2)) / (sigma * delta * sin * sin) * p_phi * q_phi
 }
 
-/// The matrix's columns are the covectors of e_t, -e_r, -e_theta, -e_phi. 1e-12 of the largest
-/// product, which near the horizon is large.
+/// The matrix's columns are the covectors of e_t, -e_r, -e_theta, -e_phi. The tolerance is 1e-12 of
+/// the largest term of a product, which is large near the horizon.
 #[test]
-fn observer_legs_are_orthonormal_in_the_metric() {
+fn tetrads_are_orthonormal_in_the_metric() {
     for (spin, kind, velocity, r, theta) in observers() {
         if spin.abs() > 0.9 && r < 1.1 && kind == Static {
             continue;
@@ -89,8 +91,7 @@ fn observer_legs_are_orthonormal_in_the_metric() {
     }
 }
 
-/// The sum of the product's terms without their signs: what its rounding errors are proportional
-/// to.
+/// The sum of the magnitudes of the product's terms, to which its rounding errors are proportional.
 fn product_size(spin: f64, r: f64, theta: f64, left: [f64; 4], right: [f64; 4]) -> f64 {
     let unit = |i: usize| -> [f64; 4] { std::array::from_fn(|k| f64::from(u8::from(k == i))) };
     let pairs = (0..16).map(|n| (n / 4, n % 4));
@@ -99,8 +100,8 @@ fn product_size(spin: f64, r: f64, theta: f64, left: [f64; 4], right: [f64; 4]) 
         .sum()
 }
 
-/// U(u) = u'^2 and the two constraints on n' together are the null condition; they are written with
-/// other variables and hold at the poles and inside the horizon too.
+/// U(u) = u'^2 and the two constraints on n' together are the null condition, in variables that are
+/// regular at the poles and inside the horizon.
 #[test]
 fn photons_of_every_observer_are_null_at_the_poles_and_inside_the_horizon_too() {
     let mut places = observers();
@@ -141,8 +142,9 @@ fn photons_of_every_observer_are_null_at_the_poles_and_inside_the_horizon_too() 
 }
 
 /// Each kind is the ZAMO seen through one boost: along phi with the speed (Omega - omega)
-/// sin(theta) A / (Sigma sqrt(Delta)) of whatever turns with Omega (Bardeen, Press & Teukolsky 1972
-/// section III), or inward with sqrt(1 - 1/gamma^2), gamma = 1/N for free fall from rest.
+/// sin(theta) A / (Sigma sqrt(Delta)) of an observer that orbits with Omega (Bardeen, Press &
+/// Teukolsky 1972 section III), or inward with sqrt(1 - 1/gamma^2), gamma = 1/N for free fall from
+/// rest.
 #[test]
 fn observer_kinds_are_pure_boosts_of_the_zamo() {
     for spin in [-0.9, 0.0, 0.5, 0.98] {
@@ -191,7 +193,7 @@ fn observer_kinds_are_pure_boosts_of_the_zamo() {
 }
 
 /// E of an observer's own motion is the matrix's first entry: 1 for free fall from rest at
-/// infinity; sqrt(-g_tt) at rest, whatever the direction of the light.
+/// infinity; sqrt(-g_tt) at rest, for every direction of the light.
 #[test]
 fn observer_energies_are_the_conserved_ones() {
     for spin in [-0.9, 0.0, 0.9] {
@@ -221,7 +223,7 @@ fn observer_energies_are_the_conserved_ones() {
 /// (-radial n - w)/E backward, so the radial row is -d_r sqrt(f0) and w is minus the tangential
 /// part of d.
 #[test]
-fn static_observer_without_spin_is_the_articles() {
+fn the_static_observer_without_spin_has_the_articles_initial_condition() {
     let (r, direction) = (1.7, DVec3::new(-0.48, 0.6, 0.64));
     let photon = matrix(0.0, Static, [0.0; 3], r, 1.1).photon(direction);
     let [n, theta_hat, phi_hat] = celestial_frame(1.1, 0.7);
@@ -239,7 +241,7 @@ fn moving_observers_see_the_doppler_shift() {
     for v in [0.1, 0.9, 0.999_999] {
         let moving = matrix(0.5, Static, [0.0, v, 0.0], 1e12, 1.0);
         let shift = ((1.0 - v) / (1.0 + v)).sqrt();
-        // Rounding grows with gamma^2 for light from ahead: 2.5e5 at most here.
+        // For light from ahead rounding errors grow with gamma^2, which is 2.5e5 at most here.
         assert_close("ahead", moving.photon(DVec3::Y).energy, shift, 1e-9);
         assert_close(
             "behind",
@@ -271,7 +273,7 @@ fn free_fall_passes_the_horizon_smoothly() {
     }
 }
 
-/// On the axis phi only turns the axes, and nothing jumps on the way there.
+/// On the axis phi only rotates the axes, and everything is continuous on the way there.
 #[test]
 fn poles_are_ordinary_places() {
     for spin in [-0.8, 0.0, 0.99] {

@@ -1,4 +1,5 @@
-//! The path of a ray, as the ray inspector shows it, against integrals and closed forms of its own.
+//! The path of a ray, which the ray inspector shows, against independent integrals and closed
+//! forms.
 
 use glam::{DVec2, DVec3};
 use lightfall_core::geometry::kerr::Kerr;
@@ -26,8 +27,8 @@ fn presets() -> impl Iterator<Item = Scene> {
         .map(|preset| preset.scene(&[]).unwrap())
 }
 
-/// Integral of f from `a` to `b` by the midpoint rule in s, x = a + (b - a) s^2 (3 - 2 s): blunt,
-/// and nothing of the code.
+/// Integral of f from `a` to `b` by the midpoint rule in s with x = a + (b - a) s^2 (3 - 2 s). It
+/// shares nothing with the code under test.
 fn midpoints(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
     const PARTS: usize = 400_000;
     let part = |i: usize| {
@@ -58,7 +59,7 @@ fn a_path_begins_at_the_camera_and_ends_where_its_trace_ends() {
             );
             let last = *path.points.last().unwrap();
             match trace.outcome {
-                // Bent light still turns by some r_s / r beyond the last place.
+                // Light is still deflected by about r_s / r beyond the last point.
                 Outcome::Sky => {
                     assert!(
                         last.angle_between(trace.sky.unwrap()) < 0.6,
@@ -90,8 +91,8 @@ fn a_path_begins_at_the_camera_and_ends_where_its_trace_ends() {
     }
 }
 
-/// From inside, a backward ray either leads out through the horizon, to the sky or back again, or
-/// to where no light from outside comes: then it stays in.
+/// A backward ray from inside either leaves through the horizon, and ends at the sky or comes back,
+/// or its light did not come from outside, and it stays inside.
 #[test]
 fn paths_from_inside_lead_out_only_where_light_came_in() {
     for spin in [0.0, 0.9] {
@@ -103,7 +104,7 @@ fn paths_from_inside_lead_out_only_where_light_came_in() {
         let horizon = Kerr { spin }.horizon();
         let reference = Reference::new(&scene).unwrap();
         let mut seen = [0, 0];
-        // All around her.
+        // In all directions.
         for i in 0..600 {
             let (height, turn) = ((f64::from(i) + 0.5) / 300.0 - 1.0, 2.4 * f64::from(i));
             let across = (1.0 - height * height).sqrt();
@@ -118,7 +119,7 @@ fn paths_from_inside_lead_out_only_where_light_came_in() {
                 assert!(farthest > 10.0, "spin {spin}, {direction}: {farthest}");
                 seen[0] += 1;
             } else if trace.steps == 0 {
-                // The reference knows without a step that nothing from outside comes from there.
+                // The reference finds without a step that this light does not come from outside.
                 assert!(
                     farthest <= horizon * (1.0 + 1e-9),
                     "spin {spin}, {direction}: {farthest}"
@@ -131,7 +132,7 @@ fn paths_from_inside_lead_out_only_where_light_came_in() {
 }
 
 #[test]
-fn without_spin_the_closest_place_and_the_turn_are_those_of_the_orbit_equation() {
+fn without_spin_the_closest_approach_and_the_swept_angle_follow_the_orbit_equation() {
     let mut scene = Scene::default();
     scene.disk.enabled = false;
     for aside in [0.14, 0.2, 0.5, 1.0] {
@@ -143,20 +144,20 @@ fn without_spin_the_closest_place_and_the_turn_are_those_of_the_orbit_equation()
         let sine = direction.y.hypot(direction.z);
         let b = r * sine / (1.0 - 1.0 / r).sqrt();
         assert!((numbers.impact_parameter.unwrap() - b).abs() < 1e-12 * b);
-        // At the closest place b^2 = r^3 / (r - 1).
+        // At the closest approach b^2 = r^3 / (r - 1).
         let closest = path.closest_r;
         assert!(
             (closest.powi(3) / (closest - 1.0) - b * b).abs() < 1e-10 * b * b,
             "{closest}"
         );
         // phi = integral of du / sqrt(1/b^2 - u^2 + u^3): in from the camera and out to infinity.
-        // The substitution u = u0 (1 - s^2) takes the square root's pole away.
+        // The substitution u = u0 (1 - s^2) removes the singularity of the inverse square root.
         let u0 = 1.0 / closest;
         let swept = |from: f64| {
             let end = (1.0 - from / u0).sqrt();
             midpoints(0.0, end, |s| {
                 let u = u0 * (1.0 - s * s);
-                // 1/b^2 - u^2 + u^3 less its value zero at u0, over (u0 - u).
+                // 1/b^2 - u^2 + u^3 vanishes at u0; this is its quotient by (u0 - u).
                 let over = (u0 + u) - (u0 * u0 + u0 * u + u * u);
                 2.0 * u0.sqrt() / over.sqrt()
             })
@@ -209,7 +210,7 @@ fn without_spin_light_from_the_disk_takes_the_time_of_the_orbit_equation() {
 }
 
 #[test]
-fn a_second_hit_was_emitted_earlier_by_more_than_the_straight_way_between_the_two() {
+fn a_second_hit_was_emitted_earlier_by_more_than_the_light_time_of_the_straight_line() {
     let scene = presets::find("extremal").unwrap().scene(&[]).unwrap();
     let mut counted = 0;
     for direction in directions(&scene) {
@@ -228,7 +229,7 @@ fn a_second_hit_was_emitted_earlier_by_more_than_the_straight_way_between_the_tw
 }
 
 #[test]
-fn the_numbers_of_an_inspection_are_those_of_trace() {
+fn an_inspection_has_the_numbers_of_trace() {
     for scene in presets() {
         let reference = Reference::new(&scene).unwrap();
         for direction in directions(&scene) {
@@ -247,7 +248,7 @@ fn the_numbers_of_an_inspection_are_those_of_trace() {
                 match (name, value) {
                     ("outcome", value) => assert_eq!(shown, value),
                     (_, "") => assert!(shown.is_null(), "{name} = {shown}"),
-                    // The JSON reader of this test may miss the last place.
+                    // The JSON reader of this test may be wrong in the last digit.
                     _ => {
                         let (shown, value) =
                             (shown.as_f64().unwrap(), value.parse::<f64>().unwrap());
@@ -291,8 +292,8 @@ fn orders_are_whole_half_turns_and_straight_rays_have_order_zero() {
             scene.name
         );
     }
-    // Light that just escapes winds about the hole: half a turn more for every e^pi nearer to the
-    // critical ray.
+    // Light that barely escapes winds about the hole: half a turn more for every factor e^pi nearer
+    // to the critical ray.
     let mut scene = Scene::default();
     scene.disk.enabled = false;
     let r = scene.camera.r;

@@ -26,7 +26,7 @@ fn read(scene: &Scene) -> Readout {
 }
 
 #[test]
-fn thrust_is_that_of_hovering_and_none_in_free_fall() {
+fn thrust_is_that_of_hovering_and_zero_in_free_fall() {
     for r in [1.001_f64, 1.5, 3.0, 1e3, 1e6] {
         let hover = 0.5 / (r * r * (1.0 - 1.0 / r).sqrt());
         for kind in [Static, Zamo] {
@@ -74,7 +74,7 @@ fn thrust_is_that_of_hovering_and_none_in_free_fall() {
 }
 
 #[test]
-fn clocks_and_speeds_are_the_textbooks() {
+fn clocks_and_speeds_follow_the_textbook_formulas() {
     for r in [1.7_f64, 4.0, 50.0] {
         let fall = (1.0 / r).sqrt();
         let still = read(&scene(0.0, Static, r, 90.0));
@@ -107,8 +107,8 @@ fn clocks_and_speeds_are_the_textbooks() {
             1e-13,
         );
     }
-    // In the ergosphere nothing is at rest; inside the horizon nothing hovers, and no clock far
-    // away compares.
+    // In the ergosphere no observer is at rest. Inside the horizon no observer hovers, and there is
+    // no comparison with a clock far away.
     let ergosphere = read(&scene(0.9, Zamo, 0.9, 90.0));
     assert!(ergosphere.speed_for_static.is_none() && ergosphere.speed_for_zamo.unwrap() < 1e-15);
     let inside = read(&scene(0.9, Rain, 0.5, 90.0));
@@ -124,7 +124,7 @@ fn clocks_and_speeds_are_the_textbooks() {
 }
 
 #[test]
-fn light_from_straight_ahead_is_shifted_as_the_potential_and_the_speed_say() {
+fn light_from_straight_ahead_is_shifted_by_the_potential_and_the_speed() {
     let mut scene = scene(0.0, Static, 4.0, 70.0);
     assert_eq!(read(&scene).ahead, None, "ahead is the hole");
     scene.camera.yaw_deg = 180.0;
@@ -138,7 +138,7 @@ fn light_from_straight_ahead_is_shifted_as_the_potential_and_the_speed_say() {
         gravity,
         1e-14,
     );
-    // From behind one who falls from rest at infinity: 1/(1 + sqrt(1/r)).
+    // From behind an observer that falls from rest at infinity: 1/(1 + sqrt(1/r)).
     scene.observer.kind = Rain;
     scene.effects.doppler = false;
     let ahead = read(&scene).ahead.unwrap();
@@ -189,7 +189,7 @@ fn light_from_straight_ahead_is_shifted_as_the_potential_and_the_speed_say() {
 
 /// Half-angles in degrees, at rest and in free fall, worked out with 25 digits.
 #[test]
-fn shadows_without_spin_are_the_closed_forms() {
+fn shadows_without_spin_have_the_closed_form() {
     for (r, still, falling) in [
         (1.02, 159.104168156, 41.7704441657),
         (1.2, 117.885566836, 39.0277723242),
@@ -207,18 +207,18 @@ fn shadows_without_spin_are_the_closed_forms() {
         .shadow_radius
         .to_degrees();
     assert_close("at the horizon", horizon, 42.1034, 2e-6);
-    // To the far end of what a camera may do.
+    // Up to the largest radius of a camera.
     let far = read(&scene(0.0, Static, 1e7, 70.0)).shadow_radius;
     assert_close("far away", far, 27.0_f64.sqrt() / 2.0 * 1e-7, 1e-6);
     let spinning = read(&scene(2e-4, Static, 1e7, 70.0)).shadow_radius;
     assert_close("far away, with spin", spinning, far, 1e-6);
 }
 
-/// The edge as the reference traces it: bisected along great circles from a captured direction, all
-/// around; the share of the sky is the mean of 1 - cos. 96 directions of a smooth curve: good to
-/// 1e-6, as is the bisection.
+/// The edge that the reference traces, bisected along great circles from a captured direction. The
+/// share of the sky is the mean of 1 - cos. 96 directions on a smooth curve give a relative error
+/// of 1e-6, as does the bisection.
 #[test]
-fn shadows_are_as_large_as_the_traced_ones_with_spin_and_speed() {
+fn shadows_with_spin_and_speed_are_as_large_as_the_traced_ones() {
     for (spin, kind, velocity, r, theta_deg) in [
         (0.0, Static, [0.2, -0.5, 0.6], 4.0, 70.0),
         (0.0, Rain, [0.0, 0.7, 0.0], 0.6, 70.0),
@@ -235,7 +235,7 @@ fn shadows_are_as_large_as_the_traced_ones_with_spin_and_speed() {
         scene.observer.velocity = velocity;
         let reference = Reference::new(&scene).unwrap();
         let dark = |d: DVec3| reference.trace(d).outcome == Outcome::Captured;
-        // Somewhere well inside: the mean of the dark directions of a coarse net.
+        // A direction well inside: the mean of the dark directions of a coarse grid.
         let net = (0..4000).map(|i| {
             let (z, turn) = (
                 1.0 - (2.0 * f64::from(i) + 1.0) / 4000.0,
@@ -268,7 +268,7 @@ fn shadows_are_as_large_as_the_traced_ones_with_spin_and_speed() {
 }
 
 #[test]
-fn shadows_do_not_jump_at_the_horizon_nor_where_spin_begins_to_count() {
+fn shadows_are_continuous_at_the_horizon_and_at_the_smallest_spin_that_counts() {
     for spin in [0.0, 0.6, -0.95] {
         let kerr = Kerr { spin };
         let at = |r: f64| {
@@ -288,7 +288,7 @@ fn shadows_do_not_jump_at_the_horizon_nor_where_spin_begins_to_count() {
 }
 
 #[test]
-fn tides_are_newtons_for_radial_motion_and_marcks_for_orbits() {
+fn tides_are_newtonian_for_radial_motion_and_marcks_for_orbits() {
     for r in [0.3_f64, 1.5, 20.0] {
         assert_close(
             "rain",
@@ -328,12 +328,12 @@ fn tides_are_newtons_for_radial_motion_and_marcks_for_orbits() {
     );
 }
 
-/// The tide of a boosted observer against the transformation law of the curvature itself: E and B =
-/// the real and imaginary parts of psi (1 - 3 e e) boosted as E + i B of the Weyl tensor is, by the
-/// complex rotation that the boost is; its eigenvalues by bisection of the characteristic
-/// polynomial.
+/// The tide of a boosted observer against the transformation law of the curvature. The electric and
+/// magnetic parts of the Weyl tensor are the real and imaginary parts of psi (1 - 3 e e); a boost
+/// acts on E + i B as a complex rotation. The largest stretching is sought over a grid of
+/// directions.
 #[test]
-fn tides_off_the_plane_are_the_boosted_weyl_tensors() {
+fn tides_off_the_plane_are_those_of_the_boosted_weyl_tensor() {
     for (spin, velocity) in [
         (0.9, [0.1, 0.5, -0.6]),
         (-0.998, [-0.3, -0.6, 0.2]),
@@ -353,7 +353,7 @@ fn tides_off_the_plane_are_the_boosted_weyl_tensors() {
         let frame_speed = -a * sin * kerr.delta(r).sqrt() / (r * r + a * a);
         let v = DVec3::from_array(velocity);
         let for_carter = {
-            // Velocities added with the frame's along z (phi).
+            // Velocity addition, with the frame's velocity along z (phi).
             let gamma = 1.0 / (1.0 - frame_speed * frame_speed).sqrt();
             let below = 1.0 + frame_speed * v.z;
             DVec3::new(
@@ -374,8 +374,8 @@ fn tides_off_the_plane_are_the_boosted_weyl_tensors() {
             scale * r * (r * r - 3.0 * height * height),
             scale * height * (3.0 * r * r - height * height),
         );
-        // The stretch along the unit direction d: Re psi (3 (d.m)^2 - 1), the largest over all
-        // directions.
+        // The stretching along the unit direction d is Re psi (3 (d.m)^2 - 1); the largest over all
+        // directions counts.
         let stretch = |d: DVec3| {
             let (x, y) = (d.dot(real), d.dot(imaginary));
             3.0 * (p * (x * x - y * y) - q * 2.0 * x * y) - p
@@ -391,13 +391,13 @@ fn tides_off_the_plane_are_the_boosted_weyl_tensors() {
                 )));
             }
         }
-        // A net of 0.5 degrees misses the top by 1e-4 at most.
+        // A grid of 0.5 degrees misses the maximum by 1e-4 at most.
         assert_close(format!("spin {spin}"), found, best, 2e-4);
     }
 }
 
 #[test]
-fn a_hole_of_some_mass_gives_kilometres_seconds_and_g() {
+fn a_hole_of_a_given_mass_has_readouts_in_kilometres_and_g() {
     let [sagittarius, m87, suns] = si::MASSES;
     // 2 G M/c^2 of the sun is 2.9532 km.
     assert_close("Sgr A*", sagittarius.metres(), 2.95325e3 * 4.30e6, 1e-5);
@@ -420,7 +420,7 @@ fn a_hole_of_some_mass_gives_kilometres_seconds_and_g() {
 }
 
 #[test]
-fn velocities_for_rain_are_those_that_make_the_observer() {
+fn rain_with_the_relative_velocity_is_the_same_observer() {
     for spin in [-0.9, 0.0, 0.98] {
         for (r, theta) in [
             (5.0, 0.7),

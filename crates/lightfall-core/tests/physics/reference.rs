@@ -1,3 +1,5 @@
+//! The reference method against closed forms, symmetries and limits.
+
 use crate::schwarzschild::SHADOW;
 use crate::{assert_close, bisect};
 use glam::{DMat3, DVec2, DVec3};
@@ -49,8 +51,9 @@ fn shadow_half_angle(scene: &Scene) -> f64 {
     })
 }
 
-/// A table of twelve digits (mpmath) and the closed form, for a free-falling observer inside the
-/// horizon too. 1e-12: outcomes flip where D = 0 to some roundings.
+/// Against a table of twelve digits (mpmath) and the closed form, which also covers an observer in
+/// free fall inside the horizon. 1e-12: outcomes change where D = 0 except for some rounding
+/// errors.
 #[test]
 fn shadow_half_angles_are_those_of_the_closed_form() {
     for [r, at_rest, falling] in SHADOW {
@@ -84,7 +87,8 @@ fn shadow_half_angles_are_those_of_the_closed_form() {
     }
 }
 
-/// Without spin a radial ray is straight: outward to the sky right overhead, inward to the hole.
+/// Without spin a radial ray is straight: outward to the point of the sky overhead, inward to the
+/// hole.
 #[test]
 fn radial_rays_are_straight() {
     for r in [1.0001, 1.5, 20.0, 1e7] {
@@ -101,7 +105,7 @@ fn radial_rays_are_straight() {
             "r = {r}"
         );
     }
-    // Along the axis of a spinning hole too: the principal null direction.
+    // The axis of a spinning hole is a principal null direction, where this holds as well.
     for spin in [-0.7, 0.95] {
         let out = trace(&scene(spin, 3.0, 0.0, ObserverKind::Static), DVec3::X);
         assert!(
@@ -111,10 +115,10 @@ fn radial_rays_are_straight() {
     }
 }
 
-/// From 1e6 the bending of light that comes from behind the hole is that from infinity less what
-/// happens beyond the camera, of the order b/r0 in angle: the direction to the hole and the
-/// camera's own parallax are taken out by the impact parameter's angle, asin(b/r0), up to r_s
-/// b/r0^2.
+/// Seen from r0 = 1e6, the deflection of light from behind the hole differs from that between
+/// infinities by the part beyond the camera, an angle of the order b/r0. The angle of the impact
+/// parameter, asin(b/r0), removes the direction to the hole and the camera's parallax up to
+/// r_s b/r0^2.
 #[test]
 fn weak_deflection_is_twice_the_radius_over_the_impact_parameter() {
     let r = 1e6_f64;
@@ -127,7 +131,7 @@ fn weak_deflection_is_twice_the_radius_over_the_impact_parameter() {
         .sky
         .unwrap();
         let bending = sky.y.atan2(-sky.x) - angle;
-        // The ray bends back toward the hole, hence toward negative y.
+        // The ray is deflected toward the hole, hence toward negative y.
         let leading = 2.0 / b;
         let next = 15.0 * PI / (16.0 * b * b) + 20.0 / b.powi(3);
         assert!(
@@ -142,8 +146,8 @@ fn weak_deflection_is_twice_the_radius_over_the_impact_parameter() {
     }
 }
 
-/// phi -> -phi turns the spin around. The same arithmetic, so only the order of rounding differs,
-/// times the amplification of rays near the critical curve.
+/// phi -> -phi reverses the spin. The arithmetic is the same, so only rounding errors differ, which
+/// rays near the critical curve amplify.
 #[test]
 fn a_mirrored_hole_shows_the_mirrored_sky() {
     for spin in [0.3, 0.95, 0.9999] {
@@ -162,10 +166,10 @@ fn a_mirrored_hole_shows_the_mirrored_sky() {
     }
 }
 
-/// The hole is symmetric about its axis: turning the camera's azimuth turns the sky; on the axis
-/// itself turning the direction does.
+/// The hole is symmetric about its axis: a change of the camera's azimuth rotates the sky. On the
+/// axis a rotation of the direction does the same.
 #[test]
-fn turning_about_the_axis_turns_the_sky() {
+fn a_rotation_about_the_axis_rotates_the_sky() {
     let turn = DMat3::from_rotation_z(40.0_f64.to_radians());
     let still = scene(0.95, 6.0, 65.0, ObserverKind::Static);
     let mut turned = still.clone();
@@ -191,8 +195,8 @@ fn turning_about_the_axis_turns_the_sky() {
     }
 }
 
-/// The difference from no spin is linear in the spin: ten times smaller for ten times less, within
-/// a percent, away from the critical curve.
+/// Away from the critical curve the effect of a small spin is linear in the spin: a tenth of the
+/// spin has a tenth of the effect, within a percent.
 #[test]
 fn kerr_is_continuous_at_zero_spin() {
     let [none, small, smaller] = [0.0, 1e-6, 1e-7]
@@ -210,12 +214,12 @@ fn kerr_is_continuous_at_zero_spin() {
     assert!(compared > 90);
 }
 
-/// No observer, spin or direction leaves a ray unfinished; the number of steps stays small; the
-/// constraints hold to some roundings over E, for E per unit frequency is a small difference where
-/// light comes from right below a camera that falls through the horizon. These are the places where
+/// No observer, spin or direction leaves a ray unfinished, and the number of steps stays small. The
+/// constraints hold to some rounding errors over E, because E per unit frequency is a small
+/// difference where light comes from below a camera that falls through the horizon. At these places
 /// other formulations stall or divide by zero.
 #[test]
-fn extremes_are_answered_in_few_steps() {
+fn extreme_rays_end_in_few_steps() {
     let mut most = 0;
     for spin in [0.0, 1e-9, 0.5, -0.9, 0.998, -0.9999, 0.999_999_9] {
         let horizon = Kerr { spin }.horizon();
@@ -235,7 +239,7 @@ fn extremes_are_answered_in_few_steps() {
                         DVec3::Z,
                         DVec3::NEG_Z,
                     ];
-                    // Toward the hole as a far camera sees it.
+                    // Toward the hole, which a far camera sees at a small angle.
                     let near =
                         directions(40).map(|d| DVec3::new(-r.max(3.0), 4.0 * d.y, 4.0 * d.z));
                     for d in axes.into_iter().chain(directions(40)).chain(near) {
@@ -263,8 +267,7 @@ fn extremes_are_answered_in_few_steps() {
     assert!(most < 400, "{most} steps");
 }
 
-/// Next to the critical curve a ray winds for a while and no longer: the winding grows with the
-/// logarithm of the distance.
+/// Next to the critical curve the number of windings grows only with the logarithm of the distance.
 #[test]
 fn rays_next_to_the_critical_curve_end_on_both_sides() {
     for spin in [0.0, 0.9] {
@@ -289,8 +292,8 @@ fn rays_next_to_the_critical_curve_end_on_both_sides() {
     }
 }
 
-/// A camera in the disk's plane: what lies in the plane has no isolated crossing, what leaves it
-/// does not hit the disk at the camera's own place, and a ray that comes back hits it elsewhere.
+/// A camera in the disk's plane: a ray in the plane has no isolated crossing, a ray that leaves the
+/// plane does not hit the disk at the camera's place, and a ray that comes back hits it elsewhere.
 #[test]
 fn a_camera_in_the_plane_does_not_see_the_disk_at_its_own_place() {
     for spin in [0.0, 0.9] {
@@ -306,18 +309,18 @@ fn a_camera_in_the_plane_does_not_see_the_disk_at_its_own_place() {
         for d in [DVec3::new(0.1, 1.0, 0.2), DVec3::new(0.1, -1.0, 0.2)] {
             assert_eq!(trace(&view, d).hits, [None; 2], "spin {spin}, {d}");
         }
-        // Over the hole and down behind it.
+        // Over the hole and down behind the hole.
         let over = trace(&view, DVec3::new(-1.0, -0.6, 0.0));
         let hit = over.hits[0].unwrap();
         assert!(hit.phi.cos() < 0.0 && hit.r > 3.0, "spin {spin}: {hit:?}");
     }
 }
 
-/// Falling through the horizon nothing jumps: Boyer-Lindquist's azimuth outside and Kerr's ingoing
-/// one inside differ by the lead, which is taken into the camera's azimuth. Hits are in
-/// Boyer-Lindquist's on both sides.
+/// The view is continuous through the horizon. Boyer-Lindquist's azimuth outside and Kerr's ingoing
+/// azimuth inside differ by the lead, which is added to the camera's azimuth. Hits have
+/// Boyer-Lindquist azimuths on both sides.
 #[test]
-fn the_view_does_not_jump_where_a_falling_camera_passes_the_horizon() {
+fn the_view_of_a_falling_camera_is_continuous_at_the_horizon() {
     for spin in [-0.6, 0.0, 0.9] {
         let kerr = Kerr { spin };
         let [inside, outside] = [-1e-7, 1e-7].map(|x| kerr.horizon() * (1.0 + x));
@@ -356,7 +359,7 @@ fn the_view_does_not_jump_where_a_falling_camera_passes_the_horizon() {
 }
 
 #[test]
-fn directions_of_any_length_are_taken_and_no_direction_is_unfinished() {
+fn directions_may_have_any_length_and_a_zero_direction_is_unfinished() {
     let reference = Reference::new(&scene(0.5, 6.0, 65.0, ObserverKind::Static)).unwrap();
     let d = DVec3::new(-0.5, 0.75, 0.25);
     for scale in [1e-300, 1e-10, 1e300] {

@@ -1,3 +1,5 @@
+//! Closed forms without spin against tables, series and the aberration of circles.
+
 use crate::assert_close;
 use lightfall_core::geometry::observer::observer_matrix;
 use lightfall_core::geometry::schwarzschild::{
@@ -7,7 +9,7 @@ use lightfall_core::geometry::schwarzschild::{
 use lightfall_core::scene::ObserverKind;
 use std::f64::consts::PI;
 
-/// b in M, bending in radians, computed with mpmath to 25 digits.
+/// b in M and the deflection in radians, computed with mpmath to 25 digits.
 pub const DEFLECTION: [[f64; 2]; 18] = [
     [5.1962, 11.200_883_845_258_15],
     [5.19616, 13.038_050_086_939_78],
@@ -54,15 +56,16 @@ pub const SHADOW: [[f64; 3]; 11] = [
     [1000.0, 0.148_784_520_962, 0.144_151_640_105],
 ];
 
-/// How much of the bending a last-bit error of b is worth: d(bending)/d(ln b) = b/(b - b_c) near
-/// the critical curve.
+/// The change of the deflection for an error in the last bit of b: d(deflection)/d(ln b) = b/(b -
+/// b_c) near the critical curve.
 pub fn rounding_of_b(b_over_m: f64) -> f64 {
     4.0 * f64::EPSILON * b_over_m / (b_over_m - 2.0 * CRITICAL_IMPACT)
 }
 
-/// 1e-13 relative is some hundred roundings; near the critical curve b's own rounding dominates.
+/// A relative 1e-13 is some hundred rounding errors. Near the critical curve the rounding of b
+/// dominates.
 #[test]
-fn bending_is_that_of_the_table() {
+fn the_deflection_has_the_tabulated_values() {
     for [b, expected] in DEFLECTION {
         let tolerance = 1e-13 + rounding_of_b(b) / expected;
         assert_close(
@@ -75,7 +78,7 @@ fn bending_is_that_of_the_table() {
 }
 
 #[test]
-fn light_is_bent_by_whole_half_turns_at_the_tabulated_rings() {
+fn the_deflection_is_whole_half_turns_at_the_tabulated_rings() {
     for (n, b) in (1..).zip(RINGS) {
         let expected = f64::from(n) * PI;
         let tolerance = 1e-13 + rounding_of_b(b) / expected;
@@ -86,8 +89,8 @@ fn light_is_bent_by_whole_half_turns_at_the_tabulated_rings() {
             tolerance,
         );
     }
-    // The outer edges of the lensing and photon rings, bent by pi/2 and 3 pi/2, to the eleven
-    // digits given.
+    // The outer edges of the lensing ring and the photon ring, with deflections of pi/2 and 3 pi/2,
+    // to the eleven digits of the source.
     for (b, expected) in [(6.167_566_764_77, 0.5 * PI), (5.227_938_608_53, 1.5 * PI)] {
         assert_close(
             format_args!("b = {b} M"),
@@ -98,10 +101,10 @@ fn light_is_bent_by_whole_half_turns_at_the_tabulated_rings() {
     }
 }
 
-/// Bozza 2002: bending -> -ln(b/b_c - 1) + ln(216 (7 - 4 sqrt 3)) - pi; the next term is of the
+/// Bozza 2002: deflection -> -ln(b/b_c - 1) + ln(216 (7 - 4 sqrt 3)) - pi; the next term is of the
 /// order x ln x.
 #[test]
-fn bending_follows_the_strong_field_limit_next_to_the_critical_curve() {
+fn the_deflection_follows_the_strong_field_limit_next_to_the_critical_curve() {
     for x in [1e-4_f64, 1e-6, 1e-8] {
         let limit = -x.ln() + (216.0 * (7.0 - 4.0 * 3.0_f64.sqrt())).ln() - PI;
         let found = deflection(CRITICAL_IMPACT * (1.0 + x)).unwrap();
@@ -115,11 +118,11 @@ fn bending_follows_the_strong_field_limit_next_to_the_critical_curve() {
 /// 2/b + (15 pi / 16)/b^2 + (16/3)/b^3 + O(b^-4), r_s = 1 (Keeton & Petters 2005, with their m =
 /// 1/2).
 #[test]
-fn bending_follows_the_weak_field_series_far_out() {
+fn the_deflection_follows_the_weak_field_series_far_out() {
     for b in [1e2_f64, 1e3, 1e5] {
         let series = 2.0 / b + 15.0 * PI / (16.0 * b * b) + 16.0 / (3.0 * b.powi(3));
         let error = (deflection(b).unwrap() - series).abs();
-        // The bending is a difference from pi, hence absolute rounding.
+        // The deflection is a difference from pi, hence an absolute tolerance.
         assert!(
             error < 15.0 / b.powi(4) + 8.0 * f64::EPSILON,
             "b = {b}: {error:e}"
@@ -128,16 +131,16 @@ fn bending_follows_the_weak_field_series_far_out() {
 }
 
 #[test]
-fn light_inside_the_critical_curve_does_not_come_back() {
+fn light_inside_the_critical_curve_is_captured() {
     assert_eq!(deflection(CRITICAL_IMPACT * (1.0 - 1e-15)), None);
     assert_eq!(deflection(0.0), None);
     assert!(deflection(CRITICAL_IMPACT * (1.0 + 1e-15)).is_some());
     assert!(discriminant(2.0) > 0.0 && discriminant(3.0) < 0.0);
 }
 
-/// The table carries twelve digits, so half a unit of the last is 5e-12.
+/// The table has twelve digits, so half a unit of the last is 5e-12.
 #[test]
-fn shadow_half_angles_are_those_of_the_table() {
+fn shadow_half_angles_have_the_tabulated_values() {
     for [r, at_rest, falling] in SHADOW {
         assert_close(
             format_args!("static, r = {r}"),
@@ -177,8 +180,8 @@ fn the_falling_observers_shadow_is_the_static_one_aberrated() {
     );
 }
 
-/// A boost takes circles on the sky to circles: so the edge is one for every observer, and on it b
-/// is b_c, which no part of [`Plunge`] is made from.
+/// A boost maps circles on the sky to circles, so the edge is a circle for every observer. On the
+/// edge b is b_c, which is not used to construct [`Plunge`].
 #[test]
 fn the_edge_of_the_shadow_is_a_circle_on_every_observers_sky() {
     for r in [1.0001, 1.02, 1.5, 1.6, 4.0, 300.0, 1e7] {
@@ -208,14 +211,14 @@ fn the_edge_of_the_shadow_is_a_circle_on_every_observers_sky() {
                             + angle.sin() * (f64::sin(around) * u + f64::cos(around) * v)
                     };
                     let photon = matrix.photon(direction(angle));
-                    // A small shadow far away is known to f64's share of its angle; gamma is 100 at
-                    // most.
+                    // The angle of a small shadow far away has the relative precision of f64; gamma
+                    // is 100 at most.
                     let b = r * photon.w.length() / photon.energy;
                     assert!(
                         (b / CRITICAL_IMPACT - 1.0).abs() < 1e-8 + 1e-14 / angle,
                         "{told}: b = {b}"
                     );
-                    // Within and without, the sign is that of the photon's own numbers.
+                    // On both sides of the edge the sign is that of the photon's own components.
                     for share in [0.5, 0.9, 1.1] {
                         let direction = direction(share * angle);
                         let photon = matrix.photon(direction);

@@ -1,5 +1,5 @@
-//! The measure of errors next to the shadow's edge, where rays of every number of half-turns about
-//! the hole lie side by side.
+//! The backward error next to the shadow's edge, where neighbouring rays differ in the number of
+//! half-turns about the hole.
 
 use glam::DVec3;
 use lightfall_core::accuracy::{Ray, Truth};
@@ -14,11 +14,11 @@ fn scene(spin: f64, r: f64, theta_deg: f64) -> Scene {
     scene
 }
 
-/// An answer that a graphics card gave. On the line through the ray toward the edge, at 0.05 of the
-/// ray's distance to it, is a ray with that sky and a hit of that radius, at the very end of the
-/// disk's image; the ray's own hit is on another one.
+/// An answer of a graphics card. On the line through the ray toward the edge, at 0.05 of the ray's
+/// distance to the edge, lies a ray with the answer's sky and hit radius, at the end of an image of
+/// the disk. The ray's own hit is on another image.
 #[test]
-fn an_answer_of_another_number_of_turns_next_to_the_end_of_the_disks_image_is_explained() {
+fn an_answer_with_other_half_turns_next_to_the_end_of_the_disks_image_is_explained() {
     let ray = Ray::toward(DVec3::new(-0.002_512_557_7, -0.001_986_405_3, 0.999_994_9));
     let truth = Truth::of(&scene(-0.9, 1000.0, 90.0), vec![ray]).expect("a static observer");
     let hit = Hit {
@@ -45,7 +45,7 @@ fn an_answer_of_another_number_of_turns_next_to_the_end_of_the_disks_image_is_ex
         !error.misclassified && error.sky.is_some_and(|sky| sky > 2.0),
         "{error:?}"
     );
-    // The ray is 6.6e-9 rad from the edge; the card's own numbers have the rest, in f32 that tells
-    // apart 6e-8.
+    // The ray is 6.6e-9 rad from the edge. The remainder is the rounding of the card's numbers,
+    // whose spacing in f32 is 6e-8.
     assert!((1e-9..6e-8).contains(&error.backward), "{error:?}");
 }

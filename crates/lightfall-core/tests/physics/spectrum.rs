@@ -1,3 +1,5 @@
+//! Thermal colours against the laws of radiation, published chromaticities and direct summation.
+
 use crate::assert_close;
 use glam::DVec3;
 use lightfall_core::optics::spectrum::{
@@ -6,8 +8,8 @@ use lightfall_core::optics::spectrum::{
 };
 use std::f64::consts::PI;
 
-/// The bar is 1e-3 of the brightest channel; the worst is printed. Points lie between the knots, at
-/// an irrational pitch.
+/// The tolerance is 1e-3 of the largest channel, and the largest error is printed. The temperatures
+/// lie between the knots, at an irrational spacing.
 #[test]
 fn spectrum_table_is_good_to_a_thousandth_from_1000_to_100000_kelvin() {
     let table = table();
@@ -34,8 +36,8 @@ fn spectrum_table_is_good_to_a_thousandth_from_1000_to_100000_kelvin() {
     );
 }
 
-/// At a knot the look-up is the direct sum but for f32's rounding, amplified by the logarithm's
-/// size.
+/// At a knot the look-up equals the direct sum, except for the rounding of f32, which the magnitude
+/// of the logarithm amplifies.
 #[test]
 fn spectrum_table_holds_the_direct_sum_at_its_knots() {
     let table = table();
@@ -53,7 +55,7 @@ fn spectrum_table_holds_the_direct_sum_at_its_knots() {
     }
 }
 
-/// Beyond its ends the table stands still, and no temperature is a panic.
+/// Outside its range the table returns its first or last entry, and no temperature panics.
 #[test]
 fn spectrum_table_answers_every_temperature() {
     let table = table();
@@ -69,7 +71,7 @@ fn spectrum_table_answers_every_temperature() {
 
 /// Wien: lambda_max T = c_2 / 4.965114231744276 (the root of x = 5 (1 - exp(-x))).
 #[test]
-fn planck_peaks_where_wien_says() {
+fn planck_peaks_at_wiens_wavelength() {
     for temperature in [3000.0, 6500.0, 30_000.0] {
         let peak = 14_387_768.77 / 4.965_114_231_744_276 / temperature;
         let at = |x: f64| planck(peak * x, temperature);
@@ -80,8 +82,9 @@ fn planck_peaks_where_wien_says() {
     }
 }
 
-/// Stefan-Boltzmann: the integral over all wavelengths is pi^4/15 (T/c_2)^4 in these units.
-/// Trapezoids in ln(lambda) converge faster than any power, so 1e-10 is only the ends cut off.
+/// Stefan-Boltzmann: the integral over all wavelengths is pi^4/15 (T/c_2)^4 in these units. The
+/// trapezoidal rule in ln(lambda) converges faster than any power, so 1e-10 is only the error of
+/// the truncated ends.
 #[test]
 fn planck_integrates_to_the_fourth_power_of_the_temperature() {
     for temperature in [1000.0, 6500.0, 1e5] {
@@ -99,7 +102,7 @@ fn planck_integrates_to_the_fourth_power_of_the_temperature() {
 
 /// CIE 015: illuminant A, a black body of 2848 K on the old c_2 of 14350 um K, has x = 0.44757, y =
 /// 0.40745. The asset summed as the CIE does, every 5 nm from 380 to 780, gives all five digits;
-/// the 41 samples alone differ by 1e-4, which is theirs.
+/// the 41 samples alone differ by 1e-4, which is their own error.
 #[test]
 fn black_body_of_illuminant_a_has_its_published_chromaticity() {
     let temperature = 2848.0 * 14_387.768_77 / 14_350.0;
@@ -132,7 +135,7 @@ fn black_body_of_illuminant_a_has_its_published_chromaticity() {
 
 /// IEC 61966-2-1's matrix, given to four digits.
 #[test]
-fn srgb_matrix_is_the_published_one() {
+fn the_srgb_matrix_has_the_published_values() {
     let published = [
         [3.2406, -1.5372, -0.4986],
         [-0.9689, 1.8758, 0.0415],

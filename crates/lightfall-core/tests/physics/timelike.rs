@@ -1,4 +1,4 @@
-//! Real motion against closed forms, quadratures and the metric.
+//! Free motion against closed forms, quadratures and the metric.
 
 use crate::assert_close;
 use glam::DVec3;
@@ -9,8 +9,8 @@ use lightfall_core::optics::worldline::Worldline;
 use lightfall_core::scene::{ObserverKind, Scene};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// The bar for times and periods; what is measured here is rounding, some 1e-13.
-const BAR: f64 = 1e-9;
+/// The tolerance for times and periods. The measured errors are rounding errors of about 1e-13.
+const TOLERANCE: f64 = 1e-9;
 
 pub(crate) fn scene(
     spin: f64,
@@ -30,7 +30,7 @@ fn place(scene: &Scene) -> DVec3 {
     scene.camera.r * scene.camera.direction()
 }
 
-/// A start for [`Geodesic`] alone.
+/// The geodesic of the scene's observer.
 fn geodesic(scene: &Scene) -> Geodesic {
     Worldline::start(scene)
         .unwrap()
@@ -40,7 +40,7 @@ fn geodesic(scene: &Scene) -> Geodesic {
 }
 
 #[test]
-fn a_circular_orbit_has_keplers_period_and_its_own_time() {
+fn a_circular_orbit_has_keplers_period_and_the_published_proper_time() {
     for spin in [-0.9, 0.0, 0.5, 0.998] {
         let isco = Kerr { spin }.isco();
         for r in [1.001 * isco, 2.0 * isco, 50.0] {
@@ -55,8 +55,16 @@ fn a_circular_orbit_has_keplers_period_and_its_own_time() {
             let mut worldline = Worldline::start(&scene).unwrap();
             assert!(worldline.is_circular());
             assert_eq!(worldline.advance(own, &mut scene), None);
-            assert_close("far time", worldline.coordinate_time().unwrap(), far, BAR);
-            assert!((place(&scene) - start).length() < BAR, "spin {spin}, r {r}");
+            assert_close(
+                "far time",
+                worldline.coordinate_time().unwrap(),
+                far,
+                TOLERANCE,
+            );
+            assert!(
+                (place(&scene) - start).length() < TOLERANCE,
+                "spin {spin}, r {r}"
+            );
         }
     }
 }
@@ -78,10 +86,10 @@ fn a_circular_orbit_is_closed_after_a_hundred_turns_in_steps_of_a_frame() {
     }
 }
 
-/// The same orbit as a particle thrown from rest with the right speed, v^2 = 1/(2 (r - 1)) for an
-/// observer at rest: stable, so that rounding does not grow.
+/// The same orbit for a particle with the right speed relative to the observer at rest, v^2 = 1/(2
+/// (r - 1)). The orbit is stable, so rounding errors do not grow.
 #[test]
-fn a_particle_thrown_into_a_circular_orbit_stays_on_it_for_a_hundred_turns() {
+fn a_particle_with_orbital_speed_stays_on_the_circular_orbit_for_a_hundred_turns() {
     let r: f64 = 10.0;
     let speed = (0.5 / (r - 1.0)).sqrt();
     let mut scene = scene(
@@ -107,12 +115,12 @@ fn a_particle_thrown_into_a_circular_orbit_stays_on_it_for_a_hundred_turns() {
         "far time",
         worldline.coordinate_time().unwrap(),
         100.0 * far,
-        BAR,
+        TOLERANCE,
     );
 }
 
 #[test]
-fn the_fall_from_rest_at_infinity_takes_the_time_it_takes() {
+fn the_fall_from_rest_at_infinity_takes_the_proper_time_of_the_closed_form() {
     // tau = (2/3) (r_0^(3/2) - r^(3/2)); Misner, Thorne & Wheeler 1973 eq. 25.38 for r_s = 1.
     let mut fall = geodesic(&scene(0.0, ObserverKind::Rain, [0.0; 3], 10.0, 70.0));
     assert_eq!(fall.advance(1e3, [1.0, 1e7]), Some(Limit::Inner));
@@ -120,18 +128,18 @@ fn the_fall_from_rest_at_infinity_takes_the_time_it_takes() {
         "to the horizon",
         fall.state.proper_time,
         (10.0_f64.powf(1.5) - 1.0) / 1.5,
-        BAR,
+        TOLERANCE,
     );
-    // As near to the centre as no matter, for there the time left is (2/3) r^(3/2).
+    // As near to the centre as wanted: the remaining time is (2/3) r^(3/2).
     assert_eq!(fall.advance(1e3, [1e-8, 1e7]), Some(Limit::Inner));
     assert_close(
         "to the centre",
         fall.state.proper_time,
         10.0_f64.powf(1.5) / 1.5,
-        BAR,
+        TOLERANCE,
     );
 
-    // In a scene, by frames, down to where motion ends.
+    // In a scene, frame by frame, down to the smallest radius of motion.
     let mut scene = scene(0.0, ObserverKind::Rain, [0.0; 3], 10.0, 70.0);
     let mut worldline = Worldline::start(&scene).unwrap();
     let still = scene.camera;
@@ -142,7 +150,7 @@ fn the_fall_from_rest_at_infinity_takes_the_time_it_takes() {
             "r",
             scene.camera.r,
             (10.0_f64.powf(1.5) - 1.5 * own_time).powf(2.0 / 3.0),
-            BAR,
+            TOLERANCE,
         );
         assert_eq!(worldline.coordinate_time().is_some(), scene.camera.r > 1.0);
         assert_eq!(
@@ -154,7 +162,7 @@ fn the_fall_from_rest_at_infinity_takes_the_time_it_takes() {
             assert_close("the end", scene.camera.r, 0.1, 1e-14);
             break;
         }
-        assert_close("own time", own_time, 0.01 * f64::from(frame), BAR);
+        assert_close("own time", own_time, 0.01 * f64::from(frame), TOLERANCE);
     }
     assert!((scene.camera.theta_deg - still.theta_deg).abs() < 1e-12);
     assert!((scene.camera.phi_deg - still.phi_deg).abs() < 1e-12);
@@ -183,15 +191,21 @@ fn a_drop_from_rest_follows_the_cycloid_on_both_clocks() {
         let mut scene = scene(0.0, ObserverKind::Static, [0.0; 3], from, 33.0);
         let mut worldline = Worldline::start(&scene).unwrap();
         assert_eq!(worldline.advance(own, &mut scene), None);
-        assert_close("r", scene.camera.r, r, BAR);
-        assert_close("far time", worldline.coordinate_time().unwrap(), far, BAR);
+        assert_close("r", scene.camera.r, r, TOLERANCE);
+        assert_close(
+            "far time",
+            worldline.coordinate_time().unwrap(),
+            far,
+            TOLERANCE,
+        );
     }
 }
 
-/// Sigma dr/dtau = -sqrt(r (r^2 + a^2)) for `rain`; and v' and the ingoing azimuth's rate by r are
-/// regular: integrated with Simpson's rule in x = sqrt(r), where all is smooth.
+/// Sigma dr/dtau = -sqrt(r (r^2 + a^2)) for `rain`, and the derivatives of v and of the ingoing
+/// azimuth with respect to r are regular. They are integrated with Simpson's rule in x = sqrt(r),
+/// where they are smooth.
 #[test]
-fn a_spinning_holes_rain_falls_through_the_horizon_as_quadratures_say() {
+fn rain_falls_through_the_horizon_of_a_spinning_hole_in_the_times_of_quadratures() {
     for (spin, theta_deg) in [(0.9, 90.0), (-0.9, 50.0), (0.5, 0.0), (0.998, 120.0)] {
         let kerr = Kerr { spin };
         let (a, cos) = (spin / 2.0, f64::to_radians(theta_deg).cos());
@@ -222,7 +236,7 @@ fn a_spinning_holes_rain_falls_through_the_horizon_as_quadratures_say() {
             format!("own time, spin {spin}"),
             particle.state.proper_time,
             own,
-            BAR,
+            TOLERANCE,
         );
         // F = (W r^2 - fall) / Delta with W r^2 = r^2 + a^2 = fall^2/r, so F = (1 + a^2 u^2) / (1 +
         // a^2 u^2 + fall u^2).
@@ -233,20 +247,20 @@ fn a_spinning_holes_rain_falls_through_the_horizon_as_quadratures_say() {
             format!("ingoing time, spin {spin}"),
             particle.state.ingoing_time,
             ingoing,
-            BAR,
+            TOLERANCE,
         );
         let turned = integral(&|r| a * (f(r) - 1.0) / fall(r));
         assert_close(
             format!("azimuth, spin {spin}"),
             particle.state.chi - chi,
             turned,
-            BAR,
+            TOLERANCE,
         );
     }
 }
 
 #[test]
-fn what_cannot_be_is_not_let_go() {
+fn observers_that_do_not_exist_cannot_be_released() {
     assert!(Worldline::start(&scene(0.0, ObserverKind::Static, [0.0; 3], 0.9, 90.0)).is_err());
     assert!(Worldline::start(&scene(0.0, ObserverKind::Orbit, [0.0; 3], 5.0, 80.0)).is_err());
     let kerr = Kerr { spin: 0.8 };

@@ -40,11 +40,11 @@ pub struct State {
 }
 
 impl Constants {
-    /// The constants, and the start of the backward ray, of a photon at a camera with radius `r` (r_s)
-    /// and place `n` on the celestial sphere.
+    /// The constants, and the start of the backward ray, of a photon at a camera with radius `r`
+    /// (r_s) and place `n` on the celestial sphere.
     ///
-    /// L = r (n x w)_z and K = r^2 |w|^2 - a^2 E^2 n_z^2. Going backward, n' = -r w and u' = -(1/r)' =
-    /// Sigma p^r / r^2.
+    /// L = r (n x w)_z and K = r^2 |w|^2 - a^2 E^2 n_z^2. Going backward, n' = -r w and u' =
+    /// -(1/r)' = Sigma p^r / r^2.
     #[must_use]
     pub fn of_photon(kerr: Kerr, photon: &Photon, r: f64, n: DVec3) -> (Self, State) {
         let (a, energy) = (kerr.a(), photon.energy);
@@ -79,10 +79,10 @@ impl Constants {
         )
     }
 
-    /// The constants, and the start of the backward ray, of the photon with E = 1 and Bardeen's screen
-    /// coordinates alpha, beta (r_s; alpha toward growing phi, beta toward decreasing theta) at u =
-    /// 1/r (zero at infinity) and (`theta`, `phi`), outside the horizon. The ray starts toward the
-    /// hole if `inward`. Where U(u) is negative there is no such photon, and u' is zero.
+    /// The constants, and the start of the backward ray, of the photon with E = 1 and Bardeen's
+    /// screen coordinates alpha, beta (r_s; alpha toward growing phi, beta toward decreasing theta)
+    /// at u = 1/r (zero at infinity) and (`theta`, `phi`), outside the horizon. The ray starts
+    /// toward the hole if `inward`. Where U(u) is negative there is no such photon, and u' is zero.
     ///
     /// p_phi / sin(theta) = -alpha and p_theta = beta, so lambda = -alpha sin(theta) and
     /// eta = (alpha^2 - a^2) cos^2(theta) + beta^2 (Bardeen 1973). With alpha and beta instead of
@@ -148,8 +148,8 @@ impl Constants {
             .fold(0.0, |sum, c| sum * u + c)
     }
 
-    /// Whether U is certainly positive throughout `[from, to]`, so that no ray turns there. The test
-    /// is sufficient, not necessary: a polynomial is nowhere less than its smallest Bernstein
+    /// Whether U is certainly positive throughout `[from, to]`, so that no ray turns there. The
+    /// test is sufficient, not necessary: a polynomial is nowhere less than its smallest Bernstein
     /// coefficient (Farouki & Rajan 1987).
     #[must_use]
     pub fn cannot_turn_within(&self, from: f64, to: f64) -> bool {
@@ -186,8 +186,8 @@ impl Constants {
         self.energy + self.a * (self.a * self.energy - self.angular_momentum) * u * u
     }
 
-    /// Whether a backward ray at a place inside the horizon stays inside. Light inside comes from the
-    /// outside only if it fell in through the outer horizon.
+    /// Whether a backward ray at a place inside the horizon stays inside. Light inside comes from
+    /// the outside only if it fell in through the outer horizon.
     #[must_use]
     pub fn stays_inside(&self, state: &State, u_horizon: f64) -> bool {
         state.u >= u_horizon && (state.du >= 0.0 || self.ingoing_energy(u_horizon) <= 0.0)

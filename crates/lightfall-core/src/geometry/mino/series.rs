@@ -31,8 +31,8 @@ impl Constants {
         for (axis, series) in n.iter_mut().enumerate() {
             (series[0], series[1]) = (start.n[axis], start.dn[axis]);
         }
-        // The series of u^2, of u''/u = U'(u)/(2u), of the stiffness K + 2 a^2 E^2 n_z^2, and of the
-        // denominator and the value of chi'.
+        // The series of u^2, of u''/u = U'(u)/(2u), of the stiffness K + 2 a^2 E^2 n_z^2, and of
+        // the denominator and the value of chi'.
         let (mut u2, mut u_ratio, mut stiffness) =
             ([0.0; ORDER + 1], [0.0; ORDER + 1], [0.0; ORDER + 1]);
         let (mut denominator, mut dchi) = ([0.0; ORDER + 1], [0.0; ORDER + 1]);

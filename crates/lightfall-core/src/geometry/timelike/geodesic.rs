@@ -32,8 +32,8 @@ pub enum Limit {
 
 impl Geodesic {
     /// The particle with the four-velocity `velocity`, in the form of the first column of an
-    /// observer's matrix, at radius `r` (r_s) and place `n` on the celestial sphere, with both clocks
-    /// at zero. `chi` is its ingoing azimuth minus the azimuth of `n`.
+    /// observer's matrix, at radius `r` (r_s) and place `n` on the celestial sphere, with both
+    /// clocks at zero. `chi` is its ingoing azimuth minus the azimuth of `n`.
     ///
     /// L = r (n x w)_z, K = r^2 |w|^2 + kappa n_z^2, n' = r w and u' = -(Sigma u^r)/r^2.
     #[must_use]

@@ -13,9 +13,9 @@ pub const TABLE_LEN: usize = 64;
 /// 4 pi F / Mdot = 3 / (2 M^2 x^4 q) [x - x_0 - (3/2) chi ln(x/x_0) - sum_i (x_i - chi)/2 ln((x -
 /// x_i)/(x_0 - x_i))].
 ///
-/// Their factor 3 (x_i - chi)^2 / (x_i (x_i - x_j)(x_i - x_k)) equals (x_i - chi)/2, because the two
-/// differences multiply to q'(x_i) = 3 (x_i^2 - 1), and from q(x_i) = 0 follows x_i (x_i^2 - 1) = 2
-/// (x_i - chi). So spin zero, where one root is zero, is not a special case.
+/// Their factor 3 (x_i - chi)^2 / (x_i (x_i - x_j)(x_i - x_k)) equals (x_i - chi)/2, because the
+/// two differences multiply to q'(x_i) = 3 (x_i^2 - 1), and from q(x_i) = 0 follows x_i (x_i^2 - 1)
+/// = 2 (x_i - chi). So spin zero, where one root is zero, is not a special case.
 ///
 /// The flux is the Newtonian profile with the same inner edge times one slowly varying factor, the
 /// correction C:
@@ -33,8 +33,8 @@ pub struct PageThorne {
 impl PageThorne {
     /// The disk around a hole of spin `spin`, in (-1, 1), with its inner edge at `inner` r_s, at
     /// the innermost stable circular orbit or beyond. The torque vanishes at the edge. Outside it
-    /// the flux is positive: it is an integral of (E - Omega L) dL/dr from the edge outward, and both
-    /// factors are positive beyond the innermost stable orbit.
+    /// the flux is positive: it is an integral of (E - Omega L) dL/dr from the edge outward, and
+    /// both factors are positive beyond the innermost stable orbit.
     #[must_use]
     pub fn new(spin: f64, inner: f64) -> Self {
         let third = spin.acos() / 3.0;
@@ -132,11 +132,11 @@ impl PageThorne {
                 .sum::<f64>()
     }
 
-    /// The table that the shader samples. Entry i holds the coefficients, in ascending order, of the
-    /// cubic in t = 64 p - i through the correction (times the scale) at t = 0, 1/3, 2/3 and 1. The
-    /// variable p = sqrt(1 - sqrt(r_in/r)) stretches the edge, where the flux around a fast hole
-    /// rises steeply. The error is at most 2e-7 of the peak up to spin 0.998, 1e-6 up to 0.9999 and
-    /// 2e-5 up to 1 - 1e-6.
+    /// The table that the shader samples. Entry i holds the coefficients, in ascending order, of
+    /// the cubic in t = 64 p - i through the correction (times the scale) at t = 0, 1/3, 2/3 and 1.
+    /// The variable p = sqrt(1 - sqrt(r_in/r)) stretches the edge, where the flux around a fast
+    /// hole rises steeply. The error is at most 2e-7 of the peak up to spin 0.998, 1e-6 up to
+    /// 0.9999 and 2e-5 up to 1 - 1e-6.
     #[must_use]
     pub fn table(&self) -> [[f32; 4]; TABLE_LEN] {
         std::array::from_fn(|i| {

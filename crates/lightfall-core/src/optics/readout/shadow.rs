@@ -9,8 +9,8 @@ use crate::geometry::tetrad::{four_velocity, rain_components, velocity_in_rain};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
-/// Below this spin the shadow's mean radius equals the one without spin to a relative 1e-8, since it
-/// is an even function of the spin.
+/// Below this spin the shadow's mean radius equals the one without spin to a relative 1e-8, since
+/// it is an even function of the spin.
 const NEGLIGIBLE_SPIN: f64 = 1e-4;
 
 /// Number of points on the edge of a spinning hole's shadow; even. The radius then has a relative
@@ -21,8 +21,8 @@ const POINTS: usize = 128;
 const MIN_AXIS_ANGLE: f64 = 1e-6;
 
 /// The angular radius, in radians, of the hole's shadow for the observer with this matrix at (`r`,
-/// `theta`, `phi`) (r_s, radians). Without spin the shadow is a circle for every observer; with spin
-/// this is the radius of the circle with the same solid angle.
+/// `theta`, `phi`) (r_s, radians). Without spin the shadow is a circle for every observer; with
+/// spin this is the radius of the circle with the same solid angle.
 #[must_use]
 pub fn shadow_radius(kerr: Kerr, matrix: &ObserverMatrix, r: f64, theta: f64, phi: f64) -> f64 {
     let velocity = velocity_in_rain(kerr, r, theta, phi, &four_velocity(matrix));
@@ -53,8 +53,8 @@ pub fn shadow_radius(kerr: Kerr, matrix: &ObserverMatrix, r: f64, theta: f64, ph
 /// The angular radius that a circle of radius `radius` about the inward direction has for an
 /// observer moving with `velocity` in the frame.
 ///
-/// Rays on the circle satisfy s.(1, d) = 0 with s = (-cos(radius), inward). The boost transforms s as
-/// a covector and leaves its square, sin^2(radius), unchanged. Derived. (Circles stay circles:
+/// Rays on the circle satisfy s.(1, d) = 0 with s = (-cos(radius), inward). The boost transforms s
+/// as a covector and leaves its square, sin^2(radius), unchanged. Derived. (Circles stay circles:
 /// Penrose 1959.)
 fn aberrated_radius(radius: f64, velocity: DVec3) -> f64 {
     let (sin, cos) = radius.sin_cos();
@@ -117,8 +117,8 @@ fn edge_for_rain(kerr: Kerr, r: f64, theta: f64, phi: f64) -> impl Iterator<Item
     })
 }
 
-/// The point farthest from `inside` toward `end` where `holds` is true, given that it is true in one
-/// interval that begins at `inside`.
+/// The point farthest from `inside` toward `end` where `holds` is true, given that it is true in
+/// one interval that begins at `inside`.
 fn last_where(mut inside: f64, mut end: f64, holds: impl Fn(f64) -> bool) -> f64 {
     // 64 bisections reach the last bit.
     for _ in 0..64 {
@@ -132,8 +132,8 @@ fn last_where(mut inside: f64, mut end: f64, holds: impl Fn(f64) -> bool) -> f64
     inside
 }
 
-/// Aberration: the direction that a ray with `direction` in a frame has for an observer moving there
-/// with `velocity`. Einstein 1905, section 7.
+/// Aberration: the direction that a ray with `direction` in a frame has for an observer moving
+/// there with `velocity`. Einstein 1905, section 7.
 fn aberrated_direction(direction: DVec3, velocity: DVec3) -> DVec3 {
     let gamma = 1.0 / (1.0 - velocity.length_squared()).sqrt();
     let along = velocity.dot(direction);

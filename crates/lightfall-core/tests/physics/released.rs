@@ -1,5 +1,5 @@
-//! Particles thrown anywhere with any velocity: their constants, the metric, and the picture of who
-//! is thrown.
+//! Observers released at many places with many velocities: their constants of the motion, the rates
+//! that the metric requires, and the pictures that they see.
 
 use crate::assert_close;
 use crate::timelike::scene;
@@ -14,8 +14,8 @@ use lightfall_core::optics::worldline::Worldline;
 use lightfall_core::scene::{ObserverKind, Scene};
 use std::f64::consts::TAU;
 
-/// Places and motions all over: with spin, over poles, bound and unbound, next to the hole.
-fn thrown() -> Vec<Scene> {
+/// Releases with and without spin, over poles, bound and unbound, and next to the hole.
+fn releases() -> Vec<Scene> {
     let mut all = Vec::new();
     for spin in [-0.998, -0.5, 0.0, 0.7, 0.9999] {
         for (r, theta_deg) in [
@@ -42,9 +42,9 @@ fn thrown() -> Vec<Scene> {
 }
 
 #[test]
-fn what_is_thrown_keeps_its_constants_and_the_scene_has_its_four_velocity() {
+fn a_released_observer_keeps_its_constants_and_the_scene_has_its_four_velocity() {
     let (mut inside, mut outer) = (0, 0);
-    for mut scene in thrown() {
+    for mut scene in releases() {
         let Ok(mut worldline) = Worldline::start(&scene) else {
             continue;
         };
@@ -67,7 +67,7 @@ fn what_is_thrown_keeps_its_constants_and_the_scene_has_its_four_velocity() {
                 "{shown}: {:e}",
                 particle.residual()
             );
-            // What the picture's observer is: her matrix's first column.
+            // The four-velocity of the picture's observer is the first column of its matrix.
             let (theta, phi) = (
                 scene.camera.theta_deg.to_radians(),
                 scene.camera.phi_deg.to_radians(),
@@ -84,7 +84,8 @@ fn what_is_thrown_keeps_its_constants_and_the_scene_has_its_four_velocity() {
             )
             .unwrap();
             let (found, expected) = (four_velocity(&matrix), particle.velocity());
-            // Rounding grows with the speed for rain, whose gamma reaches some tens inside.
+            // Rounding errors grow with the speed relative to rain, whose gamma reaches some tens
+            // inside.
             assert_close(format!("E, {shown}"), found.energy, expected.energy, 1e-8);
             assert!(
                 (found.radial - expected.radial).abs() < 1e-8 * expected.radial.abs().max(1.0),
@@ -112,13 +113,16 @@ fn what_is_thrown_keeps_its_constants_and_the_scene_has_its_four_velocity() {
     assert_eq!(outer, 0);
 }
 
-/// The rates of r, theta, phi and t by own time are the four-velocity's contravariant components,
-/// by the inverse metric (Bardeen, Press & Teukolsky 1972 eq. 2.10): central differences, good to
-/// 1e-6 of the rate.
+/// The rates of r, theta, phi and t with proper time are the contravariant components of the
+/// four-velocity, by the inverse metric (Bardeen, Press & Teukolsky 1972 eq. 2.10). Central
+/// differences have a relative error of 1e-6.
 #[test]
-fn places_and_far_time_grow_as_the_metric_says() {
+fn places_and_coordinate_time_change_at_the_rates_of_the_metric() {
     let mut compared = 0;
-    for scene in thrown().into_iter().filter(|scene| scene.camera.r < 100.0) {
+    for scene in releases()
+        .into_iter()
+        .filter(|scene| scene.camera.r < 100.0)
+    {
         let Ok(worldline) = Worldline::start(&scene) else {
             continue;
         };
@@ -183,11 +187,11 @@ fn places_and_far_time_grow_as_the_metric_says() {
     assert!(compared > 300, "{compared}");
 }
 
-/// The picture: the photon that every pixel stands for is the same before and just after letting
-/// go, although the observer's kind, and with it the axes, are others.
+/// The photon of every pixel is the same before and just after the release, although the observer's
+/// kind and its axes change.
 #[test]
-fn letting_go_does_not_move_the_picture() {
-    for mut before in thrown() {
+fn a_release_does_not_move_the_picture() {
+    for mut before in releases() {
         (
             before.camera.yaw_deg,
             before.camera.pitch_deg,
@@ -215,8 +219,8 @@ fn letting_go_does_not_move_the_picture() {
             let off = (one.energy - two.energy).abs()
                 + (one.radial - two.radial).abs()
                 + (one.w - two.w).length();
-            // Next to the horizon of a fast hole an observer at rest moves with gamma of some
-            // hundreds.
+            // Next to the horizon of a fast hole an observer at rest has a gamma of some hundreds
+            // relative to rain.
             assert!(
                 off < 1e-8 * scale,
                 "{:?} {:?}: {off:e}",
@@ -228,9 +232,9 @@ fn letting_go_does_not_move_the_picture() {
 }
 
 #[test]
-fn a_flight_over_the_pole_keeps_the_hole_where_it_is_in_the_picture() {
-    // Straight up along a meridian, no turns: over the pole theta's direction is the other way
-    // round.
+fn a_flight_over_the_pole_keeps_the_hole_in_its_place_in_the_picture() {
+    // Straight up along a meridian without rotation. Beyond the pole the direction of growing theta
+    // is reversed.
     let r: f64 = 10.0;
     let speed = (0.5 / (r - 1.0)).sqrt();
     let mut scene = scene(0.0, ObserverKind::Static, [0.0, -speed, 0.0], r, 5.0);
