@@ -1,9 +1,9 @@
-// Elementary functions with a stated error, for where that of WGSL's built-ins would show: atan2
-// may be wrong by 4096 units in the last place, 2.4e-4 of the result.
+// Elementary functions with a stated error, for places where the error of WGSL's built-in functions
+// would show: atan2 may be wrong by 4096 units in the last place, 2.4e-4 of the result.
 
-// Arctangent on [-1, 1]: x times a polynomial in x^2, interpolated at Chebyshev's points; its own
-// error is 1e-8 rad.
-fn arctangent_within_one(x: f32) -> f32 {
+// Arctangent on [-1, 1]: x times a polynomial in x^2, interpolated at Chebyshev's points. The
+// polynomial's error is 1e-8 rad.
+fn atan_unit(x: f32) -> f32 {
     let y = x * x;
     var sum = 0.00276628346;
     sum = sum * y - 0.015731249;
@@ -16,11 +16,11 @@ fn arctangent_within_one(x: f32) -> f32 {
     return x + x * y * sum;
 }
 
-// Angle of (x, y) from the x axis, in [-pi, pi], at most 5e-7 rad off with WGSL's division; zero
-// for (0, 0).
-fn arctangent2(y: f32, x: f32) -> f32 {
+// Angle of (x, y) from the x axis, in [-pi, pi]; zero for (0, 0). The error is at most 5e-7 rad
+// with WGSL's division.
+fn atan2_precise(y: f32, x: f32) -> f32 {
     let largest = max(max(abs(x), abs(y)), TINY);
-    var angle = arctangent_within_one(min(abs(x), abs(y)) / largest);
+    var angle = atan_unit(min(abs(x), abs(y)) / largest);
     angle = select(angle, 0.5 * PI - angle, abs(y) > abs(x));
     angle = select(angle, PI - angle, x < 0.0);
     return select(angle, -angle, y < 0.0);
@@ -28,13 +28,13 @@ fn arctangent2(y: f32, x: f32) -> f32 {
 
 // Angle between two vectors, in [0, pi].
 fn angle_between(a: vec3<f32>, b: vec3<f32>) -> f32 {
-    return arctangent2(length(cross(a, b)), dot(a, b));
+    return atan2_precise(length(cross(a, b)), dot(a, b));
 }
 
-// Sine and cosine (x, y) of an angle of up to some tens of radians, at most 2e-7 off plus what
-// rounding the angle does. The nearest multiple of pi/2 is taken off in two parts, the first of few
-// digits; then polynomials on [-pi/4, pi/4], minimax, their own errors below 4e-9.
-fn sine_cosine(angle: f32) -> vec2<f32> {
+// (Sine, cosine) of an angle of up to some tens of radians. The error is at most 2e-7, besides that
+// of rounding the angle. The nearest multiple of pi/2 is subtracted in two parts, the first of few
+// digits; the rest goes into minimax polynomials on [-pi/4, pi/4] with errors below 4e-9.
+fn sin_cos_precise(angle: f32) -> vec2<f32> {
     let turns = round(angle * 0.636619772);
     let x = (angle - turns * 1.5703125) - turns * 4.83826795e-4;
     let y = x * x;
@@ -47,20 +47,20 @@ fn sine_cosine(angle: f32) -> vec2<f32> {
     return vec2<f32>(select(s, -s, quarter >= 2), select(c, -c, quarter == 1 || quarter == 2));
 }
 
-// Area tangent of up to 0.172, at most 1e-7 of itself off: its series.
-fn area_tangent(x: f32) -> f32 {
+// Inverse hyperbolic tangent of |x| <= 0.172 by its series, with a relative error of at most 1e-7.
+fn atanh_small(x: f32) -> f32 {
     let y = x * x;
     return x + x * y * (0.333333333 + y * (0.2 + y * (0.142857143 + y * 0.111111111)));
 }
 
-// Logarithm of a normal positive number, at most 3e-7 of itself off: the exponent's share in two
-// parts, the first of few digits, and for a mantissa m between sqrt(1/2) and sqrt(2) twice the area
-// tangent of (m - 1)/(m + 1).
-fn logarithm(x: f32) -> f32 {
+// Natural logarithm of a normal positive number, with a relative error of at most 3e-7. The
+// exponent's share is added in two parts, the first of few digits; the logarithm of the mantissa m,
+// between sqrt(1/2) and sqrt(2), is 2 atanh((m - 1)/(m + 1)).
+fn log_precise(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let below_root = (bits & 0x7fffffu) < 0x3504f3u;
     let exponent = f32(bits >> 23u) - select(126.0, 127.0, below_root);
     let mantissa = bitcast<f32>((bits & 0x7fffffu) | select(0x3f000000u, 0x3f800000u, below_root));
-    let tangent = (mantissa - 1.0) / (mantissa + 1.0);
-    return exponent * 0.693145752 + (exponent * 1.42860677e-6 + 2.0 * area_tangent(tangent));
+    let ratio = (mantissa - 1.0) / (mantissa + 1.0);
+    return exponent * 0.693145752 + (exponent * 1.42860677e-6 + 2.0 * atanh_small(ratio));
 }

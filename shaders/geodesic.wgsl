@@ -1,27 +1,12 @@
-// The picture: pixel -> photon -> trace -> light or, in a diagnostic view, the colour of a mark
-// (view/; view/traced.wgsl goes this way, view/error.wgsl reads a table instead). A triangle at the
-// far plane covers the picture, so the depth test lets only those pixels through that nothing
-// stands in front of.
+// The picture's fragment entry: the light of each pixel. view/traced.wgsl takes a pixel to a
+// photon, a ray and its light; view/error.wgsl reads a table instead.
 
-@vertex
-fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
-    let corner = vec2<f32>(f32((index << 1u) & 2u), f32(index & 2u));
-    return vec4<f32>(corner * 2.0 - 1.0, 0.0, 1.0);
-}
-
-// What a half float holds with room for sums to come.
+// Below the largest half float, with room for the sums that bloom makes.
 const MAX_LIGHT: f32 = 60000.0;
-// Rays without an answer, in every view but `colour`.
-const MAGENTA: vec3<f32> = vec3<f32>(1.0, 0.0, 1.0);
-
-// A colour, of channels up to one, that is the same whatever the exposure.
-fn mark(colour: vec3<f32>) -> vec3<f32> {
-    return scene.mark_brightness * colour;
-}
 
 @fragment
 fn fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let light = light_at(position.xy);
-    // A comparison with what is not a number is false, so none can leave here.
+    // Comparisons with NaN are false, so no NaN leaves the shader.
     return vec4<f32>(select(vec3<f32>(0.0), min(light, vec3<f32>(MAX_LIGHT)), light > vec3<f32>(0.0)), 1.0);
 }

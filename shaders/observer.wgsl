@@ -1,48 +1,48 @@
-// From a looking direction to the photon that arrives from it. The matrix knows who is looking;
-// nothing else does.
+// From a looking direction to the photon that arrives from it. The matrix in the uniform contains
+// everything about the observer; no other part depends on who looks.
 
-// For a fast observer almost all light comes from ahead, and what comes from elsewhere is a small
-// difference of large numbers. Yet all its numbers are smooth about the direction in which light
-// has the least energy: so they are reckoned from there, with |d| = 1 for the component along it,
-// and keep their digits next to it.
+// For a fast observer almost all light comes from ahead, and the light from elsewhere is a small
+// difference of large numbers. But every component is a smooth function about the direction of least
+// energy. Computed from there, with |d| = 1 used for the component along it, the numbers keep their
+// digits.
 fn photon_from(direction: vec3<f32>) -> Photon {
-    let off = direction - scene.dimmest;
+    let off = direction - scene.observer.least_energy_direction;
     let one_off = vec4<f32>(1.0, off);
     let half = 0.5 * dot(off, off);
-    let w = vec3<f32>(dot(scene.w_x, one_off), dot(scene.w_y, one_off), dot(scene.w_z, one_off));
-    // For the edge of the shadow likewise, from the middle of what it encloses.
-    let aside = direction - scene.plunge_middle;
+    let w = vec3<f32>(dot(scene.observer.w_x, one_off), dot(scene.observer.w_y, one_off), dot(scene.observer.w_z, one_off));
+    // The margin to the edge of the shadow is computed in the same way, from the shadow's center.
+    let aside = direction - scene.shadow.center;
     let photon = Photon(
-        dot(scene.energy, one_off) + scene.energy_bend * half,
-        dot(scene.radial, one_off) + scene.bend.x * half,
-        w + scene.bend.yzw * half,
-        dot(scene.plunge, vec4<f32>(1.0, aside)) + scene.plunge_bend * 0.5 * dot(aside, aside),
+        dot(scene.observer.energy, one_off) + scene.observer.energy_curvature * half,
+        dot(scene.observer.radial, one_off) + scene.observer.curvature.x * half,
+        w + scene.observer.curvature.yzw * half,
+        dot(scene.shadow.margin, vec4<f32>(1.0, aside)) + scene.shadow.curvature * 0.5 * dot(aside, aside),
     );
     if ABERRATION {
         return photon;
     }
-    let frequency = dot(scene.frequency, vec4<f32>(1.0, direction));
+    let frequency = dot(scene.observer.frequency, vec4<f32>(1.0, direction));
     return Photon(
         photon.energy / frequency,
         photon.radial / frequency,
         photon.w / frequency,
-        photon.plunge / frequency,
+        photon.shadow_margin / frequency,
     );
 }
 
-// Unit looking direction (right, up, forward) of a place on the picture, in pixels from its upper
-// left corner.
+// Unit looking direction (right, up, forward) of a place in the picture, given in pixels from its
+// upper left corner.
 fn pixel_direction(pixel: vec2<f32>) -> vec3<f32> {
-    let across = pixel / scene.picture_size * vec2<f32>(2.0, -2.0) + vec2<f32>(-1.0, 1.0);
-    return normalize(vec3<f32>(across * scene.tan_half_fov, 1.0));
+    let across = pixel / scene.picture.size * vec2<f32>(2.0, -2.0) + vec2<f32>(-1.0, 1.0);
+    return normalize(vec3<f32>(across * scene.picture.tan_half_fov, 1.0));
 }
 
-// E, kept from zero: next to the horizon an observer can meet light that has none.
+// E, kept away from zero: next to the horizon an observer can meet light that has none.
 fn photon_energy(photon: Photon) -> f32 {
     return max(photon.energy, 1e-6);
 }
 
 // L = p_phi = r (n x w)_z.
 fn photon_angular_momentum(photon: Photon) -> f32 {
-    return scene.camera_radius * cross(scene.camera_direction, photon.w).z;
+    return scene.observer.r * cross(scene.observer.position_direction, photon.w).z;
 }

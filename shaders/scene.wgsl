@@ -1,168 +1,131 @@
-// What every part shares: the scene's numbers, a photon at the camera, and what became of it.
+// The uniform that describes the scene. The CPU computes every number in f64 and rounds it to f32
+// once (crates/lightfall-core/src/gpu/scene/), so that nothing is derived twice.
 //
-// Units: G = c = 1 and r_s = 1, so M = 1/2. Frame: the hole's, right-handed, z along the disk
-// normal. Photons are the physical, future-directed ones, per unit frequency for the camera: E =
-// -p_t, L = p_phi. Rays are followed backward. Every number here was worked out in f64 on the CPU
-// (crates/lightfall-core/src/gpu/scene.rs) and rounded once.
+// Units: G = c = 1 and r_s = 1, so M = 1/2. Frame: the hole's, right-handed, with z along the disk
+// normal. Photons are the physical, future-directed ones, per unit frequency at the camera:
+// E = -p_t, L = p_phi. Rays are followed backward from the camera.
 
-struct Scene {
-    // The observer's matrix takes the unit looking direction d to the photon that arrives from it.
-    // Pixels give d as (right, up, forward) of the camera, ray files as (outward, theta, phi) of
-    // the observer. Rows and bends are for off = d - dimmest: dot(row, (1, off)) + bend |off|^2/2.
+// The observer's matrix maps a unit looking direction d to the photon that arrives from d. Pixels
+// give d as (right, up, forward) of the camera; files of rays give it as (outward, theta, phi) of
+// the observer. Each component of the photon is
+//
+//   dot(row, (1, off)) + curvature |off|^2/2,   off = d - least_energy_direction.
+struct Observer {
     energy: vec4<f32>,
     radial: vec4<f32>,
     w_x: vec4<f32>,
     w_y: vec4<f32>,
     w_z: vec4<f32>,
-    // Of radial, w_x, w_y, w_z; the direction from which light has the least energy; and the bend
-    // of the energy.
-    bend: vec4<f32>,
-    dimmest: vec3<f32>,
-    energy_bend: f32,
-    // Without ABERRATION, frequency for the camera of that photon, which is then divided by it:
-    // dot(row, (1, d)).
+    // The curvatures of radial, w_x, w_y and w_z.
+    curvature: vec4<f32>,
+    // The direction from which light arrives with the least energy.
+    least_energy_direction: vec3<f32>,
+    energy_curvature: f32,
+    // Without ABERRATION: the photon's frequency at the camera is dot(row, (1, d)), and the photon
+    // is divided by it.
     frequency: vec4<f32>,
-    // Where the camera is: unit vector from the hole, and radius.
-    camera_direction: vec3<f32>,
-    camera_radius: f32,
-    // Without spin, the photon's plunge = radial - c E, reckoned from the middle of the shadow or
-    // of the sky, whichever is smaller: dot(row, (1, off)) + bend |off|^2/2 with off = d - middle.
-    // Then 2 c, and 1/(1 - 1/r).
-    plunge: vec4<f32>,
-    plunge_middle: vec3<f32>,
-    plunge_bend: f32,
-    plunge_span: f32,
-    inverse_lapse2: f32,
-    // 1/r, and by how much that is less than at the photon sphere, 2/3.
-    camera_u: f32,
-    photon_sphere_depth: f32,
-    // Size of the picture in pixels; tangents of half the field of view, horizontal and vertical.
-    picture_size: vec2<f32>,
-    tan_half_fov: vec2<f32>,
-    // The step policy of verlet and kerr-schild.
+    // Where the observer is: the unit vector from the hole, Boyer-Lindquist r, and u = 1/r.
+    position_direction: vec3<f32>,
+    r: f32,
+    u: f32,
+    // 1/r_+ - 1/r: zero at the horizon, negative inside.
+    u_to_horizon: f32,
+    // How far Kerr's ingoing azimuth is ahead of the observer's azimuth, less whole turns. Zero at
+    // and inside the horizon, where the observer's azimuth is the ingoing one.
+    ingoing_azimuth_lead: f32,
+    // The observer with zero angular momentum (ZAMO) at the same place: its lapse, and its angular
+    // velocity, which is zero without LENSING.
+    zamo_lapse: f32,
+    zamo_angular_velocity: f32,
+}
+
+struct Hole {
+    // a = chi/2.
+    a: f32,
+    // 1 - chi.
+    one_minus_spin: f32,
+    // The horizons r_+ and r_-, and r_+ - r_-.
+    horizon: f32,
+    inner_horizon: f32,
+    horizon_separation: f32,
+    // 1/r_+ as the sum of two f32.
+    horizon_u: f32,
+    horizon_u_low: f32,
+}
+
+// What decides between sky and shadow around a hole without spin. The margin of a photon is
+// radial - c E, with c = radial/E at the edge of the shadow:
+//
+//   dot(margin, (1, off)) + curvature |off|^2/2,   off = d - center,
+//
+// where center is the middle of the shadow or of the rest of the sky, whichever is smaller.
+struct Shadow {
+    margin: vec4<f32>,
+    center: vec3<f32>,
+    curvature: f32,
+    // 2 c.
+    twice_critical_radial: f32,
+    // 1/(1 - 1/r).
+    inverse_lapse_squared: f32,
+    // 2/3 - 1/r: how much smaller the observer's 1/r is than the photon sphere's.
+    u_to_photon_sphere: f32,
+}
+
+struct Disk {
+    // The edges, and the widths over which the emission fades in at each.
+    inner: f32,
+    outer: f32,
+    inner_fade: f32,
+    outer_fade: f32,
+    // Temperature scale in kelvin, and scale of the emission.
+    temperature: f32,
+    brightness: f32,
+    // Share of the light from behind that passes through.
+    transmission: f32,
+}
+
+struct Sky {
+    // Unit vector toward the reference star.
+    reference_star: vec3<f32>,
+    // Scale of all light from the sky.
+    brightness: f32,
+    // Radius of the image of a star or line, in radians, and scale of a star's light in it.
+    spot_radius: f32,
+    star_brightness: f32,
+    // Which stars there are.
+    seed: u32,
+}
+
+struct Quality {
+    // The step policy of the methods verlet and kerr-schild.
     step_scale: f32,
     max_steps: u32,
     max_affine: f32,
     escape_radius: f32,
-    // The disk: edges, widths of the fade at each edge, temperature scale in kelvin, scale of the
-    // emission, transmission.
-    disk_inner: f32,
-    disk_outer: f32,
-    disk_inner_fade: f32,
-    disk_outer_fade: f32,
-    disk_temperature: f32,
-    disk_brightness: f32,
-    disk_transmission: f32,
-    // The sky: scale of its light, radius of a star's or line's image in radians, which stars, the
-    // reference star.
-    sky_brightness: f32,
-    reference_star: vec3<f32>,
-    spot_radius: f32,
-    star_brightness: f32,
-    sky_seed: u32,
-    // Light of a mark that must be seen whatever the exposure.
-    mark_brightness: f32,
-    // Of the observer with zero angular momentum at the camera: lapse, and angular velocity (zero
-    // without LENSING).
-    camera_lapse: f32,
-    camera_dragging: f32,
-    // The hole: a = chi/2, the horizons' radii r_+ and r_-, 1 - chi; 1/r_+, and what rounding left
-    // of it; r_+ - r_-.
-    spin_length: f32,
-    horizon: f32,
-    horizon_u: f32,
-    horizon_u_rest: f32,
-    horizon_gap: f32,
-    inner_horizon: f32,
-    spin_gap: f32,
-    // By how much the camera's 1/r is less than 1/r_+; by how much Kerr's ingoing azimuth is ahead
-    // of the camera's, but for whole turns: zero at and inside the horizon, where it is the
-    // camera's.
-    horizon_depth: f32,
-    azimuth_lead: f32,
-    // Step in Mino time, in radians.
+    // Steps of the method mino in Mino time, in radians: of rays that pass far from the critical
+    // curve, and of rays that may come near it.
     mino_step: f32,
-    mino_near_step: f32,
+    mino_critical_step: f32,
 }
 
-@group(0) @binding(0) var<uniform> scene: Scene;
-
-const PI: f32 = 3.14159265358979;
-// The hole's mass.
-const MASS: f32 = 0.5;
-
-// A photon where it meets the camera; crates/lightfall-core/src/geometry/observer.rs has the same.
-struct Photon {
-    // E = -p_t.
-    energy: f32,
-    // Sigma p^r / r^2.
-    radial: f32,
-    // (p_theta theta_hat + p_phi / sin(theta) phi_hat) / r, tangent to the celestial sphere at the
-    // camera.
-    w: vec3<f32>,
-    // Without spin: what is positive for light from the horizon, and is zero at the edge of the
-    // shadow.
-    plunge: f32,
+struct Picture {
+    // In pixels.
+    size: vec2<f32>,
+    // Tangents of half the field of view, horizontal and vertical.
+    tan_half_fov: vec2<f32>,
+    // Light of a mark that looks the same at every exposure.
+    mark_brightness: f32,
 }
 
-// The ray comes from infinity, ends at the horizon, was given up, or (pictures only) passed two
-// crossings of the disk behind which no light matters.
-const OUTCOME_SKY: u32 = 0u;
-const OUTCOME_CAPTURED: u32 = 1u;
-const OUTCOME_UNFINISHED: u32 = 2u;
-const OUTCOME_HIDDEN: u32 = 3u;
-
-// A crossing of the disk's annulus: r n, n toward Boyer-Lindquist theta and phi, and observed over
-// emitted frequency.
-struct Hit {
-    position: vec3<f32>,
-    g: f32,
+// WGSL asks for this alignment of structs within a uniform.
+struct Scene {
+    @align(16) observer: Observer,
+    @align(16) hole: Hole,
+    @align(16) shadow: Shadow,
+    @align(16) disk: Disk,
+    @align(16) sky: Sky,
+    @align(16) quality: Quality,
+    @align(16) picture: Picture,
 }
 
-struct Trace {
-    // Unit vector toward the source at infinity, where the outcome is the sky; else zero.
-    sky: vec3<f32>,
-    outcome: u32,
-    // The first crossings along the backward ray, and how many of them there are.
-    hits: array<Hit, 2>,
-    hit_count: u32,
-    steps: u32,
-    // Largest normalized residual of the null constraint; largest relative drift of the angular
-    // momentum. Zero unless DIAGNOSTICS.
-    residual: f32,
-    angular_momentum_drift: f32,
-    // Angle swept about the hole, in radians, up to the first of the crossings or, without any, to
-    // infinity, without what the hole's spin drags along: its whole half-turns are the order of the
-    // image. Zero where nothing is seen, and unless DIAGNOSTICS.
-    turn: f32,
-}
-
-// One step of a ray: positions and velocities at its ends, and its affine length.
-struct Segment {
-    x0: vec3<f32>,
-    v0: vec3<f32>,
-    x1: vec3<f32>,
-    v1: vec3<f32>,
-    h: f32,
-}
-
-fn untraced() -> Trace {
-    let nothing = Hit(vec3<f32>(0.0), 0.0);
-    return Trace(vec3<f32>(0.0), OUTCOME_UNFINISHED, array<Hit, 2>(nothing, nothing), 0u, 0u, 0.0, 0.0, 0.0);
-}
-
-// Divisors and roots that must not vanish: the smallest number here is far above f32's subnormals.
-const TINY: f32 = 1e-30;
-
-fn safe_normalize(v: vec3<f32>) -> vec3<f32> {
-    return v * inverseSqrt(max(dot(v, v), TINY));
-}
-
-fn square(x: f32) -> f32 {
-    return x * x;
-}
-
-// A vector turned about z.
-fn turned(v: vec2<f32>, sine_cosine: vec2<f32>) -> vec2<f32> {
-    return vec2<f32>(sine_cosine.y * v.x - sine_cosine.x * v.y, sine_cosine.x * v.x + sine_cosine.y * v.y);
-}
+@group(0) @binding(BINDING_SCENE) var<uniform> scene: Scene;

@@ -1,23 +1,22 @@
-// The sky as the camera sees it. What is at infinity is fixed in world direction; the observer
-// shifts it: with g, observed over emitted frequency (1/E), thermal light keeps its shape at g T
-// and is beamed.
+// The sky as the camera sees it. Sources at infinity have fixed directions in the hole's frame; their
+// light arrives shifted by g, the observed over the emitted frequency. Shifted thermal light has
+// Planck's spectrum at the temperature g T, and its intensity is beamed.
 
-// Temperature of the reference star in kelvin, its brightness, and its angular radius: a quarter of
-// a degree.
+// The reference star: temperature in kelvin, brightness, and angular radius (a quarter of a degree).
 const REFERENCE_TEMPERATURE: f32 = 8000.0;
 const REFERENCE_BRIGHTNESS: f32 = 4.0;
 const REFERENCE_RADIUS: f32 = 0.00436332;
-// Largest image of a star or line: charts leave so much room around every star.
+// Largest radius of the image of a star or line: the charts of stars leave this much room around
+// every star.
 const MAX_SPOT_RADIUS: f32 = 0.008;
 
-// Radius on the sky of the image of a point or line. The image is one and a half pixels wide for
-// the camera; a moving or deep observer sees the sky shrunk by g, so that there the same pixels
-// span more of it.
+// Radius on the sky of the image of a point or line. In the picture the radius is one and a half
+// pixels; a moving or deep observer sees the sky shrunk by g, so the same pixels span more of it.
 fn spot_radius(g: f32) -> f32 {
-    return clamp(scene.spot_radius * g, TINY, MAX_SPOT_RADIUS);
+    return clamp(scene.sky.spot_radius * g, TINY, MAX_SPOT_RADIUS);
 }
 
-// Share of the light at a squared distance from the middle of an image that ends smoothly at its
+// Share of the light at a squared distance from the center of an image, which ends smoothly at its
 // radius.
 fn spot_profile(distance2: f32, radius: f32) -> f32 {
     let inside = max(1.0 - distance2 / (radius * radius), 0.0);
@@ -25,7 +24,7 @@ fn spot_profile(distance2: f32, radius: f32) -> f32 {
 }
 
 fn reference_star(direction: vec3<f32>, g: f32) -> vec3<f32> {
-    let offset = direction - scene.reference_star;
+    let offset = direction - scene.sky.reference_star;
     let share = clamp((REFERENCE_RADIUS - length(offset)) / (0.25 * REFERENCE_RADIUS), 0.0, 1.0);
     if share == 0.0 {
         return vec3<f32>(0.0);
@@ -39,5 +38,5 @@ fn sky_light(direction: vec3<f32>, shift: f32) -> vec3<f32> {
     if REFERENCE_STAR {
         light += reference_star(direction, g);
     }
-    return light * (beamed(g) * scene.sky_brightness);
+    return light * (beaming_factor(g) * scene.sky.brightness);
 }

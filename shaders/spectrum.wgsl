@@ -1,11 +1,11 @@
-// Colour of heat, from the table that the CPU integrates over Planck's spectrum and the CIE 1931
-// observer (crates/lightfall-core/src/optics/spectrum.rs): entries are equidistant in ln T, each the colour divided by
-// its brightest channel and the logarithm of that channel. The SPECTRUM_ constants come from there.
+// The colour of thermal light, from a table that the CPU integrates over Planck's spectrum and the
+// CIE 1931 observer (crates/lightfall-core/src/optics/spectrum.rs). Entries are equidistant in ln T;
+// each holds the colour divided by its brightest channel, and the logarithm of that channel.
 
-@group(0) @binding(1) var<uniform> spectrum: array<vec4<f32>, SPECTRUM_LEN>;
+@group(0) @binding(BINDING_SPECTRUM) var<uniform> spectrum: array<vec4<f32>, SPECTRUM_LEN>;
 
 // Linear sRGB per unit of relative bolometric flux; 6500 K has luminance one. Temperatures outside
-// the table count as its ends, and colours outside the gamut are clipped.
+// the table are clamped to its ends, and colours outside the gamut are clipped.
 fn thermal_colour(temperature: f32) -> vec3<f32> {
     let last = f32(SPECTRUM_LEN - 1u);
     let share = log(clamp(temperature, SPECTRUM_MIN_TEMPERATURE, SPECTRUM_MAX_TEMPERATURE) / SPECTRUM_MIN_TEMPERATURE) / SPECTRUM_LN_RANGE;

@@ -1,4 +1,4 @@
-// No disk: nothing is crossed and nothing shines.
+// No disk: no ray crosses anything and nothing shines.
 
 const HAS_DISK: bool = false;
 

@@ -1,12 +1,13 @@
-// Flux of a disk around Kerr (Page & Thorne 1974), relative: the Newtonian profile of the same edge
-// times a correction, which the CPU works out in closed form (crates/lightfall-core/src/optics/disk/page_thorne.rs).
-// Entries are the coefficients of cubics, equidistant in p = sqrt(1 - sqrt(r_in / r)), from the
-// edge at 0 to infinity at 1.
+// The disk model `page-thorne`: relative flux of a disk around Kerr (Page & Thorne 1974), as the
+// Newtonian profile with the same edge times a correction. The CPU computes the correction in closed
+// form (crates/lightfall-core/src/optics/disk/page_thorne.rs); entries of its table are the
+// coefficients of cubics, equidistant in p = sqrt(1 - sqrt(r_in / r)), from the edge at 0 to infinity
+// at 1.
 
-@group(0) @binding(4) var<uniform> page_thorne: array<vec4<f32>, PAGE_THORNE_LEN>;
+@group(0) @binding(BINDING_PAGE_THORNE) var<uniform> page_thorne: array<vec4<f32>, PAGE_THORNE_LEN>;
 
 fn disk_flux(r: f32) -> f32 {
-    let x = scene.disk_inner / max(r, TINY);
+    let x = scene.disk.inner / max(r, TINY);
     let depth = max(1.0 - sqrt(x), 0.0);
     let position = sqrt(depth) * f32(PAGE_THORNE_LEN);
     let i = min(u32(position), PAGE_THORNE_LEN - 1u);

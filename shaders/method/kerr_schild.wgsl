@@ -1,5 +1,5 @@
-// Kerr's null geodesics by Runge-Kutta in ingoing Kerr-Schild Cartesian coordinates: the article's
-// integrator, kept as the baseline that better methods are measured against.
+// The method kerr-schild: Kerr's null geodesics by Runge-Kutta in ingoing Kerr-Schild Cartesian
+// coordinates. It is the article's integrator, the baseline for measuring better methods.
 //
 // The metric is eta + f l l (Kerr 1963; Misner, Thorne & Wheeler 1973 box 33.2), with r the
 // Boyer-Lindquist radius and
@@ -7,20 +7,20 @@
 //   f = r^3 / (r^4 + a^2 z^2),   l = (1, (r x + a y)/(r^2 + a^2), (r y - a x)/(r^2 + a^2), z/r),
 //   r^4 - (x^2 + y^2 + z^2 - a^2) r^2 - a^2 z^2 = 0.
 //
-// The backward ray has the momentum p with p_t = +1 and, with S = l.p - 1, the Hamiltonian (p^2 - 1
-// - f S^2)/2 = 0:
+// The backward ray has the momentum p with p_t = +1 and, with S = l.p - 1, the Hamiltonian
+// (p^2 - 1 - f S^2)/2 = 0:
 //
 //   x' = p - f S l,   p' = S^2 grad(f)/2 + f S grad(l.p).
 //
-// p_t and x p_y - y p_x are conserved. Rays that end at the horizon come from the past one, where
-// these coordinates are singular: momenta grow without bound and steps shrink, so many such rays of
-// fast holes stay unfinished.
+// p_t and x p_y - y p_x are conserved. Rays that end at the horizon come from the past horizon, where
+// these coordinates are singular: momenta grow without bound and steps shrink, so many such rays
+// around fast holes stay unfinished.
 
 // At this multiple of the horizon's radius an ingoing ray counts as captured.
 const CAPTURE_MARGIN: f32 = 1.015;
 // Loop bounds that hold whatever the uniform says.
 const MAX_STEPS: u32 = 768u;
-// Steps: shares of the radius, range in r_s, and what keeps the rule from dividing by zero.
+// The step rule: shares of the radius, range in r_s, and a term that keeps it from dividing by zero.
 const RADIUS_SHARE: f32 = 0.16;
 const BENDING_SHARE: f32 = 0.12;
 const IMPACT_REGULARIZER: f32 = 0.01;
@@ -31,7 +31,7 @@ const DISPLACEMENT_SHARE: f32 = 0.10;
 const HORIZON_SHARE: f32 = 0.12;
 const MIN_HORIZON_DISTANCE: f32 = 0.002;
 const MIN_INWARD_SPEED: f32 = 0.01;
-// From this step scale on the last two shares no longer grow.
+// The step scale above which the last two shares no longer grow.
 const BALANCED: f32 = 0.85;
 
 struct Canonical {
@@ -48,7 +48,7 @@ struct Metric {
 
 // grad(r) follows from r's quartic: (x, y, z (r^2 + a^2)/r^2) r^3 / (r^4 + a^2 z^2).
 fn metric_at(x: vec3<f32>) -> Metric {
-    let a = scene.spin_length;
+    let a = scene.hole.a;
     let a2 = a * a;
     let excess = dot(x, x) - a2;
     let r2 = max(0.5 * (excess + sqrt(excess * excess + 4.0 * a2 * x.z * x.z)), TINY);
@@ -63,11 +63,11 @@ fn velocity(metric: Metric, p: vec3<f32>) -> vec3<f32> {
     return p - metric.f * (dot(metric.l, p) - 1.0) * metric.l;
 }
 
-// Both derivatives. grad(f) = f (3 grad(r)/r - (4 r^3 grad(r) + 2 a^2 z e_z)/(r^4 + a^2 z^2)).
-fn slope(state: Canonical) -> Canonical {
+// The derivatives of x and p. grad(f) = f (3 grad(r)/r - (4 r^3 grad(r) + 2 a^2 z e_z)/(r^4 + a^2 z^2)).
+fn derivatives(state: Canonical) -> Canonical {
     let x = state.x;
     let p = state.p;
-    let a = scene.spin_length;
+    let a = scene.hole.a;
     let metric = metric_at(x);
     let r = metric.r;
     let wide = r * r + a * a;
@@ -81,34 +81,35 @@ fn slope(state: Canonical) -> Canonical {
     return Canonical(p - metric.f * s * metric.l, 0.5 * s * s * gradient_f + metric.f * s * gradient_l);
 }
 
-fn moved(state: Canonical, slope: Canonical, h: f32) -> Canonical {
-    return Canonical(state.x + h * slope.x, state.p + h * slope.p);
+fn advance(state: Canonical, rate: Canonical, h: f32) -> Canonical {
+    return Canonical(state.x + h * rate.x, state.p + h * rate.p);
 }
 
 // Classical Runge-Kutta.
 fn runge_kutta_step(state: Canonical, h: f32) -> Canonical {
-    let k1 = slope(state);
-    let k2 = slope(moved(state, k1, 0.5 * h));
-    let k3 = slope(moved(state, k2, 0.5 * h));
-    let k4 = slope(moved(state, k3, h));
+    let k1 = derivatives(state);
+    let k2 = derivatives(advance(state, k1, 0.5 * h));
+    let k3 = derivatives(advance(state, k2, 0.5 * h));
+    let k4 = derivatives(advance(state, k3, h));
     let mean = Canonical((k1.x + 2.0 * (k2.x + k3.x) + k4.x) / 6.0, (k1.p + 2.0 * (k2.p + k3.p) + k4.p) / 6.0);
-    return moved(state, mean, h);
+    return advance(state, mean, h);
 }
 
-// The step rule: shorter where light bends, on the way to the horizon, and never a large share of
-// the radius. Below the balanced setting the caps shrink too, the horizon's more so for fast holes.
+// The step rule: shorter where light bends and on the way to the horizon, and never a large share of
+// the radius. Below the balanced setting the limits shrink, too, and the horizon's even more for fast
+// holes.
 fn step_length(metric: Metric, x: vec3<f32>, v: vec3<f32>) -> f32 {
     let r = metric.r;
     let impact = length(cross(x, v));
-    let wanted = scene.step_scale * min(RADIUS_SHARE * r, BENDING_SHARE * r * r / (impact + IMPACT_REGULARIZER));
+    let wanted = scene.quality.step_scale * min(RADIUS_SHARE * r, BENDING_SHARE * r * r / (impact + IMPACT_REGULARIZER));
     let allowed = clamp(wanted, MIN_STEP, max(MAX_STEP, MAX_STEP_SHARE * r));
-    let refinement = min(1.0, scene.step_scale / BALANCED);
+    let refinement = min(1.0, scene.quality.step_scale / BALANCED);
     var h = min(allowed, DISPLACEMENT_SHARE * refinement * r / max(length(v), 1.0));
     let inward_speed = -dot(metric.gradient_r, v);
     if inward_speed > 0.0 {
         // sqrt(1 - chi^2), from r_+ - r_-.
-        let slowness = select(1.0, max(0.5, scene.horizon - scene.inner_horizon), refinement < 1.0);
-        let distance = max(r - scene.horizon, MIN_HORIZON_DISTANCE);
+        let slowness = select(1.0, max(0.5, scene.hole.horizon - scene.hole.inner_horizon), refinement < 1.0);
+        let distance = max(r - scene.hole.horizon, MIN_HORIZON_DISTANCE);
         h = min(h, HORIZON_SHARE * refinement * slowness * distance / max(inward_speed, MIN_INWARD_SPEED));
     }
     return h;
@@ -119,30 +120,30 @@ fn step_length(metric: Metric, x: vec3<f32>, v: vec3<f32>) -> f32 {
 //
 //   p_r = (Sigma p^r + P)/Delta - E,   P = E (r^2 + a^2) - a L,
 //
-// which for ingoing light is K'/(P - Sigma p^r) - E, since P^2 - (Sigma p^r)^2 = Delta K'. From x =
-// r n + a e_z x n, p.n = p_r and the tangential part solves p - (a n_z/r) n x p = w + (a/r) p_r e_z
-// x n. Derived.
+// which for ingoing light is K'/(P - Sigma p^r) - E, since P^2 - (Sigma p^r)^2 = Delta K'. With x =
+// r n + a e_z x n, p.n = p_r, and the tangential part solves
+// p - (a n_z/r) n x p = w + (a/r) p_r e_z x n. Derived.
 fn backward_momentum(photon: Photon, n: vec3<f32>) -> vec3<f32> {
-    let r = scene.camera_radius;
-    let a = scene.spin_length;
+    let r = scene.observer.r;
+    let a = scene.hole.a;
     let energy = photon_energy(photon);
     let angular_momentum = photon_angular_momentum(photon);
     let across = vec3<f32>(-n.y, n.x, 0.0);
     let outward = r * r * photon.radial;
     let power = energy * (r * r + a * a) - a * angular_momentum;
     let dragged = r * photon.w - a * energy * across;
-    let delta = (r - scene.horizon) * (r - scene.inner_horizon);
+    let delta = (r - scene.hole.horizon) * (r - scene.hole.inner_horizon);
     var radial = (power + outward) / delta;
     if outward < 0.0 {
         radial = dot(dragged, dragged) / (power - outward);
     }
     radial -= energy;
-    let turned = photon.w + (a * radial / r) * across;
+    let twisted = photon.w + (a * radial / r) * across;
     let tilt = a * n.z / r;
-    return -(radial * n + (turned + tilt * cross(n, turned)) / (1.0 + tilt * tilt)) / energy;
+    return -(radial * n + (twisted + tilt * cross(n, twisted)) / (1.0 + tilt * tilt)) / energy;
 }
 
-// By how much the null condition is violated, as a share of its larger side.
+// The violation of the null condition, as a share of its larger side.
 fn null_residual(metric: Metric, p: vec3<f32>) -> f32 {
     let s = dot(metric.l, p) - 1.0;
     return abs(dot(p, p) - 1.0 - metric.f * s * s) / max(dot(p, p), 1.0);
@@ -152,23 +153,23 @@ fn axial_angular_momentum(state: Canonical) -> f32 {
     return state.x.x * state.p.y - state.x.y * state.p.x;
 }
 
-// The place r n, with Boyer-Lindquist's azimuth, of a point in the plane. The frame is turned so
-// that azimuths agree at the camera.
+// The place r n, with Boyer-Lindquist's azimuth, of a point in the plane. The frame is rotated so that
+// the azimuths agree at the camera.
 fn boyer_lindquist(x: vec3<f32>) -> vec3<f32> {
-    let a = scene.spin_length;
+    let a = scene.hole.a;
     let r = metric_at(x).r;
     let n = vec2<f32>(r * x.x + a * x.y, r * x.y - a * x.x) / (r * r + a * a);
-    let lead = a / (scene.horizon - scene.inner_horizon) * log((r - scene.horizon) / (r - scene.inner_horizon));
-    return vec3<f32>(r * turned(n, sine_cosine(scene.azimuth_lead - lead)), 0.0);
+    let lead = a / (scene.hole.horizon - scene.hole.inner_horizon) * log((r - scene.hole.horizon) / (r - scene.hole.inner_horizon));
+    return vec3<f32>(r * rotate_z(n, sin_cos_precise(scene.observer.ingoing_azimuth_lead - lead)), 0.0);
 }
 
 fn trace(photon: Photon) -> Trace {
-    var result = untraced();
-    let n = scene.camera_direction;
-    let start = scene.camera_radius * n + scene.spin_length * vec3<f32>(-n.y, n.x, 0.0);
+    var result = empty_trace();
+    let n = scene.observer.position_direction;
+    let start = scene.observer.r * n + scene.hole.a * vec3<f32>(-n.y, n.x, 0.0);
     var state = Canonical(start, backward_momentum(photon, n));
     let axial = axial_angular_momentum(state);
-    let max_steps = min(scene.max_steps, MAX_STEPS);
+    let max_steps = min(scene.quality.max_steps, MAX_STEPS);
     var affine = 0.0;
     var turn = 0.0;
     var captured = false;
@@ -184,16 +185,15 @@ fn trace(photon: Photon) -> Trace {
             result.angular_momentum_drift = max(result.angular_momentum_drift, drift);
         }
         let outward = dot(state.x, v) > 0.0;
-        captured = metric.r <= CAPTURE_MARGIN * scene.horizon && !outward;
-        escaped = metric.r >= scene.escape_radius && outward;
+        captured = metric.r <= CAPTURE_MARGIN * scene.hole.horizon && !outward;
+        escaped = metric.r >= scene.quality.escape_radius && outward;
         let enough = !FOLLOW_BEYOND_HITS && result.hit_count == MAX_HITS;
-        if captured || escaped || enough || i >= max_steps || affine >= scene.max_affine {
+        if captured || escaped || enough || i >= max_steps || affine >= scene.quality.max_affine {
             break;
         }
         let h = step_length(metric, state.x, v);
         let next = runge_kutta_step(state, h);
-        // Momenta that have overflowed tell nothing; a comparison with what is not a number is
-        // false.
+        // Momenta that have overflowed are meaningless. Comparisons with NaN are false.
         if !(dot(next.x, next.x) < 1e20 && dot(next.p, next.p) < 1e20) {
             break;
         }
@@ -223,7 +223,7 @@ fn trace(photon: Photon) -> Trace {
         if DIAGNOSTICS && result.hit_count == 0u {
             result.turn = turn + angle_between(state.x, v);
         }
-        result.sky = safe_normalize(vec3<f32>(turned(v.xy, sine_cosine(scene.azimuth_lead)), v.z));
+        result.sky = safe_normalize(vec3<f32>(rotate_z(v.xy, sin_cos_precise(scene.observer.ingoing_azimuth_lead)), v.z));
     } else if !FOLLOW_BEYOND_HITS && result.hit_count == MAX_HITS {
         result.outcome = OUTCOME_HIDDEN;
     }

@@ -1,6 +1,13 @@
-// What the hole's spin drags along, for mino.wgsl: the growth of chi, with chi' = a (E - W/D).
+// The azimuth of the method mino: the growth of chi by frame dragging, chi' = a (E - W/D).
 
-// By how much chi grows from the start of a step to its share t, where the ray is at v.
+// An angle that can be many turns, as the sum of two parts: the first is a multiple of 1/16, the
+// second at most 1/32.
+struct Angle {
+    whole: f32,
+    rest: f32,
+}
+
+// The growth of chi from the start of a step to its share t, where the ray is at v.
 fn azimuth_gain(m: Motion, c: Curve, h: f32, t: f32, v: f32, regular: bool, ingoing: bool) -> f32 {
     if !NEAR_HORIZON || !regular {
         return smooth_azimuth_gain(m, c, h, t);
@@ -13,16 +20,16 @@ fn azimuth_gain(m: Motion, c: Curve, h: f32, t: f32, v: f32, regular: bool, ingo
     return gain - azimuth_lag(horizon_factors(m, start), horizon_factors(m, v), abs(v - start));
 }
 
-// The rate is smooth at a turning point and away from the horizon: there Gauss and Legendre's four
-// nodes are enough.
+// Away from the horizon and at a turning point the rate is smooth, and the four Gauss-Legendre nodes
+// are enough.
 fn smooth_azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
     let outer = vec2<f32>(curve_at(c, 0.0694318442 * t).x, curve_at(c, 0.9305681558 * t).x);
     let inner = vec2<f32>(curve_at(c, 0.3300094782 * t).x, curve_at(c, 0.6699905218 * t).x);
     let sum = 0.1739274226 * dragging_sum(m, outer) + 0.3260725774 * dragging_sum(m, inner);
-    return scene.spin_length * h * t * sum;
+    return scene.hole.a * h * t * sum;
 }
 
-// E - W/D at two places, added; one division for both.
+// The sum of E - W/D at two places, with one division for both.
 fn dragging_sum(m: Motion, v: vec2<f32>) -> f32 {
     let above = m.dragging.x + v * (m.dragging.y + v * m.dragging.z);
     let below = m.d.x + v * (m.d.y + v * m.d.z);
@@ -31,11 +38,11 @@ fn dragging_sum(m: Motion, v: vec2<f32>) -> f32 {
 
 // Next to the horizon W/D has a pole. There W^2 - U = K' u^2 D makes
 //
-//   chi' = a (E - K' u^2 / (W + |u'|)) - a |u'| / D,
+//   chi' = a (E - K' u^2 / (W + |u'|)) - a |u'| / D.
 //
-// the first part regular, as in Kerr's ingoing coordinates for light that comes in and in the
-// outgoing ones for light that leaves; the second is azimuth_lag's, as long as the ray does not
-// turn. This is the first.
+// The first part is regular, as in Kerr's ingoing coordinates for light that comes in and in the
+// outgoing ones for light that leaves; this function integrates it. As long as the ray does not turn,
+// azimuth_lag integrates the second part.
 fn regular_azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
     var nodes = array<vec2<f32>, 4>(
         vec2<f32>(0.0694318442, 0.1739274226),
@@ -51,48 +58,45 @@ fn regular_azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
         let pulled = m.constants.k_prime * square(m.base + v);
         sum += nodes[i].y * (m.constants.energy - pulled / max(quadratic(m.w, v) + speed, TINY));
     }
-    return scene.spin_length * h * t * sum;
+    return scene.hole.a * h * t * sum;
 }
 
 // 1 - r_+ u and 1 - r_- u, the factors of D.
 fn horizon_factors(m: Motion, v: f32) -> vec2<f32> {
     let about_horizon = m.base > 0.0;
-    let outer = select(1.0, 0.0, about_horizon) - scene.horizon * v;
-    let inner = select(1.0, scene.horizon_gap * m.base, about_horizon) - scene.inner_horizon * v;
+    let outer = select(1.0, 0.0, about_horizon) - scene.hole.horizon * v;
+    let inner = select(1.0, scene.hole.horizon_separation * m.base, about_horizon) - scene.hole.inner_horizon * v;
     return vec2<f32>(max(outer, TINY), inner);
 }
 
-// Integral of a/D over a distance in u between two places, whose factors of D are p and q:
+// Integral of a/D over u between two places this distance apart, whose factors of D are p and q:
 //
 //   a / (r_+ - r_-) |ln(p_1 q_2 / (p_2 q_1))|,   |p_1 q_2 - p_2 q_1| = (r_+ - r_-) distance,
 //
-// which as an area tangent keeps its digits, however little the two horizons differ.
+// which as an inverse hyperbolic tangent keeps its digits, however close the two horizons are.
 fn azimuth_lag(p: vec2<f32>, q: vec2<f32>, distance: f32) -> f32 {
     let products = vec2<f32>(p.x * q.y, q.x * p.y);
-    let tangent = scene.horizon_gap * distance / (products.x + products.y);
+    let tangent = scene.hole.horizon_separation * distance / (products.x + products.y);
     if tangent < 0.17 {
-        return 2.0 * scene.spin_length / scene.horizon_gap * area_tangent(tangent);
+        return 2.0 * scene.hole.a / scene.hole.horizon_separation * atanh_small(tangent);
     }
     let ratio = max(products.x, products.y) / min(products.x, products.y);
-    return scene.spin_length / scene.horizon_gap * logarithm(ratio);
+    return scene.hole.a / scene.hole.horizon_separation * log_precise(ratio);
 }
 
-// The same out to u = 0: by how much Kerr's ingoing azimuth lags behind.
+// The same out to u = 0: how far Kerr's ingoing azimuth lags behind.
 fn azimuth_lag_to_infinity(m: Motion, v: f32) -> f32 {
     return azimuth_lag(horizon_factors(m, v), vec2<f32>(1.0), m.base + v);
 }
 
-// Adds to an angle of two parts, for it can be many turns: the first is a multiple of 1/16, the
-// second below 1/32.
-fn add_angle(whole: ptr<function, f32>, rest: ptr<function, f32>, gain: f32) {
-    let sum = *rest + gain;
+fn add_angle(angle: Angle, gain: f32) -> Angle {
+    let sum = angle.rest + gain;
     let sixteenths = 0.0625 * round(16.0 * sum);
-    *whole += sixteenths;
-    *rest = sum - sixteenths;
+    return Angle(angle.whole + sixteenths, sum - sixteenths);
 }
 
-// That angle within [-pi, pi]; 2 pi in two parts too, the first of few digits.
-fn wrapped(whole: f32, rest: f32) -> f32 {
-    let turns = round(whole * 0.159154943);
-    return (whole - turns * 6.28125) + (rest - turns * 1.93530718e-3);
+// The angle within [-pi, pi]; 2 pi is subtracted in two parts, the first of few digits.
+fn wrap_angle(angle: Angle) -> f32 {
+    let turns = round(angle.whole * 0.159154943);
+    return (angle.whole - turns * 6.28125) + (angle.rest - turns * 1.93530718e-3);
 }

@@ -1,25 +1,26 @@
-// Rays that nothing bends, for comparison: flat space, the hole a black ball.
-// crates/lightfall-core/src/optics/straight.rs has the same in f64. The photons are those of flat space, too: see
-// crates/lightfall-core/src/optics/camera_rays.rs.
+// Straight rays, for scenes without lensing: flat space, in which the hole is a black ball.
+// crates/lightfall-core/src/optics/straight.rs does the same in f64. The photons are those of flat
+// space, too (crates/lightfall-core/src/optics/camera_rays.rs).
 
-// The lambda of which 1 - Omega lambda makes what the matter's speed (Omega - omega) W / N does to
-// light that meets it with the direction moment_z / r along it; W = sqrt(B / r).
+// The lambda for which 1 - Omega lambda is the Doppler factor of matter with the speed
+// (Omega - omega) W / N, where moment_z / r is the cosine between its velocity and the light, and
+// W = sqrt(B / r).
 fn straight_lambda(r: f32, moment_z: f32) -> f32 {
-    let a = scene.spin_length;
+    let a = scene.hole.a;
     let b = r * (r * r + a * a) + a * a;
     let inverse_omega = r * sqrt(r / MASS) + a;
     return moment_z / r * (1.0 - a / b * inverse_omega) * sqrt(b / r) / lapse_and_dragging(r).x;
 }
 
 fn trace(photon: Photon) -> Trace {
-    var result = untraced();
-    let n = scene.camera_direction;
-    let start = scene.camera_radius * n;
+    var result = empty_trace();
+    let n = scene.observer.position_direction;
+    let start = scene.observer.r * n;
     let direction = safe_normalize(-photon.radial * n - photon.w);
     let along = dot(start, direction);
     let moment = cross(start, direction);
-    // Half of the chord through the hole, squared; negative for a ray that misses it.
-    let half_chord2 = square(scene.horizon) - dot(moment, moment);
+    // The square of half the chord through the hole; negative for a ray that misses the hole.
+    let half_chord2 = square(scene.hole.horizon) - dot(moment, moment);
     let captured = along < 0.0 && half_chord2 >= 0.0;
     let to_end = -along - sqrt(max(half_chord2, 0.0));
     let crosses = start.z * direction.z < 0.0;
@@ -27,7 +28,7 @@ fn trace(photon: Photon) -> Trace {
     if crosses && (!captured || to_plane < to_end) {
         let position = vec3<f32>(start.xy + to_plane * direction.xy, 0.0);
         let r = length(position);
-        if r > scene.disk_inner && r < scene.disk_outer {
+        if r > scene.disk.inner && r < scene.disk.outer {
             add_hit(&result, position, photon_energy(photon), straight_lambda(r, -moment.z));
         }
     }

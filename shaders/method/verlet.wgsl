@@ -1,21 +1,21 @@
-// Schwarzschild's null geodesics by velocity Verlet in areal Cartesian coordinates: x = r n, v =
-// dx/dlambda.
+// The method verlet: Schwarzschild's null geodesics by velocity Verlet in areal Cartesian
+// coordinates, x = r n, v = dx/dlambda. It is the article's integrator for holes without spin.
 //
 //   d2x/dlambda2 = -(3/2) L^2 x / r^5,      v_r^2 + (1 - 1/r) L^2 / r^2 = 1,      L = x cross v
 //
 // The second equation is the null condition with |E| = 1 (Misner, Thorne & Wheeler 1973, section
-// 25.6). Derived from it by differentiation is the radial part of the first: the centrifugal term
-// L^2 / r^3 is what Cartesian coordinates have anyway, the relativistic one remains. The affine
-// parameter lambda grows backward along the ray.
+// 25.6). Its derivative gives the radial part of the first: Cartesian coordinates include the
+// centrifugal term L^2 / r^3, and the relativistic term remains. The affine parameter lambda grows
+// backward along the ray.
 
-// At this radius an ingoing ray counts as captured: no ray turns outward within the photon sphere,
+// At this radius an ingoing ray counts as captured: no ray turns outward inside the photon sphere,
 // at 1.5.
 const CAPTURE_RADIUS: f32 = 1.015;
 // Loop bounds that hold whatever the uniform says.
 const MAX_STEPS: u32 = 768u;
 const MAX_HALVINGS: u32 = 24u;
-// Steps: shares of the radius, range in r_s, and what keeps the rule from dividing by zero for
-// radial rays.
+// The step rule: shares of the radius, range in r_s, and a term that keeps it from dividing by zero
+// for radial rays.
 const RADIUS_SHARE: f32 = 0.16;
 const BENDING_SHARE: f32 = 0.12;
 const IMPACT_REGULARIZER: f32 = 0.01;
@@ -25,95 +25,136 @@ const MAX_STEP_SHARE: f32 = 0.15;
 const DISPLACEMENT_SHARE: f32 = 0.12;
 
 // The factor of x in the acceleration, from 1/r: -(3/2) L^2 / r^5.
-fn pull(l2: f32, inverse_r: f32) -> f32 {
+fn acceleration_factor(l2: f32, inverse_r: f32) -> f32 {
     let inverse_r2 = inverse_r * inverse_r;
     return -1.5 * l2 * inverse_r2 * inverse_r2 * inverse_r;
 }
 
 // The step rule: shorter where light bends, and never a large share of the radius.
 fn step_length(r: f32, v: vec3<f32>, impact: f32) -> f32 {
-    let wanted = scene.step_scale * min(RADIUS_SHARE * r, BENDING_SHARE * r * r / (impact + IMPACT_REGULARIZER));
+    let wanted = scene.quality.step_scale * min(RADIUS_SHARE * r, BENDING_SHARE * r * r / (impact + IMPACT_REGULARIZER));
     let allowed = clamp(wanted, MIN_STEP, max(MAX_STEP, MAX_STEP_SHARE * r));
     return min(allowed, DISPLACEMENT_SHARE * r * inverseSqrt(max(dot(v, v), 1.0)));
 }
 
-// By how much the null condition is violated, as a share of its larger side.
+// The violation of the null condition, as a share of its larger side.
 fn null_residual(x: vec3<f32>, v: vec3<f32>, l2: f32) -> f32 {
     let r2 = max(dot(x, x), TINY);
     let sum = square(dot(x, v)) / r2 + (1.0 - inverseSqrt(r2)) * l2 / r2;
     return abs(sum - 1.0) / max(sum, 1.0);
 }
 
+// What is constant along a ray: L, L^2 and |L|, per unit energy.
+struct Impact {
+    vector: vec3<f32>,
+    l2: f32,
+    length: f32,
+}
+
+// Where a ray is.
+struct Ray {
+    x: vec3<f32>,
+    v: vec3<f32>,
+    inverse_r: f32,
+}
+
+// Where a step ends, and its affine length.
+struct Step {
+    end: Ray,
+    h: f32,
+}
+
+// L from w rather than from x cross v, which would lose the small impact parameters of a far camera.
+fn impact_of(photon: Photon, energy: f32) -> Impact {
+    let vector = -scene.observer.r / energy * cross(scene.observer.position_direction, photon.w);
+    let l2 = dot(vector, vector);
+    return Impact(vector, l2, sqrt(l2));
+}
+
+// For an observer at rest, v is the article's mu e_r + (d - mu e_r) / sqrt(1 - 1/r): there radial =
+// -mu sqrt(1 - 1/r), w = -(d - mu e_r), E = sqrt(1 - 1/r). It is not normalized, because its length
+// carries the scale of the affine parameter.
+fn ray_at_camera(photon: Photon, energy: f32) -> Ray {
+    let x = scene.observer.r * scene.observer.position_direction;
+    let v = (-photon.radial * scene.observer.position_direction - photon.w) / energy;
+    return Ray(x, v, 1.0 / scene.observer.r);
+}
+
+// Keeps the largest residual of the null condition and the largest drift of L.
+fn record_residuals(result: ptr<function, Trace>, ray: Ray, impact: Impact) {
+    let drift = length(cross(ray.x, ray.v) - impact.vector) / max(impact.length, 1e-3);
+    (*result).residual = max((*result).residual, null_residual(ray.x, ray.v, impact.l2));
+    (*result).angular_momentum_drift = max((*result).angular_momentum_drift, drift);
+}
+
+// One step of velocity Verlet, at most max_h long: its end stays outside the horizon, where the
+// acceleration is defined.
+fn verlet_step(ray: Ray, max_h: f32, l2: f32) -> Step {
+    var h = max_h;
+    let factor = acceleration_factor(l2, ray.inverse_r);
+    var x = ray.x + h * (ray.v + (0.5 * h * factor) * ray.x);
+    var r2 = dot(x, x);
+    for (var halving = 0u; halving < MAX_HALVINGS && r2 <= 1.0; halving++) {
+        h *= 0.5;
+        x = ray.x + h * (ray.v + (0.5 * h * factor) * ray.x);
+        r2 = dot(x, x);
+    }
+    let inverse_r = inverseSqrt(max(r2, 0.25));
+    let v = ray.v + (0.5 * h) * (factor * ray.x + acceleration_factor(l2, inverse_r) * x);
+    return Step(Ray(x, v, inverse_r), h);
+}
+
+fn record_outcome(result: ptr<function, Trace>, ray: Ray, captured: bool, escaped: bool) {
+    if captured {
+        (*result).outcome = OUTCOME_CAPTURED;
+    } else if escaped {
+        (*result).outcome = OUTCOME_SKY;
+        (*result).sky = safe_normalize(ray.v);
+    } else if !FOLLOW_BEYOND_HITS && (*result).hit_count == MAX_HITS {
+        (*result).outcome = OUTCOME_HIDDEN;
+    }
+}
+
 fn trace(photon: Photon) -> Trace {
-    var result = untraced();
+    var result = empty_trace();
     let energy = photon_energy(photon);
-    // For an observer at rest this is the article's mu e_r + (d - mu e_r) / sqrt(1 - 1/r): radial =
-    // -mu sqrt(1 - 1/r), w = -(d - mu e_r), E = sqrt(1 - 1/r). Not normalized: its length carries
-    // the affine parameter's scale.
-    var x = scene.camera_radius * scene.camera_direction;
-    var v = (-photon.radial * scene.camera_direction - photon.w) / energy;
-    // From w, not from x cross v, which would lose the small impact parameters of a far camera.
-    let impact_vector = -scene.camera_radius / energy * cross(scene.camera_direction, photon.w);
-    let l2 = dot(impact_vector, impact_vector);
-    let impact = sqrt(l2);
-    let max_steps = min(scene.max_steps, MAX_STEPS);
-    var inverse_r = 1.0 / scene.camera_radius;
+    let impact = impact_of(photon, energy);
+    var ray = ray_at_camera(photon, energy);
+    let max_steps = min(scene.quality.max_steps, MAX_STEPS);
     var affine = 0.0;
     var turn = 0.0;
     var captured = false;
     var escaped = false;
 
     for (var i = 0u; i <= MAX_STEPS; i++) {
-        let r = 1.0 / inverse_r;
-        let outward = dot(x, v) >= 0.0;
         if DIAGNOSTICS {
-            let drift = length(cross(x, v) - impact_vector) / max(impact, 1e-3);
-            result.residual = max(result.residual, null_residual(x, v, l2));
-            result.angular_momentum_drift = max(result.angular_momentum_drift, drift);
+            record_residuals(&result, ray, impact);
         }
-        // A camera may stand within the capture radius: its outgoing rays still have their chance.
+        let r = 1.0 / ray.inverse_r;
+        let outward = dot(ray.x, ray.v) >= 0.0;
+        // A camera may stand within the capture radius; its outgoing rays can still escape.
         captured = r <= CAPTURE_RADIUS && !outward;
-        escaped = r >= scene.escape_radius && outward;
+        escaped = r >= scene.quality.escape_radius && outward;
         let enough = !FOLLOW_BEYOND_HITS && result.hit_count == MAX_HITS;
-        if captured || escaped || enough || i >= max_steps || affine >= scene.max_affine {
+        if captured || escaped || enough || i >= max_steps || affine >= scene.quality.max_affine {
             break;
         }
-        let pull0 = pull(l2, inverse_r);
-        var h = step_length(r, v, impact);
-        var next_x = x + h * (v + (0.5 * h * pull0) * x);
-        var next_r2 = dot(next_x, next_x);
-        // The trial endpoint stays outside the horizon, where the acceleration has a meaning.
-        for (var halving = 0u; halving < MAX_HALVINGS && next_r2 <= 1.0; halving++) {
-            h *= 0.5;
-            next_x = x + h * (v + (0.5 * h * pull0) * x);
-            next_r2 = dot(next_x, next_x);
-        }
-        let next_inverse_r = inverseSqrt(max(next_r2, 0.25));
-        let next_v = v + (0.5 * h) * (pull0 * x + pull(l2, next_inverse_r) * next_x);
+        let step = verlet_step(ray, step_length(r, ray.v, impact.length), impact.l2);
         let unseen = result.hit_count == 0u;
-        record_crossing(&result, Segment(x, v, next_x, next_v, h));
+        record_crossing(&result, Segment(ray.x, ray.v, step.end.x, step.end.v, step.h));
         if DIAGNOSTICS && unseen {
-            turn += angle_between(x, select(next_x, result.hits[0].position, result.hit_count == 1u));
+            turn += angle_between(ray.x, select(step.end.x, result.hits[0].position, result.hit_count == 1u));
         }
         result.steps += 1u;
-        affine += h;
-        x = next_x;
-        v = next_v;
-        inverse_r = next_inverse_r;
+        affine += step.h;
+        ray = step.end;
     }
-    shift_hits(&result, energy, -impact_vector.z);
+    shift_hits(&result, energy, -impact.vector.z);
     if DIAGNOSTICS {
         let at_infinity = escaped && result.hit_count == 0u;
-        turn += select(0.0, angle_between(x, v), at_infinity);
+        turn += select(0.0, angle_between(ray.x, ray.v), at_infinity);
         result.turn = select(0.0, turn, at_infinity || result.hit_count > 0u);
     }
-    if captured {
-        result.outcome = OUTCOME_CAPTURED;
-    } else if escaped {
-        result.outcome = OUTCOME_SKY;
-        result.sky = safe_normalize(v);
-    } else if !FOLLOW_BEYOND_HITS && result.hit_count == MAX_HITS {
-        result.outcome = OUTCOME_HIDDEN;
-    }
+    record_outcome(&result, ray, captured, escaped);
     return result;
 }

@@ -1,17 +1,18 @@
-// The light itself.
+// The views `colour` and `unfinished`: the light itself.
 
-// The disk shines at each of the first two crossings and lets a share of what lies behind through.
+// The disk shines at each of the first two crossings and lets a share of the light from behind
+// through.
 fn light_along(photon: Photon) -> vec3<f32> {
     let ray = trace(photon);
     var light = vec3<f32>(0.0);
     var transmission = 1.0;
     if ray.hit_count > 0u {
         light = disk_light(ray.hits[0]);
-        transmission = scene.disk_transmission;
+        transmission = scene.disk.transmission;
     }
     if MAX_HITS > 1u && ray.hit_count > 1u {
         light += transmission * disk_light(ray.hits[1]);
-        transmission *= scene.disk_transmission;
+        transmission *= scene.disk.transmission;
     }
     if ray.outcome == OUTCOME_SKY {
         light += transmission * sky_light(ray.sky, sky_shift(photon));

@@ -1,12 +1,12 @@
-// Backward error against the f64 reference, in pixels of the picture, on a coarse grid that the CPU
-// works out (crates/lightfall-core/src/accuracy/picture.rs): nothing is traced here. On a logarithmic scale, from
-// dark violet at 1e-4 pixel or less through green to bright yellow at 1 or more; magenta where no
-// turn of the ray explains the answer, black where nothing is seen, grey where the error is not
-// known yet.
+// The view `error`: backward error against the f64 reference, in pixels of the picture, on a coarse
+// grid that the CPU computes (crates/lightfall-core/src/accuracy/picture.rs). This shader traces
+// nothing. The scale is logarithmic, from dark violet at 1e-4 pixel or less through green to bright
+// yellow at 1 or more. Magenta: no rotation of the ray explains the answer. Black: nothing is seen.
+// Grey: the error is not known yet.
 
-@group(0) @binding(5) var<uniform> errors: array<vec4<f32>, ERROR_COLUMNS * ERROR_ROWS / 4u>;
+@group(0) @binding(BINDING_ERROR_MAP) var<uniform> errors: array<vec4<f32>, ERROR_COLUMNS * ERROR_ROWS / 4u>;
 
-// Linear sRGB of a colour in Oklab (Ottosson 2020), where equal distances look equal.
+// Linear sRGB of a colour in Oklab (Ottosson 2020), in which equal distances look equal.
 fn from_oklab(lightness: f32, a: f32, b: f32) -> vec3<f32> {
     let l = lightness + 0.3963377774 * a + 0.2158037573 * b;
     let m = lightness - 0.1055613458 * a - 0.0638541728 * b;
@@ -19,7 +19,8 @@ fn from_oklab(lightness: f32, a: f32, b: f32) -> vec3<f32> {
     );
 }
 
-// Lightness grows evenly with the position in 0..1, so that the scale reads without its hues, too.
+// The colour at a position in 0..1. Lightness grows linearly, so that the scale can also be read
+// without its hues.
 fn scale_colour(position: f32) -> vec3<f32> {
     let t = position;
     return from_oklab(0.30 + 0.65 * t, 0.04 + t * (0.32 * t - 0.42), -0.13 + t * (0.09 + 0.22 * t));
@@ -27,7 +28,7 @@ fn scale_colour(position: f32) -> vec3<f32> {
 
 fn light_at(place: vec2<f32>) -> vec3<f32> {
     let grid = vec2<f32>(f32(ERROR_COLUMNS), f32(ERROR_ROWS));
-    let cell = vec2<u32>(clamp(place / scene.picture_size * grid, vec2<f32>(0.0), grid - 1.0));
+    let cell = vec2<u32>(clamp(place / scene.picture.size * grid, vec2<f32>(0.0), grid - 1.0));
     let index = cell.y * ERROR_COLUMNS + cell.x;
     let error = errors[index / 4u][index % 4u];
     if error == UNKNOWN {

@@ -1,6 +1,7 @@
-// Order of the image: whole half-turns about the hole up to what is seen first, disk or sky. Order
-// 0 is grey, 1 orange, 2 blue, 3 and more white, which colour-blind eyes tell apart; the sky is
-// darker than the disk. What is captured unseen is black.
+// The view `order`: the order of the image, which is the number of whole half-turns about the hole
+// up to the first source on the ray, disk or sky. Order 0 is grey, 1 orange, 2 blue, 3 and more
+// white, which colour-blind people can tell apart. The sky is darker than the disk. A ray that ends
+// at the horizon without a crossing is black.
 
 fn order_colour(order: f32) -> vec3<f32> {
     var colour = vec3<f32>(0.20);
@@ -18,6 +19,7 @@ fn light_along(photon: Photon) -> vec3<f32> {
     if ray.outcome == OUTCOME_CAPTURED && !seen {
         return vec3<f32>(0.0);
     }
-    // From a camera in the disk's plane, the disk is met after whole half-turns exactly.
+    // A camera in the disk's plane sees the disk after exactly whole half-turns. The margin counts
+    // these with the order below, whatever the rounding.
     return mark(select(0.25, 1.0, seen) * order_colour(floor((ray.turn - 1e-5) / PI)));
 }

@@ -1,6 +1,7 @@
-// Observed over emitted frequency of what is seen first, disk or sky: white at g = 1, through blue
-// toward g = 2 and more, through orange to dark red toward g = 1/2 and less, even in ln g. Blue and
-// orange stay apart for colour-blind eyes. What is captured unseen is black.
+// The view `redshift`: observed over emitted frequency g of the first source on the ray, disk or sky.
+// White at g = 1, through blue to dark blue at g = 2 and more, through orange to dark red at g = 1/2
+// and less, with equal steps in ln g. Colour-blind people can tell blue and orange apart. A ray that
+// ends at the horizon without a crossing is black.
 
 fn shift_colour(g: f32) -> vec3<f32> {
     let octaves = clamp(log2(max(g, TINY)), -1.0, 1.0);

@@ -1,7 +1,7 @@
-// Largest residual of the null constraint met along the ray, on a logarithmic scale: black at 1e-8
-// or less through violet, orange and yellow to white at 1 or more, a quarter of the way every two
-// powers of ten. A method that solves rays instead of stepping them has none. It is not the ray's
-// error.
+// The view `residual`: the largest residual of the null constraint along the ray, on a logarithmic
+// scale from black at 1e-8 or less through violet, orange and yellow to white at 1 or more, one
+// colour every two powers of ten. A method in closed form has no residual. The residual is not the
+// error of the ray.
 
 fn residual_colour(residual: f32) -> vec3<f32> {
     let position = clamp(0.5 * log2(max(residual, 1e-8)) * 0.301029996 + 4.0, 0.0, 4.0);

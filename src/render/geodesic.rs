@@ -21,7 +21,7 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
-use lightfall_core::gpu::{ErrorMap, GpuScene};
+use lightfall_core::gpu::{ErrorMap, GpuScene, bindings};
 use lightfall_core::optics::{disk, spectrum};
 use lightfall_core::scene::View;
 use pipeline::pipeline_descriptor;
@@ -121,17 +121,17 @@ fn create_geodesic_pass(mut commands: Commands, device: Res<RenderDevice>) {
         &BindGroupLayoutEntries::with_indices(
             ShaderStages::FRAGMENT,
             (
-                (0, uniform_buffer::<GpuScene>(false)),
+                (bindings::SCENE, uniform_buffer::<GpuScene>(false)),
                 (
-                    1,
+                    bindings::SPECTRUM,
                     uniform_buffer_sized(false, BufferSize::new(spectrum.size())),
                 ),
                 (
-                    4,
+                    bindings::PAGE_THORNE,
                     uniform_buffer_sized(false, BufferSize::new(page_thorne.size())),
                 ),
                 (
-                    5,
+                    bindings::ERROR_MAP,
                     uniform_buffer_sized(false, BufferSize::new(error_map.size())),
                 ),
             ),
@@ -211,10 +211,10 @@ fn prepare_geodesic_pass(
             "geodesic bindings",
             &cache.get_bind_group_layout(layout),
             &BindGroupEntries::with_indices((
-                (0, uniform),
-                (1, spectrum.as_entire_binding()),
-                (4, page_thorne.as_entire_binding()),
-                (5, error_map.as_entire_binding()),
+                (bindings::SCENE, uniform),
+                (bindings::SPECTRUM, spectrum.as_entire_binding()),
+                (bindings::PAGE_THORNE, page_thorne.as_entire_binding()),
+                (bindings::ERROR_MAP, error_map.as_entire_binding()),
             )),
         ));
     }

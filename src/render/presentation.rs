@@ -21,19 +21,10 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::{ExtractedView, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
+use lightfall_core::gpu::Presentation;
+use lightfall_core::gpu::bindings::{PRESENTATION, PRESENTATION_SAMPLER, PRESENTATION_SOURCE};
 use lightfall_core::scene::Picture;
 use pipeline::{GRID_FORMAT, SHADER, Stage, pipeline_descriptor};
-
-/// Mirror of `Presentation` in pixelate.wgsl.
-#[derive(Clone, Default, ShaderType)]
-struct Presentation {
-    picture: UVec2,
-    grid: UVec2,
-    offset: Vec2,
-    extent: Vec2,
-    levels: f32,
-    dither: u32,
-}
 
 /// The presentation grid and the settings it was filled with.
 struct Cells {
@@ -57,7 +48,7 @@ struct PresentationPass {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    let source = include_str!("../../shaders/pixelate.wgsl");
+    let source = Presentation::shader().source();
     if let Err(error) = app.world_mut().resource_mut::<Assets<Shader>>().insert(
         SHADER.id(),
         Shader::from_wgsl(source, "lightfall/pixelate.wgsl"),
@@ -85,12 +76,15 @@ pub(super) fn plugin(app: &mut App) {
 fn create_presentation_pass(mut commands: Commands, device: Res<RenderDevice>) {
     let layout = BindGroupLayoutDescriptor::new(
         "presentation layout",
-        &BindGroupLayoutEntries::sequential(
+        &BindGroupLayoutEntries::with_indices(
             ShaderStages::FRAGMENT,
             (
-                uniform_buffer::<Presentation>(false),
-                texture_2d(TextureSampleType::Float { filterable: true }),
-                sampler(SamplerBindingType::Filtering),
+                (PRESENTATION, uniform_buffer::<Presentation>(false)),
+                (
+                    PRESENTATION_SOURCE,
+                    texture_2d(TextureSampleType::Float { filterable: true }),
+                ),
+                (PRESENTATION_SAMPLER, sampler(SamplerBindingType::Filtering)),
             ),
         ),
     );
@@ -280,7 +274,11 @@ fn draw_stage(
     let bind_group = context.render_device().create_bind_group(
         name,
         &cache.get_bind_group_layout(&pass.layout),
-        &BindGroupEntries::sequential((uniform, source, &pass.sampler)),
+        &BindGroupEntries::with_indices((
+            (PRESENTATION, uniform),
+            (PRESENTATION_SOURCE, source),
+            (PRESENTATION_SAMPLER, &pass.sampler),
+        )),
     );
     let diagnostics = context.diagnostic_recorder();
     let diagnostics = diagnostics.as_deref();

@@ -1,6 +1,7 @@
 //! Compute shaders that map one array to another: rays to traces, and arguments to results in tests
 //! of shader functions.
 
+use super::bindings;
 use super::buffer::{buffer_with, empty_buffer};
 use super::device::Gpu;
 use super::error::GpuError;
@@ -9,9 +10,6 @@ use encase::internal::{CreateFrom, ReadFrom, WriteInto};
 use encase::{ShaderSize, ShaderType, StorageBuffer, UniformBuffer};
 use wgpu::{Buffer, BufferUsages};
 
-/// Number of invocations of a workgroup, as the shaders declare it.
-const WORKGROUP: usize = 64;
-
 /// The bytes of a uniform.
 pub fn uniform<U: ShaderType + WriteInto>(value: &U) -> Vec<u8> {
     let mut bytes = UniformBuffer::new(Vec::new());
@@ -19,8 +17,9 @@ pub fn uniform<U: ShaderType + WriteInto>(value: &U) -> Vec<u8> {
     bytes.into_inner()
 }
 
-/// A compute shader that maps a storage array (binding 2) to another one (binding 3), one element
-/// per invocation, in workgroups of 64. The other bindings are uniforms.
+/// A compute shader that maps a storage array (binding [`INPUT`](bindings::INPUT)) to another one
+/// (binding [`OUTPUT`](bindings::OUTPUT)), one element per invocation, in workgroups of
+/// [`WORKGROUP_SIZE`](bindings::WORKGROUP_SIZE). The other bindings are uniforms.
 #[derive(Debug)]
 pub struct Kernel {
     pipeline: wgpu::ComputePipeline,
@@ -114,7 +113,7 @@ impl Kernel {
             size,
             BufferUsages::COPY_DST | BufferUsages::MAP_READ,
         );
-        let arrays = [(2, &input), (3, &output)];
+        let arrays = [(bindings::INPUT, &input), (bindings::OUTPUT, &output)];
         let bindings = self
             .uniforms
             .iter()
@@ -136,7 +135,11 @@ impl Kernel {
             let mut pass = encoder.begin_compute_pass(&Default::default());
             pass.set_pipeline(&self.pipeline);
             pass.set_bind_group(0, &bind_group, &[]);
-            pass.dispatch_workgroups(count.div_ceil(WORKGROUP) as u32, 1, 1);
+            pass.dispatch_workgroups(
+                count.div_ceil(bindings::WORKGROUP_SIZE as usize) as u32,
+                1,
+                1,
+            );
         }
         encoder.copy_buffer_to_buffer(&output, 0, &readable, 0, size);
         gpu.queue.submit([encoder.finish()]);

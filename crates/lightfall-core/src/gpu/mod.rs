@@ -3,12 +3,14 @@
 
 mod adapter;
 mod background_device;
+pub mod bindings;
 mod buffer;
 mod device;
 mod drawable;
 mod error;
 mod error_map;
 pub mod kernel;
+mod presentation;
 pub mod rays;
 mod read_back;
 mod scene;
@@ -23,6 +25,10 @@ pub use device::Gpu;
 pub use drawable::{Drawable, Undrawable};
 pub use error::GpuError;
 pub use error_map::{ERROR_MAP_SIZE, ErrorMap};
+pub use presentation::Presentation;
 pub use read_back::read_back;
-pub use scene::{GpuScene, MARK_BRIGHTNESS};
-pub use shader::{Entry, Tracer, Variant};
+pub use scene::{
+    GpuDisk, GpuHole, GpuObserver, GpuPicture, GpuQuality, GpuScene, GpuShadow, GpuSky,
+    MARK_BRIGHTNESS,
+};
+pub use shader::{Entry, ShaderText, Tracer, Variant};

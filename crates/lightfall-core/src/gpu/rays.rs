@@ -1,5 +1,6 @@
 //! Rays in, traces out: the compute entry that runs the same WGSL as the picture.
 
+use super::bindings;
 use super::device::Gpu;
 use super::error::GpuError;
 use super::kernel::{Kernel, uniform};
@@ -15,16 +16,16 @@ use std::f64::consts::{PI, TAU};
 /// resets it.
 const MAX_RAYS: usize = 1 << 15;
 
-/// One crossing of the annulus, as shaders/scene.wgsl lays it out.
-#[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
+/// One crossing of the annulus, as shaders/trace.wgsl lays it out.
+#[expect(missing_docs, reason = "shaders/trace.wgsl says what each field means")]
 #[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
 pub struct GpuHit {
     pub position: Vec3,
     pub g: f32,
 }
 
-/// The trace of a ray, as shaders/scene.wgsl lays it out.
-#[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
+/// The trace of a ray, as shaders/trace.wgsl lays it out.
+#[expect(missing_docs, reason = "shaders/trace.wgsl says what each field means")]
 #[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
 pub struct GpuTrace {
     pub sky: Vec3,
@@ -78,7 +79,7 @@ impl RayKernel {
             gpu,
             &Variant::rays(scene).source(),
             "rays",
-            &[(0, uniform(&numbers))],
+            &[(bindings::SCENE, uniform(&numbers))],
         )?))
     }
 
@@ -107,7 +108,8 @@ impl RayKernel {
         numbers: &GpuScene,
         directions: &[Vec3],
     ) -> Result<Vec<GpuTrace>, GpuError> {
-        self.0.write_uniform(gpu, 0, &uniform(numbers));
+        self.0
+            .write_uniform(gpu, bindings::SCENE, &uniform(numbers));
         let mut records = Vec::with_capacity(directions.len());
         for batch in directions.chunks(MAX_RAYS) {
             let batch: Vec<Vec4> = batch

@@ -4,6 +4,7 @@
 mod timestamps;
 mod work;
 
+use super::bindings;
 use super::buffer::{buffer_with, empty_buffer};
 use super::device::Gpu;
 use super::error::GpuError;
@@ -16,9 +17,6 @@ use std::time::{Duration, Instant};
 use timestamps::Timestamps;
 use wgpu::{BindGroup, Buffer, BufferUsages, CommandEncoder, PollType};
 use work::{Work, compute, fragment};
-
-/// Number of invocations of a workgroup, as shaders/timed.wgsl declares it.
-const WORKGROUP: u32 = 64;
 
 /// Maximum number of workgroups along one axis of a dispatch. Every device allows more.
 const MAX_COLUMNS: u32 = 1 << 15;
@@ -129,11 +127,11 @@ impl Stopwatch {
                 }
             };
             let mut entries = vec![wgpu::BindGroupEntry {
-                binding: 0,
+                binding: bindings::SCENE,
                 resource: numbers.as_entire_binding(),
             }];
             entries.extend(output.as_ref().map(|output| wgpu::BindGroupEntry {
-                binding: 3,
+                binding: bindings::OUTPUT,
                 resource: output.as_entire_binding(),
             }));
             let bind_group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
@@ -248,7 +246,7 @@ impl Stopwatch {
                 });
                 pass.set_pipeline(pipeline);
                 pass.set_bind_group(0, &self.bind_group, &[]);
-                let groups = (self.size.x * self.size.y).div_ceil(WORKGROUP);
+                let groups = (self.size.x * self.size.y).div_ceil(bindings::WORKGROUP_SIZE);
                 let columns = groups.min(MAX_COLUMNS);
                 pass.dispatch_workgroups(columns, groups.div_ceil(columns), 1);
             }

@@ -132,9 +132,9 @@ impl Scene {
     }
 }
 
-/// Most pixels of the HDR picture that a presentation cell averages along each axis;
-/// pixelate.wgsl's loops are bounded by it.
-const MAX_PIXELS_PER_CELL: u32 = 64;
+/// The largest width and height of a presentation cell, in pixels of the HDR picture. It bounds the
+/// loops of shaders/pixelate.wgsl.
+pub const MAX_PIXELS_PER_CELL: u32 = 64;
 
 /// The range of a side of the presentation grid. A cell is at least one pixel of the HDR picture,
 /// so that the reduction averages and never invents.

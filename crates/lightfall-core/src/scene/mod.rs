@@ -34,6 +34,7 @@ pub use crate::geometry::observer::ObserverKind;
 pub use error::{Because, Refusal, SceneError};
 pub use fields::{FIELDS, Field, field};
 pub use light_sources::{DiskModel, SkyMode};
+pub use limits::MAX_PIXELS_PER_CELL;
 pub use load::{Override, load};
 pub use method::{AccuracySetting, Method, MethodProperties};
 pub use range::{Kind, MAX_TEXT_CHARS, Range};

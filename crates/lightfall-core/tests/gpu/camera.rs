@@ -4,7 +4,7 @@ use crate::{bare_hole, gpu};
 use glam::{DMat3, DVec3, UVec2, Vec4};
 use lightfall_core::geometry::observer::observer_matrix;
 use lightfall_core::gpu::kernel::{Kernel, uniform};
-use lightfall_core::gpu::{GpuScene, Variant};
+use lightfall_core::gpu::{GpuScene, Variant, bindings};
 use lightfall_core::scene::{Camera, ObserverKind};
 
 #[test]
@@ -72,16 +72,22 @@ fn the_shader_makes_of_a_pixel_the_photon_that_the_observers_matrix_makes() {
     (scene.observer.kind, scene.observer.velocity) = (ObserverKind::Rain, [0.1, 0.2, -0.3]);
     let size = UVec2::new(640, 360);
     let source = Variant::picture(&scene).source()
-        + "@group(0) @binding(2) var<storage, read> pixels: array<vec4<f32>>;
-           @group(0) @binding(3) var<storage, read_write> photons: array<mat2x4<f32>>;
-           @compute @workgroup_size(64) fn photons_of(@builtin(global_invocation_id) id: vec3<u32>) {
+        + "@group(0) @binding(BINDING_INPUT) var<storage, read> pixels: array<vec4<f32>>;
+           @group(0) @binding(BINDING_OUTPUT) var<storage, read_write> photons: array<mat2x4<f32>>;
+           @compute @workgroup_size(WORKGROUP_SIZE) fn photons_of(@builtin(global_invocation_id) id: vec3<u32>) {
                if id.x < arrayLength(&pixels) {
                    let photon = photon_from(pixel_direction(pixels[id.x].xy));
                    photons[id.x] = mat2x4<f32>(vec4(photon.energy, photon.radial, 0.0, 0.0), vec4(photon.w, 0.0));
                }
            }";
     let numbers = GpuScene::new(&scene, size).unwrap();
-    let kernel = Kernel::new(gpu, &source, "photons_of", &[(0, uniform(&numbers))]).unwrap();
+    let kernel = Kernel::new(
+        gpu,
+        &source,
+        "photons_of",
+        &[(bindings::SCENE, uniform(&numbers))],
+    )
+    .unwrap();
     let pixels: Vec<Vec4> = [
         (0.0, 0.0),
         (640.0, 0.0),

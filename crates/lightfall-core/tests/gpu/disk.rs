@@ -4,7 +4,7 @@ use crate::{bare_hole, edge_on, gpu, median, pixel_directions, quantile};
 use glam::{DVec3, Vec4};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::gpu::kernel::{Kernel, uniform};
-use lightfall_core::gpu::{GpuScene, Variant, rays};
+use lightfall_core::gpu::{GpuDisk, GpuScene, Variant, bindings, rays};
 use lightfall_core::optics::disk::{NEWTONIAN_PEAK, PageThorne, Profile, TABLE_LEN};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::scene::{DiskModel, Scene};
@@ -214,22 +214,25 @@ fn the_shader_finds_the_flux_that_the_cpu_finds() {
             scene.disk.model = DiskModel::PageThorne;
             let entries = disk.table();
             let rows: [Vec4; TABLE_LEN] = std::array::from_fn(|i| Vec4::from_array(entries[i]));
-            tables.push((4, uniform(&rows)));
+            tables.push((bindings::PAGE_THORNE, uniform(&rows)));
         }
         let source = Variant::picture(&scene).source()
-            + "@group(0) @binding(2) var<storage, read> radii: array<f32>;
-               @group(0) @binding(3) var<storage, read_write> fluxes: array<f32>;
-               @compute @workgroup_size(64) fn fluxes_at(@builtin(global_invocation_id) id: vec3<u32>) {
+            + "@group(0) @binding(BINDING_INPUT) var<storage, read> radii: array<f32>;
+               @group(0) @binding(BINDING_OUTPUT) var<storage, read_write> fluxes: array<f32>;
+               @compute @workgroup_size(WORKGROUP_SIZE) fn fluxes_at(@builtin(global_invocation_id) id: vec3<u32>) {
                    if id.x < arrayLength(&radii) {
                        fluxes[id.x] = disk_flux(radii[id.x]);
                    }
                }";
         // The flux needs the edge and nothing else of the scene, so that any spin can be asked for.
         let numbers = GpuScene {
-            disk_inner: inner as f32,
+            disk: GpuDisk {
+                inner: inner as f32,
+                ..GpuDisk::default()
+            },
             ..GpuScene::default()
         };
-        tables.push((0, uniform(&numbers)));
+        tables.push((bindings::SCENE, uniform(&numbers)));
         let kernel = Kernel::new(gpu, &source, "fluxes_at", &tables).unwrap();
         // From inside the edge to far out.
         let radii: Vec<f32> = (0..4000)

@@ -39,7 +39,7 @@ fn the_arctangent_has_its_stated_error() {
         [(0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)]
             .map(|(x, y)| Vec4::new(x, y, 0.0, 0.0)),
     );
-    let angles: Vec<f32> = of_each(gpu, "arctangent2(given.y, given.x)", ["vec4<f32>", "f32"])
+    let angles: Vec<f32> = of_each(gpu, "atan2_precise(given.y, given.x)", ["vec4<f32>", "f32"])
         .run(gpu, &points)
         .unwrap();
     for (point, angle) in points.iter().zip(angles) {
@@ -56,7 +56,7 @@ fn the_arctangent_has_its_stated_error() {
 fn sine_and_cosine_have_their_stated_error() {
     let gpu = gpu();
     let angles: Vec<f32> = (-50_000..=50_000).map(|i| i as f32 * 4e-4).collect();
-    let pairs: Vec<Vec2> = of_each(gpu, "sine_cosine(given)", ["f32", "vec2<f32>"])
+    let pairs: Vec<Vec2> = of_each(gpu, "sin_cos_precise(given)", ["f32", "vec2<f32>"])
         .run(gpu, &angles)
         .unwrap();
     for (angle, pair) in angles.iter().zip(pairs) {
@@ -77,7 +77,7 @@ fn the_logarithm_has_its_stated_error() {
     let wide = (-60_000..=60_000).map(|i| 10.0_f64.powf(f64::from(i) * 5e-4) as f32);
     let close = (-20_000..=20_000).map(|i| 1.0 + i as f32 * 1e-5);
     let numbers: Vec<f32> = wide.chain(close).collect();
-    let logarithms: Vec<f32> = of_each(gpu, "logarithm(given)", ["f32", "f32"])
+    let logarithms: Vec<f32> = of_each(gpu, "log_precise(given)", ["f32", "f32"])
         .run(gpu, &numbers)
         .unwrap();
     for (number, logarithm) in numbers.iter().zip(logarithms) {

@@ -5,7 +5,7 @@ use crate::{edge_on, gpu, median};
 use glam::{UVec2, Vec3};
 use lightfall_core::accuracy::picture_errors;
 use lightfall_core::gpu::kernel::uniform;
-use lightfall_core::gpu::{ERROR_MAP_SIZE, ErrorMap, Gpu, GpuScene, Variant};
+use lightfall_core::gpu::{ERROR_MAP_SIZE, ErrorMap, Gpu, GpuScene, Variant, bindings};
 use lightfall_core::scene::{Method, Scene, View};
 
 /// The light that the view shows in the middle of each cell, and at its upper left and lower right
@@ -17,8 +17,11 @@ fn shown(gpu: &Gpu, scene: &Scene, errors: &[Option<f64>]) -> Vec<[Vec3; 3]> {
     };
     let size = UVec2::new(scene.picture.width, scene.picture.height);
     let uniforms = [
-        (0, uniform(&GpuScene::new(&scene, size).unwrap())),
-        (5, ErrorMap::new(errors).bytes()),
+        (
+            bindings::SCENE,
+            uniform(&GpuScene::new(&scene, size).unwrap()),
+        ),
+        (bindings::ERROR_MAP, ErrorMap::new(errors).bytes()),
     ];
     let cell = size.as_vec2() / UVec2::from(ERROR_MAP_SIZE).as_vec2();
     let cells = (0..ERROR_MAP_SIZE[1])

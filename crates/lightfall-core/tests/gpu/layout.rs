@@ -1,54 +1,115 @@
-//! Rust's structs against WGSL's: the same members, in the same order, at the same offsets.
+//! The structs of Rust and of WGSL that mirror each other: same members, same order, same offsets.
 
 use encase::ShaderType;
 use lightfall_core::gpu::rays::{GpuHit, GpuTrace};
-use lightfall_core::gpu::{GpuScene, Variant};
+use lightfall_core::gpu::{
+    GpuDisk, GpuHole, GpuObserver, GpuPicture, GpuQuality, GpuScene, GpuShadow, GpuSky,
+    Presentation, Variant,
+};
 use lightfall_core::scene::Scene;
+use naga::{Module, TypeInner};
 
-/// Names and offsets of a WGSL struct's members, and its size, as naga lays it out.
-fn wgsl(name: &str) -> (Vec<(String, u64)>, u64) {
-    let module = naga::front::wgsl::parse_str(&Variant::rays(&Scene::default()).source()).unwrap();
+/// A member's name, its offset, and the name of its type if that is a struct.
+type Member = (String, u64, Option<String>);
+
+/// The members of a WGSL struct, and its size, as naga lays it out.
+fn wgsl_struct(module: &Module, name: &str) -> (Vec<Member>, u64) {
     let found = module
         .types
         .iter()
         .find(|(_, declared)| declared.name.as_deref() == Some(name))
-        .unwrap()
+        .unwrap_or_else(|| panic!("the shader has no struct {name}"))
         .1;
-    let naga::TypeInner::Struct { members, span } = &found.inner else {
-        panic!("{name} is no struct")
+    let TypeInner::Struct { members, span } = &found.inner else {
+        panic!("{name} is not a struct")
     };
     let members = members
         .iter()
-        .map(|member| (member.name.clone().unwrap(), u64::from(member.offset)))
+        .map(|member| {
+            let kind = &module.types[member.ty];
+            let is_struct = matches!(kind.inner, TypeInner::Struct { .. });
+            (
+                member.name.clone().unwrap(),
+                u64::from(member.offset),
+                kind.name.clone().filter(|_| is_struct),
+            )
+        })
         .collect();
     (members, u64::from(*span))
 }
 
-/// Names of a struct's fields in their order, from the way Rust prints it.
-fn field_names(printed: &str) -> Vec<String> {
-    let top = printed
+/// The fields of a Rust struct in their order, from its `{:#?}` text: the name, and the type if that
+/// is a struct.
+fn rust_fields(printed: &str) -> Vec<(String, Option<String>)> {
+    printed
         .lines()
-        .filter(|line| line.starts_with("    ") && !line.starts_with("     "));
-    top.filter_map(|line| line.trim().split_once(':'))
-        .map(|(name, _)| name.into())
+        .filter(|line| line.starts_with("    ") && !line.starts_with("     "))
+        .filter_map(|line| line.trim().split_once(": "))
+        .map(|(name, value)| (name.into(), value.strip_suffix(" {").map(String::from)))
         .collect()
 }
 
+/// Asserts that a Rust struct and the WGSL struct of this name are laid out alike. The structs
+/// within them are compared by name: `GpuHole` of Rust is `Hole` of WGSL.
+fn assert_same_layout<T: ShaderType + Default + std::fmt::Debug>(
+    module: &Module,
+    name: &str,
+    offsets: &[u64],
+) {
+    let (members, size) = wgsl_struct(module, name);
+    let fields = rust_fields(&format!("{:#?}", T::default()));
+    assert_eq!(fields.len(), offsets.len(), "{name}");
+    let ours: Vec<Member> = fields
+        .into_iter()
+        .zip(offsets)
+        .map(|((field, kind), offset)| {
+            let kind = kind.map(|kind| kind.trim_start_matches("Gpu").to_string());
+            (field, *offset, kind)
+        })
+        .collect();
+    assert_eq!(ours, members, "{name}");
+    assert_eq!(T::min_size().get(), size, "the size of {name}");
+}
+
 macro_rules! assert_same_layout {
-    ($rust:ty, $wgsl:literal) => {
-        let (members, size) = wgsl($wgsl);
-        let names = field_names(&format!("{:#?}", <$rust>::default()));
-        let offsets = <$rust>::METADATA.extra.offsets;
-        assert_eq!(names.len(), offsets.len());
-        let ours: Vec<(String, u64)> = names.into_iter().zip(offsets).collect();
-        assert_eq!(ours, members, $wgsl);
-        assert_eq!(<$rust>::min_size().get(), size, $wgsl);
+    ($module:expr, $($rust:ident = $wgsl:literal),+ $(,)?) => {
+        $(assert_same_layout::<$rust>($module, $wgsl, &<$rust>::METADATA.extra.offsets);)+
     };
 }
 
 #[test]
-fn rust_and_wgsl_lay_out_their_structs_alike() {
-    assert_same_layout!(GpuScene, "Scene");
-    assert_same_layout!(GpuHit, "Hit");
-    assert_same_layout!(GpuTrace, "Trace");
+fn rust_and_wgsl_lay_out_the_scene_alike() {
+    let source = Variant::rays(&Scene::default()).source();
+    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    assert_same_layout!(
+        &module,
+        GpuScene = "Scene",
+        GpuObserver = "Observer",
+        GpuHole = "Hole",
+        GpuShadow = "Shadow",
+        GpuDisk = "Disk",
+        GpuSky = "Sky",
+        GpuQuality = "Quality",
+        GpuPicture = "Picture",
+    );
+    let structs = wgsl_struct(&module, "Scene").0;
+    assert_eq!(
+        structs.iter().filter(|(.., kind)| kind.is_some()).count(),
+        7,
+        "every member of Scene is one of the structs above"
+    );
+}
+
+#[test]
+fn rust_and_wgsl_lay_out_the_records_of_rays_alike() {
+    let source = Variant::rays(&Scene::default()).source();
+    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    assert_same_layout!(&module, GpuHit = "Hit", GpuTrace = "Trace");
+}
+
+#[test]
+fn rust_and_wgsl_lay_out_the_presentation_alike() {
+    let source = Presentation::shader().source();
+    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    assert_same_layout!(&module, Presentation = "Presentation");
 }

@@ -13,9 +13,9 @@ pub fn light_from(
     uniforms: &[(u32, Vec<u8>)],
     given: impl IntoIterator<Item = Vec4>,
 ) -> Vec<Vec4> {
-    let entry = "@group(0) @binding(2) var<storage, read> all_given: array<vec4<f32>>;
-        @group(0) @binding(3) var<storage, read_write> lights: array<vec4<f32>>;
-        @compute @workgroup_size(64) fn light_from(@builtin(global_invocation_id) id: vec3<u32>) {
+    let entry = "@group(0) @binding(BINDING_INPUT) var<storage, read> all_given: array<vec4<f32>>;
+        @group(0) @binding(BINDING_OUTPUT) var<storage, read_write> lights: array<vec4<f32>>;
+        @compute @workgroup_size(WORKGROUP_SIZE) fn light_from(@builtin(global_invocation_id) id: vec3<u32>) {
             if id.x < arrayLength(&all_given) {
                 let given = all_given[id.x];
                 lights[id.x] = EXPRESSION;

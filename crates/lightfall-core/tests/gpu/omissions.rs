@@ -5,7 +5,7 @@ use crate::light::light_from;
 use crate::{edge_on, gpu, pixel_directions};
 use glam::{DVec3, Vec4};
 use lightfall_core::gpu::kernel::uniform;
-use lightfall_core::gpu::{Gpu, GpuScene, Variant};
+use lightfall_core::gpu::{Gpu, GpuScene, Variant, bindings};
 use lightfall_core::optics::spectrum;
 use lightfall_core::scene::{Method, Scene, SkyMode};
 
@@ -17,7 +17,10 @@ fn light(gpu: &Gpu, scene: &Scene, source: &str, directions: &[DVec3]) -> Vec<Ve
         .flatten()
         .flat_map(|value| value.to_le_bytes())
         .collect();
-    let uniforms = [(0, uniform(&numbers)), (1, table)];
+    let uniforms = [
+        (bindings::SCENE, uniform(&numbers)),
+        (bindings::SPECTRUM, table),
+    ];
     let given = directions
         .iter()
         .map(|direction| direction.as_vec3().extend(0.0));

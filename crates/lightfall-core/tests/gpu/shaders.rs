@@ -1,24 +1,40 @@
-//! The text of every variant, without a GPU.
+//! The text of every shader, without a GPU.
 
-use lightfall_core::gpu::{Entry, Variant};
-use lightfall_core::scene::{SkyMode, View};
+use lightfall_core::gpu::{Entry, Presentation, ShaderText, Variant};
+use lightfall_core::scene::{DiskModel, SkyMode, View};
 
 #[test]
 fn naga_accepts_every_variant() {
     let failures: Vec<String> = Variant::all()
         .into_iter()
-        .filter_map(|variant| check(variant).err())
+        .filter_map(|variant| {
+            let entries: &[&str] = match variant.entry {
+                Entry::Picture => &["vertex", "fragment"],
+                Entry::Rays => &["rays"],
+                Entry::Timed => &["vertex", "timed", "fragment"],
+            };
+            let message = validate(&variant.text(), entries).err()?;
+            Some(format!("{variant:?}\n{message}"))
+        })
         .collect();
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// Parses and validates, as wgpu does before it hands a shader to a driver; the fault is told with
-/// its file and line.
-fn check(variant: Variant) -> Result<(), String> {
-    let source = variant.source();
+#[test]
+fn naga_accepts_the_presentation() {
+    let entries = ["vertex", "pixelate", "expand", "fit"];
+    if let Err(message) = validate(&Presentation::shader(), &entries) {
+        panic!("{message}");
+    }
+}
+
+/// Parses and validates, as wgpu does before it gives a shader to a driver, and compares the entry
+/// points. The message of an error has its file and line.
+fn validate(text: &ShaderText, entries: &[&str]) -> Result<(), String> {
+    let source = text.source();
     let at = |line: Option<u32>, message: String| {
-        let (file, line) = variant.locate(line.unwrap_or(1) as usize);
-        format!("{variant:?}\n{file}:{line}: {message}")
+        let (file, line) = text.locate(line.unwrap_or(1) as usize);
+        format!("{file}:{line}: {message}")
     };
     let module = naga::front::wgsl::parse_str(&source).map_err(|error| {
         at(
@@ -37,60 +53,53 @@ fn check(variant: Variant) -> Result<(), String> {
             error.emit_to_string(&source),
         )
     })?;
-    let entries: Vec<&str> = module
+    let found: Vec<&str> = module
         .entry_points
         .iter()
         .map(|entry| entry.name.as_str())
         .collect();
-    let expected: &[&str] = match variant.entry {
-        Entry::Picture => &["vertex", "fragment"],
-        Entry::Rays => &["rays"],
-        Entry::Timed => &["timed", "vertex", "fragment"],
-    };
-    if entries == expected {
+    if found == entries {
         Ok(())
     } else {
-        Err(at(None, format!("entry points are {entries:?}")))
+        Err(at(None, format!("entry points are {found:?}")))
     }
 }
 
 #[test]
 fn no_variant_needs_a_preprocessor() {
     for variant in Variant::all() {
-        let source = variant.source();
+        let text = variant.text();
+        let source = text.source();
         let line = source
             .lines()
             .position(|line| line.trim_start().starts_with('#'));
-        assert_eq!(
-            line.map(|line| variant.locate(line + 1)),
-            None,
-            "{variant:?}"
-        );
+        assert_eq!(line.map(|line| text.locate(line + 1)), None, "{variant:?}");
     }
 }
 
 #[test]
 fn a_line_of_a_variant_is_found_in_its_file() {
     for variant in Variant::all() {
-        for (index, line) in variant.source().lines().enumerate() {
-            let (file, number) = variant.locate(index + 1);
-            let Ok(text) = std::fs::read_to_string(format!(
+        let text = variant.text();
+        for (index, line) in text.source().lines().enumerate() {
+            let (file, number) = text.locate(index + 1);
+            let Ok(part) = std::fs::read_to_string(format!(
                 "{}/../../shaders/{file}",
                 env!("CARGO_MANIFEST_DIR")
             )) else {
                 assert!(
                     line.starts_with("const "),
-                    "only constants come from no file: {line}"
+                    "only constants are in no file: {line}"
                 );
                 continue;
             };
-            assert_eq!(text.lines().nth(number - 1), Some(line), "{file}:{number}");
+            assert_eq!(part.lines().nth(number - 1), Some(line), "{file}:{number}");
         }
     }
 }
 
 #[test]
-fn what_a_scene_does_not_need_is_not_in_its_text() {
+fn a_shader_contains_only_the_parts_that_its_scene_needs() {
     for variant in Variant::all() {
         let source = variant.source();
         let pictures = variant.entry == Entry::Picture;
@@ -104,14 +113,14 @@ fn what_a_scene_does_not_need_is_not_in_its_text() {
             "{variant:?}"
         );
         assert_eq!(source.contains("fn spot_radius"), sky, "{variant:?}");
-        let relativistic = variant.disk_model == lightfall_core::scene::DiskModel::PageThorne;
+        let relativistic = variant.disk_model == DiskModel::PageThorne;
         assert_eq!(
             source.contains("var<uniform> page_thorne"),
             relativistic,
             "{variant:?}"
         );
         assert!(!relativistic || pictures && variant.disk, "{variant:?}");
-        // What shows errors that are known already traces nothing.
+        // The view `error` shows what the CPU has computed and traces nothing.
         let traces = !pictures || variant.view != View::Error;
         assert_eq!(source.contains("fn trace("), traces, "{variant:?}");
         assert_eq!(

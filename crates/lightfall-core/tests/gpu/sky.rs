@@ -4,7 +4,7 @@ use crate::light::light_from;
 use crate::{bare_hole, gpu};
 use glam::{DVec3, UVec2, Vec4};
 use lightfall_core::gpu::kernel::uniform;
-use lightfall_core::gpu::{Gpu, GpuScene, Variant};
+use lightfall_core::gpu::{Gpu, GpuScene, Variant, bindings};
 use lightfall_core::optics::spectrum::{TABLE_LEN, table};
 use lightfall_core::scene::{Scene, SkyMode};
 use std::f64::consts::{PI, TAU};
@@ -19,7 +19,10 @@ fn light(gpu: &Gpu, scene: &Scene, expression: &str, directions: &[DVec3]) -> Ve
     let entries = table();
     let rows: [Vec4; TABLE_LEN] = std::array::from_fn(|i| Vec4::from_array(entries[i]));
     let numbers = GpuScene::new(scene, UVec2::new(960, 540)).unwrap();
-    let uniforms = [(0, uniform(&numbers)), (1, uniform(&rows))];
+    let uniforms = [
+        (bindings::SCENE, uniform(&numbers)),
+        (bindings::SPECTRUM, uniform(&rows)),
+    ];
     let given = directions
         .iter()
         .map(|direction| direction.as_vec3().extend(0.0));

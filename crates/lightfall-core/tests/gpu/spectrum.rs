@@ -2,8 +2,8 @@
 
 use crate::gpu;
 use glam::Vec4;
-use lightfall_core::gpu::Variant;
 use lightfall_core::gpu::kernel::{Kernel, uniform};
+use lightfall_core::gpu::{Variant, bindings};
 use lightfall_core::optics::spectrum::{
     TABLE_LEN, TABLE_MAX_TEMPERATURE, TABLE_MIN_TEMPERATURE, sample, table,
 };
@@ -14,16 +14,22 @@ use lightfall_core::scene::Scene;
 fn the_shader_finds_the_colour_that_the_cpu_finds() {
     let gpu = gpu();
     let source = Variant::picture(&Scene::default()).source()
-        + "@group(0) @binding(2) var<storage, read> temperatures: array<f32>;
-           @group(0) @binding(3) var<storage, read_write> colours: array<vec4<f32>>;
-           @compute @workgroup_size(64) fn colours_of(@builtin(global_invocation_id) id: vec3<u32>) {
+        + "@group(0) @binding(BINDING_INPUT) var<storage, read> temperatures: array<f32>;
+           @group(0) @binding(BINDING_OUTPUT) var<storage, read_write> colours: array<vec4<f32>>;
+           @compute @workgroup_size(WORKGROUP_SIZE) fn colours_of(@builtin(global_invocation_id) id: vec3<u32>) {
                if id.x < arrayLength(&temperatures) {
                    colours[id.x] = vec4<f32>(thermal_colour(temperatures[id.x]), 1.0);
                }
            }";
     let entries = table();
     let rows: [Vec4; TABLE_LEN] = std::array::from_fn(|i| Vec4::from_array(entries[i]));
-    let kernel = Kernel::new(gpu, &source, "colours_of", &[(1, uniform(&rows))]).unwrap();
+    let kernel = Kernel::new(
+        gpu,
+        &source,
+        "colours_of",
+        &[(bindings::SPECTRUM, uniform(&rows))],
+    )
+    .unwrap();
     // From a little outside the table on either side.
     let ratio = (TABLE_MAX_TEMPERATURE / TABLE_MIN_TEMPERATURE).ln();
     let temperatures: Vec<f32> = (0..4000)

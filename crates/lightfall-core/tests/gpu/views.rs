@@ -7,7 +7,7 @@ use glam::DVec3;
 use lightfall_core::geometry::schwarzschild::shadow_half_angle_static;
 use lightfall_core::gpu::kernel::uniform;
 use lightfall_core::gpu::rays::{GpuTrace, records};
-use lightfall_core::gpu::{Gpu, GpuScene, Variant};
+use lightfall_core::gpu::{Gpu, GpuScene, Variant, bindings};
 use lightfall_core::scene::{Method, Scene, View};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
@@ -19,7 +19,13 @@ fn shown(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Vec<[u32; 3]> {
     let given = directions
         .iter()
         .map(|direction| direction.as_vec3().extend(0.0));
-    let lights = light_from(gpu, &source, ALONG, &[(0, uniform(&numbers))], given);
+    let lights = light_from(
+        gpu,
+        &source,
+        ALONG,
+        &[(bindings::SCENE, uniform(&numbers))],
+        given,
+    );
     lights
         .iter()
         .map(|light| light.truncate().to_array().map(f32::to_bits))

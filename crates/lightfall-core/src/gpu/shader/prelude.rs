@@ -1,22 +1,24 @@
-//! The constants at the top of a variant: its flags, and what its parts must share with the CPU.
+//! The constants in front of a variant: its flags, and the numbers that its parts must share with
+//! the CPU.
 
-use super::{Entry, Variant, traces};
-use crate::gpu::ErrorMap;
+use super::text::add_constant;
+use super::view::view_shader;
+use super::{Entry, Variant};
+use crate::gpu::bindings;
+use crate::gpu::error_map::ErrorMap;
 use crate::optics::disk;
 use crate::optics::spectrum::{TABLE_LEN, TABLE_MAX_TEMPERATURE, TABLE_MIN_TEMPERATURE};
 use crate::scene::{SkyMode, View};
-use std::fmt::Write;
 
 impl Variant {
-    /// The flags, by their names in the shaders. Compilers drop what stands behind one that is not
-    /// set.
+    /// The flags, by their names in the shaders.
     pub fn flags(self) -> [(&'static str, bool); 13] {
         let records = self.entry == Entry::Rays;
         [
             ("SPINNING", self.spinning),
             ("NEAR_HORIZON", self.near_horizon),
             ("AZIMUTH", records),
-            // What is timed does all the work that a picture with a sky does.
+            // A timed shader does all the work that a picture with a sky does.
             (
                 "SKY_DIRECTION",
                 self.entry != Entry::Picture || self.sky != SkyMode::Off,
@@ -29,54 +31,43 @@ impl Variant {
             ("BEAMING", self.effects.beaming),
             ("GRAVITATIONAL_SHIFT", self.effects.gravitational_shift),
             ("ABERRATION", self.effects.aberration),
-            (
-                "DIAGNOSTICS",
-                records || matches!(self.view, View::Residual | View::Order),
-            ),
+            ("DIAGNOSTICS", records || view_shader(self.view).diagnostics),
         ]
     }
 
-    /// The flags, and what the parts must share with the CPU.
+    /// The flags, and the numbers that the parts must share with the CPU.
     pub(super) fn prelude(self) -> String {
         let mut text = String::new();
         for (name, value) in self.flags() {
-            constant(&mut text, name, "bool", value);
+            add_constant(&mut text, name, "bool", value);
         }
-        if !traces(self.view) {
+        for (name, value) in bindings::CONSTANTS {
+            add_constant(&mut text, name, "u32", format!("{value}u"));
+        }
+        if !self.view.properties().traces {
             for (name, kind, value) in ErrorMap::constants() {
-                constant(&mut text, name, kind, value);
+                add_constant(&mut text, name, kind, value);
             }
         }
-        constant(&mut text, "MAX_HITS", "u32", format!("{}u", self.most_hits));
-        constant(
-            &mut text,
-            "PAGE_THORNE_LEN",
-            "u32",
-            format!("{}u", disk::TABLE_LEN),
-        );
-        constant(&mut text, "SPECTRUM_LEN", "u32", format!("{TABLE_LEN}u"));
-        constant(
-            &mut text,
-            "SPECTRUM_MIN_TEMPERATURE",
-            "f32",
-            format!("{TABLE_MIN_TEMPERATURE:?}"),
-        );
-        constant(
-            &mut text,
-            "SPECTRUM_MAX_TEMPERATURE",
-            "f32",
-            format!("{TABLE_MAX_TEMPERATURE:?}"),
-        );
-        constant(
-            &mut text,
-            "SPECTRUM_LN_RANGE",
-            "f32",
-            format!("{:?}", (TABLE_MAX_TEMPERATURE / TABLE_MIN_TEMPERATURE).ln()),
-        );
+        let lengths = [
+            ("MAX_HITS", self.most_hits),
+            ("PAGE_THORNE_LEN", disk::TABLE_LEN as u32),
+            ("SPECTRUM_LEN", TABLE_LEN as u32),
+        ];
+        for (name, value) in lengths {
+            add_constant(&mut text, name, "u32", format!("{value}u"));
+        }
+        let temperatures = [
+            ("SPECTRUM_MIN_TEMPERATURE", TABLE_MIN_TEMPERATURE),
+            ("SPECTRUM_MAX_TEMPERATURE", TABLE_MAX_TEMPERATURE),
+            (
+                "SPECTRUM_LN_RANGE",
+                (TABLE_MAX_TEMPERATURE / TABLE_MIN_TEMPERATURE).ln(),
+            ),
+        ];
+        for (name, value) in temperatures {
+            add_constant(&mut text, name, "f32", format!("{value:?}"));
+        }
         text
     }
-}
-
-fn constant(text: &mut String, name: &str, kind: &str, value: impl std::fmt::Display) {
-    writeln!(text, "const {name}: {kind} = {value};").expect("writing to a string cannot fail");
 }

@@ -1,0 +1,108 @@
+//! The uniform: a scene turned into numbers in f64 and rounded to f32 once. Its mirror is `Scene`
+//! in shaders/scene.wgsl, which says what each number means; tests/gpu/layout.rs compares the two.
+
+mod disk;
+mod hole;
+mod observer;
+mod picture;
+mod quality;
+mod shadow;
+mod sky;
+
+pub use disk::GpuDisk;
+pub use hole::GpuHole;
+pub use observer::GpuObserver;
+pub use picture::{GpuPicture, MARK_BRIGHTNESS};
+pub use quality::GpuQuality;
+pub use shadow::GpuShadow;
+pub use sky::GpuSky;
+
+use super::error::GpuError;
+use crate::geometry::kerr::Kerr;
+use crate::optics::camera_rays::CameraRays;
+use crate::scene::Scene;
+use encase::ShaderType;
+use glam::{DMat3, UVec2};
+
+/// A scene in the GPU's numbers.
+#[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
+#[derive(ShaderType, Clone, Debug, Default, PartialEq)]
+pub struct GpuScene {
+    #[shader(align(16))]
+    pub observer: GpuObserver,
+    #[shader(align(16))]
+    pub hole: GpuHole,
+    #[shader(align(16))]
+    pub shadow: GpuShadow,
+    #[shader(align(16))]
+    pub disk: GpuDisk,
+    #[shader(align(16))]
+    pub sky: GpuSky,
+    #[shader(align(16))]
+    pub quality: GpuQuality,
+    #[shader(align(16))]
+    pub picture: GpuPicture,
+}
+
+impl GpuScene {
+    /// The numbers for a picture of `size` pixels, where directions are (right, up, forward) of the
+    /// camera.
+    ///
+    /// # Errors
+    /// A method or spin that no shader knows, or an observer that cannot exist.
+    pub fn new(scene: &Scene, size: UVec2) -> Result<Self, GpuError> {
+        Self::with_directions(scene, size, scene.camera.tetrad_from_camera())
+    }
+
+    /// The numbers for rays whose directions are on the observer's own axes: (outward, theta, phi).
+    ///
+    /// # Errors
+    /// As [`GpuScene::new`].
+    pub fn for_rays(scene: &Scene) -> Result<Self, GpuError> {
+        Self::with_directions(
+            scene,
+            UVec2::new(scene.picture.width, scene.picture.height),
+            DMat3::IDENTITY,
+        )
+    }
+
+    /// `tetrad_from_direction` maps the shader's directions to the observer's axes.
+    fn with_directions(
+        scene: &Scene,
+        size: UVec2,
+        tetrad_from_direction: DMat3,
+    ) -> Result<Self, GpuError> {
+        let kerr = Kerr {
+            spin: scene.hole.spin,
+        };
+        check_method(scene, kerr)?;
+        let rays = CameraRays::new(scene)?;
+        let size = size.max(UVec2::ONE).as_dvec2();
+        let pixel = scene.camera.pixel_angle(size.y);
+        Ok(Self {
+            observer: GpuObserver::new(scene, kerr, &rays, tetrad_from_direction),
+            hole: GpuHole::new(kerr),
+            shadow: GpuShadow::new(scene, &rays.matrix, tetrad_from_direction)?,
+            disk: GpuDisk::new(scene),
+            sky: GpuSky::new(scene, size),
+            quality: GpuQuality::new(scene, kerr, pixel),
+            picture: GpuPicture::new(scene, size),
+        })
+    }
+}
+
+/// Whether the scene's method has a shader that can trace its spin from its camera.
+fn check_method(scene: &Scene, kerr: Kerr) -> Result<(), GpuError> {
+    let method = scene.method.properties();
+    if !method.on_gpu {
+        return Err(GpuError::MethodOfCpu);
+    }
+    if !method.spins && kerr.spin != 0.0 && scene.effects.lensing {
+        return Err(GpuError::Spin(kerr.spin));
+    }
+    let r = scene.camera.r;
+    if r <= kerr.horizon() && !method.inside {
+        return Err(GpuError::Inside { r });
+    }
+    Ok(())
+}

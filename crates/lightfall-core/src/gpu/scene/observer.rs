@@ -1,0 +1,97 @@
+//! The observer's part of the uniform: its matrix, and where it is.
+
+use crate::geometry::kerr::Kerr;
+use crate::geometry::sphere::wrap_angle;
+use crate::optics::camera_rays::CameraRays;
+use crate::optics::shift::Shift;
+use crate::scene::Scene;
+use encase::ShaderType;
+use glam::{DMat3, DVec3, DVec4, Vec3, Vec4};
+
+/// Mirror of `Observer` in shaders/scene.wgsl.
+#[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
+#[derive(ShaderType, Clone, Debug, Default, PartialEq)]
+pub struct GpuObserver {
+    pub energy: Vec4,
+    pub radial: Vec4,
+    pub w_x: Vec4,
+    pub w_y: Vec4,
+    pub w_z: Vec4,
+    pub curvature: Vec4,
+    pub least_energy_direction: Vec3,
+    pub energy_curvature: f32,
+    pub frequency: Vec4,
+    pub position_direction: Vec3,
+    pub r: f32,
+    pub u: f32,
+    pub u_to_horizon: f32,
+    pub ingoing_azimuth_lead: f32,
+    pub zamo_lapse: f32,
+    pub zamo_angular_velocity: f32,
+}
+
+impl GpuObserver {
+    pub(super) fn new(
+        scene: &Scene,
+        kerr: Kerr,
+        rays: &CameraRays,
+        tetrad_from_direction: DMat3,
+    ) -> Self {
+        let direction_from_tetrad = tetrad_from_direction.transpose();
+        let on_directions = |[one, r, theta, phi]: [f64; 4]| {
+            let row = direction_from_tetrad * DVec3::new(r, theta, phi);
+            DVec4::new(one, row.x, row.y, row.z)
+        };
+        let rows = rays.matrix.rows.map(on_directions);
+        let least_energy_direction = least_energy_direction(rows[0])
+            .unwrap_or(direction_from_tetrad * DVec3::NEG_X)
+            .as_vec3();
+        let expanded = rows.map(|row| expand_about(row, least_energy_direction.as_dvec3()));
+        let [energy, radial, w_x, w_y, w_z] = expanded.map(|(row, _)| row.as_vec4());
+        let [energy_curvature, curvatures @ ..] = expanded.map(|(_, curvature)| curvature as f32);
+        let zamo = Shift::new(scene).camera();
+        let (r, horizon) = (scene.camera.r, kerr.horizon());
+        Self {
+            energy,
+            radial,
+            w_x,
+            w_y,
+            w_z,
+            curvature: Vec4::from_array(curvatures),
+            least_energy_direction,
+            energy_curvature,
+            frequency: on_directions(rays.frequency).as_vec4(),
+            position_direction: scene.camera.direction().as_vec3(),
+            r: r as f32,
+            u: (1.0 / r) as f32,
+            u_to_horizon: ((r - horizon) / (horizon * r)) as f32,
+            ingoing_azimuth_lead: if r <= horizon {
+                0.0
+            } else {
+                wrap_angle(kerr.ingoing_azimuth_lead(r)) as f32
+            },
+            zamo_lapse: zamo.lapse as f32,
+            zamo_angular_velocity: zamo.dragging as f32,
+        }
+    }
+}
+
+/// The direction from which light has the least energy, from the row that gives the energy; `None`
+/// if all light has the same energy.
+fn least_energy_direction(energy: DVec4) -> Option<DVec3> {
+    let slope = DVec3::new(energy.y, energy.z, energy.w);
+    (slope.length() > 1e-6 * energy.x.abs()).then(|| -slope.normalize())
+}
+
+/// Rewrites dot(row, (1, d)), for unit d, as dot(expanded, (1, off)) + curvature |off|^2/2 with
+/// off = d - m. Returns `expanded` and the curvature.
+///
+/// With row = (s, b m + q), q perpendicular to m, it is s + b m.m + b m.off + q.off, and
+/// m.off = (1 - |m|^2 - |off|^2)/2.
+fn expand_about(row: DVec4, m: DVec3) -> (DVec4, f64) {
+    let slope = DVec3::new(row.y, row.z, row.w);
+    let along = slope.dot(m) / m.length_squared();
+    let across = slope - along * m;
+    let at_m = row.x + 0.5 * along * (1.0 + m.length_squared());
+    (DVec4::new(at_m, across.x, across.y, across.z), -along)
+}

@@ -1,0 +1,74 @@
+//! Every variant, for tests.
+
+use super::{Entry, Tracer, Variant};
+use crate::scene::{DiskModel, Effects, Method, Scene, SkyMode, View};
+
+impl Variant {
+    /// Every variant that a scene can ask for, with two exceptions: sets of effects with some
+    /// switched off come with one sky only, and cameras next to the horizon come with the view
+    /// `colour` only.
+    pub fn all() -> Vec<Self> {
+        let mut all = Vec::new();
+        let mut scene = Scene::default();
+        let disks = [(false, 0.0), (true, 0.0), (true, 0.04), (true, 1.0)];
+        let methods = [
+            (Method::Verlet, 0.0),
+            (Method::Closed, 0.0),
+            (Method::Mino, 0.0),
+            (Method::Mino, 0.5),
+            (Method::KerrSchild, 0.0),
+            (Method::KerrSchild, 0.5),
+        ];
+        for ((method, spin), (enabled, transmission)) in methods
+            .into_iter()
+            .flat_map(|method| disks.map(|disk| (method, disk)))
+        {
+            (scene.method, scene.hole.spin) = (method, spin);
+            (scene.disk.enabled, scene.disk.transmission) = (enabled, transmission);
+            all.extend([Self::rays(&scene), Self::timed(&scene)]);
+            for mode in [SkyMode::Stars, SkyMode::Grid, SkyMode::Off] {
+                for reference_star in [false, true] {
+                    for view in View::ALL {
+                        (scene.sky.mode, scene.sky.reference_star, scene.view) =
+                            (mode, reference_star, view);
+                        all.push(Self::picture(&scene));
+                    }
+                }
+            }
+            (scene.sky.mode, scene.view) = (SkyMode::Stars, View::Colour);
+            for set in 0..32 {
+                let [lensing, doppler, beaming, gravitational_shift, aberration] =
+                    std::array::from_fn(|effect| set >> effect & 1 == 1);
+                scene.effects = Effects {
+                    lensing,
+                    doppler,
+                    beaming,
+                    gravitational_shift,
+                    aberration,
+                };
+                all.extend([Self::rays(&scene), Self::picture(&scene)]);
+            }
+        }
+        let shining: Vec<Self> = all
+            .iter()
+            .copied()
+            .filter(|v| v.disk && v.view.shows_light() && v.entry == Entry::Picture)
+            .collect();
+        all.extend(shining.into_iter().map(|variant| Self {
+            disk_model: DiskModel::PageThorne,
+            ..variant
+        }));
+        let close = |variant: &Self| {
+            let (tracer, view, effects) = (variant.tracer, variant.view, variant.effects);
+            tracer == Tracer::Mino && view == View::Colour && effects == Effects::default()
+        };
+        let close: Vec<Self> = all.iter().copied().filter(close).collect();
+        all.extend(close.into_iter().map(|variant| Self {
+            near_horizon: true,
+            ..variant
+        }));
+        let mut seen = std::collections::HashSet::new();
+        all.retain(|variant| seen.insert(*variant));
+        all
+    }
+}

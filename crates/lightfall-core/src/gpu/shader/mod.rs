@@ -1,0 +1,216 @@
+//! WGSL parts joined into variants: a shader's text contains only what its scene needs. `const` flags
+//! decide the rest; compilers drop what is behind a flag that is not set.
+
+mod all;
+mod prelude;
+mod source;
+pub(super) mod text;
+mod tracer;
+mod view;
+
+pub use text::ShaderText;
+pub use tracer::Tracer;
+
+use crate::geometry::kerr::Kerr;
+use crate::scene::{DiskModel, Effects, Scene, SkyMode, View};
+use text::{Part, part};
+use view::view_shader;
+
+/// A shader: which parts are joined, and which flags are set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Variant {
+    /// What it answers.
+    pub entry: Entry,
+    /// How it traces.
+    pub tracer: Tracer,
+    /// Whether the hole spins.
+    pub spinning: bool,
+    /// Whether rays of the method mino pass close to the horizon, where their azimuth needs care,
+    /// or begin inside.
+    pub near_horizon: bool,
+    /// Whether rays can meet a disk.
+    pub disk: bool,
+    /// The model of the disk's flux; the default where none is drawn.
+    pub disk_model: DiskModel,
+    /// What lies at infinity; off where nothing is drawn.
+    pub sky: SkyMode,
+    /// Whether the reference star is in the sky.
+    pub reference_star: bool,
+    /// What the picture shows.
+    pub view: View,
+    /// Which effects are on.
+    pub effects: Effects,
+    /// How many crossings of the disk count: two, or one where the disk lets no noticeable light
+    /// through.
+    pub most_hits: u32,
+    /// Whether rays are followed beyond those crossings.
+    pub follow_beyond_hits: bool,
+}
+
+/// What a shader answers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Entry {
+    /// The light of a pixel: entry points `vertex` and `fragment`.
+    Picture,
+    /// Records of rays: entry point `rays`.
+    Rays,
+    /// One vector per pixel, for timing: entry points `timed`, `vertex` and `fragment`.
+    Timed,
+}
+
+/// The smallest share of light from behind the disk for which a ray is followed beyond crossings:
+/// half of an 8-bit level.
+const MIN_TRANSMISSION: f64 = 0.002;
+
+/// Whether rays that see something pass so close to the horizon of a spinning hole that their
+/// azimuth must be summed in coordinates that are regular there. Elsewhere the pole of the azimuth's
+/// rate is too far away to disturb four Gaussian nodes per step, or what it disturbs is too small a
+/// rotation of the ray as seen from the camera. Without spin only a camera inside is affected.
+fn passes_near_horizon(Scene { hole, camera, .. }: &Scene) -> bool {
+    let farthest = match hole.spin.abs() {
+        0.0 => 1.0,
+        spin if spin > 0.999 => f64::INFINITY,
+        spin if spin > 0.99 => 10.0,
+        _ => 1.5,
+    };
+    camera.r <= farthest * Kerr { spin: hole.spin }.horizon()
+}
+
+impl Variant {
+    /// The shader that draws the scene.
+    pub fn picture(scene: &Scene) -> Self {
+        let tracer = Tracer::of(scene);
+        let marks = !scene.view.shows_light();
+        let sky = if marks { SkyMode::Off } else { scene.sky.mode };
+        Self {
+            entry: Entry::Picture,
+            tracer,
+            spinning: scene.hole.spin != 0.0,
+            near_horizon: tracer.has_near_horizon() && passes_near_horizon(scene),
+            disk: scene.disk.enabled && scene.view.properties().traces,
+            disk_model: if scene.disk.enabled && !marks {
+                scene.disk.model
+            } else {
+                DiskModel::default()
+            },
+            sky,
+            reference_star: scene.sky.reference_star && sky != SkyMode::Off,
+            view: scene.view,
+            // Brightness has no meaning for marks.
+            effects: Effects {
+                beaming: scene.effects.beaming || marks,
+                ..scene.effects
+            },
+            most_hits: if !marks
+                && scene.disk.enabled
+                && scene.disk.transmission <= MIN_TRANSMISSION
+            {
+                1
+            } else {
+                2
+            },
+            follow_beyond_hits: marks
+                || !scene.disk.enabled
+                || scene.disk.transmission.powi(2) > MIN_TRANSMISSION,
+        }
+    }
+
+    /// The shader that traces rays through the scene and records everything about them.
+    pub fn rays(scene: &Scene) -> Self {
+        Self {
+            entry: Entry::Rays,
+            effects: Effects {
+                beaming: true,
+                ..scene.effects
+            },
+            most_hits: 2,
+            follow_beyond_hits: true,
+            ..Self::tracing_only(scene)
+        }
+    }
+
+    /// The shader that traces a picture's rays and draws nothing, to be timed.
+    pub fn timed(scene: &Scene) -> Self {
+        Self {
+            entry: Entry::Timed,
+            ..Self::tracing_only(scene)
+        }
+    }
+
+    /// The picture's variant without anything that shines.
+    fn tracing_only(scene: &Scene) -> Self {
+        Self {
+            disk_model: DiskModel::default(),
+            sky: SkyMode::Off,
+            reference_star: false,
+            ..Self::picture(&Scene {
+                view: View::Colour,
+                ..scene.clone()
+            })
+        }
+    }
+
+    /// The shader's text, by its parts.
+    pub fn text(self) -> ShaderText {
+        ShaderText::new(self.prelude(), self.parts())
+    }
+
+    /// The whole WGSL text.
+    pub fn source(self) -> String {
+        self.text().source()
+    }
+
+    /// The files below shaders/ whose text is in the shader's, in their order.
+    pub fn files(self) -> Vec<&'static str> {
+        self.parts().into_iter().map(|part| part.file).collect()
+    }
+
+    /// The parts in their order.
+    fn parts(self) -> Vec<Part> {
+        let mut parts = vec![part!("math.wgsl"), part!("scene.wgsl")];
+        if self.view.properties().traces {
+            parts.extend(self.tracing());
+        }
+        match self.entry {
+            Entry::Rays => parts.push(part!("rays.wgsl")),
+            Entry::Timed => parts.extend([part!("fullscreen.wgsl"), part!("timed.wgsl")]),
+            Entry::Picture => {
+                if self.view.shows_light() {
+                    parts.extend(self.light());
+                }
+                parts.extend([part!("view/mark.wgsl"), view_shader(self.view).part]);
+                if self.view.properties().traces {
+                    parts.push(part!("view/traced.wgsl"));
+                }
+                parts.extend([part!("fullscreen.wgsl"), part!("geodesic.wgsl")]);
+            }
+        }
+        parts
+    }
+
+    /// The parts that trace a ray.
+    fn tracing(self) -> Vec<Part> {
+        let mut parts = vec![
+            part!("trace.wgsl"),
+            part!("elementary.wgsl"),
+            part!("observer.wgsl"),
+            part!("shift.wgsl"),
+        ];
+        parts.extend(source::disk_parts(self.disk));
+        parts.extend(self.tracer.parts());
+        parts
+    }
+
+    /// The parts that give a ray its light.
+    fn light(self) -> Vec<Part> {
+        let mut parts = Vec::new();
+        if self.disk || self.sky != SkyMode::Off {
+            parts.push(part!("spectrum.wgsl"));
+        }
+        if self.disk {
+            parts.extend(source::emission_parts(self.disk_model));
+        }
+        parts.extend(source::sky_parts(self.sky));
+        parts
+    }
+}

@@ -1,0 +1,8 @@
+// A triangle that covers the whole target, at the far plane (reverse depth: z = 0). Where a depth
+// test is on, only pixels with nothing in front of them are drawn.
+
+@vertex
+fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
+    let corner = vec2<f32>(f32((index << 1u) & 2u), f32(index & 2u));
+    return vec4<f32>(corner * 2.0 - 1.0, 0.0, 1.0);
+}

@@ -1,0 +1,67 @@
+// The question and the answer of every tracing method: a photon at the camera, and the record of
+// what its ray meets. Each method defines `fn trace(photon: Photon) -> Trace`.
+
+// The hole's mass.
+const MASS: f32 = 0.5;
+
+// A photon where it meets the camera, per unit frequency at the camera;
+// crates/lightfall-core/src/geometry/observer.rs has the same numbers.
+struct Photon {
+    // E = -p_t.
+    energy: f32,
+    // Sigma p^r / r^2.
+    radial: f32,
+    // (p_theta theta_hat + p_phi / sin(theta) phi_hat) / r, tangent to the celestial sphere at the
+    // camera.
+    w: vec3<f32>,
+    // Without spin: positive for light from the horizon, zero at the edge of the shadow.
+    shadow_margin: f32,
+}
+
+// How a ray ends: at infinity; at the horizon; nowhere, because the method gave up; or (in pictures
+// only) at the last crossing of the disk behind which light still matters.
+const OUTCOME_SKY: u32 = 0u;
+const OUTCOME_CAPTURED: u32 = 1u;
+const OUTCOME_UNFINISHED: u32 = 2u;
+const OUTCOME_HIDDEN: u32 = 3u;
+
+// A crossing of the disk's annulus.
+struct Hit {
+    // r n, where n points toward Boyer-Lindquist theta and phi.
+    position: vec3<f32>,
+    // Observed over emitted frequency.
+    g: f32,
+}
+
+struct Trace {
+    // Unit vector toward the source at infinity if the outcome is the sky, else zero.
+    sky: vec3<f32>,
+    outcome: u32,
+    // The first crossings along the backward ray, and their number.
+    hits: array<Hit, 2>,
+    hit_count: u32,
+    steps: u32,
+    // Largest normalized residual of the null constraint, and largest relative drift of the angular
+    // momentum. Zero without DIAGNOSTICS.
+    residual: f32,
+    angular_momentum_drift: f32,
+    // Angle swept about the hole, in radians, without frame dragging: up to the first crossing or,
+    // if there is none, to infinity. The number of whole half-turns in it is the order of the
+    // image. Zero if nothing is seen. Stepping methods leave it zero without DIAGNOSTICS.
+    turn: f32,
+}
+
+// One step of a ray: positions and velocities at its two ends, and its affine length.
+struct Segment {
+    x0: vec3<f32>,
+    v0: vec3<f32>,
+    x1: vec3<f32>,
+    v1: vec3<f32>,
+    h: f32,
+}
+
+// The record of a ray that has met nothing yet.
+fn empty_trace() -> Trace {
+    let no_hit = Hit(vec3<f32>(0.0), 0.0);
+    return Trace(vec3<f32>(0.0), OUTCOME_UNFINISHED, array<Hit, 2>(no_hit, no_hit), 0u, 0u, 0.0, 0.0, 0.0);
+}

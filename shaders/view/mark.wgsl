@@ -1,0 +1,9 @@
+// Marks: colours that stand for something and look the same at every exposure.
+
+// A ray without an answer, in every view but `colour`.
+const MAGENTA: vec3<f32> = vec3<f32>(1.0, 0.0, 1.0);
+
+// The light of a colour whose channels are at most one.
+fn mark(colour: vec3<f32>) -> vec3<f32> {
+    return scene.picture.mark_brightness * colour;
+}
