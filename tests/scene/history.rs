@@ -117,6 +117,6 @@ fn a_change_that_cannot_be_undone_says_why() {
             .undo(&spinning)
             .unwrap()
             .unwrap_err()
-            .contains("hole.spin = 0 is refused beside camera.r = 0.9")
+            .contains("hole.spin = 0 is refused together with camera.r = 0.9")
     );
 }

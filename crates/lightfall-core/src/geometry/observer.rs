@@ -15,7 +15,7 @@ pub use kind::{Limit, ObserverKind, ObserverProperties, min_infall_radius};
 use super::sphere::celestial_frame;
 use crate::geometry::kerr::Kerr;
 use glam::DVec3;
-use rows::Matrix4;
+use rows::{Matrix4, rows_of};
 
 /// Takes (1, d) to the photon that arrives from the direction d with unit frequency for the
 /// observer.
@@ -97,12 +97,7 @@ pub fn observer_matrix(
     }
     let kerr = Kerr { spin };
     kind.check_place(kerr, r, theta)?;
-    let rows = match kind {
-        ObserverKind::Static => rows::at_rest(kerr, r, theta),
-        ObserverKind::Zamo => rows::zero_angular_momentum(kerr, r, theta),
-        ObserverKind::Orbit => rows::in_orbit(kerr, r)?,
-        ObserverKind::Rain => rows::in_free_fall(kerr, r, theta),
-    };
+    let rows = rows_of(kind, kerr, r, theta)?;
     let [energy, radial, w_theta, w_phi] = product(rows, boost(velocity)?);
     let [_, theta_hat, phi_hat] = celestial_frame(theta, phi);
     let w = |axis: usize| {

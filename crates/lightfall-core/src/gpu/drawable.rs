@@ -43,9 +43,9 @@ impl Drawable {
     /// As [`Drawable::new`], but if the scene's observer cannot exist at the camera's place,
     /// another kind of observer that can replaces it. The second value is the new kind.
     ///
-    /// The kinds are tried in the order in which they cease to exist toward the hole: circular
-    /// orbits exist only in the equatorial plane outside the photon orbit, static observers outside
-    /// the static limit, ZAMOs outside the horizon, and free fall continues inside.
+    /// The kinds that exist off the equatorial plane are tried in the order in which they cease to
+    /// exist toward the hole: static observers at the static limit, ZAMOs at the horizon, and free
+    /// fall continues inside.
     ///
     /// # Errors
     /// The reason why the scene cannot be drawn with its own observer, if no other kind helps.
@@ -57,9 +57,10 @@ impl Drawable {
             Err(reason) => reason,
         };
         let own = scene.observer.kind;
-        for kind in [ObserverKind::Static, ObserverKind::Zamo, ObserverKind::Rain] {
+        for kind in ObserverKind::ALL {
             scene.observer.kind = kind;
             if kind != own
+                && !kind.properties().equatorial
                 && let Ok(drawable) = Self::new(scene.clone())
             {
                 return Ok((drawable, Some(kind)));

@@ -1,6 +1,7 @@
 //! Why the GPU cannot do what was asked.
 
 use crate::geometry::observer::ObserverError;
+use crate::scene::Method;
 use thiserror::Error;
 
 /// Why the GPU cannot do what was asked. Each message is one sentence.
@@ -59,14 +60,19 @@ pub enum GpuError {
     Invalid(String),
     /// The method cannot trace this spin.
     #[error(
-        "hole.spin = {0} is refused: methods verlet and closed trace holes without spin only, so it must be 0 (methods \
-         auto, mino and kerr-schild trace any spin)"
+        "hole.spin = {spin} is refused: methods {} trace holes without spin only, so it must be 0 (methods {} trace any spin)",
+        Method::list("and", |method| !method.spins),
+        Method::list("and", |method| method.spins && method.on_gpu),
+        spin = .0
     )]
     Spin(f64),
     /// The camera is inside the horizon, where the method cannot start a ray.
     #[error(
-        "camera.r = {r} is refused: it is inside the horizon, where methods verlet and kerr-schild cannot start a ray (auto, \
-         mino and, without spin, closed can)"
+        "camera.r = {r} is refused: it is inside the horizon, where methods {} cannot start a ray ({} can, and without \
+         spin {})",
+        Method::list("and", |method| !method.inside),
+        Method::list("and", |method| method.inside && method.spins && method.on_gpu),
+        Method::list("and", |method| method.inside && !method.spins)
     )]
     Inside {
         /// The camera's radius, in r_s.
@@ -74,8 +80,9 @@ pub enum GpuError {
     },
     /// The method does not run on the GPU.
     #[error(
-        "method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet, closed, mino or \
-         kerr-schild"
+        "method = \"{}\" is refused: it runs on the CPU only, so here it must be {}",
+        Method::list("and", |method| !method.on_gpu),
+        Method::list("or", |method| method.on_gpu)
     )]
     MethodOfCpu,
     /// The observer cannot exist at the camera's place.

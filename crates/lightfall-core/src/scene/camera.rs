@@ -11,17 +11,17 @@ impl Camera {
         self.tetrad().x_axis
     }
 
-    /// The observer's axes as unit vectors of the hole's frame, one a column: outward, toward
-    /// growing theta, toward growing phi. On the axis the last is the direction of azimuth
-    /// `phi_deg` + 90 degrees.
+    /// The observer's axes as unit vectors of the hole's frame, one per column: outward, toward
+    /// growing theta, toward growing phi. On the hole's axis the last one is the direction of
+    /// azimuth `phi_deg` + 90 degrees.
     pub fn tetrad(&self) -> DMat3 {
         let [outward, theta_hat, phi_hat] =
             celestial_frame(self.theta_deg.to_radians(), self.phi_deg.to_radians());
         DMat3::from_cols(outward, theta_hat, phi_hat)
     }
 
-    /// Unit looking direction (right, up, forward) of a place on a picture of `size` pixels, in
-    /// pixels from its upper left corner; the same as in shaders/observer.wgsl.
+    /// Unit looking direction (right, up, forward) of a place on a picture of `size` pixels. The
+    /// place is in pixels from the upper left corner. shaders/observer.wgsl does the same.
     pub fn looking(&self, pixel: DVec2, size: DVec2) -> DVec3 {
         let up = self.half_height();
         let across = pixel / size * DVec2::new(2.0, -2.0) + DVec2::new(-1.0, 1.0);
@@ -35,15 +35,15 @@ impl Camera {
         2.0 * self.half_height() / height
     }
 
-    /// Half of the picture's height at distance one.
+    /// Half of the picture's height at unit distance.
     pub fn half_height(&self) -> f64 {
         (self.fov_deg.to_radians() / 2.0).tan()
     }
 
-    /// The camera's axes right, up, forward on the observer's axes (outward, theta, phi), one a
+    /// The camera's axes right, up, forward on the observer's axes (outward, theta, phi), one per
     /// column.
     ///
-    /// Without turns it looks at the hole: forward is inward, up is decreasing theta, right is
+    /// Without turns the camera looks at the hole: forward is inward, up is decreasing theta, right is
     /// growing phi. It is turned about its own axes: to the right, then up, then clockwise as seen
     /// from behind it.
     pub fn tetrad_from_camera(&self) -> DMat3 {
@@ -59,8 +59,8 @@ impl Camera {
     }
 }
 
-/// Sine and cosine of an angle in degrees, exact at multiples of 90, so that a camera that looks at
-/// the hole looks at nothing else.
+/// Sine and cosine of an angle in degrees, exact at multiples of 90, so that a camera without turns
+/// looks exactly at the hole's centre.
 fn sin_cos_deg(degrees: f64) -> (f64, f64) {
     let quarters = (degrees / 90.0).round();
     let (sin, cos) = (degrees - 90.0 * quarters).to_radians().sin_cos();

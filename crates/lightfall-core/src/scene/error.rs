@@ -8,13 +8,14 @@ use thiserror::Error;
 pub struct Refusal {
     /// The field.
     pub key: &'static str,
-    /// Its value, as it was given.
+    /// The value that it was given.
     pub given: String,
     /// What it may be, in words.
     pub allowed: String,
-    /// The other fields that decide the range, and why; none where the range stands alone.
+    /// The other fields that decide the range, and why; none if no other field does.
     pub because: Option<Because>,
-    /// One of those, with its value, if it is the one that was set last: then the fault is its.
+    /// One of those fields with its value, if it was set after the refused field: it is then named
+    /// as the cause.
     pub blamed: Option<Box<(&'static str, String)>>,
 }
 
@@ -41,7 +42,7 @@ fn sentence(
     match blamed.as_deref() {
         None => format!("{key} = {given} is refused: it must be {allowed}{why}"),
         Some((culprit, its)) => {
-            // Where it alone narrows the range, all has been said.
+            // A field that narrows the range alone has been named already.
             let why = if because
                 .as_ref()
                 .is_some_and(|because| because.keys == [*culprit])
@@ -51,14 +52,14 @@ fn sentence(
                 &why
             };
             format!(
-                "{culprit} = {its} is refused beside {key} = {given}, which must then be {allowed}{why}"
+                "{culprit} = {its} is refused together with {key} = {given}, which must then be {allowed}{why}"
             )
         }
     }
 }
 
-/// Why a preset, with what overrides it, does not make a scene. `origin` is where the fault was
-/// written: a file, a preset or an option of the command line.
+/// Why a preset and its overrides do not make a scene. `origin` is where the fault was written: a
+/// file, a preset or an option of the command line.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum SceneError {
     /// The text is not TOML.
@@ -93,7 +94,7 @@ pub enum SceneError {
         /// What was probably meant.
         hint: String,
     },
-    /// A table of fields was treated as a field, or the other way round.
+    /// A value was given to a table of fields.
     #[error("{origin}: {key} = {given} is refused: {key} is a table of fields, such as {example}")]
     NotAField {
         /// Where it was written.

@@ -1,10 +1,10 @@
-//! A journey: a guided flight as keyframes in time, and what they make of a scene. Plain data and
-//! its interpolation.
+//! A journey: a guided flight through keyframes in time, applied to a scene. Plain data and its
+//! interpolation.
 //!
-//! Every quantity has a track of its own, through the keyframes that name it: monotone cubics
-//! (Fritsch & Carlson 1980), so that positions and speeds are continuous, nothing overshoots, and
-//! the flight begins and ends at rest. Radii are interpolated in their logarithm. What no keyframe
-//! names stays what it is in the scene.
+//! Every quantity has a track of its own through the keyframes that name it. A track is a monotone
+//! cubic (Fritsch & Carlson 1980), so positions and speeds are continuous, nothing overshoots, and
+//! the flight begins and ends at rest. Radii are interpolated in their logarithm. A quantity that no
+//! keyframe names keeps its value in the scene.
 
 mod check;
 mod error;
@@ -28,23 +28,23 @@ pub const DEFAULT: &str = include_str!("../../../../assets/journeys/default.toml
 /// A guided flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Journey {
-    /// One line that says where it leads.
+    /// One line that says where the flight leads.
     pub title: String,
     /// Seconds from the first keyframe to the last.
     pub duration: f64,
-    /// When each keyframe is, in the seconds of its text.
+    /// The time of each keyframe, in seconds as in its text.
     times: Vec<f64>,
     tracks: Tracks,
-    /// For observers that fall from rest at infinity.
+    /// The tracks for an observer that falls from rest at infinity.
     tracks_in_rain: Tracks,
-    /// From when on the observer is of which kind.
+    /// The kinds of observer, each with the time from which it holds.
     kinds: Vec<(f64, ObserverKind)>,
 }
 
-/// What is led along.
+/// The tracks of all quantities; none for a quantity that no keyframe names.
 #[derive(Clone, Debug, PartialEq)]
 struct Tracks {
-    /// ln r.
+    /// The track of ln r.
     radius: Option<Track>,
     angles: [Option<Track>; ANGLES.len()],
     field_of_view: Option<Track>,
@@ -63,15 +63,15 @@ const ANGLES: [Angle; 5] = [
 ];
 
 impl Journey {
-    /// Writes to `scene` where the flight is after `time` seconds; before the first keyframe as at
-    /// it, after the last as there.
+    /// Writes the camera and the observer after `time` seconds into `scene`. Times before the first
+    /// keyframe count as the first, times after the last as the last. The scene is not checked.
     ///
-    /// A circular orbit cannot be led away from its plane: unless the journey itself says what the
-    /// observer is, `orbit` becomes `static`, as under the hand. The scene is not checked.
+    /// A circular orbit cannot leave its plane: unless the journey itself names an observer, `orbit`
+    /// becomes `static`, as when flying by hand.
     ///
-    /// While the observer is `rain`, keyframes tell Kerr's ingoing azimuth, counted so that it is
-    /// Boyer-Lindquist's where that begins: the other would wind without end toward the horizon of
-    /// a hole that spins.
+    /// While the observer is `rain`, the keyframes give Kerr's ingoing azimuth, counted so that it
+    /// equals Boyer-Lindquist's where the fall begins. Boyer-Lindquist's own azimuth would wind
+    /// without end toward the horizon of a hole that spins.
     pub fn apply(&self, time: f64, scene: &mut Scene) {
         let kind = self
             .kinds
@@ -108,9 +108,9 @@ impl Journey {
         }
     }
 
-    /// By how much Kerr's ingoing azimuth has grown beyond Boyer-Lindquist's in all the times of
-    /// `rain` up to now, in radians; inside the horizon, where `camera.phi_deg` is the ingoing one,
-    /// less that one's own lead.
+    /// By how much Kerr's ingoing azimuth has grown beyond Boyer-Lindquist's in all periods of
+    /// `rain` up to `time`, in radians. Inside the horizon, where `camera.phi_deg` is the ingoing
+    /// azimuth, the lead counts as zero.
     fn azimuth_lead(&self, time: f64, rain: bool, kerr: Kerr) -> f64 {
         let Some(radius) = self
             .tracks_in_rain
@@ -128,7 +128,7 @@ impl Journey {
                 0.0
             }
         };
-        // What the observer is before the first keyframe that says it.
+        // The first named kind also holds before its keyframe.
         let first = self
             .kinds
             .first()
@@ -188,15 +188,15 @@ impl Tracks {
     }
 }
 
-/// The camera a share of the way, from 0 to 1, from one to another: gently at both ends, in the
-/// logarithm of the radius, and the short way round.
+/// The camera at a share, from 0 to 1, of the way from one camera to another: at rest at both ends,
+/// in the logarithm of the radius, and along the shorter turn of each angle.
 #[must_use]
 pub fn between(from: &Camera, to: &Camera, share: f64) -> Camera {
     let share = share.clamp(0.0, 1.0);
     let gently = share * share * (3.0 - 2.0 * share);
     let mix = |a: f64, b: f64| a + (b - a) * gently;
     let (mut from, mut camera) = (*from, *to);
-    // The very numbers at the end.
+    // At the end the camera is exactly `to`, without rounding.
     if share < 1.0 {
         camera.r = mix(from.r.ln(), to.r.ln()).exp();
         camera.fov_deg = mix(from.fov_deg, to.fov_deg);

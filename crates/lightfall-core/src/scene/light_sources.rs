@@ -1,4 +1,4 @@
-//! What shines: the models of the disk's flux and of the sky.
+//! What shines: the profiles of the disk's flux, and the skies.
 
 crate::words! {
     /// Radial profile of the disk's flux.
@@ -16,12 +16,12 @@ crate::words! {
     /// What is drawn at infinity.
     #[derive(Default)]
     pub enum SkyMode {
-        /// Deterministic stars.
+        /// Stars at pseudo-random places, the same for the same seed.
         #[default]
         Stars = "stars",
         /// A celestial grid.
         Grid = "grid",
-        /// Nothing.
+        /// Nothing: the sky is black.
         Off = "off",
     }
 }

@@ -92,7 +92,7 @@ impl Scene {
             Limit::StaticLimit => {
                 keys.push("camera.theta_deg");
                 let reason = format!(
-                    "nothing is at rest in the ergosphere, which {at_spin} and camera.theta_deg = {} reaches so far; \
+                    "nothing is at rest in the ergosphere, which reaches this far {at_spin} and camera.theta_deg = {}; \
                      observers zamo and rain go deeper",
                     number(theta_deg)
                 );

@@ -1,4 +1,4 @@
-//! From the text of a preset, and what overrides it, to a scene.
+//! From the text of a preset and its overrides to a scene.
 
 use std::collections::BTreeMap;
 
@@ -12,14 +12,14 @@ use super::range::Kind;
 use super::value::{Value, shortened};
 use super::{SCHEMA, Scene};
 
-/// One field that the command line sets over the preset.
+/// One field that the command line sets in place of the preset.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Override {
     /// The option that sets it, e.g. `--set` or `--spin`, for messages.
     pub option: &'static str,
     /// Dotted key.
     pub key: String,
-    /// Value: TOML, or a bare word or text where the field takes one.
+    /// Value: TOML, or a bare word or text if the field takes one.
     pub value: String,
 }
 
@@ -39,7 +39,7 @@ impl Override {
         }
     }
 
-    /// What a short form such as `--spin VALUE` stands for.
+    /// The override that a short form such as `--spin VALUE` stands for.
     pub fn new(option: &'static str, key: &str, value: &str) -> Self {
         Self {
             option,
@@ -57,14 +57,15 @@ struct Given<'a> {
     value: Value,
 }
 
-/// Makes a scene of a preset's TOML `text` and the overrides, the later ones winning. `origin`
-/// names the preset in messages. Fields that are not mentioned take their defaults.
+/// Makes a scene from a preset's TOML `text` and the overrides, of which a later one replaces an
+/// earlier one. `origin` names the preset in messages. Fields that are not mentioned have their
+/// defaults.
 ///
 /// # Errors
 /// One sentence that names where the fault is written, the key, the value and what is allowed.
 pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, SceneError> {
     let table: Table = toml::from_str(text).map_err(|error| syntax(origin, text, &error))?;
-    // The version comes first: in a preset of another version every other fault may be none.
+    // The version comes first: other fields may be correct in another version of the format.
     match table.get("schema") {
         Some(schema @ toml::Value::Integer(number)) if *number != i64::from(SCHEMA) => {
             return Err(SceneError::Schema {
@@ -162,8 +163,8 @@ fn scene(fields: &BTreeMap<&'static str, Given>) -> Scene {
     scene
 }
 
-/// The refusal with the origin of the field. Where a field that narrows its range was set after it,
-/// that field is to blame.
+/// The refusal with the origin of the field. If a field that narrows its range was set after it,
+/// that field is blamed.
 fn refused(
     fields: &BTreeMap<&'static str, Given>,
     preset: &str,
@@ -190,9 +191,9 @@ fn parse(kind: Kind, text: &str) -> toml::Value {
     match (kind, value) {
         (Kind::Text | Kind::Choice(_), value @ Some(String(_))) => value,
         (Kind::Text | Kind::Choice(_), _) => None,
-        // `.9` and `1.` are numbers to everybody but TOML.
+        // People write `.9` and `1.`, which TOML does not accept.
         (Kind::Float(_), None) => text.parse().ok().map(Float),
-        // Brackets mean something to shells, so `0,0,.5` serves as well as `[0, 0, 0.5]`.
+        // Shells interpret brackets, so `0,0,.5` is accepted as well as `[0, 0, 0.5]`.
         (Kind::Velocity, None) => {
             let components = text
                 .trim_start_matches('[')

@@ -121,6 +121,22 @@ impl Method {
         methods
     }
 
+    /// The words of the methods with some property, for a sentence: "verlet, closed and mino", where
+    /// `last` is "and".
+    #[must_use]
+    pub fn list(last: &str, has: impl Fn(&MethodProperties) -> bool) -> String {
+        let methods = Self::ALL.into_iter();
+        let words: Vec<_> = methods
+            .filter(|method| has(&method.properties()))
+            .map(Self::word)
+            .collect();
+        match words.split_last() {
+            Some((end, [])) => (*end).into(),
+            Some((end, rest)) => format!("{} {last} {end}", rest.join(", ")),
+            None => "none".into(),
+        }
+    }
+
     /// What `auto` means for a hole of spin `chi`.
     #[must_use]
     pub fn for_spin(chi: f64) -> Self {

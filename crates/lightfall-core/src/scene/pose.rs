@@ -1,24 +1,24 @@
-//! From where a camera is and how it is turned back to the fields of a preset.
+//! From a camera's position and axes back to the fields of a preset.
 
 use super::Camera;
 use glam::{DMat3, DVec3};
 
 impl Camera {
-    /// Puts the camera at `position` (hole's frame, r_s) with the axes right, up, forward as the
+    /// Puts the camera at `position` (hole's frame, r_s) with the axes right, up, forward in the
     /// columns of `world_from_camera`. The inverse of [`Camera::direction`], [`Camera::tetrad`] and
-    /// [`Camera::tetrad_from_camera`]; at the poles and looking straight up, where angles are not
-    /// unique, any that give the same axes.
+    /// [`Camera::tetrad_from_camera`]. At the poles and looking straight up or down the angles are
+    /// not unique, and any angles that give the same axes may result.
     pub fn set_pose(&mut self, position: DVec3, world_from_camera: DMat3) {
         self.r = position.length();
         self.theta_deg = position.truncate().length().atan2(position.z).to_degrees();
-        // On the axis every azimuth is the same place: the one the camera had keeps its axes.
+        // On the axis every azimuth is the same place: keeping the azimuth keeps the axes.
         if position.x != 0.0 || position.y != 0.0 {
             self.phi_deg = position.y.atan2(position.x).to_degrees();
         }
         self.set_turns(self.tetrad().transpose() * world_from_camera);
     }
 
-    /// Turns the camera such that its axes right, up, forward on the observer's axes are these
+    /// Turns the camera so that its axes right, up, forward on the observer's axes are these
     /// columns. The inverse of [`Camera::tetrad_from_camera`].
     pub fn set_turns(&mut self, tetrad_from_camera: DMat3) {
         // In the axes of a camera that looks at the hole: right is growing phi, up is decreasing
@@ -29,7 +29,7 @@ impl Camera {
             level(tetrad_from_camera.y_axis),
         );
         let level_length = forward.x.hypot(forward.z);
-        // Straight up or down the yaw is free; none leaves the whole turn to the roll.
+        // Straight up or down the yaw is free: zero leaves the whole turn to the roll.
         let yaw = if level_length > 1e-12 {
             forward.x.atan2(forward.z)
         } else {

@@ -141,7 +141,7 @@ fn every_default_is_allowed() {
 }
 
 #[test]
-fn a_scene_that_no_preset_went_into_is_checked_alike() {
+fn a_scene_made_without_a_preset_is_checked_in_the_same_way() {
     let mut scene = Scene::default();
     scene.camera.r = 0.75;
     assert_eq!(scene.check().unwrap_err().key, "camera.r");
@@ -194,7 +194,7 @@ fn every_closed_end_is_allowed_and_every_open_end_refused() {
 }
 
 #[test]
-fn every_number_refuses_what_lies_beyond_its_range_and_names_the_range() {
+fn every_number_beyond_its_range_is_refused_with_the_range() {
     let mut refused = 0;
     for field in FIELDS {
         let (Kind::Float(range) | Kind::Integer(range)) = field.kind else {
@@ -247,7 +247,7 @@ fn no_number_may_be_nan_or_infinite() {
 }
 
 #[test]
-fn every_field_can_be_set_by_its_key_to_what_it_is() {
+fn every_field_can_be_set_to_its_own_value_as_text() {
     for (field, value) in Scene::default().values() {
         assert_eq!(
             set(field.key, &value.to_string()),
@@ -259,7 +259,7 @@ fn every_field_can_be_set_by_its_key_to_what_it_is() {
 }
 
 #[test]
-fn every_word_of_every_choice_is_kept() {
+fn every_word_of_every_choice_can_be_set() {
     for field in FIELDS {
         let Kind::Choice(words) = field.kind else {
             continue;
@@ -272,13 +272,13 @@ fn every_word_of_every_choice_is_kept() {
 }
 
 #[test]
-fn a_field_is_found_by_its_whole_key_only() {
+fn a_field_is_found_only_by_its_whole_key() {
     assert_eq!(field("camera.r").unwrap().unit, "r_s");
     assert!(field("camera").is_none() && field("r").is_none() && field("").is_none());
 }
 
 #[test]
-fn the_preset_that_is_shown_is_the_scene_that_was_meant() {
+fn the_text_of_a_preset_reads_back_as_the_same_scene() {
     let mut scene = Scene {
         name: "a \"quoted\" \\ name".into(),
         ..Scene::default()
@@ -291,7 +291,7 @@ fn the_preset_that_is_shown_is_the_scene_that_was_meant() {
 }
 
 #[test]
-fn the_preset_that_is_shown_explains_every_field() {
+fn the_text_of_a_preset_explains_every_field() {
     let text = Scene::default().to_preset();
     for field in FIELDS {
         assert!(

@@ -1,4 +1,4 @@
-//! The limits of fields that depend on others, and who is to blame where two do not go together.
+//! The limits of fields that depend on others, and which of two conflicting fields is blamed.
 
 use lightfall_core::scene::{Override, Scene, SceneError, load};
 
@@ -15,7 +15,7 @@ fn preset(text: &str) -> String {
 }
 
 #[test]
-fn a_field_that_another_one_limits_is_answered_with_the_other_one() {
+fn a_refusal_names_the_other_fields_that_limit_the_field() {
     for (text, sentence) in [
         (
             "camera.r = 1",
@@ -34,7 +34,7 @@ fn a_field_that_another_one_limits_is_answered_with_the_other_one() {
             // this one's.
             "hole.spin = 0.6\ncamera.r = 0.95\ncamera.theta_deg = 90",
             "camera.r = 0.95 is refused: it must be a number above 1 and at most 10000000 r_s (nothing is at rest in the \
-             ergosphere, which at hole.spin = 0.6 and camera.theta_deg = 90 reaches so far; observers zamo and rain go \
+             ergosphere, which reaches this far at hole.spin = 0.6 and camera.theta_deg = 90; observers zamo and rain go \
              deeper)",
         ),
         (
@@ -54,7 +54,7 @@ fn a_field_that_another_one_limits_is_answered_with_the_other_one() {
         ),
         (
             "disk.outer = 2.5",
-            "disk.outer = 2.5 is refused beside disk.inner = 3, which must then be a number above 0 and below 2.5 r_s",
+            "disk.outer = 2.5 is refused together with disk.inner = 3, which must then be a number above 0 and below 2.5 r_s",
         ),
         (
             // 6M: Bardeen, Press & Teukolsky 1972 eq. 2.21.
@@ -101,7 +101,7 @@ fn a_field_that_another_one_limits_is_answered_with_the_other_one() {
 }
 
 #[test]
-fn a_fault_is_laid_at_the_door_of_whoever_wrote_it() {
+fn the_value_that_was_set_last_is_blamed() {
     let from = |text, sets: &[&str]| {
         with(text, sets)
             .unwrap_err()
@@ -122,7 +122,7 @@ fn a_fault_is_laid_at_the_door_of_whoever_wrote_it() {
             .unwrap_err()
             .to_string()
     };
-    let beside = "is refused beside camera.r = 0.8, which must then be a number above 1 and at most 10000000 r_s (outside the \
+    let beside = "is refused together with camera.r = 0.8, which must then be a number above 1 and at most 10000000 r_s (outside the \
                   horizon at hole.spin = 0; observer rain goes on inside)";
     assert_eq!(
         sentence(&["observer.kind=zamo"]),
@@ -143,7 +143,7 @@ fn a_fault_is_laid_at_the_door_of_whoever_wrote_it() {
     );
     assert_eq!(
         sentence(&["disk.outer=2"]),
-        "--set: disk.outer = 2 is refused beside disk.inner = 3, which must then be a number above 0 and below 2 r_s"
+        "--set: disk.outer = 2 is refused together with disk.inner = 3, which must then be a number above 0 and below 2 r_s"
     );
     let spin = load("my.toml", "", &[Override::new("--spin", "hole.spin", "2")])
         .unwrap_err()
@@ -155,13 +155,13 @@ fn a_fault_is_laid_at_the_door_of_whoever_wrote_it() {
 }
 
 #[test]
-fn who_changes_one_field_of_a_scene_is_not_told_that_it_is_anothers_fault() {
+fn changing_one_field_of_a_scene_blames_that_field() {
     let scene = Scene::default();
     let refused =
         |key: &str, value: f64| scene.with([(key, value.into())]).unwrap_err().to_string();
     assert_eq!(
         refused("disk.outer", 2.0),
-        "disk.outer = 2 is refused beside disk.inner = 3, which must then be a number above 0 and below 2 r_s"
+        "disk.outer = 2 is refused together with disk.inner = 3, which must then be a number above 0 and below 2 r_s"
     );
     assert_eq!(
         refused("disk.inner", 12.0),

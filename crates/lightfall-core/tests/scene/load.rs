@@ -1,6 +1,5 @@
-//! What a preset may say, and the one sentence that answers everything else.
+//! What a preset may contain, and the one sentence that refuses everything else.
 
-use lightfall_core::scene::presets::PRESETS;
 use lightfall_core::scene::{Method, ObserverKind, Override, Scene, load};
 
 fn preset(text: &str) -> String {
@@ -40,7 +39,7 @@ fn fields_that_are_not_mentioned_keep_their_defaults() {
 }
 
 #[test]
-fn whole_numbers_are_numbers_too() {
+fn a_whole_number_is_accepted_for_a_float() {
     assert_eq!(
         with("camera.r = 12\nobserver.velocity = [0, 0, 0.5]", &[])
             .unwrap()
@@ -51,7 +50,7 @@ fn whole_numbers_are_numbers_too() {
 }
 
 #[test]
-fn overrides_come_over_the_preset_and_the_last_one_wins() {
+fn overrides_replace_the_presets_values_and_the_last_one_wins() {
     let scene = with(
         "camera.r = 12",
         &["camera.r=13", "camera.r = 14", "camera.theta_deg=.5"],
@@ -84,7 +83,7 @@ fn overrides_are_read_as_people_type_them() {
 }
 
 #[test]
-fn a_value_out_of_range_is_answered_with_where_what_and_the_range() {
+fn a_value_out_of_range_is_refused_with_its_origin_and_the_range() {
     for (text, sentence) in [
         (
             "hole.spin = 1",
@@ -147,7 +146,7 @@ fn a_value_out_of_range_is_answered_with_where_what_and_the_range() {
 }
 
 #[test]
-fn a_value_of_the_wrong_type_is_answered_with_what_it_must_be() {
+fn a_value_of_the_wrong_type_is_refused_with_the_right_type() {
     for (text, sentence) in [
         (
             "disk.enabled = 1",
@@ -195,7 +194,7 @@ fn a_value_of_the_wrong_type_is_answered_with_what_it_must_be() {
 }
 
 #[test]
-fn an_unknown_field_is_answered_with_the_nearest_one() {
+fn an_unknown_field_is_refused_with_the_nearest_name() {
     for (key, hint) in [
         ("hole.spinn", "did you mean hole.spin?"),
         ("spin", "did you mean hole.spin?"),
@@ -227,7 +226,7 @@ fn a_quoted_key_with_a_dot_is_not_a_field() {
 }
 
 #[test]
-fn another_version_of_the_format_is_the_only_complaint() {
+fn another_version_of_the_format_is_reported_before_any_other_fault() {
     assert_eq!(
         preset("schema = 2\nfuture = true"),
         "my.toml: schema = 2 is another version of the preset format; this program reads schema 1"
@@ -239,7 +238,7 @@ fn another_version_of_the_format_is_the_only_complaint() {
 }
 
 #[test]
-fn a_fault_of_toml_is_answered_with_its_line_and_column() {
+fn a_syntax_error_is_reported_with_its_line_and_column() {
     for (text, place) in [
         ("schema = 1\n[camera]\nr = = 3", "line 3, column 5: "),
         ("[camera]\nr = 3\nr = 4", "line 3, column 1: duplicate key"),
@@ -282,98 +281,4 @@ fn an_override_cannot_smuggle_in_a_second_field() {
         set("camera.r=20\nhole.spin = 0.5")
             .contains("camera.r = \"20\\nhole.spin = 0.5\" is refused")
     );
-}
-
-/// A small linear congruential generator (Knuth's MMIX constants), so that a failure comes back at
-/// the next run.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, sides: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (self.0 >> 33) as usize % sides
-    }
-}
-
-/// Loads a text that may be anything; an error must be one sentence that begins with the file.
-fn survive(text: &str) {
-    if let Err(error) = load("my.toml", text, &[]) {
-        let error = error.to_string();
-        assert!(
-            error.starts_with("my.toml: ") && !error.contains('\n') && error.len() < 1000,
-            "{error:?} of {text:?}"
-        );
-    }
-}
-
-#[test]
-fn a_truncated_preset_is_a_scene_or_a_sentence() {
-    for preset in PRESETS {
-        for (end, _) in preset.text.char_indices() {
-            survive(&preset.text[..end]);
-        }
-    }
-}
-
-#[test]
-fn a_garbled_preset_is_a_scene_or_a_sentence() {
-    let mut dice = Dice(1);
-    let whole = Scene::default().to_preset();
-    // Characters that mean something to TOML, numbers at their limits, and some that mean nothing
-    // anywhere.
-    let pieces = [
-        "\"",
-        "'''",
-        "[",
-        "]]",
-        "{",
-        "}",
-        "=",
-        ".",
-        ",",
-        "#",
-        "\n",
-        "\0",
-        "\u{7f}",
-        "é",
-        "-",
-        "1e999",
-        "nan",
-        "9223372036854775807",
-        "99999999999999999999",
-        "true",
-        "1979-05-27",
-        "0x",
-        "_",
-        "\\u12",
-        "camera",
-        "r",
-    ];
-    for round in 0..6000 {
-        let mut text: Vec<char> = if round % 2 == 0 {
-            whole.chars()
-        } else {
-            PRESETS[round % 7].text.chars()
-        }
-        .collect();
-        for _ in 0..=dice.below(4) {
-            let at = dice.below(text.len());
-            let length = dice.below(5).min(text.len() - at);
-            text.splice(at..at + length, pieces[dice.below(pieces.len())].chars());
-        }
-        survive(&text.into_iter().collect::<String>());
-    }
-}
-
-#[test]
-fn deep_nesting_and_long_lines_are_answered_shortly() {
-    survive(&("camera.r = ".to_owned() + &"[".repeat(100_000)));
-    survive(&("camera.r = ".to_owned() + &"{a=".repeat(100_000)));
-    survive(&("a.".repeat(100_000) + "b = 1"));
-    survive(&format!("{} = 1", "k".repeat(1_000_000)));
-    survive(&format!("name = \"{}\"", "n".repeat(1_000_000)));
-    survive(&format!("observer.velocity = [{}]", "0, ".repeat(100_000)));
 }

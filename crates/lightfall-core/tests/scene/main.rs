@@ -5,7 +5,9 @@
 )]
 
 mod fields;
+mod garbled;
 mod journey;
+mod journey_faults;
 mod limits;
 mod load;
 mod pose;

@@ -1,5 +1,5 @@
-//! Where the camera is and looks: angles to axes and back. The truth is the axes, since angles are
-//! not unique.
+//! Where the camera is and looks: from angles to axes and back. The axes are compared, because angles
+//! are not unique.
 
 use glam::{DMat3, DVec3};
 use lightfall_core::scene::Camera;
@@ -80,7 +80,7 @@ fn yaw_turns_right_pitch_turns_up_and_roll_turns_clockwise() {
         axes(&camera(20.0, [80.0, 0.0, 0.0, 90.0, 0.0])).z_axis,
         up
     ));
-    // Clockwise as the one behind the camera sees it: its up goes to where its right was.
+    // Clockwise as seen from behind the camera: up goes to where right was.
     assert!(near(
         axes(&camera(20.0, [80.0, 0.0, 0.0, 0.0, 90.0])).y_axis,
         right

@@ -1,4 +1,4 @@
-//! The built-in presets: that they load, and that they show what their titles promise.
+//! The built-in presets: they load, and they show what their titles promise.
 
 use lightfall_core::scene::presets::{DEFAULT, PRESETS, Preset, find};
 use lightfall_core::scene::{Override, Scene, SkyMode};
@@ -52,19 +52,19 @@ fn presets_are_numbered_from_one_and_found_by_number_and_name() {
 }
 
 #[test]
-fn an_override_that_does_not_fit_a_preset_is_to_blame() {
+fn an_override_that_a_preset_does_not_allow_is_blamed() {
     let error = PRESETS[0]
         .scene(&[Override::new("--set", "disk.outer", "1")])
         .unwrap_err()
         .to_string();
     assert!(
-        error.starts_with("--set: disk.outer = 1 is refused beside disk.inner = 3"),
+        error.starts_with("--set: disk.outer = 1 is refused together with disk.inner = 3"),
         "{error}"
     );
 }
 
 #[test]
-fn the_distant_and_the_edge_on_view_hold_the_whole_disk_across() {
+fn the_distant_and_the_edge_on_view_show_the_whole_width_of_the_disk() {
     for number in [1, 2] {
         let scene = scene(number);
         // The disk's widest angle in flat space: lensing widens it by less than the room left.

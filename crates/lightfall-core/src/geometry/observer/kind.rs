@@ -10,7 +10,8 @@ use std::f64::consts::FRAC_PI_2;
 const IN_PLANE: f64 = 1e-9;
 
 crate::words! {
-    /// The frames of reference that have a name.
+    /// The frames of reference that have a name. Of those that exist off the equatorial plane, each
+    /// reaches nearer to the hole than the one before.
     #[derive(Default)]
     pub enum ObserverKind {
         /// At rest with respect to infinity.

@@ -1,7 +1,7 @@
 //! The rows of an observer's matrix, kind by kind, before the sphere's tangent vectors become
 //! Cartesian.
 
-use super::ObserverError;
+use super::{ObserverError, ObserverKind};
 use crate::geometry::kerr::{Kerr, MASS};
 use crate::geometry::sphere::polar_sin_cos;
 
@@ -29,10 +29,29 @@ impl Local {
     }
 }
 
+/// The rows of an observer of this kind at radius `r` (r_s) and polar angle `theta` (radians), where
+/// it exists ([`ObserverKind::check_place`]).
+///
+/// # Errors
+/// No timelike circular orbit has this radius.
+pub(super) fn rows_of(
+    kind: ObserverKind,
+    kerr: Kerr,
+    r: f64,
+    theta: f64,
+) -> Result<Matrix4, ObserverError> {
+    match kind {
+        ObserverKind::Static => Ok(at_rest(kerr, r, theta)),
+        ObserverKind::Zamo => Ok(zero_angular_momentum(kerr, r, theta)),
+        ObserverKind::Orbit => in_orbit(kerr, r),
+        ObserverKind::Rain => Ok(in_free_fall(kerr, r, theta)),
+    }
+}
+
 /// Zero angular momentum: u = -N dt with N^2 = Sigma Delta / A, axes sqrt(Sigma/Delta) dr,
 /// sqrt(Sigma) dtheta, sin(theta) sqrt(A/Sigma) (dphi - omega dt) with omega = 2 M a r / A.
 /// Bardeen, Press & Teukolsky 1972 eqs. 2.5, 3.2.
-pub(super) fn zero_angular_momentum(kerr: Kerr, r: f64, theta: f64) -> Matrix4 {
+fn zero_angular_momentum(kerr: Kerr, r: f64, theta: f64) -> Matrix4 {
     let Local {
         sin,
         area,
@@ -57,7 +76,7 @@ pub(super) fn zero_angular_momentum(kerr: Kerr, r: f64, theta: f64) -> Matrix4 {
 /// At rest: u along d/dt, so p_t = -sqrt(f) whatever the direction, f = 1 - 2 M r / Sigma; the
 /// third axis, orthogonal to u in the (t, phi) plane, has p_phi = sin(theta) sqrt(Delta / f).
 /// Derived.
-pub(super) fn at_rest(kerr: Kerr, r: f64, theta: f64) -> Matrix4 {
+fn at_rest(kerr: Kerr, r: f64, theta: f64) -> Matrix4 {
     let limit = kerr.static_limit(polar_sin_cos(theta).1);
     let Local {
         sin, sigma, delta, ..
@@ -79,10 +98,7 @@ pub(super) fn at_rest(kerr: Kerr, r: f64, theta: f64) -> Matrix4 {
 
 /// On the prograde circular geodesic: p = u has -p_t = E, p_phi = L of the orbit; the third axis,
 /// orthogonal to u in the (t, phi) plane, is (p_t, p_phi) = sqrt(Delta) (-u^phi, u^t). Derived.
-///
-/// # Errors
-/// No timelike circular orbit has this radius.
-pub(super) fn in_orbit(kerr: Kerr, r: f64) -> Result<Matrix4, ObserverError> {
+fn in_orbit(kerr: Kerr, r: f64) -> Result<Matrix4, ObserverError> {
     let orbit = kerr.circular_orbit(r).ok_or_else(|| ObserverError::Orbit {
         r,
         photon_orbit: kerr.photon_orbit_prograde(),
@@ -110,7 +126,7 @@ pub(super) fn in_orbit(kerr: Kerr, r: f64) -> Result<Matrix4, ObserverError> {
 /// Sigma u^r = -sqrt(2 M r (r^2 + a^2)), which is the speed beta = sqrt(2 M r (r^2 + a^2) / A)
 /// inward for the zero-angular-momentum observer; its outward axis has Sigma e^r = sqrt(A) and
 /// e_t = beta. All of it is regular at the horizon. Derived; the frame is Doran's (2000).
-pub(super) fn in_free_fall(kerr: Kerr, r: f64, theta: f64) -> Matrix4 {
+fn in_free_fall(kerr: Kerr, r: f64, theta: f64) -> Matrix4 {
     let Local {
         sin, area, sigma, ..
     } = Local::new(kerr, r, theta);

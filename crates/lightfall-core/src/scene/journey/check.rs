@@ -1,32 +1,32 @@
-//! Whether a journey can be flown in a scene, asked before it begins.
+//! Checks before a journey begins whether it can be flown in a scene.
 
 use super::Journey;
 use crate::scene::Scene;
 use std::fmt::Display;
 use thiserror::Error;
 
-/// Moments that are looked at from one keyframe to the next. Between two every quantity goes one
-/// way, so what an observer may not do shows in few.
+/// Moments that are checked from one keyframe to the next. Between two keyframes every quantity is
+/// monotone, so a few moments find the places where the observer cannot exist.
 const MOMENTS: u32 = 32;
 
-/// Digits of radii and times in a sentence: a radius is led along by its logarithm, which leaves
-/// its traces in the last ones.
+/// Digits of radii and times in a sentence: a radius is interpolated in its logarithm, which rounds
+/// its last digits.
 const DIGITS: i32 = 6;
 
 /// Where a journey cannot be flown, and why.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{place}: {reason}")]
 pub struct Unflyable {
-    /// The keyframe, or the two that it is between; they count from 1.
+    /// The keyframe, or the two keyframes around the place; they count from 1.
     pub place: String,
-    /// What is given there, and what is allowed.
+    /// The value there, and what is allowed.
     pub reason: String,
 }
 
 impl Journey {
-    /// Checks that the journey can be flown in this scene, from `from` seconds after its beginning
-    /// on: at each keyframe, then at moments in between. `possible` says whether a scene can be
-    /// drawn.
+    /// Checks that the journey can be flown in this scene from the time `from`, in seconds after its
+    /// beginning: at each keyframe, then at moments in between. `possible` says whether a scene can
+    /// be drawn.
     ///
     /// # Errors
     /// The first keyframe that is refused, or else the first such moment.
@@ -60,7 +60,7 @@ impl Journey {
         }
         for (index, pair) in self.times.windows(2).enumerate() {
             let (start, end) = (pair[0], pair[1]);
-            // The last one is just before the next keyframe, where the observer may change.
+            // The last moment is just before the next keyframe, where the observer may change.
             let inner =
                 (1..MOMENTS).map(|i| start + (end - start) * f64::from(i) / f64::from(MOMENTS));
             for moment in inner.chain([end.next_down()]).filter(ahead) {

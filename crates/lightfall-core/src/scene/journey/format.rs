@@ -1,7 +1,13 @@
-//! The format of a journey's text: how many keyframes it has, and what a keyframe may name.
+//! The format of a journey's text: how long it may be, and what a keyframe may name.
+
+use crate::scene::fields::{Field, field};
+use crate::scene::range::{Kind, Range};
+use crate::scene::value::Value;
 
 /// Most keyframes of a journey.
 pub(super) const MAX_KEYFRAMES: usize = 1000;
+/// Longest journey, in seconds.
+pub(super) const MAX_SECONDS: f64 = 86_400.0;
 
 /// What a keyframe may have: its name there, and the key of the field that says what it may be.
 /// The angles without a key may be of any number of turns here.
@@ -16,3 +22,15 @@ pub(super) const NAMES: [(&str, &str); 9] = [
     ("observer", "observer.kind"),
     ("velocity", "observer.velocity"),
 ];
+
+/// An angle of any number of turns, as a field that belongs to no scene.
+const ANY_ANGLE: Field = Field::new(
+    ("", Kind::Float(Range::FINITE), "of degrees", ""),
+    |_| Value::Float(0.0),
+    |_, _| false,
+);
+
+/// The field with this key; any angle for an empty one.
+pub(super) fn field_like(key: &str) -> &'static Field {
+    field(key).unwrap_or(&ANY_ANGLE)
+}

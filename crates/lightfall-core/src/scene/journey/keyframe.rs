@@ -1,23 +1,11 @@
 //! One keyframe of a journey: its values, each checked by the field that it will be written to.
 
 use super::error::JourneyError;
-use super::format::NAMES;
-use crate::scene::fields::{Field, field};
+use super::format::{MAX_SECONDS, NAMES, field_like};
 use crate::scene::from_toml::{float, given};
-use crate::scene::range::{Kind, Range};
 use crate::scene::value::{FieldValue, Value, shortened};
 use std::collections::BTreeMap;
 use toml::Table;
-
-/// Longest journey, in seconds.
-const MAX_LENGTH: f64 = 86_400.0;
-
-/// An angle of any number of turns, as a field that belongs to no scene.
-const ANY_ANGLE: Field = Field::new(
-    ("", Kind::Float(Range::FINITE), "of degrees", ""),
-    |_| Value::Float(0.0),
-    |_, _| false,
-);
 
 /// The values of a keyframe by their names.
 pub(super) type Values = BTreeMap<&'static str, Value>;
@@ -83,7 +71,7 @@ fn time(
     let seconds = time.and_then(float);
     let later = |seconds: f64| before.is_none_or(|last| seconds > last);
     if let Some(seconds) = seconds
-        && (0.0..=MAX_LENGTH).contains(&seconds)
+        && (0.0..=MAX_SECONDS).contains(&seconds)
         && later(seconds)
     {
         return Ok(seconds);
@@ -92,7 +80,7 @@ fn time(
         Some(last) if !seconds.is_some_and(later) => {
             format!("a number of seconds above {last}, the time of the keyframe before")
         }
-        _ => format!("a number of seconds from 0 to {MAX_LENGTH}"),
+        _ => format!("a number of seconds from 0 to {MAX_SECONDS}"),
     };
     Err(JourneyError::Time {
         origin: origin.into(),
@@ -117,7 +105,7 @@ fn checked(origin: &str, number: usize, frame: &Table) -> Result<Values, Journey
                 key: shortened(key),
             });
         };
-        let field = field(like).unwrap_or(&ANY_ANGLE);
+        let field = field_like(like);
         let refused = |given| JourneyError::Value {
             origin: origin.into(),
             number,

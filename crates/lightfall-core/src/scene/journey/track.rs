@@ -1,7 +1,7 @@
 //! One quantity along a journey.
 
-/// A function of time through given points: piecewise cubic, continuous with its slope, monotone
-/// where the points are, at rest before the first and after the last.
+/// A function of time through given points: piecewise cubic with a continuous slope, monotone where
+/// the points are monotone, and constant before the first point and after the last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
     knots: Vec<Knot>,
@@ -15,8 +15,7 @@ struct Knot {
 }
 
 impl Track {
-    /// The track through these points (time, value), in the order of their times, which differ;
-    /// none without a point.
+    /// The track through these points (time, value), whose times increase; none without a point.
     ///
     /// The slope at an inner point is the harmonic mean of the slopes on both sides, weighted by
     /// their lengths, and zero where these differ in sign (Fritsch & Butland 1984).
