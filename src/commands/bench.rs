@@ -1,4 +1,4 @@
-//! `lightfall bench`.
+//! `lightfall bench`: error against run time.
 
 use super::circumstances::circumstances;
 use super::cli::{BenchArgs, EntryArg};
@@ -8,16 +8,17 @@ use super::stop::Stop;
 use crate::picture;
 use glam::UVec2;
 use lightfall_core::gpu::Gpu;
-use lightfall_core::reports::bench::{
-    Circumstances, Measured, Plan, auto_margin, csv, json, markdown, plot,
-};
+use lightfall_core::reports::bench::{AutoMargin, Measurement, Plan, auto_margin, markdown, plot};
+use lightfall_core::reports::circumstances::Circumstances;
+use lightfall_core::reports::export::{csv, json};
 use lightfall_core::scene::{Method, Scene};
+use std::path::Path;
 
-/// Frames that a whole frame's time is the median of.
-const FRAMES: usize = 9;
+/// Number of frames that a whole frame's time is the median of.
+const TIMED_FRAMES: usize = 9;
 
-/// Measures, prints and writes.
-pub fn bench(args: &BenchArgs) -> Result<(), Stop> {
+/// Measures, and prints and writes the report.
+pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
     create_report_folder(args.out.as_deref())?;
     let gpu = Gpu::headless().map_err(Stop::without_device)?;
     let plan = args.plan();
@@ -51,57 +52,73 @@ pub fn bench(args: &BenchArgs) -> Result<(), Stop> {
         write_report(folder, "bench.csv", &csv(&circumstances, &rows))?;
         write_report(folder, "bench.json", &json)?;
         write_report(folder, "bench.md", &markdown)?;
-        for subject in &plan.subjects {
-            let about = format!("{}, {}", circumstances.size, circumstances.adapter);
-            if let Some(svg) = plot(&subject.name, &about, &rows).map_err(Stop::failed)? {
-                write_report(folder, &format!("{}.svg", subject.name), &svg)?;
-            }
-        }
+        write_plots(folder, &plan, &circumstances, &rows)?;
     }
-    for margin in plan
-        .subjects
-        .iter()
-        .filter_map(|subject| auto_margin(&rows, &subject.name))
-    {
-        let ahead = |ratio: f64, what: &str| {
-            if ratio.is_finite() {
-                format!("{ratio:.1} times as {what}")
-            } else {
-                format!("alone to be so {what}")
-            }
-        };
-        let verdict = if margin.holds() {
-            "on the front"
-        } else {
-            "NOT on the front"
-        };
-        eprintln!(
-            "{}: auto is {verdict}; beside other methods {} for its error, {} for its time",
-            margin.scene,
-            ahead(margin.faster, "fast"),
-            ahead(margin.more_exact, "exact")
-        );
+    for scene in &plan.scenes {
+        if let Some(margin) = auto_margin(&rows, &scene.name) {
+            print_margin(&margin);
+        }
     }
     print(if args.json { &json } else { &markdown })
 }
 
 /// Times the frame of each method at the scene's own setting, as the sum of its passes.
-fn time_frames(plan: &Plan, rows: &mut [Measured]) -> Result<(), Stop> {
+fn time_frames(plan: &Plan, rows: &mut [Measurement]) -> Result<(), Stop> {
     for row in rows.iter_mut().filter(|row| row.own_setting) {
-        let subject = plan
-            .subjects
-            .iter()
-            .find(|subject| subject.name == row.scene);
-        let Some((subject, method)) = subject.zip(Method::from_word(&row.method)) else {
+        let bench_scene = plan.scenes.iter().find(|scene| scene.name == row.scene);
+        let Some((bench_scene, method)) = bench_scene.zip(Method::from_word(&row.method)) else {
             continue;
         };
         let scene = Scene {
             method,
-            ..subject.scene.clone()
+            ..bench_scene.scene.clone()
         };
         let size = UVec2::new(scene.picture.width, scene.picture.height);
-        let (_, passes) = picture::render_timed(&scene, size, FRAMES).map_err(Stop::failed)?;
+        let (_, passes) =
+            picture::render_timed(&scene, size, TIMED_FRAMES).map_err(Stop::failed)?;
         row.frame_ms = (!passes.is_empty()).then(|| passes.iter().map(|pass| pass.median_ms).sum());
     }
     Ok(())
+}
+
+/// Writes one plot per scene.
+fn write_plots(
+    folder: &Path,
+    plan: &Plan,
+    circumstances: &Circumstances,
+    rows: &[Measurement],
+) -> Result<(), Stop> {
+    let about = format!("{}, {}", circumstances.size, circumstances.adapter);
+    for scene in &plan.scenes {
+        if let Some(svg) = plot(&scene.name, &about, rows).map_err(Stop::failed)? {
+            write_report(folder, &format!("{}.svg", scene.name), &svg)?;
+        }
+    }
+    Ok(())
+}
+
+/// Says on standard error whether `auto` is on the Pareto front of its scene.
+fn print_margin(margin: &AutoMargin) {
+    let verdict = if margin.holds() {
+        "on the front"
+    } else {
+        "NOT on the front"
+    };
+    let speed = if margin.faster.is_finite() {
+        format!(
+            "at its error it is {:.1} times as fast as the next method",
+            margin.faster
+        )
+    } else {
+        "no other method reaches its error".into()
+    };
+    let error = if margin.more_exact.is_finite() {
+        format!(
+            "at its speed it is {:.1} times as exact as the next method",
+            margin.more_exact
+        )
+    } else {
+        "no other method reaches its speed".into()
+    };
+    eprintln!("{}: auto is {verdict}; {speed}; {error}", margin.scene);
 }

@@ -1,7 +1,7 @@
 //! The circumstances of a measurement: machine, program and command line.
 
 use lightfall_core::gpu::Gpu;
-use lightfall_core::reports::bench::Circumstances;
+use lightfall_core::reports::circumstances::Circumstances;
 
 /// The circumstances of a report made now on this device.
 pub(super) fn circumstances(gpu: &Gpu, size: String, entry: &str) -> Circumstances {

@@ -1,4 +1,4 @@
-//! `lightfall extremes`.
+//! `lightfall extremes`: measures the matrix of hard places, or searches random scenes.
 
 use super::circumstances::circumstances;
 use super::cli::ExtremesArgs;
@@ -6,15 +6,17 @@ use super::output::{create_report_folder, print, write_report};
 use super::progress::progress;
 use super::stop::Stop;
 use lightfall_core::gpu::Gpu;
-use lightfall_core::reports::bench::{csv, json};
-use lightfall_core::reports::extremes::{Found, Hunt, cells, grid, markdown, run, verdicts};
+use lightfall_core::reports::export::{csv, json};
+use lightfall_core::reports::extremes::{
+    Hunt, WorstRay, cells, grid, markdown, measure_matrix, verdict_count,
+};
 use lightfall_core::scene::Method;
 
-/// The worst rays of a hunt that are told, whether they are within their bar or not.
-const TOLD: usize = 10;
+/// Number of scenes that a hunt lists even if their worst rays are within the tolerance.
+const MIN_LISTED: usize = 10;
 
-/// Measures the matrix, or hunts; prints and writes.
-pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
+/// Measures the matrix, or hunts. Prints and writes the result.
+pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     create_report_folder(args.out.as_deref())?;
     let gpu = Gpu::headless().map_err(Stop::without_device)?;
     if let Some(rays) = args.hunt {
@@ -33,11 +35,11 @@ pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
         args.methods.clone()
     };
     let bar = progress(1);
-    bar.set_message("looking for the shadows' edges");
+    bar.set_message("finding the edges of the shadows");
     bar.tick();
     let cells = if args.grid { grid } else { cells }(args.rays as usize);
-    bar.set_length(verdicts(&cells, &methods) as u64);
-    let measured = run(&gpu, &cells, &methods, |verdict| {
+    bar.set_length(verdict_count(&cells, &methods) as u64);
+    let measured = measure_matrix(&gpu, &cells, &methods, |verdict| {
         bar.set_message(format!(
             "{}: {}, {}",
             verdict.group, verdict.cell, verdict.method
@@ -55,70 +57,69 @@ pub fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
         write_report(folder, "extremes.md", &markdown)?;
     }
     print(if args.json { &json } else { &markdown })?;
-    let solved = |method: &str| {
+    let is_solved = |method: &str| {
+        // Mino at its tightest setting is called "mino, tightest".
         let word = method.split(',').next().unwrap_or_default();
         Method::from_word(word).is_some_and(|method| method.properties().answers_every_ray)
     };
-    let failing = verdicts
+    let solved: Vec<_> = verdicts
         .iter()
-        .filter(|verdict| solved(verdict.method) && !verdict.holds)
-        .count();
-    let own = verdicts
-        .iter()
-        .filter(|verdict| solved(verdict.method))
-        .count();
+        .filter(|verdict| is_solved(verdict.method))
+        .collect();
+    let failing = solved.iter().filter(|verdict| !verdict.holds).count();
     eprintln!(
-        "lightfall: closed and mino hold {} of their {own} cells",
-        own - failing
+        "lightfall: closed and mino hold {} of their {} cells",
+        solved.len() - failing,
+        solved.len()
     );
     if failing > 0 {
-        Err(Stop::failed(format!(
+        return Err(Stop::failed(format!(
             "cells that do not hold: {failing}; see the table"
-        )))
-    } else {
-        Ok(())
+        )));
     }
+    Ok(())
 }
 
 fn hunt(gpu: &Gpu, hunt: &Hunt, as_json: bool) -> Result<(), Stop> {
     let bar = progress(hunt.scenes());
     let mut worst = 0.0;
-    let found = hunt.run(gpu, |found| {
-        worst = f64::max(worst, found.excess);
-        bar.set_message(format!("the worst ray so far is at {worst:.2} of its bar"));
+    let rays = hunt.run(gpu, |ray| {
+        worst = f64::max(worst, ray.excess);
+        bar.set_message(format!(
+            "the worst ray so far is at {worst:.2} of its tolerance"
+        ));
         bar.inc(1);
     });
-    let found = found.map_err(Stop::failed)?;
+    let rays = rays.map_err(Stop::failed)?;
     bar.finish_and_clear();
-    let beyond: usize = found.iter().map(|found| found.beyond).sum();
-    let unexplained: usize = found.iter().map(|found| found.unexplained).sum();
-    let scenes = found.iter().filter(|found| found.beyond > 0).count();
+    let beyond: usize = rays.iter().map(|ray| ray.beyond).sum();
+    let unexplained: usize = rays.iter().map(|ray| ray.unexplained).sum();
+    let scenes = rays.iter().filter(|ray| ray.beyond > 0).count();
     eprintln!(
-        "lightfall: {} random scenes; rays beyond their bar: {beyond}, in {scenes} of the scenes; unexplained: {unexplained}",
-        found.len()
+        "lightfall: {} random scenes; rays beyond their tolerance: {beyond}, in {scenes} of the scenes; unexplained: {unexplained}",
+        rays.len()
     );
-    let told = &found[..found.len().min(TOLD.max(scenes))];
+    let listed = &rays[..rays.len().min(MIN_LISTED.max(scenes))];
     if as_json {
-        let rows = told.iter().map(|found| {
+        let rows = listed.iter().map(|ray| {
             serde_json::json!({
-                "backward": found.backward,
-                "excess": found.excess,
-                "verdict": found.verdict(),
-                "rays_beyond": found.beyond,
-                "rays_unexplained": found.unexplained,
-                "command": found.command(),
+                "backward": ray.backward,
+                "excess": ray.excess,
+                "verdict": ray.verdict(),
+                "rays_beyond": ray.beyond,
+                "rays_unexplained": ray.unexplained,
+                "command": ray.command(),
             })
         });
         print(&format!("{:#}\n", serde_json::Value::Array(rows.collect())))?;
     } else {
-        let line = |found: &Found| format!("# {}\n{}\n", found.verdict(), found.command());
-        print(&told.iter().map(line).collect::<String>())?;
+        let lines = |ray: &WorstRay| format!("# {}\n{}\n", ray.verdict(), ray.command());
+        print(&listed.iter().map(lines).collect::<String>())?;
     }
     if unexplained > 0 {
-        Err(Stop::failed(format!(
-            "rays beyond their bar that nothing explains: {unexplained}"
-        )))
-    } else {
-        Ok(())
+        return Err(Stop::failed(format!(
+            "rays beyond their tolerance that nothing explains: {unexplained}"
+        )));
     }
+    Ok(())
 }

@@ -1,112 +1,114 @@
-//! What `lightfall bench`, `lightfall extremes` and `lightfall doctor` are told.
+//! The arguments of `lightfall bench`, `lightfall extremes` and `lightfall doctor`.
 
+use super::size::size;
 use clap::{Args, ValueEnum};
 use glam::UVec2;
 use lightfall_core::gpu::timing::Stage;
-use lightfall_core::reports::bench::{Plan, Subject, subjects};
+use lightfall_core::reports::bench::{BenchScene, Plan, scenes};
 use lightfall_core::scene::{Method, presets};
 use std::path::PathBuf;
 
-/// What `lightfall bench` is told.
+/// The arguments of `lightfall bench`.
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Without --json a Markdown table goes to standard output. --out also writes bench.csv, bench.json, bench.md \
+    after_help = "Without --json, a Markdown table goes to standard output. --out also writes bench.csv, bench.json, bench.md \
                         and, for each scene, a plot SCENE.svg."
 )]
 pub struct BenchArgs {
     /// Scenes, by number or name, separated by commas; edge-on-spinning is preset 2 with hole.spin
     /// = 0.9 [default: all]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = subject)]
-    pub scenes: Vec<Subject>,
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = bench_scene)]
+    pub scenes: Vec<BenchScene>,
     /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace
     /// the scene]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = method)]
     pub methods: Vec<Method>,
-    /// Picture whose rays are timed [default: 1920x1080, with --quick 160x90]
-    #[arg(long, value_name = "WxH", value_parser = super::size::size)]
+    /// Size of the picture whose rays are timed [default: 1920x1080, with --quick 160x90]
+    #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<UVec2>,
-    /// Entry of the shader that is timed
+    /// Entry point of the shader that is timed
     #[arg(long, value_enum, default_value_t = EntryArg::Compute)]
     pub entry: EntryArg,
-    /// Rays whose error is measured in each scene [default: 8192, with --quick 512]
+    /// Number of rays whose error is measured in each scene [default: 8192, with --quick 512]
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(16..=1_000_000))]
     pub rays: Option<u32>,
-    /// Few settings, few rays, small pictures: under a minute even without a graphics card
+    /// Measure few settings with few rays and small pictures: takes less than a minute even without
+    /// a graphics card
     #[arg(long)]
     pub quick: bool,
-    /// Also time whole frames, each method at the scene's own setting
+    /// Also time whole frames, with each method at the scene's own setting
     #[arg(long)]
     pub frames: bool,
-    /// Folder for the reports; it is made, and files of the same names are replaced
+    /// Folder for the reports; it is created, and files of the same names are replaced
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// JSON on standard output
+    /// Print JSON to standard output
     #[arg(long)]
     pub json: bool,
 }
 
-/// The entry of the shader that is timed.
+/// The entry point of the shader that is timed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum EntryArg {
-    /// The compute entry: fair between methods on every chip
+    /// The compute entry: compares methods fairly on every device
     Compute,
     /// The fragment entry, as in pictures
     Fragment,
 }
 
-/// What `lightfall extremes` is told.
+/// The arguments of `lightfall extremes`.
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Without --json a Markdown table goes to standard output. --out also writes extremes.csv, extremes.json and \
+    after_help = "Without --json, a Markdown table goes to standard output. --out also writes extremes.csv, extremes.json and \
                         extremes.md. The exit status is 1 if closed or mino does not hold a cell, or if a \
-                        hunt finds a ray beyond its bar that nothing explains."
+                        hunt finds a ray beyond its tolerance that nothing explains."
 )]
 pub struct ExtremesArgs {
     /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace
     /// the scene]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = method)]
     pub methods: Vec<Method>,
-    /// Rays of a cell, from 16
+    /// Number of rays of each cell, at least 16
     #[arg(long, value_name = "N", default_value_t = 96, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(16..=100_000))]
     pub rays: u32,
-    /// Instead of the extremes: a grid of ordinary places, of spins, radii and inclinations
+    /// Measure a grid of ordinary spins, radii and inclinations instead of the extremes
     #[arg(long, conflicts_with = "hunt")]
     pub grid: bool,
-    /// Instead of the matrix: trace N rays through random scenes by `auto`'s methods, and tell the
-    /// worst; 2000 a scene
+    /// Instead of the matrix, trace N rays through random scenes with `auto`'s methods, 2000 rays a
+    /// scene, and list the worst rays
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=100_000_000))]
     pub hunt: Option<u32>,
-    /// Where the random numbers of the hunt begin: the same seed finds the same rays
+    /// Seed of the hunt's random numbers: the same seed finds the same rays
     #[arg(long, value_name = "SEED", default_value_t = 1, requires = "hunt")]
     pub seed: u64,
-    /// Folder for the reports; it is made, and files of the same names are replaced
+    /// Folder for the reports; it is created, and files of the same names are replaced
     #[arg(long, value_name = "DIR", conflicts_with = "hunt")]
     pub out: Option<PathBuf>,
-    /// JSON on standard output
+    /// Print JSON to standard output
     #[arg(long)]
     pub json: bool,
 }
 
-/// What `lightfall doctor` is told.
+/// The arguments of `lightfall doctor`.
 #[derive(Debug, Args)]
 #[command(
-    after_help = "The self-test traces rays of presets 2 and 8 as pictures are traced and holds them against the f64 reference; \
-                        docs/ACCURACY.md says what is stated of them. Nothing is changed. The exit status is 1 if something \
-                        that is needed does not work; the report says what, and what to do."
+    after_help = "The self-test traces rays of presets 2 and 8 as pictures do and compares them with the f64 reference; \
+                        docs/ACCURACY.md states the errors that they must stay below. Nothing on the machine is changed. The exit status is 1 \
+                        if something that is needed does not work; the report says what it is and what to do."
 )]
 pub struct DoctorArgs {
-    /// JSON on standard output
+    /// Print JSON to standard output
     #[arg(long)]
     pub json: bool,
 }
 
 impl BenchArgs {
-    /// The plan that these ask for.
+    /// The plan that these arguments describe.
     #[must_use]
     pub fn plan(&self) -> Plan {
         let mut plan = Plan::new(self.quick);
         if !self.scenes.is_empty() {
-            plan.subjects.clone_from(&self.scenes);
+            plan.scenes.clone_from(&self.scenes);
         }
         if !self.methods.is_empty() {
             plan.methods.clone_from(&self.methods);
@@ -121,22 +123,22 @@ impl BenchArgs {
     }
 }
 
-/// A scene of the program by number or name.
-fn subject(text: &str) -> Result<Subject, String> {
+/// Reads a scene's number or name.
+fn bench_scene(text: &str) -> Result<BenchScene, String> {
     let name = presets::find(text).map_or(text, |preset| preset.name);
-    let all = subjects();
-    let names: Vec<&str> = all.iter().map(|subject| subject.name.as_str()).collect();
+    let all = scenes();
+    let names: Vec<&str> = all.iter().map(|scene| scene.name.as_str()).collect();
     let message = format!(
         "the scenes are the presets 1 to {}: {}",
         presets::PRESETS.len(),
         names.join(", ")
     );
     all.into_iter()
-        .find(|subject| subject.name == name)
+        .find(|scene| scene.name == name)
         .ok_or(message)
 }
 
-/// A method that runs on the GPU.
+/// Reads the name of a method that runs on the GPU.
 fn method(text: &str) -> Result<Method, String> {
     let methods = Method::on_gpu();
     let found = methods.iter().find(|method| method.word() == text).copied();

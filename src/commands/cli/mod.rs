@@ -16,16 +16,16 @@ use std::path::PathBuf;
 const EXAMPLES: &str = "\
 Examples:
   lightfall                                      fly, from preset 2
-  lightfall --preset einstein-ring               fly, from another place
+  lightfall --preset einstein-ring               fly, from another preset
   lightfall render --preset 2 -o disk.png        one picture
-  lightfall render --preset 2 --aov all -o disk.exr     linear light, and what each pixel's ray tells
+  lightfall render --preset 2 --aov all -o disk.exr     linear light, and the data of each pixel's ray
   lightfall render --frames 0..299 -o flight-####.png   ten seconds of the built-in journey
   lightfall render --set camera.r=8 --set camera.theta_deg=60 --set sky.mode=grid -o near.png
   echo 0,0,1 | lightfall trace --rays - --device cpu
   lightfall presets show 2                       every field, with its meaning and range
 
 Lengths are in Schwarzschild radii, angles in degrees. Results go to standard output, everything else to standard
-error. Exit status: 0 all done, 2 a bad command line, preset, journey or file of rays, 1 any other failure.";
+error. Exit status: 0 everything was done, 2 a bad command line, preset, journey or file of rays, 1 any other failure.";
 
 /// The text below the help: examples and, in a build without gamepads, a note.
 fn after_help() -> String {
@@ -36,8 +36,8 @@ fn after_help() -> String {
         .join("\n\n")
 }
 
-// The whole command line, as it is written; `read` makes a `Command` of it. No doc comment: clap
-// would print it.
+// The whole command line as it is written, from which `read` makes a `Command`. This is no doc
+// comment because clap would print it.
 #[derive(Debug, Parser)]
 #[command(name = "lightfall", version, about, after_help = after_help())]
 struct Cli {
@@ -46,51 +46,51 @@ struct Cli {
     #[command(flatten)]
     gpu: GpuArgs,
     /// Fly a guided journey at once, from a TOML file of keyframes; assets/journeys/default.toml is
-    /// a pattern, and what J flies otherwise
+    /// an example, and the journey that J flies by default
     #[arg(long, value_name = "FILE", help_heading = "Scene")]
     journey: Option<PathBuf>,
     #[command(subcommand)]
     command: Option<Command>,
 }
 
-/// What is asked for.
+/// A command with its arguments.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Fly: what happens without a command.
+    /// Fly: the command line has no command.
     #[command(skip)]
     Fly(FlyArgs),
-    /// List graphics adapters: what `--list-gpus` asks for.
+    /// List the graphics adapters: the option `--list-gpus`.
     #[command(skip)]
     ListGpus,
-    /// Render a picture, or a journey as a sequence of them, without a window.
+    /// Render a picture, or a journey as a sequence of pictures, without a window.
     Render(RenderArgs),
-    /// Trace rays, CSV in and CSV out.
+    /// Trace rays: CSV in, CSV out.
     #[command(
-        after_help = "A ray is a line er,etheta,ephi: the looking direction on the observer's axes, outward, toward \
-                            growing theta, toward growing phi, of any length but zero. A header line is optional.\n\nOne line a \
-                            ray: outcome (sky, captured, unfinished); sky_*, the unit vector toward the source at \
-                            infinity in the hole's frame, z along the disk normal, the camera at azimuth \
-                            camera.phi_deg; hit*_r in r_s, hit*_phi in radians and hit*_g, observed over emitted \
+        after_help = "A ray is a line er,etheta,ephi: the looking direction on the observer's axes (outward, toward \
+                            increasing theta, toward increasing phi), of any nonzero length. A header line is optional.\n\nThe output has one \
+                            line per ray: outcome (sky, captured or unfinished); sky_*, the unit vector toward the source at \
+                            infinity in the hole's frame, with z along the disk normal and the camera at azimuth \
+                            camera.phi_deg; hit*_r in r_s, hit*_phi in radians and hit*_g, the observed over the emitted \
                             frequency, of the first two crossings of the disk's annulus along the backward ray; steps; \
-                            residual, the largest normalized residual of the null condition. What there is not is \
-                            empty. The CPU always answers by the f64 reference, for any method and spin."
+                            residual, the largest normalized residual of the null condition. Missing values are \
+                            empty. The CPU always uses the f64 reference, for any method and spin."
     )]
     Trace(TraceArgs),
-    /// Measure error against run time, for each scene, method and setting.
+    /// Measure error and run time, for each scene, method and setting.
     Bench(BenchArgs),
-    /// Measure where methods break, in the hardest places.
+    /// Measure the errors of methods in the hardest places.
     Extremes(ExtremesArgs),
-    /// Say what this machine is and whether the program runs well on it.
+    /// Report what this machine offers and whether the program runs well on it.
     Doctor(DoctorArgs),
     /// List, show or check presets.
     #[command(subcommand)]
     Presets(PresetsCommand),
 }
 
-/// Reads the command line. Scene options may stand before the command's name or after it.
+/// Reads the command line. Scene options may precede the command's name or follow it.
 ///
 /// # Errors
-/// Clap's, with its own text and exit status; a request for help or the version is one of them,
+/// clap's error, with its text and exit status. A request for help or for the version is an error
 /// with status 0.
 pub fn read<I: IntoIterator<Item: Into<OsString> + Clone>>(
     args: I,
@@ -98,7 +98,7 @@ pub fn read<I: IntoIterator<Item: Into<OsString> + Clone>>(
     read_all(args).map(|(_, command)| command)
 }
 
-/// As [`read`], with the graphics adapter that is meant.
+/// As [`read`], and returns the options of the graphics adapter as well.
 ///
 /// # Errors
 /// As [`read`].
@@ -114,13 +114,13 @@ pub fn read_all<I: IntoIterator<Item: Into<OsString> + Clone>>(
     let command = if gpu.list_gpus {
         Command::ListGpus
     } else {
-        asked(scene, journey, command)?
+        with_options(scene, journey, command)?
     };
     Ok((gpu, command))
 }
 
-/// The command, with the scene options that stand before it.
-fn asked(
+/// The command with the options that precede it.
+fn with_options(
     before: SceneArgs,
     journey: Option<PathBuf>,
     command: Option<Command>,

@@ -1,4 +1,4 @@
-//! Sizes on the command line.
+//! Sizes in pixels.
 
 use glam::UVec2;
 use lightfall_core::scene::MAX_PICTURE_SIDE;

@@ -1,22 +1,24 @@
-//! What this machine is, and whether the program will run well on it.
+//! What this machine offers, and whether the program will run well on it.
 
-use super::{Folder, SettingsFile, System, Trial, places};
+use super::places::{Folder, SettingsFile, folders};
+use super::self_test::SelfTest;
+use super::system::System;
 
 use lightfall_core::gpu::{AdapterName, Gpu, GpuError, Listed, adapters};
 use lightfall_core::scene::presets;
 use serde::Serialize;
 
-/// The presets that are traced in the self-test: one without spin, and the one with the fastest.
-pub const TRIALS: [&str; 2] = ["edge-on", "extremal"];
+/// The presets of the self-test: one without spin, and the one with the fastest spin.
+pub const SELF_TEST_PRESETS: [&str; 2] = ["edge-on", "extremal"];
 
-/// Time in which the rays of the picture should be traced, in milliseconds: a frame of the rate
-/// that the window holds.
-const FLUENT_MS: f64 = 33.0;
+/// Maximum time of tracing a picture's rays for fluent motion, in milliseconds: one frame at the
+/// frame rate that the window aims for.
+const MAX_FRAME_MS: f64 = 33.0;
 
-/// All that is found out about a machine.
+/// The report on a machine.
 #[derive(Clone, Debug, Serialize)]
 pub struct Diagnosis {
-    /// Of the program.
+    /// Version of the program.
     pub version: &'static str,
     /// The computer.
     pub system: System,
@@ -24,47 +26,47 @@ pub struct Diagnosis {
     pub gamepads: bool,
     /// Every graphics adapter.
     pub adapters: Vec<Adapter>,
-    /// The file of settings.
+    /// The settings file.
     pub settings: SettingsFile,
-    /// The folders that are written to.
+    /// The folders that the program writes to.
     pub folders: Vec<Folder>,
-    /// Rays that were traced on the adapter in use, held against the f64 reference.
-    pub trials: Vec<Trial>,
-    /// What is needed and does not work, each a sentence with what to do.
+    /// The self-test on the adapter in use.
+    #[serde(rename = "trials")]
+    pub self_tests: Vec<SelfTest>,
+    /// Things that are needed and do not work, each a sentence that says what to do.
     pub faults: Vec<String>,
-    /// What works and could be better, likewise.
+    /// Things that work and could be better, each a sentence.
     pub remarks: Vec<String>,
 }
 
 /// A graphics adapter.
 #[derive(Clone, Debug, Serialize)]
 pub struct Adapter {
-    /// As its driver calls it.
+    /// The name that its driver gives.
     pub name: String,
-    /// The interface that it is reached through.
+    /// Its graphics interface.
     pub backend: String,
     /// Software, integrated and so on.
     pub kind: &'static str,
     /// Its driver, with the version.
     pub driver: String,
-    /// Whether it is the one that commands use.
+    /// Whether commands use this adapter.
     pub used: bool,
-    /// Whether it can tell how long passes take.
+    /// Whether it can measure the duration of passes.
     pub timestamps: bool,
-    /// Longest side of a texture, in pixels.
+    /// Maximum side of a texture, in pixels.
     pub longest_texture_side: u32,
-    /// Largest storage buffer that a shader can see, in bytes.
+    /// Maximum size of a shader's storage buffer, in bytes.
     pub largest_storage_buffer: u64,
-    /// Its limits that are less than what the passes may count on, each with what there is and what
-    /// there should be.
+    /// Its limits that are smaller than those the passes rely on, each with both values.
     pub too_small: Vec<String>,
 }
 
 impl Diagnosis {
-    /// Looks at everything. `gpu` is the device that commands use, or why there is none; `next` is
-    /// told of each self-test before it begins.
+    /// Examines the machine. `gpu` is the device that commands use, or the reason why there is
+    /// none. `next` is called with the preset of each self-test before the test.
     #[must_use]
-    pub fn of(gpu: Result<Gpu, GpuError>, mut next: impl FnMut(&str)) -> Self {
+    pub fn new(gpu: Result<Gpu, GpuError>, mut next: impl FnMut(&str)) -> Self {
         let used = gpu.as_ref().ok().map(|gpu| AdapterName::of(&gpu.info));
         let mut diagnosis = Self {
             version: env!("CARGO_PKG_VERSION"),
@@ -75,26 +77,26 @@ impl Diagnosis {
                 .map(|listed| Adapter::new(listed, used.as_ref()))
                 .collect(),
             settings: SettingsFile::here(),
-            folders: places::folders(),
-            trials: Vec::new(),
+            folders: folders(),
+            self_tests: Vec::new(),
             faults: Vec::new(),
             remarks: Vec::new(),
         };
         match gpu {
-            Ok(gpu) => diagnosis.trace(&gpu, &mut next),
+            Ok(gpu) => diagnosis.run_self_tests(&gpu, &mut next),
             Err(error) => diagnosis.faults.push(error.to_string()),
         }
-        diagnosis.judge();
+        diagnosis.add_faults_and_remarks();
         diagnosis
     }
 
-    /// Whether all that is needed works.
+    /// Whether everything that is needed works.
     #[must_use]
     pub fn is_well(&self) -> bool {
         self.faults.is_empty()
     }
 
-    /// For programs.
+    /// The report as JSON, for programs.
     #[must_use]
     pub fn json(&self) -> String {
         let mut all = serde_json::json!({ "well": self.is_well() });
@@ -106,21 +108,20 @@ impl Diagnosis {
         format!("{all:#}\n")
     }
 
-    /// The self-test.
-    fn trace(&mut self, gpu: &Gpu, next: &mut impl FnMut(&str)) {
-        for name in TRIALS {
+    fn run_self_tests(&mut self, gpu: &Gpu, next: &mut impl FnMut(&str)) {
+        for name in SELF_TEST_PRESETS {
             next(name);
             let Some(Ok(scene)) = presets::find(name).map(|preset| preset.scene(&[])) else {
                 continue;
             };
-            match Trial::of(gpu, name, &scene) {
-                Ok(trial) => {
-                    if let Some(fault) = trial.fault() {
+            match SelfTest::run(gpu, name, &scene) {
+                Ok(test) => {
+                    if let Some(fault) = test.fault() {
                         self.faults.push(format!(
                             "{fault}; try another driver, or another adapter with --gpu"
                         ));
                     }
-                    self.trials.push(trial);
+                    self.self_tests.push(test);
                 }
                 Err(error) => {
                     self.faults
@@ -130,8 +131,8 @@ impl Diagnosis {
         }
     }
 
-    /// Faults and remarks of all but the self-test.
-    fn judge(&mut self) {
+    /// Adds the faults and remarks about everything but the self-test.
+    fn add_faults_and_remarks(&mut self) {
         self.faults.extend(self.settings.fault());
         self.faults
             .extend(self.folders.iter().filter_map(Folder::fault));
@@ -141,14 +142,14 @@ impl Diagnosis {
             .filter(|adapter| adapter.used && !adapter.too_small.is_empty());
         self.remarks.extend(too_small.map(|adapter| {
             format!(
-                "{} offers less than the passes may count on: {}",
+                "{} has smaller limits than the passes rely on: {}",
                 adapter.name,
                 adapter.too_small.join(", ")
             )
         }));
         if let Some(missing) = &self.system.no_display {
             self.remarks.push(format!(
-                "there is no display ({missing}): `lightfall` draws a PNG instead of flying"
+                "there is no display ({missing}), so `lightfall` draws a PNG instead of flying"
             ));
         }
         if self
@@ -157,27 +158,27 @@ impl Diagnosis {
             .any(|adapter| adapter.used && adapter.kind == "software")
         {
             self.remarks
-                .push("pictures are drawn in software: a graphics card with its Vulkan driver is far faster".into());
+                .push("pictures are drawn in software; a graphics card with a Vulkan driver is far faster".into());
         }
         let wanted = self.settings.adapter.as_ref();
-        let there = |wanted: &AdapterName| {
+        let is_present = |wanted: &AdapterName| {
             self.adapters
                 .iter()
                 .any(|it| (&it.name, &it.backend) == (&wanted.name, &wanted.backend))
         };
-        if let Some(gone) = wanted.filter(|wanted| !there(wanted)) {
+        if let Some(missing) = wanted.filter(|wanted| !is_present(wanted)) {
             self.remarks.push(format!(
-                "the settings name {gone} for the window, which is not there: the best one is used"
+                "the settings choose {missing} for the window, which does not exist here; the best adapter is used instead"
             ));
         }
         if let Some(frame) = self
-            .trials
+            .self_tests
             .first()
-            .map(Trial::frame_ms)
-            .filter(|time| *time > FLUENT_MS)
+            .map(SelfTest::frame_ms)
+            .filter(|time| *time > MAX_FRAME_MS)
         {
             self.remarks.push(format!(
-                "tracing a picture of 960x540 takes {frame:.0} ms: the window draws fewer pixels while something moves"
+                "tracing a picture of 960x540 takes {frame:.0} ms, so the window draws fewer pixels while something moves"
             ));
         }
         if !self.gamepads {
@@ -198,12 +199,12 @@ impl Adapter {
             limits,
         } = listed;
         let mut too_small = Vec::new();
-        // What WebGPU promises everywhere, and the passes therefore take for granted.
+        // The passes rely on the limits that WebGPU guarantees everywhere.
         wgpu::Limits::default().check_limits_with_fail_fn(
             &limits,
             false,
-            |limit, needed, there| {
-                too_small.push(format!("{limit} is {there}, not {needed}"));
+            |limit, needed, available| {
+                too_small.push(format!("{limit} is {available}, not {needed}"));
             },
         );
         Self {

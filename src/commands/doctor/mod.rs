@@ -1,15 +1,15 @@
-//! `lightfall doctor`.
+//! `lightfall doctor`: a report on this machine, and a self-test.
 
 mod diagnosis;
 mod places;
+mod self_test;
 mod system;
 mod text;
-mod trial;
 
-pub use diagnosis::{Adapter, Diagnosis, TRIALS};
+pub use diagnosis::{Adapter, Diagnosis, SELF_TEST_PRESETS};
 pub use places::{Folder, SettingsFile};
+pub use self_test::{SelfTest, StatedErrors, measure_errors};
 pub use system::System;
-pub use trial::{Stated, Trial, errors};
 
 use super::cli::DoctorArgs;
 use super::output::print;
@@ -17,14 +17,14 @@ use super::progress::progress;
 use crate::commands::stop::Stop;
 use lightfall_core::gpu::{Gpu, GpuError};
 
-/// Looks, and prints what there is and what to do.
+/// Examines the machine and prints the report.
 pub(super) fn doctor(args: &DoctorArgs) -> Result<(), Stop> {
     let gpu = Gpu::headless();
     if let Err(error @ (GpuError::UnknownAdapter { .. } | GpuError::UnknownBackend { .. })) = gpu {
         return Err(Stop::without_device(error));
     }
-    let bar = progress(TRIALS.len());
-    let diagnosis = Diagnosis::of(gpu, |scene| {
+    let bar = progress(SELF_TEST_PRESETS.len());
+    let diagnosis = Diagnosis::new(gpu, |scene| {
         bar.set_message(format!("self-test {scene}"));
         bar.inc(1);
     });

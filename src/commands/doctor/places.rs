@@ -1,4 +1,5 @@
-//! Where the program writes, and whether it can; nothing is changed by looking.
+//! The files and folders that the program writes, and whether it can write them. Examining them
+//! changes nothing.
 
 use crate::app::Settings;
 use crate::storage::{check_folder_writable, pictures_folder, presets_folder, settings_file};
@@ -6,34 +7,34 @@ use lightfall_core::gpu::AdapterName;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// The file of settings.
+/// The settings file.
 #[derive(Clone, Debug, Serialize)]
 pub struct SettingsFile {
-    /// Where it is; none on a system without such a place.
+    /// Its path, or `None` on a system that has no folder for settings.
     pub path: Option<PathBuf>,
-    /// Whether there is one. Without it the defaults serve.
+    /// Whether it exists. Without it, the default settings are used.
     pub exists: bool,
-    /// What is wrong with it.
+    /// What is wrong with it, if anything is.
     pub wrong: Option<String>,
-    /// The adapter that it names for the window.
+    /// The adapter that it chooses for the window.
     pub adapter: Option<AdapterName>,
 }
 
-/// A folder that is written to.
+/// A folder that the program writes to.
 #[derive(Clone, Debug, Serialize)]
 pub struct Folder {
-    /// What is kept there.
+    /// What the folder holds.
     pub holds: &'static str,
-    /// Where it is; none on a system without such a place.
+    /// Its path, or `None` on a system that has no folder for settings.
     pub path: Option<PathBuf>,
-    /// Whether it is there already; if not, it is made when it is needed.
+    /// Whether it exists. If not, it is created when it is needed.
     pub exists: bool,
-    /// Why it cannot be written.
+    /// Why it cannot be written, if that is so.
     pub wrong: Option<String>,
 }
 
 impl SettingsFile {
-    /// That of this user.
+    /// Examines the settings file of this user.
     #[must_use]
     pub fn here() -> Self {
         let path = settings_file();
@@ -49,28 +50,28 @@ impl SettingsFile {
         }
     }
 
-    /// What is wrong, with what to do.
+    /// A sentence that says what is wrong and what to do.
     pub(super) fn fault(&self) -> Option<String> {
         let (path, wrong) = (self.path.as_ref()?, self.wrong.as_ref()?);
         Some(format!(
-            "{}: {wrong}; mend or remove it, or the next flight sets it aside and takes the defaults",
+            "{}: {wrong}; mend or remove it, or the next flight renames it and uses the default settings",
             path.display()
         ))
     }
 }
 
 impl Folder {
-    /// What is wrong, with what to do.
+    /// A sentence that says what is wrong and what to do.
     pub(super) fn fault(&self) -> Option<String> {
         let (path, wrong, holds) = (self.path.as_ref()?, self.wrong.as_ref()?, self.holds);
         Some(format!(
-            "{}: {wrong}, so no {holds} can be kept; make it a folder that you may write to",
+            "{}: {wrong}, so no {holds} can be saved; make it a folder that you may write to",
             path.display()
         ))
     }
 }
 
-/// The folders that the program writes to by itself.
+/// Examines the folders that the program writes to without being told.
 pub(super) fn folders() -> Vec<Folder> {
     let settings = settings_file().and_then(|file| Some(file.parent()?.to_owned()));
     let all = [
@@ -80,7 +81,7 @@ pub(super) fn folders() -> Vec<Folder> {
     ];
     all.map(|(holds, path)| {
         let exists = path.as_ref().is_some_and(|path| path.is_dir());
-        let wrong = path.as_ref().and_then(|path| try_to_write(path).err());
+        let wrong = path.as_ref().and_then(|path| check_writable(path).err());
         Folder {
             holds,
             path,
@@ -91,15 +92,15 @@ pub(super) fn folders() -> Vec<Folder> {
     .into()
 }
 
-/// Whether files can be made in a folder or, where there is none yet, in the one in which it would
-/// be made.
-fn try_to_write(folder: &Path) -> Result<(), String> {
-    let there = folder
+/// Checks that files can be created in a folder or, if it does not exist yet, in the folder in
+/// which it would be created.
+fn check_writable(folder: &Path) -> Result<(), String> {
+    let existing = folder
         .ancestors()
         .find(|part| part.exists())
         .unwrap_or(Path::new("."));
-    if !there.is_dir() {
-        return Err(format!("{} is a file and no folder", there.display()));
+    if !existing.is_dir() {
+        return Err(format!("{} is a file and no folder", existing.display()));
     }
-    check_folder_writable(there).map_err(|error| format!("cannot be written ({})", error.kind()))
+    check_folder_writable(existing).map_err(|error| format!("cannot be written ({})", error.kind()))
 }

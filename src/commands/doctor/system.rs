@@ -10,20 +10,20 @@ use std::thread::available_parallelism;
 /// The computer.
 #[derive(Clone, Debug, Serialize)]
 pub struct System {
-    /// Operating system, with its version where it tells.
+    /// Operating system, with its version if that is known.
     pub os: String,
-    /// Kind of processor.
+    /// Architecture of the processor.
     pub architecture: &'static str,
-    /// Processor cores that the program may use.
+    /// Number of processor cores that the program may use.
     pub cores: usize,
-    /// The display server, if one answers.
+    /// The display server, if one responds.
     pub display: Option<String>,
-    /// Why none does.
+    /// Why there is no display, if there is none.
     pub no_display: Option<String>,
 }
 
 impl System {
-    /// This one.
+    /// Examines this computer.
     #[must_use]
     pub fn here() -> Self {
         let (display, no_display) = match display() {
@@ -40,7 +40,7 @@ impl System {
     }
 }
 
-/// The operating system. Linux tells its distribution in /etc/os-release (freedesktop.org), and its
+/// The operating system. On Linux: the distribution from /etc/os-release (freedesktop.org) and the
 /// kernel's version.
 fn os() -> String {
     let release = read_to_string("/etc/os-release").unwrap_or_default();

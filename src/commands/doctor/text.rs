@@ -1,16 +1,18 @@
-//! The diagnosis for people: a name and what is found, line by line.
+//! The report as text for people: lines with a name and a finding.
 
-use super::{Adapter, Diagnosis, Folder, Trial};
-use lightfall_core::reports::bench::short;
+use super::diagnosis::{Adapter, Diagnosis};
+use super::places::Folder;
+use super::self_test::SelfTest;
+use lightfall_core::reports::numbers::short_number;
 use std::fmt::{Display, Formatter, Result};
 use std::path::Path;
 
-/// Width of the names.
-const NAME: usize = 12;
+/// Width of the column of names, in characters.
+const NAME_WIDTH: usize = 12;
 
 impl Display for Diagnosis {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let mut line = |name: &str, found: &str| writeln!(f, "{name:NAME$}{found}");
+        let mut line = |name: &str, found: &str| writeln!(f, "{name:NAME_WIDTH$}{found}");
         line("lightfall", self.version)?;
         let system = &self.system;
         line(
@@ -45,9 +47,9 @@ impl Display for Diagnosis {
         for folder in &self.folders {
             line(&format!("  {}", folder.holds), &folder.to_string())?;
         }
-        for trial in &self.trials {
-            line("self-test", &trial.to_string())?;
-            line("", &trial.speed())?;
+        for test in &self.self_tests {
+            line("self-test", &test.to_string())?;
+            line("", &test.speed())?;
         }
         for (heading, sentences) in [("Remarks:", &self.remarks), ("Not well:", &self.faults)] {
             if !sentences.is_empty() {
@@ -58,7 +60,7 @@ impl Display for Diagnosis {
             }
         }
         if self.is_well() {
-            writeln!(f, "\nAll that is needed works.")
+            writeln!(f, "\nEverything that is needed works.")
         } else {
             Ok(())
         }
@@ -69,11 +71,11 @@ impl Diagnosis {
     fn settings_line(&self) -> String {
         let settings = &self.settings;
         let state = match (settings.exists, &settings.wrong) {
-            (_, Some(_)) => "not sound, see below",
-            (true, None) => "sound",
-            (false, None) => "none yet, the defaults serve",
+            (_, Some(_)) => "has a fault, see below",
+            (true, None) => "valid",
+            (false, None) => "does not exist yet, the defaults are used",
         };
-        format!("{}: {state}", shown(settings.path.as_deref()))
+        format!("{}: {state}", path_text(settings.path.as_deref()))
     }
 }
 
@@ -97,9 +99,9 @@ impl Adapter {
         };
         let buffers = self.largest_storage_buffer >> 20;
         let limits = if self.too_small.is_empty() {
-            "limits suffice"
+            "limits are sufficient"
         } else {
-            "limits too small, see below"
+            "limits are too small, see below"
         };
         format!(
             "textures to {0} x {0}, storage buffers to {buffers} MiB, {timestamps}; {limits}",
@@ -113,13 +115,13 @@ impl Display for Folder {
         let state = match (self.exists, &self.wrong) {
             (_, Some(wrong)) => wrong,
             (true, None) => "can be written",
-            (false, None) => "not there yet, can be made",
+            (false, None) => "does not exist yet, can be created",
         };
-        write!(f, "{}: {state}", shown(self.path.as_deref()))
+        write!(f, "{}: {state}", path_text(self.path.as_deref()))
     }
 }
 
-impl Display for Trial {
+impl Display for SelfTest {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let verdict = if self.holds {
             "as stated"
@@ -132,28 +134,28 @@ impl Display for Trial {
             self.scene,
             self.method,
             self.rays,
-            short(self.backward_max_px),
-            short(self.backward_max),
-            short(self.backward_p99)
+            short_number(self.backward_max_px),
+            short_number(self.backward_max),
+            short_number(self.backward_p99)
         )
     }
 }
 
-impl Trial {
+impl SelfTest {
     fn speed(&self) -> String {
         let by = if self.clock == "timestamps" {
             "the GPU's timestamps"
         } else {
-            "the clock on the wall"
+            "the CPU's clock"
         };
         format!(
             "1920x1080 rays in {} ms by {by}",
-            short(self.trace_ms_1920x1080)
+            short_number(self.trace_ms_1920x1080)
         )
     }
 }
 
-fn shown(path: Option<&Path>) -> String {
+fn path_text(path: Option<&Path>) -> String {
     path.map_or("no place on this system".into(), |path| {
         path.display().to_string()
     })

@@ -2,6 +2,7 @@
 //! WGSL is `Trace` in shaders/scene.wgsl.
 
 use glam::DVec3;
+use serde::{Serialize, Serializer};
 
 /// Where a backward ray ends. Shaders and EXR pictures number the outcomes from 0, in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -12,6 +13,27 @@ pub enum Outcome {
     Captured,
     /// The method gave up; the end of the ray is unknown.
     Unfinished,
+}
+
+impl Outcome {
+    /// Every outcome, in the order of their numbers.
+    pub const ALL: [Self; 3] = [Self::Sky, Self::Captured, Self::Unfinished];
+
+    /// The outcome's name in files and reports.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Sky => "sky",
+            Self::Captured => "captured",
+            Self::Unfinished => "unfinished",
+        }
+    }
+}
+
+impl Serialize for Outcome {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.word())
+    }
 }
 
 /// One crossing of the disk's annulus.

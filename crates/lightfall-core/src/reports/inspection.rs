@@ -79,7 +79,7 @@ pub struct Difference {
     reason = "`lightfall trace --help` says what each field means"
 )]
 pub struct Record {
-    pub outcome: &'static str,
+    pub outcome: Outcome,
     pub sky_x: Option<f64>,
     pub sky_y: Option<f64>,
     pub sky_z: Option<f64>,
@@ -98,11 +98,7 @@ impl From<&Trace> for Record {
         let [first, second] = trace.hits;
         let of = |hit: Option<Hit>, part: fn(Hit) -> f64| hit.map(part);
         Self {
-            outcome: match trace.outcome {
-                Outcome::Sky => "sky",
-                Outcome::Captured => "captured",
-                Outcome::Unfinished => "unfinished",
-            },
+            outcome: trace.outcome,
             sky_x: trace.sky.map(|sky| sky.x),
             sky_y: trace.sky.map(|sky| sky.y),
             sky_z: trace.sky.map(|sky| sky.z),

@@ -1,7 +1,10 @@
-//! Reports: what was computed, in forms that other programs read.
+//! Reports: measurements and traces in forms that people and other programs read.
 
 pub mod bench;
+pub mod circumstances;
+pub mod export;
 pub mod extremes;
 pub mod inspection;
+pub mod numbers;
 pub mod rays;
 pub mod steps;

@@ -10,7 +10,7 @@ use std::io::{self, BufRead, Read, Write};
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::optics::trace::{Outcome, Trace};
+use crate::optics::trace::Trace;
 
 /// The columns of a ray.
 const COLUMNS: [&str; 3] = ["er", "etheta", "ephi"];
@@ -239,17 +239,12 @@ impl<W: Write> TraceWriter<W> {
     /// # ErrorSummary
     /// The writer's own.
     pub fn write(&mut self, trace: &Trace) -> io::Result<()> {
-        let outcome = match trace.outcome {
-            Outcome::Sky => "sky",
-            Outcome::Captured => "captured",
-            Outcome::Unfinished => "unfinished",
-        };
         let sky = trace.sky.map(|sky| sky.to_array());
         let hits = trace.hits.map(|hit| hit.map(|hit| [hit.r, hit.phi, hit.g]));
         let numbers = [sky, hits[0], hits[1]]
             .map(|numbers| numbers.map_or_else(Default::default, |n| n.map(digits)));
         let last = [digits(trace.steps), digits(trace.residual)];
-        let fields = [outcome].into_iter().chain(
+        let fields = [trace.outcome.word()].into_iter().chain(
             numbers
                 .as_flattened()
                 .iter()

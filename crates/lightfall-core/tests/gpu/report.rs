@@ -1,9 +1,11 @@
 //! The program's own measurements, held against what it promises.
 
 use crate::gpu;
-use lightfall_core::reports::bench::{Circumstances, Measured, at_equal_error, settings};
-use lightfall_core::reports::bench::{Plan, auto_margin, csv, markdown, plot, subjects};
-use lightfall_core::reports::extremes::{Found, Hunt, Verdict, cells, run};
+use lightfall_core::reports::bench::{Measurement, at_equal_error, settings};
+use lightfall_core::reports::bench::{Plan, auto_margin, markdown, plot, scenes};
+use lightfall_core::reports::circumstances::Circumstances;
+use lightfall_core::reports::export::csv;
+use lightfall_core::reports::extremes::{Hunt, Verdict, WorstRay, cells, measure_matrix};
 use lightfall_core::scene::Method;
 
 fn circumstances() -> Circumstances {
@@ -29,8 +31,8 @@ fn auto_is_on_the_pareto_front_of_every_scene_of_a_quick_run() {
         ..Plan::new(true)
     };
     let measured = || plan.run(gpu, |_| {}).unwrap();
-    let fast = |rows: &[Measured]| {
-        plan.subjects.iter().all(|subject| {
+    let fast = |rows: &[Measurement]| {
+        plan.scenes.iter().all(|subject| {
             auto_margin(rows, &subject.name).is_some_and(|margin| margin.faster > 0.9)
         })
     };
@@ -45,7 +47,7 @@ fn auto_is_on_the_pareto_front_of_every_scene_of_a_quick_run() {
         }
     }
     assert_eq!(rows.len(), plan.len());
-    for subject in &plan.subjects {
+    for subject in &plan.scenes {
         let margin =
             auto_margin(&rows, &subject.name).expect("auto's method is among those measured");
         println!("{margin:?}");
@@ -75,7 +77,7 @@ fn auto_is_on_the_pareto_front_of_every_scene_of_a_quick_run() {
 
 #[test]
 fn every_scene_is_measured_by_every_method_that_can_trace_it_and_by_auto_s_first() {
-    for subject in subjects() {
+    for subject in scenes() {
         let spinning = subject.scene.hole.spin != 0.0;
         let auto = if spinning {
             Method::Mino
@@ -97,7 +99,7 @@ fn closed_and_mino_hold_every_extreme_cell() {
     let gpu = gpu();
     // As many rays as the command takes by default.
     let cells = cells(96);
-    let verdicts = run(gpu, &cells, &[Method::Closed, Method::Mino], |_| {}).unwrap();
+    let verdicts = measure_matrix(gpu, &cells, &[Method::Closed, Method::Mino], |_| {}).unwrap();
     let failing: Vec<&Verdict> = verdicts.iter().filter(|verdict| !verdict.holds).collect();
     assert!(
         failing.is_empty(),
@@ -119,7 +121,7 @@ fn every_ray_next_to_a_spinning_horizon_is_within_the_tightest_bar() {
     let named =
         |name: &str| name.contains("0.9999, from") || name == "chi 0.9, 1.0001 r_+, falling";
     cells.retain(|cell| named(&cell.name));
-    let verdicts = run(gpu, &cells, &[Method::Mino], |_| {}).unwrap();
+    let verdicts = measure_matrix(gpu, &cells, &[Method::Mino], |_| {}).unwrap();
     assert_eq!(
         verdicts.len(),
         6,
@@ -150,7 +152,7 @@ fn a_hunt_from_the_same_seed_finds_the_same_ray_and_tells_how_to_see_it_again() 
         command.starts_with("for device in gpu cpu; do echo ")
             && command.contains("lightfall trace --rays -")
     );
-    let rank = |found: &Found| (found.unexplained > 0, found.excess);
+    let rank = |ray: &WorstRay| (ray.unexplained > 0, ray.excess);
     assert!(
         found.windows(2).all(|two| rank(&two[0]) >= rank(&two[1])),
         "the worst comes first"
@@ -175,12 +177,12 @@ fn a_hunt_from_the_same_seed_finds_the_same_ray_and_tells_how_to_see_it_again() 
 fn methods_are_compared_where_they_are_equally_exact() {
     let gpu = gpu();
     let plan = Plan {
-        subjects: subjects().into_iter().take(1).collect(),
+        scenes: scenes().into_iter().take(1).collect(),
         rays: 64,
         ..Plan::new(true)
     };
     let measured = plan.run(gpu, |_| {}).unwrap();
-    let row = |method: &str, trace_ms: f64, backward_p99: f64| Measured {
+    let row = |method: &str, trace_ms: f64, backward_p99: f64| Measurement {
         method: method.into(),
         trace_ms,
         backward_p99,

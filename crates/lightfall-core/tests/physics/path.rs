@@ -261,7 +261,7 @@ fn an_inspection_has_the_numbers_of_trace() {
             }
             let text = numbers.to_text();
             assert!(
-                text.contains(&format!("cpu.outcome = {}\n", numbers.cpu.outcome))
+                text.contains(&format!("cpu.outcome = {}\n", numbers.cpu.outcome.word()))
                     && !text.contains("null"),
                 "{text}"
             );

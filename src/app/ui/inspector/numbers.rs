@@ -3,6 +3,7 @@
 use super::ray_worker::GpuState;
 use crate::app::ui::number::six_digits;
 use bevy_egui::egui;
+use lightfall_core::optics::trace::Outcome;
 use lightfall_core::reports::inspection::{Difference, Inspection, Record};
 
 /// The row that answers how true the picture is at this pixel.
@@ -155,9 +156,9 @@ fn differences(
 /// What the ray shows, in words.
 fn outcome(record: &Record) -> &'static str {
     match (record.outcome, record.hit1_r) {
-        ("sky", Some(_)) => "disk, then sky",
-        ("captured", Some(_)) => "disk, then the hole",
-        ("captured", None) => "captured by the hole",
-        (other, _) => other,
+        (Outcome::Sky, Some(_)) => "disk, then sky",
+        (Outcome::Captured, Some(_)) => "disk, then the hole",
+        (Outcome::Captured, None) => "captured by the hole",
+        (other, _) => other.word(),
     }
 }

@@ -1,12 +1,12 @@
-//! Where the labels of a plot's points stand, so that none covers another one or a point.
+//! The positions of a plot's labels, chosen so that no label covers another one or a point.
 
 /// A rectangle in pixels: left, top, right, bottom.
 type Frame = [i32; 4];
 
-/// Room about a point, in pixels.
+/// Free space around a point, in pixels.
 const POINT: i32 = 6;
-/// Places tried for a label, the best first: steps to the right and down, a step being half of its
-/// own size and of the room about the point.
+/// Positions that are tried for a label, the best first: steps to the right and down. A step is
+/// half the label's size plus the free space around the point.
 const PLACES: [[i32; 2]; 12] = [
     [1, -1],
     [1, 1],
@@ -22,9 +22,10 @@ const PLACES: [[i32; 2]; 12] = [
     [-1, 2],
 ];
 
-/// Upper left corners, relative to its point, of a label of each size (width, height) beside each
-/// point, in order; none where there is no room for it. Nothing stands on `taken`.
-pub(super) fn placed(
+/// Places a label of the given size (width, height) at each point. Returns the labels' upper left
+/// corners relative to their points, in order; `None` where there is no room. No label covers the
+/// rectangle `taken`.
+pub(super) fn place_labels(
     points: &[[i32; 2]],
     sizes: &[[i32; 2]],
     taken: Frame,

@@ -1,21 +1,22 @@
-//! Error against run time as a picture: both logarithmic, one line a method.
+//! The plot of error against run time: both axes logarithmic, one line per method.
 
-use super::labels::placed;
-use super::{Measured, is_on_front};
+use super::labels::place_labels;
+use super::measurement::Measurement;
+use super::pareto::is_on_front;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 const SIZE: (u32, u32) = (860, 520);
 
-/// Width of a character of the labels and height of their line, in pixels.
+/// Width of a label's character and height of its line, in pixels.
 const LETTER: [i32; 2] = [6, 10];
-/// Where the legend stands: left, top, right, bottom.
+/// The rectangle of the legend: left, top, right, bottom.
 const LEGEND: [i32; 4] = [716, 34, 848, 140];
-/// Dashes of the front, and the gaps between them, in pixels.
+/// Lengths of the dashes of the Pareto front and of the gaps between them, in pixels.
 const DASHES: [i32; 2] = [5, 4];
 
-/// Colours that the colour-blind can tell apart (Okabe & Ito 2008), one a method.
+/// One colour per method, from a set that colour-blind people can tell apart (Okabe & Ito 2008).
 fn colour(method: &str) -> RGBColor {
     match method {
         "closed" => RGBColor(0, 114, 178),
@@ -25,13 +26,13 @@ fn colour(method: &str) -> RGBColor {
     }
 }
 
-/// The scene's rows as SVG; none where there is nothing to draw. Rows whose 99th percentile has no
-/// bound (rays left unfinished) stand as crosses on the upper edge.
+/// The scene's rows as SVG. `None` if there is nothing to draw. Rows whose error is infinite,
+/// because of unfinished rays, are crosses at the upper edge.
 ///
-/// # ErrorSummary
-/// What the plotting library says.
-pub fn plot(scene: &str, about: &str, rows: &[Measured]) -> Result<Option<String>, String> {
-    let own: Vec<&Measured> = rows.iter().filter(|row| row.scene == scene).collect();
+/// # Errors
+/// The message of the plotting library.
+pub fn plot(scene: &str, about: &str, rows: &[Measurement]) -> Result<Option<String>, String> {
+    let own: Vec<&Measurement> = rows.iter().filter(|row| row.scene == scene).collect();
     let bounded = || {
         own.iter()
             .filter(|row| row.backward_p99_px.is_finite() && row.backward_p99_px > 0.0)
@@ -70,8 +71,8 @@ fn draw<'a>(
     area: &DrawingArea<SVGBackend<'a>, plotters::coord::Shift>,
     scene: &str,
     about: &str,
-    own: &[&Measured],
-    rows: &[Measured],
+    own: &[&Measurement],
+    rows: &[Measurement],
     [left, right, bottom, top]: [f64; 4],
 ) -> Drawn<'a> {
     area.fill(&WHITE)?;
@@ -92,7 +93,7 @@ fn draw<'a>(
         .label_style(("sans-serif", 13))
         .draw()?;
     let ceiling = top / 1.6;
-    let height = |row: &Measured| {
+    let height = |row: &Measurement| {
         if row.backward_p99_px.is_finite() {
             row.backward_p99_px
         } else {
@@ -101,7 +102,7 @@ fn draw<'a>(
     };
     let mut methods: Vec<&str> = own.iter().map(|row| row.method.as_str()).collect();
     methods.dedup();
-    let at = |row: &Measured| chart.backend_coord(&(row.trace_ms, height(row))).into();
+    let at = |row: &Measurement| chart.backend_coord(&(row.trace_ms, height(row))).into();
     let points: Vec<[i32; 2]> = own.iter().map(|row| at(row)).collect();
     let names: Vec<String> = own
         .iter()
@@ -111,7 +112,11 @@ fn draw<'a>(
         .iter()
         .map(|name| [LETTER[0] * name.len() as i32, LETTER[1]])
         .collect();
-    for ((row, name), corner) in own.iter().zip(names).zip(placed(&points, &sizes, LEGEND)) {
+    for ((row, name), corner) in own
+        .iter()
+        .zip(names)
+        .zip(place_labels(&points, &sizes, LEGEND))
+    {
         let colour = colour(&row.method);
         let style = ("sans-serif", 11)
             .into_font()
@@ -124,7 +129,8 @@ fn draw<'a>(
     }
     for method in methods {
         let colour = colour(method);
-        let mut points: Vec<&&Measured> = own.iter().filter(|row| row.method == method).collect();
+        let mut points: Vec<&&Measurement> =
+            own.iter().filter(|row| row.method == method).collect();
         points.sort_by(|a, b| a.trace_ms.total_cmp(&b.trace_ms));
         let line = points.iter().map(|row| (row.trace_ms, height(row)));
         chart
@@ -170,7 +176,7 @@ fn draw<'a>(
         .draw()
 }
 
-/// A power of ten, as every mark of the axes is one, in plain decimals.
+/// A power of ten in decimal notation. All marks of the axes are powers of ten.
 fn decade(x: f64) -> String {
     format!("{x:.*}", (-x.log10().round()).max(0.0) as usize)
 }

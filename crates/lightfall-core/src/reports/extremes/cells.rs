@@ -1,6 +1,6 @@
 //! The hardest places, by what makes them hard.
 
-use crate::accuracy::{Ray, rays_near_edge, rays_over_picture, rays_over_sky};
+use crate::accuracy::{EDGE_DISTANCES, Ray, rays_near_edge, rays_over_picture, rays_over_sky};
 use crate::geometry::kerr::Kerr;
 use crate::scene::{ObserverKind, Scene};
 use glam::DVec3;
@@ -12,14 +12,11 @@ pub struct Cell {
     pub group: &'static str,
     /// How extreme it is.
     pub name: String,
-    /// The scene, whatever its method.
+    /// The scene. Its method does not matter.
     pub scene: Scene,
     /// The rays.
     pub rays: Vec<Ray>,
 }
-
-/// Distances from the critical curve, as shares of the shadow's radius.
-const NEAR: [f64; 2] = [1e-6, 0.3];
 
 /// Every cell, with about `count` rays each.
 #[must_use]
@@ -37,8 +34,8 @@ pub fn cells(count: usize) -> Vec<Cell> {
     all
 }
 
-/// The view that everything is a variation of: 20 r_s from the hole, somewhat above the disk.
-pub(super) fn view(spin: f64, r: f64) -> Scene {
+/// The scene that all cells vary: a camera 15 degrees above the disk.
+pub(super) fn base_scene(spin: f64, r: f64) -> Scene {
     let mut scene = Scene::default();
     scene.hole.spin = spin;
     scene.disk.follow_isco = true;
@@ -46,10 +43,10 @@ pub(super) fn view(spin: f64, r: f64) -> Scene {
     scene
 }
 
-/// Half of the rays all over the sky, half next to the shadow's edge.
-pub(super) fn everywhere_and_critical(scene: &Scene, count: usize) -> Vec<Ray> {
+/// Half of the rays over the whole sky, half near the shadow's edge.
+pub(super) fn sky_and_edge_rays(scene: &Scene, count: usize) -> Vec<Ray> {
     let mut rays = rays_over_sky(count / 2);
-    rays.extend(rays_near_edge(scene, count / 2, NEAR));
+    rays.extend(rays_near_edge(scene, count / 2, EDGE_DISTANCES));
     rays
 }
 
@@ -66,7 +63,7 @@ fn distances(all: &mut Vec<Cell>, count: usize) {
     for spin in [0.0, 0.9, 0.998] {
         for decade in 1..=6 {
             let range = [10_f64.powi(-decade - 1), 10_f64.powi(-decade)];
-            let scene = view(spin, 20.0);
+            let scene = base_scene(spin, 20.0);
             let rays = rays_near_edge(&scene, count, range);
             add(
                 all,
@@ -86,8 +83,8 @@ fn spins(all: &mut Vec<Cell>, count: usize) {
         } else {
             vec![size, -size]
         } {
-            let scene = view(spin, 5.0);
-            let rays = everywhere_and_critical(&scene, count);
+            let scene = base_scene(spin, 5.0);
+            let rays = sky_and_edge_rays(&scene, count);
             add(all, "spin", format!("chi {spin}, from 5 r_s"), scene, rays);
         }
     }
@@ -100,16 +97,16 @@ fn radii(all: &mut Vec<Cell>, count: usize) {
             .into_iter()
             .chain([1.01, 1.12, 1.5, 3.0, 1e3, 1e5, 1e7].map(|r| (format!("{r} r_s"), r)))
         {
-            let mut scene = view(spin, r);
+            let mut scene = base_scene(spin, r);
             scene.observer.kind = if r == deep {
                 ObserverKind::Rain
             } else {
                 ObserverKind::Zamo
             };
-            // Far away, the picture is of the hole and its disk.
+            // Far away, the field of view is narrowed to the hole and its disk.
             scene.camera.fov_deg = scene.camera.fov_deg.min((30.0 / r).to_degrees());
             let mut rays = rays_over_picture(&scene, count / 2);
-            rays.extend(rays_near_edge(&scene, count / 2, NEAR));
+            rays.extend(rays_near_edge(&scene, count / 2, EDGE_DISTANCES));
             add(
                 all,
                 "place of the camera",
@@ -124,9 +121,9 @@ fn radii(all: &mut Vec<Cell>, count: usize) {
 fn axis(all: &mut Vec<Cell>, count: usize) {
     for spin in [0.0, 0.9] {
         for (name, theta) in [("on the axis", 0.0), ("1e-6 rad beside it", 1e-6)] {
-            let mut scene = view(spin, 10.0);
+            let mut scene = base_scene(spin, 10.0);
             scene.camera.theta_deg = f64::to_degrees(theta);
-            let rays = everywhere_and_critical(&scene, count);
+            let rays = sky_and_edge_rays(&scene, count);
             add(
                 all,
                 "axis",
@@ -140,14 +137,13 @@ fn axis(all: &mut Vec<Cell>, count: usize) {
             ("1e-7 of the whole", 1e-7),
             ("1e-4 of the whole", 1e-4),
         ] {
-            let mut scene = view(spin, 10.0);
+            let mut scene = base_scene(spin, 10.0);
             scene.observer.kind = ObserverKind::Zamo;
-            // Seen by an observer without angular momentum, light without any comes from the
-            // meridian.
+            // A ZAMO sees light without angular momentum in the meridional plane.
             let rays = (0..count).map(|i| {
                 let (sin, cos) =
                     (std::f64::consts::TAU * (i as f64 + 0.5) / count as f64).sin_cos();
-                from_legs(&scene, DVec3::new(cos, sin, aside))
+                ray_in_tetrad(&scene, DVec3::new(cos, sin, aside))
             });
             let rays = rays.collect();
             add(
@@ -161,8 +157,8 @@ fn axis(all: &mut Vec<Cell>, count: usize) {
     }
 }
 
-/// A ray by its direction on the observer's axes.
-fn from_legs(scene: &Scene, direction: DVec3) -> Ray {
+/// The ray of a direction on the observer's axes.
+fn ray_in_tetrad(scene: &Scene, direction: DVec3) -> Ray {
     Ray::toward(scene.camera.tetrad_from_camera().transpose() * direction)
 }
 
@@ -173,14 +169,14 @@ fn radial(all: &mut Vec<Cell>) {
             ("within 1e-7 rad", 1e-7),
             ("within 1e-5 rad", 1e-5),
         ] {
-            let mut scene = view(spin, 10.0);
+            let mut scene = base_scene(spin, 10.0);
             scene.observer.kind = ObserverKind::Zamo;
             let round = (0..16).flat_map(|i| {
                 let (sin, cos) = (std::f64::consts::TAU * (f64::from(i) + 0.5) / 16.0).sin_cos();
                 [-1.0, 1.0].map(|outward| DVec3::new(outward, aside * sin, aside * cos))
             });
             let rays = round
-                .map(|direction| from_legs(&scene, direction))
+                .map(|direction| ray_in_tetrad(&scene, direction))
                 .collect();
             add(
                 all,
@@ -196,9 +192,9 @@ fn radial(all: &mut Vec<Cell>) {
 fn plane(all: &mut Vec<Cell>, count: usize) {
     for spin in [0.0, 0.9] {
         for (name, above) in [("in it", 0.0), ("1e-6 rad above it", 1e-6)] {
-            let mut scene = view(spin, 12.0);
+            let mut scene = base_scene(spin, 12.0);
             scene.camera.theta_deg = 90.0 - f64::to_degrees(above);
-            let rays = everywhere_and_critical(&scene, count);
+            let rays = sky_and_edge_rays(&scene, count);
             add(
                 all,
                 "plane of the disk",
@@ -210,7 +206,7 @@ fn plane(all: &mut Vec<Cell>, count: usize) {
                 let rays = (0..count).map(|i| {
                     let (sin, cos) =
                         (std::f64::consts::TAU * (i as f64 + 0.5) / count as f64).sin_cos();
-                    from_legs(
+                    ray_in_tetrad(
                         &scene,
                         DVec3::new(cos, if i % 2 == 0 { tilt } else { -tilt }, sin),
                     )
@@ -231,7 +227,7 @@ fn plane(all: &mut Vec<Cell>, count: usize) {
 fn fields_of_view(all: &mut Vec<Cell>, count: usize) {
     for spin in [0.0, 0.9] {
         for (name, radians) in [("1e-6 rad", 1e-6), ("1e-4 rad", 1e-4), ("0.01 rad", 0.01)] {
-            let mut scene = view(spin, 20.0);
+            let mut scene = base_scene(spin, 20.0);
             scene.camera.fov_deg = f64::to_degrees(radians);
             let rays = rays_over_picture(&scene, count);
             add(
@@ -241,7 +237,7 @@ fn fields_of_view(all: &mut Vec<Cell>, count: usize) {
                 scene.clone(),
                 rays,
             );
-            // Half the shadow's size aside there is its edge, or not far from it.
+            // Turned aside by half the shadow's size, the camera looks at its edge or close to it.
             scene.camera.yaw_deg = 7.27;
             let rays = rays_over_picture(&scene, count);
             add(
@@ -252,7 +248,7 @@ fn fields_of_view(all: &mut Vec<Cell>, count: usize) {
                 rays,
             );
         }
-        let mut scene = view(spin, 20.0);
+        let mut scene = base_scene(spin, 20.0);
         scene.camera.fov_deg = 179.0;
         let rays = rays_over_picture(&scene, count);
         add(
@@ -273,9 +269,9 @@ fn disks(all: &mut Vec<Cell>, count: usize) {
             ("a ring from 8 to 8.00001 r_s", 8.0, 8.00001, 20.0),
             ("a ring from 5000 to 5000.01 r_s", 5000.0, 5000.01, 1e4),
         ] {
-            let mut scene = view(spin, r);
+            let mut scene = base_scene(spin, r);
             (scene.disk.follow_isco, scene.disk.inner, scene.disk.outer) = (false, inner, outer);
-            let rays = everywhere_and_critical(&scene, count);
+            let rays = sky_and_edge_rays(&scene, count);
             add(all, "disk", format!("chi {spin}, {name}"), scene, rays);
         }
     }
@@ -311,14 +307,14 @@ fn observers(all: &mut Vec<Cell>, count: usize) {
             "falling past 1.6 r_s".into(),
         ));
         for (kind, r, velocity, name) in fast {
-            let mut scene = view(spin, r);
+            let mut scene = base_scene(spin, r);
             (scene.observer.kind, scene.observer.velocity) = (kind, velocity);
             scene.camera.theta_deg = if kind == ObserverKind::Orbit {
                 90.0
             } else {
                 75.0
             };
-            let rays = everywhere_and_critical(&scene, count);
+            let rays = sky_and_edge_rays(&scene, count);
             add(all, "observer", format!("chi {spin}, {name}"), scene, rays);
         }
     }

@@ -1,16 +1,15 @@
-//! The grid of ordinary places: no extremes, but all of them.
+//! A grid of ordinary places instead of extreme ones.
 
-use super::Cell;
-use super::cells::{everywhere_and_critical, view};
+use super::cells::{Cell, base_scene, sky_and_edge_rays};
 
-/// Spins, radii of the camera in r_s, and its angles from the disk normal in degrees.
+/// Spins, the camera's radii in r_s, and its angles from the disk normal in degrees.
 const SPINS: [f64; 6] = [0.0, 0.5, 0.9, -0.9, 0.998, 0.9999];
 const RADII: [f64; 4] = [2.0, 5.0, 20.0, 1000.0];
 const ANGLES: [f64; 5] = [0.0, 10.0, 60.0, 89.0, 90.0];
-/// More radii for a hole without spin, from next to the horizon.
+/// More radii for a hole without spin, starting close to the horizon.
 const SCHWARZSCHILD_RADII: [f64; 9] = [1.02, 1.2, 1.5, 1.6, 3.0, 10.0, 20.0, 100.0, 1000.0];
 
-/// Every cell of the grid, with about `count` rays each, half of them next to the shadow's edge.
+/// Every cell of the grid, with about `count` rays each, half of them near the shadow's edge.
 #[must_use]
 pub fn grid(count: usize) -> Vec<Cell> {
     let schwarzschild = SCHWARZSCHILD_RADII.map(|r| (0.0, r, 75.0));
@@ -19,9 +18,9 @@ pub fn grid(count: usize) -> Vec<Cell> {
         .into_iter()
         .flat_map(|spin| RADII.into_iter().flat_map(move |r| at_radius(spin, r)));
     let cell = |(spin, r, theta): (f64, f64, f64)| {
-        let mut scene = view(spin, r);
+        let mut scene = base_scene(spin, r);
         scene.camera.theta_deg = theta;
-        let rays = everywhere_and_critical(&scene, count);
+        let rays = sky_and_edge_rays(&scene, count);
         Cell {
             group: "grid",
             name: format!("chi {spin}, {r} r_s, {theta} degrees"),

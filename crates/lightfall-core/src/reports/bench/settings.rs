@@ -1,31 +1,31 @@
-//! Which methods can trace a scene, and the settings each is measured at.
+//! The methods that can trace a scene, and the settings at which each is measured.
 
 use crate::gpu::GpuScene;
 use crate::scene::{AccuracySetting, Method, Scene};
 use glam::UVec2;
 
-/// Step scales of the article's methods, from its cheapest to where their 768 steps no longer
-/// suffice; the middle three are its own: cheap, balanced, high.
+/// Step scales of the article's methods, from the fastest to a scale at which their 768 steps do
+/// not suffice. 1.55, 0.85 and 0.45 are the article's own: cheap, balanced and high.
 const STEP_SCALES: [f64; 8] = [3.0, 1.55, 0.85, 0.45, 0.25, 0.14, 0.08, 0.045];
-/// The named ones.
+/// The article's own.
 const FEW_STEP_SCALES: [f64; 3] = [1.55, 0.85, 0.45];
-/// Allowed errors of mino, in pixels.
+/// Maximum errors of mino, in pixels.
 const ERRORS: [f64; 8] = [1.0, 0.3, 0.1, 0.05, 0.01, 0.003, 0.001, 0.0001];
-/// The least effort, the default, and the most.
+/// The fastest, the default, and the most exact.
 const FEW_ERRORS: [f64; 3] = [1.0, 0.05, 0.0001];
 
 /// A method at one of its settings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    /// The field that is set, if the method has one.
+    /// Key of the field that is set, if the method has a setting.
     pub key: Option<&'static str>,
-    /// Its value.
+    /// Value of the field; NaN if there is none.
     pub value: f64,
-    /// The scene with method and setting.
+    /// The scene with the method and the setting.
     pub scene: Scene,
     /// Whether it is the scene's own setting.
     pub own: bool,
-    /// Whether `auto` would draw the scene just so.
+    /// Whether `auto` draws the scene with this method and setting.
     pub auto: bool,
 }
 
@@ -37,7 +37,8 @@ pub fn methods_for(scene: &Scene) -> Vec<Method> {
     methods
 }
 
-/// A method's settings for a scene, few or many; those that make no difference are left out.
+/// The settings of a method for a scene, few or many. Settings that make no difference are left
+/// out.
 #[must_use]
 pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
     let auto = Method::for_spin(scene.hole.spin);

@@ -1,44 +1,45 @@
-//! How much faster one method is than another where both are as exact.
+//! How much faster one method is than another at equal errors.
 
-use super::Measured;
+use super::measurement::Measurement;
 
-/// One method against another in a scene, at each level of error that the other reaches with some
-/// setting: the 99th percentile of the backward error.
+/// A fast and a slow method in a scene, compared at each error that the slow method reaches with
+/// one of its settings. The error is the 99th percentile of the backward error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AtEqualError {
     /// The scene.
     pub scene: String,
-    /// Time of the slower over that of the faster: least and largest of the levels.
+    /// Time of the slow method over the time of the fast one: minimum and maximum over these
+    /// errors.
     pub ratio: [f64; 2],
-    /// The same without what both pay in the bench itself, where that was measured.
+    /// The same after subtracting the floor from both times, if the floor was measured.
     pub net_ratio: Option<[f64; 2]>,
-    /// The least error of the faster and of the slower, in radians.
+    /// The smallest error of the fast and of the slow method, in radians.
     pub best: [f64; 2],
 }
 
-/// `fast` against `slow` in a scene, `floor` being the time of a run that traces nothing but
-/// straight lines. None where a method was not measured or the slower reaches no level that the
-/// faster reaches too.
+/// Compares the methods `fast` and `slow` in a scene. `floor` is the time of a run that only traces
+/// straight lines, in milliseconds. `None` if a method was not measured or the fast one reaches
+/// none of the slow one's errors.
 #[must_use]
 pub fn at_equal_error(
-    rows: &[Measured],
+    rows: &[Measurement],
     scene: &str,
     fast: &str,
     slow: &str,
     floor: Option<f64>,
 ) -> Option<AtEqualError> {
-    let rows_of = |method: &str| -> Vec<&Measured> {
-        let wanted = |row: &&Measured| {
+    let rows_of = |method: &str| -> Vec<&Measurement> {
+        let wanted = |row: &&Measurement| {
             row.scene == scene && row.method == method && row.backward_p99.is_finite()
         };
         rows.iter().filter(wanted).collect()
     };
     let (fast, slow) = (rows_of(fast), rows_of(slow));
-    let quickest = |rows: &[&Measured], error: f64| {
+    let quickest = |rows: &[&Measurement], error: f64| {
         let exact = rows.iter().filter(|row| row.backward_p99 <= error);
         exact.map(|row| row.trace_ms).min_by(f64::total_cmp)
     };
-    // The slower method, too, takes its cheapest setting for a level.
+    // For each error the slow method, too, is given its fastest setting.
     let pairs: Vec<(f64, f64)> = slow
         .iter()
         .filter_map(|row| quickest(&slow, row.backward_p99).zip(quickest(&fast, row.backward_p99)))
@@ -51,7 +52,7 @@ pub fn at_equal_error(
             [low.min(ratio), high.max(ratio)]
         })
     };
-    let best = |rows: &[&Measured]| {
+    let best = |rows: &[&Measurement]| {
         rows.iter()
             .map(|row| row.backward_p99)
             .min_by(f64::total_cmp)

@@ -1,65 +1,65 @@
-//! One row of the report.
+//! One row of the report: a method at one setting in one scene.
 
-use super::sweep::Setting;
+use super::settings::Setting;
 use crate::accuracy::{ErrorSummary, Truth};
 use crate::gpu::timing::Timing;
 use crate::optics::trace::Trace;
 use serde::Serialize;
 
 /// Error and time of one method at one setting in one scene. Angles are in radians unless their
-/// name says pixels; an error without a bound (an unfinished ray's) is infinite, in JSON null.
+/// name ends in `_px`. The error of an unfinished ray is infinite, and null in JSON.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Measured {
+pub struct Measurement {
     /// Name of the scene.
     pub scene: String,
     /// Name of the method.
     pub method: String,
-    /// The field that is its setting, if it has one.
+    /// Key of the field that is the method's setting, if it has one.
     pub setting: Option<&'static str>,
     /// The setting's value.
     pub value: Option<f64>,
     /// Whether it is the scene's own setting.
     pub own_setting: bool,
-    /// Whether `auto` draws the scene just so.
+    /// Whether `auto` draws the scene with this method and setting.
     pub auto: bool,
-    /// Median time of tracing the picture's rays, in milliseconds, and its spread from the 10th to
-    /// the 90th percentile.
+    /// Median time of tracing the picture's rays, in milliseconds.
     pub trace_ms: f64,
-    /// See `trace_ms`.
+    /// Difference between the 90th and the 10th percentile of that time, in milliseconds.
     pub trace_spread_ms: f64,
-    /// What the times were read from.
+    /// The clock that the times were read from.
     pub clock: &'static str,
-    /// GPU time of the whole frame, in milliseconds, where it was asked for.
+    /// GPU time of the whole frame, in milliseconds, if it was measured.
     pub frame_ms: Option<f64>,
-    /// How many rays were judged.
+    /// Number of rays whose error was measured.
     pub rays: usize,
-    /// Rays given up.
+    /// Number of rays that the method gave up.
     pub unfinished: usize,
-    /// Rays whose answer holds something that is no number.
+    /// Number of rays whose answer has a value that is not finite.
     pub not_finite: usize,
-    /// Rays of the wrong outcome or number of hits.
+    /// Number of rays with a wrong outcome or number of hits.
     pub misclassified: usize,
-    /// Rays by true outcome and given one: sky as sky, captured, unfinished; captured likewise.
+    /// Numbers of the rays that should reach the sky, by the method's outcome: sky, captured,
+    /// unfinished.
     pub sky_as: [usize; 3],
-    /// See `sky_as`.
+    /// Numbers of the rays that should be captured, by the method's outcome, in the same order.
     pub captured_as: [usize; 3],
-    /// Forward error of the sky direction.
+    /// Forward error of the sky direction: its median.
     pub sky_p50: f64,
     /// Its 99th percentile.
     pub sky_p99: f64,
-    /// Relative error of the radius of hits.
+    /// Relative error of the radius of hits: its median.
     pub hit_r_p50: f64,
     /// Its 99th percentile.
     pub hit_r_p99: f64,
-    /// Relative error of the shift g of hits.
+    /// Relative error of the g of hits: its median.
     pub hit_g_p50: f64,
     /// Its 99th percentile.
     pub hit_g_p99: f64,
-    /// Backward error.
+    /// Backward error: its median.
     pub backward_p50: f64,
     /// Its 99th percentile.
     pub backward_p99: f64,
-    /// Its largest value.
+    /// Its maximum.
     pub backward_max: f64,
     /// Median of the backward error in pixels of the scene's picture.
     pub backward_p50_px: f64,
@@ -67,13 +67,13 @@ pub struct Measured {
     pub backward_p99_px: f64,
     /// Mean number of steps.
     pub steps_mean: f64,
-    /// Most steps.
+    /// Maximum number of steps.
     pub steps_max: f64,
     /// Largest normalized residual of the null constraint.
     pub residual: f64,
 }
 
-impl Measured {
+impl Measurement {
     pub(super) fn new(
         name: &str,
         setting: &Setting,
@@ -119,7 +119,7 @@ impl Measured {
         }
     }
 
-    /// The method and its setting, for people.
+    /// The method with its setting, as in tables.
     #[must_use]
     pub fn label(&self) -> String {
         self.value.map_or_else(

@@ -1,31 +1,31 @@
-//! Which rows are worth their time.
+//! The Pareto front of time and error.
 
-use super::Measured;
+use super::measurement::Measurement;
 
-/// How far `auto` is ahead of every other method in a scene.
+/// How far `auto` is ahead of all other methods in a scene.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Margin {
+pub struct AutoMargin {
     /// The scene.
     pub scene: String,
-    /// Time of the fastest row of another method that is no less exact, over auto's; infinite where
-    /// none is that exact.
+    /// Time of the fastest row of another method with no larger error, over `auto`'s time. Infinite
+    /// if there is no such row.
     pub faster: f64,
-    /// 99th percentile of the backward error of the most exact row of another method that is no
-    /// slower, over auto's; infinite where none is that fast.
+    /// Error of the most exact row of another method that is no slower, over `auto`'s error. The
+    /// error is the 99th percentile of the backward error. Infinite if there is no such row.
     pub more_exact: f64,
 }
 
-impl Margin {
-    /// Whether nothing of another method beats auto in both time and error.
+impl AutoMargin {
+    /// Whether no row of another method is as good as `auto` in both time and error.
     #[must_use]
     pub fn holds(&self) -> bool {
         self.faster > 1.0 && self.more_exact > 1.0
     }
 }
 
-/// Auto's margin in a scene; none where it was not measured.
+/// `auto`'s margin in a scene. `None` if `auto`'s method was not measured.
 #[must_use]
-pub fn auto_margin(rows: &[Measured], scene: &str) -> Option<Margin> {
+pub fn auto_margin(rows: &[Measurement], scene: &str) -> Option<AutoMargin> {
     let auto = rows.iter().find(|row| row.scene == scene && row.auto)?;
     let others = || {
         rows.iter()
@@ -33,7 +33,7 @@ pub fn auto_margin(rows: &[Measured], scene: &str) -> Option<Margin> {
     };
     let exact = others().filter(|row| row.backward_p99 <= auto.backward_p99);
     let quick = others().filter(|row| row.trace_ms <= auto.trace_ms);
-    Some(Margin {
+    Some(AutoMargin {
         scene: scene.into(),
         faster: exact
             .map(|row| row.trace_ms / auto.trace_ms)
@@ -46,8 +46,8 @@ pub fn auto_margin(rows: &[Measured], scene: &str) -> Option<Margin> {
 
 /// Whether no row of the same scene is both faster and more exact.
 #[must_use]
-pub fn is_on_front(rows: &[Measured], row: &Measured) -> bool {
-    let better = |other: &Measured| {
+pub fn is_on_front(rows: &[Measurement], row: &Measurement) -> bool {
+    let better = |other: &Measurement| {
         other.scene == row.scene
             && other.trace_ms < row.trace_ms
             && other.backward_p99 < row.backward_p99

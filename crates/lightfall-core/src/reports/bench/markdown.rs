@@ -1,0 +1,85 @@
+//! The report as Markdown, for people.
+
+use super::equal_error::at_equal_error;
+use super::measurement::Measurement;
+use super::pareto::is_on_front;
+use crate::reports::circumstances::Circumstances;
+use crate::reports::numbers::short_number;
+use std::fmt::Write;
+
+/// The report as a Markdown table, scene by scene. Rows on the Pareto front are bold, and `auto`'s
+/// row has a star.
+#[must_use]
+pub fn markdown(circumstances: &Circumstances, rows: &[Measurement]) -> String {
+    let mut text = String::new();
+    for (name, value) in circumstances.lines() {
+        writeln!(text, "* {name}: {value}").expect("writing to a string cannot fail");
+    }
+    text += "\n| scene | method | trace ms | +- | frame ms | backward px p50 | p99 | rad p99 | sky rad p50 | wrong class | unfinished | steps |\n";
+    text += "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+    for row in rows {
+        let mark = if is_on_front(rows, row) { "**" } else { "" };
+        writeln!(
+            text,
+            "| {} | {mark}{}{mark}{} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {:.0} |",
+            row.scene,
+            row.label(),
+            if row.auto { " *" } else { "" },
+            short_number(row.trace_ms),
+            short_number(row.trace_spread_ms),
+            row.frame_ms.map(short_number).unwrap_or_default(),
+            short_number(row.backward_p50_px),
+            short_number(row.backward_p99_px),
+            short_number(row.backward_p99),
+            short_number(row.sky_p50),
+            row.misclassified,
+            row.unfinished,
+            row.steps_mean,
+        )
+        .expect("writing to a string cannot fail");
+    }
+    text + &equal_errors(circumstances, rows)
+}
+
+/// A larger ratio only shows that the two times differ from the floor by no more than their noise.
+const MAX_RATIO: f64 = 1e6;
+
+/// The solved methods compared with the article's at equal errors, scene by scene. Empty if they
+/// were not measured.
+fn equal_errors(circumstances: &Circumstances, rows: &[Measurement]) -> String {
+    let mut scenes: Vec<&str> = rows.iter().map(|row| row.scene.as_str()).collect();
+    scenes.dedup();
+    let mut text = String::new();
+    for (fast, slow) in [("closed", "verlet"), ("mino", "kerr-schild")] {
+        for scene in &scenes {
+            let Some(found) = at_equal_error(rows, scene, fast, slow, circumstances.floor_ms)
+            else {
+                continue;
+            };
+            let range = |[low, high]: [f64; 2]| match (format!("{low:.1}"), format!("{high:.1}")) {
+                // If the floor is as high as the faster method's time, nothing is left to compare.
+                _ if !high.is_finite() || high > MAX_RATIO => String::new(),
+                (low, high) if low == high => low,
+                (low, high) => format!("{low} to {high}"),
+            };
+            let [fastest, slowest] = found.best;
+            writeln!(
+                text,
+                "| {scene} | {fast}, {slow} | {} | {} | {} | {} |",
+                range(found.ratio),
+                found.net_ratio.map(range).unwrap_or_default(),
+                short_number(slowest),
+                short_number(fastest)
+            )
+            .expect("writing to a string cannot fail");
+        }
+    }
+    if text.is_empty() {
+        return text;
+    }
+    "\nAt equal 99th percentile, at each level that the slower method reaches with some setting:\n\n\
+     | scene | methods | times as fast | without the floor | best level of the slower, rad | of the faster |\n\
+     |---|---|---|---|---|---|\n"
+        .to_owned()
+        + &text
+}

@@ -1,0 +1,30 @@
+//! Compiled shaders that many scenes share.
+
+use crate::accuracy::{Ray, Truth};
+use crate::gpu::rays::RayKernel;
+use crate::gpu::{Gpu, GpuError, Variant};
+use crate::optics::trace::Trace;
+use crate::scene::Scene;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
+/// Compiled shaders, by variant. Most cells share a few variants.
+#[derive(Default)]
+pub(super) struct Kernels(HashMap<Variant, RayKernel>);
+
+impl Kernels {
+    /// The answers of the scene's method to the rays of `truth`.
+    pub(super) fn traces(
+        &mut self,
+        gpu: &Gpu,
+        scene: &Scene,
+        truth: &Truth,
+    ) -> Result<Vec<Trace>, GpuError> {
+        let given: Vec<_> = truth.rays.iter().map(Ray::given).collect();
+        let kernel = match self.0.entry(Variant::rays(scene)) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(new) => new.insert(RayKernel::new(gpu, scene)?),
+        };
+        kernel.trace(gpu, scene, &given)
+    }
+}

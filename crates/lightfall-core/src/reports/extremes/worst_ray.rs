@@ -1,0 +1,129 @@
+//! The worst ray of a scene.
+
+use super::cause::Cause;
+use super::tolerance::tolerance;
+use crate::accuracy::{RayError, Truth};
+use crate::optics::trace::Trace;
+use crate::scene::Scene;
+use glam::DVec3;
+
+/// The ray of a scene with the largest error; among the unexplained rays, if there are any.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WorstRay {
+    /// The scene, with the method.
+    pub scene: Scene,
+    /// The ray's direction on the observer's axes.
+    pub direction: DVec3,
+    /// The ray's backward error, in radians.
+    pub backward: f64,
+    /// The backward error over the method's tolerance.
+    pub excess: f64,
+    /// The rounding that explains an error beyond the tolerance.
+    pub cause: Option<Cause>,
+    /// Number of the scene's rays with an error beyond the tolerance.
+    pub beyond: usize,
+    /// Number of those rays whose error no rounding explains.
+    pub unexplained: usize,
+}
+
+impl WorstRay {
+    /// The worst of a scene's rays. `None` if there are no rays.
+    pub(super) fn of(scene: &Scene, truth: &Truth, traces: &[Trace]) -> Option<Self> {
+        let tolerance = tolerance(scene);
+        let errors = truth.judge_to_precision(0.5 * tolerance, traces);
+        let ray = |(i, error): (usize, &RayError)| {
+            let far = error.backward > tolerance;
+            let cause = far
+                .then(|| Cause::of(scene, truth, i, error.backward))
+                .flatten();
+            let direction = scene.camera.tetrad_from_camera() * truth.rays[i].direction();
+            let unexplained = usize::from(far && cause.is_none());
+            let (backward, excess, beyond) =
+                (error.backward, error.backward / tolerance, usize::from(far));
+            Self {
+                scene: scene.clone(),
+                direction,
+                backward,
+                excess,
+                cause,
+                beyond,
+                unexplained,
+            }
+        };
+        let (far, near): (Vec<_>, Vec<_>) = errors
+            .iter()
+            .enumerate()
+            .partition(|(_, error)| error.backward > tolerance);
+        if far.is_empty() {
+            return near
+                .into_iter()
+                .max_by(|a, b| a.1.backward.total_cmp(&b.1.backward))
+                .map(ray);
+        }
+        let far: Vec<Self> = far.into_iter().map(ray).collect();
+        let (beyond, unexplained) = (far.len(), far.iter().map(|ray| ray.unexplained).sum());
+        let worst = far
+            .into_iter()
+            .reduce(|a, b| if b.rank() > a.rank() { b } else { a })?;
+        Some(Self {
+            beyond,
+            unexplained,
+            ..worst
+        })
+    }
+
+    /// Rays are listed by this, in decreasing order: unexplained ones first, then by error.
+    pub(super) fn rank(&self) -> (bool, f64) {
+        (self.unexplained > 0, self.excess)
+    }
+
+    /// The command line that traces this ray again, by the method and by the reference.
+    #[must_use]
+    pub fn command(&self) -> String {
+        let DVec3 { x, y, z } = self.direction;
+        let Scene {
+            hole,
+            camera,
+            observer,
+            disk,
+            method,
+            ..
+        } = &self.scene;
+        let kind = observer.kind.word();
+        let [v_r, v_theta, v_phi] = observer.velocity;
+        format!(
+            "for device in gpu cpu; do echo {x:?},{y:?},{z:?} | lightfall trace --rays - --device $device --method {} \
+             --spin {:?} --set camera.r={:?} --set camera.theta_deg={:?} --set camera.fov_deg={:?} --set observer.kind={kind} \
+             --set 'observer.velocity=[{v_r:?},{v_theta:?},{v_phi:?}]' --set disk.inner={:?} --set disk.outer={:?}; done",
+            method.word(),
+            hole.spin,
+            camera.r,
+            camera.theta_deg,
+            camera.fov_deg,
+            disk.inner,
+            disk.outer,
+        )
+    }
+
+    /// A sentence about this ray.
+    #[must_use]
+    pub fn verdict(&self) -> String {
+        let error = format!(
+            "{:.2e} rad, {:.2} of its tolerance",
+            self.backward, self.excess
+        );
+        let count = format!(
+            "{} rays of the scene are beyond it, {} unexplained",
+            self.beyond, self.unexplained
+        );
+        match &self.cause {
+            _ if self.beyond == 0 => error,
+            None => format!("{error}: UNEXPLAINED; {count}"),
+            Some(Cause { input, backward }) => {
+                format!(
+                    "{error}: {input} moved by half a unit in f32's last place gives {backward:.2e} rad; {count}"
+                )
+            }
+        }
+    }
+}
