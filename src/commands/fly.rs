@@ -6,7 +6,6 @@ use super::scene::{drawable, journey, scene};
 use super::stop::Stop;
 use crate::storage::file_safe_name;
 use crate::{app, picture};
-use glam::UVec2;
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
 use std::path::{Path, PathBuf};
@@ -49,7 +48,7 @@ fn draw_instead(
         }
     };
     eprintln!("lightfall: no display ({reason}); rendering {what} to a picture instead");
-    let size = UVec2::new(scene.picture.width, scene.picture.height);
+    let size = scene.picture.size();
     let still = picture::render(&scene, size).map_err(Stop::failed)?;
     write_still(&unused_file(&name), &still, &scene)
 }

@@ -49,7 +49,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     };
     pictures.check()?;
 
-    let drawn = UVec2::new(pictures.scene.picture.width, pictures.scene.picture.height);
+    let drawn = pictures.scene.picture.size();
     let size = if format == Format::Exr {
         drawn
     } else {

@@ -237,10 +237,7 @@ impl PixelRays {
             Some((known, kernel)) if known == variant => kernel,
             _ => RayKernel::new(&self.gpu, scene)?,
         };
-        let size = DVec2::new(
-            f64::from(scene.picture.width),
-            f64::from(scene.picture.height),
-        );
+        let size = scene.picture.size().as_dvec2();
         let width = scene.picture.width as usize;
         let middle =
             |pixel: usize| DVec2::new((pixel % width) as f64, (pixel / width) as f64) + 0.5;

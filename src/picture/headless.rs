@@ -71,7 +71,7 @@ pub(super) fn headless(
         bevy::tasks::tick_global_task_pools_on_main_thread();
     }
     check_size("size", size)?;
-    let picture = UVec2::new(scene.picture.width, scene.picture.height);
+    let picture = scene.picture.size();
     check_size("picture", picture)?;
     let scene = drawable(scene)?;
     let mut image = Image::new_target_texture(size.x, size.y, TextureFormat::Rgba8UnormSrgb, None);

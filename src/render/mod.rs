@@ -1,8 +1,8 @@
 //! The passes that turn a [`Scene`](lightfall_core::scene::Scene) into pixels. The window, stills
 //! and tests all run this chain.
 //!
-//! ```text scene camera (Core3d, picture size, Rgba16Float, no output; redraw.rs: idle while
-//! nothing changes)
+//! ```text
+//! scene camera (Core3d, picture size, Rgba16Float, no output; redraw.rs: idle unless changed)
 //!   probe.rs         main_opaque_pass_3d     the foreground craft, with depth
 //!   geodesic.rs      GEODESIC                traced light where the depth is zero
 //!                    main_transparent_pass_3d

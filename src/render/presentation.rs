@@ -11,7 +11,6 @@ use crate::render::chain::Chain;
 use crate::render::current_scene::CurrentScene;
 use bevy::core_pipeline::core_2d::main_transparent_pass_2d;
 use bevy::core_pipeline::schedule::{Core2d, Core2dSystems};
-use bevy::image::ToExtents;
 use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
 use bevy::render::camera::ExtractedCamera;
@@ -24,7 +23,7 @@ use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use lightfall_core::gpu::Presentation;
 use lightfall_core::gpu::bindings::{PRESENTATION, PRESENTATION_SAMPLER, PRESENTATION_SOURCE};
 use lightfall_core::scene::Picture;
-use pipeline::{GRID_FORMAT, SHADER, Stage, pipeline_descriptor};
+use pipeline::{GRID_FORMAT, SHADER, Stage, create_grid, pipeline_descriptor};
 
 /// The presentation grid and the settings it was filled with.
 struct Cells {
@@ -179,20 +178,6 @@ fn prepare_presentation_pass(
             cache.queue_render_pipeline(pipeline_descriptor(layout.clone(), stage, format))
         });
     }
-}
-
-fn create_grid(device: &RenderDevice, size: UVec2) -> TextureView {
-    let texture = device.create_texture(&TextureDescriptor {
-        label: Some("presentation grid"),
-        size: size.to_extents(),
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: TextureDimension::D2,
-        format: GRID_FORMAT,
-        usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
-        view_formats: &[],
-    });
-    texture.create_view(&default())
 }
 
 /// Reduces the picture to cells, unless they are already filled with it.

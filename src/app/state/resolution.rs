@@ -89,7 +89,7 @@ impl Resolution {
 
 fn sizes(picture: &Picture) -> (UVec2, UVec2) {
     (
-        UVec2::new(picture.width, picture.height),
+        picture.size(),
         UVec2::new(picture.grid_width, picture.grid_height),
     )
 }

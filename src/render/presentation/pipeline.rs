@@ -1,8 +1,10 @@
-//! The stages of the presentation and their render pipelines.
+//! The stages of the presentation, their render pipelines, and the grid of cells.
 
 use bevy::asset::uuid_handle;
+use bevy::image::ToExtents;
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
+use bevy::render::renderer::RenderDevice;
 
 /// The shader of all stages.
 pub(super) const SHADER: Handle<Shader> = uuid_handle!("6f0f7c0e-5b7d-4c0c-9a55-0f3f1c1d7a11");
@@ -58,4 +60,19 @@ pub(super) fn pipeline_descriptor(
         }),
         ..default()
     }
+}
+
+/// A grid of cells of this size.
+pub(super) fn create_grid(device: &RenderDevice, size: UVec2) -> TextureView {
+    let texture = device.create_texture(&TextureDescriptor {
+        label: Some("presentation grid"),
+        size: size.to_extents(),
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: TextureDimension::D2,
+        format: GRID_FORMAT,
+        usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    });
+    texture.create_view(&default())
 }

@@ -27,10 +27,7 @@ pub fn picture_errors(
     grid: [u32; 2],
 ) -> Result<Vec<Option<f64>>, GpuError> {
     let size = DVec2::new(f64::from(grid[0]), f64::from(grid[1]));
-    let picture = DVec2::new(
-        f64::from(scene.picture.width),
-        f64::from(scene.picture.height),
-    );
+    let picture = scene.picture.size().as_dvec2();
     let places = (0..grid[1]).flat_map(|row| (0..grid[0]).map(move |column| [column, row]));
     let rays = places.map(|[column, row]| {
         let cell = DVec2::new(f64::from(column), f64::from(row)) + 0.5;

@@ -25,10 +25,7 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// `count` rays spread evenly over the scene's picture.
 #[must_use]
 pub fn rays_over_picture(scene: &Scene, count: usize) -> Vec<Ray> {
-    let size = DVec2::new(
-        f64::from(scene.picture.width),
-        f64::from(scene.picture.height),
-    );
+    let size = scene.picture.size().as_dvec2();
     let ray = |i: usize| {
         let share = DVec2::from_array(PLASTIC.map(|step| (0.5 + step * (i + 1) as f64).fract()));
         Ray::toward(scene.camera.looking(share * size, size))

@@ -2,9 +2,8 @@
 //!
 //! The equations are those of light (`mino.rs`), but for unit rest mass and followed forward. In
 //! Mino time lambda (dtau = Sigma dlambda), with u = 1/r, n the place on the celestial sphere
-//! without the dragged part of the azimuth, E, L and Carter's Q per unit mass, 2 M = 1, K = Q +
-//! L^2, K' = Q + (L
-//! - a E)^2, B = a (a E - L) and kappa = a^2 (1 - E^2),
+//! without the dragged part of the azimuth, E, L and Carter's Q per unit mass, 2 M = 1,
+//! K = Q + L^2, K' = Q + (L - a E)^2, B = a (a E - L) and kappa = a^2 (1 - E^2),
 //!
 //! * u'^2 = U(u) = W^2 - D (1 + K' u^2), W = E + B u^2, D = 1 - u + a^2 u^2, and u'' = U'(u)/2;
 //! * n'' = -kappa n_z e_z - (K - 2 kappa n_z^2) n, with |n'|^2 = K - kappa n_z^2 and (n x n')_z =

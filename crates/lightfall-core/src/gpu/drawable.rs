@@ -3,7 +3,6 @@
 use super::error::GpuError;
 use super::scene::GpuScene;
 use crate::scene::{ObserverKind, Refusal, Scene};
-use glam::UVec2;
 use std::ops::Deref;
 use thiserror::Error;
 
@@ -35,7 +34,7 @@ impl Drawable {
     /// The first refused field, or the reason why no shader can trace the scene.
     pub fn new(scene: Scene) -> Result<Self, Undrawable> {
         scene.check()?;
-        let size = UVec2::new(scene.picture.width, scene.picture.height);
+        let size = scene.picture.size();
         let numbers = GpuScene::new(&scene, size)?;
         Ok(Self { scene, numbers })
     }

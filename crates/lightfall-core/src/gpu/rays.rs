@@ -9,7 +9,7 @@ use super::shader::Variant;
 use crate::optics::trace::{Hit, Outcome, Trace};
 use crate::scene::Scene;
 use encase::ShaderType;
-use glam::{DVec3, UVec2, Vec3, Vec4};
+use glam::{DVec3, Vec3, Vec4};
 use std::f64::consts::{PI, TAU};
 
 /// Maximum number of rays of one dispatch. More could take a slow device so long that its driver
@@ -94,7 +94,7 @@ impl RayKernel {
         scene: &Scene,
         directions: &[Vec3],
     ) -> Result<Vec<Trace>, GpuError> {
-        let numbers = GpuScene::new(scene, UVec2::new(scene.picture.width, scene.picture.height))?;
+        let numbers = GpuScene::new(scene, scene.picture.size())?;
         Ok(self
             .run(gpu, &numbers, directions)?
             .iter()

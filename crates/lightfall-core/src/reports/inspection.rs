@@ -129,7 +129,7 @@ impl Inspected {
     /// Inspects the ray of `scene` that arrives from `direction`, on the observer's axes, a unit
     /// vector; the path goes as far out as `farthest`, in r_s.
     ///
-    /// # ErrorSummary
+    /// # Errors
     /// If the scene's observer cannot exist.
     pub fn new(
         scene: &Scene,
@@ -171,7 +171,7 @@ impl Inspected {
     /// Adds what the GPU answers for the same ray of a picture of `scene` that is `height` pixels
     /// high.
     ///
-    /// # ErrorSummary
+    /// # Errors
     /// If the scene's observer cannot exist.
     pub fn compare(
         &mut self,

@@ -226,7 +226,7 @@ pub struct TraceWriter<W: Write> {
 impl<W: Write> TraceWriter<W> {
     /// Starts with the header.
     ///
-    /// # ErrorSummary
+    /// # Errors
     /// The writer's own.
     pub fn new(writer: W) -> io::Result<Self> {
         let mut csv = csv::Writer::from_writer(writer);
@@ -236,7 +236,7 @@ impl<W: Write> TraceWriter<W> {
 
     /// Writes one trace.
     ///
-    /// # ErrorSummary
+    /// # Errors
     /// The writer's own.
     pub fn write(&mut self, trace: &Trace) -> io::Result<()> {
         let sky = trace.sky.map(|sky| sky.to_array());
@@ -256,7 +256,7 @@ impl<W: Write> TraceWriter<W> {
 
     /// Hands on all that is written. Without it, an error of the last lines would pass unseen.
     ///
-    /// # ErrorSummary
+    /// # Errors
     /// The writer's own.
     pub fn finish(mut self) -> io::Result<()> {
         self.csv.flush()

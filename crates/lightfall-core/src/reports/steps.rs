@@ -23,13 +23,10 @@ pub struct StepCount {
 impl StepCount {
     /// Counts them on a GPU, over rays spread evenly over the picture.
     ///
-    /// # ErrorSummary
+    /// # Errors
     /// A scene that the GPU cannot trace, or a device that failed.
     pub fn of(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
-        let size = DVec2::new(
-            f64::from(scene.picture.width),
-            f64::from(scene.picture.height),
-        );
+        let size = scene.picture.size().as_dvec2();
         let [columns, rows] = GRID;
         let places = (0..rows)
             .flat_map(|y| (0..columns).map(move |x| DVec2::new(f64::from(x), f64::from(y)) + 0.5));

@@ -15,7 +15,7 @@ fn shown(gpu: &Gpu, scene: &Scene, errors: &[Option<f64>]) -> Vec<[Vec3; 3]> {
         view: View::Error,
         ..scene.clone()
     };
-    let size = UVec2::new(scene.picture.width, scene.picture.height);
+    let size = scene.picture.size();
     let uniforms = [
         (
             bindings::SCENE,

@@ -87,7 +87,7 @@ fn place_of(picture: &Picture, pixel: DVec2, window: UVec2) -> Vec2 {
 }
 
 fn size(picture: &Picture) -> DVec2 {
-    DVec2::new(f64::from(picture.width), f64::from(picture.height))
+    picture.size().as_dvec2()
 }
 
 fn inspect_clicked_pixel(
