@@ -1,5 +1,5 @@
 //! Null geodesics of Kerr in Mino time, on the celestial sphere. The twin in WGSL is
-//! shaders/method/mino.wgsl.
+//! shaders/method/mino.wgsl and the files next to it.
 //!
 //! In Mino time tau (Mino 2003: dtau = d(affine)/Sigma) the radial and angular motions separate. In
 //! u = 1/r and the unit vector n = (sin theta cos psi, sin theta sin psi, cos theta) their

@@ -18,38 +18,40 @@ pub fn discriminant(b: f64) -> f64 {
     (CRITICAL_IMPACT - b) * (CRITICAL_IMPACT + b) / (b * b)
 }
 
-/// What decides between sky and shadow: `radial - c E` of a photon, and where on the observer's sky
-/// it vanishes.
+/// The edge of the shadow on an observer's sky. The *margin* of a photon, `radial - c E`, is
+/// positive in the shadow, negative in the rest of the sky, and zero on the edge.
 ///
 /// By the null condition E^2 = radial^2 + (1 - u)|w|^2, u = 1/r,
 ///
 /// (1 - u)|w|^2 D = radial^2 - C E^2 = (radial - c E)(radial + c E),   C = c^2 = (27/4)(u - 2/3)^2
 /// (u + 1/3),
 ///
-/// and c = (3 sqrt(3)/2)(2/3 - u) sqrt(u + 1/3), negative within the photon sphere, makes the first
-/// factor positive for light from the horizon and negative for light from the sky on both sides of
-/// it. It is linear in (1, d): so the edge of the shadow is a circle on every observer's sky.
-/// Derived.
+/// and c = (3 sqrt(3)/2)(2/3 - u) sqrt(u + 1/3) is negative inside the photon sphere. So on both
+/// sides of the photon sphere the first factor is positive for light from the horizon and negative
+/// for light from the sky. It is linear in (1, d), d being the looking direction, so the edge is a
+/// circle on every observer's sky. Derived.
+///
+/// The margin is given by its expansion about the center of the shadow or of the rest of the sky,
+/// whichever is smaller: margin_at_center + curvature |d - center|^2/2 for unit d.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plunge {
-    /// c.
-    pub c: f64,
-    /// The middle of the shadow or of the sky, whichever is smaller: a unit vector on the
-    /// observer's axes.
-    pub middle: DVec3,
-    /// `radial - c E` in the middle.
-    pub there: f64,
-    /// What takes |d - middle|^2/2 away from that, for unit d.
-    pub bend: f64,
+pub struct ShadowEdge {
+    /// c = radial/E on the edge.
+    pub critical_radial: f64,
+    /// The center of the expansion: a unit vector on the observer's axes.
+    pub center: DVec3,
+    /// The margin at the center.
+    pub margin_at_center: f64,
+    /// The coefficient of |d - center|^2/2 in the margin.
+    pub curvature: f64,
 }
 
-impl Plunge {
-    /// Of the observer whose matrix, for a hole without spin, has these rows `energy` and `radial`,
-    /// at radius `r` (r_s).
+impl ShadowEdge {
+    /// The edge for the observer at radius `r` (r_s) whose matrix, for a hole without spin, has the
+    /// rows `energy` and `radial`.
     ///
-    /// With a + B.d for `radial - c E`, B^2 - a^2 is the same for all observers at a place: for one
-    /// at rest it is (1 - u)(1 - C) = ((1 - u) b_c u)^2. So the edge's sine is (1 - u) b_c u/|B|,
-    /// to all its digits however small.
+    /// Let the margin be a + B.d. Then B^2 - a^2 is the same for all observers at a place, and for
+    /// the observer at rest it is (1 - u)(1 - C) = ((1 - u) b_c u)^2. So the sine of the edge's
+    /// angular radius is (1 - u) b_c u/|B|, without cancellation however small it is.
     #[must_use]
     pub fn new(energy: [f64; 4], radial: [f64; 4], r: f64) -> Self {
         let u = 1.0 / r;
@@ -57,14 +59,15 @@ impl Plunge {
         let [a, slope @ ..]: [f64; 4] = std::array::from_fn(|i| radial[i] - c * energy[i]);
         let slope = DVec3::from_array(slope);
         let (steepness, depth) = (slope.length(), (1.0 - u) * CRITICAL_IMPACT * u);
-        // Where the shadow is the smaller, its middle is where the row is greatest.
+        // The shadow is smaller than the rest of the sky where a is negative. Then its center is
+        // the direction of the largest margin.
         let side = if a < 0.0 { 1.0 } else { -1.0 };
-        let there = side * depth * depth / (steepness + a.abs());
+        let margin_at_center = side * depth * depth / (steepness + a.abs());
         Self {
-            c,
-            middle: side * slope.normalize_or_zero(),
-            there,
-            bend: -side * steepness,
+            critical_radial: c,
+            center: side * slope.normalize_or_zero(),
+            margin_at_center,
+            curvature: -side * steepness,
         }
     }
 }

@@ -1,5 +1,5 @@
 //! The result of tracing a ray, the same for every method on the CPU and on the GPU. The twin in
-//! WGSL is `Trace` in shaders/scene.wgsl.
+//! WGSL is `Trace` in shaders/trace.wgsl.
 
 use glam::DVec3;
 use serde::{Serialize, Serializer};

@@ -3,7 +3,7 @@
 use crate::assert_close;
 use lightfall_core::geometry::observer::observer_matrix;
 use lightfall_core::geometry::schwarzschild::{
-    CRITICAL_IMPACT, Plunge, deflection, discriminant, shadow_half_angle_rain,
+    CRITICAL_IMPACT, ShadowEdge, deflection, discriminant, shadow_half_angle_rain,
     shadow_half_angle_static,
 };
 use lightfall_core::scene::ObserverKind;
@@ -181,7 +181,7 @@ fn the_falling_observers_shadow_is_the_static_one_aberrated() {
 }
 
 /// A boost maps circles on the sky to circles, so the edge is a circle for every observer. On the
-/// edge b is b_c, which is not used to construct [`Plunge`].
+/// edge b is b_c, which is not used to construct [`ShadowEdge`].
 #[test]
 fn the_edge_of_the_shadow_is_a_circle_on_every_observers_sky() {
     for r in [1.0001, 1.02, 1.5, 1.6, 4.0, 300.0, 1e7] {
@@ -190,24 +190,24 @@ fn the_edge_of_the_shadow_is_a_circle_on_every_observers_sky() {
                 let matrix =
                     observer_matrix(0.0, kind, velocity, r, 1.1, 0.4).expect("outside the horizon");
                 let [energy, radial, ..] = matrix.rows;
-                let Plunge {
-                    c,
-                    middle,
-                    there,
-                    bend,
-                } = Plunge::new(energy, radial, r);
+                let ShadowEdge {
+                    critical_radial,
+                    center,
+                    margin_at_center,
+                    curvature,
+                } = ShadowEdge::new(energy, radial, r);
                 let told = format!("{kind:?} at {r} with {velocity:?}");
-                // |d - middle| = 2 sin(angle/2) there.
-                let half = (-there / (2.0 * bend)).sqrt();
+                // |d - center| = 2 sin(angle/2) on the edge.
+                let half = (-margin_at_center / (2.0 * curvature)).sqrt();
                 assert!(
                     (1e-9..=0.5_f64.sqrt() + 1e-15).contains(&half),
                     "{told}: half chord {half}"
                 );
                 let angle = 2.0 * half.asin();
-                let (u, v) = middle.any_orthonormal_pair();
+                let (u, v) = center.any_orthonormal_pair();
                 for around in [0.1, 1.9, 4.0] {
                     let direction = |angle: f64| {
-                        angle.cos() * middle
+                        angle.cos() * center
                             + angle.sin() * (f64::sin(around) * u + f64::cos(around) * v)
                     };
                     let photon = matrix.photon(direction(angle));
@@ -222,12 +222,13 @@ fn the_edge_of_the_shadow_is_a_circle_on_every_observers_sky() {
                     for share in [0.5, 0.9, 1.1] {
                         let direction = direction(share * angle);
                         let photon = matrix.photon(direction);
-                        let plunge = there + 0.5 * bend * (direction - middle).length_squared();
-                        let own = photon.radial - c * photon.energy;
+                        let margin = margin_at_center
+                            + 0.5 * curvature * (direction - center).length_squared();
+                        let own = photon.radial - critical_radial * photon.energy;
                         let least = 1e-13 * photon.energy.abs().max(1.0) * 1e4;
                         assert!(
-                            (plunge - own).abs() < least.max(1e-9 * own.abs()),
-                            "{told}: {plunge:e} and {own:e}"
+                            (margin - own).abs() < least.max(1e-9 * own.abs()),
+                            "{told}: {margin:e} and {own:e}"
                         );
                     }
                 }

@@ -1,7 +1,7 @@
 //! What decides between sky and shadow around a hole without spin.
 
 use crate::geometry::observer::ObserverMatrix;
-use crate::geometry::schwarzschild::Plunge;
+use crate::geometry::schwarzschild::ShadowEdge;
 use crate::gpu::error::GpuError;
 use crate::optics::camera_rays::CameraRays;
 use crate::scene::{ObserverKind, Scene};
@@ -30,17 +30,17 @@ impl GpuShadow {
         tetrad_from_direction: DMat3,
     ) -> Result<Self, GpuError> {
         let (edge, inverse_lapse_squared) = edge(scene, matrix)?;
-        let exact_center = tetrad_from_direction.transpose() * edge.middle;
+        let exact_center = tetrad_from_direction.transpose() * edge.center;
         let center = exact_center.as_vec3();
         // The margin is expanded about the rounded center.
         let moved = center.as_dvec3() - exact_center;
-        let at_center = edge.there + 0.5 * edge.bend * moved.length_squared();
-        let slope = edge.bend * moved;
+        let at_center = edge.margin_at_center + 0.5 * edge.curvature * moved.length_squared();
+        let slope = edge.curvature * moved;
         Ok(Self {
             margin: DVec4::new(at_center, slope.x, slope.y, slope.z).as_vec4(),
             center,
-            curvature: edge.bend as f32,
-            twice_critical_radial: (2.0 * edge.c) as f32,
+            curvature: edge.curvature as f32,
+            twice_critical_radial: (2.0 * edge.critical_radial) as f32,
             inverse_lapse_squared: inverse_lapse_squared as f32,
             u_to_photon_sphere: (2.0 / 3.0 - 1.0 / scene.camera.r) as f32,
         })
@@ -51,9 +51,9 @@ impl GpuShadow {
 ///
 /// Both have a limit on the horizon itself. There an observer in free fall is moved to
 /// [`NEXT_TO_HORIZON`] outside, which changes nothing that it sees by more than that.
-fn edge(scene: &Scene, matrix: &ObserverMatrix) -> Result<(Plunge, f64), GpuError> {
+fn edge(scene: &Scene, matrix: &ObserverMatrix) -> Result<(ShadowEdge, f64), GpuError> {
     let at = |r: f64, [energy, radial, ..]: [[f64; 4]; 5]| {
-        (Plunge::new(energy, radial, r), r / (r - 1.0))
+        (ShadowEdge::new(energy, radial, r), r / (r - 1.0))
     };
     if scene.observer.kind == ObserverKind::Rain && (scene.camera.r - 1.0).abs() < NEXT_TO_HORIZON {
         let mut outside = scene.clone();
