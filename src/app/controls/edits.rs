@@ -10,8 +10,6 @@ use lightfall_core::scene::{Method, ObserverKind, Picture, Scene, SkyMode, View}
 const DEFAULT_SPIN: f64 = 0.9;
 /// As many levels as eight bits can tell apart.
 pub(crate) const ALL_LEVELS: u32 = 256;
-/// The kinds of observer, in the order in which their key goes through them.
-pub(crate) const OBSERVERS: [ObserverKind; ObserverKind::ALL.len()] = ObserverKind::ALL;
 /// One press of an exposure key, in powers of two.
 const EXPOSURE_STEP: f64 = 0.25;
 
@@ -153,17 +151,17 @@ pub(super) fn next_sky(scene: &mut Scene, _: &Scene) {
 
 /// The next kind of observer that can exist at the camera's place.
 pub(super) fn next_observer(scene: &mut Scene, _: &Scene) {
-    let now = OBSERVERS
+    let now = ObserverKind::ALL
         .iter()
         .position(|kind| *kind == scene.observer.kind)
         .unwrap_or(0);
-    for next in 1..OBSERVERS.len() {
-        scene.observer.kind = OBSERVERS[(now + next) % OBSERVERS.len()];
+    for next in 1..ObserverKind::ALL.len() {
+        scene.observer.kind = ObserverKind::ALL[(now + next) % ObserverKind::ALL.len()];
         if CameraRays::new(scene).is_ok() {
             return;
         }
     }
-    scene.observer.kind = OBSERVERS[now];
+    scene.observer.kind = ObserverKind::ALL[now];
 }
 
 pub(super) fn switch_bloom(scene: &mut Scene, loaded: &Scene) {

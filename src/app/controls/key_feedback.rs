@@ -2,7 +2,7 @@
 
 use super::bindings::Bindings;
 use super::control::Control;
-use super::edits::{ALL_LEVELS, OBSERVERS};
+use super::edits::ALL_LEVELS;
 use super::table::control_named;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::camera_rays::CameraRays;
@@ -66,27 +66,27 @@ pub fn remark(
 /// The kinds of observer that the key skipped because they cannot exist here, with the reasons.
 fn skipped_observers(before: &Scene, after: &Scene) -> Option<String> {
     let place = |kind| {
-        OBSERVERS
+        ObserverKind::ALL
             .iter()
             .position(|other| *other == kind)
             .unwrap_or(0)
     };
     let (from, to) = (place(before.observer.kind), place(after.observer.kind));
     let steps = if from == to {
-        OBSERVERS.len()
+        ObserverKind::ALL.len()
     } else {
-        (to + OBSERVERS.len() - from) % OBSERVERS.len()
+        (to + ObserverKind::ALL.len() - from) % ObserverKind::ALL.len()
     };
     let horizon = Kerr {
         spin: after.hole.spin,
     }
     .horizon();
-    if steps == OBSERVERS.len() && after.camera.r < horizon {
+    if steps == ObserverKind::ALL.len() && after.camera.r < horizon {
         return Some("inside the horizon every observer falls".into());
     }
     let reasons = (1..steps).filter_map(|step| {
         let mut other = before.clone();
-        other.observer.kind = OBSERVERS[(from + step) % OBSERVERS.len()];
+        other.observer.kind = ObserverKind::ALL[(from + step) % ObserverKind::ALL.len()];
         CameraRays::new(&other)
             .err()
             .map(|reason| reason.to_string())
