@@ -1,6 +1,8 @@
 //! The structure of the source: which module may import from which. These tests read the source
-//! files and need neither Bevy nor a GPU. docs/ARCHITECTURE.md explains the order.
+//! files and the documents, and need neither Bevy nor a GPU. docs/ARCHITECTURE.md explains the
+//! order.
 
+mod documents;
 mod examples;
 mod graph;
 mod program;

@@ -1,4 +1,5 @@
-//! Every variant, for tests.
+//! Every variant, for tests. The lists come from the tables of methods, skies, disk models and views,
+//! so that a new row is tested as well.
 
 use super::{Entry, Tracer, Variant};
 use crate::scene::{DiskModel, Effects, Method, Scene, SkyMode, View};
@@ -11,22 +12,21 @@ impl Variant {
         let mut all = Vec::new();
         let mut scene = Scene::default();
         let disks = [(false, 0.0), (true, 0.0), (true, 0.04), (true, 1.0)];
-        let methods = [
-            (Method::Verlet, 0.0),
-            (Method::Closed, 0.0),
-            (Method::Mino, 0.0),
-            (Method::Mino, 0.5),
-            (Method::KerrSchild, 0.0),
-            (Method::KerrSchild, 0.5),
-        ];
-        for ((method, spin), (enabled, transmission)) in methods
-            .into_iter()
-            .flat_map(|method| disks.map(|disk| (method, disk)))
+        let methods = Method::on_gpu().into_iter().flat_map(|method| {
+            let spins: &[f64] = if method.properties().spins {
+                &[0.0, 0.5]
+            } else {
+                &[0.0]
+            };
+            spins.iter().map(move |spin| (method, *spin))
+        });
+        for ((method, spin), (enabled, transmission)) in
+            methods.flat_map(|method| disks.map(|disk| (method, disk)))
         {
             (scene.method, scene.hole.spin) = (method, spin);
             (scene.disk.enabled, scene.disk.transmission) = (enabled, transmission);
             all.extend([Self::rays(&scene), Self::timed(&scene)]);
-            for mode in [SkyMode::Stars, SkyMode::Grid, SkyMode::Off] {
+            for mode in SkyMode::ALL {
                 for reference_star in [false, true] {
                     for view in View::ALL {
                         (scene.sky.mode, scene.sky.reference_star, scene.view) =
@@ -54,10 +54,13 @@ impl Variant {
             .copied()
             .filter(|v| v.disk && v.view.shows_light() && v.entry == Entry::Picture)
             .collect();
-        all.extend(shining.into_iter().map(|variant| Self {
-            disk_model: DiskModel::PageThorne,
-            ..variant
-        }));
+        for disk_model in DiskModel::ALL {
+            let modelled = |variant: &Self| Self {
+                disk_model,
+                ..*variant
+            };
+            all.extend(shining.iter().map(modelled));
+        }
         let close = |variant: &Self| {
             let (tracer, view, effects) = (variant.tracer, variant.view, variant.effects);
             tracer == Tracer::Mino && view == View::Colour && effects == Effects::default()
