@@ -18,6 +18,9 @@ mod legends;
 #[path = "../../crates/lightfall-core/tests/gpu/light.rs"]
 mod light;
 mod program;
+mod random;
 mod rays;
+mod resolution;
 mod settings;
+mod steering;
 mod worker;

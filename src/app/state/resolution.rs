@@ -3,7 +3,7 @@
 
 use bevy::prelude::*;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::{Picture, Scene};
+use lightfall_core::scene::{MAX_PIXELS_PER_CELL, Picture, Scene};
 
 /// The scene's own resolution, and the one that is drawn.
 #[derive(Resource, Clone, Debug)]
@@ -82,7 +82,9 @@ impl Resolution {
             let factor = (self.full_grid.as_dvec2() / self.drawn_size.as_dvec2())
                 .max_element()
                 .ceil();
-            self.drawn_grid = scaled(self.full_grid, 1.0 / factor).min(self.drawn_size);
+            // Where rounding leaves too few cells, one side has more.
+            let min = (self.drawn_size + MAX_PIXELS_PER_CELL - 1) / MAX_PIXELS_PER_CELL;
+            self.drawn_grid = scaled(self.full_grid, 1.0 / factor).clamp(min, self.drawn_size);
         }
     }
 }

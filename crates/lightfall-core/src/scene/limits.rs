@@ -132,8 +132,8 @@ impl Scene {
     }
 }
 
-/// The largest width and height of a presentation cell, in pixels of the HDR picture. It bounds the
-/// loops of shaders/pixelate.wgsl.
+/// Largest number of pixels of the HDR picture that a presentation cell averages along each axis. It
+/// bounds the loops of pixelate.wgsl.
 pub const MAX_PIXELS_PER_CELL: u32 = 64;
 
 /// The range of a side of the presentation grid. A cell is at least one pixel of the HDR picture,
