@@ -237,7 +237,7 @@ fn a_change_that_cannot_be_drawn_is_refused_with_the_reason() {
     let without_spin = edited(control_named("scene.spin").unwrap(), &deep, &deep).unwrap();
     let refused = checked_change(&deep, without_spin).unwrap_err();
     assert!(
-        refused.starts_with("hole.spin = 0 is refused beside camera.r = 0.9"),
+        refused.starts_with("hole.spin = 0 is refused together with camera.r = 0.9"),
         "{refused}"
     );
 }
