@@ -61,7 +61,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     };
     let (first_scene, _) = pictures.get(pictures.numbers().start);
     let mut writer = PictureWriter {
-        studio: Studio::equipped(&first_scene, size, options).map_err(stop_drawing)?,
+        studio: Studio::with_options(&first_scene, size, options).map_err(stop_drawing)?,
         format,
         channels: args.aov.clone().unwrap_or_default(),
         rays: None,

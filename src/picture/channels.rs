@@ -1,5 +1,4 @@
-//! What the rays of a picture tell besides light: the channels that an EXR picture can have, by
-//! name.
+//! The data of a picture's rays: the channels that an EXR picture can have in addition to light.
 
 use glam::{DVec2, Vec3};
 use lightfall_core::gpu::rays::RayKernel;
@@ -10,35 +9,35 @@ use lightfall_core::optics::trace::{Hit, Trace};
 use lightfall_core::scene::{Disk, Scene};
 use std::str::FromStr;
 
-/// One number a pixel.
+/// A channel: one number per pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Channel {
-    /// Its name in the file; what stands before a dot is its group.
+    /// Its name in the file. The part before a dot is its group.
     pub name: &'static str,
-    /// What it says, with its unit.
+    /// What it means, with its unit.
     pub about: &'static str,
     value: Value,
 }
 
-/// Where a channel's numbers come from.
+/// The source of a channel's numbers.
 #[derive(Clone, Copy, Debug)]
 enum Value {
-    /// A number of the ray through the pixel's middle, or none.
-    Number(fn(&Seen) -> Option<f64>),
-    /// A whole number of that ray.
+    /// A number of the ray through the pixel's centre, if it has one.
+    Number(fn(&TracedRay) -> Option<f64>),
+    /// An integer of that ray.
     Count(fn(&Trace) -> u32),
     /// The foreground's depth.
     Depth,
 }
 
-/// A ray and the disk that it may meet.
-struct Seen<'a> {
+/// The trace of a ray, and the disk that it may meet.
+struct TracedRay<'a> {
     trace: &'a Trace,
     disk: &'a Disk,
     profile: &'a Profile,
 }
 
-impl Seen<'_> {
+impl TracedRay<'_> {
     fn hit(&self, which: usize, part: fn(Hit) -> f64) -> Option<f64> {
         self.trace.hits[which].map(part)
     }
@@ -53,14 +52,13 @@ macro_rules! channels {
         [$(Channel { name: $name, about: $about, value: Value::$kind($value) },)*
          Channel {
              name: "depth",
-             about: "distance of the foreground probe from the camera's plane at the pixel's middle, in r_s; infinite where there \
-                     is none",
+             about: "distance of the foreground probe from the camera's plane at the pixel's centre, in r_s; infinite without a probe",
              value: Value::Depth,
          }]
     };
 }
 
-/// Every channel besides R, G, B and A.
+/// Every channel in addition to R, G, B and A.
 pub const CHANNELS: [Channel; 15] = channels![
     "sky.x" Number |seen| seen.trace.sky.map(|sky| sky.x),
         "x of the unit vector toward the source at infinity, in the hole's frame with the camera at azimuth camera.phi_deg";
@@ -72,19 +70,19 @@ pub const CHANNELS: [Channel; 15] = channels![
     "hit1.phi" Number |seen| seen.hit(0, |hit| hit.phi), "azimuth of the first crossing, in radians, in (-pi, pi]";
     "hit1.g" Number |seen| seen.hit(0, |hit| hit.g), "observed over emitted frequency of light from the first crossing";
     "hit1.T" Number |seen| seen.temperature(0),
-        "temperature of the matter at the first crossing, in its own frame, in kelvin; it looks g T hot";
+        "temperature of the matter at the first crossing, in its own frame, in kelvin; the observer sees g T";
     "hit2.r" Number |seen| seen.hit(1, |hit| hit.r), "radius of the second crossing of the disk, in r_s";
     "hit2.phi" Number |seen| seen.hit(1, |hit| hit.phi), "azimuth of the second crossing, in radians, in (-pi, pi]";
     "hit2.g" Number |seen| seen.hit(1, |hit| hit.g), "observed over emitted frequency of light from the second crossing";
     "hit2.T" Number |seen| seen.temperature(1),
         "temperature of the matter at the second crossing, in its own frame, in kelvin";
-    "outcome" Count |trace| trace.outcome as u32, "what becomes of the backward ray: 0 sky, 1 captured, 2 unfinished";
-    "steps" Count |trace| trace.steps, "steps that the method took; zero where light is traced in closed form";
+    "outcome" Count |trace| trace.outcome as u32, "outcome of the backward ray: 0 sky, 1 captured, 2 unfinished";
+    "steps" Count |trace| trace.steps, "number of steps of the method; zero in closed form";
     "residual" Number |seen| Some(seen.trace.residual),
-        "largest normalized residual of the null constraint along the ray; zero where light is traced in closed form";
+        "largest normalized residual of the null constraint along the ray; zero in closed form";
 ];
 
-/// A list of channels, each once, in their own order.
+/// A list of channels without duplicates, in the order of [`CHANNELS`].
 #[derive(Clone, Debug, Default)]
 pub struct Channels(Vec<Channel>);
 
@@ -95,7 +93,7 @@ impl Channels {
         &self.0
     }
 
-    /// Whether the foreground's depth is one of them.
+    /// Whether the depth of the foreground is one of them.
     #[must_use]
     pub fn with_depth(&self) -> bool {
         self.0
@@ -126,7 +124,7 @@ impl FromStr for Channels {
             Some(unknown) => {
                 let all = CHANNELS.map(|channel| channel.name).join(", ");
                 Err(format!(
-                    "there is no channel {unknown:?}; there are all, sky, hit1, hit2, and one by one {all}"
+                    "there is no channel {unknown:?}; the groups are all, sky, hit1 and hit2, and the channels are {all}"
                 ))
             }
             None => Ok(Self(
@@ -139,23 +137,23 @@ impl FromStr for Channels {
     }
 }
 
-/// The numbers of a channel, rows from the top.
+/// The numbers of a channel, in rows from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Samples {
-    /// Not a number where there is none.
+    /// Missing values are NaN.
     Numbers(Vec<f32>),
-    /// Whole numbers.
+    /// Integers.
     Counts(Vec<u32>),
 }
 
-/// Rays of one go, so that what they tell never fills the memory.
+/// Maximum number of rays that are traced at once, which limits the memory of their traces.
 const BATCH: usize = 1 << 15;
 
-/// Traces the pixels of pictures, on a device beside the one that draws them.
+/// Traces the rays through the pixels of pictures, on another device than the one that draws.
 #[derive(Debug)]
 pub struct PixelRays {
     gpu: Gpu,
-    /// The shader of the last scene; the next one often needs the same.
+    /// The shader of the last scene. The next scene often needs the same one.
     kernel: Option<(Variant, RayKernel)>,
 }
 
@@ -163,7 +161,7 @@ impl PixelRays {
     /// Opens the device.
     ///
     /// # Errors
-    /// There is none.
+    /// There is no device.
     pub fn open() -> Result<Self, GpuError> {
         Ok(Self {
             gpu: Gpu::headless()?,
@@ -171,11 +169,11 @@ impl PixelRays {
         })
     }
 
-    /// The channels' numbers for the scene's picture, each pixel by the ray through its middle,
-    /// whatever is in front of it. `depth` is the foreground's, one number a pixel.
+    /// The channels' numbers for the scene's picture, from the ray through each pixel's centre,
+    /// regardless of the foreground. `depth` is the depth of the foreground, one number per pixel.
     ///
     /// # Errors
-    /// A scene the GPU cannot trace, or a device that failed.
+    /// The GPU cannot trace the scene, or the device failed.
     pub fn sample(
         &mut self,
         scene: &Scene,
@@ -201,7 +199,7 @@ impl PixelRays {
             };
             let profile = Profile::new(scene);
             let seen = || {
-                traces.iter().map(|trace| Seen {
+                traces.iter().map(|trace| TracedRay {
                     trace,
                     disk: &scene.disk,
                     profile: &profile,
@@ -226,7 +224,7 @@ impl PixelRays {
         Ok(samples)
     }
 
-    /// Traces a run of pixels, counted along the rows.
+    /// Traces a range of pixels, numbered along the rows.
     fn trace(
         &mut self,
         scene: &Scene,
@@ -239,10 +237,10 @@ impl PixelRays {
         };
         let size = scene.picture.size().as_dvec2();
         let width = scene.picture.width as usize;
-        let middle =
+        let centre =
             |pixel: usize| DVec2::new((pixel % width) as f64, (pixel / width) as f64) + 0.5;
         let rays: Vec<Vec3> = pixels
-            .map(|pixel| scene.camera.looking(middle(pixel), size).as_vec3())
+            .map(|pixel| scene.camera.looking(centre(pixel), size).as_vec3())
             .collect();
         let traces = kernel.trace(&self.gpu, scene, &rays);
         self.kernel = Some((variant, kernel));

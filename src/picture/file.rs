@@ -1,16 +1,16 @@
-//! Picture files: they appear whole or not at all.
+//! Picture files.
 
 use crate::storage::{PRESET_KEY, WriteError, check_writable, write_atomically};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// Why a picture could not be made or written; each is one sentence.
+/// Why a picture could not be drawn or written. Each message is one sentence.
 #[derive(Debug, thiserror::Error)]
 pub enum PictureError {
-    /// The name has no extension that this program writes.
-    #[error("{path}: {}; allowed are .png and .exr", ending(.extension))]
+    /// The extension of the file's name is not that of a format that the program writes.
+    #[error("{path}: {}; allowed are .png and .exr", extension_fault(.extension))]
     Extension {
-        /// The file asked for.
+        /// The file.
         path: PathBuf,
         /// Its extension, without the dot.
         extension: String,
@@ -21,53 +21,53 @@ pub enum PictureError {
     /// The picture could not be encoded.
     #[error("{path}: the picture could not be encoded: {reason}")]
     Encode {
-        /// The file asked for.
+        /// The file.
         path: PathBuf,
-        /// What the encoder says.
+        /// The encoder's message.
         reason: String,
     },
     /// The device cannot draw a picture this large.
     #[error("{field} = {width}x{height}: this device draws pictures of 1 to {limit} pixels a side")]
     Size {
-        /// Which size.
+        /// Name of the size in the message.
         field: &'static str,
-        /// Width asked for.
+        /// The requested width, in pixels.
         width: u32,
-        /// Height asked for.
+        /// The requested height, in pixels.
         height: u32,
-        /// Largest side.
+        /// The maximum of both, in pixels.
         limit: u32,
     },
-    /// The chain failed.
+    /// The chain of passes failed.
     #[error("the picture could not be drawn: {0}")]
     Draw(String),
-    /// Somebody has stopped the program.
-    #[error("interrupted; the pictures written before are whole")]
+    /// The user interrupted the program.
+    #[error("interrupted; the pictures written so far are complete")]
     Interrupted,
 }
 
-/// What is wrong with the ending of a file's name.
-fn ending(extension: &str) -> String {
+/// What is wrong with the extension of a file's name.
+fn extension_fault(extension: &str) -> String {
     if extension.is_empty() {
-        return "the name has no ending that says which picture format to write".into();
+        return "the name has no extension that says which picture format to write".into();
     }
     format!("unknown picture format {extension:?}")
 }
 
-/// What kind of picture a file is.
+/// The format of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// What a window would show, in 8 bits a channel.
+    /// What a window would show, in 8 bits per channel.
     Png,
-    /// Linear light, and what rays tell.
+    /// Linear light, and the data of rays.
     Exr,
 }
 
-/// Checks that a picture can be written at `path`, before any work is done for it, and tells of
-/// which kind it will be.
+/// Checks that a picture can be written to `path`, before any work is done for it, and returns its
+/// format.
 ///
 /// # Errors
-/// An unknown extension, or a folder that does not exist or cannot be written.
+/// The extension is unknown, or the folder does not exist or cannot be written.
 pub fn check_path(path: &Path) -> Result<Format, PictureError> {
     let extension = path
         .extension()
@@ -92,11 +92,11 @@ pub fn check_path(path: &Path) -> Result<Format, PictureError> {
     Ok(format)
 }
 
-/// Writes 8-bit RGB rows, top first, as a PNG, with the preset that drew them inside. The file
-/// appears under its name only when it is complete.
+/// Writes 8-bit RGB rows, the top one first, as a PNG that holds the preset that drew them. The
+/// file appears under its name only when it is complete.
 ///
 /// # Errors
-/// What the encoder or the file system says, with the file's name.
+/// The encoding failed, or the file cannot be written.
 pub fn write_png(
     path: &Path,
     width: u32,

@@ -1,4 +1,4 @@
-//! The chain as a program of its own, without a window.
+//! The chain of passes as a Bevy app without a window.
 
 use super::PictureError;
 use crate::render::{AwaitErrorMap, Capture, LightfallRenderPlugin, is_drawn, render_plugin};
@@ -16,30 +16,29 @@ use bevy::winit::WinitPlugin;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{MAX_PICTURE_SIDE, Scene};
 
-/// Frames after which a picture that still isn't there is given up; compiling every pipeline takes
-/// a handful.
+/// Maximum number of frames to wait for a picture. Compiling every pipeline takes a few frames.
 pub(super) const MAX_UPDATES: usize = 600;
 
-/// The exit status by which Bevy says that somebody has pressed Ctrl+C.
+/// Bevy's exit status after Ctrl+C.
 const INTERRUPTED: u8 = 130;
 
-/// What a studio does besides drawing.
+/// What a [`Studio`](super::Studio) does in addition to drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HeadlessOptions {
-    /// Takes the GPU time of each pass.
+    /// Measure the GPU time of each pass.
     pub timed: bool,
-    /// Keeps the linear light and the depth of each picture.
+    /// Keep the linear light and the depth of each picture.
     pub light: bool,
 }
 
-/// The image that the screen writes to.
+/// The image that the last pass writes.
 #[derive(Resource)]
 pub(super) struct Output(pub(super) Handle<Image>);
 
-/// The chain of a first scene, not yet drawn, with an output of `size` pixels.
+/// An app that is ready to draw a first scene, with an output of `size` pixels.
 ///
 /// # Errors
-/// A size the device can't do, or a scene the GPU cannot draw.
+/// The size is too large, or the scene cannot be drawn.
 pub(super) fn headless(
     scene: &Scene,
     size: UVec2,
@@ -59,7 +58,7 @@ pub(super) fn headless(
             .disable::<WinitPlugin>()
             .disable::<PipelinedRenderingPlugin>(),
     );
-    // A process has one log, however many pictures it draws.
+    // A process has only one log.
     static LOG: std::sync::Once = std::sync::Once::new();
     LOG.call_once(|| {
         app.add_plugins(quiet_log());
@@ -92,18 +91,18 @@ pub(super) fn headless(
     Ok(app)
 }
 
-/// The scene with its numbers.
+/// The checked scene.
 ///
 /// # Errors
-/// Why it cannot be drawn.
+/// The scene cannot be drawn.
 pub(super) fn drawable(scene: &Scene) -> Result<Drawable, PictureError> {
     Drawable::new(scene.clone()).map_err(|reason| PictureError::Draw(reason.to_string()))
 }
 
-/// Checks that a device can draw a picture of this size; `field` names it in the error.
+/// Checks that a picture of this size can be drawn. `field` names the size in the error.
 ///
 /// # Errors
-/// A side of zero, or longer than every device that the passes run on can do.
+/// A side is zero, or longer than the passes can draw on every device.
 pub fn check_size(field: &'static str, size: UVec2) -> Result<(), PictureError> {
     let limit = MAX_PICTURE_SIDE;
     if size.min_element() == 0 || size.max_element() > limit {
@@ -117,7 +116,7 @@ pub fn check_size(field: &'static str, size: UVec2) -> Result<(), PictureError> 
     Ok(())
 }
 
-/// Warnings and errors only, on the standard error stream, unless RUST_LOG says otherwise.
+/// A log of warnings and errors on standard error. RUST_LOG can change the level.
 pub(crate) fn quiet_log() -> LogPlugin {
     LogPlugin {
         filter: "error,lightfall=warn".into(),
@@ -126,7 +125,7 @@ pub(crate) fn quiet_log() -> LogPlugin {
     }
 }
 
-/// Draws a frame and waits for it.
+/// Draws a frame and waits until the device is done.
 pub(super) fn update(app: &mut App) -> Result<(), PictureError> {
     app.update();
     match app.should_exit() {
@@ -150,7 +149,7 @@ pub(super) fn update(app: &mut App) -> Result<(), PictureError> {
     Ok(())
 }
 
-/// Updates until the scene is drawn, so that the picture is complete the first time it is taken.
+/// Draws frames until the scene is completely drawn.
 pub(super) fn warm_up(app: &mut App) -> Result<(), PictureError> {
     for _ in 0..MAX_UPDATES {
         update(app)?;

@@ -1,5 +1,5 @@
-//! Pictures without a window: the same chain, drawn to an image and written as a whole file; and
-//! sequences of them.
+//! Pictures without a window: the window's chain of passes draws into an image, which is written to
+//! a file. Also sequences of pictures.
 
 mod channels;
 mod file;

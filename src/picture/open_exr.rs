@@ -1,4 +1,4 @@
-//! Pictures of linear light as OpenEXR files, with what their rays tell by the names of
+//! Pictures of linear light as OpenEXR files, with the data of their rays in
 //! [`CHANNELS`](super::CHANNELS).
 
 use super::file::PictureError;
@@ -11,10 +11,10 @@ use lightfall_core::scene::Scene;
 use std::io::Cursor;
 use std::path::Path;
 
-/// What the light's own channels say.
+/// The meaning of the light's own channels.
 const LIGHT: &str =
     "R, G, B: linear light with the primaries of Rec. 709, before exposure, bloom and tone mapping; white paper is 1
-A: 1 everywhere, for what is dark hides what is behind it
+A: 1 everywhere, because dark things hide what is behind them
 ";
 
 /// A picture of linear light.
@@ -24,21 +24,21 @@ pub struct Linear<'a> {
     pub scene: &'a Scene,
     /// Its light.
     pub light: Captured,
-    /// What its rays tell, channel by channel.
+    /// The channels of its rays.
     pub channels: &'a Channels,
     /// The numbers of those channels.
     pub samples: Vec<Samples>,
-    /// The revision of the program, where it is known.
+    /// The revision of the program, if it is known.
     pub commit: Option<&'a str>,
-    /// Frames a second, where it is one of a sequence.
+    /// Frames per second, if the picture is part of a sequence.
     pub fps: Option<f64>,
 }
 
-/// Writes an EXR picture: half floats for light, floats and whole numbers for the rest, compressed
-/// without loss. The file appears under its name only when it is complete.
+/// Writes an EXR picture: half floats for light, floats and integers for the rest, with lossless
+/// compression. The file appears under its name only when it is complete.
 ///
 /// # Errors
-/// What the encoder or the file system says, with the file's name.
+/// The encoding failed, or the file cannot be written.
 pub fn write_exr(path: &Path, picture: Linear) -> std::result::Result<(), PictureError> {
     let size = Vec2(picture.light.size.x as usize, picture.light.size.y as usize);
     let attributes = attributes(&picture);
@@ -58,8 +58,8 @@ pub fn write_exr(path: &Path, picture: Linear) -> std::result::Result<(), Pictur
             channel_data: channels(picture),
         },
     };
-    // Compressed first, and then written at once: whoever stops the program meanwhile leaves no
-    // half of a file.
+    // The file is encoded in memory and written at once, so that an interruption leaves no partial
+    // file.
     let mut bytes = Vec::new();
     image
         .write()
@@ -129,13 +129,12 @@ fn attributes(picture: &Linear) -> LayerAttributes {
     }
 }
 
-/// UTF-8, as readers take the texts of a header to be; the crate's own way knows Latin letters
-/// only.
+/// A header text in UTF-8, which readers expect. The crate's own conversion accepts Latin-1 only.
 fn text(text: &str) -> Text {
     Text::from_slice_unchecked(text.as_bytes())
 }
 
-/// The method by which light was traced: what `auto` stands for.
+/// The method that traced the light, with `auto` resolved.
 fn method(scene: &Scene) -> &'static str {
     if scene.effects.lensing {
         scene.method.resolved(scene.hole.spin).word()
@@ -144,7 +143,7 @@ fn method(scene: &Scene) -> &'static str {
     }
 }
 
-/// Of Rec. 709 and sRGB: red, green, blue and white D65 (Rec. ITU-R BT.709, item 1.4).
+/// The primaries of Rec. 709 and sRGB with white D65 (Rec. ITU-R BT.709, item 1.4).
 fn rec_709() -> Chromaticities {
     Chromaticities {
         red: Vec2(0.64, 0.33),

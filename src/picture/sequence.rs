@@ -1,25 +1,25 @@
-//! Sequences: a journey as numbered pictures.
+//! Sequences: journeys as numbered pictures.
 
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-/// Most frames of one run: an hour and a half at 24 a second.
+/// Maximum number of frames of one run: an hour and a half at 24 frames per second.
 const MAX_FRAMES: u32 = 130_000;
 
-/// Least and most frames a second.
-const RATES: [f64; 2] = [0.01, 1000.0];
+/// Minimum and maximum of the frames per second.
+const FRAME_RATES: [f64; 2] = [0.01, 1000.0];
 
-/// Digits of a frame's number, where the name says nothing of it.
-const DIGITS: usize = 4;
+/// Number of digits of a frame's number if the file's name has no `#`.
+const DEFAULT_DIGITS: usize = 4;
 
-/// Which frames, by number: from the first to the last, both of them included.
+/// A range of frames, by number, with both ends included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Frames {
-    /// Number of the first.
+    /// Number of the first frame.
     pub first: u32,
-    /// Number of the last.
+    /// Number of the last frame.
     pub last: u32,
 }
 
@@ -50,12 +50,12 @@ impl FromStr for Frames {
     }
 }
 
-/// Reads a number of frames a second.
+/// Reads a number of frames per second.
 ///
 /// # Errors
-/// What it may be.
+/// The text is no number or out of range.
 pub fn frame_rate(text: &str) -> Result<f64, String> {
-    let [least, most] = RATES;
+    let [least, most] = FRAME_RATES;
     let rate = text
         .parse()
         .ok()
@@ -70,23 +70,24 @@ pub fn frame_rate(text: &str) -> Result<f64, String> {
 pub struct Sequence {
     /// The journey.
     pub journey: Journey,
-    /// Its frames: number k is what there is to see k / fps seconds after its beginning.
+    /// The frames. Frame k shows the journey k / fps seconds after its start.
     pub frames: Frames,
-    /// Frames a second.
+    /// Frames per second.
     pub fps: f64,
-    /// The files' folder, the part of their names before and after the number, and its digits.
+    /// The folder of the files, the parts of their names before and after the number, and the
+    /// number's digits.
     folder: PathBuf,
     name: [String; 2],
     digits: usize,
 }
 
 impl Sequence {
-    /// A sequence of pictures named by `pattern`: the last run of `#` in its file name stands for
-    /// the frame's number, with as many digits at least; without any the number is put before the
-    /// ending, after a dash.
+    /// A sequence of pictures whose names follow `pattern`: the last run of `#` in its file name is
+    /// replaced by the frame's number, with at least as many digits. Without `#`, a dash and the
+    /// number are inserted before the extension.
     ///
     /// # Errors
-    /// A name that is not Unicode.
+    /// The name is not Unicode.
     pub fn new(journey: Journey, frames: Frames, fps: f64, pattern: &Path) -> Result<Self, String> {
         let name = pattern.file_name().unwrap_or_default().to_str();
         let name = name.ok_or(format!(
@@ -104,7 +105,7 @@ impl Sequence {
             }
             None => {
                 let dot = name.rfind('.').unwrap_or(name.len());
-                (format!("{}-", &name[..dot]), DIGITS, &name[dot..])
+                (format!("{}-", &name[..dot]), DEFAULT_DIGITS, &name[dot..])
             }
         };
         let folder = pattern.parent().unwrap_or(Path::new("")).to_owned();
@@ -118,8 +119,7 @@ impl Sequence {
         })
     }
 
-    /// What the frame of this number shows, where the journey leads through `scene`. It is not
-    /// checked.
+    /// The scene of the frame of this number, for a journey through `scene`. It is not checked.
     #[must_use]
     pub fn scene(&self, scene: &Scene, number: u32) -> Scene {
         let mut scene = scene.clone();
@@ -141,7 +141,7 @@ impl Sequence {
         (self.journey.duration * self.fps).ceil()
     }
 
-    /// The line for a shell by which `ffmpeg` makes a video of pictures of this size.
+    /// The shell command line with which `ffmpeg` makes a video of pictures of this size.
     #[must_use]
     pub fn ffmpeg(&self, width: u32, height: u32) -> String {
         let name = |text: &str| text.replace('%', "%%");
@@ -153,7 +153,7 @@ impl Sequence {
             .filter(|stem| !stem.is_empty())
             .unwrap_or("lightfall");
         let output = self.folder.join(format!("{stem}.mp4"));
-        // Linear light gets sRGB's curve, and the usual kind of video has sides of even length.
+        // Linear light is converted to sRGB's curve, and common video formats need even sides.
         let linear = after
             .to_lowercase()
             .ends_with(".exr")
@@ -175,7 +175,7 @@ impl Sequence {
     }
 }
 
-/// A word as a shell takes it.
+/// A word, quoted for a shell if necessary.
 fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "/._-%+=:,@".contains(c);
     let word = if word.starts_with('-') {

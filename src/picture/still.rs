@@ -1,4 +1,4 @@
-//! One picture of a scene, by the very chain of the window, with no window.
+//! Single pictures of scenes, drawn by the window's chain of passes without a window.
 
 use super::PictureError;
 use super::headless::{HeadlessOptions, MAX_UPDATES, Output, drawable, headless, update, warm_up};
@@ -17,7 +17,7 @@ pub struct Still {
     pub width: u32,
     /// Height, in pixels.
     pub height: u32,
-    /// 8-bit sRGB, rows from the top, three bytes a pixel.
+    /// 8-bit sRGB, rows from the top, three bytes per pixel.
     pub rgb: Vec<u8>,
 }
 
@@ -26,26 +26,26 @@ pub struct Still {
 pub struct PassTime {
     /// Name of the pass.
     pub pass: String,
-    /// Median over the timed frames, in milliseconds.
+    /// Median over frames in which the scene is drawn, in milliseconds.
     pub median_ms: f64,
-    /// The same over frames in which nothing changed; zero where the pass did not run in them.
+    /// Median over frames in which nothing changed and the picture is kept, in milliseconds; zero
+    /// if the pass does not run in them.
     pub kept_ms: f64,
 }
 
-/// The chain without a window, drawing one scene after another at one output size.
+/// Draws one scene after another at one output size, without a window.
 pub struct Studio {
     app: App,
     size: UVec2,
 }
 
 impl Studio {
-    /// Draws a first scene, and can time its passes; later scenes come from the same device and its
-    /// compiled passes.
+    /// Opens a device and draws a first scene. The studio can time passes.
     ///
     /// # Errors
-    /// A size the device can't do, or a chain that failed.
+    /// The size is too large, or drawing failed.
     pub fn open(scene: &Scene, size: UVec2) -> Result<Self, PictureError> {
-        Self::equipped(
+        Self::with_options(
             scene,
             size,
             HeadlessOptions {
@@ -55,16 +55,16 @@ impl Studio {
         )
     }
 
-    /// Draws a first scene, equipped for what is to be made of it and those to come.
+    /// Opens a device and draws a first scene, with these options.
     ///
     /// # Errors
     /// As [`Studio::open`].
-    pub fn equipped(
+    pub fn with_options(
         scene: &Scene,
         size: UVec2,
-        equipment: HeadlessOptions,
+        options: HeadlessOptions,
     ) -> Result<Self, PictureError> {
-        let mut app = headless(scene, size, equipment)?;
+        let mut app = headless(scene, size, options)?;
         app.init_resource::<Finished>();
         let mut studio = Self { app, size };
         studio.settle()?;
@@ -74,16 +74,16 @@ impl Studio {
     /// Shows a scene from the next frame on.
     ///
     /// # Errors
-    /// A scene that cannot be drawn.
+    /// The scene cannot be drawn.
     pub fn show(&mut self, scene: &Scene) -> Result<(), PictureError> {
         self.app.world_mut().resource_mut::<CurrentScene>().0 = drawable(scene)?;
         Ok(())
     }
 
-    /// Draws frames until the scene is drawn whole.
+    /// Draws frames until the scene is completely drawn.
     ///
     /// # Errors
-    /// A chain that failed.
+    /// Drawing failed.
     pub fn settle(&mut self) -> Result<(), PictureError> {
         warm_up(&mut self.app)
     }
@@ -91,16 +91,16 @@ impl Studio {
     /// The picture of the next frame.
     ///
     /// # Errors
-    /// A chain that failed.
+    /// Drawing failed.
     pub fn picture(&mut self) -> Result<Still, PictureError> {
         read_back(&mut self.app, self.size)
     }
 
-    /// The linear light that the scene now shown was drawn with, before bloom, exposure and tone
-    /// mapping; of a studio that keeps light.
+    /// The linear light of the current scene, before bloom, exposure and tone mapping. The studio
+    /// must keep light.
     ///
     /// # Errors
-    /// A chain that failed, or a studio that keeps no light.
+    /// Drawing failed, or the studio keeps no light.
     pub fn light(&mut self) -> Result<Captured, PictureError> {
         self.settle()?;
         let world = self.app.world();
@@ -113,8 +113,8 @@ impl Studio {
         capture.read(device).map_err(PictureError::Draw)
     }
 
-    /// Distance of the foreground from the camera's plane, in r_s, at the middle of each pixel of
-    /// the scene now shown, rows from the top; infinite where there is none. Of a studio that keeps
+    /// Distance of the foreground from the camera's plane, in r_s, at the centre of each pixel of
+    /// the current scene, rows from the top; infinite without a foreground. The studio must keep
     /// light.
     ///
     /// # Errors
@@ -128,8 +128,8 @@ impl Studio {
                     * scene.picture.height as usize
             ]);
         }
-        // A pixel of several samples has several depths, which no device copies: it is drawn again
-        // with one.
+        // A pixel with several samples has several depths, which cannot be copied. The scene is
+        // drawn again with one sample.
         let mut single = scene.clone();
         single.probe.antialias = false;
         self.show(&single)?;
@@ -141,11 +141,11 @@ impl Studio {
         Ok(depth.into_iter().map(|depth| NEAR_PLANE / depth).collect())
     }
 
-    /// Draws the scene `frames` more times to tell each pass's GPU time, and as many frames in
-    /// which nothing changes. A device without timestamps gives an empty list.
+    /// The GPU time of each pass: draws the scene `frames` more times, and then as many frames in
+    /// which nothing changes. The list is empty on a device without timestamps.
     ///
     /// # Errors
-    /// A chain that failed.
+    /// Drawing failed.
     pub fn time(&mut self, frames: usize) -> Result<Vec<PassTime>, PictureError> {
         self.app.world_mut().resource_mut::<AlwaysDraw>().0 = true;
         let drawn = medians(&mut self.app, frames)?;
@@ -167,9 +167,9 @@ impl Studio {
 /// bytes.
 ///
 /// # Errors
-/// A size the device can't do, or a chain that failed.
+/// The size is too large, or drawing failed.
 pub fn render(scene: &Scene, size: UVec2) -> Result<Still, PictureError> {
-    Studio::equipped(scene, size, HeadlessOptions::default())?.picture()
+    Studio::with_options(scene, size, HeadlessOptions::default())?.picture()
 }
 
 /// Like [`render`], with the GPU time of each pass, see [`Studio::time`].
@@ -185,12 +185,12 @@ pub fn render_timed(
     Ok((studio.picture()?, studio.time(frames)?))
 }
 
-/// Frames until what the device measured has arrived.
-const LATEST_MEASUREMENT: usize = 6;
+/// Number of frames until the device's measurements arrive.
+const MEASUREMENT_DELAY: usize = 6;
 
 /// Median GPU time of each pass that runs in the next frames, in milliseconds.
 fn medians(app: &mut App, frames: usize) -> Result<BTreeMap<String, f64>, PictureError> {
-    for _ in 0..LATEST_MEASUREMENT {
+    for _ in 0..MEASUREMENT_DELAY {
         update(app)?;
     }
     let mut samples: BTreeMap<String, Vec<f64>> = default();
@@ -202,7 +202,7 @@ fn medians(app: &mut App, frames: usize) -> Result<BTreeMap<String, f64>, Pictur
             let pass = path
                 .strip_prefix("render/")
                 .and_then(|path| path.strip_suffix("/elapsed_gpu"));
-            // What a pass took when it last ran stays there.
+            // The measurement of a pass that no longer runs stays in the store.
             let fresh = diagnostic
                 .measurement()
                 .filter(|measurement| measurement.time >= begin);
@@ -250,7 +250,7 @@ fn read_back(app: &mut App, size: UVec2) -> Result<Still, PictureError> {
     ))
 }
 
-/// Drops the padding of rows and the alpha channel.
+/// Removes the padding of rows and the alpha channel.
 fn still(size: UVec2, bytes: &[u8]) -> Still {
     let row = size.x as usize * 4;
     let padded = if bytes.len() == row * size.y as usize {

@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 mod embedded;
-mod kept;
 mod linear;
+mod redraw;
 mod sequences;
 
 use glam::{DVec2, UVec2};
@@ -235,7 +235,7 @@ fn odd_sizes_are_drawn_with_bars_where_the_cells_do_not_fit() {
 }
 
 #[test]
-fn a_picture_file_appears_whole_or_not_at_all() {
+fn a_picture_file_appears_complete_or_not_at_all() {
     let folder = tempfile::tempdir().unwrap();
     let here = |name: &str| folder.path().join(name);
     let sentence = |name: &str| check_path(&here(name)).unwrap_err().to_string();

@@ -1,4 +1,4 @@
-//! What can be typed after `lightfall`, and what it means.
+//! The arguments of `lightfall` and their meaning.
 
 mod render;
 
@@ -57,7 +57,7 @@ fn answer(line: &str) -> String {
 }
 
 #[test]
-fn without_a_word_it_flies_from_preset_two() {
+fn without_arguments_it_flies_from_preset_two() {
     assert_eq!(
         commands::scene(&fly("lightfall")).unwrap(),
         PRESETS[1].scene(&[]).unwrap()
@@ -65,7 +65,7 @@ fn without_a_word_it_flies_from_preset_two() {
 }
 
 #[test]
-fn a_preset_is_taken_by_number_name_or_path() {
+fn a_preset_is_found_by_number_name_or_path() {
     let file = tempfile::NamedTempFile::new().unwrap();
     fs::write(&file, PRESETS[4].text).unwrap();
     let path = file.path().to_str().unwrap();
@@ -80,7 +80,7 @@ fn a_preset_is_taken_by_number_name_or_path() {
 }
 
 #[test]
-fn scene_options_stand_before_the_command_or_after_it() {
+fn scene_options_may_precede_the_command_or_follow_it() {
     let expected = {
         let mut scene = PRESETS[2].scene(&[]).unwrap();
         (
@@ -147,7 +147,7 @@ fn render_reads_a_size() {
 }
 
 #[test]
-fn trace_asks_the_gpu_unless_told_otherwise() {
+fn trace_uses_the_gpu_by_default() {
     for (line, device) in [
         ("", Device::Gpu),
         (" --device gpu", Device::Gpu),
@@ -176,7 +176,7 @@ fn trace_asks_the_gpu_unless_told_otherwise() {
 }
 
 #[test]
-fn help_and_version_are_no_failures() {
+fn help_and_version_have_exit_status_zero() {
     for line in [
         "lightfall --help",
         "lightfall render -h",
@@ -231,7 +231,7 @@ fn wrong_values_of_the_short_forms_name_the_short_form() {
 }
 
 #[test]
-fn a_preset_that_does_not_exist_is_answered_with_those_that_do() {
+fn the_error_about_an_unknown_preset_lists_the_presets() {
     let presets = "1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit, 8 extremal, 9 falling";
     for given in ["10", "edge_on", "-1", ""] {
         let sentence =
@@ -275,7 +275,7 @@ fn a_preset_file_that_cannot_be_read_is_named() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_preset_file_without_an_end_is_not_read_to_its_end() {
+fn an_endless_preset_file_is_read_only_up_to_the_limit() {
     let sentence =
         "/dev/zero: is longer than 1048576 bytes; presets and journeys are short TOML texts";
     assert_eq!(fault(&of_preset(Path::new("/dev/zero"))), sentence);
@@ -295,7 +295,7 @@ fn presets_are_listed_with_number_name_and_title() {
 }
 
 #[test]
-fn a_preset_that_is_shown_is_a_preset_file_of_the_same_scene() {
+fn a_shown_preset_is_a_preset_file_of_the_same_scene() {
     let file = tempfile::NamedTempFile::new().unwrap();
     for preset in PRESETS {
         fs::write(
@@ -363,7 +363,7 @@ fn a_closed_pipe_is_no_failure_but_a_full_disk_is() {
 }
 
 #[test]
-fn the_scene_of_no_options_at_all_is_checked_too() {
+fn the_scene_without_options_passes_the_check() {
     assert_eq!(
         commands::scene(&SceneArgs::default()).unwrap().check(),
         Ok(())

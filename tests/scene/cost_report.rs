@@ -1,4 +1,4 @@
-//! What a scene needs, as `presets show --needs` tells it.
+//! The cost of a scene, as `presets show --needs` prints it.
 
 use lightfall::render::cost_report;
 use lightfall_core::scene::presets;
@@ -13,7 +13,7 @@ fn line<'a>(answer: &'a str, name: &str) -> &'a str {
 }
 
 #[test]
-fn a_presets_needs_are_what_its_scene_says() {
+fn the_cost_report_follows_from_the_scene() {
     let needs_of = |number: &str, overrides: &[&str]| {
         let overrides: Vec<_> = overrides
             .iter()

@@ -1,4 +1,4 @@
-//! The program itself, as a shell runs it: exit status, standard output, standard error.
+//! The program as a shell runs it: exit status, standard output and standard error.
 
 use std::fs;
 use std::io::Write;
@@ -29,7 +29,7 @@ fn program_with(
         .stderr(process::Stdio::piped())
         .spawn()
         .unwrap();
-    // Who refuses a command line reads no rays.
+    // A program that refuses its command line does not read standard input.
     let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
     let output = child.wait_with_output().unwrap();
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
@@ -63,7 +63,7 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
         ),
         (
             "render -o a",
-            "lightfall: a: the name has no ending that says which picture format to write; allowed are .png and .exr\n",
+            "lightfall: a: the name has no extension that says which picture format to write; allowed are .png and .exr\n",
         ),
         (
             "render -o nowhere/a.png",
@@ -93,7 +93,7 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn an_adapter_or_interface_that_is_not_there_is_answered_with_those_that_are() {
+fn the_error_about_an_unknown_adapter_or_interface_lists_the_available_ones() {
     let folder = tempfile::tempdir().unwrap();
     // No system has both.
     let foreign = if cfg!(windows) { "metal" } else { "dx12" };
@@ -123,7 +123,7 @@ fn an_adapter_or_interface_that_is_not_there_is_answered_with_those_that_are() {
 }
 
 #[test]
-fn rays_that_are_none_are_a_bad_command_line() {
+fn missing_or_wrong_rays_are_a_bad_command_line() {
     let folder = tempfile::tempdir().unwrap();
     let line = "trace --rays - --device cpu";
     for input in ["", "\n", "er,etheta,ephi\n"] {
@@ -197,7 +197,7 @@ fn examined(home: &Path, variables: &[(&str, &Path)]) -> (i32, serde_json::Value
 #[cfg(target_os = "linux")]
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn the_doctor_tells_what_is_there_and_leaves_it_as_it_is() {
+fn the_doctor_reports_on_the_machine_and_changes_nothing() {
     let home = tempfile::tempdir().unwrap();
     let (status, report) = examined(home.path(), &[]);
     let adapters = report["adapters"].as_array().unwrap();
@@ -250,7 +250,7 @@ fn the_doctor_tells_what_is_there_and_leaves_it_as_it_is() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn what_the_doctor_finds_wrong_is_status_one_with_what_to_do() {
+fn a_fault_that_the_doctor_finds_is_status_one_with_what_to_do() {
     let home = tempfile::tempdir().unwrap();
     let no_driver = home.path().join("none.json");
     let without = [
@@ -322,7 +322,7 @@ fn what_the_doctor_finds_wrong_is_status_one_with_what_to_do() {
 
 #[test]
 #[cfg(target_os = "linux")]
-fn an_own_preset_is_found_by_its_name_and_listed() {
+fn a_users_own_preset_is_found_by_name_and_listed() {
     let home = tempfile::tempdir().unwrap();
     let config = home.path().join("config");
     let folder = config.join("lightfall/presets");

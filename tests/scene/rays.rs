@@ -67,7 +67,7 @@ fn a_ray_of_any_length_becomes_a_unit_vector() {
 }
 
 #[test]
-fn a_line_that_is_no_ray_is_answered_with_its_number() {
+fn the_error_about_a_wrong_line_names_its_number() {
     let number = "it must be a finite number";
     let columns = "is refused: a ray has three values, er,etheta,ephi, and here are";
     let zero = "0,0,0 is refused: it has no direction, and a ray may have any length but zero";
@@ -120,7 +120,7 @@ fn a_line_that_is_no_ray_is_answered_with_its_number() {
 }
 
 #[test]
-fn bytes_that_are_no_text_are_an_error() {
+fn bytes_that_are_not_text_are_an_error() {
     let error = RayReader::new(&b"\xff\xfe1,0,0\n"[..], "rays.csv")
         .next()
         .unwrap()
@@ -130,7 +130,7 @@ fn bytes_that_are_no_text_are_an_error() {
 }
 
 #[test]
-fn a_line_without_an_end_does_not_fill_the_memory() {
+fn an_endless_line_does_not_fill_the_memory() {
     let endless = BufReader::new(io::repeat(b'1'));
     let error = RayReader::new(endless, "rays.csv")
         .next()
@@ -144,7 +144,7 @@ fn a_line_without_an_end_does_not_fill_the_memory() {
 }
 
 #[test]
-fn rays_come_one_by_one_before_the_file_has_ended() {
+fn rays_are_read_one_by_one_before_the_file_ends() {
     // A reader that must not be asked beyond its second line.
     struct Then;
     impl Read for Then {
@@ -187,7 +187,7 @@ fn the_columns_are_those_of_the_contract() {
 }
 
 #[test]
-fn what_there_is_not_is_an_empty_field() {
+fn missing_values_are_empty_fields() {
     let sky = Trace {
         outcome: Outcome::Sky,
         sky: Some(DVec3::NEG_Y),
@@ -216,7 +216,7 @@ fn what_there_is_not_is_an_empty_field() {
 }
 
 #[test]
-fn every_number_comes_back_as_it_was() {
+fn every_number_is_read_back_unchanged() {
     let sky = dvec3(1.0 / 3.0, f64::MIN_POSITIVE / 8.0, -1.0 + f64::EPSILON);
     let hits = [
         [3.0 + f64::EPSILON * 2.0, std::f64::consts::PI, 0.1 + 0.2],
@@ -270,7 +270,7 @@ impl Write for Closed {
 }
 
 #[test]
-fn a_closed_pipe_is_told_apart_from_other_errors_and_from_success() {
+fn a_closed_pipe_differs_from_other_errors_and_from_success() {
     let mut writer = TraceWriter::new(Closed(100)).unwrap();
     let error = (0..100_000)
         .find_map(|_| writer.write(&CAPTURED).err())

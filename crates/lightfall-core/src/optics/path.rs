@@ -7,7 +7,8 @@
 //! * the angle swept about the hole, from dpsi = |n'| dtau with |n'|^2 = K + a^2 E^2 n_z^2 (without
 //!   the azimuth due to frame dragging);
 //! * the Boyer-Lindquist time that light takes, from
-//!   dt = ((r^2 + a^2) (E (r^2 + a^2) - a L) / Delta + a L - a^2 E sin^2 theta) dtau (Carter 1968; Misner, Thorne & Wheeler 1973 eq. 33.32d).
+//!   dt = ((r^2 + a^2) (E (r^2 + a^2) - a L) / Delta + a L - a^2 E sin^2 theta) dtau (Carter 1968;
+//!   Misner, Thorne & Wheeler 1973 eq. 33.32d).
 
 use crate::geometry::kerr::Kerr;
 use crate::geometry::mino::{Constants, Expansion, State};

@@ -1,5 +1,5 @@
-//! The kept picture: after a change it is never stale, without one nothing is drawn, and what is
-//! off does not run.
+//! Which frames are drawn: the picture is never stale after a change, nothing is drawn without a
+//! change, and passes that are switched off do not run.
 
 use super::preset;
 use glam::UVec2;
@@ -9,7 +9,7 @@ use lightfall_core::scene::{DiskModel, Method, ObserverKind, Scene, SkyMode, Vie
 
 const SIZE: UVec2 = UVec2::new(320, 180);
 
-/// A small picture with everything in it: disk, stars, bloom, cells and probe.
+/// A small picture with all effects: disk, stars, bloom, cells and probe.
 fn small() -> Scene {
     let mut scene = preset(6);
     (scene.picture.width, scene.picture.height) = (320, 180);
@@ -102,7 +102,7 @@ fn the_frame_after_a_change_is_the_changed_scene() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn a_change_that_needs_a_pipeline_keeps_the_picture_until_it_is_there_and_is_at_once_there_the_second_time()
+fn a_change_that_needs_a_new_pipeline_keeps_the_old_picture_until_it_is_compiled_and_shows_at_once_the_second_time()
  {
     let base = small();
     let mut studio = Studio::open(&base, SIZE).unwrap();
@@ -140,7 +140,7 @@ fn a_change_that_needs_a_pipeline_keeps_the_picture_until_it_is_there_and_is_at_
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn a_probe_that_comes_after_a_long_rest_is_there_whole_and_goes_again() {
+fn a_probe_that_appears_after_a_long_rest_is_complete_and_disappears_again() {
     let (with, mut without) = (small(), small());
     without.probe.enabled = false;
     let mut studio = Studio::open(&without, SIZE).unwrap();
@@ -163,7 +163,7 @@ fn a_probe_that_comes_after_a_long_rest_is_there_whole_and_goes_again() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn more_variants_than_are_kept_are_all_drawn_right() {
+fn scenes_with_more_variants_than_are_kept_are_all_drawn_correctly() {
     let mut base = small();
     base.probe.enabled = false;
     base.sky.reference_star = true;
@@ -251,7 +251,7 @@ fn the_passes_that_run_are_those_that_the_chain_names_and_a_still_frame_traces_n
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn a_picture_of_errors_is_worked_out_anew_when_rays_change_and_not_when_only_light_does() {
+fn the_error_map_is_computed_again_when_rays_change_but_not_when_only_light_changes() {
     let mut scene = small();
     (scene.view, scene.method, scene.probe.enabled) = (View::Error, Method::Verlet, false);
     let mut studio = Studio::open(&scene, SIZE).unwrap();
