@@ -1,5 +1,5 @@
-//! Everything about one ray, as numbers that can be read, copied and compared: what the ray
-//! inspector shows.
+//! Everything about one ray, as numbers that can be read, copied and compared: the contents of the
+//! ray inspector.
 
 use crate::accuracy::{Ray, Truth};
 use crate::geometry::observer::ObserverError;
@@ -14,7 +14,7 @@ use serde::Serialize;
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-/// The numbers of one ray. What there is not is none, and an empty value in text.
+/// The numbers of one ray. Missing values are `None`; text leaves them out.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Inspection {
     /// The scene's name.
@@ -23,13 +23,13 @@ pub struct Inspection {
     pub pixel: Option<[f64; 2]>,
     /// Looking direction on the observer's axes: outward.
     pub er: f64,
-    /// Looking direction: toward growing theta.
+    /// Looking direction: toward increasing theta.
     pub etheta: f64,
-    /// Looking direction: toward growing phi.
+    /// Looking direction: toward increasing phi.
     pub ephi: f64,
-    /// What the f64 reference answers, in the fields of `lightfall trace`.
+    /// The f64 reference's answer, in the fields of `lightfall trace`.
     pub cpu: Record,
-    /// What the GPU answers.
+    /// The GPU's answer, in the same fields.
     pub gpu: Option<Record>,
     /// b = sqrt(eta + lambda^2), in r_s.
     pub impact_parameter: Option<f64>,
@@ -37,7 +37,7 @@ pub struct Inspection {
     pub lambda: Option<f64>,
     /// Q/E^2, in r_s^2.
     pub eta: Option<f64>,
-    /// Smallest r on the way, in r_s; the horizon's for a captured ray.
+    /// Smallest r along the ray, in r_s; that of the horizon for a captured ray.
     pub closest_r: f64,
     /// Angle swept about the hole up to what is seen first, in half-turns.
     pub half_turns: f64,
@@ -51,14 +51,14 @@ pub struct Inspection {
     pub hit2_temperature_k: Option<f64>,
     /// As hit1_delay, at the second hit.
     pub hit2_delay: Option<f64>,
-    /// The GPU's answer against the reference's.
+    /// The difference between the GPU's answer and the reference's.
     pub difference: Option<Difference>,
 }
 
 /// How far the GPU is from the reference, for one ray: see [`RayError`](crate::accuracy::RayError).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Difference {
-    /// Whether both say what becomes of the ray, and how many times it meets the disk.
+    /// Whether both have the same outcome and the same number of hits.
     pub same_class: bool,
     /// Angle between the two directions at infinity, in radians.
     pub sky: Option<f64>,
@@ -66,7 +66,7 @@ pub struct Difference {
     pub hit_r: Option<f64>,
     /// Largest relative difference of the hits' g.
     pub hit_g: Option<f64>,
-    /// The turn of the ray that explains the difference, in radians; none where no turn does.
+    /// The turn of the ray that explains the difference, in radians; `None` if no turn does.
     pub backward: Option<f64>,
     /// The same as a multiple of the angle that a pixel in the picture's middle covers.
     pub backward_px: Option<f64>,
@@ -121,7 +121,7 @@ pub struct Inspected {
     pub numbers: Inspection,
     /// The path of the reference.
     pub path: Path,
-    /// What became of the ray.
+    /// The reference's trace.
     pub trace: Trace,
 }
 
@@ -130,7 +130,7 @@ impl Inspected {
     /// vector; the path goes as far out as `farthest`, in r_s.
     ///
     /// # Errors
-    /// If the scene's observer cannot exist.
+    /// The scene's observer cannot exist.
     pub fn new(
         scene: &Scene,
         direction: DVec3,
@@ -168,11 +168,10 @@ impl Inspected {
         })
     }
 
-    /// Adds what the GPU answers for the same ray of a picture of `scene` that is `height` pixels
-    /// high.
+    /// Adds the GPU's answer to the same ray of a picture of `scene` that is `height` pixels high.
     ///
     /// # Errors
-    /// If the scene's observer cannot exist.
+    /// The scene's observer cannot exist.
     pub fn compare(
         &mut self,
         scene: &Scene,
@@ -204,8 +203,8 @@ impl Inspection {
         serde_json::to_string_pretty(self).expect("numbers and words only")
     }
 
-    /// As lines `name = value`; records have `cpu.` and `gpu.` before their names, and what there
-    /// is not is left out.
+    /// As lines `name = value`. The names of records begin with `cpu.` and `gpu.`. Missing values
+    /// are left out.
     #[must_use]
     pub fn to_text(&self) -> String {
         let value = serde_json::to_value(self).expect("numbers and words only");

@@ -1,8 +1,8 @@
 //! Rays in and traces out, as CSV: the language of `lightfall trace`.
 //!
 //! A ray is a line `er,etheta,ephi`, a looking direction on the observer's axes (outward, toward
-//! growing theta, toward growing phi) of any length but zero. A trace is a line of [`HEADER`], with
-//! an empty field for what there is not.
+//! increasing theta, toward increasing phi) of any nonzero length. A trace is a line with the
+//! columns of [`HEADER`]; missing values are empty fields.
 
 use std::fmt::Debug;
 use std::io::{self, BufRead, Read, Write};
@@ -21,7 +21,7 @@ pub const HEADER: [&str; 12] = [
     "hit2_g", "steps", "residual",
 ];
 
-/// Most bytes a line may have: three numbers of any notation fit many times over, and a file
+/// Maximum length of a line, in bytes. Three numbers in any notation need far less, and a file
 /// without line ends does not fill the memory.
 const MAX_LINE_BYTES: u64 = 4096;
 
@@ -37,9 +37,9 @@ pub enum RaysError {
         name: String,
         /// Line, from 1.
         line: u64,
-        /// What is there.
+        /// The text.
         given: String,
-        /// How many values that is.
+        /// The number of its values.
         count: usize,
     },
     /// A value is not a finite number.
@@ -49,9 +49,9 @@ pub enum RaysError {
         name: String,
         /// Line, from 1.
         line: u64,
-        /// Which of the three.
+        /// The column.
         column: &'static str,
-        /// What is there.
+        /// The text.
         given: String,
     },
     /// All three values are zero.
@@ -64,32 +64,32 @@ pub enum RaysError {
         /// Line, from 1.
         line: u64,
     },
-    /// The line goes on and on.
+    /// The line is longer than any ray.
     #[error(
         "{name}: line {line} is longer than {MAX_LINE_BYTES} bytes; a ray is a line er,etheta,ephi"
     )]
-    Endless {
+    TooLong {
         /// The file.
         name: String,
         /// Line, from 1.
         line: u64,
     },
-    /// The file cannot be read further.
+    /// The file cannot be read any further.
     #[error("{name}: line {line} cannot be read: {error}")]
     Read {
         /// The file.
         name: String,
         /// Line, from 1.
         line: u64,
-        /// What the system says.
+        /// The operating system's reason.
         error: io::Error,
     },
 }
 
-/// The rays of a file, one by one, as unit vectors. Ends after the first error.
+/// An iterator over the rays of a file, as unit vectors. It ends after the first error.
 ///
-/// Lines are split here and not by the `csv` crate, which takes a quote left open for a field that
-/// reaches to the end of the file, however far that is.
+/// Lines are not split by the `csv` crate because it takes an unclosed quote as a field that
+/// extends to the end of the file, however long that is.
 pub struct RayReader<R> {
     reader: R,
     name: String,
@@ -99,7 +99,7 @@ pub struct RayReader<R> {
 }
 
 impl<R: BufRead> RayReader<R> {
-    /// Reads rays from `reader`, which errors call `name`.
+    /// Reads rays from `reader`. Errors call it `name`.
     pub fn new(reader: R, name: impl Into<String>) -> Self {
         Self {
             reader,
@@ -110,7 +110,7 @@ impl<R: BufRead> RayReader<R> {
         }
     }
 
-    /// The next line that is not blank, or none at the end.
+    /// The next line that is not blank, or `None` at the end.
     fn next_line(&mut self) -> Result<Option<String>, RaysError> {
         let mut bytes = Vec::new();
         loop {
@@ -130,13 +130,13 @@ impl<R: BufRead> RayReader<R> {
                 return Ok(None);
             }
             if count as u64 == MAX_LINE_BYTES && bytes.last() != Some(&b'\n') {
-                return Err(RaysError::Endless {
+                return Err(RaysError::TooLong {
                     name: self.name.clone(),
                     line: self.line,
                 });
             }
             let text = String::from_utf8_lossy(&bytes);
-            // Spreadsheets begin their files with a byte order mark.
+            // Spreadsheet programs write a byte order mark at the start.
             let text = if self.line == 1 {
                 text.trim_start_matches('\u{feff}')
             } else {
@@ -182,8 +182,8 @@ impl<R: BufRead> RayReader<R> {
                     given: shortened(text),
                 })?;
         }
-        // Divided by the largest component first: squares of 1e300 overflow, those of 1e-300
-        // vanish.
+        // Dividing by the largest component first avoids overflow of large squares and underflow of
+        // small ones.
         match ray.abs().max_element() {
             0.0 => Err(RaysError::Zero { name: name(), line }),
             largest => Ok((ray / largest).normalize()),
@@ -204,12 +204,12 @@ impl<R: BufRead> Iterator for RayReader<R> {
     }
 }
 
-/// What a file holds, short enough for a sentence.
+/// A text, shortened for an error message.
 fn shortened(text: &str) -> String {
     text.chars().take(40).flat_map(char::escape_debug).collect()
 }
 
-/// A value without the blanks and quotes that other programs write around it.
+/// A value without the surrounding blanks and quotes that other programs write.
 fn unquoted(value: &str) -> &str {
     let value = value.trim();
     value
@@ -218,16 +218,16 @@ fn unquoted(value: &str) -> &str {
         .unwrap_or(value)
 }
 
-/// Writes traces, in order, under their header.
+/// Writes a header and traces as CSV.
 pub struct TraceWriter<W: Write> {
     csv: csv::Writer<W>,
 }
 
 impl<W: Write> TraceWriter<W> {
-    /// Starts with the header.
+    /// Writes the header.
     ///
     /// # Errors
-    /// The writer's own.
+    /// The writer's error.
     pub fn new(writer: W) -> io::Result<Self> {
         let mut csv = csv::Writer::from_writer(writer);
         csv.write_record(HEADER).map_err(io_error)?;
@@ -237,7 +237,7 @@ impl<W: Write> TraceWriter<W> {
     /// Writes one trace.
     ///
     /// # Errors
-    /// The writer's own.
+    /// The writer's error.
     pub fn write(&mut self, trace: &Trace) -> io::Result<()> {
         let sky = trace.sky.map(|sky| sky.to_array());
         let hits = trace.hits.map(|hit| hit.map(|hit| [hit.r, hit.phi, hit.g]));
@@ -254,16 +254,17 @@ impl<W: Write> TraceWriter<W> {
         self.csv.write_record(fields).map_err(io_error)
     }
 
-    /// Hands on all that is written. Without it, an error of the last lines would pass unseen.
+    /// Writes everything that is still buffered. Without this call, an error in the last lines
+    /// would go unnoticed.
     ///
     /// # Errors
-    /// The writer's own.
+    /// The writer's error.
     pub fn finish(mut self) -> io::Result<()> {
         self.csv.flush()
     }
 }
 
-/// The writer's own error, which says whether the pipe is closed: `csv` would hide its kind.
+/// The writer's error with its kind, which says whether the pipe is closed. `csv` would hide it.
 fn io_error(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,
@@ -271,13 +272,12 @@ fn io_error(error: csv::Error) -> io::Error {
     }
 }
 
-/// The shortest digits that give the number back: Rust's `Debug` of a float.
+/// The shortest digits that read back as the same number: Rust's `Debug` of a float.
 fn digits(number: impl Debug) -> String {
     format!("{number:?}")
 }
 
-/// Whether an error says that nobody reads any more, as with `lightfall trace ... | head`: no fault
-/// of ours.
+/// Whether an error says that the reader has closed the pipe, as in `lightfall trace ... | head`.
 pub fn is_closed_pipe(error: &io::Error) -> bool {
     error.kind() == io::ErrorKind::BrokenPipe
 }

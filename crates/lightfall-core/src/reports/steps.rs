@@ -1,4 +1,4 @@
-//! How many steps a method takes for a picture: what its error setting comes to in work.
+//! The number of steps that a method takes for a picture: the cost of its accuracy setting.
 
 use crate::accuracy::Ray;
 use crate::gpu::rays::RayKernel;
@@ -6,25 +6,25 @@ use crate::gpu::{Gpu, GpuError};
 use crate::scene::Scene;
 use glam::DVec2;
 
-/// Rays that are counted: one in the middle of each cell of so many by so many.
+/// The rays go through the centres of a grid with this many columns and rows.
 const GRID: [u32; 2] = [48, 27];
 
-/// Steps of a picture's rays.
+/// The numbers of steps of a picture's rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepCount {
     /// Mean over the rays.
     pub mean: f64,
-    /// Most of any.
+    /// Maximum over the rays.
     pub most: u32,
-    /// How many rays were counted.
+    /// Number of rays.
     pub rays: usize,
 }
 
 impl StepCount {
-    /// Counts them on a GPU, over rays spread evenly over the picture.
+    /// Traces rays spread evenly over the picture on a GPU, and counts their steps.
     ///
     /// # Errors
-    /// A scene that the GPU cannot trace, or a device that failed.
+    /// The GPU cannot trace the scene, or the device failed.
     pub fn of(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
         let size = scene.picture.size().as_dvec2();
         let [columns, rows] = GRID;
