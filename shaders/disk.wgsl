@@ -1,12 +1,15 @@
 // The thin disk: where a ray crosses it, and how much the motion of its matter shifts the light.
+//
+// Needs: Hit, MASS, MAX_HITS, Segment, TINY, Trace, disk_shift, scene.
+// Gives: HAS_DISK, add_hit, crosses_plane, in_annulus, plane_crossing, record_crossing, shift_hits.
 
 const HAS_DISK: bool = true;
 
 // Bisections of the interval that contains a crossing.
 const BISECTIONS: u32 = 10u;
 
-// Hermite's cubic, which has the segment's positions and velocities at its ends, at a share t of the
-// segment's length.
+// Hermite's cubic, which has the segment's positions and velocities at its ends, at a share t of
+// the segment's length.
 fn hermite(segment: Segment, t: f32) -> vec3<f32> {
     let s = 1.0 - t;
     return (s * s * (1.0 + 2.0 * t)) * segment.x0 + (t * t * (3.0 - 2.0 * t)) * segment.x1
@@ -14,8 +17,8 @@ fn hermite(segment: Segment, t: f32) -> vec3<f32> {
 }
 
 // Whether a step from the height z0 to z1 crosses the plane. A crossing belongs to the step that
-// contains it or ends at it, never to the step that starts at it. So no crossing counts twice, and a
-// camera in the plane does not see the disk at its own place. A ray in the plane has no crossing.
+// contains it or ends at it, never to the step that starts at it. So no crossing counts twice, and
+// a camera in the plane does not see the disk at its own place. A ray in the plane has no crossing.
 fn crosses_plane(z0: f32, z1: f32) -> bool {
     return z0 != 0.0 && (z1 == 0.0 || (z0 > 0.0) != (z1 > 0.0));
 }
@@ -41,8 +44,8 @@ fn plane_crossing(segment: Segment, crosses: bool) -> vec3<f32> {
     return hermite(segment, 0.5 * (low + high));
 }
 
-// Records the segment's crossing of the annulus, if it has one, for methods whose positions are r n.
-// shift_hits computes its g later.
+// Records the segment's crossing of the annulus, if it has one, for methods whose positions are r
+// n. shift_hits computes its g later.
 fn record_crossing(result: ptr<function, Trace>, segment: Segment) {
     let crosses = crosses_plane(segment.x0.z, segment.x1.z) && (*result).hit_count < MAX_HITS;
     let position = plane_crossing(segment, crosses);
@@ -63,9 +66,9 @@ fn record_crossing(result: ptr<function, Trace>, segment: Segment) {
 //   g = 1 / (E u^t (1 - Omega lambda)),   Omega = y^3 / (M (1 + chi y^3)),
 //   u^t = (1 + chi y^3) / sqrt(1 - 3 y^2 + 2 chi y^3)
 //
-// E is per unit frequency at the camera. The article's 1 + Omega L_n is the same: its L_n belongs to
-// the backward ray and is -lambda. The root's argument is computed as
-// (1 - y)^2 (1 + 2 y) - 2 (1 - chi) y^3, which keeps its digits for chi -> 1, r -> M
+// E is per unit frequency at the camera. The article's 1 + Omega L_n is the same: its L_n belongs
+// to the backward ray and is -lambda. The root's argument is computed as (1 - y)^2 (1 + 2 y) - 2 (1
+// - chi) y^3, which keeps its digits for chi -> 1, r -> M
 // (crates/lightfall-core/src/geometry/kerr.rs does the same).
 fn disk_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
     let outside = max(r, MASS);

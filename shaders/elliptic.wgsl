@@ -1,19 +1,24 @@
 // Elliptic functions for cubics of which one real root is known and the other two may be a
-// conjugate pair. Both take such a pair by what is real of it, so one text serves either sign of D.
+// conjugate pair. The functions take the pair by its mean and the square of half its difference,
+// which are always real, so the same text serves either sign of D.
+//
+// Needs: nothing.
+// Gives: carlson_rf_pair, weierstrass.
 
-// Duplications: enough for 5e-7 of the result down to |D| = 1e-6, with the series below. Away from
-// there fewer are: the series is right to f32's rounding once its arguments differ by less than an
-// eighth of their mean.
+// Maximum number of duplications: with the series below, enough for a relative error of 5e-7 down
+// to |D| = 1e-6. Elsewhere fewer are enough: the series is right to f32's rounding once its
+// arguments differ by less than an eighth of their mean.
 const DUPLICATIONS: u32 = 3u;
 
-// Carlson's R_F(x, y, z), y and z being mean +- sqrt(h2), for x > 0; where h2 < 0 they are
-// conjugate, and then mean may be negative. Duplication (DLMF 19.26.18) with lambda = sqrt(x) (sqrt
-// y + sqrt z) + sqrt(y z) written by the pair's mean and product, which leaves two roots a turn:
+// Carlson's R_F(x, y, z) for x > 0, with y, z = mean +- sqrt(h2). If h2 < 0 they are conjugate, and
+// mean may be negative. Each duplication (DLMF 19.26.18), with lambda = sqrt(x) (sqrt(y) + sqrt(z))
+// + sqrt(y z) in terms of the pair's mean and product, takes two square roots:
 //
-//   p = sqrt(mean^2 - h2),   lambda = sqrt(2 x (mean + p)) + p;   x, mean -> (. + lambda) / 4,   h2 -> h2 / 16
+//   p = sqrt(mean^2 - h2),   lambda = sqrt(2 x (mean + p)) + p,
+//   x, mean -> (. + lambda) / 4,   h2 -> h2 / 16.
 //
-// then the series in the elementary symmetric functions of the spread (DLMF 19.36.1). After the
-// first turn mean is positive, for p >= |mean| where h2 < 0.
+// Then follows the series in the elementary symmetric functions of the spread (DLMF 19.36.1). After
+// the first duplication mean is positive, because p >= |mean| where h2 < 0.
 fn carlson_rf_pair(x0: f32, mean0: f32, h20: f32) -> f32 {
     let p0 = sqrt(max(mean0 * mean0 - h20, 0.0));
     let sum0 = select(mean0 + p0, -h20 / (p0 - mean0), mean0 < 0.0);
@@ -31,44 +36,44 @@ fn carlson_rf_pair(x0: f32, mean0: f32, h20: f32) -> f32 {
         mean = 0.25 * (mean + lambda);
         h2 *= 0.0625;
     }
-    let a = (x + 2.0 * mean) * 0.333333333;
+    let a = (x + 2.0 * mean) * (1.0 / 3.0);
     let root = inverseSqrt(a);
     let inverse_a = root * root;
-    // Spreads: of x, -2 s; of the pair, s +- sqrt(h2) / a.
+    // The spread of x is -2 s; those of the pair are s +- sqrt(h2) / a.
     let s = (a - mean) * inverse_a;
     let product = s * s - h2 * inverse_a * inverse_a;
     let e2 = product - 4.0 * s * s;
     let e3 = -2.0 * s * product;
-    let series = 1.0 + e2 * (-0.1 + e2 * (0.0416666667 - 0.0240384615 * e2) - 0.0681818182 * e3)
-        + e3 * (0.0714285714 + 0.0288461538 * e3);
+    let series = 1.0 + e2 * (-0.1 + e2 * ((1.0 / 24.0) - (5.0 / 208.0) * e2) - (3.0 / 44.0) * e3)
+        + e3 * ((1.0 / 14.0) + (3.0 / 104.0) * e3);
     return series * root;
 }
 
-// What Weierstrass's function and its derivative are beside their poles: P(z) = (1 + even) / z^2
-// and P'(z) = -2 (1 + odd) / z^3.
+// Weierstrass's function and its derivative relative to their poles: P(z) = (1 + even) / z^2 and
+// P'(z) = -2 (1 + odd) / z^3.
 struct Weierstrass {
     even: f32,
     odd: f32,
 }
 
-// P(z; g2, g3) with g2 = 1/12, which is what every null orbit has, for 0 <= z <= pi and orbits that
-// stay finite there. Laurent's series (DLMF section 23.9) at z/2, then one duplication (section
-// 23.10(ii)), both written for what is left beside the poles, so that nothing cancels.
+// P(z; g2, g3) with g2 = 1/12, the value of every null orbit, for 0 <= z <= pi and orbits that stay
+// finite there: Laurent's series (DLMF section 23.9) at z/2, then one duplication (section
+// 23.10(ii)). Both are written in terms relative to the poles, so that nothing cancels.
 fn weierstrass(z: f32, g3: f32) -> Weierstrass {
-    const C2: f32 = 0.00416666667;
-    const C4: f32 = 5.78703704e-6;
-    let c3 = g3 * 0.0357142857;
-    let c5 = c3 * 0.00113636364;
-    let c6 = 3.70963913e-9 + 0.0769230769 * c3 * c3;
-    let c7 = c3 * 1.05218855e-6;
-    let c8 = 0.0352941176 * (2.0 * C2 * c6 + 2.0 * c3 * c5 + C4 * C4);
+    const C2: f32 = 1.0 / 240.0;
+    const C4: f32 = 1.0 / 172800.0;
+    let c3 = g3 * (1.0 / 28.0);
+    let c5 = c3 * (1.0 / 880.0);
+    let c6 = (2.0 / (13.0 * 240.0 * 172800.0)) + (1.0 / 13.0) * c3 * c3;
+    let c7 = c3 * (1.0 / 950400.0);
+    let c8 = (3.0 / 85.0) * (2.0 * C2 * c6 + 2.0 * c3 * c5 + C4 * C4);
     let y = 0.25 * z * z;
     let y2 = y * y;
     let even = y2 * (C2 + y * (c3 + y * (C4 + y * (c5 + y * (c6 + y * (c7 + y * c8))))));
     let odd = -y2
         * (C2 + y * (2.0 * c3 + y * (3.0 * C4 + y * (4.0 * c5 + y * (5.0 * c6 + y * (6.0 * c7 + y * 7.0 * c8))))));
     // -P'' / P' at z/2 is (6 / z) (1 + slope).
-    let slope = (even * (2.0 + even) - y2 * 0.00694444444 - odd) / (1.0 + odd);
+    let slope = (even * (2.0 + even) - y2 * (1.0 / 144.0) - odd) / (1.0 + odd);
     let twice = 9.0 * slope * (2.0 + slope) - 8.0 * even;
     return Weierstrass(twice, 9.0 * slope - 8.0 * odd + (1.0 + slope) * (12.0 * even - 3.0 * twice));
 }

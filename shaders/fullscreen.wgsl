@@ -1,5 +1,8 @@
 // A triangle that covers the whole target, at the far plane (reverse depth: z = 0). Where a depth
 // test is on, only pixels with nothing in front of them are drawn.
+//
+// Needs: nothing.
+// Gives: vertex.
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {

@@ -1,5 +1,8 @@
 // The picture's fragment entry: the light of each pixel. view/traced.wgsl takes a pixel to a
 // photon, a ray and its light; view/error.wgsl reads a table instead.
+//
+// Needs: light_at.
+// Gives: fragment.
 
 // Below the largest half float, with room for the sums that bloom makes.
 const MAX_LIGHT: f32 = 60000.0;

@@ -1,6 +1,10 @@
 // Constants and small functions of general use.
+//
+// Needs: nothing.
+// Gives: LOG10_2, PI, TINY, rotate_z, safe_normalize, square.
 
 const PI: f32 = 3.14159265358979;
+const LOG10_2: f32 = 0.301029996;
 
 // The least value of a divisor or of a root's argument that must not vanish: far above f32's
 // subnormal numbers.

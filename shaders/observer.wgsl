@@ -1,10 +1,13 @@
 // From a looking direction to the photon that arrives from it. The matrix in the uniform contains
 // everything about the observer; no other part depends on who looks.
+//
+// Needs: ABERRATION, Photon, scene.
+// Gives: photon_angular_momentum, photon_energy, photon_from, pixel_direction.
 
 // For a fast observer almost all light comes from ahead, and the light from elsewhere is a small
-// difference of large numbers. But every component is a smooth function about the direction of least
-// energy. Computed from there, with |d| = 1 used for the component along it, the numbers keep their
-// digits.
+// difference of large numbers. But every component is a smooth function about the direction of
+// least energy. Computed from there, with |d| = 1 used for the component along it, the numbers keep
+// their digits.
 fn photon_from(direction: vec3<f32>) -> Photon {
     let off = direction - scene.observer.least_energy_direction;
     let one_off = vec4<f32>(1.0, off);

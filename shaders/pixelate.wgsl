@@ -1,6 +1,10 @@
 // From the tone-mapped picture to the cells on the screen: area reduction, quantization with an
-// ordered dither, and expansion. The CPU fills the uniform and decides where the picture lies on the
-// output (src/render/presentation.rs).
+// ordered dither, and expansion. The CPU fills the uniform and decides where the picture lies on
+// the output (src/render/presentation.rs).
+//
+// Needs: BINDING_PRESENTATION, BINDING_PRESENTATION_SAMPLER, BINDING_PRESENTATION_SOURCE,
+//     MAX_PIXELS_TOUCHED.
+// Gives: expand, fit, pixelate.
 
 struct Presentation {
     // Size of the HDR picture, in pixels.

@@ -1,5 +1,8 @@
 // Rays in, traces out: for files of rays, tests and measurements, through the same parts that draw
 // the picture.
+//
+// Needs: BINDING_INPUT, BINDING_OUTPUT, Trace, WORKGROUP_SIZE, photon_from, trace.
+// Gives: rays.
 
 // Unit looking directions; the fourth component is padding.
 @group(0) @binding(BINDING_INPUT) var<storage, read> directions: array<vec4<f32>>;

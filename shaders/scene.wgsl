@@ -4,6 +4,12 @@
 // Units: G = c = 1 and r_s = 1, so M = 1/2. Frame: the hole's, right-handed, with z along the disk
 // normal. Photons are the physical, future-directed ones, per unit frequency at the camera:
 // E = -p_t, L = p_phi. Rays are followed backward from the camera.
+//
+// Needs: BINDING_SCENE.
+// Gives: MASS, scene.
+
+// The hole's mass.
+const MASS: f32 = 0.5;
 
 // The observer's matrix maps a unit looking direction d to the photon that arrives from d. Pixels
 // give d as (right, up, forward) of the camera; files of rays give it as (outward, theta, phi) of

@@ -2,6 +2,10 @@
 // crates/lightfall-core/src/optics/shift.rs does the same in f64 and says what each share means:
 // g = gravity * motion, where at each end of the ray gravity is that of the observer with zero
 // angular momentum (ZAMO), who measures the frequency E (1 - omega lambda) / N.
+//
+// Needs: BEAMING, DOPPLER, GRAVITATIONAL_SHIFT, LENSING, Photon, TINY, photon_angular_momentum,
+//     photon_energy, scene, square.
+// Gives: beaming_factor, disk_shift, lapse_and_dragging, sky_shift.
 
 // The factor by which a shift multiplies bolometric intensity: g^4, since I_nu / nu^3 is the same
 // for all observers (Misner, Thorne & Wheeler 1973, section 22.6).

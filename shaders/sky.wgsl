@@ -1,8 +1,12 @@
-// The sky as the camera sees it. Sources at infinity have fixed directions in the hole's frame; their
-// light arrives shifted by g, the observed over the emitted frequency. Shifted thermal light has
-// Planck's spectrum at the temperature g T, and its intensity is beamed.
+// The sky as the camera sees it. Sources at infinity have fixed directions in the hole's frame;
+// their light arrives shifted by g, the observed over the emitted frequency. Shifted thermal light
+// has Planck's spectrum at the temperature g T, and its intensity is beamed.
+//
+// Needs: REFERENCE_STAR, TINY, beaming_factor, scene, sky_background, thermal_colour.
+// Gives: MAX_SPOT_RADIUS, shifted_spot_radius, sky_light, spot_profile.
 
-// The reference star: temperature in kelvin, brightness, and angular radius (a quarter of a degree).
+// The reference star: temperature in kelvin, brightness, and angular radius (a quarter of a
+// degree).
 const REFERENCE_TEMPERATURE: f32 = 8000.0;
 const REFERENCE_BRIGHTNESS: f32 = 4.0;
 const REFERENCE_RADIUS: f32 = 0.00436332;
@@ -12,7 +16,7 @@ const MAX_SPOT_RADIUS: f32 = 0.008;
 
 // Radius on the sky of the image of a point or line. In the picture the radius is one and a half
 // pixels; a moving or deep observer sees the sky shrunk by g, so the same pixels span more of it.
-fn spot_radius(g: f32) -> f32 {
+fn shifted_spot_radius(g: f32) -> f32 {
     return clamp(scene.sky.spot_radius * g, TINY, MAX_SPOT_RADIUS);
 }
 
@@ -23,7 +27,7 @@ fn spot_profile(distance2: f32, radius: f32) -> f32 {
     return inside * inside * inside;
 }
 
-fn reference_star(direction: vec3<f32>, g: f32) -> vec3<f32> {
+fn reference_star_light(direction: vec3<f32>, g: f32) -> vec3<f32> {
     let offset = direction - scene.sky.reference_star;
     let share = clamp((REFERENCE_RADIUS - length(offset)) / (0.25 * REFERENCE_RADIUS), 0.0, 1.0);
     if share == 0.0 {
@@ -36,7 +40,7 @@ fn sky_light(direction: vec3<f32>, shift: f32) -> vec3<f32> {
     let g = min(shift, 1e6);
     var light = sky_background(direction, g);
     if REFERENCE_STAR {
-        light += reference_star(direction, g);
+        light += reference_star_light(direction, g);
     }
     return light * (beaming_factor(g) * scene.sky.brightness);
 }

@@ -1,6 +1,9 @@
 // Tracing alone, for timing: every pixel of the picture gives one vector, from a compute entry or
 // from a fragment entry. The vector depends on everything that a picture could use, so that no
 // compiler leaves any of it out.
+//
+// Needs: BINDING_OUTPUT, WORKGROUP_SIZE, photon_from, pixel_direction, scene, trace.
+// Gives: fragment, timed.
 
 @group(0) @binding(BINDING_OUTPUT) var<storage, read_write> answers: array<vec4<f32>>;
 

@@ -1,8 +1,9 @@
 // The question and the answer of every tracing method: a photon at the camera, and the record of
 // what its ray meets. Each method defines `fn trace(photon: Photon) -> Trace`.
-
-// The hole's mass.
-const MASS: f32 = 0.5;
+//
+// Needs: nothing.
+// Gives: Hit, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, OUTCOME_UNFINISHED, Photon, Segment,
+//     Trace, empty_trace.
 
 // A photon where it meets the camera, per unit frequency at the camera;
 // crates/lightfall-core/src/geometry/observer.rs has the same numbers.

@@ -1,4 +1,7 @@
 // The light of the disk.
+//
+// Needs: Hit, beaming_factor, disk_flux, scene, thermal_colour.
+// Gives: disk_light.
 
 // The share of the emission at radius r that remains after the fades at both edges.
 fn edge_fade(r: f32) -> f32 {

@@ -1,4 +1,8 @@
 // No disk: no ray crosses anything and nothing shines.
+//
+// Needs: Hit, Segment, Trace.
+// Gives: HAS_DISK, add_hit, crosses_plane, disk_light, in_annulus, plane_crossing, record_crossing,
+//     shift_hits.
 
 const HAS_DISK: bool = false;
 

@@ -1,8 +1,11 @@
 // The disk model `page-thorne`: relative flux of a disk around Kerr (Page & Thorne 1974), as the
-// Newtonian profile with the same edge times a correction. The CPU computes the correction in closed
-// form (crates/lightfall-core/src/optics/disk/page_thorne.rs); entries of its table are the
-// coefficients of cubics, equidistant in p = sqrt(1 - sqrt(r_in / r)), from the edge at 0 to infinity
-// at 1.
+// Newtonian profile with the same edge times a correction. The CPU computes the correction in
+// closed form (crates/lightfall-core/src/optics/disk/page_thorne.rs); entries of its table are the
+// coefficients of cubics, equidistant in p = sqrt(1 - sqrt(r_in / r)), from the edge at 0 to
+// infinity at 1.
+//
+// Needs: BINDING_PAGE_THORNE, PAGE_THORNE_LEN, TINY, scene.
+// Gives: disk_flux.
 
 @group(0) @binding(BINDING_PAGE_THORNE) var<uniform> page_thorne: array<vec4<f32>, PAGE_THORNE_LEN>;
 

@@ -1,5 +1,5 @@
-// The method closed: Schwarzschild's null geodesics in closed form, without steps, without a limit to
-// them, and without a radius that stands for infinity. The twin in f64 is
+// The method closed: Schwarzschild's null geodesics in closed form, without steps, without a limit
+// to them, and without a radius that stands for infinity. The twin in f64 is
 // crates/lightfall-core/src/geometry/schwarzschild.rs.
 //
 // In its plane an orbit obeys, with u = 1/r and phi the angle from the camera (Darwin 1959; r_s =
@@ -15,6 +15,12 @@
 //
 // a conjugate pair where D > 0. Computed from D, v keeps its digits next to the critical curve.
 // Derived. There are no steps, and no constraint can drift: the record's steps and residuals are 0.
+//
+// Needs: AZIMUTH, FOLLOW_BEYOND_HITS, HAS_DISK, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN,
+//     OUTCOME_SKY, PI, Photon, SKY_DIRECTION, TINY, Trace, add_hit, atan2_precise, carlson_rf_pair,
+//     empty_trace, photon_angular_momentum, photon_energy, scene, sin_cos_precise, square,
+//     weierstrass.
+// Gives: trace.
 
 // Rays with a smaller |D| are treated alike; they are at most 1e-7 of the shadow's radius from the
 // critical curve.
@@ -43,7 +49,7 @@ fn orbit_root(inverse_b: f32, q: f32) -> f32 {
     let x = inverse_b;
     var k = x * (0.99991836 + x * (-0.49241213 + x * (0.50929576 - x * 0.34869361)));
     if inverse_b >= 0.385 {
-        let s = exp2(log2(inverse_b) * -0.666666667);
+        let s = exp2(log2(inverse_b) * (-2.0 / 3.0));
         k = q * s * s * (0.99962648 + s * (-0.32762602 + s * (0.09698567 - s * 0.01438903)));
     }
     return (k * k * (2.0 * k + 1.0) + q) / (k * (3.0 * k + 2.0));
@@ -83,7 +89,7 @@ fn angle_to_infinity(orbit: Orbit) -> f32 {
     let slope = -orbit.slope;
     let root = sqrt(1.0 + k);
     // 2 k - u0, computed from the distance to the photon sphere, u = 2/3, unless k is small.
-    let beyond = select(2.0 * k - orbit.u, scene.shadow.u_to_photon_sphere - 0.666666667 * share, k > 0.25);
+    let beyond = select(2.0 * k - orbit.u, scene.shadow.u_to_photon_sphere - (2.0 / 3.0) * share, k > 0.25);
     let mean = 0.5 * (1.0 + k) * beyond * (2.0 * k + orbit.u) + 2.0 * k * root * slope;
     let x = k * square(above * root + slope) * inverse_above;
     return 2.0 * orbit.u * carlson_rf_pair(x, mean, 0.25 * square(orbit.u * orbit.u) * v);
@@ -100,7 +106,7 @@ fn angle_to_infinity(orbit: Orbit) -> f32 {
 fn u_after(phi: f32, u0: f32, slope: f32, g3: f32) -> f32 {
     let p = weierstrass(phi, g3);
     let phi2 = phi * phi;
-    let x = 1.0 + p.even - phi2 * 0.25 * (u0 - 0.333333333);
+    let x = 1.0 + p.even - phi2 * 0.25 * (u0 - (1.0 / 3.0));
     let rise = phi * slope;
     let numerator = rise * (1.0 + p.odd + 0.125 * phi2 * rise) + 0.25 * phi2 * u0 * (3.0 * u0 - 2.0) * x;
     return u0 + numerator / (x * x);
@@ -155,7 +161,7 @@ fn trace(photon: Photon) -> Trace {
     let crossing_angle = select(atan2_precise(abs(n.z), -side * tangent.z), PI, n.z == 0.0);
     let coplanar = n.z == 0.0 && tangent.z == 0.0;
     // Inside the disk's inner edge, only the way out can cross the disk.
-    let outside_inner_edge = scene.observer.u < 0.333333333;
+    let outside_inner_edge = scene.observer.u < 1.0 / 3.0;
     let meets_first = !turns && inward && crossing_angle * inverse_b < DISK_ANGLE && outside_inner_edge;
     let may_hit = HAS_DISK && !coplanar && (escapes || meets_first);
     if !(escapes || may_hit) {
@@ -168,7 +174,7 @@ fn trace(photon: Photon) -> Trace {
     if may_hit {
         let across = crossing_direction(n, tangent, side);
         let lambda = photon_angular_momentum(photon) / energy;
-        let g3 = 0.00462962963 - 0.0625 * min(orbit.q, 1e4);
+        let g3 = (1.0 / 216.0) - 0.0625 * min(orbit.q, 1e4);
         // The way from u = 0 to 1/3, or to a turning point before, is at most 2.1 rad long, and the
         // ray crosses the plane every pi. So it crosses the annulus at most once on its way in and
         // once on its way out: at the first and the last crossing of the plane.

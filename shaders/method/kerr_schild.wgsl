@@ -12,15 +12,22 @@
 //
 //   x' = p - f S l,   p' = S^2 grad(f)/2 + f S grad(l.p).
 //
-// p_t and x p_y - y p_x are conserved. Rays that end at the horizon come from the past horizon, where
-// these coordinates are singular: momenta grow without bound and steps shrink, so many such rays
-// around fast holes stay unfinished.
+// p_t and x p_y - y p_x are conserved. Rays that end at the horizon come from the past horizon,
+// where these coordinates are singular: momenta grow without bound and steps shrink, so many such
+// rays around fast holes stay unfinished.
+//
+// Needs: DIAGNOSTICS, FOLLOW_BEYOND_HITS, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY,
+//     Photon, Segment, TINY, Trace, add_hit, angle_between, crosses_plane, empty_trace, in_annulus,
+//     photon_angular_momentum, photon_energy, plane_crossing, rotate_z, safe_normalize, scene,
+//     sin_cos_precise.
+// Gives: trace.
 
 // At this multiple of the horizon's radius an ingoing ray counts as captured.
 const CAPTURE_MARGIN: f32 = 1.015;
 // Loop bounds that hold whatever the uniform says.
 const MAX_STEPS: u32 = 768u;
-// The step rule: shares of the radius, range in r_s, and a term that keeps it from dividing by zero.
+// The step rule: shares of the radius, range in r_s, and a term that keeps it from dividing by
+// zero.
 const RADIUS_SHARE: f32 = 0.16;
 const BENDING_SHARE: f32 = 0.12;
 const IMPACT_REGULARIZER: f32 = 0.01;
@@ -63,7 +70,9 @@ fn velocity(metric: Metric, p: vec3<f32>) -> vec3<f32> {
     return p - metric.f * (dot(metric.l, p) - 1.0) * metric.l;
 }
 
-// The derivatives of x and p. grad(f) = f (3 grad(r)/r - (4 r^3 grad(r) + 2 a^2 z e_z)/(r^4 + a^2 z^2)).
+// The derivatives of x and p, with
+//
+//   grad(f) = f (3 grad(r)/r - (4 r^3 grad(r) + 2 a^2 z e_z)/(r^4 + a^2 z^2)).
 fn derivatives(state: Canonical) -> Canonical {
     let x = state.x;
     let p = state.p;
@@ -95,9 +104,9 @@ fn runge_kutta_step(state: Canonical, h: f32) -> Canonical {
     return advance(state, mean, h);
 }
 
-// The step rule: shorter where light bends and on the way to the horizon, and never a large share of
-// the radius. Below the balanced setting the limits shrink, too, and the horizon's even more for fast
-// holes.
+// The step rule: shorter where light bends and on the way to the horizon, and never a large share
+// of the radius. Below the balanced setting the limits shrink, too, and the horizon's even more for
+// fast holes.
 fn step_length(metric: Metric, x: vec3<f32>, v: vec3<f32>) -> f32 {
     let r = metric.r;
     let impact = length(cross(x, v));
@@ -153,8 +162,8 @@ fn axial_angular_momentum(state: Canonical) -> f32 {
     return state.x.x * state.p.y - state.x.y * state.p.x;
 }
 
-// The place r n, with Boyer-Lindquist's azimuth, of a point in the plane. The frame is rotated so that
-// the azimuths agree at the camera.
+// The place r n, with Boyer-Lindquist's azimuth, of a point in the plane. The frame is rotated so
+// that the azimuths agree at the camera.
 fn boyer_lindquist(x: vec3<f32>) -> vec3<f32> {
     let a = scene.hole.a;
     let r = metric_at(x).r;

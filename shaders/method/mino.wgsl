@@ -1,14 +1,22 @@
-// The method mino: Kerr's null geodesics for any spin, stepped in Mino time on the celestial sphere.
-// mino_motion.wgsl has the equations and the step, mino_azimuth.wgsl the azimuth; this part begins a
-// ray, follows it and ends it.
+// The method mino: Kerr's null geodesics for any spin, stepped in Mino time on the celestial
+// sphere. mino_motion.wgsl has the equations and the step, mino_azimuth.wgsl the azimuth; this part
+// begins a ray, follows it and ends it.
+//
+// Needs: AZIMUTH, Angle, Constants, DIAGNOSTICS, FOLLOW_BEYOND_HITS, HAS_DISK, MAX_HITS, Motion,
+//     NEAR_HORIZON, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Photon, SKY_DIRECTION, SPINNING,
+//     Step, TINY, Trace, acceleration, add_angle, add_hit, angle_between, azimuth_gain,
+//     azimuth_lag_to_infinity, cannot_turn, crosses_plane, curve, curve_at, curve_slope,
+//     empty_trace, in_annulus, motion_about, nystroem_step, quadratic, rotate_z, safe_normalize,
+//     scene, sin_cos_precise, speed_squared, square, wrap_angle.
+// Gives: trace.
 
 // More steps than a ray within f32's rounding of the critical curve takes at the shortest step.
 const MAX_STEPS: u32 = 1024u;
 // The weight of E^2 beside K in the scale. Radial rays, with K = 0, cover at most du = step/2 in a
 // step.
 const ENERGY_WEIGHT: f32 = 4.0;
-// Rays with sqrt(K)/E below this may come near the critical curve, on which it is at most 3.5. Their
-// step is shorter, to keep the shadow's edge in its place.
+// Rays with sqrt(K)/E below this may come near the critical curve, on which it is at most 3.5.
+// Their step is shorter, to keep the shadow's edge in its place.
 const FAR_IMPACT: f32 = 4.0;
 // Where U is below this share of W^2, a turning point is near and U is no longer a good measure of
 // u'.
@@ -31,8 +39,8 @@ struct Orbit {
 // Where a ray is.
 struct Ray {
     motion: Motion,
-    // The state (v, n_z, n_x, n_y), the change that its slope would make over a step, and the change
-    // of that by the acceleration.
+    // The state (v, n_z, n_x, n_y), the change that its slope would make over a step, and the
+    // change of that by the acceleration.
     y: vec4<f32>,
     dy: vec4<f32>,
     k: vec4<f32>,
@@ -93,8 +101,8 @@ fn orbit_of(photon: Photon) -> Orbit {
     let far = k_camera > square(FAR_IMPACT * photon.energy);
     var h = select(scene.quality.mino_critical_step, scene.quality.mino_step, far);
     if camera_is_inside() {
-        // Deep inside, u changes by as much as itself within less than a radian. The step is a share
-        // of that time, as the growing terms of U give it.
+        // Deep inside, u changes by as much as itself within less than a radian. The step is a
+        // share of that time, as the growing terms of U give it.
         let u = scene.observer.u;
         h *= inverseSqrt(max(1.0, u * (6.0 * k_prime + 8.0 * u * (square(drag) + square(a) * k_prime))));
     }
@@ -114,8 +122,8 @@ fn ray_at_camera(photon: Photon, orbit: Orbit) -> Ray {
     return Ray(motion, y, dy, k, Angle(0.0, chi), ingoing, 0.0);
 }
 
-// Changes the base of the radial variable when the ray comes near to the horizon or leaves it. 1/r_+
-// has two parts, so that the distance to the horizon keeps its digits.
+// Changes the base of the radial variable when the ray comes near to the horizon or leaves it.
+// 1/r_+ has two parts, so that the distance to the horizon keeps its digits.
 fn change_base(ray: ptr<function, Ray>, constants: Constants) {
     let u_horizon = scene.hole.horizon_u;
     let base = (*ray).motion.base;
@@ -185,8 +193,8 @@ fn end_of(step: Step, motion: Motion) -> StepEnd {
     return end;
 }
 
-// Adds the step's crossing of the annulus to the record. `energy` is that of the photon, not scaled.
-// n_z'' vanishes in the plane, so Newton's method converges at once.
+// Adds the step's crossing of the annulus to the record. `energy` is that of the photon, not
+// scaled. n_z'' vanishes in the plane, so Newton's method converges at once.
 fn record_plane_crossing(
     result: ptr<function, Trace>,
     ray: Ray,

@@ -1,4 +1,17 @@
 // The azimuth of the method mino: the growth of chi by frame dragging, chi' = a (E - W/D).
+//
+// Needs: Curve, Motion, NEAR_HORIZON, TINY, atanh_small, curve_at, curve_slope, log_precise,
+//     quadratic, scene, square.
+// Gives: Angle, add_angle, azimuth_gain, azimuth_lag_to_infinity, wrap_angle.
+
+// The four Gauss-Legendre nodes on [0, 1], 1/2 -+ sqrt(3/7 +- (2/7) sqrt(6/5))/2, and the weights
+// of the outer and the inner two, (18 -+ sqrt(30))/72.
+const NODE_1: f32 = 0.0694318442;
+const NODE_2: f32 = 0.3300094782;
+const NODE_3: f32 = 0.6699905218;
+const NODE_4: f32 = 0.9305681558;
+const OUTER_WEIGHT: f32 = 0.1739274226;
+const INNER_WEIGHT: f32 = 0.3260725774;
 
 // An angle that can be many turns, as the sum of two parts: the first is a multiple of 1/16, the
 // second at most 1/32.
@@ -20,12 +33,12 @@ fn azimuth_gain(m: Motion, c: Curve, h: f32, t: f32, v: f32, regular: bool, ingo
     return gain - azimuth_lag(horizon_factors(m, start), horizon_factors(m, v), abs(v - start));
 }
 
-// Away from the horizon and at a turning point the rate is smooth, and the four Gauss-Legendre nodes
-// are enough.
+// Away from the horizon and at a turning point the rate is smooth, and the four Gauss-Legendre
+// nodes are enough.
 fn smooth_azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
-    let outer = vec2<f32>(curve_at(c, 0.0694318442 * t).x, curve_at(c, 0.9305681558 * t).x);
-    let inner = vec2<f32>(curve_at(c, 0.3300094782 * t).x, curve_at(c, 0.6699905218 * t).x);
-    let sum = 0.1739274226 * dragging_sum(m, outer) + 0.3260725774 * dragging_sum(m, inner);
+    let outer = vec2<f32>(curve_at(c, NODE_1 * t).x, curve_at(c, NODE_4 * t).x);
+    let inner = vec2<f32>(curve_at(c, NODE_2 * t).x, curve_at(c, NODE_3 * t).x);
+    let sum = OUTER_WEIGHT * dragging_sum(m, outer) + INNER_WEIGHT * dragging_sum(m, inner);
     return scene.hole.a * h * t * sum;
 }
 
@@ -41,14 +54,14 @@ fn dragging_sum(m: Motion, v: vec2<f32>) -> f32 {
 //   chi' = a (E - K' u^2 / (W + |u'|)) - a |u'| / D.
 //
 // The first part is regular, as in Kerr's ingoing coordinates for light that comes in and in the
-// outgoing ones for light that leaves; this function integrates it. As long as the ray does not turn,
-// azimuth_lag integrates the second part.
+// outgoing ones for light that leaves; this function integrates it. As long as the ray does not
+// turn, azimuth_lag integrates the second part.
 fn regular_azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
     var nodes = array<vec2<f32>, 4>(
-        vec2<f32>(0.0694318442, 0.1739274226),
-        vec2<f32>(0.3300094782, 0.3260725774),
-        vec2<f32>(0.6699905218, 0.3260725774),
-        vec2<f32>(0.9305681558, 0.1739274226),
+        vec2<f32>(NODE_1, OUTER_WEIGHT),
+        vec2<f32>(NODE_2, INNER_WEIGHT),
+        vec2<f32>(NODE_3, INNER_WEIGHT),
+        vec2<f32>(NODE_4, OUTER_WEIGHT),
     );
     var sum = 0.0;
     for (var i = 0u; i < 4u; i++) {

@@ -19,6 +19,10 @@
 // dense output is the quintic with the values, slopes and accelerations of both ends. The constants
 // are scaled such that the step in Mino time is an angle; docs/PHYSICS.md has the measurements from
 // which the steps were chosen.
+//
+// Needs: scene, square.
+// Gives: Constants, Curve, Motion, Step, acceleration, cannot_turn, curve, curve_at, curve_slope,
+//     motion_about, nystroem_step, quadratic, speed_squared.
 
 // Constants of the motion, scaled.
 struct Constants {

@@ -1,6 +1,10 @@
 // Straight rays, for scenes without lensing: flat space, in which the hole is a black ball.
 // crates/lightfall-core/src/optics/straight.rs does the same in f64. The photons are those of flat
 // space, too (crates/lightfall-core/src/optics/camera_rays.rs).
+//
+// Needs: MASS, OUTCOME_CAPTURED, OUTCOME_SKY, Photon, Trace, add_hit, angle_between, empty_trace,
+//     lapse_and_dragging, photon_energy, safe_normalize, scene, square.
+// Gives: trace.
 
 // The lambda for which 1 - Omega lambda is the Doppler factor of matter with the speed
 // (Omega - omega) W / N, where moment_z / r is the cosine between its velocity and the light, and

@@ -7,6 +7,11 @@
 // 25.6). Its derivative gives the radial part of the first: Cartesian coordinates include the
 // centrifugal term L^2 / r^3, and the relativistic term remains. The affine parameter lambda grows
 // backward along the ray.
+//
+// Needs: DIAGNOSTICS, FOLLOW_BEYOND_HITS, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY,
+//     Photon, Segment, TINY, Trace, angle_between, empty_trace, photon_energy, record_crossing,
+//     safe_normalize, scene, shift_hits, square.
+// Gives: trace.
 
 // At this radius an ingoing ray counts as captured: no ray turns outward inside the photon sphere,
 // at 1.5.
@@ -64,7 +69,8 @@ struct Step {
     h: f32,
 }
 
-// L from w rather than from x cross v, which would lose the small impact parameters of a far camera.
+// L from w rather than from x cross v, which would lose the small impact parameters of a far
+// camera.
 fn impact_of(photon: Photon, energy: f32) -> Impact {
     let vector = -scene.observer.r / energy * cross(scene.observer.position_direction, photon.w);
     let l2 = dot(vector, vector);

@@ -1,5 +1,8 @@
 // The sky mode `grid`: circles of latitude and meridians every 15 degrees. The lines have no
 // temperature, so the shift changes their brightness only.
+//
+// Needs: PI, atan2_precise, shifted_spot_radius, spot_profile, square.
+// Gives: sky_background.
 
 const GRID_SPACING: f32 = PI / 12.0;
 // The light between the lines, enough for the hole's shadow to stand out.
@@ -21,7 +24,7 @@ fn line_colour(index: i32, coloured: i32, colour: vec3<f32>) -> vec3<f32> {
 }
 
 fn sky_background(direction: vec3<f32>, g: f32) -> vec3<f32> {
-    let radius = spot_radius(g);
+    let radius = shifted_spot_radius(g);
     let sine = length(direction.xy);
     // Circles: differences of theta are distances on the sky. The poles are no circles.
     let theta = atan2_precise(sine, direction.z);

@@ -2,8 +2,11 @@
 //
 // Three layers of stars overlap, each on the six gnomonic charts of a cube that is rotated against
 // the other two. A chart is divided into cells, and a cell holds at most one star, far enough from
-// the cell's edges that the whole image lies inside. So a pixel looks up one cell per layer, no image
-// is cut off, and the edges of the charts and the poles do not show.
+// the cell's edges that the whole image lies inside. So a pixel looks up one cell per layer, no
+// image is cut off, and the edges of the charts and the poles do not show.
+//
+// Needs: MAX_SPOT_RADIUS, scene, shifted_spot_radius, spot_profile, square, thermal_colour.
+// Gives: sky_background.
 
 const CELLS: f32 = 36.0;
 // The bolometric fluxes of the faintest and the brightest star. Between them N(> F) is proportional
@@ -73,7 +76,7 @@ fn star_layer(direction: vec3<f32>, g: f32, frame: mat3x3<f32>, layer: u32) -> v
 
     // The star's distance from the cell's edges is at least the radius of its image; toward the
     // corners of a face one radian spans up to three units of the chart.
-    let radius = spot_radius(g);
+    let radius = shifted_spot_radius(g);
     let half_cell = 1.0 / CELLS;
     let middle = (cell + 0.5) * (2.0 * half_cell) - 1.0;
     let outermost = abs(middle) + half_cell;

@@ -1,8 +1,12 @@
-// The view `classes`. Blue: the ray comes from the sky. Orange: it ends at the horizon. Magenta: the
-// method gave no answer. The colour is lighter for more crossings of the disk. No two classes share
-// a colour, and no two hues differ in red and green only.
+// The view `classes`. Blue: the ray comes from the sky. Orange: it ends at the horizon. Magenta:
+// the method gave no answer. The colour is lighter for more crossings of the disk. No two classes
+// share a colour, and no two hues differ in red and green only.
 //
 //   crossings          0                   1                   2
+//
+// Needs: OUTCOME_CAPTURED, OUTCOME_SKY, Photon, mark, trace.
+// Gives: light_along.
+
 const SKY_CLASSES = array<vec3<f32>, 3>(vec3(0.00, 0.02, 0.16), vec3(0.02, 0.20, 0.75), vec3(0.30, 0.75, 1.00));
 const CAPTURED_CLASSES = array<vec3<f32>, 3>(vec3(0.06, 0.02, 0.00), vec3(0.60, 0.15, 0.00), vec3(1.00, 0.65, 0.05));
 const UNFINISHED_CLASSES = array<vec3<f32>, 3>(vec3(1.00, 0.00, 1.00), vec3(1.00, 0.30, 1.00), vec3(1.00, 0.60, 1.00));

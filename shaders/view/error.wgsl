@@ -3,6 +3,10 @@
 // nothing. The scale is logarithmic, from dark violet at 1e-4 pixel or less through green to bright
 // yellow at 1 or more. Magenta: no rotation of the ray explains the answer. Black: nothing is seen.
 // Grey: the error is not known yet.
+//
+// Needs: BINDING_ERROR_MAP, ERROR_COLUMNS, ERROR_ROWS, LOG10_2, MAGENTA, UNEXPLAINED, UNKNOWN,
+//     UNSEEN, mark, scene.
+// Gives: light_at.
 
 @group(0) @binding(BINDING_ERROR_MAP) var<uniform> errors: array<vec4<f32>, ERROR_COLUMNS * ERROR_ROWS / 4u>;
 
@@ -40,6 +44,6 @@ fn light_at(place: vec2<f32>) -> vec3<f32> {
     if error >= UNEXPLAINED {
         return mark(MAGENTA);
     }
-    let position = 0.25 * 0.301029996 * log2(max(error, 1e-4)) + 1.0;
+    let position = 0.25 * LOG10_2 * log2(max(error, 1e-4)) + 1.0;
     return mark(scale_colour(clamp(position, 0.0, 1.0)));
 }

@@ -1,4 +1,7 @@
 // Marks: colours that stand for something and look the same at every exposure.
+//
+// Needs: scene.
+// Gives: MAGENTA, mark.
 
 // A ray without an answer, in every view but `colour`.
 const MAGENTA: vec3<f32> = vec3<f32>(1.0, 0.0, 1.0);

@@ -2,6 +2,9 @@
 // up to the first source on the ray, disk or sky. Order 0 is grey, 1 orange, 2 blue, 3 and more
 // white, which colour-blind people can tell apart. The sky is darker than the disk. A ray that ends
 // at the horizon without a crossing is black.
+//
+// Needs: MAGENTA, OUTCOME_CAPTURED, OUTCOME_UNFINISHED, PI, Photon, mark, trace.
+// Gives: light_along.
 
 fn order_colour(order: f32) -> vec3<f32> {
     var colour = vec3<f32>(0.20);

@@ -1,7 +1,10 @@
-// The view `redshift`: observed over emitted frequency g of the first source on the ray, disk or sky.
-// White at g = 1, through blue to dark blue at g = 2 and more, through orange to dark red at g = 1/2
-// and less, with equal steps in ln g. Colour-blind people can tell blue and orange apart. A ray that
-// ends at the horizon without a crossing is black.
+// The view `redshift`: observed over emitted frequency g of the first source on the ray, disk or
+// sky. White at g = 1, through blue to dark blue at g = 2 and more, through orange to dark red at g
+// = 1/2 and less, with equal steps in ln g. Colour-blind people can tell blue and orange apart. A
+// ray that ends at the horizon without a crossing is black.
+//
+// Needs: MAGENTA, OUTCOME_SKY, OUTCOME_UNFINISHED, Photon, TINY, mark, sky_shift, trace.
+// Gives: light_along.
 
 fn shift_colour(g: f32) -> vec3<f32> {
     let octaves = clamp(log2(max(g, TINY)), -1.0, 1.0);

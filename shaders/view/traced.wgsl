@@ -1,5 +1,8 @@
 // The light at a place of the picture, given in pixels from its upper left corner: that of the ray
 // through it. Every view that traces rays uses this part.
+//
+// Needs: light_along, photon_from, pixel_direction.
+// Gives: light_at.
 
 fn light_at(place: vec2<f32>) -> vec3<f32> {
     return light_along(photon_from(pixel_direction(place)));

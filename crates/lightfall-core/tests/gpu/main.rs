@@ -19,6 +19,7 @@ mod light;
 mod mino;
 mod observers;
 mod omissions;
+mod part_headers;
 mod refusals;
 mod report;
 mod shaders;

@@ -119,7 +119,11 @@ fn a_shader_contains_only_the_parts_that_its_scene_needs() {
             spectrum,
             "{variant:?}"
         );
-        assert_eq!(source.contains("fn spot_radius"), sky, "{variant:?}");
+        assert_eq!(
+            source.contains("fn shifted_spot_radius"),
+            sky,
+            "{variant:?}"
+        );
         let relativistic = variant.disk_model == DiskModel::PageThorne;
         assert_eq!(
             source.contains("var<uniform> page_thorne"),

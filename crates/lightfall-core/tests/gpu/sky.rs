@@ -13,7 +13,7 @@ use std::f64::consts::{PI, TAU};
 fn light(gpu: &Gpu, scene: &Scene, expression: &str, directions: &[DVec3]) -> Vec<DVec3> {
     let source = Variant::picture(scene).source();
     let expression = format!(
-        "vec4<f32>({}, scene.spot_radius + spectrum[0].x)",
+        "vec4<f32>({}, scene.sky.spot_radius + spectrum[0].x)",
         expression.replace("direction", "given.xyz")
     );
     let entries = table();

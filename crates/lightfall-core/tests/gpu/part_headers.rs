@@ -1,0 +1,208 @@
+//! The header of every WGSL file: the names that it needs from other files or from the constants in
+//! front of them, and the names that it gives to others.
+
+use lightfall_core::gpu::{Presentation, ShaderText, Variant};
+use std::collections::{BTreeMap, BTreeSet};
+
+type Names = BTreeSet<String>;
+
+/// A file's text, or that of the constants in front of the files.
+struct Part {
+    /// The names that it declares outside of functions and structs.
+    declared: Names,
+    /// Its entry points.
+    entry_points: Names,
+    /// Every other name in it.
+    mentioned: Names,
+}
+
+impl Part {
+    fn new(text: &str) -> Self {
+        let (mut declared, mut entry_points) = (Names::new(), Names::new());
+        let mut mentioned = Names::new();
+        let mut attribute = String::new();
+        for line in text.lines() {
+            let code = line.split("//").next().unwrap_or("");
+            if let Some(name) = declaration(code) {
+                let is_entry = ["@vertex", "@fragment", "@compute"]
+                    .iter()
+                    .any(|stage| attribute.starts_with(stage));
+                if is_entry {
+                    entry_points.insert(name.clone());
+                }
+                declared.insert(name);
+            }
+            attribute = code.into();
+            mentioned.extend(names_in(code));
+        }
+        mentioned.retain(|name| !declared.contains(name));
+        Self {
+            declared,
+            entry_points,
+            mentioned,
+        }
+    }
+}
+
+/// The name that a line declares, if it is a declaration that is not indented.
+fn declaration(line: &str) -> Option<String> {
+    let line = match line.split_once(" var<") {
+        Some((attributes, rest)) if attributes.starts_with('@') => rest.split_once("> ")?.1,
+        _ => ["fn ", "struct ", "const "]
+            .iter()
+            .find_map(|keyword| line.strip_prefix(keyword))?,
+    };
+    names_in(line).next()
+}
+
+/// The identifiers of a line, without those of members (after a dot).
+fn names_in(line: &str) -> impl Iterator<Item = String> {
+    let mut names = Vec::new();
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let mut before = ' ';
+    let mut rest = line;
+    while let Some(first) = rest.chars().next() {
+        let length = rest.find(|c| !is_part(c)).unwrap_or(rest.len()).max(1);
+        let (word, after) = rest.split_at(length);
+        if (first.is_ascii_alphabetic() || first == '_') && before != '.' {
+            names.push(word.to_string());
+        }
+        before = word.chars().last().unwrap_or(' ');
+        rest = after;
+    }
+    names.into_iter()
+}
+
+/// The names that a header lists after `Needs` or `Gives`.
+fn header(text: &str, word: &str) -> Option<Names> {
+    let start = format!("// {word}: ");
+    let mut lines = text
+        .lines()
+        .take_while(|line| line.starts_with("//"))
+        .skip_while(|line| !line.starts_with(&start));
+    let mut list = lines.next()?.strip_prefix(&start)?.to_string();
+    for line in lines.take_while(|line| line.starts_with("//     ")) {
+        list += line.trim_start_matches('/');
+    }
+    let list = list.strip_suffix('.')?;
+    let names = list.split(',').map(|name| name.trim().to_string());
+    Some(names.filter(|name| name != "nothing").collect())
+}
+
+/// One line of a header, as it should be.
+fn expected(word: &str, names: &Names) -> String {
+    let mut text = format!("// {word}:");
+    let mut width = text.len();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let names = if names.is_empty() {
+        vec!["nothing"]
+    } else {
+        names
+    };
+    for (i, name) in names.iter().enumerate() {
+        let end = if i + 1 == names.len() { "." } else { "," };
+        if width + name.len() + 2 > 100 {
+            text += "\n//    ";
+            width = 6;
+        }
+        text += &format!(" {name}{end}");
+        width += name.len() + 2;
+    }
+    text
+}
+
+/// Every set of files that is joined, once.
+fn joined_texts() -> Vec<ShaderText> {
+    let mut seen = BTreeSet::new();
+    let variants = Variant::all()
+        .into_iter()
+        .filter(|variant| seen.insert(variant.files()));
+    let mut texts: Vec<ShaderText> = variants.map(Variant::text).collect();
+    texts.push(Presentation::shader());
+    texts
+}
+
+#[test]
+fn every_part_states_what_it_needs_and_what_it_gives() {
+    let mut needs: BTreeMap<&str, Names> = BTreeMap::new();
+    let mut gives: BTreeMap<&str, Names> = BTreeMap::new();
+    let mut files: BTreeMap<&str, &str> = BTreeMap::new();
+    for text in joined_texts() {
+        let constants = Part::new(text.prelude());
+        let parts: Vec<(&str, Part)> = text
+            .files()
+            .map(|(file, text)| (file, Part::new(text)))
+            .collect();
+        files.extend(text.files());
+        for (file, part) in &parts {
+            gives
+                .entry(file)
+                .or_default()
+                .extend(part.entry_points.clone());
+            let needed = needs.entry(file).or_default();
+            needed.extend(part.mentioned.intersection(&constants.declared).cloned());
+            for (other, given) in parts.iter().filter(|(other, _)| other != file) {
+                let used = part.mentioned.intersection(&given.declared);
+                for name in used {
+                    needed.insert(name.clone());
+                    gives.entry(other).or_default().insert(name.clone());
+                }
+            }
+        }
+    }
+    let mut wrong = Vec::new();
+    for (file, text) in files {
+        let is_right = header(text, "Needs").as_ref() == Some(&needs[file])
+            && header(text, "Gives").as_ref() == Some(&gives[file]);
+        if !is_right {
+            wrong.push(format!(
+                "{file}:\n{}\n{}",
+                expected("Needs", &needs[file]),
+                expected("Gives", &gives[file])
+            ));
+        }
+    }
+    assert!(
+        wrong.is_empty(),
+        "the header of these files should be:\n{}",
+        wrong.join("\n")
+    );
+}
+
+#[test]
+fn every_shader_has_one_part_that_gives_what_another_part_needs() {
+    for text in joined_texts() {
+        let constants = Part::new(text.prelude()).declared;
+        for (file, part) in text.files() {
+            for name in header(part, "Needs").expect("every file has a header") {
+                let givers: Vec<&str> = text
+                    .files()
+                    .filter(|(_, other)| header(other, "Gives").unwrap().contains(&name))
+                    .map(|(other, _)| other)
+                    .collect();
+                let count = givers.len() + usize::from(constants.contains(&name));
+                assert_eq!(count, 1, "{file} needs {name}, which {givers:?} give");
+            }
+        }
+    }
+}
+
+#[test]
+fn names_are_found_outside_of_comments_and_members() {
+    let part = Part::new(
+        "// a comment of unused\n@vertex\nfn entry(x: f32) -> f32 {\n    return x + a.member * scale(B[2u]); // c\n}\n\
+         const LIMIT: u32 = 3u;\n@group(0) @binding(SLOT) var<uniform> table: array<f32, LEN>;\nstruct S {\n}\n",
+    );
+    let set = |names: &[&str]| names.iter().map(|name| name.to_string()).collect::<Names>();
+    assert_eq!(part.declared, set(&["entry", "LIMIT", "table", "S"]));
+    assert_eq!(part.entry_points, set(&["entry"]));
+    let others = set(&["a", "scale", "B", "SLOT", "LEN"]);
+    assert_eq!(
+        part.mentioned
+            .intersection(&others)
+            .cloned()
+            .collect::<Names>(),
+        others
+    );
+    assert!(!part.mentioned.contains("member") && !part.mentioned.contains("unused"));
+}
