@@ -1,4 +1,4 @@
-//! What the program has put on the clipboard, asked for as any other program would.
+//! The text on the clipboard, read as any other program would read it.
 
 use crate::desktop::Desktop;
 use std::time::{Duration, Instant};

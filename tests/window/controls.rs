@@ -2,14 +2,14 @@
 
 use crate::desktop::Desktop;
 use crate::shot::Shot;
-use crate::{HINT, WINDOW, changed};
+use crate::{STATUS_BAR, WINDOW, changed, place};
 use lightfall::app::{Bindable, control_named};
 use lightfall::storage::embedded_preset;
 
 /// Width of the panel on the right, with some room.
 const PANEL: usize = 400;
 
-/// As X names the first key of a control.
+/// The first key of a control, as X names it.
 fn x_name(id: &str) -> String {
     let control = control_named(id).unwrap();
     let name = control.keys[0].name().unwrap();
@@ -25,7 +25,7 @@ fn x_name(id: &str) -> String {
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn switches_change_the_picture_and_lead_back() {
+fn a_switch_changes_the_picture_and_pressed_again_restores_it() {
     // A scene in which each of them shows: the disk does not begin at the innermost stable orbit,
     // the probe is in view.
     let scene = [
@@ -79,9 +79,10 @@ fn overlays_open_and_close_and_text_fields_keep_the_keyboard() {
     let mut desktop = Desktop::open(&["--preset", "2"]);
     let start = desktop.first_picture();
     let right = |a: &Shot, b: &Shot| a.changed(b, WINDOW.0 - PANEL..WINDOW.0, 0..WINDOW.1);
-    let left = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0 - PANEL, 0..WINDOW.1 - HINT);
-    let hint =
-        |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0 - PANEL, WINDOW.1 - HINT..WINDOW.1) > 0.0;
+    let left = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0 - PANEL, 0..WINDOW.1 - STATUS_BAR);
+    let status_bar = |a: &Shot, b: &Shot| {
+        a.changed(b, 0..WINDOW.0 - PANEL, WINDOW.1 - STATUS_BAR..WINDOW.1) > 0.0
+    };
     desktop.press("F1");
     desktop.settled("help", |shot| changed(shot, &start) > 0.1);
     desktop.press("F1");
@@ -94,19 +95,19 @@ fn overlays_open_and_close_and_text_fields_keep_the_keyboard() {
         "the panel covers more than its side"
     );
     // Into the field `name`: g, F2 and p would change the sky, the disk and the panel.
-    desktop.click(1300, 92);
+    desktop.click(place::PANEL_NAME);
     let focused = desktop.settled("the field has the keyboard", |shot| *shot != panel);
     desktop.type_text("gp");
     desktop.press("F2");
-    // The name is also in the hint.
-    let typed = desktop.settled("typed", |shot| hint(shot, &focused));
+    // The status bar shows the name too.
+    let typed = desktop.settled("typed", |shot| status_bar(shot, &focused));
     assert_eq!(
         left(&typed, &start),
         0.0,
         "a key acted although a text field had the keyboard"
     );
-    // Beside it the keyboard is the picture's again.
-    desktop.click(1300, 800);
+    // A click outside the field gives the keyboard back to the picture.
+    desktop.click(place::PANEL_BELOW_FIELDS);
     desktop.press("F2");
     desktop.settled("F2", |shot| left(shot, &start) > 0.1);
     desktop.press("F2");
@@ -122,7 +123,7 @@ fn overlays_open_and_close_and_text_fields_keep_the_keyboard() {
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn screenshots_are_files_that_replace_no_other() {
+fn screenshots_are_new_files_that_replace_no_others() {
     let desktop = Desktop::open(&["--preset", "2"]);
     let start = desktop.first_picture();
     let pictures = desktop.home.path().join("Pictures");

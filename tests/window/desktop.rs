@@ -1,7 +1,7 @@
-//! A display of the test's own: Xvfb, the program's window on it, keys by xdotool, pictures from
-//! the X server.
+//! A display for one test: Xvfb, the program's window on it, keys by xdotool, and pictures from the X
+//! server.
 
-use crate::HINT;
+use crate::STATUS_BAR;
 use crate::frames::Frames;
 use crate::shot::Shot;
 use std::io::{BufRead, BufReader};
@@ -16,14 +16,14 @@ use x11rb::rust_connection::RustConnection;
 const SCREEN: (u16, u16) = (1500, 900);
 /// Time that a software renderer on a busy machine may need for a first picture, or for one more.
 const PATIENCE: Duration = Duration::from_secs(120);
-/// What stays the same for so long, and over so many frames, stays: the screen shows a frame some
-/// frames after its keys.
+/// A picture that stays the same for this time and this number of frames is at rest: the screen shows
+/// a frame only some frames after its keys.
 const REST: Duration = Duration::from_millis(1200);
 const FRAMES: usize = 4;
-/// Longest time to wait for frames: a window that is not to be seen shows none.
-const MAX_LENGTH: Duration = Duration::from_secs(10);
+/// Longest time to wait for frames: a hidden window shows none.
+const MAX_WAIT: Duration = Duration::from_secs(10);
 
-/// The display, and the program on it; both end with this value.
+/// The display and the program on it. Dropping this value ends both.
 pub struct Desktop {
     server: Child,
     pub program: Child,
@@ -231,7 +231,7 @@ impl Desktop {
 
     /// Clicks with the left button at a place of the window. The program sees the pointer before it
     /// sees the button, as from a hand, and what the click leads to before anything else comes.
-    pub fn click(&self, x: i32, y: i32) {
+    pub fn click(&self, [x, y]: [i32; 2]) {
         self.point(x, y);
         self.frames(FRAMES);
         self.xdotool(&["click", "1"]);
@@ -250,7 +250,7 @@ impl Desktop {
             return;
         };
         let last = frames.shown() + count;
-        while frames.shown() < last && start.elapsed() < MAX_LENGTH {
+        while frames.shown() < last && start.elapsed() < MAX_WAIT {
             std::thread::sleep(Duration::from_millis(10));
         }
     }
@@ -331,7 +331,11 @@ impl Desktop {
     /// rest.
     pub fn first_picture(&self) -> Shot {
         // On a busy machine bloom and the probe's meshes come some frames after the light.
-        let lit = |shot: &Shot| shot.rows(0..self.size().1.saturating_sub(HINT)).colours() > 2;
+        let lit = |shot: &Shot| {
+            shot.rows(0..self.size().1.saturating_sub(STATUS_BAR))
+                .colours()
+                > 2
+        };
         self.settled("first picture", lit);
         self.settled("first picture at rest", lit)
     }

@@ -1,8 +1,8 @@
-//! The graphics device is lost while somebody flies.
+//! The graphics device is lost while the program runs.
 
 use crate::desktop::Desktop;
 use crate::shot::Shot;
-use crate::{HINT, WINDOW, program};
+use crate::{STATUS_BAR, WINDOW, program};
 use bevy::prelude::*;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
 use bevy::render::render_resource::PollType;
@@ -23,8 +23,8 @@ fn destroy(wanted: If<Res<Destroy>>, device: Res<RenderDevice>) {
     }
 }
 
-/// The program with one key more: Home destroys the device. No test of its own: the one below
-/// starts it as another process, for a window wants a main thread, and a display of its own.
+/// The program with an additional key: Home destroys the device. This is no test: the test below
+/// starts it as another process, because a window needs a main thread and its own display.
 #[test]
 #[ignore = "started by the test of device loss"]
 fn program_that_loses_its_device() {
@@ -44,7 +44,7 @@ fn program_that_loses_its_device() {
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn a_lost_device_is_replaced_and_the_scene_is_kept() {
+fn a_lost_device_is_replaced_and_the_scene_stays() {
     let program = std::env::current_exe().unwrap();
     let only = [
         "--exact",
@@ -61,7 +61,7 @@ fn a_lost_device_is_replaced_and_the_scene_is_kept() {
     desktop.press("p");
     let before = desktop.settled("spin and panel", |shot| shot.colours() > 50);
     // Without the lines at the bottom: the window says there what happened.
-    let changed = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, 0..WINDOW.1 - 2 * HINT);
+    let changed = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, 0..WINDOW.1 - 2 * STATUS_BAR);
     for loss in 1..=2 {
         desktop.press("Home");
         desktop.wait("the loss", || {

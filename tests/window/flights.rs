@@ -1,4 +1,4 @@
-//! The camera flies by itself: the journey, and real motion.
+//! The camera flies by itself: the journey, and free motion.
 
 use crate::changed;
 use crate::desktop::Desktop;
@@ -12,7 +12,7 @@ fn moves(desktop: &Desktop, why: &str) {
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn the_journey_starts_stops_and_gives_way_to_the_hand() {
+fn the_journey_starts_stops_and_ends_when_the_user_flies() {
     let mut desktop = Desktop::open(&["--preset", "2"]);
     let start = desktop.first_picture();
     desktop.press("j");
@@ -39,7 +39,7 @@ fn the_journey_starts_stops_and_gives_way_to_the_hand() {
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn who_is_let_go_falls_through_the_horizon_a_card_says_where_it_ends_and_backspace_leads_back() {
+fn an_observer_let_go_falls_through_the_horizon_to_the_end_card_and_backspace_leads_back() {
     for spin in ["0", "0.9"] {
         let mut desktop = Desktop::open(&["--preset", "9", "--spin", spin]);
         let start = desktop.first_picture();
@@ -53,7 +53,7 @@ fn who_is_let_go_falls_through_the_horizon_a_card_says_where_it_ends_and_backspa
             desktop.press("period");
         }
         let end = desktop.settled("the end of the fall", |shot| changed(shot, &held) > 0.01);
-        // The next key puts the card away, which covers the middle. This one does nothing else.
+        // The next key closes the end card, which covers the middle. Esc does nothing else here.
         desktop.press("Escape");
         desktop.settled("the card goes", |shot| {
             shot.changed(&end, 500..940, 350..460) > 0.1

@@ -1,9 +1,9 @@
-//! A gamepad in the window. Its messages are Bevy's own, as the reader of the hardware writes them;
-//! no hardware is needed.
+//! A gamepad in the window. Its messages are Bevy's own, as the reader of the hardware writes them, so
+//! that no hardware is needed.
 
 use crate::desktop::Desktop;
 use crate::shot::Shot;
-use crate::{HINT, WINDOW, program};
+use crate::{STATUS_BAR, WINDOW, program};
 use bevy::input::gamepad::{GamepadConnection, GamepadConnectionEvent, RawGamepadEvent};
 use bevy::input::gamepad::{
     GamepadInput, RawGamepadAxisChangedEvent, RawGamepadButtonChangedEvent,
@@ -108,7 +108,7 @@ fn hand(
     }
 }
 
-/// The program with such a pad. No test of its own: the one below starts it as another process.
+/// The program with such a gamepad. This is no test: the test below starts it as another process.
 #[test]
 #[ignore = "started by the test of the gamepad"]
 fn program_with_a_gamepad() {
@@ -153,7 +153,7 @@ fn number(state: &[String], name: &str) -> f64 {
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn a_gamepad_flies_looks_presses_wakes_the_window_and_comes_and_goes() {
+fn a_gamepad_wakes_the_window_flies_looks_around_and_presses_controls() {
     let program = std::env::current_exe().unwrap();
     let only = [
         "--exact",
@@ -165,8 +165,9 @@ fn a_gamepad_flies_looks_presses_wakes_the_window_and_comes_and_goes() {
     let desktop = Desktop::open_program(&program, &only);
     let start = desktop.settled("first picture", |shot| shot.colours() > 50);
     desktop.press("Home");
-    let hint = |shot: &Shot| start.changed(shot, 0..WINDOW.0, WINDOW.1 - 2 * HINT..WINDOW.1) > 0.0;
-    desktop.until("it is said that a pad came", hint);
+    let status_bar =
+        |shot: &Shot| start.changed(shot, 0..WINDOW.0, WINDOW.1 - 2 * STATUS_BAR..WINDOW.1) > 0.0;
+    desktop.until("the toast about the gamepad", status_bar);
 
     // Nothing but the pad tells the resting window to wake. How much of the second counts is the
     // machine's: a frame that takes longer than a quarter of one moves no farther.

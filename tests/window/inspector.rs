@@ -13,7 +13,7 @@ const INSPECTOR: usize = 420;
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn a_click_tells_the_ray_of_that_pixel_and_copies_it() {
+fn a_click_shows_and_copies_the_ray_of_that_pixel() {
     let desktop = Desktop::open(&["--preset", "2", "--spin", "0.7"]);
     let start = desktop.first_picture();
     desktop.press("i");
@@ -23,7 +23,7 @@ fn a_click_tells_the_ray_of_that_pixel_and_copies_it() {
     let mut scene = scene;
     scene.hole.spin = 0.7;
     for (x, y) in [(720, 180), (760, 400), (1000, 440), (1300, 60)] {
-        desktop.click(x, y);
+        desktop.click([x, y]);
         desktop.settled("numbers", |shot| shows(shot, &empty) > 0.02);
         let json = copied(&desktop);
         // Three pixels of the window are two of the picture.
@@ -49,7 +49,7 @@ fn a_click_tells_the_ray_of_that_pixel_and_copies_it() {
         }
         assert_eq!(json["difference"]["same_class"], true, "{json}");
         assert_eq!(json["gpu"]["outcome"], json["cpu"]["outcome"]);
-        // What method mino states of itself.
+        // The error that method mino states.
         assert!(
             json["difference"]["backward"].as_f64().unwrap() < 1e-5,
             "{json}"
@@ -59,7 +59,7 @@ fn a_click_tells_the_ray_of_that_pixel_and_copies_it() {
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn the_wheel_over_a_panel_that_just_opened_is_the_panels() {
+fn the_wheel_over_a_panel_that_has_just_opened_belongs_to_the_panel() {
     let desktop = Desktop::open(&["--preset", "2"]);
     let start = desktop.first_picture();
     // Within the inspector to be, and the speed that the hint tells stays as it is.
@@ -79,7 +79,7 @@ fn the_wheel_over_a_panel_that_just_opened_is_the_panels() {
 fn copied(desktop: &Desktop) -> serde_json::Value {
     let start = Instant::now();
     loop {
-        desktop.click(123, 45);
+        desktop.click([123, 45]);
         std::thread::sleep(Duration::from_millis(300));
         let text = desktop.clipboard();
         let json = text

@@ -1,7 +1,7 @@
-//! How long a hand waits for its picture, in frames of the program itself.
+//! How many frames the picture takes to follow a key.
 
 use crate::desktop::Desktop;
-use crate::{HINT, WINDOW, program};
+use crate::{STATUS_BAR, WINDOW, program};
 use bevy::diagnostic::FrameCount;
 use bevy::prelude::*;
 use bevy::render::view::window::screenshot::{Screenshot, ScreenshotCaptured};
@@ -49,10 +49,10 @@ fn watch(
 
 /// The upper rows of the window, without the lines of text at the bottom.
 fn picture(window: Option<&[u8]>) -> Option<&[u8]> {
-    window.map(|bytes| &bytes[..bytes.len() / WINDOW.1 * (WINDOW.1 - 2 * HINT)])
+    window.map(|bytes| &bytes[..bytes.len() / WINDOW.1 * (WINDOW.1 - 2 * STATUS_BAR)])
 }
 
-/// The program, with [`watch`]. No test of its own: the one below starts it as another process.
+/// The program with [`watch`]. This is no test: the test below starts it as another process.
 #[test]
 #[ignore = "started by the test of latency"]
 fn program_that_watches_its_frames() {
@@ -65,7 +65,7 @@ fn program_that_watches_its_frames() {
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn a_key_is_in_the_picture_of_the_same_frame_or_the_next() {
+fn the_picture_follows_a_key_in_the_same_frame_or_the_next() {
     let program = std::env::current_exe().unwrap();
     let only = [
         "--exact",

@@ -1,4 +1,4 @@
-//! The real window on a display of its own, driven as a player would.
+//! The real window on its own display, used as a user would.
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -25,31 +25,41 @@ use shot::Shot;
 use std::process::Command;
 use std::time::Duration;
 
-/// The default window.
+/// Size of the default window, in pixels.
 const WINDOW: (usize, usize) = (1440, 810);
-/// Rows at the bottom that the hint may cover: four lines of it.
-const HINT: usize = 104;
+/// Height of the status bar with four lines, in pixels.
+const STATUS_BAR: usize = 104;
 
-/// The program as `lightfall --preset 2` starts it, for a test to add to.
+/// Places of the window to click, in pixels: fields of the panel's first page, which comes first
+/// in it and has the field table's order, and the list of adapters on its page Machine.
+mod place {
+    pub const PANEL_NAME: [i32; 2] = [1300, 92];
+    pub const PANEL_TITLE: [i32; 2] = [1300, 118];
+    pub const PANEL_BELOW_FIELDS: [i32; 2] = [1300, 800];
+    pub const MACHINE_TAB: [i32; 2] = [1246, 17];
+    pub const FIRST_ADAPTER: [i32; 2] = [1080, 291];
+}
+
+/// The program as `lightfall --preset 2` starts it, for a test to extend.
 fn program() -> bevy::app::App {
     let scene = presets::find("2").unwrap().scene(&[]).unwrap();
     let journey = journey::load("the built-in journey", journey::DEFAULT).unwrap();
     lightfall::app::program(Drawable::new(scene).unwrap(), journey, false)
 }
 
-/// Share of the picture, without the hint, that differs between two shots.
+/// Share of the picture, without the status bar, that differs between two shots.
 fn changed(a: &Shot, b: &Shot) -> f64 {
-    a.changed(b, 0..WINDOW.0, 0..WINDOW.1 - HINT)
+    a.changed(b, 0..WINDOW.0, 0..WINDOW.1 - STATUS_BAR)
 }
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn keys_change_what_they_say_and_the_window_stays() {
+fn keys_do_what_the_help_says_and_never_close_the_window() {
     let mut desktop = Desktop::open(&["--preset", "2"]);
     let start = desktop.first_picture();
     let top_left = |shot: &Shot| start.changed(shot, 0..120, 0..80);
     let middle = |shot: &Shot| start.changed(shot, 480..960, 270..540);
-    // Pixels of the hint's letters, which are a light grey.
+    // Pixels of the status bar's letters, which are light grey.
     let letters = |shot: &Shot| {
         let pixels = (WINDOW.1 - 60..WINDOW.1).flat_map(|y| (0..WINDOW.0).map(move |x| (x, y)));
         pixels
@@ -62,7 +72,7 @@ fn keys_change_what_they_say_and_the_window_stays() {
     };
     assert!(
         letters(&start) > 500,
-        "no hint: {} pixels of letters",
+        "no status bar: {} pixels of letters",
         letters(&start)
     );
 
@@ -89,7 +99,7 @@ fn keys_change_what_they_say_and_the_window_stays() {
     desktop.press("g");
     let grid = desktop.settled("G, grid", |shot| changed(shot, &start) > 0.02);
     assert!(top_left(&grid) > 0.02, "G did not change the sky");
-    assert!(letters(&grid) > 500, "G took the hint away");
+    assert!(letters(&grid) > 500, "G removed the status bar");
     desktop.press("g");
     let dark = desktop.settled("G, off", |shot| changed(shot, &grid) > 0.02);
     assert!(
@@ -126,11 +136,11 @@ fn keys_change_what_they_say_and_the_window_stays() {
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn the_first_picture_comes_soon_and_hands_are_felt_while_a_shader_is_made() {
+fn the_window_answers_input_while_a_shader_compiles() {
     let desktop = Desktop::open(&["--preset", "2"]);
     let window = desktop.started.elapsed();
     let lit = |shot: &Shot| {
-        let pixels = (0..WINDOW.1 - HINT).flat_map(|y| (0..WINDOW.0).map(move |x| (x, y)));
+        let pixels = (0..WINDOW.1 - STATUS_BAR).flat_map(|y| (0..WINDOW.0).map(move |x| (x, y)));
         pixels
             .filter(|&(x, y)| shot.pixel(x, y).iter().any(|&channel| channel > 100))
             .count()
@@ -141,16 +151,17 @@ fn the_first_picture_comes_soon_and_hands_are_felt_while_a_shader_is_made() {
         desktop.started.elapsed()
     );
     let plain = desktop.settled("rest", |shot| shot.colours() > 50);
-    let hint = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, WINDOW.1 - HINT..WINDOW.1) > 0.0;
-    // The wheel changes the speed that the hint tells; T asks for a method that has not been
+    let status_bar =
+        |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, WINDOW.1 - STATUS_BAR..WINDOW.1) > 0.0;
+    // The wheel changes the speed that the status bar shows. T asks for a method that has not been
     // compiled yet.
     desktop.wheel();
-    let usual = desktop.until("the wheel", |shot| hint(shot, &plain));
-    let before = desktop.settled("rest", |shot| hint(shot, &plain));
+    let usual = desktop.until("the wheel", |shot| status_bar(shot, &plain));
+    let before = desktop.settled("rest", |shot| status_bar(shot, &plain));
     desktop.press("t");
     desktop.wheel();
     let busy = desktop.until("the wheel while a shader is made", |shot| {
-        hint(shot, &before)
+        status_bar(shot, &before)
     });
     let spinning = desktop.until("the new picture", |shot| changed(shot, &before) > 0.02);
     println!(
@@ -166,7 +177,7 @@ fn the_first_picture_comes_soon_and_hands_are_felt_while_a_shader_is_made() {
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn a_still_window_answers_at_once_however_long_its_scene_takes() {
+fn a_window_at_rest_answers_at_once_however_slow_its_scene_is() {
     // The slowest method: some hundred milliseconds a frame on a software renderer, and a window
     // shows a frame two later.
     let slow = [
@@ -180,19 +191,20 @@ fn a_still_window_answers_at_once_however_long_its_scene_takes() {
         "quality.step_scale=0.45",
     ];
     let desktop = Desktop::open(&slow);
-    let hint = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, WINDOW.1 - HINT..WINDOW.1) > 0.0;
+    let status_bar =
+        |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, WINDOW.1 - STATUS_BAR..WINDOW.1) > 0.0;
     desktop.first_picture();
     let answer = || {
         let before = desktop.settled("rest", |_| true);
         desktop.wheel();
-        desktop.until("the wheel", |shot| hint(shot, &before))
+        desktop.until("the wheel", |shot| status_bar(shot, &before))
     };
     // A machine that is busy with other things may still be drawing: it rests once it answers fast.
     let quick = Duration::from_millis(300);
     let rests = (0..10).any(|_| answer() < quick);
     assert!(
         rests,
-        "the wheel is never felt within {quick:?}: the eye does not rest"
+        "the wheel never takes effect within {quick:?}: the scene camera does not rest"
     );
     let before = desktop.shot();
     let answers: Vec<Duration> = (0..5).map(|_| answer()).collect();
@@ -209,7 +221,7 @@ fn a_still_window_answers_at_once_however_long_its_scene_takes() {
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn unfinished_rays_turn_magenta_with_f11() {
+fn f11_shows_unfinished_rays_in_magenta() {
     // Twenty steps are too few for most rays.
     let few_steps = [
         "--preset",
@@ -221,7 +233,7 @@ fn unfinished_rays_turn_magenta_with_f11() {
     ];
     let desktop = Desktop::open(&few_steps);
     let magenta = |shot: &Shot| {
-        let pixels = (0..WINDOW.1 - HINT).flat_map(|y| (0..WINDOW.0).map(move |x| (x, y)));
+        let pixels = (0..WINDOW.1 - STATUS_BAR).flat_map(|y| (0..WINDOW.0).map(move |x| (x, y)));
         pixels
             .filter(|&(x, y)| matches!(shot.pixel(x, y), [200..=255, 0..=90, 200..=255]))
             .count()
@@ -236,7 +248,7 @@ fn unfinished_rays_turn_magenta_with_f11() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn without_a_display_it_says_so_and_writes_a_picture() {
+fn without_a_display_the_program_says_so_and_writes_a_picture() {
     for display in [None, Some(":4095")] {
         let folder = tempfile::tempdir().unwrap();
         let mut command = Command::new(env!("CARGO_BIN_EXE_lightfall"));

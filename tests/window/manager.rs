@@ -1,4 +1,4 @@
-//! What a window's surroundings do to it: the window manager, the monitor, a machine that sleeps.
+//! What happens to a window from outside: the window manager, the monitor, a machine that sleeps.
 
 use crate::desktop::Desktop;
 use std::process::Command;

@@ -1,17 +1,18 @@
 //! Copy, cut and paste in the panel's text fields.
 
 use crate::desktop::Desktop;
+use crate::place;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// Text that another program holds.
 const FOREIGN: &str = "from afar · δ";
 
-/// A busy machine's.
+/// How long a busy machine may take.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// A program that holds the clipboard until another one takes it. No test of its own: the one below
-/// starts it.
+/// A program that holds the clipboard until another program takes it. This is no test: the test of
+/// pasting starts it.
 #[test]
 #[ignore = "started by the test of pasting"]
 fn program_that_holds_the_clipboard() {
@@ -60,8 +61,8 @@ fn text_fields_copy_cut_and_paste_within_the_program_and_with_others() {
     desktop.settled("first picture", |shot| shot.colours() > 50);
     desktop.press("p");
     desktop.settled("panel", |_| true);
-    // The field `title`, which is the window's, too.
-    desktop.click(1300, 118);
+    // The field `title` is also the title of the window.
+    desktop.click(place::PANEL_TITLE);
     let titled = |title: &str| {
         let whole = if title.is_empty() {
             "Lightfall".to_owned()

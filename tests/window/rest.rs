@@ -1,4 +1,4 @@
-//! A window in which nothing happens is left alone.
+//! A window in which nothing happens draws few frames.
 
 use crate::desktop::Desktop;
 use std::time::{Duration, Instant};

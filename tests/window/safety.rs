@@ -1,4 +1,4 @@
-//! What a window may be put through.
+//! What a window survives.
 
 use crate::desktop::Desktop;
 use crate::{WINDOW, changed};
@@ -7,7 +7,7 @@ use std::time::Duration;
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn any_size_and_minimising_are_survived() {
+fn the_window_survives_any_size_and_being_minimised() {
     let mut desktop = Desktop::open(&["--preset", "2"]);
     let start = desktop.first_picture();
     desktop.press("p");
@@ -39,7 +39,7 @@ fn any_size_and_minimising_are_survived() {
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn a_monitor_of_another_scale_and_a_suspended_machine_are_survived() {
+fn the_window_survives_another_monitor_scale_and_a_suspended_machine() {
     let mut desktop = Desktop::open(&["--preset", "2"]);
     let start = desktop.first_picture();
     desktop.press("p");
@@ -85,8 +85,8 @@ fn on_a_small_screen_the_picture_fills_the_first_window() {
     }
 }
 
-/// Keys that are pressed at random: every key of the table but the whole screen, and some that do
-/// nothing.
+/// Keys that are pressed at random: every key of the control table except full screen, and some keys
+/// that do nothing.
 const KEYS: &[&str] = &[
     "w",
     "a",
@@ -147,7 +147,7 @@ const KEYS: &[&str] = &[
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn five_hundred_random_keys_and_clicks_do_no_harm() {
+fn the_window_survives_five_hundred_random_keys_and_clicks() {
     let mut desktop = Desktop::open(&["--preset", "2"]);
     desktop.first_picture();
     // Knuth's multiplier; the same sequence every time.

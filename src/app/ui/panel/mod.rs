@@ -42,7 +42,7 @@ const PAGES: [(Page, &str); 6] = [
     (Page::Presets, "Presets"),
     (Page::Readouts, "Read-outs"),
     (Page::Machine, "Machine"),
-    (Page::Limitations, "Limitations"),
+    (Page::Limitations, "Limits"),
     (Page::Settings, "Settings"),
 ];
 
