@@ -41,7 +41,7 @@ pub struct Steered {
 /// that the picture never stands still while the camera moves.
 ///
 /// # Errors
-/// Why the scene cannot be drawn with the camera there, whoever observes.
+/// Why no observer can draw the scene from there.
 pub fn steered(scene: &Drawable, steering: &Steering) -> Result<Steered, Undrawable> {
     let mut scene = scene.scene().clone();
     if steering.thrust == DVec3::ZERO {

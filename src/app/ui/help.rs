@@ -151,7 +151,7 @@ fn show_help(
                         }
                     });
                 });
-            ui.label("The panel's page Settings binds keys anew.");
+            ui.label("To change keys, open the panel's page Settings.");
         });
     if !open {
         overlays.help = false;

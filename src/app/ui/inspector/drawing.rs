@@ -1,6 +1,7 @@
 //! The drawing of light paths: the hole and its surroundings, seen from the side, from the top, or
 //! from any direction.
 
+use super::projection::Projection;
 use crate::app::ui::number::four_decimals;
 use bevy_egui::egui::{self, Color32, Pos2, Rect, Stroke};
 use glam::{DMat3, DVec3};
@@ -71,53 +72,6 @@ pub(super) fn path_colour(inspected: &Inspected) -> Color32 {
         (None, Outcome::Sky) => Color32::from_rgb(110, 180, 255),
         (None, Outcome::Captured) => Color32::from_rgb(235, 90, 90),
         (None, Outcome::Unfinished) => Color32::from_rgb(255, 0, 255),
-    }
-}
-
-/// From places around the hole to places on the screen.
-struct Projection {
-    /// Rows: right, up, toward the viewer.
-    axes: DMat3,
-    centre: Pos2,
-    points_per_length: f64,
-    horizon: f64,
-    /// Whether the camera is inside the horizon. The hole is then only an outline.
-    inside: bool,
-}
-
-impl Projection {
-    fn to_view(&self, place: DVec3) -> DVec3 {
-        self.axes * place
-    }
-
-    fn point(&self, place: DVec3) -> Pos2 {
-        let seen = self.to_view(place);
-        let far = |length: f64| (length * self.points_per_length).clamp(-1e5, 1e5) as f32;
-        Pos2::new(self.centre.x + far(seen.x), self.centre.y - far(seen.y))
-    }
-
-    /// Whether the hole covers a place.
-    fn hidden(&self, place: DVec3) -> bool {
-        if self.inside {
-            return false;
-        }
-        let seen = self.to_view(place);
-        seen.z < 0.0 && seen.x.hypot(seen.y) < self.horizon
-    }
-
-    /// Draws a line through places, without the parts that the hole covers.
-    fn line(&self, painter: &egui::Painter, places: impl Iterator<Item = DVec3>, stroke: Stroke) {
-        let mut run = Vec::new();
-        for place in places {
-            if self.hidden(place) {
-                painter.line(std::mem::take(&mut run), stroke);
-            } else {
-                run.push(self.point(place));
-            }
-        }
-        if run.len() > 1 {
-            painter.line(run, stroke);
-        }
     }
 }
 

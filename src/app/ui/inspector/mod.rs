@@ -2,6 +2,7 @@
 
 mod drawing;
 mod numbers;
+mod projection;
 mod ray_worker;
 
 use crate::app::input::pointer::{locate_pointer, pointer_over_picture};

@@ -1,6 +1,7 @@
 //! The panel at the right: every field of the scene, presets, read-outs, the machine, what the
 //! picture leaves out, and the settings.
 
+mod field_value;
 mod limitations_page;
 mod machine_page;
 mod presets_page;

@@ -36,7 +36,7 @@ impl StepCounter {
     pub(super) fn in_words(&self) -> String {
         match &self.count {
             None => "counting steps".into(),
-            Some(Ok(count)) if count.most == 0 => "solved in closed form, without steps".into(),
+            Some(Ok(count)) if count.most == 0 => "no ray takes a step".into(),
             Some(Ok(count)) => {
                 format!(
                     "{:.1} steps per ray, {} at most, in {} rays",
