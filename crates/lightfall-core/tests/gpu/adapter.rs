@@ -3,8 +3,8 @@
 use lightfall_core::gpu::Gpu;
 use std::sync::OnceLock;
 
-/// The device. Tests that ask for it are ignored unless they are asked for, as `./check` does, and
-/// then they fail where there is no adapter.
+/// The device. Tests that use it are ignored unless `--include-ignored` asks for them, as `./check`
+/// does; then they fail if there is no adapter.
 pub fn gpu() -> &'static Gpu {
     static SHARED: OnceLock<Gpu> = OnceLock::new();
     SHARED.get_or_init(|| {

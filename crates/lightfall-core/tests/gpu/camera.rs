@@ -1,4 +1,4 @@
-//! From a pixel to a direction: the camera's axes, the turns, and the shader's own arithmetic.
+//! From a pixel to a direction: the camera's axes, its rotations, and the shader's arithmetic.
 
 use crate::{bare_hole, gpu};
 use glam::{DMat3, DVec3, UVec2, Vec4};
@@ -8,8 +8,8 @@ use lightfall_core::gpu::{GpuScene, Variant, bindings};
 use lightfall_core::scene::{Camera, ObserverKind};
 
 #[test]
-fn a_camera_that_is_not_turned_looks_at_the_hole_with_shrinking_theta_up_and_growing_phi_to_the_right()
- {
+fn an_unrotated_camera_looks_at_the_hole_with_decreasing_theta_up_and_increasing_phi_to_the_right()
+{
     let expected = DMat3::from_cols(DVec3::Z, DVec3::NEG_Y, DVec3::NEG_X);
     assert_eq!(Camera::default().tetrad_from_camera(), expected);
 }
@@ -26,7 +26,7 @@ fn a_camera_turns_right_then_up_then_clockwise() {
         .tetrad_from_camera()
     };
     let [right, up, forward] = [DVec3::Z, DVec3::NEG_Y, DVec3::NEG_X];
-    // Quarter turns are exact, so that a camera looks exactly where it is told to.
+    // Quarter turns are exact, so that a camera looks exactly in the direction of its angles.
     assert_eq!(
         turned(90.0, 0.0, 0.0),
         DMat3::from_cols(-forward, up, right)
@@ -47,7 +47,7 @@ fn a_camera_turns_right_then_up_then_clockwise() {
         turned(-180.0, 360.0, -360.0),
         DMat3::from_cols(-right, up, -forward)
     );
-    // Any turn keeps the axes orthogonal and their handedness; f64 rounds a few times.
+    // Every rotation keeps the axes orthogonal and their handedness; f64 rounds a few times.
     let axes = turned(33.0, -71.0, 158.0);
     assert!((axes.transpose() * axes).abs_diff_eq(DMat3::IDENTITY, 1e-15));
     assert!((axes.determinant() + 1.0).abs() < 1e-15);
@@ -61,7 +61,7 @@ fn a_camera_turns_right_then_up_then_clockwise() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn the_shader_makes_of_a_pixel_the_photon_that_the_observers_matrix_makes() {
+fn the_shader_and_the_observers_matrix_give_the_same_photon_for_a_pixel() {
     let gpu = gpu();
     let mut scene = bare_hole(3.0);
     (
@@ -134,7 +134,7 @@ fn the_shader_makes_of_a_pixel_the_photon_that_the_observers_matrix_makes() {
             photon.w.z,
         ];
         for (found, truth) in found.into_iter().zip(truth) {
-            // A handful of f32 roundings of numbers of the order of one.
+            // A few f32 roundings of numbers of the order of one.
             assert!(
                 (found - truth).abs() < 1e-6,
                 "pixel {pixel}: {found} against {truth}"

@@ -1,18 +1,18 @@
-//! Which adapter is used where one is preferred.
+//! Which adapter is used if one is preferred.
 
 use lightfall_core::gpu::{AdapterName, Gpu, adapters, chosen, named_by_environment, prefer};
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn a_preferred_adapter_is_used_if_it_is_there_and_the_best_one_if_not() {
+fn a_preferred_adapter_is_used_if_it_exists_and_the_best_one_otherwise() {
     if named_by_environment().is_some() {
         return;
     }
     let best = Gpu::headless().unwrap().info;
     let without = chosen();
     assert_eq!(without.1, None);
-    // The last of the list, which the best one seldom is; other tests of this program have their
-    // device already.
+    // The last of the list, which is seldom the best. The preference belongs to the process, but
+    // other tests of this program only ask for the device that they share.
     let last = adapters().pop().unwrap();
     prefer(Some(last.name.clone()));
     let (told, opened) = (chosen(), Gpu::headless().unwrap().info);
@@ -21,7 +21,7 @@ fn a_preferred_adapter_is_used_if_it_is_there_and_the_best_one_if_not() {
         backend: "vulkan".into(),
     }));
     let (told_without, opened_without) = (chosen(), Gpu::headless().unwrap().info);
-    // One of the right name through another interface is another one.
+    // An adapter with the same name on another interface is another adapter.
     prefer(Some(AdapterName {
         backend: "noop".into(),
         ..last.name.clone()

@@ -1,6 +1,7 @@
-//! Method closed against the f64 reference, which steps, and against closed forms of the shadow.
+//! The method closed against the f64 reference, which takes steps, and against closed forms of the
+//! shadow.
 
-use crate::{beside_the_hole, gpu, pixel_directions};
+use crate::{direction_off_centre, gpu, pixel_directions};
 use glam::DVec3;
 use lightfall_core::accuracy::{ErrorSummary, Ray, Truth, rays_near_edge, rays_over_sky};
 use lightfall_core::geometry::schwarzschild::{
@@ -33,8 +34,8 @@ fn ray(alpha: f64, around: f64) -> DVec3 {
     )
 }
 
-/// Rays at all angles, half of them log-uniformly 1e-6 to 0.3 of the shadow's radius from its edge,
-/// on both sides.
+/// Rays at all angles. Half of them are on both sides of the shadow's edge, at distances from it
+/// that are spread log-uniformly from 1e-6 to 0.3 of the shadow's radius.
 fn stratified(shadow: f64, count: u32) -> Vec<[f64; 2]> {
     let around = |i: u32| (f64::from(i) * 2.399_963) % TAU;
     (0..count)
@@ -52,8 +53,9 @@ fn stratified(shadow: f64, count: u32) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The turn within the ray's plane, at most `most` either way, at which `error` changes its sign;
-/// none if there is none. Where the ray is of another class at the ends, the range is narrowed.
+/// The rotation within the ray's plane, at most `most` in either direction, at which `error`
+/// changes its sign; zero if there is none. The range is narrowed if the ray is of another class at
+/// its ends.
 fn explaining_turn(error: impl Fn(f64) -> Option<f64>, most: f64) -> f64 {
     let ranges = (0..8).map(|halvings| most * 0.5_f64.powi(halvings));
     let changes = |range: &f64| {
@@ -92,12 +94,12 @@ fn hit_difference(hit: &Hit, truth: &Hit) -> (f64, f64) {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn every_outcome_is_right_and_a_turn_of_a_millionth_explains_every_error() {
+fn every_outcome_is_right_and_a_rotation_of_1e_6_rad_explains_every_error() {
     let gpu = gpu();
     for r in [1.02, 1.2, 1.5, 1.6, 3.0, 10.0, 20.0, 100.0, 1000.0] {
         let scene = above_the_disk(r);
         let reference = Reference::new(&scene).unwrap();
-        // Where a crossing next to the disk's outer edge would be, had the disk none there.
+        // A wider disk shows where a crossing next to the disk's outer edge would be.
         let mut wide = scene.clone();
         wide.disk.outer *= 1.1;
         let wide = Reference::new(&wide).unwrap();
@@ -116,9 +118,9 @@ fn every_outcome_is_right_and_a_turn_of_a_millionth_explains_every_error() {
             let truth = turned(0.0);
             let told = format!("{alpha} at {r}, shadow {shadow}: {trace:?} against {truth:?}");
             assert_eq!(trace.outcome, truth.outcome, "{told}");
-            // The bar is 1e-6 for the turn and what it leaves; f32 rounds the direction and the
-            // matrix, 6e-8 each, and the angle, 2e-7. Measured with ten thousand rays a radius:
-            // 9e-7 at the worst.
+            // The tolerance is 1e-6 for the rotation and for the error that it leaves. f32 rounds
+            // the direction and the matrix by 6e-8 each, and the angle by 2e-7. Measured with ten
+            // thousand rays per radius: at most 9e-7.
             let most = 1e-6_f64.min(0.9 * (alpha - shadow).abs());
             if let Some(sky) = trace.sky {
                 let normal = n
@@ -144,7 +146,7 @@ fn every_outcome_is_right_and_a_turn_of_a_millionth_explains_every_error() {
                     ))
                 };
                 if difference(0.0).is_none() {
-                    // Within that turn of an edge of the disk a crossing may be on its other side.
+                    // A crossing within that rotation of the disk's edge may be on its other side.
                     let same = |turn: f64| turned(turn).hits[i].is_some() == hit.is_some();
                     assert!(
                         (1..=10)
@@ -175,12 +177,12 @@ fn every_outcome_is_right_and_a_turn_of_a_millionth_explains_every_error() {
     }
 }
 
-/// The edge of the shadow between these angles, by the outcome alone, toward growing phi.
+/// The edge of the shadow toward increasing phi, from the outcomes only.
 fn shadow_edge(gpu: &Gpu, scene: &Scene) -> f64 {
     let (mut low, mut high) = (0.0, PI);
     for _ in 0..4 {
         let angle = |i: usize| low + (high - low) * i as f64 / 256.0;
-        let directions: Vec<DVec3> = (0..=256).map(|i| beside_the_hole(angle(i))).collect();
+        let directions: Vec<DVec3> = (0..=256).map(|i| direction_off_centre(angle(i))).collect();
         let traces = rays::trace(gpu, scene, &directions).unwrap();
         let first = traces
             .iter()
@@ -199,7 +201,7 @@ fn shadow_edge(gpu: &Gpu, scene: &Scene) -> f64 {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn the_shadow_has_its_theoretical_size_for_observers_at_rest_and_falling() {
+fn the_shadow_has_its_theoretical_size_for_static_and_falling_observers() {
     let gpu = gpu();
     for r in [
         1.02, 1.2, 1.5, 1.6, 2.0, 3.0, 5.0, 10.0, 20.0, 100.0, 1000.0,
@@ -211,7 +213,8 @@ fn the_shadow_has_its_theoretical_size_for_observers_at_rest_and_falling() {
         ] {
             scene.observer.kind = kind;
             let edge = shadow_edge(gpu, &scene);
-            // 1e-4 degrees is the bar; f32's directions allow 1e-7 rad, which is 6e-6 degrees.
+            // The tolerance is 1e-4 degrees; f32's directions allow 1e-7 rad, which is 6e-6
+            // degrees.
             assert!(
                 (edge - theory).to_degrees().abs() < 3e-5,
                 "{kind:?} at {r}: {edge}, theory {theory}"
@@ -283,8 +286,7 @@ fn every_ray_has_an_answer_from_every_place() {
                     scene.observer.velocity,
                     scene.disk.outer,
                 ) = (theta_deg, velocity, 1e6);
-                // The axes themselves, where D may be exactly zero and nothing is ahead, and all
-                // directions besides.
+                // The axes, along which D may be exactly zero, and directions all over the sphere.
                 let mut directions: Vec<DVec3> = DVec3::AXES
                     .into_iter()
                     .flat_map(|axis| [axis, -axis])
@@ -316,17 +318,17 @@ fn every_ray_has_an_answer_from_every_place() {
 }
 
 #[test]
-fn the_way_from_infinity_to_the_smallest_disk_is_shorter_than_from_crossing_to_crossing() {
+fn the_angle_from_infinity_to_the_smallest_disk_is_less_than_from_crossing_to_crossing() {
     // The ray that turns at the innermost stable orbit, u = 1/3, has 1/b^2 = 1/9 - 1/27. Rays with
-    // larger b turn before and bend less; those with smaller b get there in less angle, as du/dphi
-    // is larger at every u.
+    // larger b turn before it and bend less; those with smaller b reach it within a smaller angle,
+    // because du/dphi is larger at every u.
     let b = 13.5_f64.sqrt();
     assert!((deflection(b).unwrap() + PI) / 2.0 < 2.1);
 }
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn rays_in_the_plane_of_the_disk_do_not_meet_it() {
+fn rays_in_the_plane_of_the_disk_do_not_cross_it() {
     let gpu = gpu();
     for r in [1.2, 6.0, 40.0] {
         let mut scene = above_the_disk(r);
@@ -334,7 +336,7 @@ fn rays_in_the_plane_of_the_disk_do_not_meet_it() {
         let directions: Vec<DVec3> = (0..64)
             .map(|i| ray(PI * f64::from(i) / 63.0, PI / 2.0))
             .collect();
-        // The theta axis is exactly zero: cos(pi / 2) of a double is not.
+        // The theta component is exactly zero, which cos(pi / 2) in f64 is not.
         let directions: Vec<DVec3> = directions
             .into_iter()
             .map(|d| DVec3::new(d.x, 0.0, d.z))
@@ -350,7 +352,7 @@ fn rays_in_the_plane_of_the_disk_do_not_meet_it() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn the_method_of_choice_without_spin_takes_no_steps() {
+fn auto_takes_no_steps_without_spin() {
     let gpu = gpu();
     let scene = Scene {
         method: Method::Auto,
@@ -367,7 +369,7 @@ fn the_method_of_choice_without_spin_takes_no_steps() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn a_disk_that_is_not_there_changes_no_ray() {
+fn a_disk_that_is_switched_off_changes_no_ray() {
     let gpu = gpu();
     let with = above_the_disk(20.0);
     let mut without = with.clone();
@@ -379,7 +381,7 @@ fn a_disk_that_is_not_there_changes_no_ray() {
         .zip(rays::trace(gpu, &without, &directions).unwrap());
     for (with, without) in pairs {
         assert_eq!(with.outcome, without.outcome);
-        // The two texts are compiled apart, so that roundings may differ.
+        // The two shaders are compiled separately, so their roundings may differ.
         assert!(
             with.sky
                 .zip(without.sky)
@@ -389,12 +391,12 @@ fn a_disk_that_is_not_there_changes_no_ray() {
     }
 }
 
-/// Scenes in which a hunt found rays beyond the bar, and of the wrong outcome: a fast observer's
-/// sky is stretched behind her, and next to the horizon, within the shadow's edge, the two sides of
-/// the edge were told by a difference of nearly equal numbers.
+/// Scenes in which a search found rays beyond the tolerance and with the wrong outcome: the sky
+/// behind a fast observer is stretched, and next to the horizon the side of the shadow's edge was
+/// decided by a difference of nearly equal numbers.
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn fast_observers_next_to_the_horizon_have_every_ray_within_a_millionth() {
+fn every_ray_of_fast_observers_next_to_the_horizon_is_right_to_a_millionth() {
     let gpu = gpu();
     let scenes = [
         (
@@ -450,8 +452,8 @@ fn fast_observers_next_to_the_horizon_have_every_ray_within_a_millionth() {
             "{r} {kind:?}: {:?}, {} misclassified",
             errors.backward, errors.misclassified
         );
-        // The bar of the extremes; with the difference of nearly equal numbers, 2.2e-6 in the
-        // second scene.
+        // The tolerance of docs/EXTREMES.md. The difference of nearly equal numbers gave 2.2e-6 in
+        // the second scene.
         assert!(
             errors.unfinished() == 0 && errors.backward.max <= 1e-6,
             "{r} {kind:?}: {:?}",

@@ -76,11 +76,11 @@ fn crossings_agree_with_the_reference() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn the_side_that_comes_toward_the_camera_is_shifted_to_the_blue() {
+fn the_side_of_the_disk_that_approaches_the_camera_is_blueshifted() {
     let gpu = gpu();
     let scene = edge_on();
     let g = |across: f64| {
-        // Left is toward shrinking phi; a little below the hole's centre lies the near side.
+        // Left is toward decreasing phi; the near side is a little below the hole's centre.
         let direction = scene.camera.tetrad_from_camera() * DVec3::new(across, -0.03, 1.0);
         rays::trace(gpu, &scene, &[direction]).unwrap()[0].hits[0]
             .unwrap()
@@ -123,8 +123,8 @@ fn azimuths_of_crossings_turn_with_the_camera_and_stay_in_their_range() {
 #[ignore = "needs a graphics adapter"]
 fn a_ray_that_meets_the_plane_at_the_end_of_a_step_counts_once() {
     let gpu = gpu();
-    // Straight down the axis the ray passes the plane at the hole; beside it, every ray from the
-    // pole crosses once.
+    // A ray straight down the axis meets the plane at the hole; every other ray from the pole
+    // crosses the plane once.
     let mut scene = bare_hole(12.0);
     scene.camera.theta_deg = 0.0;
     scene.disk.enabled = true;
@@ -224,7 +224,7 @@ fn the_shader_finds_the_flux_that_the_cpu_finds() {
                        fluxes[id.x] = disk_flux(radii[id.x]);
                    }
                }";
-        // The flux needs the edge and nothing else of the scene, so that any spin can be asked for.
+        // The flux depends on the edge only, so every spin can be tested.
         let numbers = GpuScene {
             disk: GpuDisk {
                 inner: inner as f32,
@@ -234,7 +234,7 @@ fn the_shader_finds_the_flux_that_the_cpu_finds() {
         };
         tables.push((bindings::SCENE, uniform(&numbers)));
         let kernel = Kernel::new(gpu, &source, "fluxes_at", &tables).unwrap();
-        // From inside the edge to far out.
+        // Radii from inside the edge to far outside.
         let radii: Vec<f32> = (0..4000)
             .map(|i| (inner * (0.002 * f64::from(i) - 0.1).exp()) as f32)
             .collect();
@@ -244,8 +244,9 @@ fn the_shader_finds_the_flux_that_the_cpu_finds() {
             worst =
                 worst.max((f64::from(flux) - profile.flux(f64::from(r))).abs() / NEWTONIAN_PEAK);
         }
-        // The depth 1 - sqrt(r_in/r) is off by 1e-7, and is 0.1 or so where the flux peaks: 1e-6 of
-        // it, twice that where the correction rises with the depth as well. Measured: 5e-7 to 8e-7.
+        // The depth 1 - sqrt(r_in/r) has an error of 1e-7 and is about 0.1 where the flux peaks,
+        // which is a relative error of 1e-6, or twice that where the correction grows with the
+        // depth as well. Measured: 5e-7 to 8e-7.
         assert!(worst < 2e-6, "{profile:?}: {worst:e}");
     }
 }

@@ -1,4 +1,4 @@
-//! Effects switched off one by one, against their formulas in f64.
+//! Effects switched off one by one, compared with their formulas in f64.
 
 use crate::{bare_hole, gpu, pixel_directions, quantile};
 use glam::DVec3;
@@ -39,7 +39,7 @@ fn both(scene: &Scene, directions: &[DVec3]) -> (Vec<Trace>, Vec<Trace>) {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn each_effect_alone_or_with_others_is_what_the_formulas_in_f64_make_of_it() {
+fn every_combination_of_effects_agrees_with_the_formulas_in_f64() {
     for (switched, (method, spin)) in
         (0..32_u32).flat_map(|set| [(set, (Method::Closed, 0.0)), (set, (Method::Mino, 0.9))])
     {
@@ -141,7 +141,7 @@ fn straight_rays_are_straight() {
         }
         if let Some(hit) = found.hits[0] {
             let place = start - start.z / straight.z * straight;
-            // f32's rounding of the place, stretched by the small angle at which the plane is met.
+            // f32's rounding of the place, stretched by the small angle between ray and plane.
             assert!(
                 (hit.r - place.length()).abs() < 1e-6 * scene.camera.r / straight.z.abs(),
                 "{hit:?}, {place}"
@@ -149,7 +149,7 @@ fn straight_rays_are_straight() {
             hits += 1;
         }
     }
-    // The ball's disc on the picture, and the share that the annulus takes.
+    // The shares of the picture that the ball and the annulus cover.
     assert!(
         captured > 30 && hits > 500,
         "{captured} captured, {hits} hits"
@@ -158,7 +158,7 @@ fn straight_rays_are_straight() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn without_any_shift_every_g_is_one() {
+fn g_is_one_without_any_shift() {
     let gpu = gpu();
     let mut scene = moving(8.0);
     scene.effects =
@@ -175,7 +175,7 @@ fn without_any_shift_every_g_is_one() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn the_two_shifts_multiply_to_the_whole() {
+fn the_product_of_the_two_shifts_is_the_whole_shift() {
     let gpu = gpu();
     let shifts = |effects| {
         let scene = Scene {
@@ -200,14 +200,14 @@ fn the_two_shifts_multiply_to_the_whole() {
             (motion * gravity / whole - 1.0).abs() < 4e-7,
             "{motion} {gravity} {whole}"
         );
-        // The camera is farther out than the matter or higher: from 3 to 11 against 8.
+        // The matter is between 3 and 11 r_s, and the camera is at 8 r_s.
         assert!((0.8..1.1).contains(&gravity), "{gravity}");
     }
 }
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn without_aberration_a_moving_camera_sees_everything_where_one_at_rest_does() {
+fn without_aberration_a_moving_camera_sees_the_same_directions_as_one_at_rest() {
     let gpu = gpu();
     let moving = Scene {
         effects: without(|effects| effects.aberration = false),

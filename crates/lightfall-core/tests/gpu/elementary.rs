@@ -1,12 +1,12 @@
-//! Elementary functions against f64's.
+//! The shaders' elementary functions against those of f64.
 
 use crate::gpu;
 use glam::{Vec2, Vec4};
 use lightfall_core::gpu::Gpu;
 use lightfall_core::gpu::kernel::Kernel;
 
-/// What an expression of WGSL makes of each `given` number, where it is of one type and the answer
-/// of another.
+/// A kernel that evaluates a WGSL expression of `given`, with the types of `given` and of the
+/// answer.
 fn of_each(gpu: &Gpu, expression: &str, [given, answer]: [&str; 2]) -> Kernel {
     let elementary = include_str!("../../../../shaders/elementary.wgsl");
     let source = format!(
@@ -73,7 +73,7 @@ fn sine_and_cosine_have_their_stated_error() {
 #[ignore = "needs a graphics adapter"]
 fn the_logarithm_has_its_stated_error() {
     let gpu = gpu();
-    // From 1e-30 to 1e30, and closely about 1, where it vanishes.
+    // Numbers from 1e-30 to 1e30, and many near 1, where the logarithm vanishes.
     let wide = (-60_000..=60_000).map(|i| 10.0_f64.powf(f64::from(i) * 5e-4) as f32);
     let close = (-20_000..=20_000).map(|i| 1.0 + i as f32 * 1e-5);
     let numbers: Vec<f32> = wide.chain(close).collect();
@@ -82,7 +82,7 @@ fn the_logarithm_has_its_stated_error() {
         .unwrap();
     for (number, logarithm) in numbers.iter().zip(logarithms) {
         let truth = f64::from(*number).ln();
-        // Relative: of lengths of light's way next to a horizon, which are many radians.
+        // The bound is relative because logarithms next to a horizon are many radians.
         assert!(
             (f64::from(logarithm) - truth).abs() <= 3e-7 * truth.abs(),
             "{number}: {logarithm} against {truth}"

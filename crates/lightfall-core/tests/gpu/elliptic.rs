@@ -5,7 +5,7 @@ use glam::{Vec2, Vec4};
 use lightfall_core::geometry::elliptic::carlson_rf;
 use lightfall_core::gpu::kernel::Kernel;
 
-/// The functions with an entry that maps `vec4`s to `vec2`s by `expression` of `v`.
+/// The functions, with an entry point that maps each `vec4` `v` to the `vec2` `expression`.
 fn kernel(expression: &str) -> String {
     let functions = include_str!("../../../../shaders/elliptic.wgsl");
     format!(
@@ -123,7 +123,7 @@ fn weierstrass(z: f64, g3: f64) -> [f64; 2] {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn weierstrasss_function_agrees_with_its_whole_series_up_to_pi() {
+fn the_weierstrass_function_agrees_with_its_whole_series_up_to_pi() {
     let gpu = gpu();
     let source = kernel("vec2<f32>(weierstrass(v.x, v.y).even, weierstrass(v.x, v.y).odd)");
     let kernel = Kernel::new(gpu, &source, "apply", &[]).unwrap();
@@ -134,15 +134,15 @@ fn weierstrasss_function_agrees_with_its_whole_series_up_to_pi() {
             let q = 4.0 * (f64::from(i / 64) / 63.0).powi(4);
             Vec4::new(z as f32, (1.0 / 216.0 - q / 16.0) as f32, 0.0, 0.0)
         })
-        // The lattice of small b is small too: its next pole stays a turn and a half of the
-        // distance away.
+        // For small b the lattice is small, too: the next pole stays at one and a half times the
+        // distance.
         .filter(|v| v.x < 1.2 || v.y > -0.005)
         .collect();
     let found: Vec<Vec2> = kernel.run(gpu, &given).unwrap();
     for (given, found) in given.iter().zip(found) {
         let [even, odd] = weierstrass(f64::from(given.x), f64::from(given.y));
-        // Relative to the whole functions, whose poles are the 1: rounding, grown by the
-        // duplication. Measured 4.5e-7.
+        // Relative to the whole functions, in which the pole is the term 1: rounding, amplified by
+        // the duplication. Measured: 4.5e-7.
         let errors = [
             (f64::from(found.x) - even) / (1.0 + even.abs()),
             (f64::from(found.y) - odd) / (1.0 + odd.abs()),

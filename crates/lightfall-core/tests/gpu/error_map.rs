@@ -1,4 +1,4 @@
-//! The view of errors against the numbers that it shows, and these against errors made on purpose.
+//! The view `error` against the numbers that it shows, and those numbers against known errors.
 
 use crate::light::light_from;
 use crate::{edge_on, gpu, median};
@@ -45,9 +45,9 @@ fn shown(gpu: &Gpu, scene: &Scene, errors: &[Option<f64>]) -> Vec<[Vec3; 3]> {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn every_cell_has_the_colour_of_its_error_all_over() {
+fn every_cell_has_the_colour_of_its_error_everywhere() {
     let gpu = gpu();
-    // So few steps that some rays get no answer.
+    // With so few steps some rays get no answer.
     let mut scene = Scene {
         method: Method::Verlet,
         ..edge_on()
@@ -79,7 +79,7 @@ fn every_cell_has_the_colour_of_its_error_all_over() {
             Some(error) => known.push((error, luminance)),
         }
     }
-    // The greater the error, the lighter the cell, to f32's rounding of either.
+    // A cell is lighter for a greater error, up to f32's rounding of both.
     known.sort_by(|a, b| a.0.total_cmp(&b.0));
     assert!(
         known.windows(2).all(|pair| pair[1].1 > pair[0].1 - 1e-5),
@@ -97,7 +97,7 @@ fn every_cell_has_the_colour_of_its_error_all_over() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn what_is_not_known_yet_is_grey() {
+fn cells_whose_error_is_not_known_yet_are_grey() {
     let gpu = gpu();
     for cell in shown(gpu, &edge_on(), &[]) {
         assert!(
@@ -110,7 +110,7 @@ fn what_is_not_known_yet_is_grey() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn the_grid_tells_the_methods_apart_as_their_errors_do() {
+fn the_grid_shows_the_different_errors_of_the_methods() {
     let gpu = gpu();
     let of = |method: Method| {
         let errors = picture_errors(
@@ -125,8 +125,7 @@ fn the_grid_tells_the_methods_apart_as_their_errors_do() {
         errors.into_iter().flatten().collect::<Vec<f64>>()
     };
     let (closed, mino, verlet) = (of(Method::Closed), of(Method::Mino), of(Method::Verlet));
-    // 1e-6 rad is what the closed form's answers keep to, the setting what Mino's do: its default,
-    // 0.05 pixel.
+    // The bound of closed is 1e-6 rad; that of mino is its setting, by default 0.05 pixel.
     let scene = edge_on();
     let pixel = scene.camera.pixel_angle(f64::from(scene.picture.height));
     assert!(
@@ -146,7 +145,7 @@ fn the_grid_tells_the_methods_apart_as_their_errors_do() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn only_what_rightly_ends_unseen_at_the_horizon_has_no_error() {
+fn only_rays_that_rightly_end_at_the_horizon_without_a_crossing_have_no_error() {
     let gpu = gpu();
     // Without a disk the shadow is unseen: a cone about the line of sight, of the half-angle that
     // theory gives.
@@ -166,7 +165,7 @@ fn only_what_rightly_ends_unseen_at_the_horizon_has_no_error() {
         * f64::from(ERROR_MAP_SIZE[1])
         / 2.0;
     let expected = std::f64::consts::PI * radius * radius;
-    // Cells count whole: at most every second one on the edge is on the wrong side in sum.
+    // Each cell counts as a whole, so in sum at most every second cell on the edge is misplaced.
     assert!(
         (unseen as f64 - expected).abs() < std::f64::consts::PI * radius,
         "{unseen} cells, theory {expected}"

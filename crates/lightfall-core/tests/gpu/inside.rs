@@ -1,4 +1,4 @@
-//! A camera that has fallen in: the shaders against the reference, and what is refused there.
+//! A camera inside the horizon: the shaders against the reference, and the refusals.
 
 use crate::{bare_hole, gpu, median, quantile};
 use glam::DVec3;
@@ -29,11 +29,12 @@ fn all_around(count: u32) -> Vec<DVec3> {
     (0..count).map(at).collect()
 }
 
-/// What the GPU's answers differ by from the reference's.
+/// The differences between the GPU's answers and the reference's.
 #[derive(Default)]
 struct Differences {
     sky: Vec<f64>,
-    /// The sky's, by how far the sky moves when the ray is turned: the turn that explains them.
+    /// Of the sky, divided by the sky's movement per rotation of the ray: the rotation that
+    /// explains them.
     turns: Vec<f64>,
     hits: Vec<f64>,
     azimuths: Vec<f64>,
@@ -59,7 +60,7 @@ impl Differences {
                         .sky
                         .map(|sky| sky - true_sky)
                 };
-                // Next to the edge of what is seen any difference is explained by a small turn.
+                // Next to the edge of the visible region a small rotation explains any difference.
                 let stretch = [x, y].map(|across| {
                     moved(across).map_or(f64::INFINITY, |moved| moved.length() / 1e-6)
                 });
@@ -128,7 +129,7 @@ fn inside_the_horizon_the_sky_and_the_disk_are_where_the_reference_has_them() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn inside_a_spinning_hole_they_are_too() {
+fn inside_a_spinning_hole_the_sky_and_the_disk_are_where_the_reference_has_them() {
     let gpu = gpu();
     let directions = all_around(1000);
     for spin in [0.1, 0.9, -0.9, 0.998, 0.9999] {
@@ -148,9 +149,9 @@ fn inside_a_spinning_hole_they_are_too() {
                     middle < 2e-7 && most < 4e-6,
                     "{place}: turns {middle:e}, {most:e}"
                 );
-                // Who is thrown outward against the hole's turning sees the sky on a fifth of hers,
-                // where f32's rounding of the direction is four times as much in the sky, and more
-                // of it is next to the shadow's edge.
+                // An observer that is thrown outward against the hole's rotation sees the sky on a
+                // fifth of its own sky. There f32's rounding of the direction is four times as
+                // large on the sky, and more rays are next to the shadow's edge.
                 if off.sky.len() > directions.len() / 2 {
                     let [middle, most] = [0.5, 0.99].map(|share| quantile(&off.sky, share));
                     assert!(
@@ -189,10 +190,10 @@ fn inside_a_spinning_hole_they_are_too() {
     }
 }
 
-/// `closed` knows nothing of spin: two methods with nothing in common but the observer.
+/// The two methods have nothing in common except the observer.
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn without_spin_mino_sees_inside_what_closed_sees() {
+fn without_spin_mino_and_closed_agree_inside_the_horizon() {
     let gpu = gpu();
     let directions = all_around(2000);
     for (r, velocity) in [0.95, 0.4, 0.12].into_iter().zip(VELOCITIES) {
@@ -225,7 +226,7 @@ fn without_spin_mino_sees_inside_what_closed_sees() {
 }
 
 #[test]
-fn what_needs_an_outside_is_refused_inside() {
+fn methods_observers_and_effects_that_need_an_outside_are_refused_inside() {
     let refused = |scene: &Scene| GpuScene::for_rays(scene).unwrap_err().to_string();
     for method in [Method::Verlet, Method::KerrSchild] {
         assert!(

@@ -1,5 +1,5 @@
-//! Method kerr-schild, the article's integrator: it must be right, and have the errors that it is
-//! known for.
+//! The method kerr-schild, the article's integrator: its equations are right, and its errors are
+//! those that it is known for.
 
 use crate::{bare_hole, gpu, median, pixel_directions};
 use glam::DVec3;
@@ -16,7 +16,7 @@ fn scene(spin: f64) -> Scene {
     scene
 }
 
-/// Median errors of the sky (rad) and of the hits' radii, and how many rays stay unfinished.
+/// Median errors of the sky (rad) and of the hits' radii, and the number of unfinished rays.
 fn errors(scene: &Scene, directions: &[DVec3]) -> (f64, f64, usize) {
     let reference = Reference::new(scene).unwrap();
     let found = rays::trace(gpu(), scene, directions).unwrap();
@@ -35,8 +35,8 @@ fn errors(scene: &Scene, directions: &[DVec3]) -> (f64, f64, usize) {
     (median(&sky), median(&radius), unfinished)
 }
 
-/// Rays leave at 33 r_s here, with what bending is left there: 3.6e-4 rad at the median, whatever
-/// the spin. Better is as wrong as worse, for then it is not the article's method.
+/// Rays end at 33 r_s here, without the bending farther out: 3.6e-4 rad in the median, for every
+/// spin. A smaller error fails as well, because it would not be the article's method.
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn its_error_is_that_of_the_articles_radius_of_escape() {
@@ -48,11 +48,11 @@ fn its_error_is_that_of_the_articles_radius_of_escape() {
     }
 }
 
-/// Followed out to 3000 r_s the bending left is some (33/3000)^2 of that, and f32's rounding of
-/// some hundred steps is what remains: so the equations, the start and the azimuths are right.
+/// Out to 3000 r_s the missing bending is about (33/3000)^2 of that, and only f32's rounding over
+/// some hundred steps remains. So the equations, the start and the azimuths are right.
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn its_rays_are_right_once_they_are_followed_far() {
+fn its_rays_are_right_if_they_are_followed_far() {
     let directions = pixel_directions(&scene(0.9), 48, 27);
     for spin in [0.0, 0.5, -0.9, 0.9, 0.98] {
         let mut scene = scene(spin);
@@ -67,8 +67,8 @@ fn its_rays_are_right_once_they_are_followed_far() {
     }
 }
 
-/// Past-directed light piles up at the horizon in these coordinates, the more the faster the hole
-/// and the shorter the steps: such rays are unfinished, and are not called captured.
+/// In these coordinates backward rays pile up at the horizon, more so for faster holes and shorter
+/// steps. Such rays are unfinished and must not count as captured.
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn it_leaves_rays_of_fast_holes_unfinished() {
@@ -85,8 +85,8 @@ fn it_leaves_rays_of_fast_holes_unfinished() {
     );
 }
 
-/// L_z is a constant of the motion, not of the integrator: its drift is rounding and truncation,
-/// and it is recorded.
+/// The integrator does not conserve L_z exactly; the record contains its drift by rounding and
+/// truncation.
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn its_axial_angular_momentum_drifts_little() {

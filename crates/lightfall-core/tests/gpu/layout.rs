@@ -38,8 +38,8 @@ fn wgsl_struct(module: &Module, name: &str) -> (Vec<Member>, u64) {
     (members, u64::from(*span))
 }
 
-/// The fields of a Rust struct in their order, from its `{:#?}` text: the name, and the type if that
-/// is a struct.
+/// The fields of a Rust struct in their order, from its `{:#?}` text: the name, and the type if
+/// that is a struct.
 fn rust_fields(printed: &str) -> Vec<(String, Option<String>)> {
     printed
         .lines()

@@ -1,11 +1,11 @@
-//! What a picture's shader makes of something given, as numbers.
+//! Values of expressions in a picture's shader.
 
 use glam::Vec4;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::gpu::kernel::Kernel;
 
-/// The value of `expression`, WGSL for a `vec4<f32>` made of the `vec4<f32>` called `given`, for
-/// each of these. `uniforms` are those of the shader, by binding.
+/// The value of a WGSL expression, a `vec4<f32>`, for each `vec4<f32>` called `given` in it.
+/// `uniforms` are the bytes of the shader's uniforms, by binding.
 pub fn light_from(
     gpu: &Gpu,
     shader: &str,

@@ -1,9 +1,10 @@
-//! The shaders, run on whatever adapter there is. Tests that need one are ignored unless they are
-//! asked for (`--include-ignored`).
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+//! The shaders, run on the machine's graphics adapter. Tests that need one are ignored unless
+//! `--include-ignored` asks for them.
+#![allow(clippy::unwrap_used, reason = "a test that cannot continue has failed")]
 
 mod adapter;
 mod background_device;
+mod bench_rows;
 mod camera;
 mod choice;
 mod closed;
@@ -35,7 +36,7 @@ use lightfall_core::scene::{Method, Scene};
 /// WGSL for [`light::light_from`]: the light that comes from a direction on the observer's axes.
 const ALONG: &str = "vec4<f32>(light_along(photon_from(given.xyz)), 0.0)";
 
-/// A scene with nothing but the hole and a static camera at `r`, traced by the article's method in
+/// A scene with only the hole and a static camera at `r`, traced by the article's method in
 /// balanced quality.
 fn bare_hole(r: f64) -> Scene {
     let mut scene = Scene {
@@ -49,7 +50,7 @@ fn bare_hole(r: f64) -> Scene {
     scene
 }
 
-/// The view of the edge-on preset, as the article's measurements have it: 20 r_s, 9.8 degrees above
+/// The view of the edge-on preset as in the article's measurements: 20 r_s, 9.8 degrees above
 /// the disk.
 fn edge_on() -> Scene {
     let mut scene = bare_hole(20.0);
@@ -73,16 +74,17 @@ fn pixel_directions(scene: &Scene, columns: u32, rows: u32) -> Vec<DVec3> {
 }
 
 /// The direction, on the observer's axes, at an angle `alpha` from the hole's centre, toward
-/// growing phi.
-fn beside_the_hole(alpha: f64) -> DVec3 {
+/// increasing phi.
+fn direction_off_centre(alpha: f64) -> DVec3 {
     DVec3::new(-alpha.cos(), 0.0, alpha.sin())
 }
 
-/// The middle of a list of numbers, and the value that `share` of them do not exceed.
+/// The median of numbers.
 fn median(values: &[f64]) -> f64 {
     quantile(values, 0.5)
 }
 
+/// The value that a `share` of the numbers does not exceed.
 fn quantile(values: &[f64], share: f64) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);

@@ -1,6 +1,7 @@
-//! Method mino: Kerr's rays on the GPU against the f64 reference, published values and symmetries.
+//! The method mino: Kerr's rays on the GPU against the f64 reference, published values and
+//! symmetries.
 
-use crate::{bare_hole, beside_the_hole, gpu, median, pixel_directions, quantile};
+use crate::{bare_hole, direction_off_centre, gpu, median, pixel_directions, quantile};
 use glam::DVec3;
 use lightfall_core::gpu::rays;
 use lightfall_core::optics::reference::Reference;
@@ -17,8 +18,8 @@ fn spinning_hole(spin: f64, r: f64, theta_deg: f64) -> Scene {
     scene
 }
 
-/// Directions all over the sphere, denser toward the hole. As f32 has them, so that the truth is
-/// asked for the same ray.
+/// Directions all over the sphere, denser toward the hole, rounded to f32 so that the reference
+/// traces the same rays.
 fn spiral(count: u32) -> Vec<DVec3> {
     let direction = |i: u32| {
         let share = (f64::from(i) + 0.5) / f64::from(count);
@@ -32,12 +33,12 @@ fn spiral(count: u32) -> Vec<DVec3> {
     (0..count).map(direction).collect()
 }
 
-/// The direction at which the reference's rays, turned from the hole's centre by growing angles
-/// toward growing phi times `side`, cease to be captured.
+/// The smallest angle from the hole's centre, toward increasing phi times `side`, at which the
+/// reference's rays are not captured.
 fn edge(reference: &Reference, side: f64) -> f64 {
     let captured = |alpha: f64| {
         reference
-            .trace(beside_the_hole(alpha) * DVec3::new(1.0, 1.0, side))
+            .trace(direction_off_centre(alpha) * DVec3::new(1.0, 1.0, side))
             .outcome
             == Outcome::Captured
     };
@@ -56,7 +57,7 @@ fn edge(reference: &Reference, side: f64) -> f64 {
     high
 }
 
-/// Spin, camera.r and camera.theta_deg; the first is deep in the ergosphere.
+/// Spin, camera.r and camera.theta_deg; the first place is deep in the ergosphere.
 const PLACES: [(f64, f64, f64); 9] = [
     (0.9, 0.8, 80.0),
     (0.0, 20.0, 80.0),
@@ -71,18 +72,18 @@ const PLACES: [(f64, f64, f64); 9] = [
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn every_ray_ends_as_the_reference_says_and_no_number_is_lost() {
+fn every_ray_ends_as_in_the_reference_and_every_number_is_finite() {
     let gpu = gpu();
     for (spin, r, theta) in PLACES {
         let scene = spinning_hole(spin, r, theta);
         let reference = Reference::new(&scene).unwrap();
-        // Both sides of the shadow's edge, 3e-6 rad and farther: the method must be right from 2e-6
-        // on at the default setting.
+        // Both sides of the shadow's edge, at 3e-6 rad and more: at the default setting the method
+        // must be right from 2e-6 rad on.
         let beside = [-1.0, 1.0].into_iter().flat_map(|side| {
             let edge = edge(&reference, side);
             (0..40).map(move |i| {
                 let distance = 3e-6 * 1.3_f64.powi(i / 2) * if i % 2 == 0 { 1.0 } else { -1.0 };
-                beside_the_hole(edge + distance) * DVec3::new(1.0, 1.0, side)
+                direction_off_centre(edge + distance) * DVec3::new(1.0, 1.0, side)
             })
         });
         let directions: Vec<DVec3> = spiral(400)
@@ -111,9 +112,9 @@ fn every_ray_ends_as_the_reference_says_and_no_number_is_lost() {
     }
 }
 
-/// At 1e-5 of its distance from the hole's centre to either side of the shadow's edge, at the
-/// default setting and however small the shadow is. tests/physics checks the reference's edge
-/// against published values.
+/// Rays on both sides of the shadow's edge, at 1e-5 of its radius, end on the right side at the
+/// default setting, however small the shadow is. tests/physics compares the reference's edge with
+/// published values.
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn the_shadow_has_its_size_to_five_digits() {
@@ -128,7 +129,7 @@ fn the_shadow_has_its_size_to_five_digits() {
         let reference = Reference::new(&scene).unwrap();
         for side in [-1.0, 1.0] {
             let edge = edge(&reference, side);
-            let at = |alpha: f64| beside_the_hole(alpha) * DVec3::new(1.0, 1.0, side);
+            let at = |alpha: f64| direction_off_centre(alpha) * DVec3::new(1.0, 1.0, side);
             let pair = [at(edge * (1.0 - 1e-5)), at(edge * (1.0 + 1e-5))];
             let found: Vec<Outcome> = rays::trace(gpu, &scene, &pair)
                 .unwrap()
@@ -144,13 +145,13 @@ fn the_shadow_has_its_size_to_five_digits() {
     }
 }
 
-/// Away from the shadow's edge a ray's error is f32's rounding and the step's own error, which at
-/// the tightest setting is below it: some 1e-7 rad, times the growth of a ray that turns by pi or
-/// so. Measured: medians of 1e-7 to 5e-7, and 1.2e-6 in the ergosphere, where small turns of a ray
-/// are large in the sky.
+/// Away from the shadow's edge a ray's error is f32's rounding, about 1e-7 rad, amplified along a
+/// ray that turns by about pi; at the tightest setting the error of the steps is smaller. Measured:
+/// medians of 1e-7 to 5e-7, and 1.2e-6 in the ergosphere, where small rotations of a ray are large
+/// on the sky.
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn sky_and_hits_are_the_references() {
+fn the_sky_and_the_hits_agree_with_the_reference() {
     let gpu = gpu();
     for (spin, r, theta) in PLACES {
         let mut scene = spinning_hole(spin, r, theta);
@@ -193,11 +194,11 @@ fn sky_and_hits_are_the_references() {
     }
 }
 
-/// At the default the shadow's edge decides the step, at the tightest setting f32 does, and at the
-/// loosest a pixel.
+/// The step is limited by the shadow's edge at the default setting, by f32 at the tightest, and by
+/// the pixel at the loosest.
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn a_shorter_step_is_taken_where_a_smaller_error_is_asked_for() {
+fn a_setting_with_a_smaller_error_takes_shorter_steps() {
     let gpu = gpu();
     let mut scene = spinning_hole(0.9, 20.0, 80.0);
     let directions = spiral(50);
@@ -210,8 +211,8 @@ fn a_shorter_step_is_taken_where_a_smaller_error_is_asked_for() {
             .sum::<u32>()
     };
     let steps = [1.0, 0.05, 1e-4].map(&mut steps_at);
-    // In the measure of the steps' lengths, 0.91, 0.53 and 0.25, less what a ray's last step has
-    // too much.
+    // In proportion to the steps' lengths, 0.91, 0.53 and 0.25, except for the excess of a ray's
+    // last step.
     assert!(
         10 * steps[1] > 13 * steps[0],
         "{steps:?} steps, from the loosest setting to the tightest"
@@ -222,8 +223,8 @@ fn a_shorter_step_is_taken_where_a_smaller_error_is_asked_for() {
     );
 }
 
-/// A hole mirrored in a plane through its axis turns the other way. Drivers may round the two
-/// differently: the bound is that of rounding, grown on the way round the hole.
+/// A hole mirrored in a plane through its axis rotates in the other sense. Drivers may round the
+/// two differently; the bound is that of rounding, amplified on the way around the hole.
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn the_mirrored_hole_shows_the_mirrored_sky() {
@@ -283,7 +284,7 @@ fn looking_direction(scene: &Scene, alpha: f64, beta: f64) -> DVec3 {
     let area = sigma * (r * r + a * a) + r * (a * sin).powi(2);
     let lambda = -alpha * sin;
     let energy = (area / (sigma * delta)).sqrt() * (1.0 - a * r / area * lambda);
-    // Looking is against the photon's motion; it moves outward at the camera.
+    // The looking direction is opposite to the photon's motion, which is outward at the camera.
     let theta = -beta / sigma.sqrt() / energy;
     let phi = -lambda / sin * (sigma / area).sqrt() / energy;
     DVec3::new(-(1.0 - theta * theta - phi * phi).sqrt(), theta, phi)
@@ -294,7 +295,7 @@ fn looking_direction(scene: &Scene, alpha: f64, beta: f64) -> DVec3 {
 /// error of 0.05 pixel would show from so far.
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn light_crosses_the_plane_where_other_codes_say() {
+fn light_crosses_the_plane_where_published_codes_have_it() {
     let gpu = gpu();
     for [chi, inclination, alpha, beta, x, y] in CROSSINGS {
         let mut scene = spinning_hole(chi, 500.0, inclination);
@@ -320,11 +321,10 @@ fn light_crosses_the_plane_where_other_codes_say() {
     }
 }
 
-/// What a picture's rays see, pixel by pixel: the error in pixels is what the setting allows, and
-/// less.
+/// The error of a picture's rays, in pixels, is at most what the setting allows.
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn a_picture_is_right_to_the_part_of_a_pixel_that_is_asked_for() {
+fn the_error_of_a_picture_is_within_the_setting() {
     let gpu = gpu();
     let mut scene = spinning_hole(0.9, 20.0, 80.0);
     let reference = Reference::new(&scene).unwrap();

@@ -1,5 +1,4 @@
-//! The observer's matrix through the shader: every kind of observer sees what the reference says it
-//! sees.
+//! The observer's matrix in the shader: every kind of observer sees what it sees in the reference.
 
 use crate::{bare_hole, gpu, median, quantile};
 use glam::DVec3;
@@ -60,7 +59,7 @@ fn every_observer_sees_the_sky_and_the_disk_where_the_reference_has_them() {
             g.extend(hits.map(|(hit, truth)| (hit.g / truth.g - 1.0).abs()));
         }
         let seen = format!("{kind:?} {velocity:?} at {theta_deg} degrees");
-        // The method's own error at 8 r_s is 1e-4 to 3e-4 rad in the median, whoever looks.
+        // The method's own error at 8 r_s is 1e-4 to 3e-4 rad in the median, for every observer.
         assert!(median(&sky) < 5e-4, "{seen}: sky {:e}", median(&sky));
         // Rays that circle the hole first make the tail long; there are few hits from within the
         // plane.
@@ -74,9 +73,9 @@ fn every_observer_sees_the_sky_and_the_disk_where_the_reference_has_them() {
     }
 }
 
-/// Next to the direction opposite to its motion a fast observer's light is dim: its numbers there
-/// are 1e-4 of what they are ahead, and with f32's rounding of those, hits were 5e-5 of their
-/// radius off and one ray in ten ended wrongly. The bound is that of observers at rest.
+/// Light from behind a fast observer is dim: the photon's numbers are 1e-4 of those ahead. Rounded
+/// with those, they moved hits by 5e-5 of their radius, and one ray in ten ended wrongly. The bound
+/// is that of observers at rest.
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn light_from_behind_a_fast_observer_keeps_its_digits() {

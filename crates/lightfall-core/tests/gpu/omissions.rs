@@ -1,4 +1,4 @@
-//! What is left out of a shader changes nothing of what it shows.
+//! The parts that a shader omits do not change its picture.
 
 use crate::ALONG;
 use crate::light::light_from;
@@ -9,7 +9,7 @@ use lightfall_core::gpu::{Gpu, GpuScene, Variant, bindings};
 use lightfall_core::optics::spectrum;
 use lightfall_core::scene::{Method, Scene, SkyMode};
 
-/// The light from these directions on the observer's axes, by a text of the picture's shader.
+/// The light from these directions on the observer's axes, by this text of the picture's shader.
 fn light(gpu: &Gpu, scene: &Scene, source: &str, directions: &[DVec3]) -> Vec<Vec4> {
     let numbers = GpuScene::for_rays(scene).unwrap();
     let table = spectrum::table()
@@ -29,7 +29,7 @@ fn light(gpu: &Gpu, scene: &Scene, source: &str, directions: &[DVec3]) -> Vec<Ve
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn what_is_left_out_of_a_shader_changes_no_light() {
+fn the_work_that_a_shader_omits_changes_no_light() {
     let gpu = gpu();
     let methods = [
         (Method::Closed, 0.0),
@@ -39,7 +39,8 @@ fn what_is_left_out_of_a_shader_changes_no_light() {
     ];
     let opaque = |scene: &mut Scene| scene.disk.transmission = 0.0;
     let without_sky = |scene: &mut Scene| scene.sky.mode = SkyMode::Off;
-    // The scene that can do without, the line that leaves out, and the line that does all the work.
+    // A change to a scene that needs less work, the flag that omits the work, and the flag that
+    // does it.
     let omissions: [(fn(&mut Scene), &str, &str); 4] = [
         (
             opaque,
@@ -83,9 +84,9 @@ fn what_is_left_out_of_a_shader_changes_no_light() {
                 lit > 300,
                 "{method:?}, {short}: only {lit} rays bring light"
             );
-            // Another text is contracted otherwise by the compiler, and a hit's radius is taken
-            // from r itself or from the length of r n: some roundings of 6e-8, which the steep edge
-            // of a star's image and of the disk enlarge.
+            // The compiler contracts the two texts differently, and a hit's radius is r itself or
+            // the length of r n. These are some roundings of 6e-8, which the steep edges of a
+            // star's image and of the disk amplify.
             let worst = least
                 .iter()
                 .zip(&most)
@@ -103,6 +104,6 @@ fn a_disk_that_lets_light_through_counts_two_crossings() {
     assert_eq!(most_hits(&scene), 2);
     scene.disk.transmission = 0.001;
     assert_eq!(most_hits(&scene), 1);
-    // Who asks for the rays themselves gets both crossings all the same.
+    // The records of rays contain both crossings all the same.
     assert_eq!(Variant::rays(&scene).most_hits, 2);
 }

@@ -1,4 +1,4 @@
-//! What the GPU cannot do, and the error that says so.
+//! What the GPU cannot do, and the errors that say so.
 
 use crate::edge_on;
 use glam::UVec2;

@@ -9,7 +9,7 @@ use lightfall_core::optics::spectrum::{TABLE_LEN, table};
 use lightfall_core::scene::{Scene, SkyMode};
 use std::f64::consts::{PI, TAU};
 
-/// Light of the sky in these directions: `expression` is WGSL of `direction`.
+/// The light of the sky in these directions, by a WGSL expression of `direction`.
 fn light(gpu: &Gpu, scene: &Scene, expression: &str, directions: &[DVec3]) -> Vec<DVec3> {
     let source = Variant::picture(scene).source();
     let expression = format!(
@@ -56,10 +56,10 @@ fn all_around(count: u32) -> Vec<DVec3> {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn no_star_is_cut_where_charts_meet() {
+fn no_star_is_cut_off_where_charts_meet() {
     let gpu = gpu();
-    // The twelve edges of the upright cube, and the eight corners where three charts meet. Widest
-    // images: g = 10.
+    // The twelve edges of the upright cube, and the eight corners where three charts meet, with the
+    // widest images: g = 10.
     let mut seams = Vec::new();
     for i in 0..4000 {
         let t = -1.0 + f64::from(i) / 2000.0;
@@ -81,7 +81,7 @@ fn no_star_is_cut_where_charts_meet() {
             .iter()
             .all(|light| *light == DVec3::ZERO)
     );
-    // The same layer does shine elsewhere.
+    // The same layer shines elsewhere.
     assert!(
         light(gpu, &scene, layer, &all_around(60_000))
             .iter()
@@ -93,10 +93,10 @@ fn no_star_is_cut_where_charts_meet() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn stars_cover_the_sky_evenly_but_for_their_band() {
+fn stars_cover_the_sky_evenly_except_for_their_band() {
     let gpu = gpu();
-    // Directions that see a star, one layer after another so that charts are told apart; g = 4 for
-    // wide images.
+    // Directions that see a star, layer by layer to distinguish the charts, with wide images: g =
+    // 4.
     let directions = all_around(400_000);
     let pole = DVec3::new(2.0, 3.0, 6.0) / 7.0;
     let (mut near, mut far, mut middle, mut corner) = ([0.0; 2], [0.0; 2], [0.0; 2], [0.0; 2]);
@@ -125,8 +125,8 @@ fn stars_cover_the_sky_evenly_but_for_their_band() {
         (1.3..2.2).contains(&(near / far)),
         "on the band {near}, off it {far}"
     );
-    // A cell in a corner of a face is five times smaller than one in the middle, and holds a star
-    // as much more rarely. A few hundred stars make each share uncertain by a tenth.
+    // A cell in a corner of a face is five times smaller than one in the middle, and five times
+    // less likely to hold a star. With a few hundred stars each share is uncertain by a tenth.
     assert!(
         (0.65..1.5).contains(&(corner / middle)),
         "in the corners {corner}, in the middle {middle}"
@@ -135,7 +135,7 @@ fn stars_cover_the_sky_evenly_but_for_their_band() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn the_stars_depend_on_the_seed_and_on_nothing_else() {
+fn the_stars_depend_only_on_the_seed() {
     let gpu = gpu();
     let directions = all_around(50_000);
     let stars = |seed: u32, change: fn(&mut Scene)| {
@@ -197,7 +197,7 @@ fn light_from_the_sky_grows_with_the_fourth_power_of_the_shift() {
     let seen = |g: f64| light(gpu, &scene, &format!("sky_light(direction, {g:?})"), &star)[0];
     let ratio = seen(1.5) / seen(1.0);
     let expected = at(8000.0, 1.5) / at(8000.0, 1.0) * 1.5_f64.powi(4);
-    // The grid crosses the star's middle and adds a few percent, of the same power.
+    // A grid line crosses the star's centre and adds a few percent, with the same power.
     assert!(
         (ratio - expected).abs().max_element() < 0.15 * expected.max_element(),
         "{ratio} against {expected}"
@@ -223,7 +223,7 @@ fn the_grid_has_its_lines_every_fifteen_degrees_and_keeps_its_width_to_the_poles
             .map(|light| light.element_sum())
             .collect::<Vec<_>>()
     };
-    // Between the lines the sky is not quite black, so that the hole's shadow shows.
+    // The sky between the lines is not black, so that the hole's shadow shows.
     let [fill] = brightness(&[(50.0, 7.0)])[..] else {
         unreachable!()
     };

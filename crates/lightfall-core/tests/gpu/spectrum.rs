@@ -30,7 +30,7 @@ fn the_shader_finds_the_colour_that_the_cpu_finds() {
         &[(bindings::SPECTRUM, uniform(&rows))],
     )
     .unwrap();
-    // From a little outside the table on either side.
+    // Temperatures from a little below the table to a little above it.
     let ratio = (TABLE_MAX_TEMPERATURE / TABLE_MIN_TEMPERATURE).ln();
     let temperatures: Vec<f32> = (0..4000)
         .map(|i| (TABLE_MIN_TEMPERATURE * (ratio * (f64::from(i) / 3900.0 - 0.01)).exp()) as f32)

@@ -1,8 +1,8 @@
-//! The article's method against closed forms and the f64 reference. Its own truncation error is far
-//! above f32's rounding, so the tolerances say what the method does: they fail if it gets worse,
+//! The article's method against closed forms and the f64 reference. Its truncation error is far
+//! above f32's rounding, so the tolerances describe the method: the tests fail if it gets worse,
 //! and some if it gets better.
 
-use crate::{bare_hole, beside_the_hole, edge_on, gpu, median, pixel_directions, quantile};
+use crate::{bare_hole, direction_off_centre, edge_on, gpu, median, pixel_directions, quantile};
 use glam::DVec3;
 use lightfall_core::geometry::schwarzschild::{
     CRITICAL_IMPACT, deflection, shadow_half_angle_rain, shadow_half_angle_static,
@@ -15,7 +15,10 @@ use std::f64::consts::PI;
 
 /// The outcomes along rays at these angles from the hole's centre.
 fn outcomes(gpu: &Gpu, scene: &Scene, angles: &[f64]) -> Vec<Outcome> {
-    let directions: Vec<DVec3> = angles.iter().map(|angle| beside_the_hole(*angle)).collect();
+    let directions: Vec<DVec3> = angles
+        .iter()
+        .map(|angle| direction_off_centre(*angle))
+        .collect();
     rays::trace(gpu, scene, &directions)
         .unwrap()
         .iter()
@@ -57,7 +60,7 @@ fn radial_rays_stay_straight() {
         let sky = traces[1]
             .sky
             .unwrap_or_else(|| panic!("outward from {r}: {:?}", traces[1]));
-        // Nothing bends: only f32's rounding of the camera's direction remains.
+        // Radial rays are not bent: only f32's rounding of the camera's direction remains.
         assert!(
             (sky - scene.camera.direction()).length() < 3e-7,
             "outward from {r}: {sky}"
@@ -126,7 +129,7 @@ fn weak_fields_bend_light_by_two_schwarzschild_radii_over_the_impact_parameter()
     let mut scene = without_budget(r);
     scene.quality.step_scale = 0.2;
     for b in [30.0, 100.0, 300.0, 1000.0] {
-        let direction = beside_the_hole((b / r * (1.0 - 1.0 / r).sqrt()).asin());
+        let direction = direction_off_centre((b / r * (1.0 - 1.0 / r).sqrt()).asin());
         let sky = rays::trace(gpu, &scene, &[direction]).unwrap()[0]
             .sky
             .unwrap();
@@ -154,7 +157,7 @@ fn weak_fields_bend_light_by_two_schwarzschild_radii_over_the_impact_parameter()
 fn rays_on_both_sides_of_the_critical_one_separate_as_steps_shrink() {
     let gpu = gpu();
     let r: f64 = 20.0;
-    // Second order: half of the step, a quarter of the margin.
+    // Second order: half the step gives a quarter of the margin.
     for (step_scale, margin) in [(0.85, 2.4e-3), (0.425, 6e-4), (0.2125, 1.5e-4)] {
         let mut scene = without_budget(r);
         scene.quality.step_scale = step_scale;
@@ -174,7 +177,7 @@ fn rays_on_both_sides_of_the_critical_one_separate_as_steps_shrink() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn the_shadow_has_its_closed_form_but_for_the_methods_own_error() {
+fn the_shadow_has_its_closed_form_up_to_the_methods_own_error() {
     let gpu = gpu();
     // Relative error of the half angle with balanced steps: the known one of the method where it
     // was measured independently in f64 (-3.3e-3 at 1.6, -3.2e-3 at 3, -1.2e-3 at 20 r_s).
@@ -228,15 +231,15 @@ fn the_shadow_of_a_falling_observer_is_smaller() {
         let mut scene = without_budget(r);
         scene.observer.kind = ObserverKind::Rain;
         let error = shadow_half_angle(gpu, &scene) / shadow_half_angle_rain(r) - 1.0;
-        // The same rays as for an observer at rest, so the same error of the method, up to
-        // aberration's own slope.
+        // The rays are those of an observer at rest, so the method's error is the same up to the
+        // slope of the aberration.
         assert!((-5.5e-3..-0.9e-3).contains(&error), "at {r}: {error:e}");
     }
 }
 
-/// Angles between traced and true sky direction, in radians, of the rays that both say reach the
-/// sky; and of those farther than 1.3 times the shadow from the hole's centre. Also how many
-/// outcomes differ.
+/// Angles between traced and true sky direction, in radians, of the rays that reach the sky in
+/// both; the same of the rays farther than 1.3 times the shadow's radius from the hole's centre;
+/// and the number of outcomes that differ.
 fn sky_errors(gpu: &Gpu, scene: &Scene) -> (Vec<f64>, Vec<f64>, usize) {
     let directions = pixel_directions(scene, 160, 90);
     let reference = Reference::new(scene).unwrap();
@@ -262,7 +265,7 @@ fn sky_errors(gpu: &Gpu, scene: &Scene) -> (Vec<f64>, Vec<f64>, usize) {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn the_error_of_the_sky_at_the_edge_on_view_is_the_articles_own() {
+fn the_error_of_the_sky_in_the_edge_on_view_is_that_of_the_article() {
     let gpu = gpu();
     let (all, outside, differing) = sky_errors(gpu, &edge_on());
     // 0.4e-3 to 1.2e-3 rad: a better median would mean another method.
@@ -309,7 +312,7 @@ fn the_sky_converges_with_second_order_once_the_escape_radius_is_far() {
 #[ignore = "needs a graphics adapter"]
 fn a_ray_without_budget_is_unfinished_and_not_captured() {
     let gpu = gpu();
-    let directions = [beside_the_hole(0.1), beside_the_hole(0.5)];
+    let directions = [direction_off_centre(0.1), direction_off_centre(0.5)];
     let outcome = |change: fn(&mut Scene)| {
         let mut scene = bare_hole(20.0);
         change(&mut scene);
@@ -351,15 +354,15 @@ fn no_rays_give_no_traces_and_many_keep_their_order() {
     let gpu = gpu();
     let scene = bare_hole(20.0);
     assert_eq!(rays::trace(gpu, &scene, &[]).unwrap(), []);
-    // More than one dispatch, and not a multiple of a workgroup.
+    // More rays than one dispatch takes, and not a multiple of a workgroup.
     let directions: Vec<DVec3> = (0..40_001)
-        .map(|i| beside_the_hole(0.05 + f64::from(i) * 5e-5))
+        .map(|i| direction_off_centre(0.05 + f64::from(i) * 5e-5))
         .collect();
     let traces = rays::trace(gpu, &scene, &directions).unwrap();
     assert_eq!(traces.len(), directions.len());
     let last = rays::trace(gpu, &scene, &directions[40_000..]).unwrap();
     assert_eq!(traces[40_000], last[0]);
-    // A direction's length does not matter, however extreme.
+    // The length of a direction does not matter, however extreme it is.
     for length in [1e-300, 0.3, 1e300] {
         assert_eq!(
             rays::trace(gpu, &scene, &[directions[40_000] * length]).unwrap(),

@@ -1,4 +1,4 @@
-//! Diagnostic views against the records of the very rays that they colour.
+//! Diagnostic views against the records of the same rays.
 
 use crate::ALONG;
 use crate::light::light_from;
@@ -12,7 +12,7 @@ use lightfall_core::scene::{Method, Scene, View};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
 
-/// What the picture's own shader shows in these directions on the observer's axes.
+/// The light of the picture's own shader in these directions on the observer's axes.
 fn shown(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Vec<[u32; 3]> {
     let source = Variant::picture(scene).source();
     let numbers = GpuScene::for_rays(scene).unwrap();
@@ -43,8 +43,7 @@ fn views_of(method: Method, max_steps: u32) -> Scene {
     scene
 }
 
-/// Whether colours and what they stand for determine each other: one colour for each kind, one kind
-/// for each colour.
+/// Asserts that each kind has one colour and each colour one kind, and returns their number.
 fn one_to_one<K: Ord + Copy>(colours: &[[u32; 3]], kinds: &[K]) -> usize {
     let pairs: BTreeSet<(K, [u32; 3])> =
         kinds.iter().copied().zip(colours.iter().copied()).collect();
@@ -74,7 +73,7 @@ fn every_ray_class_has_a_colour_of_its_own() {
             .iter()
             .map(class)
             .collect();
-        // Equal bits: the same shader on the same rays.
+        // Equal bits, because the same shader traces the same rays.
         let count = one_to_one(&shown(gpu, &scene, &directions), &classes);
         seen.extend(classes);
         assert!(count >= 5, "{method:?}: {count} classes");
@@ -89,14 +88,14 @@ fn every_ray_class_has_a_colour_of_its_own() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn each_order_has_a_colour_and_the_sky_is_told_from_the_disk() {
+fn each_order_has_a_colour_and_the_sky_differs_from_the_disk() {
     let gpu = gpu();
     let scene = Scene {
         view: View::Order,
         ..views_of(Method::Closed, 768)
     };
-    // A fan across the shadow's edge, finer the nearer, so that the thin images of high order are
-    // met.
+    // A fan of rays across the shadow's edge, denser near the edge, so that some hit the thin
+    // images of high order.
     let edge = shadow_half_angle_static(20.0);
     let fan: Vec<DVec3> = (0..3000)
         .flat_map(|i| {
@@ -159,8 +158,8 @@ fn the_methods_agree_on_the_angle_that_a_ray_sweeps() {
             "{method:?}: {far} rays differ by more than 0.01 rad"
         );
     }
-    // Without a disk the angle belongs to the sky: its plane, turned by it from the camera, is
-    // where the ray ends.
+    // Without a disk the angle is that to the sky: rotated by it within its plane, the camera's
+    // direction is that of the ray's end.
     scene.disk.enabled = false;
     scene.method = Method::Closed;
     for (record, direction) in records(gpu, &scene, &directions)

@@ -1,0 +1,80 @@
+//! The comparison of methods at equal error, with rows that are written by hand.
+
+use lightfall_core::reports::bench::{Measurement, at_equal_error, markdown};
+use lightfall_core::reports::circumstances::Circumstances;
+
+/// What a report says of the machine and of the run.
+pub fn circumstances() -> Circumstances {
+    let text = String::from;
+    Circumstances {
+        adapter: text("an adapter"),
+        driver: text("its driver"),
+        backend: text("vulkan"),
+        size: text("160x90"),
+        entry: text("compute"),
+        commit: text("0123"),
+        floor_ms: Some(0.025),
+        command: text("lightfall bench --quick"),
+    }
+}
+
+/// A row of a method: its time, and its backward error. The other numbers do not matter here.
+fn row(method: &str, trace_ms: f64, backward_p99: f64) -> Measurement {
+    Measurement {
+        scene: "edge-on".into(),
+        method: method.into(),
+        setting: None,
+        value: None,
+        own_setting: true,
+        auto: method == "closed",
+        trace_ms,
+        trace_spread_ms: 0.1,
+        clock: "wall",
+        frame_ms: None,
+        rays: 64,
+        unfinished: 0,
+        not_finite: 0,
+        misclassified: 0,
+        sky_as: [32, 0, 0],
+        captured_as: [0, 32, 0],
+        sky_p50: 1e-7,
+        sky_p99: 1e-6,
+        hit_r_p50: 1e-7,
+        hit_r_p99: 1e-6,
+        hit_g_p50: 1e-7,
+        hit_g_p99: 1e-6,
+        backward_p50: 0.1 * backward_p99,
+        backward_p99,
+        backward_max: 10.0 * backward_p99,
+        backward_p50_px: 100.0 * backward_p99,
+        backward_p99_px: 1000.0 * backward_p99,
+        steps_mean: 10.0,
+        steps_max: 20.0,
+        residual: 1e-6,
+    }
+}
+
+#[test]
+fn methods_are_compared_by_their_fastest_settings_at_equal_error() {
+    let rows = [
+        row("closed", 2.0, 1e-7),
+        row("verlet", 5.0, 1e-3),
+        // Slower and less exact than the row before: it adds no error level of its own.
+        row("verlet", 9.0, 2e-3),
+        row("verlet", 21.0, 1e-5),
+        // An error without a bound gives no level.
+        row("verlet", 99.0, f64::INFINITY),
+    ];
+    let found = at_equal_error(&rows, "edge-on", "closed", "verlet", Some(1.0)).unwrap();
+    assert_eq!(
+        (found.ratio, found.net_ratio, found.best),
+        ([2.5, 10.5], Some([4.0, 20.0]), [1e-7, 1e-5])
+    );
+    // Verlet reaches none of the errors of closed.
+    assert_eq!(
+        at_equal_error(&rows, "edge-on", "verlet", "closed", None),
+        None
+    );
+    let text = markdown(&circumstances(), &rows);
+    assert!(text.contains("2.5 to 10.5"), "{text}");
+}
