@@ -13,6 +13,16 @@ const ORDER: [&str; 6] = [
     "lightfall::commands",
 ];
 
+/// The window's folders, lowest first.
+const APP_ORDER: [&str; 6] = [
+    "lightfall::app::controls",
+    "lightfall::app::state",
+    "lightfall::app::input",
+    "lightfall::app::session",
+    "lightfall::app::motion",
+    "lightfall::app::ui",
+];
+
 /// The sources of both crates.
 fn sources() -> Graph {
     let mut graph = Graph::default();
@@ -25,6 +35,12 @@ fn sources() -> Graph {
 fn every_module_of_the_program_imports_only_from_modules_below_it() {
     let order = [&CORE_ORDER[..], &ORDER].concat();
     let faults = rules::upward_imports(&sources(), &order);
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+}
+
+#[test]
+fn every_folder_of_the_window_imports_only_from_folders_below_it() {
+    let faults = rules::upward_imports(&sources(), &APP_ORDER);
     assert!(faults.is_empty(), "\n{}", faults.join("\n"));
 }
 

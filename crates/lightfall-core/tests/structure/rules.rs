@@ -3,17 +3,24 @@
 use crate::graph::{Graph, Module, Use};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
-/// Imports that run up in `order`, which lists modules as `crate::module`, lowest first, and
-/// modules that have no place in it. One sentence for each.
+/// Imports that run up in `order`, which lists modules of one depth as `crate::module`, lowest
+/// first, and modules beside them that have no place in it. One sentence for each.
 pub fn upward_imports(graph: &Graph, order: &[&str]) -> Vec<String> {
+    let depth = order[0].split("::").count();
     let rank = |module: &Module| {
-        let top = module[..module.len().min(2)].join("::");
+        let top = module[..module.len().min(depth)].join("::");
         order.iter().position(|name| *name == top)
     };
+    let parents: BTreeSet<&str> = order
+        .iter()
+        .filter_map(|name| name.rsplit_once("::"))
+        .map(|(parent, _)| parent)
+        .collect();
     let mut faults = BTreeSet::new();
-    for module in graph.modules() {
-        if module.len() > 1 && rank(module).is_none() {
-            let top = module[..2].join("::");
+    for module in graph.modules().filter(|module| module.len() >= depth) {
+        let parent = module[..depth - 1].join("::");
+        if parents.contains(parent.as_str()) && rank(module).is_none() {
+            let top = module[..depth].join("::");
             faults.insert(format!("the module {top} has no place in the order"));
         }
     }

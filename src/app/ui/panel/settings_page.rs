@@ -33,7 +33,9 @@ pub(super) fn show(
             **pad_bindings = PadBindings::default();
         }
     });
-    ui.weak("Click one, then press the new key or gamepad button. Esc leaves it as it is.");
+    ui.weak(format!(
+        "Click one, then press the new key or gamepad button. {CANCEL} leaves it as it is."
+    ));
     if let Some(reason) = NO_GAMEPAD {
         ui.weak(reason);
     }
