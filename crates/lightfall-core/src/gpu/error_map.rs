@@ -1,13 +1,14 @@
-//! The view `error`: a grid of errors as it lies in the uniform of shaders/view/error.wgsl.
+//! The data of the view `error`: a grid of errors, laid out as the uniform of
+//! shaders/view/error.wgsl.
 
 /// Columns and rows of the grid; a multiple of four cells.
 pub const ERROR_MAP_SIZE: [u32; 2] = [64, 36];
 
-/// How many cells that is.
+/// The number of cells.
 const CELLS: usize = (ERROR_MAP_SIZE[0] * ERROR_MAP_SIZE[1]) as usize;
 
-/// Cells without an error in pixels: not known yet, nothing seen there, an answer that no turn of
-/// the ray explains.
+/// Values of cells without an error in pixels: the error is not known yet, nothing is seen, or no
+/// rotation of the ray explains its answer.
 const UNKNOWN: f32 = -1.0;
 const UNSEEN: f32 = -2.0;
 const UNEXPLAINED: f32 = 1e30;
@@ -17,7 +18,7 @@ const UNEXPLAINED: f32 = 1e30;
 pub struct ErrorMap(Vec<f32>);
 
 impl Default for ErrorMap {
-    /// None of them known yet.
+    /// A grid in which no error is known yet.
     fn default() -> Self {
         Self(vec![UNKNOWN; CELLS])
     }
@@ -27,12 +28,12 @@ impl ErrorMap {
     /// Size of the uniform, in bytes.
     pub const SIZE: usize = CELLS * size_of::<f32>();
 
-    /// From errors in pixels; none where nothing is seen. Cells beyond the last error are not
-    /// known.
+    /// The grid of these errors in pixels, `None` where nothing is seen. The errors of further cells
+    /// are not known.
     #[must_use]
     pub fn new(errors: &[Option<f64>]) -> Self {
         let known = errors.iter().map(|error| match error {
-            // What is not a number explains nothing either.
+            // The minimum with NaN is the other number, so NaN counts as unexplained, too.
             Some(error) => f64::min(*error, UNEXPLAINED.into()) as f32,
             None => UNSEEN,
         });
@@ -44,7 +45,7 @@ impl ErrorMap {
         )
     }
 
-    /// As they lie in the uniform.
+    /// The bytes of the uniform.
     #[must_use]
     pub fn bytes(&self) -> Vec<u8> {
         self.0
@@ -53,7 +54,7 @@ impl ErrorMap {
             .collect()
     }
 
-    /// What the shader must share.
+    /// The constants that the shader shares, as name, type and value.
     pub(super) fn constants() -> [(&'static str, &'static str, String); 5] {
         let [columns, rows] = ERROR_MAP_SIZE;
         [
