@@ -9,7 +9,7 @@
 // least energy. Computed from there, with |d| = 1 used for the component along it, the numbers keep
 // their digits.
 fn photon_from(direction: vec3<f32>) -> Photon {
-    let off = direction - scene.observer.least_energy_direction;
+    let off = direction - scene.observer.min_energy_direction;
     let one_off = vec4<f32>(1.0, off);
     let half = 0.5 * dot(off, off);
     let w = vec3<f32>(dot(scene.observer.w_x, one_off), dot(scene.observer.w_y, one_off), dot(scene.observer.w_z, one_off));

@@ -242,7 +242,7 @@ impl PixelRays {
         let rays: Vec<Vec3> = pixels
             .map(|pixel| scene.camera.looking(centre(pixel), size).as_vec3())
             .collect();
-        let traces = kernel.trace(&self.gpu, scene, &rays);
+        let traces = kernel.trace_camera_rays(&self.gpu, scene, &rays);
         self.kernel = Some((variant, kernel));
         traces
     }

@@ -52,7 +52,7 @@ pub fn cost_rows(scene: &Scene) -> Vec<(&'static str, String)> {
     row(
         "disk crossings",
         &[if variant.disk {
-            variant.most_hits.to_string()
+            variant.max_hits.to_string()
         } else {
             "none".into()
         }],

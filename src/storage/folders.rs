@@ -1,4 +1,4 @@
-//! The folders that the program uses without being told.
+//! The folders that the program uses by default.
 
 use super::atomic_file::{WriteError, parent_folder};
 use std::path::{Path, PathBuf};

@@ -155,7 +155,7 @@ fn a_probe_that_appears_after_a_long_rest_is_complete_and_disappears_again() {
                 "probe {}",
                 scene.probe.enabled
             );
-            // A rest of many frames, in which Bevy forgets the eye's textures.
+            // A rest of many frames, in which Bevy drops the scene camera's textures.
             studio.time(5).unwrap();
         }
     }

@@ -85,15 +85,15 @@ fn every_default_button_has_a_name_and_belongs_to_one_existing_control() {
 fn names_of_buttons_are_read_back_as_the_same_buttons() {
     for name in GamepadButton::names() {
         assert_eq!(
-            GamepadButton::named(name).and_then(GamepadButton::name),
+            GamepadButton::from_name(name).and_then(GamepadButton::name),
             Some(name)
         );
         assert_eq!(
-            GamepadButton::named(&name.to_lowercase()).and_then(GamepadButton::name),
+            GamepadButton::from_name(&name.to_lowercase()).and_then(GamepadButton::name),
             Some(name)
         );
     }
-    assert_eq!(GamepadButton::named("Space"), None);
+    assert_eq!(GamepadButton::from_name("Space"), None);
 }
 
 #[test]
@@ -110,7 +110,7 @@ fn settings_bind_buttons_separately_from_keys() {
     for (line, said) in [
         (
             "\"window.help\" = [\"F1\"]",
-            "buttons: window.help is given \"F1\", which is no button",
+            "buttons: window.help: unknown button \"F1\"",
         ),
         (
             "\"window.help\" = [\"A\"]",
@@ -133,7 +133,7 @@ fn binding_a_button_takes_it_from_its_former_control_even_where_the_key_needs_al
     assert_eq!(bindings.of("window.fullscreen"), [GamepadButton::South]);
     assert!(bindings.of("journey.fly").is_empty());
     assert_eq!(
-        bindings.in_words(control_named("window.fullscreen").unwrap()),
+        bindings.label_of(control_named("window.fullscreen").unwrap()),
         "A"
     );
     let kept: BTreeMap<_, _> = bindings.settings();

@@ -31,7 +31,8 @@ fn every_control_of_the_scene_changes_it_into_one_that_can_be_drawn_from_any_pre
                 None => assert!(!changes, "{} changes no scene", control.id),
                 // Only its own number leaves a preset as it is.
                 Some(Ok(changed))
-                    if control.keys[0] == KeyCode::named(&preset.number.to_string()).unwrap() =>
+                    if control.keys[0]
+                        == KeyCode::from_name(&preset.number.to_string()).unwrap() =>
                 {
                     assert_eq!(*changed.scene(), scene);
                 }
@@ -246,7 +247,7 @@ fn a_change_that_cannot_be_drawn_is_refused_with_the_reason() {
 fn controls_have_names_and_keys_of_their_own() {
     for (i, control) in CONTROLS.iter().enumerate() {
         assert!(
-            !control.keys.is_empty() && !control.does.is_empty(),
+            !control.keys.is_empty() && !control.description.is_empty(),
             "{}",
             control.id
         );
@@ -273,13 +274,13 @@ fn controls_have_names_and_keys_of_their_own() {
 #[test]
 fn names_of_keys_are_read_back_as_the_same_keys() {
     for name in KeyCode::names() {
-        assert_eq!(KeyCode::named(name).and_then(KeyCode::name), Some(name));
+        assert_eq!(KeyCode::from_name(name).and_then(KeyCode::name), Some(name));
         assert_eq!(
-            KeyCode::named(&name.to_lowercase()).and_then(KeyCode::name),
+            KeyCode::from_name(&name.to_lowercase()).and_then(KeyCode::name),
             Some(name)
         );
     }
-    assert_eq!(KeyCode::named("Any"), None);
+    assert_eq!(KeyCode::from_name("Any"), None);
 }
 
 #[test]
@@ -328,7 +329,7 @@ fn settings_bind_keys_and_say_what_is_wrong_with_them() {
     let bound = Bindings::new(&settings("view.classes", &["K", "F10"])).unwrap();
     assert_eq!(
         bound.of("view.classes"),
-        ["K", "F10"].map(|name| KeyCode::named(name).unwrap())
+        ["K", "F10"].map(|name| KeyCode::from_name(name).unwrap())
     );
     assert_eq!(bound.settings(), settings("view.classes", &["K", "F10"]));
     assert_eq!(
@@ -337,11 +338,7 @@ fn settings_bind_keys_and_say_what_is_wrong_with_them() {
     );
     for (id, keys, said) in [
         ("view.clases", ["K"], "there is no control view.clases"),
-        (
-            "view.classes",
-            ["Any"],
-            "view.classes is given \"Any\", which is no key",
-        ),
+        ("view.classes", ["Any"], "view.classes: unknown key \"Any\""),
         (
             "view.classes",
             ["W"],
@@ -356,7 +353,7 @@ fn settings_bind_keys_and_say_what_is_wrong_with_them() {
 #[test]
 fn binding_a_key_takes_it_from_its_former_control() {
     let mut bindings = Bindings::default();
-    let w = KeyCode::named("W").unwrap();
+    let w = KeyCode::from_name("W").unwrap();
     bindings.bind("window.help", w);
     assert_eq!(bindings.of("window.help"), [w]);
     assert!(bindings.of("fly.forward").is_empty());

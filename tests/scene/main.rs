@@ -10,6 +10,7 @@ mod adapter;
 mod command_line;
 mod cost_report;
 mod doctor;
+mod file_names;
 mod flights;
 mod gamepad;
 mod history;

@@ -54,7 +54,7 @@ fn the_window_survives_another_monitor_scale_and_a_suspended_machine() {
     desktop.wait("the window as it was", || desktop.size() == WINDOW);
     desktop.press("p");
     desktop.settled("as before", |shot| changed(shot, &start) == 0.0);
-    // How far a flight goes meanwhile, tests/scene/flights.rs says.
+    // tests/scene/flights.rs tests that the flight stands still during the suspension.
     desktop.press("j");
     desktop.suspend(true);
     std::thread::sleep(Duration::from_secs(3));
@@ -85,8 +85,9 @@ fn on_a_small_screen_the_picture_fills_the_first_window() {
     }
 }
 
-/// Keys that are pressed at random: every key of the control table except full screen, and some keys
-/// that do nothing.
+/// Keys that are pressed at random: the keys of the control table, and some keys that do nothing. The
+/// keys for full screen, screenshots and the previous and next preset are left out, and so are Ctrl,
+/// Shift and Alt.
 const KEYS: &[&str] = &[
     "w",
     "a",

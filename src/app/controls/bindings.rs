@@ -10,10 +10,11 @@ use std::collections::BTreeMap;
 
 /// A kind of input that controls are bound to: keys, or buttons of a gamepad.
 pub trait Bindable: Copy + PartialEq + Send + Sync + 'static {
-    /// What one is called in a sentence. With an s, the name of its table in the settings file.
+    /// The singular noun for such an input in a sentence. Its plural is the name of the table in the
+    /// settings file.
     const WORD: &'static str;
 
-    /// Every one that a control can be bound to, with its name.
+    /// Every input that a control can be bound to, with its name.
     const NAMES: &'static [(Self, &'static str)];
 
     /// The defaults of a control.
@@ -22,7 +23,7 @@ pub trait Bindable: Copy + PartialEq + Send + Sync + 'static {
     /// Whether this control wants Alt held. The same key with Alt and without counts as two.
     fn with_alt(control: &Control) -> bool;
 
-    /// Its name. None if nothing can be bound to it.
+    /// The input's name; `None` if no control can be bound to the input.
     fn name(self) -> Option<&'static str> {
         Self::NAMES
             .iter()
@@ -30,8 +31,8 @@ pub trait Bindable: Copy + PartialEq + Send + Sync + 'static {
             .map(|(_, name)| *name)
     }
 
-    /// The one with this name, in capitals or not.
-    fn named(name: &str) -> Option<Self> {
+    /// The input with this name; the case of letters does not matter.
+    fn from_name(name: &str) -> Option<Self> {
         Self::NAMES
             .iter()
             .find(|(_, known)| known.eq_ignore_ascii_case(name.trim()))
@@ -111,9 +112,9 @@ impl<B: Bindable> BindingTable<B> {
                     format!("{word}s: there is no control {id}; the controls are {known}")
                 })?;
             let inputs = names.iter().map(|name| {
-                B::named(name).ok_or_else(|| {
+                B::from_name(name).ok_or_else(|| {
                     let known = B::names().collect::<Vec<_>>().join(" ");
-                    format!("{word}s: {id} is given \"{name}\", which is no {word}; the {word}s are {known}")
+                    format!("{word}s: {id}: unknown {word} \"{name}\"; the {word}s are {known}")
                 })
             });
             bindings.0[place] = inputs.collect::<Result<_, _>>()?;
@@ -186,17 +187,18 @@ impl<B: Bindable> BindingTable<B> {
             .collect()
     }
 
-    /// The inputs of the control with this name, in words. Empty if it has none.
+    /// The label of the control with this name, as [`BindingTable::label_of`] writes it. Empty if there
+    /// is no such control or no input is bound to it.
     #[must_use]
-    pub fn named(&self, id: &str) -> String {
+    pub fn label(&self, id: &str) -> String {
         control_named(id)
-            .map(|control| self.in_words(control))
+            .map(|control| self.label_of(control))
             .unwrap_or_default()
     }
 
-    /// A control's inputs in words, e.g. `F12, Print`.
+    /// The names of a control's inputs, for example `F12, Print`.
     #[must_use]
-    pub fn in_words(&self, control: &Control) -> String {
+    pub fn label_of(&self, control: &Control) -> String {
         let alt = if B::with_alt(control) { "Alt+" } else { "" };
         self.of(control.id)
             .iter()

@@ -15,9 +15,9 @@ pub struct Control {
     pub alt: bool,
     /// The heading under which the help lists it.
     pub group: Group,
-    /// What it does, in a few words. Neighbouring controls with the same words share one entry of
+    /// A few words that say what it does. Neighbouring controls with the same words share one entry of
     /// the help.
-    pub does: &'static str,
+    pub description: &'static str,
     /// What happens.
     pub action: Action,
 }
@@ -71,8 +71,8 @@ pub enum Action {
     Edit(fn(&mut Scene, &Scene)),
     /// Loads the built-in preset with this number.
     Load(usize),
-    /// Loads the built-in preset this many places further on, wrapping around.
-    Turn(i32),
+    /// Loads the built-in preset this many places after the present one, and wraps around.
+    StepPreset(i32),
     /// Sends a command.
     Do(AppCommand),
     /// Moves the camera for as long as the control is held.

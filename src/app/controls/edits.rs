@@ -27,7 +27,7 @@ pub fn edited(control: &Control, scene: &Scene, loaded: &Scene) -> Option<Scene>
             .iter()
             .find(|preset| preset.number == number)
             .map(|preset| preset.plain_scene().clone()),
-        Action::Turn(places) => Some(turned_to(&scene.name, places).clone()),
+        Action::StepPreset(places) => Some(turned_to(&scene.name, places).clone()),
         Action::Do(_) | Action::Hold(_) => None,
     }
 }

@@ -19,7 +19,7 @@ pub fn remark(
     bindings: &Bindings,
     automatic: bool,
 ) -> Option<String> {
-    let key = |id| bindings.named(id);
+    let key = |id| bindings.label(id);
     match control.id {
         "scene.observer" => skipped_observers(before, after),
         "scene.spin" if before.method != after.method => {

@@ -1,7 +1,7 @@
 //! The control table: every control, its default keys and what it does. Input, help and settings
 //! all read it; buttons of a gamepad stand in `buttons.rs`.
 
-use super::control::Action::{Do, Edit, Hold, Load, Turn};
+use super::control::Action::{Do, Edit, Hold, Load, StepPreset};
 use super::control::{AppCommand, Control, FlightInput, Group};
 use super::edits;
 use bevy::prelude::KeyCode;
@@ -9,14 +9,14 @@ use bevy::prelude::KeyCode;
 /// Rows of `"name" [default keys] "what it does" action`, under the heading of the help.
 macro_rules! controls {
     ($($group:ident {
-        $($id:literal $($alt:ident +)? [$($key:ident),+] $does:literal $action:expr;)+
+        $($id:literal $($alt:ident +)? [$($key:ident),+] $description:literal $action:expr;)+
     })+) => {
         &[$($(Control {
             id: $id,
             keys: &[$(KeyCode::$key),+],
             alt: controls!(@alt $($alt)?),
             group: Group::$group,
-            does: $does,
+            description: $description,
             action: $action,
         },)+)+]
     };
@@ -55,8 +55,8 @@ pub const CONTROLS: &[Control] = controls! {
         "preset.7" [Digit7] "presets" Load(7);
         "preset.8" [Digit8] "presets" Load(8);
         "preset.9" [Digit9] "presets" Load(9);
-        "preset.previous" [PageUp] "previous, next preset" Turn(-1);
-        "preset.next" [PageDown] "previous, next preset" Turn(1);
+        "preset.previous" [PageUp] "previous, next preset" StepPreset(-1);
+        "preset.next" [PageDown] "previous, next preset" StepPreset(1);
         "scene.undo" [Backspace] "undo the last change" Do(AppCommand::Undo);
         "scene.disk" [F2] "disk" Edit(edits::switch_disk);
         "scene.isco" [KeyU] "disk from the innermost stable orbit" Edit(edits::switch_isco);

@@ -103,7 +103,7 @@ impl Pads<'_, '_> {
         let buttons = self.bindings.of(control.id);
         self.active()
             .any(|pad| pad.any_just_pressed(buttons.iter().copied()))
-            .then(|| self.bindings.in_words(control))
+            .then(|| self.bindings.label_of(control))
     }
 
     /// Whether a stick or a button is being used.
@@ -136,7 +136,7 @@ fn announce_gamepads(
     {
         let news = match connection {
             GamepadConnection::Connected { name, .. } => {
-                let help = bindings.named("window.help");
+                let help = bindings.label("window.help");
                 format!(
                     "{name}: the left stick flies, the right one looks around; {help} shows its buttons"
                 )

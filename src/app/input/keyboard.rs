@@ -46,7 +46,7 @@ fn apply_pressed_controls(
         .into_iter()
         .filter(|_| listens)
         .filter_map(|code| bindings.owner(code, alt))
-        .map(|control| (control, bindings.in_words(control)));
+        .map(|control| (control, bindings.label_of(control)));
     let by_button = bindings
         .iter()
         .filter_map(|(control, _)| Some((control, pads.pressed(control)?)));
@@ -72,7 +72,7 @@ fn apply(
     let Some(changed) = edited(control, &before, editor.loaded()) else {
         return;
     };
-    if matches!(control.action, Action::Load(_) | Action::Turn(_)) {
+    if matches!(control.action, Action::Load(_) | Action::StepPreset(_)) {
         editor.load(input, Ok(changed));
         return;
     }

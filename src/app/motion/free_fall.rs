@@ -220,7 +220,7 @@ fn apply_free_fall_commands(
             let rate = free_fall.rate(scene.camera.r);
             toast.say(format!(
                 "Once {} lets go, proper time passes at {rate:.3} r_s/c per second",
-                bindings.named("motion.let_go")
+                bindings.label("motion.let_go")
             ));
         }
     }
@@ -240,7 +240,7 @@ fn advance_free_fall(
     match free_fall.advance(time.delta_secs_f64(), &scene) {
         FlightStep::Idle => toast.say(format!(
             "The clocks stop here: {} lets go again",
-            bindings.named("motion.let_go")
+            bindings.label("motion.let_go")
         )),
         FlightStep::Moved(next) => scene.0 = *next,
         FlightStep::Ended(next) => {

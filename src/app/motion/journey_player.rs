@@ -166,7 +166,7 @@ impl JourneyPlayer {
                  reaches the outside, and every way leads farther in."
             );
         }
-        let let_go = bindings.named("motion.let_go");
+        let let_go = bindings.label("motion.let_go");
         let observer = scene.observer.kind.properties();
         let here = if observer.falls_freely {
             format!("You are {}: {let_go} lets it go on.", observer.motion)
@@ -221,7 +221,7 @@ fn apply_journey_commands(
 
 /// Which keys go on with a journey that was left.
 fn how_to_go_on(bindings: &Bindings) -> String {
-    let [on, again] = ["journey.fly", "journey.again"].map(|id| bindings.named(id));
+    let [on, again] = ["journey.fly", "journey.again"].map(|id| bindings.label(id));
     format!("{on} goes on, {again} starts again")
 }
 

@@ -46,7 +46,7 @@ pub fn steered(scene: &Drawable, steering: &Steering) -> Result<Steered, Undrawa
     let mut scene = scene.scene().clone();
     if steering.thrust == DVec3::ZERO {
         let camera = &mut scene.camera;
-        camera.set_turns(camera.tetrad_from_camera() * turned(steering.turn));
+        camera.set_orientation(camera.tetrad_from_camera() * turned(steering.turn));
     } else {
         if scene.observer.kind == ObserverKind::Orbit {
             scene.observer.kind = ObserverKind::Static;

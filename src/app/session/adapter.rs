@@ -1,5 +1,6 @@
-//! The graphics adapter that the settings name. A choice takes effect at the next start, and is given
-//! up if it did not come to a picture, so that no choice locks the user out.
+//! The graphics adapter that the settings name. A choice takes effect at the next start. If the
+//! program did not draw a picture with the adapter, the choice is dropped, so that no choice locks the
+//! user out.
 
 use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
@@ -11,14 +12,14 @@ use lightfall_core::gpu;
 use lightfall_core::gpu::AdapterName;
 use std::path::PathBuf;
 
-/// What became of the settings' adapter in this run.
+/// The use of the settings' adapter in this run.
 #[derive(Resource, Default)]
 pub(crate) struct AdapterChoice {
-    /// The adapter that the renderer was told to use.
+    /// The adapter that the renderer was asked to use.
     pub(crate) used: Option<AdapterName>,
     /// The file that exists while it is not known whether that adapter works.
     trial: Option<PathBuf>,
-    /// What the user is to be told.
+    /// A message for the user.
     news: Option<String>,
 }
 
@@ -31,7 +32,7 @@ impl AdapterChoice {
         if gpu::named_by_environment().is_some() {
             return Self::default();
         }
-        let told = |news: String| Self {
+        let unused = |news: String| Self {
             news: Some(news),
             ..Self::default()
         };
@@ -39,21 +40,21 @@ impl AdapterChoice {
         if let Some(trial) = trial.as_ref().filter(|trial| trial.exists()) {
             preferences.settings.adapter = None;
             return match std::fs::remove_file(trial) {
-                Ok(()) => told(format!(
-                    "The last start with {wanted} did not come to a picture: the best adapter is used"
+                Ok(()) => unused(format!(
+                    "Lightfall did not draw a picture with {wanted} at its last start, so it uses the best adapter"
                 )),
-                Err(error) => told(format!(
+                Err(error) => unused(format!(
                     "{wanted} is not used: {}: {error}",
                     trial.display()
                 )),
             };
         }
         if gpu::adapters().iter().all(|listed| listed.name != wanted) {
-            return told(format!(
-                "{wanted}, which the settings name, is not there: the best adapter is used"
+            return unused(format!(
+                "The settings name {wanted}, which was not found; the best adapter is used"
             ));
         }
-        // A system without a place for this file has none for settings either.
+        // A system that has no folder for this file has no folder for settings either.
         let trial = trial.filter(|trial| std::fs::write(trial, wanted.to_string()).is_ok());
         gpu::prefer(Some(wanted.clone()));
         Self {
@@ -78,7 +79,7 @@ pub(crate) fn plugin(app: &mut App) {
         .add_systems(Last, end_adapter_trial);
 }
 
-/// Finds out whether the renderer passed over the adapter, because it cannot show this window.
+/// Checks whether the renderer uses another adapter because the wanted one cannot show this window.
 fn compare_adapters(mut choice: ResMut<AdapterChoice>, present: Option<Res<RenderAdapterInfo>>) {
     let Some((wanted, present)) = choice
         .used
@@ -89,7 +90,7 @@ fn compare_adapters(mut choice: ResMut<AdapterChoice>, present: Option<Res<Rende
     };
     if present != wanted {
         choice.news = Some(format!(
-            "{wanted}, which the settings name, cannot show this window: {present} is used"
+            "The settings name {wanted}, which cannot show this window; {present} is used"
         ));
     }
 }
@@ -101,8 +102,8 @@ fn report_adapter(mut choice: ResMut<AdapterChoice>, mut toast: ResMut<Toast>) {
     }
 }
 
-/// The adapter works once there is a picture. A window that is closed earlier does not count as a
-/// failure.
+/// Ends the trial when a picture is drawn: the adapter works. A window that is closed earlier does not
+/// count as a failure.
 fn end_adapter_trial(
     mut choice: ResMut<AdapterChoice>,
     request: Res<DrawRequest>,

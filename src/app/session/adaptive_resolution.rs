@@ -16,11 +16,11 @@ const STEP: f64 = 1.0 / 16.0;
 /// Frames of a movement over which the frame time is averaged.
 const FRAMES: u32 = 4;
 /// A frame time, in seconds, that is too long for flying.
-const SLIDE_SHOW: f64 = 0.1;
-/// Longest time that counts for one frame, in seconds: a machine that slept drew nothing meanwhile.
+const SLIDE_SHOW_FRAME_SECONDS: f64 = 0.1;
+/// Maximum time that counts for one frame, in seconds: a machine that slept drew nothing meanwhile.
 const MAX_FRAME_SECONDS: f64 = 2.0;
 /// The picture gets finer only where the frame rate exceeds the wanted one by this factor.
-const SPARE: f64 = 1.35;
+const REFINE_MARGIN: f64 = 1.35;
 
 /// What the frame times of the present movement have shown so far.
 #[derive(Default)]
@@ -68,7 +68,7 @@ fn adapt_resolution(
         if measurement.frames >= FRAMES {
             let frame = measurement.seconds / f64::from(measurement.frames);
             // Fewer pixels than cells only where flying would be a slide show.
-            let min_share = if frame > SLIDE_SHOW || scene.picture.bypass {
+            let min_share = if frame > SLIDE_SHOW_FRAME_SECONDS || scene.picture.bypass {
                 MIN_SHARE
             } else {
                 resolution.share_of_one_pixel_per_cell()
@@ -93,7 +93,7 @@ fn adapt_resolution(
 fn next_share(share: f64, slowness: f64) -> f64 {
     let wanted = if slowness > 1.0 {
         share / slowness.sqrt()
-    } else if slowness * SPARE < 1.0 {
+    } else if slowness * REFINE_MARGIN < 1.0 {
         share + STEP
     } else {
         share

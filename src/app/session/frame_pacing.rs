@@ -12,15 +12,15 @@ use lightfall_core::scene::{Picture, Scene};
 use std::time::{Duration, Instant};
 
 /// The scene counts as moving for this long after its last change.
-const MOVING: Duration = Duration::from_millis(400);
-/// Every frame is drawn for this long after the last input or change: pipelines compile, overlays
-/// open.
-const AWAKE: Duration = Duration::from_secs(3);
+const MOVING_FOR: Duration = Duration::from_millis(400);
+/// Every frame is drawn for this long after the last input or change, while pipelines compile and
+/// overlays open.
+const AWAKE_FOR: Duration = Duration::from_secs(3);
 /// Time between two frames while nothing happens. Input ends it at once.
-const RESTING: Duration = Duration::from_millis(200);
-/// The same where there is a gamepad. The window system does not report its input, so the program
-/// has to look.
-const RESTING_WITH_GAMEPAD: Duration = Duration::from_millis(33);
+const RESTING_INTERVAL: Duration = Duration::from_millis(200);
+/// Time between two frames while nothing happens, if a gamepad is connected. The window system does
+/// not report a gamepad's input, so the program has to poll it.
+const RESTING_INTERVAL_WITH_GAMEPAD: Duration = Duration::from_millis(33);
 
 /// Whether the scene moves, and whether the program rests.
 #[derive(Resource, Default)]
@@ -51,8 +51,8 @@ pub(crate) fn plugin(app: &mut App) {
         .add_systems(Last, (choose_update_mode, limit_frame_rate).chain());
 }
 
-/// Takes repeated reports of Shift, Ctrl and Alt from egui. They come in every frame, and egui asks
-/// for another frame after each, so that the program would never rest.
+/// Removes repeated reports of Shift, Ctrl and Alt before egui reads them. They arrive in every frame,
+/// and egui requests another frame after each, so the program would never rest.
 fn drop_repeated_modifiers(mut contexts: Query<(&mut EguiContext, &mut EguiInput)>) {
     for (mut context, mut input) in &mut contexts {
         let known = context.get_mut().input(|state| state.modifiers);
@@ -62,7 +62,7 @@ fn drop_repeated_modifiers(mut contexts: Query<(&mut EguiContext, &mut EguiInput
     }
 }
 
-/// Notes changes of the scene, and whatever else keeps the program awake.
+/// Records changes of the scene and the input that keeps the program awake.
 fn watch_activity(
     time: Res<Time<Real>>,
     scene: Res<CurrentScene>,
@@ -78,7 +78,7 @@ fn watch_activity(
     if scene.is_changed() {
         let seen = without_resolution(&scene);
         if last.as_ref() != Some(&seen) {
-            // The scene that the program starts with is no change.
+            // The scene that the program starts with does not count as a change.
             if last.is_some() {
                 pacing.changed = Some(now);
             }
@@ -93,18 +93,18 @@ fn watch_activity(
     }
     let moving = pacing
         .changed
-        .is_some_and(|changed| now.saturating_sub(changed) < MOVING);
+        .is_some_and(|changed| now.saturating_sub(changed) < MOVING_FOR);
     pacing.frames = if moving && pacing.moving {
         pacing.frames + 1
     } else {
         0
     };
     pacing.moving = moving;
-    pacing.resting = now.saturating_sub(pacing.active) > AWAKE;
+    pacing.resting = now.saturating_sub(pacing.active) > AWAKE_FOR;
 }
 
-/// The scene with a resolution that is always the same: what the automatic resolution changes is no
-/// movement.
+/// The scene with the default resolution, so that a change by the automatic resolution does not count
+/// as movement.
 fn without_resolution(scene: &Scene) -> Scene {
     let default = Picture::default();
     Scene {
@@ -122,8 +122,8 @@ fn without_resolution(scene: &Scene) -> Scene {
 fn choose_update_mode(pacing: Res<FramePacing>, pads: Pads, mut winit: ResMut<WinitSettings>) {
     let mode = match (pacing.resting, pads.any()) {
         (false, _) => UpdateMode::Continuous,
-        (true, false) => UpdateMode::reactive(RESTING),
-        (true, true) => UpdateMode::reactive(RESTING_WITH_GAMEPAD),
+        (true, false) => UpdateMode::reactive(RESTING_INTERVAL),
+        (true, true) => UpdateMode::reactive(RESTING_INTERVAL_WITH_GAMEPAD),
     };
     if winit.focused_mode != mode {
         (winit.focused_mode, winit.unfocused_mode) = (mode, mode);

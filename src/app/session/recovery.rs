@@ -1,5 +1,5 @@
-//! After the loss of the graphics device: makes the user interface's resources on the new device, and
-//! says what happened.
+//! After the loss of the graphics device: creates the user interface's resources on the new device,
+//! and reports the loss to the user.
 
 use crate::app::state::toast::Toast;
 use crate::render::recovery;
@@ -19,8 +19,8 @@ impl Plugin for RecoveryPlugin {
             Update,
             report_device_loss.run_if(resource_changed::<DeviceLosses>),
         );
-        // egui's own plugin makes these only once. They would go on naming buffers and pipelines of
-        // the lost device.
+        // egui's own plugin creates these only once. They would still refer to buffers and pipelines
+        // of the lost device.
         let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
             return;
         };
@@ -32,9 +32,13 @@ impl Plugin for RecoveryPlugin {
     }
 }
 
-fn report_device_loss(losses: Res<DeviceLosses>, mut toast: ResMut<Toast>, mut told: Local<usize>) {
-    if losses.recovered > *told {
-        *told = losses.recovered;
+fn report_device_loss(
+    losses: Res<DeviceLosses>,
+    mut toast: ResMut<Toast>,
+    mut reported: Local<usize>,
+) {
+    if losses.recovered > *reported {
+        *reported = losses.recovered;
         toast
             .say("The graphics device was lost and has been opened again. The scene is as it was.");
     }

@@ -37,9 +37,10 @@ impl Resolution {
         scene
     }
 
-    /// Takes in a scene at its own resolution; returns it as it is to be drawn.
+    /// Keeps the resolution of a scene that has its own resolution, and returns the scene at the
+    /// resolution that is drawn.
     #[must_use]
-    pub fn to_drawn(&mut self, full: Drawable) -> Drawable {
+    pub fn adopt(&mut self, full: Drawable) -> Drawable {
         if (self.full_size, self.full_grid) != sizes(&full.picture) {
             *self = Self::new(&full);
         }

@@ -87,7 +87,7 @@ impl SceneEditor<'_> {
     }
 
     fn put(&mut self, changed: Drawable) {
-        self.scene.0 = self.resolution.to_drawn(changed);
+        self.scene.0 = self.resolution.adopt(changed);
         self.toast.clear();
     }
 

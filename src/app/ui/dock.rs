@@ -13,7 +13,7 @@ const MARGIN: f32 = 8.0;
 pub(crate) fn plugin(app: &mut App) {
     app.init_resource::<Overlays>().add_systems(
         Update,
-        (apply_overlay_commands, share_window)
+        (apply_overlay_commands, divide_window_width)
             .chain()
             .before(locate_pointer),
     );
@@ -32,7 +32,7 @@ fn apply_overlay_commands(mut commands: MessageReader<AppCommand>, mut overlays:
     }
 }
 
-fn share_window(mut contexts: EguiContexts, mut overlays: ResMut<Overlays>) {
+fn divide_window_width(mut contexts: EguiContexts, mut overlays: ResMut<Overlays>) {
     if let Ok(context) = contexts.ctx_mut() {
         overlays.share(context.content_rect().width());
     }

@@ -58,22 +58,24 @@ fn rows(bindings: &Bindings, group: Group) -> Vec<[String; 2]> {
         .map(|(control, _)| control)
         .filter(|control| control.group == group)
         .collect();
-    let entries = controls.chunk_by(|a, b| a.does == b.does).map(|entry| {
-        let names: Vec<_> = entry
-            .iter()
-            .map(|control| bindings.in_words(control))
-            .filter(|n| !n.is_empty())
-            .collect();
-        let numbers = names.len() > 2
-            && names
+    let entries = controls
+        .chunk_by(|a, b| a.description == b.description)
+        .map(|entry| {
+            let names: Vec<_> = entry
                 .iter()
-                .all(|name| name.len() == 1 && name.parse::<u8>().is_ok());
-        let keys = match (numbers, names.as_slice()) {
-            (true, [first, .., last]) => format!("{first} to {last}"),
-            _ => names.join(" "),
-        };
-        [keys, entry[0].does.to_owned()]
-    });
+                .map(|control| bindings.label_of(control))
+                .filter(|n| !n.is_empty())
+                .collect();
+            let numbers = names.len() > 2
+                && names
+                    .iter()
+                    .all(|name| name.len() == 1 && name.parse::<u8>().is_ok());
+            let keys = match (numbers, names.as_slice()) {
+                (true, [first, .., last]) => format!("{first} to {last}"),
+                _ => names.join(" "),
+            };
+            [keys, entry[0].description.to_owned()]
+        });
     let mouse = MOUSE
         .iter()
         .filter(|_| group == Group::Flight)
@@ -88,13 +90,15 @@ fn pad_rows(buttons: &PadBindings) -> Vec<[String; 2]> {
         .filter(|(_, own)| !own.is_empty())
         .map(|(control, _)| control)
         .collect();
-    let entries = bound.chunk_by(|a, b| a.does == b.does).map(|entry| {
-        let names: Vec<_> = entry
-            .iter()
-            .map(|control| buttons.in_words(control))
-            .collect();
-        [names.join(" "), entry[0].does.to_owned()]
-    });
+    let entries = bound
+        .chunk_by(|a, b| a.description == b.description)
+        .map(|entry| {
+            let names: Vec<_> = entry
+                .iter()
+                .map(|control| buttons.label_of(control))
+                .collect();
+            [names.join(" "), entry[0].description.to_owned()]
+        });
     STICKS
         .iter()
         .map(|row| row.map(str::to_owned))

@@ -12,7 +12,7 @@ pub type Swatch = (Vec3, &'static str);
 const MAGENTA: Vec3 = Vec3::new(1.0, 0.0, 1.0);
 const BLACK: Vec3 = Vec3::ZERO;
 
-const UNFINISHED: &[Swatch] = &[(MAGENTA, "no answer: out of steps, or not a number")];
+const UNFINISHED: &[Swatch] = &[(MAGENTA, "unfinished: out of steps, or not a number")];
 
 const CLASSES: &[Swatch] = &[
     (Vec3::new(0.0, 0.02, 0.16), "from the sky"),
@@ -30,42 +30,42 @@ const CLASSES: &[Swatch] = &[
         Vec3::new(1.0, 0.65, 0.05),
         "from the horizon, through it twice",
     ),
-    (MAGENTA, "no answer"),
+    (MAGENTA, "unfinished"),
 ];
 
 const ORDERS: &[Swatch] = &[
     (Vec3::splat(0.20), "0: direct light"),
     (Vec3::new(0.79, 0.35, 0.0), "1: a half-turn about the hole"),
     (Vec3::new(0.0, 0.17, 0.45), "2 half-turns"),
-    (Vec3::splat(0.95), "3 and more"),
+    (Vec3::splat(0.95), "3 or more"),
     (BLACK, "from the horizon"),
-    (MAGENTA, "no answer"),
+    (MAGENTA, "unfinished"),
 ];
 
 const SHIFTS: &[Swatch] = &[
-    (Vec3::new(0.01, 0.04, 0.40), "g = 2 and more"),
+    (Vec3::new(0.01, 0.04, 0.40), "g = 2 or more"),
     (Vec3::new(0.10, 0.40, 0.95), "g = 1.41, blueshifted"),
     (Vec3::splat(0.90), "g = 1"),
     (Vec3::new(0.90, 0.30, 0.03), "g = 0.71, redshifted"),
-    (Vec3::new(0.25, 0.01, 0.01), "g = 0.5 and less"),
+    (Vec3::new(0.25, 0.01, 0.01), "g = 0.5 or less"),
     (BLACK, "from the horizon"),
 ];
 
 const RESIDUALS: &[Swatch] = &[
-    (BLACK, "1e-8 and less"),
+    (BLACK, "1e-8 or less"),
     (Vec3::new(0.10, 0.01, 0.25), "1e-6"),
     (Vec3::new(0.75, 0.12, 0.04), "1e-4"),
     (Vec3::new(0.95, 0.65, 0.02), "1e-2"),
-    (Vec3::ONE, "1 and more"),
+    (Vec3::ONE, "1 or more"),
 ];
 
 const ERRORS: &[Swatch] = &[
-    (Vec3::new(0.0273, 0.0090, 0.1511), "1e-4 px and less"),
+    (Vec3::new(0.0273, 0.0090, 0.1511), "1e-4 px or less"),
     (Vec3::new(0.0080, 0.1104, 0.2716), "1e-3 px"),
     (Vec3::new(0.0246, 0.3181, 0.3356), "1e-2 px"),
     (Vec3::new(0.2431, 0.6151, 0.2757), "0.1 px"),
-    (Vec3::new(0.9615, 0.9322, 0.0480), "1 px and more"),
-    (MAGENTA, "no turn of the ray explains it"),
+    (Vec3::new(0.9615, 0.9322, 0.0480), "1 px or more"),
+    (MAGENTA, "no small rotation explains it"),
     (Vec3::splat(0.05), "not known yet"),
 ];
 
@@ -82,7 +82,10 @@ pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
         ),
         View::Redshift => ("Observed over emitted frequency, of disk or sky", SHIFTS),
         View::Residual => ("Residual of the null constraint (not the error)", RESIDUALS),
-        View::Error => ("The turn of each ray that explains its error", ERRORS),
+        View::Error => (
+            "Backward error: the rotation of each ray that would explain its error",
+            ERRORS,
+        ),
     })
 }
 
@@ -143,7 +146,7 @@ fn why_empty(scene: &Scene) -> Option<&'static str> {
     let straight = !scene.effects.lensing;
     match scene.view {
         View::Unfinished if straight || method.answers_every_ray => {
-            Some("This method leaves none.")
+            Some("This method finishes every ray.")
         }
         View::Residual if straight || !method.steps => {
             Some("This method solves for rays instead of stepping along them: it has no residual.")
@@ -152,8 +155,8 @@ fn why_empty(scene: &Scene) -> Option<&'static str> {
     }
 }
 
-/// The colour of a mark on the screen: its light, a little below white's, tone-mapped like the
-/// picture (Khronos PBR neutral; no mark is bright enough for its shoulder).
+/// The colour of a mark on the screen: its light, a little darker than white, tone-mapped like the
+/// picture (Khronos PBR neutral; no mark is bright enough to reach the shoulder of the curve).
 fn as_shown(colour: Vec3) -> egui::Color32 {
     let light = lightfall_core::gpu::MARK_BRIGHTNESS as f32 * colour;
     let least = light.min_element();

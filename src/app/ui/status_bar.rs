@@ -44,7 +44,7 @@ fn main_controls(bindings: &Bindings) -> String {
         "wheel speed".to_owned(),
     ];
     for (place, (ids, does)) in MAIN_CONTROLS.iter().enumerate() {
-        let name = |id: &&str| bindings.named(id);
+        let name = |id: &&str| bindings.label(id);
         let names: Vec<_> = ids
             .iter()
             .map(name)
@@ -78,7 +78,7 @@ fn journey(player: &JourneyPlayer, bindings: &Bindings) -> String {
     if !player.is_playing() {
         return String::new();
     }
-    let stop = bindings.named("journey.fly");
+    let stop = bindings.label("journey.fly");
     format!(
         "journey, {} · {stop} stops it, flying or looking around takes over",
         player.progress()
@@ -123,7 +123,7 @@ fn show_status_bar(
         if free > MIN_WIDTH_FOR_KEYS {
             main_controls(&bindings)
         } else {
-            where_room(format!("{} all keys", bindings.named("window.help")))
+            where_room(format!("{} all keys", bindings.label("window.help")))
         },
     ];
     lines.retain(|line| !line.is_empty());

@@ -71,7 +71,7 @@ impl Folder {
     }
 }
 
-/// Examines the folders that the program writes to without being told.
+/// Examines the folders that the program writes to by default.
 pub(super) fn folders() -> Vec<Folder> {
     let settings = settings_file().and_then(|file| Some(file.parent()?.to_owned()));
     let all = [

@@ -71,7 +71,7 @@ pub fn measure_errors(gpu: &Gpu, scene: &Scene) -> Result<ErrorSummary, GpuError
     let given: Vec<_> = truth.rays.iter().map(Ray::given).collect();
     Ok(ErrorSummary::of(
         &truth,
-        &RayKernel::new(gpu, scene)?.trace(gpu, scene, &given)?,
+        &RayKernel::new(gpu, scene)?.trace_camera_rays(gpu, scene, &given)?,
     ))
 }
 

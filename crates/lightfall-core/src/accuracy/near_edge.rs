@@ -23,8 +23,8 @@ const MAX_PLACES: usize = 4;
 /// every azimuth occurs close to each place of the right height.
 const FAST_AZIMUTH: f64 = 2.0 * TAU;
 
-/// The smallest angle found such that turning the ray by at most this angle leaves a miss of at
-/// most this angle, searched on the edge's own chart. `least` is the bound that is known already. A
+/// The smallest angle found such that some rotation of the ray by at most that angle leaves a miss
+/// of at most that angle, searched on the edge's own chart. `least` is the bound that is known already. A
 /// bound below `precision` ends the search. `visit` is called with the turn and the answer at each
 /// place that is tried.
 pub(super) fn turn_near_edge(
@@ -58,7 +58,7 @@ pub(super) fn turn_near_edge(
     // spinning hole such an orbit fills the whole range of latitudes in which it moves. So if rays
     // pass an answer above and below, others come arbitrarily close to it, and the distance to the
     // edge bounds its error.
-    if camera.is_spinning && passes(&inward) {
+    if camera.is_spinning && brackets_zero(&inward) {
         least = least.min(chart.scale);
     }
     let mut places = places(&inward);
@@ -96,8 +96,8 @@ fn heights(
         .collect()
 }
 
-/// Whether the height is too great at one place of a line and too small at another.
-fn passes(line: &[[f64; 2]]) -> bool {
+/// Whether the difference in height is positive at one place of a line and negative at another.
+fn brackets_zero(line: &[[f64; 2]]) -> bool {
     line.iter().any(|[_, height]| *height > 0.0) && line.iter().any(|[_, height]| *height < 0.0)
 }
 

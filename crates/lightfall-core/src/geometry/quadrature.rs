@@ -1,6 +1,6 @@
 //! Numerical integration.
 
-/// Positive nodes and weights of the Gauss-Legendre rule with seven points on [-1, 1]: the node at
+/// Non-negative nodes and weights of the Gauss-Legendre rule with seven points on [-1, 1]: the node at
 /// zero, and one node of each of the three symmetric pairs.
 const NODES: [[f64; 2]; 4] = [
     [0.0, 0.417_959_183_673_469_4],
@@ -9,10 +9,10 @@ const NODES: [[f64; 2]; 4] = [
     [0.949_107_912_342_758_5, 0.129_484_966_168_869_7],
 ];
 
-/// Largest relative difference between an integral and the sum over its halves.
+/// Maximum relative difference between an integral and the sum over its halves.
 const TOLERANCE: f64 = 1e-12;
 
-/// Most times that an interval is halved.
+/// Maximum number of times that an interval is halved.
 const MAX_HALVINGS: u32 = 24;
 
 /// The integral of a smooth function from `from` to `to`, with a relative error of about 1e-12: the

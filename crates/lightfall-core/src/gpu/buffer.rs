@@ -17,7 +17,12 @@ pub(super) fn empty_buffer(gpu: &Gpu, label: &str, size: u64, usage: BufferUsage
 ///
 /// The contents are copied by the queue, because wgpu's `create_buffer_init` maps the buffer, which
 /// panics where the device is lost or out of memory.
-pub(super) fn buffer_with(gpu: &Gpu, label: &str, contents: &[u8], usage: BufferUsages) -> Buffer {
+pub(super) fn buffer_from_bytes(
+    gpu: &Gpu,
+    label: &str,
+    contents: &[u8],
+    usage: BufferUsages,
+) -> Buffer {
     let buffer = empty_buffer(
         gpu,
         label,

@@ -2,7 +2,7 @@
 //! of shader functions.
 
 use super::bindings;
-use super::buffer::{buffer_with, empty_buffer};
+use super::buffer::{buffer_from_bytes, empty_buffer};
 use super::device::Gpu;
 use super::error::GpuError;
 use super::read_back::read_back;
@@ -43,7 +43,7 @@ impl Kernel {
             let uniforms = uniforms.iter().map(|(binding, bytes)| {
                 (
                     *binding,
-                    buffer_with(gpu, "uniform", bytes, BufferUsages::UNIFORM),
+                    buffer_from_bytes(gpu, "uniform", bytes, BufferUsages::UNIFORM),
                 )
             });
             let pipeline = gpu
@@ -100,7 +100,7 @@ impl Kernel {
     /// Submits one run over `count` elements. The returned buffer will hold the result, `size`
     /// bytes.
     fn dispatch(&self, gpu: &Gpu, input: &[u8], count: usize, size: u64) -> Buffer {
-        let input = buffer_with(gpu, "input", input, BufferUsages::STORAGE);
+        let input = buffer_from_bytes(gpu, "input", input, BufferUsages::STORAGE);
         let output = empty_buffer(
             gpu,
             "output",

@@ -88,7 +88,7 @@ impl RayKernel {
     ///
     /// # Errors
     /// As [`trace`].
-    pub fn trace(
+    pub fn trace_camera_rays(
         &self,
         gpu: &Gpu,
         scene: &Scene,

@@ -5,7 +5,7 @@ mod timestamps;
 mod work;
 
 use super::bindings;
-use super::buffer::{buffer_with, empty_buffer};
+use super::buffer::{buffer_from_bytes, empty_buffer};
 use super::device::Gpu;
 use super::error::GpuError;
 use super::kernel::uniform;
@@ -113,7 +113,8 @@ impl Stopwatch {
         }
         let module = gpu.shader("timed", &Variant::timed(scene).source())?;
         gpu.validated(|| {
-            let numbers = buffer_with(gpu, "scene", &uniform(&numbers), BufferUsages::UNIFORM);
+            let numbers =
+                buffer_from_bytes(gpu, "scene", &uniform(&numbers), BufferUsages::UNIFORM);
             let (work, layout, output) = match stage {
                 Stage::Compute => {
                     let output =

@@ -35,7 +35,7 @@ impl StepCount {
             .map(|place| Ray::toward(scene.camera.looking(place / cells * size, size)).given())
             .collect();
         let steps: Vec<u32> = RayKernel::new(gpu, scene)?
-            .trace(gpu, scene, &rays)?
+            .trace_camera_rays(gpu, scene, &rays)?
             .iter()
             .map(|trace| trace.steps)
             .collect();

@@ -44,9 +44,9 @@ impl Scene {
 }
 
 impl Refusal {
-    /// The same refusal, blamed on the changed field that narrows the range, so that somebody who
-    /// changes one field is told about that field. A refused field that was itself changed keeps
-    /// the blame.
+    /// The same refusal, blamed on the changed field that narrows the range, so that the message
+    /// names the field that the user changed. A refused field that was itself changed keeps the
+    /// blame.
     fn blaming(self, changed: &[&'static Field], scene: &Scene) -> Self {
         let narrows = |field: &&&Field| {
             self.because

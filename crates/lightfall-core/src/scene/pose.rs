@@ -15,12 +15,12 @@ impl Camera {
         if position.x != 0.0 || position.y != 0.0 {
             self.phi_deg = position.y.atan2(position.x).to_degrees();
         }
-        self.set_turns(self.tetrad().transpose() * world_from_camera);
+        self.set_orientation(self.tetrad().transpose() * world_from_camera);
     }
 
     /// Turns the camera so that its axes right, up, forward on the observer's axes are these
     /// columns. The inverse of [`Camera::tetrad_from_camera`].
-    pub fn set_turns(&mut self, tetrad_from_camera: DMat3) {
+    pub fn set_orientation(&mut self, tetrad_from_camera: DMat3) {
         // In the axes of a camera that looks at the hole: right is growing phi, up is decreasing
         // theta.
         let level = |axis: DVec3| DVec3::new(axis.z, -axis.y, -axis.x);

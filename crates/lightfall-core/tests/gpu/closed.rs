@@ -445,7 +445,7 @@ fn every_ray_of_fast_observers_next_to_the_horizon_is_right_to_a_millionth() {
         let directions: Vec<_> = truth.rays.iter().map(Ray::given).collect();
         let given = rays::RayKernel::new(gpu, &scene)
             .unwrap()
-            .trace(gpu, &scene, &directions)
+            .trace_camera_rays(gpu, &scene, &directions)
             .unwrap();
         let errors = ErrorSummary::of(&truth, &given);
         println!(

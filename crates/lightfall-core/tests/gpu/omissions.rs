@@ -100,10 +100,10 @@ fn the_work_that_a_shader_omits_changes_no_light() {
 #[test]
 fn a_disk_that_lets_light_through_counts_two_crossings() {
     let mut scene = edge_on();
-    let most_hits = |scene: &Scene| Variant::picture(scene).most_hits;
-    assert_eq!(most_hits(&scene), 2);
+    let max_hits = |scene: &Scene| Variant::picture(scene).max_hits;
+    assert_eq!(max_hits(&scene), 2);
     scene.disk.transmission = 0.001;
-    assert_eq!(most_hits(&scene), 1);
+    assert_eq!(max_hits(&scene), 1);
     // The records of rays contain both crossings all the same.
-    assert_eq!(Variant::rays(&scene).most_hits, 2);
+    assert_eq!(Variant::rays(&scene).max_hits, 2);
 }

@@ -89,7 +89,7 @@ fn trace(RayJob { scene, rays }: RayJob, answers: &Answers<RayAnswer>) -> Result
 
 fn trace_on_gpu(scene: &Scene, ray: Ray) -> Result<Trace, GpuError> {
     with_background_device(|gpu| {
-        let traces = RayKernel::new(gpu, scene)?.trace(gpu, scene, &[ray.given()])?;
+        let traces = RayKernel::new(gpu, scene)?.trace_camera_rays(gpu, scene, &[ray.given()])?;
         traces
             .into_iter()
             .next()

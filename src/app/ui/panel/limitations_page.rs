@@ -22,7 +22,7 @@ const ART: [&str; 3] = [
 ];
 
 pub(super) fn show(ui: &mut egui::Ui, bindings: &Bindings) {
-    let key = |id| bindings.named(id);
+    let key = |id| bindings.label(id);
     let unfinished = format!(
         "verlet and kerr-schild, kept for comparison, are as exact as their steps. Some of their rays stay unfinished; {} marks \
          them.",

@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 
 /// A pass that has not run for this long is not listed.
 const STALE: Duration = Duration::from_secs(2);
-/// Longest time that counts for one frame, in seconds: a machine that slept drew nothing meanwhile.
+/// Maximum time that counts for one frame, in seconds: a machine that slept drew nothing meanwhile.
 const MAX_FRAME_SECONDS: f64 = 2.0;
 /// Weight of the newest frame in the mean.
 const NEWEST_WEIGHT: f64 = 0.1;

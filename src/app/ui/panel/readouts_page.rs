@@ -83,8 +83,8 @@ fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMa
         "Observer",
         &[
             ("kind", kind.into()),
-            ("speed, seen at rest", speed(readout.speed_for_static)),
-            ("speed, seen by zamo", speed(readout.speed_for_zamo)),
+            ("speed relative to static", speed(readout.speed_for_static)),
+            ("speed relative to zamo", speed(readout.speed_for_zamo)),
             (
                 "d tau / dt",
                 readout.time_dilation.map_or_else(none, six_digits),
@@ -113,7 +113,7 @@ fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMa
             ),
             ("shift g", six_digits(light.shift)),
             (
-                "of it by gravity",
+                "gravitational part",
                 light.gravitational_shift.map_or_else(none, six_digits),
             ),
         ]
@@ -142,7 +142,7 @@ fn clocks(ui: &mut egui::Ui, free_fall: &FreeFall, bindings: &Bindings, mass: Ho
     let Some(worldline) = free_fall.worldline() else {
         ui.weak(format!(
             "{} lets go: the observer falls or orbits, and its clocks appear here.",
-            bindings.named("motion.let_go")
+            bindings.label("motion.let_go")
         ));
         return;
     };
@@ -159,7 +159,7 @@ fn clocks(ui: &mut egui::Ui, free_fall: &FreeFall, bindings: &Bindings, mass: Ho
     };
     table(
         ui,
-        "Clocks since it was let go",
+        "Clocks since the observer was let go",
         &[("proper time", both(worldline.proper_time())), far],
     );
 }

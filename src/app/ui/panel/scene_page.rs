@@ -109,7 +109,7 @@ fn cells_in_words(picture: &Picture, window: UVec2, bindings: &Bindings) -> Opti
             (0, 0) => "which fills the window".to_owned(),
             (x, y) => format!(
                 "bars of {x} and {y} px, because cells are whole; {} fills the window",
-                bindings.named("picture.bypass")
+                bindings.label("picture.bypass")
             ),
         };
         format!("{} x {} px: {whole} px per cell, {bars}", shown.x, shown.y)

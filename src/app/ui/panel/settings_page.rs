@@ -74,11 +74,11 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
             ui_scale(ui, settings);
             ui.end_row();
             ui.label("reduced motion")
-                .on_hover_text("Journeys do not roll, and the exposure does not change by itself");
+                .on_hover_text("Journeys do not roll, and the exposure is not automatic");
             ui.checkbox(&mut settings.reduced_motion, "");
             ui.end_row();
             ui.label("coarser while moving").on_hover_text(
-                "While something moves, the picture is drawn with as many pixels as the frame rate to hold allows. A picture at \
+                "While something moves, the picture is drawn with as many pixels as the target frame rate allows. A picture at \
                  rest is drawn in full. auto: on for software and integrated graphics",
             );
             ui.horizontal(|ui| {
@@ -91,7 +91,7 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
                 }
             });
             ui.end_row();
-            ui.label("frame rate to hold");
+            ui.label("target frame rate");
             ui.add(
                 egui::Slider::new(&mut settings.frame_rate, FRAME_RATES[0]..=120.0)
                     .integer()
@@ -154,7 +154,7 @@ fn key_table(
                 .iter()
                 .filter(|(control, _)| control.group == group)
             {
-                let words = bindings.in_words(control);
+                let words = bindings.label_of(control);
                 let waits = rebinding.control() == Some(control.id);
                 let text = match words.as_str() {
                     _ if waits => "press a key",
@@ -168,10 +168,10 @@ fn key_table(
                     rebinding.start(control.id);
                 }
                 if with_buttons {
-                    ui.weak(pad_bindings.in_words(control));
+                    ui.weak(pad_bindings.label_of(control));
                 }
                 ui.add(egui::Label::new(control.id).truncate())
-                    .on_hover_text(control.does);
+                    .on_hover_text(control.description);
                 ui.end_row();
             }
         });
@@ -189,7 +189,7 @@ fn bind_pressed<'a, B: Bindable>(
     let Some(pressed) = pressed.into_iter().find(|input| input.name().is_some()) else {
         return;
     };
-    let cancels = B::named(CANCEL) == Some(*pressed) && id != ESCAPE;
+    let cancels = B::from_name(CANCEL) == Some(*pressed) && id != ESCAPE;
     if !cancels {
         bindings.bind(id, *pressed);
     }

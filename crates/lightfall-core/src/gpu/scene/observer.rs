@@ -18,7 +18,7 @@ pub struct GpuObserver {
     pub w_y: Vec4,
     pub w_z: Vec4,
     pub curvature: Vec4,
-    pub least_energy_direction: Vec3,
+    pub min_energy_direction: Vec3,
     pub energy_curvature: f32,
     pub frequency: Vec4,
     pub position_direction: Vec3,
@@ -43,10 +43,10 @@ impl GpuObserver {
             DVec4::new(one, row.x, row.y, row.z)
         };
         let rows = rays.matrix.rows.map(on_directions);
-        let least_energy_direction = least_energy_direction(rows[0])
+        let min_energy_direction = min_energy_direction(rows[0])
             .unwrap_or(direction_from_tetrad * DVec3::NEG_X)
             .as_vec3();
-        let expanded = rows.map(|row| expand_about(row, least_energy_direction.as_dvec3()));
+        let expanded = rows.map(|row| expand_about(row, min_energy_direction.as_dvec3()));
         let [energy, radial, w_x, w_y, w_z] = expanded.map(|(row, _)| row.as_vec4());
         let [energy_curvature, curvatures @ ..] = expanded.map(|(_, curvature)| curvature as f32);
         let zamo = Shift::new(scene).camera();
@@ -58,7 +58,7 @@ impl GpuObserver {
             w_y,
             w_z,
             curvature: Vec4::from_array(curvatures),
-            least_energy_direction,
+            min_energy_direction,
             energy_curvature,
             frequency: on_directions(rays.frequency).as_vec4(),
             position_direction: scene.camera.direction().as_vec3(),
@@ -78,7 +78,7 @@ impl GpuObserver {
 
 /// The direction from which light has the least energy, from the row that gives the energy; `None`
 /// if all light has the same energy.
-fn least_energy_direction(energy: DVec4) -> Option<DVec3> {
+fn min_energy_direction(energy: DVec4) -> Option<DVec3> {
     let slope = DVec3::new(energy.y, energy.z, energy.w);
     (slope.length() > 1e-6 * energy.x.abs()).then(|| -slope.normalize())
 }

@@ -42,7 +42,7 @@ pub struct Variant {
     pub effects: Effects,
     /// How many crossings of the disk count: two, or one where the disk lets no noticeable light
     /// through.
-    pub most_hits: u32,
+    pub max_hits: u32,
     /// Whether rays are followed beyond those crossings.
     pub follow_beyond_hits: bool,
 }
@@ -101,9 +101,7 @@ impl Variant {
                 beaming: scene.effects.beaming || marks,
                 ..scene.effects
             },
-            most_hits: if !marks
-                && scene.disk.enabled
-                && scene.disk.transmission <= MIN_TRANSMISSION
+            max_hits: if !marks && scene.disk.enabled && scene.disk.transmission <= MIN_TRANSMISSION
             {
                 1
             } else {
@@ -123,7 +121,7 @@ impl Variant {
                 beaming: true,
                 ..scene.effects
             },
-            most_hits: 2,
+            max_hits: 2,
             follow_beyond_hits: true,
             ..Self::tracing_only(scene)
         }

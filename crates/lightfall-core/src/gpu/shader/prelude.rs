@@ -50,7 +50,7 @@ impl Variant {
             }
         }
         let lengths = [
-            ("MAX_HITS", self.most_hits),
+            ("MAX_HITS", self.max_hits),
             ("PAGE_THORNE_LEN", disk::TABLE_LEN as u32),
             ("SPECTRUM_LEN", TABLE_LEN as u32),
         ];

@@ -3,11 +3,13 @@
 use super::text::{Part, part};
 use crate::scene::View;
 
-/// What the shaders need to know of a view, besides its
+/// What the shaders need to know of a view, in addition to its
 /// [properties](crate::scene::View::properties).
 pub(super) struct ViewShader {
-    /// The file that colours a ray: with `light_along`, if the view traces rays, else with
-    /// `light_at`.
+    /// The file that colours a ray. If the view traces rays, the file defines
+    /// `fn light_along(photon: Photon) -> vec3<f32>`, and `view/traced.wgsl` calls it. Otherwise it
+    /// defines `fn light_at(place: vec2<f32>) -> vec3<f32>`, where `place` is in pixels from the
+    /// upper left corner. Both return linear sRGB before exposure.
     pub part: Part,
     /// Whether it shows what a ray's record contains only with the flag DIAGNOSTICS.
     pub diagnostics: bool,

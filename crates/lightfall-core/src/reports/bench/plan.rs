@@ -126,7 +126,7 @@ impl Plan {
                 };
                 stopwatch.set_scene(gpu, scene)?;
                 let timing = stopwatch.time(gpu, self.effort)?;
-                let traces = kernel.trace(gpu, scene, &given)?;
+                let traces = kernel.trace_camera_rays(gpu, scene, &given)?;
                 answers.push((setting, timing, traces));
             }
             for (setting, timing, traces) in answers {

@@ -120,7 +120,7 @@ fn radii(all: &mut Vec<Cell>, count: usize) {
 
 fn axis(all: &mut Vec<Cell>, count: usize) {
     for spin in [0.0, 0.9] {
-        for (name, theta) in [("on the axis", 0.0), ("1e-6 rad beside it", 1e-6)] {
+        for (name, theta) in [("on the axis", 0.0), ("1e-6 rad off the axis", 1e-6)] {
             let mut scene = base_scene(spin, 10.0);
             scene.camera.theta_deg = f64::to_degrees(theta);
             let rays = sky_and_edge_rays(&scene, count);

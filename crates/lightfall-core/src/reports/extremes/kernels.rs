@@ -25,6 +25,6 @@ impl Kernels {
             Entry::Occupied(known) => known.into_mut(),
             Entry::Vacant(new) => new.insert(RayKernel::new(gpu, scene)?),
         };
-        kernel.trace(gpu, scene, &given)
+        kernel.trace_camera_rays(gpu, scene, &given)
     }
 }
