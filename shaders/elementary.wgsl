@@ -34,9 +34,9 @@ fn angle_between(a: vec3<f32>, b: vec3<f32>) -> f32 {
     return atan2_precise(length(cross(a, b)), dot(a, b));
 }
 
-// (Sine, cosine) of an angle of up to some tens of radians. The error is at most 2e-7, besides that
-// of rounding the angle. The nearest multiple of pi/2 is subtracted in two parts, the first of few
-// digits; the rest goes into minimax polynomials on [-pi/4, pi/4] with errors below 4e-9.
+// (Sine, cosine) of an angle of up to some tens of radians. The error is at most 2e-7, in addition
+// to the angle's own rounding. The nearest multiple of pi/2 is subtracted in two parts, the first
+// of few digits; the rest goes into minimax polynomials on [-pi/4, pi/4] with errors below 4e-9.
 fn sin_cos_precise(angle: f32) -> vec2<f32> {
     let turns = round(angle * 0.636619772);
     let x = (angle - turns * 1.5703125) - turns * 4.83826795e-4;

@@ -47,7 +47,7 @@ pub fn run() -> ExitCode {
 }
 
 /// Switches off Mesa's device selection layer where there is no desktop session: without Wayland it
-/// prints an error that is none.
+/// prints a harmless error.
 #[expect(
     unsafe_code,
     reason = "the environment is the only way to reach the driver, and changing it is unsafe"

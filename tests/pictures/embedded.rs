@@ -16,8 +16,8 @@ fn a_picture_holds_the_preset_that_drew_it() {
     for file in ["a.exr", "a.png"] {
         program(folder.path(), &scene, &format!("-o {file}"));
         assert_eq!(taken(file).unwrap(), scene, "{file}");
-        // A broken one gives the very scene or a sentence, wherever it ends and whatever stands
-        // there.
+        // A broken file gives either the same scene or an error message, wherever it is cut or
+        // changed.
         let whole = fs::read(folder.path().join(file)).unwrap();
         let header = &whole[..whole.len().min(10_000)];
         let broken = |bytes: &[u8]| {
@@ -33,7 +33,7 @@ fn a_picture_holds_the_preset_that_drew_it() {
             assert!(place > 4000 || cut.is_err(), "{file}, {place} bytes of it");
             let mut changed = header.to_vec();
             changed[place] ^= 0x5a;
-            // Whatever it gives: a panic would end the test.
+            // The result does not matter: a panic would end the test.
             drop(broken(&changed));
         }
     }

@@ -10,8 +10,8 @@ fn a_file_name_keeps_letters_digits_and_hyphens() {
     );
 }
 
-/// Letters of one to four bytes. File systems allow 255 bytes, of which a screenshot's name needs 19
-/// around the scene's name: `lightfall-` and `-0001.png`.
+/// Letters of one to four bytes. File systems allow 255 bytes, of which a screenshot's name needs
+/// 19 around the scene's name: `lightfall-` and `-0001.png`.
 #[test]
 fn a_long_name_of_any_letters_is_cut_to_what_file_systems_allow() {
     for letter in ['a', 'μ', '黒', '𐌰'] {

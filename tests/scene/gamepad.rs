@@ -107,7 +107,7 @@ fn settings_bind_buttons_separately_from_keys() {
     );
     assert!(bindings.of("picture.bypass").is_empty());
     assert_eq!(bindings.settings(), settings.buttons);
-    for (line, said) in [
+    for (line, expected) in [
         (
             "\"window.help\" = [\"F1\"]",
             "buttons: window.help: unknown button \"F1\"",
@@ -122,7 +122,7 @@ fn settings_bind_buttons_separately_from_keys() {
         ),
     ] {
         let error = Settings::read(&format!("[buttons]\n{line}")).unwrap_err();
-        assert!(error.contains(said), "{error}");
+        assert!(error.contains(expected), "{error}");
     }
 }
 

@@ -114,7 +114,7 @@ fn the_observer_key_goes_through_the_observers_that_can_exist() {
 }
 
 /// What a control says in addition to what it does.
-fn said(scene: &Scene, id: &str) -> String {
+fn feedback_of(scene: &Scene, id: &str) -> String {
     remark(
         control_named(id).unwrap(),
         scene,
@@ -131,16 +131,16 @@ fn a_skipped_observer_is_named_with_the_reason() {
     scene.camera.theta_deg = 83.0;
     scene.observer.kind = ObserverKind::Zamo;
     let off_plane = "skipped: camera.theta_deg is 83 with observer.kind = \"orbit\"; it must be 90, the plane of the disk";
-    assert_eq!(said(&scene, "scene.observer"), off_plane);
+    assert_eq!(feedback_of(&scene, "scene.observer"), off_plane);
     // From at rest to zamo nothing is passed over, and in the plane there is an orbit.
     scene.observer.kind = ObserverKind::Static;
-    assert_eq!(said(&scene, "scene.observer"), "");
+    assert_eq!(feedback_of(&scene, "scene.observer"), "");
     (scene.camera.theta_deg, scene.observer.kind) = (90.0, ObserverKind::Zamo);
-    assert_eq!(said(&scene, "scene.observer"), "");
+    assert_eq!(feedback_of(&scene, "scene.observer"), "");
     // Inside the horizon only free fall is left, and the key leads back to it.
     (scene.camera.r, scene.observer.kind) = (0.9, ObserverKind::Rain);
     assert_eq!(
-        said(&scene, "scene.observer"),
+        feedback_of(&scene, "scene.observer"),
         "inside the horizon every observer falls"
     );
 }
@@ -199,7 +199,7 @@ fn a_key_without_a_visible_effect_says_why_and_names_the_key_that_helps() {
             "this shows in cells only; F7 brings the cells back",
         ),
     ] {
-        assert_eq!(said(&without(change), id), words, "{id}");
+        assert_eq!(feedback_of(&without(change), id), words, "{id}");
     }
     let (scene, brighter) = (without(|_| {}), control_named("picture.brighter").unwrap());
     let metered = remark(
@@ -213,17 +213,17 @@ fn a_key_without_a_visible_effect_says_why_and_names_the_key_that_helps() {
         metered.as_deref(),
         Some("the exposure is automatic; F9 leaves it to you")
     );
-    // Where there is something to see, nothing is said.
+    // Where there is something to see, there is no feedback.
     let plain = without(|scene| (scene.disk.inner, scene.probe.enabled) = (4.0, true));
     for control in CONTROLS
         .iter()
         .filter(|control| matches!(control.action, Action::Edit(_)))
     {
         assert!(
-            control.id == "scene.observer" || said(&plain, control.id).is_empty(),
+            control.id == "scene.observer" || feedback_of(&plain, control.id).is_empty(),
             "{}: {}",
             control.id,
-            said(&plain, control.id)
+            feedback_of(&plain, control.id)
         );
     }
 }
@@ -336,7 +336,7 @@ fn settings_bind_keys_and_say_what_is_wrong_with_them() {
         Bindings::new(&BTreeMap::new()).unwrap(),
         Bindings::default()
     );
-    for (id, keys, said) in [
+    for (id, keys, expected) in [
         ("view.clases", ["K"], "there is no control view.clases"),
         ("view.classes", ["Any"], "view.classes: unknown key \"Any\""),
         (
@@ -346,7 +346,7 @@ fn settings_bind_keys_and_say_what_is_wrong_with_them() {
         ),
     ] {
         let error = Bindings::new(&settings(id, &keys)).unwrap_err();
-        assert!(error.contains(said), "{error}");
+        assert!(error.contains(expected), "{error}");
     }
 }
 

@@ -1,4 +1,4 @@
-//! The legends of the views, held against the shaders' own colours.
+//! The legends of the views, compared with the shaders' own colours.
 
 use crate::adapter::gpu;
 use crate::light::light_from;
@@ -7,8 +7,8 @@ use lightfall::app::legend;
 use lightfall_core::gpu::Variant;
 use lightfall_core::scene::{Method, Scene, View};
 
-/// WGSL that gives the colour of each of a legend's swatches, in their order; the shader has it
-/// from what the swatch says.
+/// WGSL expressions that give the colours of a legend's swatches, in order, from the values that
+/// the swatches state.
 fn colours(view: View) -> &'static [&'static str] {
     match view {
         View::Colour => &[],

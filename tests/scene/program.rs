@@ -84,10 +84,10 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
             "{line}"
         );
     }
-    let (status, _, said) = program(folder.path(), "trace --rays nofile", "");
+    let (status, _, stderr) = program(folder.path(), "trace --rays nofile", "");
     assert!(
-        status == 2 && said.starts_with("lightfall: nofile: cannot be read"),
-        "{said}"
+        status == 2 && stderr.starts_with("lightfall: nofile: cannot be read"),
+        "{stderr}"
     );
 }
 
@@ -98,7 +98,7 @@ fn the_error_about_an_unknown_adapter_or_interface_lists_the_available_ones() {
     // No system has both.
     let foreign = if cfg!(windows) { "metal" } else { "dx12" };
     let by_interface = format!("--backend {foreign} (or WGPU_BACKEND) is refused");
-    for (option, told) in [
+    for (option, expected) in [
         ("--gpu zzz", "--gpu zzz (or WGPU_ADAPTER_NAME)"),
         (&format!("--backend {foreign}"), &by_interface),
     ] {
@@ -108,13 +108,13 @@ fn the_error_about_an_unknown_adapter_or_interface_lists_the_available_ones() {
             "--list-gpus",
             "bench --quick",
         ] {
-            let (status, answer, said) =
+            let (status, stdout, stderr) =
                 program(folder.path(), &format!("{command} {option}"), "0,0,1");
             // Without any driver it is the driver that is missing.
-            if !said.contains("no Vulkan adapter") {
+            if !stderr.contains("no Vulkan adapter") {
                 assert!(
-                    status == 2 && answer.is_empty() && said.contains(told),
-                    "{command} {option}: {said}"
+                    status == 2 && stdout.is_empty() && stderr.contains(expected),
+                    "{command} {option}: {stderr}"
                 );
             }
         }
@@ -127,18 +127,21 @@ fn missing_or_wrong_rays_are_a_bad_command_line() {
     let folder = tempfile::tempdir().unwrap();
     let line = "trace --rays - --device cpu";
     for input in ["", "\n", "er,etheta,ephi\n"] {
-        let (status, told, said) = program(folder.path(), line, input);
-        assert_eq!((status, told.as_str()), (2, ""));
+        let (status, stdout, stderr) = program(folder.path(), line, input);
+        assert_eq!((status, stdout.as_str()), (2, ""));
         assert!(
-            said.starts_with(
+            stderr.starts_with(
                 "lightfall: standard input: there are no rays; a ray is a line er,etheta,ephi"
             ),
-            "{said}"
+            "{stderr}"
         );
     }
-    let (status, told, said) = program(folder.path(), line, "0,0,1\n0,0,fast\n");
+    let (status, stdout, stderr) = program(folder.path(), line, "0,0,1\n0,0,fast\n");
     let sentence = "lightfall: standard input: line 2: ephi = \"fast\" is refused: it must be a finite number\n";
-    assert_eq!((status, told.as_str(), said.as_str()), (2, "", sentence));
+    assert_eq!(
+        (status, stdout.as_str(), stderr.as_str()),
+        (2, "", sentence)
+    );
     assert_eq!(program(folder.path(), line, "0,0,1\n").0, 0);
 }
 
@@ -154,24 +157,24 @@ fn a_journey_is_checked_before_it_is_flown_and_without_a_display_its_first_momen
     fs::write(folder.path().join("mine.toml"), frames("0.9")).unwrap();
     let line = "--journey mine.toml --set picture.width=96 --set picture.height=54 --set picture.grid_width=48 --set \
                 picture.grid_height=27";
-    let (status, told, said) = program(folder.path(), line, "");
-    assert!(status == 2 && told.is_empty(), "{said}");
+    let (status, stdout, stderr) = program(folder.path(), line, "");
+    assert!(status == 2 && stdout.is_empty(), "{stderr}");
     assert!(
-        said.starts_with(
+        stderr.starts_with(
             "lightfall: mine.toml: keyframe 2 (time = 9): camera.r = 0.9 is refused: "
         ),
-        "{said}"
+        "{stderr}"
     );
     fs::write(folder.path().join("mine.toml"), frames("2")).unwrap();
-    let (status, told, said) = program(folder.path(), line, "");
+    let (status, stdout, stderr) = program(folder.path(), line, "");
     assert_eq!(
-        (status, told.as_str()),
+        (status, stdout.as_str()),
         (0, "lightfall-mine.png\n"),
-        "{said}"
+        "{stderr}"
     );
     assert!(
-        said.contains("no display") && said.contains("the first moment of mine.toml"),
-        "{said}"
+        stderr.contains("no display") && stderr.contains("the first moment of mine.toml"),
+        "{stderr}"
     );
     let still = "render -o still.png --set camera.r=8 --set camera.theta_deg=30";
     program(
@@ -190,8 +193,8 @@ fn a_journey_is_checked_before_it_is_flown_and_without_a_display_its_first_momen
 fn examined(home: &Path, variables: &[(&str, &Path)]) -> (i32, serde_json::Value) {
     let config = home.join("config");
     let variables = [&[("HOME", home), ("XDG_CONFIG_HOME", &config)], variables].concat();
-    let (status, told, _) = program_with(&variables, home, "doctor --json", "");
-    (status, serde_json::from_str(&told).unwrap())
+    let (status, stdout, _) = program_with(&variables, home, "doctor --json", "");
+    (status, serde_json::from_str(&stdout).unwrap())
 }
 
 #[cfg(target_os = "linux")]
@@ -257,7 +260,7 @@ fn a_fault_that_the_doctor_finds_is_status_one_with_what_to_do() {
         ("VK_DRIVER_FILES", no_driver.as_path()),
         ("VK_ICD_FILENAMES", &no_driver),
     ];
-    let told = |variables: &[(&str, &Path)]| {
+    let faults_of = |variables: &[(&str, &Path)]| {
         let (status, report) = examined(home.path(), &[&without, variables].concat());
         assert_eq!((status, &report["well"]), (1, &false.into()));
         report["faults"]
@@ -267,7 +270,7 @@ fn a_fault_that_the_doctor_finds_is_status_one_with_what_to_do() {
             .map(|fault| fault.as_str().unwrap().to_owned())
             .collect::<Vec<_>>()
     };
-    let faults = told(&[]);
+    let faults = faults_of(&[]);
     assert!(
         faults.len() == 1 && faults[0].starts_with("no Vulkan adapter was found: install"),
         "{faults:?}"
@@ -275,7 +278,7 @@ fn a_fault_that_the_doctor_finds_is_status_one_with_what_to_do() {
     let file = home.path().join("config/lightfall/settings.toml");
     fs::create_dir_all(file.parent().unwrap()).unwrap();
     fs::write(&file, "frame_rate = 1").unwrap();
-    let faults = told(&[]);
+    let faults = faults_of(&[]);
     let sentence = format!(
         "{}: frame_rate = 1 is refused: it must be a number from 5 to 240; mend or",
         file.display()
@@ -290,7 +293,7 @@ fn a_fault_that_the_doctor_finds_is_status_one_with_what_to_do() {
         "it is only looked at"
     );
     // A file where folders should be.
-    let faults = told(&[("XDG_CONFIG_HOME", &file)]);
+    let faults = faults_of(&[("XDG_CONFIG_HOME", &file)]);
     let presets = format!(
         "{}: {} is a file and no folder, so no presets",
         file.join("lightfall/presets").display(),
@@ -307,16 +310,16 @@ fn a_fault_that_the_doctor_finds_is_status_one_with_what_to_do() {
         &[("HOME", home.path()), ("XDG_CONFIG_HOME", &fresh)],
     ]
     .concat();
-    let (status, told, said) = program_with(&own, home.path(), "doctor", "");
+    let (status, stdout, stderr) = program_with(&own, home.path(), "doctor", "");
     assert!(
         status == 1
-            && said == "lightfall: things that are not well: 1; the report says what to do\n",
-        "{said}"
+            && stderr == "lightfall: things that are not well: 1; the report says what to do\n",
+        "{stderr}"
     );
     assert!(
-        told.contains("\nadapter     none\n")
-            && told.contains("\nNot well:\n* no Vulkan adapter was found"),
-        "{told}"
+        stdout.contains("\nadapter     none\n")
+            && stdout.contains("\nNot well:\n* no Vulkan adapter was found"),
+        "{stdout}"
     );
 }
 

@@ -280,7 +280,7 @@ fn a_closed_pipe_differs_from_other_errors_and_from_success() {
     writer.write(&CAPTURED).unwrap();
     assert!(
         is_closed_pipe(&writer.finish().unwrap_err()),
-        "the last lines are flushed and their error is told"
+        "the last lines are flushed and their error is reported"
     );
     assert!(!is_closed_pipe(&io::ErrorKind::StorageFull.into()));
 }

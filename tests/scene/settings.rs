@@ -37,7 +37,7 @@ fn without_a_file_the_settings_are_the_defaults_and_nothing_is_reported() {
 
 #[test]
 fn a_broken_file_is_renamed_and_reported() {
-    for (text, said) in [
+    for (text, expected) in [
         ("ui_scale = ", "line 1"),
         ("\nui_skale = 1.0", "ui_skale"),
         (
@@ -59,7 +59,7 @@ fn a_broken_file_is_renamed_and_reported() {
         let (settings, fault) = Settings::load(&file);
         let fault = fault.unwrap();
         assert_eq!(settings, Settings::default());
-        assert!(fault.contains(said), "{fault}");
+        assert!(fault.contains(expected), "{fault}");
         assert!(!file.exists(), "the broken file is still there");
         let aside = folder.path().join("settings.broken-1.toml");
         assert!(fault.contains(&aside.display().to_string()), "{fault}");

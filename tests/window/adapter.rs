@@ -23,7 +23,7 @@ fn an_adapter_that_is_gone_is_reported_and_another_one_is_chosen_in_the_panel() 
     let mut desktop = Desktop::open_with_settings(&settings(&gone), &["--preset", "2"]);
     let news = "The settings name A card that was taken out (vulkan), which was not found; the best adapter is used";
     let with_news = desktop.settled("first picture", |shot| shot.colours() > 50);
-    assert!(desktop.said().contains(news), "{}", desktop.said());
+    assert!(desktop.stderr().contains(news), "{}", desktop.stderr());
     // The toast goes by itself, and with it a line of the status bar.
     desktop.settled("the toast goes", |shot| {
         shot.changed(&with_news, 0..WINDOW.0, WINDOW.1 - 2 * STATUS_BAR..WINDOW.1) > 0.001
@@ -59,9 +59,9 @@ fn an_adapter_that_works_is_used_and_one_that_did_not_is_given_up() {
     let desktop = Desktop::open_with_settings(&settings(&name), &["--preset", "2"]);
     desktop.settled("first picture", |shot| shot.colours() > 50);
     assert!(
-        !desktop.said().contains("The settings name"),
+        !desktop.stderr().contains("The settings name"),
         "{}",
-        desktop.said()
+        desktop.stderr()
     );
     assert!(!trial(&desktop).exists(), "it still counts as untried");
     assert_eq!(
@@ -79,10 +79,10 @@ fn an_adapter_that_works_is_used_and_one_that_did_not_is_given_up() {
     desktop.settled("first picture", |shot| shot.colours() > 50);
     assert!(
         desktop
-            .said()
+            .stderr()
             .contains("at its last start, so it uses the best adapter"),
         "{}",
-        desktop.said()
+        desktop.stderr()
     );
     assert!(!trial(&desktop).exists());
     let kept = Settings::load(&desktop.settings());

@@ -70,7 +70,7 @@ fn a_switch_changes_the_picture_and_pressed_again_restores_it() {
     desktop.settled("brighter", |shot| changed(shot, &start) > 0.01);
     desktop.press(&x_name("scene.undo"));
     desktop.settled("undone", |shot| changed(shot, &start) == 0.0);
-    assert!(!desktop.said().contains("ERROR"), "{}", desktop.said());
+    assert!(!desktop.stderr().contains("ERROR"), "{}", desktop.stderr());
 }
 
 #[test]

@@ -1,5 +1,5 @@
-//! A display for one test: Xvfb, the program's window on it, keys by xdotool, and pictures from the X
-//! server.
+//! A display for one test: Xvfb, the program's window on it, keys by xdotool, and pictures from the
+//! X server.
 
 use crate::STATUS_BAR;
 use crate::frames::Frames;
@@ -16,11 +16,11 @@ use x11rb::rust_connection::RustConnection;
 const SCREEN: (u16, u16) = (1500, 900);
 /// Time that a software renderer on a busy machine may need for a first picture, or for one more.
 const PATIENCE: Duration = Duration::from_secs(120);
-/// A picture that stays the same for this time and this number of frames is at rest: the screen shows
-/// a frame only some frames after its keys.
+/// A picture that stays the same for this time and this number of frames is at rest: the screen
+/// shows a frame only some frames after its keys.
 const REST: Duration = Duration::from_millis(1200);
 const FRAMES: usize = 4;
-/// Longest time to wait for frames: a hidden window shows none.
+/// Maximum time to wait for frames: a hidden window shows none.
 const MAX_WAIT: Duration = Duration::from_secs(10);
 
 /// The display and the program on it. Dropping this value ends both.
@@ -110,7 +110,7 @@ impl Desktop {
         for (name, text) in files {
             std::fs::write(config.join("lightfall").join(name), text).unwrap();
         }
-        let said = std::fs::File::create(home.path().join("said")).unwrap();
+        let stderr = std::fs::File::create(home.path().join("stderr")).unwrap();
         let started = Instant::now();
         let program = Command::new(program)
             .args(arguments)
@@ -118,7 +118,7 @@ impl Desktop {
             .env_remove("WAYLAND_DISPLAY")
             .env("HOME", home.path())
             .env("XDG_CONFIG_HOME", config)
-            .stderr(said)
+            .stderr(stderr)
             .spawn()
             .unwrap();
         let (connection, number) = x11rb::connect(Some(&display)).unwrap();
@@ -204,9 +204,9 @@ impl Desktop {
         &self.display
     }
 
-    /// What the program has said on standard error.
-    pub fn said(&self) -> String {
-        std::fs::read_to_string(self.home.path().join("said")).unwrap()
+    /// What the program has written to standard error.
+    pub fn stderr(&self) -> String {
+        std::fs::read_to_string(self.home.path().join("stderr")).unwrap()
     }
 
     /// Memory that the program holds, in bytes.
@@ -270,7 +270,7 @@ impl Desktop {
             assert!(
                 start.elapsed() < PATIENCE,
                 "{what} does not come: {}",
-                self.said()
+                self.stderr()
             );
             std::thread::sleep(Duration::from_millis(50));
         }

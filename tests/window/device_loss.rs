@@ -65,17 +65,21 @@ fn a_lost_device_is_replaced_and_the_scene_stays() {
     for loss in 1..=2 {
         desktop.press("Home");
         desktop.wait("the loss", || {
-            desktop.said().matches("opening it again").count() == loss
+            desktop.stderr().matches("opening it again").count() == loss
         });
         desktop.settled(&format!("loss {loss}"), |shot| {
             changed(shot, &before) == 0.0
         });
-        assert!(desktop.running(), "{}", desktop.said());
+        assert!(desktop.running(), "{}", desktop.stderr());
     }
-    // It still does what it is told.
+    // It still responds to keys.
     desktop.press("F2");
     desktop.settled("F2", |shot| changed(shot, &before) > 0.05);
     desktop.press("F2");
     desktop.settled("F2 again", |shot| changed(shot, &before) == 0.0);
-    assert!(!desktop.said().contains("panicked"), "{}", desktop.said());
+    assert!(
+        !desktop.stderr().contains("panicked"),
+        "{}",
+        desktop.stderr()
+    );
 }

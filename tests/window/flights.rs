@@ -63,9 +63,9 @@ fn an_observer_let_go_falls_through_the_horizon_to_the_end_card_and_backspace_le
             changed(shot, &held) == 0.0
         });
         assert!(
-            desktop.running() && !desktop.said().contains("ERROR"),
+            desktop.running() && !desktop.stderr().contains("ERROR"),
             "spin {spin}: {}",
-            desktop.said()
+            desktop.stderr()
         );
     }
 }

@@ -1,5 +1,5 @@
-//! A gamepad in the window. Its messages are Bevy's own, as the reader of the hardware writes them, so
-//! that no hardware is needed.
+//! A gamepad in the window. Its messages are Bevy's own, as the reader of the hardware writes them,
+//! so that no hardware is needed.
 
 use crate::desktop::Desktop;
 use crate::shot::Shot;
@@ -119,21 +119,21 @@ fn program_with_a_gamepad() {
 
 /// How things were before and after the key's hand was on the pad.
 fn used(desktop: &Desktop, key: &str) -> [Vec<String>; 2] {
-    let count = |said: &str| said.matches("after: ").count();
-    let before = count(&desktop.said());
+    let count = |stderr: &str| stderr.matches("after: ").count();
+    let before = count(&desktop.stderr());
     desktop.press(key);
     let start = Instant::now();
-    while count(&desktop.said()) == before {
+    while count(&desktop.stderr()) == before {
         assert!(
             start.elapsed() < Duration::from_secs(30),
             "{key}: {}",
-            desktop.said()
+            desktop.stderr()
         );
         std::thread::sleep(Duration::from_millis(100));
     }
-    let said = desktop.said();
+    let stderr = desktop.stderr();
     ["before: ", "after: "].map(|what| {
-        let line = said
+        let line = stderr
             .lines()
             .filter_map(|line| line.strip_prefix(what))
             .next_back()
@@ -227,8 +227,8 @@ fn a_gamepad_wakes_the_window_flies_looks_around_and_presses_controls() {
         "a pad that is gone still turns the camera"
     );
     assert!(
-        !desktop.said().contains("ERROR") && !desktop.said().contains("panicked"),
+        !desktop.stderr().contains("ERROR") && !desktop.stderr().contains("panicked"),
         "{}",
-        desktop.said()
+        desktop.stderr()
     );
 }

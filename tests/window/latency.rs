@@ -77,18 +77,18 @@ fn the_picture_follows_a_key_in_the_same_frame_or_the_next() {
     let desktop = Desktop::open_program(&program, &only);
     desktop.first_picture();
     desktop.press("Home");
-    let before = desktop.settled("kept", |_| desktop.said().contains("kept"));
+    let before = desktop.settled("kept", |_| desktop.stderr().contains("kept"));
     desktop.press("equal");
     desktop.settled("more light", |shot| {
-        *shot != before && desktop.said().contains("frame 3")
+        *shot != before && desktop.stderr().contains("frame 3")
     });
-    let said = desktop.said();
-    println!("{said}");
+    let stderr = desktop.stderr();
+    println!("{stderr}");
     // The screen shows a frame while the program works on the next one: in frame 0 or 1 is on the
     // screen within two frames.
-    let first = (0..4).find(|frame| said.contains(&format!("frame {frame}: changed")));
+    let first = (0..4).find(|frame| stderr.contains(&format!("frame {frame}: changed")));
     assert!(
         first.is_some_and(|frame| frame <= 1),
-        "the key was first seen in frame {first:?} after it: {said}"
+        "the key was first seen in frame {first:?} after it: {stderr}"
     );
 }

@@ -261,14 +261,14 @@ fn without_a_display_the_program_says_so_and_writes_a_picture() {
             command.env("DISPLAY", display);
         }
         let output = command.output().unwrap();
-        let (told, said) = (
+        let (stdout, stderr) = (
             String::from_utf8_lossy(&output.stdout),
             String::from_utf8_lossy(&output.stderr),
         );
-        assert!(output.status.success(), "{said}");
-        assert!(said.contains("no display"), "{said}");
-        let file = folder.path().join(told.trim());
-        assert!(file.is_file(), "{told:?} does not name a file; {said}");
+        assert!(output.status.success(), "{stderr}");
+        assert!(stderr.contains("no display"), "{stderr}");
+        let file = folder.path().join(stdout.trim());
+        assert!(file.is_file(), "{stdout:?} does not name a file; {stderr}");
         let picture = image::open(file).unwrap().to_rgb8();
         assert!(
             picture

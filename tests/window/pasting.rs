@@ -103,5 +103,5 @@ fn text_fields_copy_cut_and_paste_within_the_program_and_with_others() {
         desktop.clipboard() == Some(format!("gpgp{FOREIGN}"))
     });
     other.wait().unwrap();
-    assert!(!desktop.said().contains("ERROR"), "{}", desktop.said());
+    assert!(!desktop.stderr().contains("ERROR"), "{}", desktop.stderr());
 }

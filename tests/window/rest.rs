@@ -3,9 +3,9 @@
 use crate::desktop::Desktop;
 use std::time::{Duration, Instant};
 
-/// Most frames a second at rest: a fifth of a second apart, and each may be followed by one more. A
-/// window that does not rest shows more than that on any machine that passes the bar of ten frames
-/// with the panel open.
+/// Maximum number of frames a second at rest: frames are a fifth of a second apart, and each may be
+/// followed by one more. A window that does not rest shows more frames than this on any machine
+/// that reaches the required ten frames a second with the panel open.
 const MAX: usize = 12;
 
 #[test]

@@ -24,17 +24,21 @@ fn the_window_survives_any_size_and_being_minimised() {
     ] {
         desktop.resize(width, height);
         desktop.frames(4);
-        assert!(desktop.running(), "{width} x {height}: {}", desktop.said());
+        assert!(
+            desktop.running(),
+            "{width} x {height}: {}",
+            desktop.stderr()
+        );
     }
     desktop.minimise(true);
     std::thread::sleep(Duration::from_secs(1));
-    assert!(desktop.running(), "minimised: {}", desktop.said());
+    assert!(desktop.running(), "minimised: {}", desktop.stderr());
     desktop.minimise(false);
     for key in ["p", "i", "F1"] {
         desktop.press(key);
     }
     desktop.settled("as before", |shot| changed(shot, &start) == 0.0);
-    assert!(!desktop.said().contains("ERROR"), "{}", desktop.said());
+    assert!(!desktop.stderr().contains("ERROR"), "{}", desktop.stderr());
 }
 
 #[test]
@@ -49,7 +53,7 @@ fn the_window_survives_another_monitor_scale_and_a_suspended_machine() {
         desktop.size() == (2 * WINDOW.0, 2 * WINDOW.1)
     });
     desktop.frames(4);
-    assert!(desktop.running(), "{}", desktop.said());
+    assert!(desktop.running(), "{}", desktop.stderr());
     desktop.dots_per_inch(96);
     desktop.wait("the window as it was", || desktop.size() == WINDOW);
     desktop.press("p");
@@ -63,9 +67,9 @@ fn the_window_survives_another_monitor_scale_and_a_suspended_machine() {
     desktop.press("2");
     desktop.settled("the preset as before", |shot| changed(shot, &start) == 0.0);
     assert!(
-        desktop.running() && !desktop.said().contains("ERROR"),
+        desktop.running() && !desktop.stderr().contains("ERROR"),
         "{}",
-        desktop.said()
+        desktop.stderr()
     );
 }
 
@@ -85,9 +89,9 @@ fn on_a_small_screen_the_picture_fills_the_first_window() {
     }
 }
 
-/// Keys that are pressed at random: the keys of the control table, and some keys that do nothing. The
-/// keys for full screen, screenshots and the previous and next preset are left out, and so are Ctrl,
-/// Shift and Alt.
+/// Keys that are pressed at random: the keys of the control table, and some keys that do nothing.
+/// The keys for full screen, screenshots and the previous and next preset are left out, and so are
+/// Ctrl, Shift and Alt.
 const KEYS: &[&str] = &[
     "w",
     "a",
@@ -169,16 +173,16 @@ fn the_window_survives_five_hundred_random_keys_and_clicks() {
         assert!(
             desktop.running(),
             "ended at step {step}: {}",
-            desktop.said()
+            desktop.stderr()
         );
         if step % 100 == 99 {
             memory.push(desktop.memory());
         }
     }
-    let said = desktop.said();
+    let stderr = desktop.stderr();
     assert!(
-        !said.contains("ERROR") && !said.contains("panicked") && !said.contains("alidation"),
-        "{said}"
+        !stderr.contains("ERROR") && !stderr.contains("panicked") && !stderr.contains("alidation"),
+        "{stderr}"
     );
     println!("memory: {memory:?}");
     // Pipelines of new variants are kept, so there is some growth; a texture lost with each change

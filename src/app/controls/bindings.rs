@@ -10,8 +10,8 @@ use std::collections::BTreeMap;
 
 /// A kind of input that controls are bound to: keys, or buttons of a gamepad.
 pub trait Bindable: Copy + PartialEq + Send + Sync + 'static {
-    /// The singular noun for such an input in a sentence. Its plural is the name of the table in the
-    /// settings file.
+    /// The singular noun for such an input in a sentence. Its plural is the name of the table in
+    /// the settings file.
     const WORD: &'static str;
 
     /// Every input that a control can be bound to, with its name.
@@ -187,8 +187,8 @@ impl<B: Bindable> BindingTable<B> {
             .collect()
     }
 
-    /// The label of the control with this name, as [`BindingTable::label_of`] writes it. Empty if there
-    /// is no such control or no input is bound to it.
+    /// The label of the control with this name, as [`BindingTable::label_of`] writes it. Empty if
+    /// there is no such control or no input is bound to it.
     #[must_use]
     pub fn label(&self, id: &str) -> String {
         control_named(id)

@@ -15,8 +15,8 @@ pub struct Control {
     pub alt: bool,
     /// The heading under which the help lists it.
     pub group: Group,
-    /// A few words that say what it does. Neighbouring controls with the same words share one entry of
-    /// the help.
+    /// A few words that say what it does. Neighbouring controls with the same words share one entry
+    /// of the help.
     pub description: &'static str,
     /// What happens.
     pub action: Action,

@@ -28,8 +28,8 @@ const TRIGGER_DEAD_ZONE: f64 = 0.06;
 /// A stick's response is this power of how far it is pushed, so that small movements are fine.
 const RESPONSE_EXPONENT: f64 = 2.0;
 
-/// The response to a stick's position, each axis from -1 to 1: zero in the dead zone, of length 1 at
-/// most, in the direction of the stick.
+/// The response to a stick's position, each axis from -1 to 1: zero in the dead zone, of length 1
+/// at most, in the direction of the stick.
 #[must_use]
 pub fn deflection(stick: Vec2) -> DVec2 {
     let stick = stick.as_dvec2();
@@ -42,8 +42,8 @@ pub fn squeeze(trigger: f32) -> f64 {
     beyond(trigger.into(), TRIGGER_DEAD_ZONE)
 }
 
-/// How far a position is along the way from `dead` to 1. A stick's corners are farther away than its
-/// sides, and count no more.
+/// How far a position is along the way from `dead` to 1. A stick's corners are farther away than
+/// its sides, and count no more.
 fn beyond(position: f64, dead: f64) -> f64 {
     // A pad that reports no number is at rest.
     if position.is_finite() {

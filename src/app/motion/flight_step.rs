@@ -1,4 +1,4 @@
-//! What one frame of a flight that steers itself comes to.
+//! The result of one frame of a journey or free motion.
 
 use lightfall_core::gpu::Drawable;
 

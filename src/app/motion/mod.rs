@@ -6,6 +6,6 @@ pub(crate) mod journey_player;
 pub(crate) mod pilot;
 pub(crate) mod steering;
 
-/// Longest time, in seconds, that one frame moves the camera on. A slower frame moves it no
-/// farther, so that slow machines stay steerable.
+/// Maximum time, in seconds, by which one frame moves the camera on. A slower frame moves it no
+/// farther, so that the camera stays steerable on slow machines.
 pub(crate) const MAX_FRAME_SECONDS: f64 = 0.25;

@@ -1,5 +1,4 @@
-//! One frame of flying by hand: where the camera comes to, in f64, and which observer it carries
-//! there.
+//! One frame of flying by hand: the new camera position, in f64, and the observer there.
 
 use glam::{DMat3, DVec3};
 use lightfall_core::geometry::kerr::Kerr;
@@ -8,11 +7,11 @@ use lightfall_core::scene::{Camera, MAX_RADIUS, ObserverKind, Scene};
 
 /// Speed per second, as a share of the distance to the horizon.
 const SPEED: f64 = 0.4;
-/// Smallest radius that flying reaches from outside, in r_s. Without spin, a static observer there
-/// is still an ordinary place.
+/// Minimum radius that flying reaches from outside, in r_s. Without spin, a static observer there
+/// is still an ordinary one.
 const MIN_RADIUS: f64 = 1.08;
 
-/// What the hand asks for in one frame.
+/// The user's steering in one frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Steering {
     /// Thrust toward the camera's right, up and forward, of length one at most.
@@ -41,7 +40,7 @@ pub struct Steered {
 /// that the picture never stands still while the camera moves.
 ///
 /// # Errors
-/// Why no observer can draw the scene from there.
+/// The scene cannot be drawn from there with any observer.
 pub fn steered(scene: &Drawable, steering: &Steering) -> Result<Steered, Undrawable> {
     let mut scene = scene.scene().clone();
     if steering.thrust == DVec3::ZERO {

@@ -1,6 +1,6 @@
 //! The graphics adapter that the settings name. A choice takes effect at the next start. If the
-//! program did not draw a picture with the adapter, the choice is dropped, so that no choice locks the
-//! user out.
+//! program did not draw a picture with the adapter, the choice is dropped, so that no choice locks
+//! the user out.
 
 use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
@@ -102,8 +102,8 @@ fn report_adapter(mut choice: ResMut<AdapterChoice>, mut toast: ResMut<Toast>) {
     }
 }
 
-/// Ends the trial when a picture is drawn: the adapter works. A window that is closed earlier does not
-/// count as a failure.
+/// Ends the trial when a picture is drawn: the adapter works. A window that is closed earlier does
+/// not count as a failure.
 fn end_adapter_trial(
     mut choice: ResMut<AdapterChoice>,
     request: Res<DrawRequest>,

@@ -45,19 +45,19 @@ fn toggle_automatic_exposure(
     }
 }
 
-/// The light meter: what it measured last, and of which scene.
+/// The light meter: its last measurement, and the scene that it measured.
 #[derive(Default)]
 struct Meter {
     /// Seconds since the last measurement.
     age: f64,
     /// The scene without its exposure, which the meter does not read.
     scene: Option<Scene>,
-    /// The exposure that suits the scene. None where the meter sees no disk.
+    /// The exposure that suits the scene. `None` if the meter sees no disk.
     wanted: Option<f64>,
 }
 
 impl Meter {
-    /// Measures again where the last measurement is old and the scene has changed since.
+    /// Measures again if the last measurement is old and the scene has changed since then.
     fn read(&mut self, scene: &Scene, seconds: f64) -> Option<f64> {
         self.age += seconds;
         if self.age > METER_INTERVAL {

@@ -51,8 +51,8 @@ pub(crate) fn plugin(app: &mut App) {
         .add_systems(Last, (choose_update_mode, limit_frame_rate).chain());
 }
 
-/// Removes repeated reports of Shift, Ctrl and Alt before egui reads them. They arrive in every frame,
-/// and egui requests another frame after each, so the program would never rest.
+/// Removes repeated reports of Shift, Ctrl and Alt before egui reads them. They arrive in every
+/// frame, and egui requests another frame after each, so the program would never rest.
 fn drop_repeated_modifiers(mut contexts: Query<(&mut EguiContext, &mut EguiInput)>) {
     for (mut context, mut input) in &mut contexts {
         let known = context.get_mut().input(|state| state.modifiers);
@@ -103,8 +103,8 @@ fn watch_activity(
     pacing.resting = now.saturating_sub(pacing.active) > AWAKE_FOR;
 }
 
-/// The scene with the default resolution, so that a change by the automatic resolution does not count
-/// as movement.
+/// The scene with the default resolution, so that a change by the automatic resolution does not
+/// count as movement.
 fn without_resolution(scene: &Scene) -> Scene {
     let default = Picture::default();
     Scene {

@@ -19,8 +19,8 @@ impl Plugin for RecoveryPlugin {
             Update,
             report_device_loss.run_if(resource_changed::<DeviceLosses>),
         );
-        // egui's own plugin creates these only once. They would still refer to buffers and pipelines
-        // of the lost device.
+        // egui's own plugin creates these only once. They would still refer to buffers and
+        // pipelines of the lost device.
         let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
             return;
         };

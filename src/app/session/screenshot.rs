@@ -12,8 +12,9 @@ use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::Scene;
 use std::fs::File;
 use std::path::{Path, PathBuf};
-/// The thread that encodes and writes pictures, so that no frame waits for it. It answers with
-/// what to tell the user.
+
+/// The thread that encodes and writes pictures, so that no frame waits for it. It answers with a
+/// message for the user.
 #[derive(Resource)]
 struct ScreenshotWriter(Worker<(Image, Drawable), String>);
 

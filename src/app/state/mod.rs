@@ -1,5 +1,5 @@
 //! What the window program remembers: the scene's history and the way to change the scene, the
-//! settings, which overlays are open, and what is being said. Nothing here reads a device, and
+//! settings, which overlays are open, and messages to the user. Nothing here reads a device, and
 //! nothing draws.
 
 pub(crate) mod end_card;

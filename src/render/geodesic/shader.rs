@@ -35,8 +35,8 @@ impl GeodesicShader {
 #[derive(Resource, Default)]
 pub(in crate::render) struct JoinedShaders(Vec<GeodesicShader>);
 
-/// Most shaders that are kept, each with a compiled pipeline: more than the keys and presets reach
-/// in a while.
+/// Maximum number of shaders that are kept, each with a compiled pipeline: more than a user reaches
+/// in a while with keys and presets.
 const MAX_SHADERS: usize = 48;
 
 /// Selects the shader of the current scene. A new variant is joined from its parts; once there are

@@ -1,4 +1,4 @@
-//! What `lightfall render` is told.
+//! The options of `lightfall render`.
 
 use super::{read, refuse};
 use clap::error::ErrorKind;

@@ -24,9 +24,9 @@ const MAX_PLACES: usize = 4;
 const FAST_AZIMUTH: f64 = 2.0 * TAU;
 
 /// The smallest angle found such that some rotation of the ray by at most that angle leaves a miss
-/// of at most that angle, searched on the edge's own chart. `least` is the bound that is known already. A
-/// bound below `precision` ends the search. `visit` is called with the turn and the answer at each
-/// place that is tried.
+/// of at most that angle, searched on the edge's own chart. `least` is the bound that is known
+/// already. A bound below `precision` ends the search. `visit` is called with the turn and the
+/// answer at each place that is tried.
 pub(super) fn turn_near_edge(
     camera: &ReferenceCamera,
     chart: &Chart,

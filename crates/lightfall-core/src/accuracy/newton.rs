@@ -9,12 +9,12 @@ use glam::{DMat2, DVec2};
 const MAX_STEPS: u32 = 24;
 /// Newton's method has converged when a step is shorter than this share of the place's distance.
 const CONVERGED: f64 = 1e-6;
-/// How often a step to a place without a miss is halved.
+/// Maximum number of times that a step to a place without a miss is halved.
 const MAX_HALVINGS: i32 = 8;
 /// The minimum damping of a step, as a logarithm. Where rays are focused onto one point, no turn
 /// explains the last digits of an answer, and a step without damping goes far astray.
 pub(super) const MIN_DAMPING: f64 = -30.0;
-/// As good as no damping, as a logarithm: what a step along an edge needs.
+/// Logarithm of a negligible damping, which a step along an edge needs.
 pub(super) const NO_DAMPING: f64 = -70.0;
 
 /// The place on the chart's first axis with the smallest miss, searched from a place on it by the

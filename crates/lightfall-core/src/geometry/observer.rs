@@ -17,7 +17,7 @@ use crate::geometry::kerr::Kerr;
 use glam::DVec3;
 use rows::{Matrix4, rows_of};
 
-/// Takes (1, d) to the photon that arrives from the direction d with unit frequency for the
+/// Maps (1, d) to the photon that arrives from the direction d with unit frequency for the
 /// observer.
 ///
 /// Columns: 1, then d's components outward, toward growing theta, toward growing phi. Rows:
@@ -28,7 +28,7 @@ use rows::{Matrix4, rows_of};
 ///    hole's frame. It is tangent to the celestial sphere at the camera's n; the division by r
 ///    keeps it of the order of one. The poles are ordinary places.
 ///
-/// All numbers are free of units.
+/// All entries are dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObserverMatrix {
     /// The five rows.

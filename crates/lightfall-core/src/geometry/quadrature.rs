@@ -1,7 +1,7 @@
 //! Numerical integration.
 
-/// Non-negative nodes and weights of the Gauss-Legendre rule with seven points on [-1, 1]: the node at
-/// zero, and one node of each of the three symmetric pairs.
+/// Non-negative nodes and weights of the Gauss-Legendre rule with seven points on [-1, 1]: the node
+/// at zero, and one node of each of the three symmetric pairs.
 const NODES: [[f64; 2]; 4] = [
     [0.0, 0.417_959_183_673_469_4],
     [0.405_845_151_377_397_2, 0.381_830_050_505_118_9],

@@ -24,7 +24,8 @@ const POINTS_PER_STEP: usize = 24;
 /// The path of a captured ray ends at this distance from the horizon, as a share of the horizon's
 /// radius, because azimuths diverge at the horizon.
 const HORIZON_MARGIN: f64 = 0.02;
-/// Most points of a path. The path of a ray that winds about the hole for ever is cut off.
+/// Maximum number of points of a path. The path of a ray that winds about the hole for ever is cut
+/// off.
 const MAX_POINTS: usize = 4000;
 /// An angle that exceeds a whole number of half-turns by less than this, in radians, counts as that
 /// number exactly: a camera in the disk's plane sees the disk after whole half-turns, and rounding

@@ -19,7 +19,7 @@ use crate::optics::{disk, straight};
 use crate::scene::Scene;
 use glam::{DMat3, DVec3};
 
-/// Most steps of a ray. A ray within 1e-15 of the critical curve takes a few hundred.
+/// Maximum number of steps of a ray. A ray within 1e-15 of the critical curve takes a few hundred.
 const MAX_STEPS: u32 = 10_000;
 
 /// The rays of a scene's camera.

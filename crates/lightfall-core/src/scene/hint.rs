@@ -1,4 +1,4 @@
-//! What to write instead of a key that is no field's.
+//! Suggestions for unknown keys.
 
 use super::fields::FIELDS;
 use strsim::levenshtein;

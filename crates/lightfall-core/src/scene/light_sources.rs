@@ -1,4 +1,4 @@
-//! What shines: the profiles of the disk's flux, and the skies.
+//! Light sources: the profiles of the disk's flux, and the skies.
 
 crate::words! {
     /// Radial profile of the disk's flux.

@@ -46,9 +46,9 @@ pub use view::{Content, View, ViewProperties};
 /// The version of the preset format this program reads and writes.
 pub const SCHEMA: u32 = 1;
 
-/// Longest side of a picture, in pixels: what every device that the passes run on can do (WebGPU's
-/// default limit).
+/// Maximum side of a picture, in pixels: WebGPU's default limit, which every device that the passes
+/// run on supports.
 pub const MAX_PICTURE_SIDE: u32 = 8192;
 
-/// Largest radius of a camera, in r_s.
+/// Maximum radius of a camera, in r_s.
 pub const MAX_RADIUS: f64 = 1e7;

@@ -63,7 +63,7 @@ impl Kind {
     }
 }
 
-/// Most characters a text field may have.
+/// Maximum number of characters of a text field.
 pub const MAX_TEXT_CHARS: usize = 200;
 
 /// An interval of numbers, each end open or closed. Whole numbers up to 2^53 are exact in it.

@@ -38,7 +38,8 @@ pub enum Content {
 pub struct ViewProperties {
     /// What its colours stand for.
     pub content: Content,
-    /// Whether the shader traces the rays it shows; otherwise it shows numbers made before.
+    /// Whether the shader traces the rays it shows; otherwise it shows numbers computed
+    /// beforehand.
     pub traces: bool,
 }
 

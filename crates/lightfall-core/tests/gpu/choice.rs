@@ -15,23 +15,23 @@ fn a_preferred_adapter_is_used_if_it_exists_and_the_best_one_otherwise() {
     // other tests of this program only ask for the device that they share.
     let last = adapters().pop().unwrap();
     prefer(Some(last.name.clone()));
-    let (told, opened) = (chosen(), Gpu::headless().unwrap().info);
+    let (choice, opened) = (chosen(), Gpu::headless().unwrap().info);
     prefer(Some(AdapterName {
         name: "A card that was taken out".into(),
         backend: "vulkan".into(),
     }));
-    let (told_without, opened_without) = (chosen(), Gpu::headless().unwrap().info);
+    let (choice_without, opened_without) = (chosen(), Gpu::headless().unwrap().info);
     // An adapter with the same name on another interface is another adapter.
     prefer(Some(AdapterName {
         backend: "noop".into(),
         ..last.name.clone()
     }));
-    let told_other = chosen();
+    let choice_other = chosen();
     prefer(None);
-    assert_eq!(told.1.as_ref(), Some(&last.name.name));
-    assert_eq!(told.0, wgpu::Backends::from(opened.backend));
+    assert_eq!(choice.1.as_ref(), Some(&last.name.name));
+    assert_eq!(choice.0, wgpu::Backends::from(opened.backend));
     assert_eq!(AdapterName::of(&opened), last.name);
-    assert_eq!((told_without, told_other), (without.clone(), without));
+    assert_eq!((choice_without, choice_other), (without.clone(), without));
     assert_eq!(AdapterName::of(&opened_without), AdapterName::of(&best));
     // As `lightfall --list-gpus` prints it.
     let line = last.to_string();

@@ -116,8 +116,8 @@ fn every_outcome_is_right_and_a_rotation_of_1e_6_rad_explains_every_error() {
         {
             let turned = |turn: f64| reference.trace(ray(alpha + turn, around));
             let truth = turned(0.0);
-            let told = format!("{alpha} at {r}, shadow {shadow}: {trace:?} against {truth:?}");
-            assert_eq!(trace.outcome, truth.outcome, "{told}");
+            let context = format!("{alpha} at {r}, shadow {shadow}: {trace:?} against {truth:?}");
+            assert_eq!(trace.outcome, truth.outcome, "{context}");
             // The tolerance is 1e-6 for the rotation and for the error that it leaves. f32 rounds
             // the direction and the matrix by 6e-8 each, and the angle by 2e-7. Measured with ten
             // thousand rays per radius: at most 9e-7.
@@ -135,7 +135,7 @@ fn every_outcome_is_right_and_a_rotation_of_1e_6_rad_explains_every_error() {
                     .map_or(f64::NAN, |truth| (sky - truth).length());
                 assert!(
                     turn.abs() + left < 1e-6,
-                    "turn {turn:e} leaves {left:e}: {told}"
+                    "turn {turn:e} leaves {left:e}: {context}"
                 );
             }
             for (i, hit) in trace.hits.iter().enumerate() {
@@ -152,7 +152,7 @@ fn every_outcome_is_right_and_a_rotation_of_1e_6_rad_explains_every_error() {
                         (1..=10)
                             .any(|j| same(0.1 * f64::from(j) * most)
                                 || same(-0.1 * f64::from(j) * most)),
-                        "{told}"
+                        "{context}"
                     );
                     continue;
                 }
@@ -170,7 +170,7 @@ fn every_outcome_is_right_and_a_rotation_of_1e_6_rad_explains_every_error() {
                 let (r, phi) = near(turn).unwrap();
                 assert!(
                     turn.abs() + r.hypot(phi) < 1e-6,
-                    "hit {i}: turn {turn:e} leaves {r:e}, {phi:e}: {told}"
+                    "hit {i}: turn {turn:e} leaves {r:e}, {phi:e}: {context}"
                 );
             }
         }

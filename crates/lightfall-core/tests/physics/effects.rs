@@ -33,9 +33,9 @@ fn an_observer_at_rest_in_the_local_frame_has_no_doppler_factor() {
     for spin in [-0.9, 0.0, 0.5, 0.998] {
         let mut scene = scene(spin, ObserverKind::Zamo, [0.0; 3]);
         scene.effects.gravitational_shift = false;
-        let (sight, shift) = (CameraRays::new(&scene).unwrap(), Shift::new(&scene));
+        let (camera_rays, shift) = (CameraRays::new(&scene).unwrap(), Shift::new(&scene));
         for direction in directions() {
-            let photon = sight.photon(direction);
+            let photon = camera_rays.photon(direction);
             let n = scene.camera.direction();
             let lambda = scene.camera.r * n.cross(photon.w).z / photon.energy;
             // Only the Doppler factor remains, which is one for this camera, except for rounding.

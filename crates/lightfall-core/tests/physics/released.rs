@@ -202,7 +202,7 @@ fn a_release_does_not_move_the_picture() {
         };
         let mut after = before.clone();
         worldline.advance(0.0, &mut after);
-        let [(sight, axes), (other, turned)] = [&before, &after].map(|scene| {
+        let [(camera_rays, axes), (other, turned)] = [&before, &after].map(|scene| {
             (
                 CameraRays::new(scene).unwrap(),
                 scene.camera.tetrad_from_camera(),
@@ -214,7 +214,10 @@ fn a_release_does_not_move_the_picture() {
             DVec3::new(-0.48, 0.6, 0.64),
             DVec3::NEG_Y,
         ] {
-            let [one, two] = [sight.photon(axes * pixel), other.photon(turned * pixel)];
+            let [one, two] = [
+                camera_rays.photon(axes * pixel),
+                other.photon(turned * pixel),
+            ];
             let scale = one.energy.abs().max(1.0);
             let off = (one.energy - two.energy).abs()
                 + (one.radial - two.radial).abs()

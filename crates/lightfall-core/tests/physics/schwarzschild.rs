@@ -196,12 +196,12 @@ fn the_edge_of_the_shadow_is_a_circle_on_every_observers_sky() {
                     margin_at_center,
                     curvature,
                 } = ShadowEdge::new(energy, radial, r);
-                let told = format!("{kind:?} at {r} with {velocity:?}");
+                let context = format!("{kind:?} at {r} with {velocity:?}");
                 // |d - center| = 2 sin(angle/2) on the edge.
                 let half = (-margin_at_center / (2.0 * curvature)).sqrt();
                 assert!(
                     (1e-9..=0.5_f64.sqrt() + 1e-15).contains(&half),
-                    "{told}: half chord {half}"
+                    "{context}: half chord {half}"
                 );
                 let angle = 2.0 * half.asin();
                 let (u, v) = center.any_orthonormal_pair();
@@ -216,7 +216,7 @@ fn the_edge_of_the_shadow_is_a_circle_on_every_observers_sky() {
                     let b = r * photon.w.length() / photon.energy;
                     assert!(
                         (b / CRITICAL_IMPACT - 1.0).abs() < 1e-8 + 1e-14 / angle,
-                        "{told}: b = {b}"
+                        "{context}: b = {b}"
                     );
                     // On both sides of the edge the sign is that of the photon's own components.
                     for share in [0.5, 0.9, 1.1] {
@@ -228,7 +228,7 @@ fn the_edge_of_the_shadow_is_a_circle_on_every_observers_sky() {
                         let least = 1e-13 * photon.energy.abs().max(1.0) * 1e4;
                         assert!(
                             (margin - own).abs() < least.max(1e-9 * own.abs()),
-                            "{told}: {margin:e} and {own:e}"
+                            "{context}: {margin:e} and {own:e}"
                         );
                     }
                 }

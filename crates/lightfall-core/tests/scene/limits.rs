@@ -70,7 +70,7 @@ fn a_refusal_names_the_other_fields_that_limit_the_field() {
         assert_eq!(preset(text), format!("my.toml: {sentence}"));
     }
     // Bardeen, Press & Teukolsky 1972 eq. 2.18 at chi = -0.5: M (2 + 2 cos(2 pi / 9)) =
-    // 1.76604444311897804, said with six digits, upward: what is said to be allowed is.
+    // 1.76604444311897804, rounded up to six digits, so that the stated limit is allowed.
     let orbit = preset(
         "hole.spin = -0.5\ncamera.r = 1.7\ncamera.theta_deg = 90\nobserver.kind = \"orbit\"",
     );
@@ -122,15 +122,15 @@ fn the_value_that_was_set_last_is_blamed() {
             .unwrap_err()
             .to_string()
     };
-    let beside = "is refused together with camera.r = 0.8, which must then be a number above 1 and at most 10000000 r_s (outside the \
+    let refused_with = "is refused together with camera.r = 0.8, which must then be a number above 1 and at most 10000000 r_s (outside the \
                   horizon at hole.spin = 0; observer rain goes on inside)";
     assert_eq!(
         sentence(&["observer.kind=zamo"]),
-        format!("--set: observer.kind = \"zamo\" {beside}")
+        format!("--set: observer.kind = \"zamo\" {refused_with}")
     );
     assert_eq!(
         sentence(&["observer.kind=zamo", "hole.spin=0"]),
-        format!("--set: hole.spin = 0 {beside}")
+        format!("--set: hole.spin = 0 {refused_with}")
     );
     assert_eq!(
         sentence(&["observer.kind=zamo", "hole.spin=0", "camera.r=0.8"])

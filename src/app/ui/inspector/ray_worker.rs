@@ -1,5 +1,5 @@
-//! The thread that traces inspected rays again: first with the f64 reference, which answers at once,
-//! then on a background GPU device. No frame waits for it.
+//! The thread that traces inspected rays again: first with the f64 reference, which answers at
+//! once, then on a background GPU device. No frame waits for it.
 
 use crate::worker::{Answers, Worker};
 use lightfall_core::accuracy::Ray;

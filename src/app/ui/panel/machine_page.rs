@@ -1,5 +1,5 @@
-//! The page about the machine: how fast it draws, what the passes cost, which adapter draws, and what
-//! the scene compiles.
+//! The page about the machine: how fast it draws, what the passes cost, which adapter draws, and
+//! what the scene compiles.
 
 use crate::app::session::adapter::AdapterChoice;
 use crate::app::session::frame_pacing::FramePacing;

@@ -1,5 +1,5 @@
-//! The page of read-outs: what the observer would measure, in units of the hole and, for a hole of a
-//! chosen mass, in SI units.
+//! The page of read-outs: what the observer would measure, in units of the hole and, for a hole of
+//! a chosen mass, in SI units.
 
 use crate::app::controls::bindings::Bindings;
 use crate::app::motion::free_fall::FreeFall;

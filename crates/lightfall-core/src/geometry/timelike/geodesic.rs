@@ -6,8 +6,8 @@ use crate::geometry::observer::Photon;
 use crate::geometry::taylor::Taylor;
 use glam::DVec3;
 
-/// Most steps of one advance. A step covers about a radian, or half of the way to infinity, so no
-/// flight needs as many.
+/// Maximum number of steps of one advance. A step covers about a radian, or half of the way to
+/// infinity, so no flight needs as many.
 const MAX_STEPS: u32 = 100_000;
 
 /// A freely falling particle of unit mass.

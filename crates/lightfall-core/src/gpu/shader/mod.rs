@@ -1,5 +1,5 @@
-//! WGSL parts joined into variants: a shader's text contains only what its scene needs. `const` flags
-//! decide the rest; compilers drop what is behind a flag that is not set.
+//! WGSL parts joined into variants: a shader's text contains only what its scene needs. `const`
+//! flags decide the rest; compilers drop what is behind a flag that is not set.
 
 mod all;
 mod prelude;
@@ -63,9 +63,10 @@ pub enum Entry {
 const MIN_TRANSMISSION: f64 = 0.002;
 
 /// Whether rays that see something pass so close to the horizon of a spinning hole that their
-/// azimuth must be summed in coordinates that are regular there. Elsewhere the pole of the azimuth's
-/// rate is too far away to disturb four Gaussian nodes per step, or what it disturbs is too small a
-/// rotation of the ray as seen from the camera. Without spin only a camera inside is affected.
+/// azimuth must be summed in coordinates that are regular there. Elsewhere the pole of the
+/// azimuth's rate is too far away to disturb four Gaussian nodes per step, or what it disturbs is
+/// too small a rotation of the ray as seen from the camera. Without spin only a camera inside is
+/// affected.
 fn passes_near_horizon(Scene { hole, camera, .. }: &Scene) -> bool {
     let farthest = match hole.spin.abs() {
         0.0 => 1.0,

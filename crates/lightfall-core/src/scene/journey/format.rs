@@ -4,9 +4,9 @@ use crate::scene::fields::{Field, field};
 use crate::scene::range::{Kind, Range};
 use crate::scene::value::Value;
 
-/// Most keyframes of a journey.
+/// Maximum number of keyframes of a journey.
 pub(super) const MAX_KEYFRAMES: usize = 1000;
-/// Longest journey, in seconds.
+/// Maximum duration of a journey, in seconds.
 pub(super) const MAX_SECONDS: f64 = 86_400.0;
 
 /// What a keyframe may have: its name there, and the key of the field that says what it may be.
