@@ -27,7 +27,7 @@ fn destroy(wanted: If<Res<Destroy>>, device: Res<RenderDevice>) {
 /// starts it as another process, because a window needs a main thread and its own display.
 #[test]
 #[ignore = "started by the test of device loss"]
-fn program_that_loses_its_device() {
+fn started_program_that_loses_its_device() {
     let mut app = program();
     app.init_resource::<Destroy>()
         .add_plugins(ExtractResourcePlugin::<Destroy>::default())
@@ -48,7 +48,7 @@ fn a_lost_device_is_replaced_and_the_scene_stays() {
     let program = std::env::current_exe().unwrap();
     let only = [
         "--exact",
-        "device_loss::program_that_loses_its_device",
+        "device_loss::started_program_that_loses_its_device",
         "--ignored",
         "--test-threads=1",
         "--nocapture",

@@ -111,7 +111,7 @@ fn hand(
 /// The program with such a gamepad. This is no test: the test below starts it as another process.
 #[test]
 #[ignore = "started by the test of the gamepad"]
-fn program_with_a_gamepad() {
+fn started_program_that_has_a_gamepad() {
     let mut app = program();
     app.init_resource::<Hand>().add_systems(First, hand);
     assert_eq!(app.run(), AppExit::Success);
@@ -157,7 +157,7 @@ fn a_gamepad_wakes_the_window_flies_looks_around_and_presses_controls() {
     let program = std::env::current_exe().unwrap();
     let only = [
         "--exact",
-        "gamepad::program_with_a_gamepad",
+        "gamepad::started_program_that_has_a_gamepad",
         "--ignored",
         "--test-threads=1",
         "--nocapture",

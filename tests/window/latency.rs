@@ -55,7 +55,7 @@ fn picture(window: Option<&[u8]>) -> Option<&[u8]> {
 /// The program with [`watch`]. This is no test: the test below starts it as another process.
 #[test]
 #[ignore = "started by the test of latency"]
-fn program_that_watches_its_frames() {
+fn started_program_that_watches_its_frames() {
     let mut app = program();
     app.init_resource::<Before>()
         .init_resource::<Pressed>()
@@ -69,7 +69,7 @@ fn the_picture_follows_a_key_in_the_same_frame_or_the_next() {
     let program = std::env::current_exe().unwrap();
     let only = [
         "--exact",
-        "latency::program_that_watches_its_frames",
+        "latency::started_program_that_watches_its_frames",
         "--ignored",
         "--test-threads=1",
         "--nocapture",

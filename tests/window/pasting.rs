@@ -15,7 +15,7 @@ const PATIENCE: Duration = Duration::from_secs(20);
 /// pasting starts it.
 #[test]
 #[ignore = "started by the test of pasting"]
-fn program_that_holds_the_clipboard() {
+fn started_program_that_holds_the_clipboard() {
     use arboard::SetExtLinux;
     arboard::Clipboard::new()
         .unwrap()
@@ -28,7 +28,7 @@ fn program_that_holds_the_clipboard() {
 fn holder(desktop: &Desktop) -> Child {
     let only = [
         "--exact",
-        "pasting::program_that_holds_the_clipboard",
+        "pasting::started_program_that_holds_the_clipboard",
         "--ignored",
         "--test-threads=1",
     ];
