@@ -3,7 +3,7 @@
 //!
 //! Each module may import from those before it in this list, and from no other:
 //!
-//! 1. [`words`]: enumerations with a word for each variant.
+//! 1. [`words`](mod@words): enumerations with a word for each variant.
 //! 2. [`geometry`]: Kerr and Schwarzschild, observers and geodesics, as pure functions in f64.
 //! 3. [`scene`]: the one description of what is drawn, with its fields, limits and presets.
 //! 4. [`optics`]: what a scene's camera sees, in f64: the truth that everything is measured against.

@@ -1,9 +1,9 @@
 //! Enumerations with a word for each variant, as presets, the command line and messages write it.
 //!
-//! [`words!`](crate::words) declares the variants and their words in one table, so that no variant
+//! [`words!`](macro@crate::words) declares the variants and their words in one table, so that no variant
 //! can be without a word or missing from `ALL`.
 
-/// An enumeration that [`words!`](crate::words) declared, for code that serves all of them.
+/// An enumeration that [`words!`](macro@crate::words) declared, for code that serves all of them.
 pub trait Words: Copy + 'static {
     /// The words of all variants, in the order of their declaration.
     const WORDS: &'static [&'static str];
