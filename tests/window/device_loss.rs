@@ -15,8 +15,9 @@ struct Destroy(bool);
 
 fn destroy(wanted: If<Res<Destroy>>, device: Res<RenderDevice>) {
     if wanted.0.0 {
-        // Between two frames: within one, Bevy's own clock of the passes reads a buffer that is
-        // gone with the device.
+        // Between two frames, and after every buffer that Bevy is reading has been read: a buffer
+        // that a loss takes away stays readable, one that is destroyed does not.
+        let _ = device.poll(PollType::wait_indefinitely());
         device.wgpu_device().destroy();
         // What this answers is the loss itself.
         let _ = device.poll(PollType::wait_indefinitely());
