@@ -152,5 +152,5 @@ fn observer_change(kinds: [ObserverKind; 2]) -> String {
         format!("{} ({motion})", kind.word())
     };
     let [wanted, nearest] = kinds.map(named);
-    format!("Observer {wanted} cannot exist here: the camera flies on as {nearest}")
+    format!("Observer {wanted} cannot exist here: the camera's observer is now {nearest}")
 }
