@@ -139,9 +139,9 @@ impl ObserverKind {
 }
 
 /// The smallest radius to which motion leads, in r_s: nine tenths of the way from the outer horizon
-/// to the inner one, which without spin is the centre. Further in the tide grows without bound; with
-/// spin so does the blueshift of what falls in along with the hole's turning, as 1/|Delta|; and the
-/// inner horizon of a real hole is not that of a vacuum (Poisson & Israel 1990).
+/// to the inner one, which without spin is the centre. Further in, the tide grows without bound.
+/// With spin, the blueshift of matter that falls in with the hole's rotation grows too, as
+/// 1/|Delta|. The inner horizon of a real hole is not that of a vacuum (Poisson & Israel 1990).
 #[must_use]
 pub fn min_infall_radius(kerr: Kerr) -> f64 {
     0.9 * kerr.inner_horizon() + 0.1 * kerr.horizon()
