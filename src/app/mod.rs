@@ -17,7 +17,7 @@ mod state;
 mod ui;
 
 pub use controls::bindings::{Bindable, BindingTable, Bindings, PadBindings};
-pub use controls::control::{Action, AppCommand, Control, FlightInput, Group};
+pub use controls::control::{Action, AppCommand, Control, FlightInput, Group, Modifier};
 pub use controls::edits::edited;
 pub use controls::key_feedback::remark;
 pub use controls::table::{CONTROLS, control_named};

@@ -113,8 +113,8 @@ fn settings_bind_buttons_separately_from_keys() {
             "buttons: window.help: unknown button \"F1\"",
         ),
         (
-            "\"window.help\" = [\"A\"]",
-            "buttons: A is given to both journey.fly and window.help",
+            "\"window.help\" = [\"A\"]\n\"window.panel\" = [\"A\"]",
+            "buttons: A is given to both window.help and window.panel",
         ),
         (
             "\"window.halp\" = [\"A\"]",

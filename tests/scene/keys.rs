@@ -2,7 +2,7 @@
 
 use bevy::prelude::KeyCode;
 use lightfall::app::{
-    Action, Bindable, Bindings, CONTROLS, checked_change, control_named, edited, remark,
+    Action, Bindable, Bindings, CONTROLS, Modifier, checked_change, control_named, edited, remark,
 };
 use lightfall_core::scene::{Method, ObserverKind, Scene, View, presets};
 use std::collections::BTreeMap;
@@ -255,7 +255,7 @@ fn controls_have_names_and_keys_of_their_own() {
             assert_ne!(other.id, control.id);
             let shared = control.keys.iter().any(|code| other.keys.contains(code));
             assert!(
-                !shared || other.alt != control.alt,
+                !shared || other.modifier != control.modifier,
                 "{} and {} share a key",
                 other.id,
                 control.id
@@ -326,12 +326,15 @@ fn settings(id: &str, keys: &[&str]) -> BTreeMap<String, Vec<String>> {
 
 #[test]
 fn settings_bind_keys_and_say_what_is_wrong_with_them() {
-    let bound = Bindings::new(&settings("view.classes", &["K", "F10"])).unwrap();
+    let bound = Bindings::new(&settings("view.classes", &["Insert", "End"])).unwrap();
     assert_eq!(
         bound.of("view.classes"),
-        ["K", "F10"].map(|name| KeyCode::from_name(name).unwrap())
+        ["Insert", "End"].map(|name| KeyCode::from_name(name).unwrap())
     );
-    assert_eq!(bound.settings(), settings("view.classes", &["K", "F10"]));
+    assert_eq!(
+        bound.settings(),
+        settings("view.classes", &["Insert", "End"])
+    );
     assert_eq!(
         Bindings::new(&BTreeMap::new()).unwrap(),
         Bindings::default()
@@ -341,13 +344,62 @@ fn settings_bind_keys_and_say_what_is_wrong_with_them() {
         ("view.classes", ["Any"], "view.classes: unknown key \"Any\""),
         (
             "view.classes",
-            ["W"],
-            "W is given to both fly.forward and view.classes",
+            ["Alt+K"],
+            "view.classes: unknown key \"Alt+K\"",
         ),
     ] {
         let error = Bindings::new(&settings(id, &keys)).unwrap_err();
         assert!(error.contains(expected), "{error}");
     }
+    let mut twice = settings("view.classes", &["W"]);
+    twice.extend(settings("fly.forward", &["W"]));
+    let error = Bindings::new(&twice).unwrap_err();
+    assert!(
+        error.contains("W is given to both fly.forward and view.classes"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_key_in_the_settings_is_taken_from_the_control_that_has_it_by_default() {
+    let w = KeyCode::from_name("W").unwrap();
+    let bound = Bindings::new(&settings("view.classes", &["W"])).unwrap();
+    assert_eq!(bound.owner(w, None).unwrap().id, "view.classes");
+    assert!(bound.of("fly.forward").is_empty());
+    assert_eq!(Bindings::new(&bound.settings()).unwrap(), bound);
+}
+
+#[test]
+fn a_modifier_belongs_to_a_control_and_its_keys_are_written_with_and_without_it() {
+    for name in ["F", "Alt+F"] {
+        let bound = Bindings::new(&settings("window.fullscreen", &[name])).unwrap();
+        assert_eq!(bound.label("window.fullscreen"), "Alt+F");
+        let f = KeyCode::from_name("F").unwrap();
+        assert_eq!(
+            bound.owner(f, Some(Modifier::Alt)).unwrap().id,
+            "window.fullscreen"
+        );
+        // The same key without the modifier is another one.
+        assert_eq!(bound.owner(f, None).unwrap().id, "motion.let_go");
+    }
+}
+
+#[test]
+fn keys_without_a_row_for_the_modifier_keep_their_meaning_with_shift_alone() {
+    let bindings = Bindings::default();
+    let meant = |name: &str, held| {
+        bindings
+            .pressed(KeyCode::from_name(name).unwrap(), held)
+            .map(|control| control.id)
+    };
+    assert_eq!(meant("Enter", None), Some("journey.again"));
+    assert_eq!(
+        meant("Enter", Some(Modifier::Alt)),
+        Some("window.fullscreen")
+    );
+    assert_eq!(meant("P", Some(Modifier::Shift)), Some("window.panel"));
+    assert_eq!(meant("P", Some(Modifier::Alt)), None);
+    assert_eq!(meant("P", Some(Modifier::Ctrl)), None);
 }
 
 #[test]

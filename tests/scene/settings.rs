@@ -49,8 +49,14 @@ fn a_broken_file_is_renamed_and_reported() {
             "most_frames = -1.0",
             "or 0 for as many as the monitor shows",
         ),
-        ("[keys]\n\"window.help\" = [\"W\"]", "W is given to both"),
-        ("[buttons]\n\"window.help\" = [\"A\"]", "A is given to both"),
+        (
+            "[keys]\n\"window.help\" = [\"W\"]\n\"window.panel\" = [\"W\"]",
+            "W is given to both window.help and window.panel",
+        ),
+        (
+            "[buttons]\n\"window.help\" = [\"A\"]\n\"window.panel\" = [\"A\"]",
+            "A is given to both window.help and window.panel",
+        ),
         ("[adapter]\nname = \"A card\"", "backend"),
     ] {
         let folder = tempfile::tempdir().unwrap();

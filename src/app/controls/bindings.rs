@@ -2,7 +2,7 @@
 //! unless the settings say otherwise.
 
 use super::buttons;
-use super::control::Control;
+use super::control::{Control, Modifier};
 use super::keys;
 use super::table::{CONTROLS, control_named};
 use bevy::prelude::{GamepadButton, KeyCode, Resource};
@@ -20,8 +20,9 @@ pub trait Bindable: Copy + PartialEq + Send + Sync + 'static {
     /// The defaults of a control.
     fn defaults(control: &Control) -> &'static [Self];
 
-    /// Whether this control wants Alt held. The same key with Alt and without counts as two.
-    fn with_alt(control: &Control) -> bool;
+    /// The modifier that must be held with this control's inputs. The same key with a modifier
+    /// and without counts as two.
+    fn modifier(control: &Control) -> Option<Modifier>;
 
     /// The input's name; `None` if no control can be bound to the input.
     fn name(self) -> Option<&'static str> {
@@ -53,8 +54,8 @@ impl Bindable for KeyCode {
         control.keys
     }
 
-    fn with_alt(control: &Control) -> bool {
-        control.alt
+    fn modifier(control: &Control) -> Option<Modifier> {
+        control.modifier
     }
 }
 
@@ -66,8 +67,8 @@ impl Bindable for GamepadButton {
         buttons::default_buttons(control.id)
     }
 
-    fn with_alt(_: &Control) -> bool {
-        false
+    fn modifier(_: &Control) -> Option<Modifier> {
+        None
     }
 }
 
@@ -93,9 +94,12 @@ impl<B: Bindable> Default for BindingTable<B> {
 
 impl<B: Bindable> BindingTable<B> {
     /// The defaults, with the inputs of some controls replaced: names of inputs by name of control.
+    /// A default gives way to them, so that an older settings file stays valid when a new control
+    /// has one of its keys as a default. A name may have the prefix of its control's modifier.
     ///
     /// # Errors
-    /// One sentence: a control or an input does not exist, or two controls share an input.
+    /// One sentence: a control or an input does not exist, or two of the given controls share an
+    /// input.
     pub fn new(settings: &BTreeMap<String, Vec<String>>) -> Result<Self, String> {
         let word = B::WORD;
         let mut bindings = Self::default();
@@ -111,37 +115,58 @@ impl<B: Bindable> BindingTable<B> {
                         .join(", ");
                     format!("{word}s: there is no control {id}; the controls are {known}")
                 })?;
+            let prefix = B::modifier(&CONTROLS[place]).map_or("", Modifier::prefix);
             let inputs = names.iter().map(|name| {
-                B::from_name(name).ok_or_else(|| {
+                B::from_name(name.strip_prefix(prefix).unwrap_or(name)).ok_or_else(|| {
                     let known = B::names().collect::<Vec<_>>().join(" ");
                     format!("{word}s: {id}: unknown {word} \"{name}\"; the {word}s are {known}")
                 })
             });
             bindings.0[place] = inputs.collect::<Result<_, _>>()?;
         }
-        for (control, inputs) in bindings.iter() {
-            for input in inputs {
-                if let Some(other) = bindings
-                    .owner(*input, B::with_alt(control))
-                    .filter(|other| other.id != control.id)
-                {
-                    let name = input.name().unwrap_or("?");
-                    return Err(format!(
-                        "{word}s: {name} is given to both {} and {}",
-                        other.id, control.id
-                    ));
-                }
+        let given: Vec<(&Control, B)> = bindings
+            .iter()
+            .filter(|(control, _)| settings.contains_key(control.id))
+            .flat_map(|(control, inputs)| inputs.iter().map(move |input| (control, *input)))
+            .collect();
+        for (place, (control, input)) in given.iter().enumerate() {
+            let same = |other: &Control, its_input: B| {
+                its_input == *input
+                    && other.id != control.id
+                    && B::modifier(other) == B::modifier(control)
+            };
+            if let Some((other, _)) = given[..place].iter().find(|(other, its)| same(other, *its)) {
+                let name = input.name().unwrap_or("?");
+                return Err(format!(
+                    "{word}s: {name} is given to both {} and {}",
+                    other.id, control.id
+                ));
+            }
+            for (other, inputs) in CONTROLS.iter().zip(&mut bindings.0) {
+                inputs.retain(|its_input| !same(other, *its_input));
             }
         }
         Ok(bindings)
     }
 
-    /// The first control that is bound to this input.
+    /// The first control that is bound to this input with exactly this modifier.
     #[must_use]
-    pub fn owner(&self, input: B, alt: bool) -> Option<&'static Control> {
+    pub fn owner(&self, input: B, modifier: Option<Modifier>) -> Option<&'static Control> {
         self.iter()
-            .find(|(control, inputs)| B::with_alt(control) == alt && inputs.contains(&input))
+            .find(|(control, inputs)| B::modifier(control) == modifier && inputs.contains(&input))
             .map(|(control, _)| control)
+    }
+
+    /// The control that a press of this input means while a modifier is held. Shift changes only
+    /// the keys that have a row with Shift, because it is also the key for flying faster. Alt and
+    /// Ctrl leave every other key to the desktop.
+    #[must_use]
+    pub fn pressed(&self, input: B, held: Option<Modifier>) -> Option<&'static Control> {
+        self.owner(input, held).or_else(|| {
+            (held == Some(Modifier::Shift))
+                .then(|| self.owner(input, None))
+                .flatten()
+        })
     }
 
     /// Every control with its inputs.
@@ -165,7 +190,7 @@ impl<B: Bindable> BindingTable<B> {
         for (control, inputs) in CONTROLS.iter().zip(&mut self.0) {
             if control.id == id {
                 *inputs = vec![input];
-            } else if B::with_alt(control) == B::with_alt(bound) {
+            } else if B::modifier(control) == B::modifier(bound) {
                 inputs.retain(|other| *other != input);
             }
         }
@@ -199,13 +224,13 @@ impl<B: Bindable> BindingTable<B> {
     /// The names of a control's inputs, for example `F12, Print`.
     #[must_use]
     pub fn label_of(&self, control: &Control) -> String {
-        let alt = if B::with_alt(control) { "Alt+" } else { "" };
+        let prefix = B::modifier(control).map_or("", Modifier::prefix);
         self.of(control.id)
             .iter()
             .filter_map(|input| input.name())
             // A second key of the same name, on the right or on the keypad, needs no mention.
             .filter(|name| !name.starts_with("Right ") && !name.starts_with("Keypad "))
-            .map(|name| format!("{alt}{name}"))
+            .map(|name| format!("{prefix}{name}"))
             .collect::<Vec<_>>()
             .join(", ")
     }

@@ -10,9 +10,8 @@ pub struct Control {
     pub id: &'static str,
     /// Its default keys, by their place on the keyboard.
     pub keys: &'static [KeyCode],
-    /// Whether Alt must be held with them. Without this, a key pressed with Alt is left to the
-    /// desktop.
-    pub alt: bool,
+    /// The modifier that must be held with them.
+    pub modifier: Option<Modifier>,
     /// The heading under which the help lists it.
     pub group: Group,
     /// A few words that say what it does. Neighbouring controls with the same words share one entry
@@ -20,6 +19,40 @@ pub struct Control {
     pub description: &'static str,
     /// What happens.
     pub action: Action,
+}
+
+/// A key that changes what other keys do while it is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum Modifier {
+    Alt,
+    Ctrl,
+    Shift,
+}
+
+impl Modifier {
+    /// Every modifier. Of several that are held, the first one here counts.
+    pub const ALL: [Self; 3] = [Self::Alt, Self::Ctrl, Self::Shift];
+
+    /// Its keys, left and right.
+    #[must_use]
+    pub fn keys(self) -> [KeyCode; 2] {
+        match self {
+            Self::Alt => [KeyCode::AltLeft, KeyCode::AltRight],
+            Self::Ctrl => [KeyCode::ControlLeft, KeyCode::ControlRight],
+            Self::Shift => [KeyCode::ShiftLeft, KeyCode::ShiftRight],
+        }
+    }
+
+    /// What stands before the name of a key, for example `Shift+`.
+    #[must_use]
+    pub fn prefix(self) -> &'static str {
+        match self {
+            Self::Alt => "Alt+",
+            Self::Ctrl => "Ctrl+",
+            Self::Shift => "Shift+",
+        }
+    }
 }
 
 /// The headings of the help.

@@ -2,26 +2,27 @@
 //! all read it; buttons of a gamepad stand in `buttons.rs`.
 
 use super::control::Action::{Do, Edit, Hold, Load, StepPreset};
-use super::control::{AppCommand, Control, FlightInput, Group};
+use super::control::{AppCommand, Control, FlightInput, Group, Modifier};
 use super::edits;
 use bevy::prelude::KeyCode;
 
-/// Rows of `"name" [default keys] "what it does" action`, under the heading of the help.
+/// Rows of `"name" [default keys] "what it does" action`, under the heading of the help. `Alt +`,
+/// `Ctrl +` or `Shift +` before the keys means that this modifier is held with them.
 macro_rules! controls {
     ($($group:ident {
-        $($id:literal $($alt:ident +)? [$($key:ident),+] $description:literal $action:expr;)+
+        $($id:literal $($modifier:ident +)? [$($key:ident),+] $description:literal $action:expr;)+
     })+) => {
         &[$($(Control {
             id: $id,
             keys: &[$(KeyCode::$key),+],
-            alt: controls!(@alt $($alt)?),
+            modifier: controls!(@modifier $($modifier)?),
             group: Group::$group,
             description: $description,
             action: $action,
         },)+)+]
     };
-    (@alt Alt) => { true };
-    (@alt) => { false };
+    (@modifier $modifier:ident) => { Some(Modifier::$modifier) };
+    (@modifier) => { None };
 }
 
 /// Every control, in the order of the help.

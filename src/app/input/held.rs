@@ -25,6 +25,7 @@ impl HeldControls<'_, '_> {
     /// How far an input's key or button is pressed, from 0 to 1.
     fn strength(&self, input: FlightInput) -> f64 {
         let holds = |action| matches!(action, Action::Hold(held) if held == input);
+        // Modifiers are not asked for: Shift flies faster, Alt slower and Ctrl down.
         // A tap that begins and ends within one slow frame counts for that frame.
         let held = |code: &KeyCode| self.keys.pressed(*code) || self.keys.just_pressed(*code);
         let mut controls = self

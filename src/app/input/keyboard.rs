@@ -3,7 +3,7 @@
 use super::gamepad::Pads;
 use super::typing::Typing;
 use crate::app::controls::bindings::Bindings;
-use crate::app::controls::control::{Action, AppCommand, Control};
+use crate::app::controls::control::{Action, AppCommand, Control, Modifier};
 use crate::app::controls::edits::edited;
 use crate::app::controls::key_feedback::remark;
 use crate::app::state::preferences::Preferences;
@@ -41,11 +41,16 @@ fn apply_pressed_controls(
     // Held at any time of the frame.
     let held = |codes: [KeyCode; 2]| keys.any_pressed(codes) || keys.any_just_pressed(codes);
     let listens = !typing.0 && !held([KeyCode::SuperLeft, KeyCode::SuperRight]);
-    let alt = held([KeyCode::AltLeft, KeyCode::AltRight]);
+    // A modifier does not modify itself, so that a control can be bound to it.
+    let modifier_of = |code: KeyCode| {
+        Modifier::ALL
+            .into_iter()
+            .find(|modifier| held(modifier.keys()) && !modifier.keys().contains(&code))
+    };
     let by_key = presses
         .into_iter()
         .filter(|_| listens)
-        .filter_map(|code| bindings.owner(code, alt))
+        .filter_map(|code| bindings.pressed(code, modifier_of(code)))
         .map(|control| (control, bindings.label_of(control)));
     let by_button = bindings
         .iter()
