@@ -9,7 +9,8 @@
 struct Presentation {
     // Size of the HDR picture, in pixels.
     picture: vec2<u32>,
-    // Size of the presentation grid, in cells. A cell is at least one pixel of the picture.
+    // Size of the presentation grid, in cells. A scene's cell is at least one pixel of its picture;
+    // a picture that is drawn coarser for a moment may have fewer pixels than cells.
     grid: vec2<u32>,
     // Offset and size of the image on the output, in output pixels.
     offset: vec2<f32>,
@@ -71,6 +72,16 @@ fn cell_mean(cell: vec2<u32>) -> vec3<f32> {
     return light / max(area, 1e-6);
 }
 
+// The light of a cell: the mean of its pixels, or interpolated where there are fewer pixels than
+// cells.
+fn cell_light(cell: vec2<u32>) -> vec3<f32> {
+    if any(presentation.picture < presentation.grid) {
+        let middle = (vec2<f32>(cell) + 0.5) / vec2<f32>(presentation.grid);
+        return textureSampleLevel(source, source_sampler, middle, 0.0).rgb;
+    }
+    return cell_mean(cell);
+}
+
 // Rounds perceptual channel values to the levels. The dither is the same in every frame, so that a
 // still picture stands still.
 fn quantize(linear: vec3<f32>, cell: vec2<u32>) -> vec3<f32> {
@@ -83,7 +94,7 @@ fn quantize(linear: vec3<f32>, cell: vec2<u32>) -> vec3<f32> {
 @fragment
 fn pixelate(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let cell = vec2<u32>(position.xy);
-    return vec4<f32>(quantize(cell_mean(cell), cell), 1.0);
+    return vec4<f32>(quantize(cell_light(cell), cell), 1.0);
 }
 
 // Position in the image, 0 to 1 in each direction, of an output pixel; the bars lie outside.

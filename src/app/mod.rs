@@ -29,9 +29,9 @@ pub use motion::steering::{Steered, Steering, steered};
 pub use session::display::display;
 pub use session::frame_pacing::FramePacing;
 pub use state::history::History;
-pub use state::resolution::Resolution;
+pub use state::resolution::{Canvas, Resolution};
 pub use state::scene_editor::checked_change;
-pub use state::settings::{Automatic, Settings};
+pub use state::settings::{Automatic, PictureShape, Settings};
 pub use ui::inspector::pixel_at;
 pub use ui::legend::{Swatch, legend};
 
@@ -48,19 +48,52 @@ use lightfall_core::scene::journey::Journey;
 use session::adapter::AdapterChoice;
 use state::preferences::Preferences;
 
-/// Opens the window and flies until it is closed. With `play_journey` the journey starts at once,
-/// and otherwise when its key is pressed.
-pub fn fly(scene: Drawable, journey: Journey, play_journey: bool) -> AppExit {
-    program(scene, journey, play_journey).run()
+/// What the window starts with.
+pub struct Start {
+    /// The first scene.
+    pub scene: Drawable,
+    /// The guided journey.
+    pub journey: Journey,
+    /// Whether the journey starts at once. Otherwise it starts when its key is pressed.
+    pub plays_journey: bool,
+    /// Whether the first scene says itself whether it is shown in cells. Otherwise the settings do.
+    pub keeps_own_look: bool,
+}
+
+impl Start {
+    /// Starts with a scene that flies the journey only when asked, in the look of the settings.
+    #[must_use]
+    pub fn new(scene: Drawable, journey: Journey) -> Self {
+        Self {
+            scene,
+            journey,
+            plays_journey: false,
+            keeps_own_look: false,
+        }
+    }
+}
+
+/// Opens the window and flies until it is closed.
+pub fn fly(start: Start) -> AppExit {
+    program(start).run()
 }
 
 /// The whole window program, as [`fly`] runs it.
-pub fn program(scene: Drawable, journey: Journey, play_journey: bool) -> App {
+pub fn program(start: Start) -> App {
+    let Start {
+        mut scene,
+        journey,
+        plays_journey,
+        keeps_own_look,
+    } = start;
     let mut player = JourneyPlayer::new(journey);
-    if play_journey {
+    if plays_journey {
         player.restart();
     }
     let (mut preferences, fault) = Preferences::load();
+    if !keeps_own_look {
+        scene = in_look(scene, preferences.settings.pixel_look);
+    }
     // The adapter has to be chosen before the renderer opens a device.
     let adapter = AdapterChoice::apply(&mut preferences);
     let mut app = App::new();
@@ -89,6 +122,8 @@ pub fn program(scene: Drawable, journey: Journey, play_journey: bool) -> App {
         .add_plugins((
             session::window::plugin,
             session::frame_pacing::plugin,
+            session::canvas::plugin,
+            session::pixel_look::plugin,
             session::adaptive_resolution::plugin,
             session::exposure::plugin,
             session::adapter::plugin,
@@ -112,6 +147,13 @@ pub fn program(scene: Drawable, journey: Journey, play_journey: bool) -> App {
             ui::end_card::plugin,
         ));
     app
+}
+
+/// The scene, shown with cells or without them.
+fn in_look(drawable: Drawable, pixel_look: bool) -> Drawable {
+    let mut scene = drawable.scene().clone();
+    scene.picture.bypass = !pixel_look;
+    Drawable::new(scene).unwrap_or(drawable)
 }
 
 fn bevy_plugins(scene: &Scene) -> PluginGroupBuilder {

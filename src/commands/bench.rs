@@ -3,12 +3,14 @@
 use super::circumstances::circumstances;
 use super::cli::{BenchArgs, EntryArg};
 use super::output::{create_report_folder, print, write_report};
-use super::progress::progress;
+use super::progress::Progress;
 use super::stop::Stop;
 use crate::picture;
 use glam::UVec2;
 use lightfall_core::gpu::Gpu;
-use lightfall_core::reports::bench::{AutoMargin, Measurement, Plan, auto_margin, markdown, plot};
+use lightfall_core::reports::bench::{
+    AutoMargin, Measurement, Plan, Ranking, auto_margin, markdown, plot,
+};
 use lightfall_core::reports::circumstances::Circumstances;
 use lightfall_core::reports::export::{csv, json};
 use lightfall_core::scene::{Method, Scene};
@@ -27,17 +29,26 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
             "no method of --methods can trace a scene of --scenes: verlet and closed need hole.spin = 0",
         ));
     }
-    let bar = progress(plan.len());
+    eprintln!(
+        "lightfall: bench: {} measurements in {} scenes on {}",
+        plan.len(),
+        plan.scenes.len(),
+        gpu.info.name
+    );
+    let mut progress = Progress::new("bench", plan.work());
     let measured = plan.run(&gpu, |row| {
-        bar.set_message(format!("{}, {}", row.scene, row.label()));
-        bar.inc(1);
+        progress.set_task(format!("{}, {}", row.scene, row.label()));
+        progress.advance(plan.work_of(row));
     });
-    let mut rows = measured.map_err(Stop::failed)?;
-    if args.frames {
-        bar.set_message("whole frames");
-        time_frames(&plan, &mut rows)?;
-    }
-    bar.finish_and_clear();
+    let timed = measured.map_err(Stop::failed).and_then(|mut rows| {
+        if args.frames {
+            progress.set_task("whole frames".into());
+            time_frames(&plan, &mut rows)?;
+        }
+        Ok(rows)
+    });
+    progress.finish();
+    let rows = timed?;
 
     let entry = match args.entry {
         EntryArg::Compute => "compute",
@@ -97,12 +108,20 @@ fn write_plots(
     Ok(())
 }
 
-/// Says on standard error whether `auto` is on the Pareto front of its scene.
+/// Says on standard error whether `auto` is on the Pareto front of its scene, or that the times vary
+/// too much to tell.
 fn print_margin(margin: &AutoMargin) {
-    let verdict = if margin.holds() {
-        "on the front"
-    } else {
-        "NOT on the front"
+    let verdict = match margin.ranking {
+        Ranking::OnFront => "on the front",
+        Ranking::NotOnFront => "NOT on the front",
+        Ranking::Undecided { spread } => {
+            eprintln!(
+                "{}: no ranking of auto: the times vary by up to +-{:.0} %, which is too much",
+                margin.scene,
+                100.0 * spread
+            );
+            return;
+        }
     };
     let speed = if margin.faster.is_finite() {
         format!(

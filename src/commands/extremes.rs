@@ -3,12 +3,12 @@
 use super::circumstances::circumstances;
 use super::cli::ExtremesArgs;
 use super::output::{create_report_folder, print, write_report};
-use super::progress::progress;
+use super::progress::Progress;
 use super::stop::Stop;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::reports::export::{csv, json};
 use lightfall_core::reports::extremes::{
-    Hunt, WorstRay, cells, grid, markdown, measure_matrix, verdict_count,
+    Hunt, WorstRay, cells, grid, markdown, matrix_work, measure_matrix,
 };
 use lightfall_core::scene::Method;
 
@@ -34,20 +34,18 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     } else {
         args.methods.clone()
     };
-    let bar = progress(1);
-    bar.set_message("finding the edges of the shadows");
-    bar.tick();
+    eprintln!("lightfall: extremes: finding the edges of the shadows first");
     let cells = if args.grid { grid } else { cells }(args.rays as usize);
-    bar.set_length(verdict_count(&cells, &methods) as u64);
-    let measured = measure_matrix(&gpu, &cells, &methods, |verdict| {
-        bar.set_message(format!(
+    let mut progress = Progress::new("extremes", matrix_work(&cells, &methods));
+    let measured = measure_matrix(&gpu, &cells, &methods, |verdict, work| {
+        progress.set_task(format!(
             "{}: {}, {}",
             verdict.group, verdict.cell, verdict.method
         ));
-        bar.inc(1);
+        progress.advance(work);
     });
+    progress.finish();
     let verdicts = measured.map_err(Stop::failed)?;
-    bar.finish_and_clear();
 
     let circumstances = circumstances(&gpu, format!("{} rays a cell", args.rays), "compute");
     let (json, markdown) = (json(&circumstances, &verdicts), markdown(&verdicts));
@@ -81,17 +79,17 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
 }
 
 fn hunt(gpu: &Gpu, hunt: &Hunt, as_json: bool) -> Result<(), Stop> {
-    let bar = progress(hunt.scenes());
+    let mut progress = Progress::new("extremes --hunt", hunt.scenes() as f64);
     let mut worst = 0.0;
     let rays = hunt.run(gpu, |ray| {
         worst = f64::max(worst, ray.excess);
-        bar.set_message(format!(
+        progress.set_task(format!(
             "the worst ray so far is at {worst:.2} of its tolerance"
         ));
-        bar.inc(1);
+        progress.advance(1.0);
     });
+    progress.finish();
     let rays = rays.map_err(Stop::failed)?;
-    bar.finish_and_clear();
     let beyond: usize = rays.iter().map(|ray| ray.beyond).sum();
     let unexplained: usize = rays.iter().map(|ray| ray.unexplained).sum();
     let scenes = rays.iter().filter(|ray| ray.beyond > 0).count();

@@ -1,9 +1,11 @@
 //! `lightfall` without a command: opens the window or, where there is no display, draws a picture.
 
 use super::cli::FlyArgs;
-use super::render::write_still;
+use super::render::{drawn_scene, write_still};
 use super::scene::{drawable, journey, scene};
 use super::stop::Stop;
+use crate::app::Start;
+use crate::picture::Format;
 use crate::storage::file_safe_name;
 use crate::{app, picture};
 use lightfall_core::scene::Scene;
@@ -19,7 +21,12 @@ pub(super) fn fly(args: &FlyArgs) -> Result<(), Stop> {
     if let Err(reason) = app::display() {
         return draw_instead(scene, &journey, journey_file, &reason);
     }
-    match app::fly(drawable, journey, journey_file.is_some()) {
+    let start = Start {
+        plays_journey: journey_file.is_some(),
+        keeps_own_look: args.scene.sets("picture.bypass").map_err(Stop::refused)?,
+        ..Start::new(drawable, journey)
+    };
+    match app::fly(start) {
         bevy::app::AppExit::Success => Ok(()),
         bevy::app::AppExit::Error(_) => {
             Err(Stop::failed("the window ended with an error, see above"))
@@ -49,7 +56,7 @@ fn draw_instead(
     };
     eprintln!("lightfall: no display ({reason}); rendering {what} to a picture instead");
     let size = scene.picture.size();
-    let still = picture::render(&scene, size).map_err(Stop::failed)?;
+    let still = picture::render(&drawn_scene(&scene, Format::Png), size).map_err(Stop::failed)?;
     write_still(&unused_file(&name), &still, &scene)
 }
 

@@ -20,6 +20,7 @@ mod stop;
 mod trace;
 
 pub use presets::presets;
+pub use progress::in_words;
 pub use run::run;
 pub use scene::{journey, scene};
 pub use stop::Stop;

@@ -41,7 +41,7 @@ pub(super) fn create_report_folder(folder: Option<&Path>) -> Result<(), Stop> {
             ),
             None => format!("this folder cannot be made: {error}"),
         };
-        Stop::refused(format!("--out {}: {reason}", folder.display()))
+        Stop::failed(format!("--out {}: {reason}", folder.display()))
     })
 }
 

@@ -1,6 +1,17 @@
-//! Progress bars of long commands.
+//! Progress of long commands: how long they will take, and how much is done.
 
 use indicatif::{ProgressBar, ProgressStyle};
+use std::io::IsTerminal;
+use std::time::{Duration, Instant};
+
+/// The estimate of the whole is given when the work has lasted this long,
+const MIN_SAMPLE: Duration = Duration::from_secs(2);
+/// and this share of it is done.
+const MIN_SHARE: f64 = 0.01;
+/// Minimum time between two lines in a log.
+const MIN_LINE_INTERVAL: Duration = Duration::from_secs(15);
+/// Minimum share of the work between two lines in a log.
+const MIN_LINE_SHARE: f64 = 0.05;
 
 /// A progress bar on standard error, with the current task and the remaining time. Nothing is drawn
 /// if standard error is not a terminal.
@@ -8,4 +19,106 @@ pub(super) fn progress(length: usize) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len}, {eta} left: {wide_msg}");
     ProgressBar::new(length as u64)
         .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// The progress of a command that takes minutes. On a terminal it is a bar, in a log a plain line
+/// now and then. Both begin by saying how long the command will take.
+pub(super) struct Progress {
+    command: &'static str,
+    /// The work to do, in any unit, and how much of it is done.
+    total: f64,
+    done: f64,
+    began: Instant,
+    estimated: bool,
+    /// None in a log.
+    bar: Option<ProgressBar>,
+    /// Time and share of the last line of a log.
+    line: (Duration, f64),
+}
+
+impl Progress {
+    /// Begins a work of this amount, in any unit. `command` is its name.
+    pub(super) fn new(command: &'static str, total: f64) -> Self {
+        let bar = std::io::stderr().is_terminal().then(|| {
+            let style = ProgressStyle::with_template("{bar:30} {percent} %, {prefix}: {wide_msg}");
+            ProgressBar::new(1000)
+                .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+        });
+        if let Some(bar) = &bar {
+            bar.set_prefix("measuring the time it takes");
+        }
+        Self {
+            command,
+            total,
+            done: 0.0,
+            began: Instant::now(),
+            estimated: false,
+            bar,
+            line: (Duration::ZERO, 0.0),
+        }
+    }
+
+    /// Says what is being done.
+    pub(super) fn set_task(&self, task: String) {
+        if let Some(bar) = &self.bar {
+            bar.set_message(task);
+            bar.tick();
+        }
+    }
+
+    /// Counts work that has been done, and shows it.
+    pub(super) fn advance(&mut self, work: f64) {
+        self.done += work;
+        let elapsed = self.began.elapsed();
+        let share = (self.done / self.total).clamp(0.0, 1.0);
+        if elapsed < MIN_SAMPLE || share < MIN_SHARE {
+            return;
+        }
+        let left = elapsed.mul_f64((1.0 - share) / share);
+        if !self.estimated {
+            self.estimated = true;
+            self.line = (elapsed, share);
+            self.say(&format!("takes about {} here", in_words(elapsed + left)));
+        }
+        if let Some(bar) = &self.bar {
+            bar.set_prefix(format!("about {} left", in_words(left)));
+            bar.set_position((1000.0 * share) as u64);
+        } else if elapsed > self.line.0 + MIN_LINE_INTERVAL && share > self.line.1 + MIN_LINE_SHARE
+        {
+            self.line = (elapsed, share);
+            let percent = 100.0 * share;
+            self.say(&format!(
+                "{percent:.0} % done, about {} left",
+                in_words(left)
+            ));
+        }
+    }
+
+    /// Removes the bar.
+    pub(super) fn finish(self) {
+        if let Some(bar) = self.bar {
+            bar.finish_and_clear();
+        }
+    }
+
+    fn say(&self, text: &str) {
+        let line = format!("lightfall: {} {text}", self.command);
+        match &self.bar {
+            Some(bar) => bar.suspend(|| eprintln!("{line}")),
+            None => eprintln!("{line}"),
+        }
+    }
+}
+
+/// A duration in words, such as `3 min`, rounded as much as an estimate deserves.
+#[must_use]
+pub fn in_words(duration: Duration) -> String {
+    let seconds = duration.as_secs_f64();
+    if seconds < 55.0 {
+        format!("{:.0} s", (seconds / 5.0).ceil().max(1.0) * 5.0)
+    } else if seconds < 5400.0 {
+        format!("{:.0} min", (seconds / 60.0).round().max(1.0))
+    } else {
+        format!("{:.1} h", seconds / 3600.0)
+    }
 }

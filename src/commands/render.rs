@@ -11,10 +11,11 @@ use crate::picture::{
     Channels, Format, Frames, HeadlessOptions, Linear, PassTime, PictureError, PixelRays, Sequence,
     Still, Studio,
 };
+use crate::render::fit;
 use glam::UVec2;
 use indicatif::ProgressBar;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{MAX_PIXELS_PER_CELL, Picture, Scene};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -33,8 +34,8 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         || args.out.clone(),
         |sequence| sequence.file(sequence.frames.first),
     );
-    let format = picture::check_path(&first).map_err(Stop::refused)?;
-    if let (Format::Exr, Some(size)) = (format, args.size) {
+    let format = picture::check_path(&first).map_err(stop_writing)?;
+    if let Some(size) = args.size {
         resize(&mut scene, size)?;
     }
     if let (Format::Png, Some(_)) = (format, &args.aov) {
@@ -49,17 +50,16 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     };
     pictures.check()?;
 
-    let drawn = pictures.scene.picture.size();
-    let size = if format == Format::Exr {
-        drawn
-    } else {
-        args.size.unwrap_or(drawn)
-    };
+    let size = pictures.scene.picture.size();
+    if format == Format::Png && args.size.is_some() && args.scene.cells.is_none() {
+        note_cells(&pictures.scene.picture);
+    }
     let options = HeadlessOptions {
         timed: args.timings,
         light: format == Format::Exr,
     };
     let (first_scene, _) = pictures.get(pictures.numbers().start);
+    let first_scene = drawn_scene(&first_scene, format);
     let mut writer = PictureWriter {
         studio: Studio::with_options(&first_scene, size, options).map_err(stop_drawing)?,
         format,
@@ -102,17 +102,41 @@ fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence
     Ok(sequence)
 }
 
-/// Gives the scene's picture another size. Its cells stay at least one pixel large.
+/// Gives the scene's picture another size. The number of rows of its cells stays, as far as cells
+/// may have from 1 to `MAX_PIXELS_PER_CELL` pixels to a side, and that of its columns follows the
+/// size.
 fn resize(scene: &mut Scene, size: UVec2) -> Result<(), Stop> {
     let picture = &mut scene.picture;
-    (picture.width, picture.height) = (size.x, size.y);
-    (picture.grid_width, picture.grid_height) = (
-        picture.grid_width.min(size.x),
-        picture.grid_height.min(size.y),
-    );
+    let columns = fit(picture, size, u64::MAX).grid_width;
+    let grid = UVec2::new(columns, picture.grid_height);
+    let min = (size + MAX_PIXELS_PER_CELL - 1) / MAX_PIXELS_PER_CELL;
+    let grid = grid.clamp(min, size);
+    (picture.width, picture.height) = size.into();
+    (picture.grid_width, picture.grid_height) = grid.into();
     scene
         .check()
         .map_err(|refusal| Stop::refused(format!("--size: {refusal}")))
+}
+
+/// The scene as it is drawn for a file of this format. The cells of a PNG fill it; an EXR has none.
+pub(super) fn drawn_scene(scene: &Scene, format: Format) -> Scene {
+    let mut drawn = scene.clone();
+    if format == Format::Png {
+        drawn.picture = fit(&scene.picture, scene.picture.size(), u64::MAX);
+    }
+    drawn
+}
+
+/// Says that a picture whose size was asked for has cells that are larger than a pixel.
+fn note_cells(picture: &Picture) {
+    let grid = fit(picture, picture.size(), u64::MAX).grid();
+    let pixels = picture.height.div_ceil(grid.y.max(1));
+    if !picture.bypass && pixels > 1 {
+        eprintln!(
+            "lightfall: the picture is shown in {} x {} cells of {pixels} pixels to a side; --cells off shows every pixel",
+            grid.x, grid.y
+        );
+    }
 }
 
 /// The pictures to draw, with their files: one, or the frames of a sequence, by number.
@@ -165,7 +189,8 @@ struct PictureWriter {
 
 impl PictureWriter {
     fn write(&mut self, scene: &Scene, file: &Path) -> Result<(), Stop> {
-        self.studio.show(scene).map_err(stop_drawing)?;
+        let drawn = drawn_scene(scene, self.format);
+        self.studio.show(&drawn).map_err(stop_drawing)?;
         self.studio.settle().map_err(stop_drawing)?;
         match self.format {
             Format::Png => {
@@ -203,6 +228,15 @@ impl PictureWriter {
             fps: self.fps,
         };
         picture::write_exr(file, picture).map_err(Stop::failed)
+    }
+}
+
+/// A format that does not exist is a fault of the command line. A place where nothing can be
+/// written is not.
+fn stop_writing(error: PictureError) -> Stop {
+    match error {
+        PictureError::Extension { .. } => Stop::refused(error),
+        _ => Stop::failed(error),
     }
 }
 

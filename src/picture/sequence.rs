@@ -61,7 +61,7 @@ pub fn frame_rate(text: &str) -> Result<f64, String> {
         .ok()
         .filter(|rate: &f64| (least..=most).contains(rate));
     rate.ok_or(format!(
-        "frames a second are a number from {least} to {most}"
+        "it must be a number from {least} to {most}, in frames per second"
     ))
 }
 

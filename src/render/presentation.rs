@@ -1,9 +1,11 @@
 //! The presentation: reduces the tone-mapped picture to a grid of cells, quantizes them, and
 //! expands them to the output.
 
+mod fit;
 mod letterbox;
 mod pipeline;
 
+pub use fit::fit;
 pub use letterbox::{Letterbox, letterbox};
 
 use crate::render::camera_markers::{SceneCamera, ScreenCamera};
@@ -15,6 +17,7 @@ use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
 use bevy::render::camera::ExtractedCamera;
 use bevy::render::diagnostic::RecordDiagnostics;
+use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
 use bevy::render::render_resource::binding_types::{sampler, texture_2d, uniform_buffer};
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
@@ -33,6 +36,11 @@ struct Cells {
     /// Whether the cells show the scene camera's last picture.
     filled: bool,
 }
+
+/// The grid of cells that is shown in place of the scene's own. A window keeps its cells while it
+/// draws fewer pixels than there are cells, and they then show the picture interpolated.
+#[derive(Resource, Clone, Copy, Debug, Default, PartialEq, Eq, ExtractResource)]
+pub struct ShownCells(pub Option<UVec2>);
 
 #[derive(Resource)]
 struct PresentationPass {
@@ -54,6 +62,8 @@ pub(super) fn plugin(app: &mut App) {
     ) {
         error!("the presentation shader could not be added: {error}");
     }
+    app.init_resource::<ShownCells>()
+        .add_plugins(ExtractResourcePlugin::<ShownCells>::default());
     let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
         return;
     };
@@ -106,6 +116,7 @@ fn create_presentation_pass(mut commands: Commands, device: Res<RenderDevice>) {
 /// Writes the uniform, and creates the cells and pipelines that the settings need.
 fn prepare_presentation_pass(
     scene: Res<CurrentScene>,
+    shown: Res<ShownCells>,
     screen: Query<(&ExtractedCamera, &ExtractedView), With<ScreenCamera>>,
     scene_camera: Query<(&ViewTarget, Has<ExtractedCamera>), With<SceneCamera>>,
     pass: Option<ResMut<PresentationPass>>,
@@ -126,35 +137,39 @@ fn prepare_presentation_pass(
     };
     // While a new scene is not drawn yet, the last picture is shown, whose size may be another.
     let size = source.main_texture().size();
+    let grid = shown.0.unwrap_or(scene.picture.grid());
     let picture = Picture {
         width: size.width,
         height: size.height,
+        grid_width: grid.x,
+        grid_height: grid.y,
         ..scene.picture
     };
     let Letterbox { offset, extent } = letterbox(&picture, output);
     let uniform = Presentation {
         picture: picture.size(),
-        grid: picture.grid(),
+        grid,
         offset,
         extent,
         levels: picture.levels as f32,
         dither: u32::from(picture.dither),
     };
     pass.output = view.target_format;
-    pass.cells = Chain::of(&scene).cells.map(|size| {
-        let settings = (size, uniform.levels, uniform.dither);
-        match pass.cells.take() {
+    let cells = pass.cells.take();
+    pass.cells = Chain::of(&scene).cells.map(|_| {
+        let settings = (grid, uniform.levels, uniform.dither);
+        match cells {
             Some(cells) if cells.settings == settings => Cells {
                 filled: cells.filled && !active,
                 ..cells
             },
-            Some(cells) if cells.settings.0 == size => Cells {
+            Some(cells) if cells.settings.0 == grid => Cells {
                 settings,
                 filled: false,
                 ..cells
             },
             _ => Cells {
-                view: create_grid(&device, size),
+                view: create_grid(&device, grid),
                 settings,
                 filled: false,
             },

@@ -5,7 +5,7 @@ use super::folders::{preset_files, presets_folder};
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::journey;
 use lightfall_core::scene::journey::{Journey, JourneyError, Unflyable};
-use lightfall_core::scene::{Override, Scene, SceneError, load, presets};
+use lightfall_core::scene::{Override, Scene, SceneError, load, nearest_name, presets};
 use std::ffi::OsStr;
 use std::fs::File;
 use std::io::{self, Read};
@@ -34,15 +34,14 @@ pub enum SourceError {
         unflyable: Unflyable,
     },
     /// No built-in preset and no file has this name.
-    #[error(
-        "{asked} {given}: there is no such file, and the presets are {}",
-        all_presets()
-    )]
+    #[error("{asked} {given}: there is no such preset or file; {hint}")]
     UnknownPreset {
         /// The option or the command that the name was given to.
         asked: &'static str,
         /// The name.
         given: String,
+        /// What was probably meant, or all presets.
+        hint: String,
     },
     /// The file cannot be read.
     #[error("{}: cannot be read: {error}", path.display())]
@@ -94,10 +93,9 @@ pub fn scene_by_name(
         if let Some(own) = own_preset(preset) {
             return read_scene(&own, overrides);
         }
-        return Err(SourceError::UnknownPreset {
-            asked,
-            given: preset.display().to_string(),
-        });
+        let given = preset.display().to_string();
+        let hint = preset_hint(&given);
+        return Err(SourceError::UnknownPreset { asked, given, hint });
     }
     read_scene(path, overrides)
 }
@@ -166,8 +164,19 @@ fn read_text(path: &Path) -> Result<String, SourceError> {
     String::from_utf8(bytes).map_err(|_| SourceError::NotText { path: path.into() })
 }
 
-fn all_presets() -> String {
-    presets::PRESETS
-        .map(|preset| format!("{} {}", preset.number, preset.name))
-        .join(", ")
+/// The preset that was probably meant, or all presets.
+fn preset_hint(given: &str) -> String {
+    let built_in = presets::PRESETS.iter().map(|preset| preset.name.to_owned());
+    let own = own_presets();
+    let own = own.iter().filter_map(|file| file.file_stem());
+    let names: Vec<String> = built_in
+        .chain(own.map(|name| name.to_string_lossy().into_owned()))
+        .collect();
+    match nearest_name(given, &names) {
+        Some(name) => format!("did you mean {name}?"),
+        None => {
+            let all = presets::PRESETS.map(|preset| format!("{} {}", preset.number, preset.name));
+            format!("the presets are {}", all.join(", "))
+        }
+    }
 }

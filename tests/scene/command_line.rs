@@ -217,6 +217,17 @@ fn wrong_values_of_the_short_forms_name_the_short_form() {
             "--spin fast",
             "--spin: hole.spin = \"fast\" is refused: it must be a number above -1 and below 1",
         ),
+        // The same range for what is no number and for a number that is out of range.
+        (
+            "--set camera.r=far",
+            "--set: camera.r = \"far\" is refused: it must be a number above 1 and at most 10000000 r_s (outside the horizon at \
+             hole.spin = 0; observer rain goes on inside)",
+        ),
+        (
+            "--set camera.r=0.3",
+            "--set: camera.r = 0.3 is refused: it must be a number above 1 and at most 10000000 r_s (outside the horizon at \
+             hole.spin = 0; observer rain goes on inside)",
+        ),
         (
             "--method euler",
             "--method: method = \"euler\" is refused: it must be one of auto, verlet, closed, mino, kerr-schild, reference",
@@ -233,21 +244,36 @@ fn wrong_values_of_the_short_forms_name_the_short_form() {
 #[test]
 fn the_error_about_an_unknown_preset_lists_the_presets() {
     let presets = "1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit, 8 extremal, 9 falling";
-    for given in ["10", "edge_on", "-1", ""] {
+    for given in ["10", "galaxy", "-1", ""] {
         let sentence =
-            format!("--preset {given}: there is no such file, and the presets are {presets}");
+            format!("--preset {given}: there is no such preset or file; the presets are {presets}");
         assert_eq!(fault(&of_preset(Path::new(given))), sentence);
     }
     // The message names the command that was given, which is not `--preset`.
-    let Command::Presets(show) = read("lightfall presets show edge_on") else {
+    let Command::Presets(show) = read("lightfall presets show galaxy") else {
         panic!()
     };
     let error = commands::presets(&show, &mut Vec::new()).unwrap_err();
     assert_eq!(
         error.to_string(),
-        format!("presets show edge_on: there is no such file, and the presets are {presets}")
+        format!("presets show galaxy: there is no such preset or file; the presets are {presets}")
     );
     assert_eq!(error.status, 2);
+}
+
+#[test]
+fn a_misspelled_preset_leads_to_the_one_that_was_meant() {
+    for (given, meant) in [
+        ("edge_on", "edge-on"),
+        ("edgeon", "edge-on"),
+        ("Einstein", "einstein-ring"),
+        ("extermal", "extremal"),
+        ("telescop", "telescope"),
+    ] {
+        let sentence =
+            format!("--preset {given}: there is no such preset or file; did you mean {meant}?");
+        assert_eq!(fault(&of_preset(Path::new(given))), sentence);
+    }
 }
 
 #[test]

@@ -7,6 +7,7 @@
 
 #[path = "../../crates/lightfall-core/tests/gpu/adapter.rs"]
 mod adapter;
+mod canvas;
 mod command_line;
 mod cost_report;
 mod doctor;

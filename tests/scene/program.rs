@@ -54,16 +54,35 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
             "lightfall: --aov is for pictures of linear light: the file's name must end in .exr\n",
         ),
         (
-            "render --frames 0..1 -o nowhere/a.exr",
-            "lightfall: nowhere/a-0000.exr: cannot be written: there is no such folder\n",
-        ),
-        (
             "render --frames 0..1 --method reference -o a.exr",
             "lightfall: method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet, closed, mino or kerr-schild\n",
         ),
         (
             "render -o a",
             "lightfall: a: the name has no extension that says which picture format to write; allowed are .png and .exr\n",
+        ),
+    ] {
+        assert_eq!(
+            program(folder.path(), line, ""),
+            (2, String::new(), sentence.into()),
+            "{line}"
+        );
+    }
+    let (status, _, stderr) = program(folder.path(), "trace --rays nofile", "");
+    assert!(
+        status == 2 && stderr.starts_with("lightfall: nofile: cannot be read"),
+        "{stderr}"
+    );
+}
+
+#[test]
+fn a_place_that_cannot_be_written_is_status_one_and_a_sentence_that_names_it() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("afile"), "").unwrap();
+    for (line, sentence) in [
+        (
+            "render --frames 0..1 -o nowhere/a.exr",
+            "lightfall: nowhere/a-0000.exr: cannot be written: there is no such folder\n",
         ),
         (
             "render -o nowhere/a.png",
@@ -80,15 +99,10 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
     ] {
         assert_eq!(
             program(folder.path(), line, ""),
-            (2, String::new(), sentence.into()),
+            (1, String::new(), sentence.into()),
             "{line}"
         );
     }
-    let (status, _, stderr) = program(folder.path(), "trace --rays nofile", "");
-    assert!(
-        status == 2 && stderr.starts_with("lightfall: nofile: cannot be read"),
-        "{stderr}"
-    );
 }
 
 #[test]

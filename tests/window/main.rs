@@ -19,6 +19,7 @@ mod safety;
 mod shot;
 
 use desktop::Desktop;
+use lightfall::app::Start;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{journey, presets};
 use shot::Shot;
@@ -44,7 +45,7 @@ mod place {
 fn program() -> bevy::app::App {
     let scene = presets::find("2").unwrap().scene(&[]).unwrap();
     let journey = journey::load("the built-in journey", journey::DEFAULT).unwrap();
-    lightfall::app::program(Drawable::new(scene).unwrap(), journey, false)
+    lightfall::app::program(Start::new(Drawable::new(scene).unwrap(), journey))
 }
 
 /// Share of the picture, without the status bar, that differs between two shots.

@@ -83,7 +83,7 @@ pub const CONTROLS: &[Control] = controls! {
     Picture {
         "picture.bloom" [F5] "bloom" Edit(edits::switch_bloom);
         "picture.antialias" [F6] "smooth edges of the probe" Edit(edits::switch_antialias);
-        "picture.bypass" [F7] "whole cells, or the window filled" Edit(edits::switch_bypass);
+        "picture.bypass" [F7] "pixel look" Edit(edits::switch_bypass);
         "picture.dither" [F8] "dither" Edit(edits::switch_dither);
         "picture.levels" [KeyV] "few tones, or all" Edit(edits::switch_levels);
         "picture.brighter" [Equal, NumpadAdd] "brighter, darker" Edit(edits::brighten);

@@ -1,11 +1,12 @@
 //! Automatic resolution: while something moves, the picture is drawn with as many pixels as the
 //! wanted frame rate allows. A picture at rest is drawn in full.
 
+use crate::app::session::canvas::measure_canvas;
 use crate::app::session::frame_pacing::FramePacing;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::resolution::Resolution;
 use crate::app::state::settings::Automatic;
-use crate::render::CurrentScene;
+use crate::render::{CurrentScene, ShownCells};
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
 
@@ -15,8 +16,6 @@ const MIN_SHARE: f64 = 0.25;
 const STEP: f64 = 1.0 / 16.0;
 /// Frames of a movement over which the frame time is averaged.
 const FRAMES: u32 = 4;
-/// A frame time, in seconds, that is too long for flying.
-const SLIDE_SHOW_FRAME_SECONDS: f64 = 0.1;
 /// Maximum time that counts for one frame, in seconds: a machine that slept drew nothing meanwhile.
 const MAX_FRAME_SECONDS: f64 = 2.0;
 /// The picture gets finer only where the frame rate exceeds the wanted one by this factor.
@@ -33,7 +32,7 @@ struct Measurement {
 
 pub(crate) fn plugin(app: &mut App) {
     // Before PostUpdate prepares the picture, so that no frame is drawn with the size of the last.
-    app.add_systems(Update, adapt_resolution);
+    app.add_systems(Update, adapt_resolution.after(measure_canvas));
 }
 
 fn adapt_resolution(
@@ -43,6 +42,7 @@ fn adapt_resolution(
     adapter: Option<Res<RenderAdapterInfo>>,
     mut resolution: ResMut<Resolution>,
     mut scene: ResMut<CurrentScene>,
+    mut cells: ResMut<ShownCells>,
     mut measurement: Local<Measurement>,
 ) {
     let settings = &preferences.settings;
@@ -57,23 +57,19 @@ fn adapt_resolution(
     let wanted = match settings.automatic_resolution {
         Automatic::On => true,
         Automatic::Off => false,
-        Automatic::Auto => is_slow(),
+        Automatic::Auto => is_slow() || resolution.is_finer_than_the_scene(&scene.picture),
     };
     let adapts = wanted && pacing.moving;
-    let mut share = measurement.share.unwrap_or(1.0);
+    // A first movement begins with as many pixels as the scene asks for.
+    let first_share = round_share(resolution.share_of_own_size(&scene.picture));
+    let mut share = measurement.share.unwrap_or(first_share);
     // The first frames of a movement still wait for the full picture.
     if adapts && pacing.frames > 1 {
         measurement.frames += 1;
         measurement.seconds += time.delta_secs_f64().min(MAX_FRAME_SECONDS);
         if measurement.frames >= FRAMES {
             let frame = measurement.seconds / f64::from(measurement.frames);
-            // Fewer pixels than cells only where flying would be a slide show.
-            let min_share = if frame > SLIDE_SHOW_FRAME_SECONDS || scene.picture.bypass {
-                MIN_SHARE
-            } else {
-                resolution.share_of_one_pixel_per_cell()
-            };
-            share = next_share(share, frame * settings.frame_rate).max(min_share);
+            share = next_share(share, frame * settings.frame_rate);
             *measurement = Measurement {
                 share: Some(share),
                 ..default()
@@ -86,6 +82,10 @@ fn adapt_resolution(
     if let Some(resized) = resolution.resized(&scene) {
         scene.0 = resized;
     }
+    // The cells do not get coarser with the picture.
+    cells.set_if_neq(ShownCells(Some(
+        resolution.picture_at_rest(&scene.picture).grid(),
+    )));
 }
 
 /// The next share of each side, where frames last `slowness` times as long as wanted. The time of
@@ -98,5 +98,9 @@ fn next_share(share: f64, slowness: f64) -> f64 {
     } else {
         share
     };
-    ((wanted / STEP).round() * STEP).clamp(MIN_SHARE, 1.0)
+    round_share(wanted)
+}
+
+fn round_share(share: f64) -> f64 {
+    ((share / STEP).round() * STEP).clamp(MIN_SHARE, 1.0)
 }

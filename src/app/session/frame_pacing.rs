@@ -6,6 +6,7 @@ use crate::app::input::typing::Typing;
 use crate::app::state::preferences::Preferences;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
+use bevy::window::PrimaryWindow;
 use bevy::winit::{UpdateMode, WinitSettings};
 use bevy_egui::{EguiContext, EguiInput, EguiPreUpdateSet, egui};
 use lightfall_core::scene::{Picture, Scene};
@@ -71,8 +72,10 @@ fn watch_activity(
     mut moves: MessageReader<CursorMoved>,
     typing: Res<Typing>,
     pads: Pads,
+    window: Single<&Window, With<PrimaryWindow>>,
     mut pacing: ResMut<FramePacing>,
     mut last: Local<Option<Scene>>,
+    mut last_size: Local<Option<UVec2>>,
 ) {
     let now = time.elapsed();
     if scene.is_changed() {
@@ -84,6 +87,11 @@ fn watch_activity(
             }
             *last = Some(seen);
         }
+    }
+    // A window whose edge is dragged asks for a picture of another size in every frame.
+    let size = window.physical_size();
+    if last_size.replace(size).is_some_and(|last| last != size) {
+        pacing.changed = Some(now);
     }
     let held = keys.get_pressed().next().is_some()
         || buttons.get_pressed().next().is_some()

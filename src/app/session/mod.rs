@@ -3,10 +3,12 @@
 
 pub(crate) mod adapter;
 pub(crate) mod adaptive_resolution;
+pub(crate) mod canvas;
 pub(crate) mod clipboard;
 pub(crate) mod display;
 pub(crate) mod exposure;
 pub(crate) mod frame_pacing;
+pub(crate) mod pixel_look;
 pub(crate) mod recovery;
 pub(crate) mod screenshot;
 pub(crate) mod window;

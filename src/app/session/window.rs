@@ -1,7 +1,7 @@
 //! The window: its title, its size at the start, and the whole screen.
 
 use crate::app::controls::control::AppCommand;
-use crate::render::{CurrentScene, letterbox};
+use crate::render::CurrentScene;
 use bevy::prelude::*;
 use bevy::window::{
     Monitor, MonitorSelection, PresentMode, PrimaryMonitor, PrimaryWindow, WindowMode,
@@ -67,11 +67,9 @@ fn toggle_full_screen(
     }
 }
 
-/// Makes the first window smaller where the monitor has no room for it, to a size that the picture
-/// fills.
+/// Makes the first window smaller where the monitor has no room for it. It keeps its shape.
 fn fit_to_monitor(
     monitors: Query<(&Monitor, Has<PrimaryMonitor>)>,
-    scene: Res<CurrentScene>,
     mut window: Single<&mut Window, With<PrimaryWindow>>,
     mut done: Local<bool>,
 ) {
@@ -85,10 +83,9 @@ fn fit_to_monitor(
     *done = true;
     let room = monitor.physical_size();
     if window.physical_size().cmpgt(room).any() {
-        let room = (MAX_MONITOR_SHARE * room.as_vec2()).as_uvec2();
-        let filled = letterbox(&scene.picture, room).extent.as_uvec2();
-        window
-            .resolution
-            .set_physical_resolution(filled.x, filled.y);
+        let size = UVec2::from(SIZE).as_vec2();
+        let scale = (MAX_MONITOR_SHARE * room.as_vec2() / size).min_element();
+        let size = (size * scale).as_uvec2();
+        window.resolution.set_physical_resolution(size.x, size.y);
     }
 }

@@ -1,31 +1,45 @@
-//! The resolution at which the picture is drawn: the scene's own, or a coarser one while something
-//! moves. The scene's own resolution is kept here, so that nothing is lost.
+//! The resolution at which the window draws the picture: one that suits the window, and a coarser
+//! one while something moves. The scene's own resolution is kept here, so that nothing is lost.
 
+use super::settings::PictureShape;
+use crate::render::{fit, letterbox};
 use bevy::prelude::*;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{MAX_PIXELS_PER_CELL, Picture, Scene};
+
+/// The window that the picture is drawn for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Canvas {
+    /// Size in pixels.
+    pub size: UVec2,
+    /// Whether the picture has the window's shape or the scene's own.
+    pub shape: PictureShape,
+    /// The largest number of pixels of a picture without cells.
+    pub max_pixels: u64,
+}
 
 /// The scene's own resolution, and the one that is drawn.
 #[derive(Resource, Clone, Debug)]
 pub struct Resolution {
     /// Size and cells that the scene asks for.
-    full_size: UVec2,
-    full_grid: UVec2,
-    /// Size and cells that are drawn.
-    drawn_size: UVec2,
-    drawn_grid: UVec2,
+    own_size: UVec2,
+    own_grid: UVec2,
+    /// The window. None until its size is known; the picture then has the scene's own size.
+    canvas: Option<Canvas>,
+    /// The share of each side that is drawn.
+    share: f64,
 }
 
 impl Resolution {
     /// The resolution of a scene, to be drawn in full.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
-        let (full_size, full_grid) = sizes(&scene.picture);
+        let (own_size, own_grid) = sizes(&scene.picture);
         Self {
-            full_size,
-            full_grid,
-            drawn_size: full_size,
-            drawn_grid: full_grid,
+            own_size,
+            own_grid,
+            canvas: None,
+            share: 1.0,
         }
     }
 
@@ -33,7 +47,7 @@ impl Resolution {
     #[must_use]
     pub fn full_scene(&self, drawn: &Scene) -> Scene {
         let mut scene = drawn.clone();
-        set_sizes(&mut scene.picture, self.full_size, self.full_grid);
+        set_sizes(&mut scene.picture, (self.own_size, self.own_grid));
         scene
     }
 
@@ -41,63 +55,97 @@ impl Resolution {
     /// resolution that is drawn.
     #[must_use]
     pub fn adopt(&mut self, full: Drawable) -> Drawable {
-        if (self.full_size, self.full_grid) != sizes(&full.picture) {
-            *self = Self::new(&full);
-        }
+        (self.own_size, self.own_grid) = sizes(&full.picture);
         self.resized(&full).unwrap_or(full)
     }
 
     /// The scene with the sizes that are to be drawn. None where it has them already.
     #[must_use]
     pub fn resized(&self, scene: &Drawable) -> Option<Drawable> {
-        if sizes(&scene.picture) == (self.drawn_size, self.drawn_grid) {
+        let drawn = self.drawn_sizes(&scene.picture);
+        if sizes(&scene.picture) == drawn {
             return None;
         }
         let mut resized = scene.scene().clone();
-        set_sizes(&mut resized.picture, self.drawn_size, self.drawn_grid);
+        set_sizes(&mut resized.picture, drawn);
         Drawable::new(resized)
             .inspect_err(|reason| error_once!("the picture keeps its resolution: {reason}"))
             .ok()
     }
 
-    /// The share of each side at which every cell still has a pixel of its own.
+    /// The picture as it is drawn at rest: the scene's own where there is no window yet, and
+    /// otherwise one that suits the window. Only the other fields of `drawn` are used.
     #[must_use]
-    pub fn share_of_one_pixel_per_cell(&self) -> f64 {
-        (self.full_grid.as_dvec2() / self.full_size.as_dvec2()).max_element()
+    pub fn picture_at_rest(&self, drawn: &Picture) -> Picture {
+        let mut picture = *drawn;
+        set_sizes(&mut picture, (self.own_size, self.own_grid));
+        match self.canvas {
+            None => picture,
+            Some(Canvas {
+                size,
+                shape,
+                max_pixels,
+            }) => {
+                let size = match shape {
+                    PictureShape::Window => size,
+                    PictureShape::Preset => letterbox(&picture, size).extent.as_uvec2(),
+                };
+                fit(&picture, size, max_pixels)
+            }
+        }
     }
 
-    /// Draws with this share of each side, from now on. The cells stay as they are while each has
-    /// a pixel.
+    /// Whether the picture at rest has more pixels than the scene asks for.
+    #[must_use]
+    pub fn is_finer_than_the_scene(&self, drawn: &Picture) -> bool {
+        let pixels = |size: UVec2| u64::from(size.x) * u64::from(size.y);
+        pixels(self.picture_at_rest(drawn).size()) > pixels(self.own_size)
+    }
+
+    /// The share of each side at which the picture has as many pixels as the scene asks for.
+    #[must_use]
+    pub fn share_of_own_size(&self, drawn: &Picture) -> f64 {
+        let area = |size: UVec2| size.as_dvec2().element_product();
+        (area(self.own_size) / area(self.picture_at_rest(drawn).size()))
+            .sqrt()
+            .min(1.0)
+    }
+
+    /// Draws for this window from now on.
+    pub fn set_canvas(&mut self, canvas: Canvas) {
+        self.canvas = Some(canvas);
+    }
+
+    /// Draws with this share of each side, from now on.
     pub fn set_share(&mut self, share: f64) {
-        let scaled =
-            |side: UVec2, share: f64| (side.as_dvec2() * share).round().as_uvec2().max(UVec2::ONE);
-        self.drawn_size = if share >= 1.0 {
-            self.full_size
-        } else {
-            scaled(self.full_size, share)
-        };
-        self.drawn_grid = self.full_grid.min(self.drawn_size);
-        if self.drawn_grid != self.full_grid {
-            // Both sides shrink by the same factor, so that cells stay square, and by a whole
-            // number, so that they cover the same area as before.
-            let factor = (self.full_grid.as_dvec2() / self.drawn_size.as_dvec2())
-                .max_element()
-                .ceil();
-            // Where rounding leaves too few cells, one side has more.
-            let min = (self.drawn_size + MAX_PIXELS_PER_CELL - 1) / MAX_PIXELS_PER_CELL;
-            self.drawn_grid = scaled(self.full_grid, 1.0 / factor).clamp(min, self.drawn_size);
+        self.share = share;
+    }
+
+    /// Size and grid of the picture that is drawn. The cells stay as they are while each has a
+    /// pixel.
+    fn drawn_sizes(&self, drawn: &Picture) -> (UVec2, UVec2) {
+        let (full_size, full_grid) = sizes(&self.picture_at_rest(drawn));
+        if self.share >= 1.0 {
+            return (full_size, full_grid);
         }
+        let size = (full_size.as_dvec2() * self.share)
+            .round()
+            .as_uvec2()
+            .max(UVec2::ONE);
+        // Cells grow by a whole factor, so that they cover the same area as before.
+        let factor = ((full_grid + size - 1) / size).max_element();
+        // Where rounding leaves too few cells, one side has more.
+        let min = (size + MAX_PIXELS_PER_CELL - 1) / MAX_PIXELS_PER_CELL;
+        let grid = ((full_grid + factor - 1) / factor).clamp(min, size);
+        (size, grid)
     }
 }
 
 fn sizes(picture: &Picture) -> (UVec2, UVec2) {
-    (
-        picture.size(),
-        UVec2::new(picture.grid_width, picture.grid_height),
-    )
+    (picture.size(), picture.grid())
 }
 
-fn set_sizes(picture: &mut Picture, size: UVec2, grid: UVec2) {
+fn set_sizes(picture: &mut Picture, (size, grid): (UVec2, UVec2)) {
     (picture.width, picture.height) = size.into();
     (picture.grid_width, picture.grid_height) = grid.into();
 }

@@ -31,6 +31,11 @@ impl SceneEditor<'_> {
         &self.scene
     }
 
+    /// Whether the picture is shown in cells.
+    pub(crate) fn shows_cells(&self) -> bool {
+        !self.scene.picture.bypass
+    }
+
     /// The scene as it was loaded.
     pub(crate) fn loaded(&self) -> &Scene {
         self.history.loaded()
@@ -56,9 +61,10 @@ impl SceneEditor<'_> {
     }
 
     /// Puts another scene altogether in place, or says why it cannot be read or drawn. Returns
-    /// whether the scene is in place.
+    /// whether the scene is in place. The pixel look is the user's choice and stays as it is.
     pub(crate) fn load(&mut self, asker: &str, loaded: Result<Scene, String>) -> bool {
         let loaded = loaded
+            .map(|scene| self.in_this_look(scene))
             .and_then(|scene| Drawable::new(scene).map_err(|reason| reason.to_string()))
             .map(|loaded| {
                 let before = self.scene();
@@ -67,6 +73,18 @@ impl SceneEditor<'_> {
                 self.put(loaded);
             });
         self.report(asker, loaded)
+    }
+
+    /// Returns every field to what was loaded, except the pixel look.
+    pub(crate) fn reset(&mut self) -> bool {
+        let loaded = self.in_this_look(self.loaded().clone());
+        self.change("Reset", loaded)
+    }
+
+    /// The scene, shown with or without cells as the present one is.
+    fn in_this_look(&self, mut scene: Scene) -> Scene {
+        scene.picture.bypass = self.scene.picture.bypass;
+        scene
     }
 
     /// Takes the last change back.

@@ -17,6 +17,10 @@ pub struct Settings {
     pub ui_scale: f32,
     /// Whether the picture gets coarser while something moves, to hold the frame rate.
     pub automatic_resolution: Automatic,
+    /// Whether the picture is shown in large cells: the pixel look.
+    pub pixel_look: bool,
+    /// Whether the picture has the window's shape or the preset's.
+    pub picture_shape: PictureShape,
     /// The frame rate to hold, in frames per second.
     pub frame_rate: f64,
     /// The largest number of frames per second. 0 leaves it to the monitor.
@@ -49,6 +53,17 @@ pub enum Automatic {
     Off,
 }
 
+/// The shape of the picture in the window.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PictureShape {
+    /// The window's: the picture fills it.
+    #[default]
+    Window,
+    /// The preset's, with a black frame where the window has another one.
+    Preset,
+}
+
 /// The range of `ui_scale`, in which texts still fit into a window.
 pub const UI_SCALES: [f32; 2] = [0.6, 2.5];
 /// The range of the hole's mass, in solar masses.
@@ -61,6 +76,8 @@ impl Default for Settings {
         Self {
             ui_scale: 1.0,
             automatic_resolution: Automatic::Auto,
+            pixel_look: true,
+            picture_shape: PictureShape::Window,
             frame_rate: 30.0,
             most_frames: 0.0,
             automatic_exposure: false,

@@ -41,6 +41,19 @@ pub struct SceneArgs {
     #[arg(long, help = format!("Short for --set method=METHOD, applied after every --set; {}",
                                field("method").map(Field::allowed).unwrap_or_default()))]
     pub method: Option<String>,
+    /// Show the picture in large cells, or pixel by pixel; short for --set picture.bypass=false or
+    /// true, applied after every --set
+    #[arg(long, value_name = "on|off", value_enum)]
+    pub cells: Option<Cells>,
+}
+
+/// Whether the picture is shown in cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Cells {
+    /// In large cells: the pixel look
+    On,
+    /// Pixel by pixel
+    Off,
 }
 
 /// The arguments of `lightfall` without a command.
@@ -62,9 +75,9 @@ pub struct RenderArgs {
     /// holds linear light and the data of rays. An existing file is replaced
     #[arg(short, long = "out", value_name = "FILE")]
     pub out: PathBuf,
-    /// Size of the output in pixels, up to 8192 a side. A .png is drawn at picture.width by
-    /// picture.height and enlarged to this size, as in a window; picture.bypass=true removes its
-    /// cells. An .exr has no cells and is drawn at this size [default: the size of the picture]
+    /// Size of the picture in pixels, up to 8192 a side: short for --set picture.width and
+    /// picture.height. A .png keeps its large cells, about picture.grid_height rows of them; --cells
+    /// off shows every pixel [default: picture.width by picture.height]
     #[arg(long, value_name = "WxH", value_parser = size, allow_hyphen_values = true)]
     pub size: Option<UVec2>,
     /// Channels of an .exr in addition to R, G, B and A, separated by commas: `all`, groups, or
@@ -160,6 +173,7 @@ impl SceneArgs {
             sets: [&self.sets[..], &after.sets[..]].concat(),
             spin: one(&self.spin, &after.spin)?,
             method: one(&self.method, &after.method)?,
+            cells: one(&self.cells, &after.cells)?,
         })
     }
 
@@ -183,6 +197,18 @@ impl SceneArgs {
                 .as_ref()
                 .map(|method| Override::new("--method", "method", method)),
         );
+        overrides.extend(self.cells.map(|cells| {
+            let bypass = if cells == Cells::Off { "true" } else { "false" };
+            Override::new("--cells", "picture.bypass", bypass)
+        }));
         Ok(overrides)
+    }
+
+    /// Whether these options set the field with this key.
+    ///
+    /// # Errors
+    /// As [`overrides`](Self::overrides).
+    pub fn sets(&self, key: &str) -> Result<bool, SceneError> {
+        Ok(self.overrides()?.iter().any(|set| set.key == key))
     }
 }

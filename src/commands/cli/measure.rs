@@ -1,5 +1,6 @@
 //! The arguments of `lightfall bench`, `lightfall extremes` and `lightfall doctor`.
 
+use super::number::whole_number;
 use super::size::size;
 use clap::{Args, ValueEnum};
 use glam::UVec2;
@@ -30,10 +31,10 @@ pub struct BenchArgs {
     #[arg(long, value_enum, default_value_t = EntryArg::Compute)]
     pub entry: EntryArg,
     /// Number of rays whose error is measured in each scene [default: 8192, with --quick 512]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(16..=1_000_000))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u32>(16, 1_000_000))]
     pub rays: Option<u32>,
-    /// Measure few settings with few rays and small pictures: takes less than a minute even without
-    /// a graphics card
+    /// Measure few settings with few rays and small pictures. Without a graphics card this takes
+    /// minutes; the command says how many once it has begun
     #[arg(long)]
     pub quick: bool,
     /// Also time whole frames, with each method at the scene's own setting
@@ -69,17 +70,17 @@ pub struct ExtremesArgs {
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = method)]
     pub methods: Vec<Method>,
     /// Number of rays of each cell, at least 16
-    #[arg(long, value_name = "N", default_value_t = 96, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(16..=100_000))]
+    #[arg(long, value_name = "N", default_value_t = 96, allow_negative_numbers = true, value_parser = whole_number::<u32>(16, 100_000))]
     pub rays: u32,
     /// Measure a grid of ordinary spins, radii and inclinations instead of the extremes
     #[arg(long, conflicts_with = "hunt")]
     pub grid: bool,
     /// Instead of the matrix, trace N rays through random scenes with `auto`'s methods, 2000 rays a
     /// scene, and list the worst rays
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=100_000_000))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u32>(1, 100_000_000))]
     pub hunt: Option<u32>,
     /// Seed of the hunt's random numbers: the same seed finds the same rays
-    #[arg(long, value_name = "SEED", default_value_t = 1, requires = "hunt")]
+    #[arg(long, value_name = "SEED", default_value_t = 1, requires = "hunt", value_parser = whole_number::<u64>(0, u64::MAX))]
     pub seed: u64,
     /// Folder for the reports; it is created, and files of the same names are replaced
     #[arg(long, value_name = "DIR", conflicts_with = "hunt")]

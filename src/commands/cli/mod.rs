@@ -2,6 +2,7 @@
 
 mod args;
 mod measure;
+mod number;
 mod size;
 
 pub use args::{Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs};
@@ -153,8 +154,7 @@ fn with_options(
         Command::Fly(fly) => fly.scene = before,
         Command::Render(RenderArgs { scene: after, .. })
         | Command::Trace(TraceArgs { scene: after, .. }) => {
-            let message =
-                "--preset, --spin and --method may be given once: before the command or after it";
+            let message = "--preset, --spin, --method and --cells may be given once: before the command or after it";
             *after = before.followed_by(after).ok_or_else(|| conflict(message))?;
         }
         Command::ListGpus => {}

@@ -3,7 +3,8 @@
 use bevy::math::{UVec2, Vec2};
 use lightfall_core::scene::Picture;
 
-/// The rectangle of the output that the picture fills.
+/// The rectangle of the output that the picture fills. The outermost cells may reach beyond the
+/// output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Letterbox {
     /// Upper left corner, in output pixels.
@@ -12,22 +13,47 @@ pub struct Letterbox {
     pub extent: Vec2,
 }
 
-/// Centres the picture on an output of the given size, with bars around it. Cells have the largest
-/// whole scale that fits. Where the grid is bypassed, or does not fit at scale one, the picture is
-/// as large as the output allows.
+/// Centres the picture on an output of the given size.
+///
+/// All cells have the same whole scale. A grid that was made for the output
+/// ([`fit`](super::fit::fit)) fills it, and the output's edge cuts through the outermost cells. Any
+/// other grid has the largest whole scale that fits, with bars around it. Where there are no cells,
+/// or the grid does not fit at scale one, the picture is as large as the output allows.
+#[must_use]
 pub fn letterbox(picture: &Picture, output: UVec2) -> Letterbox {
-    let grid = picture.grid();
+    let grid = picture.grid().max(UVec2::ONE);
     let scale = (output / grid).min_element();
-    let extent = if !picture.bypass && scale > 0 {
+    let extent = if picture.bypass {
+        fitted(picture.size(), output)
+    } else if let Some(scale) = filling_scale(grid, output) {
+        (grid * scale).as_vec2()
+    } else if scale > 0 {
         (grid * scale).as_vec2()
     } else {
-        let shown = if picture.bypass { picture.size() } else { grid }.as_vec2();
-        (shown * (output.as_vec2() / shown).min_element())
-            .round()
-            .max(Vec2::ONE)
+        fitted(grid, output)
     };
     Letterbox {
         offset: ((output.as_vec2() - extent) / 2.0).floor(),
         extent,
+    }
+}
+
+/// The scale at which the grid covers the output and no row or column of cells is out of view.
+/// `None` if there is no such scale.
+fn filling_scale(grid: UVec2, output: UVec2) -> Option<u32> {
+    let scale = ((output + grid - 1) / grid).max_element();
+    ((grid - 1) * scale).cmplt(output).all().then_some(scale)
+}
+
+/// The largest extent of this shape on the output. A bar that is thinner than a pixel of the
+/// picture comes from rounding, and is left out.
+fn fitted(shown: UVec2, output: UVec2) -> Vec2 {
+    let (shown, output) = (shown.max(UVec2::ONE).as_vec2(), output.as_vec2());
+    let scale = (output / shown).min_element();
+    let extent = (shown * scale).round().max(Vec2::ONE);
+    if (output - extent).max_element() <= scale.max(1.0) {
+        output
+    } else {
+        extent
     }
 }

@@ -8,3 +8,4 @@ pub mod inspection;
 pub mod numbers;
 pub mod rays;
 pub mod steps;
+pub mod work;

@@ -29,6 +29,27 @@ pub(super) fn hint(key: &str) -> String {
     }
 }
 
+/// The name that was probably meant: the one nearest to `given` by Levenshtein's distance, or the
+/// only one that begins with it. `None` if every name differs in more than a third of its letters.
+#[must_use]
+pub fn nearest_name(given: &str, names: &[String]) -> Option<String> {
+    const MAX_LENGTH: usize = 60;
+    if given.is_empty() || given.len() > MAX_LENGTH {
+        return None;
+    }
+    let wanted = given.to_lowercase();
+    let mut begin = names.iter().filter(|name| name.starts_with(&wanted));
+    if let (Some(only), None) = (begin.next(), begin.next()) {
+        return Some(only.clone());
+    }
+    let distance = |name: &String| levenshtein(&wanted, &name.to_lowercase());
+    let nearest = names.iter().min_by_key(|name| distance(name))?;
+    let most = 1 + nearest.chars().count() / 3;
+    // A short word such as a number is not a misspelled name.
+    (distance(nearest) <= most && distance(nearest) < wanted.chars().count())
+        .then(|| nearest.clone())
+}
+
 /// The field whose name is nearest to this one by Levenshtein's distance, compared in full or after
 /// the dot, with or without its unit; none if every name differs in more than a third of the
 /// letters.

@@ -76,14 +76,16 @@ pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, S
         _ => {}
     }
     let mut fields = BTreeMap::new();
+    // The first error is reported once all other fields are known: its range depends on them.
+    let mut errors = Vec::new();
     for (key, value) in table {
         match value {
             toml::Value::Table(inner) if is_table(&key) => {
                 for (name, value) in inner {
-                    insert(&mut fields, (origin, 0), &[&key, &name], value)?;
+                    errors.extend(insert(&mut fields, (origin, 0), &[&key, &name], value).err());
                 }
             }
-            value => insert(&mut fields, (origin, 0), &[&key], value)?,
+            value => errors.extend(insert(&mut fields, (origin, 0), &[&key], value).err()),
         }
     }
     for (index, Override { option, key, value }) in overrides.iter().enumerate() {
@@ -91,18 +93,29 @@ pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, S
             || toml::Value::String(value.clone()),
             |field| parse(field.kind, value),
         );
-        insert(
-            &mut fields,
-            (option, index + 1),
-            &key.split('.').collect::<Vec<_>>(),
-            value,
-        )?;
+        let path = key.split('.').collect::<Vec<_>>();
+        errors.extend(insert(&mut fields, (option, index + 1), &path, value).err());
     }
     let scene = scene(&fields);
+    if let Some(error) = errors.into_iter().next() {
+        return Err(with_range_of(error, &scene));
+    }
     scene
         .check()
         .map_err(|refusal| refused(&fields, origin, refusal))?;
     Ok(scene)
+}
+
+/// A refusal of a value that is no number names the same range as that of a number out of range.
+fn with_range_of(mut error: SceneError, scene: &Scene) -> SceneError {
+    if let SceneError::Refused { refusal, .. } = &mut error
+        && let Some(field) = field(refusal.key)
+    {
+        let (range, because) = scene.range(field);
+        refusal.allowed = field.allowed_in(range);
+        refusal.because = because;
+    }
+    error
 }
 
 /// Reads one value by the field with its key and keeps it, replacing an earlier one.

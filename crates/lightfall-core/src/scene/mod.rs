@@ -33,6 +33,7 @@ mod view;
 pub use crate::geometry::observer::ObserverKind;
 pub use error::{Because, Refusal, SceneError};
 pub use fields::{FIELDS, Field, field};
+pub use hint::nearest_name;
 pub use light_sources::{DiskModel, SkyMode};
 pub use limits::MAX_PIXELS_PER_CELL;
 pub use load::{Override, load};

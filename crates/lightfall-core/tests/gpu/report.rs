@@ -127,7 +127,7 @@ fn closed_and_mino_hold_every_extreme_cell() {
     let gpu = gpu();
     // The default number of rays of the command.
     let cells = cells(96);
-    let verdicts = measure_matrix(gpu, &cells, &[Method::Closed, Method::Mino], |_| {}).unwrap();
+    let verdicts = measure_matrix(gpu, &cells, &[Method::Closed, Method::Mino], |_, _| {}).unwrap();
     let failing: Vec<&Verdict> = verdicts.iter().filter(|verdict| !verdict.holds).collect();
     assert!(
         failing.is_empty(),
@@ -149,7 +149,7 @@ fn every_ray_next_to_a_spinning_horizon_is_within_the_tightest_tolerance() {
     let named =
         |name: &str| name.contains("0.9999, from") || name == "chi 0.9, 1.0001 r_+, falling";
     cells.retain(|cell| named(&cell.name));
-    let verdicts = measure_matrix(gpu, &cells, &[Method::Mino], |_| {}).unwrap();
+    let verdicts = measure_matrix(gpu, &cells, &[Method::Mino], |_, _| {}).unwrap();
     assert_eq!(
         verdicts.len(),
         6,

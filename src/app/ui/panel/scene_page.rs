@@ -5,7 +5,7 @@ use super::field_value::{VALUE_WIDTH, show_value};
 use super::step_count::StepCounter;
 use crate::app::controls::bindings::Bindings;
 use crate::app::state::scene_editor::SceneEditor;
-use crate::render::{Letterbox, letterbox};
+use crate::render::letterbox;
 use bevy::math::UVec2;
 use bevy_egui::egui;
 use lightfall_core::scene::{FIELDS, Field, Picture, Range, Value};
@@ -29,7 +29,7 @@ pub(super) struct ScenePage {
     refused: Option<(&'static str, String)>,
 }
 
-/// The field below which the size of the cells in the window is shown.
+/// The field below which the number of cells or pixels in the window is shown.
 const FIELD_WITH_CELLS: &str = "picture.grid_height";
 
 impl ScenePage {
@@ -47,8 +47,7 @@ impl ScenePage {
                 .on_hover_text("Everything as it was loaded")
                 .clicked()
             {
-                let loaded = editor.loaded().clone();
-                editor.change("Reset", loaded);
+                editor.reset();
                 self.refused = None;
             }
             if ui.button("Undo").clicked() {
@@ -77,10 +76,8 @@ impl ScenePage {
                 if FIELDS_WITH_STEPS.contains(&field.key) {
                     ui.weak(steps.in_words()).on_hover_text("The work that method and error setting mean for this picture");
                 }
-                if field.key == FIELD_WITH_CELLS
-                    && let Some(cells) = cells_in_words(&scene.picture, window, bindings)
-                {
-                    ui.weak(cells);
+                if field.key == FIELD_WITH_CELLS {
+                    ui.weak(drawn_in_words(&editor.drawn_scene().picture, window, bindings));
                 }
             }
         });
@@ -95,25 +92,21 @@ impl ScenePage {
     }
 }
 
-/// How large the cells are in a window of this many pixels, and which bars they leave. None where
-/// the picture is shown without cells.
-fn cells_in_words(picture: &Picture, window: UVec2, bindings: &Bindings) -> Option<String> {
-    let Letterbox { extent, .. } = letterbox(picture, window);
-    let (shown, bars) = (
-        extent.as_uvec2(),
-        window.saturating_sub(extent.as_uvec2()) / 2,
-    );
-    let whole = shown.x / picture.grid_width.max(1);
-    (!picture.bypass && whole > 0).then(|| {
-        let bars = match (bars.x, bars.y) {
-            (0, 0) => "which fills the window".to_owned(),
-            (x, y) => format!(
-                "bars of {x} and {y} px, because cells are whole; {} fills the window",
-                bindings.label("picture.bypass")
-            ),
-        };
-        format!("{} x {} px: {whole} px per cell, {bars}", shown.x, shown.y)
-    })
+/// How the picture is drawn in a window of this many pixels: its cells, or its pixels.
+fn drawn_in_words(picture: &Picture, window: UVec2, bindings: &Bindings) -> String {
+    let extent = letterbox(picture, window).extent;
+    if picture.bypass {
+        let UVec2 { x, y } = picture.size();
+        return format!("Drawn here with {x} x {y} pixels");
+    }
+    let grid = picture.grid();
+    format!(
+        "Drawn here with {} x {} cells, {:.0} pixels wide; {} shows every pixel",
+        grid.x,
+        grid.y,
+        extent.x / grid.x as f32,
+        bindings.label("picture.bypass")
+    )
 }
 
 /// The tables of the field table: a heading, the first field, and one past the last field.

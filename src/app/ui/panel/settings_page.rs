@@ -5,7 +5,7 @@ use crate::app::controls::bindings::{Bindable, BindingTable, Bindings, PadBindin
 use crate::app::controls::control::Group;
 use crate::app::input::gamepad::NO_GAMEPAD;
 use crate::app::state::rebinding::Rebinding;
-use crate::app::state::settings::{Automatic, FRAME_RATES, Settings, UI_SCALES};
+use crate::app::state::settings::{Automatic, FRAME_RATES, PictureShape, Settings, UI_SCALES};
 use crate::storage::{pictures_folder, settings_file};
 use bevy::prelude::*;
 use bevy_egui::egui;
@@ -76,6 +76,23 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
             ui.label("reduced motion")
                 .on_hover_text("Journeys do not roll, and the exposure is not automatic");
             ui.checkbox(&mut settings.reduced_motion, "");
+            ui.end_row();
+            ui.label("pixel look")
+                .on_hover_text("The picture is shown in large cells of few tones. Presets keep this choice");
+            ui.checkbox(&mut settings.pixel_look, "");
+            ui.end_row();
+            ui.label("picture shape").on_hover_text(
+                "window: the picture fills the window. preset: the picture has the preset's own shape, with a black frame \
+                 around it",
+            );
+            ui.horizontal(|ui| {
+                for (value, text) in [
+                    (PictureShape::Window, "window"),
+                    (PictureShape::Preset, "preset"),
+                ] {
+                    ui.selectable_value(&mut settings.picture_shape, value, text);
+                }
+            });
             ui.end_row();
             ui.label("coarser while moving").on_hover_text(
                 "While something moves, the picture is drawn with as many pixels as the target frame rate allows. A picture at \

@@ -14,7 +14,7 @@ mod settings;
 pub use equal_error::{AtEqualError, at_equal_error};
 pub use markdown::markdown;
 pub use measurement::Measurement;
-pub use pareto::{AutoMargin, auto_margin, is_on_front};
+pub use pareto::{AutoMargin, Ranking, auto_margin, is_on_front};
 pub use plan::Plan;
 pub use plot::plot;
 pub use scenes::{BenchScene, scenes};

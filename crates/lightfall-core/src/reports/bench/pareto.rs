@@ -13,35 +13,84 @@ pub struct AutoMargin {
     /// Error of the most exact row of another method that is no slower, over `auto`'s error. The
     /// error is the 99th percentile of the backward error. Infinite if there is no such row.
     pub more_exact: f64,
+    /// What the measured times say about the front.
+    pub ranking: Ranking,
+}
+
+/// Whether `auto` is on the Pareto front of its scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ranking {
+    /// No other method is as good in both time and error, wherever the times lie within their
+    /// spreads.
+    OnFront,
+    /// Another method is as good in both, wherever the times lie within their spreads.
+    NotOnFront,
+    /// The answer depends on where the times lie within their spreads.
+    Undecided {
+        /// The largest half spread of a time of this scene, as a share of the time.
+        spread: f64,
+    },
 }
 
 impl AutoMargin {
     /// Whether no row of another method is as good as `auto` in both time and error.
     #[must_use]
     pub fn holds(&self) -> bool {
-        self.faster > 1.0 && self.more_exact > 1.0
+        leads([self.faster, self.more_exact])
     }
+}
+
+fn leads([faster, more_exact]: [f64; 2]) -> bool {
+    faster > 1.0 && more_exact > 1.0
 }
 
 /// `auto`'s margin in a scene. `None` if `auto`'s method was not measured.
 #[must_use]
 pub fn auto_margin(rows: &[Measurement], scene: &str) -> Option<AutoMargin> {
-    let auto = rows.iter().find(|row| row.scene == scene && row.auto)?;
-    let others = || {
-        rows.iter()
-            .filter(|row| row.scene == scene && row.method != auto.method)
+    let rows: Vec<_> = rows.iter().filter(|row| row.scene == scene).collect();
+    let auto = *rows.iter().find(|row| row.auto)?;
+    let others: Vec<_> = rows
+        .iter()
+        .filter(|row| row.method != auto.method)
+        .collect();
+    // Faster and more exact, with each time moved by a share of its spread.
+    let margins = |of_auto: f64, of_others: f64| {
+        let auto_ms = moved(auto, of_auto);
+        let exact = others
+            .iter()
+            .filter(|row| row.backward_p99 <= auto.backward_p99);
+        let quick = others.iter().filter(|row| moved(row, of_others) <= auto_ms);
+        [
+            exact
+                .map(|row| moved(row, of_others) / auto_ms)
+                .fold(f64::INFINITY, f64::min),
+            quick
+                .map(|row| row.backward_p99 / auto.backward_p99)
+                .fold(f64::INFINITY, f64::min),
+        ]
     };
-    let exact = others().filter(|row| row.backward_p99 <= auto.backward_p99);
-    let quick = others().filter(|row| row.trace_ms <= auto.trace_ms);
+    let ranking = match (leads(margins(0.5, -0.5)), leads(margins(-0.5, 0.5))) {
+        (true, _) => Ranking::OnFront,
+        (false, false) => Ranking::NotOnFront,
+        (false, true) => Ranking::Undecided {
+            spread: rows
+                .iter()
+                .map(|row| 0.5 * row.trace_spread_ms / row.trace_ms)
+                .fold(0.0, f64::max),
+        },
+    };
+    let [faster, more_exact] = margins(0.0, 0.0);
     Some(AutoMargin {
         scene: scene.into(),
-        faster: exact
-            .map(|row| row.trace_ms / auto.trace_ms)
-            .fold(f64::INFINITY, f64::min),
-        more_exact: quick
-            .map(|row| row.backward_p99 / auto.backward_p99)
-            .fold(f64::INFINITY, f64::min),
+        faster,
+        more_exact,
+        ranking,
     })
+}
+
+/// The time of a row, moved by a share of its spread, in milliseconds. It stays above zero.
+fn moved(row: &Measurement, share: f64) -> f64 {
+    (row.trace_ms + share * row.trace_spread_ms).max(f64::MIN_POSITIVE)
 }
 
 /// Whether no row of the same scene is both faster and more exact.

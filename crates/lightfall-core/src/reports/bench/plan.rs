@@ -7,6 +7,7 @@ use crate::accuracy::{EDGE_DISTANCES, Ray, Truth, rays_near_edge, rays_over_pict
 use crate::gpu::rays::RayKernel;
 use crate::gpu::timing::{Effort, Stage, Stopwatch};
 use crate::gpu::{Gpu, GpuError};
+use crate::reports::work::ray_work;
 use crate::scene::{Method, Scene};
 use glam::UVec2;
 use std::time::Duration;
@@ -79,6 +80,29 @@ impl Plan {
         scene.disk.enabled = false;
         let stopwatch = Stopwatch::new(gpu, &scene, self.size, self.stage)?;
         Ok(stopwatch.time(gpu, self.effort)?.median_ms)
+    }
+
+    /// The work of everything that is measured, in the unit of [`work_of`](Self::work_of).
+    #[must_use]
+    pub fn work(&self) -> f64 {
+        self.scenes
+            .iter()
+            .flat_map(|scene| self.rows_of(scene))
+            .map(|setting| ray_work(&setting.scene))
+            .sum()
+    }
+
+    /// The work of one row, relative to the others.
+    #[must_use]
+    pub fn work_of(&self, row: &Measurement) -> f64 {
+        let scene = self.scenes.iter().find(|scene| scene.name == row.scene);
+        let method = Method::from_word(&row.method);
+        scene.zip(method).map_or(0.0, |(scene, method)| {
+            ray_work(&Scene {
+                method,
+                ..scene.scene.clone()
+            })
+        })
     }
 
     fn rows_of(&self, bench_scene: &BenchScene) -> Vec<Setting> {

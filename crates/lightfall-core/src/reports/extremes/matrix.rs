@@ -6,9 +6,11 @@ use super::verdict::{Verdict, tightest};
 use crate::accuracy::{ErrorSummary, Truth};
 use crate::gpu::{Gpu, GpuError};
 use crate::reports::bench::methods_for;
+use crate::reports::work::ray_work;
 use crate::scene::{Method, Scene};
 
-/// Measures every method in every cell. `done` is called with each verdict.
+/// Measures every method in every cell. `done` is called with each verdict and its share of the
+/// [`matrix_work`].
 ///
 /// # Errors
 /// A cell cannot be traced, or the device failed.
@@ -16,7 +18,7 @@ pub fn measure_matrix(
     gpu: &Gpu,
     cells: &[Cell],
     methods: &[Method],
-    mut done: impl FnMut(&Verdict),
+    mut done: impl FnMut(&Verdict, f64),
 ) -> Result<Vec<Verdict>, GpuError> {
     let mut kernels = Kernels::default();
     let mut verdicts = Vec::new();
@@ -28,7 +30,7 @@ pub fn measure_matrix(
                 &scene,
                 &ErrorSummary::of(&truth, &kernels.traces(gpu, &scene, &truth)?),
             );
-            done(&verdict);
+            done(&verdict, work_of(cell, &scene));
             verdicts.push(verdict);
         }
     }
@@ -52,11 +54,16 @@ fn variations(scene: &Scene, methods: &[Method]) -> Vec<Scene> {
     .collect()
 }
 
-/// The number of verdicts that [`measure_matrix`] returns.
+/// The work of measuring these methods in these cells, in any unit.
 #[must_use]
-pub fn verdict_count(cells: &[Cell], methods: &[Method]) -> usize {
-    cells
-        .iter()
-        .map(|cell| variations(&cell.scene, methods).len())
-        .sum()
+pub fn matrix_work(cells: &[Cell], methods: &[Method]) -> f64 {
+    let work = |cell: &Cell| -> f64 {
+        let scenes = variations(&cell.scene, methods);
+        scenes.iter().map(|scene| work_of(cell, scene)).sum()
+    };
+    cells.iter().map(work).sum()
+}
+
+fn work_of(cell: &Cell, scene: &Scene) -> f64 {
+    cell.rays.len() as f64 * ray_work(scene)
 }

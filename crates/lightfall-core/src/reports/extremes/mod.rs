@@ -17,7 +17,7 @@ pub use cause::Cause;
 pub use cells::{Cell, cells};
 pub use grid::grid;
 pub use hunt::Hunt;
-pub use matrix::{measure_matrix, verdict_count};
+pub use matrix::{matrix_work, measure_matrix};
 pub use tolerance::tolerance;
 pub use verdict::{Verdict, markdown};
 pub use worst_ray::WorstRay;
