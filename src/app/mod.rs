@@ -20,6 +20,8 @@ pub use controls::bindings::{Bindable, BindingTable, Bindings, PadBindings};
 pub use controls::control::{Action, AppCommand, Control, FlightInput, Group, Modifier};
 pub use controls::edits::edited;
 pub use controls::key_feedback::remark;
+pub use controls::refusal::checked_change;
+pub use controls::statement::{change_words, statement};
 pub use controls::table::{CONTROLS, control_named};
 pub use input::gamepad::{NO_GAMEPAD, deflection, squeeze};
 pub use motion::flight_step::FlightStep;
@@ -30,8 +32,9 @@ pub use session::display::display;
 pub use session::frame_pacing::FramePacing;
 pub use state::history::History;
 pub use state::resolution::{Canvas, Resolution};
-pub use state::scene_editor::checked_change;
 pub use state::settings::{Automatic, PictureShape, Settings};
+pub use state::toast::reading_time;
+pub use ui::hud::{ReadOut, physics_off, read_outs};
 pub use ui::inspector::pixel_at;
 pub use ui::legend::{Swatch, legend};
 
@@ -47,6 +50,7 @@ use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
 use session::adapter::AdapterChoice;
 use state::preferences::Preferences;
+use state::title::Title;
 
 /// What the window starts with.
 pub struct Start {
@@ -90,6 +94,12 @@ pub fn program(start: Start) -> App {
     if plays_journey {
         player.restart();
     }
+    // A journey that begins at once shows a title of its own.
+    let title = if plays_journey {
+        Title::default()
+    } else {
+        Title::of(&scene)
+    };
     let (mut preferences, fault) = Preferences::load();
     if !keeps_own_look {
         scene = in_look(scene, preferences.settings.pixel_look);
@@ -102,6 +112,7 @@ pub fn program(start: Start) -> App {
         .add_plugins(EguiPlugin::default())
         .insert_resource(History::new(scene.scene().clone()))
         .insert_resource(Resolution::new(&scene))
+        .insert_resource(title)
         .insert_resource(player)
         .insert_resource(adapter)
         .add_plugins(LightfallRenderPlugin {
@@ -139,7 +150,7 @@ pub fn program(start: Start) -> App {
         .add_plugins((
             ui::theme::plugin,
             ui::dock::plugin,
-            ui::status_bar::plugin,
+            ui::hud::plugin,
             ui::legend::plugin,
             ui::help::plugin,
             ui::panel::plugin,

@@ -28,6 +28,9 @@ use lightfall_core::gpu::bindings::{PRESENTATION, PRESENTATION_SAMPLER, PRESENTA
 use lightfall_core::scene::Picture;
 use pipeline::{GRID_FORMAT, SHADER, Stage, create_grid, pipeline_descriptor};
 
+/// As many levels as eight bits tell apart.
+const EXACT_LEVELS: u32 = 256;
+
 /// The presentation grid and the settings it was filled with.
 struct Cells {
     view: TextureView,
@@ -146,13 +149,19 @@ fn prepare_presentation_pass(
         ..scene.picture
     };
     let Letterbox { offset, extent } = letterbox(&picture, output);
+    // A view's colours have meanings, so they are shown as they are.
+    let (levels, dither) = if scene.view.shows_light() {
+        (picture.levels, picture.dither)
+    } else {
+        (EXACT_LEVELS, false)
+    };
     let uniform = Presentation {
         picture: picture.size(),
         grid,
         offset,
         extent,
-        levels: picture.levels as f32,
-        dither: u32::from(picture.dither),
+        levels: levels as f32,
+        dither: u32::from(dither),
     };
     pass.output = view.target_format;
     let cells = pass.cells.take();

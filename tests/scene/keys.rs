@@ -4,7 +4,7 @@ use bevy::prelude::KeyCode;
 use lightfall::app::{
     Action, Bindable, Bindings, CONTROLS, Modifier, checked_change, control_named, edited, remark,
 };
-use lightfall_core::scene::{Method, ObserverKind, Scene, View, presets};
+use lightfall_core::scene::{Method, Observer, ObserverKind, Scene, View, presets};
 use std::collections::BTreeMap;
 
 /// The scene after a control was used some times, where `loaded` is what was loaded.
@@ -66,6 +66,7 @@ fn a_switch_used_twice_restores_any_preset() {
         "view.residual",
         "view.order",
         "view.redshift",
+        "view.error",
         "picture.bloom",
         "picture.bypass",
         "picture.antialias",
@@ -130,7 +131,7 @@ fn a_skipped_observer_is_named_with_the_reason() {
     let mut scene = Scene::default();
     scene.camera.theta_deg = 83.0;
     scene.observer.kind = ObserverKind::Zamo;
-    let off_plane = "skipped: camera.theta_deg is 83 with observer.kind = \"orbit\"; it must be 90, the plane of the disk";
+    let off_plane = "an orbit is possible in the disk's plane only (you are 7° off)";
     assert_eq!(feedback_of(&scene, "scene.observer"), off_plane);
     // From at rest to zamo nothing is passed over, and in the plane there is an orbit.
     scene.observer.kind = ObserverKind::Static;
@@ -191,12 +192,12 @@ fn a_key_without_a_visible_effect_says_why_and_names_the_key_that_helps() {
         (
             |scene| scene.picture.bypass = true,
             "picture.dither",
-            "this shows in cells only; F7 brings the cells back",
+            "this shows in the pixel look only; F7 switches it on",
         ),
         (
             |scene| scene.picture.bypass = true,
             "picture.levels",
-            "this shows in cells only; F7 brings the cells back",
+            "this shows in the pixel look only; F7 switches it on",
         ),
     ] {
         assert_eq!(feedback_of(&without(change), id), words, "{id}");
@@ -237,8 +238,29 @@ fn a_change_that_cannot_be_drawn_is_refused_with_the_reason() {
     deep.observer.kind = ObserverKind::Zamo;
     let without_spin = edited(control_named("scene.spin").unwrap(), &deep, &deep).unwrap();
     let refused = checked_change(&deep, without_spin).unwrap_err();
+    assert_eq!(
+        refused,
+        "zero angular momentum needs a place outside the horizon (r above 1 r_s)"
+    );
+    // The lower limit is rounded up, so that it is allowed itself.
+    let fall = Scene {
+        observer: Observer {
+            kind: ObserverKind::Rain,
+            ..deep.observer
+        },
+        ..deep.clone()
+    };
+    let mut deeper = fall.clone();
+    deeper.camera.r = 0.1473994654915289;
+    assert_eq!(
+        checked_change(&fall, deeper).unwrap_err(),
+        "too deep for spin 0.9 (r must be above 0.33 r_s)"
+    );
+    let mut thin = deep.clone();
+    thin.disk.outer = 0.123456789;
+    let refused = checked_change(&deep, thin).unwrap_err();
     assert!(
-        refused.starts_with("hole.spin = 0 is refused together with camera.r = 0.9"),
+        refused.contains("0.1235") && !refused.contains("0.12345"),
         "{refused}"
     );
 }

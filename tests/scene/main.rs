@@ -25,4 +25,5 @@ mod rays;
 mod resolution;
 mod settings;
 mod steering;
+mod words;
 mod worker;

@@ -1,9 +1,9 @@
 //! A display for one test: Xvfb, the program's window on it, keys by xdotool, and pictures from the
 //! X server.
 
-use crate::STATUS_BAR;
 use crate::frames::Frames;
 use crate::shot::Shot;
+use crate::{STATUS_BAR, TITLE};
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -327,12 +327,12 @@ impl Desktop {
         Shot::new(width.into(), height.into(), image.data)
     }
 
-    /// The screen once there is a picture, whole: more than the lines of text at the bottom, and at
+    /// The screen once there is a picture, whole: more than the text at its top and bottom, and at
     /// rest.
     pub fn first_picture(&self) -> Shot {
         // On a busy machine bloom and the probe's meshes come some frames after the light.
         let lit = |shot: &Shot| {
-            shot.rows(0..self.size().1.saturating_sub(STATUS_BAR))
+            shot.rows(TITLE..self.size().1.saturating_sub(STATUS_BAR))
                 .colours()
                 > 2
         };

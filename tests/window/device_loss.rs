@@ -2,7 +2,7 @@
 
 use crate::desktop::Desktop;
 use crate::shot::Shot;
-use crate::{STATUS_BAR, WINDOW, program};
+use crate::{STATUS_BAR, TITLE, WINDOW, program};
 use bevy::prelude::*;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
 use bevy::render::render_resource::PollType;
@@ -62,7 +62,7 @@ fn a_lost_device_is_replaced_and_the_scene_stays() {
     desktop.press("p");
     let before = desktop.settled("spin and panel", |shot| shot.colours() > 50);
     // Without the lines at the bottom: the window says there what happened.
-    let changed = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, 0..WINDOW.1 - 2 * STATUS_BAR);
+    let changed = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, TITLE..WINDOW.1 - 2 * STATUS_BAR);
     for loss in 1..=2 {
         desktop.press("Home");
         desktop.wait("the loss", || {

@@ -1,7 +1,7 @@
 //! How many frames the picture takes to follow a key.
 
 use crate::desktop::Desktop;
-use crate::{STATUS_BAR, WINDOW, program};
+use crate::{STATUS_BAR, TITLE, WINDOW, program};
 use bevy::diagnostic::FrameCount;
 use bevy::prelude::*;
 use bevy::render::view::window::screenshot::{Screenshot, ScreenshotCaptured};
@@ -47,9 +47,10 @@ fn watch(
     }
 }
 
-/// The upper rows of the window, without the lines of text at the bottom.
+/// The middle rows of the window, without the title at the top and the text at the bottom.
 fn picture(window: Option<&[u8]>) -> Option<&[u8]> {
-    window.map(|bytes| &bytes[..bytes.len() / WINDOW.1 * (WINDOW.1 - 2 * STATUS_BAR)])
+    let row = |bytes: &[u8]| bytes.len() / WINDOW.1;
+    window.map(|bytes| &bytes[row(bytes) * TITLE..row(bytes) * (WINDOW.1 - 2 * STATUS_BAR)])
 }
 
 /// The program with [`watch`]. This is no test: the test below starts it as another process.

@@ -41,7 +41,7 @@ impl Shot {
     /// Some of its rows.
     pub fn rows(&self, rows: std::ops::Range<usize>) -> Self {
         let bytes = |row: usize| 4 * self.width * row.min(self.height);
-        let bgrx = self.bgrx[bytes(rows.start)..bytes(rows.end)].to_vec();
+        let bgrx = self.bgrx[bytes(rows.start)..bytes(rows.end.max(rows.start))].to_vec();
         Self {
             width: self.width,
             height: bgrx.len() / (4 * self.width),

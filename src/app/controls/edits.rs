@@ -132,6 +132,10 @@ pub(super) fn toggle_redshift(scene: &mut Scene, _: &Scene) {
     toggle(scene, View::Redshift);
 }
 
+pub(super) fn toggle_error(scene: &mut Scene, _: &Scene) {
+    toggle(scene, View::Error);
+}
+
 pub(super) fn switch_sky(scene: &mut Scene, loaded: &Scene) {
     let on = if loaded.sky.mode == SkyMode::Off {
         SkyMode::default()

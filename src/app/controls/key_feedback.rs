@@ -3,6 +3,7 @@
 use super::bindings::Bindings;
 use super::control::Control;
 use super::edits::ALL_LEVELS;
+use super::refusal::no_observer;
 use super::table::control_named;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::camera_rays::CameraRays;
@@ -51,8 +52,15 @@ pub fn remark(
             "there is no probe to smooth; {} adds it",
             key("scene.probe")
         )),
+        "picture.dither" | "picture.levels" if !after.view.shows_light() => {
+            let back = view_key(after.view).map(|id| format!("; {} shows light", key(id)));
+            Some(format!(
+                "a view keeps its exact colours{}",
+                back.unwrap_or_default()
+            ))
+        }
         "picture.dither" | "picture.levels" if after.picture.bypass => Some(format!(
-            "this shows in cells only; {} brings the cells back",
+            "this shows in the pixel look only; {} switches it on",
             key("picture.bypass")
         )),
         "picture.dither" if after.picture.levels == ALL_LEVELS => Some(format!(
@@ -89,10 +97,10 @@ fn skipped_observers(before: &Scene, after: &Scene) -> Option<String> {
         other.observer.kind = ObserverKind::ALL[(from + step) % ObserverKind::ALL.len()];
         CameraRays::new(&other)
             .err()
-            .map(|reason| reason.to_string())
+            .map(|error| no_observer(&error, &other))
     });
-    let reasons = reasons.collect::<Vec<_>>().join(". ");
-    (!reasons.is_empty()).then(|| format!("skipped: {reasons}"))
+    let reasons = reasons.collect::<Vec<_>>().join("; ");
+    (!reasons.is_empty()).then_some(reasons)
 }
 
 /// Whether a view hides what this control does to light.
@@ -104,7 +112,7 @@ fn hides_light(control: &Control, view: View) -> bool {
     }
 }
 
-/// The control that leaves a view for the light. The view of errors has none.
+/// The control that leaves a view for the light.
 fn view_key(view: View) -> Option<&'static str> {
     let id = format!("view.{}", view.word());
     control_named(&id).map(|control| control.id)

@@ -7,4 +7,6 @@ pub(crate) mod control;
 pub(crate) mod edits;
 pub(crate) mod key_feedback;
 pub(crate) mod keys;
+pub(crate) mod refusal;
+pub(crate) mod statement;
 pub(crate) mod table;

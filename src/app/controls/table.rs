@@ -42,9 +42,9 @@ pub const CONTROLS: &[Control] = controls! {
         "fly.escape" [Escape] "free the mouse" Do(AppCommand::Escape);
         "journey.fly" [KeyJ] "journey: start, stop" Do(AppCommand::Journey);
         "journey.again" [Enter] "journey from its start" Do(AppCommand::RestartJourney);
-        "motion.let_go" [KeyF] "let go: fall or orbit" Do(AppCommand::LetGo);
-        "motion.slower" [Comma] "proper time slower, faster" Do(AppCommand::SlowerTime);
-        "motion.faster" [Period] "proper time slower, faster" Do(AppCommand::FasterTime);
+        "motion.let_go" [KeyF] "let go (free fall or orbit)" Do(AppCommand::LetGo);
+        "motion.slower" [Comma] "slow down, speed up time" Do(AppCommand::SlowerTime);
+        "motion.faster" [Period] "slow down, speed up time" Do(AppCommand::FasterTime);
     }
     Scene {
         "preset.1" [Digit1] "presets" Load(1);
@@ -65,7 +65,7 @@ pub const CONTROLS: &[Control] = controls! {
         "scene.sky_mode" [KeyG] "sky: stars, grid, nothing" Edit(edits::next_sky);
         "scene.probe" [F4] "probe" Edit(edits::switch_probe);
         "scene.spin" [KeyT] "spin" Edit(edits::switch_spin);
-        "scene.observer" [KeyO] "observer: at rest, zamo, orbit, free fall" Edit(edits::next_observer);
+        "scene.observer" [KeyO] "observer: at rest, orbit, free fall ..." Edit(edits::next_observer);
     }
     Light {
         "light.lensing" [KeyL] "lensing" Edit(edits::switch_lensing);
@@ -79,13 +79,14 @@ pub const CONTROLS: &[Control] = controls! {
         "view.residual" [KeyM] "residual of the null constraint" Edit(edits::toggle_residual);
         "view.order" [KeyN] "order of the image" Edit(edits::toggle_order);
         "view.redshift" [KeyR] "redshift g" Edit(edits::toggle_redshift);
+        "view.error" [Quote] "backward error" Edit(edits::toggle_error);
     }
     Picture {
         "picture.bloom" [F5] "bloom" Edit(edits::switch_bloom);
         "picture.antialias" [F6] "smooth edges of the probe" Edit(edits::switch_antialias);
         "picture.bypass" [F7] "pixel look" Edit(edits::switch_bypass);
         "picture.dither" [F8] "dither" Edit(edits::switch_dither);
-        "picture.levels" [KeyV] "few tones, or all" Edit(edits::switch_levels);
+        "picture.levels" [KeyV] "posterise" Edit(edits::switch_levels);
         "picture.brighter" [Equal, NumpadAdd] "brighter, darker" Edit(edits::brighten);
         "picture.darker" [Minus, NumpadSubtract] "brighter, darker" Edit(edits::darken);
         "picture.automatic_exposure" [F9] "automatic exposure" Do(AppCommand::AutomaticExposure);

@@ -22,6 +22,14 @@ impl HeldControls<'_, '_> {
         self.strength(plus) - self.strength(minus)
     }
 
+    /// Whether a control that moves the camera is held.
+    pub(crate) fn any_flight(&self) -> bool {
+        use FlightInput::{Backward, Down, Forward, Left, Right, Up};
+        [Forward, Backward, Left, Right, Up, Down]
+            .into_iter()
+            .any(|input| self.strength(input) > 0.0)
+    }
+
     /// How far an input's key or button is pressed, from 0 to 1.
     fn strength(&self, input: FlightInput) -> f64 {
         let holds = |action| matches!(action, Action::Hold(held) if held == input);

@@ -6,6 +6,7 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{Action, AppCommand, Control, Modifier};
 use crate::app::controls::edits::edited;
 use crate::app::controls::key_feedback::remark;
+use crate::app::controls::statement::statement;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::input::ButtonState;
@@ -81,16 +82,14 @@ fn apply(
         editor.load(input, Ok(changed));
         return;
     }
-    if editor.change(input, changed)
-        && let Some(remark) = remark(
-            control,
-            &before,
-            &editor.scene(),
-            bindings,
-            automatic_exposure,
-        )
-    {
-        editor.say(format!("{input}: {remark}"));
+    if editor.change(input, changed) {
+        let after = editor.scene();
+        let remark = remark(control, &before, &after, bindings, automatic_exposure);
+        let says: Vec<String> = [statement(control, &before, &after), remark]
+            .into_iter()
+            .flatten()
+            .collect();
+        editor.say(says.join(" · "));
     }
 }
 

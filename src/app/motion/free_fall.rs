@@ -5,9 +5,11 @@ use super::MAX_FRAME_SECONDS;
 use super::flight_step::FlightStep;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
+use crate::app::controls::refusal::no_observer;
 use crate::app::state::end_card::EndCard;
 use crate::app::state::history::History;
 use crate::app::state::last_pose::LastPose;
+use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
@@ -15,7 +17,9 @@ use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::observer::ObserverError;
 use lightfall_core::geometry::timelike::Limit;
 use lightfall_core::gpu::Drawable;
+use lightfall_core::optics::readout::si::{HoleMass, MASSES};
 use lightfall_core::optics::worldline::Worldline;
+use lightfall_core::reports::numbers::{four_digits, steady_digits, three_digits};
 use lightfall_core::scene::Scene;
 
 /// Proper time that passes in a second, divided by r^(3/2), the time scale of a fall from r. So a
@@ -25,6 +29,24 @@ const DEFAULT_PACE: f64 = 0.1;
 const PACE_STEP: f64 = 2.0;
 const MIN_PACE: f64 = DEFAULT_PACE / 1024.0;
 const MAX_PACE: f64 = DEFAULT_PACE * 1024.0;
+
+/// Longer than any fall inside a horizon lasts, in r_s/c: half of pi at most, without spin.
+const LONGEST_FALL: f64 = 10.0;
+
+/// The time until a fall inside the horizon ends, in words, and where it ends. Without spin it is
+/// the centre: from the end of the picture at 0.1 r_s it is 0.0211 r_s/c more (2/3 r^(3/2), exact
+/// from rest at infinity; for any other fall it changes no digit that is shown, or the last one).
+fn time_left(worldline: &Worldline, scene: &Scene) -> [String; 2] {
+    let (mut ahead, mut then) = (worldline.clone(), scene.clone());
+    ahead.advance(LONGEST_FALL, &mut then);
+    let left = ahead.proper_time() - worldline.proper_time();
+    let words = |left: f64, end: &str| [format!("{} r_s/c", steady_digits(left)), end.into()];
+    if scene.hole.spin == 0.0 {
+        words(left + 2.0 / 3.0 * then.camera.r.powf(1.5), "to the centre")
+    } else {
+        words(left, "to the last picture")
+    }
+}
 
 /// The motion of an observer that was let go, if one was, and its pace.
 #[derive(Resource, Clone, Debug)]
@@ -126,25 +148,52 @@ impl FreeFall {
         }
     }
 
-    /// The clocks in one line. Empty without motion.
+    /// The clocks in one line: the observer's own since the release, and those far away; inside the
+    /// horizon, where no clock far away can be compared, the time that is left. Empty without
+    /// motion.
     #[must_use]
-    pub fn clocks(&self, r: f64) -> String {
+    pub fn clocks(&self, scene: &Scene) -> String {
         let Some(worldline) = self.worldline() else {
             return String::new();
         };
-        let far = match worldline.coordinate_time() {
-            Some(far) => format!("far time {far:.3}"),
-            None => format!("ingoing time {:.3}", worldline.ingoing_time()),
+        let horizon = Kerr {
+            spin: scene.hole.spin,
+        }
+        .horizon();
+        let own = format!(
+            "your clock {} r_s/c",
+            steady_digits(worldline.proper_time())
+        );
+        let motion = match (worldline.is_circular(), scene.camera.r > horizon) {
+            (true, _) => "In orbit",
+            (false, true) => "Falling freely",
+            (false, false) => {
+                let [left, end] = time_left(worldline, scene);
+                return format!("Inside the horizon · {own} · {left} {end}");
+            }
+        };
+        let far = worldline.coordinate_time();
+        let far = far.map_or_else(String::new, |far| {
+            format!(" · far clock {} r_s/c", steady_digits(far))
+        });
+        format!("{motion} · {own}{far}")
+    }
+
+    /// How fast time passes, in one sentence, e.g. `Time rate in free fall: 4.472 r_s/c per second
+    /// (190 s for Sgr A*)`. `suns` is the hole's mass in solar masses.
+    #[must_use]
+    pub fn rate_words(&self, r: f64, suns: f64) -> String {
+        let rate = self.rate(r);
+        let known = MASSES.iter().find(|mass| mass.suns == suns);
+        let mass = HoleMass {
+            name: known.map_or("this hole", |mass| mass.name),
+            suns,
         };
         format!(
-            "{} · proper time {:.3} r_s/c · {far} r_s/c · {:.3} r_s/c per second",
-            if worldline.is_circular() {
-                "in orbit"
-            } else {
-                "in free fall"
-            },
-            worldline.proper_time(),
-            self.rate(r)
+            "Time rate in free fall: {} r_s/c per second ({} s for {})",
+            four_digits(rate),
+            three_digits(rate * mass.seconds()),
+            mass.name
         )
     }
 
@@ -162,21 +211,26 @@ impl FreeFall {
                 let kerr = Kerr {
                     spin: scene.hole.spin,
                 };
-                let (horizon, inner) = (kerr.horizon(), kerr.inner_horizon());
+                let (horizon, inner) = (kerr.horizon(), four_digits(kerr.inner_horizon()));
                 let reason = if kerr.spin == 0.0 {
                     "From here on tide and blueshift grow without limit, and no picture would be true.".into()
                 } else {
                     format!(
-                        "Toward the inner horizon, at {inner:.3}, the blueshift of light that fell in along with the hole's rotation grows \
+                        "Toward the inner horizon, at {inner} r_s, the blueshift of light that fell in along with the hole's rotation grows \
                          without limit, and nobody knows what a real hole is like there: no picture would be true."
                     )
                 };
                 format!(
-                    "r = {r:.3} r_s, inside the horizon at {horizon:.3}, after {proper_time:.3} r_s/c of your proper time. {reason}"
+                    "r {} r_s, inside the horizon at {} r_s, after {} r_s/c on your clock. {reason}",
+                    four_digits(r),
+                    four_digits(horizon),
+                    four_digits(proper_time)
                 )
             }
             _ => format!(
-                "r = {r:.3e} r_s, after {proper_time:.3e} r_s/c of your proper time. The camera goes no farther."
+                "r {} r_s, after {} r_s/c on your clock. The camera goes no farther.",
+                four_digits(r),
+                four_digits(proper_time)
             ),
         }
     }
@@ -196,34 +250,44 @@ fn apply_free_fall_commands(
     time: Res<Time<Real>>,
     mut history: ResMut<History>,
     bindings: Res<Bindings>,
+    preferences: Res<Preferences>,
     mut toast: ResMut<Toast>,
     mut end_card: ResMut<EndCard>,
 ) {
     for command in commands.read() {
         match command {
-            AppCommand::LetGo if free_fall.is_moving() => free_fall.stop(),
+            AppCommand::LetGo if free_fall.is_moving() => {
+                free_fall.stop();
+                toast.say(format!("Held at r {} r_s", four_digits(scene.camera.r)));
+            }
             AppCommand::LetGo => {
                 end_card.close();
                 match free_fall.start(&scene) {
-                    Ok(()) => history.note_departure(&scene, time.elapsed()),
-                    Err(error) => toast.say(error.to_string()),
+                    Ok(()) => {
+                        history.note_departure(&scene, time.elapsed());
+                        toast.say(released(&free_fall, &bindings));
+                    }
+                    Err(error) => toast.say(no_observer(&error, &scene)),
                 }
             }
             AppCommand::FasterTime => free_fall.change_pace(1),
             AppCommand::SlowerTime => free_fall.change_pace(-1),
             _ => continue,
         }
-        // The clocks in the status bar show the pace. Without clocks, the toast does.
-        if matches!(command, AppCommand::FasterTime | AppCommand::SlowerTime)
-            && !free_fall.is_moving()
-        {
-            let rate = free_fall.rate(scene.camera.r);
-            toast.say(format!(
-                "Once {} lets go, proper time passes at {rate:.3} r_s/c per second",
-                bindings.label("motion.let_go")
-            ));
+        if matches!(command, AppCommand::FasterTime | AppCommand::SlowerTime) {
+            let suns = preferences.settings.hole_mass_suns;
+            toast.say(free_fall.rate_words(scene.camera.r, suns));
         }
     }
+}
+
+/// Says that the observer was let go, and how to hold it again.
+fn released(free_fall: &FreeFall, bindings: &Bindings) -> String {
+    let motion = match free_fall.worldline() {
+        Some(worldline) if worldline.is_circular() => "In orbit",
+        _ => "Falling freely",
+    };
+    format!("{motion}: {} holds again", bindings.label("motion.let_go"))
 }
 
 fn advance_free_fall(
@@ -239,7 +303,7 @@ fn advance_free_fall(
     }
     match free_fall.advance(time.delta_secs_f64(), &scene) {
         FlightStep::Idle => toast.say(format!(
-            "The clocks stop here: {} lets go again",
+            "You are flying now: {} lets go again",
             bindings.label("motion.let_go")
         )),
         FlightStep::Moved(next) => scene.0 = *next,

@@ -2,6 +2,7 @@
 
 use super::MAX_FRAME_SECONDS;
 use super::steering::{Steered, Steering, steered};
+use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{AppCommand, FlightInput};
 use crate::app::input::held::HeldControls;
 use crate::app::input::pointer::{locate_pointer, pointer_over_picture};
@@ -23,7 +24,7 @@ pub(crate) struct Pilot {
 }
 
 /// Shift flies faster and Alt slower by this factor.
-const GEAR: f64 = 4.0;
+pub(crate) const GEAR: f64 = 4.0;
 /// One notch of the wheel changes the speed by this factor, within a range.
 const THROTTLE_NOTCH: f64 = 1.15;
 const THROTTLE_RANGE: [f64; 2] = [0.02, 50.0];
@@ -70,14 +71,31 @@ fn set_throttle(scroll: Res<AccumulatedMouseScroll>, mut pilot: ResMut<Pilot>) {
 fn grab_mouse(
     mut commands: MessageReader<AppCommand>,
     buttons: Res<ButtonInput<MouseButton>>,
+    bindings: Res<Bindings>,
     mut pilot: ResMut<Pilot>,
+    mut toast: ResMut<Toast>,
     window: Single<(&Window, &mut CursorOptions), With<PrimaryWindow>>,
 ) {
     let (window, mut cursor) = window.into_inner();
     for command in commands.read() {
         match command {
-            AppCommand::MouseLook => pilot.free_look = !pilot.free_look,
-            AppCommand::Escape => pilot.free_look = false,
+            AppCommand::MouseLook => {
+                pilot.free_look = !pilot.free_look;
+                toast.say(if pilot.free_look {
+                    format!(
+                        "Mouse look: on, {} frees the mouse",
+                        bindings.label("fly.mouse")
+                    )
+                } else {
+                    "Mouse look: off".into()
+                });
+            }
+            AppCommand::Escape => {
+                if pilot.free_look {
+                    toast.say("Mouse look: off");
+                }
+                pilot.free_look = false;
+            }
             _ => {}
         }
     }
@@ -147,10 +165,6 @@ fn steer_camera(
 
 /// Says that another observer has taken the place of one that cannot exist.
 fn observer_change(kinds: [ObserverKind; 2]) -> String {
-    let named = |kind: ObserverKind| {
-        let motion = kind.properties().motion_in_full;
-        format!("{} ({motion})", kind.word())
-    };
-    let [wanted, nearest] = kinds.map(named);
-    format!("Observer {wanted} cannot exist here: the camera's observer is now {nearest}")
+    let [wanted, nearest] = kinds.map(|kind| kind.properties().motion);
+    format!("Observer: {nearest}, for {wanted} is not possible here")
 }

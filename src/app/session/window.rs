@@ -1,6 +1,7 @@
 //! The window: its title, its size at the start, and the whole screen.
 
 use crate::app::controls::control::AppCommand;
+use crate::app::state::toast::Toast;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use bevy::window::{
@@ -55,6 +56,7 @@ fn update_title(scene: Res<CurrentScene>, mut window: Single<&mut Window>) {
 fn toggle_full_screen(
     mut commands: MessageReader<AppCommand>,
     mut window: Single<&mut Window, With<PrimaryWindow>>,
+    mut toast: ResMut<Toast>,
 ) {
     for _ in commands
         .read()
@@ -64,6 +66,10 @@ fn toggle_full_screen(
             WindowMode::Windowed => WindowMode::BorderlessFullscreen(MonitorSelection::Current),
             _ => WindowMode::Windowed,
         };
+        toast.say(match window.mode {
+            WindowMode::Windowed => "Full screen: off",
+            _ => "Full screen: on",
+        });
     }
 }
 

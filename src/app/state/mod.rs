@@ -11,4 +11,5 @@ pub(crate) mod rebinding;
 pub(crate) mod resolution;
 pub(crate) mod scene_editor;
 pub(crate) mod settings;
+pub(crate) mod title;
 pub(crate) mod toast;

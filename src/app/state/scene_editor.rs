@@ -3,7 +3,10 @@
 
 use super::history::History;
 use super::resolution::Resolution;
+use super::title::Title;
 use super::toast::Toast;
+use crate::app::controls::refusal::{checked_change, undrawable};
+use crate::app::controls::statement::change_words;
 use crate::render::CurrentScene;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
@@ -17,6 +20,7 @@ pub(crate) struct SceneEditor<'w> {
     resolution: ResMut<'w, Resolution>,
     history: ResMut<'w, History>,
     toast: ResMut<'w, Toast>,
+    title: ResMut<'w, Title>,
     time: Res<'w, Time<Real>>,
 }
 
@@ -65,11 +69,14 @@ impl SceneEditor<'_> {
     pub(crate) fn load(&mut self, asker: &str, loaded: Result<Scene, String>) -> bool {
         let loaded = loaded
             .map(|scene| self.in_this_look(scene))
-            .and_then(|scene| Drawable::new(scene).map_err(|reason| reason.to_string()))
+            .and_then(|scene| {
+                Drawable::new(scene.clone()).map_err(|reason| undrawable(&reason, &scene))
+            })
             .map(|loaded| {
                 let before = self.scene();
                 self.history
                     .note_loaded(&before, &loaded, self.time.elapsed());
+                *self.title = Title::of(&loaded);
                 self.put(loaded);
             });
         self.report(asker, loaded)
@@ -92,10 +99,12 @@ impl SceneEditor<'_> {
         let now = self.scene();
         match self.history.undo(&now) {
             None => self.toast.say("There is nothing to undo"),
-            Some(undone) => {
-                let undone = undone.map(|undone| self.put(undone));
-                self.report("Undo", undone);
+            Some(Ok(undone)) => {
+                let change = change_words(&now, &undone);
+                self.put(undone);
+                self.toast.say(format!("Undone: {change}"));
             }
+            Some(Err(reason)) => self.toast.say(format!("This cannot be undone: {reason}")),
         }
     }
 
@@ -117,18 +126,4 @@ impl SceneEditor<'_> {
         }
         done.is_ok()
     }
-}
-
-/// A scene that was made from `before`, checked.
-///
-/// # Errors
-/// Why it cannot be drawn. Where fields contradict each other, the error names the field that was
-/// changed, and not the one that stayed.
-pub fn checked_change(before: &Scene, changed: Scene) -> Result<Drawable, String> {
-    Drawable::new(changed.clone()).map_err(|reason| {
-        match before.with(changed.differences(before)) {
-            Err(refusal) => refusal.to_string(),
-            Ok(_) => reason.to_string(),
-        }
-    })
 }

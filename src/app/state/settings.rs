@@ -30,6 +30,8 @@ pub struct Settings {
     /// Whether motion that nobody steers is kept calm: journeys do not roll, and the exposure does
     /// not change by itself.
     pub reduced_motion: bool,
+    /// Whether the most important keys are named in the window's corner.
+    pub key_hints: bool,
     /// The hole's mass for the read-outs, in solar masses.
     pub hole_mass_suns: f64,
     /// The graphics adapter that draws the window from the next start on. None for the best.
@@ -82,6 +84,7 @@ impl Default for Settings {
             most_frames: 0.0,
             automatic_exposure: false,
             reduced_motion: false,
+            key_hints: true,
             hole_mass_suns: MASSES[0].suns,
             adapter: None,
             keys: BTreeMap::new(),

@@ -1,17 +1,30 @@
-//! The toast: one sentence in the status bar that says what was refused, or where a file went.
+//! The toast: one sentence at the bottom of the window that says what a key has done, what was
+//! refused, or where a file went. A newer sentence takes the place of an older one.
 
 use bevy::prelude::*;
 use std::time::Duration;
 
-/// How long a sentence stays.
-const DURATION: Duration = Duration::from_secs(10);
+/// How long a short sentence stays.
+const DURATION: Duration = Duration::from_secs(2);
+/// The longest sentence that counts as short, in characters.
+const SHORT: usize = 32;
+/// Time to read one character more.
+const PER_CHARACTER: Duration = Duration::from_millis(60);
+/// The longest time that a sentence stays.
+const MAX_DURATION: Duration = Duration::from_secs(12);
+/// How long it takes to fade away afterwards.
+const FADE: Duration = Duration::from_millis(250);
 
 /// The sentence.
 #[derive(Resource, Default)]
 pub(crate) struct Toast {
     text: String,
-    /// When it goes, as a time since the start. None before its first frame.
+    /// When it begins to fade, as a time since the start. None before its first frame.
     ends: Option<Duration>,
+    /// How much of it is left while it fades, from 1 to 0.
+    strength: f32,
+    /// Whether it is shown while everything else is hidden.
+    over_bare_picture: bool,
 }
 
 impl Toast {
@@ -20,7 +33,15 @@ impl Toast {
         *self = Self {
             text: text.into(),
             ends: None,
+            strength: 1.0,
+            over_bare_picture: false,
         };
+    }
+
+    /// As [`say`](Self::say), also while everything but the picture is hidden.
+    pub(crate) fn say_over_bare_picture(&mut self, text: impl Into<String>) {
+        self.say(text);
+        self.over_bare_picture = true;
     }
 
     /// Says something after the present sentence.
@@ -42,6 +63,23 @@ impl Toast {
     pub(crate) fn text(&self) -> &str {
         &self.text
     }
+
+    /// Whether the sentence is shown while everything else is hidden.
+    pub(crate) fn shows_over_bare_picture(&self) -> bool {
+        self.over_bare_picture
+    }
+
+    /// How much of the sentence is to be seen, from 0 to 1: it fades at its end.
+    pub(crate) fn strength(&self) -> f32 {
+        self.strength
+    }
+}
+
+/// How long a sentence stays: the longer it is, the longer.
+#[must_use]
+pub fn reading_time(text: &str) -> Duration {
+    let more = text.chars().count().saturating_sub(SHORT) as u32;
+    (DURATION + PER_CHARACTER * more).min(MAX_DURATION)
 }
 
 pub(crate) fn plugin(app: &mut App) {
@@ -53,9 +91,13 @@ fn expire_toast(time: Res<Time<Real>>, mut toast: ResMut<Toast>) {
     if toast.text.is_empty() {
         return;
     }
+    let now = time.elapsed();
     match toast.ends {
-        None => toast.ends = Some(time.elapsed() + DURATION),
-        Some(end) if time.elapsed() > end => toast.clear(),
+        None => toast.ends = Some(now + reading_time(&toast.text)),
+        Some(end) if now > end + FADE => toast.clear(),
+        Some(end) if now > end => {
+            toast.strength = 1.0 - (now - end).as_secs_f32() / FADE.as_secs_f32();
+        }
         Some(_) => {}
     }
 }

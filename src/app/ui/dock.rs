@@ -1,9 +1,11 @@
 //! The two panels at the sides of the window, and the help: opening and closing them, and drawing a
 //! panel's frame.
 
+use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::input::pointer::locate_pointer;
 use crate::app::state::overlays::{Overlays, Side};
+use crate::app::state::toast::Toast;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, egui};
 
@@ -19,17 +21,47 @@ pub(crate) fn plugin(app: &mut App) {
     );
 }
 
-fn apply_overlay_commands(mut commands: MessageReader<AppCommand>, mut overlays: ResMut<Overlays>) {
+fn apply_overlay_commands(
+    mut commands: MessageReader<AppCommand>,
+    bindings: Res<Bindings>,
+    mut overlays: ResMut<Overlays>,
+    mut toast: ResMut<Toast>,
+) {
     for command in commands.read() {
         match command {
-            AppCommand::Hide => overlays.hidden = !overlays.hidden,
-            AppCommand::Help => overlays.toggle_help(),
-            AppCommand::Panel => overlays.toggle_side(Side::Right),
-            AppCommand::Inspector => overlays.toggle_side(Side::Left),
+            AppCommand::Hide => {
+                overlays.hidden = !overlays.hidden;
+                let key = bindings.label("window.hide");
+                toast.say_over_bare_picture(if overlays.hidden {
+                    format!("Only the picture: {key} shows the rest again")
+                } else {
+                    "Everything is shown again".into()
+                });
+            }
+            AppCommand::Help => {
+                overlays.toggle_help();
+                toast.say(opened("Help", overlays.help));
+            }
+            AppCommand::Panel => {
+                overlays.toggle_side(Side::Right);
+                toast.say(opened("Panel", overlays.panel));
+            }
+            AppCommand::Inspector => {
+                overlays.toggle_side(Side::Left);
+                toast.say(if overlays.inspector {
+                    "Ray inspector: click a pixel"
+                } else {
+                    "Ray inspector: closed"
+                });
+            }
             AppCommand::Escape => overlays.help = false,
             _ => {}
         }
     }
+}
+
+fn opened(what: &str, open: bool) -> String {
+    format!("{what}: {}", if open { "open" } else { "closed" })
 }
 
 fn divide_window_width(mut contexts: EguiContexts, mut overlays: ResMut<Overlays>) {

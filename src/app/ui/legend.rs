@@ -1,4 +1,4 @@
-//! The legend of a diagnostic view, in the upper left corner: what its colours mean.
+//! The legend of a diagnostic view, in the upper right corner: what its colours mean.
 
 use crate::app::state::overlays::Overlays;
 use crate::render::CurrentScene;
@@ -90,7 +90,7 @@ pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
 }
 
 /// Room around the legend, in points.
-const MARGIN: f32 = 8.0;
+const MARGIN: f32 = 12.0;
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show_legend);
@@ -105,14 +105,17 @@ fn show_legend(
         return Ok(());
     };
     egui::Area::new("legend".into())
-        .fixed_pos([overlays.left_width() + MARGIN, MARGIN])
+        .anchor(
+            egui::Align2::RIGHT_TOP,
+            [-overlays.right_width() - MARGIN, MARGIN],
+        )
         .interactable(false)
         .order(egui::Order::Background)
         .show(contexts.ctx_mut()?, |ui| {
             let frame = egui::Frame::new()
-                .fill(egui::Color32::from_black_alpha(200))
-                .inner_margin(6)
-                .corner_radius(4);
+                .fill(egui::Color32::from_black_alpha(240))
+                .inner_margin(8)
+                .corner_radius(5);
             frame.show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 2.0;
                 ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);

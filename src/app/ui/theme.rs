@@ -26,6 +26,36 @@ fn attach_to_screen(mut commands: Commands, screens: Query<Entity, Added<ScreenC
     }
 }
 
+/// egui's own fonts, without their table of substitutions. The proportional one would draw two
+/// hyphens as one dash, and so show options of the command line as nobody can type them.
+fn fonts() -> egui::FontDefinitions {
+    let mut fonts = egui::FontDefinitions::default();
+    for data in fonts.font_data.values_mut() {
+        let mut without = egui::FontData::clone(data);
+        without.font = without_table(&data.font, *b"GSUB").into();
+        *data = without.into();
+    }
+    fonts
+}
+
+/// An OpenType font in which the table with this tag cannot be found. The font's directory begins
+/// with twelve bytes, of which the fifth and the sixth count its tables, and has sixteen bytes for
+/// each table, of which the first four are its tag.
+fn without_table(font: &[u8], tag: [u8; 4]) -> Vec<u8> {
+    let mut font = font.to_vec();
+    let count = font
+        .get(4..6)
+        .map_or(0, |count| u16::from_be_bytes([count[0], count[1]]));
+    let entries = font.get_mut(12..).unwrap_or_default();
+    for entry in entries.chunks_exact_mut(16).take(count.into()) {
+        if entry[..4] == tag {
+            // Readers skip tables that they do not know.
+            entry[..4].copy_from_slice(b"none");
+        }
+    }
+    font
+}
+
 /// Sets colours in which text is legible on any picture, and the size that the settings want.
 fn apply_theme(
     mut contexts: EguiContexts,
@@ -39,6 +69,7 @@ fn apply_theme(
         visuals.weak_text_color = Some(egui::Color32::from_gray(165));
         visuals.window_fill = egui::Color32::from_rgb(10, 10, 13);
         context.set_visuals(visuals);
+        context.set_fonts(fonts());
     }
     let wanted = preferences.settings.ui_scale;
     if *scale != wanted {

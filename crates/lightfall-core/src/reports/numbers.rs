@@ -14,3 +14,115 @@ pub fn short_number(number: f64) -> String {
         _ => format!("{number:.1e}"),
     }
 }
+
+/// The significant digits of a number in a sentence for people.
+const DIGITS: i32 = 4;
+
+/// A number with at most four significant digits, without zeros at its end, e.g. `20`, `1.12` or
+/// `0.3257`. For sentences.
+#[must_use]
+pub fn four_digits(number: f64) -> String {
+    let digits = steady_digits(number);
+    if digits.contains('.') && !digits.contains('e') {
+        digits.trim_end_matches('0').trim_end_matches('.').into()
+    } else {
+        digits
+    }
+}
+
+/// As [`four_digits`], with at most three, for numbers of which the size alone counts.
+#[must_use]
+pub fn three_digits(number: f64) -> String {
+    if number == 0.0 || !number.is_finite() {
+        return four_digits(number);
+    }
+    let scale = 10_f64.powi(2 - number.abs().log10().floor() as i32);
+    four_digits((number * scale).round() / scale)
+}
+
+/// A number with four significant digits, zeros included, e.g. `20.00`. For read-outs that change
+/// while they are read: their width stays the same.
+#[must_use]
+pub fn steady_digits(number: f64) -> String {
+    let size = number.abs();
+    if !(size == 0.0 || (1e-3..1e6).contains(&size)) {
+        return format!("{number:.2e}");
+    }
+    let decimals = |size: f64| (DIGITS - 1 - size.max(1e-3).log10().floor() as i32).max(0) as usize;
+    // Below one, the digits after the point count, so that 0.9 is as wide as 1.1.
+    let decimals = decimals(size.max(1.0));
+    let shown = format!("{number:.decimals$}");
+    // Rounding up to the next power of ten adds a digit: 9.9996 is 10.00.
+    if shown.trim_start_matches('-').len() > DIGITS as usize + 1 && decimals > 0 {
+        format!("{number:.*}", decimals - 1)
+    } else if size >= 1e4 {
+        let unit = 10_f64.powi(size.log10().floor() as i32 + 1 - DIGITS);
+        format!("{}", (number / unit).round() * unit)
+    } else {
+        shown
+    }
+}
+
+/// A text with its numbers rounded to four significant digits. A number after a word for a lower
+/// limit, such as `above`, is rounded up, and after one for an upper limit down, so that the
+/// rounded limit is still allowed. Words that only contain digits stay as they are.
+#[must_use]
+pub fn with_short_numbers(text: &str) -> String {
+    let mut side = Side::Nearest;
+    let words = text.split_inclusive(' ').map(|word| {
+        let bare = word.trim_end_matches([' ', ',', ')', ';', '.', ']']);
+        let start = bare.len() - bare.trim_start_matches(['(', '[']).len();
+        let (open, digits, rest) = (&word[..start], &bare[start..], &word[bare.len()..]);
+        let number = digits.parse::<f64>().ok().filter(|n| n.is_finite());
+        let rounded = number.filter(|_| significant(digits) > DIGITS as usize);
+        let shown = rounded.map(|number| format!("{open}{}{rest}", side.round(number)));
+        side = Side::after(bare);
+        shown.unwrap_or_else(|| word.to_owned())
+    });
+    words.collect()
+}
+
+/// The significant digits of a number as it is written.
+fn significant(digits: &str) -> usize {
+    let mantissa = digits.split(['e', 'E']).next().unwrap_or(digits);
+    let figures: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+    let figures = figures.trim_start_matches('0');
+    if mantissa.contains('.') {
+        figures.len()
+    } else {
+        figures.trim_end_matches('0').len()
+    }
+}
+
+/// To which side a number in a sentence is rounded.
+#[derive(Clone, Copy)]
+enum Side {
+    Nearest,
+    Up,
+    Down,
+}
+
+impl Side {
+    fn after(word: &str) -> Self {
+        match word {
+            "from" | "above" | "least" | "than" => Self::Up,
+            "to" | "most" | "below" => Self::Down,
+            _ => Self::Nearest,
+        }
+    }
+
+    /// The number with four significant digits.
+    fn round(self, number: f64) -> f64 {
+        if number == 0.0 {
+            return number;
+        }
+        let scale = 10_f64.powi(DIGITS - 1 - number.abs().log10().floor() as i32);
+        let scaled = number * scale;
+        let whole = match self {
+            Self::Nearest => scaled.round(),
+            Self::Up => scaled.ceil(),
+            Self::Down => scaled.floor(),
+        };
+        whole / scale
+    }
+}

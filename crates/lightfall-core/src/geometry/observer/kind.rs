@@ -73,15 +73,15 @@ impl ObserverKind {
     pub const fn properties(self) -> ObserverProperties {
         match self {
             Self::Static => ObserverProperties {
-                motion: "at rest",
-                motion_in_full: "at rest",
+                motion: "hovering at rest",
+                motion_in_full: "hovering at rest",
                 falls_freely: false,
                 equatorial: false,
                 limit: Limit::StaticLimit,
             },
             Self::Zamo => ObserverProperties {
-                motion: "zamo",
-                motion_in_full: "no angular momentum",
+                motion: "zero angular momentum",
+                motion_in_full: "zero angular momentum",
                 falls_freely: false,
                 equatorial: false,
                 limit: Limit::Horizon,
@@ -94,7 +94,7 @@ impl ObserverKind {
                 limit: Limit::PhotonOrbit,
             },
             Self::Rain => ObserverProperties {
-                motion: "in free fall",
+                motion: "falling freely",
                 motion_in_full: "free fall from far away",
                 falls_freely: true,
                 equatorial: false,

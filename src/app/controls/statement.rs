@@ -1,0 +1,149 @@
+//! What a control says when it has changed the scene: the state that it has led to.
+
+use super::control::{Action, Control};
+use lightfall_core::reports::numbers::{four_digits, with_short_numbers};
+use lightfall_core::scene::{Camera, Scene, SkyMode, Value, View};
+
+/// The state that a control has led to, in a few words, e.g. `Doppler shift: off`. `before` and
+/// `after` are the scene before and after the change. None for controls that change no scene.
+#[must_use]
+pub fn statement(control: &Control, before: &Scene, after: &Scene) -> Option<String> {
+    let says = |what: &str, state: &str| Some(format!("{what}: {state}"));
+    let switched = |what: &str, on: bool| says(what, if on { "on" } else { "off" });
+    match control.id {
+        "scene.sky" | "scene.sky_mode" => says("Sky", sky_word(after.sky.mode)),
+        "scene.probe" if after.probe.enabled => {
+            says("Probe", &format!("on, {}", probe_place(after)))
+        }
+        "scene.spin" => says("Spin", &four_digits(after.hole.spin)),
+        "scene.observer" => says("Observer", after.observer.kind.properties().motion),
+        "picture.bloom" => switched("Bloom", after.picture.bloom > 0.0),
+        "picture.brighter" | "picture.darker" => {
+            says("Exposure", &format!("{:+.2} EV", after.picture.exposure_ev))
+        }
+        "picture.levels" if after.picture.levels >= super::edits::ALL_LEVELS => {
+            says("Tones", "all")
+        }
+        "picture.levels" => says("Tones", &format!("{} a channel", after.picture.levels)),
+        "picture.bypass" => switched("Pixel look", !after.picture.bypass),
+        _ => match control.action {
+            Action::Edit(_) if control.id.starts_with("view.") => {
+                says("View", view_words(after.view))
+            }
+            Action::Edit(_) => says(
+                &capitalised(control.description),
+                &changed_value(before, after),
+            ),
+            // The scene's title says which preset it is.
+            Action::Load(_) | Action::StepPreset(_) | Action::Do(_) | Action::Hold(_) => None,
+        },
+    }
+}
+
+/// The state of the first field that differs between two scenes: `on` or `off` for a switch.
+fn changed_value(before: &Scene, after: &Scene) -> String {
+    // The values of the scene that `differences` is asked for.
+    let changed = after.differences(before);
+    match changed.first() {
+        Some((_, Value::Boolean(on))) => if *on { "on" } else { "off" }.into(),
+        Some((_, value)) => with_short_numbers(&value.to_string().replace('"', "")),
+        None => "as it was".into(),
+    }
+}
+
+/// What differs between two scenes, in a few words, e.g. `spin`, or `the flight` where only the
+/// camera and how it moves differ.
+#[must_use]
+pub fn change_words(before: &Scene, after: &Scene) -> String {
+    let keys: Vec<&str> = before
+        .differences(after)
+        .into_iter()
+        .map(|(key, _)| key)
+        .collect();
+    let flown = |key: &&str| key.starts_with("camera.") || key.starts_with("observer.");
+    match keys.as_slice() {
+        [] => "nothing that shows".into(),
+        _ if before.name != after.name => format!("preset {}", before.name),
+        ["observer.kind"] => "observer".into(),
+        keys if keys.iter().all(flown) => "the flight".into(),
+        [key] => field_words(key),
+        [key, others @ ..] => format!("{} and {} more", field_words(key), others.len()),
+    }
+}
+
+/// A field in words.
+fn field_words(key: &str) -> String {
+    let (table, field) = key.rsplit_once('.').unwrap_or(("", key));
+    match (table, field) {
+        (_, "enabled" | "mode") => table.into(),
+        (_, "follow_isco") => "disk from the innermost stable orbit".into(),
+        (_, "bypass") => "pixel look".into(),
+        (_, "levels") => "tones".into(),
+        (_, "exposure_ev") => "exposure".into(),
+        (_, "doppler") => "Doppler shift".into(),
+        (_, "antialias") => "smooth edges of the probe".into(),
+        ("disk" | "sky" | "probe", _) => format!("{} of the {table}", field.replace('_', " ")),
+        _ => field.replace('_', " "),
+    }
+}
+
+fn sky_word(sky: SkyMode) -> &'static str {
+    match sky {
+        SkyMode::Stars => "stars",
+        SkyMode::Grid => "grid",
+        SkyMode::Off => "off",
+    }
+}
+
+/// What a view shows, in a few words.
+fn view_words(view: View) -> &'static str {
+    match view {
+        View::Colour => "light",
+        View::Unfinished => "light, unfinished rays in magenta",
+        View::Classes => "ray classes",
+        View::Residual => "residual of the null constraint",
+        View::Order => "order of the image",
+        View::Redshift => "redshift g",
+        View::Error => "backward error",
+    }
+}
+
+/// The text with a capital at its beginning.
+fn capitalised(text: &str) -> String {
+    let mut characters = text.chars();
+    characters
+        .next()
+        .map(|first| first.to_uppercase().chain(characters).collect())
+        .unwrap_or_default()
+}
+
+/// Where the probe is, as seen from the camera. The probe is drawn without lensing, so straight
+/// lines of flat space decide.
+fn probe_place(scene: &Scene) -> String {
+    let (camera, probe) = (&scene.camera, &scene.probe);
+    let place = Camera {
+        r: probe.r,
+        theta_deg: probe.theta_deg,
+        phi_deg: probe.phi_deg,
+        ..*camera
+    };
+    let way = place.r * place.direction() - camera.r * camera.direction();
+    let axes = camera.tetrad() * camera.tetrad_from_camera();
+    let [right, up, forward] = (axes.transpose() * way).to_array();
+    let height = camera.half_height() * forward;
+    let width = height * f64::from(scene.picture.width) / f64::from(scene.picture.height);
+    let seen = forward > 0.0 && right.abs() < width && up.abs() < height;
+    let side = match (right.abs() > up.abs(), right > 0.0, up > 0.0) {
+        _ if seen => "in view",
+        _ if forward < 0.0 && -forward > right.abs().max(up.abs()) => "behind you",
+        (true, true, _) => "to the right, out of view",
+        (true, false, _) => "to the left, out of view",
+        (false, _, true) => "above you, out of view",
+        (false, _, false) => "below you, out of view",
+    };
+    if seen {
+        side.into()
+    } else {
+        format!("{side}, at r {} r_s", four_digits(probe.r))
+    }
+}

@@ -1,0 +1,114 @@
+//! A board: some texts in a dark box, on which they can be read over any picture.
+
+use crate::app::state::overlays::Overlays;
+use bevy_egui::egui;
+use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Vec2};
+use std::sync::Arc;
+
+/// Room between the boards and the window's edges, in points.
+pub(super) const MARGIN: f32 = 12.0;
+/// Height of the read-outs with three lines, above which the toast and messages are shown.
+pub(super) const BOTTOM_ROW: f32 = 76.0;
+/// Free width, in points, below which only the most important messages are shown.
+pub(super) const MIN_WIDTH: f32 = 240.0;
+/// Size of the text, in points.
+pub(super) const TEXT: f32 = 13.5;
+
+/// The boxes are blended in linear light. Over pure white a box of this opacity has a luminance of
+/// 0.06, on which every colour below has a contrast of more than 4.5:1 (WCAG 2.2, 1.4.3).
+const BOX: Color32 = Color32::from_black_alpha(240);
+/// What is read first.
+pub(super) const BRIGHT: Color32 = Color32::from_gray(238);
+/// Labels and key hints.
+pub(super) const QUIET: Color32 = Color32::from_gray(198);
+/// What the user should not overlook.
+pub(super) const WARNING: Color32 = Color32::from_rgb(255, 190, 90);
+
+/// Room between a board's texts and its edge, in points.
+const PADDING: Vec2 = Vec2::new(10.0, 6.0);
+const CORNER_RADIUS: f32 = 5.0;
+
+/// Texts with their places, to be painted in a box.
+pub(super) struct Board {
+    painter: Painter,
+    texts: Vec<(Vec2, Arc<Galley>)>,
+    size: Vec2,
+}
+
+impl Board {
+    /// An empty board. `strength` is how much of it is to be seen, from 0 to 1.
+    pub(super) fn new(context: &egui::Context, name: &'static str, strength: f32) -> Self {
+        Self::in_order(context, name, strength, egui::Order::Background)
+    }
+
+    /// An empty board above or below the panels.
+    pub(super) fn in_order(
+        context: &egui::Context,
+        name: &'static str,
+        strength: f32,
+        order: egui::Order,
+    ) -> Self {
+        let mut painter = context.layer_painter(egui::LayerId::new(order, name.into()));
+        painter.set_opacity(strength);
+        Self {
+            painter,
+            texts: Vec::new(),
+            size: Vec2::ZERO,
+        }
+    }
+
+    /// Lays a text out in lines of at most `width` points.
+    pub(super) fn text(&self, text: &str, size: f32, colour: Color32, width: f32) -> Arc<Galley> {
+        let font = FontId::proportional(size);
+        self.painter.layout(text.to_owned(), font, colour, width)
+    }
+
+    /// Width of a text in one line, in points.
+    pub(super) fn width_of(&self, text: &str, size: f32) -> f32 {
+        self.text(text, size, BRIGHT, f32::INFINITY).size().x
+    }
+
+    /// Puts a text at a place of the board, from its upper left corner.
+    pub(super) fn put(&mut self, place: Vec2, text: Arc<Galley>) {
+        self.size = self.size.max(place + text.size());
+        self.texts.push((place, text));
+    }
+
+    /// Puts a text below the others.
+    pub(super) fn add_line(&mut self, text: Arc<Galley>, gap: f32) {
+        let below = if self.texts.is_empty() {
+            0.0
+        } else {
+            self.size.y + gap
+        };
+        self.put(Vec2::new(0.0, below), text);
+    }
+
+    /// Makes the board at least so wide, so that it keeps its width while its texts change.
+    pub(super) fn widen(&mut self, width: f32) {
+        self.size.x = self.size.x.max(width);
+    }
+
+    /// Paints the board, with this point of its box at this place. Returns the box.
+    pub(super) fn paint(self, anchor: Align2, at: Pos2) -> Rect {
+        let place = anchor.anchor_size(at, self.size + 2.0 * PADDING);
+        // Whole pixels keep the letters sharp.
+        let place = place.translate(place.min.round() - place.min);
+        if !self.texts.is_empty() {
+            self.painter.rect_filled(place, CORNER_RADIUS, BOX);
+        }
+        for (offset, text) in self.texts {
+            self.painter
+                .galley(place.min + PADDING + offset, text, BRIGHT);
+        }
+        place
+    }
+}
+
+/// The part of the window between the panels, less a margin.
+pub(super) fn free_room(context: &egui::Context, overlays: &Overlays) -> Rect {
+    let mut room = context.content_rect().shrink(MARGIN);
+    room.min.x += overlays.left_width();
+    room.max.x -= overlays.right_width();
+    room
+}

@@ -1,0 +1,144 @@
+//! The most important keys, in the lower right corner: a few at first, until the user has used some
+//! of them, and afterwards only the key of the help, while the mouse moves.
+
+use super::board::{BRIGHT, Board, MARGIN, MIN_WIDTH, QUIET, TEXT, free_room};
+use super::presence::{Presence, keep_fading};
+use super::read_outs::ReadOutsWidth;
+use crate::app::controls::bindings::Bindings;
+use crate::app::controls::control::AppCommand;
+use crate::app::input::held::HeldControls;
+use crate::app::input::typing::Typing;
+use crate::app::state::overlays::Overlays;
+use crate::app::state::preferences::Preferences;
+use bevy::prelude::*;
+use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use std::collections::BTreeSet;
+
+/// After so many different controls the keys are no longer named.
+const ENOUGH_CONTROLS: usize = 8;
+/// After so many seconds of flying by hand, too.
+const ENOUGH_FLIGHT: f32 = 60.0;
+
+/// Room between two keys, and between a key and what it does, in points.
+const GAP: f32 = 12.0;
+const SPACE: f32 = 4.0;
+
+/// What a newcomer has tried since the keys were last named anew.
+#[derive(Resource, Default)]
+struct Tried {
+    controls: BTreeSet<&'static str>,
+    /// Seconds of flying by hand.
+    flight: f32,
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<Tried>()
+        .add_systems(Update, (watch_use, name_keys_again))
+        .add_systems(EguiPrimaryContextPass, show_key_hints);
+}
+
+/// Stops naming the keys once they have been used.
+fn watch_use(
+    time: Res<Time<Real>>,
+    keys: Res<ButtonInput<KeyCode>>,
+    bindings: Res<Bindings>,
+    typing: Res<Typing>,
+    held: HeldControls,
+    mut tried: ResMut<Tried>,
+    mut preferences: ResMut<Preferences>,
+) {
+    if !preferences.settings.key_hints || typing.0 {
+        return;
+    }
+    let used = bindings
+        .iter()
+        .filter(|(_, own)| keys.any_just_pressed(own.iter().copied()));
+    for (control, _) in used {
+        tried.controls.insert(control.id);
+    }
+    if held.any_flight() {
+        tried.flight += time.delta_secs();
+    }
+    if tried.controls.len() >= ENOUGH_CONTROLS || tried.flight >= ENOUGH_FLIGHT {
+        *tried = Tried::default();
+        preferences.settings.key_hints = false;
+    }
+}
+
+/// Names the keys again once the help has been asked for.
+fn name_keys_again(
+    mut commands: MessageReader<AppCommand>,
+    mut tried: ResMut<Tried>,
+    mut preferences: ResMut<Preferences>,
+) {
+    if commands.read().any(|command| *command == AppCommand::Help) {
+        *tried = Tried::default();
+        preferences.settings.key_hints = true;
+    }
+}
+
+/// The keys that a newcomer needs, as they are bound, each with what it does.
+fn newcomers_keys(bindings: &Bindings) -> Vec<[String; 2]> {
+    let key = |id| bindings.label(id);
+    let fly = ["fly.forward", "fly.left", "fly.backward", "fly.right"];
+    [
+        (fly.map(key).concat(), "fly"),
+        ("right mouse button".into(), "look"),
+        (["preset.1", "preset.9"].map(key).join("–"), "places"),
+        (key("picture.bypass"), "pixel look"),
+        (key("window.help"), "all keys"),
+    ]
+    .map(|(key, does)| [key, does.to_owned()])
+    .into()
+}
+
+fn show_key_hints(
+    mut contexts: EguiContexts,
+    bindings: Res<Bindings>,
+    overlays: Res<Overlays>,
+    preferences: Res<Preferences>,
+    presence: Res<Presence>,
+    beside: Res<ReadOutsWidth>,
+) -> Result {
+    let context = contexts.ctx_mut()?;
+    let room = free_room(context, &overlays);
+    if overlays.hidden || room.width() < MIN_WIDTH {
+        return Ok(());
+    }
+    // A newcomer's keys stay until they have been used.
+    let named = preferences.settings.key_hints;
+    let strength = if named { 1.0 } else { presence.of_mouse() };
+    if strength <= 0.0 {
+        return Ok(());
+    }
+    keep_fading(context, strength);
+    let free = room.width() - beside.0 - 3.0 * MARGIN;
+    let help = vec![[bindings.label("window.help"), "keys".to_owned()]];
+    let sets = [newcomers_keys(&bindings), help];
+    for keys in sets.into_iter().skip(usize::from(!named)) {
+        let mut board = Board::new(context, "key hints", strength);
+        let width = put_keys(&mut board, &keys);
+        if width <= free {
+            board.paint(egui::Align2::RIGHT_BOTTOM, room.right_bottom());
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// Puts keys and what they do into a line. Returns its width.
+fn put_keys(board: &mut Board, keys: &[[String; 2]]) -> f32 {
+    let mut right = 0.0;
+    for (place, [key, does]) in keys.iter().enumerate() {
+        if place > 0 {
+            right += GAP;
+        }
+        for (text, colour) in [(key, BRIGHT), (does, QUIET)] {
+            let text = board.text(text, TEXT, colour, f32::INFINITY);
+            let width = text.size().x;
+            board.put(egui::vec2(right, 0.0), text);
+            right += width + SPACE;
+        }
+    }
+    right - SPACE
+}

@@ -1,0 +1,112 @@
+//! When the read-outs and the keys are shown: while something happens, and for some seconds after.
+
+use crate::app::input::gamepad::Pads;
+use crate::app::motion::free_fall::FreeFall;
+use crate::app::motion::journey_player::JourneyPlayer;
+use crate::app::session::frame_pacing::FramePacing;
+use crate::app::state::preferences::Preferences;
+use crate::render::DrawRequest;
+use bevy::input::mouse::MouseWheel;
+use bevy::prelude::*;
+use bevy_egui::EguiPreUpdateSet;
+use bevy_egui::egui;
+use std::time::Duration;
+
+/// How long they stay after the last input or motion.
+const STAY: Duration = Duration::from_secs(6);
+/// How long the mouse counts as moving.
+const MOUSE_STAY: Duration = Duration::from_secs(3);
+/// How long they take to fade away.
+const FADE: Duration = Duration::from_millis(400);
+
+/// How much of the read-outs and the keys is shown.
+#[derive(Resource, Default)]
+pub(super) struct Presence {
+    /// When something last happened, as a time since the start.
+    active: Duration,
+    /// When the mouse last moved. None before it does.
+    mouse: Option<Duration>,
+    now: Duration,
+    reduced_motion: bool,
+}
+
+impl Presence {
+    /// How much of the read-outs is shown, from 0 to 1.
+    pub(super) fn of_read_outs(&self) -> f32 {
+        self.left(self.active + STAY)
+    }
+
+    /// How much of what follows the mouse is shown, from 0 to 1.
+    pub(super) fn of_mouse(&self) -> f32 {
+        self.mouse
+            .map_or(0.0, |moved| self.left(moved + MOUSE_STAY))
+    }
+
+    /// How much is left of something that fades from the time `end` on.
+    pub(super) fn left(&self, end: Duration) -> f32 {
+        let late = self.now.saturating_sub(end).as_secs_f32();
+        if self.reduced_motion && late > 0.0 {
+            0.0
+        } else {
+            (1.0 - late / FADE.as_secs_f32()).max(0.0)
+        }
+    }
+
+    /// How much is there of something that came this long ago. It begins at one half, so that it can
+    /// be read in its first frame.
+    pub(super) fn grown(&self, age: Duration) -> f32 {
+        if self.reduced_motion {
+            1.0
+        } else {
+            (0.5 + 0.5 * age.as_secs_f32() / FADE.as_secs_f32()).min(1.0)
+        }
+    }
+}
+
+/// Asks for another frame while something fades, so that it does not fade in steps.
+pub(super) fn keep_fading(context: &egui::Context, strength: f32) {
+    if strength > 0.0 && strength < 1.0 {
+        context.request_repaint();
+    }
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<Presence>().add_systems(
+        PreUpdate,
+        watch_input
+            .after(bevy::input::InputSystems)
+            .after(EguiPreUpdateSet::ProcessInput),
+    );
+}
+
+fn watch_input(
+    time: Res<Time<Real>>,
+    keys: Res<ButtonInput<KeyCode>>,
+    buttons: Res<ButtonInput<MouseButton>>,
+    mut moves: MessageReader<CursorMoved>,
+    mut wheel: MessageReader<MouseWheel>,
+    pads: Pads,
+    pacing: Res<FramePacing>,
+    free_fall: Res<FreeFall>,
+    player: Res<JourneyPlayer>,
+    request: Res<DrawRequest>,
+    mut has_picture: Local<bool>,
+    preferences: Res<Preferences>,
+    mut presence: ResMut<Presence>,
+) {
+    presence.now = time.elapsed();
+    presence.reduced_motion = preferences.settings.reduced_motion;
+    let pointed = moves.read().count() + wheel.read().count() > 0;
+    let pressed = keys.get_pressed().next().is_some()
+        || keys.get_just_pressed().next().is_some()
+        || buttons.get_pressed().next().is_some();
+    let moves = pacing.moving || free_fall.is_moving() || player.is_playing();
+    // The first seconds count from the first picture, which may take a while to be drawn.
+    *has_picture |= request.is_drawn();
+    if pointed || pressed || moves || pads.in_use() || !*has_picture {
+        presence.active = presence.now;
+    }
+    if pointed {
+        presence.mouse = Some(presence.now);
+    }
+}

@@ -1,0 +1,180 @@
+//! The read-outs: where the camera is, how it moves, and how fast it flies.
+
+use super::board::{BRIGHT, Board, MIN_WIDTH, QUIET, TEXT, free_room};
+use super::presence::{Presence, keep_fading};
+use crate::app::controls::bindings::Bindings;
+use crate::app::controls::control::FlightInput;
+use crate::app::input::held::HeldControls;
+use crate::app::motion::free_fall::FreeFall;
+use crate::app::motion::journey_player::JourneyPlayer;
+use crate::app::motion::pilot::{GEAR, Pilot};
+use crate::app::state::overlays::Overlays;
+use crate::app::state::preferences::Preferences;
+use crate::render::CurrentScene;
+use bevy::prelude::*;
+use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use lightfall_core::reports::numbers::{four_digits, steady_digits};
+use lightfall_core::scene::Scene;
+
+/// Room between two columns and between two lines, in points.
+const GAP: [f32; 2] = [18.0, 3.0];
+
+/// One read-out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReadOut {
+    /// What is read, e.g. `azimuth`. Empty where the value says it.
+    pub label: &'static str,
+    /// What it is, e.g. `0.0°`.
+    pub value: String,
+    /// The widest value that is usual: the column keeps this width while its numbers change.
+    pub widest: &'static str,
+}
+
+impl ReadOut {
+    fn new(label: &'static str, value: String, widest: &'static str) -> Self {
+        Self {
+            label,
+            value,
+            widest,
+        }
+    }
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<ReadOutsWidth>()
+        .add_systems(EguiPrimaryContextPass, show_read_outs);
+}
+
+/// Width of the board, margin included, that the keys beside it leave free.
+#[derive(Resource, Default)]
+pub(super) struct ReadOutsWidth(pub(super) f32);
+
+/// The read-outs of a scene in two lines: its place, and its motion. `speed` is the factor of the
+/// flight's speed; `automatic` says whether the exposure is automatic.
+#[must_use]
+pub fn read_outs(scene: &Scene, speed: f64, automatic: bool) -> [Vec<ReadOut>; 2] {
+    let camera = &scene.camera;
+    let degrees = |angle: f64| format!("{angle:.1}°");
+    let mut place = vec![
+        ReadOut::new("r", format!("{} r_s", steady_digits(camera.r)), "00000 r_s"),
+        ReadOut::new("", height(camera.theta_deg), "00.0° above the disk"),
+        ReadOut::new("theta", degrees(camera.theta_deg), "000.0°"),
+        ReadOut::new("azimuth", degrees(camera.phi_deg), "−000.0°"),
+    ];
+    // Rolling is rare, and what stays level needs no number.
+    if camera.roll_deg.abs() >= 0.05 {
+        place.push(ReadOut::new("roll", degrees(camera.roll_deg), "−000.0°"));
+    }
+    let motion = scene.observer.kind.properties().motion;
+    let exposure = if automatic {
+        "automatic exposure".into()
+    } else {
+        format!("exposure {:+.2}", scene.picture.exposure_ev)
+    };
+    let motion = vec![
+        ReadOut::new("", motion.into(), "hovering at rest"),
+        ReadOut::new("spin", four_digits(scene.hole.spin), "0.9999"),
+        ReadOut::new("speed", format!("{speed:.2}×"), "00.00×"),
+        ReadOut::new("", exposure, "exposure +00.00"),
+    ];
+    [place, motion]
+}
+
+/// How far a place is above or below the disk's plane, as seen from the hole.
+fn height(theta_deg: f64) -> String {
+    let above = 90.0 - theta_deg;
+    match above {
+        _ if above.abs() < 0.05 => "in the disk's plane".into(),
+        _ if above > 0.0 => format!("{above:.1}° above the disk"),
+        _ => format!("{:.1}° below the disk", -above),
+    }
+}
+
+/// How far a journey has been flown, and how to end it. Empty while there is none.
+fn journey(player: &JourneyPlayer, bindings: &Bindings) -> String {
+    if !player.is_playing() {
+        return String::new();
+    }
+    let stop = bindings.label("journey.fly");
+    format!("Journey, {} · {stop} stops it", player.progress())
+}
+
+fn show_read_outs(
+    mut contexts: EguiContexts,
+    scene: Res<CurrentScene>,
+    pilot: Res<Pilot>,
+    held: HeldControls,
+    free_fall: Res<FreeFall>,
+    player: Res<JourneyPlayer>,
+    preferences: Res<Preferences>,
+    overlays: Res<Overlays>,
+    bindings: Res<Bindings>,
+    presence: Res<Presence>,
+    mut width: ResMut<ReadOutsWidth>,
+) -> Result {
+    let context = contexts.ctx_mut()?;
+    let room = free_room(context, &overlays);
+    let strength = presence.of_read_outs();
+    width.0 = 0.0;
+    if overlays.hidden || strength <= 0.0 || room.width() < MIN_WIDTH {
+        return Ok(());
+    }
+    keep_fading(context, strength);
+    let gear = GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower));
+    let lines = read_outs(
+        &scene,
+        pilot.throttle * gear,
+        preferences.settings.exposes_automatically(),
+    );
+    let mut board = Board::new(context, "read-outs", strength);
+    put_columns(&mut board, &lines, room.width());
+    for line in [journey(&player, &bindings), free_fall.clocks(&scene)] {
+        if !line.is_empty() {
+            board.add_line(board.text(&line, TEXT, BRIGHT, room.width()), GAP[1]);
+        }
+    }
+    let place = board.paint(egui::Align2::LEFT_BOTTOM, room.left_bottom());
+    width.0 = place.width();
+    Ok(())
+}
+
+/// Puts lines of read-outs in columns that are aligned. Where a line has no room for all of its
+/// read-outs, the last ones are left out.
+fn put_columns(board: &mut Board, lines: &[Vec<ReadOut>], room: f32) {
+    let count = lines.iter().map(Vec::len).max().unwrap_or(0);
+    let space = board.width_of("n", TEXT);
+    let label_width = |board: &Board, label: &str| {
+        if label.is_empty() {
+            0.0
+        } else {
+            board.width_of(label, TEXT) + space
+        }
+    };
+    let row = board.text("0", TEXT, BRIGHT, f32::INFINITY).size().y + GAP[1];
+    let mut left = 0.0;
+    for column in 0..count {
+        let cells: Vec<(usize, &ReadOut)> = lines
+            .iter()
+            .enumerate()
+            .filter_map(|(line, cells)| Some((line, cells.get(column)?)))
+            .collect();
+        let width = cells.iter().map(|(_, cell)| {
+            let widest = [cell.value.as_str(), cell.widest].map(|text| board.width_of(text, TEXT));
+            label_width(board, cell.label) + widest[0].max(widest[1])
+        });
+        let width = width.fold(0.0, f32::max);
+        if left + width > room {
+            return;
+        }
+        for (line, cell) in cells {
+            let at = egui::vec2(left, line as f32 * row);
+            let label = board.text(cell.label, TEXT, QUIET, f32::INFINITY);
+            let value = board.text(&cell.value, TEXT, BRIGHT, f32::INFINITY);
+            let beside = label_width(board, cell.label);
+            board.put(at, label);
+            board.put(at + egui::vec2(beside, 0.0), value);
+        }
+        left += width + GAP[0];
+        board.widen(left - GAP[0]);
+    }
+}

@@ -1,0 +1,53 @@
+//! Draws the toast at the bottom of the window, above the read-outs.
+
+use super::board::{BOTTOM_ROW, BRIGHT, Board, MARGIN, MIN_WIDTH, free_room};
+use super::presence::keep_fading;
+use crate::app::state::overlays::Overlays;
+use crate::app::state::preferences::Preferences;
+use crate::app::state::toast::Toast;
+use bevy::prelude::*;
+use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+
+/// Size of its text, in points.
+const TEXT: f32 = 15.0;
+/// Largest width of its text, in points.
+const MAX_WIDTH: f32 = 620.0;
+
+pub(super) fn plugin(app: &mut App) {
+    app.add_systems(EguiPrimaryContextPass, show_toast);
+}
+
+fn show_toast(
+    mut contexts: EguiContexts,
+    toast: Res<Toast>,
+    overlays: Res<Overlays>,
+    preferences: Res<Preferences>,
+) -> Result {
+    if toast.text().is_empty() || overlays.hidden && !toast.shows_over_bare_picture() {
+        return Ok(());
+    }
+    let context = contexts.ctx_mut()?;
+    let reduced = preferences.settings.reduced_motion;
+    let strength = if reduced {
+        toast.strength().ceil()
+    } else {
+        toast.strength()
+    };
+    keep_fading(context, strength);
+    // Between the panels, or over them where they leave too little room.
+    let mut room = free_room(context, &overlays);
+    let mut order = egui::Order::Background;
+    if room.width() < MIN_WIDTH {
+        room = context.content_rect().shrink(MARGIN);
+        order = egui::Order::Foreground;
+    }
+    let mut board = Board::in_order(context, "toast", strength, order);
+    let width = (room.width() - 2.0 * MARGIN).clamp(1.0, MAX_WIDTH);
+    board.add_line(board.text(toast.text(), TEXT, BRIGHT, width), 0.0);
+    let bottom = (room.bottom() - BOTTOM_ROW).max(room.center().y);
+    board.paint(
+        egui::Align2::CENTER_BOTTOM,
+        egui::pos2(room.center().x, bottom),
+    );
+    Ok(())
+}

@@ -1,0 +1,358 @@
+//! What the window says: every key's message, and how well it can be read.
+
+use crate::desktop::Desktop;
+use crate::program;
+use crate::shot::Shot;
+use bevy::diagnostic::FrameCount;
+use bevy::prelude::*;
+use bevy_egui::{EguiFullOutput, EguiPostUpdateSet, egui};
+use lightfall::app::{Action, Bindable, CONTROLS, Control, edited, statement};
+use lightfall::render::CurrentScene;
+use lightfall_core::gpu::Drawable;
+use lightfall_core::scene::{Scene, presets};
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+/// Between two texts in a line that the watched program writes.
+const BETWEEN: char = '\u{1f}';
+/// Frames after a key within which its message is shown.
+const PROMPT: u32 = 2;
+/// Frames before a key whose texts are no news.
+const BEFORE: usize = 3;
+
+/// The frame in which a key came.
+#[derive(Resource, Default)]
+struct Key(Option<u32>);
+
+/// Texts of the last frames, the latest last.
+#[derive(Resource, Default)]
+struct Recent(Vec<BTreeSet<String>>);
+
+fn notice_key(keys: Res<ButtonInput<KeyCode>>, frame: Res<FrameCount>, mut key: ResMut<Key>) {
+    // Modifiers come before the key that they belong to.
+    let modifiers = [KeyCode::ShiftLeft, KeyCode::ControlLeft, KeyCode::AltLeft];
+    let pressed = keys
+        .get_just_pressed()
+        .any(|code| !modifiers.contains(code));
+    if pressed || key.0.is_none() && keys.get_just_pressed().next().is_some() {
+        key.0 = Some(frame.0);
+    }
+}
+
+/// Writes the texts that are new in the frames after a key, and with Insert where each text is.
+fn report_texts(
+    outputs: Query<&EguiFullOutput>,
+    keys: Res<ButtonInput<KeyCode>>,
+    frame: Res<FrameCount>,
+    mut key: ResMut<Key>,
+    mut recent: ResMut<Recent>,
+) {
+    let mut shown = Vec::new();
+    for output in outputs.iter().filter_map(|output| output.0.as_ref()) {
+        for clipped in &output.shapes {
+            collect(&clipped.shape, &mut shown);
+        }
+    }
+    let texts: BTreeSet<String> = shown.iter().map(|(_, text)| text.clone()).collect();
+    if keys.just_pressed(KeyCode::Insert) {
+        for (place, text) in &shown {
+            let [x0, y0, x1, y1] = [place.min.x, place.min.y, place.max.x, place.max.y];
+            eprintln!("place{BETWEEN}{x0}{BETWEEN}{y0}{BETWEEN}{x1}{BETWEEN}{y1}{BETWEEN}{text}");
+        }
+        eprintln!("places end");
+    }
+    if let Some(pressed) = key.0 {
+        let before = recent.0.len().saturating_sub((frame.0 - pressed) as usize);
+        let known: BTreeSet<&String> = recent.0[..before].iter().flatten().collect();
+        let news: Vec<&str> = texts
+            .iter()
+            .filter(|text| !known.contains(text))
+            .map(String::as_str)
+            .collect();
+        let later = frame.0 - pressed;
+        eprintln!(
+            "news{BETWEEN}{later}{BETWEEN}{}",
+            news.join(&BETWEEN.to_string())
+        );
+        if later == PROMPT {
+            key.0 = None;
+            eprintln!("news end");
+        }
+    }
+    recent.0.push(texts);
+    let spare = recent.0.len().saturating_sub(BEFORE + PROMPT as usize);
+    recent.0.drain(..spare);
+}
+
+/// The texts of a shape that can be seen, one line at a time, each with its place in points.
+fn collect(shape: &egui::Shape, shown: &mut Vec<(egui::Rect, String)>) {
+    match shape {
+        egui::Shape::Vec(shapes) => shapes.iter().for_each(|shape| collect(shape, shown)),
+        egui::Shape::Text(text) if text.opacity_factor > 0.2 => {
+            let offset = text.pos.to_vec2();
+            let place = text.galley.mesh_bounds.translate(offset);
+            let words = text.galley.text().replace('\n', " ");
+            if !words.trim().is_empty() {
+                shown.push((place, words));
+            }
+        }
+        _ => {}
+    }
+}
+
+/// A picture that is white where texts are: a glaring disk that fills the view.
+fn white_scene() -> Scene {
+    let mut scene = presets::find("above").unwrap().scene(&[]).unwrap();
+    scene.camera.theta_deg = 20.0;
+    scene.camera.r = 60.0;
+    scene.disk.outer = 3000.0;
+    scene.disk.brightness = 1000.0;
+    scene.picture.exposure_ev = 20.0;
+    scene.picture.bloom = 0.0;
+    scene.title = "A picture that is white".into();
+    scene
+}
+
+/// End shows a white picture.
+fn show_white(keys: Res<ButtonInput<KeyCode>>, mut scene: ResMut<CurrentScene>) {
+    if keys.just_pressed(KeyCode::End) {
+        scene.0 = Drawable::new(white_scene()).unwrap();
+    }
+}
+
+/// The program, which writes down what it shows. This is no test: the tests below start it as
+/// another process.
+#[test]
+#[ignore = "started by the tests of messages"]
+fn started_program_that_writes_down_its_texts() {
+    let mut app = program();
+    app.init_resource::<Key>()
+        .init_resource::<Recent>()
+        .add_systems(Update, (notice_key, show_white))
+        .add_systems(
+            PostUpdate,
+            report_texts
+                .after(EguiPostUpdateSet::EndPass)
+                .before(EguiPostUpdateSet::ProcessOutput),
+        );
+    assert_eq!(app.run(), AppExit::Success);
+}
+
+fn open_watched() -> Desktop {
+    let program = std::env::current_exe().unwrap();
+    let only = [
+        "--exact",
+        "messages::started_program_that_writes_down_its_texts",
+        "--ignored",
+        "--test-threads=1",
+        "--nocapture",
+    ];
+    let desktop = Desktop::open_program(&program, &only);
+    desktop.first_picture();
+    desktop
+}
+
+/// A control's first key with its modifier, as X names it.
+fn x_name(control: &Control) -> String {
+    let name = control.keys[0].name().unwrap();
+    let key = match name {
+        "+" => "equal".into(),
+        "-" => "minus".into(),
+        "," => "comma".into(),
+        "." => "period".into(),
+        "/" => "slash".into(),
+        ";" => "semicolon".into(),
+        "'" => "apostrophe".into(),
+        "[" => "bracketleft".into(),
+        "]" => "bracketright".into(),
+        "Backspace" => "BackSpace".into(),
+        "Enter" => "Return".into(),
+        "Esc" => "Escape".into(),
+        "Space" => "space".into(),
+        "PageUp" => "Prior".into(),
+        "PageDown" => "Next".into(),
+        "Shift" => "Shift_L".into(),
+        "Ctrl" => "Control_L".into(),
+        "Alt" => "Alt_L".into(),
+        letter if letter.len() == 1 => letter.to_lowercase(),
+        other => other.into(),
+    };
+    let prefix = control.modifier.map_or("", |modifier| modifier.prefix());
+    format!("{}{key}", prefix.to_lowercase())
+}
+
+/// Presses a control's key and returns the texts that are new within the frames after it.
+fn news(desktop: &Desktop, control: &Control) -> BTreeSet<String> {
+    let before = desktop.stderr().len();
+    let key = x_name(control);
+    let held = matches!(control.action, Action::Hold(_));
+    if held {
+        desktop.xdotool(&["keydown", &key]);
+    } else {
+        desktop.xdotool(&["key", "--delay", "80", &key]);
+    }
+    let ended = || desktop.stderr()[before..].contains("news end");
+    desktop.wait(&format!("{}: frames after the key", control.id), ended);
+    if held {
+        desktop.xdotool(&["keyup", &key]);
+    }
+    let stderr = desktop.stderr();
+    let first = stderr[before..].split("news end").next().unwrap_or("");
+    let lines = first
+        .lines()
+        .filter_map(|line| line.split_once("news\u{1f}"));
+    lines
+        .flat_map(|(_, texts)| texts.split(BETWEEN).skip(1))
+        .filter(|text| !text.is_empty())
+        .map(str::to_owned)
+        .collect()
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn every_key_of_the_table_leads_to_its_message_within_two_frames() {
+    let mut desktop = open_watched();
+    let scene = presets::find("2").unwrap().scene(&[]).unwrap();
+    let mut silent = Vec::new();
+    // What leaves the program comes last.
+    let quits = |control: &&Control| control.id.contains("quit");
+    let (last, others): (Vec<&Control>, Vec<&Control>) = CONTROLS.iter().partition(quits);
+    for control in others {
+        let texts = news(&desktop, control);
+        // A preset says its name, a switch its state. What a held key changes is read from the
+        // read-outs, and commands say what they do in their own words.
+        let says: Option<String> = match control.action {
+            Action::Edit(_) => edited(control, &scene, &scene)
+                .and_then(|after| statement(control, &scene, &after))
+                .and_then(|words| Some(words.split_once(':')?.0.to_owned())),
+            Action::Load(number) => Some(number.to_string()),
+            _ => None,
+        };
+        let said = match &says {
+            Some(words) => texts.iter().any(|text| text.starts_with(words.as_str())),
+            None => !texts.is_empty(),
+        };
+        println!("{}: {texts:?}", control.id);
+        if !said {
+            silent.push(control.id);
+        }
+        // Back to the preset, with everything closed that was opened.
+        if matches!(control.action, Action::Do(_)) {
+            desktop.xdotool(&["key", "--delay", "80", &x_name(control)]);
+            desktop.frames(2);
+        }
+        desktop.press("2");
+        desktop.frames(3);
+        assert!(desktop.running(), "{}: {}", control.id, desktop.stderr());
+    }
+    assert!(silent.is_empty(), "silent: {silent:?}");
+    for control in last {
+        desktop.xdotool(&["key", &x_name(control)]);
+        desktop.wait(control.id, || {
+            !desktop
+                .xdotool(&["search", "--name", "Lightfall"])
+                .contains(&desktop.window)
+        });
+    }
+}
+
+/// The luminance of a colour (WCAG 2.2, relative luminance).
+fn luminance(colour: [u8; 3]) -> f64 {
+    let [r, g, b] = colour.map(|channel| {
+        let channel = f64::from(channel) / 255.0;
+        if channel <= 0.04045 {
+            channel / 12.92
+        } else {
+            ((channel + 0.055) / 1.055).powf(2.4)
+        }
+    });
+    0.2126 * r + 0.7152 * g + 0.0722 * b
+}
+
+/// The contrast of two luminances (WCAG 2.2, contrast ratio).
+fn contrast(a: f64, b: f64) -> f64 {
+    (a.max(b) + 0.05) / (a.min(b) + 0.05)
+}
+
+/// A text with its pixels.
+struct Place {
+    x: Range<usize>,
+    y: Range<usize>,
+    text: String,
+}
+
+/// Where the texts are, as the program reports them.
+fn places(desktop: &Desktop) -> (Vec<Place>, Shot) {
+    let before = desktop.stderr().len();
+    desktop.press("Insert");
+    desktop.wait("places", || {
+        desktop.stderr()[before..].contains("places end")
+    });
+    let shot = desktop.shot();
+    let stderr = desktop.stderr();
+    let first = stderr[before..].split("places end").next().unwrap_or("");
+    let places = first.lines().filter_map(|line| {
+        let mut parts = line.split_once("place\u{1f}")?.1.split(BETWEEN);
+        let mut number = || parts.next()?.parse::<f32>().ok();
+        let [x0, y0, x1, y1] = [number()?, number()?, number()?, number()?];
+        Some(Place {
+            x: x0 as usize..x1.ceil() as usize,
+            y: y0 as usize..y1.ceil() as usize,
+            text: parts.next()?.to_owned(),
+        })
+    });
+    (places.collect(), shot)
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn texts_over_any_picture_have_a_contrast_of_at_least_four_and_a_half() {
+    let desktop = open_watched();
+    for key in ["2", "4", "End"] {
+        desktop.press(key);
+        desktop.settled(key, |_| true);
+        // A message, what is switched off, and for the presets their titles.
+        if key != "End" {
+            desktop.press(key);
+        }
+        desktop.press("z");
+        desktop.frames(2);
+        let (places, shot) = places(&desktop);
+        let mut faint = Vec::new();
+        for Place { x, y, text } in &places {
+            let inside = |px: usize, py: usize| {
+                places
+                    .iter()
+                    .any(|place| place.x.contains(&px) && place.y.contains(&py))
+            };
+            let brightest = y
+                .clone()
+                .flat_map(|py| x.clone().map(move |px| (px, py)))
+                .map(|(px, py)| luminance(shot.pixel(px, py)))
+                .fold(0.0, f64::max);
+            // The box around the letters, without other letters.
+            let around = (y.start - 3..y.end + 3)
+                .flat_map(|py| (x.start - 3..x.end + 3).map(move |px| (px, py)))
+                .filter(|&(px, py)| !inside(px, py))
+                .map(|(px, py)| luminance(shot.pixel(px, py)));
+            let worst = around
+                .map(|ground| contrast(brightest, ground))
+                .fold(f64::INFINITY, f64::min);
+            println!("{key}: {worst:.1}:1 {text}");
+            if worst < 4.5 {
+                faint.push(format!("{worst:.1}:1 {text}"));
+            }
+        }
+        assert!(places.len() > 8, "{} texts with {key}", places.len());
+        assert!(faint.is_empty(), "{key}: {faint:?}");
+        if key == "End" {
+            // Beyond the boxes the picture is white, so the test has tested what it should.
+            let white = |px: usize, py: usize| luminance(shot.pixel(px, py)) > 0.85;
+            assert!(
+                white(4, 806) && white(1436, 806) && white(720, 600),
+                "not white"
+            );
+        }
+        desktop.press("z");
+    }
+}
