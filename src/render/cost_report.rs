@@ -40,6 +40,11 @@ pub fn cost_rows(scene: &Scene) -> Vec<(&'static str, String)> {
         };
         rows.push((topic, items));
     };
+    let cells = chain.cells.map_or("no cells".into(), |grid| {
+        format!("{}x{} cells", grid.x, grid.y)
+    });
+    let size = chain.picture;
+    row("picture", &[format!("{}x{} pixels", size.x, size.y), cells]);
     let own = |names: Vec<&str>| names.into_iter().map(str::to_owned).collect::<Vec<_>>();
     row(
         "method",

@@ -27,6 +27,9 @@ use lightfall_core::scene::View;
 use pipeline::pipeline_descriptor;
 use shader::JoinedShaders;
 
+/// Most pixels that one draw call traces: a full HD picture.
+const MAX_BAND_PIXELS: u32 = 1920 * 1080;
+
 /// The pass's resources on the GPU.
 #[derive(Resource)]
 pub(super) struct GeodesicPass {
@@ -251,8 +254,21 @@ fn draw_geodesic_pass(
     let span = diagnostics.pass_span(&mut render_pass, "geodesic");
     render_pass.set_render_pipeline(pipeline);
     render_pass.set_bind_group(0, bind_group, &[]);
-    render_pass.draw(0..3, 0..1);
+    let size = target.main_texture().size();
+    for (top, rows) in bands(size.width, size.height) {
+        render_pass.set_scissor_rect(0, top, size.width, rows);
+        render_pass.draw(0..3, 0..1);
+    }
     span.end(&mut render_pass);
     drop(render_pass);
     pass.drawn = true;
+}
+
+/// The first row and the number of rows of each band that is drawn by one call. A driver ends a
+/// device that does not respond for some seconds, and between two calls every device does.
+fn bands(width: u32, height: u32) -> impl Iterator<Item = (u32, u32)> {
+    let rows = (MAX_BAND_PIXELS / width.max(1)).max(1);
+    (0..height)
+        .step_by(rows as usize)
+        .map(move |top| (top, rows.min(height - top)))
 }

@@ -23,6 +23,7 @@ fn the_cost_report_follows_from_the_scene() {
     };
     let probe = needs_of("6", &[]);
     assert_eq!(line(&probe, "method"), "closed (asked for: auto)");
+    assert_eq!(line(&probe, "picture"), "960x540 pixels, 480x270 cells");
     assert!(
         line(&probe, "passes ").starts_with("clustering, main_opaque_pass_3d, geodesic, bloom, ")
     );
@@ -44,6 +45,7 @@ fn the_cost_report_follows_from_the_scene() {
         line(&spinning, "passes left out"),
         "clustering, bloom, pixelate, expand"
     );
+    assert_eq!(line(&spinning, "picture"), "960x540 pixels, no cells");
     assert_eq!(line(&spinning, "while idle"), "fit, upscaling");
     assert_eq!(line(&spinning, "not allocated"), "bloom, cells");
 }

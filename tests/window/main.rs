@@ -15,6 +15,7 @@ mod latency;
 mod manager;
 mod messages;
 mod pasting;
+mod pixel_look;
 mod rest;
 mod safety;
 mod shot;

@@ -79,12 +79,12 @@ fn on_a_small_screen_the_picture_fills_the_first_window() {
     let program = Path::new(env!("CARGO_BIN_EXE_lightfall"));
     let grid = ["--preset", "2", "--set", "sky.mode=grid"];
     let desktop = Desktop::open_on((1280, 720), program, &grid);
-    // The largest whole size of 480 x 270 cells.
-    desktop.wait("a window that fits", || desktop.size() == (960, 540));
+    // 94 percent of the screen, in the shape of the default window.
+    desktop.wait("a window that fits", || desktop.size() == (1203, 676));
     let shot = desktop.first_picture();
     // With bars these columns would be black from top to bottom.
-    for columns in [0..40, 920..960] {
-        let lit = |x: usize| (0..430).any(|y| shot.pixel(x, y) != [0, 0, 0]);
+    for columns in [0..40, 1163..1203] {
+        let lit = |x: usize| (0..560).any(|y| shot.pixel(x, y) != [0, 0, 0]);
         assert!(columns.clone().any(lit), "columns {columns:?} are a bar");
     }
 }

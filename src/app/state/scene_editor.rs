@@ -11,7 +11,7 @@ use crate::render::CurrentScene;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Picture, Scene};
 
 /// The scene, and the way to change it so that the change can be undone.
 #[derive(SystemParam)]
@@ -33,6 +33,11 @@ impl SceneEditor<'_> {
     /// The scene at the resolution that is drawn now.
     pub(crate) fn drawn_scene(&self) -> &Scene {
         &self.scene
+    }
+
+    /// The picture as it is drawn while nothing moves.
+    pub(crate) fn picture_at_rest(&self) -> Picture {
+        self.resolution.picture_at_rest(&self.scene.picture)
     }
 
     /// Whether the picture is shown in cells.

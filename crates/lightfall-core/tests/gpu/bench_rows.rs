@@ -1,6 +1,6 @@
 //! The comparison of methods at equal error, with rows that are written by hand.
 
-use lightfall_core::reports::bench::{Measurement, at_equal_error, markdown};
+use lightfall_core::reports::bench::{Measurement, Ranking, at_equal_error, auto_margin, markdown};
 use lightfall_core::reports::circumstances::Circumstances;
 
 /// What a report says of the machine and of the run.
@@ -77,4 +77,30 @@ fn methods_are_compared_by_their_fastest_settings_at_equal_error() {
     );
     let text = markdown(&circumstances(), &rows);
     assert!(text.contains("2.5 to 10.5"), "{text}");
+}
+
+#[test]
+fn methods_are_ranked_only_where_the_spread_of_their_times_allows_it() {
+    let ranking = |closed_ms: f64, verlet_ms: f64, verlet_error: f64, spread: f64| {
+        let mut rows = [
+            row("closed", closed_ms, 1e-7),
+            row("verlet", verlet_ms, verlet_error),
+        ];
+        for row in &mut rows {
+            row.trace_spread_ms = spread * row.trace_ms;
+        }
+        auto_margin(&rows, "edge-on").unwrap().ranking
+    };
+    // Half a spread of 20 % on each side of 2 and 3 ms leaves 2.2 below 2.7 ms,
+    assert_eq!(ranking(2.0, 3.0, 1e-7, 0.2), Ranking::OnFront);
+    assert_eq!(ranking(3.0, 2.0, 1e-7, 0.2), Ranking::NotOnFront);
+    // and of 300 % nothing.
+    for (closed, verlet) in [(2.0, 3.0), (3.0, 2.0)] {
+        assert_eq!(
+            ranking(closed, verlet, 1e-7, 3.0),
+            Ranking::Undecided { spread: 1.5 }
+        );
+    }
+    // No time makes a less exact method as good.
+    assert_eq!(ranking(3.0, 2.0, 1e-3, 3.0), Ranking::OnFront);
 }

@@ -13,7 +13,7 @@ use bevy::render::renderer::RenderAdapterInfo;
 use bevy_egui::egui;
 use lightfall_core::gpu;
 use lightfall_core::gpu::{AdapterName, Listed, Variant};
-use lightfall_core::scene::{Method, Scene};
+use lightfall_core::scene::{Method, Picture, Scene};
 use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 
@@ -101,7 +101,7 @@ impl MachinePage {
         editor: &SceneEditor,
     ) {
         let drawn = editor.drawn_scene();
-        speed(ui, machine, drawn, &editor.scene());
+        speed(ui, machine, &drawn.picture, &editor.picture_at_rest());
         ui.add_space(8.0);
         passes(ui, machine);
         ui.add_space(8.0);
@@ -175,7 +175,7 @@ impl MachinePage {
     }
 }
 
-fn speed(ui: &mut egui::Ui, machine: &Machine, drawn: &Scene, full: &Scene) {
+fn speed(ui: &mut egui::Ui, machine: &Machine, drawn: &Picture, at_rest: &Picture) {
     ui.strong("Speed");
     let milliseconds = 1e3 * machine.frame_time.0;
     let resting = if machine.pacing.resting {
@@ -187,14 +187,21 @@ fn speed(ui: &mut egui::Ui, machine: &Machine, drawn: &Scene, full: &Scene) {
         "{:.1} frames per second, {milliseconds:.1} ms each{resting}",
         1e3 / milliseconds.max(1e-3)
     ));
-    let (drawn, full) = (drawn.picture, full.picture);
-    let coarser = if drawn == full {
+    let coarser = if drawn.size() == at_rest.size() {
         String::new()
     } else {
-        format!(" instead of {} x {}", full.width, full.height)
+        format!(", {} x {} at rest", at_rest.width, at_rest.height)
+    };
+    let cells = if at_rest.bypass {
+        String::new()
+    } else {
+        format!(
+            ", in {} x {} cells",
+            at_rest.grid_width, at_rest.grid_height
+        )
     };
     ui.label(format!(
-        "drawn with {} x {} pixels{coarser}",
+        "drawn with {} x {} pixels{coarser}{cells}",
         drawn.width, drawn.height
     ));
 }
