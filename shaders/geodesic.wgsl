@@ -9,7 +9,8 @@ const MAX_LIGHT: f32 = 60000.0;
 
 @fragment
 fn fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
-    let light = light_at(position.xy);
+    let seen = light_at(position.xy);
     // Comparisons with NaN are false, so no NaN leaves the shader.
-    return vec4<f32>(select(vec3<f32>(0.0), min(light, vec3<f32>(MAX_LIGHT)), light > vec3<f32>(0.0)), 1.0);
+    let light = select(vec3<f32>(0.0), min(seen.rgb, vec3<f32>(MAX_LIGHT)), seen.rgb > vec3<f32>(0.0));
+    return vec4<f32>(light, seen.a);
 }

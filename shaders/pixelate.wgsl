@@ -1,9 +1,9 @@
-// From the tone-mapped picture to the cells on the screen: area reduction, quantization with an
-// ordered dither, and expansion. The CPU fills the uniform and decides where the picture lies on
-// the output (src/render/presentation.rs).
+// From the tone-mapped picture to the screen: as cells, by area reduction, quantization with an
+// ordered dither, and expansion; or without cells, by scaling and rounding to 8 bits with noise.
+// The CPU fills the uniform and decides where the picture lies on the output
+// (src/render/presentation.rs).
 //
-// Needs: BINDING_PRESENTATION, BINDING_PRESENTATION_SAMPLER, BINDING_PRESENTATION_SOURCE,
-//     MAX_PIXELS_TOUCHED.
+// Needs: BINDING_PRESENTATION, BINDING_PRESENTATION_SOURCE, MAX_PIXELS_TOUCHED.
 // Gives: expand, fit, pixelate.
 
 struct Presentation {
@@ -23,7 +23,13 @@ struct Presentation {
 
 @group(0) @binding(BINDING_PRESENTATION) var<uniform> presentation: Presentation;
 @group(0) @binding(BINDING_PRESENTATION_SOURCE) var source: texture_2d<f32>;
-@group(0) @binding(BINDING_PRESENTATION_SAMPLER) var source_sampler: sampler;
+
+// Light of a pixel of the picture. Its alpha is zero in the shadow, which stays black: what bloom
+// has added there is taken away again.
+fn light_of(pixel: vec2<u32>) -> vec3<f32> {
+    let texel = textureLoad(source, pixel, 0);
+    return texel.a * texel.rgb;
+}
 
 // sRGB transfer function and its inverse (IEC 61966-2-1).
 fn srgb_encode(linear: vec3<f32>) -> vec3<f32> {
@@ -65,11 +71,23 @@ fn cell_mean(cell: vec2<u32>) -> vec3<f32> {
                 break;
             }
             let covered = max(height * (min(high.x, f32(x + 1u)) - max(low.x, f32(x))), 0.0);
-            light += covered * textureLoad(source, vec2<u32>(x, y), 0).rgb;
+            light += covered * light_of(vec2<u32>(x, y));
             area += covered;
         }
     }
     return light / max(area, 1e-6);
+}
+
+// Light at a place of the picture, in pixels, by linear interpolation between pixels.
+fn interpolated_light(place: vec2<f32>) -> vec3<f32> {
+    let last = vec2<f32>(presentation.picture) - 1.0;
+    let clamped = clamp(place - 0.5, vec2<f32>(0.0), last);
+    let low = vec2<u32>(clamped);
+    let high = min(low + vec2<u32>(1u), vec2<u32>(last));
+    let share = clamped - vec2<f32>(low);
+    let above = mix(light_of(low), light_of(vec2<u32>(high.x, low.y)), share.x);
+    let below = mix(light_of(vec2<u32>(low.x, high.y)), light_of(high), share.x);
+    return mix(above, below, share.y);
 }
 
 // The light of a cell: the mean of its pixels, or interpolated where there are fewer pixels than
@@ -77,7 +95,7 @@ fn cell_mean(cell: vec2<u32>) -> vec3<f32> {
 fn cell_light(cell: vec2<u32>) -> vec3<f32> {
     if any(presentation.picture < presentation.grid) {
         let middle = (vec2<f32>(cell) + 0.5) / vec2<f32>(presentation.grid);
-        return textureSampleLevel(source, source_sampler, middle, 0.0).rgb;
+        return interpolated_light(middle * vec2<f32>(presentation.picture));
     }
     return cell_mean(cell);
 }
@@ -117,10 +135,26 @@ fn expand(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     return vec4<f32>(textureLoad(source, cell, 0).rgb, 1.0);
 }
 
+// Noise between 0 and 1, without either, the same in every frame: interleaved gradient noise, whose
+// mean over a few neighbouring pixels is nearly 1/2 (Jimenez 2014, "Next Generation Post Processing
+// in Call of Duty: Advanced Warfare").
+fn noise(place: vec2<f32>) -> f32 {
+    return mix(0.001, 0.999, fract(52.9829189 * fract(dot(place, vec2<f32>(0.06711056, 0.00583715)))));
+}
+
+// Rounds perceptual channel values to 8 bits with noise, which keeps their mean: a smooth gradient
+// shows no bands. Black and white stay what they are.
+fn to_eight_bits(encoded: vec3<f32>, place: vec2<f32>) -> vec3<f32> {
+    return min(floor(encoded * 255.0 + noise(place)), vec3<f32>(255.0)) / 255.0;
+}
+
 // Scales the tone-mapped picture itself, if the cells are bypassed.
 @fragment
 fn fit(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let uv = image_position(position);
-    let colour = textureSampleLevel(source, source_sampler, clamp(uv, vec2<f32>(0.0), vec2<f32>(1.0)), 0.0).rgb;
-    return vec4<f32>(select(colour, vec3<f32>(0.0), is_outside(uv)), 1.0);
+    if is_outside(uv) {
+        return vec4<f32>(0.0, 0.0, 0.0, 1.0);
+    }
+    let light = interpolated_light(uv * vec2<f32>(presentation.picture));
+    return vec4<f32>(srgb_decode(to_eight_bits(srgb_encode(light), position.xy)), 1.0);
 }

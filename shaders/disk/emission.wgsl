@@ -1,15 +1,21 @@
-// The light of the disk.
+// The light of the disk, and what it hides.
 //
 // Needs: Hit, beaming_factor, disk_flux, scene, thermal_colour.
-// Gives: disk_light.
+// Gives: disk_cover, disk_light, disk_transmission.
 
-// The share of the emission at radius r that remains after the fades at both edges.
-fn edge_fade(r: f32) -> f32 {
+// How much of the disk there is at radius r: one, except in the fades at both edges. Emission and
+// opacity fade together, so that an edge is never darker than both the disk and what lies behind.
+fn disk_cover(r: f32) -> f32 {
     let inner = (r - scene.disk.inner) / max(scene.disk.inner_fade, 1e-6);
     let outer = (scene.disk.outer - r) / max(scene.disk.outer_fade, 1e-6);
     let share = clamp(vec2<f32>(inner, outer), vec2<f32>(0.0), vec2<f32>(1.0));
     let smooth_share = share * share * (3.0 - 2.0 * share);
     return smooth_share.x * smooth_share.y;
+}
+
+// Share of the light from behind that passes through the disk at radius r.
+fn disk_transmission(r: f32) -> f32 {
+    return mix(1.0, scene.disk.transmission, disk_cover(r));
 }
 
 // Linear light of a crossing. The disk model gives the flux F in the matter's frame, and
@@ -19,5 +25,5 @@ fn disk_light(hit: Hit) -> vec3<f32> {
     let r = length(hit.position);
     let flux = disk_flux(r);
     let temperature = scene.disk.temperature * sqrt(sqrt(flux));
-    return thermal_colour(temperature * hit.g) * (flux * beaming_factor(hit.g) * scene.disk.brightness * edge_fade(r));
+    return thermal_colour(temperature * hit.g) * (flux * beaming_factor(hit.g) * scene.disk.brightness * disk_cover(r));
 }

@@ -1,8 +1,8 @@
 // No disk: no ray crosses anything and nothing shines.
 //
 // Needs: Hit, Segment, Trace.
-// Gives: HAS_DISK, add_hit, crosses_plane, disk_light, in_annulus, plane_crossing, record_crossing,
-//     shift_hits.
+// Gives: HAS_DISK, add_hit, crosses_plane, disk_cover, disk_light, disk_transmission, in_annulus,
+//     plane_crossing, record_crossing, shift_hits.
 
 const HAS_DISK: bool = false;
 
@@ -23,6 +23,14 @@ fn record_crossing(result: ptr<function, Trace>, segment: Segment) {}
 fn add_hit(result: ptr<function, Trace>, position: vec3<f32>, energy: f32, lambda: f32) {}
 
 fn shift_hits(result: ptr<function, Trace>, energy: f32, lambda: f32) {}
+
+fn disk_cover(r: f32) -> f32 {
+    return 0.0;
+}
+
+fn disk_transmission(r: f32) -> f32 {
+    return 1.0;
+}
 
 fn disk_light(hit: Hit) -> vec3<f32> {
     return vec3<f32>(0.0);

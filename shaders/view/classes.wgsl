@@ -16,7 +16,7 @@ fn colour_by_crossings(colours: array<vec3<f32>, 3>, count: u32) -> vec3<f32> {
     return select(select(colours[0], colours[1], count == 1u), colours[2], count == 2u);
 }
 
-fn light_along(photon: Photon) -> vec3<f32> {
+fn light_along(photon: Photon) -> vec4<f32> {
     let ray = trace(photon);
     if ray.outcome == OUTCOME_SKY {
         return mark(colour_by_crossings(SKY_CLASSES, ray.hit_count));

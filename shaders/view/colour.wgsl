@@ -1,28 +1,36 @@
 // The views `colour` and `unfinished`: the light itself.
 //
-// Needs: MAGENTA, MAX_HITS, OUTCOME_SKY, OUTCOME_UNFINISHED, Photon, SHOW_UNFINISHED, disk_light,
-//     mark, scene, sky_light, sky_shift, trace.
+// Needs: MAGENTA, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_UNFINISHED, OUTCOME_SKY, Photon,
+//     SHOW_UNFINISHED, disk_cover, disk_light, disk_transmission, mark, scene, sky_light, sky_shift,
+//     trace.
 // Gives: light_along.
 
 // The disk shines at each of the first two crossings and lets a share of the light from behind
-// through.
-fn light_along(photon: Photon) -> vec3<f32> {
+// through. Alpha is the share of the ray that ends at a source, disk or sky: zero in the shadow,
+// where bloom must add nothing (pixelate.wgsl).
+fn light_along(photon: Photon) -> vec4<f32> {
     let ray = trace(photon);
     var light = vec3<f32>(0.0);
     var transmission = 1.0;
+    var without_source = 1.0;
     if ray.hit_count > 0u {
+        let r = length(ray.hits[0].position);
         light = disk_light(ray.hits[0]);
-        transmission = scene.disk.transmission;
+        transmission = disk_transmission(r);
+        without_source = 1.0 - disk_cover(r);
     }
     if MAX_HITS > 1u && ray.hit_count > 1u {
+        let r = length(ray.hits[1].position);
         light += transmission * disk_light(ray.hits[1]);
-        transmission *= scene.disk.transmission;
+        transmission *= disk_transmission(r);
+        without_source *= 1.0 - disk_cover(r);
     }
     if ray.outcome == OUTCOME_SKY {
         light += transmission * sky_light(ray.sky, sky_shift(photon));
     }
     if SHOW_UNFINISHED && ray.outcome == OUTCOME_UNFINISHED {
-        light = mark(MAGENTA);
+        return mark(MAGENTA);
     }
-    return light;
+    let ends_dark = ray.outcome == OUTCOME_CAPTURED || ray.outcome == OUTCOME_UNFINISHED;
+    return vec4<f32>(light, select(1.0, 1.0 - without_source, ends_dark));
 }

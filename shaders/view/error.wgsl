@@ -30,7 +30,7 @@ fn scale_colour(position: f32) -> vec3<f32> {
     return from_oklab(0.30 + 0.65 * t, 0.04 + t * (0.32 * t - 0.42), -0.13 + t * (0.09 + 0.22 * t));
 }
 
-fn light_at(place: vec2<f32>) -> vec3<f32> {
+fn light_at(place: vec2<f32>) -> vec4<f32> {
     let grid = vec2<f32>(f32(ERROR_COLUMNS), f32(ERROR_ROWS));
     let cell = vec2<u32>(clamp(place / scene.picture.size * grid, vec2<f32>(0.0), grid - 1.0));
     let index = cell.y * ERROR_COLUMNS + cell.x;
@@ -39,7 +39,7 @@ fn light_at(place: vec2<f32>) -> vec3<f32> {
         return mark(vec3<f32>(0.05));
     }
     if error == UNSEEN {
-        return vec3<f32>(0.0);
+        return mark(vec3<f32>(0.0));
     }
     if error >= UNEXPLAINED {
         return mark(MAGENTA);

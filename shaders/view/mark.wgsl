@@ -7,6 +7,6 @@
 const MAGENTA: vec3<f32> = vec3<f32>(1.0, 0.0, 1.0);
 
 // The light of a colour whose channels are at most one.
-fn mark(colour: vec3<f32>) -> vec3<f32> {
-    return scene.picture.mark_brightness * colour;
+fn mark(colour: vec3<f32>) -> vec4<f32> {
+    return vec4<f32>(scene.picture.mark_brightness * colour, 1.0);
 }

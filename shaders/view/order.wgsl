@@ -13,14 +13,14 @@ fn order_colour(order: f32) -> vec3<f32> {
     return select(colour, vec3<f32>(0.95), order >= 3.0);
 }
 
-fn light_along(photon: Photon) -> vec3<f32> {
+fn light_along(photon: Photon) -> vec4<f32> {
     let ray = trace(photon);
     let seen = ray.hit_count > 0u;
     if ray.outcome == OUTCOME_UNFINISHED && !seen {
         return mark(MAGENTA);
     }
     if ray.outcome == OUTCOME_CAPTURED && !seen {
-        return vec3<f32>(0.0);
+        return mark(vec3<f32>(0.0));
     }
     // A camera in the disk's plane sees the disk after exactly whole half-turns. The margin counts
     // these with the order below, whatever the rounding.

@@ -15,7 +15,7 @@ fn shift_colour(g: f32) -> vec3<f32> {
     return mix(vec3<f32>(0.90), select(red, blue, octaves > 0.0), half_way);
 }
 
-fn light_along(photon: Photon) -> vec3<f32> {
+fn light_along(photon: Photon) -> vec4<f32> {
     let ray = trace(photon);
     if ray.hit_count > 0u {
         return mark(shift_colour(ray.hits[0].g));

@@ -14,6 +14,6 @@ fn residual_colour(residual: f32) -> vec3<f32> {
     return mix(colour, vec3<f32>(1.0), clamp(position - 3.0, 0.0, 1.0));
 }
 
-fn light_along(photon: Photon) -> vec3<f32> {
+fn light_along(photon: Photon) -> vec4<f32> {
     return mark(residual_colour(trace(photon).residual));
 }

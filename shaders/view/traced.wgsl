@@ -4,6 +4,6 @@
 // Needs: light_along, photon_from, pixel_direction.
 // Gives: light_at.
 
-fn light_at(place: vec2<f32>) -> vec3<f32> {
+fn light_at(place: vec2<f32>) -> vec4<f32> {
     return light_along(photon_from(pixel_direction(place)));
 }

@@ -104,6 +104,7 @@ pub fn program(start: Start) -> App {
     if !keeps_own_look {
         scene = in_look(scene, preferences.settings.pixel_look);
     }
+    let scene = scene.exposed();
     // The adapter has to be chosen before the renderer opens a device.
     let adapter = AdapterChoice::apply(&mut preferences);
     let mut app = App::new();

@@ -55,6 +55,7 @@ fn draw_instead(
         }
     };
     eprintln!("lightfall: no display ({reason}); rendering {what} to a picture instead");
+    let scene = scene.exposed();
     let size = scene.picture.size();
     let still = picture::render(&drawn_scene(&scene, Format::Png), size).map_err(Stop::failed)?;
     write_still(&unused_file(&name), &still, &scene)

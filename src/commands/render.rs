@@ -192,12 +192,13 @@ impl PictureWriter {
         let drawn = drawn_scene(scene, self.format);
         self.studio.show(&drawn).map_err(stop_drawing)?;
         self.studio.settle().map_err(stop_drawing)?;
+        let scene = self.studio.scene().clone();
         match self.format {
             Format::Png => {
                 let still = self.studio.picture().map_err(stop_drawing)?;
-                write_png(file, &still, scene)
+                write_png(file, &still, &scene)
             }
-            Format::Exr => self.write_exr(scene, file),
+            Format::Exr => self.write_exr(&scene, file),
         }
     }
 

@@ -91,12 +91,14 @@ pub(super) fn headless(
     Ok(app)
 }
 
-/// The checked scene.
+/// The checked scene, with the exposure that its light meter chooses where it is automatic.
 ///
 /// # Errors
 /// The scene cannot be drawn.
 pub(super) fn drawable(scene: &Scene) -> Result<Drawable, PictureError> {
-    Drawable::new(scene.clone()).map_err(|reason| PictureError::Draw(reason.to_string()))
+    Drawable::new(scene.clone())
+        .map(Drawable::exposed)
+        .map_err(|reason| PictureError::Draw(reason.to_string()))
 }
 
 /// Checks that a picture of this size can be drawn. `field` names the size in the error.

@@ -76,13 +76,17 @@ fn channels(picture: Linear) -> AnyChannels<FlatSamples> {
         .into_iter()
         .enumerate()
         .map(|(i, name)| {
-            let values = picture
-                .light
-                .rgba
-                .iter()
-                .map(|pixel| f16::from_bits(pixel[i]))
-                .collect();
-            AnyChannel::new(name, FlatSamples::F16(values))
+            let value = |pixel: &[u16; 4]| {
+                if name == "A" {
+                    f16::ONE
+                } else {
+                    f16::from_bits(pixel[i])
+                }
+            };
+            AnyChannel::new(
+                name,
+                FlatSamples::F16(picture.light.rgba.iter().map(value).collect()),
+            )
         });
     let rest = picture
         .channels

@@ -80,6 +80,12 @@ impl Studio {
         Ok(())
     }
 
+    /// The scene that is shown. Its exposure is the metered one where the exposure is automatic.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        self.app.world().resource::<CurrentScene>().scene()
+    }
+
     /// Draws frames until the scene is completely drawn.
     ///
     /// # Errors
@@ -120,7 +126,7 @@ impl Studio {
     /// # Errors
     /// As [`Studio::light`].
     pub fn depth(&mut self) -> Result<Vec<f32>, PictureError> {
-        let scene = self.app.world().resource::<CurrentScene>().scene().clone();
+        let scene = self.scene().clone();
         if !scene.probe.enabled {
             return Ok(vec![
                 f32::INFINITY;

@@ -35,7 +35,8 @@ struct Copies {
 pub struct Captured {
     /// Width and height, in pixels.
     pub size: UVec2,
-    /// Linear light and opacity, as the bits of half floats; rows from the top.
+    /// Linear light, and the alpha of the picture's shader (zero in the shadow), as the bits of half
+    /// floats; rows from the top.
     pub rgba: Vec<[u16; 4]>,
     /// The depth buffer, rows from the top: the near plane's distance over the distance, zero where
     /// there is only traced light. `None` where a pixel has several samples.

@@ -30,7 +30,8 @@ pub struct Chain {
     pub probe: bool,
     /// Samples per pixel of the foreground: one, or four where its edges are smoothed.
     pub samples: u32,
-    /// Rows of bloom's largest level; `None` without bloom.
+    /// Rows of bloom's largest level; `None` without bloom, as in views whose colours have a
+    /// meaning.
     pub bloom: Option<u32>,
     /// Size of the presentation grid; `None` where it is bypassed.
     pub cells: Option<UVec2>,
@@ -69,7 +70,10 @@ impl Chain {
             } else {
                 1
             },
-            bloom: (scene.picture.bloom > 0.0 && rows >= MIN_BLOOM_ROWS).then_some(rows),
+            bloom: (scene.picture.bloom > 0.0
+                && rows >= MIN_BLOOM_ROWS
+                && scene.view.shows_light())
+            .then_some(rows),
             cells: (!scene.picture.bypass).then_some(scene.picture.grid()),
         }
     }

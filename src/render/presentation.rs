@@ -18,13 +18,13 @@ use bevy::prelude::*;
 use bevy::render::camera::ExtractedCamera;
 use bevy::render::diagnostic::RecordDiagnostics;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
-use bevy::render::render_resource::binding_types::{sampler, texture_2d, uniform_buffer};
+use bevy::render::render_resource::binding_types::{texture_2d, uniform_buffer};
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::{ExtractedView, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use lightfall_core::gpu::Presentation;
-use lightfall_core::gpu::bindings::{PRESENTATION, PRESENTATION_SAMPLER, PRESENTATION_SOURCE};
+use lightfall_core::gpu::bindings::{PRESENTATION, PRESENTATION_SOURCE};
 use lightfall_core::scene::Picture;
 use pipeline::{GRID_FORMAT, SHADER, Stage, create_grid, pipeline_descriptor};
 
@@ -48,7 +48,6 @@ pub struct ShownCells(pub Option<UVec2>);
 #[derive(Resource)]
 struct PresentationPass {
     layout: BindGroupLayoutDescriptor,
-    sampler: Sampler,
     uniform: UniformBuffer<Presentation>,
     pipelines: HashMap<(Stage, TextureFormat), CachedRenderPipelineId>,
     /// The cells, which last as long as the picture; `None` when they are bypassed.
@@ -85,7 +84,7 @@ pub(super) fn plugin(app: &mut App) {
         );
 }
 
-fn create_presentation_pass(mut commands: Commands, device: Res<RenderDevice>) {
+fn create_presentation_pass(mut commands: Commands) {
     let layout = BindGroupLayoutDescriptor::new(
         "presentation layout",
         &BindGroupLayoutEntries::with_indices(
@@ -94,21 +93,13 @@ fn create_presentation_pass(mut commands: Commands, device: Res<RenderDevice>) {
                 (PRESENTATION, uniform_buffer::<Presentation>(false)),
                 (
                     PRESENTATION_SOURCE,
-                    texture_2d(TextureSampleType::Float { filterable: true }),
+                    texture_2d(TextureSampleType::Float { filterable: false }),
                 ),
-                (PRESENTATION_SAMPLER, sampler(SamplerBindingType::Filtering)),
             ),
         ),
     );
-    let sampler = device.create_sampler(&SamplerDescriptor {
-        label: Some("presentation sampler"),
-        mag_filter: FilterMode::Linear,
-        min_filter: FilterMode::Linear,
-        ..default()
-    });
     commands.insert_resource(PresentationPass {
         layout,
-        sampler,
         uniform: UniformBuffer::from(Presentation::default()),
         pipelines: HashMap::default(),
         cells: None,
@@ -283,11 +274,7 @@ fn draw_stage(
     let bind_group = context.render_device().create_bind_group(
         name,
         &cache.get_bind_group_layout(&pass.layout),
-        &BindGroupEntries::with_indices((
-            (PRESENTATION, uniform),
-            (PRESENTATION_SOURCE, source),
-            (PRESENTATION_SAMPLER, &pass.sampler),
-        )),
+        &BindGroupEntries::with_indices(((PRESENTATION, uniform), (PRESENTATION_SOURCE, source))),
     );
     let diagnostics = context.diagnostic_recorder();
     let diagnostics = diagnostics.as_deref();

@@ -13,6 +13,8 @@ fn a_picture_holds_the_preset_that_drew_it() {
     let mut scene = small(8);
     scene.title = "μέλας \"hole\", 0.1 + 0.2 — tilted".into();
     (scene.camera.theta_deg, scene.hole.spin) = (0.1 + 0.2, 1.0 / 3.0);
+    // The exposure that is drawn.
+    scene = scene.exposed();
     for file in ["a.exr", "a.png"] {
         program(folder.path(), &scene, &format!("-o {file}"));
         assert_eq!(taken(file).unwrap(), scene, "{file}");

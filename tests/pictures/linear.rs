@@ -122,10 +122,11 @@ fn linear_light_through_exposure_and_tone_curve_is_the_plain_picture() {
             }
         };
         for (channel, shown) in mapped.into_iter().zip(pixel(&still, x, y)) {
-            // Half floats and eight bits round one after the other.
+            // Eight bits are rounded up or down, by noise; before that half floats are off by a
+            // two-thousandth, a tenth of a level.
             let expected = 255.0 * srgb(channel);
             assert!(
-                (expected - f64::from(shown)).abs() < 1.0,
+                (expected - f64::from(shown)).abs() < 1.1,
                 "{expected} and {shown} at {x}, {y}"
             );
             compared += u32::from(shown > 0);

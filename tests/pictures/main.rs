@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 mod embedded;
+mod light;
 mod linear;
 mod redraw;
 mod sequences;
@@ -36,8 +37,10 @@ fn mean(still: &Still, x: std::ops::Range<u32>, y: std::ops::Range<u32>) -> f64 
         / count
 }
 
-/// The scene shown pixel by pixel: no cells, no bloom, output as large as the HDR picture.
+/// The scene shown pixel by pixel at its preset's exposure: no cells, no bloom, output as large as
+/// the HDR picture.
 fn plain(mut scene: Scene) -> (Scene, UVec2) {
+    scene.picture.automatic_exposure = false;
     scene.picture.bypass = true;
     scene.picture.bloom = 0.0;
     let size = UVec2::new(scene.picture.width, scene.picture.height);

@@ -12,6 +12,7 @@ const SIZE: UVec2 = UVec2::new(320, 180);
 /// A small picture with all effects: disk, stars, bloom, cells and probe.
 fn small() -> Scene {
     let mut scene = preset(6);
+    scene.picture.automatic_exposure = false;
     (scene.picture.width, scene.picture.height) = (320, 180);
     (scene.picture.grid_width, scene.picture.grid_height) = (160, 90);
     scene
@@ -63,7 +64,7 @@ const OF_PIPELINES: [(&str, fn(&mut Scene)); 10] = [
     ("disk.model", |scene| {
         scene.disk.model = DiskModel::PageThorne
     }),
-    ("disk.transmission", |scene| scene.disk.transmission = 0.0),
+    ("disk.edge_taper", |scene| scene.disk.edge_taper = 0.0),
     ("sky.mode", |scene| scene.sky.mode = SkyMode::Grid),
     ("picture.bypass", |scene| scene.picture.bypass = true),
 ];

@@ -121,7 +121,6 @@ fn feedback_of(scene: &Scene, id: &str) -> String {
         scene,
         &used(scene, id, 1),
         &Bindings::default(),
-        false,
     )
     .unwrap_or_default()
 }
@@ -202,18 +201,6 @@ fn a_key_without_a_visible_effect_says_why_and_names_the_key_that_helps() {
     ] {
         assert_eq!(feedback_of(&without(change), id), words, "{id}");
     }
-    let (scene, brighter) = (without(|_| {}), control_named("picture.brighter").unwrap());
-    let metered = remark(
-        brighter,
-        &scene,
-        &used(&scene, brighter.id, 1),
-        &Bindings::default(),
-        true,
-    );
-    assert_eq!(
-        metered.as_deref(),
-        Some("the exposure is automatic; F9 leaves it to you")
-    );
     // Where there is something to see, there is no feedback.
     let plain = without(|scene| (scene.disk.inner, scene.probe.enabled) = (4.0, true));
     for control in CONTROLS

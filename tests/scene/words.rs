@@ -60,6 +60,30 @@ fn a_switch_says_its_state_each_time_it_is_used() {
 }
 
 #[test]
+fn the_exposure_says_who_chooses_it() {
+    let mut scene = preset("edge-on");
+    (scene.picture.exposure_ev, scene.picture.automatic_exposure) = (-1.2, true);
+    for (id, words) in [
+        ("picture.brighter", "Exposure: -0.95 EV, by hand"),
+        ("picture.darker", "Exposure: -1.45 EV, by hand"),
+        ("picture.automatic_exposure", "Exposure: -1.20 EV, by hand"),
+    ] {
+        assert_eq!(said(&scene, id).0, words);
+    }
+    scene.picture.automatic_exposure = false;
+    assert_eq!(
+        said(&scene, "picture.automatic_exposure").0,
+        "Exposure: automatic (-1.2 EV)"
+    );
+    // The light meter's choice after another change is not what that change was.
+    let mut spinning = scene.clone();
+    scene.picture.automatic_exposure = true;
+    spinning.picture.automatic_exposure = true;
+    (spinning.hole.spin, spinning.picture.exposure_ev) = (0.5, 3.0);
+    assert_eq!(change_words(&scene, &spinning), "spin");
+}
+
+#[test]
 fn every_control_that_edits_the_scene_says_so_in_a_few_words() {
     for preset in presets::PRESETS {
         let scene = preset.scene(&[]).unwrap();

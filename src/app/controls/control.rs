@@ -133,8 +133,6 @@ pub enum AppCommand {
     MouseLook,
     /// Free the mouse and close the help.
     Escape,
-    /// Switch the automatic exposure on or off.
-    AutomaticExposure,
     /// Start or stop the guided journey.
     Journey,
     /// Start the journey from its beginning.

@@ -190,10 +190,20 @@ pub(super) fn switch_levels(scene: &mut Scene, loaded: &Scene) {
     };
 }
 
+/// Lets a light meter choose the exposure from here on, or keeps the exposure as it is now.
+pub(super) fn switch_automatic_exposure(scene: &mut Scene, _: &Scene) {
+    flip(&mut scene.picture.automatic_exposure);
+}
+
 pub(super) fn brighten(scene: &mut Scene, _: &Scene) {
-    scene.picture.exposure_ev += EXPOSURE_STEP;
+    expose_by_hand(scene, EXPOSURE_STEP);
 }
 
 pub(super) fn darken(scene: &mut Scene, _: &Scene) {
-    scene.picture.exposure_ev -= EXPOSURE_STEP;
+    expose_by_hand(scene, -EXPOSURE_STEP);
+}
+
+fn expose_by_hand(scene: &mut Scene, step: f64) {
+    scene.picture.automatic_exposure = false;
+    scene.picture.exposure_ev += step;
 }

@@ -11,14 +11,13 @@ use lightfall_core::optics::disk::inner_edge;
 use lightfall_core::scene::{Content, ObserverKind, Scene, View};
 
 /// A remark on the change that a control has made. None where the picture shows the change. Keys
-/// are named as they are bound. `automatic` says whether the exposure is automatic.
+/// are named as they are bound.
 #[must_use]
 pub fn remark(
     control: &Control,
     before: &Scene,
     after: &Scene,
     bindings: &Bindings,
-    automatic: bool,
 ) -> Option<String> {
     let key = |id| bindings.label(id);
     match control.id {
@@ -44,10 +43,6 @@ pub fn remark(
         "light.doppler" if !after.disk.enabled && at_rest(after) => {
             Some("nothing in view moves".into())
         }
-        "picture.brighter" | "picture.darker" if automatic => Some(format!(
-            "the exposure is automatic; {} leaves it to you",
-            key("picture.automatic_exposure")
-        )),
         "picture.antialias" if !after.probe.enabled => Some(format!(
             "there is no probe to smooth; {} adds it",
             key("scene.probe")

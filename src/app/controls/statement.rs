@@ -2,7 +2,7 @@
 
 use super::control::{Action, Control};
 use lightfall_core::reports::numbers::{four_digits, with_short_numbers};
-use lightfall_core::scene::{Camera, Scene, SkyMode, Value, View};
+use lightfall_core::scene::{Camera, Picture, Scene, SkyMode, Value, View};
 
 /// The state that a control has led to, in a few words, e.g. `Doppler shift: off`. `before` and
 /// `after` are the scene before and after the change. None for controls that change no scene.
@@ -18,8 +18,8 @@ pub fn statement(control: &Control, before: &Scene, after: &Scene) -> Option<Str
         "scene.spin" => says("Spin", &four_digits(after.hole.spin)),
         "scene.observer" => says("Observer", after.observer.kind.properties().motion),
         "picture.bloom" => switched("Bloom", after.picture.bloom > 0.0),
-        "picture.brighter" | "picture.darker" => {
-            says("Exposure", &format!("{:+.2} EV", after.picture.exposure_ev))
+        "picture.brighter" | "picture.darker" | "picture.automatic_exposure" => {
+            Some(exposure_in_words(after))
         }
         "picture.levels" if after.picture.levels >= super::edits::ALL_LEVELS => {
             says("Tones", "all")
@@ -40,10 +40,25 @@ pub fn statement(control: &Control, before: &Scene, after: &Scene) -> Option<Str
     }
 }
 
+/// The scene's exposure, and who chooses it.
+#[must_use]
+pub fn exposure_in_words(scene: &Scene) -> String {
+    let Picture {
+        exposure_ev,
+        automatic_exposure,
+        ..
+    } = scene.picture;
+    if automatic_exposure {
+        format!("Exposure: automatic ({exposure_ev:+.1} EV)")
+    } else {
+        format!("Exposure: {exposure_ev:+.2} EV, by hand")
+    }
+}
+
 /// The state of the first field that differs between two scenes: `on` or `off` for a switch.
 fn changed_value(before: &Scene, after: &Scene) -> String {
     // The values of the scene that `differences` is asked for.
-    let changed = after.differences(before);
+    let changed = after.differences(&metered_as(after, before));
     match changed.first() {
         Some((_, Value::Boolean(on))) => if *on { "on" } else { "off" }.into(),
         Some((_, value)) => with_short_numbers(&value.to_string().replace('"', "")),
@@ -51,11 +66,20 @@ fn changed_value(before: &Scene, after: &Scene) -> String {
     }
 }
 
+/// The scene with the other one's exposure, if the light meter chose both: it is no change.
+fn metered_as(other: &Scene, scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    if scene.picture.automatic_exposure && other.picture.automatic_exposure {
+        scene.picture.exposure_ev = other.picture.exposure_ev;
+    }
+    scene
+}
+
 /// What differs between two scenes, in a few words, e.g. `spin`, or `the flight` where only the
 /// camera and how it moves differ.
 #[must_use]
 pub fn change_words(before: &Scene, after: &Scene) -> String {
-    let keys: Vec<&str> = before
+    let keys: Vec<&str> = metered_as(after, before)
         .differences(after)
         .into_iter()
         .map(|(key, _)| key)
@@ -65,6 +89,7 @@ pub fn change_words(before: &Scene, after: &Scene) -> String {
         [] => "nothing that shows".into(),
         _ if before.name != after.name => format!("preset {}", before.name),
         ["observer.kind"] => "observer".into(),
+        ["picture.exposure_ev", "picture.automatic_exposure"] => "exposure".into(),
         keys if keys.iter().all(flown) => "the flight".into(),
         [key] => field_words(key),
         [key, others @ ..] => format!("{} and {} more", field_words(key), others.len()),
@@ -79,7 +104,7 @@ fn field_words(key: &str) -> String {
         (_, "follow_isco") => "disk from the innermost stable orbit".into(),
         (_, "bypass") => "pixel look".into(),
         (_, "levels") => "tones".into(),
-        (_, "exposure_ev") => "exposure".into(),
+        (_, "exposure_ev" | "automatic_exposure") => "exposure".into(),
         (_, "doppler") => "Doppler shift".into(),
         (_, "antialias") => "smooth edges of the probe".into(),
         ("disk" | "sky" | "probe", _) => format!("{} of the {table}", field.replace('_', " ")),

@@ -89,7 +89,7 @@ pub const CONTROLS: &[Control] = controls! {
         "picture.levels" [KeyV] "posterise" Edit(edits::switch_levels);
         "picture.brighter" [Equal, NumpadAdd] "brighter, darker" Edit(edits::brighten);
         "picture.darker" [Minus, NumpadSubtract] "brighter, darker" Edit(edits::darken);
-        "picture.automatic_exposure" [F9] "automatic exposure" Do(AppCommand::AutomaticExposure);
+        "picture.automatic_exposure" [F9] "automatic exposure" Edit(edits::switch_automatic_exposure);
     }
     Window {
         "window.help" [F1] "this help" Do(AppCommand::Help);

@@ -7,7 +7,6 @@ use crate::app::controls::control::{Action, AppCommand, Control, Modifier};
 use crate::app::controls::edits::edited;
 use crate::app::controls::key_feedback::remark;
 use crate::app::controls::statement::statement;
-use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::input::ButtonState;
 use bevy::input::keyboard::KeyboardInput;
@@ -29,7 +28,6 @@ fn apply_pressed_controls(
     bindings: Res<Bindings>,
     typing: Res<Typing>,
     pads: Pads,
-    preferences: Res<Preferences>,
     mut editor: SceneEditor,
     mut commands: MessageWriter<AppCommand>,
 ) {
@@ -56,24 +54,17 @@ fn apply_pressed_controls(
     let by_button = bindings
         .iter()
         .filter_map(|(control, _)| Some((control, pads.pressed(control)?)));
-    let automatic_exposure = preferences.settings.exposes_automatically();
     for (control, input) in by_key.chain(by_button) {
         if let Action::Do(command) = control.action {
             commands.write(command);
         } else {
-            apply(control, &input, &mut editor, &bindings, automatic_exposure);
+            apply(control, &input, &mut editor, &bindings);
         }
     }
 }
 
 /// Changes the scene as a control says, if it changes scenes. `input` is the key or button's name.
-fn apply(
-    control: &Control,
-    input: &str,
-    editor: &mut SceneEditor,
-    bindings: &Bindings,
-    automatic_exposure: bool,
-) {
+fn apply(control: &Control, input: &str, editor: &mut SceneEditor, bindings: &Bindings) {
     let before = editor.scene();
     let Some(changed) = edited(control, &before, editor.loaded()) else {
         return;
@@ -84,7 +75,7 @@ fn apply(
     }
     if editor.change(input, changed) {
         let after = editor.scene();
-        let remark = remark(control, &before, &after, bindings, automatic_exposure);
+        let remark = remark(control, &before, &after, bindings);
         let says: Vec<String> = [statement(control, &before, &after), remark]
             .into_iter()
             .flatten()

@@ -1,101 +1,76 @@
-//! Automatic exposure: it approaches what the light meter measures, slowly enough for the eye.
+//! Automatic exposure during flights: it follows the light meter smoothly. Every other change of the
+//! scene is metered at once ([`SceneEditor`](crate::app::state::scene_editor::SceneEditor)), so that
+//! no switch leaves the picture black or white.
 
-use crate::app::controls::control::AppCommand;
 use crate::app::state::preferences::Preferences;
-use crate::app::state::toast::Toast;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::exposure::metered_exposure;
 use lightfall_core::scene::Scene;
 
-/// Largest change, in powers of two per second.
-const MAX_RATE: f64 = 0.6;
+/// Seconds in which the difference from the metered exposure shrinks to 1/e. After a second nothing
+/// is left even of the largest difference, and a smaller one looks like the work of a pupil.
+const FOLLOW_SECONDS: f64 = 0.2;
 /// Seconds between two measurements.
-const METER_INTERVAL: f64 = 0.25;
-/// Smaller differences are left alone, so that a picture at rest stays at rest.
-const TOLERANCE: f64 = 0.05;
-/// The exposures that are chosen automatically.
-const RANGE: [f64; 2] = [-8.0, 8.0];
+const METER_INTERVAL: f64 = 0.1;
+/// Largest time that counts for one frame, in seconds.
+const MAX_FRAME_SECONDS: f64 = 0.25;
+/// Smaller differences, in powers of two, are left alone, so that a picture at rest stays at rest.
+const TOLERANCE: f64 = 0.02;
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(Update, (toggle_automatic_exposure, adapt_exposure).chain());
-}
-
-fn toggle_automatic_exposure(
-    mut commands: MessageReader<AppCommand>,
-    mut preferences: ResMut<Preferences>,
-    mut toast: ResMut<Toast>,
-) {
-    for _ in commands
-        .read()
-        .filter(|command| **command == AppCommand::AutomaticExposure)
-    {
-        let settings = &mut preferences.settings;
-        settings.automatic_exposure = !settings.automatic_exposure;
-        toast.say(
-            match (settings.automatic_exposure, settings.reduced_motion) {
-                (false, _) => "The exposure stays as it is",
-                (true, false) => "The exposure follows the light of the disk",
-                (true, true) => {
-                    "The exposure would follow the light, but motion is reduced in the settings"
-                }
-            },
-        );
-    }
+    app.add_systems(Update, follow_light);
 }
 
 /// The light meter: its last measurement, and the scene that it measured.
 #[derive(Default)]
-struct Meter {
+pub struct Meter {
     /// Seconds since the last measurement.
     age: f64,
-    /// The scene without its exposure, which the meter does not read.
+    /// The scene that was measured, without its exposure.
     scene: Option<Scene>,
-    /// The exposure that suits the scene. `None` if the meter sees no disk.
+    /// The exposure that suits the scene. `None` if the meter sees no light.
     wanted: Option<f64>,
 }
 
 impl Meter {
-    /// Measures again if the last measurement is old and the scene has changed since then.
-    fn read(&mut self, scene: &Scene, seconds: f64) -> Option<f64> {
+    /// The exposure of a scene with automatic exposure after `seconds` more. `None` where it stays
+    /// as it is.
+    pub fn follow(&mut self, scene: &Scene, seconds: f64) -> Option<f64> {
+        let now = scene.picture.exposure_ev;
         self.age += seconds;
         if self.age > METER_INTERVAL {
-            self.age = 0.0;
-            let mut metered = scene.clone();
+            let mut metered = scene.without_presentation();
             metered.picture.exposure_ev = 0.0;
             if self.scene.as_ref() != Some(&metered) {
-                self.wanted = metered_exposure(&metered)
-                    .ok()
-                    .flatten()
-                    .map(|wanted| wanted.clamp(RANGE[0], RANGE[1]));
-                self.scene = Some(metered);
+                self.wanted = metered_exposure(scene).ok().flatten();
+                (self.scene, self.age) = (Some(metered), 0.0);
             }
         }
-        self.wanted
+        let missing = self.wanted? - now;
+        let share = 1.0 - (-seconds.min(MAX_FRAME_SECONDS) / FOLLOW_SECONDS).exp();
+        (missing.abs() > TOLERANCE).then_some(now + share * missing)
     }
 }
 
-fn adapt_exposure(
+fn follow_light(
     time: Res<Time>,
     preferences: Res<Preferences>,
     mut scene: ResMut<CurrentScene>,
     mut meter: Local<Meter>,
 ) {
-    if !preferences.settings.exposes_automatically() {
+    if !scene.picture.automatic_exposure || preferences.settings.reduced_motion {
+        *meter = Meter::default();
         return;
     }
-    let Some(wanted) = meter.read(&scene, time.delta_secs_f64()) else {
+    let Some(exposure) = meter.follow(&scene, time.delta_secs_f64()) else {
         return;
     };
-    let missing = wanted - scene.picture.exposure_ev;
-    if missing.abs() > TOLERANCE {
-        let step = MAX_RATE * time.delta_secs_f64().min(METER_INTERVAL);
-        let mut exposed = scene.scene().clone();
-        exposed.picture.exposure_ev += missing.clamp(-step, step);
-        match Drawable::new(exposed) {
-            Ok(exposed) => scene.0 = exposed,
-            Err(reason) => error_once!("the exposure stays as it is: {reason}"),
-        }
+    let mut exposed = scene.scene().clone();
+    exposed.picture.exposure_ev = exposure;
+    match Drawable::new(exposed) {
+        Ok(exposed) => scene.0 = exposed,
+        Err(reason) => error_once!("the exposure stays as it is: {reason}"),
     }
 }

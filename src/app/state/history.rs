@@ -34,6 +34,15 @@ struct Change {
     at: Duration,
 }
 
+/// Whether two scenes are the same, apart from an exposure that the light meter has chosen.
+fn same_but_metered(a: &Scene, b: &Scene) -> bool {
+    let mut a = a.clone();
+    if a.picture.automatic_exposure && b.picture.automatic_exposure {
+        a.picture.exposure_ev = b.picture.exposure_ev;
+    }
+    a == *b
+}
+
 impl History {
     /// The history of a scene that was just loaded.
     #[must_use]
@@ -65,7 +74,7 @@ impl History {
             && at.saturating_sub(last.at) < MERGE_TIME
             && last.loaded == self.loaded
             && let Some(middle) = &last.after
-            && middle == before
+            && same_but_metered(middle, before)
             && keys(&last.before, middle) == keys(before, after)
         {
             (last.after, last.at) = (Some(after.clone()), at);

@@ -78,6 +78,7 @@ impl SceneEditor<'_> {
                 Drawable::new(scene.clone()).map_err(|reason| undrawable(&reason, &scene))
             })
             .map(|loaded| {
+                let loaded = loaded.exposed();
                 let before = self.scene();
                 self.history
                     .note_loaded(&before, &loaded, self.time.elapsed());
@@ -118,8 +119,9 @@ impl SceneEditor<'_> {
         self.toast.say(text);
     }
 
+    /// Shows a changed scene, metered at once where its exposure is automatic.
     fn put(&mut self, changed: Drawable) {
-        self.scene.0 = self.resolution.adopt(changed);
+        self.scene.0 = self.resolution.adopt(changed.exposed());
         self.toast.clear();
     }
 

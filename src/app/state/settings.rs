@@ -4,6 +4,7 @@ use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::storage;
 use lightfall_core::gpu::AdapterName;
 use lightfall_core::optics::readout::si::MASSES;
+use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
@@ -25,10 +26,12 @@ pub struct Settings {
     pub frame_rate: f64,
     /// The largest number of frames per second. 0 leaves it to the monitor.
     pub most_frames: f64,
-    /// Whether the exposure is automatic.
-    pub automatic_exposure: bool,
+    /// Accepted in files of earlier versions, without effect: the exposure is automatic where the
+    /// scene says so.
+    #[serde(skip_serializing)]
+    pub automatic_exposure: IgnoredAny,
     /// Whether motion that nobody steers is kept calm: journeys do not roll, and the exposure does
-    /// not change by itself.
+    /// not change during a flight.
     pub reduced_motion: bool,
     /// Whether the most important keys are named in the window's corner.
     pub key_hints: bool,
@@ -82,7 +85,7 @@ impl Default for Settings {
             picture_shape: PictureShape::Window,
             frame_rate: 30.0,
             most_frames: 0.0,
-            automatic_exposure: false,
+            automatic_exposure: IgnoredAny,
             reduced_motion: false,
             key_hints: true,
             hole_mass_suns: MASSES[0].suns,
@@ -94,12 +97,6 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Whether the exposure changes by itself.
-    #[must_use]
-    pub fn exposes_automatically(&self) -> bool {
-        self.automatic_exposure && !self.reduced_motion
-    }
-
     /// Reads the text of a settings file.
     ///
     /// # Errors

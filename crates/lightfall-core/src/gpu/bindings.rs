@@ -18,8 +18,6 @@ pub const ERROR_MAP: u32 = 5;
 pub const PRESENTATION: u32 = 0;
 /// The texture that a stage of the presentation reads.
 pub const PRESENTATION_SOURCE: u32 = 1;
-/// The sampler of that texture.
-pub const PRESENTATION_SAMPLER: u32 = 2;
 
 /// Invocations of a compute shader's workgroup.
 pub const WORKGROUP_SIZE: u32 = 64;
@@ -36,8 +34,7 @@ pub(super) const CONSTANTS: [(&str, u32); 7] = [
 ];
 
 /// The constants of the presentation's shader.
-pub(super) const PRESENTATION_CONSTANTS: [(&str, u32); 3] = [
+pub(super) const PRESENTATION_CONSTANTS: [(&str, u32); 2] = [
     ("BINDING_PRESENTATION", PRESENTATION),
     ("BINDING_PRESENTATION_SOURCE", PRESENTATION_SOURCE),
-    ("BINDING_PRESENTATION_SAMPLER", PRESENTATION_SAMPLER),
 ];

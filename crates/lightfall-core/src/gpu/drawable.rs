@@ -80,6 +80,16 @@ impl Drawable {
         &self.numbers
     }
 
+    /// The scene with the exposure that its light meter chooses, where its exposure is automatic.
+    #[must_use]
+    pub fn exposed(self) -> Self {
+        if !self.scene.picture.automatic_exposure {
+            return self;
+        }
+        // The meter's exposures are within the field's range, so that nothing is refused.
+        Self::new(self.scene.exposed()).unwrap_or(self)
+    }
+
     /// The scene, for changes that are checked again.
     #[must_use]
     pub fn into_scene(self) -> Scene {

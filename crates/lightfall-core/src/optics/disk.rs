@@ -63,6 +63,24 @@ pub fn temperature(disk: &Disk, flux: f64) -> f64 {
     disk.temperature_k * flux.powf(0.25)
 }
 
+/// How much of the disk there is at radius `r`, from 0 to 1: emission and opacity fade together at
+/// both edges. The twin in WGSL is `disk_cover` in shaders/disk/emission.wgsl.
+#[must_use]
+pub fn cover(scene: &Scene, r: f64) -> f64 {
+    let (inner, disk) = (inner_edge(scene), &scene.disk);
+    let fade = |depth: f64, edge: f64| {
+        let share = (depth / (disk.edge_taper * edge).max(1e-6)).clamp(0.0, 1.0);
+        share * share * (3.0 - 2.0 * share)
+    };
+    fade(r - inner, inner) * fade(disk.outer - r, disk.outer)
+}
+
+/// Share of the light from behind that passes through the disk at radius `r`.
+#[must_use]
+pub fn transmission(scene: &Scene, r: f64) -> f64 {
+    1.0 - (1.0 - scene.disk.transmission) * cover(scene, r)
+}
+
 /// Observed over emitted frequency, g = 1 / (u^t (E - Omega L)), for light with the constants E =
 /// -p_t and L = p_phi per unit frequency for the camera. Bardeen, Press & Teukolsky 1972 section
 /// III, Cunningham 1975; equal to 1 / (E u^t (1 - Omega lambda)) with lambda = L/E.

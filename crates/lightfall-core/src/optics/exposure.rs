@@ -1,55 +1,168 @@
-//! A light meter: measures how bright the disk is in a scene's picture, with a few rays.
+//! A light meter: chooses the exposure for the light that a scene's camera sees, with a few rays.
+//!
+//! The exposure makes the mean level of the screen over the disk a fixed one. Levels end at white,
+//! so a small part of the disk that is a thousand times as bright as the rest counts as white and
+//! leaves the rest visible. The sky counts a little, so that the exposure changes smoothly when the
+//! disk leaves the picture.
 
 use crate::geometry::observer::ObserverError;
 use crate::optics::photometry::DISK_HDR_SCALE;
 use crate::optics::reference::Reference;
+use crate::optics::shift::Shift;
+use crate::optics::trace::{Hit, Outcome};
 use crate::optics::{disk, spectrum};
-use crate::scene::Scene;
+use crate::scene::{Scene, SkyMode};
 use glam::{DVec2, DVec3};
 
-/// Columns and rows of rays over the picture.
-const RAYS: [usize; 2] = [16, 9];
-/// The exposure is for the light of this quantile: this share of the rays that meet the disk is
-/// darker.
-const QUANTILE: f64 = 0.85;
-/// Luminance of that quantile after exposure: bright, and not yet desaturated by the tone mapping.
-const TARGET_LUMINANCE: f64 = 0.7;
-/// Luminance of the channels of linear sRGB (Rec. 709).
-const LUMINANCE: DVec3 = DVec3::new(0.2126, 0.7152, 0.0722);
+/// Rays over the picture.
+const RAYS: u32 = 320;
+/// The places of the rays in the picture are multiples of these numbers, less whole pictures: an
+/// even distribution without rows and columns (Roberts 2018, "The Unreasonable Effectiveness of
+/// Quasirandom Sequences"). So an edge passes the rays one by one.
+const RAY_SPACING: DVec2 = DVec2::new(0.754_877_666_246_692_7, 0.569_840_290_998_053_3);
+/// Mean level of the screen over the disk, from 0 for black to 1 for white.
+const TARGET_LEVEL: f64 = 0.6;
+/// Weight of a ray to the sky, where a ray to the disk has the weight one.
+const SKY_WEIGHT: f64 = 0.02;
+/// Temperature of the sky's light, in kelvin, and the exposure for a sky alone, unshifted.
+const SKY_TEMPERATURE: f64 = 6500.0;
+const SKY_EXPOSURE: f64 = 1.2;
+/// The exposures that the meter chooses.
+const RANGE: [f64; 2] = [-12.0, 12.0];
+/// Halvings of that range, and the fraction of a power of two that the result is rounded to.
+const HALVINGS: u32 = 16;
+const PARTS: f64 = 1000.0;
 
-/// The exposure, in powers of two, for the disk's light as the scene's camera sees it. `None` where
-/// no ray of the meter meets the disk: the exposure does not depend on the stars.
+/// Light that the meter sees.
+struct Sample {
+    weight: f64,
+    /// The largest channel of the linear light.
+    light: f64,
+}
+
+impl Scene {
+    /// The scene with the exposure that its light meter chooses, if the scene has automatic
+    /// exposure and the meter sees any light; else the scene as it is.
+    #[must_use]
+    pub fn exposed(&self) -> Self {
+        let mut exposed = self.clone();
+        if self.picture.automatic_exposure
+            && let Ok(Some(metered)) = metered_exposure(self)
+        {
+            exposed.picture.exposure_ev = metered;
+        }
+        exposed
+    }
+}
+
+/// The exposure, in powers of two, for the light that the scene's camera sees. It does not depend
+/// on the scene's own exposure. `None` where the meter sees nothing shine, and in views whose
+/// colours are the same at every exposure.
 ///
 /// # Errors
 /// If the scene's observer cannot exist.
 pub fn metered_exposure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
+    if !scene.view.shows_light() {
+        return Ok(None);
+    }
+    let samples = samples(scene)?;
+    let weight: f64 = samples.iter().map(|sample| sample.weight).sum();
+    if samples
+        .iter()
+        .all(|sample| sample.weight * sample.light <= 0.0)
+    {
+        return Ok(None);
+    }
+    let mean_level = |exposure: f64| {
+        let scale = exposure.exp2();
+        let levels = samples
+            .iter()
+            .map(|sample| sample.weight * level(scale * sample.light));
+        levels.sum::<f64>() / weight
+    };
+    let [mut low, mut high] = RANGE;
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if mean_level(middle) < TARGET_LEVEL {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Ok(Some((0.5 * (low + high) * PARTS).round() / PARTS))
+}
+
+/// What the meter's rays see.
+fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
     let reference = Reference::new(scene)?;
-    let profile = disk::Profile::new(scene);
+    let (profile, shift) = (disk::Profile::new(scene), Shift::new(scene));
     let axes = scene.camera.tetrad_from_camera();
     let size = scene.picture.size().as_dvec2();
-    let [columns, rows] = RAYS;
-    let mut lights: Vec<f64> = (0..columns * rows)
-        .filter_map(|i| {
-            let cell = DVec2::new((i % columns) as f64 + 0.5, (i / columns) as f64 + 0.5);
-            let pixel = cell / DVec2::new(columns as f64, rows as f64) * size;
-            let hit = reference
-                .trace(axes * scene.camera.looking(pixel, size))
-                .hits[0]?;
-            let flux = profile.flux(hit.r);
-            let seen = DVec3::from(spectrum::colour(
-                hit.g * disk::temperature(&scene.disk, flux),
-            ));
-            let beaming = if scene.effects.beaming {
-                hit.g.powi(4)
-            } else {
-                1.0
-            };
-            let light =
-                LUMINANCE.dot(seen) * flux * beaming * scene.disk.brightness * DISK_HDR_SCALE;
-            (light.is_finite() && light > 0.0).then_some(light)
-        })
-        .collect();
-    lights.sort_by(f64::total_cmp);
-    let bright = lights.get((QUANTILE * lights.len() as f64) as usize);
-    Ok(bright.map(|light| (TARGET_LUMINANCE / light).log2()))
+    // Light of an unshifted sky that alone would ask for SKY_EXPOSURE.
+    let sky_light = linear(TARGET_LEVEL) / SKY_EXPOSURE.exp2() * scene.sky.brightness;
+    let beaming = |g: f64| {
+        if scene.effects.beaming {
+            g.powi(4)
+        } else {
+            1.0
+        }
+    };
+    let disk_light = |hit: Hit| {
+        let flux = profile.flux(hit.r);
+        let seen = spectrum::colour(hit.g * disk::temperature(&scene.disk, flux));
+        let scale = flux * beaming(hit.g) * scene.disk.brightness * DISK_HDR_SCALE;
+        DVec3::from(seen) * scale * disk::cover(scene, hit.r)
+    };
+    let mut samples = Vec::new();
+    let mut add = |weight: f64, light: f64| {
+        if weight > 0.0 && light.is_finite() {
+            let light = light.max(0.0);
+            samples.push(Sample { weight, light });
+        }
+    };
+    for i in 0..RAYS {
+        let pixel = (0.5 + f64::from(i) * RAY_SPACING).fract() * size;
+        let direction = axes * scene.camera.looking(pixel, size);
+        let trace = reference.trace(direction);
+        let (mut light, mut transmission, mut uncovered) = (DVec3::ZERO, 1.0, 1.0);
+        for hit in trace.hits.into_iter().flatten() {
+            light += transmission * disk_light(hit);
+            transmission *= disk::transmission(scene, hit.r);
+            uncovered *= 1.0 - disk::cover(scene, hit.r);
+        }
+        let covered = 1.0 - uncovered;
+        // Per covered share, so that a ray at the disk's edge sees the light next to the edge.
+        add(covered, light.max_element() / covered.max(1e-9));
+        if trace.outcome == Outcome::Sky && scene.sky.mode != SkyMode::Off {
+            let photon = reference.photon(direction.normalize());
+            let lambda =
+                scene.camera.r * scene.camera.direction().cross(photon.w).z / photon.energy;
+            let g = shift.of_sky(1.0 / photon.energy, lambda).abs();
+            let seen = DVec3::from(spectrum::colour(g * SKY_TEMPERATURE)).max_element();
+            add(SKY_WEIGHT * uncovered, sky_light * seen * beaming(g));
+        }
+    }
+    Ok(samples)
+}
+
+/// Level of the screen, from 0 to 1, of light after exposure: the tone mapping's curve for white
+/// light (Khronos PBR Neutral 2024, without its offset), then sRGB's.
+fn level(light: f64) -> f64 {
+    const SHOULDER: f64 = 0.76;
+    let mapped = if light < SHOULDER {
+        light
+    } else {
+        let rest = 1.0 - SHOULDER;
+        1.0 - rest * rest / (light + rest - SHOULDER)
+    };
+    if mapped <= 0.003_130_8 {
+        12.92 * mapped
+    } else {
+        1.055 * mapped.powf(1.0 / 2.4) - 0.055
+    }
+}
+
+/// The light of a level below the shoulder.
+fn linear(level: f64) -> f64 {
+    ((level + 0.055) / 1.055).powf(2.4)
 }

@@ -59,7 +59,7 @@ struct Given<'a> {
 
 /// Makes a scene from a preset's TOML `text` and the overrides, of which a later one replaces an
 /// earlier one. `origin` names the preset in messages. Fields that are not mentioned have their
-/// defaults.
+/// defaults. An override of the exposure switches the preset's automatic exposure off.
 ///
 /// # Errors
 /// One sentence that names where the fault is written, the key, the value and what is allowed.
@@ -96,9 +96,13 @@ pub fn load(origin: &str, text: &str, overrides: &[Override]) -> Result<Scene, S
         let path = key.split('.').collect::<Vec<_>>();
         errors.extend(insert(&mut fields, (option, index + 1), &path, value).err());
     }
-    let scene = scene(&fields);
+    let mut scene = scene(&fields);
     if let Some(error) = errors.into_iter().next() {
         return Err(with_range_of(error, &scene));
+    }
+    let order = |key| fields.get(key).map_or(0, |given| given.order);
+    if order("picture.exposure_ev") > 0 && order("picture.automatic_exposure") == 0 {
+        scene.picture.automatic_exposure = false;
     }
     scene
         .check()

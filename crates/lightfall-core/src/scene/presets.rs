@@ -7,7 +7,7 @@ use super::{Override, Scene, SceneError, load};
 /// A built-in preset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Preset {
-    /// Its number, from 1; also its key in the window.
+    /// Its number, from 1; up to 9 also its key in the window.
     pub number: usize,
     /// Its name; the same as in its text.
     pub name: &'static str,
@@ -29,7 +29,7 @@ macro_rules! presets {
 }
 
 /// The presets in the order of their numbers.
-pub const PRESETS: [Preset; 9] = presets![
+pub const PRESETS: [Preset; 10] = presets![
     1 "telescope",
     2 "edge-on",
     3 "above",
@@ -39,6 +39,7 @@ pub const PRESETS: [Preset; 9] = presets![
     7 "limit",
     8 "extremal",
     9 "falling",
+    10 "article",
 ];
 
 /// The preset with this number or name.

@@ -210,10 +210,11 @@ table! {
         temperature_k: f64 = 18_000.0, Range::closed(100.0, 1e6), "K";
         /// Artistic scale of the emission.
         brightness: f64 = 1.0, SCALE, "";
-        /// Width of the fade at each edge, as a fraction of its radius.
+        /// Width of the fade at each edge, as a fraction of its radius; emission and opacity fade
+        /// together.
         edge_taper: f64 = 0.03, Range::closed(0.0, 0.5), "";
         /// Share of the light from behind that passes through.
-        transmission: f64 = 0.04, SHARE, "";
+        transmission: f64 = 0.0, SHARE, "";
     }
 }
 
@@ -267,8 +268,10 @@ table! {
         grid_width: u32 = 480, SIDE, "cells";
         /// Height of the presentation grid; not more than picture.height.
         grid_height: u32 = 270, SIDE, "cells";
-        /// Exposure.
+        /// Exposure; with picture.automatic_exposure where it begins, and where nothing is seen.
         exposure_ev: f64 = 1.2, Range::closed(-20.0, 20.0), "powers of two";
+        /// Whether a light meter chooses the exposure.
+        automatic_exposure: bool = false;
         /// Strength of the bloom; zero leaves it out.
         bloom: f64 = 0.08, SHARE, "";
         /// How many levels a channel is rounded to.

@@ -1,13 +1,15 @@
 //! Crossings of the disk against the f64 reference, and the rules at its edges and in its plane.
 
-use crate::{bare_hole, edge_on, gpu, median, pixel_directions, quantile};
+use crate::light::light_from;
+use crate::{ALONG, bare_hole, edge_on, gpu, median, pixel_directions, quantile};
 use glam::{DVec3, Vec4};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::gpu::kernel::{Kernel, uniform};
 use lightfall_core::gpu::{GpuDisk, GpuScene, Variant, bindings, rays};
-use lightfall_core::optics::disk::{NEWTONIAN_PEAK, PageThorne, Profile, TABLE_LEN};
+use lightfall_core::optics::disk::{NEWTONIAN_PEAK, PageThorne, Profile, TABLE_LEN, cover};
 use lightfall_core::optics::reference::Reference;
-use lightfall_core::scene::{DiskModel, Scene};
+use lightfall_core::optics::spectrum;
+use lightfall_core::scene::{DiskModel, Scene, SkyMode};
 use std::f64::consts::{PI, TAU};
 
 #[test]
@@ -249,4 +251,61 @@ fn the_shader_finds_the_flux_that_the_cpu_finds() {
         // depth as well. Measured: 5e-7 to 8e-7.
         assert!(worst < 2e-6, "{profile:?}: {worst:e}");
     }
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_disks_edges_mix_its_light_with_the_light_from_behind() {
+    let mut scene = edge_on();
+    scene.sky.mode = SkyMode::Grid;
+    (scene.disk.edge_taper, scene.disk.transmission) = (0.0, 0.0);
+    let shown = |scene: &Scene| {
+        let table = spectrum::table()
+            .iter()
+            .flatten()
+            .flat_map(|value| value.to_le_bytes())
+            .collect();
+        let uniforms = [
+            (
+                bindings::SCENE,
+                uniform(&GpuScene::for_rays(scene).unwrap()),
+            ),
+            (bindings::SPECTRUM, table),
+        ];
+        let given = pixel_directions(scene, 320, 180)
+            .into_iter()
+            .map(|direction| direction.as_vec3().extend(0.0));
+        light_from(
+            gpu(),
+            &Variant::picture(scene).source(),
+            ALONG,
+            &uniforms,
+            given,
+        )
+    };
+    let with_hard_edges = shown(&scene);
+    let mut without = scene.clone();
+    without.disk.enabled = false;
+    let behind = shown(&without);
+    scene.disk.edge_taper = 0.2;
+    let faded = shown(&scene);
+    let reference = Reference::new(&scene).unwrap();
+    let mut mixed = 0;
+    for (i, direction) in pixel_directions(&scene, 320, 180).into_iter().enumerate() {
+        let [Some(hit), None] = reference.trace(direction).hits else {
+            continue;
+        };
+        let share = cover(&scene, hit.r) as f32;
+        let expected = behind[i].lerp(with_hard_edges[i], share);
+        // Rounding of the crossing's radius, where lines of the grid or the edge itself are steep.
+        let tolerance = 0.01 * expected.max_element() + 1e-4;
+        assert!(
+            (faded[i] - expected).abs().max_element() < tolerance,
+            "{} and {expected} at r {}",
+            faded[i],
+            hit.r
+        );
+        mixed += usize::from((0.05..0.95).contains(&share));
+    }
+    assert!(mixed > 500, "only {mixed} rays meet a faded edge");
 }

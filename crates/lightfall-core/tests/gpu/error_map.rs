@@ -30,13 +30,7 @@ fn shown(gpu: &Gpu, scene: &Scene, errors: &[Option<f64>]) -> Vec<[Vec3; 3]> {
         [0.5, 0.01, 0.99].map(|inside| ((at + inside) * cell).extend(0.0).extend(0.0))
     });
     let source = Variant::picture(&scene).source();
-    let lights = light_from(
-        gpu,
-        &source,
-        "vec4<f32>(light_at(given.xy), 0.0)",
-        &uniforms,
-        places,
-    );
+    let lights = light_from(gpu, &source, "light_at(given.xy)", &uniforms, places);
     lights
         .chunks_exact(3)
         .map(|cell| [0, 1, 2].map(|i| cell[i].truncate()))

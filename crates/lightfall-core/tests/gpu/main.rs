@@ -21,6 +21,7 @@ mod mino;
 mod observers;
 mod omissions;
 mod part_headers;
+mod presentation;
 mod refusals;
 mod report;
 mod shaders;
@@ -34,7 +35,7 @@ use glam::DVec3;
 use lightfall_core::scene::{Method, Scene};
 
 /// WGSL for [`light::light_from`]: the light that comes from a direction on the observer's axes.
-const ALONG: &str = "vec4<f32>(light_along(photon_from(given.xyz)), 0.0)";
+const ALONG: &str = "light_along(photon_from(given.xyz))";
 
 /// A scene with only the hole and a static camera at `r`, traced by the article's method in
 /// balanced quality.

@@ -37,7 +37,8 @@ fn the_work_that_a_shader_omits_changes_no_light() {
         (Method::Mino, 0.9),
         (Method::KerrSchild, 0.9),
     ];
-    let opaque = |scene: &mut Scene| scene.disk.transmission = 0.0;
+    // A disk without faded edges, at which light from behind passes.
+    let opaque = |scene: &mut Scene| (scene.disk.transmission, scene.disk.edge_taper) = (0.0, 0.0);
     let without_sky = |scene: &mut Scene| scene.sky.mode = SkyMode::Off;
     // A change to a scene that needs less work, the flag that omits the work, and the flag that
     // does it.
@@ -101,9 +102,14 @@ fn the_work_that_a_shader_omits_changes_no_light() {
 fn a_disk_that_lets_light_through_counts_two_crossings() {
     let mut scene = edge_on();
     let max_hits = |scene: &Scene| Variant::picture(scene).max_hits;
+    // Its faded edges let all light through.
     assert_eq!(max_hits(&scene), 2);
+    scene.disk.edge_taper = 0.0;
+    assert_eq!(max_hits(&scene), 1);
     scene.disk.transmission = 0.001;
     assert_eq!(max_hits(&scene), 1);
+    scene.disk.transmission = 0.04;
+    assert_eq!(max_hits(&scene), 2);
     // The records of rays contain both crossings all the same.
     assert_eq!(Variant::rays(&scene).max_hits, 2);
 }

@@ -6,6 +6,7 @@ mod accuracy;
 mod disk;
 mod effects;
 mod elliptic;
+mod exposure;
 mod inside;
 mod kerr;
 mod kerr_schild;

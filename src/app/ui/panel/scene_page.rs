@@ -83,8 +83,11 @@ impl ScenePage {
         });
         }
         if let Some((key, value)) = change {
+            // An exposure that is set by hand stays as it is.
+            let by_hand = (key == "picture.exposure_ev")
+                .then_some(("picture.automatic_exposure", Value::Boolean(false)));
             let changed = scene
-                .with([(key, value)])
+                .with([(key, value)].into_iter().chain(by_hand))
                 .map_err(|refusal| refusal.to_string())
                 .and_then(|changed| editor.try_change(changed));
             self.refused = changed.err().map(|reason| (key, reason));

@@ -74,7 +74,7 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
             ui_scale(ui, settings);
             ui.end_row();
             ui.label("reduced motion")
-                .on_hover_text("Journeys do not roll, and the exposure is not automatic");
+                .on_hover_text("Journeys do not roll, and the exposure stays as it is during a flight");
             ui.checkbox(&mut settings.reduced_motion, "");
             ui.end_row();
             ui.label("pixel look")

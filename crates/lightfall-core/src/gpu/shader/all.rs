@@ -11,6 +11,7 @@ impl Variant {
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         let mut scene = Scene::default();
+        scene.disk.edge_taper = 0.0;
         let disks = [(false, 0.0), (true, 0.0), (true, 0.04), (true, 1.0)];
         let methods = Method::on_gpu().into_iter().flat_map(|method| {
             let spins: &[f64] = if method.properties().spins {

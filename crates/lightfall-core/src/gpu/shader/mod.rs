@@ -83,6 +83,12 @@ impl Variant {
         let tracer = Tracer::of(scene);
         let marks = !scene.view.shows_light();
         let sky = if marks { SkyMode::Off } else { scene.sky.mode };
+        // The largest share of light from behind that passes anywhere: all of it at faded edges.
+        let transmission = if scene.disk.edge_taper > 0.0 {
+            1.0
+        } else {
+            scene.disk.transmission
+        };
         Self {
             entry: Entry::Picture,
             tracer,
@@ -102,15 +108,14 @@ impl Variant {
                 beaming: scene.effects.beaming || marks,
                 ..scene.effects
             },
-            max_hits: if !marks && scene.disk.enabled && scene.disk.transmission <= MIN_TRANSMISSION
-            {
+            max_hits: if !marks && scene.disk.enabled && transmission <= MIN_TRANSMISSION {
                 1
             } else {
                 2
             },
             follow_beyond_hits: marks
                 || !scene.disk.enabled
-                || scene.disk.transmission.powi(2) > MIN_TRANSMISSION,
+                || transmission.powi(2) > MIN_TRANSMISSION,
         }
     }
 

@@ -7,9 +7,10 @@ use crate::scene::View;
 /// [properties](crate::scene::View::properties).
 pub(super) struct ViewShader {
     /// The file that colours a ray. If the view traces rays, the file defines
-    /// `fn light_along(photon: Photon) -> vec3<f32>`, and `view/traced.wgsl` calls it. Otherwise it
-    /// defines `fn light_at(place: vec2<f32>) -> vec3<f32>`, where `place` is in pixels from the
-    /// upper left corner. Both return linear sRGB before exposure.
+    /// `fn light_along(photon: Photon) -> vec4<f32>`, and `view/traced.wgsl` calls it. Otherwise it
+    /// defines `fn light_at(place: vec2<f32>) -> vec4<f32>`, where `place` is in pixels from the
+    /// upper left corner. Both return linear sRGB before exposure, and 1, or less in the shadow,
+    /// where bloom must add nothing.
     pub part: Part,
     /// Whether it shows what a ray's record contains only with the flag DIAGNOSTICS.
     pub diagnostics: bool,

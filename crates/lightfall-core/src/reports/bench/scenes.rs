@@ -1,6 +1,6 @@
 //! The scenes of the measurement.
 
-use crate::scene::{Override, Scene, presets};
+use crate::scene::{Method, Override, Scene, presets};
 
 /// A scene to measure.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,7 +11,8 @@ pub struct BenchScene {
     pub scene: Scene,
 }
 
-/// The scenes that are measured by default: the presets, and preset 2 with a spinning hole.
+/// The scenes that are measured by default: the presets, without the one that is about a method, and
+/// preset 2 with a spinning hole.
 #[must_use]
 pub fn scenes() -> Vec<BenchScene> {
     let preset = |preset: &presets::Preset, name: &str, overrides: &[Override]| {
@@ -37,6 +38,7 @@ pub fn scenes() -> Vec<BenchScene> {
     });
     presets::PRESETS
         .iter()
+        .filter(|found| found.plain_scene().method == Method::Auto)
         .filter_map(|found| preset(found, found.name, &[]))
         .chain(spinning)
         .collect()

@@ -1,0 +1,181 @@
+//! The light of the picture: the disk's edges, the shadow under bloom, and the exposure.
+
+use super::{luminance, pixel, plain, preset};
+use glam::{DVec2, UVec2};
+use lightfall::picture::{HeadlessOptions, Still, Studio, render};
+use lightfall_core::optics::reference::Reference;
+use lightfall_core::optics::trace::Outcome;
+use lightfall_core::optics::worldline::Worldline;
+use lightfall_core::scene::presets::PRESETS;
+use lightfall_core::scene::{Method, ObserverKind, Scene, SkyMode};
+
+/// The scene at a quarter of its size, without cells.
+fn quarter(mut scene: Scene) -> (Scene, UVec2) {
+    let size = scene.picture.size() / 4;
+    scene.picture.bypass = true;
+    (scene.picture.width, scene.picture.height) = size.into();
+    (scene.picture.grid_width, scene.picture.grid_height) = size.into();
+    (scene, size)
+}
+
+/// Whether each pixel lies in the shadow, rows from the top: its ray and those through its
+/// neighbours end in the hole and meet no disk, so that no rounding decides.
+fn shadow(scene: &Scene) -> Vec<bool> {
+    let reference = Reference::new(scene).unwrap();
+    let (size, axes) = (scene.picture.size(), scene.camera.tetrad_from_camera());
+    let dark = |x: f64, y: f64| {
+        let looking = scene.camera.looking(DVec2::new(x, y), size.as_dvec2());
+        let trace = reference.trace(axes * looking);
+        trace.outcome == Outcome::Captured && trace.hits[0].is_none()
+    };
+    let around = [(0.5, 0.5), (0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)];
+    (0..size.y)
+        .flat_map(|y| (0..size.x).map(move |x| (x, y)))
+        .map(|(x, y)| {
+            let at = |(right, down): (f64, f64)| (f64::from(x) + right, f64::from(y) + down);
+            around.into_iter().map(at).all(|(x, y)| dark(x, y))
+        })
+        .collect()
+}
+
+/// The brightest channel of the shadow's pixels, and their number.
+fn brightest_in_shadow(scene: &Scene, still: &Still) -> (u8, usize) {
+    let pixels = still.rgb.chunks_exact(3);
+    let dark: Vec<u8> = pixels
+        .zip(shadow(scene))
+        .filter_map(|(pixel, dark)| dark.then_some(pixel.iter().copied().max()?))
+        .collect();
+    (dark.iter().copied().max().unwrap_or(0), dark.len())
+}
+
+/// The scenes of preset 8's fall as the window flies it, a second apart.
+fn fall_of_preset_8() -> Vec<Scene> {
+    let mut scene = preset(8);
+    scene.observer.kind = ObserverKind::Rain;
+    let mut worldline = Worldline::start(&scene).unwrap();
+    let mut fall = vec![scene.clone()];
+    loop {
+        let limit = worldline.advance(0.1 * scene.camera.r.powf(1.5), &mut scene);
+        fall.push(scene.clone());
+        if limit.is_some() {
+            return fall;
+        }
+    }
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn bloom_lightens_no_shadow() {
+    let presets = PRESETS.iter().map(|found| found.scene(&[]).unwrap());
+    let mut shadows = 0;
+    for scene in presets.chain(fall_of_preset_8()) {
+        // With much more bloom than any preset has.
+        let (mut scene, size) = quarter(scene);
+        scene.picture.bloom = 0.3;
+        let still = render(&scene, size).unwrap();
+        let (brightest, pixels) = brightest_in_shadow(&scene, &still);
+        assert!(
+            brightest <= 1,
+            "{} at r {}: {brightest}/255 in the shadow",
+            scene.name,
+            scene.camera.r
+        );
+        shadows += usize::from(pixels > 50);
+    }
+    assert!(shadows > 15, "only {shadows} pictures show a shadow");
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_fall_of_preset_8_is_neither_black_nor_white() {
+    for scene in fall_of_preset_8() {
+        let (scene, size) = quarter(scene);
+        let still = render(&scene, size).unwrap();
+        let lit: Vec<u8> = still
+            .rgb
+            .chunks_exact(3)
+            .zip(shadow(&scene))
+            .filter_map(|(pixel, dark)| (!dark).then_some(pixel.iter().copied().min()?))
+            .collect();
+        let white = lit.iter().filter(|least| **least > 250).count() as f64 / lit.len() as f64;
+        let bright = still.rgb.iter().filter(|channel| **channel > 60).count();
+        assert!(
+            white < 0.4 && bright > 1000,
+            "at r {}: {white} of the lit pixels are white, {bright} channels bright",
+            scene.camera.r
+        );
+    }
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn no_dark_rim_surrounds_the_disk() {
+    for (method, spin) in [(Method::Closed, 0.0), (Method::Mino, 0.9)] {
+        let (mut scene, size) = plain(preset(2));
+        (scene.method, scene.hole.spin) = (method, spin);
+        scene.sky.mode = SkyMode::Grid;
+        scene.picture.exposure_ev = 2.0;
+        let with_disk = render(&scene, size).unwrap();
+        scene.disk.enabled = false;
+        let behind = render(&scene, size).unwrap();
+        // What lies behind at least, wherever the sky is: its colour between the lines.
+        let sky = |still: &Still, x, y| luminance(still, x, y);
+        let all = || (0..size.y).flat_map(|y| (0..size.x).map(move |x| (x, y)));
+        let fill = all()
+            .map(|(x, y)| sky(&behind, x, y))
+            .filter(|light| *light > 1e-4)
+            .fold(f64::INFINITY, f64::min);
+        // Cuts along the horizon line, through both ends of the disk, and upward from the shadow,
+        // through the inner and the outer edge of the arch.
+        let (row, column) = (size.y / 2 + 20, size.x / 2);
+        let cuts = (0..size.x).map(|x| (x, row));
+        let cuts = cuts.chain((0..size.y / 2).map(|y| (column, y)));
+        let mut edges = 0;
+        for (x, y) in cuts {
+            if sky(&behind, x, y) > 0.0 {
+                let light = sky(&with_disk, x, y);
+                // One level of eight bits, up or down by noise.
+                assert!(
+                    light > 0.8 * fill,
+                    "{light} at {x}, {y}, where {fill} lies behind"
+                );
+                edges += u32::from(pixel(&with_disk, x, y) != pixel(&behind, x, y));
+            }
+        }
+        assert!(edges > 300, "the cuts cross the disk: {edges} pixels");
+    }
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn a_spinning_hole_with_a_wide_disk_is_well_exposed() {
+    let (mut scene, size) = quarter(preset(2));
+    for spin in [0.0, 0.9, 0.998] {
+        (scene.hole.spin, scene.disk.follow_isco) = (spin, true);
+        let studio = Studio::with_options(&scene, size, HeadlessOptions::default());
+        let mut studio = studio.unwrap();
+        let still = studio.picture().unwrap();
+        assert!(studio.scene().picture.automatic_exposure);
+        let reference = Reference::new(&scene).unwrap();
+        let axes = scene.camera.tetrad_from_camera();
+        // The outer half of the disk, as the camera sees it.
+        let outer: Vec<f64> = (0..size.y)
+            .flat_map(|y| (0..size.x).map(move |x| (x, y)))
+            .filter_map(|(x, y)| {
+                let place = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+                let looking = scene.camera.looking(place, size.as_dvec2());
+                let hit = reference.trace(axes * looking).hits[0]?;
+                (7.0..10.5)
+                    .contains(&hit.r)
+                    .then(|| luminance(&still, x, y))
+            })
+            .collect();
+        let visible = outer.iter().filter(|light| **light > 0.004).count();
+        // Half a percent of white is level 20 of 255.
+        assert!(
+            outer.len() > 500 && visible as f64 > 0.9 * outer.len() as f64,
+            "spin {spin}: {visible} of {} pixels of the outer disk are visible",
+            outer.len()
+        );
+    }
+}
