@@ -192,7 +192,9 @@ impl PictureWriter {
         let drawn = drawn_scene(scene, self.format);
         self.studio.show(&drawn).map_err(stop_drawing)?;
         self.studio.settle().map_err(stop_drawing)?;
-        let scene = self.studio.scene().clone();
+        // The file's preset holds the exposure that was metered.
+        let mut scene = scene.clone();
+        scene.picture.exposure_ev = self.studio.scene().picture.exposure_ev;
         match self.format {
             Format::Png => {
                 let still = self.studio.picture().map_err(stop_drawing)?;
