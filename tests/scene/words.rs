@@ -170,7 +170,7 @@ fn what_is_switched_off_in_the_physics_is_named() {
 #[test]
 fn read_outs_use_words_and_keep_their_width() {
     let text = |scene: &Scene| {
-        read_outs(scene, 1.0, true).map(|line| {
+        read_outs(scene, 1.0).map(|line| {
             line.iter()
                 .map(|ReadOut { label, value, .. }| format!("{label} {value}").trim().to_owned())
                 .collect::<Vec<_>>()

@@ -9,7 +9,6 @@ use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::motion::pilot::{GEAR, Pilot};
 use crate::app::state::overlays::Overlays;
-use crate::app::state::preferences::Preferences;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
@@ -50,9 +49,9 @@ pub(super) fn plugin(app: &mut App) {
 pub(super) struct ReadOutsWidth(pub(super) f32);
 
 /// The read-outs of a scene in two lines: its place, and its motion. `speed` is the factor of the
-/// flight's speed; `automatic` says whether the exposure is automatic.
+/// flight's speed.
 #[must_use]
-pub fn read_outs(scene: &Scene, speed: f64, automatic: bool) -> [Vec<ReadOut>; 2] {
+pub fn read_outs(scene: &Scene, speed: f64) -> [Vec<ReadOut>; 2] {
     let camera = &scene.camera;
     let degrees = |angle: f64| format!("{angle:.1}°");
     let mut place = vec![
@@ -66,7 +65,7 @@ pub fn read_outs(scene: &Scene, speed: f64, automatic: bool) -> [Vec<ReadOut>; 2
         place.push(ReadOut::new("roll", degrees(camera.roll_deg), "−000.0°"));
     }
     let motion = scene.observer.kind.properties().motion;
-    let exposure = if automatic {
+    let exposure = if scene.picture.automatic_exposure {
         "automatic exposure".into()
     } else {
         format!("exposure {:+.2}", scene.picture.exposure_ev)
@@ -106,7 +105,6 @@ fn show_read_outs(
     held: HeldControls,
     free_fall: Res<FreeFall>,
     player: Res<JourneyPlayer>,
-    preferences: Res<Preferences>,
     overlays: Res<Overlays>,
     bindings: Res<Bindings>,
     presence: Res<Presence>,
@@ -121,11 +119,7 @@ fn show_read_outs(
     }
     keep_fading(context, strength);
     let gear = GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower));
-    let lines = read_outs(
-        &scene,
-        pilot.throttle * gear,
-        preferences.settings.exposes_automatically(),
-    );
+    let lines = read_outs(&scene, pilot.throttle * gear);
     let mut board = Board::new(context, "read-outs", strength);
     put_columns(&mut board, &lines, room.width());
     for line in [journey(&player, &bindings), free_fall.clocks(&scene)] {
