@@ -31,12 +31,18 @@ pub use motion::steering::{Steered, Steering, steered};
 pub use session::display::display;
 pub use session::frame_pacing::FramePacing;
 pub use state::history::History;
+pub use state::menu::{Menu, MenuEntry};
 pub use state::resolution::{Canvas, Resolution};
 pub use state::settings::{Automatic, PictureShape, Settings};
 pub use state::toast::reading_time;
 pub use ui::hud::{ReadOut, physics_off, read_outs};
 pub use ui::inspector::pixel_at;
 pub use ui::legend::{Swatch, legend};
+pub use ui::panel::{
+    choices::choice,
+    idle::why_idle,
+    sections::{RowText, SECTIONS, Section, Shown},
+};
 
 use crate::picture::quiet_log;
 use crate::render::{LightfallRenderPlugin, render_plugin};
@@ -123,6 +129,7 @@ pub fn program(start: Start) -> App {
         .add_plugins((
             state::toast::plugin,
             state::end_card::plugin,
+            state::menu::plugin,
             state::preferences::plugin,
         ))
         .add_plugins((
@@ -140,6 +147,7 @@ pub fn program(start: Start) -> App {
             session::exposure::plugin,
             session::adapter::plugin,
             session::recovery::RecoveryPlugin,
+            session::quit::plugin,
             session::screenshot::plugin,
             session::clipboard::plugin,
         ))
@@ -157,6 +165,7 @@ pub fn program(start: Start) -> App {
             ui::panel::plugin,
             ui::inspector::plugin,
             ui::end_card::plugin,
+            ui::menu::plugin,
         ));
     app
 }

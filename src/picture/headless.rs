@@ -58,10 +58,12 @@ pub(super) fn headless(
             .disable::<WinitPlugin>()
             .disable::<PipelinedRenderingPlugin>(),
     );
-    // A process has only one log.
+    // A process has only one log, and the window program may have begun it.
     static LOG: std::sync::Once = std::sync::Once::new();
     LOG.call_once(|| {
-        app.add_plugins(quiet_log());
+        if !bevy::log::tracing::dispatcher::has_been_set() {
+            app.add_plugins(quiet_log());
+        }
     });
     if timed {
         app.add_plugins(RenderDiagnosticsPlugin);
@@ -121,7 +123,7 @@ pub fn check_size(field: &'static str, size: UVec2) -> Result<(), PictureError> 
 /// A log of warnings and errors on standard error. RUST_LOG can change the level.
 pub(crate) fn quiet_log() -> LogPlugin {
     LogPlugin {
-        filter: "error,lightfall=warn".into(),
+        filter: "error,lightfall=warn,rfd=off".into(),
         level: bevy::log::Level::WARN,
         ..default()
     }

@@ -36,9 +36,13 @@ pub fn preset_files(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// The folder of screenshots: the user's folder for pictures, else the home folder, else the
-/// current folder.
+/// current folder. XDG_PICTURES_DIR in the environment comes before the desktop's own list of
+/// folders.
 #[must_use]
 pub fn pictures_folder() -> PathBuf {
+    let by_environment = std::env::var_os("XDG_PICTURES_DIR")
+        .map(PathBuf::from)
+        .filter(|folder| folder.is_absolute());
     let folders = directories::UserDirs::new();
     let home = folders
         .as_ref()
@@ -48,7 +52,7 @@ pub fn pictures_folder() -> PathBuf {
         .and_then(|folders| folders.picture_dir().map(Path::to_owned));
     // Desktops that configure no folder for pictures usually still have one of this name.
     let usual = home.as_ref().map(|home| home.join("Pictures"));
-    let known = [named, usual, home]
+    let known = [by_environment, named, usual, home]
         .into_iter()
         .flatten()
         .find(|folder| folder.is_dir());

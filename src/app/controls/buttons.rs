@@ -44,7 +44,7 @@ const DEFAULTS: &[(&str, &[GamepadButton])] = &[
     ("preset.next", &[GamepadButton::DPadRight]),
     ("picture.bypass", &[GamepadButton::LeftThumb]),
     ("window.screenshot", &[GamepadButton::RightThumb]),
-    ("window.panel", &[GamepadButton::Start]),
+    ("fly.escape", &[GamepadButton::Start]),
     ("window.help", &[GamepadButton::Select]),
 ];
 

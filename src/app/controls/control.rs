@@ -119,19 +119,25 @@ pub enum AppCommand {
     Help,
     /// Open or close the panel.
     Panel,
-    /// Hide or show everything but the picture.
+    /// Begin or end the photo mode: everything but the picture is hidden, and time stands still.
     Hide,
     /// Open or close the ray inspector.
     Inspector,
-    /// Write what the window shows to a picture file.
+    /// Write the picture to a file, without anything that is drawn over it.
     Screenshot,
+    /// Write what the window shows to a file.
+    ScreenshotOfWindow,
+    /// Open the panel on its page of settings.
+    Settings,
+    /// End the program.
+    Quit,
     /// Use the whole monitor, or a window.
     Fullscreen,
     /// Take back the last change of the scene.
     Undo,
     /// Let the mouse look around, or stop that.
     MouseLook,
-    /// Free the mouse and close the help.
+    /// Free the mouse, or close what is open, or open the menu.
     Escape,
     /// Start or stop the guided journey.
     Journey,

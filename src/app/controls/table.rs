@@ -39,7 +39,6 @@ pub const CONTROLS: &[Control] = controls! {
         "fly.faster" [ShiftLeft, ShiftRight] "fly faster" Hold(FlightInput::Faster);
         "fly.slower" [AltLeft, AltRight] "fly slower" Hold(FlightInput::Slower);
         "fly.mouse" [Tab] "mouse looks around" Do(AppCommand::MouseLook);
-        "fly.escape" [Escape] "free the mouse" Do(AppCommand::Escape);
         "journey.fly" [KeyJ] "journey: start, stop" Do(AppCommand::Journey);
         "journey.again" [Enter] "journey from its start" Do(AppCommand::RestartJourney);
         "motion.let_go" [KeyF] "let go (free fall or orbit)" Do(AppCommand::LetGo);
@@ -92,12 +91,15 @@ pub const CONTROLS: &[Control] = controls! {
         "picture.automatic_exposure" [F9] "automatic exposure" Edit(edits::switch_automatic_exposure);
     }
     Window {
+        "fly.escape" [Escape] "menu, or close, or free the mouse" Do(AppCommand::Escape);
         "window.help" [F1] "this help" Do(AppCommand::Help);
         "window.panel" [KeyP] "panel: every setting" Do(AppCommand::Panel);
         "window.inspector" [KeyI] "ray inspector: then click a pixel" Do(AppCommand::Inspector);
-        "window.hide" [KeyH] "hide everything but the picture" Do(AppCommand::Hide);
-        "window.screenshot" [F12, PrintScreen] "screenshot" Do(AppCommand::Screenshot);
+        "window.hide" [KeyH] "photo mode: only the picture, time stops" Do(AppCommand::Hide);
+        "window.screenshot" [F12, PrintScreen] "save the picture" Do(AppCommand::Screenshot);
+        "window.screenshot_of_window" Shift + [F12, PrintScreen] "save the window as it is" Do(AppCommand::ScreenshotOfWindow);
         "window.fullscreen" Alt + [Enter] "full screen" Do(AppCommand::Fullscreen);
+        "window.quit" Ctrl + [KeyQ] "quit" Do(AppCommand::Quit);
     }
 };
 

@@ -4,6 +4,7 @@
 
 use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::controls::control::{Action, Control, FlightInput};
+use crate::app::state::menu::Menu;
 use crate::app::state::rebinding::Rebinding;
 use crate::app::state::toast::Toast;
 use bevy::ecs::system::SystemParam;
@@ -53,14 +54,15 @@ fn beyond(position: f64, dead: f64) -> f64 {
     }
 }
 
-/// All gamepads, as if they were one. They do nothing while the window lacks the focus, or while a
-/// control waits for its new key or button.
+/// All gamepads, as if they were one. They do nothing while the window lacks the focus, while the
+/// menu is open, or while a control waits for its new key or button.
 #[derive(SystemParam)]
 pub(crate) struct Pads<'w, 's> {
     pads: Query<'w, 's, &'static Gamepad>,
     windows: Query<'w, 's, &'static Window, With<PrimaryWindow>>,
     bindings: Res<'w, PadBindings>,
     rebinding: Res<'w, Rebinding>,
+    menu: Res<'w, Menu>,
 }
 
 impl Pads<'_, '_> {
@@ -70,8 +72,9 @@ impl Pads<'_, '_> {
     }
 
     fn active(&self) -> impl Iterator<Item = &Gamepad> {
-        let active =
-            self.windows.iter().any(|window| window.focused) && !self.rebinding.is_waiting();
+        let active = self.windows.iter().any(|window| window.focused)
+            && !self.rebinding.is_waiting()
+            && !self.menu.is_open();
         self.pads.iter().filter(move |_| active)
     }
 

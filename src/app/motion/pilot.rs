@@ -20,7 +20,7 @@ pub(crate) struct Pilot {
     /// Factor of the speed, set by the wheel.
     pub(crate) throttle: f64,
     /// Whether the mouse looks around without a button being held.
-    free_look: bool,
+    pub(crate) free_look: bool,
 }
 
 /// Shift flies faster and Alt slower by this factor.
@@ -68,7 +68,7 @@ fn set_throttle(scroll: Res<AccumulatedMouseScroll>, mut pilot: ResMut<Pilot>) {
 }
 
 /// One key grabs and frees the mouse. Another key, and losing the focus, free it.
-fn grab_mouse(
+pub(crate) fn grab_mouse(
     mut commands: MessageReader<AppCommand>,
     buttons: Res<ButtonInput<MouseButton>>,
     bindings: Res<Bindings>,
@@ -77,27 +77,19 @@ fn grab_mouse(
     window: Single<(&Window, &mut CursorOptions), With<PrimaryWindow>>,
 ) {
     let (window, mut cursor) = window.into_inner();
-    for command in commands.read() {
-        match command {
-            AppCommand::MouseLook => {
-                pilot.free_look = !pilot.free_look;
-                toast.say(if pilot.free_look {
-                    format!(
-                        "Mouse look: on, {} frees the mouse",
-                        bindings.label("fly.mouse")
-                    )
-                } else {
-                    "Mouse look: off".into()
-                });
-            }
-            AppCommand::Escape => {
-                if pilot.free_look {
-                    toast.say("Mouse look: off");
-                }
-                pilot.free_look = false;
-            }
-            _ => {}
-        }
+    for _ in commands
+        .read()
+        .filter(|command| **command == AppCommand::MouseLook)
+    {
+        pilot.free_look = !pilot.free_look;
+        toast.say(if pilot.free_look {
+            format!(
+                "Mouse look: on, {} frees the mouse",
+                bindings.label("fly.mouse")
+            )
+        } else {
+            "Mouse look: off".into()
+        });
     }
     if !window.focused {
         pilot.free_look = false;

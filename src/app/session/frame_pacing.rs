@@ -111,11 +111,13 @@ fn watch_activity(
     pacing.resting = now.saturating_sub(pacing.active) > AWAKE_FOR;
 }
 
-/// The scene with the default resolution, so that a change by the automatic resolution does not
-/// count as movement.
+/// The scene with the default resolution and without its texts. A change by the automatic
+/// resolution does not count as movement, and neither does a new name.
 fn without_resolution(scene: &Scene) -> Scene {
     let default = Picture::default();
     Scene {
+        name: String::new(),
+        title: String::new(),
         picture: Picture {
             width: default.width,
             height: default.height,

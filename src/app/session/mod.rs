@@ -9,6 +9,7 @@ pub(crate) mod display;
 pub(crate) mod exposure;
 pub(crate) mod frame_pacing;
 pub(crate) mod pixel_look;
+pub(crate) mod quit;
 pub(crate) mod recovery;
 pub(crate) mod screenshot;
 pub(crate) mod window;

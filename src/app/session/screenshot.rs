@@ -1,51 +1,78 @@
-//! Screenshots: what the window shows, in new files that replace no others.
+//! Screenshots: the picture by itself, or what the window shows, in new files that replace no
+//! others.
 
 use crate::app::controls::control::AppCommand;
+use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::toast::Toast;
 use crate::picture;
+use crate::picture::Still;
 use crate::render::CurrentScene;
 use crate::storage::{file_safe_name, pictures_folder};
 use crate::worker::Worker;
 use bevy::prelude::*;
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
-use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::Scene;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-/// The thread that encodes and writes pictures, so that no frame waits for it. It answers with a
-/// message for the user.
+/// What is to be written.
+enum Order {
+    /// The picture of this scene, drawn as `lightfall render` draws it, at its own size.
+    Picture(Box<Scene>),
+    /// What the window shows, with everything that is drawn over the picture of this scene.
+    Window(Box<Scene>, Box<Image>),
+}
+
+/// The thread that draws, encodes and writes pictures, so that no frame waits for it. It answers
+/// with a message for the user.
 #[derive(Resource)]
-struct ScreenshotWriter(Worker<(Image, Drawable), String>);
+struct ScreenshotWriter(Worker<Order, String>);
 
 pub(crate) fn plugin(app: &mut App) {
-    let writer = Worker::serving_all(|(image, scene): (Image, Drawable), answers| {
-        answers.send(match write_picture(image, &pictures_folder(), &scene) {
-            Ok(file) => format!("Screenshot: {}", file.display()),
-            Err(reason) => format!("Screenshot: {reason}"),
+    let writer = Worker::serving_all(|order, answers| {
+        answers.send(match write(order, &pictures_folder()) {
+            Ok(message) => message,
+            Err(reason) => format!("Nothing is saved: {reason}"),
         });
     });
     app.insert_resource(ScreenshotWriter(writer))
-        .add_systems(Update, (take_screenshot, report_screenshot));
+        .add_systems(Update, (save_picture, save_window, report_screenshot));
 }
 
-fn take_screenshot(mut asked: MessageReader<AppCommand>, mut commands: Commands) {
+fn save_picture(
+    mut asked: MessageReader<AppCommand>,
+    mut editor: SceneEditor,
+    writer: Res<ScreenshotWriter>,
+) {
     if asked
         .read()
         .any(|command| *command == AppCommand::Screenshot)
     {
-        commands
-            .spawn(Screenshot::primary_window())
-            .observe(write_screenshot);
+        writer.0.ask(Order::Picture(Box::new(editor.scene())));
+        editor.say("Saving the picture");
     }
 }
 
-fn write_screenshot(
+fn save_window(mut asked: MessageReader<AppCommand>, mut commands: Commands) {
+    if asked
+        .read()
+        .any(|command| *command == AppCommand::ScreenshotOfWindow)
+    {
+        commands
+            .spawn(Screenshot::primary_window())
+            .observe(write_window);
+    }
+}
+
+fn write_window(
     captured: On<ScreenshotCaptured>,
     scene: Res<CurrentScene>,
     writer: Res<ScreenshotWriter>,
 ) {
-    writer.0.ask((captured.image.clone(), scene.0.clone()));
+    let scene = Box::new(scene.scene().clone());
+    writer
+        .0
+        .ask(Order::Window(scene, Box::new(captured.image.clone())));
 }
 
 fn report_screenshot(writer: Res<ScreenshotWriter>, mut toast: ResMut<Toast>) {
@@ -54,21 +81,49 @@ fn report_screenshot(writer: Res<ScreenshotWriter>, mut toast: ResMut<Toast>) {
     }
 }
 
+/// Serves an order, and says which file it has written and how large the picture is.
+///
+/// # Errors
+/// The picture cannot be drawn, encoded or written; one sentence.
+fn write(order: Order, folder: &Path) -> Result<String, String> {
+    let (scene, still) = match order {
+        Order::Picture(scene) => {
+            let still = picture::render(&scene, scene.picture.size());
+            (scene, still.map_err(|error| error.to_string())?)
+        }
+        Order::Window(scene, image) => {
+            let image = image
+                .try_into_dynamic()
+                .map_err(|error| error.to_string())?
+                .to_rgb8();
+            let still = Still {
+                width: image.width(),
+                height: image.height(),
+                rgb: image.into_raw(),
+            };
+            (scene, still)
+        }
+    };
+    let file = write_picture(&still, folder, &scene)?;
+    Ok(format!(
+        "Saved {}, {} x {} pixels",
+        file.display(),
+        still.width,
+        still.height
+    ))
+}
+
 /// Writes a picture of a scene into a folder and returns its file.
 ///
 /// # Errors
 /// The picture cannot be encoded or written; one sentence.
-fn write_picture(image: Image, folder: &Path, scene: &Scene) -> Result<PathBuf, String> {
-    let rgb = image
-        .try_into_dynamic()
-        .map_err(|error| error.to_string())?
-        .to_rgb8();
+fn write_picture(still: &Still, folder: &Path, scene: &Scene) -> Result<PathBuf, String> {
     let file = reserve_file(folder, &scene.name)?;
     let done = picture::write_png(
         &file,
-        rgb.width(),
-        rgb.height(),
-        rgb.as_raw(),
+        still.width,
+        still.height,
+        &still.rgb,
         &scene.to_preset(),
     );
     if done.is_err() {

@@ -5,6 +5,7 @@
 pub(crate) mod end_card;
 pub(crate) mod history;
 pub(crate) mod last_pose;
+pub(crate) mod menu;
 pub(crate) mod overlays;
 pub(crate) mod preferences;
 pub(crate) mod rebinding;

@@ -3,7 +3,7 @@
 use bevy::prelude::Resource;
 
 /// Width of the panel at the right, in points.
-pub(crate) const PANEL_WIDTH: f32 = 384.0;
+pub(crate) const PANEL_WIDTH: f32 = 420.0;
 /// Width of the ray inspector at the left, in points.
 pub(crate) const INSPECTOR_WIDTH: f32 = 390.0;
 
@@ -74,6 +74,27 @@ impl Overlays {
             self.hidden = false;
             self.last_opened = Some(side);
         }
+    }
+
+    /// Closes the side panel that was opened last. Returns whether one was open.
+    pub(crate) fn close_side(&mut self) -> bool {
+        let side = match (self.inspector, self.panel) {
+            (false, false) => return false,
+            (true, true) => self.last_opened,
+            (true, false) => Some(Side::Left),
+            (false, true) => Some(Side::Right),
+        };
+        match side {
+            Some(Side::Left) => self.inspector = false,
+            _ => self.panel = false,
+        }
+        true
+    }
+
+    /// Opens the panel, if it is not open.
+    pub(crate) fn open_panel(&mut self) {
+        (self.panel, self.hidden) = (true, false);
+        self.last_opened = Some(Side::Right);
     }
 
     /// Shares a window of this width, in points: where both panels are open and do not fit, the

@@ -21,7 +21,7 @@ pub(crate) fn plugin(app: &mut App) {
     );
 }
 
-fn apply_overlay_commands(
+pub(crate) fn apply_overlay_commands(
     mut commands: MessageReader<AppCommand>,
     bindings: Res<Bindings>,
     mut overlays: ResMut<Overlays>,
@@ -31,11 +31,10 @@ fn apply_overlay_commands(
         match command {
             AppCommand::Hide => {
                 overlays.hidden = !overlays.hidden;
-                let key = bindings.label("window.hide");
                 toast.say_over_bare_picture(if overlays.hidden {
-                    format!("Only the picture: {key} shows the rest again")
+                    photo_mode_keys(&bindings)
                 } else {
-                    "Everything is shown again".into()
+                    "Photo mode: off".into()
                 });
             }
             AppCommand::Help => {
@@ -54,7 +53,6 @@ fn apply_overlay_commands(
                     "Ray inspector: closed"
                 });
             }
-            AppCommand::Escape => overlays.help = false,
             _ => {}
         }
     }
@@ -62,6 +60,21 @@ fn apply_overlay_commands(
 
 fn opened(what: &str, open: bool) -> String {
     format!("{what}: {}", if open { "open" } else { "closed" })
+}
+
+/// What the photo mode says when it begins.
+fn photo_mode_keys(bindings: &Bindings) -> String {
+    let key = |id| {
+        let keys = bindings.label(id);
+        keys.split(", ").next().unwrap_or_default().to_owned()
+    };
+    format!(
+        "Photo mode: {} {} exposure · {} saves the picture · {} ends",
+        key("picture.brighter"),
+        key("picture.darker"),
+        key("window.screenshot"),
+        key("window.hide")
+    )
 }
 
 fn divide_window_width(mut contexts: EguiContexts, mut overlays: ResMut<Overlays>) {

@@ -6,6 +6,7 @@ pub(crate) mod help;
 pub(crate) mod hud;
 pub(crate) mod inspector;
 pub(crate) mod legend;
+pub(crate) mod menu;
 pub(crate) mod number;
 pub(crate) mod panel;
 pub(crate) mod theme;

@@ -7,6 +7,19 @@ use bevy_egui::{
     EguiContexts, EguiGlobalSettings, EguiPrimaryContextPass, PrimaryEguiContext, egui,
 };
 
+/// The one colour that marks what is chosen: the light of the disk.
+pub(crate) const ACCENT: egui::Color32 = egui::Color32::from_rgb(255, 178, 92);
+/// Colour of texts.
+pub(crate) const TEXT: egui::Color32 = egui::Color32::from_gray(222);
+/// Colour of texts that matter less, still at 7:1 on the panel.
+pub(crate) const WEAK_TEXT: egui::Color32 = egui::Color32::from_gray(160);
+/// Colour of panels.
+pub(crate) const PANEL_FILL: egui::Color32 = egui::Color32::from_rgb(13, 13, 17);
+/// Colour of fields in which something can be typed.
+const FIELD_FILL: egui::Color32 = egui::Color32::from_rgb(24, 24, 30);
+/// Colour of frames, buttons and the rails of sliders.
+const FRAME: egui::Color32 = egui::Color32::from_gray(58);
+
 pub(crate) fn plugin(app: &mut App) {
     app.insert_resource(EguiGlobalSettings {
         auto_create_primary_context: false,
@@ -64,12 +77,14 @@ fn apply_theme(
 ) -> Result {
     let context = contexts.ctx_mut()?;
     if *scale == 0.0 {
-        let mut visuals = egui::Visuals::dark();
-        visuals.override_text_color = Some(egui::Color32::from_gray(215));
-        visuals.weak_text_color = Some(egui::Color32::from_gray(165));
-        visuals.window_fill = egui::Color32::from_rgb(10, 10, 13);
-        context.set_visuals(visuals);
+        context.set_visuals(visuals());
         context.set_fonts(fonts());
+        context.all_styles_mut(|style| {
+            style.spacing.item_spacing = egui::vec2(8.0, 5.0);
+            style.spacing.button_padding = egui::vec2(8.0, 3.0);
+            style.spacing.interact_size.y = 22.0;
+            style.interaction.tooltip_delay = 0.35;
+        });
     }
     let wanted = preferences.settings.ui_scale;
     if *scale != wanted {
@@ -77,4 +92,45 @@ fn apply_theme(
         *scale = wanted;
     }
     Ok(())
+}
+
+/// Calm grey surfaces, framed fields, and one colour for what is chosen.
+fn visuals() -> egui::Visuals {
+    let mut visuals = egui::Visuals::dark();
+    visuals.weak_text_color = Some(WEAK_TEXT);
+    visuals.hyperlink_color = ACCENT;
+    visuals.window_fill = PANEL_FILL;
+    visuals.panel_fill = PANEL_FILL;
+    visuals.window_stroke = egui::Stroke::new(1.0, FRAME);
+    visuals.extreme_bg_color = FIELD_FILL;
+    visuals.text_edit_bg_color = Some(FIELD_FILL);
+    visuals.selection.bg_fill = ACCENT.gamma_multiply(0.30);
+    visuals.selection.stroke = egui::Stroke::new(1.0, egui::Color32::WHITE);
+    visuals.slider_trailing_fill = true;
+    visuals.handle_shape = egui::style::HandleShape::Circle;
+    let widgets = &mut visuals.widgets;
+    for widget in [
+        &mut widgets.noninteractive,
+        &mut widgets.inactive,
+        &mut widgets.hovered,
+        &mut widgets.active,
+        &mut widgets.open,
+    ] {
+        widget.corner_radius = 4.into();
+        widget.fg_stroke.color = TEXT;
+        widget.expansion = 0.0;
+    }
+    widgets.noninteractive.bg_stroke.color = egui::Color32::from_gray(40);
+    widgets.inactive.bg_fill = egui::Color32::from_gray(52);
+    widgets.inactive.weak_bg_fill = egui::Color32::from_gray(36);
+    widgets.inactive.bg_stroke = egui::Stroke::new(1.0, FRAME);
+    widgets.hovered.bg_fill = egui::Color32::from_gray(72);
+    widgets.hovered.weak_bg_fill = egui::Color32::from_gray(50);
+    widgets.hovered.bg_stroke = egui::Stroke::new(1.0, egui::Color32::from_gray(110));
+    widgets.hovered.fg_stroke.color = egui::Color32::WHITE;
+    widgets.active.bg_fill = ACCENT.gamma_multiply(0.5);
+    widgets.active.weak_bg_fill = ACCENT.gamma_multiply(0.35);
+    widgets.active.bg_stroke = egui::Stroke::new(1.0, ACCENT);
+    widgets.active.fg_stroke.color = egui::Color32::WHITE;
+    visuals
 }

@@ -1,135 +1,171 @@
-//! The value of a field on the panel: a check box, a list of words, a text, a slider or a number to
-//! drag.
+//! The value of a field on the panel: a switch, a list of words, a text, or a number with a slider
+//! and a text field.
 
-use crate::app::ui::number::four_decimals;
+use super::choices::choice;
+use super::number_field::{Typed, number_field};
+use super::sections::Shown;
+use super::switch::switch;
 use bevy_egui::egui;
 use lightfall_core::scene::{Field, Kind, Range, Value};
 use std::ops::Bound::{Excluded, Included, Unbounded};
 
-/// Fields with a wider range than this are typed or dragged. Others have a slider.
-const MAX_SLIDER_RANGE: f64 = 1000.0;
+/// Width of a number's text field, in points.
+const NUMBER_WIDTH: f32 = 92.0;
 /// Share of an open range that a slider stays away from its ends.
 const OPEN_END_MARGIN: f64 = 1e-4;
-/// Width of a row's value, in points.
-pub(super) const VALUE_WIDTH: f32 = 190.0;
+/// What the three components of a velocity point to.
+const COMPONENTS: [&str; 3] = [
+    "Outward, away from the hole",
+    "Down, toward the plane of the disk and beyond",
+    "Forward, with the disk's rotation",
+];
 
-/// Shows a field's value. Returns its new value if it was changed.
+/// Shows a field's value in the rest of a row. Returns its new value if it was changed.
+///
+/// # Errors
+/// What was typed is no number.
 pub(super) fn show_value(
     ui: &mut egui::Ui,
     field: &Field,
+    shown: Shown,
     value: &Value,
     range: Range,
-) -> Option<Value> {
-    match (field.kind, value) {
-        (Kind::Boolean, Value::Boolean(on)) => {
-            let mut on = *on;
-            let text = if on { "on" } else { "off" };
-            ui.checkbox(&mut on, text)
-                .changed()
-                .then_some(Value::Boolean(on))
+) -> Result<Option<Value>, String> {
+    Ok(match (field.kind, value) {
+        (Kind::Boolean, Value::Boolean(value)) => {
+            let inverted = shown == Shown::Inverted;
+            let mut on = *value != inverted;
+            switch(ui, &mut on).then_some(Value::Boolean(on != inverted))
         }
-        (Kind::Choice(choices), Value::Word(word)) => {
-            let mut chosen = *word;
-            egui::ComboBox::from_id_salt(field.key)
-                .selected_text(*word)
-                .width(150.0)
-                .show_ui(ui, |ui| {
-                    for choice in choices {
-                        ui.selectable_value(&mut chosen, choice, *choice);
-                    }
-                });
-            (chosen != *word).then_some(Value::Word(chosen))
-        }
+        (Kind::Choice(choices), Value::Word(word)) => show_choices(ui, field.key, choices, word),
         (Kind::Text, Value::Text(text)) => {
             let mut text = text.clone();
-            let edit = egui::TextEdit::singleline(&mut text).desired_width(VALUE_WIDTH - 10.0);
+            let edit = egui::TextEdit::singleline(&mut text)
+                .hint_text("none")
+                .desired_width(ui.available_width() - 8.0);
             ui.add(edit).changed().then_some(Value::Text(text))
         }
         (Kind::Float(_), Value::Float(number)) => {
-            let mut number = *number;
-            drag(ui, &mut number, range, field.unit, false).then_some(Value::Float(number))
+            show_number(ui, field, shown, *number, range, false)
+                .transpose()?
+                .map(Value::Float)
         }
         (Kind::Integer(_), Value::Integer(number)) => {
-            let mut float = *number as f64;
-            drag(ui, &mut float, range, field.unit, true)
-                .then_some(Value::Integer(float.round() as i64))
+            show_number(ui, field, shown, *number as f64, range, true)
+                .transpose()?
+                .map(|number| Value::Integer(number.round() as i64))
         }
         (Kind::Velocity, Value::Velocity(components)) => {
-            let mut components = *components;
-            let mut changed = false;
-            for component in &mut components {
-                changed |= ui.add(number(component, 0.005, "")).changed();
-            }
-            changed.then_some(Value::Velocity(components))
+            show_velocity(ui, field, *components)?.map(Value::Velocity)
         }
         _ => None,
-    }
+    })
 }
 
-/// Shows a number, with a slider where its range is narrow enough. Returns whether it was changed.
-/// A number outside the range can be typed, and is then refused with a reason.
-fn drag(ui: &mut egui::Ui, value: &mut f64, range: Range, unit: &str, whole: bool) -> bool {
-    let suffix = unit_suffix(unit);
-    if let Some((low, high)) = slider_ends(range)
-        && high - low <= MAX_SLIDER_RANGE
-    {
-        let mut slider = egui::Slider::new(value, low..=high)
+fn show_choices(
+    ui: &mut egui::Ui,
+    key: &str,
+    choices: &[&'static str],
+    word: &'static str,
+) -> Option<Value> {
+    let mut chosen = word;
+    egui::ComboBox::from_id_salt(key)
+        .selected_text(choice(key, word)[0])
+        .width(ui.available_width() - 8.0)
+        .show_ui(ui, |ui| {
+            for each in choices {
+                let [name, meaning] = choice(key, each);
+                let label = ui.selectable_value(&mut chosen, each, name);
+                if !meaning.is_empty() {
+                    label.on_hover_text(format!("{meaning} ({each})"));
+                }
+            }
+        });
+    (chosen != word).then_some(Value::Word(chosen))
+}
+
+fn show_velocity(
+    ui: &mut egui::Ui,
+    field: &Field,
+    mut components: [f64; 3],
+) -> Result<Option<[f64; 3]>, String> {
+    let mut changed = false;
+    let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x) / 3.0;
+    for (place, component) in components.iter_mut().enumerate() {
+        let id = egui::Id::new((field.key, place));
+        let shown = ui.scope(|ui| number_field(ui, id, *component, field.unit, width));
+        shown.response.on_hover_text(COMPONENTS[place]);
+        if let Some(typed) = shown.inner {
+            *component = typed?;
+            changed = true;
+        }
+    }
+    Ok(changed.then_some(components))
+}
+
+/// Shows a number with a slider, as wide as the row allows, and a text field. Returns its new value
+/// if it was changed. A number that the field does not allow can be typed, and is then refused with
+/// a reason.
+fn show_number(
+    ui: &mut egui::Ui,
+    field: &Field,
+    shown: Shown,
+    value: f64,
+    range: Range,
+    whole: bool,
+) -> Option<Typed> {
+    let turned = |angle: f64| {
+        if shown == Shown::AboveDisk {
+            90.0 - angle
+        } else {
+            angle
+        }
+    };
+    let mut number = turned(value);
+    let mut slid = false;
+    if let Some((low, high)) = slider_ends(shown, range) {
+        let width = ui.available_width() - NUMBER_WIDTH - ui.spacing().item_spacing.x;
+        ui.spacing_mut().slider_width = width.max(20.0);
+        let mut slider = egui::Slider::new(&mut number, low..=high)
             .clamping(egui::SliderClamping::Never)
-            .suffix(suffix)
-            .smart_aim(true)
-            .custom_formatter(|number, _| four_decimals(number));
+            .show_value(false)
+            .smart_aim(true);
+        if matches!(shown, Shown::Logarithmic(..)) {
+            slider = slider
+                .logarithmic(true)
+                .smallest_positive(low.max(f64::MIN_POSITIVE));
+        }
         if whole {
             slider = slider.integer();
         }
-        return ui.add(slider).changed();
+        slid = ui.add(slider).changed();
     }
-    let speed = if whole {
-        1.0_f64.max(value.abs() * 0.002)
-    } else {
-        1e-3_f64.max(value.abs() * 0.005)
-    };
-    ui.add(number(value, speed, suffix)).changed()
+    let id = egui::Id::new(field.key);
+    let typed = number_field(ui, id, number, field.unit, NUMBER_WIDTH);
+    typed
+        .or(slid.then_some(Ok(number)))
+        .map(|number| number.map(turned))
 }
 
-fn number<'a>(value: &'a mut f64, speed: f64, suffix: &'a str) -> egui::DragValue<'a> {
-    egui::DragValue::new(value)
-        .speed(speed)
-        .suffix(suffix)
-        .custom_formatter(|number, _| four_decimals(number))
-}
-
-/// A unit as it follows a number on the panel.
-fn unit_suffix(unit: &str) -> &str {
-    match unit {
-        "" => "",
-        "degrees" => "°",
-        "r_s" => " r_s",
-        "K" => " K",
-        "pixels" => " px",
-        "cells" => " cells",
-        "powers of two" => " EV",
-        "steps" => " steps",
-        "levels" => " levels",
-        other => other,
-    }
-}
-
-/// The ends of a slider for a range, if the range has two ends.
-fn slider_ends(range: Range) -> Option<(f64, f64)> {
-    let (low, high) = match (range.low, range.high) {
-        (Unbounded, _) | (_, Unbounded) => return None,
-        (Included(low) | Excluded(low), Included(high) | Excluded(high)) => (low, high),
+/// The ends of a field's slider: the useful values among those that the field allows.
+fn slider_ends(shown: Shown, range: Range) -> Option<(f64, f64)> {
+    let (low, high) = match shown {
+        Shown::Linear(low, high) | Shown::Logarithmic(low, high) => (low, high),
+        Shown::AboveDisk => (-90.0, 90.0),
+        Shown::Plain | Shown::Inverted => (f64::NEG_INFINITY, f64::INFINITY),
     };
-    let margin = OPEN_END_MARGIN * (high - low);
-    let low = if matches!(range.low, Excluded(_)) {
-        low + margin
+    let inside = |end, sign: f64| match end {
+        Unbounded => -sign * f64::INFINITY,
+        Included(end) => end,
+        Excluded(end) => end + sign * OPEN_END_MARGIN * f64::abs(end).max(1.0),
+    };
+    let (low, high) = if shown == Shown::AboveDisk {
+        (low, high)
     } else {
-        low
+        (
+            low.max(inside(range.low, 1.0)),
+            high.min(inside(range.high, -1.0)),
+        )
     };
-    let high = if matches!(range.high, Excluded(_)) {
-        high - margin
-    } else {
-        high
-    };
-    Some((low, high))
+    (low.is_finite() && high.is_finite() && low < high).then_some((low, high))
 }

@@ -103,8 +103,6 @@ impl MachinePage {
         let drawn = editor.drawn_scene();
         speed(ui, machine, &drawn.picture, &editor.picture_at_rest());
         ui.add_space(8.0);
-        passes(ui, machine);
-        ui.add_space(8.0);
         ui.strong("Graphics adapter");
         if let Some(info) = &machine.adapter {
             ui.label(format!(
@@ -117,17 +115,23 @@ impl MachinePage {
         }
         self.choose_adapter(ui, machine, chosen);
         ui.add_space(8.0);
-        ui.strong("What this scene needs");
-        for (topic, items) in self.costs.rows(drawn) {
-            ui.horizontal_top(|ui| {
-                let left = egui::Layout::left_to_right(egui::Align::Min);
-                ui.allocate_ui_with_layout(egui::vec2(TOPIC_WIDTH, 18.0), left, |ui| {
-                    ui.set_min_width(TOPIC_WIDTH);
-                    ui.weak(*topic);
-                });
-                ui.add(egui::Label::new(items).wrap());
-            });
-        }
+        egui::CollapsingHeader::new("GPU time of each pass")
+            .show_unindented(ui, |ui| passes(ui, machine));
+        egui::CollapsingHeader::new("What this scene compiles and allocates").show_unindented(
+            ui,
+            |ui| {
+                for (topic, items) in self.costs.rows(drawn) {
+                    ui.horizontal_top(|ui| {
+                        let left = egui::Layout::left_to_right(egui::Align::Min);
+                        ui.allocate_ui_with_layout(egui::vec2(TOPIC_WIDTH, 18.0), left, |ui| {
+                            ui.set_min_width(TOPIC_WIDTH);
+                            ui.weak(*topic);
+                        });
+                        ui.add(egui::Label::new(items).wrap());
+                    });
+                }
+            },
+        );
     }
 
     /// Chooses the adapter for the next start.
@@ -179,14 +183,18 @@ fn speed(ui: &mut egui::Ui, machine: &Machine, drawn: &Picture, at_rest: &Pictur
     ui.strong("Speed");
     let milliseconds = 1e3 * machine.frame_time.0;
     let resting = if machine.pacing.resting {
-        ", because nothing moves"
+        ": fewer, because nothing moves"
     } else {
         ""
     };
-    ui.label(format!(
-        "{:.1} frames per second, {milliseconds:.1} ms each{resting}",
-        1e3 / milliseconds.max(1e-3)
-    ));
+    ui.label(
+        egui::RichText::new(format!(
+            "{:.0} frames per second",
+            1e3 / milliseconds.max(1e-3)
+        ))
+        .size(20.0),
+    );
+    ui.label(format!("{milliseconds:.1} ms per frame{resting}"));
     let coarser = if drawn.size() == at_rest.size() {
         String::new()
     } else {
@@ -201,13 +209,12 @@ fn speed(ui: &mut egui::Ui, machine: &Machine, drawn: &Picture, at_rest: &Pictur
         )
     };
     ui.label(format!(
-        "drawn with {} x {} pixels{coarser}{cells}",
+        "{} x {} pixels drawn{coarser}{cells}",
         drawn.width, drawn.height
     ));
 }
 
 fn passes(ui: &mut egui::Ui, machine: &Machine) {
-    ui.strong("GPU time of the passes");
     let passes = machine.passes();
     egui::Grid::new("passes")
         .num_columns(2)

@@ -1,17 +1,24 @@
 //! The panel at the right: every field of the scene, presets, read-outs, the machine, what the
 //! picture leaves out, and the settings.
 
+pub(crate) mod choices;
 mod field_value;
+mod file_dialog;
+pub(crate) mod idle;
 mod limitations_page;
 mod machine_page;
+mod number_field;
 mod presets_page;
 mod readouts_page;
 mod scene_page;
+pub(crate) mod sections;
 mod settings_page;
 mod step_count;
+mod switch;
 
 use super::dock::docked;
 use crate::app::controls::bindings::{Bindings, PadBindings};
+use crate::app::controls::control::AppCommand;
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::state::overlays::{Overlays, PANEL_WIDTH, Side};
 use crate::app::state::preferences::Preferences;
@@ -61,8 +68,23 @@ pub(crate) fn plugin(app: &mut App) {
     app.init_resource::<Panel>()
         .init_resource::<Rebinding>()
         .add_plugins((machine_page::plugin, step_count::plugin))
-        .add_systems(Update, presets_page::load_dropped_files)
+        .add_systems(Update, (presets_page::load_dropped_files, open_settings))
         .add_systems(EguiPrimaryContextPass, show_panel);
+}
+
+/// Opens the panel on its page of settings.
+fn open_settings(
+    mut commands: MessageReader<AppCommand>,
+    mut overlays: ResMut<Overlays>,
+    mut panel: ResMut<Panel>,
+) {
+    if commands
+        .read()
+        .any(|command| *command == AppCommand::Settings)
+    {
+        overlays.open_panel();
+        panel.page = Page::Settings;
+    }
 }
 
 fn show_panel(

@@ -1,7 +1,9 @@
 //! The page of presets: the built-in ones, the user's own, saving, and loading from a file. A preset
 //! file or picture that is dropped on the window is loaded too.
 
+use super::file_dialog::{FileDialog, Picked};
 use crate::app::state::scene_editor::SceneEditor;
+use crate::app::ui::theme::{ACCENT, WEAK_TEXT};
 use crate::storage::{
     create_parent_folder, file_safe_name, preset_files, presets_folder, read_scene,
     write_atomically,
@@ -22,10 +24,13 @@ pub(super) struct PresetsPage {
     name: String,
     /// The file to load.
     path: String,
-    /// The file that the next press of `Replace it` replaces.
+    /// The file that the user is asked about: whether it is to be replaced.
     replace: Option<PathBuf>,
+    /// What was saved or read last, or what went wrong.
+    report: String,
     /// The files of the user's folder. None until they are read again.
     files: Option<Vec<PathBuf>>,
+    dialog: FileDialog,
 }
 
 impl PresetsPage {
@@ -37,96 +42,130 @@ impl PresetsPage {
         {
             self.own = None;
         }
+        heading(ui, "Built in");
         show_built_in(ui, editor);
-        ui.separator();
-        ui.strong("Your own");
+        ui.add_space(10.0);
+        heading(ui, "Open a file");
+        self.show_opening(ui, editor);
+        ui.add_space(10.0);
+        heading(ui, "Your own");
         let Some(folder) = presets_folder() else {
-            ui.label("This system has no folder for settings, and so none for presets.");
+            ui.label("This system has no folder for settings, so presets cannot be kept.");
             return;
         };
+        self.show_saving(ui, editor, &folder);
+        ui.add_space(6.0);
         self.show_own(ui, editor, &folder);
         ui.add_space(6.0);
-        self.show_saving(ui, editor, &folder);
-        ui.separator();
-        ui.strong("From a file");
+        note(ui, &format!("They are files in {}", folder.display()));
+    }
+
+    /// The fields that open a preset or a picture.
+    fn show_opening(&mut self, ui: &mut egui::Ui, editor: &mut SceneEditor) {
         ui.horizontal(|ui| {
             ui.add(
                 egui::TextEdit::singleline(&mut self.path)
-                    .hint_text("path of a preset or picture")
-                    .desired_width(220.0),
+                    .hint_text("Path of a preset or picture")
+                    .desired_width(ui.available_width() - 150.0),
             );
             let given = !self.path.trim().is_empty();
-            if ui.add_enabled(given, egui::Button::new("Load")).clicked() {
+            if ui.add_enabled(given, egui::Button::new("Open")).clicked() {
                 self.open(editor, &PathBuf::from(self.path.trim()));
             }
+            let browse = egui::Button::new("Browse");
+            if ui.add_enabled(!self.dialog.is_open(), browse).clicked() {
+                self.dialog.open(presets_folder());
+            }
         });
-        ui.weak("Or drop a preset file, or a picture that Lightfall drew, on the window.");
-        ui.weak("`lightfall --preset` and `lightfall render` accept the same files.");
-        ui.weak(format!("Your own presets are in {}", folder.display()));
+        match self.dialog.answer() {
+            Some(Picked::File(file)) => {
+                self.path = file.display().to_string();
+                self.open(editor, &file);
+            }
+            Some(Picked::NoDialog) => {
+                editor.say("This desktop offers no file dialog. Type the path, or drop the file on the window");
+            }
+            Some(Picked::Nothing) | None => {}
+        }
+        note(
+            ui,
+            "Or drop a preset, or a picture that Lightfall saved, on the window.",
+        );
     }
 
+    /// The list of the user's presets.
     fn show_own(&mut self, ui: &mut egui::Ui, editor: &mut SceneEditor, folder: &Path) {
         let files = self
             .files
             .get_or_insert_with(|| preset_files(folder))
             .clone();
         if files.is_empty() {
-            ui.weak("None yet.");
+            note(ui, "None yet.");
         }
         for file in files {
             let name = file.file_stem().unwrap_or_default().to_string_lossy();
             let is_open = self.own.as_ref().is_some_and(|(own, _)| *own == file);
-            if ui.selectable_label(is_open, name).clicked() {
+            if entry(ui, is_open, &name, "").clicked() {
                 self.open(editor, &file);
             }
         }
     }
 
+    /// The field that saves. What it says or asks has a line of its own that is always there, so
+    /// that nothing moves under the mouse. The question is answered at the other end of the line
+    /// than where `Save` is.
     fn show_saving(&mut self, ui: &mut egui::Ui, editor: &mut SceneEditor, folder: &Path) {
-        if let Some((own, _)) = self.own.clone() {
-            let name = own.file_name().unwrap_or_default().to_string_lossy();
-            if ui.button(format!("Save {name}")).clicked() {
-                self.save(editor, &own);
-            }
-        }
         let safe_name = file_safe_name(self.name.trim());
+        let file = folder.join(format!("{safe_name}.toml"));
         ui.horizontal(|ui| {
-            ui.add(
-                egui::TextEdit::singleline(&mut self.name)
-                    .hint_text("name")
-                    .desired_width(170.0),
-            );
-            let file = folder.join(format!("{safe_name}.toml"));
-            let confirmed = self.replace.as_ref() == Some(&file);
-            let text = if confirmed { "Replace it" } else { "Save as" };
-            let button = egui::Button::new(text);
-            if !ui.add_enabled(!safe_name.is_empty(), button).clicked() {
-                return;
+            let edit = egui::TextEdit::singleline(&mut self.name)
+                .hint_text("Name of a new preset")
+                .desired_width(ui.available_width() - 150.0);
+            let field = ui.add(edit);
+            if field.changed() {
+                (self.replace, self.report) = (None, String::new());
             }
-            if file.exists() && !confirmed {
-                editor.say(format!(
-                    "{} exists already; press again to replace it",
-                    file.display()
-                ));
-                self.replace = Some(file);
-            } else {
-                self.save(editor, &file);
+            let save = egui::Button::new("Save");
+            if ui.add_enabled(!safe_name.is_empty(), save).clicked() {
+                if file.exists() {
+                    self.replace = Some(file.clone());
+                } else {
+                    self.save(editor, &file);
+                }
             }
         });
-        if safe_name != self.name.trim() {
-            ui.weak(format!(
-                "The file will be {safe_name}.toml: names have letters, digits, - and _ only."
-            ));
-        }
+        ui.horizontal(|ui| {
+            ui.set_min_height(24.0);
+            if self.replace.as_ref() == Some(&file) {
+                if ui.button("Replace").clicked() {
+                    self.save(editor, &file);
+                }
+                if ui.button("Keep").clicked() {
+                    self.replace = None;
+                }
+                ui.colored_label(ACCENT, format!("{safe_name} exists. Replace it?"));
+            } else if safe_name != self.name.trim() {
+                note(ui, &format!("Will be saved as {safe_name}"));
+            } else {
+                note(ui, &self.report);
+            }
+        });
     }
 
     fn open(&mut self, editor: &mut SceneEditor, file: &Path) {
+        (self.replace, self.report) = (None, String::new());
         if editor.load("", read_preset(file)) {
             self.own = Some((file.to_owned(), editor.loaded().clone()));
+            let folder = presets_folder();
+            if file.parent() == folder.as_deref() {
+                let name = file.file_stem().unwrap_or_default();
+                self.name = name.to_string_lossy().into_owned();
+            }
         }
     }
 
     fn save(&mut self, editor: &mut SceneEditor, file: &Path) {
+        self.replace = None;
         let mut scene = editor.scene();
         // As long as a file-safe name may be.
         scene.name = file
@@ -140,10 +179,11 @@ impl PresetsPage {
             .and_then(|()| write_atomically(file, scene.to_preset().as_bytes()));
         match written {
             Ok(()) => {
+                self.report = format!("Saved as {}", scene.name);
                 editor.change("", scene);
                 editor.say(format!("Saved: {}", file.display()));
                 self.own = Some((file.to_owned(), editor.loaded().clone()));
-                (self.replace, self.files) = (None, None);
+                self.files = None;
             }
             Err(error) => editor.say(error.to_string()),
         }
@@ -151,19 +191,44 @@ impl PresetsPage {
 }
 
 fn show_built_in(ui: &mut egui::Ui, editor: &mut SceneEditor) {
-    ui.strong("Built in");
     let name = editor.drawn_scene().name.clone();
     for preset in presets::PRESETS {
         let scene = preset.plain_scene();
-        let text = format!("{}  {}", preset.number, preset.name);
-        if ui
-            .selectable_label(name == preset.name, text)
-            .on_hover_text(&scene.title)
+        let number = preset.number.to_string();
+        if entry(ui, name == preset.name, &scene.title, &number)
+            .on_hover_text(format!("{}: lightfall --preset {number}", preset.name))
             .clicked()
         {
             editor.load("", Ok(scene.clone()));
         }
     }
+}
+
+/// A line of a list, as wide as the page, with a key before it.
+fn entry(ui: &mut egui::Ui, selected: bool, text: &str, key: &str) -> egui::Response {
+    let line = if key.is_empty() {
+        text.to_owned()
+    } else {
+        format!("{key}   {text}")
+    };
+    let width = ui.available_width();
+    ui.scope(|ui| {
+        ui.set_min_width(width);
+        let left = egui::Layout::top_down_justified(egui::Align::Min);
+        ui.with_layout(left, |ui| {
+            ui.add(egui::Button::selectable(selected, line).truncate())
+        })
+        .inner
+    })
+    .inner
+}
+
+fn heading(ui: &mut egui::Ui, text: &str) {
+    ui.label(egui::RichText::new(text).strong().size(15.0));
+}
+
+fn note(ui: &mut egui::Ui, text: &str) {
+    ui.label(egui::RichText::new(text).size(12.5).color(WEAK_TEXT));
 }
 
 /// The scene of a preset file or of a picture.

@@ -1,23 +1,23 @@
-//! The page of the scene: one row for every field of the field table, so that a new field appears
-//! here by itself.
+//! The page of the scene: one row for every field of the field table, in sections.
 
-use super::field_value::{VALUE_WIDTH, show_value};
+use super::field_value::show_value;
+use super::idle::why_idle;
+use super::sections::{RowText, SECTIONS, Shown};
 use super::step_count::StepCounter;
 use crate::app::controls::bindings::Bindings;
 use crate::app::state::scene_editor::SceneEditor;
+use crate::app::ui::theme::{ACCENT, WEAK_TEXT};
 use crate::render::letterbox;
 use bevy::math::UVec2;
 use bevy_egui::egui;
-use lightfall_core::scene::{FIELDS, Field, Picture, Range, Value};
+use lightfall_core::scene::{FIELDS, Field, Picture, Range, Scene, Value, field};
 use std::ops::Bound::Included;
 
-/// Smallest width of a row's name, in points.
-const MIN_NAME_WIDTH: f32 = 90.0;
-/// Width kept for the button that resets a row, in points.
-const RESET_WIDTH: f32 = 36.0;
-
-/// The tables that are open at first.
-const OPEN_TABLES: [&str; 3] = ["scene", "hole", "camera"];
+/// Width of a row's label and of the button that resets it, in points.
+const LABEL_WIDTH: f32 = 126.0;
+const RESET_WIDTH: f32 = 22.0;
+/// Opacity of a row that changes nothing at present.
+const IDLE_OPACITY: f32 = 0.45;
 
 /// The fields below which the number of steps is shown.
 const FIELDS_WITH_STEPS: [&str; 2] = ["method", "quality.max_error_px"];
@@ -32,6 +32,9 @@ pub(super) struct ScenePage {
 /// The field below which the number of cells or pixels in the window is shown.
 const FIELD_WITH_CELLS: &str = "picture.grid_height";
 
+/// A change that a row asks for: the field, and its new value or what is wrong with it.
+type Change = (&'static str, Result<Value, String>);
+
 impl ScenePage {
     pub(super) fn show(
         &mut self,
@@ -41,57 +44,180 @@ impl ScenePage {
         bindings: &Bindings,
         window: UVec2,
     ) {
+        self.show_head(ui, editor, bindings);
+        let scene = editor.scene();
+        let loaded = editor.loaded().clone();
+        let mut change = None;
+        for section in SECTIONS {
+            let heading = egui::RichText::new(section.title).strong().size(15.0);
+            egui::CollapsingHeader::new(heading)
+                .id_salt(section.title)
+                .default_open(section.open)
+                .show_unindented(ui, |ui| {
+                    for text in section.rows {
+                        let Some(field) = field(text.key) else {
+                            continue;
+                        };
+                        let asked = show_row(ui, text.label, field, text.shown, &scene, &loaded);
+                        change = asked.or(change.take());
+                        self.show_notes(ui, field, steps);
+                        if field.key == FIELD_WITH_CELLS {
+                            let drawn = &editor.drawn_scene().picture;
+                            ui.weak(drawn_in_words(drawn, window, bindings));
+                        }
+                    }
+                    ui.add_space(6.0);
+                });
+        }
+        change = self.show_other_fields(ui, &scene, &loaded).or(change);
+        if let Some((key, value)) = change {
+            let changed = value.and_then(|value| {
+                // An exposure that is set by hand stays as it is.
+                let by_hand = (key == "picture.exposure_ev")
+                    .then_some(("picture.automatic_exposure", Value::Boolean(false)));
+                scene
+                    .with([(key, value)].into_iter().chain(by_hand))
+                    .map_err(|refusal| refusal.to_string())
+                    .and_then(|changed| editor.try_change(changed))
+            });
+            self.refused = changed.err().map(|reason| (key, reason));
+        }
+    }
+
+    /// The buttons above the rows.
+    fn show_head(&mut self, ui: &mut egui::Ui, editor: &mut SceneEditor, bindings: &Bindings) {
         ui.horizontal(|ui| {
+            let preset = editor.loaded().name.clone();
             if ui
-                .button("Reset all")
-                .on_hover_text("Everything as it was loaded")
+                .button("Back to the preset")
+                .on_hover_text(format!("Every field as {preset} has it"))
                 .clicked()
             {
                 editor.reset();
                 self.refused = None;
             }
-            if ui.button("Undo").clicked() {
+            let undo = bindings.label("scene.undo");
+            if ui
+                .button("Undo")
+                .on_hover_text(format!("Takes the last change back, as {undo} does"))
+                .clicked()
+            {
                 editor.undo();
                 self.refused = None;
             }
-            ui.weak("Point at a name to see what it means.");
         });
-        ui.spacing_mut().slider_width = 100.0;
-        let scene = editor.scene();
-        let values: Vec<(&Field, Value)> = scene.values().collect();
-        let loaded: Vec<Value> = editor.loaded().values().map(|(_, value)| value).collect();
+        ui.label(
+            egui::RichText::new("Point at a name to see what it means.")
+                .size(12.5)
+                .color(WEAK_TEXT),
+        );
+        ui.add_space(2.0);
+    }
+
+    /// What is said below a row: why its last change was refused, and how much work it means.
+    fn show_notes(&self, ui: &mut egui::Ui, field: &Field, steps: &StepCounter) {
+        if let Some((_, reason)) = self.refused.as_ref().filter(|(key, _)| *key == field.key) {
+            ui.colored_label(ui.visuals().error_fg_color, reason);
+        }
+        if FIELDS_WITH_STEPS.contains(&field.key) {
+            ui.weak(steps.in_words())
+                .on_hover_text("The work that method and largest error mean for this picture");
+        }
+    }
+
+    /// The fields that no section has, if there are any.
+    fn show_other_fields(
+        &self,
+        ui: &mut egui::Ui,
+        scene: &Scene,
+        loaded: &Scene,
+    ) -> Option<Change> {
+        let listed = |key| {
+            let mut rows = SECTIONS.iter().flat_map(|section| section.rows);
+            rows.any(|row: &RowText| row.key == key)
+        };
+        let others: Vec<_> = FIELDS
+            .iter()
+            .filter(|field| !listed(field.key) && !has_one_value(field.kind.range()))
+            .collect();
+        if others.is_empty() {
+            return None;
+        }
         let mut change = None;
-        for (heading, first, last) in tables() {
-            egui::CollapsingHeader::new(heading).default_open(OPEN_TABLES.contains(&heading)).show(ui, |ui| {
-            for (i, (field, value)) in values.iter().enumerate().take(last).skip(first) {
-                let (range, _) = scene.range(field);
-                if matches!(range, Range { low: Included(low), high: Included(high) } if low == high) {
-                    continue;
-                }
-                let fresh = row(ui, field, value, range, &loaded[i]);
-                change = fresh.map(|fresh| (field.key, fresh)).or(change.take());
-                if let Some((_, reason)) = self.refused.as_ref().filter(|(key, _)| *key == field.key) {
-                    ui.colored_label(ui.visuals().error_fg_color, reason);
-                }
-                if FIELDS_WITH_STEPS.contains(&field.key) {
-                    ui.weak(steps.in_words()).on_hover_text("The work that method and error setting mean for this picture");
-                }
-                if field.key == FIELD_WITH_CELLS {
-                    ui.weak(drawn_in_words(&editor.drawn_scene().picture, window, bindings));
-                }
+        ui.collapsing("More", |ui| {
+            for field in others {
+                let asked = show_row(ui, field.key, field, Shown::Plain, scene, loaded);
+                change = asked.or(change.take());
             }
         });
+        change
+    }
+}
+
+/// Whether a range leaves no choice.
+fn has_one_value(range: Range) -> bool {
+    matches!(range, Range { low: Included(low), high: Included(high) } if low == high)
+}
+
+/// Shows one field. Returns its new value if it was changed.
+fn show_row(
+    ui: &mut egui::Ui,
+    label: &str,
+    field: &'static Field,
+    shown: Shown,
+    scene: &Scene,
+    loaded: &Scene,
+) -> Option<Change> {
+    let (value, original) = (field.get(scene), field.get(loaded));
+    let (range, _) = scene.range(field);
+    let idle = why_idle(scene, field.key);
+    let mut change = None;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        if idle.is_some() {
+            ui.set_opacity(IDLE_OPACITY);
         }
-        if let Some((key, value)) = change {
-            // An exposure that is set by hand stays as it is.
-            let by_hand = (key == "picture.exposure_ev")
-                .then_some(("picture.automatic_exposure", Value::Boolean(false)));
-            let changed = scene
-                .with([(key, value)].into_iter().chain(by_hand))
-                .map_err(|refusal| refusal.to_string())
-                .and_then(|changed| editor.try_change(changed));
-            self.refused = changed.err().map(|reason| (key, reason));
+        let is_changed = value != original;
+        let colour = if is_changed {
+            ACCENT
+        } else {
+            ui.visuals().text_color()
+        };
+        let left = egui::Layout::left_to_right(egui::Align::Center);
+        ui.allocate_ui_with_layout(egui::vec2(LABEL_WIDTH, 22.0), left, |ui| {
+            ui.set_min_width(LABEL_WIDTH);
+            let text = egui::RichText::new(label).color(colour);
+            ui.add(
+                egui::Label::new(text)
+                    .truncate()
+                    .sense(egui::Sense::hover()),
+            )
+            .on_hover_text(help(field, idle));
+        });
+        let width = ui.available_width() - RESET_WIDTH;
+        ui.allocate_ui_with_layout(egui::vec2(width, 22.0), left, |ui| {
+            ui.set_min_width(width);
+            change = show_value(ui, field, shown, &value, range).transpose();
+        });
+        if is_changed
+            && ui
+                .add(egui::Button::new("⟲").small().frame(false))
+                .on_hover_text("As the preset has it")
+                .clicked()
+        {
+            change = Some(Ok(original));
         }
+    });
+    change.map(|value| (field.key, value))
+}
+
+/// The help of a field: what it means, its name in a preset with what it takes, and why it changes
+/// nothing at present.
+fn help(field: &Field, idle: Option<&str>) -> String {
+    let help = format!("{}\n\n{}: {}", field.about, field.key, field.allowed());
+    match idle {
+        Some(reason) => format!("{reason}\n\n{help}"),
+        None => help,
     }
 }
 
@@ -110,70 +236,4 @@ fn drawn_in_words(picture: &Picture, window: UVec2, bindings: &Bindings) -> Stri
         extent.x / grid.x as f32,
         bindings.label("picture.bypass")
     )
-}
-
-/// The tables of the field table: a heading, the first field, and one past the last field.
-fn tables() -> Vec<(&'static str, usize, usize)> {
-    let table = |field: &Field| {
-        field
-            .key
-            .split_once('.')
-            .map_or("scene", |(table, _)| table)
-    };
-    let mut first = 0;
-    FIELDS
-        .chunk_by(|a, b| table(a) == table(b))
-        .map(|fields| {
-            let part = (table(&fields[0]), first, first + fields.len());
-            first = part.2;
-            part
-        })
-        .collect()
-}
-
-/// Shows one field. Returns its new value if it was changed.
-fn row(
-    ui: &mut egui::Ui,
-    field: &Field,
-    value: &Value,
-    range: Range,
-    loaded: &Value,
-) -> Option<Value> {
-    let name = field
-        .key
-        .split_once('.')
-        .map_or(field.key, |(_, name)| name);
-    let mut change = None;
-    let width = ui
-        .available_width()
-        .min(ui.clip_rect().right() - ui.cursor().left())
-        - VALUE_WIDTH
-        - RESET_WIDTH;
-    let width = width.max(MIN_NAME_WIDTH);
-    ui.horizontal(|ui| {
-        ui.set_min_height(22.0);
-        ui.spacing_mut().item_spacing.x = 4.0;
-        let text = egui::RichText::new(name);
-        let text = if value == loaded { text } else { text.strong() };
-        let about = format!("{}\n{} = {}", field.about, field.key, field.allowed());
-        let left = egui::Layout::left_to_right(egui::Align::Center);
-        ui.allocate_ui_with_layout(egui::vec2(width, 20.0), left, |ui| {
-            ui.set_min_width(width);
-            ui.add(egui::Label::new(text).truncate())
-                .on_hover_text(about);
-        });
-        ui.allocate_ui_with_layout(egui::vec2(VALUE_WIDTH, 20.0), left, |ui| {
-            ui.set_min_width(VALUE_WIDTH);
-            change = show_value(ui, field, value, range);
-        });
-        if value != loaded
-            && ui
-                .small_button("⟲")
-                .on_hover_text("As it was loaded")
-                .clicked()
-        {
-            change = Some(loaded.clone());
-        }
-    });
-    change
 }

@@ -1,0 +1,161 @@
+//! How the menu looks, and the mouse in it.
+
+use super::MenuActions;
+use crate::app::controls::bindings::Bindings;
+use crate::app::state::menu::{Menu, MenuEntry};
+use crate::app::ui::theme::{ACCENT, TEXT, WEAK_TEXT};
+use bevy::prelude::*;
+use bevy_egui::{EguiContexts, egui};
+use egui::{Align2, Color32, FontId, Sense};
+use lightfall_core::scene::presets::PRESETS;
+
+/// Width of the first list and of the list of places, in points.
+const WIDTH: f32 = 300.0;
+const PLACES_WIDTH: f32 = 560.0;
+/// Height of an entry and room around its text, in points.
+const ENTRY_HEIGHT: f32 = 34.0;
+const PADDING: f32 = 14.0;
+/// The picture behind the menu is darkened by this.
+const SHADE: Color32 = Color32::from_black_alpha(130);
+
+pub(super) fn show_menu(
+    mut contexts: EguiContexts,
+    bindings: Res<Bindings>,
+    mut actions: MenuActions,
+) -> Result {
+    if !actions.menu.is_open() {
+        return Ok(());
+    }
+    let context = contexts.ctx_mut()?;
+    let screen = context.content_rect();
+    let mut clicked = None;
+    egui::Area::new("menu".into())
+        .order(egui::Order::Foreground)
+        .fixed_pos(screen.min)
+        .constrain(false)
+        .show(context, |ui| {
+            // The shade takes every click that is meant for nothing in the menu.
+            ui.painter().rect_filled(screen, 0.0, SHADE);
+            ui.allocate_rect(screen, Sense::click_and_drag());
+            let width = if actions.menu.shows_places() {
+                PLACES_WIDTH
+            } else {
+                WIDTH
+            };
+            let entries = actions.menu.entries();
+            let height = ENTRY_HEIGHT * entries.len() as f32 + 96.0;
+            let size = egui::vec2(width, height).min(screen.size() - egui::Vec2::splat(16.0));
+            let frame = egui::Rect::from_center_size(screen.center(), size);
+            ui.painter()
+                .rect_filled(frame, 10.0, Color32::from_rgb(12, 12, 16));
+            let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(frame.shrink(PADDING)));
+            clicked = show_entries(&mut inside, &mut actions.menu, &entries, &bindings);
+        });
+    if let Some(entry) = clicked {
+        actions.choose(entry);
+    }
+    Ok(())
+}
+
+/// Shows the title, the entries and a line about the keys. Returns the entry that was clicked.
+fn show_entries(
+    ui: &mut egui::Ui,
+    menu: &mut Menu,
+    entries: &[MenuEntry],
+    bindings: &Bindings,
+) -> Option<MenuEntry> {
+    let mut clicked = None;
+    ui.spacing_mut().item_spacing.y = 0.0;
+    let title = if menu.shows_places() {
+        "Places"
+    } else {
+        "Lightfall"
+    };
+    ui.label(egui::RichText::new(title).size(20.0).color(ACCENT));
+    ui.add_space(10.0);
+    let room = ui.available_height() - 28.0;
+    egui::ScrollArea::vertical()
+        .max_height(room)
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
+            for entry in entries {
+                let selected = menu.selected() == *entry;
+                let response = show_entry(ui, *entry, selected, bindings);
+                if response.hovered() && ui.input(|input| input.pointer.is_moving()) {
+                    menu.select(*entry);
+                }
+                if selected && !response.hovered() {
+                    response.scroll_to_me(None);
+                }
+                if response.clicked() {
+                    clicked = Some(*entry);
+                }
+            }
+        });
+    ui.add_space(10.0);
+    ui.label(
+        egui::RichText::new("Up, Down and Enter choose")
+            .size(12.5)
+            .color(WEAK_TEXT),
+    );
+    clicked
+}
+
+/// Shows one entry: its name at the left, its key at the right.
+fn show_entry(
+    ui: &mut egui::Ui,
+    entry: MenuEntry,
+    selected: bool,
+    bindings: &Bindings,
+) -> egui::Response {
+    let size = egui::vec2(ui.available_width(), ENTRY_HEIGHT);
+    let (area, response) = ui.allocate_exact_size(size, Sense::click());
+    let [name, key] = words(entry, bindings);
+    let painter = ui.painter();
+    if selected {
+        painter.rect_filled(area, 5.0, ACCENT.gamma_multiply(0.16));
+        let bar = egui::Rect::from_min_size(area.min, egui::vec2(3.0, area.height()));
+        painter.rect_filled(bar, 1.5, ACCENT);
+    }
+    let colour = if selected { Color32::WHITE } else { TEXT };
+    let inside = area.shrink2(egui::vec2(12.0, 0.0));
+    let key = painter.text(
+        inside.right_center(),
+        Align2::RIGHT_CENTER,
+        key,
+        FontId::proportional(13.0),
+        WEAK_TEXT,
+    );
+    // A name that is too long ends in an ellipsis before the key.
+    let mut name =
+        egui::text::LayoutJob::simple_singleline(name, FontId::proportional(16.0), colour);
+    name.wrap = egui::text::TextWrapping::truncate_at_width(key.left() - 12.0 - inside.left());
+    let name = painter.layout_job(name);
+    let at = inside.left_center() - egui::vec2(0.0, 0.5 * name.size().y);
+    painter.galley(at, name, colour);
+    response
+}
+
+/// An entry's name and its key.
+fn words(entry: MenuEntry, bindings: &Bindings) -> [String; 2] {
+    let (name, id) = match entry {
+        MenuEntry::Resume => ("Resume", "fly.escape"),
+        MenuEntry::Places => ("Places", ""),
+        MenuEntry::Help => ("Help: all keys", "window.help"),
+        MenuEntry::Settings => ("Settings", ""),
+        MenuEntry::PhotoMode => ("Photo mode", "window.hide"),
+        MenuEntry::FullScreen => ("Full screen", "window.fullscreen"),
+        MenuEntry::Quit => ("Quit", "window.quit"),
+        MenuEntry::Back => ("Back", ""),
+        MenuEntry::Place(place) => {
+            let Some(preset) = PRESETS.get(place) else {
+                return [String::new(), String::new()];
+            };
+            let key = bindings.label(&format!("preset.{}", preset.number));
+            return [preset.plain_scene().title.clone(), key];
+        }
+    };
+    let keys = bindings.label(id);
+    let first = keys.split(", ").next().unwrap_or_default();
+    [name.into(), first.into()]
+}

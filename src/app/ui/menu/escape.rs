@@ -1,0 +1,37 @@
+//! What Esc does: it ends or closes the uppermost thing, and opens the menu where there is none.
+
+use crate::app::controls::control::AppCommand;
+use crate::app::motion::pilot::Pilot;
+use crate::app::state::end_card::EndCard;
+use crate::app::state::menu::Menu;
+use crate::app::state::overlays::Overlays;
+use bevy::prelude::*;
+
+/// Frees the mouse; or ends the photo mode; or closes the help, the card at the end of a flight, or
+/// a panel; or opens the menu.
+pub(super) fn apply_escape(
+    mut commands: MessageReader<AppCommand>,
+    mut pilot: ResMut<Pilot>,
+    mut overlays: ResMut<Overlays>,
+    end_card: Res<EndCard>,
+    mut menu: ResMut<Menu>,
+) {
+    // Any key closes the card before this system runs.
+    let closed_card = end_card.is_changed() && !end_card.is_open() && !end_card.is_added();
+    let presses = commands
+        .read()
+        .filter(|command| **command == AppCommand::Escape)
+        .count();
+    if presses == 0 || closed_card || menu.is_open() {
+        return;
+    }
+    if pilot.free_look {
+        pilot.free_look = false;
+    } else if overlays.hidden {
+        overlays.hidden = false;
+    } else if overlays.help {
+        overlays.help = false;
+    } else if !overlays.close_side() {
+        menu.open();
+    }
+}

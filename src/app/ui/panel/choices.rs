@@ -1,0 +1,69 @@
+//! The words of enumerations on the panel: what each choice is called, and what it means.
+
+/// What a choice of a field is called, and what it means in one line. A choice without an entry is
+/// called by its word in a preset.
+#[must_use]
+pub fn choice(key: &str, word: &'static str) -> [&'static str; 2] {
+    match (key, word) {
+        ("method", "auto") => [
+            "Best for this scene",
+            "Closed form without spin, Mino time with spin",
+        ],
+        ("method", "verlet") => [
+            "Verlet steps",
+            "Small steps in space, without spin; the article's method",
+        ],
+        ("method", "closed") => [
+            "Closed form",
+            "Elliptic functions, without spin; exact to the numbers' own precision",
+        ],
+        ("method", "mino") => [
+            "Mino time",
+            "Kerr's equations in Mino time, with or without spin; the error is bounded",
+        ],
+        ("method", "kerr-schild") => [
+            "Kerr-Schild steps",
+            "Runge-Kutta steps in ingoing coordinates, for comparison",
+        ],
+        ("method", "reference") => [
+            "Reference",
+            "In double precision on the processor; not for the window",
+        ],
+        ("view", "colour") => ["Light", "What the camera sees"],
+        ("view", "unfinished") => [
+            "Light, unfinished marked",
+            "Rays that ran out of steps are magenta",
+        ],
+        ("view", "classes") => [
+            "Fate of each ray",
+            "Sky, hole or disk, and how often the ray crosses the disk",
+        ],
+        ("view", "residual") => ["Residual", "How far each ray strays from being light-like"],
+        ("view", "order") => ["Order of the image", "Half-turns of the ray about the hole"],
+        ("view", "redshift") => ["Redshift", "Observed over emitted frequency"],
+        ("view", "error") => ["Error", "Difference from the reference, in pixels"],
+        ("view", "steps") => ["Steps", "How many steps each ray takes"],
+        ("observer.kind", "static") => [
+            "At rest",
+            "Hovers at one place; not possible very near a spinning hole",
+        ],
+        ("observer.kind", "zamo") => [
+            "Zero angular momentum",
+            "Hovers at one distance, and is carried round by the hole's spin",
+        ],
+        ("observer.kind", "orbit") => ["Circular orbit", "Circles freely in the plane of the disk"],
+        ("observer.kind", "rain") => [
+            "Free fall",
+            "Falls freely from far away; the only one inside the horizon",
+        ],
+        ("disk.model", "newtonian") => ["Newtonian", "The thin disk of Newtonian gravity"],
+        ("disk.model", "page-thorne") => [
+            "Relativistic",
+            "The thin disk around a spinning hole, after Page and Thorne 1974",
+        ],
+        ("sky.mode", "stars") => ["Stars", "Stars at random places and a milky band"],
+        ("sky.mode", "grid") => ["Grid", "Lines of celestial latitude and longitude"],
+        ("sky.mode", "off") => ["None", "A black sky"],
+        _ => [word, ""],
+    }
+}

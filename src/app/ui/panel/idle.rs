@@ -1,0 +1,46 @@
+//! Which fields of a scene change nothing at present, and why.
+
+use lightfall_core::scene::{AccuracySetting, Content, Scene, SkyMode};
+
+/// Why a field changes nothing in this scene, in one sentence. None if it matters, as far as the
+/// program knows.
+#[must_use]
+pub fn why_idle(scene: &Scene, key: &str) -> Option<&'static str> {
+    let (table, field) = key.split_once('.').unwrap_or(("", key));
+    let setting = scene.method.resolved(scene.hole.spin).properties().setting;
+    let light = scene.view.properties().content;
+    match (table, field) {
+        ("disk", "enabled") | ("probe", "enabled") | ("sky", "mode" | "reference_star") => None,
+        ("disk", _) if !scene.disk.enabled => Some("The disk is off."),
+        ("disk", "inner") if scene.disk.follow_isco => {
+            Some("The disk begins at the innermost stable orbit.")
+        }
+        ("disk", "temperature_k" | "brightness" | "model") if light != Content::Light => {
+            Some("This view shows no light.")
+        }
+        ("sky", "reference_theta_deg" | "reference_phi_deg") if !scene.sky.reference_star => {
+            Some("The extra star is off.")
+        }
+        ("sky", "seed") if scene.sky.mode != SkyMode::Stars => Some("The sky shows no stars."),
+        ("sky", "brightness") if scene.sky.mode == SkyMode::Off && !scene.sky.reference_star => {
+            Some("The sky is off.")
+        }
+        ("probe", _) if !scene.probe.enabled => Some("The probe is off."),
+        ("effects", "beaming") if light != Content::Light => Some("This view shows no light."),
+        ("effects", "doppler" | "gravitational_shift") if light == Content::Rays => {
+            Some("This view shows no light.")
+        }
+        ("picture", "levels" | "dither" | "grid_width" | "grid_height") if scene.picture.bypass => {
+            Some("The pixel look is off.")
+        }
+        ("quality", "max_error_px") if setting != AccuracySetting::MaxError => {
+            Some("The method in use has no such setting.")
+        }
+        ("quality", "step_scale" | "max_steps" | "max_affine")
+            if setting != AccuracySetting::StepScale =>
+        {
+            Some("Only the methods that take steps use it: Verlet and Kerr-Schild.")
+        }
+        _ => None,
+    }
+}

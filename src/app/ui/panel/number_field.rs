@@ -1,0 +1,95 @@
+//! A text field for a number. At rest it shows the number rounded and with its unit; while it is
+//! edited it shows every digit.
+
+use crate::app::ui::number::four_decimals;
+use bevy_egui::egui;
+
+/// A number that was typed, or what is wrong with the text.
+pub(super) type Typed = Result<f64, String>;
+
+/// Shows a number in a framed field. Returns what was typed when the user leaves the field or
+/// presses Enter, and nothing if the text is as it was or Esc was pressed.
+pub(super) fn number_field(
+    ui: &mut egui::Ui,
+    id: egui::Id,
+    value: f64,
+    unit: &str,
+    width: f32,
+) -> Option<Typed> {
+    let draft: Option<String> = ui.data(|data| data.get_temp(id));
+    let mut text = draft
+        .clone()
+        .unwrap_or_else(|| format!("{}{}", four_decimals(value), suffix(unit)));
+    let edit = egui::TextEdit::singleline(&mut text)
+        .id(id)
+        .horizontal_align(egui::Align::RIGHT)
+        .desired_width(width - 8.0)
+        .clip_text(true);
+    let response = ui.add_sized([width, 22.0], edit);
+    if response.gained_focus() {
+        text = all_digits(value);
+        select_all(ui, id, text.chars().count());
+    }
+    if response.has_focus() {
+        ui.data_mut(|data| data.insert_temp(id, text));
+        return None;
+    }
+    let draft = draft?;
+    ui.data_mut(|data| data.remove::<String>(id));
+    let given_up = ui.input(|input| input.key_pressed(egui::Key::Escape));
+    // The frame in which the field is left has the last letter.
+    let typed = if response.changed() { text } else { draft };
+    (!given_up && typed != all_digits(value)).then(|| parsed(&typed, unit))
+}
+
+fn select_all(ui: &egui::Ui, id: egui::Id, length: usize) {
+    use egui::text::{CCursor, CCursorRange};
+    let mut state = egui::TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
+    state.cursor.set_char_range(Some(CCursorRange::two(
+        CCursor::new(0),
+        CCursor::new(length),
+    )));
+    state.store(ui.ctx(), id);
+}
+
+/// A number with every digit that it was typed with. The rounding of the last of its sixteen digits
+/// is left out.
+fn all_digits(value: f64) -> String {
+    let short = format!("{value:.12}");
+    let short = short.trim_end_matches('0').trim_end_matches('.');
+    match short.parse::<f64>() {
+        Ok(number) if (number - value).abs() <= 4.0 * f64::EPSILON * value.abs() => short.into(),
+        _ => format!("{value}"),
+    }
+}
+
+/// The number in a text, with or without its unit, with a point or a comma.
+fn parsed(text: &str, unit: &str) -> Typed {
+    let text = text.trim();
+    let number = text
+        .strip_suffix(suffix(unit).trim())
+        .unwrap_or(text)
+        .trim()
+        .replace(',', ".");
+    match number.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        _ => Err(format!("\"{text}\" is not a number.")),
+    }
+}
+
+/// A unit as it follows a number on the panel.
+pub(super) fn suffix(unit: &str) -> &str {
+    match unit {
+        "" => "",
+        "degrees" => "°",
+        "r_s" => " r_s",
+        "K" => " K",
+        "c" => " c",
+        "pixels" => " px",
+        "cells" => " cells",
+        "powers of two" => " EV",
+        "steps" => " steps",
+        "levels" => " tones",
+        other => other,
+    }
+}
