@@ -130,6 +130,7 @@ pub fn program(start: Start) -> App {
             state::toast::plugin,
             state::end_card::plugin,
             state::menu::plugin,
+            state::paused::plugin,
             state::preferences::plugin,
         ))
         .add_plugins((
@@ -153,8 +154,9 @@ pub fn program(start: Start) -> App {
         ))
         .add_plugins((
             motion::pilot::plugin,
-            motion::journey_player::plugin,
+            motion::journey::plugin,
             motion::free_fall::plugin,
+            motion::pause::plugin,
         ))
         .add_plugins((
             ui::theme::plugin,

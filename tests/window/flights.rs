@@ -2,6 +2,7 @@
 
 use crate::changed;
 use crate::desktop::Desktop;
+use crate::shot::Shot;
 use std::time::Duration;
 
 /// Waits until the picture moves.
@@ -31,9 +32,45 @@ fn the_journey_starts_stops_and_ends_when_the_user_flies() {
     let far = desktop.settled("near the journey's start", |shot| {
         changed(shot, &start) > 0.01
     });
-    // From 160 r_s the whole of it is small: the lower edge of the picture is sky.
+    // From 60 r_s the whole of it is small: the lower edge of the picture is sky.
     let edge = |y: usize| (0..1440).all(|x| far.pixel(x, y).iter().all(|&channel| channel < 200));
     assert!(edge(650) && edge(600), "no view from afar");
+    assert!(desktop.running());
+}
+
+/// Whether a caption is on the screen: light letters on a dark box above the toast.
+fn has_caption(shot: &Shot) -> bool {
+    let pixels = (655..688).flat_map(|y| (560..880).map(move |x| (x, y)));
+    let (mut letters, mut dark, mut all) = (0, 0, 0);
+    for (x, y) in pixels {
+        let channels = shot.pixel(x, y);
+        letters += usize::from(channels.iter().all(|channel| *channel > 225));
+        dark += usize::from(channels.iter().all(|channel| *channel < 45));
+        all += 1;
+    }
+    // Letters of this size cover from 5 to 30 % of their lines.
+    letters * 50 > all && dark * 2 > all
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn a_journey_shows_its_captions_and_slash_stops_the_camera_until_it_is_pressed_again() {
+    let mut desktop = Desktop::open(&["--preset", "2"]);
+    let start = desktop.first_picture();
+    assert!(!has_caption(&start), "a caption without a journey");
+    desktop.press("Return");
+    moves(&desktop, "Enter starts no journey");
+    // Past the title, to the first caption.
+    desktop.press("Right");
+    desktop.until("the first caption", has_caption);
+    desktop.press("slash");
+    let paused = desktop.settled("slash pauses", has_caption);
+    std::thread::sleep(Duration::from_secs(2));
+    // Above the words, which may go.
+    let picture = |shot: &Shot| shot.changed(&paused, 0..1440, 80..600);
+    assert_eq!(picture(&desktop.shot()), 0.0, "the camera moves on");
+    desktop.press("slash");
+    desktop.until("slash goes on", |shot| picture(shot) > 0.01);
     assert!(desktop.running());
 }
 

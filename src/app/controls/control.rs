@@ -143,6 +143,12 @@ pub enum AppCommand {
     Journey,
     /// Start the journey from its beginning.
     RestartJourney,
+    /// Go back in the journey by some seconds.
+    JourneyBack,
+    /// Go ahead in the journey by some seconds.
+    JourneyAhead,
+    /// Pause the journey or the fall under way, or let it go on.
+    Pause,
     /// Let go of the observer, so that it falls or orbits, or hold it again.
     LetGo,
     /// Let the observer's proper time run faster.

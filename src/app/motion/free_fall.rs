@@ -9,6 +9,7 @@ use crate::app::controls::refusal::no_observer;
 use crate::app::state::end_card::EndCard;
 use crate::app::state::history::History;
 use crate::app::state::last_pose::LastPose;
+use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
 use crate::render::CurrentScene;
@@ -213,22 +214,24 @@ impl FreeFall {
                 };
                 let (horizon, inner) = (kerr.horizon(), four_digits(kerr.inner_horizon()));
                 let reason = if kerr.spin == 0.0 {
-                    "From here on tide and blueshift grow without limit, and no picture would be true.".into()
+                    "Deeper in, tides and blueshift grow without limit, and no picture would be true.".into()
                 } else {
                     format!(
-                        "Toward the inner horizon, at {inner} r_s, the blueshift of light that fell in along with the hole's rotation grows \
-                         without limit, and nobody knows what a real hole is like there: no picture would be true."
+                        "Toward the inner horizon, at {inner} r_s, blueshift grows without limit. Nobody knows what a \
+                         real hole is like there, and no picture would be true."
                     )
                 };
                 format!(
-                    "r {} r_s, inside the horizon at {} r_s, after {} r_s/c on your clock. {reason}",
+                    "You are {} r_s from the centre, inside the horizon at {} r_s. Your clock has run {} r_s/c since \
+                     you let go. {reason}",
                     four_digits(r),
                     four_digits(horizon),
                     four_digits(proper_time)
                 )
             }
             _ => format!(
-                "r {} r_s, after {} r_s/c on your clock. The camera goes no farther.",
+                "You are {} r_s from the hole, and your clock has run {} r_s/c since you let go. The camera goes no \
+                 farther.",
                 four_digits(r),
                 four_digits(proper_time)
             ),
@@ -253,6 +256,7 @@ fn apply_free_fall_commands(
     preferences: Res<Preferences>,
     mut toast: ResMut<Toast>,
     mut end_card: ResMut<EndCard>,
+    mut paused: ResMut<Paused>,
 ) {
     for command in commands.read() {
         match command {
@@ -261,6 +265,7 @@ fn apply_free_fall_commands(
                 toast.say(format!("Held at r {} r_s", four_digits(scene.camera.r)));
             }
             AppCommand::LetGo => {
+                paused.0 = false;
                 end_card.close();
                 match free_fall.start(&scene) {
                     Ok(()) => {
@@ -295,21 +300,30 @@ fn advance_free_fall(
     mut free_fall: ResMut<FreeFall>,
     mut scene: ResMut<CurrentScene>,
     bindings: Res<Bindings>,
+    paused: Res<Paused>,
     mut toast: ResMut<Toast>,
     mut end_card: ResMut<EndCard>,
 ) {
     if !free_fall.is_moving() {
         return;
     }
-    match free_fall.advance(time.delta_secs_f64(), &scene) {
+    // A paused fall still notices that something else moves the camera.
+    let seconds = if paused.0 { 0.0 } else { time.delta_secs_f64() };
+    match free_fall.advance(seconds, &scene) {
         FlightStep::Idle => toast.say(format!(
             "You are flying now: {} lets go again",
             bindings.label("motion.let_go")
         )),
-        FlightStep::Moved(next) => scene.0 = *next,
+        FlightStep::Moved(next) => {
+            // A paused fall rests, and a picture at rest is kept.
+            if scene.0 != *next {
+                scene.0 = *next;
+            }
+        }
         FlightStep::Ended(next) => {
             scene.0 = *next;
-            end_card.show("The fall ends here", &free_fall.ending(&scene));
+            let again = ("scene.undo", "back to where you let go");
+            end_card.show("The fall ends here", &free_fall.ending(&scene), again);
             free_fall.stop();
         }
         FlightStep::Refused(reason) => toast.say(format!("The fall cannot go on: {reason}")),

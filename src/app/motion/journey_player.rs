@@ -1,24 +1,18 @@
-//! The guided journey: it starts, stops, starts again, and ends when something else moves the
-//! camera.
+//! A journey and how far it has been flown: it starts, stops, starts again, and ends when something
+//! else moves the camera.
 
 use super::MAX_FRAME_SECONDS;
 use super::flight_step::FlightStep;
-use crate::app::controls::bindings::Bindings;
-use crate::app::controls::control::AppCommand;
-use crate::app::state::end_card::EndCard;
-use crate::app::state::history::History;
 use crate::app::state::last_pose::LastPose;
-use crate::app::state::preferences::Preferences;
-use crate::app::state::toast::Toast;
-use crate::render::CurrentScene;
-use bevy::prelude::*;
-use lightfall_core::geometry::kerr::Kerr;
+use bevy::prelude::Resource;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::journey::{Journey, Unflyable, between};
 use lightfall_core::scene::{Camera, Scene};
 
 /// Seconds in which the camera comes from where it is to where the journey is.
 const APPROACH: f64 = 4.0;
+/// Seconds for which the title is shown at the beginning.
+const TITLE_SECONDS: f64 = 4.5;
 
 /// A journey, and how far it has been flown.
 #[derive(Resource, Clone, Debug)]
@@ -68,6 +62,38 @@ impl JourneyPlayer {
         format!("{:.0} of {:.0} s", self.time.floor(), self.journey.duration)
     }
 
+    /// The share of the journey that has been flown, from 0 to 1.
+    #[must_use]
+    pub fn share(&self) -> f64 {
+        (self.time / self.journey.duration).clamp(0.0, 1.0)
+    }
+
+    /// What to show over the picture now: the title at the beginning, then the captions, with the
+    /// seconds since it appeared and until it goes. None without a flight.
+    #[must_use]
+    pub fn words(&self) -> Option<Words<'_>> {
+        self.flight.as_ref()?;
+        let title = self.journey.title.trim();
+        if let Some(caption) = self.journey.caption_at(self.time) {
+            let since = self.time - caption.time;
+            Some(Words {
+                text: &caption.text,
+                is_title: false,
+                since,
+                left: caption.seconds - since,
+            })
+        } else if self.time < TITLE_SECONDS && !title.is_empty() {
+            Some(Words {
+                text: title,
+                is_title: true,
+                since: self.time,
+                left: TITLE_SECONDS - self.time,
+            })
+        } else {
+            None
+        }
+    }
+
     /// Checks whether the rest of the journey can be flown in this scene; after its end, whether
     /// all of it can.
     ///
@@ -98,6 +124,16 @@ impl JourneyPlayer {
             since: APPROACH,
             last: None,
         });
+    }
+
+    /// Goes ahead by `seconds`, or back by a negative number, within the journey. The next step
+    /// shows that place at once.
+    pub fn skip(&mut self, seconds: f64) {
+        let last = self.journey.duration;
+        if let Some(flight) = &mut self.flight {
+            self.time = (self.time + seconds).clamp(0.0, last);
+            flight.since = APPROACH;
+        }
     }
 
     /// Leaves the camera where it is.
@@ -146,109 +182,17 @@ impl JourneyPlayer {
             }
         }
     }
-
-    /// Where the journey has ended, for the end card.
-    fn ending(&self, scene: &Scene, bindings: &Bindings) -> String {
-        let title = self.journey.title.trim();
-        let heading = if title.is_empty() {
-            String::new()
-        } else {
-            format!("{title}.\n\n")
-        };
-        let r = scene.camera.r;
-        let horizon = Kerr {
-            spin: scene.hole.spin,
-        }
-        .horizon();
-        if r < horizon {
-            return format!(
-                "{heading}r = {r:.3} r_s, inside the horizon at {horizon:.3}. What you see fell in after you. Nothing that you send \
-                 reaches the outside, and every way leads farther in."
-            );
-        }
-        let let_go = bindings.label("motion.let_go");
-        let observer = scene.observer.kind.properties();
-        let here = if observer.falls_freely {
-            format!("You are {}: {let_go} lets it go on.", observer.motion)
-        } else {
-            "Closer to it, hovering takes ever more thrust, without limit.".into()
-        };
-        format!("{heading}r = {r:.3} r_s. The horizon is at {horizon:.3}. {here}")
-    }
 }
 
-pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(Update, (apply_journey_commands, advance_journey).chain());
-}
-
-fn apply_journey_commands(
-    mut commands: MessageReader<AppCommand>,
-    mut player: ResMut<JourneyPlayer>,
-    scene: Res<CurrentScene>,
-    time: Res<Time<Real>>,
-    mut history: ResMut<History>,
-    bindings: Res<Bindings>,
-    mut toast: ResMut<Toast>,
-    mut end_card: ResMut<EndCard>,
-) {
-    for command in commands.read() {
-        match command {
-            AppCommand::Journey if player.is_playing() => {
-                player.stop();
-                toast.say(format!(
-                    "The journey stops at {}: {}",
-                    player.progress(),
-                    how_to_go_on(&bindings)
-                ));
-                end_card.close();
-                continue;
-            }
-            AppCommand::Journey => player.start(&scene),
-            AppCommand::RestartJourney => player.restart(),
-            _ => continue,
-        }
-        history.note_departure(&scene, time.elapsed());
-        toast.clear();
-        end_card.close();
-        // A journey that cannot be flown to its end is flown as far as possible.
-        if let Err(fault) = player.check(&scene) {
-            toast.say(format!(
-                "This journey cannot be flown to its end here: {fault}"
-            ));
-        }
-    }
-}
-
-/// Which keys go on with a journey that was left.
-fn how_to_go_on(bindings: &Bindings) -> String {
-    let [on, again] = ["journey.fly", "journey.again"].map(|id| bindings.label(id));
-    format!("{on} goes on, {again} starts again")
-}
-
-fn advance_journey(
-    time: Res<Time>,
-    mut player: ResMut<JourneyPlayer>,
-    mut scene: ResMut<CurrentScene>,
-    preferences: Res<Preferences>,
-    bindings: Res<Bindings>,
-    mut toast: ResMut<Toast>,
-    mut end_card: ResMut<EndCard>,
-) {
-    if !player.is_playing() {
-        return;
-    }
-    let calm = preferences.settings.reduced_motion;
-    match player.advance(time.delta_secs_f64(), &scene, calm) {
-        FlightStep::Idle => toast.say(format!(
-            "You are flying now. The journey waits at {}: {}",
-            player.progress(),
-            how_to_go_on(&bindings)
-        )),
-        FlightStep::Moved(next) => scene.0 = *next,
-        FlightStep::Ended(next) => {
-            scene.0 = *next;
-            end_card.show("The journey ends here", &player.ending(&scene, &bindings));
-        }
-        FlightStep::Refused(reason) => toast.say(format!("The journey cannot go on: {reason}")),
-    }
+/// Words over the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Words<'a> {
+    /// One line.
+    pub text: &'a str,
+    /// Whether this is the journey's title.
+    pub is_title: bool,
+    /// Seconds since it appeared.
+    pub since: f64,
+    /// Seconds until it goes.
+    pub left: f64,
 }

@@ -2,7 +2,9 @@
 
 pub(crate) mod flight_step;
 pub(crate) mod free_fall;
+pub(crate) mod journey;
 pub(crate) mod journey_player;
+pub(crate) mod pause;
 pub(crate) mod pilot;
 pub(crate) mod steering;
 

@@ -1,19 +1,32 @@
-//! The card over the picture that says where a flight has ended.
+//! The card over the picture that says where a flight has ended, and what can be done now.
 
 use bevy::prelude::*;
+
+/// A control to name on the card: its name in the table, and what it does now.
+pub(crate) type Way = (&'static str, &'static str);
 
 /// What the card says. Empty while there is no card.
 #[derive(Resource, Default)]
 pub(crate) struct EndCard {
     pub(crate) title: String,
     pub(crate) text: String,
+    /// What can be done now, the nearest at hand first.
+    pub(crate) ways: Vec<Way>,
 }
 
 impl EndCard {
-    pub(crate) fn show(&mut self, title: &str, text: &str) {
+    /// Shows the card. `first` is the nearest way to go on; the others are the same everywhere.
+    pub(crate) fn show(&mut self, title: &str, text: &str, first: Way) {
+        let others = [
+            ("scene.undo", "back to where you were"),
+            ("preset.next", "another place"),
+            ("journey.again", "guided journey"),
+        ];
+        let others = others.into_iter().filter(|(id, _)| *id != first.0);
         *self = Self {
             title: title.into(),
             text: text.into(),
+            ways: std::iter::once(first).chain(others).collect(),
         };
     }
 
@@ -31,14 +44,18 @@ pub(crate) fn plugin(app: &mut App) {
         .add_systems(PreUpdate, close_end_card.after(bevy::input::InputSystems));
 }
 
-/// The next key or click closes the card.
+/// The next key, click or button closes the card.
 fn close_end_card(
     keys: Res<ButtonInput<KeyCode>>,
     buttons: Res<ButtonInput<MouseButton>>,
+    pads: Query<&Gamepad>,
     mut end_card: ResMut<EndCard>,
 ) {
-    let used =
-        keys.get_just_pressed().next().is_some() || buttons.get_just_pressed().next().is_some();
+    let used = keys.get_just_pressed().next().is_some()
+        || buttons.get_just_pressed().next().is_some()
+        || pads
+            .iter()
+            .any(|pad| pad.get_just_pressed().next().is_some());
     if used && end_card.is_open() {
         end_card.close();
     }

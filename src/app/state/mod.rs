@@ -7,6 +7,7 @@ pub(crate) mod history;
 pub(crate) mod last_pose;
 pub(crate) mod menu;
 pub(crate) mod overlays;
+pub(crate) mod paused;
 pub(crate) mod preferences;
 pub(crate) mod rebinding;
 pub(crate) mod resolution;

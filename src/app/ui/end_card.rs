@@ -1,12 +1,15 @@
 //! Draws the end card over the middle of the picture.
 
+use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::state::end_card::EndCard;
 use crate::app::state::overlays::Overlays;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 
 /// Largest width of the card, in points.
-const MAX_WIDTH: f32 = 460.0;
+const MAX_WIDTH: f32 = 520.0;
+/// Colour of the names of keys.
+const KEY: egui::Color32 = egui::Color32::from_rgb(255, 205, 120);
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show_end_card);
@@ -16,11 +19,30 @@ fn show_end_card(
     mut contexts: EguiContexts,
     end_card: Res<EndCard>,
     overlays: Res<Overlays>,
+    bindings: Res<Bindings>,
+    pad_bindings: Res<PadBindings>,
+    pads: Query<&Gamepad>,
 ) -> Result {
     if !end_card.is_open() || overlays.hidden {
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
+    // The keys of a control, and its buttons where there is a gamepad.
+    let inputs = |id: &str| {
+        let keys = if id == "preset.next" {
+            let [first, last] = ["preset.1", "preset.9"].map(|id| bindings.label(id));
+            format!("{first} to {last}")
+        } else {
+            bindings.label(id)
+        };
+        let buttons = match pads.is_empty() {
+            true => String::new(),
+            false => pad_bindings.label(id),
+        };
+        let both = [keys, buttons];
+        let named: Vec<_> = both.into_iter().filter(|name| !name.is_empty()).collect();
+        named.join(" or ")
+    };
     egui::Area::new("end card".into())
         .anchor(egui::Align2::CENTER_CENTER, [0.0, 0.0])
         .interactable(false)
@@ -28,13 +50,31 @@ fn show_end_card(
         .show(context, |ui| {
             ui.set_max_width(MAX_WIDTH.min(context.content_rect().width() - 40.0));
             egui::Frame::new()
-                .fill(egui::Color32::from_black_alpha(225))
-                .inner_margin(18)
-                .corner_radius(6)
+                .fill(egui::Color32::from_black_alpha(240))
+                .inner_margin(22)
+                .corner_radius(8)
                 .show(ui, |ui| {
-                    ui.label(egui::RichText::new(&end_card.title).size(20.0).strong());
+                    let white = egui::Color32::from_gray(240);
+                    let text = |text: &str, size: f32, colour| {
+                        egui::RichText::new(text).size(size).color(colour)
+                    };
+                    ui.label(text(&end_card.title, 22.0, white));
                     ui.add_space(6.0);
-                    ui.label(egui::RichText::new(&end_card.text).size(15.0));
+                    ui.label(text(&end_card.text, 15.0, egui::Color32::from_gray(215)));
+                    ui.add_space(12.0);
+                    egui::Grid::new("ways")
+                        .num_columns(2)
+                        .spacing([16.0, 5.0])
+                        .show(ui, |ui| {
+                            for (id, does) in &end_card.ways {
+                                let inputs = inputs(id);
+                                if !inputs.is_empty() {
+                                    ui.label(text(&inputs, 15.0, KEY));
+                                    ui.label(text(does, 15.0, white));
+                                    ui.end_row();
+                                }
+                            }
+                        });
                 });
         });
     Ok(())

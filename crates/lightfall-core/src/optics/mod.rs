@@ -9,6 +9,7 @@ pub mod disk;
 pub mod exposure;
 pub mod path;
 pub mod photometry;
+pub mod ray_plane;
 pub mod readout;
 pub mod reference;
 pub mod shift;

@@ -6,6 +6,7 @@ use crate::geometry::observer::ObserverError;
 use crate::optics::disk;
 use crate::optics::disk::Profile;
 use crate::optics::path::Path;
+use crate::optics::ray_plane::RayPlane;
 use crate::optics::reference::Reference;
 use crate::optics::trace::{Hit, Outcome, Trace};
 use crate::scene::Scene;
@@ -37,6 +38,9 @@ pub struct Inspection {
     pub lambda: Option<f64>,
     /// Q/E^2, in r_s^2.
     pub eta: Option<f64>,
+    /// Angle by which gravity turns the light from the sky on its way to the camera, in radians:
+    /// [`RayPlane::deflection`].
+    pub deflection: Option<f64>,
     /// Smallest r along the ray, in r_s; that of the horizon for a captured ray.
     pub closest_r: f64,
     /// Angle swept about the hole up to what is seen first, in half-turns.
@@ -121,6 +125,8 @@ pub struct Inspected {
     pub numbers: Inspection,
     /// The path of the reference.
     pub path: Path,
+    /// The path in its own plane.
+    pub plane: RayPlane,
     /// The reference's trace.
     pub trace: Trace,
 }
@@ -137,7 +143,9 @@ impl Inspected {
         pixel: Option<[f64; 2]>,
         farthest: f64,
     ) -> Result<Self, ObserverError> {
-        let (cpu, path) = Path::of(&Reference::new(scene)?, direction, farthest);
+        let reference = Reference::new(scene)?;
+        let (cpu, path) = Path::of(&reference, direction, farthest);
+        let plane = RayPlane::of(scene, &reference, direction, &cpu, &path);
         let profile = Profile::new(scene);
         let temperature =
             |hit: Option<Hit>| hit.map(|hit| disk::temperature(&scene.disk, profile.flux(hit.r)));
@@ -152,6 +160,7 @@ impl Inspected {
             impact_parameter: path.constants.map(|constants| constants.impact_parameter),
             lambda: path.constants.map(|constants| constants.lambda),
             eta: path.constants.map(|constants| constants.eta),
+            deflection: plane.deflection,
             closest_r: path.closest_r,
             half_turns: path.swept_angle / PI,
             order: path.order(&cpu),
@@ -164,6 +173,7 @@ impl Inspected {
         Ok(Self {
             numbers,
             path,
+            plane,
             trace: cpu,
         })
     }
@@ -227,6 +237,7 @@ const FIELDS: &[&str] = &[
     "impact_parameter",
     "lambda",
     "eta",
+    "deflection",
     "closest_r",
     "half_turns",
     "order",

@@ -6,6 +6,7 @@
 //! the flight begins and ends at rest. Radii are interpolated in their logarithm. A quantity that no
 //! keyframe names keeps its value in the scene.
 
+mod caption;
 mod check;
 mod error;
 mod format;
@@ -13,6 +14,7 @@ mod keyframe;
 mod load;
 mod track;
 
+pub use caption::Caption;
 pub use check::Unflyable;
 pub use error::JourneyError;
 pub use load::load;
@@ -30,6 +32,8 @@ pub const DEFAULT: &str = include_str!("../../../../assets/journeys/default.toml
 pub struct Journey {
     /// One line that says where the flight leads.
     pub title: String,
+    /// What to say about it on the way, in order of time.
+    pub captions: Vec<Caption>,
     /// Seconds from the first keyframe to the last.
     pub duration: f64,
     /// The time of each keyframe, in seconds as in its text.
@@ -63,6 +67,17 @@ const ANGLES: [Angle; 5] = [
 ];
 
 impl Journey {
+    /// The caption to show after `time` seconds, if any: the last that has appeared, for as long as
+    /// it stays.
+    #[must_use]
+    pub fn caption_at(&self, time: f64) -> Option<&Caption> {
+        let appeared = self
+            .captions
+            .partition_point(|caption| caption.time <= time);
+        let caption = &self.captions[appeared.checked_sub(1)?];
+        (time < caption.time + caption.seconds).then_some(caption)
+    }
+
     /// Writes the camera and the observer after `time` seconds into `scene`. Times before the first
     /// keyframe count as the first, times after the last as the last. The scene is not checked.
     ///

@@ -13,6 +13,7 @@ mod kerr_schild;
 mod mino;
 mod observer;
 mod path;
+mod ray_plane;
 mod readout;
 mod reference;
 mod released;

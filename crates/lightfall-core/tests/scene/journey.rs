@@ -69,7 +69,7 @@ fn the_default_journey_is_continuous_with_its_speed() {
 #[test]
 fn the_default_journey_reaches_its_places_and_all_of_it_can_be_drawn() {
     let journey = default();
-    assert!((140.0..160.0).contains(&journey.duration));
+    assert!((110.0..120.0).contains(&journey.duration));
     for kind in [
         ObserverKind::Static,
         ObserverKind::Zamo,
@@ -83,12 +83,12 @@ fn the_default_journey_reaches_its_places_and_all_of_it_can_be_drawn() {
         }
     }
     let still = |time| at(&journey, time, ObserverKind::Static).camera;
-    assert_eq!(still(0.0).r, 160.0_f64.ln().exp());
+    assert_eq!(still(0.0).r, 60.0_f64.ln().exp());
     let ends = [ObserverKind::Static, ObserverKind::Rain]
         .map(|kind| at(&journey, journey.duration, kind).camera.r);
     assert!((ends[0] - 1.12).abs() < 1e-12, "near the limit");
     assert!((ends[1] - 0.5).abs() < 1e-12, "beyond it");
-    let thetas: Vec<f64> = (0..150)
+    let thetas: Vec<f64> = (0..116)
         .map(|time| still(f64::from(time)).theta_deg)
         .collect();
     assert!(thetas.iter().any(|theta| *theta < 35.0) && thetas.iter().any(|theta| *theta > 80.0));
@@ -122,7 +122,7 @@ fn a_falling_observer_passes_the_horizon_of_any_hole_without_winding() {
         );
         // Kerr's ingoing azimuth is the keyframes' own, less its lead at the beginning: as without
         // spin.
-        let begin = kerr.ingoing_azimuth_lead(160.0).to_degrees();
+        let begin = kerr.ingoing_azimuth_lead(60.0).to_degrees();
         for step in 0..=3000 {
             let time = journey.duration * f64::from(step) / 3000.0;
             let camera = at_from(&scene, &journey, time, ObserverKind::Rain).camera;
@@ -170,6 +170,51 @@ fn nothing_jumps_where_an_observer_begins_to_fall_or_stops() {
     assert!(
         (phi(5.0) - 10.0) < phi(10.0) - 10.0 && (phi(30.0) - 60.0).abs() > 1.0,
         "the fall's lead is kept"
+    );
+}
+
+#[test]
+fn captions_appear_in_their_time_and_give_way_to_the_next() {
+    let text = "[[keyframe]]\ntime = 10\n[[keyframe]]\ntime = 40\n[[caption]]\ntime = 12\ntext = \"One\"\n\
+                [[caption]]\ntime = 16\nseconds = 3.5\ntext = \" Two \"";
+    let journey = journey::load("j.toml", text).unwrap();
+    let shown = |time: f64| {
+        journey
+            .caption_at(time)
+            .map(|caption| caption.text.as_str())
+    };
+    for (time, text) in [
+        (-1.0, None),
+        (1.9, None),
+        (2.0, Some("One")),
+        // Six seconds unless the caption says so, but the next one comes after four.
+        (5.9, Some("One")),
+        (6.0, Some("Two")),
+        (9.4, Some("Two")),
+        (9.5, None),
+        (1e9, None),
+    ] {
+        assert_eq!(shown(time), text, "{time} s");
+    }
+}
+
+/// A reader of plain text needs about a second for 15 characters (200 words a minute), and the
+/// picture has to be looked at too: captions are short, stay long enough, and leave pauses.
+#[test]
+fn the_captions_of_the_default_journey_leave_time_to_read_and_to_look() {
+    let journey = default();
+    assert!(journey.captions.len() >= 8 && !journey.title.is_empty());
+    let mut free = 4.5;
+    for caption in &journey.captions {
+        let length = caption.text.chars().count() as f64;
+        assert!(length <= 90.0, "{}: {length} characters", caption.text);
+        assert!(caption.seconds >= length / 15.0 + 1.0, "{}", caption.text);
+        assert!(caption.time >= free, "{} follows at once", caption.text);
+        free = caption.time + caption.seconds + 1.0;
+    }
+    assert!(
+        free - 1.0 <= journey.duration,
+        "the last caption is cut off"
     );
 }
 

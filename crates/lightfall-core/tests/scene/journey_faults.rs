@@ -21,11 +21,11 @@ fn faults_of_a_journey_are_reported_with_their_keyframe() {
         ),
         (
             "speed = 3".into(),
-            "j.toml: speed = 3 is refused: a journey has schema = 1, title = \"...\" and tables [[keyframe]]",
+            "j.toml: speed = 3 is refused: a journey has schema = 1, title = \"...\", tables [[keyframe]] and tables [[caption]]",
         ),
         (
             "keyframe = 3".into(),
-            "j.toml: keyframe = 3 is refused: a journey has schema = 1, title = \"...\" and tables [[keyframe]]",
+            "j.toml: keyframe = 3 is refused: a journey has schema = 1, title = \"...\", tables [[keyframe]] and tables [[caption]]",
         ),
         (
             two.into(),
@@ -89,6 +89,78 @@ fn fault_of(text: &str, scene: &Scene, from: f64) -> Option<String> {
         .unwrap()
         .check(scene, from, Drawable::new);
     checked.err().map(|fault| fault.to_string())
+}
+
+#[test]
+fn faults_of_a_caption_are_reported_with_its_number_and_key() {
+    let keyframes = "[[keyframe]]\ntime = 2\n[[keyframe]]\ntime = 12\n[[caption]]\n";
+    let fault = |caption: &str| {
+        journey::load("j.toml", &format!("{keyframes}{caption}"))
+            .unwrap_err()
+            .to_string()
+    };
+    for (caption, sentence) in [
+        (
+            "text = \"A\"".to_owned(),
+            "time = nothing is refused: it must be a number of seconds from 2 to 12, within the journey",
+        ),
+        (
+            "time = 1\ntext = \"A\"".into(),
+            "time = 1 is refused: it must be a number of seconds from 2 to 12, within the journey",
+        ),
+        (
+            "time = 12.5\ntext = \"A\"".into(),
+            "time = 12.5 is refused: it must be a number of seconds from 2 to 12, within the journey",
+        ),
+        (
+            "time = nan\ntext = \"A\"".into(),
+            "time = NaN is refused: it must be a number of seconds from 2 to 12, within the journey",
+        ),
+        (
+            "time = 3".into(),
+            "text = nothing is refused: it must be one line of text, from 1 to 160 characters long",
+        ),
+        (
+            "time = 3\ntext = \"  \"".into(),
+            "text = \"  \" is refused: it must be one line of text, from 1 to 160 characters long",
+        ),
+        (
+            "time = 3\ntext = 7".into(),
+            "text = 7 is refused: it must be one line of text, from 1 to 160 characters long",
+        ),
+        (
+            "time = 3\ntext = \"two\\nlines\"".into(),
+            "text = \"two\\nlines\" is refused: it must be one line of text, from 1 to 160 characters long",
+        ),
+        (
+            "time = 3\nseconds = 0.5\ntext = \"A\"".into(),
+            "seconds = 0.5 is refused: it must be a number of seconds from 1 to 60",
+        ),
+        (
+            "time = 3\nseconds = \"long\"\ntext = \"A\"".into(),
+            "seconds = \"long\" is refused: it must be a number of seconds from 1 to 60",
+        ),
+    ] {
+        assert_eq!(fault(&caption), format!("j.toml: caption 1: {sentence}"));
+    }
+    assert_eq!(
+        fault("time = 3\ntext = \"A\"\ncolour = 3"),
+        "j.toml: caption 1: there is no colour; a caption has time, seconds and text"
+    );
+    assert_eq!(
+        fault("time = 3\ntext = \"A\"\n[[caption]]\ntime = 3\ntext = \"B\""),
+        "j.toml: caption 2: time = 3 is refused: it must be above 3, the time of the caption before"
+    );
+    let long = "a".repeat(161);
+    assert!(
+        fault(&format!("time = 3\ntext = \"{long}\"")).starts_with("j.toml: caption 1: text = ")
+    );
+    let many = "time = 3\ntext = \"A\"\n".to_owned() + &"[[caption]]\n".repeat(1000);
+    assert_eq!(
+        fault(&many),
+        "j.toml: a journey has at most 1000 tables [[caption]], and this one has 1001"
+    );
+    assert!(fault("").starts_with("j.toml: caption 1: time = nothing"));
 }
 
 #[test]

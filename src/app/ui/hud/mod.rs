@@ -2,9 +2,10 @@
 //!
 //! Each part has its place: the title of a scene in the upper left corner, what is switched off in
 //! the physics at the top, the read-outs in the lower left corner, the keys in the lower right one,
-//! and the toast at the bottom. The read-outs and the keys go away while nothing happens.
+//! the toast at the bottom, and a journey's captions above it. The read-outs and the keys go away while nothing happens.
 
 mod board;
+mod journey;
 mod key_hints;
 mod physics_off;
 mod presence;
@@ -25,5 +26,6 @@ pub(crate) fn plugin(app: &mut App) {
         read_outs::plugin,
         key_hints::plugin,
         toast::plugin,
+        journey::plugin,
     ));
 }

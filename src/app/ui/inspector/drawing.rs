@@ -1,6 +1,7 @@
-//! The drawing of light paths: the hole and its surroundings, seen from the side, from the top, or
-//! from any direction.
+//! The drawing of light paths: each in its own plane, or the hole and its surroundings seen from the
+//! side, from the top, or from any direction.
 
+use super::plane_figure;
 use super::projection::Projection;
 use crate::app::ui::number::four_decimals;
 use bevy_egui::egui::{self, Color32, Pos2, Rect, Stroke};
@@ -12,11 +13,13 @@ use lightfall_core::reports::inspection::Inspected;
 use lightfall_core::scene::Scene;
 use std::f64::consts::{PI, TAU};
 
-/// The direction of view.
+/// What is drawn, and from which direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Viewpoint {
-    /// The axis upright, the camera to the left.
+    /// Each ray in its own plane, the camera to the left.
     #[default]
+    Plane,
+    /// The axis upright, the camera to the left.
     Side,
     /// From above, the camera to the left.
     Top,
@@ -37,7 +40,7 @@ pub(super) struct Sketch {
 impl Default for Sketch {
     fn default() -> Self {
         Self {
-            viewpoint: Viewpoint::Side,
+            viewpoint: Viewpoint::default(),
             half_width: None,
             turn: [0.5, 0.5],
         }
@@ -49,21 +52,31 @@ const HALF_WIDTHS: [f64; 2] = [0.8, 1e5];
 /// Segments of a circle.
 const SEGMENTS: usize = 96;
 
-const HORIZON: Color32 = Color32::from_gray(120);
+pub(super) const HORIZON: Color32 = Color32::from_gray(150);
 const ERGOSPHERE: Color32 = Color32::from_rgb(150, 90, 200);
-const PHOTON_ORBITS: Color32 = Color32::from_rgb(240, 200, 60);
+pub(super) const PHOTON_ORBITS: Color32 = Color32::from_rgb(240, 200, 60);
 const ISCO: Color32 = Color32::from_rgb(90, 200, 130);
-const DISK: Color32 = Color32::from_rgb(215, 130, 70);
-const CAMERA: Color32 = Color32::WHITE;
+pub(super) const DISK: Color32 = Color32::from_rgb(215, 130, 70);
+pub(super) const CAMERA: Color32 = Color32::WHITE;
 
-/// The colours and what they mean.
-pub(super) const LEGEND: [(Color32, &str); 5] = [
-    (HORIZON, "horizon"),
-    (ERGOSPHERE, "ergosphere"),
-    (PHOTON_ORBITS, "photon orbits"),
-    (ISCO, "innermost stable orbit"),
-    (DISK, "disk"),
-];
+/// The colours of what is drawn, and what they mean.
+pub(super) fn legend(viewpoint: Viewpoint, scene: &Scene) -> Vec<(Color32, &'static str)> {
+    let (plane, spins) = (viewpoint == Viewpoint::Plane, scene.hole.spin != 0.0);
+    let photon_orbits = if plane && !spins {
+        "photon sphere, 1.5 r_s"
+    } else {
+        "photon orbits"
+    };
+    let all = [
+        (true, HORIZON, "horizon"),
+        (!plane && spins, ERGOSPHERE, "ergosphere"),
+        (true, PHOTON_ORBITS, photon_orbits),
+        (!plane, ISCO, "innermost stable orbit"),
+        (scene.disk.enabled && !(plane && spins), DISK, "disk"),
+    ];
+    let drawn = all.into_iter().filter(|(drawn, ..)| *drawn);
+    drawn.map(|(_, colour, name)| (colour, name)).collect()
+}
 
 /// The colour of a path.
 pub(super) fn path_colour(inspected: &Inspected) -> Color32 {
@@ -84,9 +97,16 @@ impl Sketch {
         rays: &[Inspected],
         size: egui::Vec2,
     ) {
-        let (response, painter) = ui.allocate_painter(size, egui::Sense::drag());
+        let plane = self.viewpoint == Viewpoint::Plane;
+        // The plane is not turned: there the mouse only zooms.
+        let sense = if plane {
+            egui::Sense::hover()
+        } else {
+            egui::Sense::drag()
+        };
+        let (response, painter) = ui.allocate_painter(size, sense);
         let rect = response.rect;
-        painter.rect_filled(rect, 4.0, Color32::from_gray(14));
+        painter.rect_filled(rect, 4.0, Color32::from_gray(26));
         let half_width = self.half_width.unwrap_or_else(|| fitting_half_width(scene));
         if response.hovered() {
             let scroll = ui.input(|input| input.smooth_scroll_delta.y);
@@ -95,6 +115,10 @@ impl Sketch {
                 self.half_width =
                     Some((half_width * f64::from(-0.004 * scroll).exp()).clamp(min, max));
             }
+        }
+        if plane {
+            let scale = plane_figure::draw(&painter, rect, scene, rays, self.half_width);
+            return draw_scale(&painter, rect, scale);
         }
         if response.dragged() {
             self.viewpoint = Viewpoint::Orbit;
@@ -133,7 +157,7 @@ impl Sketch {
         let (sin, cos) = scene.camera.phi_deg.to_radians().sin_cos();
         let (left, growing_phi) = (DVec3::new(cos, sin, 0.0), DVec3::new(-sin, cos, 0.0));
         let rows = match self.viewpoint {
-            Viewpoint::Side => [-left, DVec3::Z, growing_phi],
+            Viewpoint::Plane | Viewpoint::Side => [-left, DVec3::Z, growing_phi],
             Viewpoint::Top => [-left, -growing_phi, DVec3::Z],
             Viewpoint::Orbit => {
                 let turned = DMat3::from_rotation_z(self.turn[0]);

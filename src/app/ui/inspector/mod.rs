@@ -1,7 +1,9 @@
 //! The ray inspector: the light of a clicked pixel is traced again, listed in numbers and drawn.
 
 mod drawing;
+mod labels;
 mod numbers;
+mod plane_figure;
 mod projection;
 mod ray_worker;
 
@@ -14,7 +16,7 @@ use crate::render::{CurrentScene, letterbox};
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
-use drawing::{LEGEND, Sketch, Viewpoint, path_colour};
+use drawing::{Sketch, Viewpoint, legend, path_colour};
 use glam::DVec2;
 use lightfall_core::accuracy::Ray;
 use lightfall_core::reports::inspection::Inspected;
@@ -23,8 +25,8 @@ use ray_worker::{GpuState, InspectedRays, RayJob, RayWorker};
 
 /// The fans to choose from: rays per side.
 const FANS: [u32; 3] = [1, 3, 5];
-/// Largest height of the drawing, as a share of the window's.
-const MAX_DRAWING_SHARE: f32 = 0.35;
+/// Least height of the drawing, as a share of what it and everything below it have together.
+const MIN_DRAWING_SHARE: f32 = 0.52;
 
 /// What the inspector remembers, and the thread that traces for it.
 #[derive(Resource)]
@@ -38,6 +40,8 @@ struct Inspector {
     /// The scene that was clicked last, and the pixel.
     asked: Option<(Scene, DVec2)>,
     answer: Option<InspectedRays>,
+    /// Height of everything below the drawing as shown last, in points.
+    text_height: f32,
 }
 
 impl Default for Inspector {
@@ -49,6 +53,7 @@ impl Default for Inspector {
             spacing: 12.0,
             asked: None,
             answer: None,
+            text_height: 0.0,
         }
     }
 }
@@ -170,7 +175,12 @@ fn show_inspector(
             });
         });
         ui.separator();
-        let Inspector { answer, sketch, .. } = inspector;
+        let Inspector {
+            answer,
+            sketch,
+            text_height,
+            ..
+        } = inspector;
         let Some(InspectedRays {
             scene: seen,
             rays,
@@ -192,17 +202,9 @@ fn show_inspector(
             }
         });
         heading(ui, first, seen, &scene, gpu);
-        let tallest = ui.max_rect().height() * MAX_DRAWING_SHARE;
-        let left = (ui.available_height() - tallest - 60.0).max(80.0);
-        egui::ScrollArea::both()
-            .id_salt("numbers")
-            .max_height(left)
-            .auto_shrink([false, true])
-            .show(ui, |ui| {
-                numbers::show(ui, &first.numbers, gpu);
-            });
         ui.horizontal(|ui| {
             for (viewpoint, name) in [
+                (Viewpoint::Plane, "Ray's plane"),
                 (Viewpoint::Side, "Side"),
                 (Viewpoint::Top, "Top"),
                 (Viewpoint::Orbit, "3-D"),
@@ -213,14 +215,34 @@ fn show_inspector(
                 sketch.half_width = None;
             }
         });
-        let height = (ui.available_height() - 26.0).clamp(60.0, tallest);
+        // The numbers take what they need, up to their share, and the drawing everything else.
+        let room = ui.available_height();
+        let below = text_height.min((1.0 - MIN_DRAWING_SHARE) * room);
+        let height = (room - below).max(60.0);
         sketch.show(ui, seen, rays, egui::vec2(ui.available_width(), height));
+        let top = ui.cursor().top();
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 9.0;
-            for (colour, name) in LEGEND {
+            for (colour, name) in legend(sketch.viewpoint, seen) {
                 ui.label(egui::RichText::new(name).color(colour).size(12.0));
             }
         });
+        if sketch.viewpoint == Viewpoint::Plane {
+            ui.label(egui::RichText::new(plane_figure::explanation(seen, first)).size(13.0));
+        }
+        ui.separator();
+        let shown = egui::ScrollArea::both()
+            .id_salt("numbers")
+            .auto_shrink([false, true])
+            .show(ui, |ui| {
+                numbers::show(ui, &first.numbers, gpu);
+            });
+        // Next frame the drawing makes room for them.
+        let wanted = shown.inner_rect.top() - top + shown.content_size.y + 8.0;
+        if (*text_height - wanted).abs() > 0.5 {
+            *text_height = wanted;
+            context.request_repaint();
+        }
     });
     Ok(())
 }

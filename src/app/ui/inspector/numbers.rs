@@ -1,13 +1,13 @@
 //! The numbers of an inspected ray, in few enough digits to read. Copying gives all digits.
 
 use super::ray_worker::GpuState;
-use crate::app::ui::number::six_digits;
 use bevy_egui::egui;
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::reports::inspection::{Difference, Inspection, Record};
+use lightfall_core::reports::numbers::four_digits;
 
 /// The row that answers how true the picture is at this pixel.
-const OFF_BY: &str = "GPU's ray is off by";
+const OFF_BY: &str = "GPU error";
 
 pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
     egui::Grid::new("numbers")
@@ -23,7 +23,7 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
                 }
             };
             let cpu = &numbers.cpu;
-            row("outcome", Some(outcome(cpu).into()));
+            row("shows", Some(outcome(cpu).into()));
             // How true the picture is comes first.
             match gpu {
                 GpuState::Waiting => row(OFF_BY, Some("waiting for the GPU".into())),
@@ -33,14 +33,17 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
             if let Some(difference) = numbers.difference {
                 differences(&mut row, &difference, numbers);
             }
+            row("image order", numbers.order.map(|order| order.to_string()));
+            row("half-turns", Some(format!("{:.3}", numbers.half_turns)));
             row(
-                "order of the image",
-                numbers.order.map(|order| order.to_string()),
+                "deflection",
+                numbers
+                    .deflection
+                    .map(|angle| format!("{}°", four_digits(angle.to_degrees()))),
             );
-            row("half-turns", Some(format!("{:.4}", numbers.half_turns)));
             row(
-                "closest r",
-                Some(format!("{} r_s", six_digits(numbers.closest_r))),
+                "closest approach",
+                Some(format!("{} r_s", four_digits(numbers.closest_r))),
             );
             // Inside the horizon the energy at infinity of some light is negative. b, L/E and E have
             // the same sign.
@@ -53,17 +56,17 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
                 },
                 numbers
                     .impact_parameter
-                    .map(|b| format!("{} r_s", six_digits(b))),
+                    .map(|b| format!("{} r_s", four_digits(b))),
             );
             row(
                 "lambda = L/E",
                 numbers
                     .lambda
-                    .map(|lambda| format!("{} r_s", six_digits(lambda))),
+                    .map(|lambda| format!("{} r_s", four_digits(lambda))),
             );
             row(
                 "eta = Q/E²",
-                numbers.eta.map(|eta| format!("{} r_s²", six_digits(eta))),
+                numbers.eta.map(|eta| format!("{} r_s²", four_digits(eta))),
             );
             let sky = [cpu.sky_x, cpu.sky_y, cpu.sky_z]
                 .into_iter()
@@ -72,14 +75,14 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
                 "sky direction",
                 sky.map(|sky| {
                     sky.iter()
-                        .map(|x| format!("{x:.4}"))
+                        .map(|x| format!("{x:.3}"))
                         .collect::<Vec<_>>()
                         .join(" ")
                 }),
             );
             let hits = [
                 (
-                    "1st",
+                    "first",
                     cpu.hit1_r,
                     cpu.hit1_phi,
                     cpu.hit1_g,
@@ -87,7 +90,7 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
                     numbers.hit1_delay,
                 ),
                 (
-                    "2nd",
+                    "second",
                     cpu.hit2_r,
                     cpu.hit2_phi,
                     cpu.hit2_g,
@@ -97,30 +100,20 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
             ];
             for (which, r, phi, g, temperature, delay) in hits {
                 let place = r.zip(phi).map(|(r, phi)| {
-                    format!("r {} r_s, phi {:.2}°", six_digits(r), phi.to_degrees())
+                    format!("r {} r_s, phi {:.1}°", four_digits(r), phi.to_degrees())
                 });
                 row(&format!("{which} disk hit"), place);
                 let light = g
                     .zip(temperature)
-                    .map(|(g, t)| format!("g {}, {t:.0} K to {:.0} K", six_digits(g), g * t));
+                    .map(|(g, t)| format!("g {}, {t:.0} K to {:.0} K", four_digits(g), g * t));
                 row("   its light", light);
                 row(
                     "   emitted before",
-                    delay.map(|delay| format!("{} r_s/c", six_digits(delay))),
+                    delay.map(|delay| format!("{} r_s/c", four_digits(delay))),
                 );
             }
-            row(
-                "reference",
-                Some(format!(
-                    "{} steps, residual {:.1e}",
-                    cpu.steps, cpu.residual
-                )),
-            );
-            let answer = numbers
-                .gpu
-                .as_ref()
-                .map(|gpu| format!("{} steps, residual {:.1e}", gpu.steps, gpu.residual));
-            row("GPU", answer);
+            row("reference", Some(work(cpu)));
+            row("GPU", numbers.gpu.as_ref().map(work));
         });
 }
 
@@ -138,19 +131,37 @@ fn differences(
     let backward = difference.backward.zip(difference.backward_px);
     row(
         OFF_BY,
-        backward.map(|(turn, pixels)| format!("{turn:.1e} rad = {pixels:.1e} px")),
+        backward.map(|(turn, pixels)| format!("{} rad = {} px", size(turn), size(pixels))),
     );
     row(
-        "GPU off in the sky",
-        difference.sky.map(|angle| format!("{angle:.1e} rad")),
+        "GPU error, sky",
+        difference.sky.map(|angle| format!("{} rad", size(angle))),
     );
     row(
-        "GPU off in hit r, g",
+        "GPU error, disk r, g",
         difference
             .hit_r
             .zip(difference.hit_g)
-            .map(|(r, g)| format!("{r:.1e}, {g:.1e}")),
+            .map(|(r, g)| format!("{}, {}", size(r), size(g))),
     );
+}
+
+/// The size of an error.
+fn size(error: f64) -> String {
+    if error == 0.0 {
+        "0".into()
+    } else {
+        format!("{error:.1e}")
+    }
+}
+
+/// The steps of a trace, and its residual. A closed form has neither.
+fn work(record: &Record) -> String {
+    if record.steps == 0 {
+        "no steps".into()
+    } else {
+        format!("{} steps, residual {}", record.steps, size(record.residual))
+    }
 }
 
 /// What the ray shows, in words.

@@ -1,6 +1,6 @@
 //! What can be wrong with the text of a journey, each in one sentence.
 
-use super::format::{MAX_KEYFRAMES, NAMES};
+use super::format::{MAX_CAPTIONS, MAX_KEYFRAMES, NAMES};
 use crate::scene::error::SceneError;
 use thiserror::Error;
 
@@ -12,7 +12,7 @@ pub enum JourneyError {
     Text(#[from] SceneError),
     /// A key at the top level that is unknown, or has a value of the wrong type.
     #[error(
-        "{origin}: {key} = {given} is refused: a journey has schema = 1, title = \"...\" and tables [[keyframe]]"
+        "{origin}: {key} = {given} is refused: a journey has schema = 1, title = \"...\", tables [[keyframe]] and tables [[caption]]"
     )]
     Top {
         /// Where it was written.
@@ -64,6 +64,40 @@ pub enum JourneyError {
         /// Where it was written.
         origin: String,
         /// Which keyframe.
+        number: usize,
+        /// The name.
+        key: &'static str,
+        /// What was given.
+        given: String,
+        /// What it may be.
+        allowed: String,
+    },
+    /// Too many captions.
+    #[error(
+        "{origin}: a journey has at most {MAX_CAPTIONS} tables [[caption]], and this one has {count}"
+    )]
+    CaptionCount {
+        /// Where it was written.
+        origin: String,
+        /// How many there are.
+        count: usize,
+    },
+    /// A caption with an unknown key.
+    #[error("{origin}: caption {number}: there is no {key}; a caption has time, seconds and text")]
+    CaptionKey {
+        /// Where it was written.
+        origin: String,
+        /// Which caption; captions count from 1.
+        number: usize,
+        /// The name.
+        key: String,
+    },
+    /// A value of a caption that is missing, of the wrong type or out of range.
+    #[error("{origin}: caption {number}: {key} = {given} is refused: it must be {allowed}")]
+    Caption {
+        /// Where it was written.
+        origin: String,
+        /// Which caption; captions count from 1.
         number: usize,
         /// The name.
         key: &'static str,

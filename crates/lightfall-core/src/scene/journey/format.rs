@@ -9,6 +9,13 @@ pub(super) const MAX_KEYFRAMES: usize = 1000;
 /// Maximum duration of a journey, in seconds.
 pub(super) const MAX_SECONDS: f64 = 86_400.0;
 
+/// Maximum number of captions of a journey.
+pub(super) const MAX_CAPTIONS: usize = 1000;
+/// Maximum number of characters of a caption: two lines in large letters.
+pub(super) const MAX_CAPTION_CHARS: usize = 160;
+/// How long a caption stays that does not say so, in seconds.
+pub(super) const CAPTION_SECONDS: f64 = 6.0;
+
 /// What a keyframe may have: its name there, and the key of the field that says what it may be.
 /// The angles without a key may be of any number of turns here.
 pub(super) const NAMES: [(&str, &str); 9] = [

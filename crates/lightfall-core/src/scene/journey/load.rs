@@ -1,5 +1,6 @@
 //! From the text of a journey to the journey.
 
+use super::caption::{Caption, read_captions};
 use super::error::JourneyError;
 use super::format::MAX_KEYFRAMES;
 use super::keyframe::{Keyframe, Values};
@@ -14,10 +15,10 @@ use toml::Table;
 /// Makes a journey of its TOML `text`. `origin` names it in messages.
 ///
 /// # Errors
-/// One sentence that names the file, the keyframe, what was given and what is allowed.
+/// One sentence that names the file, the keyframe or caption, what was given and what is allowed.
 pub fn load(origin: &str, text: &str) -> Result<Journey, JourneyError> {
     let table: Table = toml::from_str(text).map_err(|error| syntax(origin, text, &error))?;
-    let (mut title, mut frames) = (String::new(), Vec::new());
+    let (mut title, mut frames, mut captions) = (String::new(), Vec::new(), Vec::new());
     for (key, value) in table {
         match (key.as_str(), value) {
             ("schema", toml::Value::Integer(number)) if number == i64::from(SCHEMA) => {}
@@ -34,10 +35,10 @@ pub fn load(origin: &str, text: &str) -> Result<Journey, JourneyError> {
             ("keyframe", toml::Value::Array(values))
                 if values.iter().all(toml::Value::is_table) =>
             {
-                frames = values
-                    .into_iter()
-                    .filter_map(|value| value.as_table().cloned())
-                    .collect();
+                frames = tables(values);
+            }
+            ("caption", toml::Value::Array(values)) if values.iter().all(toml::Value::is_table) => {
+                captions = tables(values);
             }
             (_, value) => {
                 return Err(JourneyError::Top {
@@ -55,7 +56,19 @@ pub fn load(origin: &str, text: &str) -> Result<Journey, JourneyError> {
             keyframes.iter().map(|frame| values(frame).get("velocity")),
         )?;
     }
-    Ok(journey(title, &keyframes))
+    let span = [keyframes[0].time, keyframes[keyframes.len() - 1].time];
+    let captions = read_captions(origin, captions, span)?;
+    Ok(journey(title, &keyframes, captions))
+}
+
+fn tables(values: Vec<toml::Value>) -> Vec<Table> {
+    values
+        .into_iter()
+        .filter_map(|value| match value {
+            toml::Value::Table(table) => Some(table),
+            _ => None,
+        })
+        .collect()
 }
 
 /// Whether a text can be the title of a journey: whether it can be a scene's.
@@ -112,7 +125,7 @@ fn component(velocity: &Value, axis: usize) -> f64 {
     }
 }
 
-fn journey(title: String, keyframes: &[Keyframe]) -> Journey {
+fn journey(title: String, keyframes: &[Keyframe], captions: Vec<Caption>) -> Journey {
     let start = keyframes[0].time;
     let kind = |frame: &Keyframe| match frame.values().get("observer")? {
         Value::Word(word) => Some((frame.time - start, ObserverKind::from_word(word)?)),
@@ -128,6 +141,7 @@ fn journey(title: String, keyframes: &[Keyframe]) -> Journey {
     };
     Journey {
         title,
+        captions,
         duration: keyframes[keyframes.len() - 1].time - start,
         times: keyframes.iter().map(|frame| frame.time).collect(),
         tracks: of(Keyframe::values),

@@ -1,0 +1,109 @@
+//! The captions of a journey: sentences that appear at their time and stay for some seconds.
+
+use super::error::JourneyError;
+use super::format::{CAPTION_SECONDS, MAX_CAPTION_CHARS, MAX_CAPTIONS};
+use crate::scene::from_toml::{float, given};
+use crate::scene::value::{FieldValue, shortened};
+use toml::Table;
+
+/// A sentence about what is seen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Caption {
+    /// When it appears, in seconds after the journey's beginning.
+    pub time: f64,
+    /// How long it stays, in seconds, unless the next caption appears before.
+    pub seconds: f64,
+    /// The sentence, on one line.
+    pub text: String,
+}
+
+/// Reads the captions of a journey whose keyframes last from `span[0]` to `span[1]` seconds.
+pub(super) fn read_captions(
+    origin: &str,
+    tables: Vec<Table>,
+    span: [f64; 2],
+) -> Result<Vec<Caption>, JourneyError> {
+    if tables.len() > MAX_CAPTIONS {
+        return Err(JourneyError::CaptionCount {
+            origin: origin.into(),
+            count: tables.len(),
+        });
+    }
+    let mut captions: Vec<Caption> = Vec::with_capacity(tables.len());
+    for (index, table) in tables.into_iter().enumerate() {
+        let before = captions.last().map(|last| last.time + span[0]);
+        captions.push(read(origin, index + 1, table, before, span)?);
+    }
+    Ok(captions)
+}
+
+/// Reads the caption of this number, counted from 1, after one at the time `before`.
+fn read(
+    origin: &str,
+    number: usize,
+    mut table: Table,
+    before: Option<f64>,
+    [start, end]: [f64; 2],
+) -> Result<Caption, JourneyError> {
+    let refused =
+        |key: &'static str, value: Option<&toml::Value>, allowed: String| JourneyError::Caption {
+            origin: origin.into(),
+            number,
+            key,
+            given: match (value.and_then(float), value) {
+                (Some(seconds), _) => seconds.to_value().quoted(),
+                (None, Some(value)) => given(value),
+                (None, None) => "nothing".into(),
+            },
+            allowed,
+        };
+    let [time, seconds, text] = ["time", "seconds", "text"].map(|key| table.remove(key));
+    if let Some(key) = table.keys().next() {
+        return Err(JourneyError::CaptionKey {
+            origin: origin.into(),
+            number,
+            key: shortened(key),
+        });
+    }
+    let appears = time
+        .as_ref()
+        .and_then(float)
+        .filter(|time| (start..=end).contains(time))
+        .ok_or_else(|| {
+            let allowed = format!("a number of seconds from {start} to {end}, within the journey");
+            refused("time", time.as_ref(), allowed)
+        })?;
+    if let Some(last) = before.filter(|last| appears <= *last) {
+        let allowed = format!("above {last}, the time of the caption before");
+        return Err(refused("time", time.as_ref(), allowed));
+    }
+    let stays = match &seconds {
+        None => CAPTION_SECONDS,
+        Some(value) => float(value)
+            .filter(|seconds| (1.0..=60.0).contains(seconds))
+            .ok_or_else(|| {
+                let allowed = "a number of seconds from 1 to 60".into();
+                refused("seconds", Some(value), allowed)
+            })?,
+    };
+    let fits = |text: &&str| {
+        !text.is_empty()
+            && text.chars().count() <= MAX_CAPTION_CHARS
+            && !text.chars().any(char::is_control)
+    };
+    let line = text
+        .as_ref()
+        .and_then(toml::Value::as_str)
+        .map(str::trim)
+        .filter(fits)
+        .ok_or_else(|| {
+            let allowed =
+                format!("one line of text, from 1 to {MAX_CAPTION_CHARS} characters long");
+            refused("text", text.as_ref(), allowed)
+        })?;
+    Ok(Caption {
+        time: appears - start,
+        seconds: stays,
+        text: line.into(),
+    })
+}

@@ -1,0 +1,143 @@
+//! The guided journey in the window: its keys, its flight, and what is said at its end.
+
+use super::flight_step::FlightStep;
+use super::journey_player::JourneyPlayer;
+use crate::app::controls::bindings::Bindings;
+use crate::app::controls::control::AppCommand;
+use crate::app::state::end_card::EndCard;
+use crate::app::state::history::History;
+use crate::app::state::paused::Paused;
+use crate::app::state::preferences::Preferences;
+use crate::app::state::toast::Toast;
+use crate::render::CurrentScene;
+use bevy::prelude::*;
+use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::scene::Scene;
+
+/// Seconds by which one press goes ahead or back.
+const SKIP: f64 = 5.0;
+
+pub(crate) fn plugin(app: &mut App) {
+    app.add_systems(Update, (apply_journey_commands, advance_journey).chain());
+}
+
+fn apply_journey_commands(
+    mut commands: MessageReader<AppCommand>,
+    mut player: ResMut<JourneyPlayer>,
+    scene: Res<CurrentScene>,
+    time: Res<Time<Real>>,
+    mut history: ResMut<History>,
+    bindings: Res<Bindings>,
+    mut toast: ResMut<Toast>,
+    mut end_card: ResMut<EndCard>,
+    mut paused: ResMut<Paused>,
+) {
+    for command in commands.read() {
+        match command {
+            AppCommand::JourneyBack | AppCommand::JourneyAhead => {
+                if player.is_playing() {
+                    let back = *command == AppCommand::JourneyBack;
+                    player.skip(if back { -SKIP } else { SKIP });
+                    toast.say(format!("Journey: {}", player.progress()));
+                } else {
+                    toast.say(format!(
+                        "No journey is under way: {} starts it",
+                        bindings.label("journey.fly")
+                    ));
+                }
+                continue;
+            }
+            AppCommand::Journey if player.is_playing() => {
+                player.stop();
+                toast.say(format!(
+                    "The journey stops at {}: {}",
+                    player.progress(),
+                    how_to_go_on(&bindings)
+                ));
+                end_card.close();
+                continue;
+            }
+            AppCommand::Journey => player.start(&scene),
+            AppCommand::RestartJourney => player.restart(),
+            _ => continue,
+        }
+        history.note_departure(&scene, time.elapsed());
+        paused.0 = false;
+        toast.clear();
+        end_card.close();
+        // A journey that cannot be flown to its end is flown as far as possible.
+        if let Err(fault) = player.check(&scene) {
+            toast.say(format!(
+                "This journey cannot be flown to its end here: {fault}"
+            ));
+        }
+    }
+}
+
+/// Which keys go on with a journey that was left.
+fn how_to_go_on(bindings: &Bindings) -> String {
+    let [on, again] = ["journey.fly", "journey.again"].map(|id| bindings.label(id));
+    format!("{on} goes on, {again} begins again")
+}
+
+fn advance_journey(
+    time: Res<Time>,
+    mut player: ResMut<JourneyPlayer>,
+    mut scene: ResMut<CurrentScene>,
+    preferences: Res<Preferences>,
+    bindings: Res<Bindings>,
+    paused: Res<Paused>,
+    mut toast: ResMut<Toast>,
+    mut end_card: ResMut<EndCard>,
+) {
+    if !player.is_playing() {
+        return;
+    }
+    let calm = preferences.settings.reduced_motion;
+    // A paused journey still notices that something else moves the camera, and follows a skip.
+    let seconds = if paused.0 { 0.0 } else { time.delta_secs_f64() };
+    match player.advance(seconds, &scene, calm) {
+        FlightStep::Idle => toast.say(format!(
+            "You are flying now. The journey waits at {}: {}",
+            player.progress(),
+            how_to_go_on(&bindings)
+        )),
+        FlightStep::Moved(next) => {
+            // A paused journey rests, and a picture at rest is kept.
+            if scene.0 != *next {
+                scene.0 = *next;
+            }
+        }
+        FlightStep::Ended(next) => {
+            scene.0 = *next;
+            let again = ("journey.again", "fly it again");
+            end_card.show("The journey ends here", &ending(&scene), again);
+        }
+        FlightStep::Refused(reason) => toast.say(format!("The journey cannot go on: {reason}")),
+    }
+}
+
+/// Where a journey has ended, for the end card.
+fn ending(scene: &Scene) -> String {
+    let r = scene.camera.r;
+    let horizon = Kerr {
+        spin: scene.hole.spin,
+    }
+    .horizon();
+    let observer = scene.observer.kind.properties();
+    if r < horizon {
+        format!(
+            "You are inside the horizon, at {r:.2} r_s from the centre. Light still comes in from \
+             outside, but nothing you send gets out, and every way leads farther in."
+        )
+    } else if observer.falls_freely {
+        format!(
+            "You are falling, at {r:.2} r_s from the centre. The horizon is at {horizon:.2} r_s."
+        )
+    } else {
+        format!(
+            "You are at {r:.2} r_s from the centre, and the horizon is at {horizon:.2} r_s. Closer \
+             to the horizon, staying in place takes ever more thrust, without limit."
+        )
+    }
+}

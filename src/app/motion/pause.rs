@@ -1,0 +1,53 @@
+//! Pausing a journey or a fall, and going on.
+
+use super::free_fall::FreeFall;
+use super::journey_player::JourneyPlayer;
+use crate::app::controls::bindings::Bindings;
+use crate::app::controls::control::AppCommand;
+use crate::app::state::paused::Paused;
+use crate::app::state::toast::Toast;
+use bevy::prelude::*;
+
+pub(crate) fn plugin(app: &mut App) {
+    app.add_systems(Update, (apply_pause_command, end_pause));
+}
+
+/// What has ended is no longer paused.
+fn end_pause(
+    player: Res<JourneyPlayer>,
+    free_fall: Res<FreeFall>,
+    mut moved: Local<bool>,
+    mut paused: ResMut<Paused>,
+) {
+    let moves = player.is_playing() || free_fall.is_moving();
+    if *moved && !moves {
+        paused.0 = false;
+    }
+    *moved = moves;
+}
+
+fn apply_pause_command(
+    mut commands: MessageReader<AppCommand>,
+    player: Res<JourneyPlayer>,
+    free_fall: Res<FreeFall>,
+    bindings: Res<Bindings>,
+    mut paused: ResMut<Paused>,
+    mut toast: ResMut<Toast>,
+) {
+    for _ in commands
+        .read()
+        .filter(|command| **command == AppCommand::Pause)
+    {
+        let moves = player.is_playing() || free_fall.is_moving();
+        paused.0 = moves && !paused.0;
+        let [pause, journey, fall] =
+            ["motion.pause", "journey.fly", "motion.let_go"].map(|id| bindings.label(id));
+        toast.say(if !moves {
+            format!("Nothing to pause: {journey} starts the journey, {fall} starts a free fall")
+        } else if paused.0 {
+            format!("Paused: {pause} goes on")
+        } else {
+            format!("Goes on: {pause} pauses")
+        });
+    }
+}

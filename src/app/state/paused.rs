@@ -1,0 +1,12 @@
+//! Whether journeys and falls are paused.
+
+use bevy::prelude::*;
+
+/// While this is set, a journey and a fall stand still where they are, and the camera can still be
+/// turned or flown by hand.
+#[derive(Resource, Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Paused(pub(crate) bool);
+
+pub(crate) fn plugin(app: &mut App) {
+    app.init_resource::<Paused>();
+}

@@ -1,0 +1,106 @@
+//! Shows a journey's title, its captions and its progress.
+
+use super::board::{BOTTOM_ROW, BRIGHT, Board, MARGIN, WARNING, free_room};
+use super::presence::keep_fading;
+use crate::app::motion::journey_player::JourneyPlayer;
+use crate::app::state::overlays::Overlays;
+use crate::app::state::paused::Paused;
+use crate::app::state::preferences::Preferences;
+use bevy::prelude::*;
+use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+
+/// Size of captions, in points.
+const CAPTION: f32 = 20.0;
+/// Size of the title, in points.
+const TITLE: f32 = 32.0;
+/// Room for the toast between the read-outs and captions, in points.
+const TOAST: f32 = 44.0;
+/// Largest width of the words, in points.
+const MAX_WIDTH: f32 = 860.0;
+/// Seconds in which words fade in, and fade out.
+const FADE: f64 = 0.4;
+/// Height of the progress bar, in points.
+const BAR: f32 = 4.0;
+const FLOWN: egui::Color32 = WARNING;
+
+pub(super) fn plugin(app: &mut App) {
+    app.add_systems(EguiPrimaryContextPass, show_journey);
+}
+
+fn show_journey(
+    mut contexts: EguiContexts,
+    player: Res<JourneyPlayer>,
+    paused: Res<Paused>,
+    preferences: Res<Preferences>,
+    overlays: Res<Overlays>,
+) -> Result {
+    if !player.is_playing() || overlays.hidden {
+        return Ok(());
+    }
+    let context = contexts.ctx_mut()?;
+    show_words(
+        context,
+        &player,
+        &overlays,
+        preferences.settings.reduced_motion,
+    );
+    show_progress(context, player.share() as f32);
+    if paused.0 {
+        show_pause(context, free_room(context, &overlays).center_top());
+    }
+    Ok(())
+}
+
+fn show_words(
+    context: &egui::Context,
+    player: &JourneyPlayer,
+    overlays: &Overlays,
+    reduced_motion: bool,
+) {
+    let Some(words) = player.words() else {
+        return;
+    };
+    let strength = if reduced_motion {
+        1.0
+    } else {
+        (words.since.min(words.left) / FADE).clamp(0.0, 1.0) as f32
+    };
+    keep_fading(context, strength);
+    let room = free_room(context, overlays);
+    let width = (room.width() - 2.0 * MARGIN).clamp(1.0, MAX_WIDTH);
+    let mut board = Board::new(context, "journey", strength);
+    if words.is_title {
+        board.add_line(board.text(words.text, TITLE, BRIGHT, width), 0.0);
+        let top = room.top() + 0.12 * room.height();
+        board.paint(egui::Align2::CENTER_TOP, egui::pos2(room.center().x, top));
+    } else {
+        board.add_line(board.text(words.text, CAPTION, BRIGHT, width), 0.0);
+        let bottom = (room.bottom() - BOTTOM_ROW - TOAST).max(room.center().y);
+        let place = egui::pos2(room.center().x, bottom);
+        board.paint(egui::Align2::CENTER_BOTTOM, place);
+    }
+}
+
+/// A bar along the lower edge of the window: how much of the journey has been flown.
+fn show_progress(context: &egui::Context, share: f32) {
+    let layer = egui::LayerId::new(egui::Order::Background, "journey progress".into());
+    let painter = context.layer_painter(layer);
+    let mut bar = context.content_rect();
+    bar.min.y = bar.bottom() - BAR;
+    painter.rect_filled(bar, 0.0, egui::Color32::from_black_alpha(240));
+    bar.set_width(bar.width() * share);
+    painter.rect_filled(bar, 0.0, FLOWN);
+}
+
+/// Two upright bars below the middle of the upper edge.
+fn show_pause(context: &egui::Context, top: egui::Pos2) {
+    let layer = egui::LayerId::new(egui::Order::Background, "pause".into());
+    let painter = context.layer_painter(layer);
+    let centre = top + egui::vec2(0.0, 60.0);
+    painter.circle_filled(centre, 24.0, egui::Color32::from_black_alpha(240));
+    for side in [-5.5, 5.5] {
+        let size = egui::vec2(6.0, 20.0);
+        let upright = egui::Rect::from_center_size(centre + egui::vec2(side, 0.0), size);
+        painter.rect_filled(upright, 1.0, BRIGHT);
+    }
+}

@@ -1,0 +1,123 @@
+//! Labels in a drawing, placed where they cover neither each other nor what is drawn.
+
+use bevy_egui::egui::{self, Color32, Pos2, Rect, Stroke, Vec2};
+
+const SIZE: f32 = 12.5;
+/// Distances from its place at which a label may stand, in points.
+const DISTANCES: [f32; 4] = [9.0, 22.0, 40.0, 64.0];
+/// From this distance on a thin line leads from the label to its place.
+const LEADER: f32 = 20.0;
+/// Directions from its place in which a label may stand.
+const DIRECTIONS: [Vec2; 8] = [
+    egui::vec2(1.0, -0.6),
+    egui::vec2(-1.0, -0.6),
+    egui::vec2(1.0, 0.6),
+    egui::vec2(-1.0, 0.6),
+    egui::vec2(0.0, -1.0),
+    egui::vec2(0.0, 1.0),
+    egui::vec2(1.0, 0.0),
+    egui::vec2(-1.0, 0.0),
+];
+
+/// The labels of one drawing.
+pub(super) struct Labels {
+    bounds: Rect,
+    taken: Vec<Rect>,
+    /// Points of what is drawn, to be left free.
+    drawn: Vec<Pos2>,
+}
+
+impl Labels {
+    /// No labels yet, within these bounds.
+    pub(super) fn within(bounds: Rect) -> Self {
+        Self {
+            bounds: bounds.shrink(3.0),
+            taken: Vec::new(),
+            drawn: Vec::new(),
+        }
+    }
+
+    /// Keeps these points free of labels.
+    pub(super) fn avoid(&mut self, points: impl IntoIterator<Item = Pos2>) {
+        let bounds = self.bounds;
+        self.drawn
+            .extend(points.into_iter().filter(|point| bounds.contains(*point)));
+    }
+
+    /// Keeps a box free of labels.
+    pub(super) fn keep_free(&mut self, rect: Rect) {
+        self.taken.push(rect);
+    }
+
+    /// Keeps a straight line free of labels.
+    pub(super) fn avoid_line(&mut self, [from, to]: [Pos2; 2]) {
+        const PARTS: usize = 40;
+        self.avoid((0..=PARTS).map(|i| from.lerp(to, i as f32 / PARTS as f32)));
+    }
+
+    /// Writes a label next to a place. A place outside the drawing has no label.
+    pub(super) fn write(
+        &mut self,
+        painter: &egui::Painter,
+        place: Pos2,
+        text: &str,
+        colour: Color32,
+    ) {
+        if !self.bounds.expand(4.0).contains(place) {
+            return;
+        }
+        let font = egui::FontId::proportional(SIZE);
+        let galley = painter.layout_no_wrap(text.to_owned(), font, colour);
+        let size = galley.size() + egui::vec2(8.0, 4.0);
+        let candidates = DISTANCES.into_iter().flat_map(|distance| {
+            DIRECTIONS
+                .into_iter()
+                .map(move |direction| (distance, direction))
+        });
+        let best = candidates
+            .map(|(distance, direction)| {
+                // The nearest point of the box lies at the distance from the place.
+                let reach = 0.5 * size * egui::vec2(direction.x.signum(), direction.y.signum());
+                let side = egui::vec2(
+                    if direction.x == 0.0 { 0.0 } else { reach.x },
+                    if direction.y == 0.0 { 0.0 } else { reach.y },
+                );
+                let rect = Rect::from_center_size(place + distance * direction + side, size);
+                (self.cost(rect) + 0.4 * distance, distance, rect)
+            })
+            .min_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((_, distance, rect)) = best else {
+            return;
+        };
+        if distance > LEADER {
+            let near = rect.clamp(place);
+            painter.line_segment([place, near], Stroke::new(1.0, colour.gamma_multiply(0.6)));
+        }
+        painter.rect_filled(rect, 3.0, Color32::from_black_alpha(205));
+        painter.galley(rect.min + egui::vec2(4.0, 2.0), galley, colour);
+        self.taken.push(rect);
+    }
+
+    /// How bad a box is: the area that other labels or the edge take, and what is drawn below it.
+    fn cost(&self, rect: Rect) -> f32 {
+        let area = |other: Rect| {
+            if other.is_positive() {
+                other.area()
+            } else {
+                0.0
+            }
+        };
+        let covered: f32 = self
+            .taken
+            .iter()
+            .map(|other| area(rect.expand(2.0).intersect(*other)))
+            .sum();
+        let outside = rect.area() - area(rect.intersect(self.bounds));
+        let below = self
+            .drawn
+            .iter()
+            .filter(|point| rect.contains(**point))
+            .count();
+        covered + outside + 6.0 * below as f32
+    }
+}
