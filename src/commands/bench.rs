@@ -30,12 +30,13 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
         ));
     }
     eprintln!(
-        "lightfall: bench: {} measurements in {} scenes on {}",
+        "lightfall: bench: {} measurements in {} scenes on {}; the first scene will tell how long they take",
         plan.len(),
         plan.scenes.len(),
         gpu.info.name
     );
-    let mut progress = Progress::new("bench", plan.work());
+    // All rows of a scene are timed before the errors of any are computed.
+    let mut progress = Progress::new("bench", plan.work(), plan.work_of_scene(0));
     let measured = plan.run(&gpu, |row| {
         progress.set_task(format!("{}, {}", row.scene, row.label()));
         progress.advance(plan.work_of(row));

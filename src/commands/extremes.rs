@@ -15,6 +15,9 @@ use lightfall_core::scene::Method;
 /// Number of scenes that a hunt lists even if their worst rays are within the tolerance.
 const MIN_LISTED: usize = 10;
 
+/// Share of the work after which the time of the rest is estimated.
+const SAMPLE_SHARE: f64 = 0.03;
+
 /// Measures the matrix, or hunts. Prints and writes the result.
 pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     create_report_folder(args.out.as_deref())?;
@@ -34,9 +37,12 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     } else {
         args.methods.clone()
     };
-    eprintln!("lightfall: extremes: finding the edges of the shadows first");
+    eprintln!(
+        "lightfall: extremes: finding the edges of the shadows; then the first cells will tell how long the rest takes"
+    );
     let cells = if args.grid { grid } else { cells }(args.rays as usize);
-    let mut progress = Progress::new("extremes", matrix_work(&cells, &methods));
+    let work = matrix_work(&cells, &methods);
+    let mut progress = Progress::new("extremes", work, SAMPLE_SHARE * work);
     let measured = measure_matrix(&gpu, &cells, &methods, |verdict, work| {
         progress.set_task(format!(
             "{}: {}, {}",
@@ -79,7 +85,8 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
 }
 
 fn hunt(gpu: &Gpu, hunt: &Hunt, as_json: bool) -> Result<(), Stop> {
-    let mut progress = Progress::new("extremes --hunt", hunt.scenes() as f64);
+    let scenes = hunt.scenes() as f64;
+    let mut progress = Progress::new("extremes --hunt", scenes, SAMPLE_SHARE * scenes);
     let mut worst = 0.0;
     let rays = hunt.run(gpu, |ray| {
         worst = f64::max(worst, ray.excess);

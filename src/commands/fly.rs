@@ -1,11 +1,10 @@
 //! `lightfall` without a command: opens the window or, where there is no display, draws a picture.
 
 use super::cli::FlyArgs;
-use super::render::{drawn_scene, write_still};
+use super::render::write_still;
 use super::scene::{drawable, journey, scene};
 use super::stop::Stop;
 use crate::app::Start;
-use crate::picture::Format;
 use crate::storage::file_safe_name;
 use crate::{app, picture};
 use lightfall_core::scene::Scene;
@@ -57,7 +56,7 @@ fn draw_instead(
     eprintln!("lightfall: no display ({reason}); rendering {what} to a picture instead");
     let scene = scene.exposed();
     let size = scene.picture.size();
-    let still = picture::render(&drawn_scene(&scene, Format::Png), size).map_err(Stop::failed)?;
+    let still = picture::render(&picture::filled(&scene), size).map_err(Stop::failed)?;
     write_still(&unused_file(&name), &still, &scene)
 }
 

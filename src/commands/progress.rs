@@ -4,13 +4,11 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};
 
-/// The estimate of the whole is given when the work has lasted this long,
+/// The estimate of the whole is given when the work has lasted at least this long.
 const MIN_SAMPLE: Duration = Duration::from_secs(2);
-/// and this share of it is done.
-const MIN_SHARE: f64 = 0.01;
 /// Minimum time between two lines in a log.
 const MIN_LINE_INTERVAL: Duration = Duration::from_secs(15);
-/// Minimum share of the work between two lines in a log.
+/// Minimum share of the work between two lines in a log, and after the last one.
 const MIN_LINE_SHARE: f64 = 0.05;
 
 /// A progress bar on standard error, with the current task and the remaining time. Nothing is drawn
@@ -28,6 +26,8 @@ pub(super) struct Progress {
     /// The work to do, in any unit, and how much of it is done.
     total: f64,
     done: f64,
+    /// The work after which the time of the rest is estimated.
+    sample: f64,
     began: Instant,
     estimated: bool,
     /// None in a log.
@@ -37,8 +37,9 @@ pub(super) struct Progress {
 }
 
 impl Progress {
-    /// Begins a work of this amount, in any unit. `command` is its name.
-    pub(super) fn new(command: &'static str, total: f64) -> Self {
+    /// Begins a work of this amount, in any unit. `command` is its name. When the amount `sample` is
+    /// done, the time of the rest is estimated.
+    pub(super) fn new(command: &'static str, total: f64, sample: f64) -> Self {
         let bar = std::io::stderr().is_terminal().then(|| {
             let style = ProgressStyle::with_template("{bar:30} {percent} %, {prefix}: {wide_msg}");
             ProgressBar::new(1000)
@@ -51,6 +52,7 @@ impl Progress {
             command,
             total,
             done: 0.0,
+            sample,
             began: Instant::now(),
             estimated: false,
             bar,
@@ -71,7 +73,7 @@ impl Progress {
         self.done += work;
         let elapsed = self.began.elapsed();
         let share = (self.done / self.total).clamp(0.0, 1.0);
-        if elapsed < MIN_SAMPLE || share < MIN_SHARE {
+        if elapsed < MIN_SAMPLE || self.done < self.sample {
             return;
         }
         let left = elapsed.mul_f64((1.0 - share) / share);
@@ -83,7 +85,9 @@ impl Progress {
         if let Some(bar) = &self.bar {
             bar.set_prefix(format!("about {} left", in_words(left)));
             bar.set_position((1000.0 * share) as u64);
-        } else if elapsed > self.line.0 + MIN_LINE_INTERVAL && share > self.line.1 + MIN_LINE_SHARE
+        } else if elapsed > self.line.0 + MIN_LINE_INTERVAL
+            && share > self.line.1 + MIN_LINE_SHARE
+            && share < 1.0 - MIN_LINE_SHARE
         {
             self.line = (elapsed, share);
             let percent = 100.0 * share;

@@ -11,11 +11,11 @@ use crate::picture::{
     Channels, Format, Frames, HeadlessOptions, Linear, PassTime, PictureError, PixelRays, Sequence,
     Still, Studio,
 };
-use crate::render::fit;
+use crate::render::{fit, resized};
 use glam::UVec2;
 use indicatif::ProgressBar;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::{MAX_PIXELS_PER_CELL, Picture, Scene};
+use lightfall_core::scene::{Picture, Scene};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -102,29 +102,20 @@ fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence
     Ok(sequence)
 }
 
-/// Gives the scene's picture another size. The number of rows of its cells stays, as far as cells
-/// may have from 1 to `MAX_PIXELS_PER_CELL` pixels to a side, and that of its columns follows the
-/// size.
+/// Gives the scene's picture another size.
 fn resize(scene: &mut Scene, size: UVec2) -> Result<(), Stop> {
-    let picture = &mut scene.picture;
-    let columns = fit(picture, size, u64::MAX).grid_width;
-    let grid = UVec2::new(columns, picture.grid_height);
-    let min = (size + MAX_PIXELS_PER_CELL - 1) / MAX_PIXELS_PER_CELL;
-    let grid = grid.clamp(min, size);
-    (picture.width, picture.height) = size.into();
-    (picture.grid_width, picture.grid_height) = grid.into();
+    scene.picture = resized(&scene.picture, size);
     scene
         .check()
         .map_err(|refusal| Stop::refused(format!("--size: {refusal}")))
 }
 
-/// The scene as it is drawn for a file of this format. The cells of a PNG fill it; an EXR has none.
-pub(super) fn drawn_scene(scene: &Scene, format: Format) -> Scene {
-    let mut drawn = scene.clone();
-    if format == Format::Png {
-        drawn.picture = fit(&scene.picture, scene.picture.size(), u64::MAX);
+/// The scene as it is drawn for a file of this format. An EXR has no cells.
+fn drawn_scene(scene: &Scene, format: Format) -> Scene {
+    match format {
+        Format::Png => picture::filled(scene),
+        Format::Exr => scene.clone(),
     }
-    drawn
 }
 
 /// Says that a picture whose size was asked for has cells that are larger than a pixel.

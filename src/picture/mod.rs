@@ -14,4 +14,4 @@ pub(crate) use headless::quiet_log;
 pub use headless::{HeadlessOptions, check_size};
 pub use open_exr::{Linear, write_exr};
 pub use sequence::{Frames, Sequence, frame_rate};
-pub use still::{PassTime, Still, Studio, render, render_timed};
+pub use still::{PassTime, Still, Studio, filled, render, render_timed};

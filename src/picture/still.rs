@@ -2,7 +2,7 @@
 
 use super::PictureError;
 use super::headless::{HeadlessOptions, MAX_UPDATES, Output, drawable, headless, update, warm_up};
-use crate::render::{AlwaysDraw, Capture, Captured, CurrentScene, NEAR_PLANE, ROW_ALIGNMENT};
+use crate::render::{AlwaysDraw, Capture, Captured, CurrentScene, NEAR_PLANE, ROW_ALIGNMENT, fit};
 use bevy::diagnostic::DiagnosticsStore;
 use bevy::prelude::*;
 use bevy::render::gpu_readback::{Readback, ReadbackComplete};
@@ -166,6 +166,16 @@ impl Studio {
             }
         });
         Ok(times.collect())
+    }
+}
+
+/// The scene as it is drawn for a picture of its own size: its cells fill the picture.
+#[must_use]
+pub fn filled(scene: &Scene) -> Scene {
+    let picture = fit(&scene.picture, scene.picture.size(), u64::MAX);
+    Scene {
+        picture,
+        ..scene.clone()
     }
 }
 

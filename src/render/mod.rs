@@ -37,7 +37,7 @@ pub use cost_report::{cost_report, cost_rows};
 pub use current_scene::CurrentScene;
 pub use device::render_plugin;
 pub use error_map::AwaitErrorMap;
-pub use presentation::{Letterbox, ShownCells, fit, letterbox};
+pub use presentation::{Letterbox, ShownCells, fit, letterbox, resized};
 pub use redraw::{AlwaysDraw, DrawRequest, is_drawn};
 pub use scene_camera::NEAR_PLANE;
 

@@ -5,7 +5,7 @@ mod fit;
 mod letterbox;
 mod pipeline;
 
-pub use fit::fit;
+pub use fit::{fit, resized};
 pub use letterbox::{Letterbox, letterbox};
 
 use crate::render::camera_markers::{SceneCamera, ScreenCamera};

@@ -2,10 +2,10 @@
 //! one while something moves. The scene's own resolution is kept here, so that nothing is lost.
 
 use super::settings::PictureShape;
-use crate::render::{fit, letterbox};
+use crate::render::{fit, letterbox, resized};
 use bevy::prelude::*;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::{MAX_PIXELS_PER_CELL, Picture, Scene};
+use lightfall_core::scene::{MAX_PICTURE_SIDE, MAX_PIXELS_PER_CELL, Picture, Scene};
 
 /// The window that the picture is drawn for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,6 +71,24 @@ impl Resolution {
         Drawable::new(resized)
             .inspect_err(|reason| error_once!("the picture keeps its resolution: {reason}"))
             .ok()
+    }
+
+    /// The scene with a picture of the window's shape and size, as a picture file of what the
+    /// window shows has it. At its own size where there is no window, or where it has the preset's
+    /// shape.
+    #[must_use]
+    pub fn scene_in_window(&self, drawn: &Scene) -> Scene {
+        let mut scene = self.full_scene(drawn);
+        if let Some(Canvas {
+            size,
+            shape: PictureShape::Window,
+            ..
+        }) = self.canvas
+        {
+            let size = size.min(UVec2::splat(MAX_PICTURE_SIDE));
+            scene.picture = resized(&scene.picture, size);
+        }
+        scene
     }
 
     /// The picture as it is drawn at rest: the scene's own where there is no window yet, and

@@ -34,6 +34,23 @@ pub fn fit(picture: &Picture, size: UVec2, max_pixels: u64) -> Picture {
     }
 }
 
+/// The picture with another size, as a scene keeps it. The number of rows of its cells stays, as far
+/// as cells may have from 1 to `MAX_PIXELS_PER_CELL` pixels to a side, and that of its columns
+/// follows the size.
+#[must_use]
+pub fn resized(picture: &Picture, size: UVec2) -> Picture {
+    let columns = fit(picture, size, u64::MAX).grid_width;
+    let min = (size + MAX_PIXELS_PER_CELL - 1) / MAX_PIXELS_PER_CELL;
+    let grid = UVec2::new(columns, picture.grid_height).clamp(min, size);
+    Picture {
+        width: size.x,
+        height: size.y,
+        grid_width: grid.x,
+        grid_height: grid.y,
+        ..*picture
+    }
+}
+
 /// Output pixels per side of a cell. The grid has at most `MAX_PICTURE_SIDE` cells to a side.
 fn cell_scale(picture: &Picture, size: UVec2) -> u32 {
     let rows = f64::from(picture.grid_height.max(1));

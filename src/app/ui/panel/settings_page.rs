@@ -96,7 +96,7 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
             ui.end_row();
             ui.label("coarser while moving").on_hover_text(
                 "While something moves, the picture is drawn with as many pixels as the target frame rate allows. A picture at \
-                 rest is drawn in full. auto: on for software and integrated graphics",
+                 rest is drawn in full. auto: on for software and integrated graphics, and without the pixel look",
             );
             ui.horizontal(|ui| {
                 for (value, text) in [

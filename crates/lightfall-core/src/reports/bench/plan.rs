@@ -85,11 +85,17 @@ impl Plan {
     /// The work of everything that is measured, in the unit of [`work_of`](Self::work_of).
     #[must_use]
     pub fn work(&self) -> f64 {
-        self.scenes
-            .iter()
-            .flat_map(|scene| self.rows_of(scene))
-            .map(|setting| ray_work(&setting.scene))
+        (0..self.scenes.len())
+            .map(|scene| self.work_of_scene(scene))
             .sum()
+    }
+
+    /// The work of all rows of the scene with this index, or zero if there is none.
+    #[must_use]
+    pub fn work_of_scene(&self, index: usize) -> f64 {
+        let rows = self.scenes.get(index).map(|scene| self.rows_of(scene));
+        let work = |setting: &Setting| ray_work(&setting.scene);
+        rows.iter().flatten().map(work).sum()
     }
 
     /// The work of one row, relative to the others.
