@@ -35,7 +35,7 @@ pub use state::menu::{Menu, MenuEntry};
 pub use state::resolution::{Canvas, Resolution};
 pub use state::settings::{Automatic, PictureShape, Settings};
 pub use state::toast::reading_time;
-pub use ui::hud::{ReadOut, physics_off, read_outs};
+pub use ui::hud::{ReadOut, differences, physics_off, read_outs};
 pub use ui::inspector::pixel_at;
 pub use ui::legend::{Swatch, legend};
 pub use ui::panel::{
@@ -145,6 +145,7 @@ pub fn program(start: Start) -> App {
             session::canvas::plugin,
             session::pixel_look::plugin,
             session::adaptive_resolution::plugin,
+            session::comparison::plugin,
             session::exposure::plugin,
             session::adapter::plugin,
             session::recovery::RecoveryPlugin,

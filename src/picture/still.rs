@@ -2,7 +2,10 @@
 
 use super::PictureError;
 use super::headless::{HeadlessOptions, MAX_UPDATES, Output, drawable, headless, update, warm_up};
-use crate::render::{AlwaysDraw, Capture, Captured, CurrentScene, NEAR_PLANE, ROW_ALIGNMENT, fit};
+use crate::render::{
+    AlwaysDraw, Capture, Captured, Comparison, ComparisonMode, CurrentScene, NEAR_PLANE, Pinned,
+    ROW_ALIGNMENT, fit,
+};
 use bevy::diagnostic::DiagnosticsStore;
 use bevy::prelude::*;
 use bevy::render::gpu_readback::{Readback, ReadbackComplete};
@@ -84,6 +87,12 @@ impl Studio {
     #[must_use]
     pub fn scene(&self) -> &Scene {
         self.app.world().resource::<CurrentScene>().scene()
+    }
+
+    /// Compares the scene with the settings of another one from the next frame on, or with nothing.
+    pub fn compare(&mut self, with: Option<(&Scene, ComparisonMode)>) {
+        self.app.world_mut().resource_mut::<Comparison>().0 =
+            with.map(|(scene, mode)| (Pinned::new(scene), mode));
     }
 
     /// Draws frames until the scene is completely drawn.

@@ -1,6 +1,7 @@
 //! The passes and textures that a scene needs. Both the passes themselves and the reports take them
 //! from here.
 
+use crate::render::comparison::ComparedScene;
 use bevy::math::UVec2;
 use lightfall_core::scene::Scene;
 
@@ -35,6 +36,8 @@ pub struct Chain {
     pub bloom: Option<u32>,
     /// Size of the presentation grid; `None` where it is bypassed.
     pub cells: Option<UVec2>,
+    /// Whether the picture shows the difference of two scenes.
+    pub difference: bool,
 }
 
 /// A texture that a chain writes to.
@@ -75,6 +78,23 @@ impl Chain {
                 && scene.view.shows_light())
             .then_some(rows),
             cells: (!scene.picture.bypass).then_some(scene.picture.grid()),
+            difference: false,
+        }
+    }
+
+    /// The chain that also draws a compared scene. Two scenes side by side need no more than one.
+    /// A difference has neither bloom, which would spread it, nor smooth edges of the foreground,
+    /// which it covers.
+    #[must_use]
+    pub fn comparing(self, compared: &ComparedScene) -> Self {
+        if !compared.is_difference() {
+            return self;
+        }
+        Self {
+            samples: 1,
+            bloom: None,
+            difference: true,
+            ..self
         }
     }
 
@@ -91,9 +111,15 @@ impl Chain {
         } else {
             &[]
         };
+        let difference: &[_] = if self.difference {
+            &["geodesic_pinned", "difference"]
+        } else {
+            &[]
+        };
         let scene_camera = [
             lamps,
             &["main_opaque_pass_3d", "geodesic"],
+            difference,
             bloom,
             &["tonemapping"],
         ]
@@ -123,6 +149,10 @@ impl Chain {
             of_picture("tone-mapped picture", "rgba16float"),
             of_picture("depth", "depth32float"),
         ];
+        if self.difference {
+            textures.push(of_picture("light of the scene", "rgba16float"));
+            textures.push(of_picture("light of the pinned scene", "rgba16float"));
+        }
         if self.samples > 1 {
             textures.push(of_picture("HDR picture of four samples", "rgba16float"));
         }

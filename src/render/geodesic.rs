@@ -1,12 +1,18 @@
 //! The geodesic pass: a full-screen triangle at the far plane. The depth test discards the pixels
-//! that the foreground covers.
+//! that the foreground covers. Two compared scenes are drawn side by side in the same pass, or each
+//! in a texture of its own.
 
 mod pipeline;
 mod shader;
+mod side;
 
-pub(super) use shader::{GeodesicShader, select_geodesic_shader};
+pub(super) use shader::{GeodesicShaders, select_geodesic_shaders};
 
 use crate::render::camera_markers::SceneCamera;
+use crate::render::comparison::{
+    ComparedScene, Comparison, ComparisonLayout, DifferencePass, draw_difference,
+    follow_current_scene, prepare_difference,
+};
 use crate::render::current_scene::CurrentScene;
 use crate::render::error_map::ShownErrorMap;
 use bevy::asset::AssetEventSystems;
@@ -16,16 +22,18 @@ use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
 use bevy::render::diagnostic::RecordDiagnostics;
 use bevy::render::extract_resource::ExtractResourcePlugin;
+use bevy::render::render_phase::TrackedRenderPass;
 use bevy::render::render_resource::binding_types::{uniform_buffer, uniform_buffer_sized};
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use lightfall_core::gpu::{ErrorMap, GpuScene, bindings};
-use lightfall_core::optics::{disk, spectrum};
+use lightfall_core::optics::spectrum;
 use lightfall_core::scene::View;
-use pipeline::pipeline_descriptor;
-use shader::JoinedShaders;
+use pipeline::{Destination, pipeline_descriptor};
+use shader::{JoinedShader, JoinedShaders};
+use side::{PAGE_THORNE_SIZE, Shared, Side};
 
 /// Most pixels that one draw call traces: a full HD picture.
 const MAX_BAND_PIXELS: u32 = 1920 * 1080;
@@ -33,28 +41,22 @@ const MAX_BAND_PIXELS: u32 = 1920 * 1080;
 /// The pass's resources on the GPU.
 #[derive(Resource)]
 pub(super) struct GeodesicPass {
-    layout: BindGroupLayoutDescriptor,
-    spectrum: Buffer,
-    /// The relativistic disk's flux. Always bound; only the variants that need it read it.
-    page_thorne: Buffer,
-    /// The map of the view `error`. Always bound; only that view reads it.
-    error_map: Buffer,
-    uniform: UniformBuffer<GpuScene>,
-    /// The pipelines queued so far, by shader and samples per pixel.
-    pipelines: HashMap<(AssetId<Shader>, u32), CachedRenderPipelineId>,
-    /// The pipeline of the scene in the uniform.
-    current: Option<CachedRenderPipelineId>,
-    /// Samples per pixel of that pipeline.
-    samples: u32,
-    bind_group: Option<BindGroup>,
-    /// Whether the scene has changed since the uniform was written.
+    shared: Shared,
+    current: Side,
+    /// The pinned scene, and where the two are drawn; `None` while nothing is compared.
+    pinned: Option<(Side, ComparisonLayout)>,
+    /// The pipelines queued so far, by shader and what they draw to.
+    pipelines: HashMap<(AssetId<Shader>, Destination), CachedRenderPipelineId>,
+    /// What the pipelines of the written scenes draw to.
+    destination: Destination,
+    /// Whether a scene has changed since it was written.
     changed: bool,
-    /// Whether this frame has drawn the scene in the uniform.
+    /// Whether this frame has drawn the written scenes.
     drawn: bool,
 }
 
 impl GeodesicPass {
-    /// Whether this frame has drawn the present scene.
+    /// Whether this frame has drawn the present scenes.
     pub(super) fn has_drawn_scene(&self) -> bool {
         self.drawn && !self.changed
     }
@@ -62,13 +64,14 @@ impl GeodesicPass {
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<JoinedShaders>()
-        .add_plugins(ExtractResourcePlugin::<GeodesicShader>::default())
+        .add_plugins(ExtractResourcePlugin::<GeodesicShaders>::default())
         // Before asset events, so that the pipeline cache knows a new or replaced shader in the
         // same frame.
         .add_systems(
             PostUpdate,
-            select_geodesic_shader
-                .run_if(resource_changed::<CurrentScene>)
+            (follow_current_scene, select_geodesic_shaders)
+                .chain()
+                .run_if(resource_changed::<CurrentScene>.or_eager(resource_changed::<Comparison>))
                 .before(AssetEventSystems),
         );
     let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
@@ -78,11 +81,14 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(RenderStartup, create_geodesic_pass)
         .add_systems(
             Render,
-            prepare_geodesic_pass.in_set(RenderSystems::PrepareResources),
+            (prepare_difference, prepare_geodesic_pass)
+                .chain()
+                .in_set(RenderSystems::PrepareResources),
         )
         .add_systems(
             Core3d,
-            draw_geodesic_pass
+            (draw_geodesic_pass, draw_difference)
+                .chain()
                 .in_set(Core3dSystems::MainPass)
                 .after(main_opaque_pass_3d)
                 .before(main_transparent_pass_3d),
@@ -105,20 +111,12 @@ fn create_geodesic_pass(mut commands: Commands, device: Res<RenderDevice>) {
         contents: &table,
         usage: BufferUsages::UNIFORM,
     });
-    let uniform = |label, size: usize| {
-        let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
-        device.create_buffer(&BufferDescriptor {
-            label: Some(label),
-            size: size as u64,
-            usage,
-            mapped_at_creation: false,
-        })
-    };
-    let page_thorne = uniform(
-        "Page-Thorne table",
-        size_of::<[[f32; 4]; disk::TABLE_LEN]>(),
-    );
-    let error_map = uniform("error map", ErrorMap::SIZE);
+    let error_map = device.create_buffer(&BufferDescriptor {
+        label: Some("error map"),
+        size: ErrorMap::SIZE as u64,
+        usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
     let layout = BindGroupLayoutDescriptor::new(
         "geodesic layout",
         &BindGroupLayoutEntries::with_indices(
@@ -131,7 +129,7 @@ fn create_geodesic_pass(mut commands: Commands, device: Res<RenderDevice>) {
                 ),
                 (
                     bindings::PAGE_THORNE,
-                    uniform_buffer_sized(false, BufferSize::new(page_thorne.size())),
+                    uniform_buffer_sized(false, BufferSize::new(PAGE_THORNE_SIZE)),
                 ),
                 (
                     bindings::ERROR_MAP,
@@ -141,106 +139,154 @@ fn create_geodesic_pass(mut commands: Commands, device: Res<RenderDevice>) {
         ),
     );
     commands.insert_resource(GeodesicPass {
-        layout,
-        spectrum,
-        page_thorne,
-        error_map,
-        uniform: UniformBuffer::from(GpuScene::default()),
+        shared: Shared {
+            layout,
+            spectrum,
+            error_map,
+        },
+        current: Side::new(&device),
+        pinned: None,
         pipelines: HashMap::default(),
-        current: None,
-        samples: 1,
-        bind_group: None,
+        destination: Destination::Picture { samples: 1 },
         changed: true,
         drawn: false,
     });
 }
 
-/// Writes a changed scene to the uniform once its pipeline exists.
+/// Writes changed scenes once their pipelines exist.
 fn prepare_geodesic_pass(
     scene: Res<CurrentScene>,
-    shader: Option<Res<GeodesicShader>>,
+    compared: Res<ComparedScene>,
+    shaders: Option<Res<GeodesicShaders>>,
     errors: Res<ShownErrorMap>,
-    pass: Option<ResMut<GeodesicPass>>,
+    (pass, difference): (Option<ResMut<GeodesicPass>>, Option<Res<DifferencePass>>),
     cache: Res<PipelineCache>,
     device: Res<RenderDevice>,
     queue: Res<RenderQueue>,
 ) {
-    let (Some(shader), Some(mut pass)) = (shader, pass) else {
+    let (Some(shaders), Some(mut pass)) = (shaders, pass) else {
         return;
     };
     let GeodesicPass {
-        layout,
-        spectrum,
-        page_thorne,
-        error_map,
-        uniform,
-        pipelines,
+        shared,
         current,
-        samples,
-        bind_group,
+        pinned,
+        pipelines,
+        destination,
         changed,
         drawn,
     } = &mut *pass;
-    *changed |= scene.is_changed() || errors.is_changed();
+    *changed |= scene.is_changed() || errors.is_changed() || compared.is_changed();
     *drawn = false;
-    let wanted = *pipelines
-        .entry((shader.shader.id(), shader.samples))
-        .or_insert_with(|| {
-            cache.queue_render_pipeline(pipeline_descriptor(
-                layout.clone(),
-                shader.shader.clone(),
-                shader.samples,
-            ))
-        });
-    // Until the scene's own pipeline exists, the uniform and the pipeline of the last picture stay.
-    let ready = cache.get_render_pipeline(wanted).is_some();
-    shader.set_ready(ready);
-    if !*changed || !ready {
+    let shows_difference = difference.is_some_and(|pass| pass.is_ready(&cache));
+    let mut pipeline_of = |joined: &JoinedShader| {
+        let id = *pipelines
+            .entry((joined.shader.id(), joined.destination))
+            .or_insert_with(|| {
+                cache.queue_render_pipeline(pipeline_descriptor(
+                    shared.layout.clone(),
+                    joined.shader.clone(),
+                    joined.destination,
+                ))
+            });
+        let ready = cache.get_render_pipeline(id).is_some()
+            && (joined.destination != Destination::Light || shows_difference);
+        joined.set_ready(ready);
+        ready.then_some(id)
+    };
+    let current_pipeline = pipeline_of(&shaders.current);
+    let pinned_pipeline = shaders.pinned.as_ref().map(&mut pipeline_of);
+    // Until all pipelines exist, the scenes and the pipelines of the last picture stay.
+    let (true, Some(current_pipeline)) = (*changed, current_pipeline) else {
         return;
-    }
-    uniform.set(scene.numbers().clone());
-    uniform.write_buffer(&device, &queue);
-    if let disk::Profile::PageThorne(disk) = disk::Profile::new(&scene) {
-        queue.write_buffer(page_thorne, 0, &table_bytes(&disk.table()));
-    }
+    };
+    let pinned_pipeline = match pinned_pipeline {
+        Some(None) => return,
+        None => None,
+        Some(ready) => ready,
+    };
+    let gpu = (&*cache, &*device, &*queue);
+    current.write(&scene, current_pipeline, shared, gpu);
+    *pinned = match (compared.drawn(), pinned_pipeline) {
+        (Some((scene, layout)), Some(pipeline)) => {
+            let mut side = pinned
+                .take()
+                .map_or_else(|| Side::new(&device), |(side, _)| side);
+            side.write(scene, pipeline, shared, gpu);
+            Some((side, layout))
+        }
+        _ => None,
+    };
     if scene.view == View::Error {
-        queue.write_buffer(error_map, 0, &errors.map.bytes());
+        queue.write_buffer(&shared.error_map, 0, &errors.map.bytes());
     }
-    (*changed, *current, *samples) = (false, Some(wanted), shader.samples);
-    if bind_group.is_none()
-        && let Some(uniform) = uniform.binding()
-    {
-        *bind_group = Some(device.create_bind_group(
-            "geodesic bindings",
-            &cache.get_bind_group_layout(layout),
-            &BindGroupEntries::with_indices((
-                (bindings::SCENE, uniform),
-                (bindings::SPECTRUM, spectrum.as_entire_binding()),
-                (bindings::PAGE_THORNE, page_thorne.as_entire_binding()),
-                (bindings::ERROR_MAP, error_map.as_entire_binding()),
-            )),
-        ));
-    }
+    (*changed, *destination) = (false, shaders.current.destination);
 }
 
 fn draw_geodesic_pass(
     view: ViewQuery<(&ViewTarget, &ViewDepthTexture), With<SceneCamera>>,
     pass: Option<ResMut<GeodesicPass>>,
+    difference: Option<Res<DifferencePass>>,
     cache: Res<PipelineCache>,
     mut context: RenderContext,
 ) {
     let Some(mut pass) = pass else { return };
     let (target, depth) = view.into_inner();
-    let (Some(pipeline), Some(bind_group)) = (
-        pass.current.and_then(|id| cache.get_render_pipeline(id)),
-        pass.bind_group.as_ref(),
-    ) else {
-        return;
+    let drawn = match (pass.destination, &pass.pinned) {
+        (Destination::Light, Some((pinned, _))) => {
+            let lights = difference.as_ref().and_then(|pass| pass.lights());
+            lights.is_some_and(|lights| {
+                draw_light(
+                    &mut context,
+                    &cache,
+                    "geodesic",
+                    &pass.current,
+                    (&lights.current, lights.size),
+                ) && draw_light(
+                    &mut context,
+                    &cache,
+                    "geodesic_pinned",
+                    pinned,
+                    (&lights.pinned, lights.size),
+                )
+            })
+        }
+        (Destination::Light, None) => false,
+        // A pipeline for another number of samples waits until the target has as many.
+        (Destination::Picture { samples }, _)
+            if (samples > 1) != target.sampled_main_texture().is_some() =>
+        {
+            false
+        }
+        (Destination::Picture { .. }, _) => {
+            draw_picture(&mut context, &cache, &pass, target, depth)
+        }
     };
-    // A pipeline for another number of samples waits until the target has as many.
-    if (pass.samples > 1) != target.sampled_main_texture().is_some() {
-        return;
-    }
+    pass.drawn = drawn;
+}
+
+/// Draws the current scene to the picture, and the pinned one left of the divider. Returns whether
+/// all is drawn.
+fn draw_picture(
+    context: &mut RenderContext,
+    cache: &PipelineCache,
+    pass: &GeodesicPass,
+    target: &ViewTarget,
+    depth: &ViewDepthTexture,
+) -> bool {
+    let Some(current) = pass.current.ready(cache) else {
+        return false;
+    };
+    let pinned = match &pass.pinned {
+        Some((side, ComparisonLayout::SideBySide { columns })) => {
+            let Some(ready) = side.ready(cache) else {
+                return false;
+            };
+            Some((ready, *columns))
+        }
+        _ => None,
+    };
+    let size = target.main_texture().size();
     let diagnostics = context.diagnostic_recorder();
     let diagnostics = diagnostics.as_deref();
     let mut render_pass = context.begin_tracked_render_pass(RenderPassDescriptor {
@@ -252,16 +298,65 @@ fn draw_geodesic_pass(
         multiview_mask: None,
     });
     let span = diagnostics.pass_span(&mut render_pass, "geodesic");
-    render_pass.set_render_pipeline(pipeline);
-    render_pass.set_bind_group(0, bind_group, &[]);
-    let size = target.main_texture().size();
-    for (top, rows) in bands(size.width, size.height) {
-        render_pass.set_scissor_rect(0, top, size.width, rows);
-        render_pass.draw(0..3, 0..1);
+    let divider = pinned.map_or(0, |(_, columns)| columns.min(size.width));
+    let left = pinned.map(|(ready, _)| (ready, 0..divider));
+    for ((pipeline, bind_group), columns) in
+        left.into_iter().chain([(current, divider..size.width)])
+    {
+        if columns.is_empty() {
+            continue;
+        }
+        // Not a scissor rectangle: some drivers let its edge cut through the samples of a pixel.
+        let (left, width) = (columns.start as f32, columns.len() as f32);
+        render_pass.set_viewport(left, 0.0, width, size.height as f32, 0.0, 1.0);
+        render_pass.set_render_pipeline(pipeline);
+        render_pass.set_bind_group(0, bind_group, &[]);
+        draw_in_bands(&mut render_pass, UVec2::new(size.width, size.height));
     }
     span.end(&mut render_pass);
-    drop(render_pass);
-    pass.drawn = true;
+    true
+}
+
+/// Draws one scene to a texture of its own. Returns whether it is drawn.
+fn draw_light(
+    context: &mut RenderContext,
+    cache: &PipelineCache,
+    name: &'static str,
+    side: &Side,
+    (texture, size): (&TextureView, UVec2),
+) -> bool {
+    let Some((pipeline, bind_group)) = side.ready(cache) else {
+        return false;
+    };
+    let diagnostics = context.diagnostic_recorder();
+    let diagnostics = diagnostics.as_deref();
+    let mut render_pass = context.begin_tracked_render_pass(RenderPassDescriptor {
+        label: Some(name),
+        color_attachments: &[Some(RenderPassColorAttachment {
+            view: texture,
+            depth_slice: None,
+            resolve_target: None,
+            ops: default(),
+        })],
+        depth_stencil_attachment: None,
+        timestamp_writes: None,
+        occlusion_query_set: None,
+        multiview_mask: None,
+    });
+    let span = diagnostics.pass_span(&mut render_pass, name);
+    render_pass.set_render_pipeline(pipeline);
+    render_pass.set_bind_group(0, bind_group, &[]);
+    draw_in_bands(&mut render_pass, size);
+    span.end(&mut render_pass);
+    true
+}
+
+/// Draws the triangle band by band on a target of this size.
+fn draw_in_bands(render_pass: &mut TrackedRenderPass, size: UVec2) {
+    for (top, rows) in bands(size.x, size.y) {
+        render_pass.set_scissor_rect(0, top, size.x, rows);
+        render_pass.draw(0..3, 0..1);
+    }
 }
 
 /// The first row and the number of rows of each band that is drawn by one call. A driver ends a

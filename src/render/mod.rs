@@ -5,6 +5,7 @@
 //! scene camera (Core3d, picture size, Rgba16Float, no output; redraw.rs: idle unless changed)
 //!   probe.rs         main_opaque_pass_3d     the foreground craft, with depth
 //!   geodesic.rs      GEODESIC                traced light where the depth is zero
+//!   comparison.rs    (DIFFERENCE)            two scenes' light, only while they are compared so
 //!                    main_transparent_pass_3d
 //!   capture.rs       (copy)                  light and depth, only for pictures of linear light
 //!   scene_camera.rs  bloom -> tonemapping    Bevy's own
@@ -19,6 +20,7 @@
 mod camera_markers;
 mod capture;
 mod chain;
+mod comparison;
 mod cost_report;
 mod current_scene;
 mod device;
@@ -33,6 +35,7 @@ mod scene_camera;
 pub use camera_markers::{SceneCamera, ScreenCamera};
 pub use capture::{Capture, Captured, ROW_ALIGNMENT};
 pub use chain::{Chain, EMPTY_PASSES, WrittenTexture};
+pub use comparison::{ComparedScene, Comparison, ComparisonLayout, ComparisonMode, Pinned};
 pub use cost_report::{cost_report, cost_rows};
 pub use current_scene::CurrentScene;
 pub use device::render_plugin;
@@ -59,6 +62,7 @@ impl Plugin for LightfallRenderPlugin {
         app.insert_resource(CurrentScene(self.scene.clone()))
             .insert_resource(ClearColor(Color::BLACK))
             .add_plugins(ExtractResourcePlugin::<CurrentScene>::default())
+            .add_plugins(comparison::plugin)
             .add_plugins((
                 scene_camera::SceneCameraPlugin {
                     target: self.target.clone(),

@@ -8,9 +8,10 @@
 
 use crate::render::camera_markers::SceneCamera;
 use crate::render::chain::Chain;
+use crate::render::comparison::{ComparedScene, ComparisonLayout};
 use crate::render::current_scene::CurrentScene;
 use crate::render::error_map::{ErrorMapRequest, ShownErrorMap, update_error_map};
-use crate::render::geodesic::{GeodesicPass, GeodesicShader, select_geodesic_shader};
+use crate::render::geodesic::{GeodesicPass, GeodesicShaders, select_geodesic_shaders};
 use bevy::camera::CameraUpdateSystems;
 use bevy::prelude::*;
 use bevy::render::camera::ExtractedCamera;
@@ -31,14 +32,17 @@ pub struct AlwaysDraw(pub bool);
 #[derive(Resource, Clone, ExtractResource)]
 pub struct DrawRequest {
     scene: Scene,
+    /// The pinned scene that is compared with it.
+    compared: Option<(Scene, ComparisonLayout)>,
     /// Whether a frame has drawn all of it; shared by the main and the render world.
     drawn: Arc<AtomicBool>,
 }
 
 impl DrawRequest {
-    fn new(scene: &Scene) -> Self {
+    fn new(scene: &Scene, compared: &ComparedScene) -> Self {
         Self {
             scene: scene.without_presentation(),
+            compared: compared.without_presentation(),
             drawn: default(),
         }
     }
@@ -61,14 +65,18 @@ impl DrawRequest {
 const FOREGROUND_FRAMES: u32 = 8;
 
 pub(super) fn plugin(app: &mut App) {
-    let request = DrawRequest::new(app.world().resource::<CurrentScene>());
+    let world = app.world();
+    let request = DrawRequest::new(
+        world.resource::<CurrentScene>(),
+        world.resource::<ComparedScene>(),
+    );
     app.init_resource::<AlwaysDraw>()
         .insert_resource(request)
         .add_plugins(ExtractResourcePlugin::<DrawRequest>::default())
         .add_systems(
             PostUpdate,
             wake_scene_camera
-                .after(select_geodesic_shader)
+                .after(select_geodesic_shaders)
                 .after(update_error_map)
                 .before(CameraUpdateSystems),
         );
@@ -91,7 +99,8 @@ fn forget_lost_picture(request: Option<Res<DrawRequest>>) {
 /// not drawn yet.
 fn wake_scene_camera(
     scene: Res<CurrentScene>,
-    shader: Res<GeodesicShader>,
+    compared: Res<ComparedScene>,
+    shaders: Res<GeodesicShaders>,
     errors: Res<ShownErrorMap>,
     always: Res<AlwaysDraw>,
     mut request: ResMut<DrawRequest>,
@@ -100,13 +109,14 @@ fn wake_scene_camera(
 ) {
     *has_picture |= request.is_drawn();
     // A system that writes the scene may have written the values it already had.
-    let changed = scene.is_changed() && request.scene != scene.without_presentation();
+    let changed = scene.is_changed() && request.scene != scene.without_presentation()
+        || compared.is_changed() && request.compared != compared.without_presentation();
     if changed || errors.is_changed() && scene.view == View::Error {
-        *request = DrawRequest::new(&scene);
+        *request = DrawRequest::new(&scene, &compared);
     }
     // Before the first picture the camera draws without the geodesic pass, so that Bevy compiles
     // the pipelines of the other passes at the same time.
-    let active = always.0 || !request.is_drawn() && (shader.is_ready() || !*has_picture);
+    let active = always.0 || !request.is_drawn() && (shaders.are_ready() || !*has_picture);
     if camera.is_active != active {
         camera.is_active = active;
     }

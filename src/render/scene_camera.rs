@@ -4,6 +4,7 @@
 use crate::render::camera_markers::{SceneCamera, ScreenCamera};
 use crate::render::capture::Capture;
 use crate::render::chain::Chain;
+use crate::render::comparison::{ComparedScene, follow_current_scene};
 use crate::render::current_scene::CurrentScene;
 use bevy::camera::{
     CameraOutputMode, CameraUpdateSystems, ClearColorConfig, Exposure, Hdr, RenderTarget,
@@ -45,7 +46,10 @@ impl Plugin for SceneCameraPlugin {
             // Before Bevy computes transforms and projections, or the foreground would lag the
             // traced light by a frame.
             apply_scene_to_camera
-                .run_if(resource_changed::<CurrentScene>)
+                .run_if(
+                    resource_changed::<CurrentScene>.or_eager(resource_changed::<ComparedScene>),
+                )
+                .after(follow_current_scene)
                 .before(TransformSystems::Propagate)
                 .before(CameraUpdateSystems),
         );
@@ -107,6 +111,7 @@ fn spawn_cameras(
 fn apply_scene_to_camera(
     mut commands: Commands,
     scene: Res<CurrentScene>,
+    compared: Res<ComparedScene>,
     camera: Single<
         (
             Entity,
@@ -121,7 +126,7 @@ fn apply_scene_to_camera(
 ) {
     let (entity, mut target, mut transform, mut projection, mut grading, mut msaa) =
         camera.into_inner();
-    let chain = Chain::of(&scene);
+    let chain = Chain::of(&scene).comparing(&compared);
     let samples = if chain.samples > 1 {
         Msaa::Sample4
     } else {

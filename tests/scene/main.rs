@@ -9,6 +9,7 @@
 mod adapter;
 mod canvas;
 mod command_line;
+mod comparison;
 mod cost_report;
 mod doctor;
 mod file_names;

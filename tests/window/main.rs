@@ -4,6 +4,7 @@
 
 mod adapter;
 mod clipboard;
+mod comparison;
 mod controls;
 mod desktop;
 mod device_loss;

@@ -155,6 +155,10 @@ pub enum AppCommand {
     FasterTime,
     /// Let the observer's proper time run slower.
     SlowerTime,
+    /// Pin the present settings to the left half of the picture, or end the comparison.
+    Compare,
+    /// Show the difference from the pinned settings, or amplify it more.
+    Difference,
 }
 
 /// The ways to move while a control is held.

@@ -91,6 +91,8 @@ pub const CONTROLS: &[Control] = controls! {
         "picture.levels" [KeyV] "posterise" Edit(edits::switch_levels);
         "picture.brighter" [Equal, NumpadAdd] "brighter, darker" Edit(edits::brighten);
         "picture.darker" [Minus, NumpadSubtract] "brighter, darker" Edit(edits::darken);
+        "picture.compare" [Digit0] "side by side: pin the left half" Do(AppCommand::Compare);
+        "picture.difference" Shift + [Digit0] "difference of the sides, amplified" Do(AppCommand::Difference);
         "picture.automatic_exposure" [F9] "automatic exposure" Edit(edits::switch_automatic_exposure);
     }
     Window {

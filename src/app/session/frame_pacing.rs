@@ -4,7 +4,7 @@
 use crate::app::input::gamepad::Pads;
 use crate::app::input::typing::Typing;
 use crate::app::state::preferences::Preferences;
-use crate::render::CurrentScene;
+use crate::render::{Comparison, CurrentScene};
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy::winit::{UpdateMode, WinitSettings};
@@ -67,6 +67,7 @@ fn drop_repeated_modifiers(mut contexts: Query<(&mut EguiContext, &mut EguiInput
 fn watch_activity(
     time: Res<Time<Real>>,
     scene: Res<CurrentScene>,
+    comparison: Res<Comparison>,
     keys: Res<ButtonInput<KeyCode>>,
     buttons: Res<ButtonInput<MouseButton>>,
     mut moves: MessageReader<CursorMoved>,
@@ -91,6 +92,10 @@ fn watch_activity(
     // A window whose edge is dragged asks for a picture of another size in every frame.
     let size = window.physical_size();
     if last_size.replace(size).is_some_and(|last| last != size) {
+        pacing.changed = Some(now);
+    }
+    // A divider that is dragged moves, too.
+    if comparison.is_changed() && !comparison.is_added() {
         pacing.changed = Some(now);
     }
     let held = keys.get_pressed().next().is_some()

@@ -5,6 +5,7 @@ pub(crate) mod adapter;
 pub(crate) mod adaptive_resolution;
 pub(crate) mod canvas;
 pub(crate) mod clipboard;
+pub(crate) mod comparison;
 pub(crate) mod display;
 pub(crate) mod exposure;
 pub(crate) mod frame_pacing;

@@ -19,6 +19,13 @@ pub const PRESENTATION: u32 = 0;
 /// The texture that a stage of the presentation reads.
 pub const PRESENTATION_SOURCE: u32 = 1;
 
+/// The uniform `Difference` of the difference's shader, which has bindings of its own.
+pub const DIFFERENCE: u32 = 0;
+/// The light of the pinned scene.
+pub const DIFFERENCE_LEFT: u32 = 1;
+/// The light of the current scene.
+pub const DIFFERENCE_RIGHT: u32 = 2;
+
 /// Invocations of a compute shader's workgroup.
 pub const WORKGROUP_SIZE: u32 = 64;
 
@@ -37,4 +44,11 @@ pub(super) const CONSTANTS: [(&str, u32); 7] = [
 pub(super) const PRESENTATION_CONSTANTS: [(&str, u32); 2] = [
     ("BINDING_PRESENTATION", PRESENTATION),
     ("BINDING_PRESENTATION_SOURCE", PRESENTATION_SOURCE),
+];
+
+/// The constants of the difference's shader.
+pub(super) const DIFFERENCE_CONSTANTS: [(&str, u32); 3] = [
+    ("BINDING_DIFFERENCE", DIFFERENCE),
+    ("BINDING_DIFFERENCE_LEFT", DIFFERENCE_LEFT),
+    ("BINDING_DIFFERENCE_RIGHT", DIFFERENCE_RIGHT),
 ];

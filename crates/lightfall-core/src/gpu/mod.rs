@@ -6,6 +6,7 @@ mod background_device;
 pub mod bindings;
 mod buffer;
 mod device;
+mod difference;
 mod drawable;
 mod error;
 mod error_map;
@@ -22,6 +23,7 @@ pub use adapter::{
 };
 pub use background_device::with_background_device;
 pub use device::Gpu;
+pub use difference::Difference;
 pub use drawable::{Drawable, Undrawable};
 pub use error::GpuError;
 pub use error_map::{ERROR_MAP_SIZE, ErrorMap};

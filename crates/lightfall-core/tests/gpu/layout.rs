@@ -3,7 +3,7 @@
 use encase::ShaderType;
 use lightfall_core::gpu::rays::{GpuHit, GpuTrace};
 use lightfall_core::gpu::{
-    GpuDisk, GpuHole, GpuObserver, GpuPicture, GpuQuality, GpuScene, GpuShadow, GpuSky,
+    Difference, GpuDisk, GpuHole, GpuObserver, GpuPicture, GpuQuality, GpuScene, GpuShadow, GpuSky,
     Presentation, Variant,
 };
 use lightfall_core::scene::Scene;
@@ -112,4 +112,11 @@ fn rust_and_wgsl_lay_out_the_presentation_alike() {
     let source = Presentation::shader().source();
     let module = naga::front::wgsl::parse_str(&source).unwrap();
     assert_same_layout!(&module, Presentation = "Presentation");
+}
+
+#[test]
+fn rust_and_wgsl_lay_out_the_difference_alike() {
+    let source = Difference::shader().source();
+    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    assert_same_layout!(&module, Difference = "Difference");
 }

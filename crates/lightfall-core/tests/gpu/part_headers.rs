@@ -1,7 +1,7 @@
 //! The header of every WGSL file: the names that it needs from other files or from the constants in
 //! front of them, and the names that it gives to others.
 
-use lightfall_core::gpu::{Presentation, ShaderText, Variant};
+use lightfall_core::gpu::{Difference, Presentation, ShaderText, Variant};
 use std::collections::{BTreeMap, BTreeSet};
 
 type Names = BTreeSet<String>;
@@ -118,7 +118,7 @@ fn joined_texts() -> Vec<ShaderText> {
         .into_iter()
         .filter(|variant| seen.insert(variant.files()));
     let mut texts: Vec<ShaderText> = variants.map(Variant::text).collect();
-    texts.push(Presentation::shader());
+    texts.extend([Presentation::shader(), Difference::shader()]);
     texts
 }
 

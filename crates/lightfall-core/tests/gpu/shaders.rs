@@ -1,6 +1,6 @@
 //! The text of every shader, without a GPU.
 
-use lightfall_core::gpu::{Entry, Presentation, ShaderText, Variant};
+use lightfall_core::gpu::{Difference, Entry, Presentation, ShaderText, Variant};
 use lightfall_core::scene::{DiskModel, SkyMode, View};
 use std::collections::HashMap;
 
@@ -25,6 +25,13 @@ fn naga_accepts_every_variant() {
 fn naga_accepts_the_presentation() {
     let entries = ["vertex", "pixelate", "expand", "fit"];
     if let Err(message) = validate(&Presentation::shader(), &entries) {
+        panic!("{message}");
+    }
+}
+
+#[test]
+fn naga_accepts_the_difference() {
+    if let Err(message) = validate(&Difference::shader(), &["vertex", "difference"]) {
         panic!("{message}");
     }
 }

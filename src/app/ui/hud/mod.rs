@@ -2,9 +2,11 @@
 //!
 //! Each part has its place: the title of a scene in the upper left corner, what is switched off in
 //! the physics at the top, the read-outs in the lower left corner, the keys in the lower right one,
-//! the toast at the bottom, and a journey's captions above it. The read-outs and the keys go away while nothing happens.
+//! the toast at the bottom, a journey's captions above it, and the words of a comparison beside its
+//! divider. The read-outs and the keys go away while nothing happens.
 
 mod board;
+mod comparison;
 mod journey;
 mod key_hints;
 mod physics_off;
@@ -13,6 +15,7 @@ mod read_outs;
 mod title;
 mod toast;
 
+pub use comparison::differences;
 pub use physics_off::physics_off;
 pub use read_outs::{ReadOut, read_outs};
 
@@ -27,5 +30,6 @@ pub(crate) fn plugin(app: &mut App) {
         key_hints::plugin,
         toast::plugin,
         journey::plugin,
+        comparison::plugin,
     ));
 }

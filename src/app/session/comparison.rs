@@ -1,0 +1,80 @@
+//! The keys of the comparison: pin the present settings, show a difference, end the comparison.
+
+use crate::app::controls::bindings::Bindings;
+use crate::app::controls::control::AppCommand;
+use crate::app::state::toast::Toast;
+use crate::render::{Comparison, ComparisonMode, CurrentScene, Pinned};
+use bevy::prelude::*;
+use lightfall_core::scene::View;
+
+/// What a difference is multiplied by: each press of its key takes the next number.
+pub(crate) const GAINS: [u32; 5] = [1, 4, 16, 64, 256];
+const DEFAULT_GAIN: u32 = 16;
+const MIDDLE: f32 = 0.5;
+
+/// The amplification after this one.
+pub(crate) fn next_gain(gain: u32) -> u32 {
+    let place = GAINS.iter().position(|other| *other == gain);
+    place.map_or(DEFAULT_GAIN, |place| GAINS[(place + 1) % GAINS.len()])
+}
+
+pub(crate) fn plugin(app: &mut App) {
+    app.add_systems(Update, switch_comparison);
+}
+
+fn switch_comparison(
+    mut commands: MessageReader<AppCommand>,
+    scene: Res<CurrentScene>,
+    bindings: Res<Bindings>,
+    mut comparison: ResMut<Comparison>,
+    mut toast: ResMut<Toast>,
+) {
+    for command in commands.read() {
+        if matches!(command, AppCommand::Compare | AppCommand::Difference) {
+            switch(*command, &scene, &bindings, &mut comparison, &mut toast);
+        }
+    }
+}
+
+fn switch(
+    command: AppCommand,
+    scene: &CurrentScene,
+    bindings: &Bindings,
+    comparison: &mut Comparison,
+    toast: &mut Toast,
+) {
+    use ComparisonMode::{Difference, SideBySide};
+    let mode = comparison.0.as_ref().map(|(_, mode)| *mode);
+    let next = match (command, mode) {
+        (AppCommand::Compare, Some(SideBySide { .. })) => None,
+        (AppCommand::Compare, _) => Some(SideBySide { divider: MIDDLE }),
+        (_, Some(Difference { gain })) => Some(Difference {
+            gain: next_gain(gain),
+        }),
+        _ => Some(Difference { gain: DEFAULT_GAIN }),
+    };
+    let key = |id| bindings.label(id);
+    let Some(next) = next else {
+        comparison.0 = None;
+        toast.say("Side by side: off");
+        return;
+    };
+    match &mut comparison.0 {
+        Some((_, mode)) => *mode = next,
+        None if scene.view == View::Error => {
+            toast.say("The view error has numbers for one picture only: leave it to compare");
+            return;
+        }
+        None => comparison.0 = Some((Pinned::new(scene), next)),
+    }
+    toast.say(match next {
+        SideBySide { .. } => format!(
+            "Side by side: on. What you change now shows on the right. {} ends it",
+            key("picture.compare")
+        ),
+        Difference { gain } => format!(
+            "Difference, amplified {gain} times. {} returns to the two sides",
+            key("picture.compare")
+        ),
+    });
+}

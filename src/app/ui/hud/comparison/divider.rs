@@ -1,0 +1,44 @@
+//! The line between two compared scenes, which the mouse drags.
+
+use bevy_egui::egui;
+use egui::{Color32, Rangef, Shape, Stroke, pos2, vec2};
+
+/// Width around the divider within which the mouse takes hold of it, in points.
+const GRIP_WIDTH: f32 = 18.0;
+/// Radius of the handle in its middle, in points.
+const HANDLE_RADIUS: f32 = 13.0;
+
+const LINE: Color32 = Color32::from_gray(240);
+const EDGE: Color32 = Color32::from_black_alpha(150);
+const ARROW: Color32 = Color32::from_gray(40);
+
+/// Draws the divider, and returns where the mouse drags it.
+pub(super) fn show_divider(context: &egui::Context, x: f32, y: Rangef) -> Option<f32> {
+    let area = egui::Area::new("divider".into())
+        .fixed_pos([x - 0.5 * GRIP_WIDTH, y.min])
+        .movable(false)
+        .constrain(false)
+        .order(egui::Order::Middle);
+    let shown = area.show(context, |ui| {
+        let grip = vec2(GRIP_WIDTH, y.span());
+        let (_, response) = ui.allocate_exact_size(grip, egui::Sense::drag());
+        let held = response.hovered() || response.dragged();
+        let response = response.on_hover_and_drag_cursor(egui::CursorIcon::ResizeHorizontal);
+        // The handle is wider than the grip.
+        let painter = ui.painter().with_clip_rect(ui.ctx().content_rect());
+        let wider = if held { 1.0 } else { 0.0 };
+        painter.vline(x, y, Stroke::new(4.0 + wider, EDGE));
+        painter.vline(x, y, Stroke::new(2.0 + wider, LINE));
+        let middle = pos2(x, y.center());
+        let fill = if held { Color32::WHITE } else { LINE };
+        painter.circle(middle, HANDLE_RADIUS, fill, Stroke::new(1.5, EDGE));
+        for side in [-1.0, 1.0] {
+            let at = |right: f32, down: f32| middle + vec2(side * right, down);
+            let arrow = vec![at(8.5, 0.0), at(3.5, -4.5), at(3.5, 4.5)];
+            painter.add(Shape::convex_polygon(arrow, ARROW, Stroke::NONE));
+        }
+        let place = response.interact_pointer_pos();
+        place.filter(|_| response.dragged()).map(|place| place.x)
+    });
+    shown.inner
+}

@@ -1,0 +1,81 @@
+//! In what two scenes differ, in a player's words.
+
+use lightfall_core::reports::numbers::four_digits;
+use lightfall_core::scene::{FIELDS, ObserverKind, Scene, Value};
+
+/// Names of fields where the key would not do. Other fields are named by the words of their key.
+const NAMES: [(&str, &str); 14] = [
+    ("hole.spin", "spin"),
+    ("observer.kind", "observer"),
+    ("observer.velocity", "velocity"),
+    ("effects.doppler", "Doppler shift"),
+    ("disk.enabled", "disk"),
+    ("disk.inner", "disk from"),
+    ("disk.outer", "disk to"),
+    ("disk.follow_isco", "disk from the ISCO"),
+    ("disk.temperature_k", "disk temperature"),
+    ("sky.mode", "sky"),
+    ("sky.reference_theta_deg", "reference star theta"),
+    ("sky.reference_phi_deg", "reference star phi"),
+    ("quality.max_error_px", "largest error"),
+    ("quality.step_scale", "steps"),
+];
+
+/// Groups whose fields need no group name in front of them.
+const OBVIOUS_GROUPS: [&str; 3] = ["effects", "quality", "observer"];
+
+/// Groups that both sides of a comparison share.
+const SHARED_GROUPS: [&str; 3] = ["camera", "probe", "picture"];
+
+/// The settings in which two compared scenes differ, each as it is in the first and in the second.
+#[must_use]
+pub fn differences(a: &Scene, b: &Scene) -> Vec<[String; 2]> {
+    let compared = FIELDS.iter().filter(|field| {
+        let group = field.key.split('.').next().unwrap_or_default();
+        !SHARED_GROUPS.contains(&group) && !["schema", "title"].contains(&field.key)
+    });
+    compared
+        .filter(|field| field.get(a) != field.get(b))
+        .map(|field| [a, b].map(|scene| setting(field.key, field.unit, &field.get(scene), scene)))
+        .collect()
+}
+
+/// A setting in a few words, for example `lensing off`.
+fn setting(key: &str, unit: &str, value: &Value, scene: &Scene) -> String {
+    let value = match (key, value) {
+        ("name", _) => return scene.name.clone(),
+        ("observer.kind", _) => motion(scene.observer.kind).into(),
+        (_, Value::Boolean(true)) => "on".into(),
+        (_, Value::Boolean(false)) => "off".into(),
+        (_, Value::Word(word)) => (*word).into(),
+        (_, Value::Velocity(velocity)) => format!("{} c", velocity.map(four_digits).join(", ")),
+        (_, value) => {
+            let number = value
+                .number()
+                .map_or_else(|| value.to_string(), four_digits);
+            format!("{number} {unit}").trim_end().to_owned()
+        }
+    };
+    format!("{} {value}", name(key))
+}
+
+/// How an observer moves.
+fn motion(kind: ObserverKind) -> &'static str {
+    kind.properties().motion
+}
+
+fn name(key: &str) -> String {
+    if let Some((_, name)) = NAMES.iter().find(|(known, _)| *known == key) {
+        return (*name).into();
+    }
+    let (group, field) = key.split_once('.').unwrap_or(("", key));
+    let field = field
+        .trim_end_matches("_deg")
+        .trim_end_matches("_k")
+        .replace('_', " ");
+    if group.is_empty() || OBVIOUS_GROUPS.contains(&group) {
+        field
+    } else {
+        format!("{group} {field}")
+    }
+}

@@ -1,0 +1,83 @@
+//! What one scene has on the GPU: its uniform, its table and its bindings. A comparison has two.
+
+use super::table_bytes;
+use bevy::render::render_resource::*;
+use bevy::render::renderer::{RenderDevice, RenderQueue};
+use lightfall_core::gpu::{Drawable, GpuScene, bindings};
+use lightfall_core::optics::disk;
+
+/// The numbers of a scene, and the pipeline that draws them.
+pub(super) struct Side {
+    uniform: UniformBuffer<GpuScene>,
+    /// The relativistic disk's flux. Always bound; only the variants that need it read it.
+    page_thorne: Buffer,
+    bind_group: Option<BindGroup>,
+    pipeline: Option<CachedRenderPipelineId>,
+}
+
+/// What every side binds in addition to its own numbers.
+pub(super) struct Shared {
+    pub(super) layout: BindGroupLayoutDescriptor,
+    pub(super) spectrum: Buffer,
+    /// The map of the view `error`. Always bound; only that view reads it, and only the current
+    /// scene can have that view.
+    pub(super) error_map: Buffer,
+}
+
+impl Side {
+    pub(super) fn new(device: &RenderDevice) -> Self {
+        Self {
+            uniform: UniformBuffer::from(GpuScene::default()),
+            page_thorne: device.create_buffer(&BufferDescriptor {
+                label: Some("Page-Thorne table"),
+                size: PAGE_THORNE_SIZE,
+                usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            }),
+            bind_group: None,
+            pipeline: None,
+        }
+    }
+
+    /// Writes a scene, which this pipeline draws.
+    pub(super) fn write(
+        &mut self,
+        scene: &Drawable,
+        pipeline: CachedRenderPipelineId,
+        shared: &Shared,
+        (cache, device, queue): (&PipelineCache, &RenderDevice, &RenderQueue),
+    ) {
+        self.uniform.set(scene.numbers().clone());
+        self.uniform.write_buffer(device, queue);
+        if let disk::Profile::PageThorne(disk) = disk::Profile::new(scene) {
+            queue.write_buffer(&self.page_thorne, 0, &table_bytes(&disk.table()));
+        }
+        self.pipeline = Some(pipeline);
+        if self.bind_group.is_none()
+            && let Some(uniform) = self.uniform.binding()
+        {
+            self.bind_group = Some(device.create_bind_group(
+                "geodesic bindings",
+                &cache.get_bind_group_layout(&shared.layout),
+                &BindGroupEntries::with_indices((
+                    (bindings::SCENE, uniform),
+                    (bindings::SPECTRUM, shared.spectrum.as_entire_binding()),
+                    (bindings::PAGE_THORNE, self.page_thorne.as_entire_binding()),
+                    (bindings::ERROR_MAP, shared.error_map.as_entire_binding()),
+                )),
+            ));
+        }
+    }
+
+    /// The pipeline and the bindings to draw with, once a scene has been written.
+    pub(super) fn ready<'a>(
+        &'a self,
+        cache: &'a PipelineCache,
+    ) -> Option<(&'a RenderPipeline, &'a BindGroup)> {
+        let pipeline = self.pipeline.and_then(|id| cache.get_render_pipeline(id))?;
+        Some((pipeline, self.bind_group.as_ref()?))
+    }
+}
+
+/// Size of the table of the disk model `page-thorne`, in bytes.
+pub(super) const PAGE_THORNE_SIZE: u64 = size_of::<[[f32; 4]; disk::TABLE_LEN]>() as u64;
