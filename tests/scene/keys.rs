@@ -67,6 +67,7 @@ fn a_switch_used_twice_restores_any_preset() {
         "view.order",
         "view.redshift",
         "view.error",
+        "view.steps",
         "picture.bloom",
         "picture.bypass",
         "picture.antialias",

@@ -45,6 +45,17 @@ fn colours(view: View) -> &'static [&'static str] {
             "residual_colour(1e-2)",
             "residual_colour(1.0)",
         ],
+        View::Steps => &[
+            "vec3<f32>(0.0)",
+            "steps_colour(4.0)",
+            "steps_colour(8.0)",
+            "steps_colour(16.0)",
+            "steps_colour(32.0)",
+            "steps_colour(64.0)",
+            "steps_colour(128.0)",
+            "steps_colour(256.0)",
+            "MAGENTA",
+        ],
         View::Error => &[
             "scale_colour(0.0)",
             "scale_colour(0.25)",

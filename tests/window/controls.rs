@@ -17,6 +17,7 @@ fn x_name(id: &str) -> String {
         "+" => "equal",
         "-" => "minus",
         "Backspace" => "BackSpace",
+        ";" => "semicolon",
         letter if letter.len() == 1 => return letter.to_lowercase(),
         other => other,
     };
@@ -53,6 +54,7 @@ fn a_switch_changes_the_picture_and_pressed_again_restores_it() {
         ("view.residual", 2),
         ("view.order", 2),
         ("view.redshift", 2),
+        ("view.steps", 2),
         ("picture.bloom", 2),
         ("picture.bypass", 2),
         ("picture.antialias", 2),

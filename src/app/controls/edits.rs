@@ -136,6 +136,10 @@ pub(super) fn toggle_error(scene: &mut Scene, _: &Scene) {
     toggle(scene, View::Error);
 }
 
+pub(super) fn toggle_steps(scene: &mut Scene, _: &Scene) {
+    toggle(scene, View::Steps);
+}
+
 pub(super) fn switch_sky(scene: &mut Scene, loaded: &Scene) {
     let on = if loaded.sky.mode == SkyMode::Off {
         SkyMode::default()

@@ -59,6 +59,18 @@ const RESIDUALS: &[Swatch] = &[
     (Vec3::ONE, "1 or more"),
 ];
 
+const STEPS: &[Swatch] = &[
+    (BLACK, "none"),
+    (Vec3::new(0.0200, 0.0029, 0.0729), "4 or fewer"),
+    (Vec3::new(0.1139, 0.0127, 0.0927), "8"),
+    (Vec3::new(0.2946, 0.0343, 0.1159), "16"),
+    (Vec3::new(0.5366, 0.0914, 0.1450), "32"),
+    (Vec3::new(0.7844, 0.2188, 0.1857), "64"),
+    (Vec3::new(0.9592, 0.4607, 0.2474), "128"),
+    (Vec3::new(0.9642, 0.8686, 0.3441), "256 or more"),
+    (MAGENTA, "unfinished"),
+];
+
 const ERRORS: &[Swatch] = &[
     (Vec3::new(0.0273, 0.0090, 0.1511), "1e-4 px or less"),
     (Vec3::new(0.0080, 0.1104, 0.2716), "1e-3 px"),
@@ -82,6 +94,7 @@ pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
         ),
         View::Redshift => ("Observed over emitted frequency, of disk or sky", SHIFTS),
         View::Residual => ("Residual of the null constraint (not the error)", RESIDUALS),
+        View::Steps => ("Steps of the method along each ray", STEPS),
         View::Error => (
             "Backward error: the rotation of each ray that would explain its error",
             ERRORS,
@@ -153,6 +166,9 @@ fn why_empty(scene: &Scene) -> Option<&'static str> {
         }
         View::Residual if straight || !method.steps => {
             Some("This method solves for rays instead of stepping along them: it has no residual.")
+        }
+        View::Steps if straight || !method.steps => {
+            Some("This method solves for rays instead of stepping along them: no ray takes a step.")
         }
         _ => None,
     }

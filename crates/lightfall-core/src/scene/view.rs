@@ -17,6 +17,8 @@ crate::words! {
         Order = "order",
         /// Observed over emitted frequency of what is seen first, disk or sky.
         Redshift = "redshift",
+        /// Number of steps that the method takes along each ray.
+        Steps = "steps",
         /// Backward error against the reference, in pixels, on a coarse grid.
         Error = "error",
     }
@@ -49,7 +51,7 @@ impl View {
     pub const fn properties(self) -> ViewProperties {
         let (content, traces) = match self {
             Self::Colour | Self::Unfinished => (Content::Light, true),
-            Self::Classes | Self::Residual | Self::Order => (Content::Rays, true),
+            Self::Classes | Self::Residual | Self::Order | Self::Steps => (Content::Rays, true),
             Self::Redshift => (Content::Shift, true),
             Self::Error => (Content::Rays, false),
         };

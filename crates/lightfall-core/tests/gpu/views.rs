@@ -234,3 +234,59 @@ fn the_residual_view_is_black_for_a_method_without_steps_and_brighter_for_longer
         "fine {fine}, coarse {coarse}"
     );
 }
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_steps_view_is_lighter_for_more_steps_and_black_for_a_method_without_steps() {
+    let gpu = gpu();
+    for (method, max_steps) in [
+        (Method::Verlet, 768),
+        (Method::Verlet, 60),
+        (Method::Mino, 768),
+    ] {
+        let scene = Scene {
+            view: View::Steps,
+            ..views_of(method, max_steps)
+        };
+        let directions = pixel_directions(&scene, 192, 108);
+        let lights = shown(gpu, &scene, &directions);
+        let traces = records(gpu, &scene, &directions).unwrap();
+        // Light by the number of steps, of the rays that end within the scale.
+        let mut by_steps = BTreeMap::new();
+        let mut magenta = BTreeSet::new();
+        for (light, trace) in lights.iter().zip(&traces) {
+            if trace.outcome == 2 {
+                magenta.insert(*light);
+            } else if (4..=256).contains(&trace.steps) {
+                let [r, g, b] = light.map(f32::from_bits);
+                let luminance = 0.2126 * r + 0.7152 * g + 0.0722 * b;
+                let other = by_steps.insert(trace.steps, luminance);
+                // The same shader makes the same colour of the same number.
+                assert!(other.is_none_or(|other| other == luminance));
+            }
+        }
+        assert_eq!(!magenta.is_empty(), max_steps == 60, "{method:?}");
+        assert!(magenta.len() <= 1, "{method:?}");
+        let luminances: Vec<f32> = by_steps.values().copied().collect();
+        assert!(
+            luminances.len() > 8,
+            "{method:?}: {} numbers of steps",
+            luminances.len()
+        );
+        assert!(
+            luminances.is_sorted_by(|a, b| a < b),
+            "{method:?}: {by_steps:?}"
+        );
+    }
+    let scene = Scene {
+        view: View::Steps,
+        ..views_of(Method::Closed, 768)
+    };
+    let directions = pixel_directions(&scene, 48, 27);
+    assert!(
+        shown(gpu, &scene, &directions)
+            .iter()
+            .flatten()
+            .all(|bits| *bits == 0)
+    );
+}

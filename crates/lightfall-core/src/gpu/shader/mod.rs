@@ -182,7 +182,8 @@ impl Variant {
                 if self.view.shows_light() {
                     parts.extend(self.light());
                 }
-                parts.extend([part!("view/mark.wgsl"), view_shader(self.view).part]);
+                parts.push(part!("view/mark.wgsl"));
+                parts.extend(view_shader(self.view).parts);
                 if self.view.properties().traces {
                     parts.push(part!("view/traced.wgsl"));
                 }
