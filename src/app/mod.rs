@@ -164,6 +164,7 @@ pub fn program(start: Start) -> App {
             ui::dock::plugin,
             ui::hud::plugin,
             ui::legend::plugin,
+            ui::guides::plugin,
             ui::help::plugin,
             ui::panel::plugin,
             ui::inspector::plugin,

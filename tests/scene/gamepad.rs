@@ -98,7 +98,7 @@ fn names_of_buttons_are_read_back_as_the_same_buttons() {
 
 #[test]
 fn settings_bind_buttons_separately_from_keys() {
-    let text = "[keys]\n\"window.help\" = [\"F10\"]\n[buttons]\n\"window.help\" = [\"Guide\", \"L3\"]\n\"picture.bypass\" = []";
+    let text = "[keys]\n\"window.help\" = [\"Home\"]\n[buttons]\n\"window.help\" = [\"Guide\", \"L3\"]\n\"picture.bypass\" = []";
     let settings = Settings::read(text).unwrap();
     let bindings = PadBindings::new(&settings.buttons).unwrap();
     assert_eq!(

@@ -14,7 +14,7 @@ fn settings_are_read_back_as_they_were_written() {
     };
     settings
         .keys
-        .insert("window.help".into(), vec!["F10".into()]);
+        .insert("window.help".into(), vec!["Home".into()]);
     settings
         .buttons
         .insert("window.help".into(), vec!["Guide".into()]);

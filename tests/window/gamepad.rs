@@ -31,7 +31,11 @@ const HANDS: [(KeyCode, GamepadInput, u64); 6] = [
         GamepadInput::Button(GamepadButton::DPadRight),
         0,
     ),
-    (KeyCode::F10, GamepadInput::Button(GamepadButton::Start), 0),
+    (
+        KeyCode::Backslash,
+        GamepadInput::Button(GamepadButton::Start),
+        0,
+    ),
     (
         KeyCode::Backquote,
         GamepadInput::Button(GamepadButton::RightTrigger),
@@ -215,7 +219,7 @@ fn a_gamepad_wakes_the_window_flies_looks_around_and_presses_controls() {
 
     let right = |a: &Shot, b: &Shot| a.changed(b, WINDOW.0 - 300..WINDOW.0, 100..WINDOW.1);
     let closed = desktop.settled("preset 3", |_| true);
-    used(&desktop, "F10");
+    used(&desktop, "backslash");
     desktop.settled("panel", |shot| right(shot, &closed) > 0.5);
 
     desktop.press("End");

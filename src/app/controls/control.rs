@@ -123,6 +123,8 @@ pub enum AppCommand {
     Hide,
     /// Open or close the ray inspector.
     Inspector,
+    /// Show or hide the guides over the picture.
+    Guides,
     /// Write the picture to a file, without anything that is drawn over it.
     Screenshot,
     /// Write what the window shows to a file.

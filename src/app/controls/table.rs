@@ -101,6 +101,7 @@ pub const CONTROLS: &[Control] = controls! {
         "window.help" [F1] "this help" Do(AppCommand::Help);
         "window.panel" [KeyP] "panel: every setting" Do(AppCommand::Panel);
         "window.inspector" [KeyI] "ray inspector: then click a pixel" Do(AppCommand::Inspector);
+        "window.guides" [F10] "guides: shadow, orbits, scale" Do(AppCommand::Guides);
         "window.hide" [KeyH] "photo mode: only the picture, time stops" Do(AppCommand::Hide);
         "window.screenshot" [F12, PrintScreen] "save the picture" Do(AppCommand::Screenshot);
         "window.screenshot_of_window" Shift + [F12, PrintScreen] "save the window as it is" Do(AppCommand::ScreenshotOfWindow);

@@ -22,6 +22,7 @@ pub(crate) struct Overlays {
     pub(crate) help: bool,
     pub(crate) panel: bool,
     pub(crate) inspector: bool,
+    pub(crate) guides: bool,
     /// Whether every overlay and the status bar are hidden for now.
     pub(crate) hidden: bool,
     /// The side whose panel is covered, in a window too narrow for both.
@@ -51,6 +52,16 @@ impl Overlays {
 
     pub(crate) fn shows_panel(&self) -> bool {
         self.panel && !self.hidden && self.covered != Some(Side::Right)
+    }
+
+    pub(crate) fn shows_guides(&self) -> bool {
+        self.guides && !self.hidden
+    }
+
+    /// Shows the guides over the picture, or takes them away.
+    pub(crate) fn toggle_guides(&mut self) {
+        self.guides = !self.guides || self.hidden;
+        self.hidden &= !self.guides;
     }
 
     /// Opens or closes the help.

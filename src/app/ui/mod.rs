@@ -2,6 +2,7 @@
 
 pub(crate) mod dock;
 pub(crate) mod end_card;
+pub(crate) mod guides;
 pub(crate) mod help;
 pub(crate) mod hud;
 pub(crate) mod inspector;

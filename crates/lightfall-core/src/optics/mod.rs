@@ -5,8 +5,10 @@
 //! unit frequency for the camera. Rays are followed backward from the camera.
 
 pub mod camera_rays;
+pub mod critical_curve;
 pub mod disk;
 pub mod exposure;
+pub mod guides;
 pub mod path;
 pub mod photometry;
 pub mod ray_plane;

@@ -245,7 +245,7 @@ fn time_to_infinity(expansion: &Expansion, reach: f64) -> Option<f64> {
 
 /// The Mino time in (0, `end_time`] at which the ray crosses the disk's plane; `z_end` is n_z at
 /// the end.
-fn time_to_plane(expansion: &Expansion, z_end: f64, end_time: f64) -> Option<f64> {
+pub(super) fn time_to_plane(expansion: &Expansion, z_end: f64, end_time: f64) -> Option<f64> {
     let z = expansion.n[2].0[0];
     (z > 0.0 && z_end <= 0.0 || z < 0.0 && z_end >= 0.0).then(|| expansion.n[2].root(end_time))
 }

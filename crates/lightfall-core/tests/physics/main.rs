@@ -7,6 +7,7 @@ mod disk;
 mod effects;
 mod elliptic;
 mod exposure;
+mod guides;
 mod inside;
 mod kerr;
 mod kerr_schild;

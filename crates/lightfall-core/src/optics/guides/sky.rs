@@ -1,0 +1,93 @@
+//! The camera's sky: from directions of another observer at the same place, in whose frame curves
+//! are found, to directions on the camera's axes.
+
+use crate::geometry::observer::{ObserverError, ObserverKind, ObserverMatrix, observer_matrix};
+use crate::geometry::sphere::celestial_frame;
+use crate::geometry::tetrad::transformation;
+use crate::optics::camera_rays::CameraRays;
+use crate::scene::Scene;
+use glam::{DMat3, DMat4, DVec3, DVec4};
+
+/// The sky of a camera, and the observer in whose frame curves are found.
+pub(super) struct Sky {
+    /// The camera's radius, in r_s.
+    pub(super) r: f64,
+    /// The unit vector from the hole to the camera.
+    pub(super) n: DVec3,
+    /// The matrix of the observer in whose frame curves are found.
+    pub(super) frame: ObserverMatrix,
+    /// That observer's axes (outward, theta, phi), as columns in the hole's frame.
+    pub(super) axes: DMat3,
+    /// From (1, d) of that observer to (frequency, frequency times d) of the camera.
+    to_camera: DMat4,
+}
+
+impl Sky {
+    /// The sky of bent light. Curves are found in the frame of `rain`, which exists on both sides
+    /// of the horizon, at the polar angle `theta` (radians) in place of the camera's own.
+    pub(super) fn bent(scene: &Scene, theta: f64) -> Result<Self, ObserverError> {
+        let camera = &scene.camera;
+        let phi = camera.phi_deg.to_radians();
+        let at = |theta| {
+            observer_matrix(
+                scene.hole.spin,
+                ObserverKind::Rain,
+                [0.0; 3],
+                camera.r,
+                theta,
+                phi,
+            )
+        };
+        let own_theta = camera.theta_deg.to_radians();
+        let to_camera = transformation(
+            &at(own_theta)?,
+            &CameraRays::new(scene)?.matrix,
+            own_theta,
+            phi,
+        );
+        Ok(Self::new(camera.r, theta, phi, at(theta)?, to_camera))
+    }
+
+    /// The sky without bending, where Boyer-Lindquist r, theta, phi are spherical coordinates of
+    /// flat space. Curves are found in the frame of the zero-angular-momentum observer.
+    pub(super) fn flat(scene: &Scene) -> Result<Self, ObserverError> {
+        let (theta, phi) = (
+            scene.camera.theta_deg.to_radians(),
+            scene.camera.phi_deg.to_radians(),
+        );
+        let mut scene = scene.clone();
+        scene.effects.lensing = false;
+        let camera = CameraRays::new(&scene)?.matrix;
+        scene.effects.aberration = false;
+        let frame = CameraRays::new(&scene)?.matrix;
+        let to_camera = transformation(&frame, &camera, theta, phi);
+        Ok(Self::new(scene.camera.r, theta, phi, frame, to_camera))
+    }
+
+    fn new(r: f64, theta: f64, phi: f64, frame: ObserverMatrix, to_camera: DMat4) -> Self {
+        let [n, theta_hat, phi_hat] = celestial_frame(theta, phi);
+        Self {
+            r,
+            n,
+            frame,
+            axes: DMat3::from_cols(n, theta_hat, phi_hat),
+            to_camera,
+        }
+    }
+
+    /// A direction of the frame on the camera's axes. `None` where rounding leaves none, at the
+    /// horizon.
+    pub(super) fn seen(&self, direction: DVec3) -> Option<DVec3> {
+        let [x, y, z] = direction.to_array();
+        let [frequency, rest @ ..] = (self.to_camera * DVec4::new(1.0, x, y, z)).to_array();
+        (DVec3::from_array(rest) / frequency).try_normalize()
+    }
+
+    /// As [`seen`](Self::seen), for every point of a curve.
+    pub(super) fn curve_seen(&self, curve: impl IntoIterator<Item = DVec3>) -> Vec<DVec3> {
+        curve
+            .into_iter()
+            .filter_map(|point| self.seen(point))
+            .collect()
+    }
+}

@@ -1,0 +1,180 @@
+//! The key to the guides: what each line means, which are traced through bent light, and the scale.
+
+use super::place::Placement;
+use super::style::{Style, label, meaning};
+use bevy_egui::egui::{self, Color32, RichText, Shape, Stroke, pos2, vec2};
+use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::optics::guides::{Guide, bar_across_hole};
+use lightfall_core::optics::readout::si::HoleMass;
+use lightfall_core::scene::Scene;
+
+const SIZE: f32 = 12.5;
+const WIDTH: f32 = 292.0;
+/// Longest scale bar, in points.
+const LONGEST_BAR: f64 = 200.0;
+/// Room at the edge of the window, in points.
+const MARGIN: f32 = 8.0;
+const TEXT: Color32 = Color32::from_gray(225);
+const WEAK: Color32 = Color32::from_gray(175);
+
+/// Shows the key below `top` at the right edge of the free part of the window. Returns its place.
+pub(super) fn show_key(
+    context: &egui::Context,
+    scene: &Scene,
+    guides: &[Guide],
+    placement: &Placement,
+    mass: HoleMass,
+    [right, top]: [f32; 2],
+    waiting: bool,
+) -> egui::Rect {
+    let kerr = Kerr {
+        spin: scene.hole.spin,
+    };
+    let area = egui::Area::new("guides".into())
+        .fixed_pos([right - WIDTH - 2.0 * MARGIN - 6.0, top])
+        .interactable(false)
+        .order(egui::Order::Background);
+    let shown = area.show(context, |ui| {
+        let frame = egui::Frame::new()
+            .fill(Color32::from_black_alpha(215))
+            .inner_margin(MARGIN)
+            .corner_radius(4);
+        frame.show(ui, |ui| {
+            ui.set_width(WIDTH);
+            ui.spacing_mut().item_spacing = vec2(8.0, 3.0);
+            ui.label(RichText::new("Guides").size(13.5).strong().color(TEXT));
+            let [traced, flat]: [Vec<&Guide>; 2] = [false, true]
+                .map(|flat| guides.iter().filter(|guide| guide.flat == flat).collect());
+            if scene.effects.lensing {
+                heading(ui, "Traced through bent light");
+                traced.iter().for_each(|guide| row(ui, guide, kerr));
+                if waiting {
+                    ui.label(RichText::new("tracing…").size(SIZE).color(WEAK));
+                }
+            }
+            if !flat.is_empty() {
+                heading(
+                    ui,
+                    if scene.effects.lensing {
+                        "Flat: where it would be without bending"
+                    } else {
+                        "Lensing is off: every line is flat"
+                    },
+                );
+                flat.iter().for_each(|guide| row(ui, guide, kerr));
+            }
+            if scene.effects.lensing {
+                note(ui, "Bent light shows the horizon over the whole shadow.");
+            }
+            scale_bar(ui, scene, placement, mass);
+        });
+    });
+    shown.response.rect
+}
+
+fn heading(ui: &mut egui::Ui, text: &str) {
+    ui.add_space(3.0);
+    ui.label(RichText::new(text).size(SIZE).color(WEAK));
+}
+
+fn note(ui: &mut egui::Ui, text: &str) {
+    ui.label(RichText::new(text).size(SIZE).color(WEAK));
+}
+
+fn row(ui: &mut egui::Ui, guide: &Guide, kerr: Kerr) {
+    let style = Style::of(guide);
+    ui.horizontal_top(|ui| {
+        let (rect, _) = ui.allocate_exact_size(vec2(28.0, 16.0), egui::Sense::hover());
+        let ends = [rect.left_center(), rect.right_center()];
+        let stroke = Stroke::new(style.width, style.colour);
+        match style.dashes {
+            None => {
+                ui.painter().line_segment(ends, stroke);
+            }
+            Some([dash, gap]) => {
+                ui.painter()
+                    .extend(Shape::dashed_line(&ends, stroke, dash, gap));
+            }
+        }
+        ui.vertical(|ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            let name = label(guide, kerr).replace(" (flat)", "");
+            ui.label(RichText::new(name).size(SIZE).color(style.colour));
+            ui.label(RichText::new(meaning(guide, kerr)).size(SIZE).color(TEXT));
+        });
+    });
+}
+
+/// A bar as long as a round length at the hole's distance.
+fn scale_bar(ui: &mut egui::Ui, scene: &Scene, placement: &Placement, mass: HoleMass) {
+    // So short that the picture's perspective does not matter.
+    let short = 1e-3 * scene.camera.r;
+    let Some([left, right]) = bar_across_hole(scene, short) else {
+        return;
+    };
+    ui.add_space(4.0);
+    let (Some(left), Some(right)) = (placement.of(left), placement.of(right)) else {
+        note(ui, "Scale: the hole is out of view.");
+        return;
+    };
+    let points_per_length = f64::from(left.distance(right)) / short;
+    let Some(length) = round_length(LONGEST_BAR / points_per_length) else {
+        return;
+    };
+    let width = (length * points_per_length) as f32;
+    let (rect, _) = ui.allocate_exact_size(vec2(WIDTH, 10.0), egui::Sense::hover());
+    let stroke = Stroke::new(2.0, TEXT);
+    let (start, y) = (rect.left() + 1.0, rect.center().y);
+    ui.painter()
+        .line_segment([pos2(start, y), pos2(start + width, y)], stroke);
+    for x in [start, start + width] {
+        ui.painter()
+            .line_segment([pos2(x, rect.top()), pos2(x, rect.bottom())], stroke);
+    }
+    let kilometres = length * mass.metres() / 1000.0;
+    let text = format!(
+        "{length} r_s = {} at the hole's distance (flat; {} suns)",
+        distance_in_words(kilometres),
+        four_digits(mass.suns)
+    );
+    ui.label(RichText::new(text).size(SIZE).color(TEXT));
+}
+
+/// The longest of 1, 2, 5, 10, ... and of 0.5, 0.2, 0.1, ... that is at most `longest`.
+fn round_length(longest: f64) -> Option<f64> {
+    if !(1e-12..1e12).contains(&longest) {
+        return None;
+    }
+    let power = longest.log10().floor();
+    let digits = longest / 10_f64.powf(power);
+    let digit = [5.0, 2.0]
+        .into_iter()
+        .find(|digit| *digit <= digits)
+        .unwrap_or(1.0);
+    // Read from decimal digits, so that it is written with no more of them.
+    format!("{digit}e{power}").parse().ok()
+}
+
+/// A distance in km, or in words for millions of them.
+fn distance_in_words(kilometres: f64) -> String {
+    for (unit, word) in [(1e12, "trillion"), (1e9, "billion"), (1e6, "million")] {
+        if kilometres >= unit {
+            return format!("{} {word} km", four_digits(kilometres / unit));
+        }
+    }
+    format!("{} km", four_digits(kilometres))
+}
+
+/// A positive number with four significant digits at most.
+fn four_digits(number: f64) -> String {
+    if !(1e-3..1e5).contains(&number) {
+        return format!("{number:.3e}");
+    }
+    let decimals = (3.0 - number.log10().floor()).max(0.0) as usize;
+    let text = format!("{number:.decimals$}");
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').into()
+    } else {
+        text
+    }
+}

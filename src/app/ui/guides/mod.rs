@@ -1,0 +1,238 @@
+//! Guides over the picture, as in a figure of a textbook: the edge of the shadow, the innermost
+//! stable orbit, the ergosphere, and where the hole would be seen without bending.
+
+mod key;
+mod labels;
+mod place;
+mod style;
+
+use crate::app::controls::control::AppCommand;
+use crate::app::state::overlays::Overlays;
+use crate::app::state::preferences::Preferences;
+use crate::app::state::toast::Toast;
+use crate::render::{CurrentScene, letterbox};
+use crate::worker::Worker;
+use bevy::prelude::*;
+use bevy::window::PrimaryWindow;
+use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use key::show_key;
+use labels::{Label, draw_labels};
+use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::optics::guides::{Guide, Landmark, quick_guides, traced_guides};
+use lightfall_core::optics::readout::si::HoleMass;
+use lightfall_core::scene::Scene;
+use place::{Placement, draw_line};
+use style::{Style, label};
+
+/// Opacity of the guides that belong to an earlier place of the camera.
+const STALE: f32 = 0.3;
+/// Room for the title at the top and for the read-outs at the bottom, in points.
+const TITLE_HEIGHT: f32 = 44.0;
+const READOUT_HEIGHT: f32 = 96.0;
+/// Room at the edge of the window, in points.
+const MARGIN: f32 = 8.0;
+
+/// The guides, and the thread that traces the slow ones.
+#[derive(Resource)]
+struct Guides {
+    worker: Worker<Scene, Traced>,
+    /// What was asked last.
+    asked: Option<Scene>,
+    /// The thread's last answer.
+    traced: Option<Traced>,
+    /// The quick guides, and what they belong to.
+    quick: Option<Traced>,
+}
+
+/// Guides, and the scene that they belong to, as [`sky_of`] gives it.
+struct Traced {
+    sky: Scene,
+    guides: Vec<Guide>,
+}
+
+impl Default for Guides {
+    fn default() -> Self {
+        let worker = Worker::serving_latest(|sky: Scene, answers| {
+            // A scene that is drawn has an observer, and so has guides.
+            let guides = traced_guides(&sky).unwrap_or_default();
+            answers.send(Traced { sky, guides });
+        });
+        Self {
+            worker,
+            asked: None,
+            traced: None,
+            quick: None,
+        }
+    }
+}
+
+pub(crate) fn plugin(app: &mut App) {
+    app.init_resource::<Guides>()
+        .add_systems(
+            Update,
+            (
+                switch_guides,
+                trace_guides.run_if(|overlays: Res<Overlays>| overlays.shows_guides()),
+            )
+                .chain(),
+        )
+        .add_systems(EguiPrimaryContextPass, show_guides);
+}
+
+fn switch_guides(
+    mut commands: MessageReader<AppCommand>,
+    mut overlays: ResMut<Overlays>,
+    mut toast: ResMut<Toast>,
+) {
+    let presses = commands
+        .read()
+        .filter(|command| **command == AppCommand::Guides);
+    for _ in presses {
+        overlays.toggle_guides();
+        toast.say(if overlays.guides {
+            "Guides: on"
+        } else {
+            "Guides: off"
+        });
+    }
+}
+
+/// A scene with only what decides where guides are on the observer's sky. Around the axis
+/// everything is the same at every azimuth.
+fn sky_of(scene: &Scene) -> Scene {
+    let mut sky = Scene {
+        hole: scene.hole,
+        observer: scene.observer,
+        effects: scene.effects,
+        ..Scene::default()
+    };
+    (sky.camera.r, sky.camera.theta_deg) = (scene.camera.r, scene.camera.theta_deg);
+    sky
+}
+
+fn trace_guides(scene: Res<CurrentScene>, mut guides: ResMut<Guides>) {
+    if let Some(answer) = guides.worker.latest_answer() {
+        guides.traced = Some(answer);
+    }
+    let sky = sky_of(&scene);
+    if guides.asked.as_ref() != Some(&sky) {
+        guides.worker.ask(sky.clone());
+        guides.asked = Some(sky.clone());
+    }
+    if guides.quick.as_ref().is_none_or(|quick| quick.sky != sky) {
+        let found = quick_guides(&sky).unwrap_or_default();
+        guides.quick = Some(Traced { sky, guides: found });
+    }
+}
+
+fn show_guides(
+    mut contexts: EguiContexts,
+    window: Single<&Window, With<PrimaryWindow>>,
+    scene: Res<CurrentScene>,
+    overlays: Res<Overlays>,
+    preferences: Res<Preferences>,
+    guides: Res<Guides>,
+) -> Result {
+    let Some(quick) = guides.quick.as_ref().filter(|_| overlays.shows_guides()) else {
+        return Ok(());
+    };
+    let context = contexts.ctx_mut()?;
+    let shown = letterbox(&scene.picture, window.physical_size());
+    let placement = Placement::new(&scene, shown, context.pixels_per_point());
+    let screen = context.content_rect();
+    let between_panels = egui::Rect::from_x_y_ranges(
+        screen.left() + overlays.left_width()..=screen.right() - overlays.right_width(),
+        screen.y_range(),
+    );
+    let visible = placement.picture.intersect(between_panels);
+    if !visible.is_positive() {
+        return Ok(());
+    }
+    // The traced guides count as waiting until they belong to the present sky.
+    let waiting = guides
+        .traced
+        .as_ref()
+        .is_none_or(|traced| traced.sky != quick.sky);
+    let traced = guides
+        .traced
+        .as_ref()
+        .filter(|traced| traced.sky.effects == quick.sky.effects);
+    let painter = context
+        .layer_painter(egui::LayerId::new(
+            egui::Order::Background,
+            "guide lines".into(),
+        ))
+        .with_clip_rect(visible);
+    let mut labels = Vec::new();
+    let kerr = Kerr {
+        spin: scene.hole.spin,
+    };
+    let mut draw = |guide: &Guide, strength: f32| {
+        let style = Style::of(guide);
+        let curves = guide.curves.iter();
+        let parts: Vec<_> = curves
+            .flat_map(|curve| placement.visible_parts(curve))
+            .collect();
+        for part in &parts {
+            draw_line(&painter, part, style, strength);
+        }
+        if strength == 1.0 {
+            labels.push(Label {
+                text: label(guide, kerr),
+                colour: style.colour,
+                points: parts.concat(),
+                toward: toward(guide.landmark),
+            });
+        }
+    };
+    // Flat guides first: the traced ones lie over them.
+    let (flat, bent): (Vec<_>, Vec<_>) = quick.guides.iter().partition(|guide| guide.flat);
+    flat.into_iter().for_each(|guide| draw(guide, 1.0));
+    let strength = if waiting { STALE } else { 1.0 };
+    let slow = traced.map_or(&[][..], |traced| &traced.guides);
+    slow.iter().for_each(|guide| draw(guide, strength));
+    bent.into_iter().for_each(|guide| draw(guide, 1.0));
+
+    let known: Vec<Guide> = quick.guides.iter().chain(slow).cloned().collect();
+    let legend = context.memory(|memory| memory.area_rect("legend"));
+    let top = legend
+        .filter(|_| scene.view != lightfall_core::scene::View::Colour)
+        .filter(|legend| legend.right() > between_panels.right() - 320.0)
+        .map_or(between_panels.top(), |legend| legend.bottom());
+    let mass = HoleMass {
+        name: "chosen",
+        suns: preferences.settings.hole_mass_suns,
+    };
+    let key = show_key(
+        context,
+        &scene,
+        &known,
+        &placement,
+        mass,
+        [between_panels.right() - MARGIN, top + MARGIN],
+        waiting,
+    );
+    let free = egui::Rect::from_x_y_ranges(
+        visible.x_range(),
+        visible.top().max(screen.top() + TITLE_HEIGHT)
+            ..=visible.bottom().min(screen.bottom() - READOUT_HEIGHT),
+    );
+    if free.is_positive() {
+        draw_labels(&painter, labels, free, &[key]);
+    }
+    Ok(())
+}
+
+/// The direction from the middle of the hole in which a guide's label is joined to it, so that
+/// labels are in the order in which their lines are met.
+fn toward(landmark: Landmark) -> egui::Vec2 {
+    let degrees: f32 = match landmark {
+        Landmark::StableOrbit => -55.0,
+        Landmark::ShadowEdge => -28.0,
+        Landmark::Horizon => 0.0,
+        Landmark::PhotonSphere => 25.0,
+        Landmark::StableOrbitAgain => 50.0,
+        Landmark::Ergosphere => 180.0,
+    };
+    egui::Vec2::angled(degrees.to_radians())
+}

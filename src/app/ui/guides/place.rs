@@ -1,0 +1,94 @@
+//! Where directions of the camera's sky lie in the window, and lines through them.
+
+use super::style::Style;
+use crate::render::Letterbox;
+use bevy_egui::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+use glam::{DMat3, DVec3};
+use lightfall_core::scene::Scene;
+
+/// Directions farther from the picture's middle than this, as the cosine of the angle, are not
+/// drawn: they are outside every picture.
+const MIN_FORWARD: f64 = 0.02;
+/// A line is drawn this far beyond the picture, in points, so that its ends do not show.
+const BEYOND: f32 = 40.0;
+/// Width of the dark edge of a line on both sides, in points, and its opacity.
+const HALO: f32 = 1.4;
+const HALO_ALPHA: u8 = 170;
+
+/// From directions on the observer's axes to places of the window, in points.
+pub(super) struct Placement {
+    from_observer: DMat3,
+    /// Tangents of half the field of view, horizontal and vertical.
+    half: [f64; 2],
+    /// The part of the window that the picture fills.
+    pub(super) picture: Rect,
+}
+
+impl Placement {
+    pub(super) fn new(scene: &Scene, shown: Letterbox, pixels_per_point: f32) -> Self {
+        let [offset, extent] = [shown.offset, shown.extent].map(|v| v / pixels_per_point);
+        let size = scene.picture.size().as_dvec2();
+        let up = scene.camera.half_height();
+        Self {
+            from_observer: scene.camera.tetrad_from_camera().transpose(),
+            half: [up * size.x / size.y, up],
+            picture: Rect::from_min_size(pos2(offset.x, offset.y), vec2(extent.x, extent.y)),
+        }
+    }
+
+    /// The place of a direction. None far outside the picture and behind the camera.
+    pub(super) fn of(&self, direction: DVec3) -> Option<Pos2> {
+        let looking = self.from_observer * direction;
+        if looking.z < MIN_FORWARD {
+            return None;
+        }
+        let [half_width, half_height] = self.half;
+        let across = looking.x / looking.z / half_width;
+        let up = looking.y / looking.z / half_height;
+        let share = vec2(0.5 + 0.5 * across as f32, 0.5 - 0.5 * up as f32);
+        Some(self.picture.min + share * self.picture.size())
+    }
+
+    /// The parts of a closed curve that lie in or near the picture.
+    pub(super) fn visible_parts(&self, curve: &[DVec3]) -> Vec<Vec<Pos2>> {
+        let near = self.picture.expand(BEYOND);
+        let mut parts: Vec<Vec<Pos2>> = vec![Vec::new()];
+        let places: Vec<_> = curve.iter().map(|point| self.of(*point)).collect();
+        for (i, here) in places.iter().enumerate() {
+            let next = places[(i + 1) % places.len()];
+            match (here, next) {
+                (Some(here), Some(next)) if near.intersects(Rect::from_two_pos(*here, next)) => {
+                    if let Some(part) = parts.last_mut() {
+                        if part.is_empty() {
+                            part.push(*here);
+                        }
+                        part.push(next);
+                    }
+                }
+                _ => parts.push(Vec::new()),
+            }
+        }
+        parts.retain(|part| part.len() > 1);
+        parts
+    }
+}
+
+/// Draws a line with a dark edge, which shows on bright and on dark pictures. `strength` is its
+/// opacity.
+pub(super) fn draw_line(painter: &Painter, line: &[Pos2], style: Style, strength: f32) {
+    let dark = Color32::from_black_alpha((f32::from(HALO_ALPHA) * strength) as u8);
+    let strokes = [
+        Stroke::new(style.width + 2.0 * HALO, dark),
+        Stroke::new(style.width, style.colour.gamma_multiply(strength)),
+    ];
+    for stroke in strokes {
+        match style.dashes {
+            None => {
+                painter.add(Shape::line(line.to_vec(), stroke));
+            }
+            Some([dash, gap]) => {
+                painter.extend(Shape::dashed_line(line, stroke, dash, gap));
+            }
+        }
+    }
+}

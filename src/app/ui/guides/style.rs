@@ -1,0 +1,85 @@
+//! How each guide looks, and what it is called.
+
+use bevy_egui::egui::Color32;
+use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::optics::guides::{Guide, Landmark, photon_shells};
+
+/// How a guide is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Style {
+    pub(super) colour: Color32,
+    /// Width of the line, in points.
+    pub(super) width: f32,
+    /// Lengths of dashes and gaps, in points. None for a solid line.
+    pub(super) dashes: Option<[f32; 2]>,
+}
+
+const YELLOW: Color32 = Color32::from_rgb(255, 216, 92);
+const GREEN: Color32 = Color32::from_rgb(98, 226, 158);
+const PURPLE: Color32 = Color32::from_rgb(208, 160, 255);
+const WHITE: Color32 = Color32::from_rgb(226, 230, 240);
+
+/// Dashes of the flat guides.
+const FLAT: [f32; 2] = [6.0, 5.0];
+
+impl Style {
+    /// The style of a guide. Flat guides are thin and dashed.
+    pub(super) fn of(guide: &Guide) -> Self {
+        let (colour, width, dashes) = match guide.landmark {
+            Landmark::ShadowEdge => (YELLOW, 2.2, None),
+            Landmark::StableOrbit => (GREEN, 2.0, None),
+            Landmark::StableOrbitAgain => (GREEN, 1.6, Some([2.5, 4.0])),
+            Landmark::Ergosphere => (PURPLE, 2.0, Some([12.0, 4.0])),
+            Landmark::Horizon => (WHITE, 1.4, None),
+            Landmark::PhotonSphere => (YELLOW, 1.4, None),
+        };
+        Self {
+            colour,
+            width: if guide.flat { 1.4 } else { width },
+            dashes: if guide.flat { Some(FLAT) } else { dashes },
+        }
+    }
+}
+
+/// The label of a guide in the picture.
+pub(super) fn label(guide: &Guide, kerr: Kerr) -> String {
+    let name = match guide.landmark {
+        Landmark::ShadowEdge => "edge of the shadow",
+        Landmark::StableOrbit => "innermost stable orbit",
+        Landmark::StableOrbitAgain => "its second image",
+        Landmark::Ergosphere => "ergosphere",
+        Landmark::Horizon => "horizon",
+        Landmark::PhotonSphere if kerr.spin == 0.0 => "photon sphere",
+        Landmark::PhotonSphere => "photon shells",
+    };
+    if guide.flat {
+        format!("{name} (flat)")
+    } else {
+        name.into()
+    }
+}
+
+/// What a guide marks, in a line of the legend.
+pub(super) fn meaning(guide: &Guide, kerr: Kerr) -> String {
+    let shells: Vec<String> = photon_shells(kerr).into_iter().map(length).collect();
+    let circling = match &shells[..] {
+        [inner, outer] => format!("photon shells, {inner} to {outer} r_s"),
+        _ => format!("photon sphere, {} r_s", shells.concat()),
+    };
+    match guide.landmark {
+        Landmark::ShadowEdge => format!("light that grazed the {circling}"),
+        Landmark::StableOrbit => {
+            format!("matter circles no closer than {} r_s", length(kerr.isco()))
+        }
+        Landmark::StableOrbitAgain => "by light that went on around the hole".into(),
+        Landmark::Ergosphere => "nothing inside it can stand still".into(),
+        Landmark::Horizon => format!("{} r_s", length(kerr.horizon())),
+        Landmark::PhotonSphere => format!("{} r_s", shells.join(" and ")),
+    }
+}
+
+/// A radius with up to three decimals.
+fn length(radius: f64) -> String {
+    let digits = format!("{radius:.3}");
+    digits.trim_end_matches('0').trim_end_matches('.').into()
+}
