@@ -121,6 +121,36 @@ fn overlays_open_and_close_and_text_fields_keep_the_keyboard() {
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn guides_are_drawn_where_the_shadow_ends_and_vanish_with_their_key() {
+    let desktop = Desktop::open(&["--preset", "2"]);
+    let start = desktop.first_picture();
+    // Pixels in the yellow of the shadow's edge, right of the middle of the picture.
+    let edge = |shot: &Shot| {
+        let columns = WINDOW.0 / 2..WINDOW.0 * 3 / 5;
+        let yellow = |x: &usize| {
+            let [r, g, b] = shot.pixel(*x, WINDOW.1 / 2);
+            r > 220 && (170..240).contains(&g) && b < 150
+        };
+        columns.filter(yellow).collect::<Vec<_>>()
+    };
+    assert!(edge(&start).is_empty());
+    desktop.press("F10");
+    let guides = desktop.settled("guides", |shot| edge(shot).len() > 1);
+    // Synge's angle on a picture 50 degrees high, from 20 r_s: sin a = 0.1266.
+    let half = WINDOW.1 as f64 / 2.0;
+    let radius = 0.1266_f64.asin().tan() / 25_f64.to_radians().tan() * half;
+    let wanted = WINDOW.0 as f64 / 2.0 + radius;
+    let found = edge(&guides);
+    assert!(
+        found.iter().any(|x| (*x as f64 - wanted).abs() < 2.0),
+        "{found:?} without {wanted}"
+    );
+    desktop.press("F10");
+    desktop.settled("no guides", |shot| changed(shot, &start) == 0.0);
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn screenshots_are_new_files_that_replace_no_others() {
     let desktop = Desktop::open(&["--preset", "2"]);
     let start = desktop.first_picture();

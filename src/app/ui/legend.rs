@@ -102,6 +102,8 @@ pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
     })
 }
 
+/// Name of the legend's area.
+pub(crate) const LEGEND: &str = "legend";
 /// Room around the legend, in points.
 const MARGIN: f32 = 12.0;
 
@@ -117,7 +119,7 @@ fn show_legend(
     let Some((title, swatches)) = legend(scene.view).filter(|_| !overlays.hidden) else {
         return Ok(());
     };
-    egui::Area::new("legend".into())
+    egui::Area::new(LEGEND.into())
         .anchor(
             egui::Align2::RIGHT_TOP,
             [-overlays.right_width() - MARGIN, MARGIN],

@@ -6,16 +6,19 @@ use bevy_egui::egui::{self, Color32, RichText, Shape, Stroke, pos2, vec2};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, bar_across_hole};
 use lightfall_core::optics::readout::si::HoleMass;
+use lightfall_core::reports::numbers::four_digits;
 use lightfall_core::scene::Scene;
 
+/// Name of the key's area.
+pub(super) const KEY: &str = "key to the guides";
 const SIZE: f32 = 12.5;
 const WIDTH: f32 = 292.0;
 /// Longest scale bar, in points.
 const LONGEST_BAR: f64 = 200.0;
 /// Room at the edge of the window, in points.
 const MARGIN: f32 = 8.0;
-const TEXT: Color32 = Color32::from_gray(225);
-const WEAK: Color32 = Color32::from_gray(175);
+const TEXT: Color32 = Color32::from_gray(238);
+const WEAK: Color32 = Color32::from_gray(198);
 
 /// Shows the key below `top` at the right edge of the free part of the window. Returns its place.
 pub(super) fn show_key(
@@ -30,15 +33,15 @@ pub(super) fn show_key(
     let kerr = Kerr {
         spin: scene.hole.spin,
     };
-    let area = egui::Area::new("guides".into())
-        .fixed_pos([right - WIDTH - 2.0 * MARGIN - 6.0, top])
+    let area = egui::Area::new(KEY.into())
+        .fixed_pos([right - WIDTH - 2.0 * MARGIN, top])
         .interactable(false)
         .order(egui::Order::Background);
     let shown = area.show(context, |ui| {
         let frame = egui::Frame::new()
-            .fill(Color32::from_black_alpha(215))
+            .fill(Color32::from_black_alpha(240))
             .inner_margin(MARGIN)
-            .corner_radius(4);
+            .corner_radius(5);
         frame.show(ui, |ui| {
             ui.set_width(WIDTH);
             ui.spacing_mut().item_spacing = vec2(8.0, 3.0);
@@ -133,9 +136,9 @@ fn scale_bar(ui: &mut egui::Ui, scene: &Scene, placement: &Placement, mass: Hole
     }
     let kilometres = length * mass.metres() / 1000.0;
     let text = format!(
-        "{length} r_s = {} at the hole's distance (flat; {} suns)",
-        distance_in_words(kilometres),
-        four_digits(mass.suns)
+        "{length} r_s at the hole's distance, flat: {} km for {} suns",
+        in_words(kilometres),
+        in_words(mass.suns)
     );
     ui.label(RichText::new(text).size(SIZE).color(TEXT));
 }
@@ -155,26 +158,12 @@ fn round_length(longest: f64) -> Option<f64> {
     format!("{digit}e{power}").parse().ok()
 }
 
-/// A distance in km, or in words for millions of them.
-fn distance_in_words(kilometres: f64) -> String {
+/// A large number with a word for its size, such as `25.4 million`.
+fn in_words(number: f64) -> String {
     for (unit, word) in [(1e12, "trillion"), (1e9, "billion"), (1e6, "million")] {
-        if kilometres >= unit {
-            return format!("{} {word} km", four_digits(kilometres / unit));
+        if number >= unit {
+            return format!("{} {word}", four_digits(number / unit));
         }
     }
-    format!("{} km", four_digits(kilometres))
-}
-
-/// A positive number with four significant digits at most.
-fn four_digits(number: f64) -> String {
-    if !(1e-3..1e5).contains(&number) {
-        return format!("{number:.3e}");
-    }
-    let decimals = (3.0 - number.log10().floor()).max(0.0) as usize;
-    let text = format!("{number:.decimals$}");
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').into()
-    } else {
-        text
-    }
+    four_digits(number)
 }

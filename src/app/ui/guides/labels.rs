@@ -23,7 +23,7 @@ const GAP: f32 = 5.0;
 const DISTANCE: f32 = 34.0;
 const MARGIN: f32 = 12.0;
 /// Opacity of the box behind a text, which keeps it legible on any picture.
-const BOX: Color32 = Color32::from_black_alpha(215);
+const BOX: Color32 = Color32::from_black_alpha(240);
 
 /// A label with the place where it is joined to its line.
 struct Anchored {
@@ -34,14 +34,14 @@ struct Anchored {
 }
 
 impl Anchored {
-    fn height(&self) -> f32 {
-        self.galley.size().y + 2.0 * PADDING.y
+    fn size(&self) -> Vec2 {
+        self.galley.size() + 2.0 * PADDING
     }
 }
 
 /// Draws the labels within `free`, beside the figure that their lines make. Those whose lines lie
-/// outside `free` are left out.
-pub(super) fn draw_labels(painter: &Painter, labels: Vec<Label>, free: Rect, taken: &[Rect]) {
+/// outside `free` are left out, and no label covers one of the boxes `taken`.
+pub(super) fn draw_labels(painter: &Painter, mut labels: Vec<Label>, free: Rect, taken: &[Rect]) {
     let mut figure = Rect::NOTHING;
     for point in labels.iter().flat_map(|label| &label.points) {
         if free.contains(*point) {
@@ -51,14 +51,26 @@ pub(super) fn draw_labels(painter: &Painter, labels: Vec<Label>, free: Rect, tak
     if !figure.is_positive() {
         return;
     }
-    for right in [true, false] {
+    let column_of = |labels: &[Label], right: bool| {
         let side = labels
             .iter()
             .filter(|label| (label.toward.x >= 0.0) == right);
         let anchored: Vec<_> = side
             .filter_map(|label| anchor(painter, label, figure, free))
             .collect();
-        draw_column(painter, anchored, figure, free, right, taken);
+        Column::new(anchored, figure, free, right)
+    };
+    // The other side where a box covers most of the column's place.
+    let column = column_of(&labels, true);
+    if taken.iter().any(|taken| taken.intersects(column.wanted())) {
+        for label in &mut labels {
+            label.toward.x = -label.toward.x;
+        }
+    }
+    for right in [true, false] {
+        let mut column = column_of(&labels, right);
+        column.arrange(free, taken);
+        column.draw(painter);
     }
 }
 
@@ -81,79 +93,92 @@ fn anchor(painter: &Painter, label: &Label, figure: Rect, free: Rect) -> Option<
     })
 }
 
-fn draw_column(
-    painter: &Painter,
-    mut column: Vec<Anchored>,
-    figure: Rect,
-    free: Rect,
+/// The labels on one side of the figure, one below the other.
+struct Column {
+    labels: Vec<Anchored>,
     right: bool,
-    taken: &[Rect],
-) {
-    column.sort_by(|a, b| a.anchor.y.total_cmp(&b.anchor.y));
-    let widths = column
-        .iter()
-        .map(|label| label.galley.size().x + 2.0 * PADDING.x);
-    let width = widths.fold(0.0, f32::max);
-    let left_edge = if right {
-        (figure.right() + DISTANCE).min(free.right() - MARGIN - width)
-    } else {
-        (figure.left() - DISTANCE - width).max(free.left() + MARGIN)
-    };
-    // The column keeps clear of other boxes that reach into it.
-    let span = Rect::from_x_y_ranges(left_edge..=left_edge + width, free.y_range());
-    let mut lowest = free.top() + MARGIN;
-    for other in taken.iter().filter(|other| other.intersects(span)) {
-        lowest = lowest.max(other.bottom() + GAP);
-    }
-    let highest = free.bottom() - MARGIN;
-    // Downward without overlap, then back up where the column leaves the picture.
-    for label in &mut column {
-        label.top = label.top.max(lowest);
-        lowest = label.top + label.height() + GAP;
-    }
-    let mut bottom = highest;
-    for label in column.iter_mut().rev() {
-        label.top = label.top.min(bottom - label.height());
-        bottom = label.top - GAP;
-    }
-    for label in &column {
-        let size = label.galley.size() + 2.0 * PADDING;
-        let x = if right {
-            left_edge
+    left_edge: f32,
+    width: f32,
+}
+
+impl Column {
+    /// A column beside the figure, with each label at the height of its line.
+    fn new(mut labels: Vec<Anchored>, figure: Rect, free: Rect, right: bool) -> Self {
+        labels.sort_by(|a, b| a.anchor.y.total_cmp(&b.anchor.y));
+        let widths = labels.iter().map(|label| label.size().x);
+        let width = widths.fold(0.0, f32::max);
+        let left_edge = if right {
+            (figure.right() + DISTANCE).min(free.right() - MARGIN - width)
         } else {
-            left_edge + width - size.x
+            (figure.left() - DISTANCE - width).max(free.left() + MARGIN)
         };
-        let area = Rect::from_min_size(pos2(x, label.top), size);
-        let joint = pos2(
-            if right { area.left() } else { area.right() },
-            area.center().y,
-        );
-        for (extra, colour) in [(2.0, Color32::from_black_alpha(170)), (0.0, label.colour)] {
-            painter.line_segment([label.anchor, joint], Stroke::new(1.0 + extra, colour));
-            painter.circle_filled(label.anchor, 2.6 + 0.5 * extra, colour);
+        Self {
+            labels,
+            right,
+            left_edge,
+            width,
         }
     }
-    for label in &column {
-        let size = label.galley.size() + 2.0 * PADDING;
-        let x = if right {
-            left_edge
+
+    /// Where the labels are before they make room for each other.
+    fn wanted(&self) -> Rect {
+        let mut wanted = Rect::NOTHING;
+        for index in 0..self.labels.len() {
+            wanted = wanted.union(self.place(index));
+        }
+        wanted
+    }
+
+    /// The box of a label. Labels end at the side of the figure.
+    fn place(&self, index: usize) -> Rect {
+        let label = &self.labels[index];
+        let size = label.size();
+        let x = if self.right {
+            self.left_edge
         } else {
-            left_edge + width - size.x
+            self.left_edge + self.width - size.x
         };
-        let area = Rect::from_min_size(pos2(x, label.top), size);
-        painter.rect(
-            area,
-            4.0,
-            BOX,
-            Stroke::new(1.0, label.colour.gamma_multiply(0.45)),
-            egui::StrokeKind::Inside,
-        );
-        painter.galley(
-            Align2::CENTER_CENTER
-                .align_size_within_rect(label.galley.size(), area)
-                .min,
-            Arc::clone(&label.galley),
-            label.colour,
-        );
+        Rect::from_min_size(pos2(x, label.top), size)
+    }
+
+    /// Moves the labels apart, within `free` and below the boxes `taken`.
+    fn arrange(&mut self, free: Rect, taken: &[Rect]) {
+        let span =
+            Rect::from_x_y_ranges(self.left_edge..=self.left_edge + self.width, free.y_range());
+        let covering = taken.iter().filter(|taken| taken.intersects(span));
+        let top = covering.map(|taken| taken.bottom() + GAP);
+        let mut lowest = top.fold(free.top() + MARGIN, f32::max);
+        for label in &mut self.labels {
+            label.top = label.top.max(lowest);
+            lowest = label.top + label.size().y + GAP;
+        }
+        // Back up where the column leaves the picture.
+        let mut bottom = free.bottom() - MARGIN;
+        for label in self.labels.iter_mut().rev() {
+            label.top = label.top.min(bottom - label.size().y);
+            bottom = label.top - GAP;
+        }
+    }
+
+    fn draw(&self, painter: &Painter) {
+        for (index, label) in self.labels.iter().enumerate() {
+            let place = self.place(index);
+            let joint = if self.right {
+                place.left_center()
+            } else {
+                place.right_center()
+            };
+            for (extra, colour) in [(2.0, Color32::from_black_alpha(170)), (0.0, label.colour)] {
+                painter.line_segment([label.anchor, joint], Stroke::new(1.0 + extra, colour));
+                painter.circle_filled(label.anchor, 2.6 + 0.5 * extra, colour);
+            }
+        }
+        for (index, label) in self.labels.iter().enumerate() {
+            let place = self.place(index);
+            let edge = Stroke::new(1.0, label.colour.gamma_multiply(0.45));
+            painter.rect(place, 4.0, BOX, edge, egui::StrokeKind::Inside);
+            let text = Align2::CENTER_CENTER.align_size_within_rect(label.galley.size(), place);
+            painter.galley(text.min, Arc::clone(&label.galley), label.colour);
+        }
     }
 }

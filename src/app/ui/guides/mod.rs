@@ -10,27 +10,27 @@ use crate::app::controls::control::AppCommand;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
+use crate::app::ui::legend::LEGEND;
 use crate::render::{CurrentScene, letterbox};
 use crate::worker::Worker;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
-use key::show_key;
+use key::{KEY, show_key};
 use labels::{Label, draw_labels};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, Landmark, quick_guides, traced_guides};
 use lightfall_core::optics::readout::si::HoleMass;
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Scene, View};
 use place::{Placement, draw_line};
 use style::{Style, label};
 
 /// Opacity of the guides that belong to an earlier place of the camera.
 const STALE: f32 = 0.3;
-/// Room for the title at the top and for the read-outs at the bottom, in points.
-const TITLE_HEIGHT: f32 = 44.0;
-const READOUT_HEIGHT: f32 = 96.0;
+/// Room for the read-outs at the bottom, in points.
+const READ_OUT_HEIGHT: f32 = 104.0;
 /// Room at the edge of the window, in points.
-const MARGIN: f32 = 8.0;
+const MARGIN: f32 = 12.0;
 
 /// The guides, and the thread that traces the slow ones.
 #[derive(Resource)]
@@ -140,11 +140,11 @@ fn show_guides(
     let shown = letterbox(&scene.picture, window.physical_size());
     let placement = Placement::new(&scene, shown, context.pixels_per_point());
     let screen = context.content_rect();
-    let between_panels = egui::Rect::from_x_y_ranges(
+    let room = egui::Rect::from_x_y_ranges(
         screen.left() + overlays.left_width()..=screen.right() - overlays.right_width(),
         screen.y_range(),
     );
-    let visible = placement.picture.intersect(between_panels);
+    let visible = placement.picture.intersect(room);
     if !visible.is_positive() {
         return Ok(());
     }
@@ -157,70 +157,101 @@ fn show_guides(
         .traced
         .as_ref()
         .filter(|traced| traced.sky.effects == quick.sky.effects);
-    let painter = context
-        .layer_painter(egui::LayerId::new(
-            egui::Order::Background,
-            "guide lines".into(),
-        ))
-        .with_clip_rect(visible);
-    let mut labels = Vec::new();
-    let kerr = Kerr {
-        spin: scene.hole.spin,
-    };
-    let mut draw = |guide: &Guide, strength: f32| {
-        let style = Style::of(guide);
-        let curves = guide.curves.iter();
-        let parts: Vec<_> = curves
-            .flat_map(|curve| placement.visible_parts(curve))
-            .collect();
-        for part in &parts {
-            draw_line(&painter, part, style, strength);
-        }
-        if strength == 1.0 {
-            labels.push(Label {
-                text: label(guide, kerr),
-                colour: style.colour,
-                points: parts.concat(),
-                toward: toward(guide.landmark),
-            });
-        }
-    };
-    // Flat guides first: the traced ones lie over them.
-    let (flat, bent): (Vec<_>, Vec<_>) = quick.guides.iter().partition(|guide| guide.flat);
-    flat.into_iter().for_each(|guide| draw(guide, 1.0));
-    let strength = if waiting { STALE } else { 1.0 };
     let slow = traced.map_or(&[][..], |traced| &traced.guides);
-    slow.iter().for_each(|guide| draw(guide, strength));
-    bent.into_iter().for_each(|guide| draw(guide, 1.0));
 
+    let legend = context
+        .memory(|memory| memory.area_rect(LEGEND))
+        .filter(|_| scene.view != View::Colour);
+    let top = legend.map_or(room.top(), |legend| legend.bottom());
     let known: Vec<Guide> = quick.guides.iter().chain(slow).cloned().collect();
-    let legend = context.memory(|memory| memory.area_rect("legend"));
-    let top = legend
-        .filter(|_| scene.view != lightfall_core::scene::View::Colour)
-        .filter(|legend| legend.right() > between_panels.right() - 320.0)
-        .map_or(between_panels.top(), |legend| legend.bottom());
-    let mass = HoleMass {
-        name: "chosen",
-        suns: preferences.settings.hole_mass_suns,
-    };
     let key = show_key(
         context,
         &scene,
         &known,
         &placement,
-        mass,
-        [between_panels.right() - MARGIN, top + MARGIN],
+        HoleMass {
+            name: "chosen",
+            suns: preferences.settings.hole_mass_suns,
+        },
+        [room.right() - MARGIN, top + MARGIN],
         waiting,
     );
+
     let free = egui::Rect::from_x_y_ranges(
         visible.x_range(),
-        visible.top().max(screen.top() + TITLE_HEIGHT)
-            ..=visible.bottom().min(screen.bottom() - READOUT_HEIGHT),
+        visible.top().max(screen.top() + MARGIN)
+            ..=visible.bottom().min(screen.bottom() - READ_OUT_HEIGHT),
     );
-    if free.is_positive() {
-        draw_labels(&painter, labels, free, &[key]);
+    let taken: Vec<_> = legend.into_iter().chain([key]).collect();
+    let figure = Figure {
+        kerr: Kerr {
+            spin: scene.hole.spin,
+        },
+        placement,
+        quick: &quick.guides,
+        slow,
+        slow_strength: if waiting { STALE } else { 1.0 },
+    };
+    // An area of its own, so that the lines lie below every box.
+    egui::Area::new("guides".into())
+        .fixed_pos(visible.min)
+        .interactable(false)
+        .fade_in(false)
+        .order(egui::Order::Background)
+        .show(context, |ui| {
+            let painter = ui.painter().with_clip_rect(visible);
+            let labels = figure.draw(&painter);
+            if free.is_positive() {
+                draw_labels(&painter, labels, free, &taken);
+            }
+        });
+    for name in [LEGEND, KEY].map(egui::Id::new) {
+        context.move_to_top(egui::LayerId::new(egui::Order::Background, name));
     }
     Ok(())
+}
+
+/// The guides of one frame.
+struct Figure<'a> {
+    kerr: Kerr,
+    placement: Placement,
+    quick: &'a [Guide],
+    slow: &'a [Guide],
+    /// Opacity of the slow guides.
+    slow_strength: f32,
+}
+
+impl Figure<'_> {
+    /// Draws the lines, and returns the labels of those that belong to the present sky. Flat
+    /// guides come first: the traced ones lie over them.
+    fn draw(&self, painter: &egui::Painter) -> Vec<Label> {
+        let (flat, bent): (Vec<_>, Vec<_>) = self.quick.iter().partition(|guide| guide.flat);
+        let lines = flat
+            .into_iter()
+            .map(|guide| (guide, 1.0))
+            .chain(self.slow.iter().map(|guide| (guide, self.slow_strength)))
+            .chain(bent.into_iter().map(|guide| (guide, 1.0)));
+        let mut labels = Vec::new();
+        for (guide, strength) in lines {
+            let style = Style::of(guide);
+            let curves = guide.curves.iter();
+            let parts: Vec<_> = curves
+                .flat_map(|curve| self.placement.visible_parts(curve))
+                .collect();
+            for part in &parts {
+                draw_line(painter, part, style, strength);
+            }
+            if strength == 1.0 {
+                labels.push(Label {
+                    text: label(guide, self.kerr),
+                    colour: style.colour,
+                    points: parts.concat(),
+                    toward: toward(guide.landmark),
+                });
+            }
+        }
+        labels
+    }
 }
 
 /// The direction from the middle of the hole in which a guide's label is joined to it, so that
