@@ -2,6 +2,7 @@
 //! others.
 
 use crate::app::controls::control::AppCommand;
+use crate::app::state::resolution::Resolution;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::toast::Toast;
 use crate::picture;
@@ -17,8 +18,8 @@ use std::path::{Path, PathBuf};
 
 /// What is to be written.
 enum Order {
-    /// The picture of this scene, drawn as `lightfall render` draws it, at its own size.
-    Picture(Box<Scene>),
+    /// The picture of a scene, at that scene's size. The second scene is the one that is drawn.
+    Picture(Box<[Scene; 2]>),
     /// What the window shows, with everything that is drawn over the picture of this scene.
     Window(Box<Scene>, Box<Image>),
 }
@@ -48,7 +49,9 @@ fn save_picture(
         .read()
         .any(|command| *command == AppCommand::Screenshot)
     {
-        writer.0.ask(Order::Picture(Box::new(editor.scene())));
+        writer
+            .0
+            .ask(Order::Picture(Box::new(editor.scene_and_drawing())));
         editor.say("Saving the picture");
     }
 }
@@ -67,9 +70,10 @@ fn save_window(mut asked: MessageReader<AppCommand>, mut commands: Commands) {
 fn write_window(
     captured: On<ScreenshotCaptured>,
     scene: Res<CurrentScene>,
+    resolution: Res<Resolution>,
     writer: Res<ScreenshotWriter>,
 ) {
-    let scene = Box::new(scene.scene().clone());
+    let scene = Box::new(resolution.scene_in_window(&scene));
     writer
         .0
         .ask(Order::Window(scene, Box::new(captured.image.clone())));
@@ -88,7 +92,8 @@ fn report_screenshot(writer: Res<ScreenshotWriter>, mut toast: ResMut<Toast>) {
 fn write(order: Order, folder: &Path) -> Result<String, String> {
     let (scene, still) = match order {
         Order::Picture(scene) => {
-            let still = picture::render(&scene, scene.picture.size());
+            let [scene, drawn] = *scene;
+            let still = picture::render(&drawn, scene.picture.size());
             (scene, still.map_err(|error| error.to_string())?)
         }
         Order::Window(scene, image) => {
@@ -101,7 +106,7 @@ fn write(order: Order, folder: &Path) -> Result<String, String> {
                 height: image.height(),
                 rgb: image.into_raw(),
             };
-            (scene, still)
+            (*scene, still)
         }
     };
     let file = write_picture(&still, folder, &scene)?;

@@ -91,6 +91,19 @@ impl Resolution {
         scene
     }
 
+    /// The scene as it is drawn for a picture file of what the window shows: in the window's own
+    /// cells, or at the file's full size.
+    #[must_use]
+    pub fn drawn_for_file(&self, drawn: &Scene) -> Scene {
+        let mut scene = self.scene_in_window(drawn);
+        scene.picture = if drawn.picture.bypass {
+            fit(&scene.picture, scene.picture.size(), u64::MAX)
+        } else {
+            self.picture_at_rest(&drawn.picture)
+        };
+        scene
+    }
+
     /// The picture as it is drawn at rest: the scene's own where there is no window yet, and
     /// otherwise one that suits the window. Only the other fields of `drawn` are used.
     #[must_use]

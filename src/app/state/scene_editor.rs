@@ -30,6 +30,15 @@ impl SceneEditor<'_> {
         self.resolution.full_scene(&self.scene)
     }
 
+    /// The scene that a picture file of what the window shows holds, and the scene that is drawn for
+    /// it.
+    pub(crate) fn scene_and_drawing(&self) -> [Scene; 2] {
+        [
+            self.resolution.scene_in_window(&self.scene),
+            self.resolution.drawn_for_file(&self.scene),
+        ]
+    }
+
     /// The scene at the resolution that is drawn now.
     pub(crate) fn drawn_scene(&self) -> &Scene {
         &self.scene

@@ -260,13 +260,13 @@ table! {
     /// The way from light to pixels.
     #[derive(Copy)]
     pub struct Picture in (picture) {
-        /// Width of the HDR picture.
+        /// Width of the picture; a window draws it as wide as the window is.
         width: u32 = 960, SIDE, "pixels";
-        /// Height of the HDR picture.
+        /// Height of the picture.
         height: u32 = 540, SIDE, "pixels";
-        /// Width of the presentation grid; not more than picture.width.
+        /// Columns of cells, not more than picture.width; a window shows as many as it has room for.
         grid_width: u32 = 480, SIDE, "cells";
-        /// Height of the presentation grid; not more than picture.height.
+        /// Rows of cells, not more than picture.height; a window shows about as many.
         grid_height: u32 = 270, SIDE, "cells";
         /// Exposure; with picture.automatic_exposure where it begins, and where nothing is seen.
         exposure_ev: f64 = 1.2, Range::closed(-20.0, 20.0), "powers of two";
