@@ -5,7 +5,7 @@ use lightfall::app::{
     reading_time, statement,
 };
 use lightfall_core::reports::numbers::{
-    four_digits, steady_digits, three_digits, with_short_numbers,
+    four_digits, spin_digits, steady_digits, three_digits, with_short_numbers,
 };
 use lightfall_core::scene::{Effects, ObserverKind, Scene, presets};
 
@@ -201,7 +201,7 @@ fn numbers_for_people_have_at_most_four_digits() {
         (0.0, "0", "0.000"),
         (20.0, "20", "20.00"),
         (1.12, "1.12", "1.120"),
-        (0.325_645, "0.326", "0.326"),
+        (0.325_645, "0.3256", "0.326"),
         (9.9996, "10", "10.00"),
         (160.0, "160", "160.0"),
         (12_345.6, "12350", "12350"),
@@ -218,6 +218,10 @@ fn numbers_for_people_have_at_most_four_digits() {
     assert_eq!(
         [190.4, 0.084, 12_345.0].map(three_digits),
         ["190", "0.084", "12300"]
+    );
+    assert_eq!(
+        [0.0, 0.9, 0.998, 0.99999].map(spin_digits),
+        ["0", "0.9", "0.998", "0.99999"]
     );
 }
 

@@ -89,7 +89,7 @@ impl Group {
         match self {
             Self::Flight => "Flying",
             Self::Scene => "Scene",
-            Self::Light => "Light: off breaks the physics on purpose",
+            Self::Light => "Physics, switched off on purpose",
             Self::View => "Views",
             Self::Picture => "Picture",
             Self::Window => "Window",

@@ -3,7 +3,7 @@
 
 use lightfall_core::geometry::observer::ObserverError;
 use lightfall_core::gpu::{Drawable, GpuError, Undrawable};
-use lightfall_core::reports::numbers::{four_digits, with_short_numbers};
+use lightfall_core::reports::numbers::{four_digits, spin_digits, with_short_numbers};
 use lightfall_core::scene::{ObserverKind, Refusal, Scene, field};
 use std::ops::Bound;
 
@@ -113,7 +113,7 @@ fn refused(refusal: &Refusal, scene: &Scene) -> String {
 fn too_deep(spin: f64, low: f64) -> String {
     format!(
         "too deep for spin {} (r must be above {} r_s)",
-        four_digits(spin),
+        spin_digits(spin),
         limit(low)
     )
 }

@@ -1,7 +1,7 @@
 //! What a control says when it has changed the scene: the state that it has led to.
 
 use super::control::{Action, Control};
-use lightfall_core::reports::numbers::{four_digits, with_short_numbers};
+use lightfall_core::reports::numbers::{four_digits, spin_digits, with_short_numbers};
 use lightfall_core::scene::{Camera, Picture, Scene, SkyMode, Value, View};
 
 /// The state that a control has led to, in a few words, e.g. `Doppler shift: off`. `before` and
@@ -15,7 +15,7 @@ pub fn statement(control: &Control, before: &Scene, after: &Scene) -> Option<Str
         "scene.probe" if after.probe.enabled => {
             says("Probe", &format!("on, {}", probe_place(after)))
         }
-        "scene.spin" => says("Spin", &four_digits(after.hole.spin)),
+        "scene.spin" => says("Spin", &spin_digits(after.hole.spin)),
         "scene.observer" => says("Observer", after.observer.kind.properties().motion),
         "picture.bloom" => switched("Bloom", after.picture.bloom > 0.0),
         "picture.brighter" | "picture.darker" | "picture.automatic_exposure" => {

@@ -20,7 +20,9 @@ use lightfall_core::geometry::timelike::Limit;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::readout::si::{HoleMass, MASSES};
 use lightfall_core::optics::worldline::Worldline;
-use lightfall_core::reports::numbers::{four_digits, steady_digits, three_digits};
+use lightfall_core::reports::numbers::{
+    four_digits, steady_digits, three_digits, with_short_numbers,
+};
 use lightfall_core::scene::Scene;
 
 /// Proper time that passes in a second, divided by r^(3/2), the time scale of a fall from r. So a
@@ -326,6 +328,9 @@ fn advance_free_fall(
             end_card.show("The fall ends here", &free_fall.ending(&scene), again);
             free_fall.stop();
         }
-        FlightStep::Refused(reason) => toast.say(format!("The fall cannot go on: {reason}")),
+        FlightStep::Refused(reason) => toast.say(format!(
+            "The fall cannot go on: {}",
+            with_short_numbers(&reason)
+        )),
     }
 }

@@ -8,7 +8,7 @@ use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 
 /// What the mouse does. The control table holds keys only.
-const MOUSE: [[&str; 2]; 2] = [["right mouse button", "look around"], ["wheel", "speed"]];
+const MOUSE: [[&str; 2]; 2] = [["right mouse", "look around"], ["wheel", "speed"]];
 
 /// What a gamepad's sticks do. Its buttons are bound to controls.
 const STICKS: [[&str; 2]; 2] = [["left stick", "fly"], ["right stick", "look around"]];
@@ -40,7 +40,11 @@ const COLUMNS_WITH_GAMEPAD: [&[&[Group]]; 3] = [
     &[&Group::ALL],
 ];
 /// Width of a column, in points.
-const COLUMN_WIDTH: f32 = 310.0;
+const COLUMN_WIDTH: f32 = 320.0;
+/// Width of the keys in a column, in points.
+const KEYS_WIDTH: f32 = 104.0;
+/// Headings of the groups: the colour of the disk's light.
+const HEADING: egui::Color32 = egui::Color32::from_rgb(255, 200, 130);
 /// Room that is left free around the help, in points.
 const MARGIN: f32 = 24.0;
 /// Height of the title above the list and of the line below it, in points.
@@ -155,7 +159,9 @@ fn show_help(
                         }
                     });
                 });
-            ui.label("To change keys, open the panel's page Settings.");
+            ui.add_space(4.0);
+            let panel = bindings.label("window.panel");
+            ui.weak(format!("Rebind keys in the panel ({panel}) > Settings."));
         });
     if !open {
         overlays.help = false;
@@ -164,16 +170,18 @@ fn show_help(
 }
 
 fn table(ui: &mut egui::Ui, title: &str, rows: Vec<[String; 2]>) {
-    ui.strong(title);
+    ui.label(egui::RichText::new(title).size(15.0).color(HEADING));
+    ui.add_space(2.0);
     egui::Grid::new(title)
         .num_columns(2)
-        .spacing([12.0, 3.0])
+        .min_col_width(KEYS_WIDTH)
+        .spacing([10.0, 3.0])
         .show(ui, |ui| {
             for [keys, does] in rows {
-                ui.monospace(keys);
+                ui.label(egui::RichText::new(keys).strong());
                 ui.label(does);
                 ui.end_row();
             }
         });
-    ui.add_space(10.0);
+    ui.add_space(12.0);
 }

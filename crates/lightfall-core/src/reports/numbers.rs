@@ -22,9 +22,22 @@ const DIGITS: i32 = 4;
 /// `0.3257`. For sentences.
 #[must_use]
 pub fn four_digits(number: f64) -> String {
-    let digits = steady_digits(number);
-    if digits.contains('.') && !digits.contains('e') {
-        digits.trim_end_matches('0').trim_end_matches('.').into()
+    if number == 0.0 {
+        "0".into()
+    } else if (1e-3..1e6).contains(&number.abs()) {
+        format!("{}", Side::Nearest.round(number))
+    } else {
+        format!("{number:.2e}")
+    }
+}
+
+/// A spin with at most four significant digits, or with all of them where it would be rounded to
+/// one, which no hole has.
+#[must_use]
+pub fn spin_digits(spin: f64) -> String {
+    let digits = four_digits(spin);
+    if digits.trim_start_matches('-') == "1" {
+        format!("{spin}")
     } else {
         digits
     }
@@ -40,7 +53,7 @@ pub fn three_digits(number: f64) -> String {
     four_digits((number * scale).round() / scale)
 }
 
-/// A number with four significant digits, zeros included, e.g. `20.00`. For read-outs that change
+/// A number with four digits, zeros included, e.g. `20.00` or `0.912`. For read-outs that change
 /// while they are read: their width stays the same.
 #[must_use]
 pub fn steady_digits(number: f64) -> String {
@@ -48,9 +61,8 @@ pub fn steady_digits(number: f64) -> String {
     if !(size == 0.0 || (1e-3..1e6).contains(&size)) {
         return format!("{number:.2e}");
     }
-    let decimals = |size: f64| (DIGITS - 1 - size.max(1e-3).log10().floor() as i32).max(0) as usize;
-    // Below one, the digits after the point count, so that 0.9 is as wide as 1.1.
-    let decimals = decimals(size.max(1.0));
+    // Below one, the zero before the point counts, so that 0.900 is as wide as 1.100.
+    let decimals = (DIGITS - 1 - size.max(1.0).log10().floor() as i32).max(0) as usize;
     let shown = format!("{number:.decimals$}");
     // Rounding up to the next power of ten adds a digit: 9.9996 is 10.00.
     if shown.trim_start_matches('-').len() > DIGITS as usize + 1 && decimals > 0 {

@@ -12,7 +12,7 @@ use crate::app::state::overlays::Overlays;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
-use lightfall_core::reports::numbers::{four_digits, steady_digits};
+use lightfall_core::reports::numbers::{spin_digits, steady_digits};
 use lightfall_core::scene::Scene;
 
 /// Room between two columns and between two lines, in points.
@@ -72,7 +72,7 @@ pub fn read_outs(scene: &Scene, speed: f64) -> [Vec<ReadOut>; 2] {
     };
     let motion = vec![
         ReadOut::new("", motion.into(), "hovering at rest"),
-        ReadOut::new("spin", four_digits(scene.hole.spin), "0.9999"),
+        ReadOut::new("spin", spin_digits(scene.hole.spin), "0.9999"),
         ReadOut::new("speed", format!("{speed:.2}×"), "00.00×"),
         ReadOut::new("", exposure, "exposure +00.00"),
     ];
