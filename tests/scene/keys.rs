@@ -31,8 +31,7 @@ fn every_control_of_the_scene_changes_it_into_one_that_can_be_drawn_from_any_pre
                 None => assert!(!changes, "{} changes no scene", control.id),
                 // Only its own number leaves a preset as it is.
                 Some(Ok(changed))
-                    if control.keys[0]
-                        == KeyCode::from_name(&preset.number.to_string()).unwrap() =>
+                    if KeyCode::from_name(&preset.number.to_string()) == Some(control.keys[0]) =>
                 {
                     assert_eq!(*changed.scene(), scene);
                 }
@@ -80,10 +79,13 @@ fn a_switch_used_twice_restores_any_preset() {
             assert_eq!(used(&scene, id, 2), scene, "{id} in {}", preset.name);
         }
         assert_eq!(used(&scene, "scene.sky_mode", 3), scene, "{}", preset.name);
+        // Both take the exposure from the light meter.
         let [brighter, darker] = ["picture.brighter", "picture.darker"];
+        let mut by_hand = scene.clone();
+        by_hand.picture.automatic_exposure = false;
         assert_eq!(
             used(&used(&scene, brighter, 3), darker, 3),
-            scene,
+            by_hand,
             "{}",
             preset.name
         );
@@ -295,7 +297,8 @@ fn names_of_keys_are_read_back_as_the_same_keys() {
 
 #[test]
 fn number_keys_load_the_presets() {
-    for preset in presets::PRESETS {
+    // There are nine such keys; further presets are reached with the others.
+    for preset in presets::PRESETS.iter().filter(|preset| preset.number <= 9) {
         assert_eq!(
             used(&Scene::default(), &format!("preset.{}", preset.number), 1),
             preset.scene(&[]).unwrap()

@@ -173,6 +173,12 @@ impl Desktop {
         }
     }
 
+    /// Whether its window is still there.
+    pub fn has_window(&self) -> bool {
+        let found = self.xdotool(&["search", "--name", "Lightfall"]);
+        found.lines().any(|window| window == self.window)
+    }
+
     pub fn running(&mut self) -> bool {
         self.program.try_wait().unwrap().is_none()
     }

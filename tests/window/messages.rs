@@ -6,7 +6,7 @@ use crate::shot::Shot;
 use bevy::diagnostic::FrameCount;
 use bevy::prelude::*;
 use bevy_egui::{EguiFullOutput, EguiPostUpdateSet, egui};
-use lightfall::app::{Action, Bindable, CONTROLS, Control, edited, statement};
+use lightfall::app::{Action, Bindable, CONTROLS, Control, control_named, edited, statement};
 use lightfall::render::CurrentScene;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Scene, presets};
@@ -20,26 +20,22 @@ const PROMPT: u32 = 2;
 /// Frames before a key whose texts are no news.
 const BEFORE: usize = 3;
 
-/// The frame in which a key came.
+/// The last key, and the frame in which it came.
 #[derive(Resource, Default)]
-struct Key(Option<u32>);
+struct Key(Option<(KeyCode, u32)>);
 
 /// Texts of the last frames, the latest last.
 #[derive(Resource, Default)]
 struct Recent(Vec<BTreeSet<String>>);
 
 fn notice_key(keys: Res<ButtonInput<KeyCode>>, frame: Res<FrameCount>, mut key: ResMut<Key>) {
-    // Modifiers come before the key that they belong to.
-    let modifiers = [KeyCode::ShiftLeft, KeyCode::ControlLeft, KeyCode::AltLeft];
-    let pressed = keys
-        .get_just_pressed()
-        .any(|code| !modifiers.contains(code));
-    if pressed || key.0.is_none() && keys.get_just_pressed().next().is_some() {
-        key.0 = Some(frame.0);
+    for code in keys.get_just_pressed() {
+        key.0 = Some((*code, frame.0));
     }
 }
 
-/// Writes the texts that are new in the frames after a key, and with Insert where each text is.
+/// Writes the texts that are shown in the frames after a key, which of them are new, and with Insert
+/// where each text is.
 fn report_texts(
     outputs: Query<&EguiFullOutput>,
     keys: Res<ButtonInput<KeyCode>>,
@@ -62,22 +58,17 @@ fn report_texts(
         }
         eprintln!("places end");
     }
-    if let Some(pressed) = key.0 {
-        let before = recent.0.len().saturating_sub((frame.0 - pressed) as usize);
-        let known: BTreeSet<&String> = recent.0[..before].iter().flatten().collect();
-        let news: Vec<&str> = texts
-            .iter()
-            .filter(|text| !known.contains(text))
-            .map(String::as_str)
-            .collect();
+    if let Some((code, pressed)) = key.0 {
         let later = frame.0 - pressed;
-        eprintln!(
-            "news{BETWEEN}{later}{BETWEEN}{}",
-            news.join(&BETWEEN.to_string())
-        );
+        let before = recent.0.len().saturating_sub(later as usize);
+        let known: BTreeSet<&String> = recent.0[..before].iter().flatten().collect();
+        for text in &texts {
+            let kind = if known.contains(text) { "shown" } else { "new" };
+            eprintln!("{kind}{BETWEEN}{text}");
+        }
         if later == PROMPT {
             key.0 = None;
-            eprintln!("news end");
+            eprintln!("after {code:?}");
         }
     }
     recent.0.push(texts);
@@ -109,6 +100,7 @@ fn white_scene() -> Scene {
     scene.disk.outer = 3000.0;
     scene.disk.brightness = 1000.0;
     scene.disk.temperature_k = 3e5;
+    scene.picture.automatic_exposure = false;
     scene.picture.exposure_ev = 20.0;
     scene.picture.bloom = 0.0;
     scene.title = "A picture that is white".into();
@@ -183,8 +175,15 @@ fn x_name(control: &Control) -> String {
     format!("{}{key}", prefix.to_lowercase())
 }
 
-/// Presses a control's key and returns the texts that are new within the frames after it.
-fn news(desktop: &Desktop, control: &Control) -> BTreeSet<String> {
+/// The texts that are shown within the frames after a key.
+struct Answer {
+    shown: BTreeSet<String>,
+    /// Those that were not shown before.
+    new: BTreeSet<String>,
+}
+
+/// Presses a control's key and reads the window's answer.
+fn answer(desktop: &Desktop, control: &Control) -> Answer {
     let before = desktop.stderr().len();
     let key = x_name(control);
     let held = matches!(control.action, Action::Hold(_));
@@ -193,21 +192,32 @@ fn news(desktop: &Desktop, control: &Control) -> BTreeSet<String> {
     } else {
         desktop.xdotool(&["key", "--delay", "80", &key]);
     }
-    let ended = || desktop.stderr()[before..].contains("news end");
-    desktop.wait(&format!("{}: frames after the key", control.id), ended);
+    // Every press is waited for, so that no frame is taken for an answer to a later key.
+    let end = format!("after {:?}", control.keys[0]);
+    desktop.wait(&format!("{}: frames after the key", control.id), || {
+        desktop.stderr()[before..].contains(&end)
+    });
     if held {
         desktop.xdotool(&["keyup", &key]);
     }
     let stderr = desktop.stderr();
-    let first = stderr[before..].split("news end").next().unwrap_or("");
-    let lines = first
-        .lines()
-        .filter_map(|line| line.split_once("news\u{1f}"));
-    lines
-        .flat_map(|(_, texts)| texts.split(BETWEEN).skip(1))
-        .filter(|text| !text.is_empty())
-        .map(str::to_owned)
-        .collect()
+    let lines: Vec<&str> = stderr[before..].lines().collect();
+    let end = lines.iter().position(|line| *line == end).unwrap_or(0);
+    let begin = lines[..end]
+        .iter()
+        .rposition(|line| line.starts_with("after "));
+    let texts = |kinds: &[&str]| {
+        lines[begin.unwrap_or(0)..end]
+            .iter()
+            .filter_map(|line| line.split_once(BETWEEN))
+            .filter(|(kind, _)| kinds.contains(kind))
+            .map(|(_, text)| text.to_owned())
+            .collect()
+    };
+    Answer {
+        shown: texts(&["new", "shown"]),
+        new: texts(&["new"]),
+    }
 }
 
 #[test]
@@ -215,13 +225,14 @@ fn news(desktop: &Desktop, control: &Control) -> BTreeSet<String> {
 fn every_key_of_the_table_leads_to_its_message_within_two_frames() {
     let mut desktop = open_watched();
     let scene = presets::find("2").unwrap().scene(&[]).unwrap();
+    let back = control_named("preset.2").unwrap();
     let mut silent = Vec::new();
     // What leaves the program comes last.
     let quits = |control: &&Control| control.id.contains("quit");
     let (last, others): (Vec<&Control>, Vec<&Control>) = CONTROLS.iter().partition(quits);
     for control in others {
-        let texts = news(&desktop, control);
-        // A preset says its name, a switch its state. What a held key changes is read from the
+        let Answer { shown, new } = answer(&desktop, control);
+        // A preset says its number, a switch its state. What a held key changes is read from the
         // read-outs, and commands say what they do in their own words.
         let says: Option<String> = match control.action {
             Action::Edit(_) => edited(control, &scene, &scene)
@@ -231,30 +242,24 @@ fn every_key_of_the_table_leads_to_its_message_within_two_frames() {
             _ => None,
         };
         let said = match &says {
-            Some(words) => texts.iter().any(|text| text.starts_with(words.as_str())),
-            None => !texts.is_empty(),
+            Some(words) => shown.iter().any(|text| text.starts_with(words.as_str())),
+            None => !new.is_empty(),
         };
-        println!("{}: {texts:?}", control.id);
+        println!("{}: {new:?}", control.id);
         if !said {
             silent.push(control.id);
         }
         // Back to the preset, with everything closed that was opened.
         if matches!(control.action, Action::Do(_)) {
-            desktop.xdotool(&["key", "--delay", "80", &x_name(control)]);
-            desktop.frames(2);
+            answer(&desktop, control);
         }
-        desktop.press("2");
-        desktop.frames(3);
+        answer(&desktop, back);
         assert!(desktop.running(), "{}: {}", control.id, desktop.stderr());
     }
     assert!(silent.is_empty(), "silent: {silent:?}");
     for control in last {
         desktop.xdotool(&["key", &x_name(control)]);
-        desktop.wait(control.id, || {
-            !desktop
-                .xdotool(&["search", "--name", "Lightfall"])
-                .contains(&desktop.window)
-        });
+        desktop.wait(control.id, || !desktop.has_window());
     }
 }
 

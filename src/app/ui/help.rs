@@ -48,7 +48,7 @@ const HEADING: egui::Color32 = egui::Color32::from_rgb(255, 200, 130);
 /// Room that is left free around the help, in points.
 const MARGIN: f32 = 24.0;
 /// Height of the title above the list and of the line below it, in points.
-const TITLE_HEIGHT: f32 = 76.0;
+const TITLE_HEIGHT: f32 = 92.0;
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show_help);
@@ -161,7 +161,7 @@ fn show_help(
                 });
             ui.add_space(4.0);
             let panel = bindings.label("window.panel");
-            ui.weak(format!("Rebind keys in the panel ({panel}) > Settings."));
+            ui.label(format!("Rebind keys in the panel ({panel}) > Settings."));
         });
     if !open {
         overlays.help = false;
@@ -178,7 +178,7 @@ fn table(ui: &mut egui::Ui, title: &str, rows: Vec<[String; 2]>) {
         .spacing([10.0, 3.0])
         .show(ui, |ui| {
             for [keys, does] in rows {
-                ui.label(egui::RichText::new(keys).strong());
+                ui.label(egui::RichText::new(keys).monospace().strong());
                 ui.label(does);
                 ui.end_row();
             }
