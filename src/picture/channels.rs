@@ -197,11 +197,11 @@ impl PixelRays {
             } else {
                 Vec::new()
             };
-            let profile = Profile::new(scene);
+            let (profile, lit) = (Profile::new(scene), disk::lit(scene));
             let seen = || {
                 traces.iter().map(|trace| TracedRay {
                     trace,
-                    disk: &scene.disk,
+                    disk: &lit,
                     profile: &profile,
                 })
             };

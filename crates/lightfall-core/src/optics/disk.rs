@@ -56,6 +56,31 @@ impl Profile {
     }
 }
 
+/// Inner edge for which the temperature scale and the brightness of a disk that keeps its accretion
+/// rate are given, in r_s: the innermost stable orbit without spin.
+const STANDARD_EDGE: f64 = 3.0;
+
+/// The scene's disk, with the temperature scale and the brightness for the flux of its profile.
+///
+/// A profile's peak has a fixed height. At a fixed accretion rate it is the flux far out that does
+/// not depend on the edge: F -> const/r^3, so that the profile (r_in/r)^3 (1 - ...) has to be
+/// multiplied by (3/r_in)^3, and by Page & Thorne's own flux per rate over the scaled one. T goes
+/// with the fourth root.
+#[must_use]
+pub fn lit(scene: &Scene) -> Disk {
+    let mut disk = scene.disk;
+    if disk.keep_accretion {
+        let per_peak = match Profile::new(scene) {
+            Profile::Newtonian(_) => 1.0,
+            Profile::PageThorne(profile) => 1.0 / profile.scale(),
+        };
+        let gain = per_peak * (STANDARD_EDGE / inner_edge(scene)).powi(3);
+        disk.temperature_k *= gain.powf(0.25);
+        disk.brightness *= gain;
+    }
+    disk
+}
+
 /// Temperature, in kelvin and in the frame of the matter, where the relative flux is `flux`: T =
 /// temperature_k F^(1/4), by the Stefan-Boltzmann law.
 #[must_use]

@@ -21,14 +21,14 @@ const RAYS: u32 = 320;
 /// Quasirandom Sequences"). So an edge passes the rays one by one.
 const RAY_SPACING: DVec2 = DVec2::new(0.754_877_666_246_692_7, 0.569_840_290_998_053_3);
 /// Mean level of the screen over the disk, from 0 for black to 1 for white.
-const TARGET_LEVEL: f64 = 0.6;
+const TARGET_LEVEL: f64 = 0.56;
 /// Weight of a ray to the sky, where a ray to the disk has the weight one.
 const SKY_WEIGHT: f64 = 0.02;
 /// Temperature of the sky's light, in kelvin, and the exposure for a sky alone, unshifted.
 const SKY_TEMPERATURE: f64 = 6500.0;
 const SKY_EXPOSURE: f64 = 1.2;
-/// The exposures that the meter chooses.
-const RANGE: [f64; 2] = [-12.0, 12.0];
+/// The exposures that the meter chooses. A longer one would turn the sky white.
+const RANGE: [f64; 2] = [-12.0, 7.0];
 /// Halvings of that range, and the fraction of a power of two that the result is rounded to.
 const HALVINGS: u32 = 16;
 const PARTS: f64 = 1000.0;
@@ -96,6 +96,7 @@ pub fn metered_exposure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
 fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
     let reference = Reference::new(scene)?;
     let (profile, shift) = (disk::Profile::new(scene), Shift::new(scene));
+    let lit = disk::lit(scene);
     let axes = scene.camera.tetrad_from_camera();
     let size = scene.picture.size().as_dvec2();
     // Light of an unshifted sky that alone would ask for SKY_EXPOSURE.
@@ -109,8 +110,8 @@ fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
     };
     let disk_light = |hit: Hit| {
         let flux = profile.flux(hit.r);
-        let seen = spectrum::colour(hit.g * disk::temperature(&scene.disk, flux));
-        let scale = flux * beaming(hit.g) * scene.disk.brightness * DISK_HDR_SCALE;
+        let seen = spectrum::colour(hit.g * disk::temperature(&lit, flux));
+        let scale = flux * beaming(hit.g) * lit.brightness * DISK_HDR_SCALE;
         DVec3::from(seen) * scale * disk::cover(scene, hit.r)
     };
     let mut samples = Vec::new();

@@ -48,9 +48,10 @@ impl DiskRing {
     #[must_use]
     pub fn light(&self, scene: &Scene) -> RingLight {
         let flux = disk::Profile::new(scene).flux(self.radius);
-        let rgb = DVec3::from(spectrum::colour(disk::temperature(&scene.disk, flux)));
+        let lit = disk::lit(scene);
+        let rgb = DVec3::from(spectrum::colour(disk::temperature(&lit, flux)));
         let largest = rgb.max_element().max(f64::MIN_POSITIVE);
-        let radiance = largest * flux * DISK_HDR_SCALE * scene.disk.brightness;
+        let radiance = largest * flux * DISK_HDR_SCALE * lit.brightness;
         RingLight {
             power: 2.0 * PI * radiance * self.area,
             colour: rgb / largest,

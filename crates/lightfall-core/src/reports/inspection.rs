@@ -146,9 +146,9 @@ impl Inspected {
         let reference = Reference::new(scene)?;
         let (cpu, path) = Path::of(&reference, direction, farthest);
         let plane = RayPlane::of(scene, &reference, direction, &cpu, &path);
-        let profile = Profile::new(scene);
+        let (profile, lit) = (Profile::new(scene), disk::lit(scene));
         let temperature =
-            |hit: Option<Hit>| hit.map(|hit| disk::temperature(&scene.disk, profile.flux(hit.r)));
+            |hit: Option<Hit>| hit.map(|hit| disk::temperature(&lit, profile.flux(hit.r)));
         let numbers = Inspection {
             scene: scene.name.clone(),
             pixel,

@@ -205,6 +205,9 @@ table! {
         outer: f64 = 11.0, EDGE, "r_s";
         /// Radial profile of the flux.
         model: DiskModel = DiskModel::default();
+        /// Whether the disk keeps its accretion rate when its inner edge moves, as if temperature_k
+        /// and brightness were given for an edge at 3 r_s; else its largest flux stays the same.
+        keep_accretion: bool = false;
         /// Temperature scale: T = temperature_k F^(1/4); a hotter disk keeps its total flux, ever
         /// less of it visible.
         temperature_k: f64 = 18_000.0, Range::closed(100.0, 1e6), "K";

@@ -5,7 +5,7 @@ use crate::assert_close;
 use crate::reference::directions;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::disk;
-use lightfall_core::optics::disk::{PageThorne, Profile};
+use lightfall_core::optics::disk::{PageThorne, Profile, lit, temperature};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::scene::{Disk, DiskModel, Scene};
 use std::f64::consts::PI;
@@ -157,7 +157,7 @@ fn disk_flux_peaks_where_the_zero_torque_profile_does() {
     assert_close("peak", flux(peak), (36.0_f64 / 49.0).powi(3) / 7.0, 1e-14);
     assert!(flux(peak * 1.001) < flux(peak) && flux(peak * 0.999) < flux(peak));
     assert_eq!([flux(3.0), flux(2.0)], [0.0, 0.0]);
-    let temperature = disk::temperature(&Disk::default(), flux(peak));
+    let temperature = temperature(&Disk::default(), flux(peak));
     assert_close(
         "temperature",
         temperature,
@@ -379,4 +379,32 @@ fn disk_model_of_the_scene_chooses_the_profile() {
         PageThorne::new(0.9, 3.0).flux(5.0),
         1e-15,
     );
+}
+
+#[test]
+fn a_disk_that_keeps_its_accretion_rate_is_the_same_far_out_wherever_its_edge_is() {
+    let far = 1e6;
+    let light = |spin: f64, model: DiskModel| {
+        let mut scene = Scene::default();
+        (scene.hole.spin, scene.disk.follow_isco) = (spin, true);
+        (scene.disk.model, scene.disk.keep_accretion) = (model, true);
+        let (disk, flux) = (lit(&scene), Profile::new(&scene).flux(far));
+        (temperature(&disk, flux), disk.brightness * flux)
+    };
+    // Without spin, the standard edge itself: the scene's own temperature and brightness.
+    let standard = Scene::default();
+    let flux = Profile::new(&standard).flux(far);
+    let (hot, bright) = light(0.0, DiskModel::Newtonian);
+    assert_close("temperature", hot, temperature(&standard.disk, flux), 1e-12);
+    assert_close("brightness", bright, flux, 1e-12);
+    for model in DiskModel::ALL {
+        let (temperature, brightness) = light(0.0, model);
+        for spin in [-0.9, 0.5, 0.9, 0.998] {
+            let spinning = light(spin, model);
+            // The edge counts by sqrt(r_in/r), a few thousandths here, and the relativistic
+            // correction by sqrt(M/r) times a logarithm, a hundredth.
+            assert_close("temperature", spinning.0, temperature, 0.005);
+            assert_close("brightness", spinning.1, brightness, 0.02);
+        }
+    }
 }

@@ -74,6 +74,7 @@ pub const SECTIONS: &[Section] = &[
             row("disk.brightness", "Brightness", Logarithmic(0.01, 100.0)),
             row("disk.inner", "Inner edge", Logarithmic(0.5, 100.0)),
             row("disk.follow_isco", "At innermost orbit", Plain),
+            row("disk.keep_accretion", "Keep accretion rate", Plain),
             row("disk.outer", "Outer edge", Logarithmic(1.0, 300.0)),
             row("disk.transmission", "Transparency", Plain),
             row("disk.edge_taper", "Soft edges", Plain),

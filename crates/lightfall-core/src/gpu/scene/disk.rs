@@ -1,6 +1,6 @@
 //! The disk's part of the uniform.
 
-use crate::optics::disk::inner_edge;
+use crate::optics::disk::{inner_edge, lit};
 use crate::optics::photometry::DISK_HDR_SCALE;
 use crate::scene::Scene;
 use encase::ShaderType;
@@ -20,7 +20,7 @@ pub struct GpuDisk {
 
 impl GpuDisk {
     pub(super) fn new(scene: &Scene) -> Self {
-        let (disk, inner) = (&scene.disk, inner_edge(scene));
+        let (disk, inner) = (lit(scene), inner_edge(scene));
         Self {
             inner: inner as f32,
             outer: disk.outer as f32,

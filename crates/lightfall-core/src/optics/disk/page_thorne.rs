@@ -70,6 +70,12 @@ impl PageThorne {
         }
     }
 
+    /// What the flux of this accretion rate was multiplied by to give it the Newtonian peak.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
     /// 4 pi F / Mdot at radius `r`, in 1/r_s^2.
     #[must_use]
     pub fn flux_per_accretion_rate(&self, r: f64) -> f64 {
