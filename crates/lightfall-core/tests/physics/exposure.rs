@@ -54,8 +54,9 @@ fn a_sky_alone_has_the_exposure_that_suits_stars() {
     let mut scene = preset("2");
     scene.disk.enabled = false;
     scene.camera.r = 1e4;
-    // Far away no light is shifted.
-    assert!((metered(&scene) - 1.2).abs() < 0.02, "{}", metered(&scene));
+    // Far away no light is shifted. Light of 6500 K is not quite white: its largest channel is 4 %
+    // above its luminance, a seventeenth of a power of two.
+    assert!((metered(&scene) - 1.2).abs() < 0.1, "{}", metered(&scene));
 }
 
 #[test]
