@@ -2,7 +2,7 @@
 
 use super::preset;
 use glam::UVec2;
-use lightfall::picture::{HeadlessOptions, Studio, render};
+use lightfall::picture::{HeadlessOptions, PassTime, Studio, render};
 use lightfall::render::{Captured, Chain, ComparedScene, ComparisonLayout, ComparisonMode};
 use lightfall::render::{EMPTY_PASSES, Pinned};
 use lightfall_core::gpu::Drawable;
@@ -237,6 +237,12 @@ fn a_comparison_runs_the_passes_of_its_chain_and_none_while_nothing_changes() {
         if times.is_empty() {
             println!("skipped: the device has no timestamps");
             return;
+        }
+        for PassTime {
+            pass, median_ms, ..
+        } in &times
+        {
+            println!("{mode:?}: {pass} {median_ms:.3} ms");
         }
         let compared = Drawable::new(pinned.clone()).unwrap();
         let compared = ComparedScene::Drawn(Box::new((compared, layout)));

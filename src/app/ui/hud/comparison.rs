@@ -83,9 +83,7 @@ fn show_comparison(
                 {
                     let share = (dragged - picture.left()) / picture.width().max(1.0);
                     let divider = share.clamp(MIN_SHARE, 1.0 - MIN_SHARE);
-                    if let Some((_, mode)) = &mut comparison.0 {
-                        *mode = ComparisonMode::SideBySide { divider };
-                    }
+                    drag_to(divider, &mut comparison);
                 }
                 match sides(&drawn.0, &scene) {
                     Some([left, right]) => {
@@ -129,6 +127,15 @@ fn show_comparison(
         },
     }
     Ok(())
+}
+
+/// Puts the divider at a share of the picture's width. A divider that is held still is no change.
+fn drag_to(divider: f32, comparison: &mut ResMut<Comparison>) {
+    let dragged = ComparisonMode::SideBySide { divider };
+    let moves = matches!(&comparison.0, Some((_, mode)) if *mode != dragged);
+    if moves && let Some((_, mode)) = &mut comparison.0 {
+        *mode = dragged;
+    }
 }
 
 /// What distinguishes each side from the other; `None` if nothing does.

@@ -24,7 +24,24 @@ pub(super) fn show_divider(context: &egui::Context, x: f32, y: Rangef) -> Option
         let (_, response) = ui.allocate_exact_size(grip, egui::Sense::drag());
         let held = response.hovered() || response.dragged();
         let response = response.on_hover_and_drag_cursor(egui::CursorIcon::ResizeHorizontal);
-        // The handle is wider than the grip.
+        let place = response.interact_pointer_pos();
+        let dragged = place.filter(|_| response.dragged()).map(|place| place.x);
+        (held, dragged)
+    });
+    let (held, dragged) = shown.inner;
+    draw(context, x, y, held);
+    dragged
+}
+
+/// Draws the line and its handle. They have a layer of their own, below the boards, so that the
+/// line crosses no text.
+fn draw(context: &egui::Context, x: f32, y: Rangef, held: bool) {
+    let area = egui::Area::new("divider line".into())
+        .fixed_pos([x, y.min])
+        .constrain(false)
+        .interactable(false)
+        .order(egui::Order::Background);
+    area.show(context, |ui| {
         let painter = ui.painter().with_clip_rect(ui.ctx().content_rect());
         let wider = if held { 1.0 } else { 0.0 };
         painter.vline(x, y, Stroke::new(4.0 + wider, EDGE));
@@ -37,8 +54,5 @@ pub(super) fn show_divider(context: &egui::Context, x: f32, y: Rangef) -> Option
             let arrow = vec![at(8.5, 0.0), at(3.5, -4.5), at(3.5, 4.5)];
             painter.add(Shape::convex_polygon(arrow, ARROW, Stroke::NONE));
         }
-        let place = response.interact_pointer_pos();
-        place.filter(|_| response.dragged()).map(|place| place.x)
     });
-    shown.inner
 }
