@@ -8,6 +8,7 @@ use crate::app::state::end_card::EndCard;
 use crate::app::state::history::History;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
+use crate::app::state::title::Title;
 use crate::app::state::toast::Toast;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
@@ -31,6 +32,7 @@ fn apply_journey_commands(
     mut toast: ResMut<Toast>,
     mut end_card: ResMut<EndCard>,
     mut paused: ResMut<Paused>,
+    mut title: ResMut<Title>,
 ) {
     for command in commands.read() {
         match command {
@@ -63,6 +65,8 @@ fn apply_journey_commands(
         }
         history.note_departure(&scene, time.elapsed());
         paused.0 = false;
+        // The journey shows its own.
+        title.close();
         toast.clear();
         end_card.close();
         // A journey that cannot be flown to its end is flown as far as possible.
