@@ -325,7 +325,7 @@ fn advance_free_fall(
         FlightStep::Ended(next) => {
             scene.0 = *next;
             let again = ("scene.undo", "back to where you let go");
-            end_card.show("The fall ends here", &free_fall.ending(&scene), again);
+            end_card.show("The fall ends here", &free_fall.ending(&scene), again, None);
             free_fall.stop();
         }
         FlightStep::Refused(reason) => toast.say(format!(

@@ -115,7 +115,12 @@ fn advance_journey(
         FlightStep::Ended(next) => {
             scene.0 = *next;
             let again = ("journey.again", "fly it again");
-            end_card.show("The journey ends here", &ending(&scene), again);
+            let horizon = Kerr {
+                spin: scene.hole.spin,
+            }
+            .horizon();
+            let fall = (scene.camera.r > horizon).then_some(("motion.let_go", "let go and fall"));
+            end_card.show("The journey ends here", &ending(&scene), again, fall);
         }
         FlightStep::Refused(reason) => toast.say(format!("The journey cannot go on: {reason}")),
     }

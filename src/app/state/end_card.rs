@@ -15,8 +15,9 @@ pub(crate) struct EndCard {
 }
 
 impl EndCard {
-    /// Shows the card. `first` is the nearest way to go on; the others are the same everywhere.
-    pub(crate) fn show(&mut self, title: &str, text: &str, first: Way) {
+    /// Shows the card. `first` is the nearest way to go on and `last` one more, if there is one;
+    /// those between are the same everywhere.
+    pub(crate) fn show(&mut self, title: &str, text: &str, first: Way, last: Option<Way>) {
         let others = [
             ("scene.undo", "back to where you were"),
             ("preset.next", "another place"),
@@ -26,7 +27,7 @@ impl EndCard {
         *self = Self {
             title: title.into(),
             text: text.into(),
-            ways: std::iter::once(first).chain(others).collect(),
+            ways: std::iter::once(first).chain(others).chain(last).collect(),
         };
     }
 
