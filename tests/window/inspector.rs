@@ -79,7 +79,7 @@ fn the_wheel_over_a_panel_that_has_just_opened_belongs_to_the_panel() {
 fn copied(desktop: &Desktop) -> serde_json::Value {
     let start = Instant::now();
     loop {
-        desktop.click([123, 45]);
+        desktop.click([128, 57]);
         std::thread::sleep(Duration::from_millis(300));
         let text = desktop.clipboard();
         let json = text
