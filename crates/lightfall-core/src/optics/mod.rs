@@ -4,6 +4,7 @@
 //! Every photon is the physical, future-directed one, with E = -p_t, L = p_phi and Carter's Q per
 //! unit frequency for the camera. Rays are followed backward from the camera.
 
+pub mod apparent_hole;
 pub mod camera_rays;
 pub mod critical_curve;
 pub mod disk;

@@ -8,7 +8,7 @@ mod shadow;
 pub mod si;
 mod strain;
 
-pub use shadow::shadow_radius;
+pub use shadow::{Shadow, shadow, shadow_radius};
 pub use strain::{held_acceleration, tide};
 
 use crate::geometry::kerr::Kerr;

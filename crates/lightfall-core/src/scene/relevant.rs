@@ -63,6 +63,12 @@ impl Picture {
         UVec2::new(self.width, self.height)
     }
 
+    /// Width of the traced picture over its height.
+    #[must_use]
+    pub fn aspect(&self) -> f64 {
+        f64::from(self.width) / f64::from(self.height)
+    }
+
     /// Columns and rows of the presentation grid.
     #[must_use]
     pub fn grid(&self) -> UVec2 {

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a failed unwrap is a failed test")]
 
 mod accuracy;
+mod apparent_hole;
 mod disk;
 mod effects;
 mod elliptic;
