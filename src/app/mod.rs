@@ -24,10 +24,13 @@ pub use controls::refusal::checked_change;
 pub use controls::statement::{change_words, statement};
 pub use controls::table::{CONTROLS, control_named};
 pub use input::gamepad::{NO_GAMEPAD, deflection, squeeze};
+pub use motion::facing::{Aim, aimed, between_axes, next_aim};
 pub use motion::flight_step::FlightStep;
 pub use motion::free_fall::FreeFall;
 pub use motion::journey_player::JourneyPlayer;
-pub use motion::steering::{Steered, Steering, steered};
+pub use motion::orbit_camera::{OrbitStep, orbited};
+pub use motion::steering::{Barrier, Steered, Steering, steered};
+pub use motion::zoom::zoomed;
 pub use session::display::display;
 pub use session::frame_pacing::FramePacing;
 pub use state::history::History;
@@ -131,6 +134,8 @@ pub fn program(start: Start) -> App {
             state::end_card::plugin,
             state::menu::plugin,
             state::paused::plugin,
+            state::notice::plugin,
+            state::hole_in_view::plugin,
             state::preferences::plugin,
         ))
         .add_plugins((
@@ -154,7 +159,10 @@ pub fn program(start: Start) -> App {
             session::clipboard::plugin,
         ))
         .add_plugins((
+            motion::facing::plugin,
+            motion::orbit_camera::plugin,
             motion::pilot::plugin,
+            motion::zoom::plugin,
             motion::journey::plugin,
             motion::free_fall::plugin,
             motion::pause::plugin,
@@ -170,6 +178,8 @@ pub fn program(start: Start) -> App {
             ui::inspector::plugin,
             ui::end_card::plugin,
             ui::menu::plugin,
+            ui::notice::plugin,
+            ui::compass::plugin,
         ));
     app
 }

@@ -98,14 +98,14 @@ fn names_of_buttons_are_read_back_as_the_same_buttons() {
 
 #[test]
 fn settings_bind_buttons_separately_from_keys() {
-    let text = "[keys]\n\"window.help\" = [\"Home\"]\n[buttons]\n\"window.help\" = [\"Guide\", \"L3\"]\n\"picture.bypass\" = []";
+    let text = "[keys]\n\"window.help\" = [\"Home\"]\n[buttons]\n\"window.help\" = [\"Guide\", \"L3\"]\n\"fly.orbit\" = []";
     let settings = Settings::read(text).unwrap();
     let bindings = PadBindings::new(&settings.buttons).unwrap();
     assert_eq!(
         bindings.of("window.help"),
         [GamepadButton::Mode, GamepadButton::LeftThumb]
     );
-    assert!(bindings.of("picture.bypass").is_empty());
+    assert!(bindings.of("fly.orbit").is_empty());
     assert_eq!(bindings.settings(), settings.buttons);
     for (line, expected) in [
         (

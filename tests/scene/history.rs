@@ -40,6 +40,25 @@ fn undoing_a_fall_or_a_journey_returns_the_camera_to_its_start_and_keeps_other_c
 }
 
 #[test]
+fn flying_by_hand_since_the_last_change_is_undone_at_once_and_then_the_change() {
+    let start = Scene::default();
+    let mut history = History::new(start.clone());
+    let mut scene = start.clone();
+    scene.disk.enabled = false;
+    history.note(&start, &scene, seconds(1));
+    for second in 2..9 {
+        history.note_departure_by_hand(&scene, seconds(second));
+        scene.camera.r *= 0.8;
+    }
+    let undone = history.undo(&scene).unwrap().unwrap();
+    assert_eq!(undone.camera, start.camera);
+    assert!(!undone.disk.enabled, "the flight came after the change");
+    let undone = history.undo(&undone).unwrap().unwrap();
+    assert!(undone.disk.enabled);
+    assert!(history.undo(&undone).is_none());
+}
+
+#[test]
 fn loading_a_preset_is_undone_together_with_what_counts_as_loaded() {
     let start = Scene::default();
     let mut history = History::new(start.clone());

@@ -20,6 +20,7 @@ mod keys;
 mod legends;
 #[path = "../../crates/lightfall-core/tests/gpu/light.rs"]
 mod light;
+mod never_lost;
 mod program;
 mod random;
 mod rays;

@@ -25,9 +25,13 @@ const HANDS: [(KeyCode, GamepadInput, u64); 6] = [
         GamepadInput::Axis(GamepadAxis::RightStickX),
         0,
     ),
-    (KeyCode::KeyK, GamepadInput::Button(GamepadButton::South), 0),
     (
-        KeyCode::KeyY,
+        KeyCode::ArrowUp,
+        GamepadInput::Button(GamepadButton::South),
+        0,
+    ),
+    (
+        KeyCode::ArrowDown,
         GamepadInput::Button(GamepadButton::DPadRight),
         0,
     ),
@@ -201,7 +205,7 @@ fn a_gamepad_wakes_the_window_flies_looks_around_and_presses_controls() {
     );
 
     // The journey by a button; the stick takes over.
-    let [before, after] = used(&desktop, "k");
+    let [before, after] = used(&desktop, "Up");
     assert_eq!(
         [value(&before, "journey"), value(&after, "journey")],
         ["false", "true"]
@@ -211,7 +215,7 @@ fn a_gamepad_wakes_the_window_flies_looks_around_and_presses_controls() {
         [value(&before, "journey"), value(&after, "journey")],
         ["true", "false"]
     );
-    let [before, after] = used(&desktop, "y");
+    let [before, after] = used(&desktop, "Down");
     assert_eq!(
         [value(&before, "preset"), value(&after, "preset")],
         ["edge-on", "above"]

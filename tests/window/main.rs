@@ -13,6 +13,7 @@ mod frames;
 mod gamepad;
 mod inspector;
 mod latency;
+mod lost;
 mod manager;
 mod messages;
 mod pasting;

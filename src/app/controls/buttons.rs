@@ -42,8 +42,8 @@ const DEFAULTS: &[(&str, &[GamepadButton])] = &[
     ("scene.spin", &[GamepadButton::North]),
     ("preset.previous", &[GamepadButton::DPadLeft]),
     ("preset.next", &[GamepadButton::DPadRight]),
-    ("picture.bypass", &[GamepadButton::LeftThumb]),
-    ("window.screenshot", &[GamepadButton::RightThumb]),
+    ("fly.orbit", &[GamepadButton::LeftThumb]),
+    ("fly.face", &[GamepadButton::RightThumb]),
     ("fly.escape", &[GamepadButton::Start]),
     ("window.help", &[GamepadButton::Select]),
 ];

@@ -141,6 +141,10 @@ pub enum AppCommand {
     MouseLook,
     /// Free the mouse, or close what is open, or open the menu.
     Escape,
+    /// Turn the camera to face the hole, or outward if it faces the hole.
+    Face,
+    /// Let the hand move the camera around the hole, or fly freely again.
+    OrbitCamera,
     /// Start or stop the guided journey.
     Journey,
     /// Start the journey from its beginning.
@@ -177,4 +181,6 @@ pub enum FlightInput {
     RollRight,
     Faster,
     Slower,
+    Narrower,
+    Wider,
 }

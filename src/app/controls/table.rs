@@ -38,6 +38,10 @@ pub const CONTROLS: &[Control] = controls! {
         "fly.roll_right" [KeyE] "roll" Hold(FlightInput::RollRight);
         "fly.faster" [ShiftLeft, ShiftRight] "fly faster" Hold(FlightInput::Faster);
         "fly.slower" [AltLeft, AltRight] "fly slower" Hold(FlightInput::Slower);
+        "fly.face" [KeyY] "face the hole, or outward" Do(AppCommand::Face);
+        "fly.orbit" [KeyK] "orbit camera: round the hole" Do(AppCommand::OrbitCamera);
+        "fly.narrower" [BracketLeft] "field of view" Hold(FlightInput::Narrower);
+        "fly.wider" [BracketRight] "field of view" Hold(FlightInput::Wider);
         "fly.mouse" [Tab] "mouse looks around" Do(AppCommand::MouseLook);
         "journey.fly" [KeyJ] "journey: start, stop" Do(AppCommand::Journey);
         "journey.again" [Enter] "journey from its start" Do(AppCommand::RestartJourney);

@@ -2,12 +2,14 @@
 //! and the camera with it.
 
 use super::MAX_FRAME_SECONDS;
+use super::facing::{Aim, Facing};
 use super::flight_step::FlightStep;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::controls::refusal::no_observer;
 use crate::app::state::end_card::EndCard;
 use crate::app::state::history::History;
+use crate::app::state::hole_in_view::HoleInView;
 use crate::app::state::last_pose::LastPose;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
@@ -257,11 +259,13 @@ fn apply_free_fall_commands(
     bindings: Res<Bindings>,
     preferences: Res<Preferences>,
     mut toast: ResMut<Toast>,
-    mut end_card: ResMut<EndCard>,
     mut paused: ResMut<Paused>,
+    (mut end_card, mut facing): (ResMut<EndCard>, ResMut<Facing>),
+    hole: Res<HoleInView>,
 ) {
     for command in commands.read() {
         match command {
+            AppCommand::OrbitCamera if free_fall.is_moving() => free_fall.stop(),
             AppCommand::LetGo if free_fall.is_moving() => {
                 free_fall.stop();
                 toast.say(format!("Held at r {} r_s", four_digits(scene.camera.r)));
@@ -273,6 +277,13 @@ fn apply_free_fall_commands(
                     Ok(()) => {
                         history.note_departure(&scene, time.elapsed());
                         toast.say(released(&free_fall, &bindings));
+                        // The way in shows what the observer falls into.
+                        let is_fall = free_fall
+                            .worldline()
+                            .is_some_and(|line| !line.is_circular());
+                        if is_fall && hole.0.is_some_and(|hole| !hole.in_picture) {
+                            facing.start(Aim::Hole, &scene);
+                        }
                     }
                     Err(error) => toast.say(no_observer(&error, &scene)),
                 }

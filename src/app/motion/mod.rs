@@ -1,12 +1,16 @@
 //! What moves the camera: the hand, the guided journey, and the observer's own motion.
 
+pub(crate) mod crossing;
+pub(crate) mod facing;
 pub(crate) mod flight_step;
 pub(crate) mod free_fall;
 pub(crate) mod journey;
 pub(crate) mod journey_player;
+pub(crate) mod orbit_camera;
 pub(crate) mod pause;
 pub(crate) mod pilot;
 pub(crate) mod steering;
+pub(crate) mod zoom;
 
 /// Maximum time, in seconds, by which one frame moves the camera on. A slower frame moves it no
 /// farther, so that the camera stays steerable on slow machines.

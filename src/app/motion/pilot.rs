@@ -1,18 +1,27 @@
-//! Flying by hand: keys, mouse and gamepad move and turn the camera.
+//! Flying by hand: keys, mouse and gamepad move and turn the camera, freely or around the hole.
 
 use super::MAX_FRAME_SECONDS;
-use super::steering::{Steered, Steering, steered};
+use super::crossing::announce_crossing;
+use super::facing::{Facing, start_facing, turn_camera};
+use super::orbit_camera::{OrbitCamera, OrbitStep, orbited, switch_orbit_camera};
+use super::steering::{Barrier, MIN_RADIUS, Steered, Steering, steered};
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{AppCommand, FlightInput};
 use crate::app::input::held::HeldControls;
 use crate::app::input::pointer::{locate_pointer, pointer_over_picture};
+use crate::app::state::history::History;
+use crate::app::state::overlays::Overlays;
+use crate::app::state::preferences::Preferences;
+use crate::app::state::resolution::Resolution;
 use crate::app::state::toast::Toast;
 use crate::render::CurrentScene;
+use bevy::ecs::system::SystemParam;
 use bevy::input::mouse::{AccumulatedMouseMotion, AccumulatedMouseScroll, MouseScrollUnit};
 use bevy::math::{DVec2, DVec3};
 use bevy::prelude::*;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow};
-use lightfall_core::scene::ObserverKind;
+use lightfall_core::gpu::Undrawable;
+use lightfall_core::scene::{ObserverKind, Scene};
 
 /// What the mouse has set.
 #[derive(Resource)]
@@ -21,6 +30,10 @@ pub(crate) struct Pilot {
     pub(crate) throttle: f64,
     /// Whether the mouse looks around without a button being held.
     pub(crate) free_look: bool,
+    /// Whether the left button was pressed over the picture and is still held.
+    drags: bool,
+    /// Notches of the wheel in this frame that move the orbit camera.
+    orbit_notches: f64,
 }
 
 /// Shift flies faster and Alt slower by this factor.
@@ -36,34 +49,66 @@ const ROLL_SPEED: f64 = 0.9;
 const MOUSE_TURN: f64 = 1.0 / 500.0;
 /// Turn per second by a stick, as a share of the vertical field of view.
 const STICK_TURN: f64 = 1.0;
+/// Way of the orbit camera around the hole, in radians: per pixel of mouse motion, and per second
+/// by a key or a stick.
+const ORBIT_TURN: f64 = 0.005;
+const ORBIT_SPEED: f64 = 0.7;
+/// Seconds of flight by which one notch of the wheel moves the orbit camera in or out.
+const ORBIT_NOTCH_SECONDS: f64 = 0.25;
 
 pub(crate) fn plugin(app: &mut App) {
     app.insert_resource(Pilot {
         throttle: 1.0,
         free_look: false,
+        drags: false,
+        orbit_notches: 0.0,
     })
     .add_systems(
         Update,
         (
-            set_throttle
+            (switch_orbit_camera, start_facing).chain(),
+            (use_wheel, start_drag)
                 .after(locate_pointer)
                 .run_if(pointer_over_picture),
             grab_mouse,
             steer_camera,
+            turn_camera,
+            announce_crossing,
         )
             .chain(),
     );
 }
 
-fn set_throttle(scroll: Res<AccumulatedMouseScroll>, mut pilot: ResMut<Pilot>) {
+/// The wheel sets the speed, or moves the orbit camera in and out.
+fn use_wheel(
+    scroll: Res<AccumulatedMouseScroll>,
+    orbit: Res<OrbitCamera>,
+    mut pilot: ResMut<Pilot>,
+) {
     let notches = match scroll.unit {
         MouseScrollUnit::Line => scroll.delta.y,
         MouseScrollUnit::Pixel => scroll.delta.y / PIXELS_PER_NOTCH,
     };
-    if notches != 0.0 {
-        let [slowest, fastest] = THROTTLE_RANGE;
-        pilot.throttle =
-            (pilot.throttle * THROTTLE_NOTCH.powf(f64::from(notches))).clamp(slowest, fastest);
+    if notches == 0.0 {
+        return;
+    }
+    if orbit.is_on() {
+        pilot.orbit_notches += f64::from(notches);
+        return;
+    }
+    let [slowest, fastest] = THROTTLE_RANGE;
+    pilot.throttle =
+        (pilot.throttle * THROTTLE_NOTCH.powf(f64::from(notches))).clamp(slowest, fastest);
+}
+
+/// The left button over the picture looks around as the right one does, unless it inspects rays.
+fn start_drag(
+    buttons: Res<ButtonInput<MouseButton>>,
+    overlays: Res<Overlays>,
+    mut pilot: ResMut<Pilot>,
+) {
+    if buttons.just_pressed(MouseButton::Left) && !overlays.shows_inspector() {
+        pilot.drags = true;
     }
 }
 
@@ -94,7 +139,8 @@ pub(crate) fn grab_mouse(
     if !window.focused {
         pilot.free_look = false;
     }
-    let grabbed = window.focused && (pilot.free_look || buttons.pressed(MouseButton::Right));
+    pilot.drags &= window.focused && buttons.pressed(MouseButton::Left);
+    let grabbed = window.focused && looks(&pilot, &buttons);
     let mode = if grabbed {
         CursorGrabMode::Locked
     } else {
@@ -106,52 +152,172 @@ pub(crate) fn grab_mouse(
     }
 }
 
+/// Whether the mouse moves the camera.
+fn looks(pilot: &Pilot, buttons: &ButtonInput<MouseButton>) -> bool {
+    pilot.free_look || pilot.drags || buttons.pressed(MouseButton::Right)
+}
+
+/// What the hand does in a frame.
+struct Hand {
+    /// Thrust toward the camera's right, up and forward, of length one at most.
+    thrust: DVec3,
+    /// Turn to the right and up by the sticks, and motion of the mouse in pixels, up being positive.
+    stick: DVec2,
+    mouse: DVec2,
+    roll: f64,
+    /// Factor of the speed by the keys.
+    gear: f64,
+}
+
+impl Hand {
+    fn of(
+        held: &HeldControls,
+        preferences: &Preferences,
+        pilot: &Pilot,
+        buttons: &ButtonInput<MouseButton>,
+        motion: DVec2,
+    ) -> Self {
+        let settings = &preferences.settings;
+        let (left, right) = (held.pads.left_stick(), held.pads.right_stick());
+        let thrust = DVec3::new(
+            held.axis(FlightInput::Right, FlightInput::Left) + left.x,
+            held.axis(FlightInput::Up, FlightInput::Down),
+            held.axis(FlightInput::Forward, FlightInput::Backward) + left.y,
+        );
+        let up = DVec2::new(1.0, if settings.invert_y { -1.0 } else { 1.0 });
+        let mouse = if !held.typing.0 && looks(pilot, buttons) {
+            motion * DVec2::new(1.0, -1.0) * settings.mouse_sensitivity
+        } else {
+            DVec2::ZERO
+        };
+        Self {
+            thrust: thrust.clamp_length_max(1.0),
+            stick: right * up,
+            mouse: mouse * up,
+            roll: held.axis(FlightInput::RollRight, FlightInput::RollLeft),
+            gear: GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower)),
+        }
+    }
+
+    /// The hand in free flight.
+    fn steering(&self, scene: &Scene, throttle: f64, seconds: f64) -> Option<Steering> {
+        // Right and up, as shares of the field of view.
+        let look = self.mouse * MOUSE_TURN + self.stick * STICK_TURN * seconds;
+        let roll = self.roll * ROLL_SPEED * seconds;
+        let turn = (look * scene.camera.fov_deg.to_radians()).extend(roll);
+        (self.thrust != DVec3::ZERO || turn != DVec3::ZERO).then_some(Steering {
+            thrust: self.thrust,
+            turn,
+            speed: self.gear * throttle,
+            seconds,
+        })
+    }
+
+    /// The hand on the orbit camera. The mouse drags the picture, so the camera goes the other way.
+    fn orbit_step(&self, notches: f64, seconds: f64) -> Option<OrbitStep> {
+        let keys = self.thrust.truncate() + self.stick;
+        let around = keys * ORBIT_SPEED * self.gear * seconds - self.mouse * ORBIT_TURN;
+        let rise = -(self.thrust.z * self.gear * seconds + notches * ORBIT_NOTCH_SECONDS);
+        (around != DVec2::ZERO || rise != 0.0).then_some(OrbitStep {
+            around,
+            rise: rise.signum(),
+            time: rise.abs(),
+        })
+    }
+}
+
+/// What a flight by hand writes besides the scene.
+#[derive(SystemParam)]
+struct Log<'w> {
+    history: ResMut<'w, History>,
+    resolution: Res<'w, Resolution>,
+    toast: ResMut<'w, Toast>,
+    bindings: Res<'w, Bindings>,
+    clock: Res<'w, Time<Real>>,
+}
+
 fn steer_camera(
     held: HeldControls,
     buttons: Res<ButtonInput<MouseButton>>,
     motion: Res<AccumulatedMouseMotion>,
     time: Res<Time>,
-    pilot: Res<Pilot>,
+    preferences: Res<Preferences>,
+    orbit: Res<OrbitCamera>,
+    mut pilot: ResMut<Pilot>,
+    mut facing: ResMut<Facing>,
     mut scene: ResMut<CurrentScene>,
-    mut toast: ResMut<Toast>,
+    mut log: Log,
 ) {
     let seconds = time.delta_secs_f64().min(MAX_FRAME_SECONDS);
-    let (left, right) = (held.pads.left_stick(), held.pads.right_stick());
-    let thrust = DVec3::new(
-        held.axis(FlightInput::Right, FlightInput::Left) + left.x,
-        held.axis(FlightInput::Up, FlightInput::Down),
-        held.axis(FlightInput::Forward, FlightInput::Backward) + left.y,
-    );
-    let gear = GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower));
-    let roll = held.axis(FlightInput::RollRight, FlightInput::RollLeft) * ROLL_SPEED * seconds;
-    let looks = !held.typing.0 && (pilot.free_look || buttons.pressed(MouseButton::Right));
-    let mouse = if looks {
-        motion.delta.as_dvec2()
-    } else {
-        DVec2::ZERO
-    };
-    // Right and up, as shares of the field of view.
-    let look = mouse * DVec2::new(MOUSE_TURN, -MOUSE_TURN) + right * STICK_TURN * seconds;
-    if thrust == DVec3::ZERO && roll == 0.0 && look == DVec2::ZERO {
-        return;
-    }
-    let steering = Steering {
-        thrust: thrust.clamp_length_max(1.0),
-        turn: (look * scene.camera.fov_deg.to_radians()).extend(roll),
-        speed: gear * pilot.throttle,
-        seconds,
-    };
-    match steered(&scene, &steering) {
-        Ok(Steered {
-            scene: next,
-            replaced,
-        }) => {
-            if let Some(kinds) = replaced {
-                toast.say(observer_change(kinds));
-            }
-            scene.0 = next;
+    let motion = motion.delta.as_dvec2();
+    let hand = Hand::of(&held, &preferences, &pilot, &buttons, motion);
+    let notches = std::mem::take(&mut pilot.orbit_notches);
+    let (flown, moves) = if orbit.is_on() {
+        let Some(step) = hand.orbit_step(notches, seconds) else {
+            return;
+        };
+        // The orbit camera turns to the hole first, and moves then.
+        if facing.is_turning() {
+            return;
         }
-        Err(reason) => toast.say(format!("The camera cannot fly there: {reason}")),
+        (orbited(&scene, &step), true)
+    } else {
+        let Some(steering) = hand.steering(&scene, pilot.throttle, seconds) else {
+            return;
+        };
+        if steering.turn != DVec3::ZERO {
+            facing.stop();
+        }
+        (steered(&scene, &steering), steering.thrust != DVec3::ZERO)
+    };
+    log.write(&scene, &flown, moves);
+    if let Ok(Steered { scene: next, .. }) = flown {
+        scene.0 = next;
+    }
+}
+
+impl Log<'_> {
+    /// Notes where a flight began, and says what happened to the observer and what stopped the
+    /// camera.
+    fn write(&mut self, before: &CurrentScene, flown: &Result<Steered, Undrawable>, moves: bool) {
+        let Steered {
+            scene: after,
+            replaced,
+            stopped_by,
+        } = match flown {
+            Ok(steered) => steered,
+            Err(reason) => {
+                self.toast
+                    .say(format!("The camera cannot fly there: {reason}"));
+                return;
+            }
+        };
+        if moves && *stopped_by != Some(Barrier::Horizon) {
+            let full = self.resolution.full_scene(before);
+            self.history
+                .note_departure_by_hand(&full, self.clock.elapsed());
+        }
+        let [back, fall] = ["scene.undo", "motion.let_go"].map(|id| self.bindings.label(id));
+        let left_orbit = before.observer.kind == ObserverKind::Orbit
+            && after.observer.kind != ObserverKind::Orbit;
+        if left_orbit {
+            self.toast.say(format!(
+                "Thrust ends the orbit: {} now; {back} returns",
+                after.observer.kind.properties().motion
+            ));
+        } else if let Some(kinds) = replaced {
+            self.toast
+                .say(format!("{}; {back} returns", observer_change(*kinds)));
+        }
+        match stopped_by {
+            Some(Barrier::MinRadius) => self.toast.say(format!(
+                "Hand flight goes no nearer than {MIN_RADIUS} r_s: {fall} lets go and falls in"
+            )),
+            Some(Barrier::Horizon) => self.toast.say(format!(
+                "Inside the horizon every way leads inward: {fall} falls on, {back} returns"
+            )),
+            None => {}
+        }
     }
 }
 

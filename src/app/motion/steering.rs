@@ -1,15 +1,32 @@
 //! One frame of flying by hand: the new camera position, in f64, and the observer there.
+//!
+//! Hand flight keeps the hole in the picture. Thrust sideways leads round the hole at the same
+//! radius, and the camera is carried along, so that the hole keeps its place on the screen. Thrust
+//! inward slows down while the hole fills the view.
 
 use glam::{DMat3, DVec3};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::gpu::{Drawable, Undrawable};
-use lightfall_core::scene::{Camera, MAX_RADIUS, ObserverKind, Scene};
+use lightfall_core::optics::apparent_hole::ApparentHole;
+use lightfall_core::scene::{MAX_RADIUS, ObserverKind, Scene};
 
-/// Speed per second, as a share of the distance to the horizon.
+/// Speed per second: inward as a share of the distance to the horizon, outward and sideways as a
+/// share of the radius.
 const SPEED: f64 = 0.4;
+/// Shares of half the picture's width that the hole fills where flying inward begins to slow down,
+/// and where it is slowest.
+const SLOWING_SHARES: [f64; 2] = [0.35, 1.0];
+/// The slowest speed inward and sideways, as shares of the usual one.
+const MIN_PACE_INWARD: f64 = 0.08;
+const MIN_PACE_SIDEWAYS: f64 = 0.25;
+/// Share of half the picture's width below which the hole is small, and flying outward no longer
+/// gets faster with the radius.
+const SMALL_SHARE: f64 = 0.02;
 /// Minimum radius that flying reaches from outside, in r_s. Without spin, a static observer there
 /// is still an ordinary one.
-const MIN_RADIUS: f64 = 1.08;
+pub(crate) const MIN_RADIUS: f64 = 1.08;
+/// Share of the thrust that has to lead inward for the hand to be told that it goes no farther.
+const MIN_INWARD_SHARE: f64 = 0.3;
 
 /// The user's steering in one frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,70 +48,138 @@ pub struct Steered {
     pub scene: Drawable,
     /// The observer that was wanted there and cannot exist, and the one that took its place.
     pub replaced: Option<[ObserverKind; 2]>,
+    /// What kept the thrust from leading farther.
+    pub stopped_by: Option<Barrier>,
+}
+
+/// What hand flight cannot pass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Barrier {
+    /// The smallest radius of hand flight, from outside.
+    MinRadius,
+    /// The horizon, from inside: no thrust leads outward there, or holds the radius.
+    Horizon,
 }
 
 /// Flies for one frame.
 ///
 /// Thrust takes the camera off a circular orbit and brings it to rest. Where the wanted observer
 /// cannot exist, as an observer at rest in the ergosphere, the nearest one that exists flies on, so
-/// that the picture never stands still while the camera moves.
+/// that the picture never stands still while the camera moves. Inside the horizon the camera turns,
+/// but thrust does nothing.
 ///
 /// # Errors
 /// The scene cannot be drawn from there with any observer.
 pub fn steered(scene: &Drawable, steering: &Steering) -> Result<Steered, Undrawable> {
-    let mut scene = scene.scene().clone();
-    if steering.thrust == DVec3::ZERO {
-        let camera = &mut scene.camera;
-        camera.set_orientation(camera.tetrad_from_camera() * turned(steering.turn));
+    let mut next = scene.scene().clone();
+    let camera = &mut next.camera;
+    camera.set_orientation(camera.tetrad_from_camera() * turned(steering.turn));
+    let stopped_by = if steering.thrust == DVec3::ZERO {
+        None
     } else {
-        if scene.observer.kind == ObserverKind::Orbit {
-            scene.observer.kind = ObserverKind::Static;
-        }
-        thrust(&mut scene, steering);
-    }
+        let thrust = camera.tetrad() * camera.tetrad_from_camera() * steering.thrust;
+        let [speed, seconds] = [steering.speed, steering.seconds];
+        move_camera(&mut next, thrust, speed * seconds)
+    };
+    settled(next, stopped_by)
+}
+
+/// The scene with an observer that exists at its camera's place.
+pub(super) fn settled(scene: Scene, stopped_by: Option<Barrier>) -> Result<Steered, Undrawable> {
     let wanted = scene.observer.kind;
     let (scene, nearest) = Drawable::with_nearest_observer(scene)?;
     Ok(Steered {
         scene,
         replaced: nearest.map(|nearest| [wanted, nearest]),
+        stopped_by,
     })
 }
 
-/// Moves and turns the camera.
-fn thrust(scene: &mut Scene, steering: &Steering) {
-    let kerr = Kerr {
-        spin: scene.hole.spin,
-    };
-    let horizon = kerr.horizon();
+/// Moves the camera by a thrust in the hole's frame, of length one at most, for a `time` in seconds
+/// at the usual speed. Takes it off a circular orbit.
+fn move_camera(scene: &mut Scene, thrust: DVec3, time: f64) -> Option<Barrier> {
+    if is_inside(scene) {
+        return Some(Barrier::Horizon);
+    }
+    if scene.observer.kind == ObserverKind::Orbit {
+        scene.observer.kind = ObserverKind::Static;
+    }
+    let pace = Pace::of(scene);
     let camera = &mut scene.camera;
-    let world_from_camera = camera.tetrad() * camera.tetrad_from_camera() * turned(steering.turn);
-    let speed = SPEED * (camera.r - horizon).max(MIN_RADIUS - 1.0) * steering.speed;
-    let moved = camera.direction() * camera.r
-        + world_from_camera * steering.thrust * speed * steering.seconds;
-    let was_inside = camera.r <= horizon;
-    put_at_nearest_place(camera, moved, world_from_camera);
-    // Outside the horizon phi is the Boyer-Lindquist azimuth, inside it is Kerr's ingoing azimuth.
-    // The picture stays as it is.
-    if was_inside && camera.r > horizon {
-        camera.phi_deg =
-            (camera.phi_deg - kerr.ingoing_azimuth_lead(camera.r).to_degrees()) % 360.0;
+    let outward = camera.direction();
+    let rise = thrust.dot(outward);
+    let aside = thrust - rise * outward;
+    let angle = aside.length() * SPEED * pace.sideways * time;
+    let (r, stopped) = radius_after(scene, rise, time, &pace);
+    let camera = &mut scene.camera;
+    if let Some(axis) = outward.cross(aside).try_normalize() {
+        let rotation = DMat3::from_axis_angle(axis, angle);
+        let world_from_camera = camera.tetrad() * camera.tetrad_from_camera();
+        camera.set_pose(rotation * outward, rotation * world_from_camera);
+    }
+    camera.r = r;
+    stopped.filter(|_| rise < -MIN_INWARD_SHARE * thrust.length())
+}
+
+/// The radius after rising by the share `rise` of full thrust for a `time` in seconds at the usual
+/// speed, and what stopped the way inward.
+pub(super) fn radius_after(
+    scene: &Scene,
+    rise: f64,
+    time: f64,
+    pace: &Pace,
+) -> (f64, Option<Barrier>) {
+    let camera = &scene.camera;
+    let min = camera.r.min(MIN_RADIUS);
+    if rise >= 0.0 {
+        let speed = SPEED * camera.r * pace.outward;
+        return ((camera.r + rise * speed * time).min(MAX_RADIUS), None);
+    }
+    let gap = camera.r - horizon(scene);
+    // The distance shrinks by the same factor in every second, however long a frame is.
+    let r = camera.r + gap * (rise * SPEED * pace.inward * time).exp_m1();
+    if r <= min {
+        (min, Some(Barrier::MinRadius))
+    } else {
+        (r, None)
     }
 }
 
-/// Puts the camera at the allowed place nearest to `position`: not nearer to the hole than
-/// [`MIN_RADIUS`], or than it was if it was nearer. A camera that would fly through the centre
-/// stays on its side.
-fn put_at_nearest_place(camera: &mut Camera, position: DVec3, world_from_camera: DMat3) {
-    let (min, side) = (camera.r.min(MIN_RADIUS), camera.direction());
-    let distance = position.length();
-    let position = if distance > 0.0 {
-        position / distance * distance.clamp(min, MAX_RADIUS)
-    } else {
-        side * min
-    };
-    camera.set_pose(position, world_from_camera);
-    // The length of the position is rounded, and the limits hold to the last bit.
-    camera.r = camera.r.clamp(min, MAX_RADIUS);
+/// Factors of the usual speed that follow from how large the hole appears.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pace {
+    inward: f64,
+    sideways: f64,
+    outward: f64,
+}
+
+impl Pace {
+    /// The factors for the scene's camera. One each where the hole's size is not known.
+    pub(super) fn of(scene: &Scene) -> Self {
+        let half_width = (scene.camera.half_height() * scene.picture.aspect()).atan();
+        let share =
+            ApparentHole::new(scene).map_or(SLOWING_SHARES[0], |hole| hole.radius / half_width);
+        let [from, to] = SLOWING_SHARES;
+        let filled = ((share - from) / (to - from)).clamp(0.0, 1.0);
+        let eased = filled * filled * (3.0 - 2.0 * filled);
+        Self {
+            inward: 1.0 - (1.0 - MIN_PACE_INWARD) * eased,
+            sideways: 1.0 - (1.0 - MIN_PACE_SIDEWAYS) * eased,
+            outward: (share / SMALL_SHARE).min(1.0),
+        }
+    }
+}
+
+fn horizon(scene: &Scene) -> f64 {
+    Kerr {
+        spin: scene.hole.spin,
+    }
+    .horizon()
+}
+
+/// Whether the camera is at or inside the horizon.
+pub(crate) fn is_inside(scene: &Scene) -> bool {
+    scene.camera.r <= horizon(scene)
 }
 
 /// The turn to the right, then up, then clockwise, as a matrix of the camera's own axes (right, up,

@@ -29,6 +29,8 @@ struct Change {
     /// None for a departure, whose end is not known yet. Undoing it restores where the camera was
     /// and how it moved.
     after: Option<Scene>,
+    /// Whether it is a departure by hand.
+    by_hand: bool,
     /// The loaded scene before the change.
     loaded: Scene,
     at: Duration,
@@ -80,21 +82,30 @@ impl History {
             (last.after, last.at) = (Some(after.clone()), at);
             return;
         }
-        self.push(before, Some(after.clone()), at);
+        self.push(before, Some(after.clone()), false, at);
     }
 
     /// Notes that a flight is about to lead the camera away.
     pub fn note_departure(&mut self, before: &Scene, at: Duration) {
-        self.push(before, None, at);
+        self.push(before, None, false, at);
     }
 
-    fn push(&mut self, before: &Scene, after: Option<Scene>, at: Duration) {
+    /// Notes that the hand is about to lead the camera away. All flying by hand since the last
+    /// other change is one departure.
+    pub fn note_departure_by_hand(&mut self, before: &Scene, at: Duration) {
+        if self.past.back().is_none_or(|last| !last.by_hand) {
+            self.push(before, None, true, at);
+        }
+    }
+
+    fn push(&mut self, before: &Scene, after: Option<Scene>, by_hand: bool, at: Duration) {
         if self.past.len() == MAX_CHANGES {
             self.past.pop_front();
         }
         self.past.push_back(Change {
             before: before.clone(),
             after,
+            by_hand,
             loaded: self.loaded.clone(),
             at,
         });

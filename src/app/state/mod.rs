@@ -4,8 +4,10 @@
 
 pub(crate) mod end_card;
 pub(crate) mod history;
+pub(crate) mod hole_in_view;
 pub(crate) mod last_pose;
 pub(crate) mod menu;
+pub(crate) mod notice;
 pub(crate) mod overlays;
 pub(crate) mod paused;
 pub(crate) mod preferences;

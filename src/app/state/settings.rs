@@ -35,6 +35,10 @@ pub struct Settings {
     pub reduced_motion: bool,
     /// Whether the most important keys are named in the window's corner.
     pub key_hints: bool,
+    /// Factor of how far the mouse turns the camera.
+    pub mouse_sensitivity: f64,
+    /// Whether the camera looks down when the mouse or the stick moves up.
+    pub invert_y: bool,
     /// The hole's mass for the read-outs, in solar masses.
     pub hole_mass_suns: f64,
     /// The graphics adapter that draws the window from the next start on. None for the best.
@@ -71,6 +75,8 @@ pub enum PictureShape {
 
 /// The range of `ui_scale`, in which texts still fit into a window.
 pub const UI_SCALES: [f32; 2] = [0.6, 2.5];
+/// The range of `mouse_sensitivity`.
+pub const MOUSE_SENSITIVITIES: [f64; 2] = [0.1, 5.0];
 /// The range of the hole's mass, in solar masses.
 pub const HOLE_MASSES: [f64; 2] = [0.1, 1e11];
 /// The range of the frame rates, in frames per second.
@@ -88,6 +94,8 @@ impl Default for Settings {
             automatic_exposure: IgnoredAny,
             reduced_motion: false,
             key_hints: true,
+            mouse_sensitivity: 1.0,
+            invert_y: false,
             hole_mass_suns: MASSES[0].suns,
             adapter: None,
             keys: BTreeMap::new(),
@@ -131,6 +139,11 @@ impl Settings {
             within("most_frames", self.most_frames, FRAME_RATES)
                 .map_err(|error| format!("{error}, or 0 for as many as the monitor shows"))?;
         }
+        within(
+            "mouse_sensitivity",
+            self.mouse_sensitivity,
+            MOUSE_SENSITIVITIES,
+        )?;
         within("hole_mass_suns", self.hole_mass_suns, HOLE_MASSES)?;
         Bindings::new(&self.keys)?;
         PadBindings::new(&self.buttons).map(drop)

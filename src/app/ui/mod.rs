@@ -1,5 +1,6 @@
 //! What is drawn over the picture.
 
+pub(crate) mod compass;
 pub(crate) mod dock;
 pub(crate) mod end_card;
 pub(crate) mod guides;
@@ -8,6 +9,7 @@ pub(crate) mod hud;
 pub(crate) mod inspector;
 pub(crate) mod legend;
 pub(crate) mod menu;
+pub(crate) mod notice;
 pub(crate) mod number;
 pub(crate) mod panel;
 pub(crate) mod theme;

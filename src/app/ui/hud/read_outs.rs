@@ -7,6 +7,7 @@ use crate::app::controls::control::FlightInput;
 use crate::app::input::held::HeldControls;
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
+use crate::app::motion::orbit_camera::OrbitCamera;
 use crate::app::motion::pilot::{GEAR, Pilot};
 use crate::app::state::overlays::Overlays;
 use crate::render::CurrentScene;
@@ -104,7 +105,7 @@ fn show_read_outs(
     pilot: Res<Pilot>,
     held: HeldControls,
     free_fall: Res<FreeFall>,
-    player: Res<JourneyPlayer>,
+    (player, orbit): (Res<JourneyPlayer>, Res<OrbitCamera>),
     overlays: Res<Overlays>,
     bindings: Res<Bindings>,
     presence: Res<Presence>,
@@ -122,7 +123,12 @@ fn show_read_outs(
     let lines = read_outs(&scene, pilot.throttle * gear);
     let mut board = Board::new(context, "read-outs", strength);
     put_columns(&mut board, &lines, room.width());
-    for line in [journey(&player, &bindings), free_fall.clocks(&scene)] {
+    let modes = [
+        orbit.status(&bindings),
+        journey(&player, &bindings),
+        free_fall.clocks(&scene),
+    ];
+    for line in modes {
         if !line.is_empty() {
             board.add_line(board.text(&line, TEXT, BRIGHT, room.width()), GAP[1]);
         }

@@ -5,7 +5,9 @@ use crate::app::controls::bindings::{Bindable, BindingTable, Bindings, PadBindin
 use crate::app::controls::control::Group;
 use crate::app::input::gamepad::NO_GAMEPAD;
 use crate::app::state::rebinding::Rebinding;
-use crate::app::state::settings::{Automatic, FRAME_RATES, PictureShape, Settings, UI_SCALES};
+use crate::app::state::settings::{
+    Automatic, FRAME_RATES, MOUSE_SENSITIVITIES, PictureShape, Settings, UI_SCALES,
+};
 use crate::storage::{pictures_folder, settings_file};
 use bevy::prelude::*;
 use bevy_egui::egui;
@@ -93,6 +95,21 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
                     ui.selectable_value(&mut settings.picture_shape, value, text);
                 }
             });
+            ui.end_row();
+            ui.label("Mouse sensitivity")
+                .on_hover_text("How far the mouse turns the camera, and moves the orbit camera");
+            ui.add(
+                egui::Slider::new(
+                    &mut settings.mouse_sensitivity,
+                    MOUSE_SENSITIVITIES[0]..=MOUSE_SENSITIVITIES[1],
+                )
+                .logarithmic(true)
+                .fixed_decimals(2),
+            );
+            ui.end_row();
+            ui.label("Invert Y")
+                .on_hover_text("Look down when the mouse or the right stick moves up");
+            ui.checkbox(&mut settings.invert_y, "");
             ui.end_row();
             ui.label("coarser while moving").on_hover_text(
                 "While something moves, the picture is drawn with as many pixels as the target frame rate allows. A picture at \

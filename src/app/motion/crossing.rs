@@ -1,0 +1,29 @@
+//! Says so when a fall or a journey leads through the horizon.
+
+use super::free_fall::FreeFall;
+use super::journey_player::JourneyPlayer;
+use super::steering::is_inside;
+use crate::app::state::notice::Notice;
+use crate::render::CurrentScene;
+use bevy::prelude::*;
+
+/// Announces the crossing of the horizon. `was_inside` is None before the first frame.
+pub(crate) fn announce_crossing(
+    scene: Res<CurrentScene>,
+    free_fall: Res<FreeFall>,
+    player: Res<JourneyPlayer>,
+    mut notice: ResMut<Notice>,
+    mut was_inside: Local<Option<bool>>,
+) {
+    if !scene.is_changed() {
+        return;
+    }
+    let is_inside = is_inside(&scene);
+    let flies_itself = free_fall.is_moving() || player.is_playing();
+    if is_inside && *was_inside == Some(false) && flies_itself {
+        notice.show("You have crossed the horizon", "No signal leaves from here");
+    } else if !is_inside {
+        notice.close();
+    }
+    *was_inside = Some(is_inside);
+}

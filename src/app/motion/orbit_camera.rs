@@ -1,0 +1,143 @@
+//! The orbit camera: the hand moves the camera around the hole at the same radius, and the camera
+//! always faces the hole with the disk level.
+
+use super::facing::{Aim, Facing, aimed};
+use super::steering::{Barrier, Pace, Steered, is_inside, radius_after, settled};
+use crate::app::controls::bindings::Bindings;
+use crate::app::controls::control::AppCommand;
+use crate::app::state::history::History;
+use crate::app::state::toast::Toast;
+use crate::render::CurrentScene;
+use bevy::prelude::*;
+use glam::DVec2;
+use lightfall_core::geometry::sphere::wrap_degrees;
+use lightfall_core::gpu::{Drawable, Undrawable};
+use lightfall_core::scene::{ObserverKind, Scene};
+
+/// The smallest angle from the axis, in degrees: nearer to a pole no direction is level.
+const MIN_AXIS_ANGLE_DEG: f64 = 1.0;
+
+/// Whether the orbit camera is on.
+#[derive(Resource, Default)]
+pub(crate) struct OrbitCamera {
+    /// The loaded scene when it was switched on. Another one switches it off.
+    loaded: Option<Box<Scene>>,
+}
+
+impl OrbitCamera {
+    /// Whether the hand moves the camera around the hole.
+    pub(crate) fn is_on(&self) -> bool {
+        self.loaded.is_some()
+    }
+
+    /// The mode and how to leave it, in one line. Empty while the orbit camera is off.
+    pub(crate) fn status(&self, bindings: &Bindings) -> String {
+        if self.is_on() {
+            format!("Orbit camera · {} ends it", bindings.label("fly.orbit"))
+        } else {
+            String::new()
+        }
+    }
+}
+
+/// The user's hand on the orbit camera in one frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OrbitStep {
+    /// Way around the hole to the camera's right and up, in radians.
+    pub around: DVec2,
+    /// Thrust outward, from -1 to 1, for a time in seconds at the usual speed.
+    pub rise: f64,
+    /// See `rise`.
+    pub time: f64,
+}
+
+/// Moves the camera around the hole for one frame, and faces it to the hole.
+///
+/// As with hand flight, the camera is taken off a circular orbit, and the nearest observer that
+/// exists takes the place of one that does not.
+///
+/// # Errors
+/// The scene cannot be drawn from there with any observer.
+pub fn orbited(scene: &Drawable, step: &OrbitStep) -> Result<Steered, Undrawable> {
+    let mut next = scene.scene().clone();
+    if is_inside(&next) {
+        return settled(next, Some(Barrier::Horizon));
+    }
+    if next.observer.kind == ObserverKind::Orbit {
+        next.observer.kind = ObserverKind::Static;
+    }
+    let (r, stopped_by) = radius_after(&next, step.rise, step.time, &Pace::of(&next));
+    let camera = &mut next.camera;
+    camera.r = r;
+    if step.around != DVec2::ZERO {
+        let [right, up] = step.around.to_array().map(f64::to_degrees);
+        camera.phi_deg = wrap_degrees(camera.phi_deg + right);
+        camera.theta_deg =
+            (camera.theta_deg - up).clamp(MIN_AXIS_ANGLE_DEG, 180.0 - MIN_AXIS_ANGLE_DEG);
+    }
+    let steered = settled(next, stopped_by)?;
+    let mut facing = steered.scene.scene().clone();
+    if let Some(axes) = aimed(&facing, Aim::Hole) {
+        facing.camera.set_orientation(axes);
+    }
+    Ok(Steered {
+        scene: Drawable::new(facing)?,
+        ..steered
+    })
+}
+
+pub(crate) fn plugin(app: &mut App) {
+    app.init_resource::<OrbitCamera>();
+}
+
+/// Switches the orbit camera on and off by its key, and off when another motion begins or another
+/// scene is loaded.
+pub(crate) fn switch_orbit_camera(
+    mut commands: MessageReader<AppCommand>,
+    scene: Res<CurrentScene>,
+    history: Res<History>,
+    bindings: Res<Bindings>,
+    mut orbit: ResMut<OrbitCamera>,
+    mut facing: ResMut<Facing>,
+    mut toast: ResMut<Toast>,
+) {
+    if orbit
+        .loaded
+        .as_deref()
+        .is_some_and(|loaded| loaded != history.loaded())
+    {
+        orbit.loaded = None;
+    }
+    for command in commands.read() {
+        match command {
+            AppCommand::OrbitCamera if orbit.is_on() => {
+                orbit.loaded = None;
+                facing.stop();
+                toast.say("Free flight");
+            }
+            AppCommand::OrbitCamera if is_inside(&scene) => {
+                toast.say("Inside the horizon nothing can go round the hole");
+            }
+            AppCommand::OrbitCamera => {
+                orbit.loaded = Some(Box::new(history.loaded().clone()));
+                facing.start(Aim::Hole, &scene);
+                let [left, right, nearer, farther, end] = [
+                    "fly.left",
+                    "fly.right",
+                    "fly.forward",
+                    "fly.backward",
+                    "fly.orbit",
+                ]
+                .map(|id| bindings.label(id));
+                toast.say(format!(
+                    "Orbit camera: drag or {left} {right} go round, {nearer} {farther} nearer and farther; {end} ends it"
+                ));
+            }
+            AppCommand::Face
+            | AppCommand::LetGo
+            | AppCommand::Journey
+            | AppCommand::RestartJourney => orbit.loaded = None,
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! The arrow at the edge of the picture that points to the hole while it is out of view, and to the
+//! sky while the hole fills the view; and a ring around a hole too small to be seen.
+
+use crate::app::state::hole_in_view::{HoleInView, SeenHole};
+use crate::app::state::overlays::Overlays;
+use crate::render::{CurrentScene, letterbox};
+use bevy::prelude::*;
+use bevy::window::PrimaryWindow;
+use bevy_egui::egui::{self, Align2, Color32, FontId, Pos2, Rect, Stroke, Vec2};
+use bevy_egui::{EguiContexts, EguiPrimaryContextPass};
+use lightfall_core::reports::numbers::four_digits;
+use lightfall_core::scene::Scene;
+
+/// Free room between the arrow and the sides, and the top and the bottom, of the picture, in points.
+/// The arrow moves on an ellipse, which stays clear of the corners.
+const ROOM: [f32; 2] = [60.0, 130.0];
+/// Half the length of the arrow's two strokes, in points.
+const ARROW: f32 = 9.0;
+/// Distance from the arrow to the middle of its label, in points: across and down.
+const LABEL_DISTANCE: [f32; 2] = [58.0, 28.0];
+/// A hole and disk with a smaller radius than this, in points, get a ring of this radius.
+const RING: f32 = 14.0;
+/// A target whose distance from the line straight behind has a smaller sine than this is behind.
+const BEHIND: f64 = 0.2;
+/// Size of the label, in points.
+const TEXT_SIZE: f32 = 14.0;
+const BRIGHT: Color32 = Color32::from_gray(235);
+const DARK: Color32 = Color32::from_black_alpha(215);
+
+pub(crate) fn plugin(app: &mut App) {
+    app.add_systems(EguiPrimaryContextPass, show_compass);
+}
+
+fn show_compass(
+    mut contexts: EguiContexts,
+    scene: Res<CurrentScene>,
+    hole: Res<HoleInView>,
+    overlays: Res<Overlays>,
+    window: Single<&Window, With<PrimaryWindow>>,
+) -> Result {
+    let (Some(hole), false) = (hole.0, overlays.hidden || overlays.help) else {
+        return Ok(());
+    };
+    let context = contexts.ctx_mut()?;
+    let mut free = context.content_rect();
+    free.min.x += overlays.left_width();
+    free.max.x -= overlays.right_width();
+    let layer = egui::LayerId::new(egui::Order::Background, egui::Id::new("compass"));
+    let painter = context.layer_painter(layer);
+    if hole.fills_view {
+        draw_arrow(&painter, free, -hole.direction, "sky");
+    } else if !hole.in_picture {
+        let distance = format!("hole  {} r_s", four_digits(scene.camera.r));
+        draw_arrow(&painter, free, hole.direction, &distance);
+    } else {
+        let pixels = context.pixels_per_point();
+        draw_ring(&painter, &scene, &hole, window.physical_size(), pixels);
+    }
+    Ok(())
+}
+
+/// An arrow toward a target with this direction on the camera's axes.
+fn draw_arrow(painter: &egui::Painter, free: Rect, target: glam::DVec3, name: &str) {
+    let aside = glam::DVec2::new(target.x, -target.y);
+    let behind = target.z < 0.0 && aside.length() < BEHIND;
+    // Straight behind no side is nearer than another: the arrow points down.
+    let toward = if behind {
+        Vec2::DOWN
+    } else {
+        let toward = aside.normalize_or(glam::DVec2::Y).as_vec2();
+        egui::vec2(toward.x, toward.y)
+    };
+    let axes = (0.5 * free.size() - Vec2::from(ROOM)).max(Vec2::ZERO);
+    let tip = free.center() + toward * axes;
+    let back = -toward * ARROW;
+    let side = toward.rot90() * ARROW;
+    for stroke in [Stroke::new(6.0, DARK), Stroke::new(2.0, BRIGHT)] {
+        for wing in [side, -side] {
+            painter.line_segment([tip, tip + back + wing], stroke);
+        }
+    }
+    let text = if behind {
+        format!("{name}, behind you")
+    } else {
+        name.to_owned()
+    };
+    draw_label(painter, tip - toward * Vec2::from(LABEL_DISTANCE), &text);
+}
+
+/// A ring around a hole and a disk that are too small on the screen to be found.
+fn draw_ring(
+    painter: &egui::Painter,
+    scene: &Scene,
+    hole: &SeenHole,
+    window: UVec2,
+    pixels_per_point: f32,
+) {
+    if window.min_element() == 0 || hole.direction.z <= 0.0 {
+        return;
+    }
+    let shown = letterbox(&scene.picture, window);
+    let half_height = scene.camera.half_height();
+    let points_per_tangent = 0.5 * f64::from(shown.extent.y / pixels_per_point) / half_height;
+    let disk = if scene.disk.enabled {
+        scene.disk.outer / scene.camera.r
+    } else {
+        0.0
+    };
+    if hole.radius.tan().max(disk) * points_per_tangent > f64::from(RING) {
+        return;
+    }
+    let middle = (shown.offset + 0.5 * shown.extent) / pixels_per_point;
+    let place = hole.direction.truncate() / hole.direction.z * points_per_tangent;
+    let place = egui::pos2(middle.x + place.x as f32, middle.y - place.y as f32);
+    painter.circle_stroke(place, RING, Stroke::new(4.0, DARK));
+    painter.circle_stroke(place, RING, Stroke::new(1.5, BRIGHT));
+    let text = format!("hole  {} r_s", four_digits(scene.camera.r));
+    draw_label(painter, place + egui::vec2(0.0, 2.0 * RING), &text);
+}
+
+/// A line of text on a dark ground.
+fn draw_label(painter: &egui::Painter, middle: Pos2, text: &str) {
+    let galley = painter.layout_no_wrap(text.into(), FontId::proportional(TEXT_SIZE), BRIGHT);
+    let rect = Align2::CENTER_CENTER.anchor_size(middle, galley.size());
+    painter.rect_filled(rect.expand2(egui::vec2(8.0, 4.0)), 6.0, DARK);
+    painter.galley(rect.min, galley, BRIGHT);
+}

@@ -1,0 +1,84 @@
+//! Draws the large lines over the picture: a notice, or why the picture is black and what to do.
+
+use crate::app::controls::bindings::Bindings;
+use crate::app::motion::steering::is_inside;
+use crate::app::state::end_card::EndCard;
+use crate::app::state::hole_in_view::HoleInView;
+use crate::app::state::menu::Menu;
+use crate::app::state::notice::Notice;
+use crate::app::state::overlays::Overlays;
+use crate::render::CurrentScene;
+use bevy::prelude::*;
+use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+
+/// Sizes of the two lines, in points.
+const TITLE_SIZE: f32 = 28.0;
+const TEXT_SIZE: f32 = 15.0;
+/// Where a notice stands, as a share of the window's height: above the hole.
+const NOTICE_HEIGHT: f32 = 0.2;
+
+pub(crate) fn plugin(app: &mut App) {
+    app.add_systems(EguiPrimaryContextPass, show_notice);
+}
+
+fn show_notice(
+    mut contexts: EguiContexts,
+    scene: Res<CurrentScene>,
+    notice: Res<Notice>,
+    hole: Res<HoleInView>,
+    (end_card, menu): (Res<EndCard>, Res<Menu>),
+    overlays: Res<Overlays>,
+    bindings: Res<Bindings>,
+) -> Result {
+    if overlays.hidden || overlays.help || end_card.is_open() || menu.is_open() {
+        return Ok(());
+    }
+    let context = contexts.ctx_mut()?;
+    let screen = context.content_rect();
+    let across = 0.5 * (overlays.left_width() - overlays.right_width());
+    if let Some([title, text]) = notice.lines() {
+        let down = (NOTICE_HEIGHT - 0.5) * screen.height();
+        draw(context, [across, down], title, text);
+    } else if hole.0.is_some_and(|hole| hole.fills_view) {
+        let text = way_out(is_inside(&scene), &bindings);
+        draw(context, [across, 0.0], "The hole fills the view", &text);
+    }
+    Ok(())
+}
+
+/// The keys that lead out of a black picture.
+fn way_out(inside: bool, bindings: &Bindings) -> String {
+    let [face, away, undo] =
+        ["fly.face", "fly.backward", "scene.undo"].map(|id| bindings.label(id));
+    if inside {
+        format!("{face} faces outward  ·  {undo} returns")
+    } else {
+        format!("{face} faces outward  ·  {away} backs away  ·  {undo} returns")
+    }
+}
+
+/// Two centred lines, at this distance from the middle of the window in points.
+fn draw(context: &egui::Context, from_middle: [f32; 2], title: &str, text: &str) {
+    egui::Area::new("notice".into())
+        .anchor(egui::Align2::CENTER_CENTER, from_middle)
+        .interactable(false)
+        .order(egui::Order::Background)
+        .show(context, |ui| {
+            ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+            let frame = egui::Frame::new()
+                .fill(egui::Color32::from_black_alpha(215))
+                .inner_margin(egui::Margin::symmetric(24, 16))
+                .corner_radius(10);
+            frame.show(ui, |ui| {
+                ui.vertical_centered(|ui| {
+                    let line = |text: &str, size, gray| {
+                        let colour = egui::Color32::from_gray(gray);
+                        egui::RichText::new(text).size(size).color(colour)
+                    };
+                    ui.label(line(title, TITLE_SIZE, 238));
+                    ui.add_space(4.0);
+                    ui.label(line(text, TEXT_SIZE, 200));
+                });
+            });
+        });
+}
