@@ -60,11 +60,11 @@ pub(super) fn draw_labels(painter: &Painter, mut labels: Vec<Label>, free: Rect,
             .collect();
         Column::new(anchored, figure, free, right)
     };
-    // The other side where a box covers most of the column's place.
+    // All on the left where a box covers a part of the right column's place.
     let column = column_of(&labels, true);
     if taken.iter().any(|taken| taken.intersects(column.wanted())) {
         for label in &mut labels {
-            label.toward.x = -label.toward.x;
+            label.toward.x = -label.toward.x.abs();
         }
     }
     for right in [true, false] {
