@@ -1,6 +1,7 @@
 //! The line at the top that stays while some of the physics is switched off.
 
-use super::board::{Board, TEXT, WARNING, free_room};
+use super::board::{Board, MARGIN, TEXT, WARNING, free_room};
+use super::title::{TitleBox, show_title};
 use crate::app::state::overlays::Overlays;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
@@ -8,7 +9,7 @@ use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_core::scene::Effects;
 
 pub(super) fn plugin(app: &mut App) {
-    app.add_systems(EguiPrimaryContextPass, show_physics_off);
+    app.add_systems(EguiPrimaryContextPass, show_physics_off.after(show_title));
 }
 
 /// Names what is switched off, e.g. `Physics off: Doppler shift, beaming`. None while all is on.
@@ -32,6 +33,7 @@ fn show_physics_off(
     mut contexts: EguiContexts,
     scene: Res<CurrentScene>,
     overlays: Res<Overlays>,
+    title: Res<TitleBox>,
 ) -> Result {
     let Some(line) = physics_off(scene.effects).filter(|_| !overlays.hidden) else {
         return Ok(());
@@ -40,6 +42,13 @@ fn show_physics_off(
     let room = free_room(context, &overlays);
     let mut board = Board::new(context, "physics off", 1.0);
     board.add_line(board.text(&line, TEXT, WARNING, room.width().max(1.0)), 0.0);
-    board.paint(egui::Align2::CENTER_TOP, room.center_top());
+    // In the middle, or below a title that reaches as far.
+    let middle = room.center().x - 0.5 * board.width_of(&line, TEXT) - MARGIN;
+    if title.0.right() < middle {
+        board.paint(egui::Align2::CENTER_TOP, room.center_top());
+    } else {
+        let below = egui::pos2(room.left(), title.0.bottom() + 0.5 * MARGIN);
+        board.paint(egui::Align2::LEFT_TOP, below);
+    }
     Ok(())
 }

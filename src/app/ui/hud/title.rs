@@ -18,18 +18,25 @@ const LINE: f32 = 15.0;
 /// Largest width of the line, in points.
 const MAX_WIDTH: f32 = 520.0;
 
+/// Where the title is, in points: nowhere while none is shown.
+#[derive(Resource)]
+pub(super) struct TitleBox(pub(super) egui::Rect);
+
 pub(super) fn plugin(app: &mut App) {
-    app.add_systems(EguiPrimaryContextPass, show_title);
+    app.insert_resource(TitleBox(egui::Rect::NOTHING))
+        .add_systems(EguiPrimaryContextPass, show_title);
 }
 
-fn show_title(
+pub(super) fn show_title(
     mut contexts: EguiContexts,
     time: Res<Time<Real>>,
     request: Res<DrawRequest>,
     presence: Res<Presence>,
     overlays: Res<Overlays>,
     mut title: ResMut<Title>,
+    mut title_box: ResMut<TitleBox>,
 ) -> Result {
+    title_box.0 = egui::Rect::NOTHING;
     if !title.is_shown() {
         return Ok(());
     }
@@ -58,6 +65,6 @@ fn show_title(
     if !title.line.is_empty() {
         board.add_line(board.text(&title.line, LINE, QUIET, width), 2.0);
     }
-    board.paint(egui::Align2::LEFT_TOP, room.left_top());
+    title_box.0 = board.paint(egui::Align2::LEFT_TOP, room.left_top());
     Ok(())
 }
