@@ -146,6 +146,7 @@ pub fn program(start: Start) -> App {
         ))
         .add_plugins((
             session::window::plugin,
+            session::icon::plugin,
             session::frame_pacing::plugin,
             session::canvas::plugin,
             session::pixel_look::plugin,

@@ -20,7 +20,9 @@ mod keys;
 mod legends;
 #[path = "../../crates/lightfall-core/tests/gpu/light.rs"]
 mod light;
+mod menu;
 mod never_lost;
+mod panel;
 mod program;
 mod random;
 mod rays;

@@ -5,9 +5,10 @@ use crate::shot::Shot;
 use crate::{STATUS_BAR, TITLE, WINDOW, changed, place};
 use lightfall::app::{Bindable, control_named};
 use lightfall::storage::embedded_preset;
+use lightfall_core::scene::load;
 
 /// Width of the panel on the right, with some room.
-const PANEL: usize = 400;
+const PANEL: usize = 420;
 
 /// The first key of a control, as X names it.
 fn x_name(id: &str) -> String {
@@ -151,32 +152,49 @@ fn guides_are_drawn_where_the_shadow_ends_and_vanish_with_their_key() {
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn screenshots_are_new_files_that_replace_no_others() {
+fn screenshots_of_picture_and_window_are_new_files_that_replace_no_others() {
     let desktop = Desktop::open(&["--preset", "2"]);
     let start = desktop.first_picture();
     let pictures = desktop.home.path().join("Pictures");
-    for number in 1..=2 {
-        desktop.press("F12");
+    let saved = |number: usize| {
         let file = pictures.join(format!("lightfall-edge-on-{number:04}.png"));
         desktop.wait("the screenshot", || image::open(&file).is_ok());
         desktop.settled("the path is shown", |shot| *shot != start);
-        let picture = image::open(&file).unwrap().to_rgb8();
-        assert_eq!(
-            (picture.width() as usize, picture.height() as usize),
-            WINDOW
-        );
+        let preset = embedded_preset(&std::fs::read(&file).unwrap()).unwrap();
+        let scene = load("the picture", &preset, &[]).unwrap();
+        assert_eq!(scene.name, "edge-on");
+        (image::open(&file).unwrap().to_rgb8(), scene)
+    };
+    // Pixels in the middle, which only the picture has, and the bar of the HUD in a corner.
+    let shows_the_picture = |saved: &image::RgbImage| {
+        assert_eq!((saved.width() as usize, saved.height() as usize), WINDOW);
         for (x, y) in [(700, 300), (300, 430), (1000, 100)] {
             assert_eq!(
-                picture.get_pixel(x, y).0,
+                saved.get_pixel(x, y).0,
                 start.pixel(x as usize, y as usize),
                 "pixel {x}, {y}"
             );
         }
-        let preset = embedded_preset(&std::fs::read(&file).unwrap()).unwrap();
-        assert!(
-            preset.contains("name = \"edge-on\"") && preset.contains("camera"),
-            "{preset}"
-        );
+    };
+    let corner = |saved: &image::RgbImage| {
+        let bar = WINDOW.1 as u32 - 60..WINDOW.1 as u32 - 10;
+        let pixels = bar.flat_map(|y| (10..200).map(move |x| (x, y)));
+        pixels
+            .map(|(x, y)| saved.get_pixel(x, y).0)
+            .collect::<Vec<_>>()
+    };
+    let mut bare = Vec::new();
+    for number in 1..=2 {
+        desktop.press("F12");
+        let (picture, scene) = saved(number);
+        shows_the_picture(&picture);
+        assert_eq!(scene.picture.size().to_array(), [1440, 810]);
+        bare.push(corner(&picture));
     }
-    assert_eq!(std::fs::read_dir(pictures).unwrap().count(), 2);
+    assert!(bare[0] == bare[1], "the HUD is in the picture");
+    desktop.chord("shift", "F12");
+    let (window, _) = saved(3);
+    shows_the_picture(&window);
+    assert!(corner(&window) != bare[0], "the HUD is not in the window");
+    assert_eq!(std::fs::read_dir(&pictures).unwrap().count(), 3);
 }

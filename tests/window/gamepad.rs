@@ -26,17 +26,17 @@ const HANDS: [(KeyCode, GamepadInput, u64); 6] = [
         0,
     ),
     (
-        KeyCode::ArrowUp,
+        KeyCode::Numpad1,
         GamepadInput::Button(GamepadButton::South),
         0,
     ),
     (
-        KeyCode::ArrowDown,
+        KeyCode::Numpad2,
         GamepadInput::Button(GamepadButton::DPadRight),
         0,
     ),
     (
-        KeyCode::Backslash,
+        KeyCode::Numpad3,
         GamepadInput::Button(GamepadButton::Start),
         0,
     ),
@@ -205,7 +205,7 @@ fn a_gamepad_wakes_the_window_flies_looks_around_and_presses_controls() {
     );
 
     // The journey by a button; the stick takes over.
-    let [before, after] = used(&desktop, "Up");
+    let [before, after] = used(&desktop, "KP_End");
     assert_eq!(
         [value(&before, "journey"), value(&after, "journey")],
         ["false", "true"]
@@ -215,16 +215,25 @@ fn a_gamepad_wakes_the_window_flies_looks_around_and_presses_controls() {
         [value(&before, "journey"), value(&after, "journey")],
         ["true", "false"]
     );
-    let [before, after] = used(&desktop, "Down");
+    let [before, after] = used(&desktop, "KP_Down");
     assert_eq!(
         [value(&before, "preset"), value(&after, "preset")],
         ["edge-on", "above"]
     );
 
-    let right = |a: &Shot, b: &Shot| a.changed(b, WINDOW.0 - 300..WINDOW.0, 100..WINDOW.1);
+    // One button opens the menu. There the button of the journey chooses the first entry, which
+    // closes the menu, and starts no journey.
+    let middle =
+        |a: &Shot, b: &Shot| a.changed(b, WINDOW.0 / 3..2 * WINDOW.0 / 3, 200..WINDOW.1 - 200);
     let closed = desktop.settled("preset 3", |_| true);
-    used(&desktop, "backslash");
-    desktop.settled("panel", |shot| right(shot, &closed) > 0.5);
+    used(&desktop, "KP_Next");
+    desktop.settled("menu", |shot| middle(shot, &closed) > 0.3);
+    let [before, after] = used(&desktop, "KP_End");
+    assert_eq!(
+        [value(&before, "journey"), value(&after, "journey")],
+        ["false", "false"]
+    );
+    desktop.settled("no menu", |shot| middle(shot, &closed) == 0.0);
 
     desktop.press("End");
     std::thread::sleep(Duration::from_millis(500));

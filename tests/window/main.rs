@@ -15,6 +15,7 @@ mod inspector;
 mod latency;
 mod lost;
 mod manager;
+mod menu;
 mod messages;
 mod pasting;
 mod pixel_look;

@@ -9,6 +9,7 @@ pub(crate) mod comparison;
 pub(crate) mod display;
 pub(crate) mod exposure;
 pub(crate) mod frame_pacing;
+pub(crate) mod icon;
 pub(crate) mod pixel_look;
 pub(crate) mod quit;
 pub(crate) mod recovery;

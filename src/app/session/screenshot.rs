@@ -49,10 +49,9 @@ fn save_picture(
         .read()
         .any(|command| *command == AppCommand::Screenshot)
     {
-        writer
-            .0
-            .ask(Order::Picture(Box::new(editor.scene_and_drawing())));
-        editor.say("Saving the picture");
+        let scenes = Box::new(editor.scene_and_drawing());
+        writer.0.ask(Order::Picture(scenes));
+        editor.say_over_bare_picture("Saving the picture");
     }
 }
 
@@ -81,7 +80,7 @@ fn write_window(
 
 fn report_screenshot(writer: Res<ScreenshotWriter>, mut toast: ResMut<Toast>) {
     if let Some(answer) = writer.0.latest_answer() {
-        toast.say(answer);
+        toast.say_over_bare_picture(answer);
     }
 }
 

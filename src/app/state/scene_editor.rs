@@ -128,6 +128,11 @@ impl SceneEditor<'_> {
         self.toast.say(text);
     }
 
+    /// Shows a toast, also while everything but the picture is hidden.
+    pub(crate) fn say_over_bare_picture(&mut self, text: impl Into<String>) {
+        self.toast.say_over_bare_picture(text);
+    }
+
     /// Shows a changed scene, metered at once where its exposure is automatic.
     fn put(&mut self, changed: Drawable) {
         self.scene.0 = self.resolution.adopt(changed.exposed());
