@@ -179,6 +179,7 @@ pub fn program(start: Start) -> App {
             ui::inspector::plugin,
             ui::end_card::plugin,
             ui::menu::plugin,
+            ui::photo_mode::plugin,
             ui::notice::plugin,
             ui::compass::plugin,
         ));

@@ -1,7 +1,6 @@
 //! The two panels at the sides of the window, and the help: opening and closing them, and drawing a
 //! panel's frame.
 
-use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::input::pointer::locate_pointer;
 use crate::app::state::overlays::{Overlays, Side};
@@ -23,20 +22,12 @@ pub(crate) fn plugin(app: &mut App) {
 
 pub(crate) fn apply_overlay_commands(
     mut commands: MessageReader<AppCommand>,
-    bindings: Res<Bindings>,
     mut overlays: ResMut<Overlays>,
     mut toast: ResMut<Toast>,
 ) {
     for command in commands.read() {
         match command {
-            AppCommand::Hide => {
-                overlays.hidden = !overlays.hidden;
-                toast.say_over_bare_picture(if overlays.hidden {
-                    photo_mode_keys(&bindings)
-                } else {
-                    "Photo mode: off".into()
-                });
-            }
+            AppCommand::Hide => overlays.hidden = !overlays.hidden,
             AppCommand::Help => {
                 overlays.toggle_help();
                 toast.say(opened("Help", overlays.help));
@@ -60,21 +51,6 @@ pub(crate) fn apply_overlay_commands(
 
 fn opened(what: &str, open: bool) -> String {
     format!("{what}: {}", if open { "open" } else { "closed" })
-}
-
-/// What the photo mode says when it begins.
-fn photo_mode_keys(bindings: &Bindings) -> String {
-    let key = |id| {
-        let keys = bindings.label(id);
-        keys.split(", ").next().unwrap_or_default().to_owned()
-    };
-    format!(
-        "Photo mode: {} {} exposure · {} saves the picture · {} ends",
-        key("picture.brighter"),
-        key("picture.darker"),
-        key("window.screenshot"),
-        key("window.hide")
-    )
 }
 
 fn divide_window_width(mut contexts: EguiContexts, mut overlays: ResMut<Overlays>) {

@@ -12,4 +12,5 @@ pub(crate) mod menu;
 pub(crate) mod notice;
 pub(crate) mod number;
 pub(crate) mod panel;
+pub(crate) mod photo_mode;
 pub(crate) mod theme;

@@ -12,9 +12,13 @@ use lightfall_core::scene::presets::PRESETS;
 /// Width of the first list and of the list of places, in points.
 const WIDTH: f32 = 300.0;
 const PLACES_WIDTH: f32 = 560.0;
-/// Height of an entry and room around its text, in points.
+/// Height of an entry where there is room, and the least, in points.
 const ENTRY_HEIGHT: f32 = 34.0;
+const MIN_ENTRY_HEIGHT: f32 = 24.0;
+/// Room around the entries, and height of the title and of the line below them, in points.
 const PADDING: f32 = 14.0;
+const TITLE_HEIGHT: f32 = 38.0;
+const HINT_HEIGHT: f32 = 28.0;
 /// The picture behind the menu is darkened by this.
 const SHADE: Color32 = Color32::from_black_alpha(130);
 
@@ -43,7 +47,8 @@ pub(super) fn show_menu(
                 WIDTH
             };
             let entries = actions.menu.entries();
-            let height = ENTRY_HEIGHT * entries.len() as f32 + 96.0;
+            let height =
+                ENTRY_HEIGHT * entries.len() as f32 + 2.0 * PADDING + TITLE_HEIGHT + HINT_HEIGHT;
             let size = egui::vec2(width, height).min(screen.size() - egui::Vec2::splat(16.0));
             let frame = egui::Rect::from_center_size(screen.center(), size);
             ui.painter()
@@ -73,14 +78,15 @@ fn show_entries(
     };
     ui.label(egui::RichText::new(title).size(20.0).color(ACCENT));
     ui.add_space(10.0);
-    let room = ui.available_height() - 28.0;
+    let room = ui.available_height() - HINT_HEIGHT;
+    let height = (room / entries.len() as f32).clamp(MIN_ENTRY_HEIGHT, ENTRY_HEIGHT);
     egui::ScrollArea::vertical()
         .max_height(room)
         .auto_shrink([false, true])
         .show(ui, |ui| {
             for entry in entries {
                 let selected = menu.selected() == *entry;
-                let response = show_entry(ui, *entry, selected, bindings);
+                let response = show_entry(ui, *entry, height, selected, bindings);
                 if response.hovered() && ui.input(|input| input.pointer.is_moving()) {
                     menu.select(*entry);
                 }
@@ -105,10 +111,11 @@ fn show_entries(
 fn show_entry(
     ui: &mut egui::Ui,
     entry: MenuEntry,
+    height: f32,
     selected: bool,
     bindings: &Bindings,
 ) -> egui::Response {
-    let size = egui::vec2(ui.available_width(), ENTRY_HEIGHT);
+    let size = egui::vec2(ui.available_width(), height);
     let (area, response) = ui.allocate_exact_size(size, Sense::click());
     let [name, key] = words(entry, bindings);
     let painter = ui.painter();

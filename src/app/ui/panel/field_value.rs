@@ -71,7 +71,7 @@ fn show_choices(
     let mut chosen = word;
     egui::ComboBox::from_id_salt(key)
         .selected_text(choice(key, word)[0])
-        .width(ui.available_width() - 8.0)
+        .width(ui.available_width())
         .show_ui(ui, |ui| {
             for each in choices {
                 let [name, meaning] = choice(key, each);

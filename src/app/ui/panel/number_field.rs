@@ -23,6 +23,7 @@ pub(super) fn number_field(
     let edit = egui::TextEdit::singleline(&mut text)
         .id(id)
         .horizontal_align(egui::Align::RIGHT)
+        .vertical_align(egui::Align::Center)
         .desired_width(width - 8.0)
         .clip_text(true);
     let response = ui.add_sized([width, 22.0], edit);

@@ -63,18 +63,18 @@ impl ReadoutsPage {
 
 fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMass) {
     let si = readout.in_si(mass);
-    let none = || "none here".to_owned();
+    let none = || "not defined here".to_owned();
     let speed =
         |speed: Option<f64>| speed.map_or_else(none, |speed| format!("{} c", six_digits(speed)));
     let [theta, phi] = readout.angles_deg;
     table(
         ui,
-        "Position, Boyer-Lindquist",
+        "Place",
         &[
-            ("r", format!("{} r_s", six_digits(readout.r))),
+            ("Distance", format!("{} r_s", six_digits(readout.r))),
             ("", format!("{} km", six_digits(si.r_km))),
-            ("theta", format!("{theta:.3}°")),
-            ("phi", format!("{phi:.3}°")),
+            ("Above the disk", format!("{:.3}°", 90.0 - theta)),
+            ("Around the hole", format!("{phi:.3}°")),
         ],
     );
     let kind = kind.properties().motion_in_full;
@@ -82,19 +82,25 @@ fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMa
         ui,
         "Observer",
         &[
-            ("kind", kind.into()),
-            ("speed relative to static", speed(readout.speed_for_static)),
-            ("speed relative to zamo", speed(readout.speed_for_zamo)),
+            ("Motion", kind.into()),
             (
-                "d tau / dt",
+                "Speed past a hovering observer",
+                speed(readout.speed_for_static),
+            ),
+            (
+                "Speed past one without angular momentum",
+                speed(readout.speed_for_zamo),
+            ),
+            (
+                "Own time per far time",
                 readout.time_dilation.map_or_else(none, six_digits),
             ),
             (
-                "acceleration felt",
+                "Acceleration felt",
                 format!("{} c²/r_s", six_digits(readout.acceleration)),
             ),
             ("", format!("{} g", six_digits(si.acceleration_g))),
-            ("tide", format!("{} c²/r_s²", six_digits(readout.tide))),
+            ("Tide", format!("{} c²/r_s²", six_digits(readout.tide))),
             (
                 "",
                 format!("{} g per metre", six_digits(si.tide_g_per_metre)),
@@ -104,21 +110,21 @@ fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMa
     let ahead = readout.ahead.map(|light| {
         [
             (
-                "comes from",
+                "Comes from",
                 if light.from_disk {
                     "the disk".to_owned()
                 } else {
                     "the sky".into()
                 },
             ),
-            ("shift g", six_digits(light.shift)),
+            ("Shift g", six_digits(light.shift)),
             (
-                "gravitational part",
+                "Part of gravity",
                 light.gravitational_shift.map_or_else(none, six_digits),
             ),
         ]
     });
-    let dark = [("comes from", "nowhere: the hole".to_owned())];
+    let dark = [("Comes from", "nowhere: the hole".to_owned())];
     table(
         ui,
         "Light from straight ahead",
@@ -129,7 +135,7 @@ fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMa
         "The hole",
         &[
             (
-                "shadow's radius",
+                "Radius of the shadow",
                 format!("{:.4}°", readout.shadow_radius.to_degrees()),
             ),
             ("r_s", format!("{} km", six_digits(mass.metres() / 1000.0))),
@@ -154,13 +160,13 @@ fn clocks(ui: &mut egui::Ui, free_fall: &FreeFall, bindings: &Bindings, mass: Ho
         )
     };
     let far = match worldline.coordinate_time() {
-        Some(far) => ("far time", both(far)),
-        None => ("ingoing time", both(worldline.ingoing_time())),
+        Some(far) => ("Far time", both(far)),
+        None => ("Ingoing time", both(worldline.ingoing_time())),
     };
     table(
         ui,
         "Clocks since the observer was let go",
-        &[("proper time", both(worldline.proper_time())), far],
+        &[("Own time", both(worldline.proper_time())), far],
     );
 }
 
@@ -183,7 +189,7 @@ fn table(ui: &mut egui::Ui, title: &str, rows: &[(&str, String)]) {
 fn choose_mass(ui: &mut egui::Ui, settings: &mut Settings) -> HoleMass {
     let suns = &mut settings.hole_mass_suns;
     ui.horizontal_wrapped(|ui| {
-        ui.label("mass");
+        ui.label("Mass");
         for mass in MASSES {
             ui.selectable_value(suns, mass.suns, mass.name);
         }

@@ -1,8 +1,10 @@
 //! The page of settings, which outlast the program: size of texts, motion, frame rate, keys and
 //! buttons.
 
+use super::switch::switch;
 use crate::app::controls::bindings::{Bindable, BindingTable, Bindings, PadBindings};
-use crate::app::controls::control::Group;
+use crate::app::controls::control::{Control, Group};
+use crate::app::controls::table::CONTROLS;
 use crate::app::input::gamepad::NO_GAMEPAD;
 use crate::app::state::rebinding::Rebinding;
 use crate::app::state::settings::{
@@ -30,13 +32,17 @@ pub(super) fn show(
     ui.separator();
     ui.horizontal(|ui| {
         ui.strong("Keys");
-        if ui.button("Reset all").clicked() {
+        if ui
+            .button("Reset keys")
+            .on_hover_text("Every key and button as it was at first")
+            .clicked()
+        {
             **bindings = Bindings::default();
             **pad_bindings = PadBindings::default();
         }
     });
     ui.weak(format!(
-        "Click one, then press the new key or gamepad button. {CANCEL} leaves it as it is."
+        "Click a key, then press the new key or gamepad button. {CANCEL} keeps the old one."
     ));
     if let Some(reason) = NO_GAMEPAD {
         ui.weak(reason);
@@ -72,25 +78,24 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
         .num_columns(2)
         .spacing([12.0, 6.0])
         .show(ui, |ui| {
-            ui.label("size of texts and panels");
+            ui.label("Text and panel size");
             ui_scale(ui, settings);
             ui.end_row();
-            ui.label("reduced motion")
+            ui.label("Reduced motion")
                 .on_hover_text("Journeys do not roll, and the exposure stays as it is during a flight");
-            ui.checkbox(&mut settings.reduced_motion, "");
+            switch(ui, &mut settings.reduced_motion);
             ui.end_row();
-            ui.label("pixel look")
+            ui.label("Pixel look")
                 .on_hover_text("The picture is shown in large cells of few tones. Presets keep this choice");
-            ui.checkbox(&mut settings.pixel_look, "");
+            switch(ui, &mut settings.pixel_look);
             ui.end_row();
-            ui.label("picture shape").on_hover_text(
-                "window: the picture fills the window. preset: the picture has the preset's own shape, with a black frame \
-                 around it",
+            ui.label("Picture shape").on_hover_text(
+                "The picture fills the window, or it has the preset's own shape with a black frame around it",
             );
             ui.horizontal(|ui| {
                 for (value, text) in [
-                    (PictureShape::Window, "window"),
-                    (PictureShape::Preset, "preset"),
+                    (PictureShape::Window, "Window"),
+                    (PictureShape::Preset, "Preset"),
                 ] {
                     ui.selectable_value(&mut settings.picture_shape, value, text);
                 }
@@ -109,30 +114,30 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
             ui.end_row();
             ui.label("Invert Y")
                 .on_hover_text("Look down when the mouse or the right stick moves up");
-            ui.checkbox(&mut settings.invert_y, "");
+            switch(ui, &mut settings.invert_y);
             ui.end_row();
-            ui.label("coarser while moving").on_hover_text(
+            ui.label("Lower resolution while moving").on_hover_text(
                 "While something moves, the picture is drawn with as many pixels as the target frame rate allows. A picture at \
-                 rest is drawn in full. auto: on for software and integrated graphics, and without the pixel look",
+                 rest is drawn in full. Auto: on for software and integrated graphics, and without the pixel look",
             );
             ui.horizontal(|ui| {
                 for (value, text) in [
-                    (Automatic::Auto, "auto"),
-                    (Automatic::On, "on"),
-                    (Automatic::Off, "off"),
+                    (Automatic::Auto, "Auto"),
+                    (Automatic::On, "On"),
+                    (Automatic::Off, "Off"),
                 ] {
                     ui.selectable_value(&mut settings.automatic_resolution, value, text);
                 }
             });
             ui.end_row();
-            ui.label("target frame rate");
+            ui.label("Frame rate while moving");
             ui.add(
                 egui::Slider::new(&mut settings.frame_rate, FRAME_RATES[0]..=120.0)
                     .integer()
                     .suffix(" /s"),
             );
             ui.end_row();
-            ui.label("frame rate limit");
+            ui.label("Frame limit");
             frame_rate_limit(ui, settings);
             ui.end_row();
         });
@@ -157,7 +162,7 @@ fn ui_scale(ui: &mut egui::Ui, settings: &mut Settings) {
 fn frame_rate_limit(ui: &mut egui::Ui, settings: &mut Settings) {
     ui.horizontal(|ui| {
         let mut limited = settings.most_frames != 0.0;
-        if ui.checkbox(&mut limited, "").changed() {
+        if switch(ui, &mut limited) {
             settings.most_frames = if limited { 60.0 } else { 0.0 };
         }
         if limited {
@@ -167,7 +172,7 @@ fn frame_rate_limit(ui: &mut egui::Ui, settings: &mut Settings) {
                     .suffix(" /s"),
             );
         } else {
-            ui.weak("the monitor's");
+            ui.weak("as the monitor");
         }
     });
 }
@@ -204,11 +209,26 @@ fn key_table(
                 if with_buttons {
                     ui.weak(pad_bindings.label_of(control));
                 }
-                ui.add(egui::Label::new(control.id).truncate())
-                    .on_hover_text(control.description);
+                ui.add(egui::Label::new(description(control)).truncate())
+                    .on_hover_text(format!("{} in the settings file", control.id));
                 ui.end_row();
             }
         });
+}
+
+/// What a control does. Where several share the words, the last part of its name tells which one
+/// it is.
+fn description(control: &Control) -> String {
+    let words = control.description;
+    let shared = CONTROLS
+        .iter()
+        .filter(|other| other.description == words)
+        .count()
+        > 1;
+    match control.id.rsplit_once('.') {
+        Some((_, part)) if shared => format!("{words} ({})", part.replace('_', " ")),
+        _ => words.into(),
+    }
 }
 
 /// While a control waits, binds it to the first of the inputs that were just pressed.

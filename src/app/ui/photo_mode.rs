@@ -1,0 +1,63 @@
+//! The photo mode: nothing is drawn over the picture, and journeys and falls stand still.
+
+use crate::app::controls::bindings::Bindings;
+use crate::app::state::overlays::Overlays;
+use crate::app::state::paused::Paused;
+use crate::app::state::toast::Toast;
+use bevy::prelude::*;
+
+/// The controls that matter in the photo mode, with what they do.
+const KEYS: [(&[&str], &str); 5] = [
+    (&["fly.orbit"], "goes around the hole"),
+    (&["fly.narrower", "fly.wider"], "field of view"),
+    (&["picture.brighter", "picture.darker"], "exposure"),
+    (&["window.screenshot"], "saves the picture"),
+    (&["window.hide"], "ends"),
+];
+
+pub(crate) fn plugin(app: &mut App) {
+    app.add_systems(
+        Update,
+        apply_photo_mode.after(super::dock::apply_overlay_commands),
+    );
+}
+
+/// Pauses what moves when the photo mode begins, and lets it go on as before when it ends.
+fn apply_photo_mode(
+    overlays: Res<Overlays>,
+    bindings: Res<Bindings>,
+    mut paused: ResMut<Paused>,
+    mut toast: ResMut<Toast>,
+    mut paused_before: Local<Option<bool>>,
+) {
+    match (overlays.hidden, *paused_before) {
+        (true, None) => {
+            *paused_before = Some(paused.0);
+            paused.0 = true;
+            toast.say_over_bare_picture(keys_in_words(&bindings));
+        }
+        (false, Some(before)) => {
+            *paused_before = None;
+            paused.0 = before;
+            toast.say("Photo mode: off");
+        }
+        _ => {}
+    }
+}
+
+/// What the photo mode says when it begins.
+fn keys_in_words(bindings: &Bindings) -> String {
+    let first = |id: &&str| {
+        let keys = bindings.label(id);
+        keys.split(", ").next().unwrap_or_default().to_owned()
+    };
+    let entries = KEYS.iter().filter_map(|(ids, does)| {
+        let keys: Vec<_> = ids
+            .iter()
+            .map(first)
+            .filter(|key| !key.is_empty())
+            .collect();
+        (!keys.is_empty()).then(|| format!("{} {does}", keys.join(" ")))
+    });
+    format!("Photo mode: {}", entries.collect::<Vec<_>>().join(" · "))
+}
