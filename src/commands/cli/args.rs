@@ -43,7 +43,7 @@ pub struct SceneArgs {
     pub method: Option<String>,
     /// Show the picture in large cells, or pixel by pixel; short for --set picture.bypass=false or
     /// true, applied after every --set
-    #[arg(long, value_name = "on|off", value_enum)]
+    #[arg(long, value_name = "on|off", value_enum, hide_possible_values = true)]
     pub cells: Option<Cells>,
 }
 
