@@ -2,17 +2,18 @@
 //! Both scenes have the camera, probe and picture of the current one, so that they differ only in
 //! what is compared.
 
+mod compared_scene;
 mod difference;
 mod pinned;
 
+pub use compared_scene::{ComparedScene, ComparisonLayout};
 pub(super) use difference::{DifferencePass, draw_difference, prepare_difference};
 pub use pinned::Pinned;
 
 use crate::render::current_scene::CurrentScene;
 use bevy::prelude::*;
-use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
-use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::{Picture, Scene};
+use bevy::render::extract_resource::ExtractResourcePlugin;
+use lightfall_core::scene::Picture;
 
 /// The pinned settings and how they are compared. `None` while nothing is compared.
 #[derive(Resource, Clone, Debug, Default)]
@@ -31,55 +32,6 @@ pub enum ComparisonMode {
         /// What the difference is multiplied by.
         gain: u32,
     },
-}
-
-/// The pinned scene as it is drawn with the current one.
-#[derive(Resource, Clone, Debug, Default, PartialEq, ExtractResource)]
-pub enum ComparedScene {
-    /// Nothing is compared.
-    #[default]
-    None,
-    /// The pinned settings cannot be drawn from the current camera, for this reason.
-    Undrawable(String),
-    /// The pinned scene, and where it is drawn.
-    Drawn(Box<(Drawable, ComparisonLayout)>),
-}
-
-/// Where the two scenes are drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ComparisonLayout {
-    /// The pinned scene fills this many columns of the picture, from the left.
-    SideBySide {
-        /// The number of columns, in pixels.
-        columns: u32,
-    },
-    /// Each scene fills a texture of its own, and the picture shows their difference.
-    Difference {
-        /// What the difference is multiplied by.
-        gain: f32,
-    },
-}
-
-impl ComparedScene {
-    /// The pinned scene and where it is drawn, if it is.
-    #[must_use]
-    pub fn drawn(&self) -> Option<(&Drawable, ComparisonLayout)> {
-        match self {
-            Self::Drawn(drawn) => Some((&drawn.0, drawn.1)),
-            _ => None,
-        }
-    }
-
-    /// Whether the picture shows a difference.
-    pub(super) fn is_difference(&self) -> bool {
-        matches!(self.drawn(), Some((_, ComparisonLayout::Difference { .. })))
-    }
-
-    /// What decides the traced picture: as [`Scene::without_presentation`], of the pinned scene.
-    pub(super) fn without_presentation(&self) -> Option<(Scene, ComparisonLayout)> {
-        self.drawn()
-            .map(|(scene, layout)| (scene.without_presentation(), layout))
-    }
 }
 
 impl ComparisonMode {

@@ -33,7 +33,7 @@ use lightfall_core::optics::spectrum;
 use lightfall_core::scene::View;
 use pipeline::{Destination, pipeline_descriptor};
 use shader::{JoinedShader, JoinedShaders};
-use side::{PAGE_THORNE_SIZE, Shared, Side};
+use side::{PAGE_THORNE_SIZE, Shared, Side, table_bytes};
 
 /// Most pixels that one draw call traces: a full HD picture.
 const MAX_BAND_PIXELS: u32 = 1920 * 1080;
@@ -93,15 +93,6 @@ pub(super) fn plugin(app: &mut App) {
                 .after(main_opaque_pass_3d)
                 .before(main_transparent_pass_3d),
         );
-}
-
-/// The bytes of a table in a uniform.
-fn table_bytes(table: &[[f32; 4]]) -> Vec<u8> {
-    table
-        .iter()
-        .flatten()
-        .flat_map(|value| value.to_le_bytes())
-        .collect()
 }
 
 fn create_geodesic_pass(mut commands: Commands, device: Res<RenderDevice>) {

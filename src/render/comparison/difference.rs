@@ -1,7 +1,7 @@
 //! The difference: a pass that reads the light of the two scenes and writes how they differ,
 //! amplified, to the HDR picture. Its textures exist only while a difference is shown.
 
-use super::{ComparedScene, ComparisonLayout};
+use super::compared_scene::{ComparedScene, ComparisonLayout};
 use crate::render::camera_markers::SceneCamera;
 use bevy::asset::uuid_handle;
 use bevy::image::ToExtents;

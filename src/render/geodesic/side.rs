@@ -1,6 +1,5 @@
 //! What one scene has on the GPU: its uniform, its table and its bindings. A comparison has two.
 
-use super::table_bytes;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use lightfall_core::gpu::{Drawable, GpuScene, bindings};
@@ -81,3 +80,12 @@ impl Side {
 
 /// Size of the table of the disk model `page-thorne`, in bytes.
 pub(super) const PAGE_THORNE_SIZE: u64 = size_of::<[[f32; 4]; disk::TABLE_LEN]>() as u64;
+
+/// The bytes of a table in a uniform.
+pub(super) fn table_bytes(table: &[[f32; 4]]) -> Vec<u8> {
+    table
+        .iter()
+        .flatten()
+        .flat_map(|value| value.to_le_bytes())
+        .collect()
+}
