@@ -1,6 +1,7 @@
 //! The drawing of light paths: each in its own plane, or the hole and its surroundings seen from the
 //! side, from the top, or from any direction.
 
+use super::colours::{CAMERA, DISK, ERGOSPHERE, HORIZON, ISCO, PHOTON_ORBITS, path_colour};
 use super::plane_figure;
 use super::projection::Projection;
 use crate::app::ui::number::four_decimals;
@@ -8,7 +9,6 @@ use bevy_egui::egui::{self, Color32, Pos2, Rect, Stroke};
 use glam::{DMat3, DVec3};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::disk;
-use lightfall_core::optics::trace::Outcome;
 use lightfall_core::reports::inspection::Inspected;
 use lightfall_core::scene::Scene;
 use std::f64::consts::{PI, TAU};
@@ -52,13 +52,6 @@ const HALF_WIDTHS: [f64; 2] = [0.8, 1e5];
 /// Segments of a circle.
 const SEGMENTS: usize = 96;
 
-pub(super) const HORIZON: Color32 = Color32::from_gray(150);
-const ERGOSPHERE: Color32 = Color32::from_rgb(150, 90, 200);
-pub(super) const PHOTON_ORBITS: Color32 = Color32::from_rgb(240, 200, 60);
-const ISCO: Color32 = Color32::from_rgb(90, 200, 130);
-pub(super) const DISK: Color32 = Color32::from_rgb(215, 130, 70);
-pub(super) const CAMERA: Color32 = Color32::WHITE;
-
 /// The colours of what is drawn, and what they mean.
 pub(super) fn legend(viewpoint: Viewpoint, scene: &Scene) -> Vec<(Color32, &'static str)> {
     let (plane, spins) = (viewpoint == Viewpoint::Plane, scene.hole.spin != 0.0);
@@ -76,16 +69,6 @@ pub(super) fn legend(viewpoint: Viewpoint, scene: &Scene) -> Vec<(Color32, &'sta
     ];
     let drawn = all.into_iter().filter(|(drawn, ..)| *drawn);
     drawn.map(|(_, colour, name)| (colour, name)).collect()
-}
-
-/// The colour of a path.
-pub(super) fn path_colour(inspected: &Inspected) -> Color32 {
-    match (inspected.trace.hits[0], inspected.trace.outcome) {
-        (Some(_), _) => Color32::from_rgb(255, 170, 90),
-        (None, Outcome::Sky) => Color32::from_rgb(110, 180, 255),
-        (None, Outcome::Captured) => Color32::from_rgb(235, 90, 90),
-        (None, Outcome::Unfinished) => Color32::from_rgb(255, 0, 255),
-    }
 }
 
 impl Sketch {

@@ -1,5 +1,6 @@
 //! The ray inspector: the light of a clicked pixel is traced again, listed in numbers and drawn.
 
+mod colours;
 mod drawing;
 mod labels;
 mod numbers;
@@ -16,7 +17,8 @@ use crate::render::{CurrentScene, letterbox};
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
-use drawing::{Sketch, Viewpoint, legend, path_colour};
+use colours::path_colour;
+use drawing::{Sketch, Viewpoint, legend};
 use glam::DVec2;
 use lightfall_core::accuracy::Ray;
 use lightfall_core::reports::inspection::Inspected;

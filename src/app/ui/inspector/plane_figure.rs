@@ -1,7 +1,7 @@
 //! The textbook figure: a ray in its own plane, with the closest approach, the impact parameter and
 //! the angle by which gravity turns the light.
 
-use super::drawing::{CAMERA, DISK, HORIZON, PHOTON_ORBITS, path_colour};
+use super::colours::{CAMERA, DISK, HORIZON, PHOTON_ORBITS, path_colour};
 use super::labels::Labels;
 use bevy_egui::egui::{self, Color32, Pos2, Rect, Stroke};
 use glam::DVec2;
