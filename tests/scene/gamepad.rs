@@ -55,14 +55,14 @@ fn every_default_button_has_a_name_and_belongs_to_one_existing_control() {
         assert!(GamepadButton::name(*button).is_some(), "{button:?}");
         assert!(!bound[..i].contains(button), "{button:?} has two controls");
     }
-    // What the four corners of the pad and both sides are for: speed, roll, presets, panel,
+    // What the four corners of the pad and both sides are for: speed, roll, presets, menu,
     // journey.
     for id in [
         "fly.faster",
         "fly.slower",
         "fly.roll_left",
         "preset.next",
-        "window.panel",
+        "fly.escape",
         "journey.fly",
     ] {
         assert!(

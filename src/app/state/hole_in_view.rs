@@ -8,7 +8,7 @@ use lightfall_core::optics::apparent_hole::{ApparentHole, dark_share};
 use lightfall_core::scene::Scene;
 
 /// The share of the picture, from 0 to 1, that has to be dark for the hole to fill the view.
-const FILLS_VIEW: f64 = 0.97;
+const FILLS_VIEW: f64 = 0.94;
 
 /// The hole in the picture. None where the scene's observer does not exist.
 #[derive(Resource, Default)]
