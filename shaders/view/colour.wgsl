@@ -1,7 +1,7 @@
 // The views `colour` and `unfinished`: the light itself.
 //
-// Needs: MAGENTA, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_UNFINISHED, OUTCOME_SKY, Photon,
-//     SHOW_UNFINISHED, disk_cover, disk_light, disk_transmission, mark, scene, sky_light, sky_shift,
+// Needs: MAGENTA, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_SKY, OUTCOME_UNFINISHED, Photon,
+//     SHOW_UNFINISHED, disk_cover, disk_light, disk_transmission, mark, sky_light, sky_shift,
 //     trace.
 // Gives: light_along.
 
