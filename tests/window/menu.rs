@@ -30,14 +30,18 @@ fn esc_closes_what_is_open_and_then_opens_a_menu_that_the_keyboard_uses() {
     desktop.settled("as before the menu", |shot| changed(shot, &start) == 0.0);
 
     // Down to the places, and there to the third: preset 3.
-    for key in ["Escape", "Down", "Return", "Down", "Down", "Return"] {
+    desktop.press("Escape");
+    desktop.settled("menu again", |shot| middle(shot, &start) > 0.3);
+    for key in ["Down", "Return", "Down", "Down", "Return"] {
         desktop.press(key);
     }
     let title = "above, with its second image";
     desktop.wait("preset 3", || desktop.title().contains(title));
-    desktop.settled("preset 3", |shot| changed(shot, &start) > 0.1);
+    let above = desktop.settled("preset 3", |shot| changed(shot, &start) > 0.1);
     // Up from the first entry to the last one.
-    for key in ["Escape", "Up", "Return"] {
+    desktop.press("Escape");
+    desktop.settled("menu at preset 3", |shot| middle(shot, &above) > 0.3);
+    for key in ["Up", "Return"] {
         desktop.press(key);
     }
     ended(&mut desktop);

@@ -2,6 +2,8 @@
 
 use super::MenuActions;
 use crate::app::state::menu::MenuEntry;
+use bevy::input::ButtonState;
+use bevy::input::keyboard::KeyboardInput;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 
@@ -15,33 +17,49 @@ const DOWN: [KeyCode; 2] = [KeyCode::ArrowDown, KeyCode::KeyS];
 const CHOOSE: [KeyCode; 3] = [KeyCode::Enter, KeyCode::NumpadEnter, KeyCode::Space];
 const BACK: [KeyCode; 3] = [KeyCode::Escape, KeyCode::ArrowLeft, KeyCode::Backspace];
 
-/// Moves the selection, chooses it, or goes back.
+/// Moves the selection, chooses it, or goes back. Each press counts, in its order, however many come
+/// in one slow frame.
 pub(super) fn navigate(
-    keys: Res<ButtonInput<KeyCode>>,
+    mut inputs: MessageReader<KeyboardInput>,
     pads: Query<&Gamepad>,
     window: Single<&Window, With<PrimaryWindow>>,
     mut stick_pushed: Local<bool>,
     mut actions: MenuActions,
 ) {
-    if !actions.menu.is_open() {
-        return;
+    let is_press = |input: &&KeyboardInput| input.state == ButtonState::Pressed;
+    for input in inputs.read().filter(is_press) {
+        if !actions.menu.is_open() {
+            continue;
+        }
+        match input.key_code {
+            code if UP.contains(&code) => actions.menu.step(-1),
+            code if DOWN.contains(&code) => actions.menu.step(1),
+            code if CHOOSE.contains(&code) && !input.repeat => {
+                let entry = actions.menu.selected();
+                actions.choose(entry);
+            }
+            code if BACK.contains(&code) && !input.repeat => actions.menu.go_back(),
+            _ => {}
+        }
     }
     let pads = || pads.iter().filter(|_| window.focused);
-    let pressed = |button| pads().any(|pad| pad.just_pressed(button));
     let stick: f32 = pads().map(|pad| pad.left_stick().y).sum();
     let pushes = stick.abs() > STICK_PUSHED && !*stick_pushed;
     *stick_pushed = stick.abs() > STICK_PUSHED || (*stick_pushed && stick.abs() > STICK_BACK);
-
-    if keys.any_just_pressed(UP) || pressed(GamepadButton::DPadUp) || (pushes && stick > 0.0) {
+    if !actions.menu.is_open() {
+        return;
+    }
+    let pressed = |button| pads().any(|pad| pad.just_pressed(button));
+    if pressed(GamepadButton::DPadUp) || (pushes && stick > 0.0) {
         actions.menu.step(-1);
     }
-    if keys.any_just_pressed(DOWN) || pressed(GamepadButton::DPadDown) || (pushes && stick < 0.0) {
+    if pressed(GamepadButton::DPadDown) || (pushes && stick < 0.0) {
         actions.menu.step(1);
     }
-    if keys.any_just_pressed(CHOOSE) || pressed(GamepadButton::South) {
+    if pressed(GamepadButton::South) {
         let entry = actions.menu.selected();
         actions.choose(entry);
-    } else if keys.any_just_pressed(BACK) || pressed(GamepadButton::East) {
+    } else if pressed(GamepadButton::East) {
         actions.menu.go_back();
     } else if pressed(GamepadButton::Start) {
         actions.choose(MenuEntry::Resume);
