@@ -39,7 +39,7 @@ fn each_change_is_named_with_its_two_values() {
         (|s| s.sky.mode = SkyMode::Grid, ["sky stars", "sky grid"]),
         (
             |s| s.observer.kind = ObserverKind::Rain,
-            ["observer at rest", "observer in free fall"],
+            ["observer hovering at rest", "observer falling freely"],
         ),
     ];
     for (change, expected) in changes {
