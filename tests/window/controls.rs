@@ -2,7 +2,7 @@
 
 use crate::desktop::Desktop;
 use crate::shot::Shot;
-use crate::{STATUS_BAR, TITLE, WINDOW, changed, place};
+use crate::{STATUS_BAR, TITLE, WINDOW, changed, place, unfold_texts};
 use lightfall::app::{Bindable, control_named};
 use lightfall::storage::embedded_preset;
 use lightfall_core::scene::load;
@@ -95,6 +95,8 @@ fn overlays_open_and_close_and_text_fields_keep_the_keyboard() {
         "the panel covers more than its side"
     );
     // Into the field `name`: g, F2 and p would change the sky, the disk and the panel.
+    unfold_texts(&desktop);
+    let panel = desktop.settled("the texts", |_| true);
     desktop.click(place::PANEL_NAME);
     let focused = desktop.settled("the field has the keyboard", |shot| *shot != panel);
     desktop.type_text("gp");

@@ -38,14 +38,26 @@ const STATUS_BAR: usize = 150;
 /// Height at the top in which a scene's title is shown, in pixels.
 const TITLE: usize = 84;
 
-/// Places of the window to click, in pixels: fields of the panel's first page, which comes first
-/// in it and has the field table's order, and the list of adapters on its page Machine.
+/// Places of the window to click, in pixels: headings and fields of the panel's first page, and the
+/// list of adapters on its page Machine.
 mod place {
-    pub const PANEL_NAME: [i32; 2] = [1300, 92];
-    pub const PANEL_TITLE: [i32; 2] = [1300, 118];
+    pub const DISK_HEADING: [i32; 2] = [1060, 453];
+    pub const TEXTS_HEADING: [i32; 2] = [1080, 621];
+    pub const PANEL_NAME: [i32; 2] = [1300, 648];
+    pub const PANEL_TITLE: [i32; 2] = [1300, 675];
     pub const PANEL_BELOW_FIELDS: [i32; 2] = [1300, 800];
     pub const MACHINE_TAB: [i32; 2] = [1246, 17];
-    pub const FIRST_ADAPTER: [i32; 2] = [1080, 291];
+    pub const FIRST_ADAPTER: [i32; 2] = [1080, 260];
+}
+
+/// Unfolds the section with the scene's texts on the panel's first page. The section of the disk is
+/// folded first, because the texts are below it and below the window.
+fn unfold_texts(desktop: &Desktop) {
+    for place in [place::DISK_HEADING, place::TEXTS_HEADING] {
+        let before = desktop.shot();
+        desktop.click(place);
+        desktop.settled("a section", |shot| *shot != before);
+    }
 }
 
 /// The program as `lightfall --preset 2` starts it, for a test to extend.

@@ -1,7 +1,7 @@
 //! Copy, cut and paste in the panel's text fields.
 
 use crate::desktop::Desktop;
-use crate::place;
+use crate::{place, unfold_texts};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -62,6 +62,7 @@ fn text_fields_copy_cut_and_paste_within_the_program_and_with_others() {
     desktop.press("p");
     desktop.settled("panel", |_| true);
     // The field `title` is also the title of the window.
+    unfold_texts(&desktop);
     desktop.click(place::PANEL_TITLE);
     let titled = |title: &str| {
         let whole = if title.is_empty() {
