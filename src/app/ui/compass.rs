@@ -18,8 +18,12 @@ const ROOM: [f32; 2] = [60.0, 130.0];
 const ARROW: f32 = 9.0;
 /// Distance from the arrow to the middle of its label, in points: across and down.
 const LABEL_DISTANCE: [f32; 2] = [58.0, 28.0];
-/// A hole and disk with a smaller radius than this, in points, get a ring of this radius.
-const RING: f32 = 14.0;
+/// A hole and disk with a smaller radius than this, in points, get a ring: among stars they are easy
+/// to overlook.
+const SMALL_RADIUS: f32 = 36.0;
+/// Smallest radius of the ring, and its distance from the hole and disk, in points.
+const MIN_RING: f32 = 14.0;
+const RING_DISTANCE: f32 = 6.0;
 /// A target whose distance from the line straight behind has a smaller sine than this is behind.
 const BEHIND: f64 = 0.2;
 /// Size of the label, in points.
@@ -106,16 +110,18 @@ fn draw_ring(
     } else {
         0.0
     };
-    if hole.radius.tan().max(disk) * points_per_tangent > f64::from(RING) {
+    let radius = (hole.radius.tan().max(disk) * points_per_tangent) as f32;
+    if radius > SMALL_RADIUS {
         return;
     }
+    let ring = (radius + RING_DISTANCE).max(MIN_RING);
     let middle = (shown.offset + 0.5 * shown.extent) / pixels_per_point;
     let place = hole.direction.truncate() / hole.direction.z * points_per_tangent;
     let place = egui::pos2(middle.x + place.x as f32, middle.y - place.y as f32);
-    painter.circle_stroke(place, RING, Stroke::new(4.0, DARK));
-    painter.circle_stroke(place, RING, Stroke::new(1.5, BRIGHT));
+    painter.circle_stroke(place, ring, Stroke::new(4.0, DARK));
+    painter.circle_stroke(place, ring, Stroke::new(1.5, BRIGHT));
     let text = format!("hole  {} r_s", four_digits(scene.camera.r));
-    draw_label(painter, place + egui::vec2(0.0, 2.0 * RING), &text);
+    draw_label(painter, place + egui::vec2(0.0, ring + MIN_RING), &text);
 }
 
 /// A line of text on a dark ground.
