@@ -1,6 +1,6 @@
 //! How the menu looks, and the mouse in it.
 
-use super::MenuActions;
+use super::actions::MenuActions;
 use crate::app::controls::bindings::Bindings;
 use crate::app::state::menu::{Menu, MenuEntry};
 use crate::app::ui::theme::{ACCENT, TEXT, WEAK_TEXT};

@@ -1,6 +1,6 @@
 //! Keyboard and gamepad in the open menu.
 
-use super::MenuActions;
+use super::actions::MenuActions;
 use crate::app::state::menu::MenuEntry;
 use bevy::input::ButtonState;
 use bevy::input::keyboard::KeyboardInput;

@@ -1,0 +1,48 @@
+//! What the menu's entries do.
+
+use crate::app::controls::control::AppCommand;
+use crate::app::state::menu::{Menu, MenuEntry};
+use crate::app::state::scene_editor::SceneEditor;
+use bevy::ecs::system::SystemParam;
+use bevy::prelude::*;
+use lightfall_core::scene::presets::PRESETS;
+
+/// The menu, and what its entries act on.
+#[derive(SystemParam)]
+pub(super) struct MenuActions<'w> {
+    pub(super) menu: ResMut<'w, Menu>,
+    editor: SceneEditor<'w>,
+    commands: MessageWriter<'w, AppCommand>,
+}
+
+impl MenuActions<'_> {
+    /// Does what an entry says.
+    pub(super) fn choose(&mut self, entry: MenuEntry) {
+        let command = match entry {
+            MenuEntry::Places => {
+                self.menu.show_places();
+                return;
+            }
+            MenuEntry::Back => {
+                self.menu.go_back();
+                return;
+            }
+            MenuEntry::Place(place) => {
+                if let Some(preset) = PRESETS.get(place) {
+                    self.editor.load("", Ok(preset.plain_scene().clone()));
+                }
+                None
+            }
+            MenuEntry::Resume => None,
+            MenuEntry::Help => Some(AppCommand::Help),
+            MenuEntry::Settings => Some(AppCommand::Settings),
+            MenuEntry::PhotoMode => Some(AppCommand::Hide),
+            MenuEntry::FullScreen => Some(AppCommand::Fullscreen),
+            MenuEntry::Quit => Some(AppCommand::Quit),
+        };
+        self.menu.close();
+        if let Some(command) = command {
+            self.commands.write(command);
+        }
+    }
+}
