@@ -9,17 +9,17 @@ use lightfall_core::optics::worldline::Worldline;
 use lightfall_core::scene::presets::PRESETS;
 use lightfall_core::scene::{Method, ObserverKind, Scene, SkyMode};
 
-/// The scene at a quarter of its size, without cells.
-fn quarter(mut scene: Scene) -> (Scene, UVec2) {
-    let size = scene.picture.size() / 4;
+/// The scene at an eighth of its size, without cells.
+fn eighth(mut scene: Scene) -> (Scene, UVec2) {
+    let size = scene.picture.size() / 8;
     scene.picture.bypass = true;
     (scene.picture.width, scene.picture.height) = size.into();
     (scene.picture.grid_width, scene.picture.grid_height) = size.into();
     (scene, size)
 }
 
-/// Whether each pixel lies in the shadow, rows from the top: its ray and those through its
-/// neighbours end in the hole and meet no disk, so that no rounding decides.
+/// Whether each pixel lies in the shadow, rows from the top: the rays through its middle and its
+/// corners end in the hole and meet no disk, so that no rounding decides.
 fn shadow(scene: &Scene) -> Vec<bool> {
     let reference = Reference::new(scene).unwrap();
     let (size, axes) = (scene.picture.size(), scene.camera.tetrad_from_camera());
@@ -28,12 +28,18 @@ fn shadow(scene: &Scene) -> Vec<bool> {
         let trace = reference.trace(axes * looking);
         trace.outcome == Outcome::Captured && trace.hits[0].is_none()
     };
-    let around = [(0.5, 0.5), (0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)];
+    let row = |y: u32| -> Vec<bool> {
+        let corners = 0..=size.x;
+        corners.map(|x| dark(f64::from(x), f64::from(y))).collect()
+    };
+    let corners: Vec<Vec<bool>> = (0..=size.y).map(row).collect();
     (0..size.y)
         .flat_map(|y| (0..size.x).map(move |x| (x, y)))
         .map(|(x, y)| {
-            let at = |(right, down): (f64, f64)| (f64::from(x) + right, f64::from(y) + down);
-            around.into_iter().map(at).all(|(x, y)| dark(x, y))
+            let rows = [&corners[y as usize], &corners[y as usize + 1]];
+            rows.into_iter()
+                .all(|row| row[x as usize] && row[x as usize + 1])
+                && dark(f64::from(x) + 0.5, f64::from(y) + 0.5)
         })
         .collect()
 }
@@ -70,7 +76,7 @@ fn bloom_lightens_no_shadow() {
     let mut shadows = 0;
     for scene in presets.chain(fall_of_preset_8()) {
         // With much more bloom than any preset has.
-        let (mut scene, size) = quarter(scene);
+        let (mut scene, size) = eighth(scene);
         scene.picture.bloom = 0.3;
         let still = render(&scene, size).unwrap();
         let (brightest, pixels) = brightest_in_shadow(&scene, &still);
@@ -80,7 +86,7 @@ fn bloom_lightens_no_shadow() {
             scene.name,
             scene.camera.r
         );
-        shadows += usize::from(pixels > 50);
+        shadows += usize::from(pixels > 12);
     }
     assert!(shadows > 15, "only {shadows} pictures show a shadow");
 }
@@ -89,7 +95,7 @@ fn bloom_lightens_no_shadow() {
 #[ignore = "needs a graphics adapter"]
 fn the_fall_of_preset_8_is_neither_black_nor_white() {
     for scene in fall_of_preset_8() {
-        let (scene, size) = quarter(scene);
+        let (scene, size) = eighth(scene);
         let still = render(&scene, size).unwrap();
         let lit: Vec<u8> = still
             .rgb
@@ -100,7 +106,7 @@ fn the_fall_of_preset_8_is_neither_black_nor_white() {
         let white = lit.iter().filter(|least| **least > 250).count() as f64 / lit.len() as f64;
         let bright = still.rgb.iter().filter(|channel| **channel > 60).count();
         assert!(
-            white < 0.4 && bright > 1000,
+            white < 0.4 && bright > 250,
             "at r {}: {white} of the lit pixels are white, {bright} channels bright",
             scene.camera.r
         );
@@ -115,6 +121,8 @@ fn no_dark_rim_surrounds_the_disk() {
         (scene.method, scene.hole.spin) = (method, spin);
         scene.sky.mode = SkyMode::Grid;
         scene.picture.exposure_ev = 2.0;
+        // So hot that every part of the disk outshines the sky: only a rim can be darker.
+        scene.disk.temperature_k = 18_000.0;
         let with_disk = render(&scene, size).unwrap();
         scene.disk.enabled = false;
         let behind = render(&scene, size).unwrap();
@@ -149,7 +157,7 @@ fn no_dark_rim_surrounds_the_disk() {
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn a_spinning_hole_with_a_wide_disk_is_well_exposed() {
-    let (mut scene, size) = quarter(preset(2));
+    let (mut scene, size) = eighth(preset(2));
     for spin in [0.0, 0.9, 0.998] {
         (scene.hole.spin, scene.disk.follow_isco) = (spin, true);
         let studio = Studio::with_options(&scene, size, HeadlessOptions::default());
@@ -173,7 +181,7 @@ fn a_spinning_hole_with_a_wide_disk_is_well_exposed() {
         let visible = outer.iter().filter(|light| **light > 0.004).count();
         // Half a percent of white is level 20 of 255.
         assert!(
-            outer.len() > 500 && visible as f64 > 0.9 * outer.len() as f64,
+            outer.len() > 120 && visible as f64 > 0.9 * outer.len() as f64,
             "spin {spin}: {visible} of {} pixels of the outer disk are visible",
             outer.len()
         );
