@@ -178,7 +178,8 @@ fn a_value_of_the_wrong_type_is_refused_with_the_right_type() {
         ),
         (
             "[camera.r]",
-            "camera.r = {...} is refused: it must be a number from 0.1 to 10000000 r_s",
+            "camera.r = {...} is refused: it must be a number above 1 and at most 10000000 r_s \
+             (outside the horizon at hole.spin = 0; observer rain goes on inside)",
         ),
         (
             "camera = 3",
@@ -271,7 +272,8 @@ fn an_override_needs_a_key_and_an_equals_sign() {
     );
     assert_eq!(
         set("camera.r="),
-        "--set: camera.r = \"\" is refused: it must be a number from 0.1 to 10000000 r_s"
+        "--set: camera.r = \"\" is refused: it must be a number above 1 and at most 10000000 r_s \
+         (outside the horizon at hole.spin = 0; observer rain goes on inside)"
     );
 }
 
