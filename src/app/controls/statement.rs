@@ -104,6 +104,7 @@ fn field_words(key: &str) -> String {
         (_, "follow_isco") => "disk from the innermost stable orbit".into(),
         (_, "bypass") => "pixel look".into(),
         (_, "levels") => "tones".into(),
+        (_, "edge_taper") => "soft edges of the disk".into(),
         (_, "exposure_ev" | "automatic_exposure") => "exposure".into(),
         (_, "doppler") => "Doppler shift".into(),
         (_, "antialias") => "smooth edges of the probe".into(),

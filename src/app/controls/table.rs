@@ -71,7 +71,7 @@ pub const CONTROLS: &[Control] = controls! {
         "scene.sky_mode" [KeyG] "sky: stars, grid, nothing" Edit(edits::next_sky);
         "scene.probe" [F4] "probe" Edit(edits::switch_probe);
         "scene.spin" [KeyT] "spin" Edit(edits::switch_spin);
-        "scene.observer" [KeyO] "observer: at rest, orbit, free fall ..." Edit(edits::next_observer);
+        "scene.observer" [KeyO] "observer: how the camera moves" Edit(edits::next_observer);
     }
     Light {
         "light.lensing" [KeyL] "lensing" Edit(edits::switch_lensing);

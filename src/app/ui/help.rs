@@ -45,6 +45,9 @@ const COLUMN_WIDTH: f32 = 320.0;
 const KEYS_WIDTH: f32 = 104.0;
 /// Headings of the groups: the colour of the disk's light.
 const HEADING: egui::Color32 = egui::Color32::from_rgb(255, 200, 130);
+/// What the unit of length means, said where a beginner looks for words.
+pub(crate) const RADIUS_UNIT: &str =
+    "r_s: the Schwarzschild radius, the radius of the horizon without spin.";
 /// Room that is left free around the help, in points.
 const MARGIN: f32 = 24.0;
 /// Height of the title above the list and of the line below it, in points.
@@ -161,7 +164,9 @@ fn show_help(
                 });
             ui.add_space(4.0);
             let panel = bindings.label("window.panel");
-            ui.label(format!("Rebind keys in the panel ({panel}) > Settings."));
+            ui.label(format!(
+                "Rebind keys in the panel ({panel}) > Settings.   {RADIUS_UNIT}"
+            ));
         });
     if !open {
         overlays.help = false;

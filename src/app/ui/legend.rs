@@ -21,14 +21,14 @@ const CLASSES: &[Swatch] = &[
         "from the sky, through the disk's plane once",
     ),
     (Vec3::new(0.30, 0.75, 1.0), "from the sky, through it twice"),
-    (Vec3::new(0.06, 0.02, 0.0), "from the horizon"),
+    (Vec3::new(0.06, 0.02, 0.0), "ends at the horizon"),
     (
         Vec3::new(0.60, 0.15, 0.0),
-        "from the horizon, through it once",
+        "ends at the horizon, through it once",
     ),
     (
         Vec3::new(1.0, 0.65, 0.05),
-        "from the horizon, through it twice",
+        "ends at the horizon, through it twice",
     ),
     (MAGENTA, "unfinished"),
 ];
@@ -38,7 +38,7 @@ const ORDERS: &[Swatch] = &[
     (Vec3::new(0.79, 0.35, 0.0), "1: a half-turn about the hole"),
     (Vec3::new(0.0, 0.17, 0.45), "2 half-turns"),
     (Vec3::splat(0.95), "3 or more"),
-    (BLACK, "from the horizon"),
+    (BLACK, "no light: the ray ends at the horizon"),
     (MAGENTA, "unfinished"),
 ];
 
@@ -48,7 +48,7 @@ const SHIFTS: &[Swatch] = &[
     (Vec3::splat(0.90), "g = 1"),
     (Vec3::new(0.90, 0.30, 0.03), "g = 0.71, redshifted"),
     (Vec3::new(0.25, 0.01, 0.01), "g = 0.5 or less"),
-    (BLACK, "from the horizon"),
+    (BLACK, "no light: the ray ends at the horizon"),
 ];
 
 const RESIDUALS: &[Swatch] = &[
@@ -92,7 +92,7 @@ pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
             "Order of the image; the sky is darker than the disk",
             ORDERS,
         ),
-        View::Redshift => ("Observed over emitted frequency, of disk or sky", SHIFTS),
+        View::Redshift => ("g = observed / emitted frequency, of disk or sky", SHIFTS),
         View::Residual => ("Residual of the null constraint (not the error)", RESIDUALS),
         View::Steps => ("Steps of the method along each ray", STEPS),
         View::Error => (

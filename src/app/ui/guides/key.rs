@@ -20,6 +20,14 @@ const MARGIN: f32 = 8.0;
 const TEXT: Color32 = Color32::from_gray(238);
 const WEAK: Color32 = Color32::from_gray(198);
 
+/// What the key says about the guides as a whole.
+pub(super) struct Tracing {
+    /// Some of them are still traced.
+    pub(super) waiting: bool,
+    /// They belong to the right side of a comparison only.
+    pub(super) right_side: bool,
+}
+
 /// Shows the key below `top` at the right edge of the free part of the window. Returns its place.
 pub(super) fn show_key(
     context: &egui::Context,
@@ -28,7 +36,7 @@ pub(super) fn show_key(
     placement: &Placement,
     mass: HoleMass,
     [right, top]: [f32; 2],
-    waiting: bool,
+    tracing: Tracing,
 ) -> egui::Rect {
     let kerr = Kerr {
         spin: scene.hole.spin,
@@ -45,13 +53,18 @@ pub(super) fn show_key(
         frame.show(ui, |ui| {
             ui.set_width(WIDTH);
             ui.spacing_mut().item_spacing = vec2(8.0, 3.0);
-            ui.label(RichText::new("Guides").size(13.5).strong().color(TEXT));
+            let title = if tracing.right_side {
+                "Guides for the right side"
+            } else {
+                "Guides"
+            };
+            ui.label(RichText::new(title).size(13.5).strong().color(TEXT));
             let [traced, flat]: [Vec<&Guide>; 2] = [false, true]
                 .map(|flat| guides.iter().filter(|guide| guide.flat == flat).collect());
             if scene.effects.lensing {
                 heading(ui, "Traced through bent light");
                 traced.iter().for_each(|guide| row(ui, guide, kerr));
-                if waiting {
+                if tracing.waiting {
                     ui.label(RichText::new("tracing…").size(SIZE).color(WEAK));
                 }
             }

@@ -11,12 +11,12 @@ use crate::app::state::overlays::Overlays;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
 use crate::app::ui::legend::LEGEND;
-use crate::render::{CurrentScene, letterbox};
+use crate::render::{ComparedScene, ComparisonLayout, CurrentScene, letterbox};
 use crate::worker::Worker;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
-use key::{KEY, show_key};
+use key::{KEY, Tracing, show_key};
 use labels::{Label, draw_labels};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, Landmark, quick_guides, traced_guides};
@@ -131,7 +131,7 @@ fn show_guides(
     scene: Res<CurrentScene>,
     overlays: Res<Overlays>,
     preferences: Res<Preferences>,
-    guides: Res<Guides>,
+    (guides, compared): (Res<Guides>, Res<ComparedScene>),
 ) -> Result {
     let Some(quick) = guides.quick.as_ref().filter(|_| overlays.shows_guides()) else {
         return Ok(());
@@ -144,7 +144,19 @@ fn show_guides(
         screen.left() + overlays.left_width()..=screen.right() - overlays.right_width(),
         screen.y_range(),
     );
-    let visible = placement.picture.intersect(room);
+    // In a comparison the guides belong to the present scene, which is on the right side.
+    let divider = match &*compared {
+        ComparedScene::Drawn(drawn) => match drawn.1 {
+            ComparisonLayout::SideBySide { columns } => {
+                let share = columns as f32 / scene.picture.width.max(1) as f32;
+                Some(placement.picture.left() + share * placement.picture.width())
+            }
+            ComparisonLayout::Difference { .. } => None,
+        },
+        _ => None,
+    };
+    let mut visible = placement.picture.intersect(room);
+    visible.min.x = divider.map_or(visible.min.x, |divider| visible.min.x.max(divider));
     if !visible.is_positive() {
         return Ok(());
     }
@@ -174,7 +186,10 @@ fn show_guides(
             suns: preferences.settings.hole_mass_suns,
         },
         [room.right() - MARGIN, top + MARGIN],
-        waiting,
+        Tracing {
+            waiting,
+            right_side: divider.is_some(),
+        },
     );
 
     let free = egui::Rect::from_x_y_ranges(

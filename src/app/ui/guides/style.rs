@@ -69,7 +69,7 @@ pub(super) fn meaning(guide: &Guide, kerr: Kerr) -> String {
     match guide.landmark {
         Landmark::ShadowEdge => format!("light that grazed the {circling}"),
         Landmark::StableOrbit => {
-            format!("matter circles no closer than {} r_s", length(kerr.isco()))
+            format!("no stable orbit inside {} r_s", length(kerr.isco()))
         }
         Landmark::StableOrbitAgain => "by light that went on around the hole".into(),
         Landmark::Ergosphere => "nothing inside it can stand still".into(),

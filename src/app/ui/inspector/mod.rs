@@ -237,7 +237,7 @@ fn show_inspector(
             .id_salt("numbers")
             .auto_shrink([false, true])
             .show(ui, |ui| {
-                numbers::show(ui, &first.numbers, gpu);
+                numbers::show(ui, &first.numbers, seen, gpu);
             });
         // Next frame the drawing makes room for them.
         let wanted = shown.inner_rect.top() - top + shown.content_size.y + 8.0;

@@ -5,11 +5,19 @@ use bevy_egui::egui;
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::reports::inspection::{Difference, Inspection, Record};
 use lightfall_core::reports::numbers::four_digits;
+use lightfall_core::scene::Scene;
 
 /// The row that answers how true the picture is at this pixel.
 const OFF_BY: &str = "GPU error";
 
-pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
+/// Its row needs a word more: light from the sky sweeps a half-turn even without gravity.
+const HALF_TURNS: &str = "half-turns";
+const ABOUT_HALF_TURNS: &str = "The angle that the ray sweeps about the hole, in half-turns. The \
+    order of the image counts the whole ones. A straight ray that comes from the sky and passes the \
+    hole sweeps nearly one, so the direct image of the sky has up to 1.";
+
+pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, scene: &Scene, gpu: &GpuState) {
+    let opaque = scene.disk.transmission == 0.0;
     egui::Grid::new("numbers")
         .num_columns(2)
         .spacing([10.0, 2.0])
@@ -17,13 +25,16 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
         .show(ui, |ui| {
             let mut row = |name: &str, value: Option<String>| {
                 if let Some(value) = value {
-                    ui.label(name);
+                    let label = ui.label(name);
+                    if name == HALF_TURNS {
+                        label.on_hover_text(ABOUT_HALF_TURNS);
+                    }
                     ui.monospace(value);
                     ui.end_row();
                 }
             };
             let cpu = &numbers.cpu;
-            row("shows", Some(outcome(cpu).into()));
+            row("shows", Some(outcome(cpu, opaque).into()));
             // How true the picture is comes first.
             match gpu {
                 GpuState::Waiting => row(OFF_BY, Some("waiting for the GPU".into())),
@@ -31,20 +42,25 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, gpu: &GpuState) {
                 GpuState::Done => {}
             }
             if let Some(difference) = numbers.difference {
-                differences(&mut row, &difference, numbers);
+                differences(&mut row, &difference, numbers, opaque);
             }
-            row("image order", numbers.order.map(|order| order.to_string()));
-            row("half-turns", Some(format!("{:.3}", numbers.half_turns)));
+            let turned = match numbers.order {
+                Some(order) => format!("{:.3}, order {order}", numbers.half_turns),
+                None => format!("{:.3}", numbers.half_turns),
+            };
+            row(HALF_TURNS, Some(turned));
             row(
                 "deflection",
                 numbers
                     .deflection
                     .map(|angle| format!("{}°", four_digits(angle.to_degrees()))),
             );
-            row(
-                "closest approach",
-                Some(format!("{} r_s", four_digits(numbers.closest_r))),
-            );
+            let closest = if cpu.outcome == Outcome::Captured {
+                "none: reaches the horizon".into()
+            } else {
+                format!("{} r_s", four_digits(numbers.closest_r))
+            };
+            row("closest approach", Some(closest));
             // Inside the horizon the energy at infinity of some light is negative. b, L/E and E have
             // the same sign.
             let backward = numbers.impact_parameter.is_some_and(|b| b < 0.0);
@@ -121,11 +137,12 @@ fn differences(
     row: &mut impl FnMut(&str, Option<String>),
     difference: &Difference,
     numbers: &Inspection,
+    opaque: bool,
 ) {
     if !difference.same_class {
         row(
             "GPU says",
-            numbers.gpu.as_ref().map(|gpu| outcome(gpu).into()),
+            numbers.gpu.as_ref().map(|gpu| outcome(gpu, opaque).into()),
         );
     }
     let backward = difference.backward.zip(difference.backward_px);
@@ -157,16 +174,19 @@ fn size(error: f64) -> String {
 
 /// The steps of a trace, and its residual. A closed form has neither.
 fn work(record: &Record) -> String {
-    if record.steps == 0 {
-        "no steps".into()
-    } else {
-        format!("{} steps, residual {}", record.steps, size(record.residual))
-    }
+    let steps = match record.steps {
+        0 => return "no steps".into(),
+        1 => "1 step".into(),
+        steps => format!("{steps} steps"),
+    };
+    format!("{steps}, residual {}", size(record.residual))
 }
 
-/// What the ray shows, in words.
-fn outcome(record: &Record) -> &'static str {
+/// What the ray shows, in words. An opaque disk hides what is behind it.
+fn outcome(record: &Record, opaque: bool) -> &'static str {
     match (record.outcome, record.hit1_r) {
+        (Outcome::Sky, Some(_)) if opaque => "disk (sky behind it, not seen)",
+        (Outcome::Captured, Some(_)) if opaque => "disk (hole behind it, not seen)",
         (Outcome::Sky, Some(_)) => "disk, then sky",
         (Outcome::Captured, Some(_)) => "disk, then the hole",
         (Outcome::Captured, None) => "captured by the hole",

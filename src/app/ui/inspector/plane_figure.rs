@@ -261,7 +261,8 @@ fn draw_angle(
     labels.write(painter, middle, &text, ANGLE);
 }
 
-/// The path as far as its light is seen, and faintly beyond, with arrows toward the camera.
+/// The path as far as its light is seen, and faintly beyond, with arrows toward the camera. A ray
+/// that ends at the horizon has no arrows, because no light comes along it.
 fn draw_path(painter: &egui::Painter, place: &Place, ray: &Inspected, labels: &mut Labels) {
     let plane = &ray.plane;
     let colour = path_colour(ray);
@@ -284,7 +285,9 @@ fn draw_path(painter: &egui::Painter, place: &Place, ray: &Inspected, labels: &m
             labels.avoid([pair[0].lerp(pair[1], 0.33), pair[0].lerp(pair[1], 0.67)]);
         }
     }
-    draw_arrows(painter, place.rect, &line, colour);
+    if ray.trace.outcome != Outcome::Captured || plane.hits[0].is_some() {
+        draw_arrows(painter, place.rect, &line, colour);
+    }
     painter.line(line, Stroke::new(2.2, colour));
 }
 
@@ -342,7 +345,8 @@ fn draw_marks(
     if let (Outcome::Captured, None, Some(end)) =
         (ray.trace.outcome, plane.hits[0], plane.points.last())
     {
-        labels.write(painter, place.point(*end), "captured", colour);
+        let text = "traced backward: ends at the horizon";
+        labels.write(painter, place.point(*end), text, colour);
     }
     if let Some(camera) = plane.points.first() {
         let point = place.point(*camera);
@@ -354,7 +358,10 @@ fn draw_marks(
             // Where the path comes in from the camera.
             let inside = plane.points.iter().map(|point| place.point(*point));
             if let Some(edge) = inside.into_iter().find(|point| place.rect.contains(*point)) {
-                let text = format!("to the camera at r = {} r_s", four_digits(scene.camera.r));
+                let text = format!(
+                    "camera this way, at r = {} r_s",
+                    four_digits(scene.camera.r)
+                );
                 labels.write(painter, edge, &text, CAMERA);
             }
         }

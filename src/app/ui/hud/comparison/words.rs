@@ -1,24 +1,16 @@
 //! In what two scenes differ, in a player's words.
 
+use crate::app::ui::panel::sections::SECTIONS;
 use lightfall_core::reports::numbers::four_digits;
 use lightfall_core::scene::{FIELDS, ObserverKind, Scene, Value};
 
-/// Names of fields where the key would not do. Other fields are named by the words of their key.
-const NAMES: [(&str, &str); 14] = [
+/// Names of fields whose label on the panel does not suit a sentence. Other fields have their label.
+const NAMES: [(&str, &str); 5] = [
     ("hole.spin", "spin"),
     ("observer.kind", "observer"),
-    ("observer.velocity", "velocity"),
-    ("effects.doppler", "Doppler shift"),
+    ("effects.lensing", "lensing"),
     ("disk.enabled", "disk"),
-    ("disk.inner", "disk from"),
-    ("disk.outer", "disk to"),
-    ("disk.follow_isco", "disk from the ISCO"),
-    ("disk.temperature_k", "disk temperature"),
     ("sky.mode", "sky"),
-    ("sky.reference_theta_deg", "reference star theta"),
-    ("sky.reference_phi_deg", "reference star phi"),
-    ("quality.max_error_px", "largest error"),
-    ("quality.step_scale", "steps"),
 ];
 
 /// Groups whose fields need no group name in front of them.
@@ -69,10 +61,12 @@ fn name(key: &str) -> String {
         return (*name).into();
     }
     let (group, field) = key.split_once('.').unwrap_or(("", key));
-    let field = field
-        .trim_end_matches("_deg")
-        .trim_end_matches("_k")
-        .replace('_', " ");
+    let mut rows = SECTIONS.iter().flat_map(|section| section.rows);
+    let field = match rows.find(|row| row.key == key) {
+        Some(row) if row.label.starts_with("Doppler") => row.label.into(),
+        Some(row) => row.label.to_lowercase(),
+        None => field.replace('_', " "),
+    };
     if group.is_empty() || OBVIOUS_GROUPS.contains(&group) {
         field
     } else {
