@@ -140,6 +140,7 @@ pub fn program(start: Start) -> App {
         ))
         .add_plugins((
             input::typing::plugin,
+            input::key_modifiers::plugin,
             input::pointer::plugin,
             input::keyboard::plugin,
             input::gamepad::plugin,

@@ -1,7 +1,7 @@
 //! From pressed keys and buttons to the controls that they are bound to.
 
 use super::gamepad::Pads;
-use super::typing::Typing;
+use super::typing::{MouseOverPanel, Typing};
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{Action, AppCommand, Control, Modifier};
 use crate::app::controls::edits::edited;
@@ -26,7 +26,7 @@ fn apply_pressed_controls(
     mut inputs: MessageReader<KeyboardInput>,
     keys: Res<ButtonInput<KeyCode>>,
     bindings: Res<Bindings>,
-    typing: Res<Typing>,
+    (typing, over_panel): (Res<Typing>, Res<MouseOverPanel>),
     pads: Pads,
     mut editor: SceneEditor,
     mut commands: MessageWriter<AppCommand>,
@@ -46,9 +46,13 @@ fn apply_pressed_controls(
             .into_iter()
             .find(|modifier| held(modifier.keys()) && !modifier.keys().contains(&code))
     };
+    let kept = |code: &KeyCode| over_panel.keeps(*code) && modifier_of(*code).is_none();
+    if listens && presses.iter().any(kept) {
+        editor.say("The mouse is over the panel: click a field to type a number");
+    }
     let by_key = presses
         .into_iter()
-        .filter(|_| listens)
+        .filter(|code| listens && !kept(code))
         .filter_map(|code| bindings.pressed(code, modifier_of(code)))
         .map(|control| (control, bindings.label_of(control)));
     let by_button = bindings

@@ -2,6 +2,7 @@
 
 pub(crate) mod gamepad;
 pub(crate) mod held;
+pub(crate) mod key_modifiers;
 pub(crate) mod keyboard;
 pub(crate) mod pointer;
 pub(crate) mod typing;

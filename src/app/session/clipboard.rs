@@ -2,6 +2,7 @@
 //! serves it, because the program has to hold a copied text until another one replaces it, and a
 //! text to paste comes only when its owner hands it over.
 
+use crate::app::input::key_modifiers::give_keys_their_modifiers;
 use crate::app::input::typing::Typing;
 use crate::app::state::toast::Toast;
 use crate::worker::Worker;
@@ -64,6 +65,7 @@ pub(crate) fn plugin(app: &mut App) {
             PreUpdate,
             serve_text_fields
                 .after(EguiPreUpdateSet::ProcessInput)
+                .after(give_keys_their_modifiers)
                 .before(EguiPreUpdateSet::BeginPass),
         )
         .add_systems(

@@ -2,6 +2,8 @@
 
 use bevy::prelude::Resource;
 
+/// Name of the panel at the right, which is its egui area.
+pub(crate) const PANEL: &str = "panel";
 /// Width of the panel at the right, in points.
 pub(crate) const PANEL_WIDTH: f32 = 420.0;
 /// Width of the ray inspector at the left, in points.

@@ -16,12 +16,12 @@ const STICKS: [[&str; 2]; 2] = [["left stick", "fly"], ["right stick", "look aro
 /// How the headings are arranged in columns: the first arrangement that fits the window is used.
 const COLUMNS: [&[&[Group]]; 3] = [
     &[
-        &[Group::Flight, Group::Light],
-        &[Group::Scene, Group::View],
+        &[Group::Flight],
+        &[Group::Light, Group::Scene, Group::View],
         &[Group::Picture, Group::Window],
     ],
     &[
-        &[Group::Flight, Group::Light, Group::View],
+        &[Group::Light, Group::Flight, Group::View],
         &[Group::Scene, Group::Picture, Group::Window],
     ],
     &[&Group::ALL],
@@ -30,11 +30,11 @@ const COLUMNS: [&[&[Group]]; 3] = [
 const COLUMNS_WITH_GAMEPAD: [&[&[Group]]; 3] = [
     &[
         &[Group::Flight, Group::Picture],
-        &[Group::Scene, Group::Light, Group::View],
+        &[Group::Light, Group::Scene, Group::View],
         &[Group::Window],
     ],
     &[
-        &[Group::Flight, Group::Light, Group::View, Group::Window],
+        &[Group::Light, Group::Flight, Group::View, Group::Window],
         &[Group::Scene, Group::Picture],
     ],
     &[&Group::ALL],
@@ -180,7 +180,7 @@ fn table(ui: &mut egui::Ui, title: &str, rows: Vec<[String; 2]>) {
     egui::Grid::new(title)
         .num_columns(2)
         .min_col_width(KEYS_WIDTH)
-        .spacing([10.0, 3.0])
+        .spacing([10.0, 2.0])
         .show(ui, |ui| {
             for [keys, does] in rows {
                 ui.label(egui::RichText::new(keys).monospace().strong());
@@ -188,5 +188,5 @@ fn table(ui: &mut egui::Ui, title: &str, rows: Vec<[String; 2]>) {
                 ui.end_row();
             }
         });
-    ui.add_space(12.0);
+    ui.add_space(9.0);
 }

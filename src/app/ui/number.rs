@@ -1,8 +1,11 @@
 //! Numbers as the user interface shows them.
 
-/// A number with four decimals at most, or with all of its digits where four decimals would hide
-/// it. For values that are set.
+use lightfall_core::reports::numbers::four_digits;
+
+/// A number with four decimals at most, or with its first eight digits where four decimals would
+/// hide it. For values that are set.
 pub(crate) fn four_decimals(number: f64) -> String {
+    let number = eight_digits(number);
     let size = number.abs();
     if number == 0.0 {
         "0".into()
@@ -15,15 +18,31 @@ pub(crate) fn four_decimals(number: f64) -> String {
     }
 }
 
-/// A number with six digits at most. For values that are computed.
-pub(crate) fn six_digits(number: f64) -> String {
-    let size = number.abs();
-    if number == 0.0 || (1e-3..1e6).contains(&size) {
-        let whole = size.max(1.0).log10().floor() as usize;
-        trimmed(format!("{number:.*}", 5_usize.saturating_sub(whole)))
-    } else {
-        format!("{number:.5e}")
+/// A number rounded to eight significant digits.
+pub(crate) fn eight_digits(number: f64) -> f64 {
+    format!("{number:.7e}").parse().unwrap_or(number)
+}
+
+/// Words for the size of a number.
+const SIZES: [(f64, &str); 3] = [(1e12, "trillion"), (1e9, "billion"), (1e6, "million")];
+
+/// A number with four digits at most and a word for its size, such as `25.4 million`. For values
+/// that are computed.
+pub(crate) fn in_words(number: f64) -> String {
+    let size = SIZES.into_iter().find(|(size, _)| number.abs() >= *size);
+    match size {
+        Some((size, word)) => format!("{} {word}", four_digits(number / size)),
+        None => four_digits(number),
     }
+}
+
+/// The number that [`in_words`] writes, or `None` for another text.
+pub(crate) fn from_words(text: &str) -> Option<f64> {
+    let mut words = text.split_whitespace();
+    let number: f64 = words.next()?.parse().ok()?;
+    let word = words.next().unwrap_or_default();
+    let size = SIZES.into_iter().find(|(_, name)| *name == word);
+    Some(number * size.map_or(1.0, |(size, _)| size))
 }
 
 /// Decimal digits without the zeros at their end.

@@ -2,11 +2,11 @@
 
 use super::place::Placement;
 use super::style::{Style, label, meaning};
+use crate::app::ui::number::in_words;
 use bevy_egui::egui::{self, Color32, RichText, Shape, Stroke, pos2, vec2};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, bar_across_hole};
 use lightfall_core::optics::readout::si::HoleMass;
-use lightfall_core::reports::numbers::four_digits;
 use lightfall_core::scene::Scene;
 
 /// Name of the key's area.
@@ -169,14 +169,4 @@ fn round_length(longest: f64) -> Option<f64> {
         .unwrap_or(1.0);
     // Read from decimal digits, so that it is written with no more of them.
     format!("{digit}e{power}").parse().ok()
-}
-
-/// A large number with a word for its size, such as `25.4 million`.
-fn in_words(number: f64) -> String {
-    for (unit, word) in [(1e12, "trillion"), (1e9, "billion"), (1e6, "million")] {
-        if number >= unit {
-            return format!("{} {word}", four_digits(number / unit));
-        }
-    }
-    four_digits(number)
 }

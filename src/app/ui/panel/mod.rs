@@ -20,7 +20,7 @@ use super::dock::docked;
 use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::controls::control::AppCommand;
 use crate::app::motion::free_fall::FreeFall;
-use crate::app::state::overlays::{Overlays, PANEL_WIDTH, Side};
+use crate::app::state::overlays::{Overlays, PANEL, PANEL_WIDTH, Side};
 use crate::app::state::preferences::Preferences;
 use crate::app::state::rebinding::Rebinding;
 use crate::app::state::scene_editor::SceneEditor;
@@ -30,7 +30,6 @@ use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use machine_page::{Machine, MachinePage};
 use presets_page::PresetsPage;
 use readouts_page::ReadoutsPage;
-use scene_page::ScenePage;
 use step_count::StepCounter;
 
 /// The pages.
@@ -58,7 +57,6 @@ const PAGES: [(Page, &str); 6] = [
 #[derive(Resource, Default)]
 struct Panel {
     page: Page,
-    scene: ScenePage,
     presets: PresetsPage,
     readouts: ReadoutsPage,
     machine: MachinePage,
@@ -110,12 +108,11 @@ fn show_panel(
     let context = contexts.ctx_mut()?;
     let Panel {
         page,
-        scene,
         presets,
         readouts,
         machine: machine_page,
     } = &mut *panel;
-    docked(context, "panel", Side::Right, PANEL_WIDTH, |ui| {
+    docked(context, PANEL, Side::Right, PANEL_WIDTH, |ui| {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
             for (each, title) in PAGES {
@@ -135,7 +132,7 @@ fn show_panel(
             .show(ui, |ui| match page {
                 Page::Scene => {
                     let size = window.physical_size();
-                    scene.show(ui, &mut editor, &steps, &bindings, size);
+                    scene_page::show(ui, &mut editor, &steps, &bindings, size);
                 }
                 Page::Presets => presets.show(ui, &mut editor),
                 Page::Readouts => {

@@ -1,7 +1,7 @@
 //! A text field for a number. At rest it shows the number rounded and with its unit; while it is
-//! edited it shows every digit.
+//! edited it shows every digit that was typed.
 
-use crate::app::ui::number::four_decimals;
+use crate::app::ui::number::{eight_digits, four_decimals};
 use bevy_egui::egui;
 
 /// A number that was typed, or what is wrong with the text.
@@ -53,9 +53,19 @@ fn select_all(ui: &egui::Ui, id: egui::Id, length: usize) {
     state.store(ui.ctx(), id);
 }
 
-/// A number with every digit that it was typed with. The rounding of the last of its sixteen digits
-/// is left out.
+/// The most digits of a number that counts as typed. One with more is computed.
+const TYPED_DIGITS: usize = 12;
+
+/// A number with every digit that it was typed with, or a computed one with eight digits. The
+/// rounding of the last of its sixteen digits is left out.
 fn all_digits(value: f64) -> String {
+    let mantissa = format!("{value:e}");
+    let digits = mantissa.split('e').next().unwrap_or_default();
+    let count = digits.chars().filter(char::is_ascii_digit).count();
+    let rounded = format!("{value:.11e}").parse().unwrap_or(value);
+    if count > TYPED_DIGITS && (rounded - value).abs() > 4.0 * f64::EPSILON * value.abs() {
+        return format!("{}", eight_digits(value));
+    }
     let short = format!("{value:.12}");
     let short = short.trim_end_matches('0').trim_end_matches('.');
     match short.parse::<f64>() {

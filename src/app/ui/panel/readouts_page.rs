@@ -4,7 +4,8 @@
 use crate::app::controls::bindings::Bindings;
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::state::settings::{HOLE_MASSES, Settings};
-use crate::app::ui::number::six_digits;
+use crate::app::ui::help::RADIUS_UNIT;
+use crate::app::ui::number::{from_words, in_words};
 use bevy_egui::egui;
 use lightfall_core::optics::readout::Readout;
 use lightfall_core::optics::readout::si::{HoleMass, MASSES};
@@ -13,6 +14,10 @@ use std::time::{Duration, Instant};
 
 /// Time between two read-outs of a moving observer, long enough to read them.
 const MIN_AGE: Duration = Duration::from_millis(150);
+
+/// Widths of the names and of the values, in points.
+const NAME_WIDTH: f32 = 164.0;
+const VALUE_WIDTH: f32 = 212.0;
 
 /// What the page remembers.
 #[derive(Default)]
@@ -65,14 +70,14 @@ fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMa
     let si = readout.in_si(mass);
     let none = || "not defined here".to_owned();
     let speed =
-        |speed: Option<f64>| speed.map_or_else(none, |speed| format!("{} c", six_digits(speed)));
+        |speed: Option<f64>| speed.map_or_else(none, |speed| format!("{} c", in_words(speed)));
     let [theta, phi] = readout.angles_deg;
     table(
         ui,
         "Place",
         &[
-            ("Distance", format!("{} r_s", six_digits(readout.r))),
-            ("", format!("{} km", six_digits(si.r_km))),
+            ("Distance", format!("{} r_s", in_words(readout.r))),
+            ("", format!("{} km", in_words(si.r_km))),
             ("Above the disk", format!("{:.3}°", 90.0 - theta)),
             ("Around the hole", format!("{phi:.3}°")),
         ],
@@ -83,28 +88,22 @@ fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMa
         "Observer",
         &[
             ("Motion", kind.into()),
+            ("Speed past a hovering one", speed(readout.speed_for_static)),
             (
-                "Speed past a hovering observer",
-                speed(readout.speed_for_static),
-            ),
-            (
-                "Speed past one without angular momentum",
+                "Speed past one of zero angular momentum",
                 speed(readout.speed_for_zamo),
             ),
             (
-                "Own time per far time",
-                readout.time_dilation.map_or_else(none, six_digits),
+                "Your clock, per far-away second",
+                readout.time_dilation.map_or_else(none, in_words),
             ),
             (
                 "Acceleration felt",
-                format!("{} c²/r_s", six_digits(readout.acceleration)),
+                format!("{} c²/r_s", in_words(readout.acceleration)),
             ),
-            ("", format!("{} g", six_digits(si.acceleration_g))),
-            ("Tide", format!("{} c²/r_s²", six_digits(readout.tide))),
-            (
-                "",
-                format!("{} g per metre", six_digits(si.tide_g_per_metre)),
-            ),
+            ("", format!("{} g", in_words(si.acceleration_g))),
+            ("Tide", format!("{} c²/r_s²", in_words(readout.tide))),
+            ("", format!("{} g per metre", in_words(si.tide_g_per_metre))),
         ],
     );
     let ahead = readout.ahead.map(|light| {
@@ -117,14 +116,17 @@ fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMa
                     "the sky".into()
                 },
             ),
-            ("Shift g", six_digits(light.shift)),
+            ("Shift g", in_words(light.shift)),
             (
                 "Part of gravity",
-                light.gravitational_shift.map_or_else(none, six_digits),
+                light.gravitational_shift.map_or_else(none, in_words),
             ),
         ]
     });
-    let dark = [("Comes from", "nowhere: the hole".to_owned())];
+    let dark = [(
+        "Comes from",
+        "none: the shadow lies straight ahead".to_owned(),
+    )];
     table(
         ui,
         "Light from straight ahead",
@@ -138,8 +140,8 @@ fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMa
                 "Radius of the shadow",
                 format!("{:.4}°", readout.shadow_radius.to_degrees()),
             ),
-            ("r_s", format!("{} km", six_digits(mass.metres() / 1000.0))),
-            ("r_s / c", format!("{} s", six_digits(mass.seconds()))),
+            ("r_s", format!("{} km", in_words(mass.metres() / 1000.0))),
+            ("r_s / c", format!("{} s", in_words(mass.seconds()))),
         ],
     );
 }
@@ -155,8 +157,8 @@ fn clocks(ui: &mut egui::Ui, free_fall: &FreeFall, bindings: &Bindings, mass: Ho
     let both = |time: f64| {
         format!(
             "{} r_s/c = {} s",
-            six_digits(time),
-            six_digits(time * mass.seconds())
+            in_words(time),
+            in_words(time * mass.seconds())
         )
     };
     let far = match worldline.coordinate_time() {
@@ -174,16 +176,27 @@ fn table(ui: &mut egui::Ui, title: &str, rows: &[(&str, String)]) {
     ui.strong(title);
     egui::Grid::new(title)
         .num_columns(2)
-        .min_col_width(130.0)
         .spacing([10.0, 3.0])
         .show(ui, |ui| {
             for (name, value) in rows {
-                ui.label(*name);
-                ui.monospace(value);
+                let label = cell(ui, NAME_WIDTH, egui::RichText::new(*name));
+                if *name == "r_s" {
+                    label.on_hover_text(RADIUS_UNIT);
+                }
+                cell(ui, VALUE_WIDTH, egui::RichText::new(value).monospace());
                 ui.end_row();
             }
         });
     ui.add_space(8.0);
+}
+
+/// A text of a table, in as many lines as it needs.
+fn cell(ui: &mut egui::Ui, width: f32, text: egui::RichText) -> egui::Response {
+    ui.vertical(|ui| {
+        ui.set_width(width);
+        ui.add(egui::Label::new(text).wrap())
+    })
+    .inner
 }
 
 fn choose_mass(ui: &mut egui::Ui, settings: &mut Settings) -> HoleMass {
@@ -198,7 +211,8 @@ fn choose_mass(ui: &mut egui::Ui, settings: &mut Settings) -> HoleMass {
             .range(HOLE_MASSES[0]..=HOLE_MASSES[1])
             .speed(speed)
             .suffix(" suns");
-        ui.add(own.custom_formatter(|suns, _| six_digits(suns)));
+        let own = own.custom_formatter(|suns, _| in_words(suns));
+        ui.add(own.custom_parser(from_words));
     });
     HoleMass {
         name: "chosen",

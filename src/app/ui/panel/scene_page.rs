@@ -22,136 +22,118 @@ const IDLE_OPACITY: f32 = 0.45;
 /// The fields below which the number of steps is shown.
 const FIELDS_WITH_STEPS: [&str; 2] = ["method", "quality.max_error_px"];
 
-/// What the page remembers.
-#[derive(Default)]
-pub(super) struct ScenePage {
-    /// The field whose last change was refused, and why.
-    refused: Option<(&'static str, String)>,
-}
-
 /// The field below which the number of cells or pixels in the window is shown.
 const FIELD_WITH_CELLS: &str = "picture.grid_height";
 
 /// A change that a row asks for: the field, and its new value or what is wrong with it.
 type Change = (&'static str, Result<Value, String>);
 
-impl ScenePage {
-    pub(super) fn show(
-        &mut self,
-        ui: &mut egui::Ui,
-        editor: &mut SceneEditor,
-        steps: &StepCounter,
-        bindings: &Bindings,
-        window: UVec2,
-    ) {
-        self.show_head(ui, editor, bindings);
-        let scene = editor.scene();
-        let loaded = editor.loaded().clone();
-        let mut change = None;
-        for section in SECTIONS {
-            let heading = egui::RichText::new(section.title).strong().size(15.0);
-            egui::CollapsingHeader::new(heading)
-                .id_salt(section.title)
-                .default_open(section.open)
-                .show_unindented(ui, |ui| {
-                    for text in section.rows {
-                        let Some(field) = field(text.key) else {
-                            continue;
-                        };
-                        let asked = show_row(ui, text.label, field, text.shown, &scene, &loaded);
-                        change = asked.or(change.take());
-                        self.show_notes(ui, field, steps);
-                        if field.key == FIELD_WITH_CELLS {
-                            let drawn = &editor.drawn_scene().picture;
-                            ui.weak(drawn_in_words(drawn, window, bindings));
-                        }
+pub(super) fn show(
+    ui: &mut egui::Ui,
+    editor: &mut SceneEditor,
+    steps: &StepCounter,
+    bindings: &Bindings,
+    window: UVec2,
+) {
+    show_head(ui, editor, bindings);
+    let scene = editor.scene();
+    let loaded = editor.loaded().clone();
+    let mut change = None;
+    for section in SECTIONS {
+        let heading = egui::RichText::new(section.title).strong().size(15.0);
+        egui::CollapsingHeader::new(heading)
+            .id_salt(section.title)
+            .default_open(section.open)
+            .show_unindented(ui, |ui| {
+                for text in section.rows {
+                    let Some(field) = field(text.key) else {
+                        continue;
+                    };
+                    let asked = show_row(ui, text.label, field, text.shown, &scene, &loaded);
+                    change = asked.or(change.take());
+                    show_notes(ui, field, steps);
+                    if field.key == FIELD_WITH_CELLS {
+                        let drawn = &editor.drawn_scene().picture;
+                        ui.weak(drawn_in_words(drawn, window, bindings));
                     }
-                    ui.add_space(6.0);
-                });
-        }
-        change = self.show_other_fields(ui, &scene, &loaded).or(change);
-        if let Some((key, value)) = change {
-            let changed = value.and_then(|value| {
-                // An exposure that is set by hand stays as it is.
-                let by_hand = (key == "picture.exposure_ev")
-                    .then_some(("picture.automatic_exposure", Value::Boolean(false)));
-                scene
-                    .with([(key, value)].into_iter().chain(by_hand))
-                    .map_err(|refusal| refusal.to_string())
-                    .and_then(|changed| editor.try_change(changed))
+                }
+                ui.add_space(6.0);
             });
-            self.refused = changed.err().map(|reason| (key, reason));
-        }
     }
-
-    /// The buttons above the rows.
-    fn show_head(&mut self, ui: &mut egui::Ui, editor: &mut SceneEditor, bindings: &Bindings) {
-        ui.horizontal(|ui| {
-            let preset = editor.loaded().name.clone();
-            if ui
-                .button("Back to the preset")
-                .on_hover_text(format!("Every field as {preset} has it"))
-                .clicked()
-            {
-                editor.reset();
-                self.refused = None;
-            }
-            let undo = bindings.label("scene.undo");
-            if ui
-                .button("Undo")
-                .on_hover_text(format!("Takes the last change back, as {undo} does"))
-                .clicked()
-            {
-                editor.undo();
-                self.refused = None;
-            }
+    change = show_other_fields(ui, &scene, &loaded).or(change);
+    if let Some((key, value)) = change {
+        let changed = value.and_then(|value| {
+            // An exposure that is set by hand stays as it is.
+            let by_hand = (key == "picture.exposure_ev")
+                .then_some(("picture.automatic_exposure", Value::Boolean(false)));
+            scene
+                .with([(key, value)].into_iter().chain(by_hand))
+                .map_err(|refusal| refusal.to_string())
+                .and_then(|changed| editor.try_change(changed))
         });
-        ui.label(
-            egui::RichText::new("Point at a name to see what it means.")
-                .size(12.5)
-                .color(WEAK_TEXT),
-        );
-        ui.add_space(2.0);
+        if let Err(reason) = changed {
+            editor.say(reason);
+        }
     }
+}
 
-    /// What is said below a row: why its last change was refused, and how much work it means.
-    fn show_notes(&self, ui: &mut egui::Ui, field: &Field, steps: &StepCounter) {
-        if let Some((_, reason)) = self.refused.as_ref().filter(|(key, _)| *key == field.key) {
-            ui.colored_label(ui.visuals().error_fg_color, reason);
+/// The buttons above the rows.
+fn show_head(ui: &mut egui::Ui, editor: &mut SceneEditor, bindings: &Bindings) {
+    ui.horizontal(|ui| {
+        let preset = editor.loaded().name.clone();
+        if ui
+            .button("Back to the preset")
+            .on_hover_text(format!("Every field as {preset} has it"))
+            .clicked()
+        {
+            editor.reset();
         }
-        if FIELDS_WITH_STEPS.contains(&field.key) {
-            ui.weak(steps.in_words())
-                .on_hover_text("The work that method and largest error mean for this picture");
+        let undo = bindings.label("scene.undo");
+        if ui
+            .button("Undo")
+            .on_hover_text(format!("Takes the last change back, as {undo} does"))
+            .clicked()
+        {
+            editor.undo();
         }
-    }
+    });
+    ui.label(
+        egui::RichText::new("Point at a name to see what it means.")
+            .size(12.5)
+            .color(WEAK_TEXT),
+    );
+    ui.add_space(2.0);
+}
 
-    /// The fields that no section has, if there are any.
-    fn show_other_fields(
-        &self,
-        ui: &mut egui::Ui,
-        scene: &Scene,
-        loaded: &Scene,
-    ) -> Option<Change> {
-        let listed = |key| {
-            let mut rows = SECTIONS.iter().flat_map(|section| section.rows);
-            rows.any(|row: &RowText| row.key == key)
-        };
-        let others: Vec<_> = FIELDS
-            .iter()
-            .filter(|field| !listed(field.key) && !has_one_value(field.kind.range()))
-            .collect();
-        if others.is_empty() {
-            return None;
-        }
-        let mut change = None;
-        ui.collapsing("More", |ui| {
-            for field in others {
-                let asked = show_row(ui, field.key, field, Shown::Plain, scene, loaded);
-                change = asked.or(change.take());
-            }
-        });
-        change
+/// What is said below a row: how much work it means.
+fn show_notes(ui: &mut egui::Ui, field: &Field, steps: &StepCounter) {
+    if FIELDS_WITH_STEPS.contains(&field.key) {
+        ui.weak(steps.in_words())
+            .on_hover_text("The work that method and largest error mean for this picture");
     }
+}
+
+/// The fields that no section has, if there are any.
+fn show_other_fields(ui: &mut egui::Ui, scene: &Scene, loaded: &Scene) -> Option<Change> {
+    let listed = |key| {
+        let mut rows = SECTIONS.iter().flat_map(|section| section.rows);
+        rows.any(|row: &RowText| row.key == key)
+    };
+    let others: Vec<_> = FIELDS
+        .iter()
+        .filter(|field| !listed(field.key) && !has_one_value(field.kind.range()))
+        .collect();
+    if others.is_empty() {
+        return None;
+    }
+    let mut change = None;
+    ui.collapsing("More", |ui| {
+        for field in others {
+            let asked = show_row(ui, field.key, field, Shown::Plain, scene, loaded);
+            change = asked.or(change.take());
+        }
+    });
+    change
 }
 
 /// Whether a range leaves no choice.
