@@ -1,5 +1,6 @@
 //! Nobody is left with an unexplained black screen: from every preset the keys that a newcomer
-//! holds, and a fall to its end. In each screenshot the hole, an arrow or a sentence is visible.
+//! holds, and a fall to its end. In each screenshot the hole, an arrow or a sentence is visible, and
+//! a fall announces the horizon.
 //!
 //! The screenshots are judged by their pixels: once as light, with the user interface over it, and
 //! once as the view of ray classes, in which dark rays have a colour of their own. The texts come
@@ -35,11 +36,16 @@ const MAX_FALL_FRAMES: u32 = 800;
 const SETTLING_FRAMES: u32 = 8;
 
 /// What a leg of the script holds, and for how many seconds.
-const LEGS: [(&str, Option<(KeyCode, f64)>); 5] = [
-    ("W", Some((KeyCode::KeyW, 10.0))),
-    ("S", Some((KeyCode::KeyS, 10.0))),
-    ("D", Some((KeyCode::KeyD, 8.0))),
-    ("Space", Some((KeyCode::Space, 8.0))),
+const LEGS: [(&str, Option<(&[KeyCode], f64)>); 6] = [
+    ("W", Some((&[KeyCode::KeyW], 10.0))),
+    // So fast that nothing but the hole is left in view.
+    (
+        "Shift-W",
+        Some((&[KeyCode::ShiftLeft, KeyCode::KeyW], 10.0)),
+    ),
+    ("S", Some((&[KeyCode::KeyS], 10.0))),
+    ("D", Some((&[KeyCode::KeyD], 8.0))),
+    ("Space", Some((&[KeyCode::Space], 8.0))),
     ("fall", None),
 ];
 
@@ -54,6 +60,8 @@ struct Script {
     frames: u32,
     texts: Vec<(String, egui::Rect)>,
     light: Option<Shown>,
+    /// Whether the crossing of the horizon was announced since the last fall began.
+    crossed: bool,
     folder: Option<PathBuf>,
 }
 
@@ -128,6 +136,7 @@ fn fly_script(
             None => Phase::LetGo,
         }),
         Phase::LetGo => {
+            script.crossed = false;
             keyboard.press(KeyCode::KeyF);
             // Four times as fast.
             keyboard.press(KeyCode::Period);
@@ -135,13 +144,14 @@ fn fly_script(
             Some(Phase::Move)
         }
         Phase::Move => match held {
-            Some((key, seconds)) => {
-                if script.frames == 1 {
-                    keyboard.write(key, ButtonState::Pressed);
-                }
+            Some((keys, seconds)) => {
                 let over = f64::from(script.frames) * STEP > seconds;
-                if over {
-                    keyboard.write(key, ButtonState::Released);
+                for key in keys {
+                    if script.frames == 1 {
+                        keyboard.write(*key, ButtonState::Pressed);
+                    } else if over {
+                        keyboard.write(*key, ButtonState::Released);
+                    }
                 }
                 over.then_some(Phase::ShowLight)
             }
@@ -206,7 +216,8 @@ impl Script {
             self.light = Some(shown);
             return;
         };
-        let verdict = judge(&light, &shown.picture);
+        let mut verdict = judge(&light, &shown.picture);
+        verdict.found &= name != "fall" || self.crossed;
         eprintln!("script: preset {preset} {name}: {verdict}");
     }
 }
@@ -221,7 +232,7 @@ struct Verdict {
     sentence: Option<String>,
     /// The label of an arrow or a ring, where the pixels show it.
     mark: Option<String>,
-    /// Whether a player can tell where the hole is.
+    /// Whether a player can tell where the hole is, and was told of crossing the horizon.
     found: bool,
 }
 
@@ -260,11 +271,7 @@ fn judge(light: &Shown, classes: &image::RgbaImage) -> Verdict {
             })
             .map(|(text, _)| text.clone())
     };
-    let sentence = find(&[
-        "The hole fills the view",
-        "You have crossed the horizon",
-        "The fall ends here",
-    ]);
+    let sentence = find(&["The hole fills the view", "The fall ends here"]);
     let mark = find(&["hole", "sky"]);
     // A hole that covers a thousandth of the picture is 50 pixels across. One that leaves less than
     // three hundredths of it has no shape.
@@ -321,6 +328,9 @@ fn read_texts(mut script: ResMut<Script>, outputs: Query<&EguiFullOutput>) {
             collect(&clipped.shape, &mut script.texts);
         }
     }
+    let announced = |(text, _): &(String, _)| text == "You have crossed the horizon";
+    let crossed = script.texts.iter().any(announced);
+    script.crossed |= crossed;
 }
 
 /// The program that flies the script by itself. This is no test: the test below starts it as another
@@ -340,6 +350,7 @@ fn started_program_that_flies_the_script() {
         frames: 0,
         texts: Vec::new(),
         light: None,
+        crossed: false,
         folder: std::env::var_os(FOLDER_VARIABLE).map(PathBuf::from),
     })
     .add_systems(First, fly_script)
