@@ -157,6 +157,11 @@ fn fly_script(
             }
             None => {
                 let over = script.frames > 2 && !free_fall.is_moving();
+                if over {
+                    // The next fall begins at the usual pace.
+                    keyboard.press(KeyCode::Comma);
+                    keyboard.press(KeyCode::Comma);
+                }
                 (over || script.frames > MAX_FALL_FRAMES).then_some(Phase::ShowLight)
             }
         },
