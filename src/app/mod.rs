@@ -100,9 +100,6 @@ pub fn program(start: Start) -> App {
         keeps_own_look,
     } = start;
     let mut player = JourneyPlayer::new(journey);
-    if plays_journey {
-        player.restart();
-    }
     // A journey that begins at once shows a title of its own.
     let title = if plays_journey {
         Title::default()
@@ -114,6 +111,10 @@ pub fn program(start: Start) -> App {
         scene = in_look(scene, preferences.settings.pixel_look);
     }
     let scene = scene.exposed();
+    if plays_journey {
+        player.rewind(scene.scene());
+        player.restart();
+    }
     // The adapter has to be chosen before the renderer opens a device.
     let adapter = AdapterChoice::apply(&mut preferences);
     let mut app = App::new();

@@ -70,6 +70,21 @@ fn loading_a_preset_is_undone_together_with_what_counts_as_loaded() {
 }
 
 #[test]
+fn undoing_a_flight_that_began_in_another_scene_restores_the_whole_former_scene() {
+    let before = presets::PRESETS[4].scene(&[]).unwrap();
+    let start = presets::PRESETS[1].scene(&[]).unwrap();
+    let mut history = History::new(before.clone());
+    history.note_departure_elsewhere(&before, &start, seconds(1));
+    assert_eq!(*history.loaded(), start);
+    // The flight has moved what both scenes have in common, too.
+    let mut flown = start.clone();
+    (flown.camera.yaw_deg, flown.camera.roll_deg) = (40.0, 3.0);
+    assert_eq!(history.undo(&flown).unwrap().unwrap().into_scene(), before);
+    assert_eq!(*history.loaded(), before);
+    assert!(history.undo(&before).is_none(), "it is one change");
+}
+
+#[test]
 fn dragging_a_slider_is_one_change() {
     let start = Scene::default();
     let mut history = History::new(start.clone());

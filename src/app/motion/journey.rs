@@ -8,7 +8,7 @@ use crate::app::state::end_card::EndCard;
 use crate::app::state::history::History;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
-use crate::app::state::title::Title;
+use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::toast::Toast;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
@@ -25,14 +25,10 @@ pub(crate) fn plugin(app: &mut App) {
 fn apply_journey_commands(
     mut commands: MessageReader<AppCommand>,
     mut player: ResMut<JourneyPlayer>,
-    scene: Res<CurrentScene>,
-    time: Res<Time<Real>>,
-    mut history: ResMut<History>,
+    mut editor: SceneEditor,
     bindings: Res<Bindings>,
-    mut toast: ResMut<Toast>,
     mut end_card: ResMut<EndCard>,
     mut paused: ResMut<Paused>,
-    mut title: ResMut<Title>,
 ) {
     for command in commands.read() {
         match command {
@@ -40,9 +36,9 @@ fn apply_journey_commands(
                 if player.is_playing() {
                     let back = *command == AppCommand::JourneyBack;
                     player.skip(if back { -SKIP } else { SKIP });
-                    toast.say(format!("Journey: {}", player.progress()));
+                    editor.say(format!("Journey: {}", player.progress()));
                 } else {
-                    toast.say(format!(
+                    editor.say(format!(
                         "No journey is under way: {} starts it",
                         bindings.label("journey.fly")
                     ));
@@ -51,36 +47,46 @@ fn apply_journey_commands(
             }
             AppCommand::Journey if player.is_playing() => {
                 player.stop();
-                toast.say(format!(
+                editor.say(format!(
                     "The journey stops at {}: {}",
                     player.progress(),
-                    how_to_go_on(&bindings)
+                    how_to_go_on(&bindings, false)
                 ));
                 end_card.close();
                 continue;
             }
-            AppCommand::Journey => player.start(&scene),
-            AppCommand::RestartJourney => player.restart(),
+            AppCommand::Journey | AppCommand::RestartJourney => {}
             _ => continue,
         }
-        history.note_departure(&scene, time.elapsed());
+        let restarts = *command == AppCommand::RestartJourney;
+        if restarts || player.begins_anew(editor.loaded()) {
+            editor.depart(player.stage());
+            player.rewind(editor.loaded());
+        } else {
+            editor.depart(None);
+        }
+        if restarts {
+            player.restart();
+        } else {
+            player.start(editor.drawn_scene());
+        }
         paused.0 = false;
-        // The journey shows its own.
-        title.close();
-        toast.clear();
         end_card.close();
         // A journey that cannot be flown to its end is flown as far as possible.
-        if let Err(fault) = player.check(&scene) {
-            toast.say(format!(
+        if let Err(fault) = player.check(editor.drawn_scene()) {
+            editor.say(format!(
                 "This journey cannot be flown to its end here: {fault}"
             ));
         }
     }
 }
 
-/// Which keys go on with a journey that was left.
-fn how_to_go_on(bindings: &Bindings) -> String {
+/// Which keys go on with a journey that was left, or begin it `anew` where it cannot go on.
+fn how_to_go_on(bindings: &Bindings, anew: bool) -> String {
     let [on, again] = ["journey.fly", "journey.again"].map(|id| bindings.label(id));
+    if anew {
+        return format!("{on} begins again");
+    }
     format!("{on} goes on, {again} begins again")
 }
 
@@ -89,6 +95,7 @@ fn advance_journey(
     mut player: ResMut<JourneyPlayer>,
     mut scene: ResMut<CurrentScene>,
     preferences: Res<Preferences>,
+    history: Res<History>,
     bindings: Res<Bindings>,
     paused: Res<Paused>,
     mut toast: ResMut<Toast>,
@@ -104,7 +111,7 @@ fn advance_journey(
         FlightStep::Idle => toast.say(format!(
             "You are flying now. The journey waits at {}: {}",
             player.progress(),
-            how_to_go_on(&bindings)
+            how_to_go_on(&bindings, player.begins_anew(history.loaded()))
         )),
         FlightStep::Moved(next) => {
             // A paused journey rests, and a picture at rest is kept.

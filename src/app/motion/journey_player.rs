@@ -7,6 +7,7 @@ use crate::app::state::last_pose::LastPose;
 use bevy::prelude::Resource;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::journey::{Journey, Unflyable, between};
+use lightfall_core::scene::presets::Preset;
 use lightfall_core::scene::{Camera, Scene};
 
 /// Seconds in which the camera comes from where it is to where the journey is.
@@ -21,6 +22,8 @@ pub struct JourneyPlayer {
     /// Seconds along the journey.
     time: f64,
     flight: Option<Flight>,
+    /// The loaded scene in which the journey began. None before it has.
+    home: Option<Scene>,
 }
 
 /// A journey under way.
@@ -41,7 +44,27 @@ impl JourneyPlayer {
             journey,
             time: 0.0,
             flight: None,
+            home: None,
         }
+    }
+
+    /// The scene of the preset that the journey names, if it names one.
+    #[must_use]
+    pub fn stage(&self) -> Option<&'static Scene> {
+        self.journey.preset.map(Preset::plain_scene)
+    }
+
+    /// Whether a start begins at the beginning: the journey has not begun, is over, or began in
+    /// another scene than the one that is `loaded` now.
+    #[must_use]
+    pub fn begins_anew(&self, loaded: &Scene) -> bool {
+        self.home.as_ref() != Some(loaded) || self.time >= self.journey.duration
+    }
+
+    /// Returns to the beginning, in the scene that was `loaded`.
+    pub fn rewind(&mut self, loaded: &Scene) {
+        self.time = 0.0;
+        self.home = Some(loaded.clone());
     }
 
     /// Whether the journey is being flown.

@@ -21,19 +21,26 @@ pub struct History {
     past: VecDeque<Change>,
 }
 
-/// One change: the scene before and after it. Undoing it restores only the fields that differ, so
-/// that what was flown since is kept.
+/// One change.
 #[derive(Clone, Debug)]
 struct Change {
     before: Scene,
-    /// None for a departure, whose end is not known yet. Undoing it restores where the camera was
-    /// and how it moved.
-    after: Option<Scene>,
-    /// Whether it is a departure by hand.
-    by_hand: bool,
+    kind: ChangeKind,
     /// The loaded scene before the change.
     loaded: Scene,
     at: Duration,
+}
+
+/// What a change was, and with it what undoing it restores.
+#[derive(Clone, Debug)]
+enum ChangeKind {
+    /// Fields were set; the scene after it. Only the fields that differ are restored, so that what
+    /// was flown since is kept.
+    Edit(Box<Scene>),
+    /// A flight, whose end is not known yet. Where the camera was and how it moved is restored.
+    Departure { by_hand: bool },
+    /// A flight that began in another scene. The whole scene is restored.
+    DepartureElsewhere,
 }
 
 /// Whether two scenes are the same, apart from an exposure that the light meter has chosen.
@@ -75,37 +82,47 @@ impl History {
         if let Some(last) = self.past.back_mut()
             && at.saturating_sub(last.at) < MERGE_TIME
             && last.loaded == self.loaded
-            && let Some(middle) = &last.after
+            && let ChangeKind::Edit(middle) = &last.kind
             && same_but_metered(middle, before)
             && keys(&last.before, middle) == keys(before, after)
         {
-            (last.after, last.at) = (Some(after.clone()), at);
+            (last.kind, last.at) = (ChangeKind::Edit(Box::new(after.clone())), at);
             return;
         }
-        self.push(before, Some(after.clone()), false, at);
+        self.push(before, ChangeKind::Edit(Box::new(after.clone())), at);
     }
 
     /// Notes that a flight is about to lead the camera away.
     pub fn note_departure(&mut self, before: &Scene, at: Duration) {
-        self.push(before, None, false, at);
+        self.push(before, ChangeKind::Departure { by_hand: false }, at);
+    }
+
+    /// Notes that a flight is about to begin in the scene `start`, which is loaded in place of
+    /// `before`.
+    pub fn note_departure_elsewhere(&mut self, before: &Scene, start: &Scene, at: Duration) {
+        self.push(before, ChangeKind::DepartureElsewhere, at);
+        self.loaded = start.clone();
     }
 
     /// Notes that the hand is about to lead the camera away. All flying by hand since the last
     /// other change is one departure.
     pub fn note_departure_by_hand(&mut self, before: &Scene, at: Duration) {
-        if self.past.back().is_none_or(|last| !last.by_hand) {
-            self.push(before, None, true, at);
+        let goes_on = self
+            .past
+            .back()
+            .is_some_and(|last| matches!(last.kind, ChangeKind::Departure { by_hand: true }));
+        if !goes_on {
+            self.push(before, ChangeKind::Departure { by_hand: true }, at);
         }
     }
 
-    fn push(&mut self, before: &Scene, after: Option<Scene>, by_hand: bool, at: Duration) {
+    fn push(&mut self, before: &Scene, kind: ChangeKind, at: Duration) {
         if self.past.len() == MAX_CHANGES {
             self.past.pop_front();
         }
         self.past.push_back(Change {
             before: before.clone(),
-            after,
-            by_hand,
+            kind,
             loaded: self.loaded.clone(),
             at,
         });
@@ -126,15 +143,16 @@ impl History {
     pub fn undo(&mut self, now: &Scene) -> Option<Result<Drawable, String>> {
         let Change {
             before,
-            after,
+            kind,
             loaded,
             ..
         } = self.past.pop_back()?;
-        let undone = match &after {
-            Some(after) => now
+        let undone = match &kind {
+            ChangeKind::Edit(after) => now
                 .with(before.differences(after))
                 .map_err(|refusal| refusal.to_string()),
-            None => Ok(Scene {
+            ChangeKind::DepartureElsewhere => Ok(before.clone()),
+            ChangeKind::Departure { .. } => Ok(Scene {
                 camera: before.camera,
                 observer: before.observer,
                 ..now.clone()

@@ -97,6 +97,26 @@ impl SceneEditor<'_> {
         self.report(asker, loaded)
     }
 
+    /// Notes that a flight is about to lead the camera away, which can be undone, and takes the
+    /// scene's title and the last message away. A flight that begins in a scene of its own, `start`,
+    /// finds it in place, in the present look.
+    pub(crate) fn depart(&mut self, start: Option<&Scene>) {
+        let before = self.scene();
+        let start = start.map(|scene| Drawable::new(self.in_this_look(scene.clone())));
+        match start {
+            Some(Ok(start)) => {
+                let start = start.exposed();
+                self.history
+                    .note_departure_elsewhere(&before, &start, self.time.elapsed());
+                self.put(start);
+            }
+            // A built-in preset can be drawn in every look.
+            Some(Err(_)) | None => self.history.note_departure(&before, self.time.elapsed()),
+        }
+        self.title.close();
+        self.toast.clear();
+    }
+
     /// Returns every field to what was loaded, except the pixel look.
     pub(crate) fn reset(&mut self) -> bool {
         let loaded = self.in_this_look(self.loaded().clone());

@@ -20,6 +20,7 @@ pub use error::JourneyError;
 pub use load::load;
 pub use track::Track;
 
+use super::presets::Preset;
 use super::{Camera, ObserverKind, Scene};
 use crate::geometry::kerr::Kerr;
 use crate::geometry::sphere::wrap_degrees;
@@ -32,6 +33,8 @@ pub const DEFAULT: &str = include_str!("../../../../assets/journeys/default.toml
 pub struct Journey {
     /// One line that says where the flight leads.
     pub title: String,
+    /// The built-in preset in which the window flies it. None: the scene that is shown.
+    pub preset: Option<&'static Preset>,
     /// What to say about it on the way, in order of time.
     pub captions: Vec<Caption>,
     /// Seconds from the first keyframe to the last.

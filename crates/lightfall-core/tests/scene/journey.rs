@@ -286,3 +286,20 @@ fn a_journey_sets_what_its_keyframes_name_and_leaves_the_rest() {
     );
     assert_eq!(after.camera.theta_deg, preset().camera.theta_deg);
 }
+
+#[test]
+fn a_journey_may_name_the_preset_in_which_it_is_flown() {
+    let keyframes = "[[keyframe]]\ntime = 0\n[[keyframe]]\ntime = 1\n";
+    let preset_of = |line: &str| {
+        let journey = journey::load("j.toml", &format!("{line}\n{keyframes}")).unwrap();
+        journey.preset.map(|preset| preset.name)
+    };
+    assert_eq!(preset_of(""), None);
+    for line in ["preset = \"falling\"", "preset = \"9\"", "preset = 9"] {
+        assert_eq!(preset_of(line), Some("falling"), "{line}");
+    }
+    // Its captions speak of the disk, and its observer hovers.
+    let preset = default().preset.unwrap().plain_scene();
+    assert!(preset.disk.enabled && preset.observer.kind == ObserverKind::Static);
+    assert_eq!(default().check(preset, 0.0, Drawable::new), Ok(()));
+}

@@ -21,11 +21,17 @@ fn faults_of_a_journey_are_reported_with_their_keyframe() {
         ),
         (
             "speed = 3".into(),
-            "j.toml: speed = 3 is refused: a journey has schema = 1, title = \"...\", tables [[keyframe]] and tables [[caption]]",
+            "j.toml: speed = 3 is refused: a journey has schema = 1, title = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]",
         ),
         (
             "keyframe = 3".into(),
-            "j.toml: keyframe = 3 is refused: a journey has schema = 1, title = \"...\", tables [[keyframe]] and tables [[caption]]",
+            "j.toml: keyframe = 3 is refused: a journey has schema = 1, title = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]",
+        ),
+        (
+            "preset = \"nowhere\"".into(),
+            "j.toml: preset = \"nowhere\" is refused: it must be the name or the number of a built-in preset: \
+             1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit, 8 extremal, 9 falling, \
+             10 article",
         ),
         (
             two.into(),
@@ -73,6 +79,13 @@ fn faults_of_a_journey_are_reported_with_their_keyframe() {
         ),
     ] {
         assert_eq!(fault(&text), sentence);
+    }
+    for faulty in ["preset = 0", "preset = 2.0", "preset = [\"edge-on\"]"] {
+        let sentence = fault(faulty);
+        assert!(
+            sentence.contains("it must be the name or the number of a built-in preset"),
+            "{sentence}"
+        );
     }
     for faulty in ["rain = 3", "rain.observer = \"rain\"", "rain.time = 3"] {
         let sentence = fault(&format!("{two}time = 1\n{faulty}"));

@@ -2,6 +2,7 @@
 
 use super::format::{MAX_CAPTIONS, MAX_KEYFRAMES, NAMES};
 use crate::scene::error::SceneError;
+use crate::scene::presets::PRESETS;
 use thiserror::Error;
 
 /// Why a text is not a journey. `origin` is its file; keyframes count from 1.
@@ -12,7 +13,7 @@ pub enum JourneyError {
     Text(#[from] SceneError),
     /// A key at the top level that is unknown, or has a value of the wrong type.
     #[error(
-        "{origin}: {key} = {given} is refused: a journey has schema = 1, title = \"...\", tables [[keyframe]] and tables [[caption]]"
+        "{origin}: {key} = {given} is refused: a journey has schema = 1, title = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]"
     )]
     Top {
         /// Where it was written.
@@ -20,6 +21,17 @@ pub enum JourneyError {
         /// The key.
         key: String,
         /// Its value.
+        given: String,
+    },
+    /// A preset that is not one of the built-in ones.
+    #[error(
+        "{origin}: preset = {given} is refused: it must be the name or the number of a built-in preset: {}",
+        preset_names()
+    )]
+    Preset {
+        /// Where it was written.
+        origin: String,
+        /// What was given.
         given: String,
     },
     /// Too few or too many keyframes.
@@ -106,6 +118,12 @@ pub enum JourneyError {
         /// What it may be.
         allowed: String,
     },
+}
+
+fn preset_names() -> String {
+    PRESETS
+        .map(|preset| format!("{} {}", preset.number, preset.name))
+        .join(", ")
 }
 
 fn names() -> String {

@@ -8,6 +8,7 @@ use super::{ANGLES, Journey, Track, Tracks};
 use crate::scene::error::SceneError;
 use crate::scene::fields::field;
 use crate::scene::from_toml::{given, syntax};
+use crate::scene::presets::{self, Preset};
 use crate::scene::value::{Value, shortened};
 use crate::scene::{ObserverKind, SCHEMA};
 use toml::Table;
@@ -18,7 +19,8 @@ use toml::Table;
 /// One sentence that names the file, the keyframe or caption, what was given and what is allowed.
 pub fn load(origin: &str, text: &str) -> Result<Journey, JourneyError> {
     let table: Table = toml::from_str(text).map_err(|error| syntax(origin, text, &error))?;
-    let (mut title, mut frames, mut captions) = (String::new(), Vec::new(), Vec::new());
+    let (mut title, mut preset) = (String::new(), None);
+    let (mut frames, mut captions) = (Vec::new(), Vec::new());
     for (key, value) in table {
         match (key.as_str(), value) {
             ("schema", toml::Value::Integer(number)) if number == i64::from(SCHEMA) => {}
@@ -32,6 +34,7 @@ pub fn load(origin: &str, text: &str) -> Result<Journey, JourneyError> {
             ("title", value @ toml::Value::String(_)) if is_title(&value) => {
                 title = value.as_str().unwrap_or_default().into();
             }
+            ("preset", value) => preset = Some(read_preset(origin, &value)?),
             ("keyframe", toml::Value::Array(values))
                 if values.iter().all(toml::Value::is_table) =>
             {
@@ -58,7 +61,11 @@ pub fn load(origin: &str, text: &str) -> Result<Journey, JourneyError> {
     }
     let span = [keyframes[0].time, keyframes[keyframes.len() - 1].time];
     let captions = read_captions(origin, captions, span)?;
-    Ok(journey(title, &keyframes, captions))
+    Ok(Journey {
+        title,
+        preset,
+        ..journey(&keyframes, captions)
+    })
 }
 
 fn tables(values: Vec<toml::Value>) -> Vec<Table> {
@@ -74,6 +81,19 @@ fn tables(values: Vec<toml::Value>) -> Vec<Table> {
 /// Whether a text can be the title of a journey: whether it can be a scene's.
 fn is_title(text: &toml::Value) -> bool {
     field("title").is_some_and(|field| field.read(text).is_ok())
+}
+
+/// The built-in preset that a text or an integer names.
+fn read_preset(origin: &str, value: &toml::Value) -> Result<&'static Preset, JourneyError> {
+    let preset = match value {
+        toml::Value::String(name) => presets::find(name),
+        toml::Value::Integer(number) => presets::find(&number.to_string()),
+        _ => None,
+    };
+    preset.ok_or_else(|| JourneyError::Preset {
+        origin: origin.into(),
+        given: given(value),
+    })
 }
 
 fn read_keyframes(origin: &str, frames: Vec<Table>) -> Result<Vec<Keyframe>, JourneyError> {
@@ -125,7 +145,8 @@ fn component(velocity: &Value, axis: usize) -> f64 {
     }
 }
 
-fn journey(title: String, keyframes: &[Keyframe], captions: Vec<Caption>) -> Journey {
+/// The journey along these keyframes, without a title and a preset.
+fn journey(keyframes: &[Keyframe], captions: Vec<Caption>) -> Journey {
     let start = keyframes[0].time;
     let kind = |frame: &Keyframe| match frame.values().get("observer")? {
         Value::Word(word) => Some((frame.time - start, ObserverKind::from_word(word)?)),
@@ -140,7 +161,8 @@ fn journey(title: String, keyframes: &[Keyframe], captions: Vec<Caption>) -> Jou
         )
     };
     Journey {
-        title,
+        title: String::new(),
+        preset: None,
         captions,
         duration: keyframes[keyframes.len() - 1].time - start,
         times: keyframes.iter().map(|frame| frame.time).collect(),
