@@ -211,6 +211,11 @@ fn a_paused_journey_stands_still_and_a_skip_moves_it_at_once() {
     free_fall.start(&scene).unwrap();
     scene = next(free_fall.advance(FRAME, &scene));
     assert_eq!(next(free_fall.advance(0.0, &scene)), scene);
+    let clocks = free_fall.clocks(&scene);
+    assert!(
+        clocks.starts_with("Your clock 0.") && clocks.contains(" · far clock 0."),
+        "{clocks}"
+    );
 }
 
 #[test]

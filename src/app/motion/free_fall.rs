@@ -165,23 +165,21 @@ impl FreeFall {
             spin: scene.hole.spin,
         }
         .horizon();
-        let own = format!(
-            "your clock {} r_s/c",
-            steady_digits(worldline.proper_time())
-        );
-        let motion = match (worldline.is_circular(), scene.camera.r > horizon) {
-            (true, _) => "In orbit",
-            (false, true) => "Falling freely",
+        let own = format!("clock {} r_s/c", steady_digits(worldline.proper_time()));
+        // The read-outs above say that a fall is one.
+        let own = match (worldline.is_circular(), scene.camera.r > horizon) {
+            (true, _) => format!("In orbit · your {own}"),
+            (false, true) => format!("Your {own}"),
             (false, false) => {
                 let [left, end] = time_left(worldline, scene);
-                return format!("Inside the horizon · {own} · {left} {end}");
+                return format!("Inside the horizon · your {own} · {left} {end}");
             }
         };
         let far = worldline.coordinate_time();
         let far = far.map_or_else(String::new, |far| {
             format!(" · far clock {} r_s/c", steady_digits(far))
         });
-        format!("{motion} · {own}{far}")
+        format!("{own}{far}")
     }
 
     /// How fast time passes, in one sentence, e.g. `Time rate in free fall: 4.472 r_s/c per second

@@ -15,6 +15,12 @@ use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use lightfall_core::scene::Scene;
 use std::fs::File;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// How long the window says that a picture is being saved: until it is, however slow the adapter.
+const MAX_SAVING: Duration = Duration::from_secs(600);
+/// How long the window says at least where a picture was saved.
+const SAVED: Duration = Duration::from_secs(4);
 
 /// What is to be written.
 enum Order {
@@ -52,6 +58,7 @@ fn save_picture(
         let scenes = Box::new(editor.scene_and_drawing());
         writer.0.ask(Order::Picture(scenes));
         editor.say_over_bare_picture("Saving the picture");
+        editor.keep_saying_for(MAX_SAVING);
     }
 }
 
@@ -81,6 +88,7 @@ fn write_window(
 fn report_screenshot(writer: Res<ScreenshotWriter>, mut toast: ResMut<Toast>) {
     if let Some(answer) = writer.0.latest_answer() {
         toast.say_over_bare_picture(answer);
+        toast.keep_for(SAVED);
     }
 }
 

@@ -12,6 +12,7 @@ use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Picture, Scene};
+use std::time::Duration;
 
 /// The scene, and the way to change it so that the change can be undone.
 #[derive(SystemParam)]
@@ -151,6 +152,11 @@ impl SceneEditor<'_> {
     /// Shows a toast, also while everything but the picture is hidden.
     pub(crate) fn say_over_bare_picture(&mut self, text: impl Into<String>) {
         self.toast.say_over_bare_picture(text);
+    }
+
+    /// Keeps the toast for at least this long, unless another one takes its place.
+    pub(crate) fn keep_saying_for(&mut self, duration: Duration) {
+        self.toast.keep_for(duration);
     }
 
     /// Shows a changed scene, metered at once where its exposure is automatic.

@@ -25,6 +25,8 @@ pub(crate) struct Toast {
     strength: f32,
     /// Whether it is shown while everything else is hidden.
     over_bare_picture: bool,
+    /// The shortest time for which it stays.
+    min_duration: Duration,
 }
 
 impl Toast {
@@ -35,6 +37,7 @@ impl Toast {
             ends: None,
             strength: 1.0,
             over_bare_picture: false,
+            min_duration: Duration::ZERO,
         };
     }
 
@@ -42,6 +45,11 @@ impl Toast {
     pub(crate) fn say_over_bare_picture(&mut self, text: impl Into<String>) {
         self.say(text);
         self.over_bare_picture = true;
+    }
+
+    /// Keeps the present sentence for at least this long, unless another one takes its place.
+    pub(crate) fn keep_for(&mut self, duration: Duration) {
+        self.min_duration = duration;
     }
 
     /// Says something after the present sentence.
@@ -93,7 +101,7 @@ fn expire_toast(time: Res<Time<Real>>, mut toast: ResMut<Toast>) {
     }
     let now = time.elapsed();
     match toast.ends {
-        None => toast.ends = Some(now + reading_time(&toast.text)),
+        None => toast.ends = Some(now + reading_time(&toast.text).max(toast.min_duration)),
         Some(end) if now > end + FADE => toast.clear(),
         Some(end) if now > end => {
             toast.strength = 1.0 - (now - end).as_secs_f32() / FADE.as_secs_f32();

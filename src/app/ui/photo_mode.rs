@@ -6,13 +6,17 @@ use crate::app::state::paused::Paused;
 use crate::app::state::toast::Toast;
 use bevy::prelude::*;
 
-/// The controls that matter in the photo mode, with what they do.
-const KEYS: [(&[&str], &str); 5] = [
-    (&["fly.orbit"], "goes around the hole"),
-    (&["fly.narrower", "fly.wider"], "field of view"),
-    (&["picture.brighter", "picture.darker"], "exposure"),
-    (&["window.screenshot"], "saves the picture"),
-    (&["window.hide"], "ends"),
+/// The controls that matter in the photo mode, with what they do, in two lines.
+const KEYS: [&[(&[&str], &str)]; 2] = [
+    &[
+        (&["fly.orbit"], "goes around the hole"),
+        (&["fly.narrower", "fly.wider"], "field of view"),
+        (&["picture.brighter", "picture.darker"], "exposure"),
+    ],
+    &[
+        (&["window.screenshot"], "saves the picture"),
+        (&["window.hide"], "ends the photo mode"),
+    ],
 ];
 
 pub(crate) fn plugin(app: &mut App) {
@@ -51,13 +55,16 @@ fn keys_in_words(bindings: &Bindings) -> String {
         let keys = bindings.label(id);
         keys.split(", ").next().unwrap_or_default().to_owned()
     };
-    let entries = KEYS.iter().filter_map(|(ids, does)| {
-        let keys: Vec<_> = ids
-            .iter()
-            .map(first)
-            .filter(|key| !key.is_empty())
-            .collect();
-        (!keys.is_empty()).then(|| format!("{} {does}", keys.join(" ")))
+    let lines = KEYS.map(|line| {
+        let entries = line.iter().filter_map(|(ids, does)| {
+            let keys: Vec<_> = ids
+                .iter()
+                .map(first)
+                .filter(|key| !key.is_empty())
+                .collect();
+            (!keys.is_empty()).then(|| format!("{} {does}", keys.join(" ")))
+        });
+        entries.collect::<Vec<_>>().join(" · ")
     });
-    format!("Photo mode: {}", entries.collect::<Vec<_>>().join(" · "))
+    format!("Photo mode: {}", lines.join("\n"))
 }

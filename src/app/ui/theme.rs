@@ -17,6 +17,8 @@ pub(crate) const WEAK_TEXT: egui::Color32 = egui::Color32::from_gray(160);
 pub(crate) const PANEL_FILL: egui::Color32 = egui::Color32::from_rgb(13, 13, 17);
 /// Colour of fields in which something can be typed.
 const FIELD_FILL: egui::Color32 = egui::Color32::from_rgb(24, 24, 30);
+/// Sizes of the texts that appear over the picture, in points.
+const LETTER_SIZES: [f32; 6] = [12.5, 13.0, 13.5, 15.0, 16.0, 20.0];
 /// Colour of frames, buttons and the rails of sliders.
 const FRAME: egui::Color32 = egui::Color32::from_gray(58);
 
@@ -28,7 +30,9 @@ pub(crate) fn plugin(app: &mut App) {
     .add_systems(Update, attach_to_screen)
     .add_systems(
         EguiPrimaryContextPass,
-        apply_theme.run_if(any_with_component::<PrimaryEguiContext>),
+        (prepare_letters, apply_theme)
+            .chain()
+            .run_if(any_with_component::<PrimaryEguiContext>),
     );
 }
 
@@ -91,6 +95,33 @@ fn apply_theme(
         context.set_zoom_factor(wanted);
         *scale = wanted;
     }
+    Ok(())
+}
+
+/// Lays out every usual letter in the sizes of the texts over the picture. A letter that appears for
+/// the first time is missing in its first frame, because its image reaches the adapter one frame
+/// late.
+fn prepare_letters(mut contexts: EguiContexts, mut prepared: Local<[f32; 2]>) -> Result {
+    let context = contexts.ctx_mut()?;
+    // New fonts and a new scale empty the store of letters, from the next frame on.
+    let scale = context.pixels_per_point();
+    if *prepared == [scale; 2] {
+        return Ok(());
+    }
+    *prepared = [prepared[1], scale];
+    let letters: String = (' '..='~').chain("·–−×°…".chars()).collect();
+    context.fonts_mut(|fonts| {
+        for size in LETTER_SIZES {
+            // A letter has an image for each quarter of a pixel at which it may stand.
+            for quarter in 0..4 {
+                let offset = 0.25 * quarter as f32 / scale;
+                let format = egui::TextFormat::simple(egui::FontId::proportional(size), TEXT);
+                let mut job = egui::text::LayoutJob::default();
+                job.append(&letters, offset, format);
+                fonts.layout_job(job);
+            }
+        }
+    });
     Ok(())
 }
 

@@ -8,6 +8,8 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::input::held::HeldControls;
 use crate::app::input::typing::Typing;
+use crate::app::motion::free_fall::FreeFall;
+use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::preferences::Preferences;
 use bevy::prelude::*;
@@ -77,19 +79,70 @@ fn name_keys_again(
     }
 }
 
-/// The keys that a newcomer needs, as they are bound, each with what it does.
-fn newcomers_keys(bindings: &Bindings) -> Vec<[String; 2]> {
-    let key = |id| bindings.label(id);
+/// A key as it is bound, and what it does.
+struct KeyHint {
+    key: String,
+    does: &'static str,
+    /// Where the room is narrow, the hints of the lowest rank are left out first.
+    rank: u8,
+}
+
+/// The keys that a newcomer needs.
+fn newcomers_keys(bindings: &Bindings) -> Vec<KeyHint> {
+    let key = |id| first_key(bindings, id);
     let fly = ["fly.forward", "fly.left", "fly.backward", "fly.right"];
-    [
-        (fly.map(key).concat(), "fly"),
-        ("right mouse button".into(), "look"),
-        (["preset.1", "preset.9"].map(key).join("–"), "places"),
-        (key("picture.bypass"), "pixel look"),
-        (key("window.help"), "all keys"),
+    let hint = |key, does, rank| KeyHint { key, does, rank };
+    vec![
+        hint(fly.map(key).concat(), "fly", 5),
+        hint("right mouse button".into(), "look", 0),
+        hint(["preset.1", "preset.9"].map(key).join("–"), "places", 1),
+        hint(key("motion.let_go"), "fall", 2),
+        hint(key("journey.fly"), "journey", 3),
+        hint(key("picture.bypass"), "pixel look", 6),
+        hint(key("fly.escape"), "menu", 4),
+        hint(key("window.help"), "all keys", 7),
     ]
-    .map(|(key, does)| [key, does.to_owned()])
-    .into()
+}
+
+/// The keys that matter during a journey.
+fn journey_keys(bindings: &Bindings) -> Vec<KeyHint> {
+    let key = |id| first_key(bindings, id);
+    let hint = |key, does, rank| KeyHint { key, does, rank };
+    vec![
+        hint(key("motion.pause"), "pause", 3),
+        hint(
+            ["journey.back", "journey.ahead"].map(key).join(" · "),
+            "back, ahead",
+            1,
+        ),
+        hint(key("journey.fly"), "stop", 2),
+        hint(key("scene.undo"), "back to the start", 0),
+        hint(key("window.help"), "all keys", 4),
+    ]
+}
+
+/// The keys that matter during a fall.
+fn fall_keys(bindings: &Bindings) -> Vec<KeyHint> {
+    let key = |id| first_key(bindings, id);
+    let hint = |key, does, rank| KeyHint { key, does, rank };
+    vec![
+        hint(key("motion.pause"), "pause", 3),
+        hint(
+            ["motion.slower", "motion.faster"].map(key).join(" · "),
+            "slower, faster",
+            2,
+        ),
+        hint(key("fly.face"), "face", 0),
+        hint(key("scene.undo"), "back", 1),
+        hint(key("window.help"), "all keys", 4),
+    ]
+}
+
+/// The first key of a control.
+fn first_key(bindings: &Bindings, id: &str) -> String {
+    let keys = bindings.label(id);
+    // A comma may be a key itself.
+    keys.split(", ").next().unwrap_or_default().to_owned()
 }
 
 fn show_key_hints(
@@ -98,6 +151,7 @@ fn show_key_hints(
     overlays: Res<Overlays>,
     preferences: Res<Preferences>,
     presence: Res<Presence>,
+    (player, free_fall): (Res<JourneyPlayer>, Res<FreeFall>),
     beside: Res<ReadOutsWidth>,
 ) -> Result {
     let context = contexts.ctx_mut()?;
@@ -113,27 +167,36 @@ fn show_key_hints(
     }
     keep_fading(context, strength);
     let free = room.width() - beside.0 - 3.0 * MARGIN;
-    let help = vec![[bindings.label("window.help"), "keys".to_owned()]];
-    let sets = [newcomers_keys(&bindings), help];
-    for keys in sets.into_iter().skip(usize::from(!named)) {
+    let mut keys = if player.is_playing() {
+        journey_keys(&bindings)
+    } else if free_fall.is_moving() {
+        fall_keys(&bindings)
+    } else {
+        newcomers_keys(&bindings)
+    };
+    if !named && !player.is_playing() && !free_fall.is_moving() {
+        keys.drain(..keys.len() - 1);
+    }
+    while !keys.is_empty() {
         let mut board = Board::new(context, "key hints", strength);
-        let width = put_keys(&mut board, &keys);
-        if width <= free {
+        if put_keys(&mut board, &keys) <= free {
             board.paint(egui::Align2::RIGHT_BOTTOM, room.right_bottom());
             break;
         }
+        let lowest = keys.iter().map(|hint| hint.rank).min();
+        keys.retain(|hint| Some(hint.rank) != lowest);
     }
     Ok(())
 }
 
 /// Puts keys and what they do into a line. Returns its width.
-fn put_keys(board: &mut Board, keys: &[[String; 2]]) -> f32 {
+fn put_keys(board: &mut Board, keys: &[KeyHint]) -> f32 {
     let mut right = 0.0;
-    for (place, [key, does]) in keys.iter().enumerate() {
+    for (place, KeyHint { key, does, .. }) in keys.iter().enumerate() {
         if place > 0 {
             right += GAP;
         }
-        for (text, colour) in [(key, BRIGHT), (does, QUIET)] {
+        for (text, colour) in [(key.as_str(), BRIGHT), (*does, QUIET)] {
             let text = board.text(text, TEXT, colour, f32::INFINITY);
             let width = text.size().x;
             board.put(egui::vec2(right, 0.0), text);

@@ -3,7 +3,7 @@
 use super::board::{Board, MARGIN, TEXT, WARNING, free_room};
 use super::title::{TitleBox, show_title};
 use crate::app::state::overlays::Overlays;
-use crate::render::CurrentScene;
+use crate::render::{ComparedScene, ComparisonLayout, CurrentScene};
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_core::scene::Effects;
@@ -32,12 +32,20 @@ pub fn physics_off(effects: Effects) -> Option<String> {
 fn show_physics_off(
     mut contexts: EguiContexts,
     scene: Res<CurrentScene>,
+    compared: Res<ComparedScene>,
     overlays: Res<Overlays>,
     title: Res<TitleBox>,
 ) -> Result {
-    let Some(line) = physics_off(scene.effects).filter(|_| !overlays.hidden) else {
+    let Some(mut line) = physics_off(scene.effects).filter(|_| !overlays.hidden) else {
         return Ok(());
     };
+    // Beside a picture with other physics, the present scene is the right one.
+    if let ComparedScene::Drawn(drawn) = &*compared
+        && matches!(drawn.1, ComparisonLayout::SideBySide { .. })
+        && drawn.0.effects != scene.effects
+    {
+        line = line.replacen("Physics off", "Right side off", 1);
+    }
     let context = contexts.ctx_mut()?;
     let room = free_room(context, &overlays);
     let mut board = Board::new(context, "physics off", 1.0);

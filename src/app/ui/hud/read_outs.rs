@@ -10,6 +10,7 @@ use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::motion::orbit_camera::OrbitCamera;
 use crate::app::motion::pilot::{GEAR, Pilot};
 use crate::app::state::overlays::Overlays;
+use crate::app::state::paused::Paused;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
@@ -90,13 +91,19 @@ fn height(theta_deg: f64) -> String {
     }
 }
 
-/// How far a journey has been flown, and how to end it. Empty while there is none.
-fn journey(player: &JourneyPlayer, bindings: &Bindings) -> String {
+/// How far a journey has been flown, and how to go on with it and to end it. Empty while there is
+/// none.
+fn journey(player: &JourneyPlayer, paused: bool, bindings: &Bindings) -> String {
     if !player.is_playing() {
         return String::new();
     }
-    let stop = bindings.label("journey.fly");
-    format!("Journey, {} · {stop} stops it", player.progress())
+    let [stop, pause] = ["journey.fly", "motion.pause"].map(|id| bindings.label(id));
+    let progress = player.progress();
+    if paused {
+        format!("Journey paused at {progress} · {pause} goes on · {stop} stops it")
+    } else {
+        format!("Journey, {progress} · {stop} stops it")
+    }
 }
 
 fn show_read_outs(
@@ -105,7 +112,7 @@ fn show_read_outs(
     pilot: Res<Pilot>,
     held: HeldControls,
     free_fall: Res<FreeFall>,
-    (player, orbit): (Res<JourneyPlayer>, Res<OrbitCamera>),
+    (player, paused, orbit): (Res<JourneyPlayer>, Res<Paused>, Res<OrbitCamera>),
     overlays: Res<Overlays>,
     bindings: Res<Bindings>,
     presence: Res<Presence>,
@@ -125,7 +132,7 @@ fn show_read_outs(
     put_columns(&mut board, &lines, room.width());
     let modes = [
         orbit.status(&bindings),
-        journey(&player, &bindings),
+        journey(&player, paused.0, &bindings),
         free_fall.clocks(&scene),
     ];
     for line in modes {
