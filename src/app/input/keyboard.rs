@@ -31,29 +31,18 @@ fn apply_pressed_controls(
     mut editor: SceneEditor,
     mut commands: MessageWriter<AppCommand>,
 ) {
-    let is_press = |input: &&KeyboardInput| input.state == ButtonState::Pressed && !input.repeat;
-    let presses: Vec<KeyCode> = inputs
-        .read()
-        .filter(is_press)
-        .map(|input| input.key_code)
-        .collect();
-    // Held at any time of the frame.
-    let held = |codes: [KeyCode; 2]| keys.any_pressed(codes) || keys.any_just_pressed(codes);
-    let listens = !typing.0 && !held([KeyCode::SuperLeft, KeyCode::SuperRight]);
-    // A modifier does not modify itself, so that a control can be bound to it.
-    let modifier_of = |code: KeyCode| {
-        Modifier::ALL
-            .into_iter()
-            .find(|modifier| held(modifier.keys()) && !modifier.keys().contains(&code))
+    let listens = !typing.0 && !held(&keys, [KeyCode::SuperLeft, KeyCode::SuperRight]);
+    let presses = pressed_with_modifiers(inputs.read(), &keys);
+    let kept = |(code, modifier): &(KeyCode, Option<Modifier>)| {
+        over_panel.keeps(*code) && modifier.is_none()
     };
-    let kept = |code: &KeyCode| over_panel.keeps(*code) && modifier_of(*code).is_none();
     if listens && presses.iter().any(kept) {
         editor.say("The mouse is over the panel: click a field to type a number");
     }
     let by_key = presses
         .into_iter()
-        .filter(|code| listens && !kept(code))
-        .filter_map(|code| bindings.pressed(code, modifier_of(code)))
+        .filter(|press| listens && !kept(press))
+        .filter_map(|(code, modifier)| bindings.pressed(code, modifier))
         .map(|control| (control, bindings.label_of(control)));
     let by_button = bindings
         .iter()
@@ -65,6 +54,43 @@ fn apply_pressed_controls(
             apply(control, &input, &mut editor, &bindings);
         }
     }
+}
+
+/// Whether one of the keys was held at any time of the frame.
+fn held(keys: &ButtonInput<KeyCode>, codes: [KeyCode; 2]) -> bool {
+    keys.any_pressed(codes) || keys.any_just_pressed(codes)
+}
+
+/// The keys pressed in this frame, each with the modifier that was held at that moment. In a slow
+/// frame a modifier may be pressed, used and released.
+fn pressed_with_modifiers<'a>(
+    inputs: impl Iterator<Item = &'a KeyboardInput>,
+    keys: &ButtonInput<KeyCode>,
+) -> Vec<(KeyCode, Option<Modifier>)> {
+    let at_start = |code: &KeyCode| {
+        keys.just_released(*code) || keys.pressed(*code) && !keys.just_pressed(*code)
+    };
+    let mut down: Vec<KeyCode> = Modifier::ALL
+        .into_iter()
+        .flat_map(Modifier::keys)
+        .filter(at_start)
+        .collect();
+    let mut presses = Vec::new();
+    for input in inputs.filter(|input| !input.repeat) {
+        let code = input.key_code;
+        if input.state == ButtonState::Released {
+            down.retain(|held| *held != code);
+            continue;
+        }
+        // A modifier does not modify itself, so that a control can be bound to it.
+        let modifier = Modifier::ALL.into_iter().find(|modifier| {
+            let own = modifier.keys();
+            !own.contains(&code) && own.iter().any(|key| down.contains(key))
+        });
+        presses.push((code, modifier));
+        down.push(code);
+    }
+    presses
 }
 
 /// Changes the scene as a control says, if it changes scenes. `input` is the key or button's name.
