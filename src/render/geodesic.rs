@@ -15,6 +15,7 @@ use crate::render::comparison::{
 };
 use crate::render::current_scene::CurrentScene;
 use crate::render::error_map::ShownErrorMap;
+use crate::render::full_screen_pass::run_full_screen_pass;
 use bevy::asset::AssetEventSystems;
 use bevy::core_pipeline::core_3d::{main_opaque_pass_3d, main_transparent_pass_3d};
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
@@ -319,26 +320,15 @@ fn draw_light(
     let Some((pipeline, bind_group)) = side.ready(cache) else {
         return false;
     };
-    let diagnostics = context.diagnostic_recorder();
-    let diagnostics = diagnostics.as_deref();
-    let mut render_pass = context.begin_tracked_render_pass(RenderPassDescriptor {
-        label: Some(name),
-        color_attachments: &[Some(RenderPassColorAttachment {
-            view: texture,
-            depth_slice: None,
-            resolve_target: None,
-            ops: default(),
-        })],
-        depth_stencil_attachment: None,
-        timestamp_writes: None,
-        occlusion_query_set: None,
-        multiview_mask: None,
+    let target = RenderPassColorAttachment {
+        view: texture,
+        depth_slice: None,
+        resolve_target: None,
+        ops: default(),
+    };
+    run_full_screen_pass(context, name, target, pipeline, bind_group, |render_pass| {
+        draw_in_bands(render_pass, size);
     });
-    let span = diagnostics.pass_span(&mut render_pass, name);
-    render_pass.set_render_pipeline(pipeline);
-    render_pass.set_bind_group(0, bind_group, &[]);
-    draw_in_bands(&mut render_pass, size);
-    span.end(&mut render_pass);
     true
 }
 

@@ -25,6 +25,7 @@ mod cost_report;
 mod current_scene;
 mod device;
 mod error_map;
+mod full_screen_pass;
 mod geodesic;
 mod presentation;
 mod probe;

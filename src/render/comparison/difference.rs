@@ -3,10 +3,10 @@
 
 use super::compared_scene::{ComparedScene, ComparisonLayout};
 use crate::render::camera_markers::SceneCamera;
+use crate::render::full_screen_pass::{draw_triangle, run_full_screen_pass};
 use bevy::asset::uuid_handle;
 use bevy::image::ToExtents;
 use bevy::prelude::*;
-use bevy::render::diagnostic::RecordDiagnostics;
 use bevy::render::render_resource::binding_types::{texture_2d, uniform_buffer};
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
@@ -191,19 +191,12 @@ pub(in crate::render) fn draw_difference(
     if target.sampled_main_texture().is_some() {
         return;
     }
-    let diagnostics = context.diagnostic_recorder();
-    let diagnostics = diagnostics.as_deref();
-    let mut render_pass = context.begin_tracked_render_pass(RenderPassDescriptor {
-        label: Some("difference"),
-        color_attachments: &[Some(target.get_color_attachment())],
-        depth_stencil_attachment: None,
-        timestamp_writes: None,
-        occlusion_query_set: None,
-        multiview_mask: None,
-    });
-    let span = diagnostics.pass_span(&mut render_pass, "difference");
-    render_pass.set_render_pipeline(pipeline);
-    render_pass.set_bind_group(0, &lights.bind_group, &[]);
-    render_pass.draw(0..3, 0..1);
-    span.end(&mut render_pass);
+    run_full_screen_pass(
+        &mut context,
+        "difference",
+        target.get_color_attachment(),
+        pipeline,
+        &lights.bind_group,
+        draw_triangle,
+    );
 }
