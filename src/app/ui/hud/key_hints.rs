@@ -87,55 +87,72 @@ struct KeyHint {
     rank: u8,
 }
 
-/// The keys that a newcomer needs.
-fn newcomers_keys(bindings: &Bindings) -> Vec<KeyHint> {
-    let key = |id| first_key(bindings, id);
-    let fly = ["fly.forward", "fly.left", "fly.backward", "fly.right"];
-    let hint = |key, does, rank| KeyHint { key, does, rank };
-    vec![
-        hint(fly.map(key).concat(), "fly", 5),
-        hint("right mouse button".into(), "look", 0),
-        hint(["preset.1", "preset.9"].map(key).join("–"), "places", 1),
-        hint(key("motion.let_go"), "fall", 2),
-        hint(key("journey.fly"), "journey", 3),
-        hint(key("picture.bypass"), "pixel look", 6),
-        hint(key("fly.escape"), "menu", 4),
-        hint(key("window.help"), "all keys", 7),
-    ]
-}
+/// Keys that are named together: the controls, what stands between their keys, what they do, and
+/// the rank of the hint.
+type Row = (&'static [&'static str], &'static str, &'static str, u8);
+
+/// The keys that a newcomer needs, besides the mouse.
+const NEWCOMERS_KEYS: &[Row] = &[
+    (
+        &["fly.forward", "fly.left", "fly.backward", "fly.right"],
+        "",
+        "fly",
+        5,
+    ),
+    (&["preset.1", "preset.9"], "–", "places", 1),
+    (&["motion.let_go"], "", "fall", 2),
+    (&["journey.fly"], "", "journey", 3),
+    (&["picture.bypass"], "", "pixel look", 6),
+    (&["fly.escape"], "", "menu", 4),
+    (&["window.help"], "", "all keys", 7),
+];
 
 /// The keys that matter during a journey.
-fn journey_keys(bindings: &Bindings) -> Vec<KeyHint> {
-    let key = |id| first_key(bindings, id);
-    let hint = |key, does, rank| KeyHint { key, does, rank };
-    vec![
-        hint(key("motion.pause"), "pause", 3),
-        hint(
-            ["journey.back", "journey.ahead"].map(key).join(" · "),
-            "back, ahead",
-            1,
-        ),
-        hint(key("journey.fly"), "stop", 2),
-        hint(key("scene.undo"), "back to the start", 0),
-        hint(key("window.help"), "all keys", 4),
-    ]
-}
+const JOURNEY_KEYS: &[Row] = &[
+    (&["motion.pause"], "", "pause", 3),
+    (&["journey.back", "journey.ahead"], " · ", "back, ahead", 1),
+    (&["journey.fly"], "", "stop", 2),
+    (&["scene.undo"], "", "back to the start", 0),
+    (&["window.help"], "", "all keys", 4),
+];
 
 /// The keys that matter during a fall.
-fn fall_keys(bindings: &Bindings) -> Vec<KeyHint> {
-    let key = |id| first_key(bindings, id);
-    let hint = |key, does, rank| KeyHint { key, does, rank };
-    vec![
-        hint(key("motion.pause"), "pause", 3),
-        hint(
-            ["motion.slower", "motion.faster"].map(key).join(" · "),
-            "slower, faster",
-            2,
-        ),
-        hint(key("fly.face"), "face", 0),
-        hint(key("scene.undo"), "back", 1),
-        hint(key("window.help"), "all keys", 4),
-    ]
+const FALL_KEYS: &[Row] = &[
+    (&["motion.pause"], "", "pause", 3),
+    (
+        &["motion.slower", "motion.faster"],
+        " · ",
+        "slower, faster",
+        2,
+    ),
+    (&["fly.face"], "", "face", 0),
+    (&["scene.undo"], "", "back", 1),
+    (&["window.help"], "", "all keys", 4),
+];
+
+/// The hints of these rows, with the keys as they are bound.
+fn hints(rows: &[Row], bindings: &Bindings) -> Vec<KeyHint> {
+    let hint = |&(ids, between, does, rank): &Row| {
+        let keys: Vec<_> = ids.iter().map(|id| first_key(bindings, id)).collect();
+        KeyHint {
+            key: keys.join(between),
+            does,
+            rank,
+        }
+    };
+    rows.iter().map(hint).collect()
+}
+
+/// The keys that a newcomer needs. The mouse comes after the keys that fly.
+fn newcomers_keys(bindings: &Bindings) -> Vec<KeyHint> {
+    let mut keys = hints(NEWCOMERS_KEYS, bindings);
+    let mouse = KeyHint {
+        key: "right mouse button".into(),
+        does: "look",
+        rank: 0,
+    };
+    keys.insert(1, mouse);
+    keys
 }
 
 /// The first key of a control.
@@ -168,9 +185,9 @@ fn show_key_hints(
     keep_fading(context, strength);
     let free = room.width() - beside.0 - 3.0 * MARGIN;
     let mut keys = if player.is_playing() {
-        journey_keys(&bindings)
+        hints(JOURNEY_KEYS, &bindings)
     } else if free_fall.is_moving() {
-        fall_keys(&bindings)
+        hints(FALL_KEYS, &bindings)
     } else {
         newcomers_keys(&bindings)
     };
