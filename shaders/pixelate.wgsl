@@ -19,16 +19,18 @@ struct Presentation {
     // off (0).
     levels: f32,
     dither: u32,
+    // Whether the picture has bloom (1) or not (0).
+    bloom: u32,
 }
 
 @group(0) @binding(BINDING_PRESENTATION) var<uniform> presentation: Presentation;
 @group(0) @binding(BINDING_PRESENTATION_SOURCE) var source: texture_2d<f32>;
 
-// Light of a pixel of the picture. Its alpha is zero in the shadow, which stays black: what bloom
-// has added there is taken away again.
+// Light of a pixel of the picture. Alpha takes the light away that bloom has added in the shadow,
+// where alpha is zero.
 fn light_of(pixel: vec2<u32>) -> vec3<f32> {
     let texel = textureLoad(source, pixel, 0);
-    return texel.a * texel.rgb;
+    return select(1.0, texel.a, presentation.bloom != 0u) * texel.rgb;
 }
 
 // sRGB transfer function and its inverse (IEC 61966-2-1).

@@ -11,12 +11,12 @@ pub use letterbox::{Letterbox, letterbox};
 use crate::render::camera_markers::{SceneCamera, ScreenCamera};
 use crate::render::chain::Chain;
 use crate::render::current_scene::CurrentScene;
+use crate::render::full_screen_pass::{draw_triangle, run_full_screen_pass};
 use bevy::core_pipeline::core_2d::main_transparent_pass_2d;
 use bevy::core_pipeline::schedule::{Core2d, Core2dSystems};
 use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
 use bevy::render::camera::ExtractedCamera;
-use bevy::render::diagnostic::RecordDiagnostics;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
 use bevy::render::render_resource::binding_types::{texture_2d, uniform_buffer};
 use bevy::render::render_resource::*;
@@ -34,10 +34,26 @@ const EXACT_LEVELS: u32 = 256;
 /// The presentation grid and the settings it was filled with.
 struct Cells {
     view: TextureView,
-    /// Size of the grid, levels and dither.
-    settings: (UVec2, f32, u32),
+    settings: CellSettings,
     /// Whether the cells show the scene camera's last picture.
     filled: bool,
+}
+
+/// What cells are filled with besides the picture.
+#[derive(Clone, Copy, PartialEq)]
+struct CellSettings {
+    grid: UVec2,
+    levels: f32,
+    dither: u32,
+}
+
+/// What the scene camera's last picture shows. A new scene's picture may not be drawn yet.
+#[derive(Clone, Copy, Default)]
+struct LastPicture {
+    /// Whether it shows light, rather than colours that have a meaning.
+    shows_light: bool,
+    /// Whether bloom is added to it.
+    bloom: bool,
 }
 
 /// The grid of cells that is shown in place of the scene's own. A window keeps its cells while it
@@ -54,6 +70,7 @@ struct PresentationPass {
     cells: Option<Cells>,
     /// Format of the screen camera's main texture.
     output: TextureFormat,
+    last_picture: LastPicture,
 }
 
 pub(super) fn plugin(app: &mut App) {
@@ -104,6 +121,7 @@ fn create_presentation_pass(mut commands: Commands) {
         pipelines: HashMap::default(),
         cells: None,
         output: TextureFormat::Rgba8UnormSrgb,
+        last_picture: LastPicture::default(),
     });
 }
 
@@ -140,8 +158,15 @@ fn prepare_presentation_pass(
         ..scene.picture
     };
     let Letterbox { offset, extent } = letterbox(&picture, output);
+    if active {
+        pass.last_picture = LastPicture {
+            shows_light: scene.view.shows_light(),
+            bloom: Chain::of(&scene).bloom.is_some(),
+        };
+    }
+    let LastPicture { shows_light, bloom } = pass.last_picture;
     // A view's colours have meanings, so they are shown as they are.
-    let (levels, dither) = if scene.view.shows_light() {
+    let (levels, dither) = if shows_light {
         (picture.levels, picture.dither)
     } else {
         (EXACT_LEVELS, false)
@@ -153,17 +178,22 @@ fn prepare_presentation_pass(
         extent,
         levels: levels as f32,
         dither: u32::from(dither),
+        bloom: u32::from(bloom),
     };
     pass.output = view.target_format;
     let cells = pass.cells.take();
     pass.cells = Chain::of(&scene).cells.map(|_| {
-        let settings = (grid, uniform.levels, uniform.dither);
+        let settings = CellSettings {
+            grid,
+            levels: uniform.levels,
+            dither: uniform.dither,
+        };
         match cells {
             Some(cells) if cells.settings == settings => Cells {
                 filled: cells.filled && !active,
                 ..cells
             },
-            Some(cells) if cells.settings.0 == grid => Cells {
+            Some(cells) if cells.settings.grid == grid => Cells {
                 settings,
                 filled: false,
                 ..cells
@@ -276,25 +306,12 @@ fn draw_stage(
         &cache.get_bind_group_layout(&pass.layout),
         &BindGroupEntries::with_indices(((PRESENTATION, uniform), (PRESENTATION_SOURCE, source))),
     );
-    let diagnostics = context.diagnostic_recorder();
-    let diagnostics = diagnostics.as_deref();
-    let mut render_pass = context.begin_tracked_render_pass(RenderPassDescriptor {
-        label: Some(name),
-        color_attachments: &[Some(RenderPassColorAttachment {
-            view: destination,
-            depth_slice: None,
-            resolve_target: None,
-            ops: default(),
-        })],
-        depth_stencil_attachment: None,
-        timestamp_writes: None,
-        occlusion_query_set: None,
-        multiview_mask: None,
-    });
-    let span = diagnostics.pass_span(&mut render_pass, name);
-    render_pass.set_render_pipeline(pipeline);
-    render_pass.set_bind_group(0, &bind_group, &[]);
-    render_pass.draw(0..3, 0..1);
-    span.end(&mut render_pass);
+    let target = RenderPassColorAttachment {
+        view: destination,
+        depth_slice: None,
+        resolve_target: None,
+        ops: default(),
+    };
+    run_full_screen_pass(context, name, target, pipeline, &bind_group, draw_triangle);
     true
 }

@@ -280,6 +280,7 @@ fn temperatures_are_those_of_the_matter_where_light_leaves_it() {
     let mut scene = small(2);
     scene.disk.model = DiskModel::Newtonian;
     (scene.disk.inner, scene.disk.temperature_k) = (4.0, 12_000.0);
+    scene.disk.keep_accretion = false;
     let linear = linear(&scene, "--aov hit1,hit2");
     let mut compared = 0;
     for hit in ["hit1", "hit2"] {

@@ -21,6 +21,7 @@ pub struct Presentation {
     pub extent: Vec2,
     pub levels: f32,
     pub dither: u32,
+    pub bloom: u32,
 }
 
 impl Presentation {
