@@ -24,6 +24,7 @@ pub use controls::refusal::checked_change;
 pub use controls::statement::{change_words, statement};
 pub use controls::table::{CONTROLS, control_named};
 pub use input::gamepad::{NO_GAMEPAD, deflection, squeeze};
+pub use motion::edge_view::{edge_distance, edge_in_view};
 pub use motion::facing::{Aim, aimed, between_axes, next_aim};
 pub use motion::flight_step::FlightStep;
 pub use motion::free_fall::FreeFall;
@@ -168,6 +169,7 @@ pub fn program(start: Start) -> App {
             motion::zoom::plugin,
             motion::journey::plugin,
             motion::free_fall::plugin,
+            motion::edge_view::plugin,
             motion::pause::plugin,
         ))
         .add_plugins((

@@ -29,7 +29,7 @@ fn each_change_is_named_with_its_two_values() {
         (|s| s.hole.spin = 0.9, ["spin 0", "spin 0.9"]),
         (
             |s| s.method = Method::Verlet,
-            ["method auto", "method verlet"],
+            ["method auto (closed)", "method verlet"],
         ),
         (
             |s| s.view = View::Redshift,

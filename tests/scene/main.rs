@@ -12,6 +12,7 @@ mod command_line;
 mod comparison;
 mod cost_report;
 mod doctor;
+mod edge_view;
 mod file_names;
 mod flights;
 mod gamepad;

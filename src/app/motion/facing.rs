@@ -28,6 +28,8 @@ pub enum Aim {
 #[derive(Resource, Default)]
 pub(crate) struct Facing {
     turn: Option<Turn>,
+    /// Yaw, pitch and roll as the last turn left them.
+    left_at: Option<[f64; 3]>,
 }
 
 struct Turn {
@@ -35,9 +37,6 @@ struct Turn {
     /// The camera's axes on the observer's axes at the start.
     from: DMat3,
     seconds: f64,
-    /// Yaw, pitch and roll as the turn left them. Any other values were set by something else,
-    /// which ends the turn.
-    left_at: [f64; 3],
 }
 
 impl Facing {
@@ -47,8 +46,8 @@ impl Facing {
             aim,
             from: scene.camera.tetrad_from_camera(),
             seconds: 0.0,
-            left_at: angles(scene),
         });
+        self.left_at = Some(scene.camera.angles());
     }
 
     /// Leaves the camera as it is.
@@ -60,11 +59,12 @@ impl Facing {
     pub(crate) fn is_turning(&self) -> bool {
         self.turn.is_some()
     }
-}
 
-fn angles(scene: &Scene) -> [f64; 3] {
-    let camera = &scene.camera;
-    [camera.yaw_deg, camera.pitch_deg, camera.roll_deg]
+    /// Whether the camera looks where the last turn left it. Any other angles were set by something
+    /// else, which ends the turn.
+    pub(crate) fn has_left(&self, scene: &Scene) -> bool {
+        self.left_at == Some(scene.camera.angles())
+    }
 }
 
 /// The axes right, up, forward of a camera with this aim, on the observer's axes. Up is as near to
@@ -134,11 +134,12 @@ pub(crate) fn turn_camera(
     mut facing: ResMut<Facing>,
     mut scene: ResMut<CurrentScene>,
 ) {
+    let is_left = facing.has_left(&scene);
     let Some(turn) = &mut facing.turn else {
         return;
     };
     let aimed = aimed(&scene, turn.aim);
-    let (Some(to), true) = (aimed, turn.left_at == angles(&scene)) else {
+    let (Some(to), true) = (aimed, is_left) else {
         facing.turn = None;
         return;
     };
@@ -151,10 +152,10 @@ pub(crate) fn turn_camera(
     let mut next = scene.scene().clone();
     next.camera
         .set_orientation(between_axes(turn.from, to, share));
-    turn.left_at = angles(&next);
     if share >= 1.0 {
         facing.turn = None;
     }
+    facing.left_at = Some(next.camera.angles());
     // A camera that is turned at its place can be drawn as before.
     if let Ok(next) = Drawable::new(next) {
         scene.0 = next;

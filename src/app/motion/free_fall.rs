@@ -306,7 +306,8 @@ fn released(free_fall: &FreeFall, bindings: &Bindings) -> String {
     format!("{motion}: {} holds again", bindings.label("motion.let_go"))
 }
 
-fn advance_free_fall(
+/// Moves the observer for one frame.
+pub(super) fn advance_free_fall(
     time: Res<Time>,
     mut free_fall: ResMut<FreeFall>,
     mut scene: ResMut<CurrentScene>,

@@ -1,6 +1,7 @@
 //! What moves the camera: the hand, the guided journey, and the observer's own motion.
 
 pub(crate) mod crossing;
+pub(crate) mod edge_view;
 pub(crate) mod facing;
 pub(crate) mod flight_step;
 pub(crate) mod free_fall;

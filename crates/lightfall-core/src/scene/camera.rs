@@ -40,6 +40,11 @@ impl Camera {
         (self.fov_deg.to_radians() / 2.0).tan()
     }
 
+    /// How far it is turned: yaw, pitch and roll, in degrees.
+    pub fn angles(&self) -> [f64; 3] {
+        [self.yaw_deg, self.pitch_deg, self.roll_deg]
+    }
+
     /// The camera's axes right, up, forward on the observer's axes (outward, theta, phi), one per
     /// column.
     ///
