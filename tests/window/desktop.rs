@@ -66,6 +66,12 @@ impl Desktop {
         Self::start(SCREEN, program, &[], arguments)
     }
 
+    /// As [`open_program`](Self::open_program), with a settings file.
+    pub fn open_program_with_settings(program: &Path, settings: &str, arguments: &[&str]) -> Self {
+        let files = [("settings.toml", settings.to_owned())];
+        Self::start(SCREEN, program, &files, arguments)
+    }
+
     /// As [`open_program`](Self::open_program), on a screen of another size.
     pub fn open_on(screen: (u16, u16), program: &Path, arguments: &[&str]) -> Self {
         Self::start(screen, program, &[], arguments)

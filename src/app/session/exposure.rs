@@ -16,7 +16,8 @@ const FOLLOW_SECONDS: f64 = 0.2;
 const METER_INTERVAL: f64 = 0.1;
 /// Largest time that counts for one frame, in seconds.
 const MAX_FRAME_SECONDS: f64 = 0.25;
-/// Smaller differences, in powers of two, are left alone, so that a picture at rest stays at rest.
+/// A smaller difference, in powers of two, shows nowhere and is closed at once: the exposure of a
+/// picture at rest is the meter's own, whatever came before.
 const TOLERANCE: f64 = 0.02;
 
 pub(crate) fn plugin(app: &mut App) {
@@ -48,9 +49,13 @@ impl Meter {
                 (self.scene, self.age) = (Some(metered), 0.0);
             }
         }
-        let missing = self.wanted? - now;
+        let wanted = self.wanted?;
+        let missing = wanted - now;
+        if missing.abs() <= TOLERANCE {
+            return (missing != 0.0).then_some(wanted);
+        }
         let share = 1.0 - (-seconds.min(MAX_FRAME_SECONDS) / FOLLOW_SECONDS).exp();
-        (missing.abs() > TOLERANCE).then_some(now + share * missing)
+        Some(now + share * missing)
     }
 }
 
