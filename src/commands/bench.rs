@@ -29,27 +29,19 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
             "no method of --methods can trace a scene of --scenes: verlet and closed need hole.spin = 0",
         ));
     }
+    let scenes = match plan.scenes.as_slice() {
+        [scene] => format!("in the scene {}", scene.name),
+        scenes => format!("in {} scenes", scenes.len()),
+    };
     eprintln!(
-        "lightfall: bench: {} measurements in {} scenes on {}; the first scene will tell how long they take",
+        "lightfall: bench: {} measurements {scenes} on {}",
         plan.len(),
-        plan.scenes.len(),
         gpu.info.name
     );
-    // All rows of a scene are timed before the errors of any are computed.
-    let mut progress = Progress::new("bench", plan.work(), plan.work_of_scene(0));
-    let measured = plan.run(&gpu, |row| {
-        progress.set_task(format!("{}, {}", row.scene, row.label()));
-        progress.advance(plan.work_of(row));
-    });
-    let timed = measured.map_err(Stop::failed).and_then(|mut rows| {
-        if args.frames {
-            progress.set_task("whole frames".into());
-            time_frames(&plan, &mut rows)?;
-        }
-        Ok(rows)
-    });
-    progress.finish();
-    let rows = timed?;
+    let mut rows = measure(&gpu, &plan)?;
+    if args.frames {
+        time_frames(&plan, &mut rows)?;
+    }
 
     let entry = match args.entry {
         EntryArg::Compute => "compute",
@@ -72,6 +64,32 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
         }
     }
     print(if args.json { &json } else { &markdown })
+}
+
+/// Measures everything that is planned, and shows how far it has come.
+fn measure(gpu: &Gpu, plan: &Plan) -> Result<Vec<Measurement>, Stop> {
+    // All rows of a scene are timed before the error of any is computed, so a whole scene tells how
+    // long the rest will take.
+    let mut progress = Progress::new("bench", plan.work(), plan.work_of_scene(0));
+    let (mut timed, mut complete) = (0, 0);
+    let measured = plan.run(gpu, |step| {
+        let what = if step.completes_row {
+            complete += 1;
+            format!("errors of {complete}")
+        } else {
+            timed += 1;
+            format!("times of {timed}")
+        };
+        progress.set_task(format!(
+            "{what} of {} measured; {}, {}",
+            plan.len(),
+            step.scene,
+            step.setting
+        ));
+        progress.advance(step.work);
+    });
+    progress.finish();
+    measured.map_err(Stop::failed)
 }
 
 /// Times the frame of each method at the scene's own setting, as the sum of its passes.

@@ -73,28 +73,28 @@ impl Progress {
         self.done += work;
         let elapsed = self.began.elapsed();
         let share = (self.done / self.total).clamp(0.0, 1.0);
-        if elapsed < MIN_SAMPLE || self.done < self.sample {
-            return;
-        }
-        let left = elapsed.mul_f64((1.0 - share) / share);
-        if !self.estimated {
+        let left = (elapsed >= MIN_SAMPLE && self.done >= self.sample && share < 1.0)
+            .then(|| elapsed.mul_f64((1.0 - share) / share));
+        if let Some(left) = left
+            && !self.estimated
+        {
             self.estimated = true;
             self.line = (elapsed, share);
             self.say(&format!("takes about {} here", in_words(elapsed + left)));
         }
+        let left = left.map(|left| format!("about {} left", in_words(left)));
         if let Some(bar) = &self.bar {
-            bar.set_prefix(format!("about {} left", in_words(left)));
+            if let Some(left) = left {
+                bar.set_prefix(left);
+            }
             bar.set_position((1000.0 * share) as u64);
         } else if elapsed > self.line.0 + MIN_LINE_INTERVAL
             && share > self.line.1 + MIN_LINE_SHARE
             && share < 1.0 - MIN_LINE_SHARE
         {
             self.line = (elapsed, share);
-            let percent = 100.0 * share;
-            self.say(&format!(
-                "{percent:.0} % done, about {} left",
-                in_words(left)
-            ));
+            let left = left.map_or_else(String::new, |left| format!(", {left}"));
+            self.say(&format!("{:.0} % done{left}", 100.0 * share));
         }
     }
 

@@ -77,7 +77,7 @@ const ERRORS: &[Swatch] = &[
     (Vec3::new(0.0246, 0.3181, 0.3356), "1e-2 px"),
     (Vec3::new(0.2431, 0.6151, 0.2757), "0.1 px"),
     (Vec3::new(0.9615, 0.9322, 0.0480), "1 px or more"),
-    (MAGENTA, "no small rotation explains it"),
+    (MAGENTA, "too large to measure"),
     (Vec3::splat(0.05), "not known yet"),
 ];
 

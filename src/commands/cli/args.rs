@@ -121,7 +121,8 @@ fn about_pictures() -> String {
 /// The arguments of `lightfall trace`.
 #[derive(Debug, Args)]
 pub struct TraceArgs {
-    /// File of the rays to trace, or - for standard input
+    /// File of the rays to trace, or - for standard input; a wrong line stops the command before any
+    /// ray is traced
     #[arg(long, value_name = "FILE|-")]
     pub rays: PathBuf,
     /// Device that traces the rays

@@ -148,7 +148,7 @@ fn newcomers_keys(bindings: &Bindings) -> Vec<KeyHint> {
     let mut keys = hints(NEWCOMERS_KEYS, bindings);
     let mouse = KeyHint {
         key: "right mouse button".into(),
-        does: "look",
+        does: "drag to look",
         rank: 0,
     };
     keys.insert(1, mouse);

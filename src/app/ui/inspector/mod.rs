@@ -13,7 +13,7 @@ use crate::app::session::clipboard::Clipboard;
 use crate::app::state::overlays::{INSPECTOR_WIDTH, Overlays, Side};
 use crate::app::state::toast::Toast;
 use crate::app::ui::dock::docked;
-use crate::render::{CurrentScene, letterbox};
+use crate::render::{ComparedScene, ComparisonLayout, CurrentScene, letterbox};
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
@@ -103,6 +103,7 @@ fn inspect_clicked_pixel(
     window: Single<&Window, With<PrimaryWindow>>,
     overlays: Res<Overlays>,
     scene: Res<CurrentScene>,
+    compared: Res<ComparedScene>,
     mut inspector: ResMut<Inspector>,
 ) {
     if !overlays.shows_inspector() || !buttons.just_pressed(MouseButton::Left) {
@@ -112,8 +113,21 @@ fn inspect_clicked_pixel(
         .physical_cursor_position()
         .and_then(|place| pixel_at(&scene.picture, place, window.physical_size()));
     if let Some(pixel) = pixel {
-        inspector.asked = Some((scene.scene().clone(), pixel));
+        let scene = scene_at(pixel, &scene, &compared).clone();
+        inspector.asked = Some((scene, pixel));
         inspector.ask();
+    }
+}
+
+/// The scene that a pixel shows: the pinned one left of a comparison's divider.
+fn scene_at<'a>(pixel: DVec2, scene: &'a CurrentScene, compared: &'a ComparedScene) -> &'a Scene {
+    match compared.drawn() {
+        Some((pinned, ComparisonLayout::SideBySide { columns }))
+            if pixel.x < f64::from(columns) =>
+        {
+            pinned.scene()
+        }
+        _ => scene.scene(),
     }
 }
 

@@ -34,7 +34,7 @@ pub fn why_idle(scene: &Scene, key: &str) -> Option<&'static str> {
             Some("The pixel look is off.")
         }
         ("quality", "max_error_px") if setting != AccuracySetting::MaxError => {
-            Some("The method in use has no such setting.")
+            Some("Only Mino time keeps a largest error: the method in use does not control it.")
         }
         ("quality", "step_scale" | "max_steps" | "max_affine")
             if setting != AccuracySetting::StepScale =>

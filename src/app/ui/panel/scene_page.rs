@@ -19,8 +19,8 @@ const RESET_WIDTH: f32 = 22.0;
 /// Opacity of a row that changes nothing at present.
 const IDLE_OPACITY: f32 = 0.45;
 
-/// The fields below which the number of steps is shown.
-const FIELDS_WITH_STEPS: [&str; 2] = ["method", "quality.max_error_px"];
+/// The field below which the number of steps is shown.
+const FIELD_WITH_STEPS: &str = "method";
 
 /// The field below which the number of cells or pixels in the window is shown.
 const FIELD_WITH_CELLS: &str = "picture.grid_height";
@@ -51,7 +51,11 @@ pub(super) fn show(
                     };
                     let asked = show_row(ui, text.label, field, text.shown, &scene, &loaded);
                     change = asked.or(change.take());
-                    show_notes(ui, field, steps);
+                    if field.key == FIELD_WITH_STEPS {
+                        ui.weak(steps.in_words()).on_hover_text(
+                            "The work that method and quality mean for this picture",
+                        );
+                    }
                     if field.key == FIELD_WITH_CELLS {
                         let drawn = &editor.drawn_scene().picture;
                         ui.weak(drawn_in_words(drawn, window, bindings));
@@ -103,14 +107,6 @@ fn show_head(ui: &mut egui::Ui, editor: &mut SceneEditor, bindings: &Bindings) {
             .color(WEAK_TEXT),
     );
     ui.add_space(2.0);
-}
-
-/// What is said below a row: how much work it means.
-fn show_notes(ui: &mut egui::Ui, field: &Field, steps: &StepCounter) {
-    if FIELDS_WITH_STEPS.contains(&field.key) {
-        ui.weak(steps.in_words())
-            .on_hover_text("The work that method and largest error mean for this picture");
-    }
 }
 
 /// The fields that no section has, if there are any.

@@ -15,7 +15,7 @@ pub use equal_error::{AtEqualError, at_equal_error};
 pub use markdown::markdown;
 pub use measurement::Measurement;
 pub use pareto::{AutoMargin, Ranking, auto_margin, is_on_front};
-pub use plan::Plan;
+pub use plan::{Plan, Step};
 pub use plot::plot;
 pub use scenes::{BenchScene, scenes};
 pub use settings::{Setting, methods_for, settings};

@@ -82,7 +82,7 @@ impl Plan {
         Ok(stopwatch.time(gpu, self.effort)?.median_ms)
     }
 
-    /// The work of everything that is measured, in the unit of [`work_of`](Self::work_of).
+    /// The work of everything that is measured, in the unit of [`ray_work`].
     #[must_use]
     pub fn work(&self) -> f64 {
         (0..self.scenes.len())
@@ -98,19 +98,6 @@ impl Plan {
         rows.iter().flatten().map(work).sum()
     }
 
-    /// The work of one row, relative to the others.
-    #[must_use]
-    pub fn work_of(&self, row: &Measurement) -> f64 {
-        let scene = self.scenes.iter().find(|scene| scene.name == row.scene);
-        let method = Method::from_word(&row.method);
-        scene.zip(method).map_or(0.0, |(scene, method)| {
-            ray_work(&Scene {
-                method,
-                ..scene.scene.clone()
-            })
-        })
-    }
-
     fn rows_of(&self, bench_scene: &BenchScene) -> Vec<Setting> {
         let methods = methods_for(&bench_scene.scene)
             .into_iter()
@@ -120,14 +107,14 @@ impl Plan {
             .collect()
     }
 
-    /// Measures everything. `done` is called with each row.
+    /// Measures everything. `done` is called after each step.
     ///
     /// # Errors
     /// A scene cannot be traced, the picture is too large for the device, or the device failed.
     pub fn run(
         &self,
         gpu: &Gpu,
-        mut done: impl FnMut(&Measurement),
+        mut done: impl FnMut(&Step),
     ) -> Result<Vec<Measurement>, GpuError> {
         let mut rows = Vec::new();
         for bench_scene in &self.scenes {
@@ -157,14 +144,39 @@ impl Plan {
                 stopwatch.set_scene(gpu, scene)?;
                 let timing = stopwatch.time(gpu, self.effort)?;
                 let traces = kernel.trace_camera_rays(gpu, scene, &given)?;
+                done(&Step::new(bench_scene, &setting, false));
                 answers.push((setting, timing, traces));
             }
             for (setting, timing, traces) in answers {
                 let row = Measurement::new(&bench_scene.name, &setting, timing, &truth, &traces);
-                done(&row);
+                done(&Step::new(bench_scene, &setting, true));
                 rows.push(row);
             }
         }
         Ok(rows)
+    }
+}
+
+/// One step of a plan: a setting has been timed, or its error has been computed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// Name of the scene.
+    pub scene: String,
+    /// The method with its setting.
+    pub setting: String,
+    /// Whether the error has been computed too, which completes the row.
+    pub completes_row: bool,
+    /// Its share of [`Plan::work`], in the same unit.
+    pub work: f64,
+}
+
+impl Step {
+    fn new(bench_scene: &BenchScene, setting: &Setting, completes_row: bool) -> Self {
+        Self {
+            scene: bench_scene.name.clone(),
+            setting: setting.label(),
+            completes_row,
+            work: 0.5 * ray_work(&setting.scene),
+        }
     }
 }

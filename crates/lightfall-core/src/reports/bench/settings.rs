@@ -29,6 +29,19 @@ pub struct Setting {
     pub auto: bool,
 }
 
+impl Setting {
+    /// The method with its setting, as in tables.
+    #[must_use]
+    pub fn label(&self) -> String {
+        let method = self.scene.method.word();
+        if self.value.is_finite() {
+            format!("{method} {}", self.value)
+        } else {
+            method.into()
+        }
+    }
+}
+
 /// The methods that can trace a scene on the GPU.
 #[must_use]
 pub fn methods_for(scene: &Scene) -> Vec<Method> {

@@ -2,7 +2,7 @@
 
 use crate::app::ui::panel::sections::SECTIONS;
 use lightfall_core::reports::numbers::four_digits;
-use lightfall_core::scene::{FIELDS, ObserverKind, Scene, Value};
+use lightfall_core::scene::{FIELDS, Method, ObserverKind, Scene, Value};
 
 /// Names of fields whose label on the panel does not suit a sentence. Other fields have their label.
 const NAMES: [(&str, &str); 5] = [
@@ -37,6 +37,9 @@ fn setting(key: &str, unit: &str, value: &Value, scene: &Scene) -> String {
     let value = match (key, value) {
         ("name", _) => return scene.name.clone(),
         ("observer.kind", _) => motion(scene.observer.kind).into(),
+        ("method", _) if scene.method == Method::Auto => {
+            format!("auto ({})", Method::for_spin(scene.hole.spin).word())
+        }
         (_, Value::Boolean(true)) => "on".into(),
         (_, Value::Boolean(false)) => "off".into(),
         (_, Value::Word(word)) => (*word).into(),
