@@ -103,12 +103,15 @@ fn cell_light(cell: vec2<u32>) -> vec3<f32> {
 }
 
 // Rounds perceptual channel values to the levels. The dither is the same in every frame, so that a
-// still picture stands still.
+// still picture stands still. It fades below the first level above black: there it would show a
+// faint glow as a lattice of single cells.
 fn quantize(linear: vec3<f32>, cell: vec2<u32>) -> vec3<f32> {
     let top = max(presentation.levels - 1.0, 1.0);
-    let threshold = select(0.5, (bayer(cell) + 0.5) / 16.0, presentation.dither != 0u);
-    let rounded = min(floor(srgb_encode(linear) * top + threshold), vec3<f32>(top)) / top;
-    return srgb_decode(rounded);
+    let level = srgb_encode(linear) * top;
+    let dithered = (bayer(cell) + 0.5) / 16.0;
+    let share = select(vec3<f32>(0.0), min(level, vec3<f32>(1.0)), presentation.dither != 0u);
+    let rounded = min(floor(level + mix(vec3<f32>(0.5), vec3<f32>(dithered), share)), vec3<f32>(top));
+    return srgb_decode(rounded / top);
 }
 
 @fragment

@@ -138,6 +138,7 @@ pub fn program(start: Start) -> App {
             state::paused::plugin,
             state::notice::plugin,
             state::hole_in_view::plugin,
+            state::shown_picture::plugin,
             state::preferences::plugin,
         ))
         .add_plugins((

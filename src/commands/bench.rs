@@ -142,17 +142,16 @@ fn print_margin(margin: &AutoMargin) {
             return;
         }
     };
-    let speed = if margin.faster.is_finite() {
-        format!(
-            "at its error it is {:.1} times as fast as the next method",
+    let speed = match &margin.next {
+        Some(next) => format!(
+            "it is {:.1} times as fast as {next}, the next method with no larger error",
             margin.faster
-        )
-    } else {
-        "no other method reaches its error".into()
+        ),
+        None => "no other method reaches its error".into(),
     };
     let error = if margin.more_exact.is_finite() {
         format!(
-            "at its speed it is {:.1} times as exact as the next method",
+            "at its speed it is {:.1} times as exact as any other method",
             margin.more_exact
         )
     } else {

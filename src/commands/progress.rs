@@ -2,6 +2,7 @@
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::time::{Duration, Instant};
 
 /// The estimate of the whole is given when the work has lasted at least this long.
@@ -10,6 +11,9 @@ const MIN_SAMPLE: Duration = Duration::from_secs(2);
 const MIN_LINE_INTERVAL: Duration = Duration::from_secs(15);
 /// Minimum share of the work between two lines in a log, and after the last one.
 const MIN_LINE_SHARE: f64 = 0.05;
+
+/// Time after which a command without a progress bar says that it goes on.
+const MAX_SILENCE: Duration = Duration::from_secs(8);
 
 /// A progress bar on standard error, with the current task and the remaining time. Nothing is drawn
 /// if standard error is not a terminal.
@@ -111,6 +115,25 @@ impl Progress {
             Some(bar) => bar.suspend(|| eprintln!("{line}")),
             None => eprintln!("{line}"),
         }
+    }
+}
+
+/// Says once on standard error that work goes on, if it lasts long. The word is not given after the
+/// value is dropped.
+pub(super) struct LongWork {
+    _ends: Sender<()>,
+}
+
+impl LongWork {
+    /// Begins to wait. `message` is one sentence.
+    pub(super) fn new(message: String) -> Self {
+        let (ends, ended) = channel();
+        std::thread::spawn(move || {
+            if ended.recv_timeout(MAX_SILENCE) == Err(RecvTimeoutError::Timeout) {
+                eprintln!("lightfall: {message}");
+            }
+        });
+        Self { _ends: ends }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::circumstances::commit;
 use super::cli::RenderArgs;
 use super::output::print;
-use super::progress::progress;
+use super::progress::{LongWork, progress};
 use super::scene::{drawable, journey, scene};
 use super::stop::Stop;
 use crate::picture;
@@ -67,6 +67,12 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         rays: None,
         fps: args.frames.map(|_| args.fps),
     };
+    let _patience = pictures.sequence.is_none().then(|| {
+        LongWork::new(format!(
+            "still drawing {} x {} pixels; without a graphics card a large picture takes minutes",
+            size.x, size.y
+        ))
+    });
     let bar = if pictures.sequence.is_some() {
         progress(pictures.numbers().len())
     } else {

@@ -78,6 +78,14 @@ pub(super) fn follow_current_scene(
         Some((pinned, mode)) => {
             pinned.follow(&scene);
             match pinned.drawable() {
+                Ok(drawable)
+                    if matches!(mode, ComparisonMode::Difference { .. })
+                        && drawable.view != scene.view =>
+                {
+                    ComparedScene::Undrawable(
+                        "a difference needs the same view on both sides".into(),
+                    )
+                }
                 Ok(drawable) => {
                     ComparedScene::Drawn(Box::new((drawable, mode.layout(&scene.picture))))
                 }

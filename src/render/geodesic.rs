@@ -6,7 +6,8 @@ mod pipeline;
 mod shader;
 mod side;
 
-pub(super) use shader::{GeodesicShaders, select_geodesic_shaders};
+pub(crate) use shader::GeodesicShaders;
+pub(super) use shader::select_geodesic_shaders;
 
 use crate::render::camera_markers::SceneCamera;
 use crate::render::comparison::{

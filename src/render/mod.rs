@@ -41,6 +41,7 @@ pub use cost_report::{cost_report, cost_rows};
 pub use current_scene::CurrentScene;
 pub use device::render_plugin;
 pub use error_map::AwaitErrorMap;
+pub(crate) use geodesic::GeodesicShaders;
 pub use presentation::{Letterbox, ShownCells, fit, letterbox, resized};
 pub use redraw::{AlwaysDraw, DrawRequest, is_drawn};
 pub use scene_camera::NEAR_PLANE;

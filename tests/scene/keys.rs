@@ -201,17 +201,23 @@ fn a_key_without_a_visible_effect_says_why_and_names_the_key_that_helps() {
             "picture.levels",
             "this shows in the pixel look only; F7 switches it on",
         ),
+        (
+            |_| {},
+            "scene.spin",
+            "the disk still begins at 3 r_s; U moves it to the innermost stable orbit",
+        ),
     ] {
         assert_eq!(feedback_of(&without(change), id), words, "{id}");
     }
     // Where there is something to see, there is no feedback.
     let plain = without(|scene| (scene.disk.inner, scene.probe.enabled) = (4.0, true));
+    let explained = ["scene.observer", "scene.spin"];
     for control in CONTROLS
         .iter()
         .filter(|control| matches!(control.action, Action::Edit(_)))
     {
         assert!(
-            control.id == "scene.observer" || feedback_of(&plain, control.id).is_empty(),
+            explained.contains(&control.id) || feedback_of(&plain, control.id).is_empty(),
             "{}: {}",
             control.id,
             feedback_of(&plain, control.id)

@@ -55,7 +55,7 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
         ),
         (
             "render --frames 0..1 --method reference -o a.exr",
-            "lightfall: method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet, closed, mino or kerr-schild\n",
+            "lightfall: method = \"reference\" is refused: it runs on the CPU only, with `trace --device cpu`, so here it must be auto, verlet, closed, mino or kerr-schild\n",
         ),
         (
             "render -o a",

@@ -89,7 +89,7 @@ impl Group {
         match self {
             Self::Flight => "Flying",
             Self::Scene => "Scene",
-            Self::Light => "Physics, switched off on purpose",
+            Self::Light => "Physics: switch it off and on",
             Self::View => "Views",
             Self::Picture => "Picture",
             Self::Window => "Window",

@@ -8,6 +8,7 @@ use super::table::control_named;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::camera_rays::CameraRays;
 use lightfall_core::optics::disk::inner_edge;
+use lightfall_core::reports::numbers::four_digits;
 use lightfall_core::scene::{Content, ObserverKind, Scene, View};
 
 /// A remark on the change that a control has made. None where the picture shows the change. Keys
@@ -24,6 +25,13 @@ pub fn remark(
         "scene.observer" => skipped_observers(before, after),
         "scene.spin" if before.method != after.method => {
             Some(format!("the method is now {}", after.method.word()))
+        }
+        "scene.spin" if after.hole.spin != 0.0 && after.disk.enabled && !after.disk.follow_isco => {
+            Some(format!(
+                "the disk still begins at {} r_s; {} moves it to the innermost stable orbit",
+                four_digits(after.disk.inner),
+                key("scene.isco")
+            ))
         }
         "scene.isco" if !after.disk.enabled => {
             Some(format!("the disk is off; {} shows it", key("scene.disk")))

@@ -45,8 +45,8 @@ pub const CONTROLS: &[Control] = controls! {
         "fly.mouse" [Tab] "mouse looks around" Do(AppCommand::MouseLook);
         "journey.fly" [KeyJ] "journey: start, stop" Do(AppCommand::Journey);
         "journey.again" [Enter] "journey from its start" Do(AppCommand::RestartJourney);
-        "journey.back" [ArrowLeft] "journey: 5 seconds back, on" Do(AppCommand::JourneyBack);
-        "journey.ahead" [ArrowRight] "journey: 5 seconds back, on" Do(AppCommand::JourneyAhead);
+        "journey.back" [ArrowLeft] "journey: 5 seconds back, ahead" Do(AppCommand::JourneyBack);
+        "journey.ahead" [ArrowRight] "journey: 5 seconds back, ahead" Do(AppCommand::JourneyAhead);
         "motion.pause" [Slash] "pause a journey or a fall, go on" Do(AppCommand::Pause);
         "motion.let_go" [KeyF] "let go (free fall or orbit)" Do(AppCommand::LetGo);
         "motion.slower" [Comma] "slow down, speed up time" Do(AppCommand::SlowerTime);

@@ -21,7 +21,10 @@ pub(crate) fn announce_crossing(
     let is_inside = is_inside(&scene);
     let flies_itself = free_fall.is_moving() || player.is_playing();
     if is_inside && *was_inside == Some(false) && flies_itself {
-        notice.show("You have crossed the horizon", "No signal leaves from here");
+        notice.show(
+            "You have crossed the horizon",
+            "From here no signal can get out",
+        );
     } else if !is_inside {
         notice.close();
     }

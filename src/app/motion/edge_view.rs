@@ -10,26 +10,24 @@ use glam::{DMat3, DQuat, DVec3};
 use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::apparent_hole::ApparentHole;
 use lightfall_core::scene::Scene;
-use std::f64::consts::FRAC_PI_2;
 
 /// Where the edge of a shadow that just outgrows the picture crosses it: this share of the way from
 /// the middle to the picture's edge.
-const FIRST_EDGE: f64 = 0.8;
+const FIRST_EDGE: f64 = 0.6;
 /// Maximum speed at which the camera is turned, in radians per second.
 const MAX_TURN_RATE: f64 = 0.5;
 /// A camera that looks nearer than this to the hole's middle, in radians, is turned upward. Any other
 /// is turned straight away from the middle.
-const FACES_HOLE: f64 = 0.02;
+const FACES_HOLE: f64 = 0.2;
 
 /// How far from the hole's middle a camera has to look so that the edge of the shadow is in its
 /// picture, in radians, or a negative number. `radius` is the shadow's angular radius, `half_height`
-/// the angle from the middle of the picture to its upper edge. The edge comes to the middle of the
-/// picture as the shadow grows to half of all directions.
+/// the angle from the middle of the picture to its upper edge. The edge comes nearer to the middle of
+/// the picture as the shadow outgrows it.
 #[must_use]
 pub fn edge_distance(radius: f64, half_height: f64) -> f64 {
     let first = FIRST_EDGE * half_height;
-    let grown = ((radius - first) / (FRAC_PI_2 - first).max(1e-9)).clamp(0.0, 1.0);
-    radius - first * (1.0 - grown)
+    radius - first * (first / radius.max(first)).sqrt()
 }
 
 /// The camera's axes on the observer's axes, turned by at most `max_turn` radians so that the edge of

@@ -57,7 +57,7 @@ fn save_picture(
     {
         let scenes = Box::new(editor.scene_and_drawing());
         writer.0.ask(Order::Picture(scenes));
-        editor.say_over_bare_picture("Saving the picture");
+        editor.say("Saving the picture");
         editor.keep_saying_for(MAX_SAVING);
     }
 }
@@ -87,7 +87,7 @@ fn write_window(
 
 fn report_screenshot(writer: Res<ScreenshotWriter>, mut toast: ResMut<Toast>) {
     if let Some(answer) = writer.0.latest_answer() {
-        toast.say_over_bare_picture(answer);
+        toast.say(answer);
         toast.keep_for(SAVED);
     }
 }

@@ -10,6 +10,10 @@ pub enum MenuEntry {
     Resume,
     /// Show the list of places.
     Places,
+    /// Start the guided journey.
+    Journey,
+    /// Let go of the observer.
+    LetGo,
     /// Open the help.
     Help,
     /// Open the panel on its page of settings.
@@ -27,9 +31,11 @@ pub enum MenuEntry {
 }
 
 /// The entries of the first list.
-const MAIN: [MenuEntry; 7] = [
+const MAIN: [MenuEntry; 9] = [
     MenuEntry::Resume,
     MenuEntry::Places,
+    MenuEntry::Journey,
+    MenuEntry::LetGo,
     MenuEntry::Help,
     MenuEntry::Settings,
     MenuEntry::PhotoMode,

@@ -149,11 +149,6 @@ impl SceneEditor<'_> {
         self.toast.say(text);
     }
 
-    /// Shows a toast, also while everything but the picture is hidden.
-    pub(crate) fn say_over_bare_picture(&mut self, text: impl Into<String>) {
-        self.toast.say_over_bare_picture(text);
-    }
-
     /// Keeps the toast for at least this long, unless another one takes its place.
     pub(crate) fn keep_saying_for(&mut self, duration: Duration) {
         self.toast.keep_for(duration);

@@ -22,10 +22,7 @@ impl Title {
     /// The title of a scene that was just chosen.
     pub(crate) fn of(scene: &Scene) -> Self {
         let preset = PRESETS.iter().find(|preset| preset.name == scene.name);
-        let mut name = scene.name.replace(['-', '_'], " ");
-        if let Some(first) = name.get_mut(..1) {
-            first.make_ascii_uppercase();
-        }
+        let name = in_words(&scene.name);
         Self {
             name: match preset {
                 Some(preset) => format!("{}  {name}", preset.number),
@@ -46,4 +43,13 @@ impl Title {
     pub(crate) fn close(&mut self) {
         *self = Self::default();
     }
+}
+
+/// A scene's name as words, e.g. `Edge on` for `edge-on`.
+pub(crate) fn in_words(name: &str) -> String {
+    let mut words = name.replace(['-', '_'], " ");
+    if let Some(first) = words.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    words
 }

@@ -23,8 +23,6 @@ pub(crate) struct Toast {
     ends: Option<Duration>,
     /// How much of it is left while it fades, from 1 to 0.
     strength: f32,
-    /// Whether it is shown while everything else is hidden.
-    over_bare_picture: bool,
     /// The shortest time for which it stays.
     min_duration: Duration,
 }
@@ -36,15 +34,8 @@ impl Toast {
             text: text.into(),
             ends: None,
             strength: 1.0,
-            over_bare_picture: false,
             min_duration: Duration::ZERO,
         };
-    }
-
-    /// As [`say`](Self::say), also while everything but the picture is hidden.
-    pub(crate) fn say_over_bare_picture(&mut self, text: impl Into<String>) {
-        self.say(text);
-        self.over_bare_picture = true;
     }
 
     /// Keeps the present sentence for at least this long, unless another one takes its place.
@@ -70,11 +61,6 @@ impl Toast {
     /// The sentence. Empty if there is none.
     pub(crate) fn text(&self) -> &str {
         &self.text
-    }
-
-    /// Whether the sentence is shown while everything else is hidden.
-    pub(crate) fn shows_over_bare_picture(&self) -> bool {
-        self.over_bare_picture
     }
 
     /// How much of the sentence is to be seen, from 0 to 1: it fades at its end.

@@ -1,7 +1,6 @@
 //! The two panels at the sides of the window, and the help: opening and closing them, and drawing a
 //! panel's frame.
 
-use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::input::pointer::locate_pointer;
 use crate::app::state::overlays::{Overlays, Side};
@@ -23,7 +22,6 @@ pub(crate) fn plugin(app: &mut App) {
 
 pub(crate) fn apply_overlay_commands(
     mut commands: MessageReader<AppCommand>,
-    bindings: Res<Bindings>,
     mut overlays: ResMut<Overlays>,
     mut toast: ResMut<Toast>,
 ) {
@@ -32,11 +30,9 @@ pub(crate) fn apply_overlay_commands(
             AppCommand::Hide => overlays.hidden = !overlays.hidden,
             AppCommand::Help => {
                 overlays.toggle_help();
-                toast.say(if overlays.help {
-                    format!("Help: {} closes it", bindings.label("window.help"))
-                } else {
-                    "Help: closed".into()
-                });
+                if !overlays.help {
+                    toast.say("Help: closed");
+                }
             }
             AppCommand::Panel => {
                 overlays.toggle_side(Side::Right);

@@ -14,7 +14,13 @@ const MOUSE: [[&str; 2]; 2] = [["right mouse", "look around"], ["wheel", "speed"
 const STICKS: [[&str; 2]; 2] = [["left stick", "fly"], ["right stick", "look around"]];
 
 /// How the headings are arranged in columns: the first arrangement that fits the window is used.
-const COLUMNS: [&[&[Group]]; 3] = [
+const COLUMNS: [&[&[Group]]; 4] = [
+    &[
+        &[Group::Flight],
+        &[Group::Light, Group::Scene],
+        &[Group::View, Group::Picture],
+        &[Group::Window],
+    ],
     &[
         &[Group::Flight],
         &[Group::Light, Group::Scene, Group::View],
@@ -27,7 +33,13 @@ const COLUMNS: [&[&[Group]]; 3] = [
     &[&Group::ALL],
 ];
 /// The same with room for the gamepad's table under the last column.
-const COLUMNS_WITH_GAMEPAD: [&[&[Group]]; 3] = [
+const COLUMNS_WITH_GAMEPAD: [&[&[Group]]; 4] = [
+    &[
+        &[Group::Flight],
+        &[Group::Light, Group::Scene],
+        &[Group::View, Group::Picture],
+        &[Group::Window],
+    ],
     &[
         &[Group::Flight, Group::Picture],
         &[Group::Light, Group::Scene, Group::View],
@@ -133,7 +145,7 @@ fn show_help(
     let columns = sets
         .into_iter()
         .find(|columns| columns.len() as f32 * COLUMN_WIDTH < room.x)
-        .unwrap_or(sets[2]);
+        .unwrap_or(sets[3]);
     let mut open = true;
     egui::Window::new("Help")
         .open(&mut open)
@@ -163,9 +175,9 @@ fn show_help(
                     });
                 });
             ui.add_space(4.0);
-            let panel = bindings.label("window.panel");
+            let [help, panel] = ["window.help", "window.panel"].map(|id| bindings.label(id));
             ui.label(format!(
-                "Rebind keys in the panel ({panel}) > Settings.   {RADIUS_UNIT}"
+                "{help} closes this help.   Rebind keys in the panel ({panel}) > Settings.   {RADIUS_UNIT}"
             ));
         });
     if !open {

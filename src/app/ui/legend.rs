@@ -1,7 +1,7 @@
 //! The legend of a diagnostic view, in the upper right corner: what its colours mean.
 
 use crate::app::state::overlays::Overlays;
-use crate::render::CurrentScene;
+use crate::app::state::shown_picture::ShownPicture;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_core::scene::{Scene, View};
@@ -78,6 +78,7 @@ const ERRORS: &[Swatch] = &[
     (Vec3::new(0.2431, 0.6151, 0.2757), "0.1 px"),
     (Vec3::new(0.9615, 0.9322, 0.0480), "1 px or more"),
     (MAGENTA, "too large to measure"),
+    (BLACK, "nothing seen: the hole"),
     (Vec3::splat(0.05), "not known yet"),
 ];
 
@@ -96,7 +97,7 @@ pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
         View::Residual => ("Residual of the null constraint (not the error)", RESIDUALS),
         View::Steps => ("Steps of the method along each ray", STEPS),
         View::Error => (
-            "Backward error: the rotation of each ray that would explain its error",
+            "Backward error: the rotation that would explain a ray's error; one ray per block",
             ERRORS,
         ),
     })
@@ -113,9 +114,10 @@ pub(crate) fn plugin(app: &mut App) {
 
 fn show_legend(
     mut contexts: EguiContexts,
-    scene: Res<CurrentScene>,
+    shown: Res<ShownPicture>,
     overlays: Res<Overlays>,
 ) -> Result {
+    let scene = &shown.scene;
     let Some((title, swatches)) = legend(scene.view).filter(|_| !overlays.hidden) else {
         return Ok(());
     };
@@ -150,7 +152,7 @@ fn show_legend(
                         ui.label(egui::RichText::new(*meaning).size(13.0));
                     });
                 }
-                if let Some(reason) = why_empty(&scene) {
+                if let Some(reason) = why_empty(scene) {
                     ui.label(egui::RichText::new(reason).size(13.0));
                 }
             });

@@ -10,10 +10,13 @@ use bevy::prelude::*;
 const KEYS: [&[(&[&str], &str)]; 2] = [
     &[
         (&["fly.orbit"], "goes around the hole"),
+        (&["fly.roll_left", "fly.roll_right"], "roll"),
         (&["fly.narrower", "fly.wider"], "field of view"),
         (&["picture.brighter", "picture.darker"], "exposure"),
     ],
     &[
+        (&["picture.bypass"], "pixel look"),
+        (&["picture.bloom"], "bloom"),
         (&["window.screenshot"], "saves the picture"),
         (&["window.hide"], "ends the photo mode"),
     ],
@@ -38,7 +41,7 @@ fn apply_photo_mode(
         (true, None) => {
             *paused_before = Some(paused.0);
             paused.0 = true;
-            toast.say_over_bare_picture(keys_in_words(&bindings));
+            toast.say(keys_in_words(&bindings));
         }
         (false, Some(before)) => {
             *paused_before = None;

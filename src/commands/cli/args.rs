@@ -38,7 +38,7 @@ pub struct SceneArgs {
     #[arg(long, value_name = "CHI", allow_hyphen_values = true)]
     pub spin: Option<String>,
     /// Short for --set method=METHOD, after all --set
-    #[arg(long, help = format!("Short for --set method=METHOD, applied after every --set; {}",
+    #[arg(long, help = format!("Short for --set method=METHOD, applied after every --set; {}. reference is for `trace --device cpu` only",
                                field("method").map(Field::allowed).unwrap_or_default()))]
     pub method: Option<String>,
     /// Show the picture in large cells, or pixel by pixel; short for --set picture.bypass=false or

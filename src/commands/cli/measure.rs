@@ -33,8 +33,8 @@ pub struct BenchArgs {
     /// Number of rays whose error is measured in each scene [default: 8192, with --quick 512]
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u32>(16, 1_000_000))]
     pub rays: Option<u32>,
-    /// Measure few settings with few rays and small pictures. Without a graphics card this takes
-    /// minutes; the command says how many once it has begun
+    /// Measure few settings with few rays and small pictures. Without a graphics card all scenes
+    /// take minutes; the command says how many after the first scene
     #[arg(long)]
     pub quick: bool,
     /// Also time whole frames, with each method at the scene's own setting

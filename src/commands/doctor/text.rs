@@ -3,7 +3,7 @@
 use super::diagnosis::{Adapter, Diagnosis};
 use super::places::Folder;
 use super::self_test::SelfTest;
-use lightfall_core::reports::numbers::short_number;
+use lightfall_core::reports::numbers::{four_digits, short_number};
 use std::fmt::{Display, Formatter, Result};
 use std::path::Path;
 
@@ -150,7 +150,7 @@ impl SelfTest {
         };
         format!(
             "1920x1080 rays in {} ms by {by}",
-            short_number(self.trace_ms_1920x1080)
+            four_digits(self.trace_ms_1920x1080)
         )
     }
 }

@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The shaders that are needed now. The main world writes them, since shader assets live there.
 #[derive(Resource, Clone, ExtractResource)]
-pub(in crate::render) struct GeodesicShaders {
+pub(crate) struct GeodesicShaders {
     pub(super) current: JoinedShader,
     /// That of the pinned scene, while it is compared with the current one.
     pub(super) pinned: Option<JoinedShader>,
@@ -22,7 +22,7 @@ pub(in crate::render) struct GeodesicShaders {
 
 impl GeodesicShaders {
     /// Whether their pipelines exist.
-    pub(in crate::render) fn are_ready(&self) -> bool {
+    pub(crate) fn are_ready(&self) -> bool {
         let both = [Some(&self.current), self.pinned.as_ref()];
         both.into_iter().flatten().all(JoinedShader::is_ready)
     }

@@ -80,7 +80,7 @@ pub enum GpuError {
     },
     /// The method does not run on the GPU.
     #[error(
-        "method = \"{}\" is refused: it runs on the CPU only, so here it must be {}",
+        "method = \"{}\" is refused: it runs on the CPU only, with `trace --device cpu`, so here it must be {}",
         Method::list("and", |method| !method.on_gpu),
         Method::list("or", |method| method.on_gpu)
     )]

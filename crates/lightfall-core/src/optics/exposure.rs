@@ -11,7 +11,7 @@ use crate::optics::reference::Reference;
 use crate::optics::shift::Shift;
 use crate::optics::trace::{Hit, Outcome};
 use crate::optics::{disk, spectrum};
-use crate::scene::{Scene, SkyMode};
+use crate::scene::{Effects, Scene, SkyMode};
 use glam::{DVec2, DVec3};
 
 /// Rays over the picture.
@@ -32,6 +32,10 @@ const RANGE: [f64; 2] = [-12.0, 7.0];
 /// Halvings of that range, and the fraction of a power of two that the result is rounded to.
 const HALVINGS: u32 = 16;
 const PARTS: f64 = 1000.0;
+
+/// How far the exposure of a scene without some effects may be from its own, in powers of two: no
+/// switch turns the picture black or white.
+const MAX_SWITCHED: f64 = 1.5;
 
 /// Light that the meter sees.
 struct Sample {
@@ -56,12 +60,29 @@ impl Scene {
 }
 
 /// The exposure, in powers of two, for the light that the scene's camera sees. It does not depend
-/// on the scene's own exposure. `None` where the meter sees nothing shine, and in views whose
+/// on the scene's own exposure, and effects that are switched off count as on, so that a switch shows
+/// what it changes: as far as [`MAX_SWITCHED`] allows. `None` where the meter sees nothing shine, and in views whose
 /// colours are the same at every exposure.
 ///
 /// # Errors
 /// If the scene's observer cannot exist.
 pub fn metered_exposure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
+    let own = measure(scene)?;
+    if scene.effects == Effects::default() {
+        return Ok(own);
+    }
+    let with_effects = measure(&Scene {
+        effects: Effects::default(),
+        ..scene.clone()
+    });
+    Ok(own
+        .zip(with_effects?)
+        .map(|(own, whole)| whole.clamp(own - MAX_SWITCHED, own + MAX_SWITCHED))
+        .or(own))
+}
+
+/// The exposure for the scene as it is.
+fn measure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
     if !scene.view.shows_light() {
         return Ok(None);
     }

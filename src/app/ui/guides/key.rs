@@ -80,7 +80,10 @@ pub(super) fn show_key(
                 flat.iter().for_each(|guide| row(ui, guide, kerr));
             }
             if scene.effects.lensing {
-                note(ui, "Bent light shows the horizon over the whole shadow.");
+                note(
+                    ui,
+                    "Light is bent so far that the whole shadow shows the horizon.",
+                );
             }
             scale_bar(ui, scene, placement, mass);
         });

@@ -46,11 +46,11 @@ pub(super) fn label(guide: &Guide, kerr: Kerr) -> String {
     let name = match guide.landmark {
         Landmark::ShadowEdge => "edge of the shadow",
         Landmark::StableOrbit => "innermost stable orbit",
-        Landmark::StableOrbitAgain => "its second image",
+        Landmark::StableOrbitAgain => "second image of that orbit",
         Landmark::Ergosphere => "ergosphere",
         Landmark::Horizon => "horizon",
         Landmark::PhotonSphere if kerr.spin == 0.0 => "photon sphere",
-        Landmark::PhotonSphere => "photon shells",
+        Landmark::PhotonSphere => "photon shell",
     };
     if guide.flat {
         format!("{name} (flat)")
@@ -63,18 +63,21 @@ pub(super) fn label(guide: &Guide, kerr: Kerr) -> String {
 pub(super) fn meaning(guide: &Guide, kerr: Kerr) -> String {
     let shells: Vec<String> = photon_shells(kerr).into_iter().map(length).collect();
     let circling = match &shells[..] {
-        [inner, outer] => format!("photon shells, {inner} to {outer} r_s"),
+        [inner, outer] => format!("photon shell, {inner} to {outer} r_s"),
         _ => format!("photon sphere, {} r_s", shells.concat()),
     };
     match guide.landmark {
         Landmark::ShadowEdge => format!("light that grazed the {circling}"),
         Landmark::StableOrbit => {
-            format!("no stable orbit inside {} r_s", length(kerr.isco()))
+            format!(
+                "no stable circular orbit inside {} r_s",
+                length(kerr.isco())
+            )
         }
         Landmark::StableOrbitAgain => "by light that went on around the hole".into(),
         Landmark::Ergosphere => "nothing inside it can stand still".into(),
         Landmark::Horizon => format!("{} r_s", length(kerr.horizon())),
-        Landmark::PhotonSphere => format!("{} r_s", shells.join(" and ")),
+        Landmark::PhotonSphere => format!("{} r_s", shells.join(" to ")),
     }
 }
 

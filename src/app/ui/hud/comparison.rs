@@ -10,6 +10,7 @@ use super::physics_off::physics_off;
 use crate::app::controls::bindings::Bindings;
 use crate::app::session::comparison::next_gain;
 use crate::app::state::overlays::Overlays;
+use crate::app::state::shown_picture::ShownPicture;
 use crate::app::state::title::Title;
 use crate::render::{
     ComparedScene, Comparison, ComparisonLayout, ComparisonMode, CurrentScene, letterbox,
@@ -43,7 +44,7 @@ fn show_comparison(
     scene: Res<CurrentScene>,
     compared: Res<ComparedScene>,
     bindings: Res<Bindings>,
-    (overlays, title): (Res<Overlays>, Res<Title>),
+    (overlays, title, shown): (Res<Overlays>, Res<Title>, Res<ShownPicture>),
     mut comparison: ResMut<Comparison>,
 ) -> Result {
     let output = window.physical_size();
@@ -51,8 +52,8 @@ fn show_comparison(
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
-    let shown = letterbox(&scene.picture, output);
-    let [corner, size] = [shown.offset, shown.extent].map(|v| v / context.pixels_per_point());
+    let place = letterbox(&scene.picture, output);
+    let [corner, size] = [place.offset, place.extent].map(|v| v / context.pixels_per_point());
     let picture = Rect::from_min_size(pos2(corner.x, corner.y), vec2(size.x, size.y));
     let room = free_room(context, &overlays);
     let above = if title.is_shown() {
@@ -70,7 +71,7 @@ fn show_comparison(
     match &*compared {
         ComparedScene::None => {}
         ComparedScene::Undrawable(reason) => labels.show_centred(&[
-            ("The pinned settings cannot be drawn from here", BRIGHT),
+            ("The pinned settings are not drawn", BRIGHT),
             (reason, QUIET),
         ]),
         ComparedScene::Drawn(drawn) => match drawn.1 {
@@ -79,13 +80,13 @@ fn show_comparison(
                 let x = picture.left() + share * picture.width();
                 let height = picture.intersect(context.content_rect()).y_range();
                 if room.x_range().contains(x)
-                    && let Some(dragged) = show_divider(context, x, height)
+                    && let Some(dragged) = show_divider(context, x, height, !overlays.inspector)
                 {
                     let share = (dragged - picture.left()) / picture.width().max(1.0);
                     let divider = share.clamp(MIN_SHARE, 1.0 - MIN_SHARE);
                     drag_to(divider, &mut comparison);
                 }
-                match sides(&drawn.0, &scene) {
+                match shown_sides(&shown) {
                     Some([left, right]) => {
                         labels.show("left side", &left, x - GAP, Align2::RIGHT_TOP);
                         labels.show("right side", &right, x + GAP, Align2::LEFT_TOP);
@@ -103,7 +104,7 @@ fn show_comparison(
                 }
             }
             ComparisonLayout::Difference { gain } => {
-                let what = match sides(&drawn.0, &scene) {
+                let what = match shown_sides(&shown) {
                     Some([left, right]) => {
                         format!("{}  |  {}", left.join(", "), right.join(", "))
                     }
@@ -136,6 +137,11 @@ fn drag_to(divider: f32, comparison: &mut ResMut<Comparison>) {
     if moves && let Some((_, mode)) = &mut comparison.0 {
         *mode = dragged;
     }
+}
+
+/// What distinguishes the sides of the picture on the screen; `None` if nothing does.
+fn shown_sides(shown: &ShownPicture) -> Option<[Vec<String>; 2]> {
+    sides(shown.pinned.as_ref()?, &shown.scene)
 }
 
 /// What distinguishes each side from the other; `None` if nothing does.

@@ -15,7 +15,7 @@ use crate::render::CurrentScene;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_core::reports::numbers::{spin_digits, steady_digits};
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{ObserverKind, Scene};
 
 /// Room between two columns and between two lines, in points.
 const GAP: [f32; 2] = [18.0, 3.0];
@@ -120,14 +120,23 @@ fn show_read_outs(
 ) -> Result {
     let context = contexts.ctx_mut()?;
     let room = free_room(context, &overlays);
-    let strength = presence.of_read_outs();
+    // A mode that changes what the keys do is always named.
+    let strength = if orbit.is_on() {
+        1.0
+    } else {
+        presence.of_read_outs()
+    };
     width.0 = 0.0;
     if overlays.hidden || strength <= 0.0 || room.width() < MIN_WIDTH {
         return Ok(());
     }
     keep_fading(context, strength);
     let gear = GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower));
-    let lines = read_outs(&scene, pilot.throttle * gear);
+    let mut lines = read_outs(&scene, pilot.throttle * gear);
+    let moves = free_fall.is_moving() || player.is_playing();
+    if scene.observer.kind == ObserverKind::Rain && !moves {
+        lines[1][0].value.push_str(", held here");
+    }
     let mut board = Board::new(context, "read-outs", strength);
     put_columns(&mut board, &lines, room.width());
     let modes = [

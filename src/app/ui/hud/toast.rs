@@ -23,7 +23,7 @@ fn show_toast(
     overlays: Res<Overlays>,
     preferences: Res<Preferences>,
 ) -> Result {
-    if toast.text().is_empty() || overlays.hidden && !toast.shows_over_bare_picture() {
+    if toast.text().is_empty() {
         return Ok(());
     }
     let context = contexts.ctx_mut()?;

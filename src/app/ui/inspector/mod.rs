@@ -203,7 +203,7 @@ fn show_inspector(
             gpu,
         }) = answer
         else {
-            ui.label("Click a pixel of the picture: its light is traced again, by the f64 reference and on the GPU.");
+            ui.label("Click a point of the picture to see the path of its light.");
             return;
         };
         let Some(first) = rays.first() else { return };

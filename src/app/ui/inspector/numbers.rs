@@ -4,7 +4,7 @@ use super::ray_worker::GpuState;
 use bevy_egui::egui;
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::reports::inspection::{Difference, Inspection, Record};
-use lightfall_core::reports::numbers::four_digits;
+use lightfall_core::reports::numbers::{four_digits, short_number};
 use lightfall_core::scene::Scene;
 
 /// The row that answers how true the picture is at this pixel.
@@ -56,7 +56,7 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, scene: &Scene, gpu: 
                     .map(|angle| format!("{}°", four_digits(angle.to_degrees()))),
             );
             let closest = if cpu.outcome == Outcome::Captured {
-                "none: reaches the horizon".into()
+                "none: comes from the horizon".into()
             } else {
                 format!("{} r_s", four_digits(numbers.closest_r))
             };
@@ -148,7 +148,7 @@ fn differences(
     let backward = difference.backward.zip(difference.backward_px);
     row(
         OFF_BY,
-        backward.map(|(turn, pixels)| format!("{} rad = {} px", size(turn), size(pixels))),
+        backward.map(|(turn, pixels)| format!("{} rad = {} px", size(turn), short_number(pixels))),
     );
     row(
         "GPU error, sky",
@@ -185,8 +185,8 @@ fn work(record: &Record) -> String {
 /// What the ray shows, in words. An opaque disk hides what is behind it.
 fn outcome(record: &Record, opaque: bool) -> &'static str {
     match (record.outcome, record.hit1_r) {
-        (Outcome::Sky, Some(_)) if opaque => "disk (sky behind it, not seen)",
-        (Outcome::Captured, Some(_)) if opaque => "disk (hole behind it, not seen)",
+        (Outcome::Sky, Some(_)) if opaque => "disk (without it: sky)",
+        (Outcome::Captured, Some(_)) if opaque => "disk (without it: the hole)",
         (Outcome::Sky, Some(_)) => "disk, then sky",
         (Outcome::Captured, Some(_)) => "disk, then the hole",
         (Outcome::Captured, None) => "captured by the hole",

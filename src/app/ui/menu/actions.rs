@@ -34,6 +34,8 @@ impl MenuActions<'_> {
                 None
             }
             MenuEntry::Resume => None,
+            MenuEntry::Journey => Some(AppCommand::RestartJourney),
+            MenuEntry::LetGo => Some(AppCommand::LetGo),
             MenuEntry::Help => Some(AppCommand::Help),
             MenuEntry::Settings => Some(AppCommand::Settings),
             MenuEntry::PhotoMode => Some(AppCommand::Hide),

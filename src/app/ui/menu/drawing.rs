@@ -3,6 +3,7 @@
 use super::actions::MenuActions;
 use crate::app::controls::bindings::Bindings;
 use crate::app::state::menu::{Menu, MenuEntry};
+use crate::app::state::title::in_words;
 use crate::app::ui::theme::{ACCENT, TEXT, WEAK_TEXT};
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, egui};
@@ -11,7 +12,7 @@ use lightfall_core::scene::presets::PRESETS;
 
 /// Width of the first list and of the list of places, in points.
 const WIDTH: f32 = 300.0;
-const PLACES_WIDTH: f32 = 560.0;
+const PLACES_WIDTH: f32 = 640.0;
 /// Height of an entry where there is room, and the least, in points.
 const ENTRY_HEIGHT: f32 = 34.0;
 const MIN_ENTRY_HEIGHT: f32 = 24.0;
@@ -148,6 +149,8 @@ fn words(entry: MenuEntry, bindings: &Bindings) -> [String; 2] {
     let (name, id) = match entry {
         MenuEntry::Resume => ("Resume", "fly.escape"),
         MenuEntry::Places => ("Places", ""),
+        MenuEntry::Journey => ("Guided journey", "journey.again"),
+        MenuEntry::LetGo => ("Let go: fall or orbit", "motion.let_go"),
         MenuEntry::Help => ("Help: all keys", "window.help"),
         MenuEntry::Settings => ("Settings", ""),
         MenuEntry::PhotoMode => ("Photo mode", "window.hide"),
@@ -159,7 +162,8 @@ fn words(entry: MenuEntry, bindings: &Bindings) -> [String; 2] {
                 return [String::new(), String::new()];
             };
             let key = bindings.label(&format!("preset.{}", preset.number));
-            return [preset.plain_scene().title.clone(), key];
+            let scene = preset.plain_scene();
+            return [format!("{}: {}", in_words(&scene.name), scene.title), key];
         }
     };
     let keys = bindings.label(id);

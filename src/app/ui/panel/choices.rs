@@ -1,33 +1,39 @@
 //! The words of enumerations on the panel: what each choice is called, and what it means.
 
+/// Whether the panel offers a choice. The reference cannot draw a picture.
+#[must_use]
+pub(super) fn is_offered(key: &str, word: &str) -> bool {
+    (key, word) != ("method", "reference")
+}
+
 /// What a choice of a field is called, and what it means in one line. A choice without an entry is
 /// called by its word in a preset.
 #[must_use]
 pub fn choice(key: &str, word: &'static str) -> [&'static str; 2] {
     match (key, word) {
         ("method", "auto") => [
-            "Best for this scene",
+            "Best for this scene (auto)",
             "Closed form without spin, Mino time with spin",
         ],
         ("method", "verlet") => [
-            "Verlet steps",
+            "Verlet steps (verlet)",
             "Small steps in space, without spin; the article's method",
         ],
         ("method", "closed") => [
-            "Closed form",
+            "Closed form (closed)",
             "Elliptic functions, without spin; exact to the numbers' own precision",
         ],
         ("method", "mino") => [
-            "Mino time",
+            "Mino time (mino)",
             "Kerr's equations in Mino time, with or without spin; the error is bounded",
         ],
         ("method", "kerr-schild") => [
-            "Kerr-Schild steps",
+            "Kerr-Schild steps (kerr-schild)",
             "Runge-Kutta steps in ingoing coordinates, for comparison",
         ],
         ("method", "reference") => [
-            "Reference",
-            "In double precision on the processor; not for the window",
+            "Reference (reference)",
+            "In double precision on the processor; it draws no picture",
         ],
         ("view", "colour") => ["Light", "What the camera sees"],
         ("view", "unfinished") => [

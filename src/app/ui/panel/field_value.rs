@@ -1,7 +1,7 @@
 //! The value of a field on the panel: a switch, a list of words, a text, or a number with a slider
 //! and a text field.
 
-use super::choices::choice;
+use super::choices::{choice, is_offered};
 use super::number_field::{Typed, number_field};
 use super::sections::Shown;
 use super::switch::switch;
@@ -73,7 +73,7 @@ fn show_choices(
         .selected_text(choice(key, word)[0])
         .width(ui.available_width())
         .show_ui(ui, |ui| {
-            for each in choices {
+            for each in choices.iter().filter(|word| is_offered(key, word)) {
                 let [name, meaning] = choice(key, each);
                 let label = ui.selectable_value(&mut chosen, each, name);
                 if !meaning.is_empty() {

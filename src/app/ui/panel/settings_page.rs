@@ -85,6 +85,10 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
                 .on_hover_text("Journeys do not roll, and the exposure stays as it is during a flight");
             switch(ui, &mut settings.reduced_motion);
             ui.end_row();
+            ui.label("Key hints")
+                .on_hover_text("The keys for newcomers at the lower right. They go away after some use");
+            switch(ui, &mut settings.key_hints);
+            ui.end_row();
             ui.label("Pixel look")
                 .on_hover_text("The picture is shown in large cells of few tones. Presets keep this choice");
             switch(ui, &mut settings.pixel_look);

@@ -15,6 +15,10 @@ pub fn markdown(circumstances: &Circumstances, rows: &[Measurement]) -> String {
     for (name, value) in circumstances.lines() {
         writeln!(text, "* {name}: {value}").expect("writing to a string cannot fail");
     }
+    text += "\nTimes are medians, and +- is their spread, in ms. Errors are backward errors of the rays named above: their \
+             median (p50) and 99th percentile, in pixels of the scene's picture and in rad. Wrong class counts rays \
+             that end in the hole, on the disk or in the sky by mistake; steps is the mean per ray. * is the method of \
+             auto; bold rows are beaten by no other in both time and error.\n";
     text += "\n| scene | method | trace ms | +- | frame ms | backward px p50 | p99 | rad p99 | sky rad p50 | wrong class | unfinished | steps |\n";
     text += "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for row in rows {

@@ -10,6 +10,8 @@ pub struct AutoMargin {
     /// Time of the fastest row of another method with no larger error, over `auto`'s time. Infinite
     /// if there is no such row.
     pub faster: f64,
+    /// That row's method with its setting, if there is one.
+    pub next: Option<String>,
     /// Error of the most exact row of another method that is no slower, over `auto`'s error. The
     /// error is the 99th percentile of the backward error. Infinite if there is no such row.
     pub more_exact: f64,
@@ -80,9 +82,15 @@ pub fn auto_margin(rows: &[Measurement], scene: &str) -> Option<AutoMargin> {
         },
     };
     let [faster, more_exact] = margins(0.0, 0.0);
+    let next = others
+        .iter()
+        .filter(|row| row.backward_p99 <= auto.backward_p99)
+        .min_by(|a, b| a.trace_ms.total_cmp(&b.trace_ms))
+        .map(|row| row.label());
     Some(AutoMargin {
         scene: scene.into(),
         faster,
+        next,
         more_exact,
         ranking,
     })

@@ -12,15 +12,26 @@ const LINE: Color32 = Color32::from_gray(240);
 const EDGE: Color32 = Color32::from_black_alpha(150);
 const ARROW: Color32 = Color32::from_gray(40);
 
-/// Draws the divider, and returns where the mouse drags it.
-pub(super) fn show_divider(context: &egui::Context, x: f32, y: Rangef) -> Option<f32> {
+/// Draws the divider, and returns where the mouse drags it: along its whole line, or at its handle
+/// only, where the line must leave the picture's pixels to clicks.
+pub(super) fn show_divider(
+    context: &egui::Context,
+    x: f32,
+    y: Rangef,
+    whole_line: bool,
+) -> Option<f32> {
+    let grip = if whole_line {
+        y
+    } else {
+        Rangef::point(y.center()).expand(HANDLE_RADIUS)
+    };
     let area = egui::Area::new("divider".into())
-        .fixed_pos([x - 0.5 * GRIP_WIDTH, y.min])
+        .fixed_pos([x - 0.5 * GRIP_WIDTH, grip.min])
         .movable(false)
         .constrain(false)
         .order(egui::Order::Middle);
     let shown = area.show(context, |ui| {
-        let grip = vec2(GRIP_WIDTH, y.span());
+        let grip = vec2(GRIP_WIDTH, grip.span());
         let (_, response) = ui.allocate_exact_size(grip, egui::Sense::drag());
         let held = response.hovered() || response.dragged();
         let response = response.on_hover_and_drag_cursor(egui::CursorIcon::ResizeHorizontal);
