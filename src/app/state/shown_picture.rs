@@ -18,10 +18,11 @@ pub(crate) fn plugin(app: &mut App) {
         .add_systems(PreUpdate, note_shown_picture);
 }
 
+/// Before the renderer has started there are no shaders, and no picture.
 fn note_shown_picture(
     scene: Res<CurrentScene>,
     compared: Res<ComparedScene>,
-    shaders: Res<GeodesicShaders>,
+    shaders: If<Res<GeodesicShaders>>,
     mut shown: ResMut<ShownPicture>,
 ) {
     if !shaders.are_ready() {
