@@ -272,7 +272,8 @@ pub(super) fn write_still(file: &Path, still: &Still, scene: &Scene) -> Result<(
 
 fn print_times(times: &[PassTime]) {
     eprintln!(
-        "{:>10}{:>10}  pass (GPU time in ms, median of {TIMED_FRAMES} frames)",
+        "{:>10}{:>10}  pass (GPU time in ms, median of {TIMED_FRAMES} frames: of frames that draw the scene, and of \
+         frames that keep its picture)",
         "drawn", "kept"
     );
     for PassTime {

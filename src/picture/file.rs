@@ -42,7 +42,7 @@ pub enum PictureError {
     #[error("the picture could not be drawn: {0}")]
     Draw(String),
     /// The user interrupted the program.
-    #[error("interrupted; the pictures written so far are complete")]
+    #[error("interrupted; every picture that was written is complete")]
     Interrupted,
 }
 

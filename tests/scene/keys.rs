@@ -211,7 +211,7 @@ fn a_key_without_a_visible_effect_says_why_and_names_the_key_that_helps() {
     }
     // Where there is something to see, there is no feedback.
     let plain = without(|scene| (scene.disk.inner, scene.probe.enabled) = (4.0, true));
-    let explained = ["scene.observer", "scene.spin"];
+    let explained = ["scene.observer", "scene.spin", "light.doppler"];
     for control in CONTROLS
         .iter()
         .filter(|control| matches!(control.action, Action::Edit(_)))

@@ -51,6 +51,9 @@ pub fn remark(
         "light.doppler" if !after.disk.enabled && at_rest(after) => {
             Some("nothing in view moves".into())
         }
+        "light.doppler" if !after.effects.doppler && after.effects.beaming => {
+            Some("with it goes the beaming by motion".into())
+        }
         "picture.antialias" if !after.probe.enabled => Some(format!(
             "there is no probe to smooth; {} adds it",
             key("scene.probe")

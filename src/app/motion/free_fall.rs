@@ -281,6 +281,10 @@ fn apply_free_fall_commands(
                             .is_some_and(|line| !line.is_circular());
                         if is_fall && hole.0.is_some_and(|hole| !hole.in_picture) {
                             facing.start(Aim::Hole, &scene);
+                            toast.add(&format!(
+                                "facing the hole, {} looks outward",
+                                bindings.label("fly.face")
+                            ));
                         }
                     }
                     Err(error) => toast.say(no_observer(&error, &scene)),

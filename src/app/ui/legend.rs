@@ -18,7 +18,7 @@ const CLASSES: &[Swatch] = &[
     (Vec3::new(0.0, 0.02, 0.16), "from the sky"),
     (
         Vec3::new(0.02, 0.20, 0.75),
-        "from the sky, through the disk's plane once",
+        "from the sky, through the disk once",
     ),
     (Vec3::new(0.30, 0.75, 1.0), "from the sky, through it twice"),
     (Vec3::new(0.06, 0.02, 0.0), "ends at the horizon"),
@@ -105,6 +105,8 @@ pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
 
 /// Name of the legend's area.
 pub(crate) const LEGEND: &str = "legend";
+/// Largest width of its texts, in points.
+const MAX_WIDTH: f32 = 250.0;
 /// Room around the legend, in points.
 const MARGIN: f32 = 12.0;
 
@@ -135,7 +137,7 @@ fn show_legend(
                 .corner_radius(5);
             frame.show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 2.0;
-                ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+                ui.set_max_width(MAX_WIDTH);
                 ui.label(egui::RichText::new(title).size(13.0).strong());
                 for (colour, meaning) in swatches {
                     ui.horizontal(|ui| {

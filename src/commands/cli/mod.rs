@@ -26,7 +26,8 @@ Examples:
   lightfall presets show 2                       every field, with its meaning and range
 
 Lengths are in Schwarzschild radii, angles in degrees. Results go to standard output, everything else to standard
-error. Exit status: 0 everything was done, 2 a bad command line, preset, journey or file of rays, 1 any other failure.";
+error. Exit status: 0 everything was done, 2 a bad command line, preset, journey or file of rays, 130 an
+interruption, 1 any other failure.";
 
 /// The text below the help: examples and, in a build without gamepads, a note.
 fn after_help() -> String {

@@ -294,6 +294,7 @@ table! {
         /// Largest error of a ray, for method mino.
         max_error_px: f64 = 0.05, Range::closed(1e-4, 1.0), "pixels";
         /// Scale of the step rule of verlet and kerr-schild: 1.55 cheap, 0.85 balanced, 0.45 high.
+        /// Above 0.85 other limits of kerr-schild's steps decide.
         step_scale: f64 = 0.85, Range::above(0.0, 16.0), "";
         /// Most steps of verlet and kerr-schild.
         max_steps: u32 = 768, Range::closed(1.0, 768.0), "steps";

@@ -82,7 +82,7 @@ pub(super) fn show_key(
             if scene.effects.lensing {
                 note(
                     ui,
-                    "Light is bent so far that the whole shadow shows the horizon.",
+                    "Every line of sight inside the shadow, traced back, ends at the horizon.",
                 );
             }
             scale_bar(ui, scene, placement, mass);

@@ -67,7 +67,7 @@ pub(super) fn meaning(guide: &Guide, kerr: Kerr) -> String {
         _ => format!("photon sphere, {} r_s", shells.concat()),
     };
     match guide.landmark {
-        Landmark::ShadowEdge => format!("light that grazed the {circling}"),
+        Landmark::ShadowEdge => format!("the photon ring: light that grazed the {circling}"),
         Landmark::StableOrbit => {
             format!(
                 "no stable circular orbit inside {} r_s",

@@ -20,6 +20,9 @@ use lightfall_core::scene::{ObserverKind, Scene};
 /// Room between two columns and between two lines, in points.
 const GAP: [f32; 2] = [18.0, 3.0];
 
+/// Label of the factor of the hand's speed.
+const SPEED: &str = "flying speed";
+
 /// One read-out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadOut {
@@ -75,7 +78,7 @@ pub fn read_outs(scene: &Scene, speed: f64) -> [Vec<ReadOut>; 2] {
     let motion = vec![
         ReadOut::new("", motion.into(), "hovering at rest"),
         ReadOut::new("spin", spin_digits(scene.hole.spin), "0.9999"),
-        ReadOut::new("speed", format!("{speed:.2}×"), "00.00×"),
+        ReadOut::new(SPEED, format!("{speed:.2}×"), "00.00×"),
         ReadOut::new("", exposure, "exposure +00.00"),
     ];
     [place, motion]
@@ -134,9 +137,16 @@ fn show_read_outs(
     let gear = GEAR.powf(held.axis(FlightInput::Faster, FlightInput::Slower));
     let mut lines = read_outs(&scene, pilot.throttle * gear);
     let moves = free_fall.is_moving() || player.is_playing();
-    if scene.observer.kind == ObserverKind::Rain && !moves {
-        lines[1][0].value.push_str(", held here");
+    let motion = &mut lines[1];
+    match scene.observer.kind {
+        ObserverKind::Rain if !moves => motion[0].value.push_str(", held here"),
+        ObserverKind::Static if player.is_playing() => {
+            motion[0].value = "as if hovering here".into()
+        }
+        _ => {}
     }
+    // It is the hand's, and no speed of the observer.
+    motion.retain(|read_out| !moves || read_out.label != SPEED);
     let mut board = Board::new(context, "read-outs", strength);
     put_columns(&mut board, &lines, room.width());
     let modes = [

@@ -168,7 +168,7 @@ fn receive_rays(mut inspector: ResMut<Inspector>, mut toast: ResMut<Toast>) {
 fn show_inspector(
     mut contexts: EguiContexts,
     window: Single<&Window, With<PrimaryWindow>>,
-    scene: Res<CurrentScene>,
+    (scene, compared): (Res<CurrentScene>, Res<ComparedScene>),
     clipboard: Res<Clipboard>,
     mut overlays: ResMut<Overlays>,
     mut inspector: ResMut<Inspector>,
@@ -179,7 +179,10 @@ fn show_inspector(
     }
     let context = contexts.ctx_mut()?;
     let inspector = &mut *inspector;
-    mark_rays(context, inspector, &scene, &window);
+    // What the pixel of the last answer shows now.
+    let pixel = inspector.answer.as_ref().and_then(InspectedRays::pixel);
+    let scene = scene_at(pixel.unwrap_or_default(), &scene, &compared);
+    mark_rays(context, inspector, scene, &window);
     docked(context, "inspector", Side::Left, INSPECTOR_WIDTH, |ui| {
         ui.horizontal(|ui| {
             ui.strong("Ray inspector");
@@ -217,7 +220,7 @@ fn show_inspector(
                 toast.say("The ray's numbers are on the clipboard, as JSON");
             }
         });
-        heading(ui, first, seen, &scene, gpu);
+        heading(ui, first, seen, scene, gpu);
         ui.horizontal(|ui| {
             for (viewpoint, name) in [
                 (Viewpoint::Plane, "Ray's plane"),
@@ -276,8 +279,9 @@ fn heading(ui: &mut egui::Ui, first: &Inspected, seen: &Scene, now: &Scene, gpu:
     } else {
         ""
     };
+    let method = seen.method.resolved(seen.hole.spin).word();
     ui.label(format!(
-        "Pixel {x}, {y} of {} x {}{earlier}{asked}",
+        "Pixel {x}, {y} of {} x {}, by {method}{earlier}{asked}",
         seen.picture.width, seen.picture.height
     ));
 }
@@ -302,16 +306,11 @@ fn choose_fan(ui: &mut egui::Ui, inspector: &mut Inspector) {
 }
 
 /// Marks the rays on the picture, as long as it is the picture that was clicked.
-fn mark_rays(
-    context: &egui::Context,
-    inspector: &Inspector,
-    scene: &CurrentScene,
-    window: &Window,
-) {
+fn mark_rays(context: &egui::Context, inspector: &Inspector, scene: &Scene, window: &Window) {
     let Some(answer) = inspector
         .answer
         .as_ref()
-        .filter(|answer| answer.scene == *scene.scene())
+        .filter(|answer| answer.scene == *scene)
     else {
         return;
     };

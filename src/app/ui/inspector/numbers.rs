@@ -60,7 +60,15 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, scene: &Scene, gpu: 
             } else {
                 format!("{} r_s", four_digits(numbers.closest_r))
             };
-            row("closest approach", Some(closest));
+            let behind = opaque && cpu.hit1_r.is_some();
+            row(
+                if behind {
+                    "closest, without disk"
+                } else {
+                    "closest approach"
+                },
+                Some(closest),
+            );
             // Inside the horizon the energy at infinity of some light is negative. b, L/E and E have
             // the same sign.
             let backward = numbers.impact_parameter.is_some_and(|b| b < 0.0);
@@ -121,11 +129,11 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, scene: &Scene, gpu: 
                 row(&format!("{which} disk hit"), place);
                 let light = g
                     .zip(temperature)
-                    .map(|(g, t)| format!("g {}, {t:.0} K to {:.0} K", four_digits(g), g * t));
-                row("   its light", light);
+                    .map(|(g, t)| format!("g {}, {t:.0} K seen as {:.0} K", four_digits(g), g * t));
+                row("   redshift", light);
                 row(
-                    "   emitted before",
-                    delay.map(|delay| format!("{} r_s/c", four_digits(delay))),
+                    "   emitted",
+                    delay.map(|delay| format!("{} r_s/c earlier", four_digits(delay))),
                 );
             }
             row("reference", Some(work(cpu)));

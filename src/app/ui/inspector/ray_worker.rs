@@ -2,6 +2,7 @@
 //! once, then on a background GPU device. No frame waits for it.
 
 use crate::worker::{Answers, Worker};
+use glam::DVec2;
 use lightfall_core::accuracy::Ray;
 use lightfall_core::gpu::rays::RayKernel;
 use lightfall_core::gpu::{GpuError, with_background_device};
@@ -30,6 +31,14 @@ pub(super) struct InspectedRays {
     pub(super) rays: Vec<Inspected>,
     /// What the GPU has answered.
     pub(super) gpu: GpuState,
+}
+
+impl InspectedRays {
+    /// The place in the picture of the ray that was clicked.
+    pub(super) fn pixel(&self) -> Option<DVec2> {
+        let first = self.rays.first()?;
+        first.numbers.pixel.map(DVec2::from_array)
+    }
 }
 
 /// What the GPU has answered.

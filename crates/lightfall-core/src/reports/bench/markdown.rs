@@ -15,10 +15,16 @@ pub fn markdown(circumstances: &Circumstances, rows: &[Measurement]) -> String {
     for (name, value) in circumstances.lines() {
         writeln!(text, "* {name}: {value}").expect("writing to a string cannot fail");
     }
-    text += "\nTimes are medians, and +- is their spread, in ms. Errors are backward errors of the rays named above: their \
-             median (p50) and 99th percentile, in pixels of the scene's picture and in rad. Wrong class counts rays \
-             that end in the hole, on the disk or in the sky by mistake; steps is the mean per ray. * is the method of \
-             auto; bold rows are beaten by no other in both time and error.\n";
+    let rays = rows.first().map_or(0, |row| row.rays);
+    writeln!(
+        text,
+        "\nTimes are medians; from 10 % to 90 % of them lie within +-, in ms. Errors are backward errors of {rays} rays in \
+         each scene, half over its picture and half next to the shadow's edge: median (p50) and 99th percentile, in pixels \
+         of the scene's own picture and in rad. Wrong class counts rays that end at the hole, the disk or the sky by \
+         mistake. Steps are the mean per ray. The number after a method is its quality.step_scale or \
+         quality.max_error_px. * is the method of auto; no row beats a bold one in both time and error."
+    )
+    .expect("writing to a string cannot fail");
     text += "\n| scene | method | trace ms | +- | frame ms | backward px p50 | p99 | rad p99 | sky rad p50 | wrong class | unfinished | steps |\n";
     text += "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for row in rows {
@@ -30,7 +36,7 @@ pub fn markdown(circumstances: &Circumstances, rows: &[Measurement]) -> String {
             row.label(),
             if row.auto { " *" } else { "" },
             short_number(row.trace_ms),
-            short_number(row.trace_spread_ms),
+            half_spread(row.trace_spread_ms),
             row.frame_ms.map(short_number).unwrap_or_default(),
             short_number(row.backward_p50_px),
             short_number(row.backward_p99_px),
@@ -43,6 +49,15 @@ pub fn markdown(circumstances: &Circumstances, rows: &[Measurement]) -> String {
         .expect("writing to a string cannot fail");
     }
     text + &equal_errors(circumstances, rows)
+}
+
+/// Half of a spread, or nothing for a single measurement.
+fn half_spread(spread_ms: f64) -> String {
+    if spread_ms > 0.0 {
+        short_number(0.5 * spread_ms)
+    } else {
+        String::new()
+    }
 }
 
 /// A larger ratio only shows that the two times differ from the floor by no more than their noise.
