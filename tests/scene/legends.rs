@@ -63,6 +63,7 @@ fn colours(view: View) -> &'static [&'static str] {
             "scale_colour(0.75)",
             "scale_colour(1.0)",
             "MAGENTA",
+            "vec3<f32>(0.0)",
             "vec3<f32>(0.05)",
         ],
     }
