@@ -3,6 +3,7 @@
 //! no switch leaves the picture black or white.
 
 use crate::app::state::preferences::Preferences;
+use crate::app::state::resolution::Resolution;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use lightfall_core::gpu::Drawable;
@@ -62,6 +63,7 @@ impl Meter {
 fn follow_light(
     time: Res<Time>,
     preferences: Res<Preferences>,
+    resolution: Res<Resolution>,
     mut scene: ResMut<CurrentScene>,
     mut meter: Local<Meter>,
 ) {
@@ -69,7 +71,10 @@ fn follow_light(
         *meter = Meter::default();
         return;
     }
-    let Some(exposure) = meter.follow(&scene, time.delta_secs_f64()) else {
+    // Not at the resolution that is drawn: a change of the exposure would change the resolution, and
+    // a coarser picture is metered a little differently.
+    let metered = resolution.scene_in_window(&scene);
+    let Some(exposure) = meter.follow(&metered, time.delta_secs_f64()) else {
         return;
     };
     let mut exposed = scene.scene().clone();
