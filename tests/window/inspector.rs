@@ -1,5 +1,6 @@
 //! The ray inspector in the window: what it copies is what the reference and the GPU answer.
 
+use crate::WINDOW;
 use crate::desktop::Desktop;
 use crate::shot::Shot;
 use glam::DVec2;
@@ -62,17 +63,33 @@ fn a_click_shows_and_copies_the_ray_of_that_pixel() {
 fn the_wheel_over_a_panel_that_has_just_opened_belongs_to_the_panel() {
     let desktop = Desktop::open(&["--preset", "2"]);
     let start = desktop.first_picture();
-    // Within the inspector to be, and the speed that the hint tells stays as it is.
+    let inspector = |a: &Shot, b: &Shot| a.changed(b, 0..INSPECTOR, 0..WINDOW.1);
+    // What the read-outs tell, the speed of flight among it. They go away some seconds after the
+    // mouse has moved.
+    let told = |x: i32| {
+        desktop.point(x, 300);
+        std::thread::sleep(Duration::from_millis(1500));
+        desktop.shot()
+    };
+    let tell_the_same = |a: &Shot, b: &Shot| {
+        a.changed(b, INSPECTOR..INSPECTOR + 400, WINDOW.1 - 70..WINDOW.1) == 0.0
+    };
+    // Within the inspector to be.
     desktop.point(200, 300);
     desktop.press("i");
-    let before = desktop.settled("inspector", |shot| {
-        shot.changed(&start, 0..INSPECTOR, 0..400) > 0.3
-    });
+    let before = desktop.settled("inspector", |shot| inspector(shot, &start) > 0.3);
+    let speed = told(201);
     desktop.press("i");
-    desktop.settled("no inspector", |shot| *shot != before);
+    desktop.settled("no inspector", |shot| inspector(shot, &before) > 0.3);
     desktop.press("i");
     (0..3).for_each(|_| desktop.wheel());
-    desktop.settled("the inspector as before", |shot| *shot == before);
+    desktop.settled("the inspector as before", |shot| {
+        inspector(shot, &before) == 0.0
+    });
+    assert!(
+        (0..5).any(|try_| tell_the_same(&told(202 + try_), &speed)),
+        "the wheel has changed the speed"
+    );
 }
 
 /// The JSON that is copied once the GPU has answered.

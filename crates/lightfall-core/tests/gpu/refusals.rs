@@ -32,7 +32,7 @@ fn methods_without_spin_refuse_a_spinning_hole() {
 
 #[test]
 fn the_reference_is_refused_on_the_gpu() {
-    let sentence = "method = \"reference\" is refused: it runs on the CPU only, so here it must be auto, verlet, \
+    let sentence = "method = \"reference\" is refused: it runs on the CPU only, with `trace --device cpu`, so here it must be auto, verlet, \
          closed, mino or kerr-schild";
     assert_eq!(refusal(|scene| scene.method = Method::Reference), sentence);
 }
