@@ -77,10 +77,7 @@ fn keep_edge_in_view(
     mut view: Local<EdgeView>,
 ) {
     let faces = commands.read().any(|command| *command == AppCommand::Face);
-    let is_fall = free_fall
-        .worldline()
-        .is_some_and(|line| !line.is_circular());
-    if !is_fall {
+    if !free_fall.is_fall() {
         *view = EdgeView::default();
         return;
     }

@@ -85,6 +85,12 @@ impl FreeFall {
         self.motion.is_some()
     }
 
+    /// Whether an observer was let go and falls, rather than orbits.
+    #[must_use]
+    pub fn is_fall(&self) -> bool {
+        self.worldline().is_some_and(|line| !line.is_circular())
+    }
+
     /// The motion, with its clocks.
     #[must_use]
     pub fn worldline(&self) -> Option<&Worldline> {
@@ -276,10 +282,7 @@ fn apply_free_fall_commands(
                         history.note_departure(&scene, time.elapsed());
                         toast.say(released(&free_fall, &bindings));
                         // The way in shows what the observer falls into.
-                        let is_fall = free_fall
-                            .worldline()
-                            .is_some_and(|line| !line.is_circular());
-                        if is_fall && hole.0.is_some_and(|hole| !hole.in_picture) {
+                        if free_fall.is_fall() && hole.0.is_some_and(|hole| !hole.in_picture) {
                             facing.start(Aim::Hole, &scene);
                             toast.add(&format!(
                                 "facing the hole, {} looks outward",

@@ -54,15 +54,11 @@ fn apply_photo_mode(
 
 /// What the photo mode says when it begins.
 fn keys_in_words(bindings: &Bindings) -> String {
-    let first = |id: &&str| {
-        let keys = bindings.label(id);
-        keys.split(", ").next().unwrap_or_default().to_owned()
-    };
     let lines = KEYS.map(|line| {
         let entries = line.iter().filter_map(|(ids, does)| {
             let keys: Vec<_> = ids
                 .iter()
-                .map(first)
+                .map(|id| bindings.first_label(id))
                 .filter(|key| !key.is_empty())
                 .collect();
             (!keys.is_empty()).then(|| format!("{} {does}", keys.join(" ")))

@@ -60,9 +60,9 @@ impl Scene {
 }
 
 /// The exposure, in powers of two, for the light that the scene's camera sees. It does not depend
-/// on the scene's own exposure, and effects that are switched off count as on, so that a switch shows
-/// what it changes, but by no more than 1.5 powers of two. `None` where the meter sees nothing shine, and in views whose
-/// colours are the same at every exposure.
+/// on the scene's own exposure. Effects that are switched off count as on, so that a switch shows
+/// what it changes; this moves the exposure by no more than 1.5 powers of two. `None` where the meter
+/// sees nothing shine, and in views whose colours are the same at every exposure.
 ///
 /// # Errors
 /// If the scene's observer cannot exist.

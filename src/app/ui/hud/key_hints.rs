@@ -133,7 +133,7 @@ const FALL_KEYS: &[Row] = &[
 /// The hints of these rows, with the keys as they are bound.
 fn hints(rows: &[Row], bindings: &Bindings) -> Vec<KeyHint> {
     let hint = |&(ids, between, does, rank): &Row| {
-        let keys: Vec<_> = ids.iter().map(|id| first_key(bindings, id)).collect();
+        let keys: Vec<_> = ids.iter().map(|id| bindings.first_label(id)).collect();
         KeyHint {
             key: keys.join(between),
             does,
@@ -153,13 +153,6 @@ fn newcomers_keys(bindings: &Bindings) -> Vec<KeyHint> {
     };
     keys.insert(1, mouse);
     keys
-}
-
-/// The first key of a control.
-fn first_key(bindings: &Bindings, id: &str) -> String {
-    let keys = bindings.label(id);
-    // A comma may be a key itself.
-    keys.split(", ").next().unwrap_or_default().to_owned()
 }
 
 fn show_key_hints(

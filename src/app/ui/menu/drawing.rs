@@ -166,7 +166,5 @@ fn words(entry: MenuEntry, bindings: &Bindings) -> [String; 2] {
             return [format!("{}: {}", in_words(&scene.name), scene.title), key];
         }
     };
-    let keys = bindings.label(id);
-    let first = keys.split(", ").next().unwrap_or_default();
-    [name.into(), first.into()]
+    [name.into(), bindings.first_label(id)]
 }

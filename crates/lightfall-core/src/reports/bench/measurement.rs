@@ -1,6 +1,6 @@
 //! One row of the report: a method at one setting in one scene.
 
-use super::settings::Setting;
+use super::settings::{Setting, label};
 use crate::accuracy::{ErrorSummary, Truth};
 use crate::gpu::timing::Timing;
 use crate::optics::trace::Trace;
@@ -122,9 +122,6 @@ impl Measurement {
     /// The method with its setting, as in tables.
     #[must_use]
     pub fn label(&self) -> String {
-        self.value.map_or_else(
-            || self.method.clone(),
-            |value| format!("{} {value}", self.method),
-        )
+        label(&self.method, self.value)
     }
 }

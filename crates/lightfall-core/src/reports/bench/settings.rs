@@ -33,13 +33,13 @@ impl Setting {
     /// The method with its setting, as in tables.
     #[must_use]
     pub fn label(&self) -> String {
-        let method = self.scene.method.word();
-        if self.value.is_finite() {
-            format!("{method} {}", self.value)
-        } else {
-            method.into()
-        }
+        label(self.scene.method.word(), self.key.map(|_| self.value))
     }
+}
+
+/// A method with the value of its setting, if it has one.
+pub(super) fn label(method: &str, value: Option<f64>) -> String {
+    value.map_or_else(|| method.to_owned(), |value| format!("{method} {value}"))
 }
 
 /// The methods that can trace a scene on the GPU.
