@@ -31,9 +31,12 @@ pub fn journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Stop> {
     Ok(storage::read_journey(file, scene)?)
 }
 
-/// Checks that the scene can be drawn, and that there is a graphics adapter.
+/// Checks that the scene can be drawn, and that there is a graphics device. Says so where it is
+/// another one than was to be expected.
 pub(super) fn drawable(scene: &Scene) -> Result<Drawable, Stop> {
     let drawable = Drawable::new(scene.clone()).map_err(Stop::refused)?;
-    gpu::check_adapter().map_err(Stop::without_device)?;
+    if let Some(news) = gpu::check_device().map_err(Stop::without_device)? {
+        eprintln!("lightfall: {news}");
+    }
     Ok(drawable)
 }

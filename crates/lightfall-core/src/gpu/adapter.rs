@@ -68,7 +68,24 @@ static PREFERRED: Mutex<Option<AdapterName>> = Mutex::new(None);
 /// From now on, devices are opened on this adapter if it exists and the environment names no other
 /// one.
 pub fn prefer(adapter: Option<AdapterName>) {
+    replace_chosen(None);
     *PREFERRED.lock().unwrap_or_else(PoisonError::into_inner) = adapter;
+}
+
+/// What is used in place of a chosen adapter that gave no device.
+static REPLACEMENT: Mutex<Option<AdapterName>> = Mutex::new(None);
+
+/// The adapter that is used in place of the chosen one, if that one gave no device.
+pub(super) fn replacement() -> Option<AdapterName> {
+    REPLACEMENT
+        .lock()
+        .unwrap_or_else(PoisonError::into_inner)
+        .clone()
+}
+
+/// From now on the chosen adapter is tried again, or this one is used in its place.
+pub(super) fn replace_chosen(name: Option<AdapterName>) {
+    *REPLACEMENT.lock().unwrap_or_else(PoisonError::into_inner) = name;
 }
 
 /// The environment variable that chooses the adapter, if one is set.
@@ -119,13 +136,18 @@ fn adapters_of(backends: Backends) -> Vec<Adapter> {
     pollster::block_on(instance(backends).enumerate_adapters(backends))
 }
 
+/// Every adapter that can be chosen, in wgpu's order.
+pub(super) async fn every_adapter() -> Vec<Adapter> {
+    instance(backends()).enumerate_adapters(backends()).await
+}
+
 /// The choice for code that opens a device by itself, as Bevy does: the backends, and the name of
-/// the preferred adapter if it exists.
+/// the preferred adapter if it exists, or of the one that replaces an adapter without a device.
 #[must_use]
 pub fn chosen() -> (Backends, Option<String>) {
     let preferred =
         preferred().filter(|preferred| adapters().iter().any(|listed| listed.name == *preferred));
-    match preferred {
+    match replacement().or(preferred) {
         Some(AdapterName { name, backend }) => (Backends::from_comma_list(&backend), Some(name)),
         None => (backends(), None),
     }
@@ -172,7 +194,7 @@ pub(super) async fn adapter() -> Result<Adapter, GpuError> {
             }
         });
     }
-    if let Some(wanted) = preferred() {
+    if let Some(wanted) = replacement().or_else(preferred) {
         let mut adapters = instance.enumerate_adapters(backends()).await.into_iter();
         if let Some(adapter) =
             adapters.find(|adapter| AdapterName::of(&adapter.get_info()) == wanted)

@@ -1,7 +1,7 @@
 //! A graphics device without a window.
 
-use super::adapter::adapter;
 use super::error::GpuError;
+use super::fallback::open;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use wgpu::{AdapterInfo, Device, ErrorFilter, Queue, ShaderModule};
 
@@ -28,17 +28,13 @@ impl Gpu {
     /// There is no adapter, or it provides no device.
     pub fn headless() -> Result<Self, GpuError> {
         pollster::block_on(async {
-            let adapter = adapter().await?;
-            let descriptor = wgpu::DeviceDescriptor {
+            let ((adapter, device, queue), _) = open(|adapter| wgpu::DeviceDescriptor {
                 label: Some("lightfall"),
                 required_features: adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
                 required_limits: adapter.limits(),
                 ..Default::default()
-            };
-            let (device, queue) = adapter
-                .request_device(&descriptor)
-                .await
-                .map_err(GpuError::device_failed)?;
+            })
+            .await?;
             let lost = Arc::new(OnceLock::new());
             let reason = Arc::clone(&lost);
             device.set_device_lost_callback(move |_, message| {

@@ -34,6 +34,14 @@ pub enum GpuError {
         /// The names of the adapters.
         names: Vec<String>,
     },
+    /// There are adapters, but none of them gives a device.
+    #[error(
+        "no graphics adapter gives a device: {}; a newer graphics driver may help", .failures.join("; ")
+    )]
+    NoDevice {
+        /// The adapters, each with its reason.
+        failures: Vec<String>,
+    },
     /// The adapter provides no device, or the device failed: it is of no further use.
     #[error("the graphics device failed: {0}")]
     Device(String),

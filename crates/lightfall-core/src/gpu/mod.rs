@@ -10,6 +10,7 @@ mod difference;
 mod drawable;
 mod error;
 mod error_map;
+mod fallback;
 pub mod kernel;
 mod presentation;
 pub mod rays;
@@ -27,6 +28,7 @@ pub use difference::Difference;
 pub use drawable::{Drawable, Undrawable};
 pub use error::GpuError;
 pub use error_map::{ERROR_MAP_SIZE, ErrorMap};
+pub use fallback::check_device;
 pub use presentation::Presentation;
 pub use read_back::read_back;
 pub use scene::{
