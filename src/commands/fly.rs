@@ -1,6 +1,7 @@
 //! `lightfall` without a command: opens the window or, where there is no display, draws a picture.
 
 use super::cli::FlyArgs;
+use super::console::close_own_console;
 use super::render::write_still;
 use super::scene::{drawable, journey, scene};
 use super::stop::Stop;
@@ -20,6 +21,7 @@ pub(super) fn fly(args: &FlyArgs) -> Result<(), Stop> {
     if let Err(reason) = app::display() {
         return draw_instead(scene, &journey, journey_file, &reason);
     }
+    close_own_console();
     let start = Start {
         plays_journey: journey_file.is_some(),
         keeps_own_look: args.scene.sets("picture.bypass").map_err(Stop::refused)?,

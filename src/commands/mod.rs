@@ -6,6 +6,7 @@
 mod adapters;
 mod bench;
 mod circumstances;
+mod console;
 pub mod cli;
 pub mod doctor;
 mod extremes;

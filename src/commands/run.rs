@@ -3,6 +3,7 @@
 use super::adapters::list_adapters;
 use super::bench::bench;
 use super::cli::{self, Command, GpuArgs};
+use super::console;
 use super::doctor::doctor;
 use super::extremes::extremes;
 use super::fly::fly;
@@ -40,7 +41,7 @@ pub fn run() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(stop) => {
-            eprintln!("lightfall: {stop}");
+            console::report(&stop.to_string());
             ExitCode::from(stop.status)
         }
     }
