@@ -19,7 +19,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             .set("ProductName", "Lightfall")
             .set("FileDescription", "Lightfall")
             .set("OriginalFilename", "lightfall.exe")
-            .set("LegalCopyright", "The Lightfall developers, MIT or Apache-2.0");
+            .set(
+                "LegalCopyright",
+                "The Lightfall developers, MIT or Apache-2.0",
+            );
         resource.compile()?;
     }
     Ok(())

@@ -162,6 +162,7 @@ pub fn program(start: Start) -> App {
             session::quit::plugin,
             session::screenshot::plugin,
             session::clipboard::plugin,
+            session::crash_notes::plugin,
         ))
         .add_plugins((
             motion::facing::plugin,

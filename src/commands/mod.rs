@@ -6,8 +6,8 @@
 mod adapters;
 mod bench;
 mod circumstances;
-mod console;
 pub mod cli;
+mod console;
 pub mod doctor;
 mod extremes;
 mod fly;

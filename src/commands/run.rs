@@ -10,12 +10,14 @@ use super::fly::fly;
 use super::presets::presets;
 use super::render::render;
 use super::trace::trace;
+use crate::storage;
 use std::io;
 use std::process::ExitCode;
 
 /// Runs the program.
 pub fn run() -> ExitCode {
     silence_driver();
+    storage::report_panics(console::report);
     let command = match cli::read_all(std::env::args_os()) {
         Ok((gpu, command)) => {
             choose_adapter(&gpu);

@@ -35,8 +35,15 @@ pub fn journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Stop> {
 /// another one than was to be expected.
 pub(super) fn drawable(scene: &Scene) -> Result<Drawable, Stop> {
     let drawable = Drawable::new(scene.clone()).map_err(Stop::refused)?;
-    if let Some(news) = gpu::check_device().map_err(Stop::without_device)? {
-        eprintln!("lightfall: {news}");
+    let adapter = gpu::working_adapter().map_err(Stop::without_device)?;
+    if !adapter.failures.is_empty() {
+        eprintln!(
+            "lightfall: using {}, because no device was given by {}",
+            adapter.description,
+            adapter.failures.join("; ")
+        );
     }
+    storage::note_adapter(adapter.description);
+    storage::note_scene(scene);
     Ok(drawable)
 }

@@ -56,7 +56,7 @@ fn choose_error_policy(
     {
         return RenderErrorPolicy::StopRendering;
     }
-    if let Err(reason) = lightfall_core::gpu::check_device() {
+    if let Err(reason) = lightfall_core::gpu::working_adapter() {
         let since = losses.without_adapter.map_or(now, |(since, _)| since);
         losses.without_adapter = Some((since, now));
         if now.duration_since(since) < MAX_TIME_WITHOUT_ADAPTER {

@@ -66,3 +66,12 @@ pub fn pictures_folder() -> PathBuf {
 pub fn create_parent_folder(path: &Path) -> Result<(), WriteError> {
     std::fs::create_dir_all(parent_folder(path)).map_err(|error| WriteError::new(path, error))
 }
+
+/// The folder of the reports of crashes: the system's for such data or, where there is none, that
+/// for temporary files.
+#[must_use]
+pub fn reports_folder() -> PathBuf {
+    directories::ProjectDirs::from("", "", "lightfall").map_or_else(std::env::temp_dir, |folders| {
+        folders.data_local_dir().to_owned()
+    })
+}

@@ -2,12 +2,14 @@
 //! by name or read from a file.
 
 mod atomic_file;
+mod crash_report;
 mod embedded_preset;
 mod file_name;
 mod folders;
 mod scene_source;
 
 pub use atomic_file::{WriteError, check_folder_writable, check_writable, write_atomically};
+pub use crash_report::{note_adapter, note_log, note_scene, report_panics};
 pub use embedded_preset::{PRESET_KEY, embedded_preset, is_picture};
 pub use file_name::file_safe_name;
 pub use folders::{

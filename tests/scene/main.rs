@@ -11,6 +11,7 @@ mod canvas;
 mod command_line;
 mod comparison;
 mod cost_report;
+mod crash;
 mod doctor;
 mod edge_view;
 mod file_names;

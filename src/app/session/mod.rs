@@ -6,6 +6,7 @@ pub(crate) mod adaptive_resolution;
 pub(crate) mod canvas;
 pub(crate) mod clipboard;
 pub(crate) mod comparison;
+pub(crate) mod crash_notes;
 pub(crate) mod display;
 pub(crate) mod exposure;
 pub(crate) mod frame_pacing;

@@ -55,17 +55,25 @@ fn rank(kind: DeviceType) -> u8 {
     }
 }
 
-/// Checks that there is an adapter that gives a device. Returns a sentence if it is not the chosen
-/// one.
+/// An adapter that has given a device.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WorkingAdapter {
+    /// Its name with its interface and driver.
+    pub description: String,
+    /// Why each adapter before it gave no device. Empty for the chosen one.
+    pub failures: Vec<String>,
+}
+
+/// Finds the adapter that is used: the chosen one or, if it gives no device, the next one that does.
 ///
 /// # Errors
 /// There is no adapter, or none gives a device.
-pub fn check_device() -> Result<Option<String>, GpuError> {
-    let (_, failures) = pollster::block_on(open(|_| DeviceDescriptor::default()))?;
-    Ok(replacement().filter(|_| !failures.is_empty()).map(|name| {
-        format!(
-            "using {name}, because no device was given by {}",
-            failures.join("; ")
-        )
-    }))
+pub fn working_adapter() -> Result<WorkingAdapter, GpuError> {
+    let ((adapter, ..), failures) = pollster::block_on(open(|_| DeviceDescriptor::default()))?;
+    let info = adapter.get_info();
+    let name = AdapterName::of(&info);
+    Ok(WorkingAdapter {
+        description: format!("{name}, {} {}", info.driver, info.driver_info),
+        failures,
+    })
 }

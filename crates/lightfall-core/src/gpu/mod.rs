@@ -28,7 +28,7 @@ pub use difference::Difference;
 pub use drawable::{Drawable, Undrawable};
 pub use error::GpuError;
 pub use error_map::{ERROR_MAP_SIZE, ErrorMap};
-pub use fallback::check_device;
+pub use fallback::{WorkingAdapter, working_adapter};
 pub use presentation::Presentation;
 pub use read_back::read_back;
 pub use scene::{

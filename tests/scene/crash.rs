@@ -1,0 +1,75 @@
+//! What is left of a run that ends by a fault of the program itself.
+
+use lightfall::storage::{note_adapter, note_log, note_scene, report_panics};
+use lightfall_core::scene::Scene;
+use std::process::Command;
+
+/// Panics with a report. This is no test: the test below starts it as another process.
+#[test]
+#[ignore = "started by the test of reports"]
+fn started_program_that_panics() {
+    report_panics(|sentence| eprintln!("told: {sentence}"));
+    note_adapter("A card (vulkan), driver 1.2".into());
+    let mut scene = Scene::default();
+    scene.camera.r = 12.25;
+    note_scene(&scene);
+    for line in 0..200 {
+        note_log(format!("line {line} of the log"));
+    }
+    panic!("a fault on purpose");
+}
+
+/// Runs the program above with this folder for its data. Returns what it has said.
+fn crash(data: &std::path::Path) -> String {
+    let output = Command::new(std::env::current_exe().unwrap())
+        .args([
+            "--exact",
+            "crash::started_program_that_panics",
+            "--ignored",
+            "--nocapture",
+        ])
+        .env("XDG_DATA_HOME", data)
+        .output()
+        .unwrap();
+    assert!(!output.status.success());
+    String::from_utf8(output.stderr).unwrap()
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_crash_leaves_a_report_and_says_where_it_is() {
+    let data = tempfile::tempdir().unwrap();
+    let said = crash(data.path());
+    let folder = data.path().join("lightfall");
+    let reports: Vec<_> = std::fs::read_dir(&folder).unwrap().flatten().collect();
+    assert_eq!(reports.len(), 1, "{said}");
+    let file = reports[0].path();
+    assert!(
+        said.contains(&format!(
+            "told: Lightfall has met a fault of its own. Please send this report to its makers: {}",
+            file.display()
+        )),
+        "{said}"
+    );
+    let report = std::fs::read_to_string(file).unwrap();
+    for part in [
+        "a fault on purpose",
+        "tests/scene/crash.rs",
+        "A card (vulkan), driver 1.2",
+        "r = 12.25",
+        "line 199 of the log",
+        "line 120 of the log",
+    ] {
+        assert!(report.contains(part), "{part} is not in {report}");
+    }
+    assert!(!report.contains("line 119 of the log"), "{report}");
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_crash_without_a_place_for_its_report_says_why_there_is_none() {
+    // A file where a folder would have to be.
+    let data = tempfile::NamedTempFile::new().unwrap();
+    let said = crash(data.path());
+    assert!(said.contains("no report could be written: "), "{said}");
+}
