@@ -1,9 +1,7 @@
 //! The adapter that is used when the chosen one gives no device: some systems list adapters that
 //! cannot be opened, such as a Direct3D 12 without a shader compiler.
 
-use super::adapter::{
-    AdapterName, adapter, every_adapter, named_by_environment, replace_chosen, replacement,
-};
+use super::adapter::{AdapterName, adapter, every_adapter, named_by_environment, replace_chosen};
 use super::error::GpuError;
 use wgpu::{Adapter, Device, DeviceDescriptor, DeviceType, Queue};
 
