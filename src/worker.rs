@@ -1,4 +1,5 @@
-//! A background thread that answers questions, so that no frame waits for slow work.
+//! A background thread that answers questions, so that no frame waits for slow work. A page in a
+//! browser has one thread: there, a question is served when its answer is looked for.
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Mutex, PoisonError};
@@ -8,6 +9,9 @@ use std::sync::{Mutex, PoisonError};
 pub struct Worker<Question, Answer> {
     questions: Sender<Question>,
     answers: Mutex<Receiver<Answer>>,
+    /// Serves a question that waits.
+    #[cfg(target_arch = "wasm32")]
+    serve_waiting: Mutex<Box<dyn FnMut() + Send>>,
 }
 
 /// Where the thread puts its answers. One question may have none, one or several answers.
@@ -25,9 +29,7 @@ impl<Question: Send + 'static, Answer: Send + 'static> Worker<Question, Answer> 
     /// Starts a thread that serves every question, in the order they were asked.
     pub fn serving_all(mut serve: impl FnMut(Question, &Answers<Answer>) + Send + 'static) -> Self {
         Self::start(move |questions, answers| {
-            for question in questions {
-                serve(question, &answers);
-            }
+            next_question(questions).map(|question| serve(question, answers))
         })
     }
 
@@ -37,20 +39,41 @@ impl<Question: Send + 'static, Answer: Send + 'static> Worker<Question, Answer> 
         mut serve: impl FnMut(Question, &Answers<Answer>) + Send + 'static,
     ) -> Self {
         Self::start(move |questions, answers| {
-            while let Ok(question) = questions.recv() {
-                let latest = questions.try_iter().last().unwrap_or(question);
-                serve(latest, &answers);
-            }
+            let question = next_question(questions)?;
+            let latest = questions.try_iter().last().unwrap_or(question);
+            serve(latest, answers);
+            Some(())
         })
     }
 
-    fn start(run: impl FnOnce(Receiver<Question>, Answers<Answer>) + Send + 'static) -> Self {
+    /// Starts a thread that calls `serve_next` until it has no more questions.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn start(
+        mut serve_next: impl FnMut(&Receiver<Question>, &Answers<Answer>) -> Option<()> + Send + 'static,
+    ) -> Self {
         let (questions, asked) = channel();
         let (answer, answers) = channel();
-        std::thread::spawn(move || run(asked, Answers(answer)));
+        let answer = Answers(answer);
+        std::thread::spawn(move || while serve_next(&asked, &answer).is_some() {});
         Self {
             questions,
             answers: Mutex::new(answers),
+        }
+    }
+
+    #[cfg(target_arch = "wasm32")]
+    fn start(
+        mut serve_next: impl FnMut(&Receiver<Question>, &Answers<Answer>) -> Option<()> + Send + 'static,
+    ) -> Self {
+        let (questions, asked) = channel();
+        let (answer, answers) = channel();
+        let answer = Answers(answer);
+        Self {
+            questions,
+            answers: Mutex::new(answers),
+            serve_waiting: Mutex::new(Box::new(move || {
+                serve_next(&asked, &answer);
+            })),
         }
     }
 
@@ -77,6 +100,22 @@ impl<Question: Send + 'static, Answer: Send + 'static> Worker<Question, Answer> 
     }
 
     fn with_answers<T>(&self, take: impl FnOnce(&Receiver<Answer>) -> T) -> T {
+        #[cfg(target_arch = "wasm32")]
+        self.serve_waiting
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)();
         take(&self.answers.lock().unwrap_or_else(PoisonError::into_inner))
     }
+}
+
+/// Waits for a question. `None` if nobody can ask one any more.
+#[cfg(not(target_arch = "wasm32"))]
+fn next_question<Question>(questions: &Receiver<Question>) -> Option<Question> {
+    questions.recv().ok()
+}
+
+/// The question that waits, if one does.
+#[cfg(target_arch = "wasm32")]
+fn next_question<Question>(questions: &Receiver<Question>) -> Option<Question> {
+    questions.try_recv().ok()
 }

@@ -48,7 +48,7 @@ pub use ui::panel::{
     sections::{RowText, SECTIONS, Section, Shown},
 };
 
-use crate::picture::quiet_log;
+use crate::log::quiet_log;
 use crate::render::{LightfallRenderPlugin, render_plugin};
 use bevy::app::PluginGroupBuilder;
 use bevy::camera::RenderTarget;
@@ -61,9 +61,12 @@ use lightfall_core::scene::journey::Journey;
 use session::adapter::AdapterChoice;
 use state::preferences::Preferences;
 use state::title::Title;
+use state::toast::Toast;
 
 /// What the window starts with.
 pub struct Start {
+    /// What the window says first.
+    pub message: Option<String>,
     /// The first scene.
     pub scene: Drawable,
     /// The guided journey.
@@ -79,6 +82,7 @@ impl Start {
     #[must_use]
     pub fn new(scene: Drawable, journey: Journey) -> Self {
         Self {
+            message: None,
             scene,
             journey,
             plays_journey: false,
@@ -95,6 +99,7 @@ pub fn fly(start: Start) -> AppExit {
 /// The whole window program, as [`fly`] runs it.
 pub fn program(start: Start) -> App {
     let Start {
+        message,
         mut scene,
         journey,
         plays_journey,
@@ -119,7 +124,13 @@ pub fn program(start: Start) -> App {
     // The adapter has to be chosen before the renderer opens a device.
     let adapter = AdapterChoice::apply(&mut preferences);
     let mut app = App::new();
-    state::preferences::insert(&mut app, preferences, fault);
+    state::preferences::insert(&mut app, preferences);
+    let messages: Vec<String> = message.into_iter().chain(fault).collect();
+    if !messages.is_empty() {
+        app.world_mut()
+            .get_resource_or_init::<Toast>()
+            .say(messages.join("\n"));
+    }
     app.add_plugins(bevy_plugins(&scene))
         .add_plugins(EguiPlugin::default())
         .insert_resource(History::new(scene.scene().clone()))
@@ -163,6 +174,7 @@ pub fn program(start: Start) -> App {
             session::screenshot::plugin,
             session::clipboard::plugin,
             session::crash_notes::plugin,
+            session::link::plugin,
         ))
         .add_plugins((
             motion::facing::plugin,
@@ -189,6 +201,8 @@ pub fn program(start: Start) -> App {
             ui::notice::plugin,
             ui::compass::plugin,
         ));
+    #[cfg(target_arch = "wasm32")]
+    app.add_plugins(session::page::plugin);
     app
 }
 

@@ -1,6 +1,6 @@
 //! Picture files.
 
-use crate::storage::{PRESET_KEY, WriteError, check_writable, write_atomically};
+use crate::storage::{WriteError, check_writable, encoded_png, write_atomically};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
@@ -104,28 +104,9 @@ pub fn write_png(
     rgb: &[u8],
     preset: &str,
 ) -> Result<(), PictureError> {
-    let bytes = encoded(width, height, rgb, preset).map_err(|error| PictureError::Encode {
+    let bytes = encoded_png(width, height, rgb, preset).map_err(|error| PictureError::Encode {
         path: path.into(),
         reason: error.to_string(),
     })?;
     Ok(write_atomically(path, &bytes)?)
-}
-
-fn encoded(
-    width: u32,
-    height: u32,
-    rgb: &[u8],
-    preset: &str,
-) -> Result<Vec<u8>, png::EncodingError> {
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::Fast);
-    encoder.set_filter(png::Filter::Adaptive);
-    encoder.add_itxt_chunk(PRESET_KEY.into(), preset.into())?;
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(rgb)?;
-    writer.finish()?;
-    Ok(bytes)
 }

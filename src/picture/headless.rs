@@ -1,16 +1,12 @@
 //! The chain of passes as a Bevy app without a window.
 
 use super::PictureError;
+use crate::log::quiet_log;
 use crate::render::{AwaitErrorMap, Capture, LightfallRenderPlugin, is_drawn, render_plugin};
-use crate::storage::note_log;
 use bevy::app::PluginsState;
 use bevy::asset::RenderAssetUsages;
 use bevy::camera::RenderTarget;
 use bevy::log::LogPlugin;
-use bevy::log::tracing::field::Field;
-use bevy::log::tracing::{Event, Subscriber};
-use bevy::log::tracing_subscriber::Layer;
-use bevy::log::tracing_subscriber::layer::Context;
 use bevy::prelude::*;
 use bevy::render::diagnostic::RenderDiagnosticsPlugin;
 use bevy::render::pipelined_rendering::PipelinedRenderingPlugin;
@@ -20,7 +16,6 @@ use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{MAX_PICTURE_SIDE, Scene};
-use std::fmt::Debug;
 
 /// Maximum number of frames to wait for a picture. Compiling every pipeline takes a few frames.
 pub(super) const MAX_UPDATES: usize = 600;
@@ -124,38 +119,6 @@ pub fn check_size(field: &'static str, size: UVec2) -> Result<(), PictureError> 
         });
     }
     Ok(())
-}
-
-/// A log of warnings and errors on standard error. RUST_LOG can change the level.
-pub(crate) fn quiet_log() -> LogPlugin {
-    LogPlugin {
-        filter: "error,lightfall=warn,rfd=off".into(),
-        level: bevy::log::Level::WARN,
-        custom_layer: |_| Some(Box::new(LogNotes)),
-        ..default()
-    }
-}
-
-/// Notes the log for the report of a crash.
-struct LogNotes;
-
-impl<S: Subscriber> Layer<S> for LogNotes {
-    fn on_event(&self, event: &Event<'_>, _: Context<'_, S>) {
-        let mut line = format!(
-            "{} {}:",
-            event.metadata().level(),
-            event.metadata().target()
-        );
-        event.record(&mut |field: &Field, value: &dyn Debug| {
-            let name = field.name();
-            if name == "message" {
-                line.push_str(&format!(" {value:?}"));
-            } else {
-                line.push_str(&format!(" {name}={value:?}"));
-            }
-        });
-        note_log(line);
-    }
 }
 
 /// Draws a frame and waits until the device is done.

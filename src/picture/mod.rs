@@ -10,7 +10,6 @@ mod still;
 
 pub use channels::{CHANNELS, Channel, Channels, PixelRays, Samples};
 pub use file::{Format, PictureError, check_path, write_png};
-pub(crate) use headless::quiet_log;
 pub use headless::{HeadlessOptions, check_size};
 pub use open_exr::{Linear, write_exr};
 pub use sequence::{Frames, Sequence, frame_rate};

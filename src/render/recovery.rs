@@ -2,11 +2,13 @@
 //! removed. The scene lives in the main world and loses nothing. A new device is opened, and Bevy
 //! runs `RenderStartup` of every pass again.
 
+use crate::IN_BROWSER;
 use crate::render::device::wgpu_settings;
 use crate::render::redraw::DrawRequest;
+use bevy::platform::time::Instant;
 use bevy::prelude::*;
 use bevy::render::error_handler::{ErrorType, RenderError, RenderErrorHandler, RenderErrorPolicy};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// The program ends when the device is lost more often than this within [`LOSS_PERIOD`]: opening it
 /// again would only flicker.
@@ -56,7 +58,8 @@ fn choose_error_policy(
     {
         return RenderErrorPolicy::StopRendering;
     }
-    if let Err(reason) = lightfall_core::gpu::working_adapter() {
+    // A page in a browser cannot wait for the answer.
+    if !IN_BROWSER && let Err(reason) = lightfall_core::gpu::working_adapter() {
         let since = losses.without_adapter.map_or(now, |(since, _)| since);
         losses.without_adapter = Some((since, now));
         if now.duration_since(since) < MAX_TIME_WITHOUT_ADAPTER {

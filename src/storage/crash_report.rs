@@ -1,7 +1,7 @@
 //! The report of a crash: a file that says where a fault of the program itself was met, with what on
 //! the screen, on which graphics adapter, and what the log said last.
 
-use super::atomic_file::write_atomically;
+use super::files::{create_parent_folder, write_atomically};
 use super::folders::reports_folder;
 use lightfall_core::scene::Scene;
 use std::backtrace::Backtrace;
@@ -11,7 +11,7 @@ use std::panic::{PanicHookInfo, set_hook, take_hook};
 use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{SystemTime, UNIX_EPOCH};
+use web_time::{SystemTime, UNIX_EPOCH};
 
 /// Number of lines of the log that a report holds.
 const MAX_LOG_LINES: usize = 80;
@@ -102,11 +102,11 @@ fn text(panic: &PanicHookInfo<'_>) -> String {
 
 /// Writes a report to a new file. Returns the file, or why there is none.
 fn write(text: &str) -> Result<PathBuf, String> {
-    let folder = reports_folder();
-    std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let seconds = SystemTime::now().duration_since(UNIX_EPOCH);
     let seconds = seconds.map_or(0, |time| time.as_secs());
-    let file = folder.join(format!("lightfall-crash-{seconds}.txt"));
-    write_atomically(&file, text.as_bytes()).map_err(|error| error.to_string())?;
+    let file = reports_folder().join(format!("lightfall-crash-{seconds}.txt"));
+    create_parent_folder(&file)
+        .and_then(|()| write_atomically(&file, text.as_bytes()))
+        .map_err(|error| error.to_string())?;
     Ok(file)
 }

@@ -1,8 +1,6 @@
 //! The preset inside a picture: every picture that the program writes holds the preset that drew
 //! it.
 
-use exr::meta::MetaData;
-use exr::meta::attribute::AttributeValue;
 use std::io::Cursor;
 
 /// The name of the preset inside a picture: of a text chunk in PNG, of an attribute in EXR.
@@ -39,7 +37,11 @@ fn in_png(bytes: &[u8]) -> Option<String> {
     chunk.get_text().ok()
 }
 
+#[cfg(not(target_arch = "wasm32"))]
 fn in_exr(bytes: &[u8]) -> Option<String> {
+    use exr::meta::MetaData;
+    use exr::meta::attribute::AttributeValue;
+
     let headers = MetaData::read_from_buffered(bytes, false).ok()?.headers;
     let mut attributes = headers
         .iter()
@@ -51,4 +53,33 @@ fn in_exr(bytes: &[u8]) -> Option<String> {
         _ => None,
     })?;
     String::from_utf8(text.to_vec()).ok()
+}
+
+/// In a browser only PNG pictures are read.
+#[cfg(target_arch = "wasm32")]
+fn in_exr(_: &[u8]) -> Option<String> {
+    None
+}
+
+/// 8-bit RGB rows, the top one first, as a PNG that holds the preset that drew them.
+///
+/// # Errors
+/// There are not as many bytes as the size says.
+pub fn encoded_png(
+    width: u32,
+    height: u32,
+    rgb: &[u8],
+    preset: &str,
+) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.set_filter(png::Filter::Adaptive);
+    encoder.add_itxt_chunk(PRESET_KEY.into(), preset.into())?;
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(rgb)?;
+    writer.finish()?;
+    Ok(bytes)
 }

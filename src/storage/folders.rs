@@ -1,6 +1,6 @@
 //! The folders that the program uses by default.
 
-use super::atomic_file::{WriteError, parent_folder};
+use super::files::files_in;
 use std::path::{Path, PathBuf};
 
 /// The settings file, or `None` on a system that has no folder for settings.
@@ -15,22 +15,22 @@ pub fn presets_folder() -> Option<PathBuf> {
     Some(settings_folder()?.join("presets"))
 }
 
+#[cfg(not(target_arch = "wasm32"))]
 fn settings_folder() -> Option<PathBuf> {
     let folders = directories::ProjectDirs::from("", "", "lightfall")?;
     Some(folders.config_dir().to_owned())
 }
 
+#[cfg(target_arch = "wasm32")]
+fn settings_folder() -> Option<PathBuf> {
+    Some("lightfall".into())
+}
+
 /// The preset files in a folder, sorted by name. A folder that does not exist holds none.
 #[must_use]
 pub fn preset_files(folder: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder)
-        .into_iter()
-        .flatten()
-        .flatten()
-        .map(|entry| entry.path());
-    let mut files: Vec<_> = entries
-        .filter(|path| path.extension().is_some_and(|end| end == "toml"))
-        .collect();
+    let mut files = files_in(folder);
+    files.retain(|path| path.extension().is_some_and(|end| end == "toml"));
     files.sort();
     files
 }
@@ -38,6 +38,7 @@ pub fn preset_files(folder: &Path) -> Vec<PathBuf> {
 /// The folder of screenshots: the user's folder for pictures, else the home folder, else the
 /// current folder. XDG_PICTURES_DIR in the environment comes before the desktop's own list of
 /// folders.
+#[cfg(not(target_arch = "wasm32"))]
 #[must_use]
 pub fn pictures_folder() -> PathBuf {
     let by_environment = std::env::var_os("XDG_PICTURES_DIR")
@@ -59,19 +60,19 @@ pub fn pictures_folder() -> PathBuf {
     known.unwrap_or_else(|| PathBuf::from("."))
 }
 
-/// Creates the folder of a file, with the folders above it.
-///
-/// # Errors
-/// The folder cannot be created. The error names the file.
-pub fn create_parent_folder(path: &Path) -> Result<(), WriteError> {
-    std::fs::create_dir_all(parent_folder(path)).map_err(|error| WriteError::new(path, error))
-}
-
 /// The folder of the reports of crashes: the system's for such data or, where there is none, that
 /// for temporary files.
+#[cfg(not(target_arch = "wasm32"))]
 #[must_use]
 pub fn reports_folder() -> PathBuf {
     directories::ProjectDirs::from("", "", "lightfall").map_or_else(std::env::temp_dir, |folders| {
         folders.data_local_dir().to_owned()
     })
+}
+
+/// The folder of the reports of crashes, in the browser's storage.
+#[cfg(target_arch = "wasm32")]
+#[must_use]
+pub fn reports_folder() -> PathBuf {
+    "lightfall/reports".into()
 }

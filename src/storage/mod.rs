@@ -1,18 +1,24 @@
 //! Files of the program: in which folders they are, how they are written, and how a scene is found
-//! by name or read from a file.
+//! by name or read from a file. In a browser they are in its storage.
 
-mod atomic_file;
 mod crash_report;
 mod embedded_preset;
 mod file_name;
+mod files;
 mod folders;
 mod scene_source;
 
-pub use atomic_file::{WriteError, check_folder_writable, check_writable, write_atomically};
 pub use crash_report::{note_adapter, note_log, note_scene, report_panics};
-pub use embedded_preset::{PRESET_KEY, embedded_preset, is_picture};
+pub use embedded_preset::{PRESET_KEY, embedded_preset, encoded_png, is_picture};
 pub use file_name::file_safe_name;
-pub use folders::{
-    create_parent_folder, pictures_folder, preset_files, presets_folder, settings_file,
+pub use files::{
+    WriteError, create_parent_folder, exists, read_text, remove, rename, write_atomically,
 };
-pub use scene_source::{SourceError, own_presets, read_journey, read_scene, scene_by_name};
+#[cfg(not(target_arch = "wasm32"))]
+pub use files::{check_folder_writable, check_writable};
+#[cfg(not(target_arch = "wasm32"))]
+pub use folders::pictures_folder;
+pub use folders::{preset_files, presets_folder, settings_file};
+pub use scene_source::{
+    SourceError, own_presets, read_journey, read_scene, scene_by_name, scene_of_file,
+};

@@ -1,14 +1,14 @@
 //! Scenes by name, from preset files and from pictures; journeys from files.
 
 use super::embedded_preset::{embedded_preset, is_picture};
+use super::files::{exists, read};
 use super::folders::{preset_files, presets_folder};
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::journey;
 use lightfall_core::scene::journey::{Journey, JourneyError, Unflyable};
 use lightfall_core::scene::{Override, Scene, SceneError, load, nearest_name, presets};
 use std::ffi::OsStr;
-use std::fs::File;
-use std::io::{self, Read};
+use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -89,7 +89,7 @@ pub fn scene_by_name(
     }
     let path = Path::new(preset);
     let looks_like_a_path = path.components().count() > 1 || path.extension().is_some();
-    if !looks_like_a_path && !path.exists() {
+    if !looks_like_a_path && !exists(path) {
         if let Some(own) = own_preset(preset) {
             return read_scene(&own, overrides);
         }
@@ -105,11 +105,21 @@ pub fn scene_by_name(
 /// # Errors
 /// The file cannot be read or is wrong, or an override is wrong.
 pub fn read_scene(path: &Path, overrides: &[Override]) -> Result<Scene, SourceError> {
-    Ok(load(
-        &path.display().to_string(),
-        &read_text(path)?,
-        overrides,
-    )?)
+    scene_of_file(path, contents(path)?, overrides)
+}
+
+/// The scene of a preset file, or of the preset in a picture, with these contents. `path` names the
+/// file in errors.
+///
+/// # Errors
+/// The contents or an override are wrong.
+pub fn scene_of_file(
+    path: &Path,
+    contents: Vec<u8>,
+    overrides: &[Override],
+) -> Result<Scene, SourceError> {
+    let text = text_of(path, contents)?;
+    Ok(load(&path.display().to_string(), &text, overrides)?)
 }
 
 /// The journey of a file, or the built-in journey. All of a file's journey must be possible in
@@ -121,7 +131,8 @@ pub fn read_journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Sourc
     let Some(path) = file else {
         return Ok(journey::load("the built-in journey", journey::DEFAULT)?);
     };
-    let journey = journey::load(&path.display().to_string(), &read_text(path)?)?;
+    let text = text_of(path, contents(path)?)?;
+    let journey = journey::load(&path.display().to_string(), &text)?;
     let checked = journey.check(scene, 0.0, Drawable::new);
     checked
         .map(|()| journey)
@@ -142,19 +153,19 @@ pub fn own_presets() -> Vec<PathBuf> {
 fn own_preset(name: &OsStr) -> Option<PathBuf> {
     own_presets()
         .into_iter()
-        .find(|file| file.file_stem() == Some(name) && file.is_file())
+        .find(|file| file.file_stem() == Some(name))
+}
+
+/// The first bytes of a file, enough for every preset.
+fn contents(path: &Path) -> Result<Vec<u8>, SourceError> {
+    read(path, MAX_PRESET_BYTES).map_err(|error| SourceError::Unreadable {
+        path: path.into(),
+        error,
+    })
 }
 
 /// The text of a preset or journey file, or of the preset in a picture.
-fn read_text(path: &Path) -> Result<String, SourceError> {
-    let mut bytes = Vec::new();
-    // The limit matters: some files, such as /dev/zero, have no end.
-    let read =
-        File::open(path).and_then(|file| file.take(MAX_PRESET_BYTES + 1).read_to_end(&mut bytes));
-    read.map_err(|error| SourceError::Unreadable {
-        path: path.into(),
-        error,
-    })?;
+fn text_of(path: &Path, bytes: Vec<u8>) -> Result<String, SourceError> {
     if is_picture(&bytes) {
         return embedded_preset(&bytes).ok_or(SourceError::NoPreset { path: path.into() });
     }

@@ -67,7 +67,7 @@ pub const CONTROLS: &[Control] = controls! {
         "scene.undo" [Backspace] "undo the last change" Do(AppCommand::Undo);
         "scene.disk" [F2] "disk" Edit(edits::switch_disk);
         "scene.isco" [KeyU] "disk from the innermost stable orbit" Edit(edits::switch_isco);
-        "scene.sky" [F3] "sky" Edit(edits::switch_sky);
+        "scene.sky" [F3, Home] "sky" Edit(edits::switch_sky);
         "scene.sky_mode" [KeyG] "sky: stars, grid, nothing" Edit(edits::next_sky);
         "scene.probe" [F4] "probe" Edit(edits::switch_probe);
         "scene.spin" [KeyT] "spin" Edit(edits::switch_spin);
@@ -80,7 +80,7 @@ pub const CONTROLS: &[Control] = controls! {
         "light.gravitational_shift" [KeyC] "gravitational shift" Edit(edits::switch_gravitational_shift);
     }
     View {
-        "view.unfinished" [F11] "unfinished rays in magenta" Edit(edits::toggle_unfinished);
+        "view.unfinished" [F11, ArrowDown] "unfinished rays in magenta" Edit(edits::toggle_unfinished);
         "view.classes" [KeyB] "ray classes" Edit(edits::toggle_classes);
         "view.residual" [KeyM] "residual of the null constraint" Edit(edits::toggle_residual);
         "view.order" [KeyN] "order of the image" Edit(edits::toggle_order);
@@ -89,9 +89,9 @@ pub const CONTROLS: &[Control] = controls! {
         "view.error" [Quote] "backward error" Edit(edits::toggle_error);
     }
     Picture {
-        "picture.bloom" [F5] "bloom" Edit(edits::switch_bloom);
-        "picture.antialias" [F6] "smooth edges of the probe" Edit(edits::switch_antialias);
-        "picture.bypass" [F7] "pixel look" Edit(edits::switch_bypass);
+        "picture.bloom" [F5, End] "bloom" Edit(edits::switch_bloom);
+        "picture.antialias" [F6, Delete] "smooth edges of the probe" Edit(edits::switch_antialias);
+        "picture.bypass" [F7, Backslash] "pixel look" Edit(edits::switch_bypass);
         "picture.dither" [F8] "dither" Edit(edits::switch_dither);
         "picture.levels" [KeyV] "posterise" Edit(edits::switch_levels);
         "picture.brighter" [Equal, NumpadAdd] "brighter, darker" Edit(edits::brighten);
@@ -102,13 +102,13 @@ pub const CONTROLS: &[Control] = controls! {
     }
     Window {
         "fly.escape" [Escape] "menu, or close, or free the mouse" Do(AppCommand::Escape);
-        "window.help" [F1] "this help" Do(AppCommand::Help);
+        "window.help" [F1, Backquote] "this help" Do(AppCommand::Help);
         "window.panel" [KeyP] "panel: every setting" Do(AppCommand::Panel);
         "window.inspector" [KeyI] "ray inspector: then click a pixel" Do(AppCommand::Inspector);
-        "window.guides" [F10] "guides: shadow, orbits, scale" Do(AppCommand::Guides);
+        "window.guides" [F10, ArrowUp] "guides: shadow, orbits, scale" Do(AppCommand::Guides);
         "window.hide" [KeyH] "photo mode: only the picture, time stops" Do(AppCommand::Hide);
-        "window.screenshot" [F12, PrintScreen] "save the picture" Do(AppCommand::Screenshot);
-        "window.screenshot_of_window" Shift + [F12, PrintScreen] "save the window as it is" Do(AppCommand::ScreenshotOfWindow);
+        "window.screenshot" [F12, PrintScreen, Insert] "save the picture" Do(AppCommand::Screenshot);
+        "window.screenshot_of_window" Shift + [F12, PrintScreen, Insert] "save the window as it is" Do(AppCommand::ScreenshotOfWindow);
         "window.fullscreen" Alt + [Enter] "full screen" Do(AppCommand::Fullscreen);
         "window.quit" Ctrl + [KeyQ] "quit" Do(AppCommand::Quit);
     }

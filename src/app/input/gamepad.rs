@@ -139,7 +139,7 @@ fn announce_gamepads(
     {
         let news = match connection {
             GamepadConnection::Connected { name, .. } => {
-                let help = bindings.label("window.help");
+                let help = bindings.first_label("window.help");
                 format!(
                     "{name}: the left stick flies, the right one looks around; {help} shows its buttons"
                 )

@@ -5,6 +5,7 @@ use super::crossing::announce_crossing;
 use super::facing::{Facing, start_facing, turn_camera};
 use super::orbit_camera::{OrbitCamera, OrbitStep, orbited, switch_orbit_camera};
 use super::steering::{Barrier, MIN_RADIUS, Steered, Steering, steered};
+use crate::IN_BROWSER;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{AppCommand, FlightInput};
 use crate::app::input::held::HeldControls;
@@ -32,6 +33,9 @@ pub(crate) struct Pilot {
     pub(crate) free_look: bool,
     /// Whether the left button was pressed over the picture and is still held.
     drags: bool,
+    /// Whether the browser held the mouse for the page in the last frame.
+    #[cfg(target_arch = "wasm32")]
+    was_locked: bool,
     /// Notches of the wheel in this frame that move the orbit camera.
     orbit_notches: f64,
 }
@@ -58,6 +62,8 @@ const ORBIT_NOTCH_SECONDS: f64 = 0.25;
 
 pub(crate) fn plugin(app: &mut App) {
     app.insert_resource(Pilot {
+        #[cfg(target_arch = "wasm32")]
+        was_locked: false,
         throttle: 1.0,
         free_look: false,
         drags: false,
@@ -141,15 +147,30 @@ pub(crate) fn grab_mouse(
     }
     pilot.drags &= window.focused && buttons.pressed(MouseButton::Left);
     let grabbed = window.focused && looks(&pilot, &buttons);
-    let mode = if grabbed {
+    #[cfg(target_arch = "wasm32")]
+    follow_pointer_lock(&mut pilot, &cursor);
+    // A browser announces at length that a page holds the mouse, too often for every drag.
+    let locks = grabbed && (pilot.free_look || !IN_BROWSER);
+    let mode = if locks {
         CursorGrabMode::Locked
     } else {
         CursorGrabMode::None
     };
-    if cursor.grab_mode != mode || cursor.visible == grabbed {
+    if cursor.grab_mode != mode || cursor.visible == locks {
         cursor.grab_mode = mode;
-        cursor.visible = !grabbed;
+        cursor.visible = !locks;
     }
+}
+
+/// Ends the mouse look when the browser has freed the mouse, which the key Esc makes it do without
+/// telling the page of the key.
+#[cfg(target_arch = "wasm32")]
+fn follow_pointer_lock(pilot: &mut Pilot, cursor: &CursorOptions) {
+    let locked = crate::browser::pointer_is_locked();
+    if pilot.was_locked && !locked && cursor.grab_mode == CursorGrabMode::Locked {
+        pilot.free_look = false;
+    }
+    pilot.was_locked = locked;
 }
 
 /// Whether the mouse moves the camera.

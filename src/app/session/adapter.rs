@@ -5,7 +5,7 @@
 use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
 use crate::render::DrawRequest;
-use crate::storage::settings_file;
+use crate::storage::{exists, remove, settings_file, write_atomically};
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
 use lightfall_core::gpu;
@@ -37,9 +37,9 @@ impl AdapterChoice {
             ..Self::default()
         };
         let trial = settings_file().map(|file| file.with_file_name("adapter-on-trial"));
-        if let Some(trial) = trial.as_ref().filter(|trial| trial.exists()) {
+        if let Some(trial) = trial.as_ref().filter(|trial| exists(trial)) {
             preferences.settings.adapter = None;
-            return match std::fs::remove_file(trial) {
+            return match remove(trial) {
                 Ok(()) => unused(format!(
                     "Lightfall did not draw a picture with {wanted} at its last start, so it uses the best adapter"
                 )),
@@ -55,7 +55,8 @@ impl AdapterChoice {
             ));
         }
         // A system that has no folder for this file has no folder for settings either.
-        let trial = trial.filter(|trial| std::fs::write(trial, wanted.to_string()).is_ok());
+        let trial =
+            trial.filter(|trial| write_atomically(trial, wanted.to_string().as_bytes()).is_ok());
         gpu::prefer(Some(wanted.clone()));
         Self {
             used: Some(wanted),
@@ -66,7 +67,7 @@ impl AdapterChoice {
 
     fn end_trial(&mut self) {
         if let Some(trial) = self.trial.take()
-            && let Err(error) = std::fs::remove_file(&trial)
+            && let Err(error) = remove(&trial)
         {
             warn!("{}: {error}", trial.display());
         }

@@ -1,6 +1,7 @@
 //! Automatic resolution: while something moves, the picture is drawn with as many pixels as the
 //! wanted frame rate allows. A picture at rest is drawn in full.
 
+use crate::IN_BROWSER;
 use crate::app::session::canvas::measure_canvas;
 use crate::app::session::frame_pacing::FramePacing;
 use crate::app::state::preferences::Preferences;
@@ -48,10 +49,12 @@ fn adapt_resolution(
     let settings = &preferences.settings;
     let is_slow = || {
         adapter.is_some_and(|info| {
-            matches!(
-                info.device_type,
-                wgpu::DeviceType::Cpu | wgpu::DeviceType::IntegratedGpu
-            )
+            // A browser does not say which kind it is.
+            IN_BROWSER
+                || matches!(
+                    info.device_type,
+                    wgpu::DeviceType::Cpu | wgpu::DeviceType::IntegratedGpu
+                )
         })
     };
     let wanted = match settings.automatic_resolution {

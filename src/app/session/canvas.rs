@@ -1,6 +1,7 @@
 //! The window's pixels as the picture's canvas: the picture gets the window's shape, and without
 //! cells it is traced as finely as the window shows and the adapter can afford.
 
+use crate::IN_BROWSER;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::resolution::{Canvas, Resolution};
 use bevy::prelude::*;
@@ -31,7 +32,9 @@ pub(super) fn measure_canvas(
     }
     let max_pixels = match adapter.map(|info| info.device_type) {
         Some(wgpu::DeviceType::Cpu) => MAX_SOFTWARE_PIXELS,
+        // A browser does not say which kind it is.
         Some(wgpu::DeviceType::IntegratedGpu) => MAX_INTEGRATED_PIXELS,
+        Some(_) if IN_BROWSER => MAX_INTEGRATED_PIXELS,
         _ => u64::MAX,
     };
     resolution.set_canvas(Canvas {

@@ -1,14 +1,22 @@
 //! Keeps the drawn scene for the report of a crash.
 
 use crate::render::CurrentScene;
-use crate::storage::note_scene;
+use crate::storage::{note_adapter, note_scene};
 use bevy::prelude::*;
+use bevy::render::renderer::RenderAdapterInfo;
+use lightfall_core::gpu::AdapterName;
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(
+    app.add_systems(Startup, note_used_adapter).add_systems(
         Last,
         note_drawn_scene.run_if(resource_changed::<CurrentScene>),
     );
+}
+
+fn note_used_adapter(adapter: Option<Res<RenderAdapterInfo>>) {
+    if let Some(info) = adapter {
+        note_adapter(format!("{} {}", AdapterName::of(&info), info.driver_info));
+    }
 }
 
 fn note_drawn_scene(scene: Res<CurrentScene>) {

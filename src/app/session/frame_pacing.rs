@@ -1,16 +1,18 @@
 //! How often a new frame is drawn: as often as the monitor shows one while something moves, and a
 //! few times a second while nothing does.
 
+use crate::IN_BROWSER;
 use crate::app::input::gamepad::Pads;
 use crate::app::input::typing::Typing;
 use crate::app::state::preferences::Preferences;
 use crate::render::{Comparison, CurrentScene};
+use bevy::platform::time::Instant;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy::winit::{UpdateMode, WinitSettings};
 use bevy_egui::{EguiContext, EguiInput, EguiPreUpdateSet, egui};
 use lightfall_core::scene::{Picture, Scene};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// The scene counts as moving for this long after its last change.
 const MOVING_FOR: Duration = Duration::from_millis(400);
@@ -49,7 +51,10 @@ pub(crate) fn plugin(app: &mut App) {
                 .before(EguiPreUpdateSet::BeginPass),
         )
         .add_systems(PostUpdate, watch_activity)
-        .add_systems(Last, (choose_update_mode, limit_frame_rate).chain());
+        .add_systems(
+            Last,
+            (choose_update_mode, limit_frame_rate.run_if(|| !IN_BROWSER)).chain(),
+        );
 }
 
 /// Removes repeated reports of Shift, Ctrl and Alt before egui reads them. They arrive in every
@@ -145,7 +150,8 @@ fn choose_update_mode(pacing: Res<FramePacing>, pads: Pads, mut winit: ResMut<Wi
     }
 }
 
-/// Waits until the frame has lasted as long as the settings want.
+/// Waits until the frame has lasted as long as the settings want. A page in a browser cannot wait, so
+/// the browser alone limits its frame rate.
 fn limit_frame_rate(preferences: Res<Preferences>, mut pacing: ResMut<FramePacing>) {
     let limit = preferences.settings.most_frames;
     if limit > 0.0

@@ -11,6 +11,9 @@ pub(crate) mod display;
 pub(crate) mod exposure;
 pub(crate) mod frame_pacing;
 pub(crate) mod icon;
+pub(crate) mod link;
+#[cfg(target_arch = "wasm32")]
+pub(crate) mod page;
 pub(crate) mod pixel_look;
 pub(crate) mod quit;
 pub(crate) mod recovery;

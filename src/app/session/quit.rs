@@ -1,5 +1,6 @@
 //! Ending the program. What has to be kept is written when the program ends, whatever ends it.
 
+use crate::IN_BROWSER;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{AppCommand, FlightInput};
 use crate::app::input::held::HeldControls;
@@ -38,6 +39,10 @@ fn quit(
         .filter(|command| **command == AppCommand::Quit)
         .count();
     if wanted == 0 {
+        return;
+    }
+    if IN_BROWSER {
+        toast.say("To leave, close the tab");
         return;
     }
     let flies = down_since.is_some_and(|since| now.saturating_sub(since) > FLYING_DOWN);

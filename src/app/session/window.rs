@@ -1,5 +1,6 @@
 //! The window: its title, its size at the start, and the whole screen.
 
+use crate::IN_BROWSER;
 use crate::app::controls::control::AppCommand;
 use crate::app::state::toast::Toast;
 use crate::render::CurrentScene;
@@ -23,6 +24,9 @@ pub(crate) fn window_of(scene: &Scene) -> Window {
         name: Some("lightfall".into()),
         resolution: WindowResolution::new(SIZE[0], SIZE[1]),
         present_mode: PresentMode::AutoVsync,
+        // In a browser: the page's own canvas, as large as the page.
+        canvas: Some("#lightfall".into()),
+        fit_canvas_to_parent: true,
         ..default()
     }
 }
@@ -32,7 +36,7 @@ pub(crate) fn plugin(app: &mut App) {
         Update,
         (
             toggle_full_screen,
-            fit_to_monitor,
+            fit_to_monitor.run_if(|| !IN_BROWSER),
             update_title.run_if(resource_changed::<CurrentScene>),
         ),
     );

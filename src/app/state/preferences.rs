@@ -52,17 +52,14 @@ impl Preferences {
     }
 }
 
-/// Adds the settings and the bindings in them, and says what was wrong with their file.
-pub(crate) fn insert(app: &mut App, preferences: Preferences, fault: Option<String>) {
+/// Adds the settings and the bindings in them.
+pub(crate) fn insert(app: &mut App, preferences: Preferences) {
     // Both were checked when the file was read.
     let bindings = Bindings::new(&preferences.settings.keys).unwrap_or_default();
     let pad_bindings = PadBindings::new(&preferences.settings.buttons).unwrap_or_default();
     app.insert_resource(preferences)
         .insert_resource(bindings)
         .insert_resource(pad_bindings);
-    if let Some(fault) = fault {
-        app.world_mut().get_resource_or_init::<Toast>().say(fault);
-    }
 }
 
 pub(crate) fn plugin(app: &mut App) {

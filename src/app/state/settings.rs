@@ -73,6 +73,9 @@ pub enum PictureShape {
     Preset,
 }
 
+/// Maximum size of a settings file.
+const MAX_BYTES: u64 = 1 << 20;
+
 /// The range of `ui_scale`, in which texts still fit into a window.
 pub const UI_SCALES: [f32; 2] = [0.6, 2.5];
 /// The range of `mouse_sensitivity`.
@@ -167,7 +170,7 @@ impl Settings {
     /// # Errors
     /// One clause that says what is wrong, without the file's name.
     pub fn read_file(file: &Path) -> Result<Option<Self>, String> {
-        match std::fs::read_to_string(file) {
+        match storage::read_text(file, MAX_BYTES) {
             Ok(text) => Self::read(&text).map(Some),
             Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
             Err(error) => Err(format!("cannot be read: {error}")),
@@ -202,10 +205,10 @@ impl Settings {
 /// Renames a broken file, so that nothing the user wrote is lost, and says how that went.
 fn set_aside(file: &Path) -> String {
     let names = (1..1000).map(|number| file.with_extension(format!("broken-{number}.toml")));
-    let Some(aside) = names.into_iter().find(|name| !name.exists()) else {
+    let Some(aside) = names.into_iter().find(|name| !storage::exists(name)) else {
         return "default settings are used".into();
     };
-    match std::fs::rename(file, &aside) {
+    match storage::rename(file, &aside) {
         Ok(()) => format!(
             "it is kept as {}, and default settings are used",
             aside.display()

@@ -25,8 +25,11 @@ impl Gpu {
     /// [`check_adapter`](super::check_adapter).
     ///
     /// # Errors
-    /// There is no adapter, or it provides no device.
+    /// There is no adapter, or it provides no device; or the program runs in a browser.
     pub fn headless() -> Result<Self, GpuError> {
+        if cfg!(target_arch = "wasm32") {
+            return Err(GpuError::InBrowser);
+        }
         pollster::block_on(async {
             let ((adapter, device, queue), _) = open(|adapter| wgpu::DeviceDescriptor {
                 label: Some("lightfall"),

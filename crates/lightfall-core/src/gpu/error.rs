@@ -45,6 +45,11 @@ pub enum GpuError {
     /// The adapter provides no device, or the device failed: it is of no further use.
     #[error("the graphics device failed: {0}")]
     Device(String),
+    /// The program runs in a browser, which lets no page wait for work on the GPU.
+    #[error(
+        "a page in a browser cannot measure on the graphics device; the downloaded program can"
+    )]
+    InBrowser,
     /// The device has too little free memory.
     #[error("the graphics device has too little free memory: {0}")]
     OutOfMemory(String),

@@ -10,6 +10,7 @@
 //! a table.
 
 mod camera;
+mod changes;
 mod edit;
 mod error;
 mod fields;
@@ -31,6 +32,7 @@ mod value;
 mod view;
 
 pub use crate::geometry::observer::ObserverKind;
+pub use changes::Changes;
 pub use error::{Because, Refusal, SceneError};
 pub use fields::{FIELDS, Field, field};
 pub use hint::nearest_name;

@@ -4,6 +4,7 @@
     reason = "a test that unwraps an error fails, as it should"
 )]
 
+mod changes;
 mod fields;
 mod garbled;
 mod journey;

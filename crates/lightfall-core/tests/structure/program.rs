@@ -4,13 +4,16 @@ use crate::graph::Graph;
 use crate::{CORE_ORDER, add_core, root, rules};
 
 /// The program's modules, lowest first, above those of the core.
-const ORDER: [&str; 6] = [
+const ORDER: [&str; 9] = [
     "lightfall::worker",
+    "lightfall::browser",
     "lightfall::storage",
+    "lightfall::log",
     "lightfall::render",
     "lightfall::picture",
     "lightfall::app",
     "lightfall::commands",
+    "lightfall::page",
 ];
 
 /// The window's folders, lowest first.

@@ -1,6 +1,7 @@
 //! The page about the machine: how fast it draws, what the passes cost, which adapter draws, and
 //! what the scene compiles.
 
+use crate::IN_BROWSER;
 use crate::app::session::adapter::AdapterChoice;
 use crate::app::session::frame_pacing::FramePacing;
 use crate::app::state::scene_editor::SceneEditor;
@@ -15,7 +16,8 @@ use lightfall_core::gpu;
 use lightfall_core::gpu::{AdapterName, Listed, Variant};
 use lightfall_core::scene::{Method, Picture, Scene};
 use std::sync::{Arc, OnceLock};
-use std::time::{Duration, Instant};
+use std::time::Duration;
+use web_time::Instant;
 
 /// A pass that has not run for this long is not listed.
 const STALE: Duration = Duration::from_secs(2);
@@ -144,7 +146,12 @@ impl MachinePage {
         let list = self.adapters.get_or_insert_with(|| {
             let list = Arc::new(OnceLock::new());
             let found = Arc::clone(&list);
-            std::thread::spawn(move || found.set(gpu::adapters()));
+            if IN_BROWSER {
+                // A page gets the adapter that the browser chooses.
+                found.set(Vec::new()).ok();
+            } else {
+                std::thread::spawn(move || found.set(gpu::adapters()));
+            }
             list
         });
         let present = machine.adapter.as_deref().map(|info| AdapterName::of(info));

@@ -20,6 +20,7 @@ use super::dock::docked;
 use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::app::controls::control::AppCommand;
 use crate::app::motion::free_fall::FreeFall;
+use crate::app::session::clipboard::Clipboard;
 use crate::app::state::overlays::{Overlays, PANEL, PANEL_WIDTH, Side};
 use crate::app::state::preferences::Preferences;
 use crate::app::state::rebinding::Rebinding;
@@ -100,6 +101,7 @@ fn show_panel(
     machine: Machine,
     free_fall: Res<FreeFall>,
     steps: Res<StepCounter>,
+    clipboard: Res<Clipboard>,
 ) -> Result {
     if !overlays.shows_panel() {
         rebinding.stop();
@@ -134,7 +136,7 @@ fn show_panel(
                     let size = window.physical_size();
                     scene_page::show(ui, &mut editor, &steps, &bindings, size);
                 }
-                Page::Presets => presets.show(ui, &mut editor),
+                Page::Presets => presets.show(ui, &mut editor, &clipboard),
                 Page::Readouts => {
                     let settings = &mut preferences.settings;
                     readouts.show(ui, editor.drawn_scene(), &free_fall, &bindings, settings);

@@ -2,10 +2,13 @@
 //! file or picture that is dropped on the window is loaded too.
 
 use super::file_dialog::{FileDialog, Picked};
+use crate::IN_BROWSER;
+use crate::app::session::clipboard::Clipboard;
+use crate::app::session::link::link;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::ui::theme::{ACCENT, WEAK_TEXT};
 use crate::storage::{
-    create_parent_folder, file_safe_name, preset_files, presets_folder, read_scene,
+    create_parent_folder, exists, file_safe_name, preset_files, presets_folder, read_scene,
     write_atomically,
 };
 use bevy::prelude::*;
@@ -34,7 +37,12 @@ pub(super) struct PresetsPage {
 }
 
 impl PresetsPage {
-    pub(super) fn show(&mut self, ui: &mut egui::Ui, editor: &mut SceneEditor) {
+    pub(super) fn show(
+        &mut self,
+        ui: &mut egui::Ui,
+        editor: &mut SceneEditor,
+        clipboard: &Clipboard,
+    ) {
         if self
             .own
             .as_ref()
@@ -48,6 +56,9 @@ impl PresetsPage {
         heading(ui, "Open a file");
         self.show_opening(ui, editor);
         ui.add_space(10.0);
+        heading(ui, "Share");
+        show_sharing(ui, editor, clipboard);
+        ui.add_space(10.0);
         heading(ui, "Your own");
         let Some(folder) = presets_folder() else {
             ui.label("This system has no folder for settings, so presets cannot be kept.");
@@ -57,30 +68,37 @@ impl PresetsPage {
         ui.add_space(6.0);
         self.show_own(ui, editor, &folder);
         ui.add_space(6.0);
-        note(ui, &format!("They are files in {}", folder.display()));
+        if IN_BROWSER {
+            note(ui, "They are kept in this browser, for this page.");
+        } else {
+            note(ui, &format!("They are files in {}", folder.display()));
+        }
     }
 
     /// The fields that open a preset or a picture.
     fn show_opening(&mut self, ui: &mut egui::Ui, editor: &mut SceneEditor) {
         ui.horizontal(|ui| {
-            ui.add(
-                egui::TextEdit::singleline(&mut self.path)
-                    .hint_text("Path of a preset or picture")
-                    .desired_width(ui.available_width() - 150.0),
-            );
-            let given = !self.path.trim().is_empty();
-            if ui.add_enabled(given, egui::Button::new("Open")).clicked() {
-                self.open(editor, &PathBuf::from(self.path.trim()));
+            // A page knows no paths.
+            if !IN_BROWSER {
+                ui.add(
+                    egui::TextEdit::singleline(&mut self.path)
+                        .hint_text("Path of a preset or picture")
+                        .desired_width(ui.available_width() - 150.0),
+                );
+                let given = !self.path.trim().is_empty();
+                if ui.add_enabled(given, egui::Button::new("Open")).clicked() {
+                    self.open(editor, &PathBuf::from(self.path.trim()));
+                }
             }
             let browse = egui::Button::new("Browse");
             if ui.add_enabled(!self.dialog.is_open(), browse).clicked() {
-                self.dialog.open(presets_folder());
+                self.dialog.open();
             }
         });
         match self.dialog.answer() {
-            Some(Picked::File(file)) => {
+            Some(Picked::File(file, scene)) => {
                 self.path = file.display().to_string();
-                self.open(editor, &file);
+                self.load(editor, &file, *scene);
             }
             Some(Picked::NoDialog) => {
                 editor.say("This desktop offers no file dialog. Type the path, or drop the file on the window");
@@ -89,7 +107,11 @@ impl PresetsPage {
         }
         note(
             ui,
-            "Or drop a preset, or a picture that Lightfall saved, on the window.",
+            if IN_BROWSER {
+                "A preset, or a picture that Lightfall saved."
+            } else {
+                "Or drop a preset, or a picture that Lightfall saved, on the window."
+            },
         );
     }
 
@@ -127,7 +149,7 @@ impl PresetsPage {
             }
             let save = egui::Button::new("Save");
             if ui.add_enabled(!safe_name.is_empty(), save).clicked() {
-                if file.exists() {
+                if exists(&file) {
                     self.replace = Some(file.clone());
                 } else {
                     self.save(editor, &file);
@@ -153,8 +175,13 @@ impl PresetsPage {
     }
 
     fn open(&mut self, editor: &mut SceneEditor, file: &Path) {
+        self.load(editor, file, read_preset(file));
+    }
+
+    /// Shows the scene that a file holds.
+    fn load(&mut self, editor: &mut SceneEditor, file: &Path, scene: Result<Scene, String>) {
         (self.replace, self.report) = (None, String::new());
-        if editor.load("", read_preset(file)) {
+        if editor.load("", scene) {
             self.own = Some((file.to_owned(), editor.loaded().clone()));
             let folder = presets_folder();
             if file.parent() == folder.as_deref() {
@@ -221,6 +248,29 @@ fn entry(ui: &mut egui::Ui, selected: bool, text: &str, key: &str) -> egui::Resp
         .inner
     })
     .inner
+}
+
+/// The button that copies what leads others to the present scene.
+fn show_sharing(ui: &mut egui::Ui, editor: &mut SceneEditor, clipboard: &Clipboard) {
+    let what = if IN_BROWSER {
+        "Copy link"
+    } else {
+        "Copy command"
+    };
+    let hint = if IN_BROWSER {
+        "The address of this page with this scene"
+    } else {
+        "The command line that opens this scene"
+    };
+    if ui.button(what).on_hover_text(hint).clicked() {
+        match link(&editor.scene()) {
+            Ok(link) => {
+                editor.say(format!("Copied {link}"));
+                clipboard.copy(link);
+            }
+            Err(reason) => editor.say(format!("Nothing is copied: {reason}")),
+        }
+    }
 }
 
 fn heading(ui: &mut egui::Ui, text: &str) {

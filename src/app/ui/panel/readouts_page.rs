@@ -10,7 +10,8 @@ use bevy_egui::egui;
 use lightfall_core::optics::readout::Readout;
 use lightfall_core::optics::readout::si::{HoleMass, MASSES};
 use lightfall_core::scene::{ObserverKind, Scene};
-use std::time::{Duration, Instant};
+use std::time::Duration;
+use web_time::Instant;
 
 /// Time between two read-outs of a moving observer, long enough to read them.
 const MIN_AGE: Duration = Duration::from_millis(150);

@@ -212,6 +212,6 @@ fn drawn_in_words(picture: &Picture, window: UVec2, bindings: &Bindings) -> Stri
         grid.x,
         grid.y,
         extent.x / grid.x as f32,
-        bindings.label("picture.bypass")
+        bindings.first_label("picture.bypass")
     )
 }

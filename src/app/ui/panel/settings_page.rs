@@ -2,6 +2,7 @@
 //! buttons.
 
 use super::switch::switch;
+use crate::IN_BROWSER;
 use crate::app::controls::bindings::{Bindable, BindingTable, Bindings, PadBindings};
 use crate::app::controls::control::{Control, Group};
 use crate::app::controls::table::CONTROLS;
@@ -10,6 +11,7 @@ use crate::app::state::rebinding::Rebinding;
 use crate::app::state::settings::{
     Automatic, FRAME_RATES, MOUSE_SENSITIVITIES, PictureShape, Settings, UI_SCALES,
 };
+#[cfg(not(target_arch = "wasm32"))]
 use crate::storage::{pictures_folder, settings_file};
 use bevy::prelude::*;
 use bevy_egui::egui;
@@ -66,10 +68,25 @@ pub(super) fn show(
         });
     }
     ui.separator();
-    if let Some(file) = settings_file() {
-        ui.weak(format!("Settings are kept in {}", file.display()));
+    for line in places() {
+        ui.weak(line);
     }
-    ui.weak(format!("Screenshots go to {}", pictures_folder().display()));
+}
+
+/// Where settings and screenshots are.
+#[cfg(not(target_arch = "wasm32"))]
+fn places() -> Vec<String> {
+    let settings = settings_file().map(|file| format!("Settings are kept in {}", file.display()));
+    let screenshots = format!("Screenshots go to {}", pictures_folder().display());
+    settings.into_iter().chain([screenshots]).collect()
+}
+
+#[cfg(target_arch = "wasm32")]
+fn places() -> [&'static str; 2] {
+    [
+        "Settings are kept in this browser, for this page",
+        "Screenshots are downloads",
+    ]
 }
 
 fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
@@ -141,9 +158,11 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
                     .suffix(" /s"),
             );
             ui.end_row();
-            ui.label("Frame limit");
-            frame_rate_limit(ui, settings);
-            ui.end_row();
+            if !IN_BROWSER {
+                ui.label("Frame limit");
+                frame_rate_limit(ui, settings);
+                ui.end_row();
+            }
         });
 }
 

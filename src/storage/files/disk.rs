@@ -1,30 +1,10 @@
-//! Files that appear complete or not at all.
+//! Files of the file system. Those that are written appear complete or not at all.
 
-use std::io::{self, ErrorKind, Write};
+use super::WriteError;
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
-use thiserror::Error;
-
-/// A file that could not be written.
-#[derive(Debug, Error)]
-#[error("{path}: cannot be written: {source}")]
-pub struct WriteError {
-    /// The file.
-    pub path: PathBuf,
-    /// The operating system's reason.
-    pub source: io::Error,
-}
-
-impl WriteError {
-    /// The error of the file at `path`.
-    #[must_use]
-    pub fn new(path: &Path, source: io::Error) -> Self {
-        Self {
-            path: path.into(),
-            source,
-        }
-    }
-}
 
 /// Writes a file and replaces an older one of the same name. The file appears under its name only
 /// when it is complete, so an interrupted program leaves no partial file.
@@ -58,8 +38,58 @@ pub fn check_folder_writable(folder: &Path) -> io::Result<()> {
     temporary_file(folder).map(drop)
 }
 
+/// Creates the folder of a file, with the folders above it.
+///
+/// # Errors
+/// The folder cannot be created. The error names the file.
+pub fn create_parent_folder(path: &Path) -> Result<(), WriteError> {
+    fs::create_dir_all(parent_folder(path)).map_err(|error| WriteError::new(path, error))
+}
+
+/// Whether there is a file or a folder at `path`.
+#[must_use]
+pub fn exists(path: &Path) -> bool {
+    path.exists()
+}
+
+/// The first `max_bytes` of a file, and one more if it is longer: some files, such as /dev/zero, have
+/// no end.
+///
+/// # Errors
+/// The file does not exist or cannot be read.
+pub fn read(path: &Path, max_bytes: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?
+        .take(max_bytes + 1)
+        .read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Removes a file.
+///
+/// # Errors
+/// The file does not exist or cannot be removed.
+pub fn remove(path: &Path) -> io::Result<()> {
+    fs::remove_file(path)
+}
+
+/// Renames a file.
+///
+/// # Errors
+/// The file does not exist or cannot be renamed.
+pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
+    fs::rename(from, to)
+}
+
+/// What is in a folder, in no order. A folder that does not exist holds nothing.
+#[must_use]
+pub fn files_in(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.map(|entry| entry.path()).collect()
+}
+
 /// The folder that a file is in: the current one for a bare file name.
-pub(super) fn parent_folder(path: &Path) -> &Path {
+fn parent_folder(path: &Path) -> &Path {
     path.parent()
         .filter(|folder| !folder.as_os_str().is_empty())
         .unwrap_or(Path::new("."))

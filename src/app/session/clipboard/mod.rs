@@ -1,63 +1,22 @@
-//! The clipboard: text fields copy, cut and paste, and the ray inspector copies. A thread of its own
-//! serves it, because the program has to hold a copied text until another one replaces it, and a
-//! text to paste comes only when its owner hands it over.
+//! The clipboard: text fields copy, cut and paste, and the ray inspector copies.
+
+#[cfg(target_arch = "wasm32")]
+mod browser;
+#[cfg(not(target_arch = "wasm32"))]
+mod desktop;
+
+#[cfg(target_arch = "wasm32")]
+pub(crate) use browser::Clipboard;
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) use desktop::Clipboard;
 
 use crate::app::input::key_modifiers::give_keys_their_modifiers;
 use crate::app::input::typing::Typing;
 use crate::app::state::toast::Toast;
-use crate::worker::Worker;
 use bevy::prelude::*;
 use bevy_egui::{
     EguiInput, EguiOutput, EguiPostUpdateSet, EguiPreUpdateSet, PrimaryEguiContext, egui,
 };
-
-enum Order {
-    Copy(String),
-    Paste,
-}
-
-/// The thread that holds the clipboard. It answers with texts to paste, or with what could not be
-/// done.
-#[derive(Resource)]
-pub(crate) struct Clipboard(Worker<Order, Result<String, String>>);
-
-impl Clipboard {
-    fn start() -> Self {
-        let mut clipboard = None;
-        Self(Worker::serving_all(move |order, answers| {
-            match serve(order, &mut clipboard) {
-                Ok(Some(text)) => answers.send(Ok(text)),
-                Ok(None) => {}
-                Err(arboard::Error::ContentNotAvailable) => {
-                    answers.send(Err("There is no text on the clipboard".into()));
-                }
-                Err(error) => {
-                    answers.send(Err(format!("The clipboard cannot be reached: {error}")));
-                }
-            }
-        }))
-    }
-
-    /// Puts a text on the clipboard.
-    pub(crate) fn copy(&self, text: String) {
-        self.0.ask(Order::Copy(text));
-    }
-}
-
-/// Serves one order. Returns the text to paste, if that was asked for.
-fn serve(
-    order: Order,
-    clipboard: &mut Option<arboard::Clipboard>,
-) -> Result<Option<String>, arboard::Error> {
-    let clipboard = match clipboard {
-        Some(clipboard) => clipboard,
-        none => none.insert(arboard::Clipboard::new()?),
-    };
-    match order {
-        Order::Copy(text) => clipboard.set_text(text).map(|()| None),
-        Order::Paste => clipboard.get_text().map(Some),
-    }
-}
 
 pub(crate) fn plugin(app: &mut App) {
     app.insert_resource(Clipboard::start())
@@ -111,7 +70,7 @@ fn serve_text_fields(
     clipboard: Res<Clipboard>,
     mut toast: ResMut<Toast>,
 ) {
-    let pasted = match clipboard.0.next_answer() {
+    let pasted = match clipboard.next_text() {
         Some(Ok(text)) => Some(text),
         Some(Err(fault)) => {
             toast.say(fault);
@@ -128,7 +87,7 @@ fn serve_text_fields(
             match edit {
                 Edit::Copy => input.events.push(egui::Event::Copy),
                 Edit::Cut => input.events.push(egui::Event::Cut),
-                Edit::Paste => clipboard.0.ask(Order::Paste),
+                Edit::Paste => clipboard.paste(),
             }
         }
         input.events.extend(pasted.clone().map(egui::Event::Paste));

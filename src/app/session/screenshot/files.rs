@@ -1,6 +1,6 @@
-//! Screenshots: the picture by itself, or what the window shows, in new files that replace no
-//! others.
+//! Screenshots as new files that replace no others.
 
+use super::{SAVED, pixels};
 use crate::app::controls::control::AppCommand;
 use crate::app::state::resolution::Resolution;
 use crate::app::state::scene_editor::SceneEditor;
@@ -19,8 +19,6 @@ use std::time::Duration;
 
 /// How long the window says that a picture is being saved: until it is, however slow the adapter.
 const MAX_SAVING: Duration = Duration::from_secs(600);
-/// How long the window says at least where a picture was saved.
-const SAVED: Duration = Duration::from_secs(4);
 
 /// What is to be written.
 enum Order {
@@ -104,14 +102,11 @@ fn write(order: Order, folder: &Path) -> Result<String, String> {
             (scene, still.map_err(|error| error.to_string())?)
         }
         Order::Window(scene, image) => {
-            let image = image
-                .try_into_dynamic()
-                .map_err(|error| error.to_string())?
-                .to_rgb8();
+            let (size, rgb) = pixels(*image)?;
             let still = Still {
-                width: image.width(),
-                height: image.height(),
-                rgb: image.into_raw(),
+                width: size.x,
+                height: size.y,
+                rgb,
             };
             (*scene, still)
         }

@@ -1,0 +1,60 @@
+//! Screenshots as downloads of the browser. A page cannot draw beside its window and wait, so the
+//! picture by itself is what the window shows in a frame without anything over the picture.
+
+use super::{SAVED, pixels};
+use crate::app::controls::control::AppCommand;
+use crate::app::state::resolution::Resolution;
+use crate::app::state::toast::Toast;
+use crate::browser;
+use crate::render::CurrentScene;
+use crate::storage::{encoded_png, file_safe_name};
+use bevy::prelude::*;
+use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
+use bevy_egui::{EguiPostUpdateSet, EguiRenderOutput};
+
+pub(crate) fn plugin(app: &mut App) {
+    app.add_systems(
+        PostUpdate,
+        capture_window.after(EguiPostUpdateSet::ProcessOutput),
+    );
+}
+
+fn capture_window(
+    mut asked: MessageReader<AppCommand>,
+    mut overlays: Query<&mut EguiRenderOutput>,
+    mut commands: Commands,
+) {
+    for command in asked.read() {
+        match command {
+            AppCommand::Screenshot => {
+                for mut output in &mut overlays {
+                    output.paint_jobs.clear();
+                }
+            }
+            AppCommand::ScreenshotOfWindow => {}
+            _ => continue,
+        }
+        commands
+            .spawn(Screenshot::primary_window())
+            .observe(download_picture);
+    }
+}
+
+fn download_picture(
+    captured: On<ScreenshotCaptured>,
+    scene: Res<CurrentScene>,
+    resolution: Res<Resolution>,
+    mut toast: ResMut<Toast>,
+) {
+    let scene = resolution.scene_in_window(&scene);
+    let name = format!("lightfall-{}.png", file_safe_name(&scene.name));
+    let download = || {
+        let (size, rgb) = pixels(captured.image.clone())?;
+        let png = encoded_png(size.x, size.y, &rgb, &scene.to_preset())
+            .map_err(|error| error.to_string())?;
+        browser::download(&name, &png)?;
+        Ok(format!("Downloaded {name}, {} x {} pixels", size.x, size.y))
+    };
+    toast.say(download().unwrap_or_else(|reason: String| format!("Nothing is saved: {reason}")));
+    toast.keep_for(SAVED);
+}

@@ -1,0 +1,52 @@
+//! Files: those of the file system or, in a browser, texts in its storage.
+
+#[cfg(target_arch = "wasm32")]
+mod browser;
+#[cfg(not(target_arch = "wasm32"))]
+mod disk;
+
+#[cfg(target_arch = "wasm32")]
+pub use browser::{create_parent_folder, exists, files_in, read, remove, rename, write_atomically};
+#[cfg(not(target_arch = "wasm32"))]
+pub use disk::{
+    check_folder_writable, check_writable, create_parent_folder, exists, files_in, read, remove,
+    rename, write_atomically,
+};
+
+use std::io;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// A file that could not be written.
+#[derive(Debug, Error)]
+#[error("{path}: cannot be written: {source}")]
+pub struct WriteError {
+    /// The file.
+    pub path: PathBuf,
+    /// The system's reason.
+    pub source: io::Error,
+}
+
+impl WriteError {
+    /// The error of the file at `path`.
+    #[must_use]
+    pub fn new(path: &Path, source: io::Error) -> Self {
+        Self {
+            path: path.into(),
+            source,
+        }
+    }
+}
+
+/// Reads a text of at most `max_bytes`.
+///
+/// # Errors
+/// The file does not exist, cannot be read, is longer, or is not UTF-8.
+pub fn read_text(path: &Path, max_bytes: u64) -> io::Result<String> {
+    let bytes = read(path, max_bytes)?;
+    if bytes.len() as u64 > max_bytes {
+        let fault = format!("it is longer than {max_bytes} bytes");
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, fault));
+    }
+    String::from_utf8(bytes).map_err(|_| io::ErrorKind::InvalidData.into())
+}
