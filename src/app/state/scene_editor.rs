@@ -12,7 +12,6 @@ use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Picture, Scene};
-use std::time::Duration;
 
 /// The scene, and the way to change it so that the change can be undone.
 #[derive(SystemParam)]
@@ -33,6 +32,7 @@ impl SceneEditor<'_> {
 
     /// The scene that a picture file of what the window shows holds, and the scene that is drawn for
     /// it.
+    #[cfg(not(target_arch = "wasm32"))]
     pub(crate) fn scene_and_drawing(&self) -> [Scene; 2] {
         [
             self.resolution.scene_in_window(&self.scene),
@@ -150,7 +150,8 @@ impl SceneEditor<'_> {
     }
 
     /// Keeps the toast for at least this long, unless another one takes its place.
-    pub(crate) fn keep_saying_for(&mut self, duration: Duration) {
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(crate) fn keep_saying_for(&mut self, duration: std::time::Duration) {
         self.toast.keep_for(duration);
     }
 
