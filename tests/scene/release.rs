@@ -56,7 +56,7 @@ fn a_fault_of_the_release_workflow_is_found() {
         ("packaging/archive aarch64", "packaging/pack aarch64"),
         ("packaging/web/build", "pakaging/web/build"),
         ("packaging/linux/try", "packaging/linux/README.txt"),
-        ("path: downloads/lightfall", "path: download/lightfall"),
+        ("path: pictures/*", "path: picture/*"),
         ("lightfall.exe doctor", "lightfall.exe docter"),
         ("--size 640x360 -o macos.png", "--size 640 -o macos.png"),
         ("--preset 2 --size", "--preset \"2 --size"),
