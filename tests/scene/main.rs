@@ -28,6 +28,7 @@ mod panel;
 mod program;
 mod random;
 mod rays;
+mod release;
 mod resolution;
 mod settings;
 mod steering;
