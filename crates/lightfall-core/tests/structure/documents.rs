@@ -7,8 +7,16 @@ use std::path::{Path, PathBuf};
 
 /// Folders that a path in backticks may begin with: those at the top, and those of the core's
 /// sources, which documents name without `crates/lightfall-core/src`.
-const TOP: [&str; 8] = [
-    "src", "crates", "shaders", "tests", "docs", "assets", "scripts", ".github",
+const TOP: [&str; 9] = [
+    "src",
+    "crates",
+    "shaders",
+    "tests",
+    "docs",
+    "assets",
+    "scripts",
+    "packaging",
+    ".github",
 ];
 const CORE: [&str; 6] = ["geometry", "scene", "optics", "gpu", "accuracy", "reports"];
 
