@@ -8,7 +8,7 @@ use std::backtrace::Backtrace;
 use std::collections::VecDeque;
 use std::fmt::Write;
 use std::panic::{PanicHookInfo, set_hook, take_hook};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -63,13 +63,14 @@ pub fn report_panics(tell: fn(&str)) {
     set_hook(Box::new(move |panic| {
         usual(panic);
         if IS_FIRST.swap(false, Ordering::Relaxed) {
+            let fault = panic.payload_as_str().unwrap_or("without a message");
             let sentence = match write(&text(panic)) {
                 Ok(file) => format!(
-                    "Lightfall has met a fault of its own. Please send this report to its makers: {}",
+                    "Lightfall has met a fault of its own ({fault}). Please send this report to its makers: {}",
                     file.display()
                 ),
                 Err(reason) => format!(
-                    "Lightfall has met a fault of its own, and no report could be written: {reason}"
+                    "Lightfall has met a fault of its own ({fault}), and no report could be written: {reason}"
                 ),
             };
             tell(&sentence);
@@ -100,13 +101,19 @@ fn text(panic: &PanicHookInfo<'_>) -> String {
     text
 }
 
-/// Writes a report to a new file. Returns the file, or why there is none.
+/// Writes a report to a new file, in the folder of reports or else in that for temporary files.
+/// Returns the file, or why there is none.
 fn write(text: &str) -> Result<PathBuf, String> {
-    let folder = reports_folder();
-    std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    write_in(&reports_folder(), text)
+        .or_else(|first| write_in(&std::env::temp_dir(), text).map_err(|_| first))
+}
+
+fn write_in(folder: &Path, text: &str) -> Result<PathBuf, String> {
+    std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let seconds = SystemTime::now().duration_since(UNIX_EPOCH);
     let seconds = seconds.map_or(0, |time| time.as_secs());
-    let file = folder.join(format!("lightfall-crash-{seconds}.txt"));
+    let process = std::process::id();
+    let file = folder.join(format!("lightfall-crash-{seconds}-{process}.txt"));
     write_atomically(&file, text.as_bytes()).map_err(|error| error.to_string())?;
     Ok(file)
 }
