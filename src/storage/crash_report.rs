@@ -63,7 +63,8 @@ pub fn report_panics(tell: fn(&str)) {
     set_hook(Box::new(move |panic| {
         usual(panic);
         if IS_FIRST.swap(false, Ordering::Relaxed) {
-            let fault = panic.payload_as_str().unwrap_or("without a message");
+            let message = panic.payload_as_str().unwrap_or_default();
+            let fault = message.lines().next().unwrap_or("without a message");
             let sentence = match write(&text(panic)) {
                 Ok(file) => format!(
                     "Lightfall has met a fault of its own ({fault}). Please send this report to its makers: {}",

@@ -17,7 +17,7 @@ fn started_program_that_panics() {
     for line in 0..200 {
         note_log(format!("line {line} of the log"));
     }
-    panic!("a fault on purpose");
+    panic!("a fault on purpose\nwhose second line is in the report only");
 }
 
 /// Runs the program above with these folders for its data and for temporary files. Returns what it has
@@ -56,7 +56,7 @@ fn a_crash_leaves_a_report_and_says_where_it_is() {
     );
     let report = std::fs::read_to_string(file).unwrap();
     for part in [
-        "a fault on purpose",
+        "a fault on purpose\nwhose second line is in the report only",
         "tests/scene/crash.rs",
         "A card (vulkan), driver 1.2",
         "r = 12.25",

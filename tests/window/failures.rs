@@ -17,7 +17,7 @@ fn a_wayland_server_that_does_not_answer_leaves_the_window_to_the_x_server() {
 
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
-fn a_window_without_any_folder_to_write_to_opens_and_says_what_it_could_not_save() {
+fn a_window_without_any_folder_to_write_to_opens_and_closes_as_ever() {
     // Everybody's folders are below this file, which is none.
     let file = "/proc/self/status";
     let variables = [
@@ -28,7 +28,7 @@ fn a_window_without_any_folder_to_write_to_opens_and_says_what_it_could_not_save
     ];
     let mut desktop = Desktop::open_with_variables(&variables, &["--preset", "2"]);
     desktop.first_picture();
-    // The pixel look is a setting.
+    // The pixel look is a setting, which cannot be saved. A message in the window says so.
     desktop.press("F7");
     std::thread::sleep(Duration::from_secs(3));
     desktop.press("F7");
