@@ -4,7 +4,10 @@
 //! double click gives it a console of its own. The window program closes that console at once, and
 //! every other one vanishes with the program, so what is written there is not read by anybody.
 
+use std::io::IsTerminal;
 use std::sync::OnceLock;
+#[cfg(windows)]
+use windows_sys::Win32::{Foundation::INVALID_HANDLE_VALUE, System::Console};
 
 /// Where standard error leads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,14 +43,14 @@ impl StandardError {
     /// Where it led when this was asked first: a closed console cannot be asked any more.
     fn at_start() -> Self {
         static AT_START: OnceLock<StandardError> = OnceLock::new();
-        *AT_START.get_or_init(system::standard_error)
+        *AT_START.get_or_init(standard_error)
     }
 }
 
 /// Closes the console, if it was opened for this program alone.
 pub(super) fn close_own_console() {
     if StandardError::at_start() == StandardError::OwnConsole {
-        system::close_console();
+        close_console();
     }
 }
 
@@ -71,52 +74,43 @@ pub(super) fn report(message: &str) {
     shown.join().ok();
 }
 
+/// Where standard error leads.
 #[cfg(windows)]
 #[expect(unsafe_code, reason = "Windows has no other interface to its consoles")]
-mod system {
-    use super::StandardError;
-    use std::io::IsTerminal;
-    use std::ptr::null_mut;
-    use windows_sys::Win32::Foundation::INVALID_HANDLE_VALUE;
-    use windows_sys::Win32::System::Console::{
-        FreeConsole, GetConsoleProcessList, GetStdHandle, STD_ERROR_HANDLE, STD_INPUT_HANDLE,
-        STD_OUTPUT_HANDLE, SetStdHandle,
-    };
+fn standard_error() -> StandardError {
+    // SAFETY: the call takes a constant.
+    let handle = unsafe { Console::GetStdHandle(Console::STD_ERROR_HANDLE) };
+    let exists = !handle.is_null() && handle != INVALID_HANDLE_VALUE;
+    let mut processes = [0; 2];
+    // SAFETY: the list has room for as many processes as is said.
+    let count = unsafe { Console::GetConsoleProcessList(processes.as_mut_ptr(), 2) };
+    StandardError::of(exists, std::io::stderr().is_terminal(), count)
+}
 
-    /// Where standard error leads.
-    pub(super) fn standard_error() -> StandardError {
-        // SAFETY: the call takes a constant.
-        let handle = unsafe { GetStdHandle(STD_ERROR_HANDLE) };
-        let exists = !handle.is_null() && handle != INVALID_HANDLE_VALUE;
-        let mut processes = [0; 2];
-        // SAFETY: the list has room for as many processes as is said.
-        let count = unsafe { GetConsoleProcessList(processes.as_mut_ptr(), 2) };
-        StandardError::of(exists, std::io::stderr().is_terminal(), count)
-    }
+/// Where standard error leads. A console of the program's own exists on Windows only.
+#[cfg(not(windows))]
+fn standard_error() -> StandardError {
+    StandardError::of(true, std::io::stderr().is_terminal(), 0)
+}
 
-    /// Closes the console.
-    pub(super) fn close_console() {
-        // SAFETY: the calls take constants and a null handle, which means that there is none. Without
-        // the latter, what is still written would go to whatever gets the closed handles next.
-        unsafe {
-            FreeConsole();
-            for stream in [STD_INPUT_HANDLE, STD_OUTPUT_HANDLE, STD_ERROR_HANDLE] {
-                SetStdHandle(stream, null_mut());
-            }
+/// Closes the console.
+#[cfg(windows)]
+#[expect(unsafe_code, reason = "Windows has no other interface to its consoles")]
+fn close_console() {
+    // SAFETY: the calls take constants and a null handle, which means that there is none. Without the
+    // latter, what is still written would go to whatever gets the closed handles next.
+    unsafe {
+        Console::FreeConsole();
+        for stream in [
+            Console::STD_INPUT_HANDLE,
+            Console::STD_OUTPUT_HANDLE,
+            Console::STD_ERROR_HANDLE,
+        ] {
+            Console::SetStdHandle(stream, std::ptr::null_mut());
         }
     }
 }
 
+/// Consoles are closed on Windows only.
 #[cfg(not(windows))]
-mod system {
-    use super::StandardError;
-    use std::io::IsTerminal;
-
-    /// Where standard error leads. A console of the program's own exists on Windows only.
-    pub(super) fn standard_error() -> StandardError {
-        StandardError::of(true, std::io::stderr().is_terminal(), 0)
-    }
-
-    /// Consoles are closed on Windows only.
-    pub(super) fn close_console() {}
-}
+fn close_console() {}
