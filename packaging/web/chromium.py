@@ -164,8 +164,12 @@ class Chromium:
         """Waits until an expression is true. Returns whether it became so."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
-            if self.evaluate(expression):
-                return True
+            try:
+                if self.evaluate(expression):
+                    return True
+            except RuntimeError:
+                # The page has no contents yet.
+                pass
             self.listen(0.1)
         return False
 

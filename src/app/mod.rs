@@ -32,12 +32,13 @@ pub use motion::journey_player::JourneyPlayer;
 pub use motion::orbit_camera::{OrbitStep, orbited};
 pub use motion::steering::{Barrier, Steered, Steering, steered};
 pub use motion::zoom::zoomed;
-pub use session::display::display;
+pub use session::display::{display, prefers_dead_wayland};
 pub use session::frame_pacing::FramePacing;
 pub use state::history::History;
 pub use state::menu::{Menu, MenuEntry};
 pub use state::resolution::{Canvas, Resolution};
-pub use state::settings::{Automatic, PictureShape, Settings};
+pub use state::settings::{Automatic, PictureShape, SETTINGS_VERSION, Settings};
+pub use state::settings_fault::{SettingsFault, Unused};
 pub use state::toast::reading_time;
 pub use ui::hud::{ReadOut, differences, physics_off, read_outs};
 pub use ui::inspector::pixel_at;
@@ -49,6 +50,7 @@ pub use ui::panel::{
 };
 
 use crate::log::quiet_log;
+use crate::render::recovery::DeviceFailure;
 use crate::render::{LightfallRenderPlugin, render_plugin};
 use bevy::app::PluginGroupBuilder;
 use bevy::camera::RenderTarget;
@@ -92,8 +94,26 @@ impl Start {
 }
 
 /// Opens the window and flies until it is closed.
-pub fn fly(start: Start) -> AppExit {
-    program(start).run()
+///
+/// # Errors
+/// The window ended by itself. One sentence says why.
+pub fn fly(start: Start) -> Result<(), String> {
+    run(program(start))
+}
+
+/// Runs a window program until its window is closed.
+///
+/// # Errors
+/// As [`fly`].
+pub fn run(mut app: App) -> Result<(), String> {
+    let failure = app.world().get_resource::<DeviceFailure>().cloned();
+    if app.run().is_success() {
+        return Ok(());
+    }
+    let sentence = failure.as_ref().and_then(DeviceFailure::sentence);
+    Err(sentence
+        .unwrap_or("the window ended with an error; `lightfall doctor` examines this machine")
+        .into())
 }
 
 /// The whole window program, as [`fly`] runs it.
@@ -125,6 +145,10 @@ pub fn program(start: Start) -> App {
     let adapter = AdapterChoice::apply(&mut preferences);
     let mut app = App::new();
     state::preferences::insert(&mut app, preferences);
+    if let Some(fault) = &fault {
+        // The window says it for some seconds only. The log has not begun yet.
+        eprintln!("lightfall: {fault}");
+    }
     let messages: Vec<String> = message.into_iter().chain(fault).collect();
     if !messages.is_empty() {
         app.world_mut()

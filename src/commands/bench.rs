@@ -4,6 +4,7 @@ use super::circumstances::circumstances;
 use super::cli::{BenchArgs, EntryArg};
 use super::output::{create_report_folder, print, write_report};
 use super::progress::Progress;
+use super::scene::device;
 use super::stop::Stop;
 use crate::picture;
 use glam::UVec2;
@@ -22,7 +23,7 @@ const TIMED_FRAMES: usize = 9;
 /// Measures, and prints and writes the report.
 pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
     create_report_folder(args.out.as_deref())?;
-    let gpu = Gpu::headless().map_err(Stop::without_device)?;
+    let gpu = device()?;
     let plan = args.plan();
     if plan.is_empty() {
         return Err(Stop::refused(

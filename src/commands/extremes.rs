@@ -4,6 +4,7 @@ use super::circumstances::circumstances;
 use super::cli::ExtremesArgs;
 use super::output::{create_report_folder, print, write_report};
 use super::progress::Progress;
+use super::scene::device;
 use super::stop::Stop;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::reports::export::{csv, json};
@@ -21,7 +22,7 @@ const SAMPLE_SHARE: f64 = 0.03;
 /// Measures the matrix, or hunts. Prints and writes the result.
 pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     create_report_folder(args.out.as_deref())?;
-    let gpu = Gpu::headless().map_err(Stop::without_device)?;
+    let gpu = device()?;
     if let Some(rays) = args.hunt {
         return hunt(
             &gpu,

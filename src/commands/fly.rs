@@ -27,12 +27,7 @@ pub(super) fn fly(args: &FlyArgs) -> Result<(), Stop> {
         keeps_own_look: args.scene.sets("picture.bypass").map_err(Stop::refused)?,
         ..Start::new(drawable, journey)
     };
-    match app::fly(start) {
-        bevy::app::AppExit::Success => Ok(()),
-        bevy::app::AppExit::Error(_) => {
-            Err(Stop::failed("the window ended with an error, see above"))
-        }
-    }
+    app::fly(start).map_err(Stop::failed)
 }
 
 /// Without a display: draws the scene, or the first moment of the journey, to a new PNG file in the
@@ -55,11 +50,19 @@ fn draw_instead(
             (name, format!("the first moment of {}", file.display()))
         }
     };
+    let file = unused_file(&name);
+    // The file is checked before any work is done for a picture that could not be written.
+    picture::check_path(&file).map_err(|error| {
+        Stop::failed(format!(
+            "no display ({reason}), and no picture can be drawn instead: {error}; start the program in a folder that you \
+             may write to, or use `lightfall render -o FILE`"
+        ))
+    })?;
     eprintln!("lightfall: no display ({reason}); rendering {what} to a picture instead");
     let scene = scene.exposed();
     let size = scene.picture.size();
     let still = picture::render(&picture::filled(&scene), size).map_err(Stop::failed)?;
-    write_still(&unused_file(&name), &still, &scene)
+    write_still(&file, &still, &scene)
 }
 
 /// A file in the current folder that does not exist yet: a picture whose name the user did not

@@ -20,6 +20,7 @@ mod scene;
 mod stop;
 mod trace;
 
+pub use console::StandardError;
 pub use presets::presets;
 pub use progress::in_words;
 pub use run::run;

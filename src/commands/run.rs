@@ -9,9 +9,11 @@ use super::extremes::extremes;
 use super::fly::fly;
 use super::presets::presets;
 use super::render::render;
+use super::stop::Stop;
 use super::trace::trace;
-use crate::storage;
+use crate::{app, storage};
 use std::io;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
 /// Runs the program.
@@ -21,6 +23,9 @@ pub fn run() -> ExitCode {
     let command = match cli::read_all(std::env::args_os()) {
         Ok((gpu, command)) => {
             choose_adapter(&gpu);
+            if matches!(command, Command::Fly(_)) {
+                forget_dead_wayland();
+            }
             command
         }
         Err(error) => {
@@ -30,7 +35,21 @@ pub fn run() -> ExitCode {
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
     };
-    let done = match command {
+    // The report of a panic is its sentence. A panic that reaches this far leaves nothing half done.
+    let done = catch_unwind(AssertUnwindSafe(|| execute(command)));
+    match done {
+        Ok(Ok(())) => ExitCode::SUCCESS,
+        Ok(Err(stop)) => {
+            console::report(&stop.to_string());
+            ExitCode::from(stop.status)
+        }
+        Err(_) => ExitCode::FAILURE,
+    }
+}
+
+/// Does what the command line asks for.
+fn execute(command: Command) -> Result<(), Stop> {
+    match command {
         Command::Fly(args) => fly(&args),
         Command::ListGpus => list_adapters(),
         Command::Render(args) => render(&args),
@@ -39,13 +58,6 @@ pub fn run() -> ExitCode {
         Command::Extremes(args) => extremes(&args),
         Command::Doctor(args) => doctor(&args),
         Command::Presets(command) => presets(&command, &mut io::stdout().lock()),
-    };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(stop) => {
-            console::report(&stop.to_string());
-            ExitCode::from(stop.status)
-        }
     }
 }
 
@@ -77,5 +89,18 @@ fn choose_adapter(gpu: &GpuArgs) {
             // SAFETY: nothing has been started yet, so this is the only thread.
             unsafe { std::env::set_var(name, value) };
         }
+    }
+}
+
+/// Forgets a Wayland server that does not answer where an X server does: the window system asks
+/// Wayland first, and would not open a window at all.
+#[expect(
+    unsafe_code,
+    reason = "the environment is where the window system finds its server, and changing it is unsafe"
+)]
+fn forget_dead_wayland() {
+    if app::prefers_dead_wayland() {
+        // SAFETY: the command has not started yet, so this is the only thread.
+        unsafe { std::env::remove_var("WAYLAND_DISPLAY") };
     }
 }

@@ -4,7 +4,7 @@ use super::cli::SceneArgs;
 use super::stop::Stop;
 use crate::storage;
 use lightfall_core::gpu;
-use lightfall_core::gpu::Drawable;
+use lightfall_core::gpu::{AdapterName, Drawable, Gpu};
 use lightfall_core::scene::journey::Journey;
 use lightfall_core::scene::{Scene, presets};
 use std::path::Path;
@@ -38,7 +38,7 @@ pub(super) fn drawable(scene: &Scene) -> Result<Drawable, Stop> {
     let adapter = gpu::working_adapter().map_err(Stop::without_device)?;
     if !adapter.failures.is_empty() {
         eprintln!(
-            "lightfall: using {}, because no device was given by {}",
+            "lightfall: using {}, because another adapter cannot be used: {}",
             adapter.description,
             adapter.failures.join("; ")
         );
@@ -46,4 +46,11 @@ pub(super) fn drawable(scene: &Scene) -> Result<Drawable, Stop> {
     storage::note_adapter(adapter.description);
     storage::note_scene(scene);
     Ok(drawable)
+}
+
+/// Opens a device for rays, without a window.
+pub(super) fn device() -> Result<Gpu, Stop> {
+    let gpu = Gpu::headless().map_err(Stop::without_device)?;
+    storage::note_adapter(AdapterName::of(&gpu.info).to_string());
+    Ok(gpu)
 }

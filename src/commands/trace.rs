@@ -2,11 +2,12 @@
 
 use super::cli::{Device, TraceArgs};
 use super::output::output_result;
-use super::scene::scene;
+use super::scene::{device, scene};
 use super::stop::Stop;
+use crate::storage;
 use glam::DVec3;
 use lightfall_core::gpu;
-use lightfall_core::gpu::{Gpu, GpuScene};
+use lightfall_core::gpu::GpuScene;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::Trace;
 use lightfall_core::reports::rays::{RayReader, TraceWriter};
@@ -29,7 +30,8 @@ pub(super) fn trace(args: &TraceArgs) -> Result<(), Stop> {
         }
         Device::Gpu => {
             GpuScene::for_rays(&scene).map_err(Stop::refused)?;
-            let gpu = Gpu::headless().map_err(Stop::without_device)?;
+            let gpu = device()?;
+            storage::note_scene(&scene);
             gpu::rays::trace(&gpu, &scene, &directions).map_err(Stop::failed)?
         }
     };

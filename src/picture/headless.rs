@@ -14,8 +14,9 @@ use bevy::render::render_resource::{PollType, TextureFormat, TextureUsages};
 use bevy::render::renderer::RenderDevice;
 use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
-use lightfall_core::gpu::Drawable;
+use lightfall_core::gpu::{Drawable, driver_advice};
 use lightfall_core::scene::{MAX_PICTURE_SIDE, Scene};
+use std::env::consts::OS;
 
 /// Maximum number of frames to wait for a picture. Compiling every pipeline takes a few frames.
 pub(super) const MAX_UPDATES: usize = 600;
@@ -130,9 +131,10 @@ pub(super) fn update(app: &mut App) -> Result<(), PictureError> {
             return Err(PictureError::Interrupted);
         }
         Some(AppExit::Error(_)) => {
-            return Err(PictureError::Draw(
-                "the graphics device reported an error".into(),
-            ));
+            return Err(PictureError::Draw(format!(
+                "the graphics device reported an error, which the log names: {}, or choose another adapter with --gpu",
+                driver_advice::with_old_driver(OS)
+            )));
         }
     }
     if let Some(device) = app.world().get_resource::<RenderDevice>() {

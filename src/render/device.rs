@@ -2,7 +2,7 @@
 
 use bevy::prelude::*;
 use bevy::render::RenderPlugin;
-use bevy::render::settings::WgpuSettings;
+use bevy::render::settings::{WgpuFeatures, WgpuSettings};
 
 /// Bevy's renderer, on the same backends and adapter as
 /// [`Gpu::headless`](lightfall_core::gpu::Gpu::headless). A still compiles its pipelines
@@ -20,6 +20,9 @@ pub(super) fn wgpu_settings() -> WgpuSettings {
     WgpuSettings {
         backends: Some(backends),
         adapter_name,
+        // Every feature that the adapter has is used. By default Bevy insists on one that the passes
+        // do not need, and panics on an adapter without it.
+        features: WgpuFeatures::empty(),
         ..default()
     }
 }

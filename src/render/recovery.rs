@@ -8,6 +8,9 @@ use crate::render::redraw::DrawRequest;
 use bevy::platform::time::Instant;
 use bevy::prelude::*;
 use bevy::render::error_handler::{ErrorType, RenderError, RenderErrorHandler, RenderErrorPolicy};
+use lightfall_core::gpu::{driver_advice, working_adapter};
+use std::env::consts::OS;
+use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
 /// The program ends when the device is lost more often than this within [`LOSS_PERIOD`]: opening it
@@ -19,6 +22,19 @@ const LOSS_PERIOD: Duration = Duration::from_secs(60);
 const MAX_TIME_WITHOUT_ADAPTER: Duration = Duration::from_secs(20);
 /// Time between two searches for an adapter.
 const SEARCH_INTERVAL: Duration = Duration::from_millis(500);
+
+/// Why the program ends, once it does because of the graphics device: one sentence. A clone still
+/// tells it after the app is gone.
+#[derive(Resource, Clone, Default)]
+pub struct DeviceFailure(Arc<OnceLock<String>>);
+
+impl DeviceFailure {
+    /// The sentence, if the device has failed for good.
+    #[must_use]
+    pub fn sentence(&self) -> Option<&str> {
+        self.0.get().map(String::as_str)
+    }
+}
 
 /// The losses of the graphics device so far.
 #[derive(Resource, Default)]
@@ -34,6 +50,7 @@ pub struct DeviceLosses {
 /// Opens another device when the graphics device is lost. Without this plugin the app ends.
 pub fn plugin(app: &mut App) {
     app.init_resource::<DeviceLosses>()
+        .init_resource::<DeviceFailure>()
         .insert_resource(RenderErrorHandler(choose_error_policy));
 }
 
@@ -44,11 +61,12 @@ fn choose_error_policy(
     _render: &mut World,
 ) -> RenderErrorPolicy {
     if error.ty != ErrorType::DeviceLost {
-        error!(
-            "the graphics device reported an error: {}",
-            error.description
-        );
-        return exit_with_error(main);
+        let what = if error.ty == ErrorType::OutOfMemory {
+            "the graphics device has too little free memory"
+        } else {
+            "the graphics device reported an error"
+        };
+        return end(main, format!("{what}: {}", error.description));
     }
     let now = Instant::now();
     let mut losses = main.resource_mut::<DeviceLosses>();
@@ -59,14 +77,16 @@ fn choose_error_policy(
         return RenderErrorPolicy::StopRendering;
     }
     // A page in a browser cannot wait for the answer.
-    if !IN_BROWSER && let Err(reason) = lightfall_core::gpu::working_adapter() {
+    if !IN_BROWSER && let Err(reason) = working_adapter() {
         let since = losses.without_adapter.map_or(now, |(since, _)| since);
         losses.without_adapter = Some((since, now));
         if now.duration_since(since) < MAX_TIME_WITHOUT_ADAPTER {
             return RenderErrorPolicy::StopRendering;
         }
-        error!("the graphics device was lost, and no other is available: {reason}");
-        return exit_with_error(main);
+        return end(
+            main,
+            format!("the graphics device was lost, and no other is available: {reason}"),
+        );
     }
     losses.without_adapter = None;
     losses
@@ -74,8 +94,14 @@ fn choose_error_policy(
         .retain(|lost| now.duration_since(*lost) < LOSS_PERIOD);
     losses.recent.push(now);
     if losses.recent.len() > MAX_LOSSES {
-        error!("the graphics device was lost more than {MAX_LOSSES} times within a minute");
-        return exit_with_error(main);
+        return end(
+            main,
+            format!(
+                "the graphics device was lost more than {MAX_LOSSES} times within a minute: {}, or choose another adapter \
+                 with --gpu",
+                driver_advice::with_old_driver(OS)
+            ),
+        );
     }
     losses.recovered += 1;
     // The scene camera must be active in the first frame of the new device: Bevy's bloom expects an
@@ -87,7 +113,9 @@ fn choose_error_policy(
     RenderErrorPolicy::Recover(wgpu_settings().into())
 }
 
-fn exit_with_error(main: &mut World) -> RenderErrorPolicy {
+/// Ends the program, and keeps the first sentence that says why.
+fn end(main: &mut World, sentence: String) -> RenderErrorPolicy {
+    main.resource::<DeviceFailure>().0.get_or_init(|| sentence);
     main.write_message(AppExit::error());
     RenderErrorPolicy::StopRendering
 }

@@ -36,6 +36,8 @@ pub struct DrawRequest {
     compared: Option<(Scene, ComparisonLayout)>,
     /// Whether a frame has drawn all of it; shared by the main and the render world.
     drawn: Arc<AtomicBool>,
+    /// Whether there is a picture, of this or an earlier request. All requests share it.
+    has_picture: Arc<AtomicBool>,
 }
 
 impl DrawRequest {
@@ -44,7 +46,21 @@ impl DrawRequest {
             scene: scene.without_presentation(),
             compared: compared.without_presentation(),
             drawn: default(),
+            has_picture: default(),
         }
+    }
+
+    /// A request for another picture, which replaces this one's.
+    fn next(&self, scene: &Scene, compared: &ComparedScene) -> Self {
+        Self {
+            has_picture: Arc::clone(&self.has_picture),
+            ..Self::new(scene, compared)
+        }
+    }
+
+    fn mark_drawn(&self) {
+        self.drawn.store(true, Ordering::Release);
+        self.has_picture.store(true, Ordering::Release);
     }
 
     /// Whether a frame has drawn all of it.
@@ -56,6 +72,7 @@ impl DrawRequest {
     /// Asks for the same picture again, because the one that was drawn is lost.
     pub(super) fn forget_picture(&self) {
         self.drawn.store(false, Ordering::Release);
+        self.has_picture.store(false, Ordering::Release);
     }
 }
 
@@ -104,19 +121,18 @@ fn wake_scene_camera(
     errors: Res<ShownErrorMap>,
     always: Res<AlwaysDraw>,
     mut request: ResMut<DrawRequest>,
-    mut has_picture: Local<bool>,
     mut camera: Single<&mut Camera, With<SceneCamera>>,
 ) {
-    *has_picture |= request.is_drawn();
     // A system that writes the scene may have written the values it already had.
     let changed = scene.is_changed() && request.scene != scene.without_presentation()
         || compared.is_changed() && request.compared != compared.without_presentation();
     if changed || errors.is_changed() && scene.view == View::Error {
-        *request = DrawRequest::new(&scene, &compared);
+        *request = request.next(&scene, &compared);
     }
-    // Before the first picture the camera draws without the geodesic pass, so that Bevy compiles
+    // Before the first picture of a device the camera draws without the geodesic pass, so that Bevy compiles
     // the pipelines of the other passes at the same time.
-    let active = always.0 || !request.is_drawn() && (shaders.are_ready() || !*has_picture);
+    let has_picture = request.has_picture.load(Ordering::Acquire);
+    let active = always.0 || !request.is_drawn() && (shaders.are_ready() || !has_picture);
     if camera.is_active != active {
         camera.is_active = active;
     }
@@ -145,7 +161,7 @@ fn mark_request_drawn(
         *frames_left = extra_frames;
     }
     if complete && *frames_left == 0 {
-        request.drawn.store(true, Ordering::Release);
+        request.mark_drawn();
     } else if complete {
         *frames_left -= 1;
     }

@@ -2,7 +2,7 @@
 //! the screen, on which graphics adapter, and what the log said last.
 
 use super::files::{create_parent_folder, write_atomically};
-use super::folders::reports_folder;
+use super::folders::reports_folders;
 use lightfall_core::scene::Scene;
 use std::backtrace::Backtrace;
 use std::collections::VecDeque;
@@ -63,13 +63,15 @@ pub fn report_panics(tell: fn(&str)) {
     set_hook(Box::new(move |panic| {
         usual(panic);
         if IS_FIRST.swap(false, Ordering::Relaxed) {
+            let message = panic.payload_as_str().unwrap_or_default();
+            let fault = message.lines().next().unwrap_or("without a message");
             let sentence = match write(&text(panic)) {
                 Ok(file) => format!(
-                    "Lightfall has met a fault of its own. Please send this report to its makers: {}",
+                    "Lightfall has met a fault of its own ({fault}). Please send this report to its makers: {}",
                     file.display()
                 ),
                 Err(reason) => format!(
-                    "Lightfall has met a fault of its own, and no report could be written: {reason}"
+                    "Lightfall has met a fault of its own ({fault}), and no report could be written: {reason}"
                 ),
             };
             tell(&sentence);
@@ -100,13 +102,21 @@ fn text(panic: &PanicHookInfo<'_>) -> String {
     text
 }
 
-/// Writes a report to a new file. Returns the file, or why there is none.
+/// Writes a report to a new file, in the first folder of reports that takes it. Returns the file, or
+/// why the first one does not.
 fn write(text: &str) -> Result<PathBuf, String> {
-    let seconds = SystemTime::now().duration_since(UNIX_EPOCH);
-    let seconds = seconds.map_or(0, |time| time.as_secs());
-    let file = reports_folder().join(format!("lightfall-crash-{seconds}.txt"));
-    create_parent_folder(&file)
-        .and_then(|()| write_atomically(&file, text.as_bytes()))
-        .map_err(|error| error.to_string())?;
-    Ok(file)
+    let now = SystemTime::now().duration_since(UNIX_EPOCH);
+    let name = format!(
+        "lightfall-crash-{}.txt",
+        now.map_or(0, |time| time.as_millis())
+    );
+    let mut fault = None;
+    for folder in reports_folders() {
+        let file = folder.join(&name);
+        match create_parent_folder(&file).and_then(|()| write_atomically(&file, text.as_bytes())) {
+            Ok(()) => return Ok(file),
+            Err(error) => fault = fault.or(Some(error.to_string())),
+        }
+    }
+    Err(fault.unwrap_or_default())
 }

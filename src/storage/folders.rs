@@ -60,19 +60,19 @@ pub fn pictures_folder() -> PathBuf {
     known.unwrap_or_else(|| PathBuf::from("."))
 }
 
-/// The folder of the reports of crashes: the system's for such data or, where there is none, that
+/// The folders of the reports of crashes, the best one first: the system's for such data, and that
 /// for temporary files.
 #[cfg(not(target_arch = "wasm32"))]
 #[must_use]
-pub fn reports_folder() -> PathBuf {
-    directories::ProjectDirs::from("", "", "lightfall").map_or_else(std::env::temp_dir, |folders| {
-        folders.data_local_dir().to_owned()
-    })
+pub fn reports_folders() -> Vec<PathBuf> {
+    let own = directories::ProjectDirs::from("", "", "lightfall");
+    let own = own.map(|folders| folders.data_local_dir().to_owned());
+    own.into_iter().chain([std::env::temp_dir()]).collect()
 }
 
 /// The folder of the reports of crashes, in the browser's storage.
 #[cfg(target_arch = "wasm32")]
 #[must_use]
-pub fn reports_folder() -> PathBuf {
-    "lightfall/reports".into()
+pub fn reports_folders() -> [PathBuf; 1] {
+    ["lightfall/reports".into()]
 }

@@ -2,6 +2,7 @@
 
 use lightfall::storage::{note_adapter, note_log, note_scene, report_panics};
 use lightfall_core::scene::Scene;
+use std::path::Path;
 use std::process::Command;
 
 /// Panics with a report. This is no test: the test below starts it as another process.
@@ -16,11 +17,12 @@ fn started_program_that_panics() {
     for line in 0..200 {
         note_log(format!("line {line} of the log"));
     }
-    panic!("a fault on purpose");
+    panic!("a fault on purpose\nwhose second line is in the report only");
 }
 
-/// Runs the program above with this folder for its data. Returns what it has said.
-fn crash(data: &std::path::Path) -> String {
+/// Runs the program above with these folders for its data and for temporary files. Returns what it has
+/// said.
+fn crash(data: &Path, temporary: &Path) -> String {
     let output = Command::new(std::env::current_exe().unwrap())
         .args([
             "--exact",
@@ -29,6 +31,7 @@ fn crash(data: &std::path::Path) -> String {
             "--nocapture",
         ])
         .env("XDG_DATA_HOME", data)
+        .env("TMPDIR", temporary)
         .output()
         .unwrap();
     assert!(!output.status.success());
@@ -39,21 +42,21 @@ fn crash(data: &std::path::Path) -> String {
 #[cfg(target_os = "linux")]
 fn a_crash_leaves_a_report_and_says_where_it_is() {
     let data = tempfile::tempdir().unwrap();
-    let said = crash(data.path());
+    let said = crash(data.path(), data.path());
     let folder = data.path().join("lightfall");
     let reports: Vec<_> = std::fs::read_dir(&folder).unwrap().flatten().collect();
     assert_eq!(reports.len(), 1, "{said}");
     let file = reports[0].path();
     assert!(
         said.contains(&format!(
-            "told: Lightfall has met a fault of its own. Please send this report to its makers: {}",
+            "told: Lightfall has met a fault of its own (a fault on purpose). Please send this report to its makers: {}",
             file.display()
         )),
         "{said}"
     );
     let report = std::fs::read_to_string(file).unwrap();
     for part in [
-        "a fault on purpose",
+        "a fault on purpose\nwhose second line is in the report only",
         "tests/scene/crash.rs",
         "A card (vulkan), driver 1.2",
         "r = 12.25",
@@ -70,6 +73,10 @@ fn a_crash_leaves_a_report_and_says_where_it_is() {
 fn a_crash_without_a_place_for_its_report_says_why_there_is_none() {
     // A file where a folder would have to be.
     let data = tempfile::NamedTempFile::new().unwrap();
-    let said = crash(data.path());
-    assert!(said.contains("no report could be written: "), "{said}");
+    let said = crash(data.path(), data.path());
+    let sentence = format!(
+        "told: Lightfall has met a fault of its own (a fault on purpose), and no report could be written: {}",
+        data.path().join("lightfall").display()
+    );
+    assert!(said.contains(&sentence), "{said}");
 }

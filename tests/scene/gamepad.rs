@@ -121,7 +121,9 @@ fn settings_bind_buttons_separately_from_keys() {
             "buttons: there is no control window.halp",
         ),
     ] {
-        let error = Settings::read(&format!("[buttons]\n{line}")).unwrap_err();
+        let error = Settings::read(&format!("[buttons]\n{line}"))
+            .unwrap_err()
+            .to_string();
         assert!(error.contains(expected), "{error}");
     }
 }

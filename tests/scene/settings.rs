@@ -1,6 +1,6 @@
 //! The settings file is read back as it was written, and a broken file is never fatal.
 
-use lightfall::app::{Automatic, Settings};
+use lightfall::app::{Automatic, SETTINGS_VERSION, Settings};
 use lightfall_core::gpu::AdapterName;
 
 #[test]
@@ -39,6 +39,8 @@ fn without_a_file_the_settings_are_the_defaults_and_nothing_is_reported() {
 fn a_broken_file_is_renamed_and_reported() {
     for (text, expected) in [
         ("ui_scale = ", "line 1"),
+        ("version = 0", "version = 0 is refused: it must be 1"),
+        ("version = \"new\"", "line 1: invalid type"),
         ("\nui_skale = 1.0", "ui_skale"),
         (
             "ui_scale = 40.0",
@@ -62,8 +64,8 @@ fn a_broken_file_is_renamed_and_reported() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("settings.toml");
         std::fs::write(&file, text).unwrap();
-        let (settings, fault) = Settings::load(&file);
-        let fault = fault.unwrap();
+        let (settings, unused) = Settings::load(&file);
+        let fault = unused.unwrap().sentence;
         assert_eq!(settings, Settings::default());
         assert!(fault.contains(expected), "{fault}");
         assert!(!file.exists(), "the broken file is still there");
@@ -82,5 +84,55 @@ fn a_file_that_is_not_text_is_reported_too() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("settings.toml");
     std::fs::write(&file, [0xff, 0xfe, 0x00]).unwrap();
-    assert!(Settings::load(&file).1.unwrap().contains("cannot be read"));
+    let fault = Settings::load(&file).1.unwrap().sentence;
+    assert!(fault.contains("cannot be read"), "{fault}");
+}
+
+#[test]
+fn the_file_says_its_version_and_one_without_a_version_has_the_first() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("settings.toml");
+    Settings::default().save(&file).unwrap();
+    let text = std::fs::read_to_string(&file).unwrap();
+    assert!(text.contains("\nversion = 1\n"), "{text}");
+    assert_eq!(SETTINGS_VERSION, 1);
+    let settings = Settings::read("frame_rate = 60.0").unwrap();
+    assert_eq!((settings.version, settings.frame_rate), (1, 60.0));
+}
+
+#[test]
+fn a_file_of_a_newer_version_is_not_used_and_stays_as_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("settings.toml");
+    // Fields that nobody knows yet, one of another type, and one with a value that is too large.
+    let text = "version = 999\nwarp_drive = true\nui_scale = 40.0\n[frame_rate]\nhighest = 1000\n";
+    std::fs::write(&file, text).unwrap();
+    let (settings, unused) = Settings::load(&file);
+    let unused = unused.unwrap();
+    assert_eq!(settings, Settings::default());
+    assert!(unused.stays);
+    assert_eq!(
+        unused.sentence,
+        format!(
+            "{}: version = 999 is that of a newer Lightfall, and this one reads versions up to 1; the file stays as it is, \
+             default settings are used, and changes of settings are not saved; update Lightfall, or rename the file",
+            file.display()
+        )
+    );
+    let left: Vec<_> = std::fs::read_dir(folder.path()).unwrap().collect();
+    assert_eq!(left.len(), 1, "{left:?}");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), text);
+}
+
+#[test]
+fn settings_that_cannot_be_written_are_a_sentence_that_names_the_file() {
+    // A file where the folder should be stops everybody, root too.
+    let folder = tempfile::tempdir().unwrap();
+    let blocking = folder.path().join("lightfall");
+    std::fs::write(&blocking, "").unwrap();
+    let file = blocking.join("settings.toml");
+    let fault = Settings::default().save(&file).unwrap_err();
+    let start = format!("{}: the settings cannot be written: ", file.display());
+    assert!(fault.starts_with(&start), "{fault}");
+    assert_eq!(std::fs::read_to_string(&blocking).unwrap(), "");
 }

@@ -77,10 +77,26 @@ impl Desktop {
         Self::start(screen, program, &[], arguments)
     }
 
+    /// As [`open`](Self::open), with these variables of the environment.
+    pub fn open_with_variables(variables: &[(&str, &str)], arguments: &[&str]) -> Self {
+        let program = Path::new(env!("CARGO_BIN_EXE_lightfall"));
+        Self::start_with(SCREEN, program, &[], variables, arguments)
+    }
+
     fn start(
         screen: (u16, u16),
         program: &Path,
         files: &[(&str, String)],
+        arguments: &[&str],
+    ) -> Self {
+        Self::start_with(screen, program, files, &[], arguments)
+    }
+
+    fn start_with(
+        screen: (u16, u16),
+        program: &Path,
+        files: &[(&str, String)],
+        variables: &[(&str, &str)],
         arguments: &[&str],
     ) -> Self {
         for tool in ["Xvfb", "xdotool"] {
@@ -124,6 +140,7 @@ impl Desktop {
             .env_remove("WAYLAND_DISPLAY")
             .env("HOME", home.path())
             .env("XDG_CONFIG_HOME", config)
+            .envs(variables.iter().copied())
             .stderr(stderr)
             .spawn()
             .unwrap();

@@ -8,6 +8,7 @@ mod comparison;
 mod controls;
 mod desktop;
 mod device_loss;
+mod failures;
 mod flights;
 mod frames;
 mod gamepad;

@@ -1,20 +1,23 @@
 //! Whether a window can be opened here, found out before the window system is started.
 
+#[cfg(target_os = "linux")]
+use std::ffi::OsString;
+#[cfg(target_os = "linux")]
+use std::os::unix::net::UnixStream;
+#[cfg(target_os = "linux")]
+use std::path::Path;
+
 /// The display on which a window can be opened.
 ///
 /// # Errors
 /// There is no display. One clause says what is missing.
 #[cfg(target_os = "linux")]
 pub fn display() -> Result<String, String> {
-    let set = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty());
-    let wayland = set("WAYLAND_DISPLAY");
-    if let Some(name) = &wayland
-        && let Some(folder) = set("XDG_RUNTIME_DIR")
-        && std::os::unix::net::UnixStream::connect(std::path::Path::new(&folder).join(name)).is_ok()
-    {
+    let wayland = variable("WAYLAND_DISPLAY");
+    if let Some(name) = wayland.as_ref().filter(|name| wayland_answers(name)) {
         return Ok(format!("Wayland, {}", name.to_string_lossy()));
     }
-    match (set("DISPLAY"), wayland) {
+    match (variable("DISPLAY"), wayland) {
         (None, None) => Err("neither DISPLAY nor WAYLAND_DISPLAY names one".into()),
         (None, Some(name)) => Err(format!(
             "the Wayland server {} does not answer",
@@ -30,6 +33,29 @@ pub fn display() -> Result<String, String> {
     }
 }
 
+/// Whether a Wayland server is named that does not answer, while an X server does.
+#[cfg(target_os = "linux")]
+#[must_use]
+pub fn prefers_dead_wayland() -> bool {
+    variable("WAYLAND_DISPLAY").is_some_and(|name| !wayland_answers(&name))
+        && variable("DISPLAY").is_some()
+        && x11rb::connect(None).is_ok()
+}
+
+/// The value of a variable of the environment, unless it is empty.
+#[cfg(target_os = "linux")]
+fn variable(name: &str) -> Option<OsString> {
+    std::env::var_os(name).filter(|value| !value.is_empty())
+}
+
+/// Whether a Wayland server answers. Its name is that of a socket in XDG_RUNTIME_DIR, or a path.
+#[cfg(target_os = "linux")]
+fn wayland_answers(name: &OsString) -> bool {
+    let folder = variable("XDG_RUNTIME_DIR").unwrap_or_default();
+    let socket = Path::new(&folder).join(name);
+    socket.is_absolute() && UnixStream::connect(socket).is_ok()
+}
+
 /// The desktop, which other systems always have.
 ///
 /// # Errors
@@ -37,4 +63,11 @@ pub fn display() -> Result<String, String> {
 #[cfg(not(target_os = "linux"))]
 pub fn display() -> Result<String, String> {
     Ok("the desktop".into())
+}
+
+/// Other systems have no Wayland.
+#[cfg(not(target_os = "linux"))]
+#[must_use]
+pub fn prefers_dead_wayland() -> bool {
+    false
 }

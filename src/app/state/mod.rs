@@ -15,6 +15,7 @@ pub(crate) mod rebinding;
 pub(crate) mod resolution;
 pub(crate) mod scene_editor;
 pub(crate) mod settings;
+pub(crate) mod settings_fault;
 pub(crate) mod shown_picture;
 pub(crate) mod title;
 pub(crate) mod toast;

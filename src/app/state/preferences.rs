@@ -14,6 +14,8 @@ pub(crate) struct Preferences {
     pub(crate) settings: Settings,
     /// The settings as they are in the file.
     saved: Settings,
+    /// Where they are saved. None if this system has no folder for settings, or if the file is of a
+    /// newer version.
     file: Option<PathBuf>,
     /// When they were last seen to differ from the file, as a time since the start.
     changed: Option<Duration>,
@@ -26,17 +28,18 @@ impl Preferences {
     /// Reads the settings. The second value says what was wrong with the file.
     pub(crate) fn load() -> (Self, Option<String>) {
         let file = settings_file();
-        let (settings, fault) = file
+        let (settings, unused) = file
             .as_deref()
             .map_or_else(Default::default, Settings::load);
+        let stays = unused.as_ref().is_some_and(|unused| unused.stays);
         (
             Self {
                 saved: settings.clone(),
                 settings,
-                file,
+                file: file.filter(|_| !stays),
                 changed: None,
             },
-            fault,
+            unused.map(|unused| unused.sentence),
         )
     }
 

@@ -1,5 +1,6 @@
 //! The settings that outlast the program: a TOML file in the platform's folder for settings.
 
+use super::settings_fault::{SettingsFault, Unused};
 use crate::app::controls::bindings::{Bindings, PadBindings};
 use crate::storage;
 use lightfall_core::gpu::AdapterName;
@@ -14,6 +15,8 @@ use std::path::Path;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Settings {
+    /// Version of the file's format. A file without it has version 1.
+    pub version: i64,
     /// Size of texts and panels, as a multiple of the desktop's.
     pub ui_scale: f32,
     /// Whether the picture gets coarser while something moves, to hold the frame rate.
@@ -48,6 +51,11 @@ pub struct Settings {
     /// Gamepad buttons of the controls whose buttons differ from the defaults.
     pub buttons: BTreeMap<String, Vec<String>>,
 }
+
+/// The version of settings that this program reads and writes. It rises when fields are added or
+/// change their meaning: an older program then leaves the file alone, instead of taking it for a
+/// broken one.
+pub const SETTINGS_VERSION: i64 = 1;
 
 /// Whether the automatic resolution is used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -88,6 +96,7 @@ pub const FRAME_RATES: [f64; 2] = [5.0, 240.0];
 impl Default for Settings {
     fn default() -> Self {
         Self {
+            version: SETTINGS_VERSION,
             ui_scale: 1.0,
             automatic_resolution: Automatic::Auto,
             pixel_look: true,
@@ -111,8 +120,21 @@ impl Settings {
     /// Reads the text of a settings file.
     ///
     /// # Errors
-    /// One sentence that names the line or the field, and what is wrong with it.
-    pub fn read(text: &str) -> Result<Self, String> {
+    /// The file is of a newer version, or it is wrong: one clause names the line or the field, and
+    /// what is wrong with it.
+    pub fn read(text: &str) -> Result<Self, SettingsFault> {
+        // The version first: a newer file may have fields that this program does not know.
+        match version_of(text) {
+            Some(version) if version > SETTINGS_VERSION => Err(SettingsFault::Newer {
+                version,
+                known: SETTINGS_VERSION,
+            }),
+            _ => Self::read_present(text).map_err(SettingsFault::Wrong),
+        }
+    }
+
+    /// Reads the text of a settings file that is not of a newer version.
+    fn read_present(text: &str) -> Result<Self, String> {
         let settings: Self = toml::from_str(text).map_err(|error| {
             let line = error.span().map_or(1, |span| {
                 1 + text[..span.start.min(text.len())].matches('\n').count()
@@ -132,6 +154,12 @@ impl Settings {
                 "{name} = {value} is refused: it must be a number from {low} to {high}"
             )),
         };
+        if self.version != SETTINGS_VERSION {
+            return Err(format!(
+                "version = {} is refused: it must be {SETTINGS_VERSION}",
+                self.version
+            ));
+        }
         within(
             "ui_scale",
             f64::from(self.ui_scale),
@@ -152,28 +180,26 @@ impl Settings {
         PadBindings::new(&self.buttons).map(drop)
     }
 
-    /// Reads a settings file. A file that does not exist gives the defaults. A broken file is
-    /// renamed and gives the defaults too; the second value then says what was wrong.
+    /// Reads a settings file. A file that does not exist gives the defaults. So do a broken file,
+    /// which is renamed, and one of a newer version, which stays as it is; the second value then
+    /// says so.
     #[must_use]
-    pub fn load(file: &Path) -> (Self, Option<String>) {
+    pub fn load(file: &Path) -> (Self, Option<Unused>) {
         match Self::read_file(file) {
             Ok(settings) => (settings.unwrap_or_default(), None),
-            Err(fault) => (
-                Self::default(),
-                Some(format!("{}: {fault}; {}", file.display(), set_aside(file))),
-            ),
+            Err(fault) => (Self::default(), Some(Unused::new(file, &fault))),
         }
     }
 
     /// Reads a settings file and leaves it as it is. None if there is no such file.
     ///
     /// # Errors
-    /// One clause that says what is wrong, without the file's name.
-    pub fn read_file(file: &Path) -> Result<Option<Self>, String> {
+    /// The file cannot be read, or as [`read`](Self::read).
+    pub fn read_file(file: &Path) -> Result<Option<Self>, SettingsFault> {
         match storage::read_text(file, MAX_BYTES) {
             Ok(text) => Self::read(&text).map(Some),
             Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
-            Err(error) => Err(format!("cannot be read: {error}")),
+            Err(error) => Err(SettingsFault::Wrong(format!("cannot be read: {error}"))),
         }
     }
 
@@ -202,17 +228,10 @@ impl Settings {
     }
 }
 
-/// Renames a broken file, so that nothing the user wrote is lost, and says how that went.
-fn set_aside(file: &Path) -> String {
-    let names = (1..1000).map(|number| file.with_extension(format!("broken-{number}.toml")));
-    let Some(aside) = names.into_iter().find(|name| !storage::exists(name)) else {
-        return "default settings are used".into();
-    };
-    match storage::rename(file, &aside) {
-        Ok(()) => format!(
-            "it is kept as {}, and default settings are used",
-            aside.display()
-        ),
-        Err(_) => "default settings are used".into(),
-    }
+/// The version that a settings file names, if it is TOML and names one.
+fn version_of(text: &str) -> Option<i64> {
+    toml::from_str::<toml::Table>(text)
+        .ok()?
+        .get("version")?
+        .as_integer()
 }

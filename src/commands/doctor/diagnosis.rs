@@ -4,7 +4,7 @@ use super::places::{Folder, SettingsFile, folders};
 use super::self_test::SelfTest;
 use super::system::System;
 
-use lightfall_core::gpu::{AdapterName, Gpu, GpuError, Listed, adapters};
+use lightfall_core::gpu::{AdapterName, Gpu, GpuError, Listed, adapters, driver_advice};
 use lightfall_core::scene::presets;
 use serde::Serialize;
 
@@ -58,8 +58,8 @@ pub struct Adapter {
     pub longest_texture_side: u32,
     /// Maximum size of a shader's storage buffer, in bytes.
     pub largest_storage_buffer: u64,
-    /// Its limits that are smaller than those the passes rely on, each with both values.
-    pub too_small: Vec<String>,
+    /// What the passes need and it lacks, each as a clause. Empty if it can be used.
+    pub missing: Vec<String>,
 }
 
 impl Diagnosis {
@@ -136,15 +136,17 @@ impl Diagnosis {
         self.faults.extend(self.settings.fault());
         self.faults
             .extend(self.folders.iter().filter_map(Folder::fault));
-        let too_small = self
+        let unusable = self
             .adapters
             .iter()
-            .filter(|adapter| adapter.used && !adapter.too_small.is_empty());
-        self.remarks.extend(too_small.map(|adapter| {
+            .filter(|adapter| !adapter.missing.is_empty());
+        self.remarks.extend(unusable.map(|adapter| {
             format!(
-                "{} has smaller limits than the passes rely on: {}",
+                "{} ({}) cannot be used: {}; {}",
                 adapter.name,
-                adapter.too_small.join(", ")
+                adapter.backend,
+                adapter.missing.join(", "),
+                driver_advice::with_old_driver(std::env::consts::OS)
             )
         }));
         if let Some(missing) = &self.system.no_display {
@@ -197,16 +199,8 @@ impl Adapter {
             driver,
             timestamps,
             limits,
+            missing,
         } = listed;
-        let mut too_small = Vec::new();
-        // The passes rely on the limits that WebGPU guarantees everywhere.
-        wgpu::Limits::default().check_limits_with_fail_fn(
-            &limits,
-            false,
-            |limit, needed, available| {
-                too_small.push(format!("{limit} is {available}, not {needed}"));
-            },
-        );
         Self {
             name,
             backend,
@@ -216,7 +210,7 @@ impl Adapter {
             timestamps,
             longest_texture_side: limits.max_texture_dimension_2d,
             largest_storage_buffer: limits.max_storage_buffer_binding_size,
-            too_small,
+            missing,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The files and folders that the program writes, and whether it can write them. Examining them
 //! changes nothing.
 
-use crate::app::Settings;
+use crate::app::{Settings, SettingsFault};
 use crate::storage::{check_folder_writable, pictures_folder, presets_folder, settings_file};
 use lightfall_core::gpu::AdapterName;
 use serde::Serialize;
@@ -16,6 +16,8 @@ pub struct SettingsFile {
     pub exists: bool,
     /// What is wrong with it, if anything is.
     pub wrong: Option<String>,
+    /// Whether it is of a newer version of the program.
+    pub newer: bool,
     /// The adapter that it chooses for the window.
     pub adapter: Option<AdapterName>,
 }
@@ -39,13 +41,13 @@ impl SettingsFile {
     pub fn here() -> Self {
         let path = settings_file();
         let looked = path.as_deref().map_or(Ok(None), Settings::read_file);
-        let (settings, wrong) =
-            looked.map_or_else(|wrong| (None, Some(wrong)), |settings| (settings, None));
-        let exists = settings.is_some() || wrong.is_some();
+        let (settings, fault) =
+            looked.map_or_else(|fault| (None, Some(fault)), |settings| (settings, None));
         Self {
             path,
-            exists,
-            wrong,
+            exists: settings.is_some() || fault.is_some(),
+            newer: matches!(fault, Some(SettingsFault::Newer { .. })),
+            wrong: fault.map(|fault| fault.to_string()),
             adapter: settings.and_then(|settings| settings.adapter),
         }
     }
@@ -53,10 +55,13 @@ impl SettingsFile {
     /// A sentence that says what is wrong and what to do.
     pub(super) fn fault(&self) -> Option<String> {
         let (path, wrong) = (self.path.as_ref()?, self.wrong.as_ref()?);
-        Some(format!(
-            "{}: {wrong}; mend or remove it, or the next flight renames it and uses the default settings",
-            path.display()
-        ))
+        let remedy = if self.newer {
+            "update Lightfall, or rename the file; until then the window uses the default settings and leaves the file as \
+             it is"
+        } else {
+            "mend or remove it, or the next flight renames it and uses the default settings"
+        };
+        Some(format!("{}: {wrong}; {remedy}", path.display()))
     }
 }
 

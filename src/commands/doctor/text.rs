@@ -98,13 +98,13 @@ impl Adapter {
             "no timestamps"
         };
         let buffers = self.largest_storage_buffer >> 20;
-        let limits = if self.too_small.is_empty() {
-            "limits are sufficient"
+        let verdict = if self.missing.is_empty() {
+            "has all that is needed"
         } else {
-            "limits are too small, see below"
+            "lacks what is needed, see below"
         };
         format!(
-            "textures to {0} x {0}, storage buffers to {buffers} MiB, {timestamps}; {limits}",
+            "textures to {0} x {0}, storage buffers to {buffers} MiB, {timestamps}; {verdict}",
             self.longest_texture_side
         )
     }

@@ -2,6 +2,7 @@
 //! copied there), else the preferred one, else the fastest.
 
 use super::error::GpuError;
+use super::requirements::Abilities;
 use serde::{Deserialize, Serialize};
 use std::env;
 use std::fmt::{Display, Formatter};
@@ -49,6 +50,8 @@ pub struct Listed {
     pub timestamps: bool,
     /// Its limits.
     pub limits: Limits,
+    /// What the passes need and it lacks, each as a clause. Empty if it can be used.
+    pub missing: Vec<String>,
 }
 
 impl Display for Listed {
@@ -234,13 +237,14 @@ pub fn adapters() -> Vec<Listed> {
         if listed.iter().all(|other| other.name != name) {
             let driver = format!("{} {}", info.driver, info.driver_info);
             let timestamps = adapter.features().contains(Features::TIMESTAMP_QUERY);
-            let limits = adapter.limits();
+            let abilities = Abilities::of(&adapter);
             listed.push(Listed {
                 name,
                 kind: kind(info.device_type),
                 driver,
                 timestamps,
-                limits,
+                missing: abilities.missing(),
+                limits: abilities.limits,
             });
         }
     }

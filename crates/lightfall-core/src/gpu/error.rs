@@ -1,17 +1,16 @@
 //! Why the GPU cannot do what was asked.
 
+use super::driver_advice;
 use crate::geometry::observer::ObserverError;
 use crate::scene::Method;
+use std::env::consts::OS;
 use thiserror::Error;
 
 /// Why the GPU cannot do what was asked. Each message is one sentence.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum GpuError {
     /// No graphics driver offers an adapter.
-    #[error(
-        "no Vulkan adapter was found: install a graphics driver; on Debian and Ubuntu the packages libvulkan1 and \
-         mesa-vulkan-drivers provide one that needs no graphics card"
-    )]
+    #[error("{}", driver_advice::without_adapter(OS))]
     NoAdapter,
     /// There are adapters, but none of them uses the requested interface.
     #[error(
@@ -34,9 +33,9 @@ pub enum GpuError {
         /// The names of the adapters.
         names: Vec<String>,
     },
-    /// There are adapters, but none of them gives a device.
+    /// There are adapters, but none of them has what the passes need and gives a device.
     #[error(
-        "no graphics adapter gives a device: {}; a newer graphics driver may help", .failures.join("; ")
+        "no graphics adapter can be used: {}; {}", .failures.join("; "), driver_advice::with_old_driver(OS)
     )]
     NoDevice {
         /// The adapters, each with its reason.

@@ -1,18 +1,19 @@
-//! The adapter that is used when the chosen one gives no device: some systems list adapters that
-//! cannot be opened, such as a Direct3D 12 without a shader compiler.
+//! The adapter that is used when the chosen one cannot be: some systems list adapters that give no
+//! device, such as a Direct3D 12 without a shader compiler, or whose driver is too old.
 
 use super::adapter::{AdapterName, adapter, every_adapter, named_by_environment, replace_chosen};
 use super::error::GpuError;
-use wgpu::{Adapter, Device, DeviceDescriptor, DeviceType, Queue};
+use super::requirements::Abilities;
+use wgpu::{Adapter, Device, DeviceDescriptor, DeviceType, Features, Queue};
 
 /// An open device with its queue and adapter.
 pub(super) type Opened = (Adapter, Device, Queue);
 
 /// Opens a device of the chosen adapter or, unless the environment names one, of the next one that
-/// gives a device. Also returns why each adapter before it gave none.
+/// has what the passes need and gives a device. Also returns why each adapter before it was not used.
 ///
 /// # Errors
-/// There is no adapter, or none gives a device.
+/// There is no adapter, or none can be used.
 pub(super) async fn open(
     describe: impl Fn(&Adapter) -> DeviceDescriptor<'static>,
 ) -> Result<(Opened, Vec<String>), GpuError> {
@@ -22,14 +23,14 @@ pub(super) async fn open(
     let mut others_are_listed = named_by_environment().is_some();
     while let Some(adapter) = candidates.pop() {
         let name = AdapterName::of(&adapter.get_info());
-        match adapter.request_device(&describe(&adapter)).await {
+        match open_one(&adapter, &describe(&adapter)).await {
             Ok((device, queue)) => {
                 if !failures.is_empty() {
                     replace_chosen(Some(name));
                 }
                 return Ok(((adapter, device, queue), failures));
             }
-            Err(error) => failures.push(format!("{name}: {error}")),
+            Err(reason) => failures.push(format!("{name}: {reason}")),
         }
         if !others_are_listed {
             others_are_listed = true;
@@ -43,6 +44,19 @@ pub(super) async fn open(
     Err(GpuError::NoDevice { failures })
 }
 
+/// Opens a device, or says why there is none.
+async fn open_one(
+    adapter: &Adapter,
+    description: &DeviceDescriptor<'_>,
+) -> Result<(Device, Queue), String> {
+    let missing = Abilities::of(adapter).missing();
+    if !missing.is_empty() {
+        return Err(missing.join(", "));
+    }
+    let opened = adapter.request_device(description).await;
+    opened.map_err(|error| error.to_string())
+}
+
 /// The order in which kinds of adapters are tried.
 fn rank(kind: DeviceType) -> u8 {
     match kind {
@@ -53,21 +67,28 @@ fn rank(kind: DeviceType) -> u8 {
     }
 }
 
-/// An adapter that has given a device.
+/// An adapter that can be used.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct WorkingAdapter {
     /// Its name with its interface and driver.
     pub description: String,
-    /// Why each adapter before it gave no device. Empty for the chosen one.
+    /// Why each adapter before it cannot be used. Empty for the chosen one.
     pub failures: Vec<String>,
 }
 
-/// Finds the adapter that is used: the chosen one or, if it gives no device, the next one that does.
+/// Finds the adapter that is used: the chosen one or, if it cannot be, the next one that can.
+///
+/// The device that this opens has every feature and the limits of its adapter, as Bevy's device has,
+/// so that a driver that refuses one refuses both.
 ///
 /// # Errors
-/// There is no adapter, or none gives a device.
+/// There is no adapter, or none can be used.
 pub fn working_adapter() -> Result<WorkingAdapter, GpuError> {
-    let ((adapter, ..), failures) = pollster::block_on(open(|_| DeviceDescriptor::default()))?;
+    let ((adapter, ..), failures) = pollster::block_on(open(|adapter| DeviceDescriptor {
+        required_features: adapter.features() - Features::all_experimental_mask(),
+        required_limits: adapter.limits(),
+        ..Default::default()
+    }))?;
     let info = adapter.get_info();
     let name = AdapterName::of(&info);
     Ok(WorkingAdapter {

@@ -8,6 +8,7 @@ mod buffer;
 mod device;
 mod difference;
 mod drawable;
+pub mod driver_advice;
 mod error;
 mod error_map;
 mod fallback;
@@ -15,6 +16,7 @@ pub mod kernel;
 mod presentation;
 pub mod rays;
 mod read_back;
+mod requirements;
 mod scene;
 mod shader;
 pub mod timing;
@@ -31,6 +33,7 @@ pub use error_map::{ERROR_MAP_SIZE, ErrorMap};
 pub use fallback::{WorkingAdapter, working_adapter};
 pub use presentation::Presentation;
 pub use read_back::read_back;
+pub use requirements::Abilities;
 pub use scene::{
     GpuDisk, GpuHole, GpuObserver, GpuPicture, GpuQuality, GpuScene, GpuShadow, GpuSky,
     MARK_BRIGHTNESS,

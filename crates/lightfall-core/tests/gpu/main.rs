@@ -24,6 +24,7 @@ mod part_headers;
 mod presentation;
 mod refusals;
 mod report;
+mod requirements;
 mod shaders;
 mod sky;
 mod spectrum;
