@@ -123,15 +123,17 @@ struct Picture {
     mark_brightness: f32,
 }
 
-// WGSL asks for this alignment of structs within a uniform.
+// WGSL asks that structs within a uniform begin at multiples of 16 bytes. Those that hold vectors of
+// three or four numbers do by themselves, and each other one stands before one of those or is the
+// first. Attributes would be lost on the way to a browser, where wgpu writes the shader anew.
 struct Scene {
-    @align(16) observer: Observer,
-    @align(16) hole: Hole,
-    @align(16) shadow: Shadow,
-    @align(16) disk: Disk,
-    @align(16) sky: Sky,
-    @align(16) quality: Quality,
-    @align(16) picture: Picture,
+    hole: Hole,
+    observer: Observer,
+    disk: Disk,
+    shadow: Shadow,
+    quality: Quality,
+    sky: Sky,
+    picture: Picture,
 }
 
 @group(0) @binding(BINDING_SCENE) var<uniform> scene: Scene;

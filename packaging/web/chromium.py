@@ -140,6 +140,12 @@ class Chromium:
             self.console.append(text)
             if parameters["type"] == "error" or "panicked" in text or "ERROR" in text:
                 self.faults.append(text)
+        elif message["method"] == "Log.entryAdded":
+            # What the browser itself says, such as that WebGPU refuses a command.
+            entry = parameters["entry"]
+            self.console.append(entry["text"])
+            if entry["level"] in ("warning", "error"):
+                self.faults.append(entry["text"])
         elif message["method"] == "Runtime.exceptionThrown":
             details = parameters["exceptionDetails"]
             text = details.get("exception", {}).get("description", details["text"])

@@ -148,3 +148,14 @@ fn a_shader_contains_only_the_parts_that_its_scene_needs() {
         );
     }
 }
+
+/// wgpu writes shaders anew for browsers, and leaves these attributes out.
+#[test]
+fn no_layout_depends_on_attributes() {
+    for variant in Variant::all() {
+        let source = variant.source();
+        for attribute in ["@align", "@size"] {
+            assert!(!source.contains(attribute), "{attribute} in {variant:?}");
+        }
+    }
+}

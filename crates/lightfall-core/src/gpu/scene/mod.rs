@@ -28,19 +28,12 @@ use glam::{DMat3, UVec2};
 #[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct GpuScene {
-    #[shader(align(16))]
-    pub observer: GpuObserver,
-    #[shader(align(16))]
     pub hole: GpuHole,
-    #[shader(align(16))]
-    pub shadow: GpuShadow,
-    #[shader(align(16))]
+    pub observer: GpuObserver,
     pub disk: GpuDisk,
-    #[shader(align(16))]
-    pub sky: GpuSky,
-    #[shader(align(16))]
+    pub shadow: GpuShadow,
     pub quality: GpuQuality,
-    #[shader(align(16))]
+    pub sky: GpuSky,
     pub picture: GpuPicture,
 }
 
