@@ -25,7 +25,7 @@ fn destroy(wanted: If<Res<Destroy>>, device: Res<RenderDevice>) {
     }
 }
 
-/// The program with an additional key: Home destroys the device. This is no test: the test below
+/// The program with an additional key: keypad 7 destroys the device. This is no test: the test below
 /// starts it as another process, because a window needs a main thread and its own display.
 #[test]
 #[ignore = "started by the test of device loss"]
@@ -36,7 +36,7 @@ fn started_program_that_loses_its_device() {
         .add_systems(
             Update,
             |keys: Res<ButtonInput<KeyCode>>, mut destroy: ResMut<Destroy>| {
-                destroy.0 = keys.just_pressed(KeyCode::Home);
+                destroy.0 = keys.just_pressed(KeyCode::Numpad7);
             },
         );
     app.sub_app_mut(RenderApp)
@@ -74,7 +74,7 @@ fn a_lost_device_is_replaced_and_the_scene_stays() {
     // Without the lines at the bottom: the window says there what happened.
     let changed = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0, TITLE..WINDOW.1 - 2 * STATUS_BAR);
     for loss in 1..=2 {
-        desktop.press("Home");
+        desktop.press("KP_Home");
         desktop.wait("the loss", || {
             desktop.stderr().matches("opening it again").count() == loss
         });
@@ -102,14 +102,14 @@ fn a_device_that_is_lost_again_and_again_ends_the_program_with_what_to_do() {
     desktop.first_picture();
     // Five losses within a minute are recovered from, the sixth is one too many.
     for loss in 1..=5 {
-        desktop.press("Home");
+        desktop.press("KP_Home");
         desktop.wait("the loss", || {
             desktop.stderr().matches("opening it again").count() == loss
         });
         desktop.frames(2);
         assert!(desktop.running(), "loss {loss}: {}", desktop.stderr());
     }
-    desktop.press("Home");
+    desktop.press("KP_Home");
     let status = desktop.program.wait().unwrap();
     let stderr = desktop.stderr();
     let sentence = format!(

@@ -16,12 +16,12 @@ use std::time::{Duration, Instant};
 /// What a key has the pad do: which part of it is pushed for a second, so long after the key.
 const HANDS: [(KeyCode, GamepadInput, u64); 6] = [
     (
-        KeyCode::Insert,
+        KeyCode::Numpad0,
         GamepadInput::Axis(GamepadAxis::LeftStickY),
         6,
     ),
     (
-        KeyCode::Delete,
+        KeyCode::Numpad3,
         GamepadInput::Axis(GamepadAxis::RightStickX),
         0,
     ),
@@ -64,7 +64,7 @@ fn hand(
     (scene, player, pace): (Res<CurrentScene>, Res<JourneyPlayer>, Res<FramePacing>),
 ) {
     let pad = *hand.pad.get_or_insert_with(|| commands.spawn_empty().id());
-    if keys.just_pressed(KeyCode::Home) {
+    if keys.just_pressed(KeyCode::Numpad7) {
         let connection = GamepadConnection::Connected {
             name: "Pad of the test".into(),
             vendor_id: None,
@@ -72,7 +72,7 @@ fn hand(
         };
         connections.write(GamepadConnectionEvent::new(pad, connection));
     }
-    if keys.just_pressed(KeyCode::End) {
+    if keys.just_pressed(KeyCode::Numpad1) {
         connections.write(GamepadConnectionEvent::new(
             pad,
             GamepadConnection::Disconnected,
@@ -172,7 +172,7 @@ fn a_gamepad_wakes_the_window_flies_looks_around_and_presses_controls() {
     ];
     let desktop = Desktop::open_program(&program, &only);
     let start = desktop.settled("first picture", |shot| shot.colours() > 50);
-    desktop.press("Home");
+    desktop.press("KP_Home");
     let status_bar =
         |shot: &Shot| start.changed(shot, 0..WINDOW.0, WINDOW.1 - 2 * STATUS_BAR..WINDOW.1) > 0.0;
     desktop.until("the toast about the gamepad", status_bar);
@@ -180,7 +180,7 @@ fn a_gamepad_wakes_the_window_flies_looks_around_and_presses_controls() {
     // Nothing but the pad tells the resting window to wake. How much of the second counts is the
     // machine's: a frame that takes longer than a quarter of one moves no farther.
     let about = |factor: f64| (0.4..1.6).contains(&factor);
-    let [before, after] = used(&desktop, "Insert");
+    let [before, after] = used(&desktop, "KP_Insert");
     assert_eq!(
         [value(&before, "resting"), value(&after, "resting")],
         ["true", "false"]
@@ -190,7 +190,7 @@ fn a_gamepad_wakes_the_window_flies_looks_around_and_presses_controls() {
     assert!(about(nearer), "{nearer}: {before:?} {after:?}");
 
     // A field of view a second, to the right.
-    let [before, after] = used(&desktop, "Delete");
+    let [before, after] = used(&desktop, "KP_Next");
     let turned = (number(&after, "yaw") - number(&before, "yaw")) / number(&before, "fov");
     assert!(about(turned), "{turned}: {before:?} {after:?}");
     // The place is made of the pose again, and rounded.
@@ -210,7 +210,7 @@ fn a_gamepad_wakes_the_window_flies_looks_around_and_presses_controls() {
         [value(&before, "journey"), value(&after, "journey")],
         ["false", "true"]
     );
-    let [before, after] = used(&desktop, "Delete");
+    let [before, after] = used(&desktop, "KP_Next");
     assert_eq!(
         [value(&before, "journey"), value(&after, "journey")],
         ["true", "false"]
@@ -235,9 +235,9 @@ fn a_gamepad_wakes_the_window_flies_looks_around_and_presses_controls() {
     );
     desktop.settled("no menu", |shot| middle(shot, &closed) == 0.0);
 
-    desktop.press("End");
+    desktop.press("KP_End");
     std::thread::sleep(Duration::from_millis(500));
-    let [before, after] = used(&desktop, "Delete");
+    let [before, after] = used(&desktop, "KP_Next");
     assert_eq!(
         value(&before, "yaw"),
         value(&after, "yaw"),

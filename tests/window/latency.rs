@@ -14,7 +14,7 @@ struct Before(Option<Vec<u8>>);
 #[derive(Resource, Default)]
 struct Pressed(u32);
 
-/// Home keeps the window's picture; from the key for more light on, each frame is held against it.
+/// Keypad 7 keeps the window's picture; from the key for more light on, each frame is held against it.
 fn watch(
     mut commands: Commands,
     keys: Res<ButtonInput<KeyCode>>,
@@ -22,7 +22,7 @@ fn watch(
     before: Res<Before>,
     mut pressed: ResMut<Pressed>,
 ) {
-    if keys.just_pressed(KeyCode::Home) {
+    if keys.just_pressed(KeyCode::Numpad7) {
         commands.spawn(Screenshot::primary_window()).observe(
             |shot: On<ScreenshotCaptured>, mut before: ResMut<Before>| {
                 before.0.clone_from(&shot.image.data);
@@ -77,7 +77,7 @@ fn the_picture_follows_a_key_in_the_same_frame_or_the_next() {
     ];
     let desktop = Desktop::open_program(&program, &only);
     desktop.first_picture();
-    desktop.press("Home");
+    desktop.press("KP_Home");
     let before = desktop.settled("kept", |_| desktop.stderr().contains("kept"));
     desktop.press("equal");
     desktop.settled("more light", |shot| {

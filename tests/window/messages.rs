@@ -42,7 +42,7 @@ fn notice_key(keys: Res<ButtonInput<KeyCode>>, frame: Res<FrameCount>, mut key: 
     }
 }
 
-/// Writes the texts that are shown in the frames after a key, which of them are new, and with Insert
+/// Writes the texts that are shown in the frames after a key, which of them are new, and with keypad 0
 /// where each text is.
 fn report_texts(
     outputs: Query<&EguiFullOutput>,
@@ -58,7 +58,7 @@ fn report_texts(
         }
     }
     let texts: BTreeSet<String> = shown.iter().map(|(text, ..)| text.clone()).collect();
-    if keys.just_pressed(KeyCode::Insert) {
+    if keys.just_pressed(KeyCode::Numpad0) {
         // What fades away may be gone before a screenshot is taken.
         for (text, place, _) in shown.iter().filter(|(_, _, opacity)| *opacity == 1.0) {
             let [x0, y0, x1, y1] = [place.min.x, place.min.y, place.max.x, place.max.y];
@@ -115,9 +115,9 @@ fn white_scene() -> Scene {
     scene
 }
 
-/// End shows a white picture.
+/// Keypad 1 shows a white picture.
 fn show_white(keys: Res<ButtonInput<KeyCode>>, mut scene: ResMut<CurrentScene>) {
-    if keys.just_pressed(KeyCode::End) {
+    if keys.just_pressed(KeyCode::Numpad1) {
         scene.0 = Drawable::new(white_scene()).unwrap();
     }
 }
@@ -311,7 +311,7 @@ fn texts_on_screen(desktop: &Desktop) -> (Vec<Place>, Shot) {
 /// Where the texts are, as the program reports them.
 fn places(desktop: &Desktop) -> Vec<Place> {
     let before = desktop.stderr().len();
-    desktop.press("Insert");
+    desktop.press("KP_Insert");
     desktop.wait("places", || {
         desktop.stderr()[before..].contains("places end")
     });
@@ -341,7 +341,7 @@ fn texts_over_any_picture_have_a_contrast_of_at_least_four_and_a_half() {
         ("2", ["2", "z"]),
         ("2", ["2", "b"]),
         ("4", ["4", "z"]),
-        ("End", ["v", "z"]),
+        ("KP_End", ["v", "z"]),
     ] {
         desktop.press(key);
         desktop.settled(key, |_| true);
@@ -376,7 +376,7 @@ fn texts_over_any_picture_have_a_contrast_of_at_least_four_and_a_half() {
         }
         assert!(places.len() > 8, "{} texts with {key}", places.len());
         assert!(faint.is_empty(), "{key}: {faint:?}");
-        if key == "End" {
+        if key == "KP_End" {
             // Beyond the boxes the picture is white, so the test has tested what it should.
             let white = |px: usize, py: usize| luminance(shot.pixel(px, py)) > 0.85;
             assert!(

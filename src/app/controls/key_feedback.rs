@@ -20,7 +20,7 @@ pub fn remark(
     after: &Scene,
     bindings: &Bindings,
 ) -> Option<String> {
-    let key = |id| bindings.label(id);
+    let key = |id| bindings.first_label(id);
     match control.id {
         "scene.observer" => skipped_observers(before, after),
         "scene.spin" if before.method != after.method => {

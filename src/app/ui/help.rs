@@ -175,7 +175,7 @@ fn show_help(
                     });
                 });
             ui.add_space(4.0);
-            let [help, panel] = ["window.help", "window.panel"].map(|id| bindings.label(id));
+            let [help, panel] = ["window.help", "window.panel"].map(|id| bindings.first_label(id));
             ui.label(format!(
                 "{help} closes this help.   Rebind keys in the panel ({panel}) > Settings.   {RADIUS_UNIT}"
             ));

@@ -1,6 +1,6 @@
 //! Files as texts in the browser's storage, by their paths. The page's server never sees them.
 
-use super::WriteError;
+use super::write_error::WriteError;
 use crate::browser::Storage;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! Files of the file system. Those that are written appear complete or not at all.
 
-use super::WriteError;
+use super::write_error::WriteError;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};

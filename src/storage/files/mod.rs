@@ -4,6 +4,7 @@
 mod browser;
 #[cfg(not(target_arch = "wasm32"))]
 mod disk;
+mod write_error;
 
 #[cfg(target_arch = "wasm32")]
 pub use browser::{create_parent_folder, exists, files_in, read, remove, rename, write_atomically};
@@ -13,30 +14,10 @@ pub use disk::{
     rename, write_atomically,
 };
 
+pub use write_error::WriteError;
+
 use std::io;
-use std::path::{Path, PathBuf};
-use thiserror::Error;
-
-/// A file that could not be written.
-#[derive(Debug, Error)]
-#[error("{path}: cannot be written: {source}")]
-pub struct WriteError {
-    /// The file.
-    pub path: PathBuf,
-    /// The system's reason.
-    pub source: io::Error,
-}
-
-impl WriteError {
-    /// The error of the file at `path`.
-    #[must_use]
-    pub fn new(path: &Path, source: io::Error) -> Self {
-        Self {
-            path: path.into(),
-            source,
-        }
-    }
-}
+use std::path::Path;
 
 /// Reads a text of at most `max_bytes`.
 ///

@@ -44,11 +44,15 @@ pub enum GpuError {
     /// The adapter provides no device, or the device failed: it is of no further use.
     #[error("the graphics device failed: {0}")]
     Device(String),
-    /// The program runs in a browser, which lets no page wait for work on the GPU.
-    #[error(
-        "a page in a browser cannot measure on the graphics device; the downloaded program can"
-    )]
+    /// The program runs in a browser, which lets no page wait for the GPU.
+    #[error("not measured in a browser, where no page can wait for the graphics device")]
     InBrowser,
+    /// As [`InBrowser`](Self::InBrowser), for the view that shows what is measured.
+    #[error(
+        "view = \"error\" is refused: in a browser no page can wait for the graphics device; the downloaded program \
+         shows this view"
+    )]
+    ErrorsInBrowser,
     /// The device has too little free memory.
     #[error("the graphics device has too little free memory: {0}")]
     OutOfMemory(String),

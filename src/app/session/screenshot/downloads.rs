@@ -1,7 +1,7 @@
 //! Screenshots as downloads of the browser. A page cannot draw beside its window and wait, so the
 //! picture by itself is what the window shows in a frame without anything over the picture.
 
-use super::{SAVED, pixels};
+use super::pixels::{SAVED, pixels};
 use crate::app::controls::control::AppCommand;
 use crate::app::state::resolution::Resolution;
 use crate::app::state::toast::Toast;

@@ -1,6 +1,6 @@
 //! Screenshots as new files that replace no others.
 
-use super::{SAVED, pixels};
+use super::pixels::{SAVED, pixels};
 use crate::app::controls::control::AppCommand;
 use crate::app::state::resolution::Resolution;
 use crate::app::state::scene_editor::SceneEditor;

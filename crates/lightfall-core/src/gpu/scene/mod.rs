@@ -20,7 +20,7 @@ pub use sky::GpuSky;
 use super::error::GpuError;
 use crate::geometry::kerr::Kerr;
 use crate::optics::camera_rays::CameraRays;
-use crate::scene::Scene;
+use crate::scene::{Scene, View};
 use encase::ShaderType;
 use glam::{DMat3, UVec2};
 
@@ -92,6 +92,9 @@ fn check_method(scene: &Scene, kerr: Kerr) -> Result<(), GpuError> {
     }
     if !method.spins && kerr.spin != 0.0 && scene.effects.lensing {
         return Err(GpuError::Spin(kerr.spin));
+    }
+    if cfg!(target_arch = "wasm32") && scene.view == View::Error {
+        return Err(GpuError::ErrorsInBrowser);
     }
     let r = scene.camera.r;
     if r <= kerr.horizon() && !method.inside {

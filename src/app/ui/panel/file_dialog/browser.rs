@@ -1,6 +1,6 @@
 //! The browser's file dialog. It hands over a file's contents, not its path.
 
-use super::Picked;
+use super::picked::Picked;
 use crate::browser::pick_file;
 use crate::storage::scene_of_file;
 use std::path::PathBuf;

@@ -1,6 +1,6 @@
 //! The desktop's file dialog. A thread of its own waits for it, so that the window goes on.
 
-use super::Picked;
+use super::picked::Picked;
 use crate::storage::{presets_folder, read_scene};
 use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
