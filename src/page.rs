@@ -13,11 +13,8 @@ const ADDRESS: &str = "the address";
 /// Runs the program on the page.
 pub fn run() {
     storage::report_panics(browser::report);
-    match start() {
-        Ok(start) => {
-            app::fly(start);
-        }
-        Err(reason) => browser::report(&reason),
+    if let Err(reason) = start().and_then(app::fly) {
+        browser::report(&reason);
     }
 }
 
