@@ -52,6 +52,8 @@ foreach ($preset in 2, 4, 8) {
         Write-Report "  SHA-256 $((Get-FileHash -LiteralPath $picture -Algorithm SHA256).Hash)"
     }
 }
+# With Direct3D 12 Windows' own compiler translates the shaders, which may take minutes.
+Invoke-Lightfall @('render', '--preset', '2', '--backend', 'dx12', '-o', 'dx12.png')
 Invoke-Lightfall @('render', '--preset', '99', '-o', 'none.png')
 Write-Host ''
-Write-Host "Please send the folder $Folder (a report and three pictures)."
+Write-Host "Please send the folder $Folder (a report and the pictures)."

@@ -1,16 +1,29 @@
-//! The page around the window in a browser: its loading screen goes when the first picture is drawn.
+//! The page around the window in a browser: its loading screen goes when the first picture is drawn,
+//! and it says why the window has ended.
 
-use crate::browser::{State, show_state};
+use crate::browser::{State, report, show_state};
 use crate::render::DrawRequest;
+use crate::render::recovery::DeviceFailure;
 use bevy::prelude::*;
 
 pub(crate) fn plugin(app: &mut App) {
-    app.add_systems(Last, end_loading);
+    app.add_systems(Last, (end_loading, report_end));
 }
 
 fn end_loading(request: Res<DrawRequest>, mut done: Local<bool>) {
     if !*done && request.is_drawn() {
         *done = true;
         show_state(State::Running);
+    }
+}
+
+/// A window program does not return in a browser, so nobody else could say it.
+fn report_end(mut exits: MessageReader<AppExit>, failure: Res<DeviceFailure>) {
+    if exits.read().any(AppExit::is_error) {
+        report(
+            failure
+                .sentence()
+                .unwrap_or("The window has ended with an error"),
+        );
     }
 }
