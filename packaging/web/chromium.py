@@ -37,7 +37,9 @@ QUIET = [
 ]
 
 # Windows' codes of keys that have no letter.
-KEY_CODES = {"F2": 113, "Tab": 9, "Escape": 27, "Insert": 45, "Backslash": 220}
+KEY_CODES = {"F2": 113, "Tab": 9, "Escape": 27, "Insert": 45, "Backslash": 220, "Quote": 222}
+# What those keys type.
+KEY_TEXTS = {"Backslash": "\\", "Quote": "'"}
 
 
 class Chromium:
@@ -191,7 +193,7 @@ class Chromium:
         """Presses the key with this code, such as KeyH, and lets it go."""
         name = code.removeprefix("Key").lower() if code.startswith("Key") else code
         virtual = KEY_CODES.get(code, ord(code[-1]))
-        key = {"code": code, "key": "\\" if code == "Backslash" else name, "windowsVirtualKeyCode": virtual}
+        key = {"code": code, "key": KEY_TEXTS.get(code, name), "windowsVirtualKeyCode": virtual}
         self.call("Input.dispatchKeyEvent", type="rawKeyDown", **key)
         self.wait(0.2)
         self.call("Input.dispatchKeyEvent", type="keyUp", **key)
@@ -207,6 +209,14 @@ class Chromium:
             self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y, **mouse)
             self.wait(0.2)
         self.call("Input.dispatchMouseEvent", type="mouseReleased", x=x, y=y, **{**mouse, "buttons": 0})
+
+    def click(self, place, button="left"):
+        """Clicks slowly enough for a program that draws in software."""
+        self.move(place)
+        mouse = {"button": button, "clickCount": 1, "x": place[0], "y": place[1]}
+        for kind in ("mousePressed", "mouseReleased"):
+            self.call("Input.dispatchMouseEvent", type=kind, **mouse)
+            self.wait(0.4)
 
     def move(self, place):
         self.call("Input.dispatchMouseEvent", type="mouseMoved", x=place[0], y=place[1])

@@ -34,6 +34,8 @@ pub use motion::steering::{Barrier, Steered, Steering, steered};
 pub use motion::zoom::zoomed;
 pub use session::display::{display, prefers_dead_wayland};
 pub use session::frame_pacing::FramePacing;
+#[cfg(not(target_arch = "wasm32"))]
+pub use session::link::command_line;
 pub use state::history::History;
 pub use state::menu::{Menu, MenuEntry};
 pub use state::resolution::{Canvas, Resolution};

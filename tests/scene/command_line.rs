@@ -1,5 +1,6 @@
 //! The arguments of `lightfall` and their meaning.
 
+mod copied;
 mod render;
 
 use std::fs;

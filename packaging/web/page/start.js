@@ -43,6 +43,9 @@ async function program() {
       progress.value = loaded / PROGRAM_BYTES;
       controller.enqueue(part);
     },
+    flush() {
+      message.textContent = "Starting";
+    },
   });
   // Browsers compile while they load only what has this type.
   return new Response(response.body.pipeThrough(counter), {
@@ -66,9 +69,7 @@ async function start() {
     say("unsupported", reason);
     return;
   }
-  const module_or_path = program();
-  module_or_path.then(() => (message.textContent = "Loading"));
-  await init({ module_or_path });
+  await init({ module_or_path: program() });
 }
 
 document.getElementById("save").addEventListener("click", saveReport);

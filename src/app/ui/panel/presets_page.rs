@@ -4,7 +4,7 @@
 use super::file_dialog::{FileDialog, Picked};
 use crate::IN_BROWSER;
 use crate::app::session::clipboard::Clipboard;
-use crate::app::session::link::link;
+use crate::app::session::link::copy_link;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::ui::theme::{ACCENT, WEAK_TEXT};
 use crate::storage::{
@@ -263,13 +263,8 @@ fn show_sharing(ui: &mut egui::Ui, editor: &mut SceneEditor, clipboard: &Clipboa
         "The command line that opens this scene"
     };
     if ui.button(what).on_hover_text(hint).clicked() {
-        match link(&editor.scene()) {
-            Ok(link) => {
-                editor.say(format!("Copied {link}"));
-                clipboard.copy(link);
-            }
-            Err(reason) => editor.say(format!("Nothing is copied: {reason}")),
-        }
+        let said = copy_link(&editor.scene(), clipboard);
+        editor.say(said);
     }
 }
 

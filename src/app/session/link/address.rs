@@ -1,0 +1,62 @@
+//! The page's address with a scene. It follows the scene, so that a bookmark or a reload leads back
+//! to it.
+
+use crate::app::session::clipboard::Clipboard;
+use crate::app::session::frame_pacing::FramePacing;
+use crate::app::state::resolution::Resolution;
+use crate::browser;
+use crate::render::CurrentScene;
+use bevy::prelude::*;
+use lightfall_core::scene::{Changes, Scene};
+
+pub(crate) fn plugin(app: &mut App) {
+    app.add_systems(PostUpdate, show_address);
+}
+
+/// Copies the address, and says so or why not.
+pub(crate) fn copy_link(scene: &Scene, clipboard: &Clipboard) -> String {
+    match address(scene) {
+        Ok(address) => {
+            clipboard.copy(address);
+            "Copied the address of this page with this scene".into()
+        }
+        Err(reason) => format!("Nothing is copied: {reason}"),
+    }
+}
+
+/// The page's address with this scene.
+///
+/// # Errors
+/// The browser's reason.
+fn address(scene: &Scene) -> Result<String, String> {
+    let Changes { preset, fields } = Changes::of(scene);
+    let preset = ("preset".to_owned(), preset.name.to_owned());
+    let fields = fields
+        .into_iter()
+        .map(|(key, value)| (key.to_owned(), value.to_string()));
+    browser::address_with(&[preset].into_iter().chain(fields).collect::<Vec<_>>())
+}
+
+/// Shows the scene in the address once it has come to rest. Browsers allow few changes of the address
+/// in a short time.
+fn show_address(
+    pacing: Res<FramePacing>,
+    scene: Res<CurrentScene>,
+    resolution: Res<Resolution>,
+    mut is_late: Local<bool>,
+    mut shown: Local<Option<Scene>>,
+) {
+    *is_late |= scene.is_changed();
+    if pacing.moving || !*is_late {
+        return;
+    }
+    *is_late = false;
+    let scene = resolution.full_scene(&scene);
+    if shown.as_ref() != Some(&scene) {
+        if let Err(reason) = address(&scene).and_then(|address| browser::replace_address(&address))
+        {
+            warn!("the address cannot be changed: {reason}");
+        }
+        *shown = Some(scene);
+    }
+}
