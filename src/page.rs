@@ -8,7 +8,7 @@ use lightfall_core::scene::presets::{DEFAULT, PRESETS};
 use lightfall_core::scene::{Override, Scene, field};
 
 /// What messages call the address.
-const ADDRESS: &str = "the address";
+const ADDRESS: &str = "the page's address";
 
 /// Runs the program on the page.
 pub fn run() {

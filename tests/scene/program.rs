@@ -327,7 +327,7 @@ fn a_fault_that_the_doctor_finds_is_status_one_with_what_to_do() {
     let (status, stdout, stderr) = program_with(&own, home.path(), "doctor", "");
     assert!(
         status == 1
-            && stderr == "lightfall: things that are not well: 1; the report says what to do\n",
+            && stderr == "lightfall: problems found: 1; the report says what to do about each\n",
         "{stderr}"
     );
     assert!(

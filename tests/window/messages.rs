@@ -271,6 +271,33 @@ fn every_key_of_the_table_leads_to_its_message_within_two_frames() {
     }
 }
 
+/// The texts that are shown two seconds after a control was used.
+fn texts_after(desktop: &Desktop, id: &str) -> Vec<String> {
+    answer(desktop, control_named(id).unwrap());
+    std::thread::sleep(Duration::from_secs(2));
+    places(desktop)
+        .into_iter()
+        .map(|place| place.text)
+        .collect()
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn a_fall_ends_a_journey_and_a_journey_ends_a_fall() {
+    let desktop = open_watched("");
+    let says = |texts: &[String], words: &str| texts.iter().any(|text| text.contains(words));
+    let journey = texts_after(&desktop, "journey.fly");
+    assert!(says(&journey, "Journey, "), "{journey:?}");
+    let fall = texts_after(&desktop, "motion.let_go");
+    assert!(says(&fall, "falling freely"), "{fall:?}");
+    assert!(!says(&fall, "Journey, "), "{fall:?}");
+    assert!(!says(&fall, "by hand"), "{fall:?}");
+    let journey = texts_after(&desktop, "journey.again");
+    assert!(says(&journey, "Journey, "), "{journey:?}");
+    assert!(!says(&journey, "falling freely"), "{journey:?}");
+    assert!(!says(&journey, "by hand"), "{journey:?}");
+}
+
 /// The luminance of a colour (WCAG 2.2, relative luminance).
 fn luminance(colour: [u8; 3]) -> f64 {
     let [r, g, b] = colour.map(|channel| {

@@ -23,7 +23,7 @@ async function obstacle() {
     return "Browsers offer their graphics only to pages loaded by https. " + advice;
   }
   if (!navigator.gpu) {
-    return "This browser has no WebGPU, with which Lightfall draws. " + advice;
+    return "Lightfall draws with WebGPU, which this browser does not have. " + advice;
   }
   const adapter = await navigator.gpu.requestAdapter().catch(() => null);
   return adapter ? "" : "This browser has WebGPU but no graphics adapter for it. " + advice;
@@ -55,8 +55,16 @@ async function program() {
 
 /** Hands over the report of the last crash. */
 function saveReport() {
-  const name = Object.keys(localStorage).filter((key) => key.startsWith(REPORTS)).sort().pop();
-  if (!name) return;
+  let name;
+  try {
+    name = Object.keys(localStorage).filter((key) => key.startsWith(REPORTS)).sort().pop();
+  } catch {
+    // The browser gives this page no storage.
+  }
+  if (!name) {
+    message.textContent += " There is no report to save.";
+    return;
+  }
   const link = document.createElement("a");
   link.href = URL.createObjectURL(new Blob([localStorage.getItem(name)], { type: "text/plain" }));
   link.download = name.slice(REPORTS.length);
@@ -71,6 +79,16 @@ async function start() {
   }
   await init({ module_or_path: program() });
 }
+
+// Ctrl flies down and W flies ahead; together they close the tab, and no page may forbid it. While Ctrl is
+// held, the browser asks first.
+let controlIsHeld = false;
+const watchControl = (event) => (controlIsHeld = event.ctrlKey);
+addEventListener("keydown", watchControl, true);
+addEventListener("keyup", watchControl, true);
+addEventListener("beforeunload", (event) => {
+  if (controlIsHeld && root.dataset.state === "running") event.preventDefault();
+});
 
 document.getElementById("save").addEventListener("click", saveReport);
 document.getElementById("again").addEventListener("click", () => location.reload());

@@ -269,7 +269,12 @@ fn apply_free_fall_commands(
 ) {
     for command in commands.read() {
         match command {
-            AppCommand::OrbitCamera if free_fall.is_moving() => free_fall.stop(),
+            // These move the camera by themselves.
+            AppCommand::OrbitCamera | AppCommand::Journey | AppCommand::RestartJourney
+                if free_fall.is_moving() =>
+            {
+                free_fall.stop();
+            }
             AppCommand::LetGo if free_fall.is_moving() => {
                 free_fall.stop();
                 toast.say(format!("Held at r {} r_s", four_digits(scene.camera.r)));
@@ -330,7 +335,7 @@ pub(super) fn advance_free_fall(
     let seconds = if paused.0 { 0.0 } else { time.delta_secs_f64() };
     match free_fall.advance(seconds, &scene) {
         FlightStep::Idle => toast.say(format!(
-            "You are flying now: {} lets go again",
+            "You are flying by hand: {} lets go again",
             bindings.label("motion.let_go")
         )),
         FlightStep::Moved(next) => {

@@ -55,6 +55,11 @@ fn apply_journey_commands(
                 end_card.close();
                 continue;
             }
+            // A fall begins where the journey is left.
+            AppCommand::LetGo if player.is_playing() => {
+                player.stop();
+                continue;
+            }
             AppCommand::Journey | AppCommand::RestartJourney => {}
             _ => continue,
         }
@@ -109,7 +114,7 @@ fn advance_journey(
     let seconds = if paused.0 { 0.0 } else { time.delta_secs_f64() };
     match player.advance(seconds, &scene, calm) {
         FlightStep::Idle => toast.say(format!(
-            "You are flying now. The journey waits at {}: {}",
+            "You are flying by hand. The journey waits at {}: {}",
             player.progress(),
             how_to_go_on(&bindings, player.begins_anew(history.loaded()))
         )),

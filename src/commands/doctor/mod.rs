@@ -37,7 +37,7 @@ pub(super) fn doctor(args: &DoctorArgs) -> Result<(), Stop> {
     match diagnosis.faults.len() {
         0 => Ok(()),
         faults => Err(Stop::failed(format!(
-            "things that are not well: {faults}; the report says what to do"
+            "problems found: {faults}; the report says what to do about each"
         ))),
     }
 }

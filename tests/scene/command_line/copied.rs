@@ -29,7 +29,7 @@ fn a_copied_command_line_opens_the_same_scene() {
     scene.name = "my-place".into();
     scene.title = "It's a \"place\" of $mine `here` \\ there; and = it".into();
     scene.hole.spin = -0.3;
-    scene.observer.velocity = [0.1, -0.2, 0.3].into();
+    scene.observer.velocity = [0.1, -0.2, 0.3];
     scene.effects.doppler = false;
     assert_eq!(opened(&command_line(&scene)), scene);
 }
