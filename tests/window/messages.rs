@@ -12,6 +12,7 @@ use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Scene, presets};
 use std::collections::BTreeSet;
 use std::ops::Range;
+use std::time::Duration;
 
 /// Between two texts in a line that the watched program writes.
 const BETWEEN: char = '\u{1f}';
