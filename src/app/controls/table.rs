@@ -106,7 +106,7 @@ pub const CONTROLS: &[Control] = controls! {
         "window.panel" [KeyP] "panel: every setting" Do(AppCommand::Panel);
         "window.inspector" [KeyI] "ray inspector: then click a pixel" Do(AppCommand::Inspector);
         "window.guides" [F10, ArrowUp] "guides: shadow, orbits, scale" Do(AppCommand::Guides);
-        "window.hide" [KeyH] "photo mode: only the picture, time stops" Do(AppCommand::Hide);
+        "window.hide" [KeyH] "photo mode: only the picture" Do(AppCommand::Hide);
         "window.screenshot" [F12, PrintScreen, Insert] "save the picture" Do(AppCommand::Screenshot);
         "window.screenshot_of_window" Shift + [F12, Insert] "save the window as it is" Do(AppCommand::ScreenshotOfWindow);
         "window.fullscreen" Alt + [Enter] "full screen" Do(AppCommand::Fullscreen);
