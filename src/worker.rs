@@ -9,9 +9,7 @@ use std::sync::{Mutex, PoisonError};
 pub struct Worker<Question, Answer> {
     questions: Sender<Question>,
     answers: Mutex<Receiver<Answer>>,
-    /// Serves a question that waits.
-    #[cfg(target_arch = "wasm32")]
-    serve_waiting: Mutex<Box<dyn FnMut() + Send>>,
+    thread: Thread,
 }
 
 /// Where the thread puts its answers. One question may have none, one or several answers.
@@ -47,21 +45,6 @@ impl<Question: Send + 'static, Answer: Send + 'static> Worker<Question, Answer> 
     }
 
     /// Starts a thread that calls `serve_next` until it has no more questions.
-    #[cfg(not(target_arch = "wasm32"))]
-    fn start(
-        mut serve_next: impl FnMut(&Receiver<Question>, &Answers<Answer>) -> Option<()> + Send + 'static,
-    ) -> Self {
-        let (questions, asked) = channel();
-        let (answer, answers) = channel();
-        let answer = Answers(answer);
-        std::thread::spawn(move || while serve_next(&asked, &answer).is_some() {});
-        Self {
-            questions,
-            answers: Mutex::new(answers),
-        }
-    }
-
-    #[cfg(target_arch = "wasm32")]
     fn start(
         mut serve_next: impl FnMut(&Receiver<Question>, &Answers<Answer>) -> Option<()> + Send + 'static,
     ) -> Self {
@@ -71,9 +54,7 @@ impl<Question: Send + 'static, Answer: Send + 'static> Worker<Question, Answer> 
         Self {
             questions,
             answers: Mutex::new(answers),
-            serve_waiting: Mutex::new(Box::new(move || {
-                serve_next(&asked, &answer);
-            })),
+            thread: Thread::start(move || serve_next(&asked, &answer)),
         }
     }
 
@@ -100,11 +81,39 @@ impl<Question: Send + 'static, Answer: Send + 'static> Worker<Question, Answer> 
     }
 
     fn with_answers<T>(&self, take: impl FnOnce(&Receiver<Answer>) -> T) -> T {
-        #[cfg(target_arch = "wasm32")]
-        self.serve_waiting
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)();
+        self.thread.serve_waiting();
         take(&self.answers.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+}
+
+/// The thread, which runs by itself.
+#[cfg(not(target_arch = "wasm32"))]
+struct Thread;
+
+#[cfg(not(target_arch = "wasm32"))]
+impl Thread {
+    /// Starts a thread that calls `serve_next` until it gives nothing.
+    fn start(mut serve_next: impl FnMut() -> Option<()> + Send + 'static) -> Self {
+        std::thread::spawn(move || while serve_next().is_some() {});
+        Self
+    }
+
+    fn serve_waiting(&self) {}
+}
+
+/// What stands in for the thread in a browser.
+#[cfg(target_arch = "wasm32")]
+struct Thread(Mutex<Box<dyn FnMut() -> Option<()> + Send>>);
+
+#[cfg(target_arch = "wasm32")]
+impl Thread {
+    fn start(serve_next: impl FnMut() -> Option<()> + Send + 'static) -> Self {
+        Self(Mutex::new(Box::new(serve_next)))
+    }
+
+    /// Serves a question, if one waits.
+    fn serve_waiting(&self) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)();
     }
 }
 

@@ -1,8 +1,7 @@
 //! Automatic resolution: while something moves, the picture is drawn with as many pixels as the
 //! wanted frame rate allows. A picture at rest is drawn in full.
 
-use crate::IN_BROWSER;
-use crate::app::session::canvas::measure_canvas;
+use crate::app::session::canvas::{assumed_kind, measure_canvas};
 use crate::app::session::frame_pacing::FramePacing;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::resolution::Resolution;
@@ -10,6 +9,7 @@ use crate::app::state::settings::Automatic;
 use crate::render::{CurrentScene, ShownCells};
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
+use wgpu::DeviceType;
 
 /// The coarsest picture, as a share of each side.
 const MIN_SHARE: f64 = 0.25;
@@ -49,12 +49,10 @@ fn adapt_resolution(
     let settings = &preferences.settings;
     let is_slow = || {
         adapter.is_some_and(|info| {
-            // A browser does not say which kind it is.
-            IN_BROWSER
-                || matches!(
-                    info.device_type,
-                    wgpu::DeviceType::Cpu | wgpu::DeviceType::IntegratedGpu
-                )
+            matches!(
+                assumed_kind(&info),
+                DeviceType::Cpu | DeviceType::IntegratedGpu
+            )
         })
     };
     let wanted = match settings.automatic_resolution {

@@ -7,6 +7,7 @@ use crate::app::state::resolution::{Canvas, Resolution};
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
 use bevy::window::PrimaryWindow;
+use wgpu::DeviceType;
 
 /// Most pixels of a picture without cells on an adapter that shares the processor's memory: those
 /// of a common large monitor.
@@ -16,6 +17,16 @@ const MAX_SOFTWARE_PIXELS: u64 = 1600 * 900;
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(Update, measure_canvas);
+}
+
+/// The kind of the adapter. A browser tells a software adapter from the others only, which then count
+/// as parts of the processor.
+pub(super) fn assumed_kind(info: &RenderAdapterInfo) -> DeviceType {
+    match info.device_type {
+        DeviceType::Cpu => DeviceType::Cpu,
+        _ if IN_BROWSER => DeviceType::IntegratedGpu,
+        kind => kind,
+    }
 }
 
 /// Tells the resolution how large the window is and how many pixels it may trace.
@@ -30,11 +41,9 @@ pub(super) fn measure_canvas(
     if size.min_element() == 0 {
         return;
     }
-    let max_pixels = match adapter.map(|info| info.device_type) {
-        Some(wgpu::DeviceType::Cpu) => MAX_SOFTWARE_PIXELS,
-        // A browser does not say which kind it is.
-        Some(wgpu::DeviceType::IntegratedGpu) => MAX_INTEGRATED_PIXELS,
-        Some(_) if IN_BROWSER => MAX_INTEGRATED_PIXELS,
+    let max_pixels = match adapter.map(|info| assumed_kind(&info)) {
+        Some(DeviceType::Cpu) => MAX_SOFTWARE_PIXELS,
+        Some(DeviceType::IntegratedGpu) => MAX_INTEGRATED_PIXELS,
         _ => u64::MAX,
     };
     resolution.set_canvas(Canvas {

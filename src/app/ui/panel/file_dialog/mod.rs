@@ -4,10 +4,8 @@
 mod browser;
 #[cfg(not(target_arch = "wasm32"))]
 mod desktop;
+mod dialog;
 mod picked;
 
-#[cfg(target_arch = "wasm32")]
-pub(super) use browser::FileDialog;
-#[cfg(not(target_arch = "wasm32"))]
-pub(super) use desktop::FileDialog;
+pub(super) use dialog::FileDialog;
 pub(super) use picked::Picked;
