@@ -1,7 +1,8 @@
 // The thin disk: where a ray crosses it, and how much the motion of its matter shifts the light.
 //
 // Needs: Hit, MASS, MAX_HITS, Segment, TINY, Trace, disk_shift, scene.
-// Gives: HAS_DISK, add_hit, crosses_plane, in_annulus, plane_crossing, record_crossing, shift_hits.
+// Gives: HAS_DISK, add_hit, crosses_plane, in_annulus, plane_crossing, record_crossing, segment_delay,
+//     shift_hits.
 
 const HAS_DISK: bool = true;
 
@@ -27,8 +28,8 @@ fn in_annulus(r: f32) -> bool {
     return r > scene.disk.inner && r < scene.disk.outer;
 }
 
-// Where the segment crosses the plane; only meaningful if it does.
-fn plane_crossing(segment: Segment, crosses: bool) -> vec3<f32> {
+// Where the segment crosses the plane, and at which share of its length; only meaningful if it does.
+fn plane_crossing(segment: Segment, crosses: bool) -> vec4<f32> {
     let above = segment.x0.z > 0.0;
     var low = 0.0;
     var high = 1.0;
@@ -41,19 +42,27 @@ fn plane_crossing(segment: Segment, crosses: bool) -> vec3<f32> {
         low = select(middle, low, beyond);
         high = select(high, middle, beyond);
     }
-    return hermite(segment, 0.5 * (low + high));
+    let share = 0.5 * (low + high);
+    return vec4<f32>(hermite(segment, share), share);
+}
+
+// The delay after a share of the segment, by the trapezoidal rule.
+fn segment_delay(segment: Segment, share: f32) -> f32 {
+    let rates = segment.delay_rates;
+    return segment.delay + segment.h * share * (rates.x + 0.5 * share * (rates.y - rates.x));
 }
 
 // Records the segment's crossing of the annulus, if it has one, for methods whose positions are r
 // n. shift_hits computes its g later.
 fn record_crossing(result: ptr<function, Trace>, segment: Segment) {
     let crosses = crosses_plane(segment.x0.z, segment.x1.z) && (*result).hit_count < MAX_HITS;
-    let position = plane_crossing(segment, crosses);
-    if crosses && in_annulus(length(position)) {
+    let crossing = plane_crossing(segment, crosses);
+    if crosses && in_annulus(length(crossing.xyz)) {
+        let hit = Hit(crossing.xyz, 0.0, segment_delay(segment, crossing.w) - scene.observer.time_lead);
         if (*result).hit_count == 0u {
-            (*result).hits[0].position = position;
+            (*result).hits[0] = hit;
         } else {
-            (*result).hits[1].position = position;
+            (*result).hits[1] = hit;
         }
         (*result).hit_count += 1u;
     }
@@ -85,8 +94,8 @@ fn disk_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
 
 // Appends a crossing of the annulus; E is per unit frequency at the camera, lambda = L/E. Crossings
 // beyond the last that counts are dropped.
-fn add_hit(result: ptr<function, Trace>, position: vec3<f32>, energy: f32, lambda: f32) {
-    let hit = Hit(position, disk_redshift(length(position), energy, lambda));
+fn add_hit(result: ptr<function, Trace>, position: vec3<f32>, energy: f32, lambda: f32, delay: f32) {
+    let hit = Hit(position, disk_redshift(length(position), energy, lambda), delay);
     if (*result).hit_count == 0u {
         (*result).hits[0] = hit;
     } else if (*result).hit_count == 1u {

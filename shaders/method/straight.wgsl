@@ -2,7 +2,7 @@
 // crates/lightfall-core/src/optics/straight.rs does the same in f64. The photons are those of flat
 // space, too (crates/lightfall-core/src/optics/camera_rays.rs).
 //
-// Needs: MASS, OUTCOME_CAPTURED, OUTCOME_SKY, Photon, Trace, add_hit, angle_between, empty_trace,
+// Needs: DELAY, MASS, OUTCOME_CAPTURED, OUTCOME_SKY, Photon, Trace, add_hit, angle_between, empty_trace,
 //     lapse_and_dragging, photon_energy, safe_normalize, scene, square.
 // Gives: trace.
 
@@ -33,7 +33,8 @@ fn trace(photon: Photon) -> Trace {
         let position = vec3<f32>(start.xy + to_plane * direction.xy, 0.0);
         let r = length(position);
         if r > scene.disk.inner && r < scene.disk.outer {
-            add_hit(&result, position, photon_energy(photon), straight_lambda(r, -moment.z));
+            let delay = select(0.0, to_plane - scene.observer.time_lead, DELAY);
+            add_hit(&result, position, photon_energy(photon), straight_lambda(r, -moment.z), delay);
         }
     }
     result.outcome = select(OUTCOME_SKY, OUTCOME_CAPTURED, captured);

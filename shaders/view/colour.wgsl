@@ -10,18 +10,21 @@
 // where bloom must add nothing (pixelate.wgsl).
 fn light_along(photon: Photon) -> vec4<f32> {
     let ray = trace(photon);
+    // Before any branch: neighbouring pixels must call it together.
+    let first_footprint = hit_footprint(ray.hits[0].position);
+    let second_footprint = hit_footprint(ray.hits[1].position);
     var light = vec3<f32>(0.0);
     var transmission = 1.0;
     var without_source = 1.0;
     if ray.hit_count > 0u {
         let r = length(ray.hits[0].position);
-        light = disk_light(ray.hits[0]);
+        light = disk_light(photon, ray.hits[0], first_footprint);
         transmission = disk_transmission(r);
         without_source = 1.0 - disk_cover(r);
     }
     if MAX_HITS > 1u && ray.hit_count > 1u {
         let r = length(ray.hits[1].position);
-        light += transmission * disk_light(ray.hits[1]);
+        light += transmission * disk_light(photon, ray.hits[1], second_footprint);
         transmission *= disk_transmission(r);
         without_source *= 1.0 - disk_cover(r);
     }

@@ -200,6 +200,7 @@ fn traces(linear: &Linear) -> Vec<Trace> {
             r: r?,
             phi: phi.unwrap(),
             g: g.unwrap(),
+            delay: None,
         })
     };
     let trace = |i: usize| Trace {

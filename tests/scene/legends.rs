@@ -30,6 +30,7 @@ fn colours(view: View) -> &'static [&'static str] {
             "vec3<f32>(0.0)",
             "MAGENTA",
         ],
+        View::Delay => &["vec3<f32>(0.0)", "MAGENTA"],
         View::Redshift => &[
             "shift_colour(2.0)",
             "shift_colour(1.41421356)",

@@ -197,6 +197,7 @@ fn missing_values_are_empty_fields() {
         r: 3.5,
         phi: -1.25,
         g: 0.75,
+        delay: None,
     };
     let unfinished = Trace {
         outcome: Outcome::Unfinished,
@@ -224,7 +225,14 @@ fn every_number_is_read_back_unchanged() {
     ];
     let trace = Trace {
         sky: Some(sky),
-        hits: hits.map(|[r, phi, g]| Some(Hit { r, phi, g })),
+        hits: hits.map(|[r, phi, g]| {
+            Some(Hit {
+                r,
+                phi,
+                g,
+                delay: None,
+            })
+        }),
         residual: f64::MAX,
         steps: u32::MAX,
         ..CAPTURED

@@ -129,6 +129,7 @@ fn view_words(view: View) -> &'static str {
         View::Classes => "ray classes",
         View::Residual => "residual of the null constraint",
         View::Order => "order of the image",
+        View::Delay => "delay of the disk's light",
         View::Redshift => "redshift g",
         View::Steps => "heat map of steps",
         View::Error => "backward error",

@@ -59,6 +59,8 @@ const RESIDUALS: &[Swatch] = &[
     (Vec3::ONE, "1 or more"),
 ];
 
+const DELAYS: &[Swatch] = &[(BLACK, "no disk"), (MAGENTA, "unfinished")];
+
 const STEPS: &[Swatch] = &[
     (BLACK, "none"),
     (Vec3::new(0.0200, 0.0029, 0.0729), "4 or fewer"),
@@ -93,6 +95,7 @@ pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
             "Order of the image; the sky is darker than the disk",
             ORDERS,
         ),
+        View::Delay => ("How long the light of the disk was under way", DELAYS),
         View::Redshift => ("g = observed / emitted frequency, of disk or sky", SHIFTS),
         View::Residual => ("Residual of the null constraint (not the error)", RESIDUALS),
         View::Steps => ("Steps of the method along each ray", STEPS),

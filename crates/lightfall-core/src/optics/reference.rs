@@ -231,6 +231,7 @@ impl HoleAndDisk {
             r,
             phi: wrap_angle(azimuth),
             g,
+            delay: None,
         })
     }
 }

@@ -11,7 +11,10 @@ use serde::{Deserialize, Serialize};
 use super::range::Range;
 use super::row::Row;
 use super::value::FieldValue;
-use super::{DiskModel, MAX_PICTURE_SIDE, MAX_RADIUS, Method, ObserverKind, SCHEMA, SkyMode, View};
+use super::{
+    DiskModel, DiskStructure, HotSpotKind, LimbDarkening, MAX_PICTURE_SIDE, MAX_RADIUS, Method,
+    ObserverKind, SCHEMA, SkyMode, View,
+};
 
 /// A radius in the disk.
 pub(super) const EDGE: Range = Range::above(0.0, 1e6);
@@ -114,6 +117,8 @@ table! {
         effects: Effects;
         /// The thin disk.
         disk: Disk;
+        /// A hot spot in the disk.
+        hot_spot: HotSpot;
         /// What lies at infinity.
         sky: Sky;
         /// The foreground probe.
@@ -218,6 +223,49 @@ table! {
         edge_taper: f64 = 0.03, Range::closed(0.0, 0.5), "";
         /// Share of the light from behind that passes through.
         transmission: f64 = 0.0, SHARE, "";
+        /// How the surface's brightness depends on the angle at which it is seen.
+        limb: LimbDarkening = LimbDarkening::default();
+        /// Structure of the light: a statistical model of turbulence, carried by the rotation.
+        structure: DiskStructure = DiskStructure::default();
+        /// Spread of the structure's flux, in factors of e.
+        contrast: f64 = 0.6, Range::closed(0.0, 1.5), "";
+        /// Width of the structure's filaments, as a share of the radius.
+        scale: f64 = 0.07, Range::closed(0.02, 0.5), "";
+        /// Length of the filaments over their width.
+        aspect: f64 = 5.0, Range::closed(1.0, 20.0), "";
+        /// Angle between the filaments and the orbits; they trail.
+        pitch_deg: f64 = 15.0, Range::closed(0.0, 45.0), "degrees";
+        /// How long the filaments live.
+        lifetime: f64 = 1.0, Range::closed(0.25, 4.0), "orbits";
+        /// How many waves each ring of the structure is made of.
+        waves: u32 = 24, Range::closed(12.0, 48.0), "waves";
+        /// Which structure.
+        seed: u32 = 1, Range::closed(0.0, u32::MAX as f64), "";
+        /// Time at the camera, Boyer-Lindquist's; inside the horizon Kerr's ingoing time.
+        time: f64 = 0.0, Range::closed(-1e9, 1e9), "r_s/c";
+        /// How much of that time passes in a second of a window or of a sequence.
+        rate: f64 = 4.0, Range::closed(0.0, 1e3), "r_s/c";
+    }
+}
+
+table! {
+    /// A spot of the disk that shines more brightly and moves with the matter.
+    #[derive(Copy)]
+    pub struct HotSpot in (hot_spot) {
+        /// Whether there is a hot spot, and whether the rotation shears it.
+        kind: HotSpotKind = HotSpotKind::default();
+        /// Radius of the spot's middle.
+        r: f64 = 4.5, EDGE, "r_s";
+        /// Azimuth of the spot's middle at hot_spot.time.
+        phi_deg: f64 = 0.0, TURN, "degrees";
+        /// Standard deviation of the spot, as a share of its radius.
+        size: f64 = 0.08, Range::closed(0.01, 0.5), "";
+        /// How much the spot's middle adds to the flux, in units of the disk's flux there.
+        strength: f64 = 8.0, SCALE, "";
+        /// When the spot is at hot_spot.phi_deg and brightest, by the clock of disk.time.
+        time: f64 = 0.0, Range::closed(-1e9, 1e9), "r_s/c";
+        /// Standard deviation of its brightness in time; 0 if it always shines.
+        duration: f64 = 0.0, Range::closed(0.0, 1e9), "r_s/c";
     }
 }
 

@@ -12,6 +12,7 @@ mod sky;
 pub use disk::GpuDisk;
 pub use hole::GpuHole;
 pub use observer::GpuObserver;
+pub(super) use observer::time_lead;
 pub use picture::{GpuPicture, MARK_BRIGHTNESS};
 pub use quality::GpuQuality;
 pub use shadow::GpuShadow;

@@ -12,7 +12,9 @@ pub use text::ShaderText;
 pub use tracer::Tracer;
 
 use crate::geometry::kerr::Kerr;
-use crate::scene::{DiskModel, Effects, Scene, SkyMode, View};
+use crate::scene::{
+    DiskModel, DiskStructure, Effects, HotSpotKind, LimbDarkening, Scene, SkyMode, View,
+};
 use text::{Part, part};
 use view::view_shader;
 
@@ -32,6 +34,15 @@ pub struct Variant {
     pub disk: bool,
     /// The model of the disk's flux; the default where none is drawn.
     pub disk_model: DiskModel,
+    /// Whether the disk has structure; false where none is drawn.
+    pub structure: bool,
+    /// The hot spot; none where none is drawn.
+    pub hot_spot: HotSpotKind,
+    /// The disk's limb darkening; none where none is drawn.
+    pub limb: LimbDarkening,
+    /// Nodes of the integral for the time between emission and arrival: 2, 4 or 8, or 0 where
+    /// nothing asks for that time.
+    pub delay_nodes: u32,
     /// What lies at infinity; off where nothing is drawn.
     pub sky: SkyMode,
     /// Whether the reference star is in the sky.
@@ -89,17 +100,35 @@ impl Variant {
         } else {
             scene.disk.transmission
         };
+        let lit = scene.disk.enabled && !marks;
+        let structure = lit && scene.disk.structure != DiskStructure::None;
+        let hot_spot = if lit {
+            scene.hot_spot.kind
+        } else {
+            HotSpotKind::None
+        };
+        let needs_delay = structure
+            || hot_spot != HotSpotKind::None
+            || scene.disk.enabled && scene.view.properties().delays;
         Self {
             entry: Entry::Picture,
             tracer,
             spinning: scene.hole.spin != 0.0,
             near_horizon: tracer.has_near_horizon() && passes_near_horizon(scene),
             disk: scene.disk.enabled && scene.view.properties().traces,
-            disk_model: if scene.disk.enabled && !marks {
+            disk_model: if lit {
                 scene.disk.model
             } else {
                 DiskModel::default()
             },
+            structure,
+            hot_spot,
+            limb: if lit {
+                scene.disk.limb
+            } else {
+                LimbDarkening::None
+            },
+            delay_nodes: if needs_delay { tracer.delay_nodes() } else { 0 },
             sky,
             reference_star: scene.sky.reference_star && sky != SkyMode::Off,
             view: scene.view,
@@ -121,15 +150,21 @@ impl Variant {
 
     /// The shader that traces rays through the scene and records everything about them.
     pub fn rays(scene: &Scene) -> Self {
+        let tracing = Self::tracing_only(scene);
         Self {
             entry: Entry::Rays,
             effects: Effects {
                 beaming: true,
                 ..scene.effects
             },
+            delay_nodes: if scene.disk.enabled {
+                tracing.tracer.delay_nodes()
+            } else {
+                0
+            },
             max_hits: 2,
             follow_beyond_hits: true,
-            ..Self::tracing_only(scene)
+            ..tracing
         }
     }
 
@@ -145,6 +180,10 @@ impl Variant {
     fn tracing_only(scene: &Scene) -> Self {
         Self {
             disk_model: DiskModel::default(),
+            structure: false,
+            hot_spot: HotSpotKind::None,
+            limb: LimbDarkening::None,
+            delay_nodes: 0,
             sky: SkyMode::Off,
             reference_star: false,
             ..Self::picture(&Scene {
@@ -202,7 +241,7 @@ impl Variant {
             part!("shift.wgsl"),
         ];
         parts.extend(source::disk_parts(self.disk));
-        parts.extend(self.tracer.parts());
+        parts.extend(self.tracer.parts(self.delay_nodes > 0));
         parts
     }
 
@@ -213,7 +252,7 @@ impl Variant {
             parts.push(part!("spectrum.wgsl"));
         }
         if self.disk {
-            parts.extend(source::emission_parts(self.disk_model));
+            parts.extend(source::emission_parts(self));
         }
         parts.extend(source::sky_parts(self.sky));
         parts

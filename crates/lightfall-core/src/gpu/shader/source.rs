@@ -1,7 +1,8 @@
 //! The sources of light, one row each: the files of every disk model and sky mode.
 
+use super::Variant;
 use super::text::{Part, part};
-use crate::scene::{DiskModel, SkyMode};
+use crate::scene::{DiskModel, HotSpotKind, LimbDarkening, SkyMode};
 
 /// The files that find a ray's crossings of a disk, or of none.
 pub(super) fn disk_parts(disk: bool) -> &'static [Part] {
@@ -13,11 +14,27 @@ pub(super) fn disk_parts(disk: bool) -> &'static [Part] {
 }
 
 /// The files that define `disk_light`.
-pub(super) fn emission_parts(model: DiskModel) -> &'static [Part] {
-    match model {
-        DiskModel::Newtonian => &[part!("disk/newtonian.wgsl"), part!("disk/emission.wgsl")],
-        DiskModel::PageThorne => &[part!("disk/page_thorne.wgsl"), part!("disk/emission.wgsl")],
-    }
+pub(super) fn emission_parts(variant: Variant) -> [Part; 5] {
+    [
+        match variant.disk_model {
+            DiskModel::Newtonian => part!("disk/newtonian.wgsl"),
+            DiskModel::PageThorne => part!("disk/page_thorne.wgsl"),
+        },
+        if variant.structure {
+            part!("disk/structure/waves.wgsl")
+        } else {
+            part!("disk/structure/none.wgsl")
+        },
+        match variant.hot_spot {
+            HotSpotKind::None => part!("disk/hot_spot/none.wgsl"),
+            HotSpotKind::Rigid | HotSpotKind::Sheared => part!("disk/hot_spot/spot.wgsl"),
+        },
+        match variant.limb {
+            LimbDarkening::None => part!("disk/limb/none.wgsl"),
+            LimbDarkening::ElectronScattering => part!("disk/limb/electron_scattering.wgsl"),
+        },
+        part!("disk/emission.wgsl"),
+    ]
 }
 
 /// The files that define `sky_light`.

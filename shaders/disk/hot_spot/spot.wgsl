@@ -1,0 +1,8 @@
+// A hot spot in the disk.
+//
+// Needs: Hit.
+// Gives: hot_spot_factor.
+
+fn hot_spot_factor(hit: Hit) -> f32 {
+    return 1.0;
+}
