@@ -135,7 +135,8 @@ fn traces(scene: &Scene, records: &[GpuTrace]) -> Vec<Trace> {
 
 impl GpuTrace {
     /// The record in f64; `time_lead` is what its delays leave out, if they can be stated.
-    fn trace(&self, time_lead: Option<f64>) -> Trace {
+    #[must_use]
+    pub fn trace(&self, time_lead: Option<f64>) -> Trace {
         let outcome = match self.outcome {
             0 => Outcome::Sky,
             1 => Outcome::Captured,
