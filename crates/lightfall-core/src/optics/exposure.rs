@@ -94,11 +94,12 @@ fn measure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
     {
         return Ok(None);
     }
+    let curve = scene.picture.tone_curve;
     let mean_level = |exposure: f64| {
         let scale = exposure.exp2();
         let levels = samples
             .iter()
-            .map(|sample| sample.weight * level(scale * sample.light));
+            .map(|sample| sample.weight * srgb(curve.level(scale * sample.light)));
         levels.sum::<f64>() / weight
     };
     let [mut low, mut high] = RANGE;
@@ -167,24 +168,16 @@ fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
     Ok(samples)
 }
 
-/// Level of the screen, from 0 to 1, of light after exposure: the tone mapping's curve for white
-/// light (Khronos PBR Neutral 2024, without its offset), then sRGB's.
-fn level(light: f64) -> f64 {
-    const SHOULDER: f64 = 0.76;
-    let mapped = if light < SHOULDER {
-        light
+/// sRGB's level of a linear one.
+fn srgb(linear: f64) -> f64 {
+    if linear <= 0.003_130_8 {
+        12.92 * linear
     } else {
-        let rest = 1.0 - SHOULDER;
-        1.0 - rest * rest / (light + rest - SHOULDER)
-    };
-    if mapped <= 0.003_130_8 {
-        12.92 * mapped
-    } else {
-        1.055 * mapped.powf(1.0 / 2.4) - 0.055
+        1.055 * linear.powf(1.0 / 2.4) - 0.055
     }
 }
 
-/// The light of a level below the shoulder.
+/// The linear level of sRGB's level.
 fn linear(level: f64) -> f64 {
     ((level + 0.055) / 1.055).powf(2.4)
 }

@@ -28,6 +28,7 @@ mod relevant;
 mod row;
 mod save;
 mod tables;
+mod tone_curve;
 mod value;
 mod view;
 
@@ -45,6 +46,7 @@ pub use row::Row;
 pub use tables::{
     Camera, Disk, Effects, Hole, HotSpot, Observer, Picture, Probe, Quality, Scene, Sky,
 };
+pub use tone_curve::ToneCurve;
 pub use value::Value;
 pub use view::{Content, View, ViewProperties};
 

@@ -13,7 +13,7 @@ use super::row::Row;
 use super::value::FieldValue;
 use super::{
     DiskModel, DiskStructure, HotSpotKind, LimbDarkening, MAX_PICTURE_SIDE, MAX_RADIUS, Method,
-    ObserverKind, SCHEMA, SkyMode, View,
+    ObserverKind, SCHEMA, SkyMode, ToneCurve, View,
 };
 
 /// A radius in the disk.
@@ -323,6 +323,8 @@ table! {
         exposure_ev: f64 = 1.2, Range::closed(-20.0, 20.0), "powers of two";
         /// Whether a light meter chooses the exposure.
         automatic_exposure: bool = false;
+        /// Curve from light to the levels of the screen; views of rays have the neutral one.
+        tone_curve: ToneCurve = ToneCurve::default();
         /// Strength of the bloom; zero leaves it out.
         bloom: f64 = 0.08, SHARE, "";
         /// How many levels a channel is rounded to.
