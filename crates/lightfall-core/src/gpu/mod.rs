@@ -19,6 +19,7 @@ mod read_back;
 mod requirements;
 mod scene;
 mod shader;
+mod structure;
 pub mod timing;
 
 pub use adapter::{
@@ -39,3 +40,4 @@ pub use scene::{
     MARK_BRIGHTNESS,
 };
 pub use shader::{Entry, ShaderText, Tracer, Variant};
+pub use structure::{GpuRing, GpuStructure};

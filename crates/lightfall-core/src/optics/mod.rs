@@ -19,5 +19,6 @@ pub mod reference;
 pub mod shift;
 pub mod spectrum;
 pub mod straight;
+pub mod structure;
 pub mod trace;
 pub mod worldline;

@@ -7,6 +7,7 @@ use super::{Entry, Variant};
 use crate::geometry::quadrature::gauss_legendre;
 use crate::gpu::bindings;
 use crate::gpu::error_map::ErrorMap;
+use crate::gpu::structure::GpuStructure;
 use crate::optics::disk;
 use crate::optics::spectrum::{TABLE_LEN, TABLE_MAX_TEMPERATURE, TABLE_MIN_TEMPERATURE};
 use crate::scene::{HotSpotKind, SkyMode, View};
@@ -69,6 +70,11 @@ impl Variant {
         ];
         for (name, value) in temperatures {
             add_constant(&mut text, name, "f32", format!("{value:?}"));
+        }
+        if self.structure {
+            for (name, kind, value) in GpuStructure::constants() {
+                add_constant(&mut text, name, kind, value);
+            }
         }
         if self.delay_nodes > 0 {
             text.push_str(&delay_nodes(self.delay_nodes));
