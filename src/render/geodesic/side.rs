@@ -2,7 +2,7 @@
 
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
-use lightfall_core::gpu::{Drawable, GpuScene, bindings};
+use lightfall_core::gpu::{Drawable, GpuHotSpot, GpuScene, bindings};
 use lightfall_core::optics::disk;
 
 /// The numbers of a scene, and the pipeline that draws them.
@@ -10,6 +10,8 @@ pub(super) struct Side {
     uniform: UniformBuffer<GpuScene>,
     /// The relativistic disk's flux. Always bound; only the variants that need it read it.
     page_thorne: Buffer,
+    /// The hot spot. Always bound; only the variants that need it read it.
+    hot_spot: UniformBuffer<GpuHotSpot>,
     bind_group: Option<BindGroup>,
     pipeline: Option<CachedRenderPipelineId>,
 }
@@ -33,6 +35,7 @@ impl Side {
                 usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
                 mapped_at_creation: false,
             }),
+            hot_spot: UniformBuffer::from(GpuHotSpot::default()),
             bind_group: None,
             pipeline: None,
         }
@@ -48,12 +51,15 @@ impl Side {
     ) {
         self.uniform.set(scene.numbers().clone());
         self.uniform.write_buffer(device, queue);
+        self.hot_spot.set(GpuHotSpot::new(scene));
+        self.hot_spot.write_buffer(device, queue);
         if let disk::Profile::PageThorne(disk) = disk::Profile::new(scene) {
             queue.write_buffer(&self.page_thorne, 0, &table_bytes(&disk.table()));
         }
         self.pipeline = Some(pipeline);
         if self.bind_group.is_none()
             && let Some(uniform) = self.uniform.binding()
+            && let Some(hot_spot) = self.hot_spot.binding()
         {
             self.bind_group = Some(device.create_bind_group(
                 "geodesic bindings",
@@ -63,6 +69,7 @@ impl Side {
                     (bindings::SPECTRUM, shared.spectrum.as_entire_binding()),
                     (bindings::PAGE_THORNE, self.page_thorne.as_entire_binding()),
                     (bindings::ERROR_MAP, shared.error_map.as_entire_binding()),
+                    (bindings::HOT_SPOT, hot_spot),
                 )),
             ));
         }

@@ -8,8 +8,11 @@ pub mod apparent_hole;
 pub mod camera_rays;
 pub mod critical_curve;
 pub mod disk;
+
 pub mod exposure;
 pub mod guides;
+pub mod hot_spot;
+pub mod limb;
 pub mod path;
 pub mod photometry;
 pub mod ray_plane;
