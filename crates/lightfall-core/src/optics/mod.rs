@@ -7,6 +7,7 @@
 pub mod apparent_hole;
 pub mod camera_rays;
 pub mod critical_curve;
+pub mod delay;
 pub mod disk;
 
 pub mod exposure;

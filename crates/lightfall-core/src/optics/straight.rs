@@ -43,7 +43,7 @@ pub fn trace(kerr: Kerr, annulus: Option<[f64; 2]>, photon: &Photon, r: f64, n: 
                 r,
                 phi: crossing.y.atan2(crossing.x),
                 g,
-                delay: None,
+                delay: Some(to_plane),
             })
         });
     Trace {
