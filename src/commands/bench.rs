@@ -71,7 +71,10 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
 fn bench_delays(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
     let rows = plan
         .run_delays(gpu, |row| {
-            eprintln!("lightfall: bench: {}, {}, {} nodes", row.scene, row.method, row.nodes);
+            eprintln!(
+                "lightfall: bench: {}, {}, {} nodes",
+                row.scene, row.method, row.nodes
+            );
         })
         .map_err(Stop::failed)?;
     let circumstances = circumstances(

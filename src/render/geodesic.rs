@@ -30,7 +30,7 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
-use lightfall_core::gpu::{ErrorMap, GpuScene, GpuStructure, bindings};
+use lightfall_core::gpu::{ErrorMap, GpuHotSpot, GpuScene, GpuStructure, bindings};
 use lightfall_core::optics::spectrum;
 use lightfall_core::scene::View;
 use pipeline::{Destination, pipeline_descriptor};
@@ -132,6 +132,7 @@ fn create_geodesic_pass(mut commands: Commands, device: Res<RenderDevice>) {
                     bindings::STRUCTURE,
                     uniform_buffer_sized(false, BufferSize::new(GpuStructure::SIZE)),
                 ),
+                (bindings::HOT_SPOT, uniform_buffer::<GpuHotSpot>(false)),
             ),
         ),
     );

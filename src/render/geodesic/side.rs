@@ -3,7 +3,7 @@
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use lightfall_core::gpu::kernel::uniform;
-use lightfall_core::gpu::{Drawable, GpuScene, GpuStructure, bindings};
+use lightfall_core::gpu::{Drawable, GpuHotSpot, GpuScene, GpuStructure, bindings};
 use lightfall_core::optics::disk;
 
 /// The numbers of a scene, and the pipeline that draws them.
@@ -13,6 +13,8 @@ pub(super) struct Side {
     page_thorne: Buffer,
     /// The disk's structure. Always bound; only the variants that need it read it.
     structure: Buffer,
+    /// The hot spot. Always bound; only the variants that need it read it.
+    hot_spot: UniformBuffer<GpuHotSpot>,
     bind_group: Option<BindGroup>,
     pipeline: Option<CachedRenderPipelineId>,
 }
@@ -32,6 +34,7 @@ impl Side {
             uniform: UniformBuffer::from(GpuScene::default()),
             page_thorne: written_buffer(device, "Page-Thorne table", PAGE_THORNE_SIZE),
             structure: written_buffer(device, "disk structure", GpuStructure::SIZE),
+            hot_spot: UniformBuffer::from(GpuHotSpot::default()),
             bind_group: None,
             pipeline: None,
         }
@@ -47,6 +50,8 @@ impl Side {
     ) {
         self.uniform.set(scene.numbers().clone());
         self.uniform.write_buffer(device, queue);
+        self.hot_spot.set(GpuHotSpot::new(scene));
+        self.hot_spot.write_buffer(device, queue);
         if let disk::Profile::PageThorne(disk) = disk::Profile::new(scene) {
             queue.write_buffer(&self.page_thorne, 0, &table_bytes(&disk.table()));
         }
@@ -56,6 +61,7 @@ impl Side {
         self.pipeline = Some(pipeline);
         if self.bind_group.is_none()
             && let Some(uniform) = self.uniform.binding()
+            && let Some(hot_spot) = self.hot_spot.binding()
         {
             self.bind_group = Some(device.create_bind_group(
                 "geodesic bindings",
@@ -66,6 +72,7 @@ impl Side {
                     (bindings::PAGE_THORNE, self.page_thorne.as_entire_binding()),
                     (bindings::ERROR_MAP, shared.error_map.as_entire_binding()),
                     (bindings::STRUCTURE, self.structure.as_entire_binding()),
+                    (bindings::HOT_SPOT, hot_spot),
                 )),
             ));
         }

@@ -36,7 +36,7 @@ pub use presentation::Presentation;
 pub use read_back::read_back;
 pub use requirements::Abilities;
 pub use scene::{
-    GpuDisk, GpuHole, GpuObserver, GpuPicture, GpuQuality, GpuScene, GpuShadow, GpuSky,
+    GpuDisk, GpuHole, GpuHotSpot, GpuObserver, GpuPicture, GpuQuality, GpuScene, GpuShadow, GpuSky,
     MARK_BRIGHTNESS,
 };
 pub use shader::{Entry, ShaderText, Tracer, Variant};

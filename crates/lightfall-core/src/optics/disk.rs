@@ -7,22 +7,14 @@ mod page_thorne;
 pub use newtonian::{NEWTONIAN_PEAK, newtonian_flux};
 pub use page_thorne::{PageThorne, TABLE_LEN};
 
-use crate::geometry::kerr::{CircularOrbit, Kerr};
+use crate::geometry::kerr::CircularOrbit;
 use crate::scene::{Disk, DiskModel, Scene};
 
 /// The disk's inner edge, in r_s: `disk.inner`, or the innermost stable circular orbit where that
 /// lies farther out or `disk.follow_isco` asks for it.
 #[must_use]
 pub fn inner_edge(scene: &Scene) -> f64 {
-    let isco = Kerr {
-        spin: scene.hole.spin,
-    }
-    .isco();
-    if scene.disk.follow_isco {
-        isco
-    } else {
-        scene.disk.inner.max(isco)
-    }
+    scene.inner_edge()
 }
 
 /// The radial profile of a scene's disk.

@@ -5,7 +5,8 @@
 //! leaves the rest visible. The sky counts a little, so that the exposure changes smoothly when the
 //! disk leaves the picture.
 
-use crate::geometry::observer::ObserverError;
+use crate::geometry::observer::{ObserverError, Photon};
+use crate::optics::limb::Limb;
 use crate::optics::photometry::DISK_HDR_SCALE;
 use crate::optics::reference::Reference;
 use crate::optics::shift::Shift;
@@ -130,10 +131,12 @@ fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
             1.0
         }
     };
-    let disk_light = |hit: Hit| {
+    let limb = Limb::new(scene);
+    let disk_light = |photon: &Photon, hit: Hit| {
         let flux = profile.flux(hit.r);
         let seen = spectrum::colour(hit.g * disk::temperature(&lit, flux));
-        let scale = flux * beaming(hit.g) * lit.brightness * DISK_HDR_SCALE;
+        let limb = limb.factor(photon, hit.r);
+        let scale = flux * beaming(hit.g) * limb * lit.brightness * DISK_HDR_SCALE;
         DVec3::from(seen) * scale * disk::cover(scene, hit.r)
     };
     let mut samples = Vec::new();
@@ -147,9 +150,10 @@ fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
         let pixel = (0.5 + f64::from(i) * RAY_SPACING).fract() * size;
         let direction = axes * scene.camera.looking(pixel, size);
         let trace = reference.trace(direction);
+        let photon = reference.photon(direction.normalize());
         let (mut light, mut transmission, mut uncovered) = (DVec3::ZERO, 1.0, 1.0);
         for hit in trace.hits.into_iter().flatten() {
-            light += transmission * disk_light(hit);
+            light += transmission * disk_light(&photon, hit);
             transmission *= disk::transmission(scene, hit.r);
             uncovered *= 1.0 - disk::cover(scene, hit.r);
         }
@@ -157,7 +161,6 @@ fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
         // Per covered share, so that a ray at the disk's edge sees the light next to the edge.
         add(covered, light.max_element() / covered.max(1e-9));
         if trace.outcome == Outcome::Sky && scene.sky.mode != SkyMode::Off {
-            let photon = reference.photon(direction.normalize());
             let lambda =
                 scene.camera.r * scene.camera.direction().cross(photon.w).z / photon.energy;
             let g = shift.of_sky(1.0 / photon.energy, lambda).abs();

@@ -9,8 +9,11 @@ pub mod camera_rays;
 pub mod critical_curve;
 pub mod delay;
 pub mod disk;
+
 pub mod exposure;
 pub mod guides;
+pub mod hot_spot;
+pub mod limb;
 pub mod path;
 pub mod photometry;
 pub mod ray_plane;

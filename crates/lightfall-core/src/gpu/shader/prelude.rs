@@ -14,13 +14,14 @@ use crate::scene::{HotSpotKind, SkyMode, View};
 
 impl Variant {
     /// The flags, by their names in the shaders.
-    pub fn flags(self) -> [(&'static str, bool); 14] {
+    pub fn flags(self) -> [(&'static str, bool); 15] {
         let records = self.entry == Entry::Rays;
         [
             ("SPINNING", self.spinning),
             ("NEAR_HORIZON", self.near_horizon),
             ("AZIMUTH", records || self.moves()),
             ("DELAY", self.delay_nodes > 0),
+            ("SHEARED_SPOT", self.hot_spot == HotSpotKind::Sheared),
             // A timed shader does all the work that a picture with a sky does.
             (
                 "SKY_DIRECTION",

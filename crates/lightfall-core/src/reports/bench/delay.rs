@@ -89,9 +89,8 @@ impl Plan {
         let spins = scene.hole.spin != 0.0;
         let wanted = [Method::Closed, Method::Mino].into_iter();
         let methods = self.methods.clone();
-        wanted.filter(move |method| {
-            methods.contains(method) && (!spins || method.properties().spins)
-        })
+        wanted
+            .filter(move |method| methods.contains(method) && (!spins || method.properties().spins))
     }
 
     fn delays(
@@ -188,7 +187,9 @@ pub fn plot_delays(
     about: &str,
     rows: &[DelayMeasurement],
 ) -> Result<Option<String>, String> {
-    let own = rows.iter().filter(|row| row.scene == scene && row.nodes > 0);
+    let own = rows
+        .iter()
+        .filter(|row| row.scene == scene && row.nodes > 0);
     let marks: Vec<Mark> = own
         .map(|row| Mark {
             method: row.method.clone(),
