@@ -2,7 +2,7 @@
 // what its ray meets. Each method defines `fn trace(photon: Photon) -> Trace`.
 //
 // Needs: nothing.
-// Gives: Footprint, Hit, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, OUTCOME_UNFINISHED, Photon, Segment,
+// Gives: Footprint, Footprints, Hit, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, OUTCOME_UNFINISHED, Photon, Segment,
 //     Trace, empty_trace.
 
 // A photon where it meets the camera, per unit frequency at the camera;
@@ -30,6 +30,12 @@ const OUTCOME_HIDDEN: u32 = 3u;
 struct Footprint {
     to_the_right: vec3<f32>,
     downward: vec3<f32>,
+}
+
+// Those of a ray's hits.
+struct Footprints {
+    first: Footprint,
+    second: Footprint,
 }
 
 // A crossing of the disk's annulus.

@@ -1,7 +1,7 @@
 // No disk: no ray crosses anything and nothing shines.
 //
-// Needs: Footprint, Hit, Photon, Segment, Trace.
-// Gives: HAS_DISK, add_hit, crosses_plane, disk_cover, disk_light, disk_transmission, hit_footprint, in_annulus,
+// Needs: Footprint, Footprints, Hit, Photon, Segment, Trace.
+// Gives: HAS_DISK, add_hit, crosses_plane, disk_cover, disk_light, disk_transmission, hit_footprints, in_annulus,
 //     plane_crossing, record_crossing, segment_delay, shift_hits.
 
 const HAS_DISK: bool = false;
@@ -36,8 +36,9 @@ fn disk_transmission(r: f32) -> f32 {
     return 1.0;
 }
 
-fn hit_footprint(position: vec3<f32>) -> Footprint {
-    return Footprint(vec3<f32>(0.0), vec3<f32>(0.0));
+fn hit_footprints(ray: Trace) -> Footprints {
+    let none = Footprint(vec3<f32>(0.0), vec3<f32>(0.0));
+    return Footprints(none, none);
 }
 
 fn disk_light(photon: Photon, hit: Hit, footprint: Footprint) -> vec3<f32> {

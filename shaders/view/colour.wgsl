@@ -1,7 +1,7 @@
 // The views `colour` and `unfinished`: the light itself.
 //
 // Needs: MAGENTA, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_SKY, OUTCOME_UNFINISHED, Photon,
-//     SHOW_UNFINISHED, disk_cover, disk_light, disk_transmission, mark, sky_light, sky_shift,
+//     SHOW_UNFINISHED, disk_cover, disk_light, disk_transmission, hit_footprints, mark, sky_light, sky_shift,
 //     trace.
 // Gives: light_along.
 
@@ -11,20 +11,19 @@
 fn light_along(photon: Photon) -> vec4<f32> {
     let ray = trace(photon);
     // Before any branch: neighbouring pixels must call it together.
-    let first_footprint = hit_footprint(ray.hits[0].position);
-    let second_footprint = hit_footprint(ray.hits[1].position);
+    let footprints = hit_footprints(ray);
     var light = vec3<f32>(0.0);
     var transmission = 1.0;
     var without_source = 1.0;
     if ray.hit_count > 0u {
         let r = length(ray.hits[0].position);
-        light = disk_light(photon, ray.hits[0], first_footprint);
+        light = disk_light(photon, ray.hits[0], footprints.first);
         transmission = disk_transmission(r);
         without_source = 1.0 - disk_cover(r);
     }
     if MAX_HITS > 1u && ray.hit_count > 1u {
         let r = length(ray.hits[1].position);
-        light += transmission * disk_light(photon, ray.hits[1], second_footprint);
+        light += transmission * disk_light(photon, ray.hits[1], footprints.second);
         transmission *= disk_transmission(r);
         without_source *= 1.0 - disk_cover(r);
     }

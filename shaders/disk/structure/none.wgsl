@@ -1,10 +1,11 @@
 // A smooth disk.
 //
-// Needs: Footprint, Hit.
-// Gives: hit_footprint, structure_factor.
+// Needs: Footprint, Footprints, Hit, Trace.
+// Gives: hit_footprints, structure_factor.
 
-fn hit_footprint(position: vec3<f32>) -> Footprint {
-    return Footprint(vec3<f32>(0.0), vec3<f32>(0.0));
+fn hit_footprints(ray: Trace) -> Footprints {
+    let none = Footprint(vec3<f32>(0.0), vec3<f32>(0.0));
+    return Footprints(none, none);
 }
 
 fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
