@@ -60,14 +60,20 @@ impl Scene {
     }
 }
 
-/// The exposure, in powers of two, for the light that the scene's camera sees. It does not depend
-/// on the scene's own exposure. Effects that are switched off count as on, so that a switch shows
+/// The exposure, in powers of two, for the light that the scene's camera sees, with the scene's bias.
+/// It does not depend on the scene's own exposure. Effects that are switched off count as on, so that a switch shows
 /// what it changes; this moves the exposure by no more than 1.5 powers of two. `None` where the meter
 /// sees nothing shine, and in views whose colours are the same at every exposure.
 ///
 /// # Errors
 /// If the scene's observer cannot exist.
 pub fn metered_exposure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
+    let metered = meter(scene)?;
+    Ok(metered.map(|exposure| exposure + scene.picture.exposure_bias))
+}
+
+/// The exposure without the scene's bias.
+fn meter(scene: &Scene) -> Result<Option<f64>, ObserverError> {
     let own = measure(scene)?;
     if scene.effects == Effects::default() {
         return Ok(own);

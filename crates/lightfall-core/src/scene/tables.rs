@@ -325,6 +325,8 @@ table! {
         exposure_ev: f64 = 1.2, Range::closed(-20.0, 20.0), "powers of two";
         /// Whether a light meter chooses the exposure.
         automatic_exposure: bool = false;
+        /// What is added to the exposure that the light meter chooses.
+        exposure_bias: f64 = 0.0, Range::closed(-5.0, 5.0), "powers of two";
         /// Curve from light to the levels of the screen; views of rays have the neutral one.
         tone_curve: ToneCurve = ToneCurve::default();
         /// Strength of the bloom; zero leaves it out.

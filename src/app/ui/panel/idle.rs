@@ -33,6 +33,10 @@ pub fn why_idle(scene: &Scene, key: &str) -> Option<&'static str> {
         ("picture", "levels" | "dither" | "grid_width" | "grid_height") if scene.picture.bypass => {
             Some("The pixel look is off.")
         }
+        ("picture", "exposure_bias") if !scene.picture.automatic_exposure => {
+            Some("The exposure is not automatic.")
+        }
+        ("picture", "tone_curve") if light != Content::Light => Some("This view shows no light."),
         ("quality", "max_error_px") if setting != AccuracySetting::MaxError => {
             Some("Only Mino time keeps a largest error: the method in use does not control it.")
         }
