@@ -257,7 +257,7 @@ struct Log<'w> {
     clock: Res<'w, Time<Real>>,
 }
 
-fn steer_camera(
+pub(super) fn steer_camera(
     held: HeldControls,
     buttons: Res<ButtonInput<MouseButton>>,
     motion: Res<AccumulatedMouseMotion>,
