@@ -189,8 +189,7 @@ pub fn program(start: Start) -> App {
         .add_plugins((
             session::window::plugin,
             session::icon::plugin,
-            session::frame_pacing::plugin,
-            session::wave_limit::plugin,
+            (session::frame_pacing::plugin, session::wave_limit::plugin),
             session::canvas::plugin,
             session::pixel_look::plugin,
             session::adaptive_resolution::plugin,

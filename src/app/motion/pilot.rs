@@ -249,7 +249,7 @@ impl Hand {
 
 /// What a flight by hand writes besides the scene.
 #[derive(SystemParam)]
-struct Log<'w> {
+pub(super) struct Log<'w> {
     history: ResMut<'w, History>,
     resolution: Res<'w, Resolution>,
     toast: ResMut<'w, Toast>,

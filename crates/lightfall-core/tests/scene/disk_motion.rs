@@ -35,10 +35,7 @@ fn a_disk_moves_if_it_is_there_and_has_structure_or_a_hot_spot() {
     scene.disk.enabled = false;
     assert!(!scene.disk_moves());
     for view in View::ALL {
-        let scene = Scene {
-            view: *view,
-            ..living()
-        };
+        let scene = Scene { view, ..living() };
         assert!(scene.disk_moves());
         let light = matches!(view, View::Colour | View::Unfinished);
         assert_eq!(scene.shows_disk_motion(), light, "{view:?}");
