@@ -31,7 +31,7 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
-use lightfall_core::gpu::{ErrorMap, GpuScene, bindings};
+use lightfall_core::gpu::{ErrorMap, GpuHotSpot, GpuScene, GpuStructure, bindings};
 use lightfall_core::optics::spectrum;
 use lightfall_core::scene::View;
 use pipeline::{Destination, pipeline_descriptor};
@@ -129,6 +129,11 @@ fn create_geodesic_pass(mut commands: Commands, device: Res<RenderDevice>) {
                     bindings::ERROR_MAP,
                     uniform_buffer_sized(false, BufferSize::new(error_map.size())),
                 ),
+                (
+                    bindings::STRUCTURE,
+                    uniform_buffer_sized(false, BufferSize::new(GpuStructure::SIZE)),
+                ),
+                (bindings::HOT_SPOT, uniform_buffer::<GpuHotSpot>(false)),
             ),
         ),
     );
@@ -137,6 +142,7 @@ fn create_geodesic_pass(mut commands: Commands, device: Res<RenderDevice>) {
             layout,
             spectrum,
             error_map,
+            waves: WaveLimit::default(),
         },
         current: Side::new(&device),
         pinned: None,
@@ -174,6 +180,7 @@ fn prepare_geodesic_pass(
     *changed |=
         scene.is_changed() || errors.is_changed() || compared.is_changed() || waves.is_changed();
     *drawn = false;
+    shared.waves = *waves;
     let shows_difference = difference.is_some_and(|pass| pass.is_ready(&cache));
     let mut pipeline_of = |joined: &JoinedShader| {
         let id = *pipelines

@@ -177,12 +177,12 @@ fn channels_have_the_names_and_kinds_that_others_rely_on() {
     assert_eq!(
         listed("--aov all"),
         "A half, B half, G half, R half, depth float, hit1.T float, hit1.g float, hit1.phi float, hit1.r float, \
-         hit2.T float, hit2.g float, hit2.phi float, hit2.r float, outcome uint, residual float, sky.x float, \
+         hit1.t float, hit2.T float, hit2.g float, hit2.phi float, hit2.r float, hit2.t float, outcome uint, residual float, sky.x float, \
          sky.y float, sky.z float, steps uint"
     );
     assert_eq!(
         listed("--aov outcome,hit2,sky.z,hit2.g"),
-        "A half, B half, G half, R half, hit2.T float, hit2.g float, hit2.phi float, hit2.r float, outcome uint, \
+        "A half, B half, G half, R half, hit2.T float, hit2.g float, hit2.phi float, hit2.r float, hit2.t float, outcome uint, \
          sky.z float"
     );
 }
@@ -200,7 +200,7 @@ fn traces(linear: &Linear) -> Vec<Trace> {
             r: r?,
             phi: phi.unwrap(),
             g: g.unwrap(),
-            delay: None,
+            delay: of(&format!("hit{which}.t"), i),
         })
     };
     let trace = |i: usize| Trace {

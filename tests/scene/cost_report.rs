@@ -45,14 +45,14 @@ fn the_cost_report_follows_from_the_scene() {
     );
     let living = [
         "disk.structure=\"streaks\"",
-        "disk.waves=30",
+        "disk.waves=32",
         "disk.limb=\"electron-scattering\"",
         "hot_spot.kind=\"sheared\"",
     ];
     let moving = needs_of("2", &living);
     let light = line(&moving, "disk's light");
     for part in [
-        "structure streaks of 30 waves a ring (12 in a window on a software renderer)",
+        "structure streaks of 32 waves a ring (12 in a window on a software renderer)",
         "hot spot, sheared",
         "limb darkening, electron-scattering",
         "delay of the light by ",

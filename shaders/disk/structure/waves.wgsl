@@ -1,14 +1,133 @@
-// Structure of the disk's light.
+// Structure of the disk's light: shearing waves in rings, which the rotation carries.
+// crates/lightfall-core/src/optics/structure does the same in f64 and says why.
 //
-// Needs: Footprint, Hit.
-// Gives: hit_footprint, structure_factor.
+// Needs: BINDING_STRUCTURE, Footprint, Hit, K_QUANTUM, MASS, MAX_GROUPS, MAX_RINGS, PI, atan2_precise,
+//     log_precise, scene.
+// Gives: structure_factor.
 
-// The change of a hit's position from this pixel to its neighbours. All pixels must call it, before any
-// branch.
-fn hit_footprint(position: vec3<f32>) -> Footprint {
-    return Footprint(dpdx(position), dpdy(position));
+// A group is one wave of each of four octaves.
+struct Structure {
+    // ln r of the first ring's centre, rings per unit of ln r, and the last ring's number.
+    start: f32,
+    rings_per_ln_r: f32,
+    last_ring: f32,
+    // Standard deviation of the logarithm of the flux.
+    contrast: f32,
+    // Groups in a ring, and one over it.
+    group_count: u32,
+    group_share: f32,
+    // Amplitude of each octave's waves.
+    amplitudes: vec4<f32>,
+    rings: array<Ring, MAX_RINGS>,
+    // The groups of the first ring, then those of the second, and so on. A wave has m in the upper
+    // 16 bits and k, in units of K_QUANTUM, in the lower ones.
+    waves: array<vec4<i32>, MAX_RINGS * MAX_GROUPS>,
 }
 
+struct Ring {
+    // ln r of its centre.
+    centre: f32,
+    // 1/T and T/(2 pi), where T is the life of its waves.
+    lives_per_time: f32,
+    life_over_turn: f32,
+    // The rest of the lives that its clock has counted, beyond the whole ones.
+    lives: f32,
+    // Where each octave's phases of this life are in the list of phases.
+    phase_places: vec4<u32>,
+}
+
+@group(0) @binding(BINDING_STRUCTURE) var<uniform> structure: Structure;
+
+// Bits between the places of an octave's neighbouring waves in the list of phases.
+const GROUP_STRIDE: u32 = 0x9e3779b9u;
+
+// When a group's waves are born, in groups.
+const BIRTHS: vec4<f32> = vec4<f32>(0.0, 0.25, 0.5, 0.75);
+
+// cos(pi s) for |s| <= 1/2; the error is at most 8e-6. Twice its square less one is cos(2 pi s), with an
+// error of at most 3.2e-5.
+fn cos_half_turns(s: vec4<f32>) -> vec4<f32> {
+    let y = s * s;
+    return (0.25 - y) * (3.99996873 + y * (1.21780146 * y - 3.73545675));
+}
+
+// Random phases in turns, from -1/2 to 1/2: the hash `phase` of optics/structure/random.rs.
+fn phases_at(places: vec4<u32>) -> vec4<f32> {
+    var z = places;
+    z = (z ^ (z >> vec4<u32>(16u))) * 0x7feb352du;
+    z = (z ^ (z >> vec4<u32>(15u))) * 0x846ca68bu;
+    z ^= z >> vec4<u32>(16u);
+    return vec4<f32>(bitcast<vec4<i32>>(z)) * 2.3283064365386963e-10;
+}
+
+// The factor by which the structure multiplies the flux. The mean over all phases is one.
+//
+// The filter's exponents are in powers of two: covariance is P log2(e)/2, where P = J J^T/12 is the
+// covariance of the footprint in (ln r, phi). The differences are those of positions, since those of
+// azimuths jump by a turn.
 fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
-    return 1.0;
+    let p = hit.position.xy;
+    let r2 = max(dot(p, p), MASS * MASS);
+    let right = footprint.to_the_right.xy;
+    let down = footprint.downward.xy;
+    let dx = vec2<f32>(dot(p, right), dot(p, down)) / r2;
+    let dphi = vec2<f32>(p.x * right.y - p.y * right.x, p.x * down.y - p.y * down.x) / r2;
+    let covariance = vec3<f32>(dot(dx, dx), 2.0 * dot(dx, dphi), dot(dphi, dphi)) * (0.5 * 1.442695 / 12.0);
+
+    let x = 0.5 * log_precise(r2);
+    let turns = atan2_precise(p.y, p.x) * (0.5 / PI);
+    // Omega and -dOmega/dln r; optics/structure/draw.rs has the formulas.
+    let y2 = MASS * inverseSqrt(r2);
+    let y3 = y2 * sqrt(y2);
+    let stretch = 1.0 + scene.hole.a / MASS * y3;
+    let omega = y3 / (MASS * stretch);
+    let shear = 1.5 * omega / stretch;
+
+    // A place has one ring, or two where they overlap.
+    let place = clamp((x - structure.start) * structure.rings_per_ln_r, 0.0, structure.last_ring);
+    let inner = floor(place);
+    // The share of the outer ring, s in the weights cos(pi s/2) and sin(pi s/2).
+    let share = clamp(2.0 * (place - inner) - 0.5, 0.0, 1.0);
+    let smooth_share = 0.5 * share * share * (3.0 - 2.0 * share);
+    let weights = cos_half_turns(vec4<f32>(smooth_share, 0.5 - smooth_share, 0.0, 0.0)).xy;
+    let first_side = select(0u, 1u, share >= 1.0);
+    let last_side = select(0u, 1u, share > 0.0);
+
+    var value = 0.0;
+    var squares = 0.0;
+    var fourth_powers = 0.0;
+    for (var side = first_side; side <= last_side; side++) {
+        let index = min(u32(inner) + side, MAX_RINGS - 1u);
+        let ring = structure.rings[index];
+        let weight = select(weights.x, weights.y, side == 1u);
+        let lives = ring.lives - hit.delay * ring.lives_per_time;
+        let swept = omega * ring.life_over_turn;
+        let sheared = shear * ring.life_over_turn * (2.0 * PI);
+        let offset = (x - ring.centre) * (0.5 / PI);
+        // 1.6329932 is sqrt(8/3), which makes the mean square of cos^2 one.
+        let amplitudes = structure.amplitudes * (1.6329932 * weight);
+        let groups = min(structure.group_count, MAX_GROUPS);
+        for (var group = 0u; group < groups; group++) {
+            let packed = structure.waves[index * MAX_GROUPS + group];
+            let m = vec4<f32>(packed >> vec4<u32>(16u));
+            let k = vec4<f32>((packed << vec4<u32>(16u)) >> vec4<u32>(16u)) * K_QUANTUM;
+            let count = lives + (f32(group) + BIRTHS) * structure.group_share;
+            let whole = floor(count);
+            let age = count - whole - 0.5;
+            let window = cos_half_turns(age);
+            let sheared_k = k + m * (sheared * age);
+            let filtered = (covariance.x * sheared_k + covariance.y * m) * sheared_k + covariance.z * m * m;
+            let amplitude = amplitudes * (window * window) * exp2(-filtered);
+            let places = ring.phase_places + bitcast<vec4<u32>>(vec4<i32>(whole)) + group * GROUP_STRIDE;
+            let phase = m * (turns - swept * age) + k * offset + phases_at(places);
+            let wave = cos_half_turns(phase - round(phase));
+            let square = amplitude * amplitude;
+            value += dot(amplitude, 2.0 * wave * wave - 1.0);
+            squares += dot(square, vec4<f32>(1.0));
+            fourth_powers += dot(square, square);
+        }
+    }
+    let sigma = structure.contrast;
+    let mean = 0.25 * sigma * sigma * (squares - 0.0625 * sigma * sigma * fourth_powers);
+    return exp(sigma * value - mean);
 }

@@ -24,6 +24,7 @@ mod summary;
 mod truth;
 
 pub use edge::Shadow;
+pub(crate) use finite::greater;
 pub use picture::picture_errors;
 pub use ray::Ray;
 pub use sample::{EDGE_DISTANCES, rays_near_edge, rays_over_picture, rays_over_sky};

@@ -24,18 +24,34 @@ const MAX_HALVINGS: u32 = 24;
 /// interval is halved until the two halves agree with the whole.
 #[must_use]
 pub fn integral(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
-    refined(from, to, seven_points(from, to, f), MAX_HALVINGS, f)
+    integral_on_scale(0.0, from, to, f)
 }
 
-fn refined(from: f64, to: f64, whole: f64, halvings: u32, f: &impl Fn(f64) -> f64) -> f64 {
+/// As [`integral`], but an error of 1e-12 `scale` is allowed, too: for functions that change sign or
+/// are nothing but rounding.
+#[must_use]
+pub fn integral_on_scale(scale: f64, from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
+    let whole = seven_points(from, to, f);
+    refined(scale, [from, to], whole, MAX_HALVINGS, f)
+}
+
+fn refined(
+    scale: f64,
+    [from, to]: [f64; 2],
+    whole: f64,
+    halvings: u32,
+    f: &impl Fn(f64) -> f64,
+) -> f64 {
     let middle = 0.5 * (from + to);
     let halves = [seven_points(from, middle, f), seven_points(middle, to, f)];
     let sum = halves[0] + halves[1];
-    if halvings == 0 || (sum - whole).abs() <= TOLERANCE * sum.abs() {
+    let differs = (sum - whole).abs() > TOLERANCE * sum.abs().max(scale);
+    // A sum that is not a number does not differ from anything.
+    if halvings == 0 || !differs {
         return sum;
     }
-    refined(from, middle, halves[0], halvings - 1, f)
-        + refined(middle, to, halves[1], halvings - 1, f)
+    refined(scale, [from, middle], halves[0], halvings - 1, f)
+        + refined(scale, [middle, to], halves[1], halvings - 1, f)
 }
 
 fn seven_points(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {

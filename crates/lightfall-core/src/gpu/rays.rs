@@ -72,10 +72,18 @@ impl RayKernel {
     /// # Errors
     /// The GPU cannot trace the scene.
     pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
+        Self::of_variant(gpu, Variant::rays(scene), scene)
+    }
+
+    /// Compiles a variant that differs from the scene's own.
+    ///
+    /// # Errors
+    /// As [`RayKernel::new`].
+    pub fn of_variant(gpu: &Gpu, variant: Variant, scene: &Scene) -> Result<Self, GpuError> {
         let numbers = GpuScene::for_rays(scene)?;
         Ok(Self(Kernel::new(
             gpu,
-            &Variant::rays(scene).source(),
+            &variant.source(),
             "rays",
             &[(bindings::SCENE, uniform(&numbers))],
         )?))

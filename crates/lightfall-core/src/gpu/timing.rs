@@ -107,11 +107,25 @@ impl Stopwatch {
     /// The GPU cannot trace the scene, the picture is too large for the device, or a shader does
     /// not compile.
     pub fn new(gpu: &Gpu, scene: &Scene, size: UVec2, stage: Stage) -> Result<Self, GpuError> {
+        Self::of_variant(gpu, Variant::timed(scene), scene, size, stage)
+    }
+
+    /// The same with a timed variant that differs from the scene's own.
+    ///
+    /// # Errors
+    /// As [`Stopwatch::new`].
+    pub fn of_variant(
+        gpu: &Gpu,
+        variant: Variant,
+        scene: &Scene,
+        size: UVec2,
+        stage: Stage,
+    ) -> Result<Self, GpuError> {
         let numbers = GpuScene::new(scene, size)?;
         if stage == Stage::Compute {
             check_output_size(gpu, size)?;
         }
-        let module = gpu.shader("timed", &Variant::timed(scene).source())?;
+        let module = gpu.shader("timed", &variant.source())?;
         gpu.validated(|| {
             let numbers =
                 buffer_from_bytes(gpu, "scene", &uniform(&numbers), BufferUsages::UNIFORM);

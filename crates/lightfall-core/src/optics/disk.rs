@@ -7,7 +7,7 @@ mod page_thorne;
 pub use newtonian::{NEWTONIAN_PEAK, newtonian_flux};
 pub use page_thorne::{PageThorne, TABLE_LEN};
 
-use crate::geometry::kerr::{CircularOrbit, Kerr};
+use crate::geometry::kerr::CircularOrbit;
 use crate::scene::{Disk, DiskModel, Scene};
 use std::f64::consts::TAU;
 
@@ -15,15 +15,7 @@ use std::f64::consts::TAU;
 /// lies farther out or `disk.follow_isco` asks for it.
 #[must_use]
 pub fn inner_edge(scene: &Scene) -> f64 {
-    let isco = Kerr {
-        spin: scene.hole.spin,
-    }
-    .isco();
-    if scene.disk.follow_isco {
-        isco
-    } else {
-        scene.disk.inner.max(isco)
-    }
+    scene.inner_edge()
 }
 
 /// How long an orbit at the disk's inner edge takes, in r_s/c of Boyer-Lindquist's time: that of a

@@ -7,9 +7,13 @@
 pub mod apparent_hole;
 pub mod camera_rays;
 pub mod critical_curve;
+pub mod delay;
 pub mod disk;
+
 pub mod exposure;
 pub mod guides;
+pub mod hot_spot;
+pub mod limb;
 pub mod path;
 pub mod photometry;
 pub mod ray_plane;
@@ -18,5 +22,6 @@ pub mod reference;
 pub mod shift;
 pub mod spectrum;
 pub mod straight;
+pub mod structure;
 pub mod trace;
 pub mod worldline;

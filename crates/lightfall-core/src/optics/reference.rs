@@ -13,6 +13,7 @@ use crate::geometry::mino::{Constants, Expansion, State};
 use crate::geometry::observer::{ObserverError, Photon};
 use crate::geometry::sphere::{celestial_frame, wrap_angle};
 use crate::optics::camera_rays::CameraRays;
+use crate::optics::delay::Lag;
 use crate::optics::shift::Shift;
 use crate::optics::trace::{Hit, Outcome, Trace};
 use crate::optics::{disk, straight};
@@ -40,6 +41,17 @@ pub struct HoleAndDisk {
     pub kerr: Kerr,
     /// Inner and outer edge of the disk, in r_s; `None` without a disk.
     pub annulus: Option<[f64; 2]>,
+}
+
+/// A step along a ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step<'a> {
+    /// The motion from the step's start on.
+    pub expansion: &'a Expansion,
+    /// The step's length in Mino time.
+    pub length: f64,
+    /// The Mino time of the hit that the trace has found in the step.
+    pub hit: Option<f64>,
 }
 
 impl Reference {
@@ -74,9 +86,36 @@ impl Reference {
 
     /// Follows the ray that arrives from `direction`, given on the observer's axes and of any
     /// length. For a direction that is zero or not finite the outcome is `Unfinished` and the
-    /// residual NaN.
+    /// residual NaN. Delays are left out, but for those of straight rays, which cost nothing.
     #[must_use]
     pub fn trace(&self, direction: DVec3) -> Trace {
+        self.trace_by(direction, HoleAndDisk::trace)
+    }
+
+    /// As [`trace`](Self::trace), with the hits' delays if the camera is outside the horizon.
+    #[must_use]
+    pub fn trace_with_delays(&self, direction: DVec3) -> Trace {
+        let mut trace = self.trace_with_lags(direction);
+        if self.r <= self.hole_and_disk.kerr.horizon() {
+            for hit in trace.hits.iter_mut().flatten() {
+                hit.delay = None;
+            }
+        }
+        trace
+    }
+
+    /// As [`trace`](Self::trace), with the hits' [lags](Lag) in place of their delays, wherever the
+    /// camera is. Outside the horizon both are the same.
+    #[must_use]
+    pub fn trace_with_lags(&self, direction: DVec3) -> Trace {
+        self.trace_by(direction, HoleAndDisk::trace_with_lags)
+    }
+
+    fn trace_by(
+        &self,
+        direction: DVec3,
+        lensed: impl Fn(&HoleAndDisk, &Constants, State) -> Trace,
+    ) -> Trace {
         let Some(direction) = (direction / direction.abs().max_element()).try_normalize() else {
             return Trace {
                 outcome: Outcome::Unfinished,
@@ -91,7 +130,7 @@ impl Reference {
         let (mut trace, lambda) = if self.lensing {
             let (constants, start) = Constants::of_photon(kerr, &photon, self.r, self.n);
             (
-                self.hole_and_disk.trace(&constants, start),
+                lensed(&self.hole_and_disk, &constants, start),
                 constants.angular_momentum / constants.energy,
             )
         } else {
@@ -133,16 +172,35 @@ impl HoleAndDisk {
     /// Follows the backward ray with these constants from `start` to its end.
     #[must_use]
     pub fn trace(&self, constants: &Constants, start: State) -> Trace {
-        self.follow(constants, start, |_, _, _| {})
+        self.follow(constants, start, |_| {})
     }
 
-    /// As [`trace`](Self::trace), and calls `visit` with every step: its start, its series, and its
-    /// length in Mino time.
+    /// As [`trace`](Self::trace), with the hits' [lags](Lag) in place of their delays.
+    #[must_use]
+    pub fn trace_with_lags(&self, constants: &Constants, start: State) -> Trace {
+        let mut lag = Lag::new(self.kerr, constants, &start);
+        let (mut lags, mut found) = ([None; 2], 0);
+        let mut trace = self.follow(constants, start, |step| {
+            if let (Some(slot), Some(time)) = (lags.get_mut(found), step.hit) {
+                *slot = Some(lag.at(step, time));
+                found += 1;
+            }
+            if found < lags.len() {
+                lag.add(step);
+            }
+        });
+        for (hit, lag) in trace.hits.iter_mut().flatten().zip(lags) {
+            hit.delay = lag;
+        }
+        trace
+    }
+
+    /// As [`trace`](Self::trace), and calls `visit` with every step.
     pub fn follow(
         &self,
         constants: &Constants,
         start: State,
-        mut visit: impl FnMut(&State, &Expansion, f64),
+        mut visit: impl FnMut(&Step),
     ) -> Trace {
         let u_horizon = 1.0 / self.kerr.horizon();
         // Hits lie between these values of u. Without a disk the interval is empty.
@@ -183,9 +241,9 @@ impl HoleAndDisk {
             if !(end_time > 0.0 && end.n.is_finite() && end.u.is_finite()) {
                 return trace;
             }
-            visit(&state, &expansion, end_time);
             trace.steps += 1;
             trace.residual = trace.residual.max(constants.residual(&end));
+            let mut hit_time = None;
             if let Some(time) = time_to_plane(&expansion, end.n.z, end_time) {
                 let crossing = expansion.at(time);
                 if crossing.u > u_outer && crossing.u < u_inner {
@@ -193,9 +251,15 @@ impl HoleAndDisk {
                     let free = trace.hits.iter_mut().find(|slot| slot.is_none());
                     if let (Some(slot), Some(hit)) = (free, hit) {
                         *slot = Some(hit);
+                        hit_time = Some(time);
                     }
                 }
             }
+            visit(&Step {
+                expansion: &expansion,
+                length: end_time,
+                hit: hit_time,
+            });
             if to_infinity.is_some() {
                 // Light of negative energy cannot come from infinity.
                 if constants.energy <= 0.0 {

@@ -29,6 +29,7 @@ mod relevant;
 mod row;
 mod save;
 mod tables;
+mod tone_curve;
 mod value;
 mod view;
 
@@ -46,6 +47,7 @@ pub use row::Row;
 pub use tables::{
     Camera, Disk, Effects, Hole, HotSpot, Observer, Picture, Probe, Quality, Scene, Sky,
 };
+pub use tone_curve::ToneCurve;
 pub use value::Value;
 pub use view::{Content, View, ViewProperties};
 

@@ -215,7 +215,7 @@ fn a_second_hit_was_emitted_earlier_by_more_than_the_light_time_of_the_straight_
     let mut counted = 0;
     for direction in directions(&scene) {
         let inspected = Inspected::new(&scene, direction, None, 60.0).unwrap();
-        let [first, second] = inspected.path.delays;
+        let (first, second) = (inspected.numbers.hit1_delay, inspected.numbers.hit2_delay);
         if let (Some(first), Some(second)) = (first, second) {
             let place = |r: f64, phi: f64| DVec2::new(phi.cos(), phi.sin()) * r;
             let cpu = &inspected.numbers.cpu;
@@ -238,7 +238,9 @@ fn an_inspection_has_the_numbers_of_trace() {
                 .numbers;
             let mut csv = Vec::new();
             let mut writer = lightfall_core::reports::rays::TraceWriter::new(&mut csv).unwrap();
-            writer.write(&reference.trace(direction)).unwrap();
+            writer
+                .write(&reference.trace_with_delays(direction))
+                .unwrap();
             writer.finish().unwrap();
             let csv = String::from_utf8(csv).unwrap();
             let mut lines = csv.lines().map(|line| line.split(','));

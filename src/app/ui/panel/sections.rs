@@ -151,6 +151,7 @@ pub const SECTIONS: &[Section] = &[
             row("view", "View", Plain),
             row("picture.automatic_exposure", "Auto exposure", Plain),
             row("picture.exposure_ev", "Exposure", Linear(-8.0, 8.0)),
+            row("picture.tone_curve", "Tone curve", Plain),
             row("picture.bloom", "Bloom", Plain),
             row("picture.bypass", "Pixel look", Inverted),
             row(

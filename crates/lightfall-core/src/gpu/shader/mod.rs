@@ -40,7 +40,7 @@ pub struct Variant {
     pub hot_spot: HotSpotKind,
     /// The disk's limb darkening; none where none is drawn.
     pub limb: LimbDarkening,
-    /// Nodes of the integral for the time between emission and arrival: 2, 4 or 8, or 0 where
+    /// Nodes of the integral for the time between emission and arrival: 2, 3, 4 or 8, or 0 where
     /// nothing asks for that time.
     pub delay_nodes: u32,
     /// What lies at infinity; off where nothing is drawn.

@@ -7,19 +7,21 @@ use super::{Entry, Variant};
 use crate::geometry::quadrature::gauss_legendre;
 use crate::gpu::bindings;
 use crate::gpu::error_map::ErrorMap;
+use crate::gpu::structure::GpuStructure;
 use crate::optics::disk;
 use crate::optics::spectrum::{TABLE_LEN, TABLE_MAX_TEMPERATURE, TABLE_MIN_TEMPERATURE};
 use crate::scene::{HotSpotKind, SkyMode, View};
 
 impl Variant {
     /// The flags, by their names in the shaders.
-    pub fn flags(self) -> [(&'static str, bool); 14] {
+    pub fn flags(self) -> [(&'static str, bool); 15] {
         let records = self.entry == Entry::Rays;
         [
             ("SPINNING", self.spinning),
             ("NEAR_HORIZON", self.near_horizon),
             ("AZIMUTH", records || self.moves()),
             ("DELAY", self.delay_nodes > 0),
+            ("SHEARED_SPOT", self.hot_spot == HotSpotKind::Sheared),
             // A timed shader does all the work that a picture with a sky does.
             (
                 "SKY_DIRECTION",
@@ -69,6 +71,11 @@ impl Variant {
         ];
         for (name, value) in temperatures {
             add_constant(&mut text, name, "f32", format!("{value:?}"));
+        }
+        if self.structure {
+            for (name, kind, value) in GpuStructure::constants() {
+                add_constant(&mut text, name, kind, value);
+            }
         }
         if self.delay_nodes > 0 {
             text.push_str(&delay_nodes(self.delay_nodes));

@@ -14,17 +14,20 @@ pub(super) fn disk_parts(disk: bool) -> &'static [Part] {
 }
 
 /// The files that define `disk_light`.
-pub(super) fn emission_parts(variant: Variant) -> [Part; 5] {
-    [
-        match variant.disk_model {
-            DiskModel::Newtonian => part!("disk/newtonian.wgsl"),
-            DiskModel::PageThorne => part!("disk/page_thorne.wgsl"),
-        },
-        if variant.structure {
-            part!("disk/structure/waves.wgsl")
-        } else {
-            part!("disk/structure/none.wgsl")
-        },
+pub(super) fn emission_parts(variant: Variant) -> Vec<Part> {
+    let mut parts = vec![match variant.disk_model {
+        DiskModel::Newtonian => part!("disk/newtonian.wgsl"),
+        DiskModel::PageThorne => part!("disk/page_thorne.wgsl"),
+    }];
+    if variant.structure {
+        parts.extend([
+            part!("disk/structure/footprint.wgsl"),
+            part!("disk/structure/waves.wgsl"),
+        ]);
+    } else {
+        parts.push(part!("disk/structure/none.wgsl"));
+    }
+    parts.extend([
         match variant.hot_spot {
             HotSpotKind::None => part!("disk/hot_spot/none.wgsl"),
             HotSpotKind::Rigid | HotSpotKind::Sheared => part!("disk/hot_spot/spot.wgsl"),
@@ -34,7 +37,8 @@ pub(super) fn emission_parts(variant: Variant) -> [Part; 5] {
             LimbDarkening::ElectronScattering => part!("disk/limb/electron_scattering.wgsl"),
         },
         part!("disk/emission.wgsl"),
-    ]
+    ]);
+    parts
 }
 
 /// The files that define `sky_light`.

@@ -75,7 +75,7 @@ impl Tracer {
     /// Nodes of the integral that gives the delay, where a picture asks for it: per leg of a ray of
     /// the method closed, per step of the method mino.
     pub(super) fn delay_nodes(self) -> u32 {
-        if self == Self::Mino { 2 } else { 4 }
+        if self == Self::Mino { 3 } else { 4 }
     }
 
     /// Whether it has a second way to sum azimuths, for rays next to the horizon (the flag

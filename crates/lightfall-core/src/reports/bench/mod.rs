@@ -1,6 +1,7 @@
 //! Error against run time: for each scene, method and setting, how long tracing takes and how wrong
 //! it is.
 
+mod delay;
 mod equal_error;
 mod labels;
 mod markdown;
@@ -11,6 +12,7 @@ mod plot;
 mod scenes;
 mod settings;
 
+pub use delay::{DelayMeasurement, delay_table, plot_delays};
 pub use equal_error::{AtEqualError, at_equal_error};
 pub use markdown::markdown;
 pub use measurement::Measurement;

@@ -1,0 +1,130 @@
+//! The draw of the waves.
+
+use super::model::Model;
+use super::random::{GROUP_STRIDE, List, phase};
+use crate::geometry::kerr::{Kerr, MASS};
+use std::f64::consts::{PI, TAU};
+
+/// Octaves of the wave numbers.
+pub const OCTAVES: usize = 4;
+
+/// Wave numbers k are multiples of this, so that the GPU can have them in 16 bits.
+pub const K_QUANTUM: f64 = 1.0 / 64.0;
+
+/// The smallest wave number, in units of one over a correlation length.
+const SMALLEST: f64 = 0.5;
+
+/// The wave number `octaves` above the smallest one.
+pub(super) fn wave_number(octaves: f64) -> f64 {
+    SMALLEST * octaves.exp2()
+}
+
+/// A shearing wave with the phase m phi + k (x - centre) in the middle of its life.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wave {
+    /// Number of crests around the disk, at least one: a wave with none would change the mean flux of a
+    /// circle.
+    pub m: u32,
+    /// Radians per unit of ln r; a multiple of [`K_QUANTUM`].
+    pub k: f64,
+}
+
+/// A ring and its waves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ring {
+    /// ln r of its centre.
+    pub centre: f64,
+    /// Life of its waves, in r_s/c.
+    pub life: f64,
+    /// Share of a life by which its clock is ahead.
+    offset: f64,
+    /// Where the phases of each octave begin in the list of phases.
+    keys: [u32; OCTAVES],
+    /// The waves, in groups of one wave of each octave.
+    pub groups: Vec<[Wave; OCTAVES]>,
+}
+
+/// Where a wave is in its lives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Age {
+    /// Age as a share of a life, from -1/2 to 1/2; 0 in the middle.
+    pub share: f64,
+    /// Random phase of this life, in turns.
+    pub phase: f64,
+}
+
+impl Ring {
+    /// Draws the waves of the ring with this number and centre.
+    ///
+    /// In each octave, sizes and directions of the wave vectors q are spread over equal parts of their
+    /// ranges in random order (Latin hypercube sampling, McKay, Beckman & Conover 1979), which leaves
+    /// no direction or size out. q is stretched by the two correlation lengths and turned by the pitch.
+    pub(super) fn new(model: &Model, ring: usize, centre: f64, kerr: Kerr) -> Self {
+        let (sin, cos) = model.pitch.sin_cos();
+        let across = model.scale;
+        let along = model.scale * model.aspect;
+        let octaves: [Vec<Wave>; OCTAVES] = std::array::from_fn(|octave| {
+            let mut list = List::new(model.seed, ring, octave);
+            let sizes = list.spread(model.octave);
+            let directions = list.spread(model.octave);
+            let wave = |(size, direction): (f64, f64)| {
+                let q = wave_number(octave as f64 + size);
+                let (q_across, q_along) = (PI * direction).sin_cos();
+                let (q_across, q_along) = (q * q_across / across, q * q_along / along);
+                let m = q_across * sin - q_along * cos;
+                let k = q_across * cos + q_along * sin;
+                Wave {
+                    m: m.abs().round().max(1.0) as u32,
+                    k: (k.copysign(k * m) / K_QUANTUM).round() * K_QUANTUM,
+                }
+            };
+            sizes.into_iter().zip(directions).map(wave).collect()
+        });
+        let mut list = List::new(model.seed, ring, OCTAVES);
+        let orbit = TAU / angular_velocity(kerr, centre.exp()).0;
+        Self {
+            centre,
+            life: model.lifetime * orbit,
+            offset: list.unit(),
+            keys: std::array::from_fn(|_| list.bits() as u32),
+            groups: (0..model.octave)
+                .map(|group| std::array::from_fn(|octave| octaves[octave][group]))
+                .collect(),
+        }
+    }
+
+    /// The lives that the ring's clock has counted at a time, as their whole number and the rest.
+    #[must_use]
+    pub fn lives(&self, time: f64) -> (i64, f64) {
+        let lives = time / self.life + self.offset;
+        (lives.floor() as i64, lives - lives.floor())
+    }
+
+    /// The places of the octaves' phases in the list of phases, in the ring's life of this number.
+    #[must_use]
+    pub fn phase_places(&self, life: i64) -> [u32; OCTAVES] {
+        self.keys.map(|key| key.wrapping_add(life as u32))
+    }
+
+    /// The age of a wave at a time. The births of an octave's waves are evenly spaced, so that the sum
+    /// of their windows' squares does not depend on time.
+    pub(super) fn age(&self, time: f64, group: usize, octave: usize) -> Age {
+        let (life, rest) = self.lives(time);
+        let later = (group as f64 + octave as f64 / OCTAVES as f64) / self.groups.len() as f64;
+        let lives = rest + later;
+        let place = self.phase_places(life + lives.floor() as i64)[octave];
+        Age {
+            share: lives - lives.floor() - 0.5,
+            phase: phase(place.wrapping_add(GROUP_STRIDE.wrapping_mul(group as u32))),
+        }
+    }
+}
+
+/// Omega = y^3/(M (1 + chi y^3)) of the circular orbit at the radius r, with y = sqrt(M/r) (Bardeen,
+/// Press & Teukolsky 1972 eq. 2.16), and the shear -dOmega/dln r = (3/2) Omega/(1 + chi y^3).
+pub(super) fn angular_velocity(kerr: Kerr, r: f64) -> (f64, f64) {
+    let y3 = (MASS / r).powf(1.5);
+    let stretch = 1.0 + kerr.spin * y3;
+    let omega = y3 / (MASS * stretch);
+    (omega, 1.5 * omega / stretch)
+}
