@@ -1,4 +1,4 @@
-//! `lightfall render`: a picture, or a journey as a sequence of pictures.
+//! `lightfall render`: a picture, or a sequence of pictures: a journey, or a disk that moves.
 
 use super::circumstances::commit;
 use super::cli::RenderArgs;
@@ -18,6 +18,9 @@ use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Picture, Scene};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+
+/// The word that stands for no journey.
+const NO_JOURNEY: &str = "none";
 
 /// Number of frames that `render --timings` takes the median of.
 const TIMED_FRAMES: usize = 15;
@@ -99,11 +102,26 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
 }
 
 fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence, Stop> {
-    let journey = journey(args.journey.as_deref(), scene)?;
+    let journey = match args.journey.as_deref() {
+        Some(file) if file == Path::new(NO_JOURNEY) => None,
+        file => Some(journey(file, scene)?),
+    };
     let sequence = Sequence::new(journey, frames, args.fps, &args.out).map_err(Stop::refused)?;
-    let end = sequence.end();
-    if f64::from(frames.last) > end {
-        eprintln!("lightfall: the journey ends at frame {end}; later frames show its end");
+    match sequence.end() {
+        Some(end) if f64::from(frames.last) > end && scene.disk_moves() => {
+            eprintln!(
+                "lightfall: the journey ends at frame {end}; later frames show the disk from there"
+            );
+        }
+        Some(end) if f64::from(frames.last) > end => {
+            eprintln!("lightfall: the journey ends at frame {end}; later frames show its end");
+        }
+        None if !scene.disk_moves() => {
+            eprintln!(
+                "lightfall: nothing moves in this scene without a journey: all frames are the same"
+            );
+        }
+        _ => {}
     }
     Ok(sequence)
 }

@@ -17,6 +17,7 @@ use crate::render::comparison::{
 use crate::render::current_scene::CurrentScene;
 use crate::render::error_map::ShownErrorMap;
 use crate::render::full_screen_pass::run_full_screen_pass;
+use crate::render::wave_limit::WaveLimit;
 use bevy::asset::AssetEventSystems;
 use bevy::core_pipeline::core_3d::{main_opaque_pass_3d, main_transparent_pass_3d};
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
@@ -141,6 +142,7 @@ fn create_geodesic_pass(mut commands: Commands, device: Res<RenderDevice>) {
             layout,
             spectrum,
             error_map,
+            waves: WaveLimit::default(),
         },
         current: Side::new(&device),
         pinned: None,
@@ -157,6 +159,7 @@ fn prepare_geodesic_pass(
     compared: Res<ComparedScene>,
     shaders: Option<Res<GeodesicShaders>>,
     errors: Res<ShownErrorMap>,
+    waves: Res<WaveLimit>,
     (pass, difference): (Option<ResMut<GeodesicPass>>, Option<Res<DifferencePass>>),
     cache: Res<PipelineCache>,
     device: Res<RenderDevice>,
@@ -174,8 +177,10 @@ fn prepare_geodesic_pass(
         changed,
         drawn,
     } = &mut *pass;
-    *changed |= scene.is_changed() || errors.is_changed() || compared.is_changed();
+    *changed |=
+        scene.is_changed() || errors.is_changed() || compared.is_changed() || waves.is_changed();
     *drawn = false;
+    shared.waves = *waves;
     let shows_difference = difference.is_some_and(|pass| pass.is_ready(&cache));
     let mut pipeline_of = |joined: &JoinedShader| {
         let id = *pipelines

@@ -8,6 +8,7 @@ mod comparison;
 mod controls;
 mod desktop;
 mod device_loss;
+mod disk_clock;
 mod failures;
 mod flights;
 mod frames;

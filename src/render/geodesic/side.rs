@@ -1,5 +1,6 @@
 //! What one scene has on the GPU: its uniform, its table and its bindings. A comparison has two.
 
+use crate::render::wave_limit::WaveLimit;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use lightfall_core::gpu::kernel::uniform;
@@ -26,6 +27,8 @@ pub(super) struct Shared {
     /// The map of the view `error`. Always bound; only that view reads it, and only the current
     /// scene can have that view.
     pub(super) error_map: Buffer,
+    /// The most waves of the disk's structure that are drawn.
+    pub(super) waves: WaveLimit,
 }
 
 impl Side {
@@ -55,7 +58,7 @@ impl Side {
         if let disk::Profile::PageThorne(disk) = disk::Profile::new(scene) {
             queue.write_buffer(&self.page_thorne, 0, &table_bytes(&disk.table()));
         }
-        if let Some(structure) = GpuStructure::new(scene, None) {
+        if let Some(structure) = GpuStructure::new(scene, shared.waves.0) {
             queue.write_buffer(&self.structure, 0, &uniform(&structure));
         }
         self.pipeline = Some(pipeline);

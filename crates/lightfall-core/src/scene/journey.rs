@@ -8,6 +8,7 @@
 
 mod caption;
 mod check;
+mod clock;
 mod error;
 mod format;
 mod keyframe;
@@ -20,6 +21,7 @@ pub use error::JourneyError;
 pub use load::load;
 pub use track::Track;
 
+use self::clock::Clock;
 use super::presets::Preset;
 use super::{Camera, ObserverKind, Scene};
 use crate::geometry::kerr::Kerr;
@@ -46,6 +48,8 @@ pub struct Journey {
     tracks_in_rain: Tracks,
     /// The kinds of observer, each with the time from which it holds.
     kinds: Vec<(f64, ObserverKind)>,
+    /// What the keyframes say about the disk's clock.
+    clock: Clock,
 }
 
 /// The tracks of all quantities; none for a quantity that no keyframe names.
@@ -81,8 +85,9 @@ impl Journey {
         (time < caption.time + caption.seconds).then_some(caption)
     }
 
-    /// Writes the camera and the observer after `time` seconds into `scene`. Times before the first
-    /// keyframe count as the first, times after the last as the last. The scene is not checked.
+    /// Writes the camera, the observer and the rate of the disk's clock after `time` seconds into
+    /// `scene`. Times before the first keyframe count as the first, times after the last as the last.
+    /// The scene is not checked. [`drive_clock`](Self::drive_clock) writes the disk's time.
     ///
     /// A circular orbit cannot leave its plane: unless the journey itself names an observer, `orbit`
     /// becomes `static`, as when flying by hand.
@@ -111,6 +116,9 @@ impl Journey {
             &self.tracks
         };
         tracks.apply(time, scene);
+        if let Some(rate) = self.clock.rate_at(time) {
+            scene.disk.rate = rate;
+        }
         if tracks.leads("phi_deg") {
             let phi = scene.camera.phi_deg
                 - self

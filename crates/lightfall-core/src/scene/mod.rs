@@ -11,6 +11,7 @@
 
 mod camera;
 mod changes;
+mod disk_motion;
 mod edit;
 mod error;
 mod fields;

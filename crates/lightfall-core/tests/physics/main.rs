@@ -5,6 +5,7 @@
 mod accuracy;
 mod apparent_hole;
 mod disk;
+mod disk_clock;
 mod effects;
 mod elliptic;
 mod exposure;

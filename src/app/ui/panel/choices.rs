@@ -46,6 +46,10 @@ pub fn choice(key: &str, word: &'static str) -> [&'static str; 2] {
         ],
         ("view", "residual") => ["Residual", "How far each ray strays from being light-like"],
         ("view", "order") => ["Order of the image", "Half-turns of the ray about the hole"],
+        ("view", "delay") => [
+            "Delay of the light",
+            "How long the light of the disk was under way",
+        ],
         ("view", "redshift") => ["Redshift", "Observed over emitted frequency"],
         ("view", "error") => ["Error", "Difference from the reference, in pixels"],
         ("view", "steps") => ["Steps", "How many steps each ray takes"],
@@ -67,6 +71,26 @@ pub fn choice(key: &str, word: &'static str) -> [&'static str; 2] {
             "Relativistic",
             "The thin disk around a spinning hole, after Page and Thorne 1974",
         ],
+        ("disk.structure", "none") => ["None", "A smooth disk, on which nothing moves"],
+        ("disk.structure", "turbulent") => [
+            "Turbulent",
+            "Filaments that the rotation shears into trailing spirals",
+        ],
+        ("disk.structure", "streaks") => [
+            "Streaks",
+            "Longer filaments with more contrast, as in films",
+        ],
+        ("disk.limb", "none") => ["None", "As bright from the side as from above"],
+        ("disk.limb", "electron-scattering") => [
+            "Scattering",
+            "Darker from the side, as light scattered on electrons is; Chandrasekhar 1960",
+        ],
+        ("hot_spot.kind", "none") => ["None", "No hot spot"],
+        ("hot_spot.kind", "rigid") => [
+            "Keeps its shape",
+            "All of it goes round as fast as its middle",
+        ],
+        ("hot_spot.kind", "sheared") => ["Sheared", "The rotation draws it out into an arc"],
         ("picture.tone_curve", "neutral") => ["Neutral", "Exact colours, and a short way to white"],
         ("picture.tone_curve", "soft") => ["Soft", "A long way to white, on which colours fade"],
         ("picture.tone_curve", "aces") => ["ACES", "Film-like: more contrast, and hues that turn"],

@@ -7,8 +7,10 @@ use crate::app::state::settings::{HOLE_MASSES, Settings};
 use crate::app::ui::help::RADIUS_UNIT;
 use crate::app::ui::number::{from_words, in_words};
 use bevy_egui::egui;
+use lightfall_core::optics::disk::inner_period;
 use lightfall_core::optics::readout::Readout;
 use lightfall_core::optics::readout::si::{HoleMass, MASSES};
+use lightfall_core::reports::numbers::duration_in_words;
 use lightfall_core::scene::{ObserverKind, Scene};
 use std::time::Duration;
 use web_time::Instant;
@@ -28,16 +30,18 @@ pub(super) struct ReadoutsPage {
 
 impl ReadoutsPage {
     fn readout(&mut self, scene: &Scene) -> &Result<Readout, String> {
+        // Read-outs do not depend on the light of the disk, which may move.
+        let rays = scene.without_shading();
         let stale = self
             .last
             .as_ref()
-            .is_none_or(|(seen, made, _)| seen != scene && made.elapsed() > MIN_AGE);
+            .is_none_or(|(seen, made, _)| *seen != rays && made.elapsed() > MIN_AGE);
         if stale {
             self.last = None;
         }
         let fresh = || {
             (
-                scene.clone(),
+                rays,
                 Instant::now(),
                 Readout::new(scene).map_err(|error| error.to_string()),
             )
@@ -59,6 +63,7 @@ impl ReadoutsPage {
             Ok(readout) => {
                 tables(ui, readout, scene.observer.kind, mass);
                 clocks(ui, free_fall, bindings, mass);
+                disk(ui, scene, mass);
             }
             Err(reason) => {
                 ui.colored_label(ui.visuals().error_fg_color, reason);
@@ -173,6 +178,42 @@ fn clocks(ui: &mut egui::Ui, free_fall: &FreeFall, bindings: &Bindings, mass: Ho
     );
 }
 
+/// The disk's clock, and how long an orbit at its inner edge takes.
+fn disk(ui: &mut egui::Ui, scene: &Scene, mass: HoleMass) {
+    if !scene.disk.enabled {
+        return;
+    }
+    let in_seconds = |time: f64| duration_in_words(time * mass.seconds());
+    let mut rows = Vec::new();
+    if scene.disk_moves() {
+        let rate = scene.disk.rate;
+        rows.extend([
+            (
+                "Time at the camera",
+                format!("{:.1} r_s/c", scene.disk.time),
+            ),
+            ("One second here", format!("{} r_s/c", in_words(rate))),
+            ("", format!("{} for {}", in_seconds(rate), mass.name)),
+        ]);
+    }
+    if let Some(period) = inner_period(scene) {
+        rows.extend([
+            (
+                "Orbit at the inner edge",
+                format!("{} r_s/c", in_words(period)),
+            ),
+            ("", in_seconds(period)),
+        ]);
+        if scene.disk_moves() && scene.disk.rate > 0.0 {
+            rows.push((
+                "On the screen",
+                format!("{} s", in_words(period / scene.disk.rate)),
+            ));
+        }
+    }
+    table(ui, "The disk", &rows);
+}
+
 fn table(ui: &mut egui::Ui, title: &str, rows: &[(&str, String)]) {
     ui.strong(title);
     egui::Grid::new(title)
@@ -215,8 +256,5 @@ fn choose_mass(ui: &mut egui::Ui, settings: &mut Settings) -> HoleMass {
         let own = own.custom_formatter(|suns, _| in_words(suns));
         ui.add(own.custom_parser(from_words));
     });
-    HoleMass {
-        name: "chosen",
-        suns: *suns,
-    }
+    HoleMass::of_suns(*suns)
 }

@@ -1,0 +1,127 @@
+//! The disk's clock along worldlines.
+
+use crate::assert_close;
+use glam::DVec3;
+use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::optics::disk::inner_period;
+use lightfall_core::optics::path::Path;
+use lightfall_core::optics::reference::Reference;
+use lightfall_core::optics::worldline::Worldline;
+use lightfall_core::scene::{HotSpotKind, ObserverKind, Scene};
+
+fn living(kind: ObserverKind, r: f64, spin: f64) -> Scene {
+    let mut scene = Scene::default();
+    scene.hot_spot.kind = HotSpotKind::Rigid;
+    scene.hole.spin = spin;
+    scene.observer.kind = kind;
+    (scene.camera.r, scene.camera.theta_deg) = (r, 90.0);
+    scene
+}
+
+/// Rain without spin has closed forms: with Gullstrand and Painleve's time T, which is its proper time,
+/// t = T - 2 sqrt(r) - ln((sqrt(r) - 1)/(sqrt(r) + 1)) outside, and inside v = t + r* =
+/// T + r - 2 sqrt(r) + 2 ln(1 + sqrt(r)).
+#[test]
+fn the_clock_of_a_fall_is_boyer_lindquists_outside_and_the_ingoing_time_inside() {
+    let mut scene = living(ObserverKind::Rain, 5.0, 0.0);
+    scene.disk.time = 100.0;
+    let t_of = |painleve: f64, r: f64| {
+        let root = r.sqrt();
+        painleve - 2.0 * root - ((root - 1.0) / (root + 1.0)).ln()
+    };
+    let start = 100.0 - t_of(0.0, 5.0);
+    let mut worldline = Worldline::start(&scene).unwrap();
+    let (mut outside, mut inside) = (0, 0);
+    for _ in 0..150 {
+        worldline.advance(0.05, &mut scene);
+        let (painleve, r) = (start + worldline.proper_time(), scene.camera.r);
+        // The fall's own series are right to about 1e-12; 1e-4 away from the horizon t has lost four
+        // digits of them.
+        if r > 1.0001 {
+            assert_close(
+                format!("t at {r}"),
+                scene.disk.time,
+                t_of(painleve, r),
+                1e-10,
+            );
+            outside += 1;
+        } else if r <= 1.0 {
+            let v = painleve + r - 2.0 * r.sqrt() + 2.0 * (1.0 + r.sqrt()).ln();
+            assert_close(format!("v at {r}"), scene.disk.time, v, 1e-10);
+            inside += 1;
+        }
+    }
+    assert!(outside > 100 && inside > 5, "{outside} {inside}");
+}
+
+/// When the light that is seen left the disk, by the path's own quadrature of Boyer-Lindquist's time:
+/// toward the horizon the clock and the delay both grow without limit, and their difference does not.
+#[test]
+fn what_a_falling_observer_sees_goes_on_steadily_toward_the_horizon() {
+    for spin in [0.0, 0.7] {
+        let horizon = Kerr { spin }.horizon();
+        // Above the plane, looking outward and down.
+        let mut scene = living(ObserverKind::Rain, 4.0, spin);
+        scene.camera.theta_deg = 70.0;
+        let mut worldline = Worldline::start(&scene).unwrap();
+        let mut seen = Vec::new();
+        for above in [1e-2, 1e-4, 1e-6] {
+            let target = horizon * (1.0 + above);
+            // Bisection for the proper time at which the target is reached.
+            let (mut low, mut high) = (0.0, 10.0);
+            for _ in 0..100 {
+                let middle: f64 = 0.5 * (low + high);
+                let (mut ahead, mut then) = (worldline.clone(), scene.clone());
+                ahead.advance(middle, &mut then);
+                if then.camera.r > target {
+                    low = middle;
+                } else {
+                    high = middle;
+                }
+            }
+            worldline.advance(low, &mut scene);
+            let reference = Reference::new(&scene).unwrap();
+            let (_, path) = Path::of(&reference, DVec3::new(1.0, 0.35, 0.1), 100.0);
+            let delay = path.delays[0].expect("the ray meets the disk");
+            seen.push((scene.disk.time, scene.disk.time - delay));
+        }
+        // From 1e-2 to 1e-6 above the horizon less than 0.01 r_s/c of proper time passes, and g is about
+        // one or smaller.
+        let [(first, emitted), .., (last, emitted_last)] = seen[..] else {
+            unreachable!()
+        };
+        assert!(last - first > 5.0, "the clock diverges: {seen:?}");
+        assert!(
+            (emitted_last - emitted).abs() < 0.03,
+            "spin {spin}: {seen:?}"
+        );
+    }
+}
+
+#[test]
+fn the_clock_of_an_orbit_is_far_away_time() {
+    let mut scene = living(ObserverKind::Orbit, 4.5, 0.0);
+    let mut worldline = Worldline::start(&scene).unwrap();
+    for _ in 0..10 {
+        worldline.advance(3.0, &mut scene);
+    }
+    // u^t = 1/sqrt(1 - 3 M/r) = sqrt(3/2).
+    assert_close(
+        "30 of proper time",
+        scene.disk.time,
+        30.0 * 1.5_f64.sqrt(),
+        1e-14,
+    );
+    let mut smooth = Scene::default();
+    let mut worldline = Worldline::start(&smooth).unwrap();
+    worldline.advance(3.0, &mut smooth);
+    assert_eq!(smooth.disk.time, 0.0, "nothing moves there");
+}
+
+/// 2 pi sqrt(r^3/M) without spin: 46.17 r_s/c at 3 r_s.
+#[test]
+fn the_period_of_the_inner_edge_is_keplers() {
+    let scene = living(ObserverKind::Static, 20.0, 0.0);
+    let period = std::f64::consts::TAU * 54.0_f64.sqrt();
+    assert_close("period", inner_period(&scene).unwrap(), period, 1e-14);
+}
