@@ -7,7 +7,7 @@ mod page_thorne;
 pub use newtonian::{NEWTONIAN_PEAK, newtonian_flux};
 pub use page_thorne::{PageThorne, TABLE_LEN};
 
-use crate::geometry::kerr::CircularOrbit;
+use crate::geometry::kerr::{CircularOrbit, Kerr};
 use crate::scene::{Disk, DiskModel, Scene};
 use std::f64::consts::TAU;
 

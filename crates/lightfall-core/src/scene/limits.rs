@@ -82,7 +82,7 @@ impl Scene {
                     reason: "between the edges of the disk".into(),
                 };
                 let (low, high) = (Included(low), Included(high));
-                (Range { low, high, ..range }, Some(because))
+                (Range { low, high }, Some(because))
             }
             "picture.grid_width" => grid_range("picture.width", self.picture.width),
             "picture.grid_height" => grid_range("picture.height", self.picture.height),
