@@ -16,8 +16,8 @@ use std::path::PathBuf;
                         and, for each scene, a plot SCENE.svg."
 )]
 pub struct BenchArgs {
-    /// Scenes, by number or name, separated by commas; edge-on-spinning is preset 2 with hole.spin
-    /// = 0.9 [default: all]
+    /// Scenes, by number or name, separated by commas; edge-on is preset 2 without spin,
+    /// edge-on-spinning with it [default: all]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = bench_scene)]
     pub scenes: Vec<BenchScene>,
     /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace
@@ -98,7 +98,7 @@ pub struct ExtremesArgs {
 /// The arguments of `lightfall doctor`.
 #[derive(Debug, Args)]
 #[command(
-    after_help = "The self-test traces rays of presets 2 and 8 as pictures do and compares them with the f64 reference; \
+    after_help = "The self-test traces rays of presets 3 and 8 as pictures do and compares them with the f64 reference; \
                         docs/ACCURACY.md states the errors that they must stay below. Nothing on the machine is changed. The exit status is 1 \
                         if something that is needed does not work; the report says what it is and what to do."
 )]
