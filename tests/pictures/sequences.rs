@@ -4,7 +4,7 @@ use super::linear::{Linear, program, small};
 use glam::UVec2;
 use lightfall::picture::{Frames, Sequence, render};
 use lightfall::render::resized;
-use lightfall_core::scene::journey;
+use lightfall_core::scene::{DiskStructure, journey};
 use std::fs;
 use std::path::Path;
 
@@ -95,6 +95,31 @@ fn a_journey_of_ones_own_is_drawn_as_linear_light_to_its_end_and_beyond() {
         frames[1].texts["lightfall.preset"].contains("r = 24.49"),
         "half way in the radius's logarithm"
     );
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn a_scene_whose_disk_moves_makes_a_sequence_without_a_journey() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut scene = small(2);
+    scene.disk.structure = DiskStructure::Turbulent;
+    (scene.disk.time, scene.disk.rate) = (3.0, 6.0);
+    program(
+        folder.path(),
+        &scene,
+        "--journey none --frames 0..1 --fps 2 --size 160x90 -o d-#.png",
+    );
+    assert_eq!(names(folder.path()), ["d-0.png", "d-1.png"]);
+    let frames = [0, 1].map(|number| {
+        let file = folder.path().join(format!("d-{number}.png"));
+        image::open(file).unwrap().to_rgb8().into_raw()
+    });
+    assert!(frames[0] != frames[1], "the disk does not move");
+    let mut then = scene.clone();
+    let size = UVec2::new(160, 90);
+    then.picture = resized(&then.picture, size);
+    then.disk.time = 6.0;
+    assert!(frames[1] == render(&then, size).unwrap().rgb);
 }
 
 #[test]
