@@ -101,7 +101,10 @@ impl Desktop {
     ) -> Self {
         // A disk that moves never comes to rest; tests of its clock set a rate.
         let mut arguments = arguments.to_vec();
-        if !arguments.iter().any(|argument| argument.starts_with("disk.rate=")) {
+        if !arguments
+            .iter()
+            .any(|argument| argument.starts_with("disk.rate="))
+        {
             arguments.extend(["--set", "disk.rate=0"]);
         }
         for tool in ["Xvfb", "xdotool"] {

@@ -25,7 +25,11 @@ pub fn scenes() -> Vec<BenchScene> {
         .iter()
         .filter(|preset| preset.plain_scene().method == Method::Auto)
         .filter_map(|preset| {
-            let overrides: &[Override] = if preset == opening { &without_spin } else { &[] };
+            let overrides: &[Override] = if preset == opening {
+                &without_spin
+            } else {
+                &[]
+            };
             measured(preset, preset.name.into(), overrides)
         })
         .chain(measured(opening, format!("{}-spinning", opening.name), &[]))
