@@ -38,7 +38,7 @@ fn fault(args: &SceneArgs) -> String {
 }
 
 fn preset() -> Scene {
-    PRESETS[1].scene(&[]).unwrap()
+    PRESETS[2].scene(&[]).unwrap()
 }
 
 fn of_preset(preset: &Path) -> SceneArgs {
@@ -61,7 +61,7 @@ fn answer(line: &str) -> String {
 fn without_arguments_it_flies_from_preset_two() {
     assert_eq!(
         commands::scene(&fly("lightfall")).unwrap(),
-        PRESETS[1].scene(&[]).unwrap()
+        PRESETS[2].scene(&[]).unwrap()
     );
 }
 
@@ -221,13 +221,15 @@ fn wrong_values_of_the_short_forms_name_the_short_form() {
         // The same range for what is no number and for a number that is out of range.
         (
             "--set camera.r=far",
-            "--set: camera.r = \"far\" is refused: it must be a number above 1 and at most 10000000 r_s (outside the horizon at \
-             hole.spin = 0; observer rain goes on inside)",
+            "--set: camera.r = \"far\" is refused: it must be a number above 0.996984 and at most 10000000 r_s (nothing \
+             is at rest in the ergosphere, which reaches this far at hole.spin = 0.9 and camera.theta_deg = 83; observers zamo and \
+             rain go deeper)",
         ),
         (
             "--set camera.r=0.3",
-            "--set: camera.r = 0.3 is refused: it must be a number above 1 and at most 10000000 r_s (outside the horizon at \
-             hole.spin = 0; observer rain goes on inside)",
+            "--set: camera.r = 0.3 is refused: it must be a number above 0.996984 and at most 10000000 r_s (nothing \
+             is at rest in the ergosphere, which reaches this far at hole.spin = 0.9 and camera.theta_deg = 83; observers zamo and \
+             rain go deeper)",
         ),
         (
             "--method euler",

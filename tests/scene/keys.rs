@@ -151,7 +151,7 @@ fn a_skipped_observer_is_named_with_the_reason() {
 #[test]
 fn a_key_without_a_visible_effect_says_why_and_names_the_key_that_helps() {
     let without = |change: fn(&mut Scene)| {
-        let mut scene = presets::find("edge-on").unwrap().scene(&[]).unwrap();
+        let mut scene = presets::find("above").unwrap().scene(&[]).unwrap();
         change(&mut scene);
         scene
     };

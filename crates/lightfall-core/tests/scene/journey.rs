@@ -12,7 +12,7 @@ fn default() -> Journey {
 }
 
 fn preset() -> Scene {
-    presets::PRESETS[presets::DEFAULT - 1].scene(&[]).unwrap()
+    default().preset.unwrap().scene(&[]).unwrap()
 }
 
 fn at(journey: &Journey, time: f64, kind: ObserverKind) -> Scene {

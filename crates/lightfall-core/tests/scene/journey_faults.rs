@@ -5,7 +5,7 @@ use lightfall_core::scene::journey;
 use lightfall_core::scene::{Hole, Method, Observer, ObserverKind, Scene, presets};
 
 fn preset() -> Scene {
-    presets::PRESETS[presets::DEFAULT - 1].scene(&[]).unwrap()
+    presets::find("above").unwrap().scene(&[]).unwrap()
 }
 
 #[test]

@@ -252,7 +252,11 @@ impl Variant {
             parts.push(part!("spectrum.wgsl"));
         }
         if self.disk {
-            parts.extend(source::emission_parts(self));
+            parts.extend(source::flux_parts(self.disk_model));
+            parts.extend(source::structure_parts(self.structure));
+            parts.extend(source::hot_spot_parts(self.hot_spot));
+            parts.extend(source::limb_parts(self.limb));
+            parts.push(part!("disk/emission.wgsl"));
         }
         parts.extend(source::sky_parts(self.sky));
         parts

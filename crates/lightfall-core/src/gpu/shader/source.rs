@@ -1,6 +1,5 @@
 //! The sources of light, one row each: the files of every disk model and sky mode.
 
-use super::Variant;
 use super::text::{Part, part};
 use crate::scene::{DiskModel, HotSpotKind, LimbDarkening, SkyMode};
 
@@ -13,32 +12,40 @@ pub(super) fn disk_parts(disk: bool) -> &'static [Part] {
     }
 }
 
-/// The files that define `disk_light`.
-pub(super) fn emission_parts(variant: Variant) -> Vec<Part> {
-    let mut parts = vec![match variant.disk_model {
-        DiskModel::Newtonian => part!("disk/newtonian.wgsl"),
-        DiskModel::PageThorne => part!("disk/page_thorne.wgsl"),
-    }];
-    if variant.structure {
-        parts.extend([
+/// The files that define `disk_flux`.
+pub(super) fn flux_parts(model: DiskModel) -> &'static [Part] {
+    match model {
+        DiskModel::Newtonian => &[part!("disk/newtonian.wgsl")],
+        DiskModel::PageThorne => &[part!("disk/page_thorne.wgsl")],
+    }
+}
+
+/// The files that define `structure_factor`.
+pub(super) fn structure_parts(structure: bool) -> &'static [Part] {
+    if structure {
+        &[
             part!("disk/structure/footprint.wgsl"),
             part!("disk/structure/waves.wgsl"),
-        ]);
+        ]
     } else {
-        parts.push(part!("disk/structure/none.wgsl"));
+        &[part!("disk/structure/none.wgsl")]
     }
-    parts.extend([
-        match variant.hot_spot {
-            HotSpotKind::None => part!("disk/hot_spot/none.wgsl"),
-            HotSpotKind::Rigid | HotSpotKind::Sheared => part!("disk/hot_spot/spot.wgsl"),
-        },
-        match variant.limb {
-            LimbDarkening::None => part!("disk/limb/none.wgsl"),
-            LimbDarkening::ElectronScattering => part!("disk/limb/electron_scattering.wgsl"),
-        },
-        part!("disk/emission.wgsl"),
-    ]);
-    parts
+}
+
+/// The files that define `hot_spot_factor`.
+pub(super) fn hot_spot_parts(kind: HotSpotKind) -> &'static [Part] {
+    match kind {
+        HotSpotKind::None => &[part!("disk/hot_spot/none.wgsl")],
+        HotSpotKind::Rigid | HotSpotKind::Sheared => &[part!("disk/hot_spot/spot.wgsl")],
+    }
+}
+
+/// The files that define `limb_darkening`.
+pub(super) fn limb_parts(limb: LimbDarkening) -> &'static [Part] {
+    match limb {
+        LimbDarkening::None => &[part!("disk/limb/none.wgsl")],
+        LimbDarkening::ElectronScattering => &[part!("disk/limb/electron_scattering.wgsl")],
+    }
 }
 
 /// The files that define `sky_light`.
