@@ -14,7 +14,7 @@ const MAX_AT_REST: usize = 12;
 fn the_disk_moves_until_slash_pauses_it_and_goes_on_after_slash() {
     let mut desktop = Desktop::open(&[
         "--preset",
-        "2",
+        "3",
         "--set",
         "disk.structure=turbulent",
         "--set",
