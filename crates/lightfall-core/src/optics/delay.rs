@@ -13,7 +13,8 @@
 use crate::geometry::kerr::Kerr;
 use crate::geometry::mino::{Constants, Expansion, State};
 use crate::geometry::quadrature::integral_on_scale;
-use crate::optics::reference::Step;
+use crate::optics::reference::{HoleAndDisk, Step};
+use crate::optics::trace::Trace;
 
 /// The lag of the places along a backward ray, summed step by step: the camera's time less the
 /// Boyer-Lindquist time at which the ray's light was at a place, in r_s/c. The camera's time is
@@ -30,17 +31,38 @@ pub struct Lag<'a> {
     sum: f64,
 }
 
+impl HoleAndDisk {
+    /// As [`trace`](Self::trace), with the hits' [lags](Lag) in place of their delays.
+    #[must_use]
+    pub fn trace_with_lags(&self, constants: &Constants, start: State) -> Trace {
+        let mut lag = Lag::new(self.kerr, constants, &start);
+        let (mut lags, mut found) = ([None; 2], 0);
+        let mut trace = self.follow(constants, start, |step| {
+            if let (Some(slot), Some(time)) = (lags.get_mut(found), step.hit) {
+                *slot = Some(lag.at(step, time));
+                found += 1;
+            }
+            if found < lags.len() {
+                lag.add(step);
+            }
+        });
+        for (hit, lag) in trace.hits.iter_mut().flatten().zip(lags) {
+            hit.delay = lag;
+        }
+        trace
+    }
+}
+
 impl<'a> Lag<'a> {
     /// Begins at the camera.
     #[must_use]
     pub fn new(kerr: Kerr, constants: &'a Constants, start: &State) -> Self {
-        let r = 1.0 / start.u;
-        let outside = r > kerr.horizon();
+        let outside = start.u < 1.0 / kerr.horizon();
         Self {
             kerr,
             constants,
             start: if outside {
-                kerr.ingoing_time_lead(r)
+                kerr.ingoing_time_lead(1.0 / start.u)
             } else {
                 0.0
             },

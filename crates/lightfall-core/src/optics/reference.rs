@@ -13,7 +13,6 @@ use crate::geometry::mino::{Constants, Expansion, State};
 use crate::geometry::observer::{ObserverError, Photon};
 use crate::geometry::sphere::{celestial_frame, wrap_angle};
 use crate::optics::camera_rays::CameraRays;
-use crate::optics::delay::Lag;
 use crate::optics::shift::Shift;
 use crate::optics::trace::{Hit, Outcome, Trace};
 use crate::optics::{disk, straight};
@@ -96,7 +95,8 @@ impl Reference {
     #[must_use]
     pub fn trace_with_delays(&self, direction: DVec3) -> Trace {
         let mut trace = self.trace_with_lags(direction);
-        if self.r <= self.hole_and_disk.kerr.horizon() {
+        // The same comparison as in `Lag`: rounding must not tell the two apart.
+        if 1.0 / self.r >= 1.0 / self.hole_and_disk.kerr.horizon() {
             for hit in trace.hits.iter_mut().flatten() {
                 hit.delay = None;
             }
@@ -104,8 +104,8 @@ impl Reference {
         trace
     }
 
-    /// As [`trace`](Self::trace), with the hits' [lags](Lag) in place of their delays, wherever the
-    /// camera is. Outside the horizon both are the same.
+    /// As [`trace`](Self::trace), with the hits' [lags](crate::optics::delay::Lag) in place of their
+    /// delays, wherever the camera is. Outside the horizon both are the same.
     #[must_use]
     pub fn trace_with_lags(&self, direction: DVec3) -> Trace {
         self.trace_by(direction, HoleAndDisk::trace_with_lags)
@@ -173,26 +173,6 @@ impl HoleAndDisk {
     #[must_use]
     pub fn trace(&self, constants: &Constants, start: State) -> Trace {
         self.follow(constants, start, |_| {})
-    }
-
-    /// As [`trace`](Self::trace), with the hits' [lags](Lag) in place of their delays.
-    #[must_use]
-    pub fn trace_with_lags(&self, constants: &Constants, start: State) -> Trace {
-        let mut lag = Lag::new(self.kerr, constants, &start);
-        let (mut lags, mut found) = ([None; 2], 0);
-        let mut trace = self.follow(constants, start, |step| {
-            if let (Some(slot), Some(time)) = (lags.get_mut(found), step.hit) {
-                *slot = Some(lag.at(step, time));
-                found += 1;
-            }
-            if found < lags.len() {
-                lag.add(step);
-            }
-        });
-        for (hit, lag) in trace.hits.iter_mut().flatten().zip(lags) {
-            hit.delay = lag;
-        }
-        trace
     }
 
     /// As [`trace`](Self::trace), and calls `visit` with every step.

@@ -8,6 +8,7 @@ mod bench_rows;
 mod camera;
 mod choice;
 mod closed;
+mod delay;
 mod disk;
 mod effects;
 mod elementary;
@@ -22,6 +23,8 @@ mod observers;
 mod omissions;
 mod part_headers;
 mod presentation;
+#[path = "../physics/random.rs"]
+mod random;
 mod refusals;
 mod report;
 mod requirements;

@@ -4,6 +4,7 @@
 
 mod accuracy;
 mod apparent_hole;
+mod delay;
 mod disk;
 mod disk_clock;
 mod effects;
@@ -16,6 +17,7 @@ mod kerr_schild;
 mod mino;
 mod observer;
 mod path;
+mod random;
 mod ray_plane;
 mod readout;
 mod reference;

@@ -2,6 +2,7 @@
 //! forms.
 
 use glam::{DVec2, DVec3};
+use lightfall_core::accuracy::Ray;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::path::Path;
 use lightfall_core::optics::reference::Reference;
@@ -269,6 +270,51 @@ fn an_inspection_has_the_numbers_of_trace() {
             );
         }
     }
+}
+
+#[test]
+fn an_inspection_compares_the_delays_of_the_hits_that_both_answers_have() {
+    let mut scene = presets::find("2").unwrap().scene(&[]).unwrap();
+    scene.disk.follow_isco = true;
+    let reference = Reference::new(&scene).unwrap();
+    let axes = scene.camera.tetrad_from_camera();
+    let mut counted = [0; 3];
+    for toward in directions(&scene) {
+        let ray = Ray::toward(axes.transpose() * toward);
+        let direction = axes * ray.direction();
+        let mut inspected = Inspected::new(&scene, direction, None, 60.0).unwrap();
+        let mut given = reference.trace_with_delays(direction);
+        let mut hits = given.hits.iter_mut().flatten();
+        let mut expected = None;
+        // The second delay is off by less than the first, and on the other side.
+        for off in [2e-3, -1e-3] {
+            if let Some(hit) = hits.next() {
+                hit.delay = hit.delay.map(|delay| delay + off);
+                expected = expected.or(Some(off));
+            }
+        }
+        inspected.compare(&scene, ray, &given, 540.0).unwrap();
+        let numbers = inspected.numbers;
+        let found = numbers.difference.unwrap().hit_t;
+        match (found, expected) {
+            (Some(found), Some(expected)) => {
+                // The rounding of delays of some 50 r_s/c.
+                assert!(
+                    (found - expected).abs() < 1e-13,
+                    "{found} and not {expected}"
+                );
+                let text = numbers.to_text();
+                assert!(
+                    text.contains("cpu.hit1_t = ") && text.contains("gpu.hit1_t = "),
+                    "{text}"
+                );
+                assert!(text.contains("difference.hit_t = 0.00"), "{text}");
+            }
+            (found, expected) => assert_eq!(found, expected),
+        }
+        counted[given.hits.iter().flatten().count()] += 1;
+    }
+    assert!(counted.iter().all(|count| *count > 0), "{counted:?}");
 }
 
 #[test]
