@@ -5,13 +5,16 @@
 mod accuracy;
 mod apparent_hole;
 mod disk;
+mod echo;
 mod effects;
 mod elliptic;
 mod exposure;
 mod guides;
+mod hot_spot;
 mod inside;
 mod kerr;
 mod kerr_schild;
+mod limb;
 mod mino;
 mod observer;
 mod path;
