@@ -9,6 +9,7 @@ pub mod camera_rays;
 pub mod critical_curve;
 pub mod delay;
 pub mod disk;
+pub mod echo;
 
 pub mod exposure;
 pub mod guides;

@@ -261,7 +261,7 @@ impl HoleAndDisk {
     }
 
     /// The hit at a crossing of the disk's plane; `None` where no circular orbit exists.
-    fn hit(&self, constants: &Constants, crossing: &State) -> Option<Hit> {
+    pub(super) fn hit(&self, constants: &Constants, crossing: &State) -> Option<Hit> {
         let r = 1.0 / crossing.u;
         let orbit = self.kerr.circular_orbit(r)?;
         let lead = if constants.ingoing {

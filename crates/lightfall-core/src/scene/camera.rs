@@ -30,6 +30,15 @@ impl Camera {
             .normalize()
     }
 
+    /// The place on a picture of `size` pixels, in pixels from the upper left corner, that is seen in the
+    /// direction `looking` (right, up, forward); `None` behind the camera. The inverse of
+    /// [`looking`](Self::looking).
+    pub fn pixel_of(&self, looking: DVec3, size: DVec2) -> Option<DVec2> {
+        let up = self.half_height();
+        let across = looking.truncate() / looking.z / DVec2::new(up * size.x / size.y, up);
+        (looking.z > 0.0).then(|| 0.5 * (across * DVec2::new(1.0, -1.0) + 1.0) * size)
+    }
+
     /// The angle that a pixel in the middle of a picture `height` pixels high covers, in radians.
     pub fn pixel_angle(&self, height: f64) -> f64 {
         2.0 * self.half_height() / height
