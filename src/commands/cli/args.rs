@@ -71,8 +71,8 @@ pub struct FlyArgs {
 #[derive(Debug, Args)]
 #[command(after_help = about_pictures())]
 pub struct RenderArgs {
-    /// Picture to write. Its extension decides the format: .png is what a window would show, .exr
-    /// holds linear light and the data of rays. An existing file is replaced
+    /// Picture to write. Its extension decides the format: .png is what a window would show, .apng
+    /// the same with all frames of a sequence, .exr holds linear light and the data of rays. An existing file is replaced
     #[arg(short, long = "out", value_name = "FILE")]
     pub out: PathBuf,
     /// Size of the picture in pixels, up to 8192 a side: short for --set picture.width and
