@@ -274,8 +274,7 @@ fn an_inspection_has_the_numbers_of_trace() {
 
 #[test]
 fn an_inspection_compares_the_delays_of_the_hits_that_both_answers_have() {
-    let mut scene = presets::find("2").unwrap().scene(&[]).unwrap();
-    scene.disk.follow_isco = true;
+    let scene = presets::find("extremal").unwrap().scene(&[]).unwrap();
     let reference = Reference::new(&scene).unwrap();
     let axes = scene.camera.tetrad_from_camera();
     let mut counted = [0; 3];
@@ -314,7 +313,7 @@ fn an_inspection_compares_the_delays_of_the_hits_that_both_answers_have() {
         }
         counted[given.hits.iter().flatten().count()] += 1;
     }
-    assert!(counted.iter().all(|count| *count > 0), "{counted:?}");
+    assert!(counted[1] > 0 && counted[2] > 0, "{counted:?}");
 }
 
 #[test]
