@@ -1,6 +1,6 @@
 //! Which fields of a scene change nothing at present, and why.
 
-use lightfall_core::scene::{AccuracySetting, Content, Scene, SkyMode};
+use lightfall_core::scene::{AccuracySetting, Content, HotSpotKind, Scene, SkyMode};
 
 /// Why a field changes nothing in this scene, in one sentence. None if it matters, as far as the
 /// program knows.
@@ -15,7 +15,14 @@ pub fn why_idle(scene: &Scene, key: &str) -> Option<&'static str> {
         ("disk", "inner") if scene.disk.follow_isco => {
             Some("The disk begins at the innermost stable orbit.")
         }
-        ("disk", "temperature_k" | "brightness" | "model") if light != Content::Light => {
+        ("disk", "temperature_k" | "brightness" | "model" | "limb") if light != Content::Light => {
+            Some("This view shows no light.")
+        }
+        ("hot_spot", _) if !scene.disk.enabled => Some("The disk is off."),
+        ("hot_spot", field) if field != "kind" && scene.hot_spot.kind == HotSpotKind::None => {
+            Some("There is no hot spot.")
+        }
+        ("hot_spot", "size" | "strength" | "duration") if light != Content::Light => {
             Some("This view shows no light.")
         }
         ("sky", "reference_theta_deg" | "reference_phi_deg") if !scene.sky.reference_star => {
