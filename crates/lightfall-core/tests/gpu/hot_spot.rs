@@ -2,12 +2,13 @@
 
 use crate::light::light_from;
 use crate::{gpu, pixel_directions};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use lightfall_core::gpu::kernel::uniform;
 use lightfall_core::gpu::{GpuHotSpot, GpuScene, Variant, bindings};
+use lightfall_core::optics::echo::echo;
 use lightfall_core::optics::hot_spot::HotSpot;
 use lightfall_core::optics::reference::Reference;
-use lightfall_core::scene::{HotSpotKind, Method, ObserverKind, Scene};
+use lightfall_core::scene::{HotSpotKind, Method, ObserverKind, Scene, presets};
 
 /// The factors of the two hits of the ray from a direction.
 const FACTORS: &str = "vec4<f32>(hot_spot_factor(trace(photon_from(given.xyz)).hits[0]),
@@ -42,8 +43,8 @@ fn found(scene: &Scene, directions: &[DVec3]) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The largest difference between the shader's factors and those in f64, in units of the strength, of
-/// rays that do not pass near the critical curve.
+/// The largest difference between the shader's factors and those in f64, in units of the strength,
+/// of rays that do not pass near the critical curve.
 fn largest_error(scene: &Scene) -> f64 {
     let directions = pixel_directions(scene, 64, 36);
     let reference = Reference::new(scene).unwrap();
@@ -78,8 +79,9 @@ fn hot_spot_is_where_f64_has_it_at_any_time_by_any_method() {
                 let mut scene = scene(method, spin, kind);
                 (scene.disk.time, scene.hot_spot.time) = (since + 777.0, 777.0);
                 let error = largest_error(&scene);
-                // A Gaussian's steepest slope is 0.6 a standard deviation. The stepping methods' hits
-                // are off by up to 4e-3 in radius (their own tests), which a wound arc multiplies.
+                // A Gaussian's steepest slope is 0.6 a standard deviation. The stepping methods'
+                // hits are off by up to 4e-3 in radius (their own tests), which a wound arc
+                // multiplies.
                 let tolerance = match method {
                     Method::Closed | Method::Mino => 3e-3,
                     _ => 0.1,
@@ -104,6 +106,26 @@ fn hot_spot_flares_at_its_time_and_is_seen_from_inside_the_horizon() {
     (scene.observer.kind, scene.camera.r, scene.camera.fov_deg) = (ObserverKind::Rain, 1.2, 120.0);
     (scene.camera.yaw_deg, scene.camera.pitch_deg) = (180.0, -40.0);
     assert!(largest_error(&scene) < 3e-3);
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn hot_spot_of_the_flare_is_seen_three_times_where_the_echo_has_its_images() {
+    let mut scene = presets::find("flare").unwrap().scene(&[]).unwrap();
+    for time in [0.0, 30.0, 1e6] {
+        scene.disk.time = time;
+        let images = echo(&scene).unwrap();
+        let directions: Vec<DVec3> = images.iter().map(|image| image.direction).collect();
+        assert_eq!(images.len(), 3);
+        for (image, factors) in images.iter().zip(found(&scene, &directions)) {
+            let height = (factors[0].max(factors[1]) - 1.0) / scene.hot_spot.strength;
+            // The middle of the spot, to a tenth of its standard deviation.
+            assert!(height > 0.995, "{time}: {image:?} {height}");
+            let size = scene.picture.size().as_dvec2();
+            let pixel = image.pixel.unwrap();
+            assert!(pixel.cmpgt(DVec2::ZERO).all() && pixel.cmplt(size).all());
+        }
+    }
 }
 
 #[test]

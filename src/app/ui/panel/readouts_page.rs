@@ -150,8 +150,8 @@ fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMa
     );
 }
 
-/// How long the hot spot takes for a turn, how long the light of its direct image was under way, and by
-/// how much the light of each further image is older than that of the one before.
+/// How long the hot spot takes for a turn, how long the light of its direct image was under way,
+/// and by how much the light of each further image is older than that of the one before.
 fn echo(ui: &mut egui::Ui, spot: &HotSpotReadout, mass: HoleMass) {
     let both = |time: f64| format!("{} r_s/c = {}", in_words(time), in_minutes(time, mass));
     let known = |time: Option<f64>| time.map_or_else(|| "not known here".into(), both);
