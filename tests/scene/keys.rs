@@ -64,6 +64,7 @@ fn a_switch_used_twice_restores_any_preset() {
         "view.classes",
         "view.residual",
         "view.order",
+        "view.delay",
         "view.redshift",
         "view.error",
         "view.steps",

@@ -42,6 +42,11 @@ fn a_switch_says_its_state_each_time_it_is_used() {
             "Gravitational shift: on",
         ),
         ("view.redshift", "View: redshift g", "View: light"),
+        (
+            "view.delay",
+            "View: delay of the disk's light",
+            "View: light",
+        ),
         ("view.error", "View: backward error", "View: light"),
         ("picture.bloom", "Bloom: off", "Bloom: on"),
         ("picture.dither", "Dither: off", "Dither: on"),

@@ -54,6 +54,7 @@ fn a_switch_changes_the_picture_and_pressed_again_restores_it() {
         ("view.classes", 2),
         ("view.residual", 2),
         ("view.order", 2),
+        ("view.delay", 2),
         ("view.redshift", 2),
         ("view.steps", 2),
         ("picture.bloom", 2),

@@ -31,9 +31,9 @@ fn less_whole_turns(angle: f32) -> f32 {
     return (angle - turns * 6.28125) - turns * 1.93530718e-3;
 }
 
-// The sum of exp(-psi^2 / (2 v)) over all turns of psi, which is in [-pi, pi]. The sum over turns and
-// the sum over waves (Poisson's formula) are equal; each of them needs few terms where the other
-// one needs many. What is left out is below 3e-6 of the sum.
+// The sum of exp(-psi^2 / (2 v)) over all turns of psi, which is in [-pi, pi]. The sum over turns
+// and the sum over waves (Poisson's formula) are equal; each of them needs few terms where the
+// other one needs many. What is left out is below 3e-6 of the sum.
 fn gaussian_on_circle(psi: f32, v: f32) -> f32 {
     let turns = vec3<f32>(psi - 2.0 * PI, psi, psi + 2.0 * PI);
     let over_turns = dot(exp(-0.5 / v * turns * turns), vec3<f32>(1.0));

@@ -1,6 +1,6 @@
-// Limb darkening of an atmosphere that scatters light on electrons (Chandrasekhar 1960, table XXIV):
-// it is three times as bright from above as from the side. crates/lightfall-core/src/optics/limb.rs
-// does the same in f64.
+// Limb darkening of an atmosphere that scatters light on electrons (Chandrasekhar 1960, table
+// XXIV): it is three times as bright from above as from the side.
+// crates/lightfall-core/src/optics/limb.rs does the same in f64.
 //
 // Needs: DOPPLER, GRAVITATIONAL_SHIFT, Hit, LENSING, Photon, disk_lambda, lapse_and_dragging,
 //     photon_energy, scene, square, whole_redshift.

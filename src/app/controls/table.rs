@@ -84,6 +84,7 @@ pub const CONTROLS: &[Control] = controls! {
         "view.classes" [KeyB] "ray classes" Edit(edits::toggle_classes);
         "view.residual" [KeyM] "residual of the null constraint" Edit(edits::toggle_residual);
         "view.order" [KeyN] "order of the image" Edit(edits::toggle_order);
+        "view.delay" Shift + [KeyN] "delay of the disk's light" Edit(edits::toggle_delay);
         "view.steps" [Semicolon] "heat map of steps" Edit(edits::toggle_steps);
         "view.redshift" [KeyR] "redshift g" Edit(edits::toggle_redshift);
         "view.error" [Quote] "backward error" Edit(edits::toggle_error);

@@ -59,7 +59,26 @@ const RESIDUALS: &[Swatch] = &[
     (Vec3::ONE, "1 or more"),
 ];
 
-const DELAYS: &[Swatch] = &[(BLACK, "no disk"), (MAGENTA, "unfinished")];
+const DELAYS: &[Swatch] = &[
+    (
+        Vec3::new(0.9969, 0.8660, 0.4176),
+        "20 r_s/c less, or even less",
+    ),
+    (Vec3::new(0.9397, 0.4809, 0.2500), "10 r_s/c less"),
+    (
+        Vec3::new(0.7363, 0.2473, 0.1681),
+        "as long as from beside the hole",
+    ),
+    (Vec3::new(0.4797, 0.1187, 0.1321), "10 r_s/c more"),
+    (Vec3::new(0.2447, 0.0545, 0.1183), "20 r_s/c more"),
+    (Vec3::new(0.0816, 0.0224, 0.1141), "30 r_s/c more"),
+    (
+        Vec3::new(0.0093, 0.0010, 0.1150),
+        "40 r_s/c more, or even more",
+    ),
+    (BLACK, "no disk"),
+    (MAGENTA, "unfinished"),
+];
 
 const STEPS: &[Swatch] = &[
     (BLACK, "none"),
@@ -95,7 +114,10 @@ pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
             "Order of the image; the sky is darker than the disk",
             ORDERS,
         ),
-        View::Delay => ("How long the light of the disk was under way", DELAYS),
+        View::Delay => (
+            "How long the light of the disk was under way; a band every 5 r_s/c",
+            DELAYS,
+        ),
         View::Redshift => ("g = observed / emitted frequency, of disk or sky", SHIFTS),
         View::Residual => ("Residual of the null constraint (not the error)", RESIDUALS),
         View::Steps => ("Steps of the method along each ray", STEPS),
@@ -176,6 +198,7 @@ fn why_empty(scene: &Scene) -> Option<&'static str> {
         View::Residual if straight || !method.steps => {
             Some("This method solves for rays instead of stepping along them: it has no residual.")
         }
+        View::Delay if !scene.disk.enabled => Some("The disk is off: no light to time."),
         View::Steps if straight || !method.steps => {
             Some("This method solves for rays instead of stepping along them: no ray takes a step.")
         }

@@ -1,14 +1,15 @@
 //! The light echo: where a scene's camera sees the hot spot now, and when that light left it.
 //!
-//! Light goes around the hole, so the camera sees a spot again and again: directly, then by light that
-//! has swept more than a half-turn about the hole, then more than a whole turn, and so on. Each image
-//! shows the spot at a time of its own. The image of order n is where a backward ray's crossing number
-//! n of the disk's plane, counted from 0, meets the spot at the time of that crossing.
+//! Light goes around the hole, so the camera sees a spot again and again: directly, then by light
+//! that has swept more than a half-turn about the hole, then more than a whole turn, and so on.
+//! Each image shows the spot at a time of its own. The image of order n is where a backward ray's
+//! crossing number n of the disk's plane, counted from 0, meets the spot at the time of that
+//! crossing.
 //!
-//! A ray is known by its angle from the direction of the hole and by the azimuth of the line in which
-//! its plane meets the disk's where light is not dragged along. A larger angle moves the crossing
-//! outward, and the azimuth of the line turns it about the axis. So one root within the other finds the
-//! ray, without a first guess and at any spin.
+//! A ray is known by its angle from the direction of the hole and by the azimuth of the line in
+//! which its plane meets the disk's where light is not dragged along. A larger angle moves the
+//! crossing outward, and the azimuth of the line turns it about the axis. So one root within the
+//! other finds the ray, without a first guess and at any spin.
 
 use crate::geometry::kerr::Kerr;
 use crate::geometry::mino::Constants;
@@ -32,8 +33,8 @@ pub const ORDERS: u32 = 3;
 /// Largest errors: of an azimuth, in radians, and of 1 - r_s/r.
 const AZIMUTH_TOLERANCE: f64 = 1e-11;
 const RADIUS_TOLERANCE: f64 = 1e-13;
-/// Step of the search for an azimuth, in radians. For a camera close to the disk's plane the crossing
-/// turns by up to ten times as much.
+/// Step of the search for an azimuth, in radians. For a camera close to the disk's plane the
+/// crossing turns by up to ten times as much.
 const STEP: f64 = 0.2;
 /// Most steps for either root. Both take some ten of them.
 const MAX_STEPS: u32 = 100;
@@ -45,8 +46,8 @@ pub struct Image {
     pub order: u32,
     /// Where it is seen: a unit vector on the observer's axes.
     pub direction: DVec3,
-    /// The same in the scene's picture, in pixels from its upper left corner. It may lie outside the
-    /// picture; `None` for an image behind the camera.
+    /// The same in the scene's picture, in pixels from its upper left corner. It may lie outside
+    /// the picture; `None` for an image behind the camera.
     pub pixel: Option<DVec2>,
     /// The emission: where the spot was, the frequency ratio, and the delay.
     pub hit: Hit,
@@ -54,11 +55,11 @@ pub struct Image {
     pub delay: f64,
 }
 
-/// The images of the scene's hot spot at its `disk.time`, in the order of their numbers. An image that
-/// does not exist is left out, and so are all of them where the scene has no spot, where its camera is
-/// in the disk's plane and would see the spot from its edge, and at and inside the horizon. What lies in
-/// front of an image is not considered, nor that pictures show two crossings of the disk only: around a
-/// hole that spins, an image of order 2 may be the third.
+/// The images of the scene's hot spot at its `disk.time`, in the order of their numbers. An image
+/// that does not exist is left out, and so are all of them where the scene has no spot, where its
+/// camera is in the disk's plane and would see the spot from its edge, and at and inside the
+/// horizon. What lies in front of an image is not considered, nor that pictures show two crossings
+/// of the disk only: around a hole that spins, an image of order 2 may be the third.
 ///
 /// # Errors
 /// If the scene's observer cannot exist.
@@ -138,8 +139,8 @@ impl Search {
     /// The photon of an image, up to a factor.
     fn image(&self, order: u32) -> Option<Photon> {
         let photon = |node: f64| Some(self.photon(order, node, self.angle(order, node)?));
-        // By how much the crossing of the spot's orbit is ahead of the spot, as seen now. It grows with
-        // the node: the spot moves more slowly than light.
+        // By how much the crossing of the spot's orbit is ahead of the spot, as seen now. It grows
+        // with the node: the spot moves more slowly than light.
         let ahead = |node: f64| {
             let hit = self.crossing(&photon(node)?, order, true).hit()?;
             Some(wrap_angle(
@@ -163,8 +164,8 @@ impl Search {
     }
 
     /// The photon whose backward ray leaves at this angle from the direction of the hole, and would
-    /// cross the disk's plane at azimuth `node` if nothing were dragged along: on that side first, and
-    /// for an odd order on the other side.
+    /// cross the disk's plane at azimuth `node` if nothing were dragged along: on that side first,
+    /// and for an odd order on the other side.
     fn photon(&self, order: u32, node: f64, angle: f64) -> Photon {
         let (sin_node, cos_node) = node.sin_cos();
         let toward = DVec3::new(cos_node, sin_node, 0.0).reject_from_normalized(self.n);
@@ -305,8 +306,8 @@ fn direction_of(scene: &Scene, rays: &CameraRays, photon: &Photon) -> Option<DVe
 }
 
 /// A root of a growing function between two places, by Ridders' method (1979), which keeps the root
-/// between its last two places. It ends where the function is below the tolerance, or the places are
-/// next to each other. `None` where the function is not known.
+/// between its last two places. It ends where the function is below the tolerance, or the places
+/// are next to each other. `None` where the function is not known.
 fn bracketed_root(
     [mut low, mut high]: [f64; 2],
     tolerance: f64,

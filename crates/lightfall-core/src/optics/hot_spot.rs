@@ -1,5 +1,5 @@
-//! A hot spot in the disk: where it is at a time, and by how much it raises the flux. The twin in WGSL
-//! is shaders/disk/hot_spot/spot.wgsl.
+//! A hot spot in the disk: where it is at a time, and by how much it raises the flux. The twin in
+//! WGSL is shaders/disk/hot_spot/spot.wgsl.
 
 use crate::geometry::kerr::Kerr;
 use crate::geometry::sphere::wrap_angle;
@@ -8,11 +8,11 @@ use std::f64::consts::{PI, TAU};
 
 /// The finest structure of a sheared spot, as a share of the radius.
 ///
-/// A sheared spot becomes an arc that winds up without end, ever thinner. In a disk turbulence mixes
-/// the arc's windings once they are thin; and no picture could show them, nor f32 tell where they are.
-/// So orbits within this share of the radius are mixed: the arc never gets thinner, its windings
-/// fade into each other, and after some ten orbits a ring is left, with the light that the spot
-/// spread along every orbit. The mean along each orbit stays what it was.
+/// A sheared spot becomes an arc that winds up without end, ever thinner. In a disk turbulence
+/// mixes the arc's windings once they are thin; and no picture could show them, nor f32 tell where
+/// they are. So orbits within this share of the radius are mixed: the arc never gets thinner, its
+/// windings fade into each other, and after some ten orbits a ring is left, with the light that the
+/// spot spread along every orbit. The mean along each orbit stays what it was.
 pub const FINEST_SHEARED: f64 = 0.02;
 
 /// The scene's hot spot.
@@ -67,16 +67,15 @@ impl HotSpot {
         wrap_angle(self.spot.phi_deg.to_radians() + turned)
     }
 
-    /// The factor by which the flux of matter at the place (`r`, `phi`) exceeds that of the disk alone,
-    /// at the time `t` (r_s/c):
+    /// The factor by which the flux of matter at the place (`r`, `phi`) exceeds that of the disk
+    /// alone, at the time `t` (r_s/c):
     ///
     /// 1 + strength exp(-(t - t_s)^2 / (2 d^2)) exp(-x^2 / (2 w^2)) exp(-psi^2 / (2 w^2)),
     /// x = ln(r / r_s), psi = phi - phi_s - Omega (t - t_s) less whole turns,
     ///
     /// with Omega of the spot's middle. A sheared spot has Omega(r) instead, averaged over orbits
-    /// within [`FINEST_SHEARED`]: the last factor is then a Gaussian with the variance
-    /// v = w^2 + (`FINEST_SHEARED` (t - t_s) dOmega/dx)^2 and the height w / sqrt(v), summed over all
-    /// turns.
+    /// within [`FINEST_SHEARED`]: the last factor is then a Gaussian with the variance v = w^2 +
+    /// (`FINEST_SHEARED` (t - t_s) dOmega/dx)^2 and the height w / sqrt(v), summed over all turns.
     #[must_use]
     pub fn factor(&self, r: f64, phi: f64, t: f64) -> f64 {
         let scene::HotSpot { size, duration, .. } = self.spot;
@@ -109,8 +108,8 @@ impl HotSpot {
     }
 }
 
-/// The sum of exp(-psi^2 / (2 v)) over all turns of `psi`, which is in (-pi, pi]: over turns where they
-/// are narrow, else over waves, by Poisson's formula.
+/// The sum of exp(-psi^2 / (2 v)) over all turns of `psi`, which is in (-pi, pi]: over turns where
+/// they are narrow, else over waves, by Poisson's formula.
 fn gaussian_on_circle(psi: f64, v: f64) -> f64 {
     if v < PI {
         let turn = |n: i32| (-0.5 * (psi + TAU * f64::from(n)).powi(2) / v).exp();

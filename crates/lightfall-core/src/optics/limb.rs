@@ -9,12 +9,12 @@ use crate::scene::{LimbDarkening, Scene};
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_2;
 
-/// Intensity over its mean, which is flux/pi, of an atmosphere that scatters light on electrons, as a
-/// function of the cosine `mu` of the angle between the light and the normal.
+/// Intensity over its mean, which is flux/pi, of an atmosphere that scatters light on electrons, as
+/// a function of the cosine `mu` of the angle between the light and the normal.
 ///
-/// It is a fit to Chandrasekhar 1960, table XXIV, within 0.25 % of the table. The usual 0.41441 (1 +
-/// 2.06 mu) is off by up to 4.8 % and by 1.6 % in the flux. Here the flux is exact: the integral of 2 mu
-/// times this from 0 to 1 is 0.41344 + (4/5) 0.1137 + (2/3) 0.7434 = 1.
+/// It is a fit to Chandrasekhar 1960, table XXIV, within 0.25 % of the table. The usual 0.41441 (1
+/// + 2.06 mu) is off by up to 4.8 % and by 1.6 % in the flux. Here the flux is exact: the integral
+/// of 2 mu times this from 0 to 1 is 0.41344 + (4/5) 0.1137 + (2/3) 0.7434 = 1.
 #[must_use]
 pub fn electron_scattering(mu: f64) -> f64 {
     0.413_44 + 0.1137 * mu.sqrt() + 0.7434 * mu
@@ -59,13 +59,13 @@ impl Limb {
         }
     }
 
-    /// The cosine of the angle between the light from `r` and the disk's normal for the matter there
-    /// (Cunningham 1975): mu = g sqrt(Q) / r, with g and Q per unit frequency for the camera. `None`
-    /// where no matter can orbit.
+    /// The cosine of the angle between the light from `r` and the disk's normal for the matter
+    /// there (Cunningham 1975): mu = g sqrt(Q) / r, with g and Q per unit frequency for the camera.
+    /// `None` where no matter can orbit.
     ///
     /// On straight rays sqrt(Q) is the light's momentum along the normal for the observer with zero
-    /// angular momentum (ZAMO) at the camera. That of the ZAMO at the disk is larger by the ratio of
-    /// their lapses, and the matter moves along the disk, which does not change it.
+    /// angular momentum (ZAMO) at the camera. That of the ZAMO at the disk is larger by the ratio
+    /// of their lapses, and the matter moves along the disk, which does not change it.
     #[must_use]
     pub fn cosine(&self, photon: &Photon, r: f64) -> Option<f64> {
         let orbit = self.kerr.circular_orbit(r)?;

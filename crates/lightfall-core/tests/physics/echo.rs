@@ -1,5 +1,5 @@
-//! The light echo of a hot spot, against delays that three independent computations share: the orbit's
-//! equation with 30 digits, Hamilton's equations, and the separated form.
+//! The light echo of a hot spot, against delays that three independent computations share: the
+//! orbit's equation with 30 digits, Hamilton's equations, and the separated form.
 
 use crate::assert_close;
 use glam::DVec2;
@@ -10,8 +10,8 @@ use lightfall_core::optics::reference::Reference;
 use lightfall_core::scene::{HotSpotKind, Scene};
 use std::f64::consts::PI;
 
-/// Radius of the spot, and impact parameter and delay of its images of order 0, 1 and 2, for a camera at
-/// r = 20 on the axis of a hole without spin.
+/// Radius of the spot, and impact parameter and delay of its images of order 0, 1 and 2, for a
+/// camera at r = 20 on the axis of a hole without spin.
 const ON_THE_AXIS: [(f64, [[f64; 2]; 3]); 4] = [
     (
         3.0,
@@ -59,8 +59,8 @@ fn scene(spin: f64, theta_deg: f64) -> Scene {
 /// That an image is where the spot was when its light left, seen by the reference.
 fn check(scene: &Scene, image: &Image) {
     let spot = HotSpot::new(scene).unwrap();
-    // The reference records two crossings of the disk. Around a hole that spins, both may lie farther in
-    // or out than the spot.
+    // The reference records two crossings of the disk. Around a hole that spins, both may lie
+    // farther in or out than the spot.
     let mut ring = scene.clone();
     (ring.disk.follow_isco, ring.disk.inner, ring.disk.outer) = (false, 4.0, 10.3);
     let seen = Reference::new(&ring)

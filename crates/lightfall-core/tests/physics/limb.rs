@@ -1,4 +1,5 @@
-//! Limb darkening, against Chandrasekhar's table and cosines of emission from two other computations.
+//! Limb darkening, against Chandrasekhar's table and cosines of emission from two other
+//! computations.
 
 use crate::assert_close;
 use glam::DVec2;
@@ -10,16 +11,17 @@ use lightfall_core::optics::shift::RestFrame;
 use lightfall_core::scene::{LimbDarkening, Scene};
 use std::f64::consts::FRAC_PI_2;
 
-/// Intensity over its mean at mu = 0, 0.05, ... 1: Chandrasekhar 1960, Radiative Transfer, table XXIV.
+/// Intensity over its mean at mu = 0, 0.05, ... 1: Chandrasekhar 1960, Radiative Transfer, table
+/// XXIV.
 const CHANDRASEKHAR: [f64; 21] = [
     0.41441, 0.47490, 0.52397, 0.57001, 0.61439, 0.65770, 0.70029, 0.74234, 0.78398, 0.82530,
     0.86637, 0.90722, 0.94789, 0.98842, 1.02882, 1.06911, 1.10931, 1.14943, 1.18947, 1.22945,
     1.26938,
 ];
 
-/// Spin, pixel and mu, for a static camera at r = 20, theta = 83 degrees with a picture of 960 x 540
-/// pixels and a field of 50 degrees. Two computations agree on them: Walker and Penrose's constant, and
-/// light carried along the ray by the connection of Kerr-Schild coordinates.
+/// Spin, pixel and mu, for a static camera at r = 20, theta = 83 degrees with a picture of 960 x
+/// 540 pixels and a field of 50 degrees. Two computations agree on them: Walker and Penrose's
+/// constant, and light carried along the ray by the connection of Kerr-Schild coordinates.
 pub const COSINES: [(f64, [f64; 2], f64); 14] = [
     (0.0, [200.5, 300.5], 0.192_910),
     (0.0, [760.5, 300.5], 0.120_136),

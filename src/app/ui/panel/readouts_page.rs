@@ -8,8 +8,8 @@ use crate::app::ui::help::RADIUS_UNIT;
 use crate::app::ui::number::{from_words, in_words};
 use bevy_egui::egui;
 use lightfall_core::optics::disk::inner_period;
-use lightfall_core::optics::readout::Readout;
 use lightfall_core::optics::readout::si::{HoleMass, MASSES};
+use lightfall_core::optics::readout::{HotSpotReadout, Readout};
 use lightfall_core::reports::numbers::duration_in_words;
 use lightfall_core::scene::{ObserverKind, Scene};
 use std::time::Duration;
@@ -62,6 +62,9 @@ impl ReadoutsPage {
         match self.readout(scene) {
             Ok(readout) => {
                 tables(ui, readout, scene.observer.kind, mass);
+                if let Some(spot) = &readout.hot_spot {
+                    echo(ui, spot, mass);
+                }
                 clocks(ui, free_fall, bindings, mass);
                 disk(ui, scene, mass);
             }
@@ -150,6 +153,37 @@ fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMa
             ("r_s / c", format!("{} s", in_words(mass.seconds()))),
         ],
     );
+}
+
+/// How long the hot spot takes for a turn, how long the light of its direct image was under way,
+/// and by how much the light of each further image is older than that of the one before.
+fn echo(ui: &mut egui::Ui, spot: &HotSpotReadout, mass: HoleMass) {
+    let both = |time: f64| format!("{} r_s/c = {}", in_words(time), in_minutes(time, mass));
+    let known = |time: Option<f64>| time.map_or_else(|| "not known here".into(), both);
+    let [direct, once, twice] = spot.delays;
+    let later = |first: Option<f64>, second: Option<f64>| {
+        known(first.zip(second).map(|(first, second)| second - first))
+    };
+    table(
+        ui,
+        "Hot spot and its light echo",
+        &[
+            ("One turn", both(spot.period)),
+            ("Direct light, under way for", known(direct)),
+            ("Around the hole, later by", later(direct, once)),
+            ("Once more around, later by", later(once, twice)),
+        ],
+    );
+}
+
+/// A time in r_s/c as minutes, or as seconds where it is short.
+fn in_minutes(time: f64, mass: HoleMass) -> String {
+    let seconds = time * mass.seconds();
+    if seconds >= 60.0 {
+        format!("{} min", in_words(seconds / 60.0))
+    } else {
+        format!("{} s", in_words(seconds))
+    }
 }
 
 fn clocks(ui: &mut egui::Ui, free_fall: &FreeFall, bindings: &Bindings, mass: HoleMass) {
