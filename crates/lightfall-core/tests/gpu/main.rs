@@ -25,9 +25,11 @@ mod presentation;
 mod refusals;
 mod report;
 mod requirements;
+mod scratch_timing;
 mod shaders;
 mod sky;
 mod spectrum;
+mod structure;
 mod verlet;
 mod views;
 
