@@ -30,9 +30,11 @@ mod random;
 mod refusals;
 mod report;
 mod requirements;
+mod scratch_timing;
 mod shaders;
 mod sky;
 mod spectrum;
+mod structure;
 mod verlet;
 mod views;
 

@@ -28,6 +28,7 @@ mod released;
 mod schwarzschild;
 mod shadow_edge;
 mod spectrum;
+mod structure;
 mod timelike;
 
 /// Asserts that `found` equals `expected` within the relative tolerance `relative`.
