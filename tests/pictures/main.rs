@@ -244,7 +244,8 @@ fn a_picture_file_appears_complete_or_not_at_all() {
     let here = |name: &str| folder.path().join(name);
     let sentence = |name: &str| check_path(&here(name)).unwrap_err().to_string();
     assert!(
-        sentence("a.bmp").ends_with("unknown picture format \"bmp\"; allowed are .png and .exr")
+        sentence("a.bmp")
+            .ends_with("unknown picture format \"bmp\"; allowed are .png, .apng and .exr")
     );
     assert!(sentence("nowhere/a.png").ends_with("cannot be written: there is no such folder"));
     std::fs::create_dir(here("folder.png")).unwrap();

@@ -14,7 +14,7 @@
 //! window can rest. What the clock does is no edit of the scene: it cannot be undone.
 
 use super::MAX_FRAME_SECONDS;
-use super::free_fall::{FreeFall, advance_free_fall};
+use super::free_fall::{FreeFall, advance_free_fall, keys_are_the_clocks};
 use super::journey::advance_journey;
 use super::journey_player::JourneyPlayer;
 use super::pilot::steer_camera;
@@ -198,14 +198,4 @@ fn change_rate(
             editor.say(words);
         }
     }
-}
-
-/// Whether the keys that slow down and speed up time change the rate of the disk's clock. While a fall
-/// or a journey is under way, and where nothing else moves, they change the pace of a fall.
-pub(super) fn keys_are_the_clocks(
-    scene: &Scene,
-    free_fall: &FreeFall,
-    player: &JourneyPlayer,
-) -> bool {
-    scene.disk_moves() && !free_fall.is_moving() && !player.is_playing()
 }

@@ -2,7 +2,6 @@
 //! and the camera with it.
 
 use super::MAX_FRAME_SECONDS;
-use super::disk_clock::keys_are_the_clocks;
 use super::facing::{Aim, Facing};
 use super::flight_step::FlightStep;
 use super::journey_player::JourneyPlayer;
@@ -359,4 +358,14 @@ pub(super) fn advance_free_fall(
             with_short_numbers(&reason)
         )),
     }
+}
+
+/// Whether the keys that slow down and speed up time change the rate of the disk's clock. While a fall
+/// or a journey is under way, and where nothing else moves, they change the pace of a fall.
+pub(super) fn keys_are_the_clocks(
+    scene: &Scene,
+    free_fall: &FreeFall,
+    player: &JourneyPlayer,
+) -> bool {
+    scene.disk_moves() && !free_fall.is_moving() && !player.is_playing()
 }

@@ -178,6 +178,26 @@ impl Journey {
             .map(|((from, _), end)| lead(time.min(end)) - lead(*from))
             .sum()
     }
+
+    /// Writes the time of a disk that moves into `next`, a scene of the time `to`, in seconds after
+    /// the beginning. `before` is the scene of the time `from`, with its camera and its `disk.time`.
+    /// Both have their cameras already. A keyframe that names `disk_time` sets the clock, and what
+    /// passed before does not count.
+    pub fn drive_clock(&self, [from, to]: [f64; 2], before: &Scene, next: &mut Scene) {
+        if !next.disk_moves() {
+            return;
+        }
+        let (start, time, r) = match self.clock.set_before(to) {
+            Some((set, time)) => {
+                let mut there = before.clone();
+                self.apply(set, &mut there);
+                (set, time, there.camera.r)
+            }
+            None => (from, before.disk.time, before.camera.r),
+        };
+        let moved = next.disk_time_lead(next.camera.r) - next.disk_time_lead(r);
+        next.disk.time = time + self.clock.passed(start, to, before.disk.rate) + moved;
+    }
 }
 
 impl Tracks {

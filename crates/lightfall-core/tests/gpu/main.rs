@@ -30,7 +30,6 @@ mod random;
 mod refusals;
 mod report;
 mod requirements;
-mod scratch_timing;
 mod shaders;
 mod sky;
 mod spectrum;

@@ -117,7 +117,7 @@ fn limb_cosines_without_lensing_are_those_of_a_straight_ray_boosted_to_the_matte
 #[test]
 fn limb_darkening_changes_the_light_that_the_meter_sees() {
     use lightfall_core::optics::exposure::metered_exposure;
-    let mut scene = lightfall_core::scene::presets::find("2")
+    let mut scene = lightfall_core::scene::presets::find("1")
         .unwrap()
         .scene(&[])
         .unwrap();

@@ -5,7 +5,7 @@ use lightfall_core::gpu::Drawable;
 use lightfall_core::gpu::GpuScene;
 use lightfall_core::scene::journey;
 use lightfall_core::scene::journey::{Journey, Track, between};
-use lightfall_core::scene::{ObserverKind, Scene, presets};
+use lightfall_core::scene::{ObserverKind, Scene};
 
 fn default() -> Journey {
     journey::load("default.toml", journey::DEFAULT).unwrap()

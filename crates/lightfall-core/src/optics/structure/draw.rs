@@ -1,12 +1,9 @@
 //! The draw of the waves.
 
-use super::model::Model;
+use super::model::{Model, OCTAVES};
 use super::random::{GROUP_STRIDE, List, phase};
 use crate::geometry::kerr::{Kerr, MASS};
 use std::f64::consts::{PI, TAU};
-
-/// Octaves of the wave numbers.
-pub const OCTAVES: usize = 4;
 
 /// Wave numbers k are multiples of this, so that the GPU can have them in 16 bits.
 pub const K_QUANTUM: f64 = 1.0 / 64.0;

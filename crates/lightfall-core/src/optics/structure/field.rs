@@ -1,7 +1,8 @@
 //! The field at a place and a time, and the factor by which it changes the flux.
 
 use super::Structure;
-use super::draw::{OCTAVES, angular_velocity};
+use super::draw::angular_velocity;
+use super::model::OCTAVES;
 use std::f64::consts::{PI, TAU};
 
 /// Covariance of the places within a pixel's footprint, in (ln r, phi): their variances, and the

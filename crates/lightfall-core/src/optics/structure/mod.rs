@@ -13,9 +13,9 @@ mod model;
 mod random;
 mod rings;
 
-pub use draw::{K_QUANTUM, OCTAVES, Ring, Wave};
+pub use draw::{K_QUANTUM, Ring, Wave};
 pub use field::{Covariance, Field, Term};
-pub use model::{MAX_WAVES, Model};
+pub use model::{MAX_WAVES, Model, OCTAVES};
 pub use random::{GROUP_STRIDE, phase};
 pub use rings::{MAX_RINGS, Rings};
 

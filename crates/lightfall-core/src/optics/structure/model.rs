@@ -1,7 +1,9 @@
 //! The numbers of the model, from the fields of a scene's disk.
 
-use super::draw::OCTAVES;
 use crate::scene::{Disk, DiskStructure};
+
+/// Octaves of the wave numbers.
+pub const OCTAVES: usize = 4;
 
 /// Maximum number of waves in a ring.
 pub const MAX_WAVES: usize = 48;

@@ -2,11 +2,8 @@
 //!
 //! The rate is interpolated linearly between the keyframes that name it, and the time is its exact
 //! integral. A journey moves the camera faster than light, so the camera's place counts, too
-//! ([`Scene::disk_time_lead`]): the disk never seems to leap or to run backward because the camera
+//! ([`Scene::disk_time_lead`](crate::scene::Scene::disk_time_lead)): the disk never seems to leap or to run backward because the camera
 //! moves.
-
-use super::Journey;
-use crate::scene::Scene;
 
 /// What the keyframes say about the disk's clock. Times are in seconds after the beginning.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -34,7 +31,7 @@ impl Clock {
 
     /// The time that passes on the disk's clock between two times of the journey, in r_s/c; negative
     /// if the second one is earlier. `rate` is that of a journey that names none.
-    fn passed(&self, from: f64, to: f64, rate: f64) -> f64 {
+    pub(super) fn passed(&self, from: f64, to: f64, rate: f64) -> f64 {
         if to < from {
             return -self.passed(to, from, rate);
         }
@@ -51,30 +48,8 @@ impl Clock {
     }
 
     /// The last keyframe until a time that sets the clock: when, and to what.
-    fn set_before(&self, time: f64) -> Option<(f64, f64)> {
+    pub(super) fn set_before(&self, time: f64) -> Option<(f64, f64)> {
         let set = self.times.partition_point(|(at, _)| *at <= time);
         set.checked_sub(1).map(|index| self.times[index])
-    }
-}
-
-impl Journey {
-    /// Writes the time of a disk that moves into `next`, a scene of the time `to`, in seconds after
-    /// the beginning. `before` is the scene of the time `from`, with its camera and its `disk.time`.
-    /// Both have their cameras already. A keyframe that names `disk_time` sets the clock, and what
-    /// passed before does not count.
-    pub fn drive_clock(&self, [from, to]: [f64; 2], before: &Scene, next: &mut Scene) {
-        if !next.disk_moves() {
-            return;
-        }
-        let (start, time, r) = match self.clock.set_before(to) {
-            Some((set, time)) => {
-                let mut there = before.clone();
-                self.apply(set, &mut there);
-                (set, time, there.camera.r)
-            }
-            None => (from, before.disk.time, before.camera.r),
-        };
-        let moved = next.disk_time_lead(next.camera.r) - next.disk_time_lead(r);
-        next.disk.time = time + self.clock.passed(start, to, before.disk.rate) + moved;
     }
 }
