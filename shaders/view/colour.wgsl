@@ -16,17 +16,20 @@ fn light_along(photon: Photon) -> vec4<f32> {
     var light = vec3<f32>(0.0);
     var transmission = 1.0;
     var without_source = 1.0;
-    if ray.hit_count > 0u {
-        let r = length(ray.hits[0].position);
-        light = disk_light(photon, ray.hits[0], first_footprint);
-        transmission = disk_transmission(r);
-        without_source = 1.0 - disk_cover(r);
-    }
-    if MAX_HITS > 1u && ray.hit_count > 1u {
-        let r = length(ray.hits[1].position);
-        light += transmission * disk_light(photon, ray.hits[1], second_footprint);
+    var hit = ray.hits[0];
+    var footprint = first_footprint;
+    // A loop, so that drivers that execute both sides of a branch compute a light that nothing hides
+    // only once for most pixels.
+    for (var i = 0u; i < min(ray.hit_count, MAX_HITS); i++) {
+        let r = length(hit.position);
+        light += transmission * disk_light(photon, hit, footprint);
         transmission *= disk_transmission(r);
         without_source *= 1.0 - disk_cover(r);
+        if transmission == 0.0 {
+            break;
+        }
+        hit = ray.hits[1];
+        footprint = second_footprint;
     }
     if ray.outcome == OUTCOME_SKY {
         light += transmission * sky_light(ray.sky, sky_shift(photon));

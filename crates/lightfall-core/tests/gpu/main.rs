@@ -28,6 +28,7 @@ mod requirements;
 mod shaders;
 mod sky;
 mod spectrum;
+mod structure;
 mod verlet;
 mod views;
 

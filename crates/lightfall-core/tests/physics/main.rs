@@ -22,6 +22,7 @@ mod released;
 mod schwarzschild;
 mod shadow_edge;
 mod spectrum;
+mod structure;
 mod timelike;
 
 /// Asserts that `found` equals `expected` within the relative tolerance `relative`.
