@@ -1,8 +1,8 @@
 // The views `colour` and `unfinished`: the light itself.
 //
 // Needs: MAGENTA, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_SKY, OUTCOME_UNFINISHED, Photon,
-//     SHOW_UNFINISHED, disk_cover, disk_light, disk_transmission, mark, sky_light, sky_shift,
-//     trace.
+//     SHOW_UNFINISHED, disk_cover, disk_light, disk_transmission, hit_footprint, mark, sky_light,
+//     sky_shift, trace.
 // Gives: light_along.
 
 // The disk shines at each of the first two crossings and lets a share of the light from behind

@@ -1,8 +1,8 @@
 // Structure of the disk's light: shearing waves in rings, which the rotation carries.
 // crates/lightfall-core/src/optics/structure does the same in f64 and says why.
 //
-// Needs: BINDING_STRUCTURE, Footprint, Hit, K_QUANTUM, MASS, MAX_GROUPS, MAX_RINGS, PI, atan2_precise,
-//     log_precise, scene.
+// Needs: BINDING_STRUCTURE, Footprint, Hit, K_QUANTUM, MASS, MAX_GROUPS, MAX_RINGS, PI,
+//     atan2_precise, log_precise, scene.
 // Gives: structure_factor.
 
 // A group is one wave of each of four octaves.
@@ -44,6 +44,11 @@ const GROUP_STRIDE: u32 = 0x9e3779b9u;
 // When a group's waves are born, in groups.
 const BIRTHS: vec4<f32> = vec4<f32>(0.0, 0.25, 0.5, 0.75);
 
+// A neighbour farther away than this, in ln r or in radians, belongs to another image of the disk or has
+// no hit, and says nothing about the footprint.
+const MAX_DX: f32 = 0.9;
+const MAX_DPHI: f32 = 0.75;
+
 // cos(pi s) for |s| <= 1/2; the error is at most 8e-6. Twice its square less one is cos(2 pi s), with an
 // error of at most 3.2e-5.
 fn cos_half_turns(s: vec4<f32>) -> vec4<f32> {
@@ -70,8 +75,11 @@ fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
     let r2 = max(dot(p, p), MASS * MASS);
     let right = footprint.to_the_right.xy;
     let down = footprint.downward.xy;
-    let dx = vec2<f32>(dot(p, right), dot(p, down)) / r2;
-    let dphi = vec2<f32>(p.x * right.y - p.y * right.x, p.x * down.y - p.y * down.x) / r2;
+    let all_dx = vec2<f32>(dot(p, right), dot(p, down)) / r2;
+    let all_dphi = vec2<f32>(p.x * right.y - p.y * right.x, p.x * down.y - p.y * down.x) / r2;
+    let same_image = abs(all_dx) < vec2<f32>(MAX_DX) & abs(all_dphi) < vec2<f32>(MAX_DPHI);
+    let dx = select(vec2<f32>(0.0), all_dx, same_image);
+    let dphi = select(vec2<f32>(0.0), all_dphi, same_image);
     let covariance = vec3<f32>(dot(dx, dx), 2.0 * dot(dx, dphi), dot(dphi, dphi)) * (0.5 * 1.442695 / 12.0);
 
     let x = 0.5 * log_precise(r2);
@@ -121,10 +129,10 @@ fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
             let places = ring.phase_places + bitcast<vec4<u32>>(vec4<i32>(whole)) + group * GROUP_STRIDE;
             let phase = m * (turns - swept * age) + k * offset + phases_at(places);
             let wave = cos_half_turns(phase - round(phase));
-            let square = amplitude * amplitude;
+            let power = amplitude * amplitude;
             value += dot(amplitude, 2.0 * wave * wave - 1.0);
-            squares += dot(square, vec4<f32>(1.0));
-            fourth_powers += dot(square, square);
+            squares += dot(power, vec4<f32>(1.0));
+            fourth_powers += dot(power, power);
         }
     }
     let sigma = structure.contrast;

@@ -68,7 +68,7 @@ fn places(scene: &Scene, inner: f64) -> Vec<Place> {
             let side = if i % 4 == 0 {
                 0.0
             } else {
-                r * 10_f64.powf(4.0 * share(i, 0.569_840_290_998) - 4.0)
+                r * 10_f64.powf(3.8 * share(i, 0.569_840_290_998) - 4.0)
             };
             let turn = TAU * share(i, 0.324_717_957_24);
             let squeezed = share(i, 0.245_122_333_75);
@@ -121,35 +121,33 @@ fn the_shader_finds_the_structure_that_the_cpu_finds() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn pixels_without_a_hit_are_numbers_and_wide_footprints_give_the_mean() {
+fn neighbours_without_a_hit_or_in_another_image_change_nothing() {
     let mut scene = Scene::default();
     scene.disk.structure = DiskStructure::Turbulent;
-    let nothing = Place {
-        position: Vec2::ZERO,
+    let here = Place {
+        position: Vec2::new(6.9, 0.3),
         delay: 0.0,
         right: Vec2::ZERO,
-        down: Vec2::ZERO,
+        down: Vec2::new(0.01, 0.05),
     };
-    let edge = Vec2::new(10.9, 0.3);
     // The position of a pixel without a hit is zero: the difference to its neighbour is the neighbour's
-    // position.
-    let beside = Place {
-        right: edge,
-        down: -edge,
-        ..nothing
+    // position. The other image at the border shows the far side of the disk.
+    let beside_nothing = Place {
+        right: here.position,
+        ..here
     };
-    let border = Place {
-        position: edge,
-        ..beside
+    let beside_the_far_side = Place {
+        right: -2.3 * here.position,
+        ..here
     };
-    let wide = Place {
-        position: edge,
-        right: 100.0 * edge,
-        down: 100.0 * edge.perp(),
-        ..nothing
+    let nothing = Place {
+        position: Vec2::ZERO,
+        right: here.position,
+        ..here
     };
-    let found = factors(&scene, None, &[nothing, beside, border, wide]);
-    assert!(found.iter().all(|factor| factor.is_finite()), "{found:?}");
-    // The wave m = 1, k = 0 has a filter of exp(-100^2/24).
-    assert_eq!(found[3], 1.0, "{found:?}");
+    let places = [here, beside_nothing, beside_the_far_side, nothing];
+    let found = factors(&scene, None, &places);
+    assert_ne!(found[0], 1.0);
+    assert_eq!(found[..3], [found[0]; 3]);
+    assert!(found[3].is_finite(), "{found:?}");
 }

@@ -2,7 +2,9 @@
 //! field, a mean that nothing changes, and filaments that never wind up.
 
 use crate::assert_close;
+use glam::DVec3;
 use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::structure::{Covariance, Structure, Term};
 use lightfall_core::scene::{DiskStructure, Scene};
 use std::f64::consts::{PI, TAU};
@@ -21,7 +23,7 @@ const POINT: Covariance = Covariance {
 /// One seed that is always the same, and one of the moment, which a failure prints.
 fn seeds() -> [u32; 2] {
     let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap();
-    let fresh = now.subsec_nanos() ^ now.as_secs() as u32;
+    let fresh = now.subsec_nanos() ^ (now.as_secs() as u32 % 1_000_000);
     eprintln!("seeds 1 and {fresh}");
     [1, fresh]
 }
@@ -33,11 +35,11 @@ fn structure(seed: u32, change: impl Fn(&mut Scene)) -> Structure {
     Structure::new(&scene, None).unwrap()
 }
 
-/// `count` times over many lives of all waves, and azimuths, both without a common rhythm.
+/// `count` times, farther apart than the lives of all waves, and azimuths, without a common rhythm.
 fn moments(count: u32) -> impl Iterator<Item = (f64, f64)> {
     (0..count).map(|i| {
         let i = f64::from(i);
-        (137.3 * i, TAU * (i * 0.618_033_988_749_895).fract())
+        (1037.3 * i, TAU * (i * 0.618_033_988_749_895).fract())
     })
 }
 
@@ -54,21 +56,22 @@ fn the_field_has_variance_one_and_is_nearly_gaussian() {
     for seed in seeds() {
         let structure = structure(seed, |_| {});
         for r in RADII {
-            let values: Vec<f64> = moments(20_000)
+            let values: Vec<f64> = moments(60_000)
                 .map(|(time, phi)| structure.field(r, phi, time, POINT).value)
                 .collect();
             let moment = |power| {
                 values.iter().map(|v: &f64| v.powi(power)).sum::<f64>() / values.len() as f64
             };
             let (variance, kurtosis) = (moment(2), moment(4) / moment(2).powi(2));
-            // 20 000 independent Gaussian values have standard errors of 0.01 and 0.035. The kurtosis
-            // of 24 waves is 2.87, as each has 3/2.
+            // 60 000 independent Gaussian values have standard errors of 0.006 and 0.02. The kurtosis of
+            // 24 waves is 2.87, since that of one is 3/2, and 2.93 where two rings overlap by halves.
+            eprintln!("r {r}: variance {variance}, kurtosis {kurtosis}");
             assert!(
                 (variance - 1.0).abs() < 0.03,
                 "seed {seed}, r {r}: variance {variance}"
             );
             assert!(
-                (2.75..3.1).contains(&kurtosis),
+                (2.8..3.1).contains(&kurtosis),
                 "seed {seed}, r {r}: kurtosis {kurtosis}"
             );
         }
@@ -104,11 +107,9 @@ fn the_mean_of_the_factor_is_one_whatever_the_contrast_and_the_footprint() {
                     .map(|(time, phi)| structure.factor(r, phi, time, footprint))
                     .collect();
                 let (mean, error) = mean_and_error(&factors, 8000.0);
-                // The times are farther apart than a life of most waves, but not of all: the same life
-                // counts up to three times at 10.5 r_s. 4.5 standard errors of all values are then
-                // 3 of the independent ones.
+                // Four standard errors: of forty means one in a thousand runs is outside.
                 assert!(
-                    (mean - 1.0).abs() < 4.5 * error,
+                    (mean - 1.0).abs() < 4.0 * error,
                     "seed {seed}, sigma {sigma}, r {r}: {mean} +- {error}"
                 );
             }
@@ -197,7 +198,7 @@ fn filaments(seeds: std::ops::Range<u32>, time: f64) -> (f64, f64, f64) {
     let (mut xx, mut xp, mut pp, mut power) = (0.0, 0.0, 0.0, 0.0);
     for seed in seeds {
         let structure = structure(seed, |_| {});
-        for (i, (_, phi)) in moments(1500).enumerate() {
+        for (i, (_, phi)) in moments(400).enumerate() {
             let r = 3.0 * (11.0_f64 / 3.0).powf((i as f64 * 0.754_877_666).fract());
             let step = 1e-4;
             let value =
@@ -222,9 +223,9 @@ fn filaments(seeds: std::ops::Range<u32>, time: f64) -> (f64, f64, f64) {
 #[test]
 fn filaments_trail_by_the_same_angle_at_all_times_and_never_wind_up() {
     let [.., fresh] = seeds();
-    let first = filaments(fresh..fresh.saturating_add(24), 0.0);
+    let first = filaments(fresh..fresh + 120, 0.0);
     for time in [1e3, 1e5, 1e7] {
-        let later = filaments(fresh..fresh.saturating_add(24), time);
+        let later = filaments(fresh..fresh + 120, time);
         eprintln!("{first:?} and at {time:e} {later:?}");
         assert!((first.0 - later.0).abs() < 1.0, "{first:?} {later:?}");
         assert_close("across", later.1, first.1, 0.06);
@@ -265,5 +266,86 @@ fn somebody_who_goes_round_with_the_matter_sees_the_field_forget_itself_within_a
         for (found, (least, most)) in found.into_iter().zip(ranges) {
             assert!((least..most).contains(&found), "r {r}: {found}");
         }
+    }
+}
+
+/// ln r and phi of the first crossing of the disk that the pixel at (x, y) of a picture shows.
+fn crossing(scene: &Scene, reference: &Reference, x: f64, y: f64) -> Option<[f64; 2]> {
+    let (width, height) = (240.0, 135.0);
+    let tan_half = (scene.camera.fov_deg.to_radians() / 2.0).tan();
+    let direction = DVec3::new(
+        (2.0 * x - width) / height * tan_half,
+        (1.0 - 2.0 * y / height) * tan_half,
+        1.0,
+    );
+    let [hit, _] = reference
+        .trace(scene.camera.tetrad_from_camera() * direction.normalize())
+        .hits;
+    hit.map(|hit| [hit.r.ln(), hit.phi])
+}
+
+/// The filter against 16 rays a pixel, with differences to the neighbours as on the GPU: streaks of
+/// sigma = 0.8 in a small picture, where they are finer than pixels.
+#[test]
+fn one_filtered_ray_a_pixel_stands_for_many() {
+    let mut scene = Scene::default();
+    scene.disk.structure = DiskStructure::Streaks;
+    scene.disk.contrast = 0.48;
+    let reference = Reference::new(&scene).unwrap();
+    let structures = seeds().map(|seed| {
+        scene.disk.seed = seed;
+        Structure::new(&scene, None).unwrap()
+    });
+    let mut sums = [[0.0; 4]; 2];
+    let mut count = 0.0;
+    for pixel in (0..120 * 45).map(|i| [2 * (i % 120), 3 * (i / 120)]) {
+        let [x, y] = pixel.map(f64::from);
+        let at = |dx: f64, dy: f64| crossing(&scene, &reference, x + dx, y + dy);
+        let (Some(here), Some(right), Some(down)) = (at(0.5, 0.5), at(1.5, 0.5), at(0.5, 1.5))
+        else {
+            continue;
+        };
+        let shares = [0.125, 0.375, 0.625, 0.875];
+        let rays: Vec<_> = (0..16)
+            .filter_map(|i| at(shares[i % 4], shares[i / 4]))
+            .collect();
+        if rays.len() < 16 {
+            continue;
+        }
+        count += 1.0;
+        let change = |to: [f64; 2]| {
+            let (r, turn) = ((to[0] - here[0]).exp(), to[1] - here[1]);
+            [r * turn.cos() - 1.0, r * turn.sin()]
+        };
+        let footprint = Covariance::of_pixel(change(right), change(down));
+        for (structure, sums) in structures.iter().zip(&mut sums) {
+            let factor =
+                |[x, phi]: [f64; 2], footprint| structure.factor(x.exp(), phi, 0.0, footprint);
+            let many = rays.iter().map(|ray| factor(*ray, POINT)).sum::<f64>() / 16.0;
+            let (one, filtered) = (factor(here, POINT), factor(here, footprint));
+            for (sum, value) in sums.iter_mut().zip([
+                (one - many).powi(2),
+                (filtered - many).powi(2),
+                filtered,
+                many,
+            ]) {
+                *sum += value;
+            }
+        }
+    }
+    assert!(count > 600.0, "the picture shows the disk: {count} pixels");
+    for [unfiltered, filtered, mean, truth] in sums {
+        let [unfiltered, filtered] = [unfiltered, filtered].map(|sum: f64| (sum / count).sqrt());
+        eprintln!(
+            "{count} pixels: rms {unfiltered} unfiltered, {filtered} filtered; means {} and {}",
+            mean / count,
+            truth / count
+        );
+        // A prototype with other waves left 0.063, and 0.216 without the filter.
+        assert!(
+            filtered < 0.08 && filtered < 0.5 * unfiltered,
+            "{filtered} {unfiltered}"
+        );
+        assert_close("mean of the picture", mean, truth, 0.01);
     }
 }

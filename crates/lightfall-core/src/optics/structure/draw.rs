@@ -70,7 +70,11 @@ impl Ring {
             let wave = |(size, direction): (f64, f64)| {
                 let q = wave_number(octave as f64 + size);
                 let (q_across, q_along) = (PI * direction).sin_cos();
-                let (q_across, q_along) = (q * q_across / across, q * q_along / along);
+                // Finer filaments are longer for their width, as in magnetised turbulence: the length
+                // goes with the width to the power 2/3 (Goldreich & Sridhar 1995).
+                let drawn_out = q.max(1.0).cbrt();
+                let (q_across, q_along) =
+                    (q * q_across / across, q * q_along / (along * drawn_out));
                 let m = q_across * sin - q_along * cos;
                 let k = q_across * cos + q_along * sin;
                 Wave {
