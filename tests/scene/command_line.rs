@@ -245,7 +245,7 @@ fn wrong_values_of_the_short_forms_name_the_short_form() {
 #[test]
 fn the_error_about_an_unknown_preset_lists_the_presets() {
     let presets = "1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit, 8 extremal, 9 falling, 10 article, 11 flare";
-    for given in ["11", "galaxy", "-1", ""] {
+    for given in ["12", "galaxy", "-1", ""] {
         let sentence =
             format!("--preset {given}: there is no such preset or file; the presets are {presets}");
         assert_eq!(fault(&of_preset(Path::new(given))), sentence);
