@@ -1,15 +1,15 @@
 // The view `delay`: how long the light of the first crossing of the disk was under way, less the
 // time that light from next to the hole takes to the camera. From pale yellow for light of the near
-// side through red to deep blue for light that went around the hole. A new band begins every 5
+// side through red to deep blue for light that went around the hole. A new band begins every 2
 // r_s/c: its edge is a line of equal delay, and what happens along it at one time is seen at once.
 //
 // Needs: MAGENTA, OUTCOME_UNFINISHED, Photon, from_oklab, mark, trace.
 // Gives: light_along.
 
 // The ends of the scale and the width of a band, in r_s/c.
-const SOONEST: f32 = -20.0;
-const LATEST: f32 = 40.0;
-const BAND: f32 = 5.0;
+const SOONEST: f32 = -10.0;
+const LATEST: f32 = 30.0;
+const BAND: f32 = 2.0;
 
 // Lightness falls linearly along the scale, so that it can also be read without its hues.
 fn delay_colour(delay: f32) -> vec3<f32> {

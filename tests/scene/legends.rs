@@ -31,13 +31,11 @@ fn colours(view: View) -> &'static [&'static str] {
             "MAGENTA",
         ],
         View::Delay => &[
-            "delay_colour(-20.0)",
             "delay_colour(-10.0)",
             "delay_colour(0.0)",
             "delay_colour(10.0)",
             "delay_colour(20.0)",
             "delay_colour(30.0)",
-            "delay_colour(40.0)",
             "vec3<f32>(0.0)",
             "MAGENTA",
         ],

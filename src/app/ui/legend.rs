@@ -62,19 +62,17 @@ const RESIDUALS: &[Swatch] = &[
 const DELAYS: &[Swatch] = &[
     (
         Vec3::new(0.9969, 0.8660, 0.4176),
-        "20 r_s/c less, or even less",
+        "10 r_s/c less, or even less",
     ),
-    (Vec3::new(0.9397, 0.4809, 0.2500), "10 r_s/c less"),
     (
-        Vec3::new(0.7363, 0.2473, 0.1681),
+        Vec3::new(0.8501, 0.3482, 0.2012),
         "as long as from beside the hole",
     ),
     (Vec3::new(0.4797, 0.1187, 0.1321), "10 r_s/c more"),
-    (Vec3::new(0.2447, 0.0545, 0.1183), "20 r_s/c more"),
-    (Vec3::new(0.0816, 0.0224, 0.1141), "30 r_s/c more"),
+    (Vec3::new(0.1521, 0.0360, 0.1154), "20 r_s/c more"),
     (
         Vec3::new(0.0093, 0.0010, 0.1150),
-        "40 r_s/c more, or even more",
+        "30 r_s/c more, or even more",
     ),
     (BLACK, "no disk"),
     (MAGENTA, "unfinished"),
@@ -115,7 +113,7 @@ pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
             ORDERS,
         ),
         View::Delay => (
-            "How long the light of the disk was under way; a band every 5 r_s/c",
+            "How long the light of the disk was under way; a band every 2 r_s/c",
             DELAYS,
         ),
         View::Redshift => ("g = observed / emitted frequency, of disk or sky", SHIFTS),

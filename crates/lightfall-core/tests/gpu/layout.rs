@@ -3,10 +3,10 @@
 use encase::ShaderType;
 use lightfall_core::gpu::rays::{GpuHit, GpuTrace};
 use lightfall_core::gpu::{
-    Difference, GpuDisk, GpuHole, GpuObserver, GpuPicture, GpuQuality, GpuRing, GpuScene,
-    GpuShadow, GpuSky, GpuStructure, Presentation, Variant,
+    Difference, GpuDisk, GpuHole, GpuHotSpot, GpuObserver, GpuPicture, GpuQuality, GpuRing,
+    GpuScene, GpuShadow, GpuSky, GpuStructure, Presentation, Variant,
 };
-use lightfall_core::scene::{DiskStructure, Scene};
+use lightfall_core::scene::{DiskStructure, HotSpotKind, Scene};
 use naga::{Module, TypeInner};
 
 /// A member's name, its offset, and the name of its type if that is a struct.
@@ -114,6 +114,15 @@ fn rust_and_wgsl_lay_out_the_disks_structure_alike() {
     let source = Variant::picture(&scene).source();
     let module = naga::front::wgsl::parse_str(&source).unwrap();
     assert_same_layout!(&module, GpuStructure = "Structure", GpuRing = "Ring");
+}
+
+#[test]
+fn rust_and_wgsl_lay_out_the_hot_spot_alike() {
+    let mut scene = Scene::default();
+    scene.hot_spot.kind = HotSpotKind::Rigid;
+    let source = Variant::picture(&scene).source();
+    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    assert_same_layout!(&module, GpuHotSpot = "HotSpot");
 }
 
 #[test]
