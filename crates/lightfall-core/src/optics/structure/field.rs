@@ -17,11 +17,21 @@ pub struct Covariance {
     pub pp: f64,
 }
 
+/// Largest change in (ln r, phi) from a pixel to its neighbour in the same image of the disk. The shader
+/// has the same numbers.
+pub const MAX_CHANGE: [f64; 2] = [0.9, 0.75];
+
 impl Covariance {
     /// The covariance of a square pixel whose place in (ln r, phi) changes by `right` and by `down` from
-    /// one pixel to the next: J J^T/12, as a square has the variance 1/12 in either direction.
+    /// one pixel to the next: J J^T/12, as a square has the variance 1/12 in either direction. A
+    /// neighbour farther away than [`MAX_CHANGE`] shows another image of the disk, and does not count.
     #[must_use]
     pub fn of_pixel(right: [f64; 2], down: [f64; 2]) -> Self {
+        let counted = |change: [f64; 2]| {
+            let near = change[0].abs() < MAX_CHANGE[0] && change[1].abs() < MAX_CHANGE[1];
+            if near { change } else { [0.0; 2] }
+        };
+        let (right, down) = (counted(right), counted(down));
         Self {
             xx: (right[0] * right[0] + down[0] * down[0]) / 12.0,
             xp: (right[0] * right[1] + down[0] * down[1]) / 12.0,
