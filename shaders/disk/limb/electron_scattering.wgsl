@@ -4,7 +4,7 @@
 //
 // Needs: DOPPLER, GRAVITATIONAL_SHIFT, Hit, LENSING, Photon, disk_lambda, lapse_and_dragging,
 //     photon_energy, scene, square, whole_redshift.
-// Gives: emission_cosine, limb_darkening.
+// Gives: limb_darkening.
 
 // The cosine of the angle between the light and the disk's normal for the matter (Cunningham 1975):
 //

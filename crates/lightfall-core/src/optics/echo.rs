@@ -169,7 +169,7 @@ impl Search {
     fn photon(&self, order: u32, node: f64, angle: f64) -> Photon {
         let (sin_node, cos_node) = node.sin_cos();
         let toward = DVec3::new(cos_node, sin_node, 0.0).reject_from_normalized(self.n);
-        let side = if order % 2 == 0 { 1.0 } else { -1.0 };
+        let side = if order.is_multiple_of(2) { 1.0 } else { -1.0 };
         let toward = side * toward.normalize_or_zero();
         let (sin, cos) = angle.sin_cos();
         let [theta, phi] = self.tangents.map(|tangent| sin * toward.dot(tangent));

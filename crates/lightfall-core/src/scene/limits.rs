@@ -69,7 +69,7 @@ impl Scene {
                 (Range { low, ..range }, Some(because))
             }
             "hot_spot.r" if self.disk.enabled && self.hot_spot.kind != HotSpotKind::None => {
-                let (low, high) = (self.inner_edge(), self.disk.outer);
+                let (low, high) = (Included(self.inner_edge()), Included(self.disk.outer));
                 let because = Because {
                     keys: vec![
                         "disk.inner",
@@ -81,7 +81,6 @@ impl Scene {
                     ],
                     reason: "between the edges of the disk".into(),
                 };
-                let (low, high) = (Included(low), Included(high));
                 (Range { low, high }, Some(because))
             }
             "picture.grid_width" => grid_range("picture.width", self.picture.width),
