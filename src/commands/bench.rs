@@ -10,7 +10,8 @@ use crate::picture;
 use glam::UVec2;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::reports::bench::{
-    AutoMargin, Measurement, Plan, Ranking, auto_margin, delay_table, markdown, plot, plot_delays,
+    AutoMargin, Measurement, Plan, Ranking, auto_margin, delay_table, light_table, markdown, plot,
+    plot_delays,
 };
 use lightfall_core::reports::circumstances::Circumstances;
 use lightfall_core::reports::export::{csv, json};
@@ -32,6 +33,9 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
     }
     if args.delay {
         return bench_delays(args, &gpu, &plan);
+    }
+    if args.light {
+        return bench_light(args, &gpu, &plan);
     }
     let scenes = match plan.scenes.as_slice() {
         [scene] => format!("in the scene {}", scene.name),
@@ -93,6 +97,24 @@ fn bench_delays(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
                 write_report(folder, &format!("delay-{}.svg", scene.name), &svg)?;
             }
         }
+    }
+    print(if args.json { &json } else { &table })
+}
+
+/// Times the light of living disks, and prints and writes the report.
+fn bench_light(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
+    let rows = plan
+        .run_light(gpu, |row| {
+            eprintln!("lightfall: bench: {}, {}", row.scene, row.method);
+        })
+        .map_err(Stop::failed)?;
+    let size = format!("{}x{}", plan.size.x, plan.size.y);
+    let circumstances = circumstances(gpu, size, entry_word(EntryArg::Compute));
+    let (json, table) = (json(&circumstances, &rows), light_table(&rows));
+    if let Some(folder) = &args.out {
+        write_report(folder, "light.csv", &csv(&circumstances, &rows))?;
+        write_report(folder, "light.json", &json)?;
+        write_report(folder, "light.md", &table)?;
     }
     print(if args.json { &json } else { &table })
 }

@@ -31,12 +31,13 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
+use lightfall_core::gpu::kernel::table_bytes;
 use lightfall_core::gpu::{ErrorMap, GpuHotSpot, GpuScene, GpuStructure, bindings};
 use lightfall_core::optics::spectrum;
 use lightfall_core::scene::View;
 use pipeline::{Destination, pipeline_descriptor};
 use shader::{JoinedShader, JoinedShaders};
-use side::{PAGE_THORNE_SIZE, Shared, Side, table_bytes};
+use side::{PAGE_THORNE_SIZE, Shared, Side};
 
 /// Most pixels that one draw call traces: a full HD picture.
 const MAX_BAND_PIXELS: u32 = 1920 * 1080;

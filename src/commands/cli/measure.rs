@@ -45,6 +45,10 @@ pub struct BenchArgs {
     /// and plots delay-SCENE.svg
     #[arg(long, conflicts_with = "frames")]
     pub delay: bool,
+    /// Time the light of a living disk instead: structure, limb darkening and the delay that they need,
+    /// against a smooth disk, as a compute kernel. --out then writes light.csv, light.json and light.md
+    #[arg(long, conflicts_with_all = ["frames", "delay", "entry"])]
+    pub light: bool,
     /// Folder for the reports; it is created, and files of the same names are replaced
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

@@ -3,7 +3,7 @@
 use crate::render::wave_limit::WaveLimit;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
-use lightfall_core::gpu::kernel::uniform;
+use lightfall_core::gpu::kernel::{table_bytes, uniform};
 use lightfall_core::gpu::{Drawable, GpuHotSpot, GpuScene, GpuStructure, bindings};
 use lightfall_core::optics::disk;
 
@@ -103,12 +103,3 @@ fn written_buffer(device: &RenderDevice, label: &'static str, size: u64) -> Buff
 
 /// Size of the table of the disk model `page-thorne`, in bytes.
 pub(super) const PAGE_THORNE_SIZE: u64 = size_of::<[[f32; 4]; disk::TABLE_LEN]>() as u64;
-
-/// The bytes of a table in a uniform.
-pub(super) fn table_bytes(table: &[[f32; 4]]) -> Vec<u8> {
-    table
-        .iter()
-        .flatten()
-        .flat_map(|value| value.to_le_bytes())
-        .collect()
-}

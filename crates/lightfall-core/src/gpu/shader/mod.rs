@@ -67,6 +67,8 @@ pub enum Entry {
     Rays,
     /// One vector per pixel, for timing: entry points `timed`, `vertex` and `fragment`.
     Timed,
+    /// The light of each pixel from a compute entry, for timing: entry point `timed`.
+    TimedLight,
 }
 
 /// The smallest share of light from behind the disk for which a ray is followed beyond crossings:
@@ -176,6 +178,14 @@ impl Variant {
         }
     }
 
+    /// The shader that computes a picture's light and draws nothing, to be timed.
+    pub fn timed_light(scene: &Scene) -> Self {
+        Self {
+            entry: Entry::TimedLight,
+            ..Self::picture(scene)
+        }
+    }
+
     /// The picture's variant without anything that shines.
     fn tracing_only(scene: &Scene) -> Self {
         Self {
@@ -217,7 +227,7 @@ impl Variant {
         match self.entry {
             Entry::Rays => parts.push(part!("rays.wgsl")),
             Entry::Timed => parts.extend([part!("fullscreen.wgsl"), part!("timed.wgsl")]),
-            Entry::Picture => {
+            Entry::Picture | Entry::TimedLight => {
                 if self.view.shows_light() {
                     parts.extend(self.light());
                 }
@@ -226,7 +236,11 @@ impl Variant {
                 if self.view.properties().traces {
                     parts.push(part!("view/traced.wgsl"));
                 }
-                parts.extend([part!("fullscreen.wgsl"), part!("geodesic.wgsl")]);
+                if self.entry == Entry::Picture {
+                    parts.extend([part!("fullscreen.wgsl"), part!("geodesic.wgsl")]);
+                } else {
+                    parts.push(part!("timed_light.wgsl"));
+                }
             }
         }
         parts
@@ -253,7 +267,10 @@ impl Variant {
         }
         if self.disk {
             parts.extend(source::flux_parts(self.disk_model));
-            parts.extend(source::structure_parts(self.structure));
+            parts.extend(source::structure_parts(
+                self.structure,
+                self.entry == Entry::Picture,
+            ));
             parts.extend(source::hot_spot_parts(self.hot_spot));
             parts.extend(source::limb_parts(self.limb));
             parts.push(part!("disk/emission.wgsl"));

@@ -25,7 +25,7 @@ impl Variant {
             // A timed shader does all the work that a picture with a sky does.
             (
                 "SKY_DIRECTION",
-                self.entry != Entry::Picture || self.sky != SkyMode::Off,
+                matches!(self.entry, Entry::Rays | Entry::Timed) || self.sky != SkyMode::Off,
             ),
             ("REFERENCE_STAR", self.reference_star),
             ("SHOW_UNFINISHED", self.view == View::Unfinished),

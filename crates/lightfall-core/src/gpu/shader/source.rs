@@ -20,15 +20,19 @@ pub(super) fn flux_parts(model: DiskModel) -> &'static [Part] {
     }
 }
 
-/// The files that define `structure_factor`.
-pub(super) fn structure_parts(structure: bool) -> &'static [Part] {
-    if structure {
-        &[
+/// The files that define `structure_factor`. Compute entries have no neighbours to measure a pixel's
+/// footprint by.
+pub(super) fn structure_parts(structure: bool, has_neighbours: bool) -> &'static [Part] {
+    match (structure, has_neighbours) {
+        (false, _) => &[part!("disk/structure/none.wgsl")],
+        (true, true) => &[
             part!("disk/structure/footprint.wgsl"),
             part!("disk/structure/waves.wgsl"),
-        ]
-    } else {
-        &[part!("disk/structure/none.wgsl")]
+        ],
+        (true, false) => &[
+            part!("disk/structure/fixed_footprint.wgsl"),
+            part!("disk/structure/waves.wgsl"),
+        ],
     }
 }
 

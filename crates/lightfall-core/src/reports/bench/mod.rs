@@ -4,6 +4,7 @@
 mod delay;
 mod equal_error;
 mod labels;
+mod light;
 mod markdown;
 mod measurement;
 mod pareto;
@@ -14,6 +15,7 @@ mod settings;
 
 pub use delay::{DelayMeasurement, delay_table, plot_delays};
 pub use equal_error::{AtEqualError, at_equal_error};
+pub use light::{LightMeasurement, light_table};
 pub use markdown::markdown;
 pub use measurement::Measurement;
 pub use pareto::{AutoMargin, Ranking, auto_margin, is_on_front};
