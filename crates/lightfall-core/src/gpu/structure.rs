@@ -1,7 +1,9 @@
 //! The uniform of the disk's structure: its rings and waves, at the clock of a scene.
 
 use super::scene::time_lead;
-use crate::optics::structure::{K_QUANTUM, MAX_RINGS, MAX_WAVES, OCTAVES, Ring, Structure, Wave};
+use crate::optics::structure::{
+    K_QUANTUM, MAX_CHANGE, MAX_RINGS, MAX_WAVES, OCTAVES, Ring, Structure, Wave,
+};
 use crate::scene::Scene;
 use encase::ShaderType;
 use glam::{IVec4, UVec4, Vec4};
@@ -91,11 +93,14 @@ impl GpuStructure {
     }
 
     /// The constants of the shader.
-    pub(super) fn constants() -> [(&'static str, &'static str, String); 3] {
+    pub(super) fn constants() -> [(&'static str, &'static str, String); 5] {
+        let [max_dx, max_dphi] = MAX_CHANGE;
         [
             ("MAX_RINGS", "u32", format!("{MAX_RINGS}u")),
             ("MAX_GROUPS", "u32", format!("{MAX_GROUPS}u")),
             ("K_QUANTUM", "f32", format!("{K_QUANTUM:?}")),
+            ("MAX_DX", "f32", format!("{max_dx:?}")),
+            ("MAX_DPHI", "f32", format!("{max_dphi:?}")),
         ]
     }
 }

@@ -17,8 +17,8 @@ pub struct Covariance {
     pub pp: f64,
 }
 
-/// Largest change in (ln r, phi) from a pixel to its neighbour in the same image of the disk. The shader
-/// has the same numbers.
+/// Largest change in (ln r, phi) from a pixel to its neighbour in the same image of the disk: `MAX_DX`
+/// and `MAX_DPHI` in the shader.
 pub const MAX_CHANGE: [f64; 2] = [0.9, 0.75];
 
 impl Covariance {

@@ -14,7 +14,7 @@ mod random;
 mod rings;
 
 pub use draw::{K_QUANTUM, Ring, Wave};
-pub use field::{Covariance, Field, Term};
+pub use field::{Covariance, Field, MAX_CHANGE, Term};
 pub use model::{MAX_WAVES, Model, OCTAVES};
 pub use random::{GROUP_STRIDE, phase};
 pub use rings::{MAX_RINGS, Rings};
