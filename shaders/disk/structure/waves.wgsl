@@ -1,11 +1,16 @@
 // Structure of the disk's light: shearing waves in rings, which the rotation carries.
 // crates/lightfall-core/src/optics/structure does the same in f64 and says why.
 //
-// Needs: BINDING_STRUCTURE, Footprint, Hit, K_QUANTUM, MASS, MAX_GROUPS, MAX_RINGS, PI,
+// Needs: BINDING_STRUCTURE, Footprint, Hit, MASS, MAX_DPHI, MAX_DX, MAX_GROUPS, MAX_RINGS, PI,
 //     atan2_precise, log_precise, scene.
 // Gives: structure_factor.
 
-// A group is one wave of each of four octaves.
+// One wave of each of four octaves: their crests around the disk, and their radians per unit of ln r.
+struct Group {
+    m: vec4<f32>,
+    k: vec4<f32>,
+}
+
 struct Structure {
     // ln r of the first ring's centre, rings per unit of ln r, and the last ring's number.
     start: f32,
@@ -19,9 +24,8 @@ struct Structure {
     // Amplitude of each octave's waves.
     amplitudes: vec4<f32>,
     rings: array<Ring, MAX_RINGS>,
-    // The groups of the first ring, then those of the second, and so on. A wave has m in the upper
-    // 16 bits and k, in units of K_QUANTUM, in the lower ones.
-    waves: array<vec4<i32>, MAX_RINGS * MAX_GROUPS>,
+    // The groups of the first ring, then those of the second, and so on.
+    groups: array<Group, MAX_RINGS * MAX_GROUPS>,
 }
 
 struct Ring {
@@ -32,7 +36,7 @@ struct Ring {
     life_over_turn: f32,
     // The rest of the lives that its clock has counted, beyond the whole ones.
     lives: f32,
-    // Where each octave's phases of this life are in the list of phases.
+    // Where each octave's phases of this whole number of lives are in the list of phases.
     phase_places: vec4<u32>,
 }
 
@@ -51,13 +55,14 @@ fn cos_half_turns(s: vec4<f32>) -> vec4<f32> {
     return (0.25 - y) * (3.99996873 + y * (1.21780146 * y - 3.73545675));
 }
 
-// Random phases in turns, from -1/2 to 1/2: the hash `phase` of optics/structure/random.rs.
+// Random phases in turns, from -1/2 to 1/2: the hash `phase` of optics/structure/random.rs. Its upper
+// bits become the fraction of a number from 1 to 2, which graphics cards do faster than a conversion.
 fn phases_at(places: vec4<u32>) -> vec4<f32> {
     var z = places;
     z = (z ^ (z >> vec4<u32>(16u))) * 0x7feb352du;
     z = (z ^ (z >> vec4<u32>(15u))) * 0x846ca68bu;
     z ^= z >> vec4<u32>(16u);
-    return vec4<f32>(bitcast<vec4<i32>>(z)) * 2.3283064365386963e-10;
+    return bitcast<vec4<f32>>((z >> vec4<u32>(9u)) ^ vec4<u32>(0x3fc00000u)) - 1.5;
 }
 
 // The factor by which the structure multiplies the flux. The mean over all phases is one.
@@ -105,6 +110,8 @@ fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
         let ring = structure.rings[index];
         let weight = select(weights.x, weights.y, side == 1u);
         let lives = ring.lives - hit.delay * ring.lives_per_time;
+        let whole = floor(lives);
+        let phase_places = ring.phase_places + bitcast<u32>(i32(whole));
         let swept = omega * ring.life_over_turn;
         let sheared = shear * ring.life_over_turn * (2.0 * PI);
         let offset = (x - ring.centre) * (0.5 / PI);
@@ -112,18 +119,18 @@ fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
         let amplitudes = structure.amplitudes * (1.6329932 * weight);
         let groups = min(structure.group_count, MAX_GROUPS);
         for (var group = 0u; group < groups; group++) {
-            let packed = structure.waves[index * MAX_GROUPS + group];
-            let m = vec4<f32>(packed >> vec4<u32>(16u));
-            let k = vec4<f32>((packed << vec4<u32>(16u)) >> vec4<u32>(16u)) * K_QUANTUM;
-            let count = lives + (f32(group) + BIRTHS) * structure.group_share;
-            let whole = floor(count);
-            let age = count - whole - 0.5;
+            let waves = structure.groups[index * MAX_GROUPS + group];
+            let m = waves.m;
+            // The births of the groups' waves are spread over a life.
+            let count = (lives - whole) + (f32(group) + BIRTHS) * structure.group_share;
+            let counted = count >= vec4<f32>(1.0);
+            let age = count - select(vec4<f32>(0.5), vec4<f32>(1.5), counted);
             let window = cos_half_turns(age);
-            let sheared_k = k + m * (sheared * age);
+            let sheared_k = waves.k + m * (sheared * age);
             let filtered = (covariance.x * sheared_k + covariance.y * m) * sheared_k + covariance.z * m * m;
             let amplitude = amplitudes * (window * window) * exp2(-filtered);
-            let places = ring.phase_places + bitcast<vec4<u32>>(vec4<i32>(whole)) + group * GROUP_STRIDE;
-            let phase = m * (turns - swept * age) + k * offset + phases_at(places);
+            let places = phase_places + group * GROUP_STRIDE + select(vec4<u32>(0u), vec4<u32>(1u), counted);
+            let phase = m * (turns - swept * age) + waves.k * offset + phases_at(places);
             let wave = cos_half_turns(phase - round(phase));
             let power = amplitude * amplitude;
             value += dot(amplitude, 2.0 * wave * wave - 1.0);

@@ -2,11 +2,11 @@
 
 use super::scene::time_lead;
 use crate::optics::structure::{
-    K_QUANTUM, MAX_CHANGE, MAX_RINGS, MAX_WAVES, OCTAVES, Ring, Structure, Wave,
+    MAX_CHANGE, MAX_RINGS, MAX_WAVES, OCTAVES, Ring, Structure, Wave,
 };
 use crate::scene::Scene;
 use encase::ShaderType;
-use glam::{IVec4, UVec4, Vec4};
+use glam::{UVec4, Vec4};
 use std::f64::consts::TAU;
 
 /// Maximum number of groups in a ring: a group is one wave of each octave.
@@ -27,7 +27,18 @@ pub struct GpuStructure {
     pub group_share: f32,
     pub amplitudes: Vec4,
     pub rings: [GpuRing; MAX_RINGS],
-    pub waves: [IVec4; MAX_RINGS * MAX_GROUPS],
+    pub groups: [GpuGroup; MAX_RINGS * MAX_GROUPS],
+}
+
+/// Mirror of `Group` in shaders/disk/structure/waves.wgsl.
+#[expect(
+    missing_docs,
+    reason = "shaders/disk/structure/waves.wgsl says what each field means"
+)]
+#[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
+pub struct GpuGroup {
+    pub m: Vec4,
+    pub k: Vec4,
 }
 
 /// Mirror of `Ring` in shaders/disk/structure/waves.wgsl.
@@ -55,7 +66,7 @@ impl Default for GpuStructure {
             group_share: 0.0,
             amplitudes: Vec4::ZERO,
             rings: [GpuRing::default(); MAX_RINGS],
-            waves: [IVec4::ZERO; MAX_RINGS * MAX_GROUPS],
+            groups: [GpuGroup::default(); MAX_RINGS * MAX_GROUPS],
         }
     }
 }
@@ -85,23 +96,31 @@ impl GpuStructure {
         };
         for (i, ring) in structure.rings.iter().enumerate() {
             numbers.rings[i] = GpuRing::new(ring, clock);
-            for (waves, group) in numbers.waves[i * MAX_GROUPS..].iter_mut().zip(&ring.groups) {
-                *waves = IVec4::from_array(group.map(|wave| packed(&wave)));
+            for (numbers, waves) in numbers.groups[i * MAX_GROUPS..].iter_mut().zip(&ring.groups) {
+                *numbers = GpuGroup::new(waves);
             }
         }
         Some(numbers)
     }
 
     /// The constants of the shader.
-    pub(super) fn constants() -> [(&'static str, &'static str, String); 5] {
+    pub(super) fn constants() -> [(&'static str, &'static str, String); 4] {
         let [max_dx, max_dphi] = MAX_CHANGE;
         [
             ("MAX_RINGS", "u32", format!("{MAX_RINGS}u")),
             ("MAX_GROUPS", "u32", format!("{MAX_GROUPS}u")),
-            ("K_QUANTUM", "f32", format!("{K_QUANTUM:?}")),
             ("MAX_DX", "f32", format!("{max_dx:?}")),
             ("MAX_DPHI", "f32", format!("{max_dphi:?}")),
         ]
+    }
+}
+
+impl GpuGroup {
+    fn new(waves: &[Wave; OCTAVES]) -> Self {
+        Self {
+            m: Vec4::from_array(waves.map(|wave| wave.m as f32)),
+            k: Vec4::from_array(waves.map(|wave| wave.k as f32)),
+        }
     }
 }
 
@@ -116,10 +135,4 @@ impl GpuRing {
             phase_places: UVec4::from_array(ring.phase_places(life)),
         }
     }
-}
-
-/// A wave in 32 bits: m in the upper half, k in the lower one.
-fn packed(wave: &Wave) -> i32 {
-    let k = (wave.k / K_QUANTUM) as i32;
-    (wave.m as i32) << 16 | (k & 0xffff)
 }

@@ -15,6 +15,7 @@ fn naga_accepts_every_variant() {
                 Entry::Picture => &["vertex", "fragment"],
                 Entry::Rays => &["rays"],
                 Entry::Timed => &["vertex", "timed", "fragment"],
+                Entry::TimedLight => &["timed"],
             };
             let message = validate(&variant.text(), entries).err()?;
             Some(format!("{variant:?}\n{message}"))

@@ -5,9 +5,6 @@ use super::random::{GROUP_STRIDE, List, phase};
 use crate::geometry::kerr::{Kerr, MASS};
 use std::f64::consts::{PI, TAU};
 
-/// Wave numbers k are multiples of this, so that the GPU can have them in 16 bits.
-pub const K_QUANTUM: f64 = 1.0 / 64.0;
-
 /// The smallest wave number, in units of one over a correlation length.
 const SMALLEST: f64 = 0.5;
 
@@ -22,7 +19,7 @@ pub struct Wave {
     /// Number of crests around the disk, at least one: a wave with none would change the mean flux of a
     /// circle.
     pub m: u32,
-    /// Radians per unit of ln r; a multiple of [`K_QUANTUM`].
+    /// Radians per unit of ln r, rounded to `f32`, so that the GPU has the same wave.
     pub k: f64,
 }
 
@@ -76,7 +73,7 @@ impl Ring {
                 let k = q_across * cos + q_along * sin;
                 Wave {
                     m: m.abs().round().max(1.0) as u32,
-                    k: (k.copysign(k * m) / K_QUANTUM).round() * K_QUANTUM,
+                    k: f64::from(k.copysign(k * m) as f32),
                 }
             };
             sizes.into_iter().zip(directions).map(wave).collect()

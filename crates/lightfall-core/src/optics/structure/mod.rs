@@ -13,7 +13,7 @@ mod model;
 mod random;
 mod rings;
 
-pub use draw::{K_QUANTUM, Ring, Wave};
+pub use draw::{Ring, Wave};
 pub use field::{Covariance, Field, MAX_CHANGE, Term};
 pub use model::{MAX_WAVES, Model, OCTAVES};
 pub use random::{GROUP_STRIDE, phase};

@@ -13,15 +13,15 @@ pub(super) fn bits(place: u64) -> u64 {
 }
 
 /// The phase, in turns from -1/2 to 1/2, of the place `at` in the list of phases: the integer hash
-/// that Wellons found by search (lowbias32, 2018). Both languages compute it in 32 bits, so a wave has
-/// the same phase in both, however many lives it has lived.
+/// that Wellons found by search (lowbias32, 2018). Both languages compute it in 32 bits and keep the
+/// upper 23, so a wave has the same phase in both, however many lives it has lived.
 #[must_use]
 pub fn phase(at: u32) -> f64 {
     let mut z = at;
     z = (z ^ (z >> 16)).wrapping_mul(0x7feb_352d);
     z = (z ^ (z >> 15)).wrapping_mul(0x846c_a68b);
     z ^= z >> 16;
-    f64::from(z.cast_signed()) / 4_294_967_296.0
+    f64::from(z.cast_signed() >> 9) / 8_388_608.0
 }
 
 /// A list of random numbers that belongs to one purpose.
