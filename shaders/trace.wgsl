@@ -32,7 +32,7 @@ struct Footprint {
     downward: vec3<f32>,
 }
 
-// Those of a ray's hits.
+// The footprints of a ray's two hits.
 struct Footprints {
     first: Footprint,
     second: Footprint,

@@ -53,7 +53,7 @@ fn turning_leg(turn: Turn, b: f32, u_a: f32, u_b: f32) -> f32 {
 }
 
 // 1/(1 + s) for a ray that goes through. Next to the critical curve q - u^2 (1 - u) is a small
-// difference; q = (1 + D) 4/27 takes it apart.
+// difference, which q = (1 + D) 4/27 avoids.
 fn through_terms(orbit: Orbit, u: Nodes) -> Nodes {
     let off = u - PHOTON_SPHERE;
     let f = (4.0 / 27.0) * orbit.discriminant + off * off * (u + (1.0 / 3.0));
@@ -106,8 +106,8 @@ fn has_turned(orbit: Orbit, phi: f32, u: f32) -> bool {
     return orbit.slope * phi * x + (u - orbit.u) * chord > 0.0;
 }
 
-// The delay of light from u, at the angle phi from the camera, less the camera's time_lead. A camera
-// inside has its ray's outward leg and ingoing time, and there the lead is zero.
+// The delay of light from u, at the angle phi from the camera, less the camera's time_lead. Inside the
+// horizon the clock is the ingoing time, and the lead is zero.
 fn crossing_delay(orbit: Orbit, phi: f32, u: f32, on_way_out: bool) -> f32 {
     let b = 1.0 / orbit.inverse_b;
     let at_hit = tortoise(u, vec2<f32>(1.0 - u, 1.0));

@@ -5,7 +5,8 @@ use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResource;
 use wgpu::DeviceType;
 
-/// The most waves of a ring that a software renderer draws in a window. Fewer look like waves.
+/// The most waves of a ring that a software renderer draws in a window. With fewer, single
+/// waves can be told apart.
 const WAVES_ON_CPU: u32 = 12;
 
 /// The most waves that each ring of the disk's structure is drawn with. `None`: as many as the scene

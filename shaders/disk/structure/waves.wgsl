@@ -38,7 +38,7 @@ struct Ring {
 
 @group(0) @binding(BINDING_STRUCTURE) var<uniform> structure: Structure;
 
-// Bits between the places of an octave's neighbouring waves in the list of phases.
+// Distance between the places of an octave's neighbouring waves in the list of phases.
 const GROUP_STRIDE: u32 = 0x9e3779b9u;
 
 // When a group's waves are born, in groups.

@@ -5,7 +5,7 @@
 //!
 //! * An observer that falls or orbits has clocks of its own. Its worldline says how much coordinate
 //!   time goes by, and the fall writes it to the scene.
-//! * A journey says so itself, by the same rule as for numbered pictures.
+//! * A journey drives the clock itself, by the same rule as for numbered pictures.
 //! * A hand moves the camera faster than light, and no observer sees what such a camera would. The
 //!   picture then keeps the stage that the disk is seen at: the clock is put on by the change of
 //!   [`Scene::disk_time_lead`], so that the disk neither leaps nor runs backward.
@@ -61,7 +61,7 @@ struct Reading {
 }
 
 impl DiskClock {
-    /// The scene's `disk.time` after `seconds` more, but no more than one frame may last. Where the
+    /// The scene's `disk.time` after `seconds` more; what exceeds the longest frame does not count. Where the
     /// camera has been moved since the last call, the disk is seen at the same stage as before. A time
     /// that something else has set is kept, and a scene that was loaded begins at its own.
     pub fn advance(&mut self, seconds: f64, scene: &Scene) -> f64 {
@@ -172,7 +172,8 @@ fn run_disk_clock(
     }
 }
 
-/// The keys of the time rate are the disk's clock's while nothing else has one.
+/// Changes the rate of the disk's clock by the keys for the rate of time, unless a fall or a journey
+/// uses them.
 fn change_rate(
     mut commands: MessageReader<AppCommand>,
     free_fall: Res<FreeFall>,

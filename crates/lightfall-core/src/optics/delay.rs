@@ -27,7 +27,7 @@ pub struct Lag<'a> {
     /// r* where the first leg starts, until the first step says whether that leg leads outward.
     /// Inside the horizon it is zero: the ingoing time there contains it.
     start: f64,
-    /// What the steps so far contribute, but for r* at the end of the present leg.
+    /// What the steps so far contribute, without r* at the end of the present leg.
     sum: f64,
 }
 
