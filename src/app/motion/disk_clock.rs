@@ -34,9 +34,9 @@ use lightfall_core::scene::Scene;
 const RATE_STEP: f64 = 2.0;
 const RATES: [f64; 2] = [1.0 / 64.0, 1000.0];
 
-/// The rate of the disk's clock after this many presses; a negative number slows it down. Beyond the
-/// range of the keys it stays as it is, unless it comes nearer to the range. A clock that stands
-/// begins with the slowest rate.
+/// The rate of the disk's clock after this many presses; a negative number slows it down. Beyond
+/// the range of the keys it stays as it is, unless it comes nearer to the range. A clock that
+/// stands begins with the slowest rate.
 #[must_use]
 pub fn stepped_rate(rate: f64, presses: i32) -> f64 {
     let [slowest, fastest] = RATES;
@@ -61,9 +61,10 @@ struct Reading {
 }
 
 impl DiskClock {
-    /// The scene's `disk.time` after `seconds` more; what exceeds the longest frame does not count. Where the
-    /// camera has been moved since the last call, the disk is seen at the same stage as before. A time
-    /// that something else has set is kept, and a scene that was loaded begins at its own.
+    /// The scene's `disk.time` after `seconds` more; what exceeds the longest frame does not count.
+    /// Where the camera has been moved since the last call, the disk is seen at the same stage as
+    /// before. A time that something else has set is kept, and a scene that was loaded begins at
+    /// its own.
     pub fn advance(&mut self, seconds: f64, scene: &Scene) -> f64 {
         let mut time = scene.disk.time;
         if let Some(last) = &self.last
@@ -172,8 +173,8 @@ fn run_disk_clock(
     }
 }
 
-/// Changes the rate of the disk's clock by the keys for the rate of time, unless a fall or a journey
-/// uses them.
+/// Changes the rate of the disk's clock by the keys for the rate of time, unless a fall or a
+/// journey uses them.
 fn change_rate(
     mut commands: MessageReader<AppCommand>,
     free_fall: Res<FreeFall>,

@@ -7,9 +7,9 @@
 //! crossing.
 //!
 //! Two numbers give a ray: its angle from the direction of the hole, and the azimuth of the line in
-//! which its plane would meet the disk's plane if light were not dragged along. A larger angle moves
-//! the crossing outward, and another azimuth turns it about the axis. So two nested searches for a
-//! root find the ray, without a first guess and at any spin.
+//! which its plane would meet the disk's plane if light were not dragged along. A larger angle
+//! moves the crossing outward, and another azimuth turns it about the axis. So two nested searches
+//! for a root find the ray, without a first guess and at any spin.
 
 use crate::geometry::kerr::Kerr;
 use crate::geometry::mino::Constants;
@@ -57,11 +57,11 @@ pub struct Image {
 }
 
 /// The images of the scene's hot spot at its `disk.time`, in the order of their numbers. An image
-/// that does not exist is left out. There are none at all if the scene has no spot, if the camera is
-/// in the disk's plane and would see the spot from its edge, or if it is at or inside the horizon.
-/// Whether a picture shows an image is not considered: something may lie in front of it, and pictures
-/// show two crossings of the disk only, of which an image of order 2 around a spinning hole may be
-/// the third.
+/// that does not exist is left out. There are none at all if the scene has no spot, if the camera
+/// is in the disk's plane and would see the spot from its edge, or if it is at or inside the
+/// horizon. Whether a picture shows an image is not considered: something may lie in front of it,
+/// and pictures show two crossings of the disk only, of which an image of order 2 around a spinning
+/// hole may be the third.
 ///
 /// # Errors
 /// If the scene's observer cannot exist.

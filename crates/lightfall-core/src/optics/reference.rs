@@ -104,8 +104,8 @@ impl Reference {
         trace
     }
 
-    /// As [`trace`](Self::trace), with the hits' [lags](crate::optics::delay::Lag) in place of their
-    /// delays, wherever the camera is. Outside the horizon both are the same.
+    /// As [`trace`](Self::trace), with the hits' [lags](crate::optics::delay::Lag) in place of
+    /// their delays, wherever the camera is. Outside the horizon both are the same.
     #[must_use]
     pub fn trace_with_lags(&self, direction: DVec3) -> Trace {
         self.trace_by(direction, HoleAndDisk::trace_with_lags)

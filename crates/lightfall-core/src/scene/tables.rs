@@ -244,8 +244,8 @@ table! {
         waves: u32 = 24, Range::closed(12.0, 48.0), "waves";
         /// Number that chooses the random pattern of the structure.
         seed: u32 = 1, Range::closed(0.0, u32::MAX as f64), "";
-        /// Clock of the disk: Boyer-Lindquist's time at the camera; inside the horizon Kerr's ingoing
-        /// time.
+        /// Clock of the disk: Boyer-Lindquist's time at the camera; inside the horizon Kerr's
+        /// ingoing time.
         time: f64 = 0.0, Range::closed(-1e9, 1e9), "r_s/c";
         /// How far the disk's clock goes on in one second of a window or of a sequence.
         rate: f64 = 4.0, Range::closed(0.0, 1e3), "r_s/c";

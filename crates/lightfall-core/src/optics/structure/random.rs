@@ -1,7 +1,7 @@
 //! Random numbers by their place in a list: the same on every machine, for any time.
 
-/// Distance between the places of an octave's neighbouring waves in the list of phases: 2^32 over the
-/// golden ratio, so that the places of two waves are far apart.
+/// Distance between the places of an octave's neighbouring waves in the list of phases: 2^32 over
+/// the golden ratio, so that the places of two waves are far apart.
 pub const GROUP_STRIDE: u32 = 0x9e37_79b9;
 
 /// Random bits of a place: the output function of SplitMix64 (Steele, Lea & Flood 2014).
@@ -13,8 +13,8 @@ pub(super) fn bits(place: u64) -> u64 {
 }
 
 /// The phase, in turns from -1/2 to 1/2, of the place `at` in the list of phases: the integer hash
-/// that Wellons found by search (lowbias32, 2018). Both languages compute it in 32 bits, so a wave has
-/// the same phase in both, however many lives it has lived.
+/// that Wellons found by search (lowbias32, 2018). Both languages compute it in 32 bits, so a wave
+/// has the same phase in both, however many lives it has lived.
 #[must_use]
 pub fn phase(at: u32) -> f64 {
     let mut z = at;
