@@ -28,7 +28,8 @@ fn in_annulus(r: f32) -> bool {
     return r > scene.disk.inner && r < scene.disk.outer;
 }
 
-// Where the segment crosses the plane, and at which share of its length; only meaningful if it does.
+// Where the segment crosses the plane, and at which share of its length; only meaningful if it
+// does.
 fn plane_crossing(segment: Segment, crosses: bool) -> vec4<f32> {
     let above = segment.x0.z > 0.0;
     var low = 0.0;

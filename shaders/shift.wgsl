@@ -40,7 +40,8 @@ fn straight_lambda(r: f32, moment_z: f32) -> f32 {
     return moment_z / r * (1.0 - a / b * inverse_omega) * sqrt(b / r) / lapse_and_dragging(r).x;
 }
 
-// The lambda that gives the shift of light from the disk at r: L/E, which is a constant of bent rays.
+// The lambda that gives the shift of light from the disk at r: L/E, which is a constant of bent
+// rays.
 fn disk_lambda(photon: Photon, r: f32) -> f32 {
     let lambda = photon_angular_momentum(photon) / photon_energy(photon);
     if LENSING {

@@ -2,8 +2,8 @@
 // what its ray meets. Each method defines `fn trace(photon: Photon) -> Trace`.
 //
 // Needs: nothing.
-// Gives: Footprint, Footprints, Hit, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, OUTCOME_UNFINISHED, Photon, Segment,
-//     Trace, empty_trace.
+// Gives: Footprint, Footprints, Hit, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY,
+//     OUTCOME_UNFINISHED, Photon, Segment, Trace, empty_trace.
 
 // A photon where it meets the camera, per unit frequency at the camera;
 // crates/lightfall-core/src/geometry/observer.rs has the same numbers.
@@ -32,7 +32,7 @@ struct Footprint {
     downward: vec3<f32>,
 }
 
-// Those of a ray's hits.
+// The footprints of a ray's two hits.
 struct Footprints {
     first: Footprint,
     second: Footprint,
@@ -44,8 +44,8 @@ struct Hit {
     position: vec3<f32>,
     // Observed over emitted frequency.
     g: f32,
-    // How long before the camera's time, less scene.observer.time_lead, the light left the disk. That lead
-    // is most of a far camera's delay; the CPU adds it in f64. Zero without DELAY.
+    // How long before the camera's time, less scene.observer.time_lead, the light left the disk.
+    // That lead is most of a far camera's delay; the CPU adds it in f64. Zero without DELAY.
     delay: f32,
 }
 
@@ -67,8 +67,8 @@ struct Trace {
     turn: f32,
 }
 
-// One step of a ray: positions and velocities at its two ends, and its affine length. With DELAY, also the
-// delay at its start and the delay per affine length at its two ends.
+// One step of a ray: positions and velocities at its two ends, and its affine length. With DELAY,
+// also the delay at its start and the delay per affine length at its two ends.
 struct Segment {
     x0: vec3<f32>,
     v0: vec3<f32>,

@@ -2,16 +2,18 @@
 //
 //   dt/dtau = (1/u^2 + a^2) W/D - B + a^2 E n_z^2.
 //
-// With W^2 - U = K' u^2 D, the first term is K' (1 + a^2 u^2)/(W + |u'|), which is finite at infinity
-// and at the horizon, plus the change of the tortoise coordinate r* per Mino time. On every stretch on
-// which r does not turn
+// With W^2 - U = K' u^2 D, the first term is K' (1 + a^2 u^2)/(W + |u'|), which is finite at
+// infinity and at the horizon, plus the change of the tortoise coordinate r* per Mino time. On
+// every stretch on which r does not turn
 //
-//   delay = |r*(end) - r*(start)| + integral of [K' (1 + a^2 u^2)/(W + |u'|) - B + a^2 E n_z^2] dtau.
+//   delay = |r*(end) - r*(start)|
+//       + integral of [K' (1 + a^2 u^2)/(W + |u'|) - B + a^2 E n_z^2] dtau.
 //
-// In the step in which r turns |u'| has a kink, and the plain form holds, where u is never small. Derived.
+// In the step in which r turns |u'| has a kink, and the plain form holds, where u is never small.
+// Derived.
 //
-// Needs: Curve, DELAY_MORE_NODES, DELAY_NODES, DELAY_NODES_2, DELAY_WEIGHTS, DELAY_WEIGHTS_2, Motion,
-//     Nodes, Step, TINY, curve, horizon_factors, scene, square, tortoise.
+// Needs: Curve, DELAY_MORE_NODES, DELAY_NODES, DELAY_NODES_2, DELAY_WEIGHTS, DELAY_WEIGHTS_2,
+//     Motion, Nodes, Step, TINY, curve, horizon_factors, scene, square, tortoise.
 // Gives: crossing_delay, first_delay, step_delay.
 
 // The rate at some shares of a step of length h.

@@ -3,8 +3,8 @@
 // Needs: atanh_small, scene.
 // Gives: tortoise.
 
-// The integral of (r^2 + a^2)/Delta dr at u = 1/r, with the factors 1 - r_+ u and 1 - r_- u of Delta/r^2
-// (Misner, Thorne & Wheeler 1973 box 33.2, with 2M = 1):
+// The integral of (r^2 + a^2)/Delta dr at u = 1/r, with the factors 1 - r_+ u and 1 - r_- u of
+// Delta/r^2 (Misner, Thorne & Wheeler 1973 box 33.2, with 2M = 1):
 //
 //   r + (r_+ ln(r - r_+) - r_- ln(r - r_-))/(r_+ - r_-)
 //     = r + ln(r - r_-) + r_+ ln((r - r_+)/(r - r_-))/(r_+ - r_-)

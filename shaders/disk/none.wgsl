@@ -1,8 +1,8 @@
 // No disk: no ray crosses anything and nothing shines.
 //
 // Needs: Footprint, Footprints, Hit, Photon, Segment, Trace.
-// Gives: HAS_DISK, add_hit, crosses_plane, disk_cover, disk_light, disk_transmission, hit_footprints, in_annulus,
-//     plane_crossing, record_crossing, segment_delay, shift_hits.
+// Gives: HAS_DISK, add_hit, crosses_plane, disk_cover, disk_light, disk_transmission,
+//     hit_footprints, in_annulus, plane_crossing, record_crossing, segment_delay, shift_hits.
 
 const HAS_DISK: bool = false;
 

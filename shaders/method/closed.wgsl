@@ -1,6 +1,6 @@
 // The method closed: Schwarzschild's null geodesics in closed form, without steps, without a limit
-// to them, and without a radius that stands for infinity. closed_orbit.wgsl has the orbits; this part
-// finds what a ray meets. No constraint can drift: the record's steps and residuals are 0.
+// to them, and without a radius that stands for infinity. closed_orbit.wgsl has the orbits; this
+// part finds what a ray meets. No constraint can drift: the record's steps and residuals are 0.
 //
 // Needs: AZIMUTH, FOLLOW_BEYOND_HITS, HAS_DISK, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN,
 //     OUTCOME_SKY, Orbit, PI, Photon, SKY_DIRECTION, TINY, Trace, add_hit, angle_to_infinity,

@@ -2,9 +2,9 @@
 // sphere. mino_motion.wgsl has the equations and the step, mino_azimuth.wgsl the azimuth; this part
 // begins a ray, follows it and ends it.
 //
-// Needs: AZIMUTH, Angle, Constants, DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, HAS_DISK, MAX_HITS, Motion,
-//     NEAR_HORIZON, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Photon, SKY_DIRECTION, SPINNING,
-//     Step, TINY, Trace, acceleration, add_angle, add_hit, angle_between, azimuth_gain,
+// Needs: AZIMUTH, Angle, Constants, DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, HAS_DISK, MAX_HITS,
+//     Motion, NEAR_HORIZON, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Photon, SKY_DIRECTION,
+//     SPINNING, Step, TINY, Trace, acceleration, add_angle, add_hit, angle_between, azimuth_gain,
 //     azimuth_lag_to_infinity, cannot_turn, crosses_plane, curve, curve_at, curve_slope,
 //     empty_trace, in_annulus, motion_about, nystroem_step, quadratic, rotate_z, safe_normalize,
 //     scene, sin_cos_precise, speed_squared, square, wrap_angle.

@@ -17,8 +17,8 @@ fn light_along(photon: Photon) -> vec4<f32> {
     var without_source = 1.0;
     var hit = ray.hits[0];
     var footprint = footprints.first;
-    // A loop, so that drivers that execute both sides of a branch compute a light that nothing hides
-    // only once for most pixels.
+    // A loop, so that drivers that execute both sides of a branch compute a light that nothing
+    // hides only once for most pixels.
     for (var i = 0u; i < min(ray.hit_count, MAX_HITS); i++) {
         let r = length(hit.position);
         light += transmission * disk_light(photon, hit, footprint);

@@ -43,7 +43,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     }
     if format == Format::Apng && sequence.is_none() {
         return Err(Stop::refused(
-            "-o: an .apng holds the frames of a sequence: --frames A..B says which",
+            "-o: an .apng holds the frames of a sequence, so --frames A..B must name them",
         ));
     }
     if let (Format::Png | Format::Apng, Some(_)) = (format, &args.aov) {

@@ -8,7 +8,7 @@ use std::mem;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Frames per second are written as a fraction with this denominator of seconds.
+/// The time that a frame is shown is written as a fraction of a second with this denominator.
 const DELAY_PARTS: u16 = 1000;
 
 /// An animated PNG that is being made. It repeats for ever.

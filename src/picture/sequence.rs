@@ -124,8 +124,8 @@ impl Sequence {
         })
     }
 
-    /// The scene of the frame of this number, for a journey through `scene`, whose `disk.time` is that
-    /// of frame 0. It is not checked.
+    /// The scene of the frame of this number, for a journey through `scene`, whose `disk.time` is
+    /// that of frame 0. It is not checked.
     #[must_use]
     pub fn scene(&self, scene: &Scene, number: u32) -> Scene {
         let seconds = f64::from(number) / self.fps;

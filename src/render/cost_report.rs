@@ -19,8 +19,8 @@ pub fn cost_report(scene: &Scene) -> String {
 }
 
 /// The cost report of the scene as rows: a topic, and what belongs to it. The rows depend on the
-/// scene's method, its view, its disk without the clock, its [`Variant`] and its [`Chain`], and on how
-/// many waves are drawn, and on nothing else.
+/// scene's method, its view, its disk without the clock, its [`Variant`] and its [`Chain`], and on
+/// how many waves are drawn, and on nothing else.
 pub fn cost_rows(scene: &Scene, limit: WaveLimit) -> Vec<(&'static str, String)> {
     let variant = Variant::picture(scene);
     let chain = Chain::of(scene);

@@ -37,8 +37,8 @@ pub struct DrawRequest {
     /// Whether a frame has drawn all of it; shared by the main and the render world.
     drawn: Arc<AtomicBool>,
     /// Whether a frame has drawn the scene at some time of the disk; shared by the requests that
-    /// differ in that time only. While the disk's clock runs, every frame has a request of its own, of
-    /// which none is known to be drawn before the next one comes.
+    /// differ in that time only. While the disk's clock runs, every frame has a request of its own,
+    /// of which none is known to be drawn before the next one comes.
     shown: Arc<AtomicBool>,
     /// Whether there is a picture, of this or an earlier request. All requests share it.
     has_picture: Arc<AtomicBool>,

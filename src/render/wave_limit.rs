@@ -1,15 +1,16 @@
-//! How many waves the disk's structure is drawn with at most. A software renderer sums them up on the
-//! processor, so the window draws fewer there. Stills have the number of the scene.
+//! How many waves the disk's structure is drawn with at most. A software renderer sums them up on
+//! the processor, so the window draws fewer there. Stills have the number of the scene.
 
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResource;
 use wgpu::DeviceType;
 
-/// The most waves of a ring that a software renderer draws in a window. Fewer look like waves.
+/// The most waves of a ring that a software renderer draws in a window. With fewer, single
+/// waves can be told apart.
 const WAVES_ON_CPU: u32 = 12;
 
-/// The most waves that each ring of the disk's structure is drawn with. `None`: as many as the scene
-/// says.
+/// The most waves that each ring of the disk's structure is drawn with. `None`: as many as the
+/// scene says.
 #[derive(Resource, Clone, Copy, Debug, Default, PartialEq, Eq, ExtractResource)]
 pub struct WaveLimit(pub Option<u32>);
 

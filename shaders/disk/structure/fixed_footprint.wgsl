@@ -1,5 +1,5 @@
-// The footprints of a pixel on the disk where no neighbours are at hand, in a compute entry: a hundredth of
-// the radius, for timing only.
+// The footprints of a pixel on the disk in a compute entry, which knows no neighbouring pixels: a
+// hundredth of the radius, for timing only.
 //
 // Needs: Footprint, Footprints, Trace.
 // Gives: hit_footprints.

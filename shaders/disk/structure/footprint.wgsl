@@ -13,10 +13,10 @@ fn shorter(a: Footprint, b: Footprint) -> Footprint {
     return Footprint(select(b.to_the_right, a.to_the_right, right), select(b.downward, a.downward, down));
 }
 
-// The footprints of both hits. All pixels must call it, before any branch. Where an image of the disk
-// ends in front of another one, the neighbour's hit in that other image has another number from the
-// front, but the same one from the back. Where the neighbour has no hit in the same image, the footprint
-// is huge, and the structure has its mean brightness.
+// The footprints of both hits. All pixels must call it, before any branch. Where an image of the
+// disk ends in front of another one, the neighbour's hit in that other image has another number
+// from the front, but the same one from the back. Where the neighbour has no hit in the same image,
+// the difference is huge, and structure_factor leaves it out.
 fn hit_footprints(ray: Trace) -> Footprints {
     let two = ray.hit_count > 1u;
     let last = footprint_of(select(ray.hits[0].position, ray.hits[1].position, two));

@@ -42,14 +42,14 @@ struct Ring {
 
 @group(0) @binding(BINDING_STRUCTURE) var<uniform> structure: Structure;
 
-// Bits between the places of an octave's neighbouring waves in the list of phases.
+// Distance between the places of an octave's neighbouring waves in the list of phases.
 const GROUP_STRIDE: u32 = 0x9e3779b9u;
 
 // When a group's waves are born, in groups.
 const BIRTHS: vec4<f32> = vec4<f32>(0.0, 0.25, 0.5, 0.75);
 
-// cos(pi s) for |s| <= 1/2; the error is at most 8e-6. Twice its square less one is cos(2 pi s), with an
-// error of at most 3.2e-5.
+// cos(pi s) for |s| <= 1/2; the error is at most 8e-6. Twice its square less one is cos(2 pi s),
+// with an error of at most 3.2e-5.
 fn cos_half_turns(s: vec4<f32>) -> vec4<f32> {
     let y = s * s;
     return (0.25 - y) * (3.99996873 + y * (1.21780146 * y - 3.73545675));
@@ -68,9 +68,9 @@ fn phases_at(places: vec4<u32>) -> vec4<f32> {
 // The factor by which the structure multiplies the flux. The mean over all phases is one.
 //
 // The filter's exponents are in powers of two: covariance is P log2(e)/2, where P = J J^T/12 is the
-// covariance of the footprint in (ln r, phi). The differences are those of positions, since those of
-// azimuths jump by a turn. A neighbour farther away than MAX_DX in ln r or MAX_DPHI in radians belongs to
-// another image of the disk or has no hit, and says nothing about the footprint.
+// covariance of the footprint in (ln r, phi). The differences are those of positions, since those
+// of azimuths jump by a turn. A neighbour farther away than MAX_DX in ln r or MAX_DPHI in radians
+// belongs to another image of the disk or has no hit, and says nothing about the footprint.
 fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
     let p = hit.position.xy;
     let r2 = max(dot(p, p), MASS * MASS);

@@ -5,7 +5,7 @@
 //!
 //! * An observer that falls or orbits has clocks of its own. Its worldline says how much coordinate
 //!   time goes by, and the fall writes it to the scene.
-//! * A journey says so itself, by the same rule as for numbered pictures.
+//! * A journey drives the clock itself, by the same rule as for numbered pictures.
 //! * A hand moves the camera faster than light, and no observer sees what such a camera would. The
 //!   picture then keeps the stage that the disk is seen at: the clock is put on by the change of
 //!   [`Scene::disk_time_lead`], so that the disk neither leaps nor runs backward.
@@ -34,9 +34,9 @@ use lightfall_core::scene::Scene;
 const RATE_STEP: f64 = 2.0;
 const RATES: [f64; 2] = [1.0 / 64.0, 1000.0];
 
-/// The rate of the disk's clock after this many presses; a negative number slows it down. Beyond the
-/// range of the keys it stays as it is, unless it comes nearer to the range. A clock that stands
-/// begins with the slowest rate.
+/// The rate of the disk's clock after this many presses; a negative number slows it down. Beyond
+/// the range of the keys it stays as it is, unless it comes nearer to the range. A clock that
+/// stands begins with the slowest rate.
 #[must_use]
 pub fn stepped_rate(rate: f64, presses: i32) -> f64 {
     let [slowest, fastest] = RATES;
@@ -61,9 +61,10 @@ struct Reading {
 }
 
 impl DiskClock {
-    /// The scene's `disk.time` after `seconds` more, but no more than one frame may last. Where the
-    /// camera has been moved since the last call, the disk is seen at the same stage as before. A time
-    /// that something else has set is kept, and a scene that was loaded begins at its own.
+    /// The scene's `disk.time` after `seconds` more; what exceeds the longest frame does not count.
+    /// Where the camera has been moved since the last call, the disk is seen at the same stage as
+    /// before. A time that something else has set is kept, and a scene that was loaded begins at
+    /// its own.
     pub fn advance(&mut self, seconds: f64, scene: &Scene) -> f64 {
         let mut time = scene.disk.time;
         if let Some(last) = &self.last
@@ -172,7 +173,8 @@ fn run_disk_clock(
     }
 }
 
-/// The keys of the time rate are the disk's clock's while nothing else has one.
+/// Changes the rate of the disk's clock by the keys for the rate of time, unless a fall or a
+/// journey uses them.
 fn change_rate(
     mut commands: MessageReader<AppCommand>,
     free_fall: Res<FreeFall>,

@@ -360,8 +360,8 @@ pub(super) fn advance_free_fall(
     }
 }
 
-/// Whether the keys that slow down and speed up time change the rate of the disk's clock. While a fall
-/// or a journey is under way, and where nothing else moves, they change the pace of a fall.
+/// Whether the keys that slow down and speed up time change the rate of the disk's clock. While a
+/// fall or a journey is under way, and where nothing else moves, they change the pace of a fall.
 pub(super) fn keys_are_the_clocks(
     scene: &Scene,
     free_fall: &FreeFall,

@@ -43,8 +43,8 @@ enum ChangeKind {
     DepartureElsewhere,
 }
 
-/// Whether two scenes are the same, apart from an exposure that the light meter has chosen and a time
-/// to which the disk's clock has gone on.
+/// Whether two scenes are the same, apart from an exposure that the light meter has chosen and a
+/// time to which the disk's clock has gone on.
 fn same_but_driven(a: &Scene, b: &Scene) -> bool {
     let mut a = a.clone();
     if a.picture.automatic_exposure && b.picture.automatic_exposure {

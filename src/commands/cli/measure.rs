@@ -40,13 +40,14 @@ pub struct BenchArgs {
     /// Also time whole frames, with each method at the scene's own setting
     #[arg(long)]
     pub frames: bool,
-    /// Measure the time between emission and arrival instead: its error against the run time of tracing
-    /// with 2, 3, 4 and 8 nodes, for closed and mino. --out then writes delay.csv, delay.json, delay.md
-    /// and plots delay-SCENE.svg
+    /// Measure the time between emission and arrival instead: its error against the run time of
+    /// tracing with 2, 3, 4 and 8 nodes, for closed and mino. --out then writes delay.csv,
+    /// delay.json, delay.md and plots delay-SCENE.svg
     #[arg(long, conflicts_with = "frames")]
     pub delay: bool,
-    /// Time the light of a living disk instead: structure, limb darkening and the delay that they need,
-    /// against a smooth disk, as a compute kernel. --out then writes light.csv, light.json and light.md
+    /// Time the light of a living disk instead: structure, limb darkening and the delay that they
+    /// need, against a smooth disk, as a compute kernel. --out then writes light.csv, light.json
+    /// and light.md
     #[arg(long, conflicts_with_all = ["frames", "delay", "entry"])]
     pub light: bool,
     /// Folder for the reports; it is created, and files of the same names are replaced

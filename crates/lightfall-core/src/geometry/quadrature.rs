@@ -14,7 +14,8 @@ const NODES: [[f64; 2]; 4] = [
 /// Maximum relative difference between an integral and the sum over its halves.
 const TOLERANCE: f64 = 1e-12;
 
-/// Steps from the first guess of a root of Legendre's polynomial to its last digit.
+/// Number of Newton's steps that take the first guess of a root of Legendre's polynomial to its
+/// last digit.
 const NEWTON_STEPS: u32 = 8;
 
 /// Maximum number of times that an interval is halved.
@@ -27,8 +28,8 @@ pub fn integral(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
     integral_on_scale(0.0, from, to, f)
 }
 
-/// As [`integral`], but an error of 1e-12 `scale` is allowed, too: for functions that change sign or
-/// are nothing but rounding.
+/// As [`integral`], but the error may also be 1e-12 times `scale`: for functions that change sign,
+/// or that are nothing but rounding.
 #[must_use]
 pub fn integral_on_scale(scale: f64, from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
     let whole = seven_points(from, to, f);
@@ -46,7 +47,7 @@ fn refined(
     let halves = [seven_points(from, middle, f), seven_points(middle, to, f)];
     let sum = halves[0] + halves[1];
     let differs = (sum - whole).abs() > TOLERANCE * sum.abs().max(scale);
-    // A sum that is not a number does not differ from anything.
+    // False for NaN, so that the halving ends.
     if halvings == 0 || !differs {
         return sum;
     }
@@ -67,8 +68,9 @@ fn seven_points(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
     half * NODES.into_iter().map(pair).sum::<f64>()
 }
 
-/// Nodes and weights of the Gauss-Legendre rule with `count` points on [0, 1], in growing order of the
-/// nodes: the roots of Legendre's polynomial by Newton's method (Abramowitz & Stegun 1964 25.4.29).
+/// Nodes and weights of the Gauss-Legendre rule with `count` points on [0, 1], in growing order of
+/// the nodes: the roots of Legendre's polynomial by Newton's method (Abramowitz & Stegun 1964
+/// 25.4.29).
 #[must_use]
 pub fn gauss_legendre(count: usize) -> Vec<(f64, f64)> {
     let node = |i: usize| {

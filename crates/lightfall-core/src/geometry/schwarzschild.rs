@@ -77,10 +77,10 @@ impl ShadowEdge {
 /// The roots u1 < 0 < u2 <= 2/3 <= u3 of the cubic 1/b^2 - u^2 + u^3, of which u2 is the turning
 /// point of light from afar; u32 = u3 - u2 and u21 = u2 - u1.
 ///
-/// With eta = (2/3) arcsin(b_c/b) and eps = pi/3 - eta = (2/3) arcsin(sqrt(-D)), u3 - u2 = (2/sqrt 3)
-/// sin eps, u2 - u1 = (2/sqrt 3) sin eta, and u1,2 = (2/3) sin^2(eta/2) -+ sin(eta)/sqrt 3: the cubic's
-/// trigonometric solution. The smaller of eta and eps is computed directly, so neither limit loses
-/// digits.
+/// With eta = (2/3) arcsin(b_c/b) and eps = pi/3 - eta = (2/3) arcsin(sqrt(-D)), the roots have
+/// u3 - u2 = (2/sqrt 3) sin eps, u2 - u1 = (2/sqrt 3) sin eta, and u1,2 = (2/3) sin^2(eta/2) -+
+/// sin(eta)/sqrt 3: the cubic's trigonometric solution. The smaller of eta and eps is computed
+/// directly, so neither limit loses digits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Roots {
     u1: f64,

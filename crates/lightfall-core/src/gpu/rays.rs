@@ -142,7 +142,8 @@ fn traces(scene: &Scene, records: &[GpuTrace]) -> Vec<Trace> {
 }
 
 impl GpuTrace {
-    /// The record in f64; `time_lead` is what its delays leave out, if they can be stated.
+    /// The record in f64. `time_lead` is the part of the delays that the GPU leaves out; `None` for
+    /// a camera that has no delays to state.
     #[must_use]
     pub fn trace(&self, time_lead: Option<f64>) -> Trace {
         let outcome = match self.outcome {

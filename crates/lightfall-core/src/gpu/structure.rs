@@ -75,8 +75,8 @@ impl GpuStructure {
     /// The uniform's size in bytes.
     pub const SIZE: u64 = <Self as encase::ShaderSize>::SHADER_SIZE.get();
 
-    /// The structure of the scene's disk at its clock, with at most `limit` waves in each ring; `None`
-    /// for a smooth disk.
+    /// The structure of the scene's disk at its clock, with at most `limit` waves in each ring;
+    /// `None` for a smooth disk.
     ///
     /// The clock is that of the GPU's delays: `disk.time` less the time that they leave out.
     #[must_use]

@@ -127,8 +127,8 @@ impl Stopwatch {
         Self::with_tables(gpu, variant, scene, (size, stage), Vec::new())
     }
 
-    /// The same for the light of a picture's pixels, with everything that shines: as a compute entry, in
-    /// which the disk's structure has a pixel's footprint of fixed size.
+    /// The same for the light of a picture's pixels, with everything that shines: as a compute
+    /// entry, in which the disk's structure has a pixel's footprint of fixed size.
     ///
     /// # Errors
     /// As [`Stopwatch::new`].

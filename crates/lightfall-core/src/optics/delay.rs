@@ -1,12 +1,13 @@
 //! How long the light of a hit was under way, in f64. The twin in WGSL is shaders/delay/mino.wgsl.
 //!
 //! Along a backward ray in Mino time, dt/dtau = (1/u^2 + a^2) W/D + a L - a^2 E (1 - n_z^2) with
-//! W = E + (a^2 E - a L) u^2 and D = 1 - u + a^2 u^2 (Carter 1968; Misner, Thorne & Wheeler 1973 eq.
-//! 33.32d). Its first term is infinite at infinity and at the horizon. Since W^2 - u'^2 = K' u^2 D, it
-//! is K' (1 + a^2 u^2)/(W + |u'|) plus the change of the tortoise coordinate r* per Mino time. So on
-//! every leg, on which r does not turn, the light takes
+//! W = E + (a^2 E - a L) u^2 and D = 1 - u + a^2 u^2 (Carter 1968; Misner, Thorne & Wheeler 1973
+//! eq. 33.32d). Its first term is infinite at infinity and at the horizon. Since W^2 - u'^2 = K'
+//! u^2 D, it is K' (1 + a^2 u^2)/(W + |u'|) plus the change of the tortoise coordinate r* per Mino
+//! time. So on every leg, on which r does not turn, the light takes
 //!
-//! |r*(end) - r*(start)| + integral of [K' (1 + a^2 u^2)/(W + |u'|) + a L - a^2 E (1 - n_z^2)] dtau,
+//! |r*(end) - r*(start)| +
+//! integral of [K' (1 + a^2 u^2)/(W + |u'|) + a L - a^2 E (1 - n_z^2)] dtau,
 //!
 //! where the integrand is finite everywhere. Derived.
 
@@ -27,7 +28,7 @@ pub struct Lag<'a> {
     /// r* where the first leg starts, until the first step says whether that leg leads outward.
     /// Inside the horizon it is zero: the ingoing time there contains it.
     start: f64,
-    /// What the steps so far contribute, but for r* at the end of the present leg.
+    /// What the steps so far contribute, without r* at the end of the present leg.
     sum: f64,
 }
 

@@ -6,10 +6,10 @@
 //! crossing number n of the disk's plane, counted from 0, meets the spot at the time of that
 //! crossing.
 //!
-//! A ray is known by its angle from the direction of the hole and by the azimuth of the line in
-//! which its plane meets the disk's where light is not dragged along. A larger angle moves the
-//! crossing outward, and the azimuth of the line turns it about the axis. So one root within the
-//! other finds the ray, without a first guess and at any spin.
+//! Two numbers give a ray: its angle from the direction of the hole, and the azimuth of the line in
+//! which its plane would meet the disk's plane if light were not dragged along. A larger angle
+//! moves the crossing outward, and another azimuth turns it about the axis. So two nested searches
+//! for a root find the ray, without a first guess and at any spin.
 
 use crate::geometry::kerr::Kerr;
 use crate::geometry::mino::Constants;
@@ -27,7 +27,8 @@ use crate::scene::Scene;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 use std::f64::consts::PI;
 
-/// How many images there are to find; every further one is 500 times as thin as the one before.
+/// Number of images to find. Next to the shadow's edge each is e^pi = 23 times as thin as the one
+/// before.
 pub const ORDERS: u32 = 3;
 
 /// Largest errors: of an azimuth, in radians, and of 1 - r_s/r.
@@ -56,10 +57,11 @@ pub struct Image {
 }
 
 /// The images of the scene's hot spot at its `disk.time`, in the order of their numbers. An image
-/// that does not exist is left out, and so are all of them where the scene has no spot, where its
-/// camera is in the disk's plane and would see the spot from its edge, and at and inside the
-/// horizon. What lies in front of an image is not considered, nor that pictures show two crossings
-/// of the disk only: around a hole that spins, an image of order 2 may be the third.
+/// that does not exist is left out. There are none at all if the scene has no spot, if the camera
+/// is in the disk's plane and would see the spot from its edge, or if it is at or inside the
+/// horizon. Whether a picture shows an image is not considered: something may lie in front of it,
+/// and pictures show two crossings of the disk only, of which an image of order 2 around a spinning
+/// hole may be the third.
 ///
 /// # Errors
 /// If the scene's observer cannot exist.
@@ -104,7 +106,7 @@ pub fn echo(scene: &Scene) -> Result<Vec<Image>, ObserverError> {
     Ok((0..ORDERS).filter_map(image).collect())
 }
 
-/// What is known of a hot spot's images.
+/// The search for a hot spot's images.
 struct Search {
     spot: HotSpot,
     hole: HoleAndDisk,
@@ -118,9 +120,9 @@ struct Search {
 
 /// Where a ray crosses the disk's plane.
 enum Crossing {
-    /// Inside the horizon: the ray is captured before.
+    /// None, as the ray is captured before. It counts as inside the horizon.
     Captured,
-    /// Beyond infinity: the ray ends before.
+    /// None, as the ray escapes before. It counts as beyond infinity.
     Escaped,
     At(Hit),
     Unknown,
@@ -237,7 +239,7 @@ fn straight_image(
     let start = scene.camera.r * n;
     let mut delay = scene.camera.r;
     let mut way = DVec3::ZERO;
-    // Each step divides the error by c over the spot's speed, which is at least 1.4.
+    // Each step divides the error by at least 1.4, which is c over the spot's speed.
     for _ in 0..MAX_STEPS {
         let (sin, cos) = spot.azimuth(scene.disk.time - delay).sin_cos();
         way = spot.r() * DVec3::new(cos, sin, 0.0) - start;

@@ -60,10 +60,11 @@ impl Scene {
     }
 }
 
-/// The exposure, in powers of two, for the light that the scene's camera sees, with the scene's bias.
-/// It does not depend on the scene's own exposure. Effects that are switched off count as on, so that a switch shows
-/// what it changes; this moves the exposure by no more than 1.5 powers of two. `None` where the meter
-/// sees nothing shine, and in views whose colours are the same at every exposure.
+/// The exposure, in powers of two, for the light that the scene's camera sees, with the scene's
+/// bias. It does not depend on the scene's own exposure. Effects that are switched off count as on,
+/// so that a switch shows what it changes; this moves the exposure by no more than 1.5 powers of
+/// two. `None` where the meter sees nothing shine, and in views whose colours are the same at every
+/// exposure.
 ///
 /// # Errors
 /// If the scene's observer cannot exist.

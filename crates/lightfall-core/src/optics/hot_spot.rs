@@ -8,9 +8,9 @@ use std::f64::consts::{PI, TAU};
 
 /// The finest structure of a sheared spot, as a share of the radius.
 ///
-/// A sheared spot becomes an arc that winds up without end, ever thinner. In a disk turbulence
-/// mixes the arc's windings once they are thin; and no picture could show them, nor f32 tell where
-/// they are. So orbits within this share of the radius are mixed: the arc never gets thinner, its
+/// A sheared spot becomes an arc that winds up without end and gets ever thinner. In a real disk
+/// turbulence mixes the arc's windings once they are thin. Nor could a picture show them, or f32
+/// place them. So orbits within this share of the radius are mixed: the arc never gets thinner, its
 /// windings fade into each other, and after some ten orbits a ring is left, with the light that the
 /// spot spread along every orbit. The mean along each orbit stays what it was.
 pub const FINEST_SHEARED: f64 = 0.02;

@@ -13,8 +13,8 @@ use std::f64::consts::FRAC_PI_2;
 /// a function of the cosine `mu` of the angle between the light and the normal.
 ///
 /// It is a fit to Chandrasekhar 1960, table XXIV, within 0.25 % of the table. The usual fit,
-/// 0.41441 (1 + 2.06 mu), is off by up to 4.8 %, and by 1.6 % in the flux. Here the flux is exact: the
-/// integral of 2 mu times this from 0 to 1 is 0.41344 + (4/5) 0.1137 + (2/3) 0.7434 = 1.
+/// 0.41441 (1 + 2.06 mu), is off by up to 4.8 %, and by 1.6 % in the flux. Here the flux is exact:
+/// the integral of 2 mu times this from 0 to 1 is 0.41344 + (4/5) 0.1137 + (2/3) 0.7434 = 1.
 #[must_use]
 pub fn electron_scattering(mu: f64) -> f64 {
     0.413_44 + 0.1137 * mu.sqrt() + 0.7434 * mu

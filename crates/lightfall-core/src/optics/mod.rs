@@ -10,7 +10,6 @@ pub mod critical_curve;
 pub mod delay;
 pub mod disk;
 pub mod echo;
-
 pub mod exposure;
 pub mod guides;
 pub mod hot_spot;

@@ -1,8 +1,8 @@
 //! The path of one ray, to be drawn and read: points along it, and the angle it sweeps.
 //!
 //! The path takes the same steps as the reference and uses the same series. The angle swept about
-//! the hole is the integral of dpsi = |n'| dtau with |n'|^2 = K + a^2 E^2 n_z^2 (without the azimuth
-//! due to frame dragging).
+//! the hole is the integral of dpsi = |n'| dtau with |n'|^2 = K + a^2 E^2 n_z^2 (without the
+//! azimuth due to frame dragging).
 
 use crate::geometry::kerr::Kerr;
 use crate::geometry::mino::{Constants, State};

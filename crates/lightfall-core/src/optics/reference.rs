@@ -95,7 +95,7 @@ impl Reference {
     #[must_use]
     pub fn trace_with_delays(&self, direction: DVec3) -> Trace {
         let mut trace = self.trace_with_lags(direction);
-        // The same comparison as in `Lag`: rounding must not tell the two apart.
+        // `Lag` compares in the same way, so that rounding cannot make the two disagree.
         if 1.0 / self.r >= 1.0 / self.hole_and_disk.kerr.horizon() {
             for hit in trace.hits.iter_mut().flatten() {
                 hit.delay = None;
@@ -104,8 +104,8 @@ impl Reference {
         trace
     }
 
-    /// As [`trace`](Self::trace), with the hits' [lags](crate::optics::delay::Lag) in place of their
-    /// delays, wherever the camera is. Outside the horizon both are the same.
+    /// As [`trace`](Self::trace), with the hits' [lags](crate::optics::delay::Lag) in place of
+    /// their delays, wherever the camera is. Outside the horizon both are the same.
     #[must_use]
     pub fn trace_with_lags(&self, direction: DVec3) -> Trace {
         self.trace_by(direction, HoleAndDisk::trace_with_lags)

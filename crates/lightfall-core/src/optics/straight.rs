@@ -59,12 +59,12 @@ pub fn trace(kerr: Kerr, annulus: Option<[f64; 2]>, photon: &Photon, r: f64, n: 
     }
 }
 
-/// The lambda for which 1 - Omega lambda is the Doppler factor of matter on this orbit of radius `r`
-/// (r_s), for a straight ray whose moment about the axis, per unit length of its direction, is
+/// The lambda for which 1 - Omega lambda is the Doppler factor of matter on this orbit of radius
+/// `r` (r_s), for a straight ray whose moment about the axis, per unit length of its direction, is
 /// `moment_z`.
 ///
-/// For the ZAMO the matter's speed is (Omega - omega) W / N, and the cosine of the angle between its
-/// velocity and the light is -moment_z / r. Their product is Omega lambda.
+/// For the ZAMO the matter's speed is (Omega - omega) W / N, and the cosine of the angle between
+/// its velocity and the light is -moment_z / r. Their product is Omega lambda.
 #[must_use]
 pub fn lambda(kerr: Kerr, orbit: &CircularOrbit, r: f64, moment_z: f64) -> f64 {
     let rest = RestFrame::at(kerr, r, FRAC_PI_2);

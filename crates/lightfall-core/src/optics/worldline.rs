@@ -178,8 +178,8 @@ impl Worldline {
 
     /// The time of `disk.time` along the worldline, in r_s/c, from a start of its own: outside the
     /// horizon Boyer-Lindquist's t, and at and inside the horizon Kerr's ingoing time v = t + r*.
-    /// There t is infinite, while v is regular all along the worldline. The light that falls in with
-    /// the observer keeps v, so that what is seen goes on without a break.
+    /// There t is infinite, while v is regular all along the worldline. The light that falls in
+    /// with the observer keeps v, so that what is seen goes on without a break.
     #[must_use]
     pub fn clock(&self) -> f64 {
         match &self.motion {

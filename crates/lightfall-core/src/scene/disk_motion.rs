@@ -13,8 +13,8 @@ impl Scene {
                 || self.hot_spot.kind != HotSpotKind::None)
     }
 
-    /// Whether the picture shows that motion. Views of rays and of shifts show no light of the disk,
-    /// and do not depend on `disk.time`.
+    /// Whether the picture shows that motion. Views of rays and of shifts show no light of the
+    /// disk, and do not depend on `disk.time`.
     #[must_use]
     pub fn shows_disk_motion(&self) -> bool {
         self.disk_moves() && self.view.shows_light()
@@ -32,10 +32,10 @@ impl Scene {
     /// By how much the clock of a camera at the radius `r` (r_s) has to be ahead, in r_s/c, so that
     /// two cameras see the disk at the same stage. Only differences count.
     ///
-    /// Outside the photon orbit it is the tortoise coordinate r*: light on its way out keeps t - r*.
-    /// Inside the photon orbit nearly all of the disk's light is on its way in, and keeps the ingoing
-    /// time t + r*, which is also the camera's own time at and inside the horizon. Without lensing
-    /// light keeps t - r.
+    /// Outside the photon orbit it is the tortoise coordinate r*: light on its way out keeps t -
+    /// r*. Inside the photon orbit nearly all of the disk's light is on its way in, and keeps the
+    /// ingoing time t + r*, which is also the camera's own time at and inside the horizon. Without
+    /// lensing light keeps t - r.
     #[must_use]
     pub fn disk_time_lead(&self, r: f64) -> f64 {
         let kerr = Kerr {

@@ -86,8 +86,8 @@ impl Journey {
     }
 
     /// Writes the camera, the observer and the rate of the disk's clock after `time` seconds into
-    /// `scene`. Times before the first keyframe count as the first, times after the last as the last.
-    /// The scene is not checked. [`drive_clock`](Self::drive_clock) writes the disk's time.
+    /// `scene`. Times before the first keyframe count as the first, times after the last as the
+    /// last. The scene is not checked. [`drive_clock`](Self::drive_clock) writes the disk's time.
     ///
     /// A circular orbit cannot leave its plane: unless the journey itself names an observer, `orbit`
     /// becomes `static`, as when flying by hand.
@@ -180,9 +180,9 @@ impl Journey {
     }
 
     /// Writes the time of a disk that moves into `next`, a scene of the time `to`, in seconds after
-    /// the beginning. `before` is the scene of the time `from`, with its camera and its `disk.time`.
-    /// Both have their cameras already. A keyframe that names `disk_time` sets the clock, and what
-    /// passed before does not count.
+    /// the beginning. `before` is the scene of the time `from`, with its camera and its
+    /// `disk.time`. Both have their cameras already. A keyframe that names `disk_time` sets the
+    /// clock, and what passed before does not count.
     pub fn drive_clock(&self, [from, to]: [f64; 2], before: &Scene, next: &mut Scene) {
         if !next.disk_moves() {
             return;

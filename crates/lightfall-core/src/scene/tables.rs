@@ -225,27 +225,29 @@ table! {
         transmission: f64 = 0.0, SHARE, "";
         /// How the surface's brightness depends on the angle at which it is seen.
         limb: LimbDarkening = LimbDarkening::default();
-        /// Structure of the light: a statistical model of turbulence, carried by the rotation. Streaks
-        /// multiply contrast by 5/3, scale by 5/7, aspect by 2.4, pitch_deg by 8/15 and lifetime by 1.5,
-        /// up to 1.5, 0.02, 20, 24 and 4.
+        /// Structure of the light: a statistical model of turbulence, carried and sheared by the
+        /// rotation. Streaks multiply contrast by 5/3 (to 1.5 at most), scale by 5/7 (to 0.02 at
+        /// least), aspect by 2.4 (to 20 at most), pitch_deg by 8/15, and lifetime by 1.5 (to 4 at
+        /// most).
         structure: DiskStructure = DiskStructure::default();
-        /// Spread of the structure's flux, in factors of e.
+        /// Standard deviation of the logarithm of the structure's flux.
         contrast: f64 = 0.6, Range::closed(0.0, 1.5), "";
         /// Width of the structure's filaments, as a share of the radius.
         scale: f64 = 0.07, Range::closed(0.02, 0.5), "";
         /// Length of the filaments over their width.
         aspect: f64 = 5.0, Range::closed(1.0, 20.0), "";
-        /// Angle between the filaments and the orbits; they trail.
+        /// Angle by which the filaments trail behind the orbits, in the middle of their lives.
         pitch_deg: f64 = 15.0, Range::closed(0.0, 45.0), "degrees";
         /// How long the filaments live.
         lifetime: f64 = 1.0, Range::closed(0.25, 4.0), "orbits";
-        /// How many waves each ring of the structure is made of, in fours.
+        /// Number of waves in each ring of the structure, rounded down to a multiple of four.
         waves: u32 = 24, Range::closed(12.0, 48.0), "waves";
-        /// Which structure.
+        /// Number that chooses the random pattern of the structure.
         seed: u32 = 1, Range::closed(0.0, u32::MAX as f64), "";
-        /// Time at the camera, Boyer-Lindquist's; inside the horizon Kerr's ingoing time.
+        /// Clock of the disk: Boyer-Lindquist's time at the camera; inside the horizon Kerr's
+        /// ingoing time.
         time: f64 = 0.0, Range::closed(-1e9, 1e9), "r_s/c";
-        /// How much of that time passes in a second of a window or of a sequence.
+        /// How far the disk's clock goes on in one second of a window or of a sequence.
         rate: f64 = 4.0, Range::closed(0.0, 1e3), "r_s/c";
     }
 }
@@ -264,9 +266,9 @@ table! {
         size: f64 = 0.08, Range::closed(0.01, 0.5), "";
         /// How much the spot's middle adds to the flux, in units of the disk's flux there.
         strength: f64 = 8.0, SCALE, "";
-        /// When the spot is at hot_spot.phi_deg and brightest, by the clock of disk.time.
+        /// Time on the disk's clock at which the spot is at hot_spot.phi_deg and brightest.
         time: f64 = 0.0, Range::closed(-1e9, 1e9), "r_s/c";
-        /// Standard deviation of its brightness in time; 0 if it always shines.
+        /// Standard deviation in time of the spot's brightness; 0 for a spot that always shines.
         duration: f64 = 0.0, Range::closed(0.0, 1e9), "r_s/c";
     }
 }

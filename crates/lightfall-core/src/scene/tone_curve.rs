@@ -13,7 +13,8 @@ crate::words! {
         /// The fitted curve of the Academy Color Encoding System: more contrast, and hues that turn
         /// with brightness.
         Aces = "aces",
-        /// Reinhard 2002 by luminance: never white, and colours never fade.
+        /// Reinhard 2002 by luminance: the channels keep their ratios, and the brightest one may be
+        /// cut off.
         Reinhard = "reinhard",
     }
 }

@@ -30,7 +30,8 @@ const CLOSED: Bar = Bar {
     elsewhere: 0.1,
 };
 
-/// Twice as much: up to 1.6e-3 r_s/c are measured, from the quadrature over the method's long steps.
+/// Twice as much: up to 1.6e-3 r_s/c are measured, from the quadrature over the method's long
+/// steps.
 const MINO: Bar = Bar {
     delay: 2e-3,
     elsewhere: 0.25,
@@ -55,8 +56,8 @@ const SAME_PLACE: f64 = 0.003;
 ///
 /// Next to the critical curve a tiny turn of the ray moves the hit and the delay with it. So the
 /// second number is what remains at the place that the GPU has found: when the place moves by
-/// (dr, dphi), the delay grows by -(p_r dr + L dphi)/E, p being the photon's momentum there (Hamilton
-/// and Jacobi).
+/// (dr, dphi), the delay grows by -(p_r dr + L dphi)/E, p being the photon's momentum there
+/// (Hamilton and Jacobi).
 #[derive(Default)]
 struct Differences {
     plain: Vec<f64>,
@@ -163,7 +164,8 @@ fn assert_none(faults: &[String]) {
     assert!(faults.is_empty(), "\n{}", faults.join("\n"));
 }
 
-/// A static camera at 20 r_s with a disk from the innermost stable orbit to 11 r_s, 50 degrees high.
+/// A static camera at 20 r_s with a disk from the innermost stable orbit to 11 r_s, 50 degrees
+/// high.
 fn tabulated(method: Method, spin: f64, theta_deg: f64) -> Scene {
     let mut scene = Scene {
         method,
@@ -232,8 +234,8 @@ fn random_scene(random: &mut Random, method: Method, spin: f64, r: f64) -> Scene
     let mut scene = tabulated(method, spin, random.between(1.0, 179.0));
     scene.camera.r = r;
     scene.observer.kind = ObserverKind::Zamo;
-    // From afar aberration would turn the hole away from the directions, and next to the horizon the
-    // sky.
+    // From afar aberration would turn the hole away from the directions, and next to the horizon
+    // the sky.
     let speed = if (1.1..10.0).contains(&r) || r <= 1.0 {
         random.between(0.0, 0.5)
     } else {

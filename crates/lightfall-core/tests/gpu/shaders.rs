@@ -152,8 +152,8 @@ fn a_shader_contains_only_the_parts_that_its_scene_needs() {
     }
 }
 
-/// The files that a shader has only where the disk has structure, where it has a hot spot, and where
-/// something asks when light left.
+/// The files that a shader has only where the disk has structure, where it has a hot spot, and
+/// where something asks when light left.
 const LIVING_FILES: [&[&str]; 3] = [
     &["disk/structure/footprint.wgsl", "disk/structure/waves.wgsl"],
     &["disk/hot_spot/spot.wgsl"],

@@ -130,8 +130,8 @@ fn neighbours_without_a_hit_or_in_another_image_change_nothing() {
         right: Vec2::ZERO,
         down: Vec2::new(0.01, 0.05),
     };
-    // The position of a pixel without a hit is zero: the difference to its neighbour is the neighbour's
-    // position. The other image at the border shows the far side of the disk.
+    // The position of a pixel without a hit is zero: the difference to its neighbour is the
+    // neighbour's position. The other image at the border shows the far side of the disk.
     let beside_nothing = Place {
         right: here.position,
         ..here

@@ -35,8 +35,8 @@ fn through_pixel(scene: &Scene, pixel: [f64; 2]) -> Trace {
     Reference::new(scene).unwrap().trace_with_delays(direction)
 }
 
-/// A ray without spin and with E = 1 from the radius `r`, which sweeps the angle `to_plane` until it
-/// crosses the disk's plane.
+/// A ray without spin and with E = 1 from the radius `r`, which sweeps the angle `to_plane` until
+/// it crosses the disk's plane.
 fn flat_ray(r: f64, b: f64, inward: bool, to_plane: f64) -> (Constants, State) {
     let constants = Constants {
         a: 0.0,
@@ -135,8 +135,8 @@ fn random_scene(random: &mut Random, spin: f64) -> Scene {
     scene
 }
 
-/// dt/dtau = (r^2 + a^2)(E (r^2 + a^2) - a L)/Delta + a L - a^2 E sin^2 theta, as Carter has it. For
-/// light that falls in the same with (r^2 + a^2)/Delta dr/dtau added gives Kerr's ingoing time.
+/// dt/dtau = (r^2 + a^2)(E (r^2 + a^2) - a L)/Delta + a L - a^2 E sin^2 theta, as Carter has it.
+/// For light that falls in the same with (r^2 + a^2)/Delta dr/dtau added gives Kerr's ingoing time.
 fn carters_rate(kerr: Kerr, constants: &Constants, state: &State, ingoing: bool) -> f64 {
     let (a, r) = (kerr.a(), 1.0 / state.u);
     let wide = r * r + a * a;

@@ -17,9 +17,9 @@ fn living(kind: ObserverKind, r: f64, spin: f64) -> Scene {
     scene
 }
 
-/// Rain without spin has closed forms: with Gullstrand and Painleve's time T, which is its proper time,
-/// t = T - 2 sqrt(r) - ln((sqrt(r) - 1)/(sqrt(r) + 1)) outside, and inside v = t + r* =
-/// T + r - 2 sqrt(r) + 2 ln(1 + sqrt(r)).
+/// Rain without spin has closed forms: with Gullstrand and Painleve's time T, which is its proper
+/// time, t = T - 2 sqrt(r) - ln((sqrt(r) - 1)/(sqrt(r) + 1)) outside, and inside
+/// v = t + r* = T + r - 2 sqrt(r) + 2 ln(1 + sqrt(r)).
 #[test]
 fn the_clock_of_a_fall_is_boyer_lindquists_outside_and_the_ingoing_time_inside() {
     let mut scene = living(ObserverKind::Rain, 5.0, 0.0);
@@ -34,8 +34,8 @@ fn the_clock_of_a_fall_is_boyer_lindquists_outside_and_the_ingoing_time_inside()
     for _ in 0..150 {
         worldline.advance(0.05, &mut scene);
         let (painleve, r) = (start + worldline.proper_time(), scene.camera.r);
-        // The fall's own series are right to about 1e-12; 1e-4 away from the horizon t has lost four
-        // digits of them.
+        // The fall's own series are right to about 1e-12; 1e-4 away from the horizon t has lost
+        // four digits of them.
         if r > 1.0001 {
             assert_close(
                 format!("t at {r}"),
@@ -53,10 +53,10 @@ fn the_clock_of_a_fall_is_boyer_lindquists_outside_and_the_ingoing_time_inside()
     assert!(outside > 100 && inside > 5, "{outside} {inside}");
 }
 
-/// When the light that is seen left the disk, with the reference's lag of the ray, through the horizon.
-/// Outside, the clock and the lag both grow without limit; inside, both are finite; the time of emission
-/// goes on steadily, with its rate. The direction is fixed on the observer's axes and meets another place
-/// of the disk in every moment, so that this rate is not g.
+/// When the light that is seen left the disk, with the reference's lag of the ray, through the
+/// horizon. Outside, the clock and the lag both grow without limit; inside, both are finite; the
+/// time of emission goes on steadily, with its rate. The direction is fixed on the observer's axes
+/// and meets another place of the disk in every moment, so that this rate is not g.
 #[test]
 fn what_a_falling_observer_sees_goes_on_steadily_through_the_horizon() {
     for spin in [0.0, 0.7] {

@@ -63,8 +63,9 @@ fn the_field_has_variance_one_and_is_nearly_gaussian() {
                 values.iter().map(|v: &f64| v.powi(power)).sum::<f64>() / values.len() as f64
             };
             let (variance, kurtosis) = (moment(2), moment(4) / moment(2).powi(2));
-            // 60 000 independent Gaussian values have standard errors of 0.006 and 0.02. The kurtosis of
-            // 24 waves is 2.87, since that of one is 3/2, and 2.93 where two rings overlap by halves.
+            // 60 000 independent Gaussian values have standard errors of 0.006 and 0.02. The
+            // kurtosis of 24 waves is 2.87, since that of one is 3/2, and 2.93 where two rings
+            // overlap by halves.
             eprintln!("r {r}: variance {variance}, kurtosis {kurtosis}");
             assert!(
                 (variance - 1.0).abs() < 0.03,
@@ -158,7 +159,8 @@ fn the_field_has_no_mean_around_a_circle() {
             let values: Vec<_> = (0..512)
                 .map(|i| structure.field(r, around(i), time, POINT))
                 .collect();
-            // No wave has fewer than one crest or more than 100, so 512 places average each exactly.
+            // No wave has fewer than one crest or more than 100, so 512 places average each
+            // exactly.
             let mean = values.iter().map(|f| f.value).sum::<f64>() / 512.0;
             assert!(mean.abs() < 1e-9, "seed {seed}, r {r}: {mean:e}");
             let flux = values.iter().map(|f| f.factor(0.5)).sum::<f64>() / 512.0;
@@ -192,8 +194,8 @@ fn the_field_is_a_function_of_seed_and_time_without_a_seam() {
     assert!(unlike > 0.5, "another seed is another disk: {unlike}");
 }
 
-/// Angle of the filaments from the orbits, positive where they trail, and the lengths in ln r and phi
-/// over which the field changes across and along them: from the tensor of its gradients.
+/// Angle of the filaments from the orbits, positive where they trail, and the lengths in ln r and
+/// phi over which the field changes across and along them: from the tensor of its gradients.
 fn filaments(seeds: std::ops::Range<u32>, time: f64) -> (f64, f64, f64) {
     let (mut xx, mut xp, mut pp, mut power) = (0.0, 0.0, 0.0, 0.0);
     for seed in seeds {
@@ -231,8 +233,8 @@ fn filaments_trail_by_the_same_angle_at_all_times_and_never_wind_up() {
         assert_close("across", later.1, first.1, 0.06);
         assert_close("along", later.2, first.2, 0.12);
     }
-    // Near the pitch of the middle of a life, 15 degrees. The aspect is 5 for the longest waves and 10
-    // for the finest, and the shear of a life turns part of the length into width.
+    // Near the pitch of the middle of a life, 15 degrees. The aspect is 5 for the longest waves and
+    // 10 for the finest, and the shear of a life turns part of the length into width.
     assert!((10.0..17.0).contains(&first.0), "{first:?}");
     assert!((5.0..8.0).contains(&(first.2 / first.1)), "{first:?}");
 }
@@ -260,8 +262,9 @@ fn somebody_who_goes_round_with_the_matter_sees_the_field_forget_itself_within_a
             product / power
         };
         let found = [0.1, 0.25, 0.5, 1.0].map(correlation);
-        // The correlation of the windows alone, cos^2 against cos^2 at another age, for a life of one
-        // orbit of the ring's centre, which lies within 11 per cent of r: 0.96, 0.73, 0.24 and 0.
+        // The correlation of the windows alone, cos^2 against cos^2 at another age, for a life of
+        // one orbit of the ring's centre, which lies within 11 per cent of r: 0.96, 0.73, 0.24 and
+        // 0.
         let ranges = [(0.93, 0.98), (0.63, 0.80), (0.10, 0.36), (-0.08, 0.08)];
         for (found, (least, most)) in found.into_iter().zip(ranges) {
             assert!((least..most).contains(&found), "r {r}: {found}");
@@ -283,9 +286,9 @@ fn crossings(scene: &Scene, reference: &Reference, x: f64, y: f64) -> Vec<[f64; 
     hits.map(|hit| [hit.r.ln(), hit.phi]).collect()
 }
 
-/// The change from a pixel's first crossing to that of its neighbour in the same image of the disk, in
-/// units of its radius, outward and along the orbit. As in footprint.wgsl the neighbour's crossing is the
-/// first one, or the last one if the pixel has no other and this one is nearer.
+/// The change from a pixel's first crossing to that of its neighbour in the same image of the disk,
+/// in units of its radius, outward and along the orbit. As in footprint.wgsl the neighbour's
+/// crossing is the first one, or the last one if the pixel has no other and this one is nearer.
 fn change(here: &[[f64; 2]], there: &[[f64; 2]]) -> Option<[f64; 2]> {
     let from = here[0];
     let change = |to: &[f64; 2]| {
@@ -352,14 +355,15 @@ fn one_filtered_ray_a_pixel_stands_for_many() {
             mean / count,
             truth / count
         );
-        // What is left comes from pixels whose neighbours are not the same distance away on both sides,
-        // and from the difference between the mean of an exponential and the exponential of a mean.
-        // Measured: 0.28 to 0.35 of the error without the filter.
+        // What is left comes from pixels whose neighbours are not the same distance away on both
+        // sides, and from the difference between the mean of an exponential and the exponential of
+        // a mean. Measured: 0.28 to 0.35 of the error without the filter.
         assert!(
             filtered < 0.45 * unfiltered,
             "{filtered} is left of {unfiltered}"
         );
-        // 861 pixels that are off by 0.12 have a standard error of 0.4 per cent. Measured: 0.7 and 1.4.
+        // 861 pixels that are off by 0.12 have a standard error of 0.4 per cent. Measured: 0.7 and
+        // 1.4.
         assert_close("mean of the picture", mean, truth, 0.02);
     }
 }

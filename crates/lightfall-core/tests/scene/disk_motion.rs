@@ -42,9 +42,9 @@ fn a_disk_moves_if_it_is_there_and_has_structure_or_a_hot_spot() {
     }
 }
 
-/// Far out the light keeps t - r*, whose slope is that of the tortoise coordinate. Next to the horizon
-/// the clock's ingoing time, t + r* outside and the clock itself inside, has no jump. Both sides of the
-/// photon orbit agree there.
+/// Far out the light keeps t - r*, whose slope is that of the tortoise coordinate. Next to the
+/// horizon the clock's ingoing time, t + r* outside and the clock itself inside, has no jump. Both
+/// sides of the photon orbit agree there.
 #[test]
 fn a_moved_camera_keeps_outgoing_time_far_out_and_ingoing_time_at_the_horizon() {
     for spin in [-0.9, 0.0, 0.7, 0.998] {
@@ -137,8 +137,8 @@ fn a_keyframe_with_a_time_sets_the_clock_there() {
     assert_eq!(clock(&journey, &scene, 3.5)[0], -44.0);
 }
 
-/// A journey into the hole, twice as far in every second. What is seen of the disk depends on t - r*
-/// outside the photon orbit, and on the ingoing time inside: it advances by the rate alone.
+/// A journey into the hole, twice as far in every second. What is seen of the disk depends on t -
+/// r* outside the photon orbit, and on the ingoing time inside: it advances by the rate alone.
 #[test]
 fn a_journey_through_the_horizon_neither_leaps_nor_runs_backward() {
     let journey = journey(

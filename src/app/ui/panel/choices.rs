@@ -94,7 +94,7 @@ pub fn choice(key: &str, word: &'static str) -> [&'static str; 2] {
         ("picture.tone_curve", "neutral") => ["Neutral", "Exact colours, and a short way to white"],
         ("picture.tone_curve", "soft") => ["Soft", "A long way to white, on which colours fade"],
         ("picture.tone_curve", "aces") => ["ACES", "Film-like: more contrast, and hues that turn"],
-        ("picture.tone_curve", "reinhard") => ["Reinhard", "Never white; colours never fade"],
+        ("picture.tone_curve", "reinhard") => ["Reinhard", "Colours never fade to white"],
         ("sky.mode", "stars") => ["Stars", "Stars at random places and a milky band"],
         ("sky.mode", "grid") => ["Grid", "Lines of celestial latitude and longitude"],
         ("sky.mode", "off") => ["None", "A black sky"],

@@ -16,7 +16,7 @@ use crate::geometry::quadrature::integral;
 /// u of the photon sphere, about which s(u) of rays next to the critical curve has a kink.
 const PHOTON_SPHERE: f64 = 2.0 / 3.0;
 
-/// How a backward ray comes from the camera to a place.
+/// How a backward ray gets from the camera to a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
     /// Inward.
@@ -33,7 +33,8 @@ pub enum Way {
 /// the horizon, and Kerr's ingoing one at and inside it. Rays with a turning point lie outside it.
 ///
 /// # Panics
-/// A ray turns whose `b` is not larger than the critical one.
+/// If `way` is [`Way::InAndOut`] and `b` is not larger than the critical one: such a ray does not
+/// turn.
 #[must_use]
 pub fn lag(b: f64, phi: f64, camera_u: f64, u: f64, way: Way) -> f64 {
     let tortoise = |u: f64| Kerr { spin: 0.0 }.ingoing_time_lead(1.0 / u);

@@ -20,8 +20,8 @@ pub(super) fn flux_parts(model: DiskModel) -> &'static [Part] {
     }
 }
 
-/// The files that define `structure_factor`. Compute entries have no neighbours to measure a pixel's
-/// footprint by.
+/// The files that define `structure_factor`. Compute entries have no neighbours to measure a
+/// pixel's footprint by.
 pub(super) fn structure_parts(structure: bool, has_neighbours: bool) -> &'static [Part] {
     match (structure, has_neighbours) {
         (false, _) => &[part!("disk/structure/none.wgsl")],

@@ -16,8 +16,8 @@ pub(super) fn wave_number(octaves: f64) -> f64 {
 /// A shearing wave with the phase m phi + k (x - centre) in the middle of its life.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wave {
-    /// Number of crests around the disk, at least one: a wave with none would change the mean flux of a
-    /// circle.
+    /// Number of crests around the disk, at least one: a wave with none would change the mean flux
+    /// of a circle.
     pub m: u32,
     /// Radians per unit of ln r, rounded to `f32`, so that the GPU has the same wave.
     pub k: f64,
@@ -50,9 +50,10 @@ pub struct Age {
 impl Ring {
     /// Draws the waves of the ring with this number and centre.
     ///
-    /// In each octave, sizes and directions of the wave vectors q are spread over equal parts of their
-    /// ranges in random order (Latin hypercube sampling, McKay, Beckman & Conover 1979), which leaves
-    /// no direction or size out. q is stretched by the two correlation lengths and turned by the pitch.
+    /// In each octave, sizes and directions of the wave vectors q are spread over equal parts of
+    /// their ranges in random order (Latin hypercube sampling, McKay, Beckman & Conover 1979),
+    /// which leaves no direction or size out. q is stretched by the two correlation lengths and
+    /// turned by the pitch.
     pub(super) fn new(model: &Model, ring: usize, centre: f64, kerr: Kerr) -> Self {
         let (sin, cos) = model.pitch.sin_cos();
         let across = model.scale;
@@ -64,8 +65,8 @@ impl Ring {
             let wave = |(size, direction): (f64, f64)| {
                 let q = wave_number(octave as f64 + size);
                 let (q_across, q_along) = (PI * direction).sin_cos();
-                // Finer filaments are longer for their width, as in magnetised turbulence: the length
-                // goes with the width to the power 2/3 (Goldreich & Sridhar 1995).
+                // Finer filaments are longer for their width, as in magnetised turbulence: the
+                // length goes with the width to the power 2/3 (Goldreich & Sridhar 1995).
                 let drawn_out = q.max(1.0).cbrt();
                 let (q_across, q_along) =
                     (q * q_across / across, q * q_along / (along * drawn_out));
@@ -104,8 +105,8 @@ impl Ring {
         self.keys.map(|key| key.wrapping_add(life as u32))
     }
 
-    /// The age of a wave at a time. The births of an octave's waves are evenly spaced, so that the sum
-    /// of their windows' squares does not depend on time.
+    /// The age of a wave at a time. The births of an octave's waves are evenly spaced, so that the
+    /// sum of their windows' squares does not depend on time.
     pub(super) fn age(&self, time: f64, group: usize, octave: usize) -> Age {
         let (life, rest) = self.lives(time);
         let later = (group as f64 + octave as f64 / OCTAVES as f64) / self.groups.len() as f64;
@@ -118,8 +119,9 @@ impl Ring {
     }
 }
 
-/// Omega = y^3/(M (1 + chi y^3)) of the circular orbit at the radius r, with y = sqrt(M/r) (Bardeen,
-/// Press & Teukolsky 1972 eq. 2.16), and the shear -dOmega/dln r = (3/2) Omega/(1 + chi y^3).
+/// Omega = y^3/(M (1 + chi y^3)) of the circular orbit at the radius r, with y = sqrt(M/r)
+/// (Bardeen, Press & Teukolsky 1972 eq. 2.16), and the shear -dOmega/dln r = (3/2) Omega/(1 + chi
+/// y^3).
 pub(super) fn angular_velocity(kerr: Kerr, r: f64) -> (f64, f64) {
     let y3 = (MASS / r).powf(1.5);
     let stretch = 1.0 + kerr.spin * y3;

@@ -17,14 +17,15 @@ pub struct Covariance {
     pub pp: f64,
 }
 
-/// Largest change in (ln r, phi) from a pixel to its neighbour in the same image of the disk: `MAX_DX`
-/// and `MAX_DPHI` in the shader.
+/// Largest change in (ln r, phi) from a pixel to its neighbour in the same image of the disk:
+/// `MAX_DX` and `MAX_DPHI` in the shader.
 pub const MAX_CHANGE: [f64; 2] = [0.9, 0.75];
 
 impl Covariance {
-    /// The covariance of a square pixel whose place in (ln r, phi) changes by `right` and by `down` from
-    /// one pixel to the next: J J^T/12, as a square has the variance 1/12 in either direction. A
-    /// neighbour farther away than [`MAX_CHANGE`] shows another image of the disk, and does not count.
+    /// The covariance of a square pixel whose place in (ln r, phi) changes by `right` and by `down`
+    /// from one pixel to the next: J J^T/12, as a square has the variance 1/12 in either direction.
+    /// A neighbour farther away than [`MAX_CHANGE`] shows another image of the disk, and does not
+    /// count.
     #[must_use]
     pub fn of_pixel(right: [f64; 2], down: [f64; 2]) -> Self {
         let counted = |change: [f64; 2]| {
@@ -62,9 +63,9 @@ pub struct Field {
 
 impl Field {
     /// The factor of the flux for the contrast sigma: exp(sigma f) over its mean. For independent
-    /// phases that mean is the product of I_0(sigma A), and ln I_0(z) = z^2/4 - z^4/64 + z^6/576 - ...
-    /// (Abramowitz & Stegun 1964 9.6.12). The filter changes A, so that the mean stays one whatever it
-    /// takes away.
+    /// phases that mean is the product of I_0(sigma A), and ln I_0(z) = z^2/4 - z^4/64 + z^6/576 -
+    /// ... (Abramowitz & Stegun 1964 9.6.12). The filter changes A, so that the mean stays one
+    /// whatever it takes away.
     #[must_use]
     pub fn factor(&self, sigma: f64) -> f64 {
         let sigma2 = sigma * sigma;
@@ -74,8 +75,8 @@ impl Field {
 }
 
 impl Structure {
-    /// The factor by which the structure multiplies the flux at the radius `r` and the azimuth `phi`
-    /// for light that leaves at `time`, averaged over a footprint.
+    /// The factor by which the structure multiplies the flux at the radius `r` and the azimuth
+    /// `phi` for light that leaves at `time`, averaged over a footprint.
     #[must_use]
     pub fn factor(&self, r: f64, phi: f64, time: f64, footprint: Covariance) -> f64 {
         self.field(r, phi, time, footprint)
@@ -96,9 +97,9 @@ impl Structure {
 
     /// The waves there, one by one.
     ///
-    /// At the age t a wave has the phase m (phi - Omega(r) t) + k (x - x_ring) + a random phase, and
-    /// therefore the radial wave number k - m Omega'(x) t. Its window sqrt(8/3) cos^2(pi t/life) has
-    /// the mean square one. A Gaussian footprint multiplies it by exp(-q.P.q/2).
+    /// At the age t a wave has the phase m (phi - Omega(r) t) + k (x - x_ring) + a random phase,
+    /// and therefore the radial wave number k - m Omega'(x) t. Its window sqrt(8/3) cos^2(pi
+    /// t/life) has the mean square one. A Gaussian footprint multiplies it by exp(-q.P.q/2).
     #[must_use]
     pub fn terms(&self, r: f64, phi: f64, time: f64, footprint: Covariance) -> Vec<Term> {
         let x = r.ln();

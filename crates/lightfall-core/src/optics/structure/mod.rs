@@ -1,11 +1,11 @@
-//! The structure of the disk's light: a statistical model of turbulence that the rotation carries and
-//! shears. The twin in WGSL is shaders/disk/structure/waves.wgsl.
+//! The structure of the disk's light: a statistical model of turbulence that the rotation carries
+//! and shears. The twin in WGSL is shaders/disk/structure/waves.wgsl.
 //!
-//! The flux in the matter's frame is that of the smooth disk times exp(sigma f) over its mean. f is a
-//! random field of mean zero and variance one in x = ln r and phi, longer along trailing spirals than
-//! across them (Lee & Gammie 2021). It is a sum of shearing waves (Goldreich & Lynden-Bell 1965) in
-//! overlapping rings. Each wave moves with the exact angular velocity of circular orbits, dies before
-//! it winds up, and is born anew with another phase.
+//! The flux in the matter's frame is that of the smooth disk times exp(sigma f) over its mean. f is
+//! a random field of mean zero and variance one in x = ln r and phi, longer along trailing spirals
+//! than across them (Lee & Gammie 2021). It is a sum of shearing waves (Goldreich & Lynden-Bell
+//! 1965) in overlapping rings. Each wave moves with the exact angular velocity of circular orbits,
+//! dies before it winds up, and is born anew with another phase.
 
 mod draw;
 mod field;
@@ -36,8 +36,8 @@ pub struct Structure {
 }
 
 impl Structure {
-    /// The structure of the scene's disk, with at most `limit` waves in each ring; `None` for a smooth
-    /// disk.
+    /// The structure of the scene's disk, with at most `limit` waves in each ring; `None` for a
+    /// smooth disk.
     #[must_use]
     pub fn new(scene: &Scene, limit: Option<u32>) -> Option<Self> {
         let model = Model::new(&scene.disk, limit)?;

@@ -24,16 +24,16 @@ pub struct Model {
     pub pitch: f64,
     /// Life of a wave, in orbits of its ring's centre.
     pub lifetime: f64,
-    /// Waves in each of a ring's octaves.
+    /// Number of waves in each octave of a ring.
     pub octave: usize,
-    /// Which structure.
+    /// Seed of the random pattern.
     pub seed: u32,
 }
 
 impl Model {
-    /// The model that the disk's fields describe, with at most `limit` waves in a ring; `None` for a
-    /// smooth disk. `streaks` draws the numbers out, within the limits of their fields. The number of
-    /// waves becomes that of whole octaves.
+    /// The model that the disk's fields describe, with at most `limit` waves in a ring; `None` for
+    /// a smooth disk. `streaks` changes the numbers within the limits of their fields. The number
+    /// of waves is rounded down to a multiple of the octaves' number.
     #[must_use]
     pub fn new(disk: &Disk, limit: Option<u32>) -> Option<Self> {
         let waves = disk.waves.min(limit.unwrap_or(disk.waves));
@@ -62,8 +62,8 @@ impl Model {
     }
 
     /// Amplitude of the waves of each octave. The spectrum is that of an exponential covariance
-    /// (Matern's with nu = 1/2 in two dimensions): the share of an octave at the wave number q is q^2
-    /// (1 + q^2)^(-3/2). The mean squares of all waves add up to one.
+    /// (Matern's with nu = 1/2 in two dimensions): the share of an octave at the wave number q is
+    /// q^2 (1 + q^2)^(-3/2). The mean squares of all waves add up to one.
     #[must_use]
     pub fn amplitudes(&self) -> [f64; OCTAVES] {
         let shares: [f64; OCTAVES] = std::array::from_fn(|octave| {

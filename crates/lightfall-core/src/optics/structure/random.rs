@@ -1,7 +1,7 @@
 //! Random numbers by their place in a list: the same on every machine, for any time.
 
-/// Bits between the places of an octave's neighbouring waves in the list of phases: 2^32 over the
-/// golden ratio, so that the places of two waves are far apart.
+/// Distance between the places of an octave's neighbouring waves in the list of phases: 2^32 over
+/// the golden ratio, so that the places of two waves are far apart.
 pub const GROUP_STRIDE: u32 = 0x9e37_79b9;
 
 /// Random bits of a place: the output function of SplitMix64 (Steele, Lea & Flood 2014).

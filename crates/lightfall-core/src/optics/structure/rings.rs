@@ -39,8 +39,8 @@ impl Rings {
         self.start + (ring as f64 + 0.5) * self.width
     }
 
-    /// The weight of a ring at ln r = x. The squares of all weights add up to one everywhere, so that
-    /// independent rings of variance one give the variance one.
+    /// The weight of a ring at ln r = x. The squares of all weights add up to one everywhere, so
+    /// that independent rings of variance one give the variance one.
     #[must_use]
     pub fn weight(&self, ring: usize, x: f64) -> f64 {
         let place = ((x - self.start) / self.width - 0.5).clamp(0.0, (self.count - 1) as f64);

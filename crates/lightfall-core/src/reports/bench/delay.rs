@@ -18,8 +18,8 @@ use serde::Serialize;
 /// closed, per step of the method mino.
 const NODES: [u32; 5] = [0, 2, 3, 4, 8];
 
-/// The delays of one method with one number of nodes in one scene, in r_s/c. They are compared where
-/// the ray meets the disk as often as it should.
+/// The delays of one method with one number of nodes in one scene, in r_s/c. They are compared
+/// where the ray meets the disk as often as it should.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DelayMeasurement {
     /// Name of the scene.
@@ -178,7 +178,8 @@ impl Spread {
     }
 }
 
-/// The scene's rows as SVG: error of the delays against run time. `None` if there is nothing to draw.
+/// The scene's rows as SVG: error of the delays against run time. `None` if there is nothing to
+/// draw.
 ///
 /// # Errors
 /// The message of the plotting library.

@@ -1,5 +1,5 @@
-//! What a living disk costs: the run time of a picture's light with structure, limb darkening and the
-//! delay that structure needs, over that of the smooth disk.
+//! What a living disk costs: the run time of a picture's light with structure, limb darkening and
+//! the delay that structure needs, over that of the smooth disk.
 
 use super::plan::Plan;
 use super::scenes::BenchScene;

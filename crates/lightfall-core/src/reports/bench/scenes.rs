@@ -11,8 +11,9 @@ pub struct BenchScene {
     pub scene: Scene,
 }
 
-/// The scenes that are measured by default: the presets, without the one that is about a method. The
-/// opening preset comes without spin, so that every method can trace it, and once more as it is.
+/// The scenes that are measured by default: the presets, without the one that is about a method.
+/// The opening preset comes without spin, so that every method can trace it, and once more as it
+/// is.
 #[must_use]
 pub fn scenes() -> Vec<BenchScene> {
     let measured = |preset: &presets::Preset, name: String, overrides: &[Override]| {

@@ -2,8 +2,8 @@
 //!
 //! The rate is interpolated linearly between the keyframes that name it, and the time is its exact
 //! integral. A journey moves the camera faster than light, so the camera's place counts, too
-//! ([`Scene::disk_time_lead`](crate::scene::Scene::disk_time_lead)): the disk never seems to leap or to run backward because the camera
-//! moves.
+//! ([`Scene::disk_time_lead`](crate::scene::Scene::disk_time_lead)): the disk never seems to leap
+//! or to run backward because the camera moves.
 
 /// What the keyframes say about the disk's clock. Times are in seconds after the beginning.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -29,8 +29,8 @@ impl Clock {
         }
     }
 
-    /// The time that passes on the disk's clock between two times of the journey, in r_s/c; negative
-    /// if the second one is earlier. `rate` is that of a journey that names none.
+    /// The time that passes on the disk's clock between two times of the journey, in r_s/c;
+    /// negative if the second one is earlier. `rate` is that of a journey that names none.
     pub(super) fn passed(&self, from: f64, to: f64, rate: f64) -> f64 {
         if to < from {
             return -self.passed(to, from, rate);

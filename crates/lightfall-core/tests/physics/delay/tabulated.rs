@@ -105,8 +105,8 @@ const TWO_HITS: [([f64; 2], f64, [Row; 2]); 4] = [
 ];
 
 /// Camera on the axis at 20 r_s, no spin. For the ring of radius r: impact parameter and delay of
-/// its images of order 0, 1 and 2, and the differences of the delays. From the orbit's equation with
-/// 30 digits.
+/// its images of order 0, 1 and 2, and the differences of the delays. From the orbit's equation
+/// with 30 digits.
 const ECHO: [(f64, [[f64; 2]; 3], [f64; 2]); 4] = [
     (
         3.0,
