@@ -13,7 +13,7 @@
 // Derived.
 //
 // Needs: Curve, DELAY_MORE_NODES, DELAY_NODES, DELAY_NODES_2, DELAY_WEIGHTS, DELAY_WEIGHTS_2,
-//     Motion, Nodes, Step, TINY, curve, horizon_factors, scene, square, tortoise.
+//     Motion, Nodes, Step, TINY, curve, horizon_factors, scene, square, tortoise, tortoise_sum.
 // Gives: crossing_delay, first_delay, step_delay.
 
 // The rate at some shares of a step of length h.
@@ -26,7 +26,7 @@ fn delay_rates(m: Motion, c: Curve, h: f32, turns: bool, t: Nodes) -> Nodes {
     let twist = a2 * m.constants.energy * n_z * n_z - m.constants.drag;
     if turns {
         let d = m.d.x + v * (m.d.y + v * m.d.z);
-        return (1.0 / max(u * u, Nodes(TINY)) + a2) * w / max(d, Nodes(TINY)) + twist;
+        return (1.0 + a2 * u * u) * w / max(u * u * d, Nodes(TINY)) + twist;
     }
     let speed = abs(c.c1.x + t * (2.0 * c.c2.x + t * (3.0 * c.c3.x + t * (4.0 * c.c4.x + t * (5.0 * c.c5.x)))));
     return m.constants.k_prime * (1.0 + a2 * u * u) / max(w + speed / h, Nodes(TINY)) + twist;
@@ -58,7 +58,9 @@ fn step_delay(m: Motion, step: Step, h: f32) -> f32 {
     let turns = inward.x != inward.y;
     var delay = delay_integral(m, curve(step), h, turns, 1.0);
     if turns {
-        delay += signed_tortoise(m, step.y0.x, inward.x) - signed_tortoise(m, step.y1.x, inward.y);
+        let ends = vec2<f32>(step.y0.x, step.y1.x);
+        let legs = tortoise_sum(m.base + ends, horizon_factors(m, ends.x), horizon_factors(m, ends.y));
+        delay += select(legs, -legs, inward.x);
     }
     return delay;
 }

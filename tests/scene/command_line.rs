@@ -61,7 +61,7 @@ fn answer(line: &str) -> String {
 fn without_arguments_it_flies_from_preset_two() {
     assert_eq!(
         commands::scene(&fly("lightfall")).unwrap(),
-        PRESETS[2].scene(&[]).unwrap()
+        PRESETS[1].scene(&[]).unwrap()
     );
 }
 

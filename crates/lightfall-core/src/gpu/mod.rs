@@ -40,4 +40,4 @@ pub use scene::{
     MARK_BRIGHTNESS,
 };
 pub use shader::{Entry, ShaderText, Tracer, Variant};
-pub use structure::{GpuRing, GpuStructure};
+pub use structure::{GpuGroup, GpuRing, GpuStructure};

@@ -1,9 +1,7 @@
 //! The uniform of the disk's structure: its rings and waves, at the clock of a scene.
 
 use super::scene::time_lead;
-use crate::optics::structure::{
-    MAX_CHANGE, MAX_RINGS, MAX_WAVES, OCTAVES, Ring, Structure, Wave,
-};
+use crate::optics::structure::{MAX_CHANGE, MAX_RINGS, MAX_WAVES, OCTAVES, Ring, Structure, Wave};
 use crate::scene::Scene;
 use encase::ShaderType;
 use glam::{UVec4, Vec4};
@@ -96,8 +94,11 @@ impl GpuStructure {
         };
         for (i, ring) in structure.rings.iter().enumerate() {
             numbers.rings[i] = GpuRing::new(ring, clock);
-            for (numbers, waves) in numbers.groups[i * MAX_GROUPS..].iter_mut().zip(&ring.groups) {
-                *numbers = GpuGroup::new(waves);
+            for (slot, waves) in numbers.groups[i * MAX_GROUPS..]
+                .iter_mut()
+                .zip(&ring.groups)
+            {
+                *slot = GpuGroup::new(waves);
             }
         }
         Some(numbers)

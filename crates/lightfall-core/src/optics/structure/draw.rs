@@ -1,17 +1,9 @@
 //! The draw of the waves.
 
-use super::model::{Model, OCTAVES};
+use super::model::{Model, OCTAVES, wave_number};
 use super::random::{GROUP_STRIDE, List, phase};
 use crate::geometry::kerr::{Kerr, MASS};
 use std::f64::consts::{PI, TAU};
-
-/// The smallest wave number, in units of one over a correlation length.
-const SMALLEST: f64 = 0.5;
-
-/// The wave number `octaves` above the smallest one.
-pub(super) fn wave_number(octaves: f64) -> f64 {
-    SMALLEST * octaves.exp2()
-}
 
 /// A shearing wave with the phase m phi + k (x - centre) in the middle of its life.
 #[derive(Clone, Copy, Debug, PartialEq)]

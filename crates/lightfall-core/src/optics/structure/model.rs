@@ -11,6 +11,14 @@ pub const MAX_WAVES: usize = 48;
 /// Minimum number of waves in an octave: with fewer, the variance would change with time.
 const MIN_OCTAVE: u32 = 3;
 
+/// The smallest wave number, in units of one over a correlation length.
+const SMALLEST: f64 = 0.5;
+
+/// The wave number `octaves` above the smallest one.
+pub(super) fn wave_number(octaves: f64) -> f64 {
+    SMALLEST * octaves.exp2()
+}
+
 /// The numbers of the structure's model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Model {
@@ -67,7 +75,7 @@ impl Model {
     #[must_use]
     pub fn amplitudes(&self) -> [f64; OCTAVES] {
         let shares: [f64; OCTAVES] = std::array::from_fn(|octave| {
-            let q2 = super::draw::wave_number(octave as f64 + 0.5).powi(2);
+            let q2 = wave_number(octave as f64 + 0.5).powi(2);
             q2 * (1.0 + q2).powf(-1.5)
         });
         let sum = shares.iter().sum::<f64>() * self.octave as f64;
