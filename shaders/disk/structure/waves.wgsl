@@ -2,7 +2,7 @@
 // crates/lightfall-core/src/optics/structure does the same in f64 and says why.
 //
 // Needs: BINDING_STRUCTURE, Footprint, Hit, K_QUANTUM, MASS, MAX_GROUPS, MAX_RINGS, PI,
-//     atan2_precise, log_precise, scene.
+//     REPEATS, atan2_precise, log_precise, scene.
 // Gives: structure_factor.
 
 // A group is one wave of each of four octaves.
@@ -32,8 +32,12 @@ struct Ring {
     life_over_turn: f32,
     // The rest of the lives that its clock has counted, beyond the whole ones.
     lives: f32,
-    // Where each octave's phases of this life are in the list of phases.
+    // Where each octave's phases of this life are in the list of phases; of the life number 0 where the
+    // structure repeats.
     phase_places: vec4<u32>,
+    // Where the structure repeats: the number of this life in its period, and how many a period has.
+    number: f32,
+    cycle: f32,
 }
 
 @group(0) @binding(BINDING_STRUCTURE) var<uniform> structure: Structure;
@@ -58,6 +62,16 @@ fn phases_at(places: vec4<u32>) -> vec4<f32> {
     z = (z ^ (z >> vec4<u32>(15u))) * 0x846ca68bu;
     z ^= z >> vec4<u32>(16u);
     return vec4<f32>(bitcast<vec4<i32>>(z)) * 2.3283064365386963e-10;
+}
+
+// The numbers of lives in the list of phases, from whole lives after the ring's present one. The half
+// keeps the quotient away from whole numbers, so that its rounding does not matter.
+fn life_numbers(whole: vec4<f32>, ring: Ring) -> vec4<f32> {
+    if !REPEATS {
+        return whole;
+    }
+    let number = ring.number + whole;
+    return number - ring.cycle * floor((number + 0.5) / ring.cycle);
 }
 
 // The factor by which the structure multiplies the flux. The mean over all phases is one.
@@ -122,7 +136,7 @@ fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
             let sheared_k = k + m * (sheared * age);
             let filtered = (covariance.x * sheared_k + covariance.y * m) * sheared_k + covariance.z * m * m;
             let amplitude = amplitudes * (window * window) * exp2(-filtered);
-            let places = ring.phase_places + bitcast<vec4<u32>>(vec4<i32>(whole)) + group * GROUP_STRIDE;
+            let places = ring.phase_places + bitcast<vec4<u32>>(vec4<i32>(life_numbers(whole, ring))) + group * GROUP_STRIDE;
             let phase = m * (turns - swept * age) + k * offset + phases_at(places);
             let wave = cos_half_turns(phase - round(phase));
             let power = amplitude * amplitude;

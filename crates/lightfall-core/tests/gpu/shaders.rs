@@ -15,6 +15,7 @@ fn naga_accepts_every_variant() {
                 Entry::Picture => &["vertex", "fragment"],
                 Entry::Rays => &["rays"],
                 Entry::Timed => &["vertex", "timed", "fragment"],
+                Entry::TimedLight => &["timed"],
             };
             let message = validate(&variant.text(), entries).err()?;
             Some(format!("{variant:?}\n{message}"))
@@ -238,6 +239,23 @@ fn a_shader_contains_of_a_living_disk_only_what_its_scene_asks_for() {
             }
         }
     }
+}
+
+#[test]
+fn only_a_structure_with_a_period_counts_its_lives_anew() {
+    let mut scene = Scene::default();
+    let repeats = |scene: &Scene| {
+        let source = Variant::picture(scene).source();
+        [true, false].map(|value| source.contains(&format!("const REPEATS: bool = {value};")))
+    };
+    assert_eq!(repeats(&scene), [false, false]);
+    let smooth = Variant::picture(&scene);
+    scene.disk.period = 24.0;
+    assert_eq!(Variant::picture(&scene), smooth);
+    scene.disk.structure = DiskStructure::Turbulent;
+    assert_eq!(repeats(&scene), [true, false]);
+    scene.disk.period = 0.0;
+    assert_eq!(repeats(&scene), [false, true]);
 }
 
 /// wgpu writes shaders anew for browsers, and leaves these attributes out.

@@ -24,6 +24,8 @@ pub struct Model {
     pub pitch: f64,
     /// Life of a wave, in orbits of its ring's centre.
     pub lifetime: f64,
+    /// Time after which everything repeats, in r_s/c; `None` if nothing ever does.
+    pub period: Option<f64>,
     /// Waves in each of a ring's octaves.
     pub octave: usize,
     /// Which structure.
@@ -44,6 +46,7 @@ impl Model {
             aspect: disk.aspect,
             pitch: disk.pitch_deg.to_radians(),
             lifetime: disk.lifetime,
+            period: Some(disk.period).filter(|period| *period > 0.0),
             octave: octave as usize,
             seed: disk.seed,
         };
