@@ -1,8 +1,8 @@
 // Structure of the disk's light: shearing waves in rings, which the rotation carries.
 // crates/lightfall-core/src/optics/structure does the same in f64 and says why.
 //
-// Needs: BINDING_STRUCTURE, Footprint, Hit, K_QUANTUM, MASS, MAX_GROUPS, MAX_RINGS, PI,
-//     REPEATS, atan2_precise, log_precise, scene.
+// Needs: BINDING_STRUCTURE, Footprint, Hit, K_QUANTUM, MASS, MAX_DPHI, MAX_DX, MAX_GROUPS,
+//     MAX_RINGS, PI, REPEATS, atan2_precise, log_precise, scene.
 // Gives: structure_factor.
 
 // A group is one wave of each of four octaves.
