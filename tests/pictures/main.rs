@@ -1,6 +1,7 @@
 //! Whole pictures, judged by quantities that physics or the presentation's own rules give.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
+mod animation;
 mod comparison;
 mod embedded;
 mod light;

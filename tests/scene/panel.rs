@@ -131,6 +131,7 @@ fn rows_are_dimmed_where_they_change_nothing() {
         "disk.aspect",
         "disk.pitch_deg",
         "disk.lifetime",
+        "disk.period",
         "disk.waves",
         "disk.seed",
     ];

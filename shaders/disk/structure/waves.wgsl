@@ -2,7 +2,7 @@
 // crates/lightfall-core/src/optics/structure does the same in f64 and says why.
 //
 // Needs: BINDING_STRUCTURE, Footprint, Hit, MASS, MAX_DPHI, MAX_DX, MAX_GROUPS, MAX_RINGS, PI,
-//     atan2_precise, log_precise, scene.
+//     REPEATS, atan2_precise, log_precise, scene.
 // Gives: structure_factor.
 
 // One wave of each of four octaves: their crests around the disk, and their radians per unit of ln r.
@@ -36,8 +36,12 @@ struct Ring {
     life_over_turn: f32,
     // The rest of the lives that its clock has counted, beyond the whole ones.
     lives: f32,
-    // Where each octave's phases of this whole number of lives are in the list of phases.
+    // Where each octave's phases of this whole number of lives are in the list of phases; of the number
+    // 0 where the structure repeats.
     phase_places: vec4<u32>,
+    // Where the structure repeats: the number of this life in its period, and how many a period has.
+    number: f32,
+    cycle: f32,
 }
 
 @group(0) @binding(BINDING_STRUCTURE) var<uniform> structure: Structure;
@@ -63,6 +67,17 @@ fn phases_at(places: vec4<u32>) -> vec4<f32> {
     z = (z ^ (z >> vec4<u32>(15u))) * 0x846ca68bu;
     z ^= z >> vec4<u32>(16u);
     return bitcast<vec4<f32>>((z >> vec4<u32>(9u)) ^ vec4<u32>(0x3fc00000u)) - 1.5;
+}
+
+// Where the phases of a life are in the list of phases; `whole` is the number of lives after the ring's
+// present one. The half keeps the quotient away from whole numbers, so that its rounding does not matter.
+fn places_of_life(ring: Ring, whole: f32) -> vec4<u32> {
+    var number = whole;
+    if REPEATS {
+        number += ring.number;
+        number -= ring.cycle * floor((number + 0.5) / ring.cycle);
+    }
+    return ring.phase_places + bitcast<u32>(i32(number));
 }
 
 // The factor by which the structure multiplies the flux. The mean over all phases is one.
@@ -111,7 +126,8 @@ fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
         let weight = select(weights.x, weights.y, side == 1u);
         let lives = ring.lives - hit.delay * ring.lives_per_time;
         let whole = floor(lives);
-        let phase_places = ring.phase_places + bitcast<u32>(i32(whole));
+        let this_life = places_of_life(ring, whole);
+        let next_life = places_of_life(ring, whole + 1.0);
         let swept = omega * ring.life_over_turn;
         let sheared = shear * ring.life_over_turn * (2.0 * PI);
         let offset = (x - ring.centre) * (0.5 / PI);
@@ -129,7 +145,7 @@ fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
             let sheared_k = waves.k + m * (sheared * age);
             let filtered = (covariance.x * sheared_k + covariance.y * m) * sheared_k + covariance.z * m * m;
             let amplitude = amplitudes * (window * window) * exp2(-filtered);
-            let places = phase_places + group * GROUP_STRIDE + select(vec4<u32>(0u), vec4<u32>(1u), counted);
+            let places = select(this_life, next_life, counted) + group * GROUP_STRIDE;
             let phase = m * (turns - swept * age) + waves.k * offset + phases_at(places);
             let wave = cos_half_turns(phase - round(phase));
             let power = amplitude * amplitude;

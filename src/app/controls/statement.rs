@@ -112,6 +112,7 @@ fn field_words(key: &str) -> String {
         ("disk", "aspect") => "length of the disk's filaments".into(),
         ("disk", "pitch_deg") => "tilt of the disk's filaments".into(),
         ("disk", "lifetime") => "lifetime of the disk's filaments".into(),
+        ("disk", "period") => "period of the disk's structure".into(),
         ("disk", "time") => "disk's clock".into(),
         ("disk", "rate") => "rate of the disk's clock".into(),
         ("hot_spot", "kind") => "hot spot".into(),

@@ -51,6 +51,8 @@ pub struct GpuRing {
     pub life_over_turn: f32,
     pub lives: f32,
     pub phase_places: UVec4,
+    pub number: f32,
+    pub cycle: f32,
 }
 
 impl Default for GpuStructure {
@@ -128,12 +130,19 @@ impl GpuGroup {
 impl GpuRing {
     fn new(ring: &Ring, clock: f64) -> Self {
         let (life, rest) = ring.lives(clock);
+        // Without a cycle the shader only adds to the number of this life.
+        let (first, number, cycle) = match ring.cycle {
+            None => (life, 0.0, 0.0),
+            Some(cycle) => (0, ring.number_in_cycle(life) as f32, cycle as f32),
+        };
         Self {
             centre: ring.centre as f32,
             lives_per_time: (1.0 / ring.life) as f32,
             life_over_turn: (ring.life / TAU) as f32,
             lives: rest as f32,
-            phase_places: UVec4::from_array(ring.phase_places(life)),
+            phase_places: UVec4::from_array(ring.phase_places(first)),
+            number,
+            cycle,
         }
     }
 }

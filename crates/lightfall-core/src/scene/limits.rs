@@ -83,6 +83,14 @@ impl Scene {
                 };
                 (Range { low, high }, Some(because))
             }
+            "disk.period" if self.disk.period > 0.0 => {
+                let low = Included(MIN_PERIOD);
+                let because = Because {
+                    keys: Vec::new(),
+                    reason: "0 for a structure that never repeats".into(),
+                };
+                (Range { low, ..range }, Some(because))
+            }
             "picture.grid_width" => grid_range("picture.width", self.picture.width),
             "picture.grid_height" => grid_range("picture.height", self.picture.height),
             _ => (range, None),
@@ -157,6 +165,10 @@ impl Scene {
         }
     }
 }
+
+/// The shortest period of a disk's structure, in r_s/c. Without a period no filament lives for less:
+/// the shortest orbit takes 6.3 r_s/c, and the shortest life is a quarter of an orbit.
+const MIN_PERIOD: f64 = 2.0;
 
 /// Largest number of pixels of the HDR picture that a presentation cell averages along each axis. It
 /// bounds the loops of pixelate.wgsl.

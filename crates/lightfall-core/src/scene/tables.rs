@@ -240,6 +240,9 @@ table! {
         pitch_deg: f64 = 15.0, Range::closed(0.0, 45.0), "degrees";
         /// How long the filaments live.
         lifetime: f64 = 1.0, Range::closed(0.25, 4.0), "orbits";
+        /// Time after which the structure repeats, at least 2; 0 if it never does. Filaments then
+        /// live for whole parts of it, at most for all of it. A hot spot does not repeat.
+        period: f64 = 0.0, Range::closed(0.0, 1e6), "r_s/c";
         /// Number of waves in each ring of the structure, rounded down to a multiple of four.
         waves: u32 = 24, Range::closed(12.0, 48.0), "waves";
         /// Number that chooses the random pattern of the structure.

@@ -241,6 +241,23 @@ fn a_shader_contains_of_a_living_disk_only_what_its_scene_asks_for() {
     }
 }
 
+#[test]
+fn only_a_structure_with_a_period_counts_its_lives_anew() {
+    let mut scene = Scene::default();
+    let repeats = |scene: &Scene| {
+        let source = Variant::picture(scene).source();
+        [true, false].map(|value| source.contains(&format!("const REPEATS: bool = {value};")))
+    };
+    assert_eq!(repeats(&scene), [false, false]);
+    let smooth = Variant::picture(&scene);
+    scene.disk.period = 24.0;
+    assert_eq!(Variant::picture(&scene), smooth);
+    scene.disk.structure = DiskStructure::Turbulent;
+    assert_eq!(repeats(&scene), [true, false]);
+    scene.disk.period = 0.0;
+    assert_eq!(repeats(&scene), [false, true]);
+}
+
 /// wgpu writes shaders anew for browsers, and leaves these attributes out.
 #[test]
 fn no_layout_depends_on_attributes() {

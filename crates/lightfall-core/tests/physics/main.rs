@@ -29,6 +29,7 @@ mod schwarzschild;
 mod shadow_edge;
 mod spectrum;
 mod structure;
+mod structure_period;
 mod timelike;
 
 /// Asserts that `found` equals `expected` within the relative tolerance `relative`.

@@ -81,8 +81,10 @@ fn the_field_has_variance_one_and_is_nearly_gaussian() {
 
 #[test]
 fn the_variance_of_the_waves_is_one_at_every_radius_and_time() {
-    for waves in [12, 24, 48] {
-        let structure = structure(1, |scene| scene.disk.waves = waves);
+    for (waves, period) in [(12, 0.0), (24, 0.0), (48, 0.0), (12, 25.0), (24, 300.0)] {
+        let structure = structure(1, |scene| {
+            (scene.disk.waves, scene.disk.period) = (waves, period);
+        });
         for (time, phi) in moments(300) {
             let r = 3.0 * (11.0_f64 / 3.0).powf(phi / TAU);
             // cos^4 has two harmonics: three waves or more per octave cancel both.

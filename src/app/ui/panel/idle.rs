@@ -16,11 +16,11 @@ pub fn why_idle(scene: &Scene, key: &str) -> Option<&'static str> {
             Some("The disk begins at the innermost stable orbit.")
         }
         ("hot_spot", _) if !scene.disk.enabled => Some("The disk is off."),
-        ("disk", "contrast" | "scale" | "aspect" | "pitch_deg" | "lifetime" | "waves" | "seed")
-            if scene.disk.structure == DiskStructure::None =>
-        {
-            Some("The disk is smooth.")
-        }
+        (
+            "disk",
+            "contrast" | "scale" | "aspect" | "pitch_deg" | "lifetime" | "period" | "waves"
+            | "seed",
+        ) if scene.disk.structure == DiskStructure::None => Some("The disk is smooth."),
         ("disk", "time" | "rate") if !scene.disk_moves() => {
             Some("Nothing moves in the disk: it has neither structure nor a hot spot.")
         }
@@ -30,7 +30,7 @@ pub fn why_idle(scene: &Scene, key: &str) -> Option<&'static str> {
         (
             "disk",
             "limb" | "structure" | "contrast" | "scale" | "aspect" | "pitch_deg" | "lifetime"
-            | "waves" | "seed" | "time" | "rate",
+            | "period" | "waves" | "seed" | "time" | "rate",
         )
         | ("hot_spot", _)
             if light != Content::Light =>

@@ -90,6 +90,7 @@ pub const SECTIONS: &[Section] = &[
                 "Filaments' lifetime",
                 Logarithmic(0.25, 4.0),
             ),
+            row("disk.period", "Repeats after", Linear(0.0, 200.0)),
             row("disk.waves", "Waves", Plain),
             row("disk.seed", "Pattern", Linear(0.0, 1000.0)),
             row("disk.rate", "Clock's rate", Linear(0.0, 20.0)),

@@ -74,11 +74,14 @@ impl Variant {
             }));
         }
         let plain = |variant: &&Self| variant.effects == Effects::default();
-        all.extend(shining.iter().filter(plain).map(|variant| Self {
-            structure: true,
-            delay_nodes: variant.tracer.delay_nodes(),
-            ..*variant
-        }));
+        for repeats in [false, true] {
+            all.extend(shining.iter().filter(plain).map(|variant| Self {
+                structure: true,
+                repeats,
+                delay_nodes: variant.tracer.delay_nodes(),
+                ..*variant
+            }));
+        }
         let close = |variant: &Self| {
             let (tracer, view, effects) = (variant.tracer, variant.view, variant.effects);
             tracer == Tracer::Mino && view == View::Colour && effects == Effects::default()

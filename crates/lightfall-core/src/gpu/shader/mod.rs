@@ -36,6 +36,8 @@ pub struct Variant {
     pub disk_model: DiskModel,
     /// Whether the disk has structure; false where none is drawn.
     pub structure: bool,
+    /// Whether that structure repeats after a period.
+    pub repeats: bool,
     /// The hot spot; none where none is drawn.
     pub hot_spot: HotSpotKind,
     /// The disk's limb darkening; none where none is drawn.
@@ -124,6 +126,7 @@ impl Variant {
                 DiskModel::default()
             },
             structure,
+            repeats: structure && scene.disk.period > 0.0,
             hot_spot,
             limb: if lit {
                 scene.disk.limb
@@ -191,6 +194,7 @@ impl Variant {
         Self {
             disk_model: DiskModel::default(),
             structure: false,
+            repeats: false,
             hot_spot: HotSpotKind::None,
             limb: LimbDarkening::None,
             delay_nodes: 0,

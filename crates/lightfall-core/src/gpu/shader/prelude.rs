@@ -73,6 +73,7 @@ impl Variant {
             add_constant(&mut text, name, "f32", format!("{value:?}"));
         }
         if self.structure {
+            add_constant(&mut text, "REPEATS", "bool", self.repeats);
             for (name, kind, value) in GpuStructure::constants() {
                 add_constant(&mut text, name, kind, value);
             }

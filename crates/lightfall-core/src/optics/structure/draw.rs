@@ -22,6 +22,8 @@ pub struct Ring {
     pub centre: f64,
     /// Life of its waves, in r_s/c.
     pub life: f64,
+    /// Number of lives after which the phases repeat; `None` if they never do.
+    pub cycle: Option<u32>,
     /// Share of a life by which its clock is ahead.
     offset: f64,
     /// Where the phases of each octave begin in the list of phases.
@@ -73,9 +75,16 @@ impl Ring {
         });
         let mut list = List::new(model.seed, ring, OCTAVES);
         let orbit = TAU / angular_velocity(kerr, centre.exp()).0;
+        let life = model.lifetime * orbit;
+        // A period consists of whole lives.
+        let cycle = model.period.map(|period| (period / life).round().max(1.0));
         Self {
             centre,
-            life: model.lifetime * orbit,
+            life: model
+                .period
+                .zip(cycle)
+                .map_or(life, |(period, lives)| period / lives),
+            cycle: cycle.map(|lives| lives as u32),
             offset: list.unit(),
             keys: std::array::from_fn(|_| list.bits() as u32),
             groups: (0..model.octave)
@@ -91,6 +100,13 @@ impl Ring {
         (lives.floor() as i64, lives - lives.floor())
     }
 
+    /// The number of a life, counted anew in every period.
+    #[must_use]
+    pub fn number_in_cycle(&self, life: i64) -> i64 {
+        self.cycle
+            .map_or(life, |lives| life.rem_euclid(i64::from(lives)))
+    }
+
     /// The places of the octaves' phases in the list of phases, in the ring's life of this number.
     #[must_use]
     pub fn phase_places(&self, life: i64) -> [u32; OCTAVES] {
@@ -103,7 +119,8 @@ impl Ring {
         let (life, rest) = self.lives(time);
         let later = (group as f64 + octave as f64 / OCTAVES as f64) / self.groups.len() as f64;
         let lives = rest + later;
-        let place = self.phase_places(life + lives.floor() as i64)[octave];
+        let number = self.number_in_cycle(life + lives.floor() as i64);
+        let place = self.phase_places(number)[octave];
         Age {
             share: lives - lives.floor() - 0.5,
             phase: phase(place.wrapping_add(GROUP_STRIDE.wrapping_mul(group as u32))),

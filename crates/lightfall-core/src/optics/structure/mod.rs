@@ -6,6 +6,9 @@
 //! than across them (Lee & Gammie 2021). It is a sum of shearing waves (Goldreich & Lynden-Bell
 //! 1965) in overlapping rings. Each wave moves with the exact angular velocity of circular orbits,
 //! dies before it winds up, and is born anew with another phase.
+//!
+//! With a period, each ring's waves live for a whole part of it, and the phases of their lives
+//! repeat after it.
 
 mod draw;
 mod field;

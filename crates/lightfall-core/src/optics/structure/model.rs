@@ -32,6 +32,8 @@ pub struct Model {
     pub pitch: f64,
     /// Life of a wave, in orbits of its ring's centre.
     pub lifetime: f64,
+    /// Time after which everything repeats, in r_s/c; `None` if nothing ever does.
+    pub period: Option<f64>,
     /// Number of waves in each octave of a ring.
     pub octave: usize,
     /// Seed of the random pattern.
@@ -52,6 +54,7 @@ impl Model {
             aspect: disk.aspect,
             pitch: disk.pitch_deg.to_radians(),
             lifetime: disk.lifetime,
+            period: Some(disk.period).filter(|period| *period > 0.0),
             octave: octave as usize,
             seed: disk.seed,
         };
