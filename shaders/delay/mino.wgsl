@@ -17,7 +17,7 @@
 // Gives: crossing_delay, first_delay, step_delay.
 
 // The rate at some shares of a step of length h.
-fn delay_rates(m: Motion, c: Curve, h: f32, turns: bool, t: Nodes) -> Nodes {
+fn rates_at(m: Motion, c: Curve, h: f32, turns: bool, t: Nodes) -> Nodes {
     let a2 = square(scene.hole.a);
     let v = c.c0.x + t * (c.c1.x + t * (c.c2.x + t * (c.c3.x + t * (c.c4.x + t * c.c5.x))));
     let n_z = c.c0.y + t * (c.c1.y + t * (c.c2.y + t * (c.c3.y + t * (c.c4.y + t * c.c5.y))));
@@ -34,9 +34,9 @@ fn delay_rates(m: Motion, c: Curve, h: f32, turns: bool, t: Nodes) -> Nodes {
 
 // The rate's integral over the first `share` of a step.
 fn delay_integral(m: Motion, c: Curve, h: f32, turns: bool, share: f32) -> f32 {
-    var sum = dot(DELAY_WEIGHTS, delay_rates(m, c, h, turns, share * DELAY_NODES));
+    var sum = dot(DELAY_WEIGHTS, rates_at(m, c, h, turns, share * DELAY_NODES));
     if DELAY_MORE_NODES {
-        sum += dot(DELAY_WEIGHTS_2, delay_rates(m, c, h, turns, share * DELAY_NODES_2));
+        sum += dot(DELAY_WEIGHTS_2, rates_at(m, c, h, turns, share * DELAY_NODES_2));
     }
     return h * share * sum;
 }

@@ -5,9 +5,10 @@
 // Needs: AZIMUTH, Angle, Constants, DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, HAS_DISK, MAX_HITS,
 //     Motion, NEAR_HORIZON, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Photon, SKY_DIRECTION,
 //     SPINNING, Step, TINY, Trace, acceleration, add_angle, add_hit, angle_between, azimuth_gain,
-//     azimuth_lag_to_infinity, cannot_turn, crosses_plane, curve, curve_at, curve_slope,
-//     empty_trace, in_annulus, motion_about, nystroem_step, quadratic, rotate_z, safe_normalize,
-//     scene, sin_cos_precise, speed_squared, square, wrap_angle.
+//     azimuth_lag_to_infinity, cannot_turn, crosses_plane, crossing_delay, curve, curve_at,
+//     curve_slope, empty_trace, first_delay, in_annulus, motion_about, nystroem_step, quadratic,
+//     rotate_z, safe_normalize, scene, sin_cos_precise, speed_squared, square, step_delay,
+//     wrap_angle.
 // Gives: trace.
 
 // More steps than a ray within f32's rounding of the critical curve takes at the shortest step.
