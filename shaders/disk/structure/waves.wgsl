@@ -69,15 +69,15 @@ fn phases_at(places: vec4<u32>) -> vec4<f32> {
     return bitcast<vec4<f32>>((z >> vec4<u32>(9u)) ^ vec4<u32>(0x3fc00000u)) - 1.5;
 }
 
-// Where the phases of a life are in the list of phases; `whole` is the number of lives after the ring's
-// present one. The half keeps the quotient away from whole numbers, so that its rounding does not matter.
-fn places_of_life(ring: Ring, whole: f32) -> vec4<u32> {
+// The number of a life in the list of phases; `whole` is that of lives after the ring's present one. The
+// half keeps the quotient away from whole numbers, so that its rounding does not matter.
+fn life_number(ring: Ring, whole: f32) -> u32 {
     var number = whole;
     if REPEATS {
         number += ring.number;
         number -= ring.cycle * floor((number + 0.5) / ring.cycle);
     }
-    return ring.phase_places + bitcast<u32>(i32(number));
+    return bitcast<u32>(i32(number));
 }
 
 // The factor by which the structure multiplies the flux. The mean over all phases is one.
@@ -126,8 +126,9 @@ fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
         let weight = select(weights.x, weights.y, side == 1u);
         let lives = ring.lives - hit.delay * ring.lives_per_time;
         let whole = floor(lives);
-        let this_life = places_of_life(ring, whole);
-        let next_life = places_of_life(ring, whole + 1.0);
+        let life = life_number(ring, whole);
+        let to_next_life = vec4<u32>(life_number(ring, whole + 1.0) - life);
+        let phase_places = ring.phase_places + life;
         let swept = omega * ring.life_over_turn;
         let sheared = shear * ring.life_over_turn * (2.0 * PI);
         let offset = (x - ring.centre) * (0.5 / PI);
@@ -145,7 +146,7 @@ fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
             let sheared_k = waves.k + m * (sheared * age);
             let filtered = (covariance.x * sheared_k + covariance.y * m) * sheared_k + covariance.z * m * m;
             let amplitude = amplitudes * (window * window) * exp2(-filtered);
-            let places = select(this_life, next_life, counted) + group * GROUP_STRIDE;
+            let places = phase_places + group * GROUP_STRIDE + select(vec4<u32>(0u), to_next_life, counted);
             let phase = m * (turns - swept * age) + waves.k * offset + phases_at(places);
             let wave = cos_half_turns(phase - round(phase));
             let power = amplitude * amplitude;
