@@ -74,14 +74,14 @@ pub const CHANNELS: [Channel; 17] = channels![
     "hit1.phi" Number |seen| seen.hit(0, |hit| hit.phi), "azimuth of the first crossing, in radians, in (-pi, pi]";
     "hit1.g" Number |seen| seen.hit(0, |hit| hit.g), "observed over emitted frequency of light from the first crossing";
     "hit1.T" Number |seen| seen.temperature(0),
-        "temperature of the matter at the first crossing, in its own frame, in kelvin; the observer sees g T";
+        "temperature of the matter at the first crossing, in its own frame, in kelvin, without structure and hot spot; the observer sees g T";
     "hit1.t" Number |seen| seen.delay(0),
         "time from the emission at the first crossing to its arrival, in r_s/c; missing for a camera at or inside the horizon";
     "hit2.r" Number |seen| seen.hit(1, |hit| hit.r), "radius of the second crossing of the disk, in r_s";
     "hit2.phi" Number |seen| seen.hit(1, |hit| hit.phi), "azimuth of the second crossing, in radians, in (-pi, pi]";
     "hit2.g" Number |seen| seen.hit(1, |hit| hit.g), "observed over emitted frequency of light from the second crossing";
     "hit2.T" Number |seen| seen.temperature(1),
-        "temperature of the matter at the second crossing, in its own frame, in kelvin";
+        "temperature of the matter at the second crossing, in its own frame, in kelvin, without structure and hot spot";
     "hit2.t" Number |seen| seen.delay(1), "time from the emission at the second crossing to its arrival, in r_s/c";
     "outcome" Count |trace| trace.outcome as u32, "outcome of the backward ray: 0 sky, 1 captured, 2 unfinished";
     "steps" Count |trace| trace.steps, "number of steps of the method; zero in closed form";

@@ -58,10 +58,13 @@ fn a_journey_of_ones_own_is_drawn_as_linear_light_to_its_end_and_beyond() {
         "schema = 1\n[[keyframe]]\ntime = 0\nr = 30\n[[keyframe]]\ntime = 1\nr = 20\n",
     )
     .unwrap();
+    let mut scene = small(2);
+    scene.disk.rate = 0.0;
+    let options = "--journey in.toml --fps 2 --aov hit1.r --size 160x90";
     program(
         folder.path(),
-        &small(2),
-        "--journey in.toml --frames 0..3 --fps 2 --aov hit1.r --size 160x90 -o in.exr",
+        &scene,
+        &format!("{options} --frames 0..3 -o in.exr"),
     );
     assert_eq!(
         names(folder.path()),
@@ -95,6 +98,23 @@ fn a_journey_of_ones_own_is_drawn_as_linear_light_to_its_end_and_beyond() {
         frames[1].texts["lightfall.preset"].contains("r = 24.49"),
         "half way in the radius's logarithm"
     );
+
+    // The clock of a disk that moves does not stop at the end, although the camera does.
+    scene.disk.rate = 6.0;
+    program(
+        folder.path(),
+        &scene,
+        &format!("{options} --frames 2..3 -o on-#.exr"),
+    );
+    let moving = [2, 3].map(|number| Linear::read(&folder.path().join(format!("on-{number}.exr"))));
+    assert!(moving[0].light() != moving[1].light(), "the disk stops");
+    let radii = |linear: &Linear| {
+        let radii = linear.values("hit1.r");
+        radii.into_iter().map(f64::to_bits).collect::<Vec<_>>()
+    };
+    for frame in &moving {
+        assert!(radii(frame) == radii(&frames[2]), "the camera moves");
+    }
 }
 
 #[test]

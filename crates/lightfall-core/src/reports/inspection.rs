@@ -47,7 +47,8 @@ pub struct Inspection {
     pub half_turns: f64,
     /// Order of the image: whole half-turns.
     pub order: Option<u32>,
-    /// Temperature of the matter at the first hit, in kelvin.
+    /// Temperature of the matter at the first hit, in kelvin, for a disk without structure and hot
+    /// spot.
     pub hit1_temperature_k: Option<f64>,
     /// Boyer-Lindquist time from the emission there to the camera, in r_s/c: `cpu.hit1_t` under
     /// its older name.
