@@ -9,17 +9,31 @@
 //! and p_phi = L the emission is later by (p_r dr + L dphi)/E. The delay grows by the opposite.
 //!
 //! Along a backward ray in Mino time u' = u^2 Delta p_r, so p_r = u' r^2/Delta.
+//!
+//! Places that are far apart are joined by the hits of the rays between them. Where a ray's own
+//! error moves its hit far, which is next to the critical curve, these rays have almost the same
+//! constants of motion: u'^2 = U(u) there is that of the reference's ray, and the delay grows by
+//! -(integral of p_r dr + L dphi)/E. These rays may lead round the hole from one place to the other,
+//! so dphi is known up to whole turns, of which the number that leaves least is taken. This fails,
+//! and leaves a difference, where r turns between the two places.
 
 use super::class::hits;
+use crate::geometry::kerr::Kerr;
 use crate::geometry::mino::Constants;
+use crate::geometry::quadrature::integral_on_scale;
 use crate::geometry::sphere::wrap_angle;
 use crate::optics::reference::Reference;
 use crate::optics::trace::{Hit, Trace};
 use glam::DVec3;
+use std::f64::consts::TAU;
 
-/// Places that are farther apart than this share of the radius say nothing about the delay: the
-/// part that the place explains is of first order, and 0.003^2 is 1e-5.
+/// Places that are no farther apart than this share of the radius are the same one: the error of
+/// the constants and of the turning points is of second order there, and 0.003^2 is 1e-5.
 const SAME_PLACE: f64 = 0.003;
+
+/// The least change of the delay by a whole turn, in r_s/c, for which turns are counted: a hundred
+/// times the errors that matter, so that a wrong delay rarely fits by chance.
+const LEAST_TURN: f64 = 1.0;
 
 /// The reference's answer to a ray, with the delays of its hits and how they depend on the place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,15 +41,17 @@ pub struct TimedRay {
     /// The answer. The delays are [lags](crate::optics::delay::Lag), which a camera inside the
     /// horizon has as well.
     pub trace: Trace,
-    slopes: [Slope; 2],
+    /// `None` without lensing, where nothing magnifies the error of a ray, and without hits.
+    motion: Option<Motion>,
 }
 
-/// The derivatives of a hit's delay with respect to its radius and its azimuth. Zero without
-/// lensing, where nothing magnifies the error of a ray.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Slope {
-    r: f64,
-    phi: f64,
+/// What decides how the delay depends on the place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Motion {
+    kerr: Kerr,
+    constants: Constants,
+    /// The sign of u' at each hit.
+    inward: [f64; 2],
 }
 
 /// The error of the delay of one hit.
@@ -47,24 +63,18 @@ pub struct DelayError {
     pub truth: Hit,
     /// The method's delay less the reference's, in r_s/c.
     pub plain: f64,
-    /// The method's delay less that of the place that it has found, in r_s/c. `None` if that place
-    /// is too far from the reference's for a comparison of first order.
-    pub at_place: Option<f64>,
+    /// The method's delay less that of the place that it has found, in r_s/c.
+    pub at_place: f64,
 }
 
 impl TimedRay {
     /// Follows the ray that arrives from `direction`, given on the observer's axes.
     #[must_use]
     pub fn of(reference: &Reference, direction: DVec3) -> Self {
-        let mut ray = Self {
-            trace: reference.trace_with_lags(direction),
-            slopes: [Slope::default(); 2],
-        };
-        // Most rays miss the disk, and need no second look.
-        if reference.lensing() && hits(&ray.trace) > 0 {
-            ray.slopes = slopes(reference, direction);
-        }
-        ray
+        let trace = reference.trace_with_lags(direction);
+        let motion = (reference.lensing() && hits(&trace) > 0)
+            .then(|| Motion::of(reference, direction.normalize()));
+        Self { trace, motion }
     }
 
     /// The errors of a method's delays, hit by hit. `None` if outcome or number of hits differ, so
@@ -72,12 +82,27 @@ impl TimedRay {
     #[must_use]
     pub fn errors(&self, found: &Trace) -> Option<Vec<DelayError>> {
         let alike = found.outcome == self.trace.outcome && hits(found) == hits(&self.trace);
-        let pairs = found.hits.into_iter().zip(self.trace.hits).zip(self.slopes);
-        alike.then(|| {
-            pairs
-                .filter_map(|((found, truth), slope)| error(found?, truth?, slope))
-                .collect()
-        })
+        let error = |i: usize| self.error(i, found.hits[i]?, self.trace.hits[i]?);
+        alike.then(|| (0..found.hits.len()).filter_map(error).collect())
+    }
+
+    /// The error of the delay of hit number `hit`.
+    fn error(&self, hit: usize, found: Hit, truth: Hit) -> Option<DelayError> {
+        let plain = found.delay? - truth.delay?;
+        let mut error = DelayError {
+            found,
+            truth,
+            plain,
+            at_place: plain,
+        };
+        if let Some(motion) = self.motion {
+            error.at_place -= motion.change(hit, error.moved(), truth.r);
+            let turn = motion.change_in_turn();
+            if !error.same_place() && turn.abs() > LEAST_TURN {
+                error.at_place -= turn * (error.at_place / turn).round();
+            }
+        }
+        Some(error)
     }
 }
 
@@ -85,43 +110,52 @@ impl DelayError {
     /// How far apart the two places are: in the radius, in r_s, and in the azimuth.
     #[must_use]
     pub fn moved(&self) -> [f64; 2] {
-        moved(&self.found, &self.truth)
+        [
+            self.found.r - self.truth.r,
+            wrap_angle(self.found.phi - self.truth.phi),
+        ]
+    }
+
+    /// Whether both places are the same, to 0.003 of the radius.
+    #[must_use]
+    pub fn same_place(&self) -> bool {
+        let [dr, dphi] = self.moved();
+        dr.hypot(self.truth.r * dphi) <= SAME_PLACE * self.truth.r
     }
 }
 
-fn moved(found: &Hit, truth: &Hit) -> [f64; 2] {
-    [found.r - truth.r, wrap_angle(found.phi - truth.phi)]
-}
-
-fn error(found: Hit, truth: Hit, slope: Slope) -> Option<DelayError> {
-    let plain = found.delay? - truth.delay?;
-    let [dr, dphi] = moved(&found, &truth);
-    let same_place = dr.hypot(truth.r * dphi) <= SAME_PLACE * truth.r;
-    Some(DelayError {
-        found,
-        truth,
-        plain,
-        at_place: same_place.then(|| plain - (slope.r * dr + slope.phi * dphi)),
-    })
-}
-
-fn slopes(reference: &Reference, direction: DVec3) -> [Slope; 2] {
-    let hole = reference.hole_and_disk();
-    let photon = reference.photon(direction.normalize());
-    let (r, n) = reference.camera();
-    let (constants, start) = Constants::of_photon(hole.kerr, &photon, r, n);
-    let mut slopes = [Slope::default(); 2];
-    let mut free = slopes.iter_mut();
-    hole.follow(&constants, start, |step| {
-        let Some(time) = step.hit else { return };
-        let (u, du) = step.expansion.u.at(time);
-        let r = 1.0 / u;
-        if let Some(slope) = free.next() {
-            *slope = Slope {
-                r: -du * r * r / hole.kerr.delta(r) / constants.energy,
-                phi: -constants.angular_momentum / constants.energy,
-            };
+impl Motion {
+    fn of(reference: &Reference, direction: DVec3) -> Self {
+        let hole = reference.hole_and_disk();
+        let photon = reference.photon(direction);
+        let (r, n) = reference.camera();
+        let (constants, start) = Constants::of_photon(hole.kerr, &photon, r, n);
+        let (mut inward, mut found) = ([0.0; 2], 0);
+        hole.follow(&constants, start, |step| {
+            if let (Some(slot), Some(time)) = (inward.get_mut(found), step.hit) {
+                *slot = step.expansion.u.at(time).1.signum();
+                found += 1;
+            }
+        });
+        Self {
+            kerr: hole.kerr,
+            constants,
+            inward,
         }
-    });
-    slopes
+    }
+
+    /// By how much the delay of hit number `hit` grows when it moves from radius `r` by (dr, dphi).
+    fn change(&self, hit: usize, [dr, dphi]: [f64; 2], r: f64) -> f64 {
+        let p_r = |r: f64| {
+            let du = self.constants.potential(1.0 / r).max(0.0).sqrt();
+            self.inward[hit] * du * r * r / self.kerr.delta(r)
+        };
+        let by_azimuth = self.change_in_turn() * dphi / TAU;
+        by_azimuth - integral_on_scale(1.0, r, r + dr, &p_r) / self.constants.energy
+    }
+
+    /// By how much the delay grows when the hit moves by a whole turn.
+    fn change_in_turn(&self) -> f64 {
+        -TAU * self.constants.angular_momentum / self.constants.energy
+    }
 }

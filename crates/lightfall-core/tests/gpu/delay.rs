@@ -75,10 +75,11 @@ impl Differences {
             let errors = ray.errors(&record.trace(Some(lead)));
             for (i, error) in errors.into_iter().flatten().enumerate() {
                 self.plain.push(error.plain.abs());
-                let Some(off) = error.at_place.map(f64::abs) else {
+                if !error.same_place() {
                     self.elsewhere += 1;
                     continue;
-                };
+                }
+                let off = error.at_place.abs();
                 self.there.push(off);
                 if self
                     .worst

@@ -35,14 +35,15 @@ pub struct CellDelays {
     /// Largest angle, in radians, by which the matter at the hit turns in the difference.
     pub turn_max: f64,
     /// The same for the difference from the delay of the place that the method has found, of hits
-    /// close enough to compare.
+    /// whose place is the reference's to 0.003 of the radius.
     pub turn_at_place_max: f64,
     /// Number of hits where the matter turns by more than a thousandth of a radian in the
     /// difference. Each is counted once more in one of the next three classes.
     pub over: usize,
     /// Those whose delay is right, to the same thousandth, for the place that the method has found.
     pub place: usize,
-    /// Those whose place is another one altogether, too far for a comparison of first order.
+    /// Those whose place is another one altogether, so far away that its delay is not known so
+    /// well.
     pub far: usize,
     /// The rest: their delay is wrong for the place.
     pub unexplained: usize,
@@ -128,29 +129,24 @@ impl CellDelays {
         let orbit = kerr.circular_orbit(error.truth.r);
         let rate = orbit.map_or(f64::NAN, |orbit| orbit.angular_velocity.abs());
         let turn = rate * error.plain.abs();
-        let at_place = error.at_place.map(|delay| rate * delay.abs());
+        let at_place = rate * error.at_place.abs();
         self.hits += 1;
         self.delay_max = greater(self.delay_max, error.plain.abs());
         self.turn_max = greater(self.turn_max, turn);
-        self.turn_at_place_max = greater(self.turn_at_place_max, at_place.unwrap_or(0.0));
+        if error.same_place() {
+            self.turn_at_place_max = greater(self.turn_at_place_max, at_place);
+        }
         // NaN is not small.
         if turn <= MAX_TURN {
             return;
         }
         self.over += 1;
-        match at_place {
-            None if error.plain.is_finite() => self.far += 1,
-            Some(turn) if turn <= MAX_TURN => self.place += 1,
-            _ => {
-                self.unexplained += 1;
-                eprintln!(
-                    "DIAG {} {} {} turn {turn:e} at_place {at_place:?} {error:?} moved {:?}",
-                    self.group,
-                    self.cell,
-                    self.method,
-                    error.moved()
-                );
-            }
+        if at_place <= MAX_TURN {
+            self.place += 1;
+        } else if !error.same_place() && error.plain.is_finite() {
+            self.far += 1;
+        } else {
+            self.unexplained += 1;
         }
     }
 }
@@ -192,12 +188,13 @@ pub fn delays_table(rows: &[CellDelays]) -> String {
 const NOTES: &str = "
 * hits: those of rays with the reference's outcome and number of hits; only these are compared.
 * turn: the angle by which the disk's matter at the hit turns in the error of the delay.
-* at the place found: the same after subtracting what the hit's own shift does to the delay.
+* at the place found: the same after subtracting what the hit's own shift does to the delay, of hits
+  that are shifted by no more than 0.003 of their radius.
 * over: hits with a turn of more than 1e-3 rad. Each of them is in one of the next three classes.
 * place: the delay is right for the place that the method has found, to 1e-3 rad. The ray's own
   error has moved the hit.
-* far: the hit is more than 0.003 of its radius from the reference's, which is another place
-  altogether, with a delay of its own. The delays of two such places say nothing about each other.
+* far: the hit is more than 0.003 of its radius from the reference's, and the reference's ray does
+  not tell the delay there to 1e-3 rad.
 * unexplained: the delay is wrong for the place.
 * lost: rays with another outcome or number of hits, which are not compared.
 ";
