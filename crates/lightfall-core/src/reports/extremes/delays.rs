@@ -191,8 +191,8 @@ const NOTES: &str = "
 * at the place found: the same after subtracting what the hit's own shift does to the delay, of hits
   that are shifted by no more than 0.003 of their radius.
 * over: hits with a turn of more than 1e-3 rad. Each of them is in one of the next three classes.
-* place: the delay is right for the place that the method has found, to 1e-3 rad. The ray's own
-  error has moved the hit.
+* place: the delay is right for the place that the method has found, to 1e-3 rad, and up to whole
+  turns about the hole if that place is far. The ray's own error has moved the hit.
 * far: the hit is more than 0.003 of its radius from the reference's, and the reference's ray does
   not tell the delay there to 1e-3 rad.
 * unexplained: the delay is wrong for the place.
