@@ -72,7 +72,8 @@ pub enum EntryArg {
 #[command(
     after_help = "Without --json, a Markdown table goes to standard output. --out also writes extremes.csv, extremes.json and \
                         extremes.md. The exit status is 1 if closed or mino does not hold a cell, if a \
-                        hunt finds a ray beyond its tolerance that nothing explains, or if --delay finds such a hit."
+                        hunt finds a ray beyond its tolerance that nothing explains, or if --delay finds a hit whose delay is \
+                        beyond 1e-3 rad and wrong for its place."
 )]
 pub struct ExtremesArgs {
     /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace

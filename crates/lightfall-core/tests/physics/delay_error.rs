@@ -19,7 +19,7 @@ fn pairs(scene: &Scene) -> Vec<[DVec3; 2]> {
         let pixel = DVec2::new(f64::from(i % 60), f64::from(i / 60)) * 16.0 + 0.5;
         let direction = axes * scene.camera.looking(pixel, size).normalize();
         let (u, v) = direction.any_orthonormal_pair();
-        let aside = if i % 2 == 0 { u } else { v };
+        let aside = if i.is_multiple_of(2) { u } else { v };
         [direction, (direction + TURN * aside).normalize()]
     };
     (0..60 * 34).map(pair).collect()
