@@ -71,8 +71,9 @@ pub enum EntryArg {
 #[derive(Debug, Args)]
 #[command(
     after_help = "Without --json, a Markdown table goes to standard output. --out also writes extremes.csv, extremes.json and \
-                        extremes.md. The exit status is 1 if closed or mino does not hold a cell, or if a \
-                        hunt finds a ray beyond its tolerance that nothing explains."
+                        extremes.md. The exit status is 1 if closed or mino does not hold a cell, if a \
+                        hunt finds a ray beyond its tolerance that nothing explains, or if --delay finds a hit whose delay is \
+                        beyond 1e-3 rad and wrong for its place."
 )]
 pub struct ExtremesArgs {
     /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace
@@ -85,6 +86,11 @@ pub struct ExtremesArgs {
     /// Measure a grid of ordinary spins, radii and inclinations instead of the extremes
     #[arg(long, conflicts_with = "hunt")]
     pub grid: bool,
+    /// Measure the time between emission and arrival instead, for closed and mino: the angle by
+    /// which the disk's matter turns in its error, and why where that is over 1e-3 rad. --out then
+    /// writes delays.csv, delays.json and delays.md
+    #[arg(long, conflicts_with = "hunt")]
+    pub delay: bool,
     /// Instead of the matrix, trace N rays through random scenes with `auto`'s methods, 2000 rays a
     /// scene, and list the worst rays
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u32>(1, 100_000_000))]

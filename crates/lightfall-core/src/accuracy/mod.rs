@@ -11,6 +11,7 @@ mod backward;
 mod camera_tracer;
 mod chart;
 mod class;
+mod delay;
 mod edge;
 mod finite;
 mod near_edge;
@@ -23,6 +24,7 @@ mod sample;
 mod summary;
 mod truth;
 
+pub use delay::{DelayError, TimedRay};
 pub use edge::Shadow;
 pub(crate) use finite::greater;
 pub use picture::picture_errors;

@@ -4,13 +4,12 @@
 use crate::random::Random;
 use crate::{gpu, quantile};
 use glam::{DVec2, DVec3};
+use lightfall_core::accuracy::TimedRay;
 use lightfall_core::geometry::kerr::Kerr;
-use lightfall_core::geometry::mino::Constants;
 use lightfall_core::geometry::observer::min_infall_radius;
-use lightfall_core::geometry::sphere::wrap_angle;
 use lightfall_core::gpu::rays;
 use lightfall_core::optics::reference::Reference;
-use lightfall_core::optics::trace::{Outcome, Trace};
+use lightfall_core::optics::trace::Outcome;
 use lightfall_core::scene::{Method, ObserverKind, Scene};
 use std::f64::consts::PI;
 
@@ -48,16 +47,10 @@ const ARTICLE: Bar = Bar {
 /// The least number of hits that count as a test.
 const ENOUGH: usize = 20;
 
-/// Places that are farther apart than this share of the radius say nothing about the delay: the
-/// part that the place explains is of first order, and 0.003^2 is 1e-5.
-const SAME_PLACE: f64 = 0.003;
-
 /// The differences between the GPU's delays and the reference's, in r_s/c.
 ///
 /// Next to the critical curve a tiny turn of the ray moves the hit and the delay with it. So the
-/// second number is what remains at the place that the GPU has found: when the place moves by
-/// (dr, dphi), the delay grows by -(p_r dr + L dphi)/E, p being the photon's momentum there
-/// (Hamilton and Jacobi).
+/// second number is what remains at the place that the GPU has found.
 #[derive(Default)]
 struct Differences {
     plain: Vec<f64>,
@@ -69,8 +62,7 @@ struct Differences {
 impl Differences {
     fn add(&mut self, scene: &Scene, directions: &[DVec3]) {
         let reference = Reference::new(scene).unwrap();
-        let hole = reference.hole_and_disk();
-        let kerr = hole.kerr;
+        let kerr = reference.hole_and_disk().kerr;
         // Inside the horizon the GPU's number is the lag as it stands.
         let lead = match (scene.camera.r > kerr.horizon(), scene.effects.lensing) {
             (false, _) => 0.0,
@@ -79,53 +71,34 @@ impl Differences {
         };
         let records = rays::records(gpu(), scene, directions).unwrap();
         for (direction, record) in directions.iter().zip(records) {
-            let truth = reference.trace_with_lags(*direction);
-            let found = record.trace(Some(lead));
-            let count = |trace: &Trace| trace.hits.iter().flatten().count();
-            if found.outcome != truth.outcome || count(&found) != count(&truth) {
-                continue;
-            }
-            let photon = reference.photon(direction.normalize());
-            let (constants, start) =
-                Constants::of_photon(kerr, &photon, scene.camera.r, reference.camera().1);
-            let mut u_rates = vec![];
-            if scene.effects.lensing {
-                hole.follow(&constants, start, |step| {
-                    u_rates.extend(step.hit.map(|hit| step.expansion.at(hit).du));
-                });
-            }
-            let pairs = found.hits.iter().flatten().zip(truth.hits.iter().flatten());
-            for (i, (found, truth)) in pairs.enumerate() {
-                let (delay, right) = (found.delay.unwrap(), truth.delay.unwrap());
-                let plain = delay - right;
-                let (dr, dphi) = (found.r - truth.r, wrap_angle(found.phi - truth.phi));
-                let explained = u_rates.get(i).map_or(0.0, |du| {
-                    let p_r = du * truth.r.powi(2) / kerr.delta(truth.r);
-                    -(p_r * dr + constants.angular_momentum * dphi) / constants.energy
-                });
-                self.plain.push(plain.abs());
-                if dr.hypot(truth.r * dphi) > SAME_PLACE * truth.r {
+            let ray = TimedRay::of(&reference, *direction);
+            let errors = ray.errors(&record.trace(Some(lead)));
+            for (i, error) in errors.into_iter().flatten().enumerate() {
+                self.plain.push(error.plain.abs());
+                if !error.same_place() {
                     self.elsewhere += 1;
                     continue;
                 }
-                let off = (plain - explained).abs();
+                let off = error.at_place.abs();
                 self.there.push(off);
                 if self
                     .worst
                     .as_ref()
                     .is_none_or(|(worst, _)| off.total_cmp(worst).is_gt())
                 {
-                    let camera = &scene.camera;
+                    let (camera, [_, dphi]) = (&scene.camera, error.moved());
                     let place = format!(
                         "camera {} r_s, {} deg, {:?} {:?}, {direction}: hit {} at r {} and {}, \
-                         phi off by {dphi:e}, delay {delay} and {right}",
+                         phi off by {dphi:e}, delay {:?} and {:?}",
                         camera.r,
                         camera.theta_deg,
                         scene.observer.kind,
                         scene.observer.velocity,
                         i + 1,
-                        found.r,
-                        truth.r
+                        error.found.r,
+                        error.truth.r,
+                        error.found.delay,
+                        error.truth.delay
                     );
                     self.worst = Some((off, place));
                 }

@@ -5,6 +5,7 @@
 mod accuracy;
 mod apparent_hole;
 mod delay;
+mod delay_error;
 mod disk;
 mod disk_clock;
 mod echo;
