@@ -180,3 +180,19 @@ fn faults_of_a_journeys_clock_are_reported() {
     assert!(fault("disk_time = \"noon\"").contains("keyframe 2: disk_time = \"noon\" is refused"));
     assert!(fault("rain.disk_time = 4").contains("keyframe 2: there is no rain.disk_time; "));
 }
+
+#[test]
+fn read_outs_follow_the_clock_and_the_spot_only_where_there_is_a_spot() {
+    let needed_later = |scene: &Scene| {
+        let mut later = scene.clone();
+        later.disk.time += 10.0;
+        later.for_readouts()
+    };
+    let mut scene = Scene::default();
+    assert_eq!(scene.for_readouts(), needed_later(&scene));
+    scene.hot_spot.kind = HotSpotKind::Rigid;
+    assert_ne!(scene.for_readouts(), needed_later(&scene));
+    let mut moved = scene.clone();
+    moved.hot_spot.r += 1.0;
+    assert_ne!(scene.for_readouts(), moved.for_readouts());
+}

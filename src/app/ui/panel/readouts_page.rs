@@ -30,18 +30,17 @@ pub(super) struct ReadoutsPage {
 
 impl ReadoutsPage {
     fn readout(&mut self, scene: &Scene) -> &Result<Readout, String> {
-        // Read-outs do not depend on the light of the disk, which may move.
-        let rays = scene.without_shading();
+        let needed = scene.for_readouts();
         let stale = self
             .last
             .as_ref()
-            .is_none_or(|(seen, made, _)| *seen != rays && made.elapsed() > MIN_AGE);
+            .is_none_or(|(seen, made, _)| *seen != needed && made.elapsed() > MIN_AGE);
         if stale {
             self.last = None;
         }
         let fresh = || {
             (
-                rays,
+                needed,
                 Instant::now(),
                 Readout::new(scene).map_err(|error| error.to_string()),
             )
@@ -170,8 +169,8 @@ fn echo(ui: &mut egui::Ui, spot: &HotSpotReadout, mass: HoleMass) {
         &[
             ("One turn", both(spot.period)),
             ("Direct light, under way for", known(direct)),
-            ("Around the hole, later by", later(direct, once)),
-            ("Once more around, later by", later(once, twice)),
+            ("Around the hole, older by", later(direct, once)),
+            ("Once more around, older by", later(once, twice)),
         ],
     );
 }
