@@ -28,7 +28,7 @@ mod shot;
 use desktop::Desktop;
 use lightfall::app::Start;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::{journey, load};
+use lightfall_core::scene::{journey, load, presets};
 use shot::Shot;
 use std::process::Command;
 use std::time::Duration;
@@ -147,17 +147,20 @@ fn keys_do_what_the_help_says_and_never_close_the_window() {
     desktop.settled("Esc frees the mouse", |shot| changed(shot, &turned) < 1e-3);
     assert!(desktop.running(), "Esc closed the program");
 
+    let mut moves = false;
     for number in 1..=9 {
         desktop.press(&number.to_string());
+        let preset = presets::find(&number.to_string()).unwrap();
+        let scene = preset.scene(&[]).unwrap();
+        // A pause lasts as long as presets have a disk that moves.
+        if scene.disk_moves() && !moves {
+            desktop.press("slash");
+        }
+        moves = scene.disk_moves();
         desktop.settled(&format!("preset {number}"), |shot| {
             changed(shot, &turned) > 0.02
         });
-        let title = lightfall_core::scene::presets::find(&number.to_string())
-            .unwrap()
-            .scene(&[])
-            .unwrap()
-            .title;
-        assert_eq!(desktop.title(), format!("Lightfall: {title}"));
+        assert_eq!(desktop.title(), format!("Lightfall: {}", scene.title));
     }
     assert!(desktop.running());
 }
