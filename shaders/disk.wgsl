@@ -1,7 +1,8 @@
 // The thin disk: where a ray crosses it, and how much the motion of its matter shifts the light.
 //
 // Needs: Hit, MASS, MAX_HITS, Segment, TINY, Trace, disk_shift, scene.
-// Gives: HAS_DISK, add_hit, crosses_plane, in_annulus, plane_crossing, record_crossing, shift_hits.
+// Gives: HAS_DISK, add_hit, angular_velocity, crosses_plane, in_annulus, plane_crossing,
+//     record_crossing, segment_delay, shift_hits, whole_redshift.
 
 const HAS_DISK: bool = true;
 
@@ -27,8 +28,9 @@ fn in_annulus(r: f32) -> bool {
     return r > scene.disk.inner && r < scene.disk.outer;
 }
 
-// Where the segment crosses the plane; only meaningful if it does.
-fn plane_crossing(segment: Segment, crosses: bool) -> vec3<f32> {
+// Where the segment crosses the plane, and at which share of its length; only meaningful if it
+// does.
+fn plane_crossing(segment: Segment, crosses: bool) -> vec4<f32> {
     let above = segment.x0.z > 0.0;
     var low = 0.0;
     var high = 1.0;
@@ -41,52 +43,73 @@ fn plane_crossing(segment: Segment, crosses: bool) -> vec3<f32> {
         low = select(middle, low, beyond);
         high = select(high, middle, beyond);
     }
-    return hermite(segment, 0.5 * (low + high));
+    let share = 0.5 * (low + high);
+    return vec4<f32>(hermite(segment, share), share);
+}
+
+// The delay after a share of the segment, by the trapezoidal rule.
+fn segment_delay(segment: Segment, share: f32) -> f32 {
+    let rates = segment.delay_rates;
+    return segment.delay + segment.h * share * (rates.x + 0.5 * share * (rates.y - rates.x));
 }
 
 // Records the segment's crossing of the annulus, if it has one, for methods whose positions are r
 // n. shift_hits computes its g later.
 fn record_crossing(result: ptr<function, Trace>, segment: Segment) {
     let crosses = crosses_plane(segment.x0.z, segment.x1.z) && (*result).hit_count < MAX_HITS;
-    let position = plane_crossing(segment, crosses);
-    if crosses && in_annulus(length(position)) {
+    let crossing = plane_crossing(segment, crosses);
+    if crosses && in_annulus(length(crossing.xyz)) {
+        let hit = Hit(crossing.xyz, 0.0, segment_delay(segment, crossing.w) - scene.observer.time_lead);
         if (*result).hit_count == 0u {
-            (*result).hits[0].position = position;
+            (*result).hits[0] = hit;
         } else {
-            (*result).hits[1].position = position;
+            (*result).hits[1] = hit;
         }
         (*result).hit_count += 1u;
     }
+}
+
+// 1 + chi y^3, with y = sqrt(M / r) and chi = a / M.
+fn orbit_stretch(y3: f32) -> f32 {
+    return 1.0 + scene.hole.a / MASS * y3;
+}
+
+// Angular velocity of matter on a circular orbit: Omega = y^3 / (M (1 + chi y^3)).
+fn angular_velocity(r: f32) -> f32 {
+    let y = sqrt(MASS / max(r, MASS));
+    let y3 = y * y * y;
+    return y3 / (MASS * orbit_stretch(y3));
 }
 
 // Observed over emitted frequency of light from matter on a circular orbit (Cunningham 1975;
 // Bardeen, Press & Teukolsky 1972 eqs. 2.12, 2.13 and 2.16 for the orbit), with y = sqrt(M / r) and
 // lambda = L/E:
 //
-//   g = 1 / (E u^t (1 - Omega lambda)),   Omega = y^3 / (M (1 + chi y^3)),
-//   u^t = (1 + chi y^3) / sqrt(1 - 3 y^2 + 2 chi y^3)
+//   g = 1 / (E u^t (1 - Omega lambda)),   u^t = (1 + chi y^3) / sqrt(1 - 3 y^2 + 2 chi y^3)
 //
 // E is per unit frequency at the camera. The article's 1 + Omega L_n is the same: its L_n belongs
 // to the backward ray and is -lambda. The root's argument is computed as (1 - y)^2 (1 + 2 y) - 2 (1
 // - chi) y^3, which keeps its digits for chi -> 1, r -> M
 // (crates/lightfall-core/src/geometry/kerr.rs does the same).
-fn disk_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
+fn whole_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
     let outside = max(r, MASS);
     let y = sqrt(MASS / outside);
     let y3 = y * y * y;
     let one_minus_y = (outside - MASS) / (outside * (1.0 + y));
     let root2 = one_minus_y * one_minus_y * (1.0 + 2.0 * y) - 2.0 * scene.hole.one_minus_spin * y3;
-    // 1 + chi y^3, with chi = a / M.
-    let stretch = 1.0 + scene.hole.a / MASS * y3;
-    let omega = y3 / (MASS * stretch);
-    let g = sqrt(max(root2, TINY)) / (stretch * max(energy * (1.0 - omega * lambda), 1e-6));
-    return disk_shift(g, r, lambda);
+    let slowing = max(energy * (1.0 - angular_velocity(r) * lambda), 1e-6);
+    return sqrt(max(root2, TINY)) / (orbit_stretch(y3) * slowing);
+}
+
+// The same without the shares that are switched off.
+fn disk_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
+    return disk_shift(whole_redshift(r, energy, lambda), r, lambda);
 }
 
 // Appends a crossing of the annulus; E is per unit frequency at the camera, lambda = L/E. Crossings
 // beyond the last that counts are dropped.
-fn add_hit(result: ptr<function, Trace>, position: vec3<f32>, energy: f32, lambda: f32) {
-    let hit = Hit(position, disk_redshift(length(position), energy, lambda));
+fn add_hit(result: ptr<function, Trace>, position: vec3<f32>, energy: f32, lambda: f32, delay: f32) {
+    let hit = Hit(position, disk_redshift(length(position), energy, lambda), delay);
     if (*result).hit_count == 0u {
         (*result).hits[0] = hit;
     } else if (*result).hit_count == 1u {

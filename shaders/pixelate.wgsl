@@ -26,11 +26,19 @@ struct Presentation {
 @group(0) @binding(BINDING_PRESENTATION) var<uniform> presentation: Presentation;
 @group(0) @binding(BINDING_PRESENTATION_SOURCE) var source: texture_2d<f32>;
 
-// Light of a pixel of the picture. Alpha takes the light away that bloom has added in the shadow,
-// where alpha is zero.
+// Light, with black in place of what is not a number. The bits say what that is, since a compiler
+// may assume that it does not occur.
+fn number_or_black(light: vec3<f32>) -> vec3<f32> {
+    let size = bitcast<vec3<u32>>(light) & vec3<u32>(0x7fffffffu);
+    return select(light, vec3<f32>(0.0), size > vec3<u32>(0x7f800000u));
+}
+
+// Light of a pixel of the picture. Bevy's tone curve by luminance divides by it, and makes black
+// 0/0, which would blacken every cell that has one black pixel. Alpha takes the light away that
+// bloom has added in the shadow, where alpha is zero.
 fn light_of(pixel: vec2<u32>) -> vec3<f32> {
     let texel = textureLoad(source, pixel, 0);
-    return select(1.0, texel.a, presentation.bloom != 0u) * texel.rgb;
+    return select(1.0, texel.a, presentation.bloom != 0u) * number_or_black(texel.rgb);
 }
 
 // sRGB transfer function and its inverse (IEC 61966-2-1).

@@ -39,6 +39,10 @@ struct Observer {
     // How far Kerr's ingoing azimuth is ahead of the observer's azimuth, less whole turns. Zero at
     // and inside the horizon, where the observer's azimuth is the ingoing one.
     ingoing_azimuth_lead: f32,
+    // How far Kerr's ingoing time is ahead of the observer's time, and Kerr's outgoing time behind:
+    // the tortoise coordinate; without LENSING it is r. Zero at and inside the horizon, where the
+    // observer's time is the ingoing one.
+    time_lead: f32,
     // The observer with zero angular momentum (ZAMO) at the same place: its lapse, and its angular
     // velocity, which is zero without LENSING.
     zamo_lapse: f32,

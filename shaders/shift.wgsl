@@ -3,9 +3,9 @@
 // g = gravity * motion, where at each end of the ray gravity is that of the observer with zero
 // angular momentum (ZAMO), who measures the frequency E (1 - omega lambda) / N.
 //
-// Needs: BEAMING, DOPPLER, GRAVITATIONAL_SHIFT, LENSING, Photon, TINY, photon_angular_momentum,
-//     photon_energy, scene, square.
-// Gives: beaming_factor, disk_shift, lapse_and_dragging, sky_shift.
+// Needs: BEAMING, DOPPLER, GRAVITATIONAL_SHIFT, LENSING, MASS, Photon, TINY,
+//     photon_angular_momentum, photon_energy, scene, square.
+// Gives: beaming_factor, disk_lambda, disk_shift, lapse_and_dragging, sky_shift, straight_lambda.
 
 // The factor by which a shift multiplies bolometric intensity: g^4, since I_nu / nu^3 is the same
 // for all observers (Misner, Thorne & Wheeler 1973, section 22.6).
@@ -28,6 +28,27 @@ fn lapse_and_dragging(r: f32) -> vec2<f32> {
     let a2 = square(scene.hole.a);
     let b = r * (r * r + a2) + a2;
     return vec2<f32>(sqrt(max(r * (r * (r - 1.0) + a2) / b, TINY)), select(0.0, scene.hole.a / b, LENSING));
+}
+
+// On straight rays, the lambda for which 1 - Omega lambda is the Doppler factor of matter with the
+// speed (Omega - omega) W / N, where moment_z / r is the cosine between its velocity and the light,
+// and W = sqrt(B / r).
+fn straight_lambda(r: f32, moment_z: f32) -> f32 {
+    let a = scene.hole.a;
+    let b = r * (r * r + a * a) + a * a;
+    let inverse_omega = r * sqrt(r / MASS) + a;
+    return moment_z / r * (1.0 - a / b * inverse_omega) * sqrt(b / r) / lapse_and_dragging(r).x;
+}
+
+// The lambda that gives the shift of light from the disk at r: L/E, which is a constant of bent
+// rays.
+fn disk_lambda(photon: Photon, r: f32) -> f32 {
+    let lambda = photon_angular_momentum(photon) / photon_energy(photon);
+    if LENSING {
+        return lambda;
+    }
+    // A straight ray's energy is its momentum times the camera's lapse.
+    return straight_lambda(r, lambda * scene.observer.zamo_lapse);
 }
 
 fn camera_gravity(lambda: f32) -> f32 {

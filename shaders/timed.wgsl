@@ -11,7 +11,8 @@ fn answer(position: vec2<f32>) -> vec4<f32> {
     let ray = trace(photon_from(pixel_direction(position)));
     let first = ray.hits[0];
     let second = ray.hits[1];
-    let seen = dot(first.position + 2.0 * second.position, vec3<f32>(1.0)) + first.g + 3.0 * second.g;
+    let seen = dot(first.position + 2.0 * second.position, vec3<f32>(1.0)) + first.g + 3.0 * second.g
+        + 5.0 * first.delay + 7.0 * second.delay;
     return vec4<f32>(ray.sky, seen + f32(ray.outcome + 4u * ray.hit_count));
 }
 

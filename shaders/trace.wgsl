@@ -2,8 +2,8 @@
 // what its ray meets. Each method defines `fn trace(photon: Photon) -> Trace`.
 //
 // Needs: nothing.
-// Gives: Hit, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, OUTCOME_UNFINISHED, Photon, Segment,
-//     Trace, empty_trace.
+// Gives: Footprint, Footprints, Hit, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY,
+//     OUTCOME_UNFINISHED, Photon, Segment, Trace, empty_trace.
 
 // A photon where it meets the camera, per unit frequency at the camera;
 // crates/lightfall-core/src/geometry/observer.rs has the same numbers.
@@ -26,12 +26,27 @@ const OUTCOME_CAPTURED: u32 = 1u;
 const OUTCOME_UNFINISHED: u32 = 2u;
 const OUTCOME_HIDDEN: u32 = 3u;
 
+// The change of a hit's position from this pixel to its neighbours, in r_s.
+struct Footprint {
+    to_the_right: vec3<f32>,
+    downward: vec3<f32>,
+}
+
+// The footprints of a ray's two hits.
+struct Footprints {
+    first: Footprint,
+    second: Footprint,
+}
+
 // A crossing of the disk's annulus.
 struct Hit {
     // r n, where n points toward Boyer-Lindquist theta and phi.
     position: vec3<f32>,
     // Observed over emitted frequency.
     g: f32,
+    // How long before the camera's time, less scene.observer.time_lead, the light left the disk.
+    // That lead is most of a far camera's delay; the CPU adds it in f64. Zero without DELAY.
+    delay: f32,
 }
 
 struct Trace {
@@ -52,17 +67,20 @@ struct Trace {
     turn: f32,
 }
 
-// One step of a ray: positions and velocities at its two ends, and its affine length.
+// One step of a ray: positions and velocities at its two ends, and its affine length. With DELAY,
+// also the delay at its start and the delay per affine length at its two ends.
 struct Segment {
     x0: vec3<f32>,
     v0: vec3<f32>,
     x1: vec3<f32>,
     v1: vec3<f32>,
     h: f32,
+    delay: f32,
+    delay_rates: vec2<f32>,
 }
 
 // The record of a ray that has met nothing yet.
 fn empty_trace() -> Trace {
-    let no_hit = Hit(vec3<f32>(0.0), 0.0);
+    let no_hit = Hit(vec3<f32>(0.0), 0.0, 0.0);
     return Trace(vec3<f32>(0.0), OUTCOME_UNFINISHED, array<Hit, 2>(no_hit, no_hit), 0u, 0u, 0.0, 0.0, 0.0);
 }

@@ -1,6 +1,7 @@
 // The light of the disk, and what it hides.
 //
-// Needs: Hit, beaming_factor, disk_flux, scene, thermal_colour.
+// Needs: Footprint, Hit, Photon, beaming_factor, disk_flux, hot_spot_factor, limb_darkening, scene,
+//     structure_factor, thermal_colour.
 // Gives: disk_cover, disk_light, disk_transmission.
 
 // How much of the disk there is at radius r: one, except in the fades at both edges. Emission and
@@ -21,9 +22,10 @@ fn disk_transmission(r: f32) -> f32 {
 // Linear light of a crossing. The disk model gives the flux F in the matter's frame, and
 // Stefan-Boltzmann's law the temperature T = T_scale F^(1/4). Shifted thermal light has Planck's
 // spectrum at the temperature g T, and its intensity is beamed.
-fn disk_light(hit: Hit) -> vec3<f32> {
+fn disk_light(photon: Photon, hit: Hit, footprint: Footprint) -> vec3<f32> {
     let r = length(hit.position);
-    let flux = disk_flux(r);
+    let flux = disk_flux(r) * structure_factor(hit, footprint) * hot_spot_factor(hit);
     let temperature = scene.disk.temperature * sqrt(sqrt(flux));
-    return thermal_colour(temperature * hit.g) * (flux * beaming_factor(hit.g) * scene.disk.brightness * disk_cover(r));
+    let brightness = scene.disk.brightness * disk_cover(r) * limb_darkening(photon, hit);
+    return thermal_colour(temperature * hit.g) * (flux * beaming_factor(hit.g) * brightness);
 }

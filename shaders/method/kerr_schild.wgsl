@@ -16,10 +16,10 @@
 // where these coordinates are singular: momenta grow without bound and steps shrink, so many such
 // rays around fast holes stay unfinished.
 //
-// Needs: DIAGNOSTICS, FOLLOW_BEYOND_HITS, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY,
-//     Photon, Segment, TINY, Trace, add_hit, angle_between, crosses_plane, empty_trace, in_annulus,
-//     photon_angular_momentum, photon_energy, plane_crossing, rotate_z, safe_normalize, scene,
-//     sin_cos_precise.
+// Needs: DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN,
+//     OUTCOME_SKY, Photon, Segment, TINY, Trace, add_hit, angle_between, crosses_plane,
+//     empty_trace, in_annulus, photon_angular_momentum, photon_energy, plane_crossing, rotate_z,
+//     safe_normalize, scene, segment_delay, sin_cos_precise, tortoise.
 // Gives: trace.
 
 // At this multiple of the horizon's radius an ingoing ray counts as captured.
@@ -172,6 +172,21 @@ fn boyer_lindquist(x: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(r * rotate_z(n, sin_cos_precise(scene.observer.ingoing_azimuth_lead - lead)), 0.0);
 }
 
+// dT/dlambda of Kerr-Schild's time T, which is Kerr's ingoing time less r.
+fn delay_rate(metric: Metric, p: vec3<f32>) -> f32 {
+    return 1.0 - metric.f * (dot(metric.l, p) - 1.0);
+}
+
+// The delay of a crossing at the radius r, from Kerr-Schild's time to Boyer-Lindquist's.
+fn hit_delay(segment: Segment, share: f32, r: f32) -> f32 {
+    if !DELAY {
+        return 0.0;
+    }
+    let factors = 1.0 - vec2<f32>(scene.hole.horizon, scene.hole.inner_horizon) / r;
+    let lead = tortoise(1.0 / r, factors) - r;
+    return segment_delay(segment, share) + scene.observer.r - 2.0 * scene.observer.time_lead + lead;
+}
+
 fn trace(photon: Photon) -> Trace {
     var result = empty_trace();
     let n = scene.observer.position_direction;
@@ -181,6 +196,7 @@ fn trace(photon: Photon) -> Trace {
     let max_steps = min(scene.quality.max_steps, MAX_STEPS);
     var affine = 0.0;
     var turn = 0.0;
+    var delay = 0.0;
     var captured = false;
     var escaped = false;
     var v = vec3<f32>(0.0);
@@ -208,18 +224,26 @@ fn trace(photon: Photon) -> Trace {
         }
         let crosses = crosses_plane(state.x.z, next.x.z) && result.hit_count < MAX_HITS;
         if crosses {
-            let next_v = velocity(metric_at(next.x), next.p);
-            let place = plane_crossing(Segment(state.x, v, next.x, next_v, h), crosses);
+            let next_metric = metric_at(next.x);
+            let next_v = velocity(next_metric, next.p);
+            let rates = vec2<f32>(delay_rate(metric, state.p), delay_rate(next_metric, next.p));
+            let segment = Segment(state.x, v, next.x, next_v, h, delay, rates);
+            let crossing = plane_crossing(segment, crosses);
+            let place = crossing.xyz;
             let hit = boyer_lindquist(place);
             if in_annulus(length(hit)) {
                 if DIAGNOSTICS && result.hit_count == 0u {
                     result.turn = turn + angle_between(state.x, place);
                 }
-                add_hit(&result, hit, photon_energy(photon), photon_angular_momentum(photon) / photon_energy(photon));
+                add_hit(&result, hit, photon_energy(photon), photon_angular_momentum(photon) / photon_energy(photon), hit_delay(segment, crossing.w, length(hit)));
             }
         }
         if DIAGNOSTICS {
             turn += angle_between(state.x, next.x);
+        }
+        if DELAY {
+            let rates = vec2<f32>(delay_rate(metric, state.p), delay_rate(metric_at(next.x), next.p));
+            delay += 0.5 * h * (rates.x + rates.y);
         }
         result.steps += 1u;
         affine += h;

@@ -2,12 +2,13 @@
 // sphere. mino_motion.wgsl has the equations and the step, mino_azimuth.wgsl the azimuth; this part
 // begins a ray, follows it and ends it.
 //
-// Needs: AZIMUTH, Angle, Constants, DIAGNOSTICS, FOLLOW_BEYOND_HITS, HAS_DISK, MAX_HITS, Motion,
-//     NEAR_HORIZON, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Photon, SKY_DIRECTION, SPINNING,
-//     Step, TINY, Trace, acceleration, add_angle, add_hit, angle_between, azimuth_gain,
-//     azimuth_lag_to_infinity, cannot_turn, crosses_plane, curve, curve_at, curve_slope,
-//     empty_trace, in_annulus, motion_about, nystroem_step, quadratic, rotate_z, safe_normalize,
-//     scene, sin_cos_precise, speed_squared, square, wrap_angle.
+// Needs: AZIMUTH, Angle, Constants, DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, HAS_DISK, MAX_HITS,
+//     Motion, NEAR_HORIZON, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Photon, SKY_DIRECTION,
+//     SPINNING, Step, TINY, Trace, acceleration, add_angle, add_hit, angle_between, azimuth_gain,
+//     azimuth_lag_to_infinity, cannot_turn, crosses_plane, crossing_delay, curve, curve_at,
+//     curve_slope, empty_trace, first_delay, in_annulus, motion_about, nystroem_step, quadratic,
+//     rotate_z, safe_normalize, scene, sin_cos_precise, speed_squared, square, step_delay,
+//     wrap_angle.
 // Gives: trace.
 
 // More steps than a ray within f32's rounding of the critical curve takes at the shortest step.
@@ -49,6 +50,8 @@ struct Ray {
     ingoing: bool,
     // Angle swept about the hole.
     turn: f32,
+    // Delay, but for the share of the tortoise coordinate of the leg that has not ended.
+    delay: f32,
 }
 
 // The end of a step: at u = 0 if the ray escapes, else after the whole step.
@@ -119,7 +122,7 @@ fn ray_at_camera(photon: Photon, orbit: Orbit) -> Ray {
     // Kerr's ingoing azimuth has no pole along light that comes in from outside.
     let ingoing = NEAR_HORIZON && photon.radial < 0.0;
     let chi = select(0.0, scene.observer.ingoing_azimuth_lead, ingoing);
-    return Ray(motion, y, dy, k, Angle(0.0, chi), ingoing, 0.0);
+    return Ray(motion, y, dy, k, Angle(0.0, chi), ingoing, 0.0, first_delay(photon.radial > 0.0));
 }
 
 // Changes the base of the radial variable when the ray comes near to the horizon or leaves it.
@@ -155,6 +158,12 @@ fn is_captured(ray: Ray, hit_count: u32) -> bool {
     let u_inner = select(0.0, 1.0 / scene.disk.inner, HAS_DISK);
     let nothing_more_to_hit = u >= u_inner || hit_count == MAX_HITS;
     return ray.dy.x > 0.0 && (u >= u_horizon || nothing_more_to_hit && cannot_turn(ray.motion, ray.y.x, u_horizon - u));
+}
+
+// Whether another crossing of the annulus can follow.
+fn may_hit(ray: Ray, hit_count: u32) -> bool {
+    let beyond = ray.dy.x < 0.0 && (ray.motion.base + ray.y.x) * scene.disk.outer < 1.0;
+    return HAS_DISK && hit_count < MAX_HITS && !beyond;
 }
 
 // u' from U, with the sign that it has, about the horizon and away from turning points.
@@ -218,7 +227,8 @@ fn record_plane_crossing(
     if DIAGNOSTICS && (*result).hit_count == 0u {
         (*result).turn = ray.turn + angle_between(ray.y.yzw, crossing.yzw);
     }
-    add_hit(result, vec3<f32>(r * place, 0.0), energy, orbit.lambda);
+    let delay = ray.delay + crossing_delay(ray.motion, step, orbit.h, t, crossing.x);
+    add_hit(result, vec3<f32>(r * place, 0.0), energy, orbit.lambda, delay);
 }
 
 // Records a ray that has reached u = 0. Light of negative energy never was at infinity.
@@ -266,8 +276,11 @@ fn trace(photon: Photon) -> Trace {
         if HAS_DISK && crosses_plane(ray.y.y, end.y.y) && result.hit_count < MAX_HITS {
             record_plane_crossing(&result, ray, step, end, orbit, photon.energy);
         }
-        // A picture without a sky needs no azimuth at all.
-        if SPINNING && SKY_DIRECTION {
+        if DELAY && may_hit(ray, result.hit_count) {
+            ray.delay += step_delay(ray.motion, step, h);
+        }
+        // A picture of a smooth disk without a sky needs no azimuth at all.
+        if SPINNING && (SKY_DIRECTION || AZIMUTH) {
             let gain = azimuth_gain(ray.motion, curve(step), h, end.share, end.y.x, end.regular, ray.ingoing);
             ray.chi = add_angle(ray.chi, gain);
         }

@@ -2,7 +2,7 @@
 //
 // Needs: Curve, Motion, NEAR_HORIZON, TINY, atanh_small, curve_at, curve_slope, log_precise,
 //     quadratic, scene, square.
-// Gives: Angle, add_angle, azimuth_gain, azimuth_lag_to_infinity, wrap_angle.
+// Gives: Angle, add_angle, azimuth_gain, azimuth_lag_to_infinity, horizon_factors, wrap_angle.
 
 // The four Gauss-Legendre nodes on [0, 1], 1/2 -+ sqrt(3/7 +- (2/7) sqrt(6/5))/2, and the weights
 // of the outer and the inner two, (18 -+ sqrt(30))/72.

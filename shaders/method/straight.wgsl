@@ -2,19 +2,9 @@
 // crates/lightfall-core/src/optics/straight.rs does the same in f64. The photons are those of flat
 // space, too (crates/lightfall-core/src/optics/camera_rays.rs).
 //
-// Needs: MASS, OUTCOME_CAPTURED, OUTCOME_SKY, Photon, Trace, add_hit, angle_between, empty_trace,
-//     lapse_and_dragging, photon_energy, safe_normalize, scene, square.
+// Needs: DELAY, OUTCOME_CAPTURED, OUTCOME_SKY, Photon, Trace, add_hit, angle_between, empty_trace,
+//     photon_energy, safe_normalize, scene, square, straight_lambda.
 // Gives: trace.
-
-// The lambda for which 1 - Omega lambda is the Doppler factor of matter with the speed
-// (Omega - omega) W / N, where moment_z / r is the cosine between its velocity and the light, and
-// W = sqrt(B / r).
-fn straight_lambda(r: f32, moment_z: f32) -> f32 {
-    let a = scene.hole.a;
-    let b = r * (r * r + a * a) + a * a;
-    let inverse_omega = r * sqrt(r / MASS) + a;
-    return moment_z / r * (1.0 - a / b * inverse_omega) * sqrt(b / r) / lapse_and_dragging(r).x;
-}
 
 fn trace(photon: Photon) -> Trace {
     var result = empty_trace();
@@ -33,7 +23,8 @@ fn trace(photon: Photon) -> Trace {
         let position = vec3<f32>(start.xy + to_plane * direction.xy, 0.0);
         let r = length(position);
         if r > scene.disk.inner && r < scene.disk.outer {
-            add_hit(&result, position, photon_energy(photon), straight_lambda(r, -moment.z));
+            let delay = select(0.0, to_plane - scene.observer.time_lead, DELAY);
+            add_hit(&result, position, photon_energy(photon), straight_lambda(r, -moment.z), delay);
         }
     }
     result.outcome = select(OUTCOME_SKY, OUTCOME_CAPTURED, captured);

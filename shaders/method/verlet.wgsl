@@ -8,9 +8,9 @@
 // centrifugal term L^2 / r^3, and the relativistic term remains. The affine parameter lambda grows
 // backward along the ray.
 //
-// Needs: DIAGNOSTICS, FOLLOW_BEYOND_HITS, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY,
-//     Photon, Segment, TINY, Trace, angle_between, empty_trace, photon_energy, record_crossing,
-//     safe_normalize, scene, shift_hits, square.
+// Needs: DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN,
+//     OUTCOME_SKY, Photon, Segment, TINY, Trace, angle_between, empty_trace, photon_energy,
+//     record_crossing, safe_normalize, scene, segment_delay, shift_hits, square.
 // Gives: trace.
 
 // At this radius an ingoing ray counts as captured: no ray turns outward inside the photon sphere,
@@ -99,6 +99,7 @@ fn trace(photon: Photon) -> Trace {
     var inverse_r = 1.0 / scene.observer.r;
     var affine = 0.0;
     var turn = 0.0;
+    var delay = 0.0;
     var captured = false;
     var escaped = false;
 
@@ -132,12 +133,19 @@ fn trace(photon: Photon) -> Trace {
         let next_v = v + (0.5 * h) * (factor * x + acceleration_factor(impact.l2, next_inverse_r) * next_x);
 
         let unseen = result.hit_count == 0u;
-        record_crossing(&result, Segment(x, v, next_x, next_v, h));
+        var rates = vec2<f32>(0.0);
+        if DELAY {
+            // dt/dlambda = 1/(1 - 1/r).
+            rates = 1.0 / max(1.0 - vec2<f32>(inverse_r, next_inverse_r), vec2<f32>(TINY));
+        }
+        let segment = Segment(x, v, next_x, next_v, h, delay, rates);
+        record_crossing(&result, segment);
         if DIAGNOSTICS && unseen {
             turn += angle_between(x, select(next_x, result.hits[0].position, result.hit_count == 1u));
         }
         result.steps += 1u;
         affine += h;
+        delay = segment_delay(segment, 1.0);
         x = next_x;
         v = next_v;
         inverse_r = next_inverse_r;

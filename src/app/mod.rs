@@ -6,7 +6,7 @@
 //! 2. `state`: what the program remembers, and the door through which the scene is changed.
 //! 3. `input`: keyboard, gamepads and mouse.
 //! 4. `session`: the window, the frame rate, resolution, exposure, screenshots, the clipboard.
-//! 5. `motion`: what moves the camera.
+//! 5. `motion`: what moves the camera and the disk.
 //! 6. `ui`: what is drawn over the picture.
 
 mod controls;
@@ -24,6 +24,7 @@ pub use controls::refusal::checked_change;
 pub use controls::statement::{change_words, statement};
 pub use controls::table::{CONTROLS, control_named};
 pub use input::gamepad::{NO_GAMEPAD, deflection, squeeze};
+pub use motion::disk_clock::{DiskClock, disk_rate_words, stepped_rate};
 pub use motion::edge_view::{edge_distance, edge_in_view};
 pub use motion::facing::{Aim, aimed, between_axes, next_aim};
 pub use motion::flight_step::FlightStep;
@@ -188,7 +189,7 @@ pub fn program(start: Start) -> App {
         .add_plugins((
             session::window::plugin,
             session::icon::plugin,
-            session::frame_pacing::plugin,
+            (session::frame_pacing::plugin, session::wave_limit::plugin),
             session::canvas::plugin,
             session::pixel_look::plugin,
             session::adaptive_resolution::plugin,
@@ -211,6 +212,7 @@ pub fn program(start: Start) -> App {
             motion::free_fall::plugin,
             motion::edge_view::plugin,
             motion::pause::plugin,
+            motion::disk_clock::plugin,
         ))
         .add_plugins((
             ui::theme::plugin,

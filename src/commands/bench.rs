@@ -10,7 +10,8 @@ use crate::picture;
 use glam::UVec2;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::reports::bench::{
-    AutoMargin, Measurement, Plan, Ranking, auto_margin, markdown, plot,
+    AutoMargin, Measurement, Plan, Ranking, auto_margin, delay_table, light_table, markdown, plot,
+    plot_delays,
 };
 use lightfall_core::reports::circumstances::Circumstances;
 use lightfall_core::reports::export::{csv, json};
@@ -30,6 +31,12 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
             "no method of --methods can trace a scene of --scenes: verlet and closed need hole.spin = 0",
         ));
     }
+    if args.delay {
+        return bench_delays(args, &gpu, &plan);
+    }
+    if args.light {
+        return bench_light(args, &gpu, &plan);
+    }
     let scenes = match plan.scenes.as_slice() {
         [scene] => format!("in the scene {}", scene.name),
         scenes => format!("in {} scenes", scenes.len()),
@@ -44,10 +51,7 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
         time_frames(&plan, &mut rows)?;
     }
 
-    let entry = match args.entry {
-        EntryArg::Compute => "compute",
-        EntryArg::Fragment => "fragment",
-    };
+    let entry = entry_word(args.entry);
     let circumstances = Circumstances {
         floor_ms: Some(plan.floor(&gpu).map_err(Stop::failed)?),
         ..circumstances(&gpu, format!("{}x{}", plan.size.x, plan.size.y), entry)
@@ -65,6 +69,62 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
         }
     }
     print(if args.json { &json } else { &markdown })
+}
+
+/// Measures the delays, and prints and writes their report.
+fn bench_delays(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
+    let rows = plan
+        .run_delays(gpu, |row| {
+            eprintln!(
+                "lightfall: bench: {}, {}, {} nodes",
+                row.scene, row.method, row.nodes
+            );
+        })
+        .map_err(Stop::failed)?;
+    let circumstances = circumstances(
+        gpu,
+        format!("{}x{}", plan.size.x, plan.size.y),
+        entry_word(args.entry),
+    );
+    let (json, table) = (json(&circumstances, &rows), delay_table(&rows));
+    if let Some(folder) = &args.out {
+        write_report(folder, "delay.csv", &csv(&circumstances, &rows))?;
+        write_report(folder, "delay.json", &json)?;
+        write_report(folder, "delay.md", &table)?;
+        let about = format!("{}, {}", circumstances.size, circumstances.adapter);
+        for scene in &plan.scenes {
+            if let Some(svg) = plot_delays(&scene.name, &about, &rows).map_err(Stop::failed)? {
+                write_report(folder, &format!("delay-{}.svg", scene.name), &svg)?;
+            }
+        }
+    }
+    print(if args.json { &json } else { &table })
+}
+
+/// Times the light of living disks, and prints and writes the report.
+fn bench_light(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
+    let rows = plan
+        .run_light(gpu, |row| {
+            eprintln!("lightfall: bench: {}, {}", row.scene, row.method);
+        })
+        .map_err(Stop::failed)?;
+    let size = format!("{}x{}", plan.size.x, plan.size.y);
+    let circumstances = circumstances(gpu, size, entry_word(EntryArg::Compute));
+    let (json, table) = (json(&circumstances, &rows), light_table(&rows));
+    if let Some(folder) = &args.out {
+        write_report(folder, "light.csv", &csv(&circumstances, &rows))?;
+        write_report(folder, "light.json", &json)?;
+        write_report(folder, "light.md", &table)?;
+    }
+    print(if args.json { &json } else { &table })
+}
+
+/// The entry's name in reports.
+fn entry_word(entry: EntryArg) -> &'static str {
+    match entry {
+        EntryArg::Compute => "compute",
+        EntryArg::Fragment => "fragment",
+    }
 }
 
 /// Measures everything that is planned, and shows how far it has come.

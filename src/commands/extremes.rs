@@ -9,7 +9,8 @@ use super::stop::Stop;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::reports::export::{csv, json};
 use lightfall_core::reports::extremes::{
-    Hunt, WorstRay, cells, grid, markdown, matrix_work, measure_matrix,
+    Cell, CellDelays, Hunt, WorstRay, cells, delays_table, delays_work, grid, markdown,
+    matrix_work, measure_delays, measure_matrix,
 };
 use lightfall_core::scene::Method;
 
@@ -38,10 +39,22 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     } else {
         args.methods.clone()
     };
+    if args.delay
+        && !methods
+            .iter()
+            .any(|method| method.properties().answers_every_ray)
+    {
+        return Err(Stop::refused(
+            "--delay measures closed and mino, and --methods names neither",
+        ));
+    }
     eprintln!(
         "lightfall: extremes: finding the edges of the shadows; then the first cells will tell how long the rest takes"
     );
     let cells = if args.grid { grid } else { cells }(args.rays as usize);
+    if args.delay {
+        return delays(args, &gpu, &cells, &methods);
+    }
     let work = matrix_work(&cells, &methods);
     let mut progress = Progress::new("extremes", work, SAMPLE_SHARE * work);
     let measured = measure_matrix(&gpu, &cells, &methods, |verdict, work| {
@@ -80,6 +93,44 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     if failing > 0 {
         return Err(Stop::failed(format!(
             "cells that do not hold: {failing}; see the table"
+        )));
+    }
+    Ok(())
+}
+
+/// Measures the delays of the cells' hits, and prints and writes the report.
+fn delays(args: &ExtremesArgs, gpu: &Gpu, cells: &[Cell], methods: &[Method]) -> Result<(), Stop> {
+    let work = delays_work(cells, methods);
+    let mut progress = Progress::new("extremes --delay", work, SAMPLE_SHARE * work);
+    let measured = measure_delays(gpu, cells, methods, |row, work| {
+        progress.set_task(format!("{}: {}, {}", row.group, row.cell, row.method));
+        progress.advance(work);
+    });
+    progress.finish();
+    let rows = measured.map_err(Stop::failed)?;
+
+    let circumstances = circumstances(gpu, format!("{} rays a cell", args.rays), "compute");
+    let (json, table) = (json(&circumstances, &rows), delays_table(&rows));
+    if let Some(folder) = &args.out {
+        write_report(folder, "delays.csv", &csv(&circumstances, &rows))?;
+        write_report(folder, "delays.json", &json)?;
+        write_report(folder, "delays.md", &table)?;
+    }
+    print(if args.json { &json } else { &table })?;
+    let sum = |of: fn(&CellDelays) -> usize| rows.iter().map(of).sum::<usize>();
+    let unexplained = sum(|row| row.unexplained);
+    eprintln!(
+        "lightfall: hits: {}; with an error worth more than 1e-3 rad: {}, of which the place explains {}, \
+         {} are at another place, and {unexplained} are unexplained; rays lost: {}",
+        sum(|row| row.hits),
+        sum(|row| row.over),
+        sum(|row| row.place),
+        sum(|row| row.far),
+        sum(|row| row.lost),
+    );
+    if unexplained > 0 {
+        return Err(Stop::failed(format!(
+            "hits whose delay is wrong for their place: {unexplained}"
         )));
     }
     Ok(())

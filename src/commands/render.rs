@@ -1,4 +1,4 @@
-//! `lightfall render`: a picture, or a journey as a sequence of pictures.
+//! `lightfall render`: a picture, or a sequence of pictures: a journey, or a disk that moves.
 
 use super::circumstances::commit;
 use super::cli::RenderArgs;
@@ -8,8 +8,8 @@ use super::scene::{drawable, journey, scene};
 use super::stop::Stop;
 use crate::picture;
 use crate::picture::{
-    Channels, Format, Frames, HeadlessOptions, Linear, PassTime, PictureError, PixelRays, Sequence,
-    Still, Studio,
+    Animation, Channels, Format, Frames, HeadlessOptions, Linear, PassTime, PictureError,
+    PixelRays, Sequence, Still, Studio,
 };
 use crate::render::{fit, resized};
 use glam::UVec2;
@@ -18,6 +18,9 @@ use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Picture, Scene};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+
+/// The word that stands for no journey.
+const NO_JOURNEY: &str = "none";
 
 /// Number of frames that `render --timings` takes the median of.
 const TIMED_FRAMES: usize = 15;
@@ -38,12 +41,18 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     if let Some(size) = args.size {
         resize(&mut scene, size)?;
     }
-    if let (Format::Png, Some(_)) = (format, &args.aov) {
+    if format == Format::Apng && sequence.is_none() {
+        return Err(Stop::refused(
+            "-o: an .apng holds the frames of a sequence, so --frames A..B must name them",
+        ));
+    }
+    if let (Format::Png | Format::Apng, Some(_)) = (format, &args.aov) {
         return Err(Stop::refused(
             "--aov is for pictures of linear light: the file's name must end in .exr",
         ));
     }
     let pictures = Pictures {
+        format,
         scene,
         file: args.out.clone(),
         sequence,
@@ -51,7 +60,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     pictures.check()?;
 
     let size = pictures.scene.picture.size();
-    if format == Format::Png && args.size.is_some() && args.scene.cells.is_none() {
+    if format != Format::Exr && args.size.is_some() && args.scene.cells.is_none() {
         note_cells(&pictures.scene.picture);
     }
     let options = HeadlessOptions {
@@ -65,6 +74,8 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         format,
         channels: args.aov.clone().unwrap_or_default(),
         rays: None,
+        animation: None,
+        frames: pictures.numbers().len() as u32,
         fps: args.frames.map(|_| args.fps),
     };
     let _patience = pictures.sequence.is_none().then(|| {
@@ -82,14 +93,22 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         let (scene, file) = pictures.get(number);
         bar.set_message(file.display().to_string());
         writer.write(&scene, &file)?;
-        bar.suspend(|| print(&format!("{}\n", file.display())))?;
+        if format != Format::Apng {
+            bar.suspend(|| print(&format!("{}\n", file.display())))?;
+        }
         bar.inc(1);
     }
     bar.finish_and_clear();
+    if let Some(animation) = writer.animation.take() {
+        animation.finish().map_err(Stop::failed)?;
+        print(&format!("{}\n", args.out.display()))?;
+    }
     if args.timings {
         print_times(&writer.studio.time(TIMED_FRAMES).map_err(stop_drawing)?);
     }
-    if let Some(sequence) = &pictures.sequence {
+    if let Some(sequence) = &pictures.sequence
+        && format != Format::Apng
+    {
         eprintln!(
             "lightfall: a video of them: {}",
             sequence.ffmpeg(size.x, size.y)
@@ -99,11 +118,26 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
 }
 
 fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence, Stop> {
-    let journey = journey(args.journey.as_deref(), scene)?;
+    let journey = match args.journey.as_deref() {
+        Some(file) if file == Path::new(NO_JOURNEY) => None,
+        file => Some(journey(file, scene)?),
+    };
     let sequence = Sequence::new(journey, frames, args.fps, &args.out).map_err(Stop::refused)?;
-    let end = sequence.end();
-    if f64::from(frames.last) > end {
-        eprintln!("lightfall: the journey ends at frame {end}; later frames show its end");
+    match sequence.end() {
+        Some(end) if f64::from(frames.last) > end && scene.disk_moves() => {
+            eprintln!(
+                "lightfall: the journey ends at frame {end}; later frames show the disk from there"
+            );
+        }
+        Some(end) if f64::from(frames.last) > end => {
+            eprintln!("lightfall: the journey ends at frame {end}; later frames show its end");
+        }
+        None if !scene.disk_moves() => {
+            eprintln!(
+                "lightfall: nothing moves in this scene without a journey: all frames are the same"
+            );
+        }
+        _ => {}
     }
     Ok(sequence)
 }
@@ -119,7 +153,7 @@ fn resize(scene: &mut Scene, size: UVec2) -> Result<(), Stop> {
 /// The scene as it is drawn for a file of this format. An EXR has no cells.
 fn drawn_scene(scene: &Scene, format: Format) -> Scene {
     match format {
-        Format::Png => picture::filled(scene),
+        Format::Png | Format::Apng => picture::filled(scene),
         Format::Exr => scene.clone(),
     }
 }
@@ -138,6 +172,7 @@ fn note_cells(picture: &Picture) {
 
 /// The pictures to draw, with their files: one, or the frames of a sequence, by number.
 struct Pictures {
+    format: Format,
     scene: Scene,
     file: PathBuf,
     sequence: Option<Sequence>,
@@ -154,7 +189,13 @@ impl Pictures {
 
     fn get(&self, number: u32) -> (Scene, PathBuf) {
         match &self.sequence {
-            Some(sequence) => (sequence.scene(&self.scene, number), sequence.file(number)),
+            Some(sequence) => {
+                let file = match self.format {
+                    Format::Apng => self.file.clone(),
+                    Format::Png | Format::Exr => sequence.file(number),
+                };
+                (sequence.scene(&self.scene, number), file)
+            }
             None => (self.scene.clone(), self.file.clone()),
         }
     }
@@ -181,6 +222,10 @@ struct PictureWriter {
     channels: Channels,
     /// Opened for the first picture that needs it.
     rays: Option<PixelRays>,
+    /// Begun with the first frame.
+    animation: Option<Animation>,
+    /// How many pictures there will be.
+    frames: u32,
     fps: Option<f64>,
 }
 
@@ -197,8 +242,24 @@ impl PictureWriter {
                 let still = self.studio.picture().map_err(stop_drawing)?;
                 write_png(file, &still, &scene)
             }
+            Format::Apng => {
+                let still = self.studio.picture().map_err(stop_drawing)?;
+                self.add_frame(&scene, file, &still).map_err(Stop::failed)
+            }
             Format::Exr => self.write_exr(&scene, file),
         }
+    }
+
+    fn add_frame(&mut self, scene: &Scene, file: &Path, still: &Still) -> Result<(), PictureError> {
+        let animation = match &mut self.animation {
+            Some(animation) => animation,
+            none => {
+                let size = [still.width, still.height];
+                let pace = (self.frames, self.fps.unwrap_or(1.0));
+                none.insert(Animation::new(file, size, pace, &scene.to_preset())?)
+            }
+        };
+        animation.add(still)
     }
 
     fn write_exr(&mut self, scene: &Scene, file: &Path) -> Result<(), Stop> {

@@ -25,7 +25,7 @@ pub(super) fn trace(args: &TraceArgs) -> Result<(), Stop> {
             let reference = Reference::new(&scene).map_err(Stop::refused)?;
             directions
                 .par_iter()
-                .map(|&direction| reference.trace(direction))
+                .map(|&direction| reference.trace_with_delays(direction))
                 .collect()
         }
         Device::Gpu => {

@@ -42,6 +42,10 @@ impl TracedRay<'_> {
         self.trace.hits[which].map(part)
     }
 
+    fn delay(&self, which: usize) -> Option<f64> {
+        self.trace.hits[which]?.delay
+    }
+
     fn temperature(&self, which: usize) -> Option<f64> {
         self.trace.hits[which].map(|hit| disk::temperature(self.disk, self.profile.flux(hit.r)))
     }
@@ -59,7 +63,7 @@ macro_rules! channels {
 }
 
 /// Every channel in addition to R, G, B and A.
-pub const CHANNELS: [Channel; 15] = channels![
+pub const CHANNELS: [Channel; 17] = channels![
     "sky.x" Number |seen| seen.trace.sky.map(|sky| sky.x),
         "x of the unit vector toward the source at infinity, in the hole's frame with the camera at azimuth camera.phi_deg";
     "sky.y" Number |seen| seen.trace.sky.map(|sky| sky.y), "y of the unit vector toward the source at infinity";
@@ -70,12 +74,15 @@ pub const CHANNELS: [Channel; 15] = channels![
     "hit1.phi" Number |seen| seen.hit(0, |hit| hit.phi), "azimuth of the first crossing, in radians, in (-pi, pi]";
     "hit1.g" Number |seen| seen.hit(0, |hit| hit.g), "observed over emitted frequency of light from the first crossing";
     "hit1.T" Number |seen| seen.temperature(0),
-        "temperature of the matter at the first crossing, in its own frame, in kelvin; the observer sees g T";
+        "temperature of the matter at the first crossing, in its own frame, in kelvin, without structure and hot spot; the observer sees g T";
+    "hit1.t" Number |seen| seen.delay(0),
+        "time from the emission at the first crossing to its arrival, in r_s/c; missing for a camera at or inside the horizon";
     "hit2.r" Number |seen| seen.hit(1, |hit| hit.r), "radius of the second crossing of the disk, in r_s";
     "hit2.phi" Number |seen| seen.hit(1, |hit| hit.phi), "azimuth of the second crossing, in radians, in (-pi, pi]";
     "hit2.g" Number |seen| seen.hit(1, |hit| hit.g), "observed over emitted frequency of light from the second crossing";
     "hit2.T" Number |seen| seen.temperature(1),
-        "temperature of the matter at the second crossing, in its own frame, in kelvin";
+        "temperature of the matter at the second crossing, in its own frame, in kelvin, without structure and hot spot";
+    "hit2.t" Number |seen| seen.delay(1), "time from the emission at the second crossing to its arrival, in r_s/c";
     "outcome" Count |trace| trace.outcome as u32, "outcome of the backward ray: 0 sky, 1 captured, 2 unfinished";
     "steps" Count |trace| trace.steps, "number of steps of the method; zero in closed form";
     "residual" Number |seen| Some(seen.trace.residual),

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, thiserror::Error)]
 pub enum PictureError {
     /// The extension of the file's name is not that of a format that the program writes.
-    #[error("{path}: {}; allowed are .png and .exr", extension_fault(.extension))]
+    #[error("{path}: {}; allowed are .png, .apng and .exr", extension_fault(.extension))]
     Extension {
         /// The file.
         path: PathBuf,
@@ -59,6 +59,8 @@ fn extension_fault(extension: &str) -> String {
 pub enum Format {
     /// What a window would show, in 8 bits per channel.
     Png,
+    /// The same, with all frames of a sequence in one file.
+    Apng,
     /// Linear light, and the data of rays.
     Exr,
 }
@@ -76,6 +78,7 @@ pub fn check_path(path: &Path) -> Result<Format, PictureError> {
         .into_owned();
     let format = match extension.to_ascii_lowercase().as_str() {
         "png" => Format::Png,
+        "apng" => Format::Apng,
         "exr" => Format::Exr,
         _ => {
             return Err(PictureError::Extension {

@@ -1,6 +1,7 @@
 //! Pictures without a window: the window's chain of passes draws into an image, which is written to
 //! a file. Also sequences of pictures.
 
+mod animation;
 mod channels;
 mod file;
 mod headless;
@@ -8,6 +9,7 @@ mod open_exr;
 mod sequence;
 mod still;
 
+pub use animation::Animation;
 pub use channels::{CHANNELS, Channel, Channels, PixelRays, Samples};
 pub use file::{Format, PictureError, check_path, write_png};
 pub use headless::{HeadlessOptions, check_size};

@@ -1,4 +1,4 @@
-//! Sequences: journeys as numbered pictures.
+//! Sequences: journeys, or a disk that moves, as numbered pictures.
 
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
@@ -65,12 +65,12 @@ pub fn frame_rate(text: &str) -> Result<f64, String> {
     ))
 }
 
-/// A journey as numbered pictures.
+/// A journey, or a scene whose disk moves, as numbered pictures.
 #[derive(Clone, Debug)]
 pub struct Sequence {
-    /// The journey.
-    pub journey: Journey,
-    /// The frames. Frame k shows the journey k / fps seconds after its start.
+    /// The journey; `None` for a camera that stays where it is.
+    pub journey: Option<Journey>,
+    /// The frames. Frame k shows the scene k / fps seconds after the start.
     pub frames: Frames,
     /// Frames per second.
     pub fps: f64,
@@ -88,7 +88,12 @@ impl Sequence {
     ///
     /// # Errors
     /// The name is not Unicode.
-    pub fn new(journey: Journey, frames: Frames, fps: f64, pattern: &Path) -> Result<Self, String> {
+    pub fn new(
+        journey: Option<Journey>,
+        frames: Frames,
+        fps: f64,
+        pattern: &Path,
+    ) -> Result<Self, String> {
         let name = pattern.file_name().unwrap_or_default().to_str();
         let name = name.ok_or(format!(
             "{}: the name of a sequence must be Unicode",
@@ -119,12 +124,23 @@ impl Sequence {
         })
     }
 
-    /// The scene of the frame of this number, for a journey through `scene`. It is not checked.
+    /// The scene of the frame of this number, for a journey through `scene`, whose `disk.time` is
+    /// that of frame 0. It is not checked.
     #[must_use]
     pub fn scene(&self, scene: &Scene, number: u32) -> Scene {
-        let mut scene = scene.clone();
-        self.journey.apply(f64::from(number) / self.fps, &mut scene);
-        scene
+        let seconds = f64::from(number) / self.fps;
+        let mut next = scene.clone();
+        match &self.journey {
+            Some(journey) => {
+                let mut first = scene.clone();
+                journey.apply(0.0, &mut first);
+                journey.apply(seconds, &mut next);
+                journey.drive_clock([0.0, seconds], &first, &mut next);
+            }
+            None if scene.disk_moves() => next.disk.time += scene.disk.rate * seconds,
+            None => {}
+        }
+        next
     }
 
     /// The file of the frame of this number.
@@ -135,10 +151,11 @@ impl Sequence {
             .join(format!("{before}{number:0digits$}{after}"))
     }
 
-    /// The number of the first frame at which the journey has ended.
+    /// The number of the first frame at which the journey has ended; `None` without a journey.
     #[must_use]
-    pub fn end(&self) -> f64 {
-        (self.journey.duration * self.fps).ceil()
+    pub fn end(&self) -> Option<f64> {
+        let journey = self.journey.as_ref()?;
+        Some((journey.duration * self.fps).ceil())
     }
 
     /// The shell command line with which `ffmpeg` makes a video of pictures of this size.

@@ -2,13 +2,16 @@
 //! the shader variant and the chain that draw the scene.
 
 use crate::render::chain::{Chain, EMPTY_PASSES, WrittenTexture};
+use crate::render::wave_limit::WaveLimit;
 use lightfall_core::gpu::{Entry, Variant};
-use lightfall_core::scene::Scene;
+use lightfall_core::reports::numbers::four_digits;
+use lightfall_core::scene::{HotSpotKind, LimbDarkening, Scene};
 use std::collections::BTreeSet;
+use wgpu::DeviceType;
 
 /// The cost report of the scene as text: its name, then one line per topic.
 pub fn cost_report(scene: &Scene) -> String {
-    let rows = cost_rows(scene);
+    let rows = cost_rows(scene, WaveLimit::default());
     let lines = rows
         .iter()
         .map(|(topic, items)| format!("{topic:16} {items}\n"));
@@ -16,8 +19,9 @@ pub fn cost_report(scene: &Scene) -> String {
 }
 
 /// The cost report of the scene as rows: a topic, and what belongs to it. The rows depend on the
-/// scene's method, its [`Variant`] and its [`Chain`], and on nothing else.
-pub fn cost_rows(scene: &Scene) -> Vec<(&'static str, String)> {
+/// scene's method, its view, its disk without the clock, its [`Variant`] and its [`Chain`], and on
+/// how many waves are drawn, and on nothing else.
+pub fn cost_rows(scene: &Scene, limit: WaveLimit) -> Vec<(&'static str, String)> {
     let variant = Variant::picture(scene);
     let chain = Chain::of(scene);
     let (set, unset): (Vec<_>, Vec<_>) = variant.flags().into_iter().partition(|(_, set)| *set);
@@ -62,6 +66,8 @@ pub fn cost_rows(scene: &Scene) -> Vec<(&'static str, String)> {
             "none".into()
         }],
     );
+    row("disk's light", &lights(scene, variant, limit));
+    row("disk's clock", &[clock(scene)]);
     row("flags set", &own(names(set)));
     row("flags not set", &own(names(unset)));
     row("shader files", &own(variant.files()));
@@ -97,6 +103,62 @@ pub fn cost_rows(scene: &Scene) -> Vec<(&'static str, String)> {
         &own(absent.map(|texture| texture.name).collect()),
     );
     rows
+}
+
+/// The parts of the disk's light beside its flux.
+fn lights(scene: &Scene, variant: Variant, limit: WaveLimit) -> Vec<String> {
+    let mut lights = Vec::new();
+    if variant.structure {
+        let (waves, drawn) = (scene.disk.waves, limit.drawn(scene.disk.waves));
+        let fewer = match limit {
+            WaveLimit(None) => {
+                let least = WaveLimit::of_window(DeviceType::Cpu).drawn(waves);
+                if least < waves {
+                    format!(" ({least} in a window on a software renderer)")
+                } else {
+                    String::new()
+                }
+            }
+            _ if drawn < waves => {
+                format!(" of {waves}, the most in a window on a software renderer")
+            }
+            _ => String::new(),
+        };
+        lights.push(format!(
+            "structure {} of {drawn} waves a ring{fewer}",
+            scene.disk.structure.word()
+        ));
+    }
+    if variant.hot_spot != HotSpotKind::None {
+        lights.push(format!("hot spot, {}", variant.hot_spot.word()));
+    }
+    if variant.limb != LimbDarkening::None {
+        lights.push(format!("limb darkening, {}", variant.limb.word()));
+    }
+    if variant.delay_nodes > 0 {
+        lights.push(format!(
+            "delay of the light by {} nodes a stretch",
+            variant.delay_nodes
+        ));
+    }
+    lights
+}
+
+/// What the disk's clock makes the window draw.
+fn clock(scene: &Scene) -> String {
+    if !scene.disk_moves() {
+        return "nothing moves: a still picture is kept".into();
+    }
+    if !scene.shows_disk_motion() {
+        return "stands still in this view: a still picture is kept".into();
+    }
+    if scene.disk.rate == 0.0 {
+        return "stands still: a still picture is kept".into();
+    }
+    format!(
+        "{} r_s/c per second: a window draws every frame while it runs; / pauses it",
+        four_digits(scene.disk.rate)
+    )
 }
 
 /// Shader files that pictures of other scenes use and this one does not.

@@ -17,6 +17,7 @@ use crate::render::comparison::{
 use crate::render::current_scene::CurrentScene;
 use crate::render::error_map::ShownErrorMap;
 use crate::render::full_screen_pass::run_full_screen_pass;
+use crate::render::wave_limit::WaveLimit;
 use bevy::asset::AssetEventSystems;
 use bevy::core_pipeline::core_3d::{main_opaque_pass_3d, main_transparent_pass_3d};
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
@@ -30,12 +31,13 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
-use lightfall_core::gpu::{ErrorMap, GpuScene, bindings};
+use lightfall_core::gpu::kernel::table_bytes;
+use lightfall_core::gpu::{ErrorMap, GpuHotSpot, GpuScene, GpuStructure, bindings};
 use lightfall_core::optics::spectrum;
 use lightfall_core::scene::View;
 use pipeline::{Destination, pipeline_descriptor};
 use shader::{JoinedShader, JoinedShaders};
-use side::{PAGE_THORNE_SIZE, Shared, Side, table_bytes};
+use side::{PAGE_THORNE_SIZE, Shared, Side};
 
 /// Most pixels that one draw call traces: a full HD picture.
 const MAX_BAND_PIXELS: u32 = 1920 * 1080;
@@ -128,6 +130,11 @@ fn create_geodesic_pass(mut commands: Commands, device: Res<RenderDevice>) {
                     bindings::ERROR_MAP,
                     uniform_buffer_sized(false, BufferSize::new(error_map.size())),
                 ),
+                (
+                    bindings::STRUCTURE,
+                    uniform_buffer_sized(false, BufferSize::new(GpuStructure::SIZE)),
+                ),
+                (bindings::HOT_SPOT, uniform_buffer::<GpuHotSpot>(false)),
             ),
         ),
     );
@@ -136,6 +143,7 @@ fn create_geodesic_pass(mut commands: Commands, device: Res<RenderDevice>) {
             layout,
             spectrum,
             error_map,
+            waves: WaveLimit::default(),
         },
         current: Side::new(&device),
         pinned: None,
@@ -152,6 +160,7 @@ fn prepare_geodesic_pass(
     compared: Res<ComparedScene>,
     shaders: Option<Res<GeodesicShaders>>,
     errors: Res<ShownErrorMap>,
+    waves: Res<WaveLimit>,
     (pass, difference): (Option<ResMut<GeodesicPass>>, Option<Res<DifferencePass>>),
     cache: Res<PipelineCache>,
     device: Res<RenderDevice>,
@@ -169,8 +178,10 @@ fn prepare_geodesic_pass(
         changed,
         drawn,
     } = &mut *pass;
-    *changed |= scene.is_changed() || errors.is_changed() || compared.is_changed();
+    *changed |=
+        scene.is_changed() || errors.is_changed() || compared.is_changed() || waves.is_changed();
     *drawn = false;
+    shared.waves = *waves;
     let shows_difference = difference.is_some_and(|pass| pass.is_ready(&cache));
     let mut pipeline_of = |joined: &JoinedShader| {
         let id = *pipelines

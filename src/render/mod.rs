@@ -32,6 +32,7 @@ mod probe;
 pub mod recovery;
 mod redraw;
 mod scene_camera;
+mod wave_limit;
 
 pub use camera_markers::{SceneCamera, ScreenCamera};
 pub use capture::{Capture, Captured, ROW_ALIGNMENT};
@@ -45,6 +46,7 @@ pub(crate) use geodesic::GeodesicShaders;
 pub use presentation::{Letterbox, ShownCells, fit, letterbox, resized};
 pub use redraw::{AlwaysDraw, DrawRequest, is_drawn};
 pub use scene_camera::NEAR_PLANE;
+pub use wave_limit::WaveLimit;
 
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
@@ -63,6 +65,8 @@ impl Plugin for LightfallRenderPlugin {
     fn build(&self, app: &mut App) {
         app.insert_resource(CurrentScene(self.scene.clone()))
             .insert_resource(ClearColor(Color::BLACK))
+            .init_resource::<WaveLimit>()
+            .add_plugins(ExtractResourcePlugin::<WaveLimit>::default())
             .add_plugins(ExtractResourcePlugin::<CurrentScene>::default())
             .add_plugins(comparison::plugin)
             .add_plugins((

@@ -36,6 +36,10 @@ pub struct DrawRequest {
     compared: Option<(Scene, ComparisonLayout)>,
     /// Whether a frame has drawn all of it; shared by the main and the render world.
     drawn: Arc<AtomicBool>,
+    /// Whether a frame has drawn the scene at some time of the disk; shared by the requests that
+    /// differ in that time only. While the disk's clock runs, every frame has a request of its own,
+    /// of which none is known to be drawn before the next one comes.
+    shown: Arc<AtomicBool>,
     /// Whether there is a picture, of this or an earlier request. All requests share it.
     has_picture: Arc<AtomicBool>,
 }
@@ -46,21 +50,40 @@ impl DrawRequest {
             scene: scene.without_presentation(),
             compared: compared.without_presentation(),
             drawn: default(),
+            shown: default(),
             has_picture: default(),
         }
     }
 
     /// A request for another picture, which replaces this one's.
     fn next(&self, scene: &Scene, compared: &ComparedScene) -> Self {
+        let next = Self::new(scene, compared);
+        let shown = if next.scene.without_clock() == self.scene.without_clock() {
+            Arc::clone(&self.shown)
+        } else {
+            default()
+        };
         Self {
+            shown,
             has_picture: Arc::clone(&self.has_picture),
-            ..Self::new(scene, compared)
+            ..next
         }
     }
 
+    fn mark_shown(&self) {
+        self.shown.store(true, Ordering::Release);
+    }
+
     fn mark_drawn(&self) {
+        self.mark_shown();
         self.drawn.store(true, Ordering::Release);
         self.has_picture.store(true, Ordering::Release);
+    }
+
+    /// Whether a frame has drawn this scene, at this or another time of the disk.
+    #[must_use]
+    pub fn is_shown(&self) -> bool {
+        self.shown.load(Ordering::Acquire)
     }
 
     /// Whether a frame has drawn all of it.
@@ -72,6 +95,7 @@ impl DrawRequest {
     /// Asks for the same picture again, because the one that was drawn is lost.
     pub(super) fn forget_picture(&self) {
         self.drawn.store(false, Ordering::Release);
+        self.shown.store(false, Ordering::Release);
         self.has_picture.store(false, Ordering::Release);
     }
 }
@@ -159,6 +183,9 @@ fn mark_request_drawn(
         !camera.is_empty() && pass.has_drawn_scene() && cache.waiting_pipelines().next().is_none();
     if !complete || request.is_changed() {
         *frames_left = extra_frames;
+    }
+    if complete {
+        request.mark_shown();
     }
     if complete && *frames_left == 0 {
         request.mark_drawn();

@@ -16,6 +16,7 @@ use bevy::prelude::*;
 use bevy::render::extract_component::ExtractComponentPlugin;
 use bevy::render::render_resource::TextureUsages;
 use bevy::render::view::{ColorGrading, ColorGradingGlobal, Msaa};
+use lightfall_core::scene::{Scene, ToneCurve};
 
 /// Distance of the near plane from the scene camera, in r_s.
 pub const NEAR_PLANE: f32 = 1e-3;
@@ -119,12 +120,13 @@ fn apply_scene_to_camera(
             &mut Transform,
             &mut Projection,
             &mut ColorGrading,
+            &mut Tonemapping,
             &mut Msaa,
         ),
         With<SceneCamera>,
     >,
 ) {
-    let (entity, mut target, mut transform, mut projection, mut grading, mut msaa) =
+    let (entity, mut target, mut transform, mut projection, mut grading, mut tonemapping, mut msaa) =
         camera.into_inner();
     let chain = Chain::of(&scene).comparing(&compared);
     let samples = if chain.samples > 1 {
@@ -165,6 +167,10 @@ fn apply_scene_to_camera(
         },
         ..default()
     };
+    let curve = tonemapping_of(&scene);
+    if *tonemapping != curve {
+        *tonemapping = curve;
+    }
     if let Some(rows) = chain.bloom {
         commands.entity(entity).insert(Bloom {
             intensity: scene.picture.bloom as f32,
@@ -173,5 +179,18 @@ fn apply_scene_to_camera(
         });
     } else {
         commands.entity(entity).remove::<Bloom>();
+    }
+}
+
+/// Bevy's name of the scene's tone curve. The marks of a view have the colours of its legend.
+fn tonemapping_of(scene: &Scene) -> Tonemapping {
+    if !scene.view.shows_light() {
+        return Tonemapping::KhronosPbrNeutral;
+    }
+    match scene.picture.tone_curve {
+        ToneCurve::Neutral => Tonemapping::KhronosPbrNeutral,
+        ToneCurve::Soft => Tonemapping::SomewhatBoringDisplayTransform,
+        ToneCurve::Aces => Tonemapping::AcesFitted,
+        ToneCurve::Reinhard => Tonemapping::ReinhardLuminance,
     }
 }

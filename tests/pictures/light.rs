@@ -1,13 +1,13 @@
 //! The light of the picture: the disk's edges, the shadow under bloom, and the exposure.
 
-use super::{luminance, pixel, plain, preset};
+use super::{luminance, pixel, plain, preset, smooth};
 use glam::{DVec2, UVec2};
 use lightfall::picture::{HeadlessOptions, Still, Studio, render};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::optics::worldline::Worldline;
 use lightfall_core::scene::presets::PRESETS;
-use lightfall_core::scene::{Method, ObserverKind, Scene, SkyMode};
+use lightfall_core::scene::{Method, ObserverKind, Scene, SkyMode, ToneCurve};
 
 /// The scene at an eighth of its size, without cells.
 fn eighth(mut scene: Scene) -> (Scene, UVec2) {
@@ -157,7 +157,11 @@ fn no_dark_rim_surrounds_the_disk() {
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn a_spinning_hole_with_a_wide_disk_is_well_exposed() {
-    let (mut scene, size) = eighth(preset(2));
+    // The light meter alone. Preset 2 asks for a darker picture, by its bias, and its disk has broad
+    // fades and is too cool to shine far out.
+    let (mut scene, size) = eighth(smooth(2));
+    (scene.disk.temperature_k, scene.disk.edge_taper) = (8500.0, 0.12);
+    (scene.picture.exposure_bias, scene.picture.tone_curve) = (0.0, ToneCurve::Neutral);
     for spin in [0.0, 0.9, 0.998] {
         (scene.hole.spin, scene.disk.follow_isco) = (spin, true);
         let studio = Studio::with_options(&scene, size, HeadlessOptions::default());

@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3, UVec2};
 use lightfall::picture::{CHANNELS, render};
 use lightfall_core::accuracy::{Ray, Truth};
 use lightfall_core::optics::trace::{Hit, Outcome, Trace};
-use lightfall_core::scene::{DiskModel, Scene};
+use lightfall_core::scene::{DiskModel, DiskStructure, Scene};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -177,12 +177,12 @@ fn channels_have_the_names_and_kinds_that_others_rely_on() {
     assert_eq!(
         listed("--aov all"),
         "A half, B half, G half, R half, depth float, hit1.T float, hit1.g float, hit1.phi float, hit1.r float, \
-         hit2.T float, hit2.g float, hit2.phi float, hit2.r float, outcome uint, residual float, sky.x float, \
+         hit1.t float, hit2.T float, hit2.g float, hit2.phi float, hit2.r float, hit2.t float, outcome uint, residual float, sky.x float, \
          sky.y float, sky.z float, steps uint"
     );
     assert_eq!(
         listed("--aov outcome,hit2,sky.z,hit2.g"),
-        "A half, B half, G half, R half, hit2.T float, hit2.g float, hit2.phi float, hit2.r float, outcome uint, \
+        "A half, B half, G half, R half, hit2.T float, hit2.g float, hit2.phi float, hit2.r float, hit2.t float, outcome uint, \
          sky.z float"
     );
 }
@@ -200,6 +200,7 @@ fn traces(linear: &Linear) -> Vec<Trace> {
             r: r?,
             phi: phi.unwrap(),
             g: g.unwrap(),
+            delay: of(&format!("hit{which}.t"), i),
         })
     };
     let trace = |i: usize| Trace {
@@ -280,31 +281,35 @@ fn temperatures_are_those_of_the_matter_where_light_leaves_it() {
     let mut scene = small(2);
     scene.disk.model = DiskModel::Newtonian;
     (scene.disk.inner, scene.disk.temperature_k) = (4.0, 12_000.0);
-    scene.disk.keep_accretion = false;
-    let linear = linear(&scene, "--aov hit1,hit2");
-    let mut compared = 0;
-    for hit in ["hit1", "hit2"] {
-        for (r, kelvin) in linear
-            .values(&format!("{hit}.r"))
-            .iter()
-            .zip(linear.values(&format!("{hit}.T")))
-        {
-            assert_eq!(r.is_nan(), kelvin.is_nan());
-            if !r.is_nan() {
-                // T = T_scale F^(1/4), F = x^3 (1 - sqrt x); f32's rounding of r counts for more
-                // next to the edge.
-                let x = 4.0 / r;
-                let flux = x.powi(3) * (1.0 - x.sqrt());
-                let tolerance = 12_000.0 * (1e-6 + 1e-7 / (1.0 - x).max(1e-7));
-                assert!(
-                    (12_000.0 * flux.powf(0.25) - kelvin).abs() < tolerance,
-                    "{kelvin} K at {r}"
-                );
-                compared += 1;
+    (scene.disk.follow_isco, scene.disk.keep_accretion) = (false, false);
+    // Those of the disk without its structure.
+    for structure in [DiskStructure::None, DiskStructure::Turbulent] {
+        scene.disk.structure = structure;
+        let linear = linear(&scene, "--aov hit1,hit2");
+        let mut compared = 0;
+        for hit in ["hit1", "hit2"] {
+            for (r, kelvin) in linear
+                .values(&format!("{hit}.r"))
+                .iter()
+                .zip(linear.values(&format!("{hit}.T")))
+            {
+                assert_eq!(r.is_nan(), kelvin.is_nan());
+                if !r.is_nan() {
+                    // T = T_scale F^(1/4), F = x^3 (1 - sqrt x); f32's rounding of r counts for
+                    // more next to the edge.
+                    let x = 4.0 / r;
+                    let flux = x.powi(3) * (1.0 - x.sqrt());
+                    let tolerance = 12_000.0 * (1e-6 + 1e-7 / (1.0 - x).max(1e-7));
+                    assert!(
+                        (12_000.0 * flux.powf(0.25) - kelvin).abs() < tolerance,
+                        "{structure:?}: {kelvin} K at {r}"
+                    );
+                    compared += 1;
+                }
             }
         }
+        assert!(compared > 5_000, "{compared}");
     }
-    assert!(compared > 5_000, "{compared}");
 }
 
 #[test]

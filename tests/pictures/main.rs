@@ -1,6 +1,7 @@
 //! Whole pictures, judged by quantities that physics or the presentation's own rules give.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
+mod animation;
 mod comparison;
 mod embedded;
 mod light;
@@ -10,13 +11,29 @@ mod sequences;
 
 use glam::{DVec2, UVec2};
 use lightfall::picture::{Still, check_path, render, write_png};
-use lightfall_core::scene::{Method, Scene, SkyMode, View, presets};
+use lightfall_core::scene::{
+    DiskStructure, LimbDarkening, Method, Scene, SkyMode, ToneCurve, View, presets,
+};
 
 fn preset(number: usize) -> Scene {
     presets::find(&number.to_string())
         .unwrap()
         .scene(&[])
         .unwrap()
+}
+
+/// The preset with a hole without spin, which every method traces.
+fn without_spin(number: usize) -> Scene {
+    let mut scene = preset(number);
+    scene.hole.spin = 0.0;
+    scene
+}
+
+/// The preset with a hole without spin and a smooth disk, for tests about something else.
+fn smooth(number: usize) -> Scene {
+    let mut scene = without_spin(number);
+    (scene.disk.structure, scene.disk.limb) = (DiskStructure::None, LimbDarkening::None);
+    scene
 }
 
 fn pixel(still: &Still, x: u32, y: u32) -> [u8; 3] {
@@ -38,6 +55,15 @@ fn mean(still: &Still, x: std::ops::Range<u32>, y: std::ops::Range<u32>) -> f64 
         / count
 }
 
+/// Mean of all channels' light, by sRGB's own curve.
+fn mean_light(still: &Still) -> f64 {
+    let linear = |level: &u8| match f64::from(*level) / 255.0 {
+        level if level <= 0.04045 => level / 12.92,
+        level => ((level + 0.055) / 1.055).powf(2.4),
+    };
+    still.rgb.iter().map(linear).sum::<f64>() / still.rgb.len() as f64
+}
+
 /// The scene shown pixel by pixel at its preset's exposure: no cells, no bloom, output as large as
 /// the HDR picture.
 fn plain(mut scene: Scene) -> (Scene, UVec2) {
@@ -51,7 +77,7 @@ fn plain(mut scene: Scene) -> (Scene, UVec2) {
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn the_shadow_has_the_area_that_theory_gives() {
-    let (mut scene, size) = plain(preset(2));
+    let (mut scene, size) = plain(without_spin(2));
     scene.disk.enabled = false;
     scene.sky.mode = SkyMode::Grid;
     scene.camera.fov_deg = 24.0;
@@ -80,7 +106,7 @@ fn a_stepping_methods_errors_are_brighter_than_those_of_the_closed_form() {
         let (scene, size) = plain(Scene {
             view: View::Error,
             method,
-            ..preset(2)
+            ..smooth(2)
         });
         mean(&render(&scene, size).unwrap(), 0..size.x, 0..size.y)
     };
@@ -197,25 +223,34 @@ fn hiding_the_disk_leaves_the_probe_alone_and_changes_what_is_around_it() {
 #[ignore = "needs a graphics adapter"]
 fn fractional_cells_average_the_light_that_falls_on_them() {
     // The mean light of a picture does not depend on how many cells it is cut into, whole pixels to
-    // a cell or not.
-    let (mut scene, _) = plain(preset(3));
-    scene.picture.bypass = false;
-    scene.picture.dither = true;
-    scene.picture.levels = 256;
-    let mut of_grid = |width: u32, height: u32| {
-        scene.picture.grid_width = width;
-        scene.picture.grid_height = height;
-        let still = render(&scene, UVec2::new(width, height)).unwrap();
-        mean(&still, 0..width, 0..height)
-    };
-    let whole = of_grid(480, 270);
-    let fractional = of_grid(437, 251);
-    // Rounding to 256 levels moves a channel by half a level at most, and its mean over a picture
-    // by far less.
-    assert!(
-        (fractional / whole - 1.0).abs() < 3e-3,
-        "{whole} and {fractional}"
-    );
+    // a cell or not. Stars alone have pixels without any light beside them.
+    let disk = preset(3);
+    let stars = ToneCurve::ALL.map(|curve| {
+        let mut scene = disk.clone();
+        (scene.disk.enabled, scene.picture.tone_curve) = (false, curve);
+        scene
+    });
+    for scene in stars.into_iter().chain([disk]) {
+        let (mut scene, _) = plain(scene);
+        scene.picture.bypass = false;
+        scene.picture.dither = true;
+        scene.picture.levels = 256;
+        let mut of_grid = |width: u32, height: u32| {
+            scene.picture.grid_width = width;
+            scene.picture.grid_height = height;
+            mean_light(&render(&scene, UVec2::new(width, height)).unwrap())
+        };
+        let whole = of_grid(480, 270);
+        let fractional = of_grid(437, 251);
+        // Rounding to 256 levels moves a channel by half a level at most, and its mean over a
+        // picture by far less.
+        assert!(
+            whole > 0.0 && (fractional / whole - 1.0).abs() < 1e-3,
+            "{:?}, disk {}: {whole} and {fractional}",
+            scene.picture.tone_curve,
+            scene.disk.enabled
+        );
+    }
 }
 
 #[test]
@@ -244,7 +279,8 @@ fn a_picture_file_appears_complete_or_not_at_all() {
     let here = |name: &str| folder.path().join(name);
     let sentence = |name: &str| check_path(&here(name)).unwrap_err().to_string();
     assert!(
-        sentence("a.bmp").ends_with("unknown picture format \"bmp\"; allowed are .png and .exr")
+        sentence("a.bmp")
+            .ends_with("unknown picture format \"bmp\"; allowed are .png, .apng and .exr")
     );
     assert!(sentence("nowhere/a.png").ends_with("cannot be written: there is no such folder"));
     std::fs::create_dir(here("folder.png")).unwrap();

@@ -4,7 +4,7 @@ use super::linear::{Linear, program, small};
 use glam::UVec2;
 use lightfall::picture::{Frames, Sequence, render};
 use lightfall::render::resized;
-use lightfall_core::scene::journey;
+use lightfall_core::scene::{DiskStructure, journey};
 use std::fs;
 use std::path::Path;
 
@@ -58,10 +58,13 @@ fn a_journey_of_ones_own_is_drawn_as_linear_light_to_its_end_and_beyond() {
         "schema = 1\n[[keyframe]]\ntime = 0\nr = 30\n[[keyframe]]\ntime = 1\nr = 20\n",
     )
     .unwrap();
+    let mut scene = small(2);
+    scene.disk.rate = 0.0;
+    let options = "--journey in.toml --fps 2 --aov hit1.r --size 160x90";
     program(
         folder.path(),
-        &small(2),
-        "--journey in.toml --frames 0..3 --fps 2 --aov hit1.r --size 160x90 -o in.exr",
+        &scene,
+        &format!("{options} --frames 0..3 -o in.exr"),
     );
     assert_eq!(
         names(folder.path()),
@@ -95,6 +98,48 @@ fn a_journey_of_ones_own_is_drawn_as_linear_light_to_its_end_and_beyond() {
         frames[1].texts["lightfall.preset"].contains("r = 24.49"),
         "half way in the radius's logarithm"
     );
+
+    // The clock of a disk that moves does not stop at the end, although the camera does.
+    scene.disk.rate = 6.0;
+    program(
+        folder.path(),
+        &scene,
+        &format!("{options} --frames 2..3 -o on-#.exr"),
+    );
+    let moving = [2, 3].map(|number| Linear::read(&folder.path().join(format!("on-{number}.exr"))));
+    assert!(moving[0].light() != moving[1].light(), "the disk stops");
+    let radii = |linear: &Linear| {
+        let radii = linear.values("hit1.r");
+        radii.into_iter().map(f64::to_bits).collect::<Vec<_>>()
+    };
+    for frame in &moving {
+        assert!(radii(frame) == radii(&frames[2]), "the camera moves");
+    }
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn a_scene_whose_disk_moves_makes_a_sequence_without_a_journey() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut scene = small(2);
+    scene.disk.structure = DiskStructure::Turbulent;
+    (scene.disk.time, scene.disk.rate) = (3.0, 6.0);
+    program(
+        folder.path(),
+        &scene,
+        "--journey none --frames 0..1 --fps 2 --size 160x90 -o d-#.png",
+    );
+    assert_eq!(names(folder.path()), ["d-0.png", "d-1.png"]);
+    let frames = [0, 1].map(|number| {
+        let file = folder.path().join(format!("d-{number}.png"));
+        image::open(file).unwrap().to_rgb8().into_raw()
+    });
+    assert!(frames[0] != frames[1], "the disk does not move");
+    let mut then = scene.clone();
+    let size = UVec2::new(160, 90);
+    then.picture = resized(&then.picture, size);
+    then.disk.time = 6.0;
+    assert!(frames[1] == render(&then, size).unwrap().rgb);
 }
 
 #[test]
@@ -102,7 +147,7 @@ fn names_and_numbers_of_frames_are_as_the_pattern_says() {
     let sequence = |pattern: &str, frames: &str, fps: f64| {
         let journey = journey::load("the built-in journey", journey::DEFAULT).unwrap();
         Sequence::new(
-            journey,
+            Some(journey),
             frames.parse::<Frames>().unwrap(),
             fps,
             Path::new(pattern),
@@ -121,7 +166,7 @@ fn names_and_numbers_of_frames_are_as_the_pattern_says() {
             Path::new(file)
         );
     }
-    assert_eq!(sequence("a.png", "0..9", 24.0).end(), 116.0 * 24.0);
+    assert_eq!(sequence("a.png", "0..9", 24.0).end(), Some(116.0 * 24.0));
     assert_eq!(
         sequence("my out/100%-##.png", "5..9", 23.976).ffmpeg(960, 540),
         "ffmpeg -framerate 23.976 -start_number 5 -i 'my out/100%%-%02d.png' -c:v libx264 -crf 16 -pix_fmt yuv420p \

@@ -38,7 +38,7 @@ fn fault(args: &SceneArgs) -> String {
 }
 
 fn preset() -> Scene {
-    PRESETS[1].scene(&[]).unwrap()
+    PRESETS[2].scene(&[]).unwrap()
 }
 
 fn of_preset(preset: &Path) -> SceneArgs {
@@ -221,13 +221,15 @@ fn wrong_values_of_the_short_forms_name_the_short_form() {
         // The same range for what is no number and for a number that is out of range.
         (
             "--set camera.r=far",
-            "--set: camera.r = \"far\" is refused: it must be a number above 1 and at most 10000000 r_s (outside the horizon at \
-             hole.spin = 0; observer rain goes on inside)",
+            "--set: camera.r = \"far\" is refused: it must be a number above 0.996984 and at most 10000000 r_s (nothing \
+             is at rest in the ergosphere, which reaches this far at hole.spin = 0.9 and camera.theta_deg = 83; observers zamo and \
+             rain go deeper)",
         ),
         (
             "--set camera.r=0.3",
-            "--set: camera.r = 0.3 is refused: it must be a number above 1 and at most 10000000 r_s (outside the horizon at \
-             hole.spin = 0; observer rain goes on inside)",
+            "--set: camera.r = 0.3 is refused: it must be a number above 0.996984 and at most 10000000 r_s (nothing \
+             is at rest in the ergosphere, which reaches this far at hole.spin = 0.9 and camera.theta_deg = 83; observers zamo and \
+             rain go deeper)",
         ),
         (
             "--method euler",
@@ -244,8 +246,8 @@ fn wrong_values_of_the_short_forms_name_the_short_form() {
 
 #[test]
 fn the_error_about_an_unknown_preset_lists_the_presets() {
-    let presets = "1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit, 8 extremal, 9 falling, 10 article";
-    for given in ["11", "galaxy", "-1", ""] {
+    let presets = "1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit, 8 extremal, 9 falling, 10 article, 11 flare, 12 ring";
+    for given in ["13", "galaxy", "-1", ""] {
         let sentence =
             format!("--preset {given}: there is no such preset or file; the presets are {presets}");
         assert_eq!(fault(&of_preset(Path::new(given))), sentence);

@@ -7,9 +7,9 @@ fn preset(name: &str) -> Scene {
     presets::find(name).unwrap().scene(&[]).unwrap()
 }
 
-/// The words for one change of preset 2.
+/// The words for one change of preset 3.
 fn words(change: fn(&mut Scene)) -> Vec<[String; 2]> {
-    let (before, mut after) = (preset("2"), preset("2"));
+    let (before, mut after) = (preset("3"), preset("3"));
     change(&mut after);
     differences(&before, &after)
 }

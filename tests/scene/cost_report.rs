@@ -38,6 +38,35 @@ fn the_cost_report_follows_from_the_scene() {
     assert!(!line(&ring, "shader files").contains("disk.wgsl"));
     assert_eq!(line(&ring, "passes left out"), "clustering");
 
+    assert_eq!(line(&probe, "disk's light"), "none");
+    assert_eq!(
+        line(&probe, "disk's clock"),
+        "nothing moves: a still picture is kept"
+    );
+    let living = [
+        "disk.structure=\"streaks\"",
+        "disk.waves=32",
+        "disk.limb=\"electron-scattering\"",
+        "hot_spot.kind=\"sheared\"",
+    ];
+    let moving = needs_of("2", &living);
+    let light = line(&moving, "disk's light");
+    for part in [
+        "structure streaks of 32 waves a ring (12 in a window on a software renderer)",
+        "hot spot, sheared",
+        "limb darkening, electron-scattering",
+        "delay of the light by ",
+    ] {
+        assert!(light.contains(part), "{light}");
+    }
+    assert_eq!(
+        line(&moving, "disk's clock"),
+        "4 r_s/c per second: a window draws every frame while it runs; / pauses it"
+    );
+    let order = needs_of("2", &[&living[..], &["view=\"order\""]].concat());
+    assert_eq!(line(&order, "disk's light"), "none");
+    assert!(line(&order, "disk's clock").starts_with("stands still in this view"));
+
     let spinning = needs_of("8", &["picture.bloom=0", "picture.bypass=true"]);
     assert_eq!(line(&spinning, "method"), "mino (asked for: auto)");
     assert!(line(&spinning, "flags set").starts_with("SPINNING, "));

@@ -113,21 +113,21 @@ fn moving_the_camera_ends_a_journey_which_can_then_go_on() {
 
 #[test]
 fn a_journey_begins_anew_after_another_scene_was_loaded() {
-    let (edge_on, above) = (preset("edge-on"), preset("above"));
+    let (above, close) = (preset("above"), preset("close"));
     let mut player = player();
-    assert_eq!(player.stage(), Some(&edge_on), "its captions name the disk");
-    assert!(player.begins_anew(&edge_on));
-    player.rewind(&edge_on);
-    player.start(&edge_on);
-    let mut scene = edge_on.clone();
+    assert_eq!(player.stage(), Some(&above), "its captions name the disk");
+    assert!(player.begins_anew(&above));
+    player.rewind(&above);
+    player.start(&above);
+    let mut scene = above.clone();
     for _ in 0..600 {
         scene = next(player.advance(FRAME, &scene, false));
     }
     player.stop();
-    assert!(!player.begins_anew(&edge_on), "J goes on where it was left");
-    assert!(player.begins_anew(&above));
-    player.rewind(&above);
-    assert!(player.time() == 0.0 && !player.begins_anew(&above));
+    assert!(!player.begins_anew(&above), "J goes on where it was left");
+    assert!(player.begins_anew(&close));
+    player.rewind(&close);
+    assert!(player.time() == 0.0 && !player.begins_anew(&close));
     let keyframes = "[[keyframe]]\ntime = 0\n[[keyframe]]\ntime = 1";
     let plain = JourneyPlayer::new(journey::load("j.toml", keyframes).unwrap());
     assert_eq!(plain.stage(), None);

@@ -64,6 +64,7 @@ fn a_switch_used_twice_restores_any_preset() {
         "view.classes",
         "view.residual",
         "view.order",
+        "view.delay",
         "view.redshift",
         "view.error",
         "view.steps",
@@ -151,7 +152,7 @@ fn a_skipped_observer_is_named_with_the_reason() {
 #[test]
 fn a_key_without_a_visible_effect_says_why_and_names_the_key_that_helps() {
     let without = |change: fn(&mut Scene)| {
-        let mut scene = presets::find("edge-on").unwrap().scene(&[]).unwrap();
+        let mut scene = presets::find("above").unwrap().scene(&[]).unwrap();
         change(&mut scene);
         scene
     };

@@ -30,6 +30,15 @@ fn colours(view: View) -> &'static [&'static str] {
             "vec3<f32>(0.0)",
             "MAGENTA",
         ],
+        View::Delay => &[
+            "delay_colour(-10.0)",
+            "delay_colour(0.0)",
+            "delay_colour(10.0)",
+            "delay_colour(20.0)",
+            "delay_colour(30.0)",
+            "vec3<f32>(0.0)",
+            "MAGENTA",
+        ],
         View::Redshift => &[
             "shift_colour(2.0)",
             "shift_colour(1.41421356)",

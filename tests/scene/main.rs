@@ -13,6 +13,7 @@ mod comparison;
 mod console;
 mod cost_report;
 mod crash;
+mod disk_clock;
 mod doctor;
 mod edge_view;
 mod failures;

@@ -1,7 +1,9 @@
 //! The panel's page of the scene: every field has its words, and a row that is dimmed says why.
 
 use lightfall::app::{SECTIONS, Shown, choice, why_idle};
-use lightfall_core::scene::{FIELDS, Kind, Method, Scene, SkyMode, View};
+use lightfall_core::scene::{
+    DiskStructure, FIELDS, HotSpotKind, Kind, Method, Scene, SkyMode, View,
+};
 use std::collections::BTreeSet;
 
 /// The fields that leave the user no choice.
@@ -121,6 +123,27 @@ fn rows_are_dimmed_where_they_change_nothing() {
     assert_eq!(dimmed_between(&isco, &lit), ["disk.inner"]);
     let order = with(|scene| scene.view = View::Order);
     assert!(dimmed_between(&order, &lit).contains(&"effects.doppler"));
+    let turbulent = with(|scene| scene.disk.structure = DiskStructure::Turbulent);
+    let spot = with(|scene| scene.hot_spot.kind = HotSpotKind::Rigid);
+    let structure = [
+        "disk.contrast",
+        "disk.scale",
+        "disk.aspect",
+        "disk.pitch_deg",
+        "disk.lifetime",
+        "disk.period",
+        "disk.waves",
+        "disk.seed",
+    ];
+    let clock = ["disk.time", "disk.rate"];
+    assert_eq!(
+        dimmed_between(&lit, &turbulent),
+        [&structure[..], &clock].concat()
+    );
+    let of_spot = dimmed_between(&lit, &spot);
+    assert_eq!(of_spot[..2], clock);
+    assert_eq!(of_spot.len(), 2 + 6, "{of_spot:?}");
+    assert_eq!(dimmed_between(&spot, &turbulent), structure);
     // The two settings of accuracy belong to different methods.
     let mino = with(|scene| scene.method = Method::Mino);
     let verlet = with(|scene| scene.method = Method::Verlet);

@@ -47,7 +47,7 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
     for (line, sentence) in [
         (
             "render -o a.xyz",
-            "lightfall: a.xyz: unknown picture format \"xyz\"; allowed are .png and .exr\n",
+            "lightfall: a.xyz: unknown picture format \"xyz\"; allowed are .png, .apng and .exr\n",
         ),
         (
             "render -o a.png --aov sky",
@@ -59,7 +59,7 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
         ),
         (
             "render -o a",
-            "lightfall: a: the name has no extension that says which picture format to write; allowed are .png and .exr\n",
+            "lightfall: a: the name has no extension that says which picture format to write; allowed are .png, .apng and .exr\n",
         ),
     ] {
         assert_eq!(
@@ -169,7 +169,7 @@ fn a_journey_is_checked_before_it_is_flown_and_without_a_display_its_first_momen
         )
     };
     fs::write(folder.path().join("mine.toml"), frames("0.9")).unwrap();
-    let line = "--journey mine.toml --set picture.width=96 --set picture.height=54 --set picture.grid_width=48 --set \
+    let line = "--journey mine.toml --spin 0 --set picture.width=96 --set picture.height=54 --set picture.grid_width=48 --set \
                 picture.grid_height=27";
     let (status, stdout, stderr) = program(folder.path(), line, "");
     assert!(status == 2 && stdout.is_empty(), "{stderr}");
@@ -367,6 +367,6 @@ fn a_users_own_preset_is_found_by_name_and_listed() {
         "schema = 1\nhole.spin = 0.25\n",
     )
     .unwrap();
-    assert!(ask("presets show edge-on").1.contains("spin = 0.0"));
+    assert!(ask("presets show edge-on").1.contains("spin = 0.9"));
     assert_eq!(ask("presets show my_other").0, 2);
 }

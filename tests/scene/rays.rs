@@ -180,8 +180,8 @@ const CAPTURED: Trace = Trace {
 
 #[test]
 fn the_columns_are_those_of_the_contract() {
-    let header =
-        "outcome,sky_x,sky_y,sky_z,hit1_r,hit1_phi,hit1_g,hit2_r,hit2_phi,hit2_g,steps,residual\n";
+    let header = "outcome,sky_x,sky_y,sky_z,hit1_r,hit1_phi,hit1_g,hit2_r,hit2_phi,hit2_g,\
+        steps,residual,hit1_t,hit2_t\n";
     assert_eq!(written(&[]), header);
     assert_eq!(HEADER.join(",") + "\n", header);
 }
@@ -197,20 +197,32 @@ fn missing_values_are_empty_fields() {
         r: 3.5,
         phi: -1.25,
         g: 0.75,
+        delay: None,
     };
     let unfinished = Trace {
         outcome: Outcome::Unfinished,
         hits: [Some(hit), None],
         ..CAPTURED
     };
-    let text = written(&[CAPTURED, sky, unfinished]);
+    let delayed = Trace {
+        hits: [
+            Some(Hit {
+                delay: Some(20.5),
+                ..hit
+            }),
+            None,
+        ],
+        ..unfinished
+    };
+    let text = written(&[CAPTURED, sky, unfinished, delayed]);
     let lines: Vec<&str> = text.lines().skip(1).collect();
     assert_eq!(
         lines,
         [
-            "captured,,,,,,,,,,7,0.0",
-            "sky,0.0,-1.0,0.0,,,,,,,7,0.0",
-            "unfinished,,,,3.5,-1.25,0.75,,,,7,0.0"
+            "captured,,,,,,,,,,7,0.0,,",
+            "sky,0.0,-1.0,0.0,,,,,,,7,0.0,,",
+            "unfinished,,,,3.5,-1.25,0.75,,,,7,0.0,,",
+            "unfinished,,,,3.5,-1.25,0.75,,,,7,0.0,20.5,"
         ]
     );
 }
@@ -222,9 +234,18 @@ fn every_number_is_read_back_unchanged() {
         [3.0 + f64::EPSILON * 2.0, std::f64::consts::PI, 0.1 + 0.2],
         [1e300, -1e-300, 1.0],
     ];
+    let delays = [100.0 / 3.0, 1e-17];
     let trace = Trace {
         sky: Some(sky),
-        hits: hits.map(|[r, phi, g]| Some(Hit { r, phi, g })),
+        hits: [0, 1].map(|i| {
+            let [r, phi, g] = hits[i];
+            Some(Hit {
+                r,
+                phi,
+                g,
+                delay: Some(delays[i]),
+            })
+        }),
         residual: f64::MAX,
         steps: u32::MAX,
         ..CAPTURED
@@ -242,6 +263,7 @@ fn every_number_is_read_back_unchanged() {
         &hits[0],
         &hits[1],
         &[f64::from(u32::MAX), f64::MAX],
+        &delays,
     ]
     .concat();
     assert_eq!(numbers, expected);

@@ -22,7 +22,7 @@ fn said(scene: &Scene, id: &str) -> (String, Scene) {
 
 #[test]
 fn a_switch_says_its_state_each_time_it_is_used() {
-    let scene = preset("edge-on");
+    let scene = preset("above");
     for (id, first, second) in [
         ("scene.disk", "Disk: off", "Disk: on"),
         (
@@ -42,10 +42,15 @@ fn a_switch_says_its_state_each_time_it_is_used() {
             "Gravitational shift: on",
         ),
         ("view.redshift", "View: redshift g", "View: light"),
+        (
+            "view.delay",
+            "View: delay of the disk's light",
+            "View: light",
+        ),
         ("view.error", "View: backward error", "View: light"),
         ("picture.bloom", "Bloom: off", "Bloom: on"),
         ("picture.dither", "Dither: off", "Dither: on"),
-        ("picture.levels", "Tones: all", "Tones: 24 a channel"),
+        ("picture.levels", "Tones: all", "Tones: 48 a channel"),
         (
             "picture.antialias",
             "Smooth edges of the probe: on",
@@ -181,7 +186,7 @@ fn read_outs_use_words_and_keep_their_width() {
         text(&preset("edge-on")),
         [
             "r 20.00 r_s   7.0° above the disk   theta 83.0°   azimuth 0.0°",
-            "hovering at rest   spin 0   flying speed 1.00×   automatic exposure"
+            "hovering at rest   spin 0.9   flying speed 1.00×   automatic exposure"
         ]
     );
     let mut below = preset("edge-on");

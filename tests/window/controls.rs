@@ -2,7 +2,7 @@
 
 use crate::desktop::Desktop;
 use crate::shot::Shot;
-use crate::{STATUS_BAR, TITLE, WINDOW, changed, place, unfold_texts};
+use crate::{PLAIN, STATUS_BAR, TITLE, WINDOW, changed, place, unfold_texts};
 use lightfall::app::{Bindable, control_named};
 use lightfall::storage::embedded_preset;
 use lightfall_core::scene::load;
@@ -54,6 +54,7 @@ fn a_switch_changes_the_picture_and_pressed_again_restores_it() {
         ("view.classes", 2),
         ("view.residual", 2),
         ("view.order", 2),
+        ("view.delay", 2),
         ("view.redshift", 2),
         ("view.steps", 2),
         ("picture.bloom", 2),
@@ -79,7 +80,7 @@ fn a_switch_changes_the_picture_and_pressed_again_restores_it() {
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn overlays_open_and_close_and_text_fields_keep_the_keyboard() {
-    let mut desktop = Desktop::open(&["--preset", "2"]);
+    let mut desktop = Desktop::open(&["--preset", PLAIN]);
     let start = desktop.first_picture();
     let right = |a: &Shot, b: &Shot| a.changed(b, WINDOW.0 - PANEL..WINDOW.0, 0..WINDOW.1);
     let left = |a: &Shot, b: &Shot| a.changed(b, 0..WINDOW.0 - PANEL, TITLE..WINDOW.1 - STATUS_BAR);
@@ -125,7 +126,7 @@ fn overlays_open_and_close_and_text_fields_keep_the_keyboard() {
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn guides_are_drawn_where_the_shadow_ends_and_vanish_with_their_key() {
-    let desktop = Desktop::open(&["--preset", "2"]);
+    let desktop = Desktop::open(&["--preset", PLAIN]);
     let start = desktop.first_picture();
     // Pixels in the yellow of the shadow's edge, right of the middle of the picture.
     let edge = |shot: &Shot| {
@@ -155,7 +156,7 @@ fn guides_are_drawn_where_the_shadow_ends_and_vanish_with_their_key() {
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn screenshots_of_picture_and_window_are_new_files_that_replace_no_others() {
-    let desktop = Desktop::open(&["--preset", "2"]);
+    let desktop = Desktop::open(&["--preset", PLAIN]);
     let start = desktop.first_picture();
     let pictures = desktop.home.path().join("Pictures");
     let saved = |number: usize| {

@@ -99,6 +99,14 @@ impl Desktop {
         variables: &[(&str, &str)],
         arguments: &[&str],
     ) -> Self {
+        // A disk that moves never comes to rest; tests of its clock set a rate. Other programs read
+        // no scene from their arguments.
+        let mut arguments = arguments.to_vec();
+        let sets_rate = |argument: &&str| argument.starts_with("disk.rate=");
+        let reads_scene = program == Path::new(env!("CARGO_BIN_EXE_lightfall"));
+        if reads_scene && !arguments.iter().any(sets_rate) {
+            arguments.extend(["--set", "disk.rate=0"]);
+        }
         for tool in ["Xvfb", "xdotool"] {
             let found = Command::new("sh")
                 .args(["-c", &format!("command -v {tool}")])

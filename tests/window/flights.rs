@@ -1,8 +1,8 @@
 //! The camera flies by itself: the journey, and free motion.
 
-use crate::changed;
 use crate::desktop::Desktop;
 use crate::shot::Shot;
+use crate::{PLAIN, changed};
 use std::time::Duration;
 
 /// Waits until the picture moves.
@@ -14,21 +14,25 @@ fn moves(desktop: &Desktop, why: &str) {
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn the_journey_starts_stops_and_ends_when_the_user_flies() {
-    let mut desktop = Desktop::open(&["--preset", "2"]);
+    let mut desktop = Desktop::open(&["--preset", PLAIN]);
     let start = desktop.first_picture();
     desktop.press("j");
     moves(&desktop, "J starts no journey");
     desktop.press("j");
+    // The journey's disk moves, and its clock goes on.
+    desktop.press("slash");
     let stopped = desktop.settled("J again", |shot| changed(shot, &start) > 1e-3);
     desktop.press("j");
     moves(&desktop, "J does not go on");
     desktop.hold("s", Duration::from_millis(400));
+    desktop.press("slash");
     desktop.settled("flying backward takes over", |shot| {
         changed(shot, &stopped) > 0.01
     });
     desktop.press("Return");
     moves(&desktop, "Enter starts no journey");
     desktop.press("j");
+    desktop.press("slash");
     let far = desktop.settled("near the journey's start", |shot| {
         changed(shot, &start) > 0.01
     });

@@ -18,6 +18,7 @@ use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiFullOutput, EguiPostUpdateSet, egui};
 use lightfall::app::FreeFall;
 use lightfall::render::{CurrentScene, DrawRequest};
+use lightfall_core::gpu::Drawable;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -111,7 +112,7 @@ fn fly_script(
     mut commands: Commands,
     mut script: ResMut<Script>,
     mut keyboard: Keyboard,
-    scene: Res<CurrentScene>,
+    mut scene: ResMut<CurrentScene>,
     request: Res<DrawRequest>,
     free_fall: Res<FreeFall>,
     mut exit: MessageWriter<AppExit>,
@@ -121,6 +122,12 @@ fn fly_script(
         exit.write(AppExit::Success);
         return;
     };
+    // A disk that moves never comes to rest.
+    if scene.disk.rate > 0.0 {
+        let mut still = scene.scene().clone();
+        still.disk.rate = 0.0;
+        scene.0 = Drawable::new(still).unwrap();
+    }
     let (name, held) = LEGS[script.leg % LEGS.len()];
     let phase = script.phase;
     script.frames += 1;

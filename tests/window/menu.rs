@@ -2,7 +2,7 @@
 
 use crate::desktop::Desktop;
 use crate::shot::Shot;
-use crate::{WINDOW, changed};
+use crate::{PLAIN, WINDOW, changed};
 
 /// Share of the middle of the window that differs between two shots.
 fn middle(a: &Shot, b: &Shot) -> f64 {
@@ -12,7 +12,7 @@ fn middle(a: &Shot, b: &Shot) -> f64 {
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn esc_closes_what_is_open_and_then_opens_a_menu_that_the_keyboard_uses() {
-    let mut desktop = Desktop::open(&["--preset", "2"]);
+    let mut desktop = Desktop::open(&["--preset", PLAIN]);
     let start = desktop.first_picture();
     // The help first; then nothing is open, and the menu comes.
     desktop.press("F1");
@@ -29,18 +29,18 @@ fn esc_closes_what_is_open_and_then_opens_a_menu_that_the_keyboard_uses() {
     desktop.press("Escape");
     desktop.settled("as before the menu", |shot| changed(shot, &start) == 0.0);
 
-    // Down to the places, and there to the third: preset 3.
+    // Down to the places, and there to the fifth: preset 5.
     desktop.press("Escape");
     desktop.settled("menu again", |shot| middle(shot, &start) > 0.3);
-    for key in ["Down", "Return", "Down", "Down", "Return"] {
+    for key in ["Down", "Return", "Down", "Down", "Down", "Down", "Return"] {
         desktop.press(key);
     }
-    let title = "above, with its second image";
-    desktop.wait("preset 3", || desktop.title().contains(title));
-    let above = desktop.settled("preset 3", |shot| changed(shot, &start) > 0.1);
+    let title = "An Einstein ring";
+    desktop.wait("preset 5", || desktop.title().contains(title));
+    let ring = desktop.settled("preset 5", |shot| changed(shot, &start) > 0.1);
     // Up from the first entry to the last one.
     desktop.press("Escape");
-    desktop.settled("menu at preset 3", |shot| middle(shot, &above) > 0.3);
+    desktop.settled("menu at preset 5", |shot| middle(shot, &ring) > 0.3);
     for key in ["Up", "Return"] {
         desktop.press(key);
     }
@@ -50,7 +50,7 @@ fn esc_closes_what_is_open_and_then_opens_a_menu_that_the_keyboard_uses() {
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn ctrl_q_quits_and_writes_the_settings() {
-    let mut desktop = Desktop::open(&["--preset", "2"]);
+    let mut desktop = Desktop::open(&["--preset", PLAIN]);
     desktop.first_picture();
     // F7 changes a setting, which would be written a second later.
     desktop.press("F7");

@@ -363,6 +363,9 @@ fn places(desktop: &Desktop) -> Vec<Place> {
 fn texts_over_any_picture_have_a_contrast_of_at_least_four_and_a_half() {
     // A text that fades away is not meant to be read.
     let desktop = open_watched("reduced_motion = true\n");
+    // The disks of presets 2 and 4 move, until slash pauses them.
+    desktop.press("2");
+    desktop.press("slash");
     // A picture, and what is pressed over it: for a title, a message and what is switched off; and
     // for a legend.
     for (key, over) in [

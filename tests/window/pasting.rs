@@ -1,7 +1,7 @@
 //! Copy, cut and paste in the panel's text fields.
 
 use crate::desktop::Desktop;
-use crate::{place, unfold_texts};
+use crate::{PLAIN, place, unfold_texts};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -57,7 +57,7 @@ fn wait(what: &str, condition: impl Fn() -> bool) {
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn text_fields_copy_cut_and_paste_within_the_program_and_with_others() {
-    let desktop = Desktop::open(&["--preset", "2"]);
+    let desktop = Desktop::open(&["--preset", PLAIN]);
     desktop.settled("first picture", |shot| shot.colours() > 50);
     desktop.press("p");
     desktop.settled("panel", |_| true);

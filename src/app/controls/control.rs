@@ -153,13 +153,13 @@ pub enum AppCommand {
     JourneyBack,
     /// Go ahead in the journey by some seconds.
     JourneyAhead,
-    /// Pause the journey or the fall under way, or let it go on.
+    /// Pause what moves by itself, the journey, the fall or the disk, or let it go on.
     Pause,
     /// Let go of the observer, so that it falls or orbits, or hold it again.
     LetGo,
-    /// Let the observer's proper time run faster.
+    /// Let the observer's proper time, or the disk's clock, run faster.
     FasterTime,
-    /// Let the observer's proper time run slower.
+    /// Let the observer's proper time, or the disk's clock, run slower.
     SlowerTime,
     /// Pin the present settings to the left half of the picture, or end the comparison.
     Compare,

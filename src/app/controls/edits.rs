@@ -128,6 +128,10 @@ pub(super) fn toggle_order(scene: &mut Scene, _: &Scene) {
     toggle(scene, View::Order);
 }
 
+pub(super) fn toggle_delay(scene: &mut Scene, _: &Scene) {
+    toggle(scene, View::Delay);
+}
+
 pub(super) fn toggle_redshift(scene: &mut Scene, _: &Scene) {
     toggle(scene, View::Redshift);
 }

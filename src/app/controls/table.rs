@@ -47,7 +47,7 @@ pub const CONTROLS: &[Control] = controls! {
         "journey.again" [Enter] "journey from its start" Do(AppCommand::RestartJourney);
         "journey.back" [ArrowLeft] "journey: 5 seconds back, ahead" Do(AppCommand::JourneyBack);
         "journey.ahead" [ArrowRight] "journey: 5 seconds back, ahead" Do(AppCommand::JourneyAhead);
-        "motion.pause" [Slash] "pause a journey or a fall, go on" Do(AppCommand::Pause);
+        "motion.pause" [Slash] "pause what moves, go on" Do(AppCommand::Pause);
         "motion.let_go" [KeyF] "let go (free fall or orbit)" Do(AppCommand::LetGo);
         "motion.slower" [Comma] "slow down, speed up time" Do(AppCommand::SlowerTime);
         "motion.faster" [Period] "slow down, speed up time" Do(AppCommand::FasterTime);
@@ -84,6 +84,7 @@ pub const CONTROLS: &[Control] = controls! {
         "view.classes" [KeyB] "ray classes" Edit(edits::toggle_classes);
         "view.residual" [KeyM] "residual of the null constraint" Edit(edits::toggle_residual);
         "view.order" [KeyN] "order of the image" Edit(edits::toggle_order);
+        "view.delay" Shift + [KeyN] "delay of the disk's light" Edit(edits::toggle_delay);
         "view.steps" [Semicolon] "heat map of steps" Edit(edits::toggle_steps);
         "view.redshift" [KeyR] "redshift g" Edit(edits::toggle_redshift);
         "view.error" [Quote] "backward error" Edit(edits::toggle_error);

@@ -4,6 +4,7 @@
 use super::MAX_FRAME_SECONDS;
 use super::facing::{Aim, Facing};
 use super::flight_step::FlightStep;
+use super::journey_player::JourneyPlayer;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::controls::refusal::no_observer;
@@ -20,7 +21,7 @@ use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::observer::ObserverError;
 use lightfall_core::geometry::timelike::Limit;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::optics::readout::si::{HoleMass, MASSES};
+use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::worldline::Worldline;
 use lightfall_core::reports::numbers::{
     four_digits, steady_digits, three_digits, with_short_numbers,
@@ -193,11 +194,7 @@ impl FreeFall {
     #[must_use]
     pub fn rate_words(&self, r: f64, suns: f64) -> String {
         let rate = self.rate(r);
-        let known = MASSES.iter().find(|mass| mass.suns == suns);
-        let mass = HoleMass {
-            name: known.map_or("this hole", |mass| mass.name),
-            suns,
-        };
+        let mass = HoleMass::of_suns(suns);
         format!(
             "Time rate in free fall: {} r_s/c per second ({} s for {})",
             four_digits(rate),
@@ -257,6 +254,7 @@ pub(crate) fn plugin(app: &mut App) {
 fn apply_free_fall_commands(
     mut commands: MessageReader<AppCommand>,
     mut free_fall: ResMut<FreeFall>,
+    player: Res<JourneyPlayer>,
     scene: Res<CurrentScene>,
     time: Res<Time<Real>>,
     mut history: ResMut<History>,
@@ -297,6 +295,11 @@ fn apply_free_fall_commands(
                     }
                     Err(error) => toast.say(no_observer(&error, &scene)),
                 }
+            }
+            AppCommand::FasterTime | AppCommand::SlowerTime
+                if keys_are_the_clocks(&scene, &free_fall, &player) =>
+            {
+                continue;
             }
             AppCommand::FasterTime => free_fall.change_pace(1),
             AppCommand::SlowerTime => free_fall.change_pace(-1),
@@ -355,4 +358,14 @@ pub(super) fn advance_free_fall(
             with_short_numbers(&reason)
         )),
     }
+}
+
+/// Whether the keys that slow down and speed up time change the rate of the disk's clock. While a
+/// fall or a journey is under way, and where nothing else moves, they change the pace of a fall.
+pub(super) fn keys_are_the_clocks(
+    scene: &Scene,
+    free_fall: &FreeFall,
+    player: &JourneyPlayer,
+) -> bool {
+    scene.disk_moves() && !free_fall.is_moving() && !player.is_playing()
 }

@@ -95,7 +95,7 @@ fn how_to_go_on(bindings: &Bindings, anew: bool) -> String {
     format!("{on} goes on, {again} begins again")
 }
 
-fn advance_journey(
+pub(super) fn advance_journey(
     time: Res<Time>,
     mut player: ResMut<JourneyPlayer>,
     mut scene: ResMut<CurrentScene>,

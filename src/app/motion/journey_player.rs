@@ -33,6 +33,8 @@ struct Flight {
     from: Camera,
     /// Seconds since the start.
     since: f64,
+    /// Seconds along the journey at which the scene's disk has its time.
+    clock: f64,
     last: Option<LastPose>,
 }
 
@@ -135,6 +137,7 @@ impl JourneyPlayer {
         self.flight = Some(Flight {
             from: scene.camera,
             since: 0.0,
+            clock: self.time,
             last: None,
         });
     }
@@ -145,6 +148,7 @@ impl JourneyPlayer {
         self.flight = Some(Flight {
             from: Camera::default(),
             since: APPROACH,
+            clock: 0.0,
             last: None,
         });
     }
@@ -190,6 +194,14 @@ impl JourneyPlayer {
             next.camera.roll_deg = scene.camera.roll_deg;
         }
         next.camera = between(&flight.from, &next.camera, flight.since / APPROACH);
+        let mut before = scene.clone();
+        // A journey from its beginning begins there at the scene's own time.
+        if flight.last.is_none() && flight.since >= APPROACH {
+            before.camera = next.camera;
+        }
+        self.journey
+            .drive_clock([flight.clock, self.time], &before, &mut next);
+        flight.clock = self.time;
         match Drawable::new(next) {
             Ok(next) if self.time >= self.journey.duration => {
                 self.flight = None;

@@ -1,6 +1,8 @@
-//! What moves the camera: the hand, the guided journey, and the observer's own motion.
+//! What moves: the camera, by the hand, the guided journey or the observer's own motion, and the
+//! disk.
 
 pub(crate) mod crossing;
+pub(crate) mod disk_clock;
 pub(crate) mod edge_view;
 pub(crate) mod facing;
 pub(crate) mod flight_step;

@@ -1,4 +1,4 @@
-//! Pausing a journey or a fall, and going on.
+//! Pausing a journey, a fall or the disk's clock, and going on.
 
 use super::free_fall::FreeFall;
 use super::journey_player::JourneyPlayer;
@@ -6,6 +6,7 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::state::paused::Paused;
 use crate::app::state::toast::Toast;
+use crate::render::CurrentScene;
 use bevy::prelude::*;
 
 pub(crate) fn plugin(app: &mut App) {
@@ -16,10 +17,11 @@ pub(crate) fn plugin(app: &mut App) {
 fn end_pause(
     player: Res<JourneyPlayer>,
     free_fall: Res<FreeFall>,
+    scene: Res<CurrentScene>,
     mut moved: Local<bool>,
     mut paused: ResMut<Paused>,
 ) {
-    let moves = player.is_playing() || free_fall.is_moving();
+    let moves = player.is_playing() || free_fall.is_moving() || scene.disk_moves();
     if *moved && !moves {
         paused.0 = false;
     }
@@ -30,6 +32,7 @@ fn apply_pause_command(
     mut commands: MessageReader<AppCommand>,
     player: Res<JourneyPlayer>,
     free_fall: Res<FreeFall>,
+    scene: Res<CurrentScene>,
     bindings: Res<Bindings>,
     mut paused: ResMut<Paused>,
     mut toast: ResMut<Toast>,
@@ -38,7 +41,7 @@ fn apply_pause_command(
         .read()
         .filter(|command| **command == AppCommand::Pause)
     {
-        let moves = player.is_playing() || free_fall.is_moving();
+        let moves = player.is_playing() || free_fall.is_moving() || scene.disk_moves();
         paused.0 = moves && !paused.0;
         let [pause, journey, fall] =
             ["motion.pause", "journey.fly", "motion.let_go"].map(|id| bindings.label(id));

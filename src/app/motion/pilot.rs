@@ -249,7 +249,7 @@ impl Hand {
 
 /// What a flight by hand writes besides the scene.
 #[derive(SystemParam)]
-struct Log<'w> {
+pub(super) struct Log<'w> {
     history: ResMut<'w, History>,
     resolution: Res<'w, Resolution>,
     toast: ResMut<'w, Toast>,
@@ -257,7 +257,7 @@ struct Log<'w> {
     clock: Res<'w, Time<Real>>,
 }
 
-fn steer_camera(
+pub(super) fn steer_camera(
     held: HeldControls,
     buttons: Res<ButtonInput<MouseButton>>,
     motion: Res<AccumulatedMouseMotion>,

@@ -111,7 +111,7 @@ fn end_adapter_trial(
     mut exits: MessageReader<AppExit>,
 ) {
     let closed = exits.read().any(AppExit::is_success);
-    if choice.trial.is_some() && (closed || request.is_drawn()) {
+    if choice.trial.is_some() && (closed || request.is_shown()) {
         choice.end_trial();
     }
 }

@@ -1,5 +1,5 @@
-//! Automatic resolution: while something moves, the picture is drawn with as many pixels as the
-//! wanted frame rate allows. A picture at rest is drawn in full.
+//! Automatic resolution: while something moves, the disk too, the picture is drawn with as many
+//! pixels as the wanted frame rate allows. A picture at rest is drawn in full.
 
 use crate::app::session::canvas::{assumed_kind, measure_canvas};
 use crate::app::session::frame_pacing::FramePacing;
@@ -60,7 +60,7 @@ fn adapt_resolution(
         Automatic::Off => false,
         Automatic::Auto => is_slow() || resolution.is_finer_than_the_scene(&scene.picture),
     };
-    let adapts = wanted && pacing.moving;
+    let adapts = wanted && pacing.running;
     // A first movement begins with as many pixels as the scene asks for.
     let first_share = round_share(resolution.share_of_own_size(&scene.picture));
     let mut share = measurement.share.unwrap_or(first_share);

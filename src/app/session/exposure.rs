@@ -43,7 +43,8 @@ impl Meter {
         let now = scene.picture.exposure_ev;
         self.age += seconds;
         if self.age > METER_INTERVAL {
-            let mut metered = scene.without_presentation();
+            // The light meter does not see what moves in the disk.
+            let mut metered = scene.without_presentation().without_clock();
             metered.picture.exposure_ev = 0.0;
             if self.scene.as_ref() != Some(&metered) {
                 self.wanted = metered_exposure(scene).ok().flatten();

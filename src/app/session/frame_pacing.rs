@@ -28,14 +28,18 @@ const RESTING_INTERVAL_WITH_GAMEPAD: Duration = Duration::from_millis(33);
 /// Whether the scene moves, and whether the program rests.
 #[derive(Resource, Default)]
 pub struct FramePacing {
-    /// Whether the scene has just changed.
+    /// Whether the scene has just changed, by more than the disk's clock.
     pub moving: bool,
+    /// Whether the picture is drawn again and again: the scene moves, or the disk's clock runs.
+    pub running: bool,
     /// Whether frames are far apart because nothing happens.
     pub resting: bool,
-    /// Frames since the movement began.
+    /// Frames since the picture began to run.
     pub frames: u32,
     /// When the scene last changed, as a time since the start. None before its first change.
     changed: Option<Duration>,
+    /// When the disk's clock last went on.
+    ticked: Option<Duration>,
     /// When something last happened, as a time since the start.
     active: Duration,
     /// When the last frame began, for the frame rate limit.
@@ -86,13 +90,15 @@ fn watch_activity(
     let now = time.elapsed();
     if scene.is_changed() {
         let seen = without_resolution(&scene);
-        if last.as_ref() != Some(&seen) {
-            // The scene that the program starts with does not count as a change.
-            if last.is_some() {
+        // The scene that the program starts with does not count as a change.
+        if let Some(last) = last.as_ref().filter(|last| **last != seen) {
+            if last.without_clock() == seen.without_clock() {
+                pacing.ticked = Some(now);
+            } else {
                 pacing.changed = Some(now);
             }
-            *last = Some(seen);
         }
+        *last = Some(seen);
     }
     // A window whose edge is dragged asks for a picture of another size in every frame.
     let size = window.physical_size();
@@ -109,16 +115,16 @@ fn watch_activity(
     if pacing.changed == Some(now) || held || typing.0 || moves.read().next().is_some() {
         pacing.active = now;
     }
-    let moving = pacing
-        .changed
-        .is_some_and(|changed| now.saturating_sub(changed) < MOVING_FOR);
-    pacing.frames = if moving && pacing.moving {
+    let lately = |at: Option<Duration>| at.is_some_and(|at| now.saturating_sub(at) < MOVING_FOR);
+    let moving = lately(pacing.changed);
+    let running = moving || lately(pacing.ticked);
+    pacing.frames = if running && pacing.running {
         pacing.frames + 1
     } else {
         0
     };
-    pacing.moving = moving;
-    pacing.resting = now.saturating_sub(pacing.active) > AWAKE_FOR;
+    (pacing.moving, pacing.running) = (moving, running);
+    pacing.resting = !running && now.saturating_sub(pacing.active) > AWAKE_FOR;
 }
 
 /// The scene with the default resolution and without its texts. A change by the automatic

@@ -18,4 +18,5 @@ pub(crate) mod pixel_look;
 pub(crate) mod quit;
 pub(crate) mod recovery;
 pub(crate) mod screenshot;
+pub(crate) mod wave_limit;
 pub(crate) mod window;

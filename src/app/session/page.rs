@@ -11,7 +11,7 @@ pub(crate) fn plugin(app: &mut App) {
 }
 
 fn end_loading(request: Res<DrawRequest>, mut done: Local<bool>) {
-    if !*done && request.is_drawn() {
+    if !*done && request.is_shown() {
         *done = true;
         show_state(State::Running);
     }

@@ -43,12 +43,14 @@ enum ChangeKind {
     DepartureElsewhere,
 }
 
-/// Whether two scenes are the same, apart from an exposure that the light meter has chosen.
-fn same_but_metered(a: &Scene, b: &Scene) -> bool {
+/// Whether two scenes are the same, apart from an exposure that the light meter has chosen and a
+/// time to which the disk's clock has gone on.
+fn same_but_driven(a: &Scene, b: &Scene) -> bool {
     let mut a = a.clone();
     if a.picture.automatic_exposure && b.picture.automatic_exposure {
         a.picture.exposure_ev = b.picture.exposure_ev;
     }
+    a.disk.time = b.disk.time;
     a == *b
 }
 
@@ -83,10 +85,15 @@ impl History {
             && at.saturating_sub(last.at) < MERGE_TIME
             && last.loaded == self.loaded
             && let ChangeKind::Edit(middle) = &last.kind
-            && same_but_metered(middle, before)
+            && same_but_driven(middle, before)
             && keys(&last.before, middle) == keys(before, after)
         {
-            (last.kind, last.at) = (ChangeKind::Edit(Box::new(after.clone())), at);
+            let mut after = after.clone();
+            // What the clock did between the two is no part of the change.
+            if before.disk.time == after.disk.time {
+                after.disk.time = last.before.disk.time;
+            }
+            (last.kind, last.at) = (ChangeKind::Edit(Box::new(after)), at);
             return;
         }
         self.push(before, ChangeKind::Edit(Box::new(after.clone())), at);
@@ -152,11 +159,16 @@ impl History {
                 .with(before.differences(after))
                 .map_err(|refusal| refusal.to_string()),
             ChangeKind::DepartureElsewhere => Ok(before.clone()),
-            ChangeKind::Departure { .. } => Ok(Scene {
-                camera: before.camera,
-                observer: before.observer,
-                ..now.clone()
-            }),
+            ChangeKind::Departure { .. } => {
+                let mut scene = Scene {
+                    camera: before.camera,
+                    observer: before.observer,
+                    ..now.clone()
+                };
+                // A journey may have changed it.
+                scene.disk.rate = before.disk.rate;
+                Ok(scene)
+            }
         };
         let undone = undone
             .and_then(|scene| Drawable::new(scene).map_err(|reason| reason.to_string()))

@@ -52,6 +52,15 @@ pub(crate) fn plugin(app: &mut App) {
     );
 }
 
-fn find_hole(scene: Res<CurrentScene>, mut hole: ResMut<HoleInView>) {
-    hole.0 = SeenHole::new(&scene);
+/// Only where rays have changed: the light of a disk that moves changes in every frame.
+fn find_hole(
+    scene: Res<CurrentScene>,
+    mut hole: ResMut<HoleInView>,
+    mut found_for: Local<Option<Scene>>,
+) {
+    let rays = scene.without_shading();
+    if found_for.as_ref() != Some(&rays) {
+        hole.0 = SeenHole::new(&scene);
+        *found_for = Some(rays);
+    }
 }

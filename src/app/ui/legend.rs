@@ -59,6 +59,25 @@ const RESIDUALS: &[Swatch] = &[
     (Vec3::ONE, "1 or more"),
 ];
 
+const DELAYS: &[Swatch] = &[
+    (
+        Vec3::new(0.9969, 0.8660, 0.4176),
+        "10 r_s/c less, or even less",
+    ),
+    (
+        Vec3::new(0.8501, 0.3482, 0.2012),
+        "as long as from beside the hole",
+    ),
+    (Vec3::new(0.4797, 0.1187, 0.1321), "10 r_s/c more"),
+    (Vec3::new(0.1521, 0.0360, 0.1154), "20 r_s/c more"),
+    (
+        Vec3::new(0.0093, 0.0010, 0.1150),
+        "30 r_s/c more, or even more",
+    ),
+    (BLACK, "no disk"),
+    (MAGENTA, "unfinished"),
+];
+
 const STEPS: &[Swatch] = &[
     (BLACK, "none"),
     (Vec3::new(0.0200, 0.0029, 0.0729), "4 or fewer"),
@@ -92,6 +111,10 @@ pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
         View::Order => (
             "Order of the image; the sky is darker than the disk",
             ORDERS,
+        ),
+        View::Delay => (
+            "How long the light of the disk was under way; a band every 2 r_s/c",
+            DELAYS,
         ),
         View::Redshift => ("g = observed / emitted frequency, of disk or sky", SHIFTS),
         View::Residual => ("Residual of the null constraint (not the error)", RESIDUALS),
@@ -173,6 +196,7 @@ fn why_empty(scene: &Scene) -> Option<&'static str> {
         View::Residual if straight || !method.steps => {
             Some("This method solves for rays instead of stepping along them: it has no residual.")
         }
+        View::Delay if !scene.disk.enabled => Some("The disk is off: no light to time."),
         View::Steps if straight || !method.steps => {
             Some("This method solves for rays instead of stepping along them: no ray takes a step.")
         }

@@ -1,4 +1,4 @@
-//! The photo mode: nothing is drawn over the picture, and journeys and falls stand still.
+//! The photo mode: nothing is drawn over the picture, and journeys, falls and the disk stand still.
 
 use crate::app::controls::bindings::Bindings;
 use crate::app::state::overlays::Overlays;

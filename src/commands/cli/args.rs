@@ -71,8 +71,9 @@ pub struct FlyArgs {
 #[derive(Debug, Args)]
 #[command(after_help = about_pictures())]
 pub struct RenderArgs {
-    /// Picture to write. Its extension decides the format: .png is what a window would show, .exr
-    /// holds linear light and the data of rays. An existing file is replaced
+    /// Picture to write. Its extension decides the format: .png is what a window would show, .apng
+    /// the same with all frames of a sequence, .exr holds linear light and the data of rays. An
+    /// existing file is replaced
     #[arg(short, long = "out", value_name = "FILE")]
     pub out: PathBuf,
     /// Size of the picture in pixels, up to 8192 a side: short for --set picture.width and
@@ -85,15 +86,17 @@ pub struct RenderArgs {
     #[arg(long, value_name = "LIST")]
     pub aov: Option<Channels>,
     /// Draw a journey as numbered pictures: frame k shows it k/N seconds after its start, from
-    /// frame A to frame B inclusive. Frames after the end show the end
+    /// frame A to frame B inclusive. Frames after the end show the end. The clock of a disk that
+    /// moves runs by disk.rate a second, from disk.time in frame 0
     #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
     pub frames: Option<Frames>,
     /// Frames per second
     #[arg(long, value_name = "N", default_value_t = 30.0, value_parser = frame_rate, requires = "frames",
           allow_negative_numbers = true)]
     pub fps: f64,
-    /// TOML file of the journey that --frames draws [default: the built-in journey]
-    #[arg(long, value_name = "FILE")]
+    /// TOML file of the journey that --frames draws, or none: the camera stays, and only the disk
+    /// moves [default: the built-in journey]
+    #[arg(long, value_name = "FILE|none")]
     pub journey: Option<PathBuf>,
     /// Also print the GPU time of each pass to standard error
     #[arg(long, conflicts_with = "frames")]

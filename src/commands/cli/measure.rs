@@ -16,8 +16,8 @@ use std::path::PathBuf;
                         and, for each scene, a plot SCENE.svg."
 )]
 pub struct BenchArgs {
-    /// Scenes, by number or name, separated by commas; edge-on-spinning is preset 2 with hole.spin
-    /// = 0.9 [default: all]
+    /// Scenes, by number or name, separated by commas; edge-on is preset 2 without spin,
+    /// edge-on-spinning with it [default: all]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = bench_scene)]
     pub scenes: Vec<BenchScene>,
     /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace
@@ -40,6 +40,16 @@ pub struct BenchArgs {
     /// Also time whole frames, with each method at the scene's own setting
     #[arg(long)]
     pub frames: bool,
+    /// Measure the time between emission and arrival instead: its error against the run time of
+    /// tracing with 2, 3, 4 and 8 nodes, for closed and mino. --out then writes delay.csv,
+    /// delay.json, delay.md and plots delay-SCENE.svg
+    #[arg(long, conflicts_with = "frames")]
+    pub delay: bool,
+    /// Time the light of a living disk instead: structure, limb darkening and the delay that they
+    /// need, against a smooth disk, as a compute kernel. --out then writes light.csv, light.json
+    /// and light.md
+    #[arg(long, conflicts_with_all = ["frames", "delay", "entry"])]
+    pub light: bool,
     /// Folder for the reports; it is created, and files of the same names are replaced
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -61,8 +71,9 @@ pub enum EntryArg {
 #[derive(Debug, Args)]
 #[command(
     after_help = "Without --json, a Markdown table goes to standard output. --out also writes extremes.csv, extremes.json and \
-                        extremes.md. The exit status is 1 if closed or mino does not hold a cell, or if a \
-                        hunt finds a ray beyond its tolerance that nothing explains."
+                        extremes.md. The exit status is 1 if closed or mino does not hold a cell, if a \
+                        hunt finds a ray beyond its tolerance that nothing explains, or if --delay finds a hit whose delay is \
+                        beyond 1e-3 rad and wrong for its place."
 )]
 pub struct ExtremesArgs {
     /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace
@@ -75,6 +86,11 @@ pub struct ExtremesArgs {
     /// Measure a grid of ordinary spins, radii and inclinations instead of the extremes
     #[arg(long, conflicts_with = "hunt")]
     pub grid: bool,
+    /// Measure the time between emission and arrival instead, for closed and mino: the angle by
+    /// which the disk's matter turns in its error, and why where that is over 1e-3 rad. --out then
+    /// writes delays.csv, delays.json and delays.md
+    #[arg(long, conflicts_with = "hunt")]
+    pub delay: bool,
     /// Instead of the matrix, trace N rays through random scenes with `auto`'s methods, 2000 rays a
     /// scene, and list the worst rays
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u32>(1, 100_000_000))]
@@ -93,7 +109,7 @@ pub struct ExtremesArgs {
 /// The arguments of `lightfall doctor`.
 #[derive(Debug, Args)]
 #[command(
-    after_help = "The self-test traces rays of presets 2 and 8 as pictures do and compares them with the f64 reference; \
+    after_help = "The self-test traces rays of presets 3 and 8 as pictures do and compares them with the f64 reference; \
                         docs/ACCURACY.md states the errors that they must stay below. Nothing on the machine is changed. The exit status is 1 \
                         if something that is needed does not work; the report says what it is and what to do."
 )]

@@ -9,7 +9,7 @@ use lightfall_core::scene::presets;
 use serde::Serialize;
 
 /// The presets of the self-test: one without spin, and the one with the fastest spin.
-pub const SELF_TEST_PRESETS: [&str; 2] = ["edge-on", "extremal"];
+pub const SELF_TEST_PRESETS: [&str; 2] = ["above", "extremal"];
 
 /// Maximum time of tracing a picture's rays for fluent motion, in milliseconds: one frame at the
 /// frame rate that the window aims for.

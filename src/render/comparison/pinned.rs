@@ -23,7 +23,7 @@ impl Pinned {
         }
     }
 
-    /// Takes over the camera, the probe and the picture of the current scene.
+    /// Takes over the camera, the probe, the picture and the disk's time of the current scene.
     ///
     /// The observer is taken over while the camera moves, because flights and falls change both.
     /// An observer that is changed while the camera stays is what the user compares, and from then
@@ -32,6 +32,7 @@ impl Pinned {
         self.scene.camera = current.camera;
         self.scene.probe = current.probe;
         self.scene.picture = current.picture;
+        self.scene.disk.time = current.disk.time;
         let moves = place(&current.camera) != self.place;
         if moves && self.scene.observer == self.observer {
             self.scene.observer = current.observer;

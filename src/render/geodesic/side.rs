@@ -1,8 +1,10 @@
 //! What one scene has on the GPU: its uniform, its table and its bindings. A comparison has two.
 
+use crate::render::wave_limit::WaveLimit;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
-use lightfall_core::gpu::{Drawable, GpuScene, bindings};
+use lightfall_core::gpu::kernel::{table_bytes, uniform};
+use lightfall_core::gpu::{Drawable, GpuHotSpot, GpuScene, GpuStructure, bindings};
 use lightfall_core::optics::disk;
 
 /// The numbers of a scene, and the pipeline that draws them.
@@ -10,6 +12,10 @@ pub(super) struct Side {
     uniform: UniformBuffer<GpuScene>,
     /// The relativistic disk's flux. Always bound; only the variants that need it read it.
     page_thorne: Buffer,
+    /// The disk's structure. Always bound; only the variants that need it read it.
+    structure: Buffer,
+    /// The hot spot. Always bound; only the variants that need it read it.
+    hot_spot: UniformBuffer<GpuHotSpot>,
     bind_group: Option<BindGroup>,
     pipeline: Option<CachedRenderPipelineId>,
 }
@@ -21,18 +27,17 @@ pub(super) struct Shared {
     /// The map of the view `error`. Always bound; only that view reads it, and only the current
     /// scene can have that view.
     pub(super) error_map: Buffer,
+    /// The most waves of the disk's structure that are drawn.
+    pub(super) waves: WaveLimit,
 }
 
 impl Side {
     pub(super) fn new(device: &RenderDevice) -> Self {
         Self {
             uniform: UniformBuffer::from(GpuScene::default()),
-            page_thorne: device.create_buffer(&BufferDescriptor {
-                label: Some("Page-Thorne table"),
-                size: PAGE_THORNE_SIZE,
-                usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            }),
+            page_thorne: written_buffer(device, "Page-Thorne table", PAGE_THORNE_SIZE),
+            structure: written_buffer(device, "disk structure", GpuStructure::SIZE),
+            hot_spot: UniformBuffer::from(GpuHotSpot::default()),
             bind_group: None,
             pipeline: None,
         }
@@ -48,12 +53,18 @@ impl Side {
     ) {
         self.uniform.set(scene.numbers().clone());
         self.uniform.write_buffer(device, queue);
+        self.hot_spot.set(GpuHotSpot::new(scene));
+        self.hot_spot.write_buffer(device, queue);
         if let disk::Profile::PageThorne(disk) = disk::Profile::new(scene) {
             queue.write_buffer(&self.page_thorne, 0, &table_bytes(&disk.table()));
+        }
+        if let Some(structure) = GpuStructure::new(scene, shared.waves.0) {
+            queue.write_buffer(&self.structure, 0, &uniform(&structure));
         }
         self.pipeline = Some(pipeline);
         if self.bind_group.is_none()
             && let Some(uniform) = self.uniform.binding()
+            && let Some(hot_spot) = self.hot_spot.binding()
         {
             self.bind_group = Some(device.create_bind_group(
                 "geodesic bindings",
@@ -63,6 +74,8 @@ impl Side {
                     (bindings::SPECTRUM, shared.spectrum.as_entire_binding()),
                     (bindings::PAGE_THORNE, self.page_thorne.as_entire_binding()),
                     (bindings::ERROR_MAP, shared.error_map.as_entire_binding()),
+                    (bindings::STRUCTURE, self.structure.as_entire_binding()),
+                    (bindings::HOT_SPOT, hot_spot),
                 )),
             ));
         }
@@ -78,14 +91,15 @@ impl Side {
     }
 }
 
+/// A uniform that is written when the scene changes.
+fn written_buffer(device: &RenderDevice, label: &'static str, size: u64) -> Buffer {
+    device.create_buffer(&BufferDescriptor {
+        label: Some(label),
+        size,
+        usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
+}
+
 /// Size of the table of the disk model `page-thorne`, in bytes.
 pub(super) const PAGE_THORNE_SIZE: u64 = size_of::<[[f32; 4]; disk::TABLE_LEN]>() as u64;
-
-/// The bytes of a table in a uniform.
-pub(super) fn table_bytes(table: &[[f32; 4]]) -> Vec<u8> {
-    table
-        .iter()
-        .flatten()
-        .flat_map(|value| value.to_le_bytes())
-        .collect()
-}

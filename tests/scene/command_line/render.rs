@@ -20,7 +20,9 @@ fn render_reads_channels_and_frames() {
         .collect();
     assert_eq!(
         names,
-        ["sky.z", "hit1.r", "hit1.phi", "hit1.g", "hit1.T", "steps"]
+        [
+            "sky.z", "hit1.r", "hit1.phi", "hit1.g", "hit1.T", "hit1.t", "steps"
+        ]
     );
     for list in ["foo", "sky,", "SKY", "hit3", "hit1.", "."] {
         let error = refuse(&format!("lightfall render -o a.exr --aov={list}")).to_string();

@@ -11,6 +11,7 @@ mod backward;
 mod camera_tracer;
 mod chart;
 mod class;
+mod delay;
 mod edge;
 mod finite;
 mod near_edge;
@@ -23,7 +24,9 @@ mod sample;
 mod summary;
 mod truth;
 
+pub use delay::{DelayError, TimedRay};
 pub use edge::Shadow;
+pub(crate) use finite::greater;
 pub use picture::picture_errors;
 pub use ray::Ray;
 pub use sample::{EDGE_DISTANCES, rays_near_edge, rays_over_picture, rays_over_sky};

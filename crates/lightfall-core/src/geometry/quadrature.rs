@@ -1,5 +1,7 @@
 //! Numerical integration.
 
+use std::f64::consts::PI;
+
 /// Non-negative nodes and weights of the Gauss-Legendre rule with seven points on [-1, 1]: the node
 /// at zero, and one node of each of the three symmetric pairs.
 const NODES: [[f64; 2]; 4] = [
@@ -12,6 +14,10 @@ const NODES: [[f64; 2]; 4] = [
 /// Maximum relative difference between an integral and the sum over its halves.
 const TOLERANCE: f64 = 1e-12;
 
+/// Number of Newton's steps that take the first guess of a root of Legendre's polynomial to its
+/// last digit.
+const NEWTON_STEPS: u32 = 8;
+
 /// Maximum number of times that an interval is halved.
 const MAX_HALVINGS: u32 = 24;
 
@@ -19,24 +25,37 @@ const MAX_HALVINGS: u32 = 24;
 /// interval is halved until the two halves agree with the whole.
 #[must_use]
 pub fn integral(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
-    refined(from, to, gauss_legendre(from, to, f), MAX_HALVINGS, f)
+    integral_on_scale(0.0, from, to, f)
 }
 
-fn refined(from: f64, to: f64, whole: f64, halvings: u32, f: &impl Fn(f64) -> f64) -> f64 {
+/// As [`integral`], but the error may also be 1e-12 times `scale`: for functions that change sign,
+/// or that are nothing but rounding.
+#[must_use]
+pub fn integral_on_scale(scale: f64, from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
+    let whole = seven_points(from, to, f);
+    refined(scale, [from, to], whole, MAX_HALVINGS, f)
+}
+
+fn refined(
+    scale: f64,
+    [from, to]: [f64; 2],
+    whole: f64,
+    halvings: u32,
+    f: &impl Fn(f64) -> f64,
+) -> f64 {
     let middle = 0.5 * (from + to);
-    let halves = [
-        gauss_legendre(from, middle, f),
-        gauss_legendre(middle, to, f),
-    ];
+    let halves = [seven_points(from, middle, f), seven_points(middle, to, f)];
     let sum = halves[0] + halves[1];
-    if halvings == 0 || (sum - whole).abs() <= TOLERANCE * sum.abs() {
+    let differs = (sum - whole).abs() > TOLERANCE * sum.abs().max(scale);
+    // False for NaN, so that the halving ends.
+    if halvings == 0 || !differs {
         return sum;
     }
-    refined(from, middle, halves[0], halvings - 1, f)
-        + refined(middle, to, halves[1], halvings - 1, f)
+    refined(scale, [from, middle], halves[0], halvings - 1, f)
+        + refined(scale, [middle, to], halves[1], halvings - 1, f)
 }
 
-fn gauss_legendre(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
+fn seven_points(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     let pair = |[node, weight]: [f64; 2]| {
         let values = if node == 0.0 {
@@ -47,4 +66,29 @@ fn gauss_legendre(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
         weight * values
     };
     half * NODES.into_iter().map(pair).sum::<f64>()
+}
+
+/// Nodes and weights of the Gauss-Legendre rule with `count` points on [0, 1], in growing order of
+/// the nodes: the roots of Legendre's polynomial by Newton's method (Abramowitz & Stegun 1964
+/// 25.4.29).
+#[must_use]
+pub fn gauss_legendre(count: usize) -> Vec<(f64, f64)> {
+    let node = |i: usize| {
+        let mut x = -(PI * (i as f64 + 0.75) / (count as f64 + 0.5)).cos();
+        let mut slope = 1.0;
+        for _ in 0..NEWTON_STEPS {
+            let (mut before, mut value) = (1.0, x);
+            for k in 2..=count {
+                let k = k as f64;
+                (before, value) = (
+                    value,
+                    ((2.0 * k - 1.0) * x * value - (k - 1.0) * before) / k,
+                );
+            }
+            slope = count as f64 * (x * value - before) / (x * x - 1.0);
+            x -= value / slope;
+        }
+        (0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope))
+    };
+    (0..count).map(node).collect()
 }

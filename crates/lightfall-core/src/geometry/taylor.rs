@@ -20,6 +20,16 @@ impl Taylor {
         })
     }
 
+    /// The derivative.
+    #[must_use]
+    pub fn derivative(&self) -> Self {
+        let mut slopes = [0.0; ORDER + 1];
+        for (k, &c) in self.0.iter().enumerate().skip(1) {
+            slopes[k - 1] = k as f64 * c;
+        }
+        Self(slopes)
+    }
+
     /// The root of the series between 0 and `end`, given that its values there differ in sign or
     /// that it vanishes at `end`. Newton's method, with a bisection where a Newton step leaves the
     /// bracket.

@@ -13,6 +13,10 @@ pub const OUTPUT: u32 = 3;
 pub const PAGE_THORNE: u32 = 4;
 /// The grid of the view `error`, a uniform.
 pub const ERROR_MAP: u32 = 5;
+/// The rings and waves of the disk's structure, a uniform.
+pub const STRUCTURE: u32 = 6;
+/// The hot spot of the disk, a uniform.
+pub const HOT_SPOT: u32 = 7;
 
 /// The uniform `Presentation` of the presentation's shader, which has bindings of its own.
 pub const PRESENTATION: u32 = 0;
@@ -30,13 +34,15 @@ pub const DIFFERENCE_RIGHT: u32 = 2;
 pub const WORKGROUP_SIZE: u32 = 64;
 
 /// The constants of the shaders that trace rays or draw the picture.
-pub(super) const CONSTANTS: [(&str, u32); 7] = [
+pub(super) const CONSTANTS: [(&str, u32); 9] = [
     ("BINDING_SCENE", SCENE),
     ("BINDING_SPECTRUM", SPECTRUM),
     ("BINDING_INPUT", INPUT),
     ("BINDING_OUTPUT", OUTPUT),
     ("BINDING_PAGE_THORNE", PAGE_THORNE),
     ("BINDING_ERROR_MAP", ERROR_MAP),
+    ("BINDING_STRUCTURE", STRUCTURE),
+    ("BINDING_HOT_SPOT", HOT_SPOT),
     ("WORKGROUP_SIZE", WORKGROUP_SIZE),
 ];
 

@@ -17,6 +17,15 @@ pub fn uniform<U: ShaderType + WriteInto>(value: &U) -> Vec<u8> {
     bytes.into_inner()
 }
 
+/// The bytes of a table in a uniform.
+pub fn table_bytes(table: &[[f32; 4]]) -> Vec<u8> {
+    table
+        .iter()
+        .flatten()
+        .flat_map(|value| value.to_le_bytes())
+        .collect()
+}
+
 /// A compute shader that maps a storage array (binding [`INPUT`](bindings::INPUT)) to another one
 /// (binding [`OUTPUT`](bindings::OUTPUT)), one element per invocation, in workgroups of
 /// [`WORKGROUP_SIZE`](bindings::WORKGROUP_SIZE). The other bindings are uniforms.

@@ -19,6 +19,7 @@ mod read_back;
 mod requirements;
 mod scene;
 mod shader;
+mod structure;
 pub mod timing;
 
 pub use adapter::{
@@ -35,7 +36,8 @@ pub use presentation::Presentation;
 pub use read_back::read_back;
 pub use requirements::Abilities;
 pub use scene::{
-    GpuDisk, GpuHole, GpuObserver, GpuPicture, GpuQuality, GpuScene, GpuShadow, GpuSky,
+    GpuDisk, GpuHole, GpuHotSpot, GpuObserver, GpuPicture, GpuQuality, GpuScene, GpuShadow, GpuSky,
     MARK_BRIGHTNESS,
 };
 pub use shader::{Entry, ShaderText, Tracer, Variant};
+pub use structure::{GpuGroup, GpuRing, GpuStructure};

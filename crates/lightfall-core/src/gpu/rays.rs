@@ -4,7 +4,7 @@ use super::bindings;
 use super::device::Gpu;
 use super::error::GpuError;
 use super::kernel::{Kernel, uniform};
-use super::scene::GpuScene;
+use super::scene::{GpuScene, time_lead};
 use super::shader::Variant;
 use crate::optics::trace::{Hit, Outcome, Trace};
 use crate::scene::Scene;
@@ -22,6 +22,7 @@ const MAX_RAYS: usize = 1 << 15;
 pub struct GpuHit {
     pub position: Vec3,
     pub g: f32,
+    pub delay: f32,
 }
 
 /// The trace of a ray, as shaders/trace.wgsl lays it out.
@@ -45,10 +46,7 @@ pub struct GpuTrace {
 /// # Errors
 /// The GPU cannot trace the scene, or the device failed.
 pub fn trace(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<Trace>, GpuError> {
-    Ok(records(gpu, scene, directions)?
-        .iter()
-        .map(Trace::from)
-        .collect())
+    Ok(traces(scene, &records(gpu, scene, directions)?))
 }
 
 /// As [`trace`], but returns the GPU's own records, which also hold the drift of the angular
@@ -74,10 +72,18 @@ impl RayKernel {
     /// # Errors
     /// The GPU cannot trace the scene.
     pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
+        Self::of_variant(gpu, Variant::rays(scene), scene)
+    }
+
+    /// Compiles a variant that differs from the scene's own.
+    ///
+    /// # Errors
+    /// As [`RayKernel::new`].
+    pub fn of_variant(gpu: &Gpu, variant: Variant, scene: &Scene) -> Result<Self, GpuError> {
         let numbers = GpuScene::for_rays(scene)?;
         Ok(Self(Kernel::new(
             gpu,
-            &Variant::rays(scene).source(),
+            &variant.source(),
             "rays",
             &[(bindings::SCENE, uniform(&numbers))],
         )?))
@@ -95,11 +101,7 @@ impl RayKernel {
         directions: &[Vec3],
     ) -> Result<Vec<Trace>, GpuError> {
         let numbers = GpuScene::new(scene, scene.picture.size())?;
-        Ok(self
-            .run(gpu, &numbers, directions)?
-            .iter()
-            .map(Trace::from)
-            .collect())
+        Ok(traces(scene, &self.run(gpu, &numbers, directions)?))
     }
 
     fn run(
@@ -133,16 +135,25 @@ fn unit(direction: DVec3) -> DVec3 {
     }
 }
 
-impl From<&GpuTrace> for Trace {
-    fn from(record: &GpuTrace) -> Self {
-        let outcome = match record.outcome {
+/// The GPU's records in f64, with the delays that a camera outside the horizon can state.
+fn traces(scene: &Scene, records: &[GpuTrace]) -> Vec<Trace> {
+    let lead = time_lead(scene);
+    records.iter().map(|record| record.trace(lead)).collect()
+}
+
+impl GpuTrace {
+    /// The record in f64. `time_lead` is the part of the delays that the GPU leaves out; `None` for
+    /// a camera that has no delays to state.
+    #[must_use]
+    pub fn trace(&self, time_lead: Option<f64>) -> Trace {
+        let outcome = match self.outcome {
             0 => Outcome::Sky,
             1 => Outcome::Captured,
             _ => Outcome::Unfinished,
         };
         let hit = |i: usize| {
-            ((i as u32) < record.hit_count).then(|| {
-                let GpuHit { position, g } = record.hits[i];
+            ((i as u32) < self.hit_count).then(|| {
+                let GpuHit { position, g, delay } = self.hits[i];
                 let position = position.as_dvec3();
                 let phi = position.y.atan2(position.x);
                 let phi = if phi <= -PI { phi + TAU } else { phi };
@@ -150,15 +161,16 @@ impl From<&GpuTrace> for Trace {
                     r: position.length(),
                     phi,
                     g: f64::from(g),
+                    delay: time_lead.map(|lead| lead + f64::from(delay)),
                 }
             })
         };
-        Self {
+        Trace {
             outcome,
-            sky: (outcome == Outcome::Sky).then(|| record.sky.as_dvec3().normalize_or_zero()),
+            sky: (outcome == Outcome::Sky).then(|| self.sky.as_dvec3().normalize_or_zero()),
             hits: [hit(0), hit(1)],
-            steps: record.steps,
-            residual: f64::from(record.residual),
+            steps: self.steps,
+            residual: f64::from(self.residual),
         }
     }
 }

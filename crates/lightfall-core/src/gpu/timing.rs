@@ -8,10 +8,13 @@ use super::bindings;
 use super::buffer::{buffer_from_bytes, empty_buffer};
 use super::device::Gpu;
 use super::error::GpuError;
-use super::kernel::uniform;
-use super::scene::GpuScene;
+use super::kernel::{table_bytes, uniform};
+use super::scene::{GpuHotSpot, GpuScene};
 use super::shader::Variant;
-use crate::scene::Scene;
+use super::structure::GpuStructure;
+use crate::optics::disk::Profile;
+use crate::optics::spectrum;
+use crate::scene::{HotSpotKind, Scene, SkyMode};
 use glam::UVec2;
 use std::time::{Duration, Instant};
 use timestamps::Timestamps;
@@ -107,11 +110,58 @@ impl Stopwatch {
     /// The GPU cannot trace the scene, the picture is too large for the device, or a shader does
     /// not compile.
     pub fn new(gpu: &Gpu, scene: &Scene, size: UVec2, stage: Stage) -> Result<Self, GpuError> {
+        Self::of_variant(gpu, Variant::timed(scene), scene, size, stage)
+    }
+
+    /// The same with a timed variant that differs from the scene's own.
+    ///
+    /// # Errors
+    /// As [`Stopwatch::new`].
+    pub fn of_variant(
+        gpu: &Gpu,
+        variant: Variant,
+        scene: &Scene,
+        size: UVec2,
+        stage: Stage,
+    ) -> Result<Self, GpuError> {
+        Self::with_tables(gpu, variant, scene, (size, stage), Vec::new())
+    }
+
+    /// The same for the light of a picture's pixels, with everything that shines: as a compute
+    /// entry, in which the disk's structure has a pixel's footprint of fixed size.
+    ///
+    /// # Errors
+    /// As [`Stopwatch::new`].
+    pub fn of_light(gpu: &Gpu, scene: &Scene, size: UVec2) -> Result<Self, GpuError> {
+        let variant = Variant::timed_light(scene);
+        let mut tables = Vec::new();
+        if variant.disk || variant.sky != SkyMode::Off {
+            tables.push((bindings::SPECTRUM, table_bytes(&spectrum::table())));
+        }
+        if let (true, Profile::PageThorne(disk)) = (variant.disk, Profile::new(scene)) {
+            tables.push((bindings::PAGE_THORNE, table_bytes(&disk.table())));
+        }
+        if let (true, Some(structure)) = (variant.structure, GpuStructure::new(scene, None)) {
+            tables.push((bindings::STRUCTURE, uniform(&structure)));
+        }
+        if variant.hot_spot != HotSpotKind::None {
+            tables.push((bindings::HOT_SPOT, uniform(&GpuHotSpot::new(scene))));
+        }
+        Self::with_tables(gpu, variant, scene, (size, Stage::Compute), tables)
+    }
+
+    fn with_tables(
+        gpu: &Gpu,
+        variant: Variant,
+        scene: &Scene,
+        (size, stage): (UVec2, Stage),
+        tables: Vec<(u32, Vec<u8>)>,
+    ) -> Result<Self, GpuError> {
         let numbers = GpuScene::new(scene, size)?;
         if stage == Stage::Compute {
             check_output_size(gpu, size)?;
         }
-        let module = gpu.shader("timed", &Variant::timed(scene).source())?;
+        let module = gpu.shader("timed", &variant.source())?;
         gpu.validated(|| {
             let numbers =
                 buffer_from_bytes(gpu, "scene", &uniform(&numbers), BufferUsages::UNIFORM);
@@ -127,6 +177,13 @@ impl Stopwatch {
                     (work, layout, None)
                 }
             };
+            let tables: Vec<(u32, Buffer)> = tables
+                .iter()
+                .map(|(binding, bytes)| {
+                    let buffer = buffer_from_bytes(gpu, "table", bytes, BufferUsages::UNIFORM);
+                    (*binding, buffer)
+                })
+                .collect();
             let mut entries = vec![wgpu::BindGroupEntry {
                 binding: bindings::SCENE,
                 resource: numbers.as_entire_binding(),
@@ -134,6 +191,10 @@ impl Stopwatch {
             entries.extend(output.as_ref().map(|output| wgpu::BindGroupEntry {
                 binding: bindings::OUTPUT,
                 resource: output.as_entire_binding(),
+            }));
+            entries.extend(tables.iter().map(|(binding, table)| wgpu::BindGroupEntry {
+                binding: *binding,
+                resource: table.as_entire_binding(),
             }));
             let bind_group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: None,

@@ -9,20 +9,24 @@ pub use page_thorne::{PageThorne, TABLE_LEN};
 
 use crate::geometry::kerr::{CircularOrbit, Kerr};
 use crate::scene::{Disk, DiskModel, Scene};
+use std::f64::consts::TAU;
 
 /// The disk's inner edge, in r_s: `disk.inner`, or the innermost stable circular orbit where that
 /// lies farther out or `disk.follow_isco` asks for it.
 #[must_use]
 pub fn inner_edge(scene: &Scene) -> f64 {
-    let isco = Kerr {
+    scene.inner_edge()
+}
+
+/// How long an orbit at the disk's inner edge takes, in r_s/c of Boyer-Lindquist's time: that of a
+/// clock far away.
+#[must_use]
+pub fn inner_period(scene: &Scene) -> Option<f64> {
+    let kerr = Kerr {
         spin: scene.hole.spin,
-    }
-    .isco();
-    if scene.disk.follow_isco {
-        isco
-    } else {
-        scene.disk.inner.max(isco)
-    }
+    };
+    let orbit = kerr.circular_orbit(inner_edge(scene))?;
+    Some(TAU / orbit.angular_velocity)
 }
 
 /// The radial profile of a scene's disk.

@@ -5,7 +5,8 @@
 //! leaves the rest visible. The sky counts a little, so that the exposure changes smoothly when the
 //! disk leaves the picture.
 
-use crate::geometry::observer::ObserverError;
+use crate::geometry::observer::{ObserverError, Photon};
+use crate::optics::limb::Limb;
 use crate::optics::photometry::DISK_HDR_SCALE;
 use crate::optics::reference::Reference;
 use crate::optics::shift::Shift;
@@ -59,14 +60,21 @@ impl Scene {
     }
 }
 
-/// The exposure, in powers of two, for the light that the scene's camera sees. It does not depend
-/// on the scene's own exposure. Effects that are switched off count as on, so that a switch shows
-/// what it changes; this moves the exposure by no more than 1.5 powers of two. `None` where the meter
-/// sees nothing shine, and in views whose colours are the same at every exposure.
+/// The exposure, in powers of two, for the light that the scene's camera sees, with the scene's
+/// bias. It does not depend on the scene's own exposure. Effects that are switched off count as on,
+/// so that a switch shows what it changes; this moves the exposure by no more than 1.5 powers of
+/// two. `None` where the meter sees nothing shine, and in views whose colours are the same at every
+/// exposure.
 ///
 /// # Errors
 /// If the scene's observer cannot exist.
 pub fn metered_exposure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
+    let metered = meter(scene)?;
+    Ok(metered.map(|exposure| exposure + scene.picture.exposure_bias))
+}
+
+/// The exposure without the scene's bias.
+fn meter(scene: &Scene) -> Result<Option<f64>, ObserverError> {
     let own = measure(scene)?;
     if scene.effects == Effects::default() {
         return Ok(own);
@@ -94,11 +102,12 @@ fn measure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
     {
         return Ok(None);
     }
+    let curve = scene.picture.tone_curve;
     let mean_level = |exposure: f64| {
         let scale = exposure.exp2();
         let levels = samples
             .iter()
-            .map(|sample| sample.weight * level(scale * sample.light));
+            .map(|sample| sample.weight * srgb(curve.level(scale * sample.light)));
         levels.sum::<f64>() / weight
     };
     let [mut low, mut high] = RANGE;
@@ -129,10 +138,12 @@ fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
             1.0
         }
     };
-    let disk_light = |hit: Hit| {
+    let limb = Limb::new(scene);
+    let disk_light = |photon: &Photon, hit: Hit| {
         let flux = profile.flux(hit.r);
         let seen = spectrum::colour(hit.g * disk::temperature(&lit, flux));
-        let scale = flux * beaming(hit.g) * lit.brightness * DISK_HDR_SCALE;
+        let limb = limb.factor(photon, hit.r);
+        let scale = flux * beaming(hit.g) * limb * lit.brightness * DISK_HDR_SCALE;
         DVec3::from(seen) * scale * disk::cover(scene, hit.r)
     };
     let mut samples = Vec::new();
@@ -146,9 +157,10 @@ fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
         let pixel = (0.5 + f64::from(i) * RAY_SPACING).fract() * size;
         let direction = axes * scene.camera.looking(pixel, size);
         let trace = reference.trace(direction);
+        let photon = reference.photon(direction.normalize());
         let (mut light, mut transmission, mut uncovered) = (DVec3::ZERO, 1.0, 1.0);
         for hit in trace.hits.into_iter().flatten() {
-            light += transmission * disk_light(hit);
+            light += transmission * disk_light(&photon, hit);
             transmission *= disk::transmission(scene, hit.r);
             uncovered *= 1.0 - disk::cover(scene, hit.r);
         }
@@ -156,7 +168,6 @@ fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
         // Per covered share, so that a ray at the disk's edge sees the light next to the edge.
         add(covered, light.max_element() / covered.max(1e-9));
         if trace.outcome == Outcome::Sky && scene.sky.mode != SkyMode::Off {
-            let photon = reference.photon(direction.normalize());
             let lambda =
                 scene.camera.r * scene.camera.direction().cross(photon.w).z / photon.energy;
             let g = shift.of_sky(1.0 / photon.energy, lambda).abs();
@@ -167,24 +178,16 @@ fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
     Ok(samples)
 }
 
-/// Level of the screen, from 0 to 1, of light after exposure: the tone mapping's curve for white
-/// light (Khronos PBR Neutral 2024, without its offset), then sRGB's.
-fn level(light: f64) -> f64 {
-    const SHOULDER: f64 = 0.76;
-    let mapped = if light < SHOULDER {
-        light
+/// sRGB's level of a linear one.
+fn srgb(linear: f64) -> f64 {
+    if linear <= 0.003_130_8 {
+        12.92 * linear
     } else {
-        let rest = 1.0 - SHOULDER;
-        1.0 - rest * rest / (light + rest - SHOULDER)
-    };
-    if mapped <= 0.003_130_8 {
-        12.92 * mapped
-    } else {
-        1.055 * mapped.powf(1.0 / 2.4) - 0.055
+        1.055 * linear.powf(1.0 / 2.4) - 0.055
     }
 }
 
-/// The light of a level below the shoulder.
+/// The linear level of sRGB's level.
 fn linear(level: f64) -> f64 {
     ((level + 0.055) / 1.055).powf(2.4)
 }

@@ -1,20 +1,14 @@
-//! The path of one ray, to be drawn and read: points along it, the angle it sweeps, and the time
-//! the light takes.
+//! The path of one ray, to be drawn and read: points along it, and the angle it sweeps.
 //!
-//! The path takes the same steps as the reference and uses the same series. Two quantities along it
-//! are integrals over Mino time:
-//!
-//! * the angle swept about the hole, from dpsi = |n'| dtau with |n'|^2 = K + a^2 E^2 n_z^2 (without
-//!   the azimuth due to frame dragging);
-//! * the Boyer-Lindquist time that light takes, from
-//!   dt = ((r^2 + a^2) (E (r^2 + a^2) - a L) / Delta + a L - a^2 E sin^2 theta) dtau (Carter 1968;
-//!   Misner, Thorne & Wheeler 1973 eq. 33.32d).
+//! The path takes the same steps as the reference and uses the same series. The angle swept about
+//! the hole is the integral of dpsi = |n'| dtau with |n'|^2 = K + a^2 E^2 n_z^2 (without the
+//! azimuth due to frame dragging).
 
 use crate::geometry::kerr::Kerr;
-use crate::geometry::mino::{Constants, Expansion, State};
+use crate::geometry::mino::{Constants, State};
 use crate::geometry::observer::Photon;
 use crate::geometry::quadrature::integral;
-use crate::optics::reference::{HoleAndDisk, Reference};
+use crate::optics::reference::{HoleAndDisk, Reference, Step};
 use crate::optics::trace::{Outcome, Trace};
 use glam::{DMat3, DVec3};
 use std::f64::consts::PI;
@@ -43,8 +37,6 @@ pub struct Path {
     pub closest_r: f64,
     /// Angle swept about the hole up to the first hit, or else along the whole ray, in radians.
     pub swept_angle: f64,
-    /// Boyer-Lindquist time from the emission at each of the disk's hits to the camera, in r_s / c.
-    pub delays: [Option<f64>; 2],
     /// Constants of the motion; `None` for a straight ray, which has none.
     pub constants: Option<Invariants>,
 }
@@ -62,10 +54,10 @@ pub struct Invariants {
 
 impl Path {
     /// Traces the ray that arrives from the unit direction `direction`, given on the observer's
-    /// axes, and follows its path out to the radius `max_r` (r_s).
+    /// axes, with its delays, and follows its path out to the radius `max_r` (r_s).
     #[must_use]
     pub fn of(reference: &Reference, direction: DVec3, max_r: f64) -> (Trace, Self) {
-        let trace = reference.trace(direction);
+        let trace = reference.trace_with_delays(direction);
         let photon = reference.photon(direction.normalize());
         let (r, n) = reference.camera();
         let hole_and_disk = reference.hole_and_disk();
@@ -100,37 +92,19 @@ fn lensed_path(
         points: Vec::new(),
         closest_r: r,
         swept_angle: 0.0,
-        delays: [None; 2],
         constants: Some(invariants(&constants)),
     };
-    let (mut angle, mut delay, mut found) = (0.0, 0.0, 0);
-    let angle_within = |expansion: &Expansion, end: f64| {
-        integral(0.0, end, &|t| constants.angle_rate(&expansion.at(t)))
-    };
-    let time_within = |expansion: &Expansion, end: f64| {
-        integral(0.0, end, &|t| constants.time_rate(kerr, &expansion.at(t)))
-    };
-    hole_and_disk.follow(&constants, start, |_, expansion, end| {
-        path.closest_r = path.closest_r.min(min_radius(expansion, end));
-        // The next hit lies in the step that crosses the disk's plane at the hit's radius.
-        let hit = trace.hits.get(found).copied().flatten();
-        let hit_time = hit.and_then(|hit| time_of_hit(expansion, end, 1.0 / hit.r));
-        if let Some(time) = hit_time {
-            if found == 0 {
-                path.swept_angle = angle + angle_within(expansion, time);
-            }
-            path.delays[found] = (!constants.ingoing).then(|| delay + time_within(expansion, time));
-            found += 1;
+    let (mut angle, mut angle_to_hit) = (0.0, None);
+    hole_and_disk.follow(&constants, start, |step| {
+        path.closest_r = path.closest_r.min(min_radius(step));
+        let angle_within =
+            |end| integral(0.0, end, &|t| constants.angle_rate(&step.expansion.at(t)));
+        if let (None, Some(time)) = (angle_to_hit, step.hit) {
+            angle_to_hit = Some(angle + angle_within(time));
         }
-        angle += angle_within(expansion, end);
-        // Only while another hit is to come: over the whole ray the time diverges.
-        if trace.hits.get(found).is_some_and(Option::is_some) {
-            delay += time_within(expansion, end);
-        }
+        angle += angle_within(step.length);
     });
-    if trace.hits[0].is_none() {
-        path.swept_angle = angle;
-    }
+    path.swept_angle = angle_to_hit.unwrap_or(angle);
     if trace.outcome == Outcome::Captured {
         path.closest_r = kerr.horizon().min(r);
     }
@@ -204,7 +178,6 @@ fn straight_path(kerr: Kerr, photon: &Photon, r: f64, n: DVec3, trace: &Trace, m
     let hit =
         trace.hits[0].map(|hit| DVec3::new(hit.r * hit.phi.cos(), hit.r * hit.phi.sin(), 0.0));
     let swept_angle = hit.map_or(n.angle_between(direction), |hit| n.angle_between(hit));
-    let delays = [hit.map(|hit| hit.distance(start)), None];
     let points = (0..=POINTS_PER_STEP)
         .map(|i| start + direction * (length * i as f64 / POINTS_PER_STEP as f64))
         .collect();
@@ -212,7 +185,6 @@ fn straight_path(kerr: Kerr, photon: &Photon, r: f64, n: DVec3, trace: &Trace, m
         points,
         closest_r,
         swept_angle,
-        delays,
         constants: None,
     }
 }
@@ -233,41 +205,19 @@ impl Constants {
             .max(0.0)
             .sqrt()
     }
-
-    /// dt / dtau, in r_s^2, outside the horizon.
-    fn time_rate(&self, kerr: Kerr, state: &State) -> f64 {
-        let (a, r) = (self.a, 1.0 / state.u);
-        let r2_plus_a2 = r * r + a * a;
-        let sin2 = 1.0 - state.n.z * state.n.z;
-        r2_plus_a2 * (self.energy * r2_plus_a2 - a * self.angular_momentum) / kerr.delta(r)
-            + a * self.angular_momentum
-            - a * a * self.energy * sin2
-    }
 }
 
 /// The smallest r of a step.
-fn min_radius(expansion: &Expansion, end: f64) -> f64 {
-    let (first, last) = (expansion.at(0.0), expansion.at(end));
+fn min_radius(
+    Step {
+        expansion, length, ..
+    }: &Step,
+) -> f64 {
+    let (first, last) = (expansion.at(0.0), expansion.at(*length));
     let mut u = first.u.max(last.u);
     if first.du > 0.0 && last.du < 0.0 {
-        let (mut low, mut high) = (0.0, end);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if expansion.at(middle).du > 0.0 {
-                low = middle
-            } else {
-                high = middle
-            }
-        }
-        u = u.max(expansion.at(low).u);
+        let turn = expansion.u.derivative().root(*length);
+        u = u.max(expansion.at(turn).u);
     }
     1.0 / u
-}
-
-/// The Mino time within a step at which the ray crosses the disk's plane, if it does so at this u.
-fn time_of_hit(expansion: &Expansion, end: f64, u: f64) -> Option<f64> {
-    let (before, after) = (expansion.at(0.0).n.z, expansion.at(end).n.z);
-    let crosses = before > 0.0 && after <= 0.0 || before < 0.0 && after >= 0.0;
-    let time = crosses.then(|| expansion.n[2].root(end))?;
-    ((expansion.at(time).u - u).abs() <= 1e-9 * u).then_some(time)
 }

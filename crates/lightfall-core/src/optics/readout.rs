@@ -15,6 +15,8 @@ use crate::geometry::kerr::Kerr;
 use crate::geometry::observer::{ObserverError, observer_matrix};
 use crate::geometry::tetrad::{four_velocity, relative_velocity};
 use crate::optics::camera_rays::CameraRays;
+use crate::optics::echo::{ORDERS, echo};
+use crate::optics::hot_spot::HotSpot;
 use crate::optics::reference::Reference;
 use crate::optics::shift::{RestFrame, Shift};
 use crate::optics::trace::Outcome;
@@ -46,6 +48,18 @@ pub struct Readout {
     pub acceleration: f64,
     /// Largest tidal stretching: relative acceleration per distance, in c^2/r_s^2.
     pub tide: f64,
+    /// The hot spot; `None` if the scene has none.
+    pub hot_spot: Option<HotSpotReadout>,
+}
+
+/// The hot spot's motion, and the echo of its light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HotSpotReadout {
+    /// How long it takes for one turn, in r_s/c.
+    pub period: f64,
+    /// How long the light of its images of order 0, 1 and 2 was under way, in r_s/c; `None` for an
+    /// image that is not known.
+    pub delays: [Option<f64>; ORDERS as usize],
 }
 
 /// The light from straight ahead: from the first crossing of the disk, or else from the sky.
@@ -107,8 +121,25 @@ impl Readout {
                 held_acceleration(kerr, observer.kind, r, theta)
             },
             tide: tide(kerr, r, camera.direction(), &u),
+            hot_spot: hot_spot(scene)?,
         })
     }
+}
+
+fn hot_spot(scene: &Scene) -> Result<Option<HotSpotReadout>, ObserverError> {
+    let mut scene = scene.clone();
+    scene.effects = crate::scene::Effects::default();
+    let Some(spot) = HotSpot::new(&scene) else {
+        return Ok(None);
+    };
+    let mut delays = [None; ORDERS as usize];
+    for image in echo(&scene)? {
+        delays[image.order as usize] = Some(image.delay);
+    }
+    Ok(Some(HotSpotReadout {
+        period: spot.period(),
+        delays,
+    }))
 }
 
 fn light_ahead(scene: &Scene) -> Result<Option<LightAhead>, ObserverError> {

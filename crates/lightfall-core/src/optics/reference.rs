@@ -42,6 +42,17 @@ pub struct HoleAndDisk {
     pub annulus: Option<[f64; 2]>,
 }
 
+/// A step along a ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step<'a> {
+    /// The motion from the step's start on.
+    pub expansion: &'a Expansion,
+    /// The step's length in Mino time.
+    pub length: f64,
+    /// The Mino time of the hit that the trace has found in the step.
+    pub hit: Option<f64>,
+}
+
 impl Reference {
     /// Prepares the rays of `scene`.
     ///
@@ -74,9 +85,37 @@ impl Reference {
 
     /// Follows the ray that arrives from `direction`, given on the observer's axes and of any
     /// length. For a direction that is zero or not finite the outcome is `Unfinished` and the
-    /// residual NaN.
+    /// residual NaN. Delays are left out, but for those of straight rays, which cost nothing.
     #[must_use]
     pub fn trace(&self, direction: DVec3) -> Trace {
+        self.trace_by(direction, HoleAndDisk::trace)
+    }
+
+    /// As [`trace`](Self::trace), with the hits' delays if the camera is outside the horizon.
+    #[must_use]
+    pub fn trace_with_delays(&self, direction: DVec3) -> Trace {
+        let mut trace = self.trace_with_lags(direction);
+        // `Lag` compares in the same way, so that rounding cannot make the two disagree.
+        if 1.0 / self.r >= 1.0 / self.hole_and_disk.kerr.horizon() {
+            for hit in trace.hits.iter_mut().flatten() {
+                hit.delay = None;
+            }
+        }
+        trace
+    }
+
+    /// As [`trace`](Self::trace), with the hits' [lags](crate::optics::delay::Lag) in place of
+    /// their delays, wherever the camera is. Outside the horizon both are the same.
+    #[must_use]
+    pub fn trace_with_lags(&self, direction: DVec3) -> Trace {
+        self.trace_by(direction, HoleAndDisk::trace_with_lags)
+    }
+
+    fn trace_by(
+        &self,
+        direction: DVec3,
+        lensed: impl Fn(&HoleAndDisk, &Constants, State) -> Trace,
+    ) -> Trace {
         let Some(direction) = (direction / direction.abs().max_element()).try_normalize() else {
             return Trace {
                 outcome: Outcome::Unfinished,
@@ -91,7 +130,7 @@ impl Reference {
         let (mut trace, lambda) = if self.lensing {
             let (constants, start) = Constants::of_photon(kerr, &photon, self.r, self.n);
             (
-                self.hole_and_disk.trace(&constants, start),
+                lensed(&self.hole_and_disk, &constants, start),
                 constants.angular_momentum / constants.energy,
             )
         } else {
@@ -133,16 +172,15 @@ impl HoleAndDisk {
     /// Follows the backward ray with these constants from `start` to its end.
     #[must_use]
     pub fn trace(&self, constants: &Constants, start: State) -> Trace {
-        self.follow(constants, start, |_, _, _| {})
+        self.follow(constants, start, |_| {})
     }
 
-    /// As [`trace`](Self::trace), and calls `visit` with every step: its start, its series, and its
-    /// length in Mino time.
+    /// As [`trace`](Self::trace), and calls `visit` with every step.
     pub fn follow(
         &self,
         constants: &Constants,
         start: State,
-        mut visit: impl FnMut(&State, &Expansion, f64),
+        mut visit: impl FnMut(&Step),
     ) -> Trace {
         let u_horizon = 1.0 / self.kerr.horizon();
         // Hits lie between these values of u. Without a disk the interval is empty.
@@ -183,9 +221,9 @@ impl HoleAndDisk {
             if !(end_time > 0.0 && end.n.is_finite() && end.u.is_finite()) {
                 return trace;
             }
-            visit(&state, &expansion, end_time);
             trace.steps += 1;
             trace.residual = trace.residual.max(constants.residual(&end));
+            let mut hit_time = None;
             if let Some(time) = time_to_plane(&expansion, end.n.z, end_time) {
                 let crossing = expansion.at(time);
                 if crossing.u > u_outer && crossing.u < u_inner {
@@ -193,9 +231,15 @@ impl HoleAndDisk {
                     let free = trace.hits.iter_mut().find(|slot| slot.is_none());
                     if let (Some(slot), Some(hit)) = (free, hit) {
                         *slot = Some(hit);
+                        hit_time = Some(time);
                     }
                 }
             }
+            visit(&Step {
+                expansion: &expansion,
+                length: end_time,
+                hit: hit_time,
+            });
             if to_infinity.is_some() {
                 // Light of negative energy cannot come from infinity.
                 if constants.energy <= 0.0 {
@@ -217,7 +261,7 @@ impl HoleAndDisk {
     }
 
     /// The hit at a crossing of the disk's plane; `None` where no circular orbit exists.
-    fn hit(&self, constants: &Constants, crossing: &State) -> Option<Hit> {
+    pub(super) fn hit(&self, constants: &Constants, crossing: &State) -> Option<Hit> {
         let r = 1.0 / crossing.u;
         let orbit = self.kerr.circular_orbit(r)?;
         let lead = if constants.ingoing {
@@ -231,6 +275,7 @@ impl HoleAndDisk {
             r,
             phi: wrap_angle(azimuth),
             g,
+            delay: None,
         })
     }
 }

@@ -2,7 +2,7 @@
 //! Boyer-Lindquist r, theta, phi as its spherical coordinates, and the hole is a black ball that
 //! ends at the horizon. The twin in WGSL is shaders/method/straight.wgsl.
 
-use crate::geometry::kerr::Kerr;
+use crate::geometry::kerr::{CircularOrbit, Kerr};
 use crate::geometry::observer::Photon;
 use crate::optics::disk;
 use crate::optics::shift::RestFrame;
@@ -37,17 +37,13 @@ pub fn trace(kerr: Kerr, annulus: Option<[f64; 2]>, photon: &Photon, r: f64, n: 
             let orbit = (inner < r && r < outer)
                 .then(|| kerr.circular_orbit(r))
                 .flatten()?;
-            // For the ZAMO the matter's speed is (Omega - omega) W / N, and the cosine of the angle
-            // between its velocity and the light is -moment_z / r. Their product is Omega times the
-            // effective lambda of the Doppler factor 1 - Omega lambda.
-            let rest = RestFrame::at(kerr, r, FRAC_PI_2);
-            let speed = (orbit.angular_velocity - rest.dragging) * rest.width / rest.lapse;
-            let lambda = -moment.z / r * speed / orbit.angular_velocity;
+            let lambda = lambda(kerr, &orbit, r, moment.z);
             let g = disk::redshift(&orbit, photon.energy, photon.energy * lambda);
             Some(Hit {
                 r,
                 phi: crossing.y.atan2(crossing.x),
                 g,
+                delay: Some(to_plane),
             })
         });
     Trace {
@@ -61,4 +57,17 @@ pub fn trace(kerr: Kerr, annulus: Option<[f64; 2]>, photon: &Photon, r: f64, n: 
         steps: 0,
         residual: 0.0,
     }
+}
+
+/// The lambda for which 1 - Omega lambda is the Doppler factor of matter on this orbit of radius
+/// `r` (r_s), for a straight ray whose moment about the axis, per unit length of its direction, is
+/// `moment_z`.
+///
+/// For the ZAMO the matter's speed is (Omega - omega) W / N, and the cosine of the angle between
+/// its velocity and the light is -moment_z / r. Their product is Omega lambda.
+#[must_use]
+pub fn lambda(kerr: Kerr, orbit: &CircularOrbit, r: f64, moment_z: f64) -> f64 {
+    let rest = RestFrame::at(kerr, r, FRAC_PI_2);
+    let speed = (orbit.angular_velocity - rest.dragging) * rest.width / rest.lapse;
+    -moment_z / r * speed / orbit.angular_velocity
 }

@@ -46,6 +46,10 @@ pub struct Hit {
     pub phi: f64,
     /// Observed over emitted frequency of light from matter on the circular orbit there.
     pub g: f64,
+    /// Time between emission and arrival, in r_s/c: Boyer-Lindquist's, or without lensing that of
+    /// flat space. `None` for a camera at or inside the horizon, which Boyer-Lindquist's time does
+    /// not reach, and where it was not asked for.
+    pub delay: Option<f64>,
 }
 
 /// The result of tracing a ray.

@@ -113,8 +113,18 @@ impl Worldline {
     }
 
     /// Advances the observer by `proper_time` (r_s, not negative) and writes its place and motion
-    /// to `scene`. Returns the limit that ended the motion earlier, if there was one.
+    /// to `scene`. The clock of a disk that moves goes on by the time of the scene's own clock,
+    /// [`clock`](Self::clock). Returns the limit that ended the motion earlier, if there was one.
     pub fn advance(&mut self, proper_time: f64, scene: &mut Scene) -> Option<Limit> {
+        let before = self.clock();
+        let limit = self.move_on(proper_time, scene);
+        if scene.disk_moves() {
+            scene.disk.time += self.clock() - before;
+        }
+        limit
+    }
+
+    fn move_on(&mut self, proper_time: f64, scene: &mut Scene) -> Option<Limit> {
         let kerr = self.kerr;
         match &mut self.motion {
             Motion::Circular {
@@ -162,6 +172,28 @@ impl Worldline {
                 let lead = |r: f64| self.kerr.ingoing_time_lead(r);
                 (r > horizon && self.start_r > horizon)
                     .then(|| fall.geodesic.state.ingoing_time - (lead(r) - lead(self.start_r)))
+            }
+        }
+    }
+
+    /// The time of `disk.time` along the worldline, in r_s/c, from a start of its own: outside the
+    /// horizon Boyer-Lindquist's t, and at and inside the horizon Kerr's ingoing time v = t + r*.
+    /// There t is infinite, while v is regular all along the worldline. The light that falls in
+    /// with the observer keeps v, so that what is seen goes on without a break.
+    #[must_use]
+    pub fn clock(&self) -> f64 {
+        match &self.motion {
+            Motion::Circular {
+                orbit, proper_time, ..
+            } => orbit.u_t * proper_time,
+            Motion::Free(fall) => {
+                let r = 1.0 / fall.geodesic.state.u;
+                let lead = if r > self.kerr.horizon() {
+                    self.kerr.ingoing_time_lead(r)
+                } else {
+                    0.0
+                };
+                fall.geodesic.state.ingoing_time - lead
             }
         }
     }

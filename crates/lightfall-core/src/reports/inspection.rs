@@ -1,7 +1,7 @@
 //! Everything about one ray, as numbers that can be read, copied and compared: the contents of the
 //! ray inspector.
 
-use crate::accuracy::{Ray, Truth};
+use crate::accuracy::{Ray, Truth, greater};
 use crate::geometry::observer::ObserverError;
 use crate::optics::disk;
 use crate::optics::disk::Profile;
@@ -47,9 +47,11 @@ pub struct Inspection {
     pub half_turns: f64,
     /// Order of the image: whole half-turns.
     pub order: Option<u32>,
-    /// Temperature of the matter at the first hit, in kelvin.
+    /// Temperature of the matter at the first hit, in kelvin, for a disk without structure and hot
+    /// spot.
     pub hit1_temperature_k: Option<f64>,
-    /// Boyer-Lindquist time from the emission there to the camera, in r_s / c.
+    /// Boyer-Lindquist time from the emission there to the camera, in r_s/c: `cpu.hit1_t` under
+    /// its older name.
     pub hit1_delay: Option<f64>,
     /// As hit1_temperature_k, at the second hit.
     pub hit2_temperature_k: Option<f64>,
@@ -70,6 +72,8 @@ pub struct Difference {
     pub hit_r: Option<f64>,
     /// Largest relative difference of the hits' g.
     pub hit_g: Option<f64>,
+    /// Largest difference of the hits' delays, in r_s/c.
+    pub hit_t: Option<f64>,
     /// The turn of the ray that explains the difference, in radians; `None` if no turn does.
     pub backward: Option<f64>,
     /// The same as a multiple of the angle that a pixel in the picture's middle covers.
@@ -95,6 +99,8 @@ pub struct Record {
     pub hit2_g: Option<f64>,
     pub steps: u32,
     pub residual: f64,
+    pub hit1_t: Option<f64>,
+    pub hit2_t: Option<f64>,
 }
 
 impl From<&Trace> for Record {
@@ -114,6 +120,8 @@ impl From<&Trace> for Record {
             hit2_g: of(second, |hit| hit.g),
             steps: trace.steps,
             residual: trace.residual,
+            hit1_t: first.and_then(|hit| hit.delay),
+            hit2_t: second.and_then(|hit| hit.delay),
         }
     }
 }
@@ -165,9 +173,9 @@ impl Inspected {
             half_turns: path.swept_angle / PI,
             order: path.order(&cpu),
             hit1_temperature_k: temperature(cpu.hits[0]),
-            hit1_delay: path.delays[0],
+            hit1_delay: cpu.hits[0].and_then(|hit| hit.delay),
             hit2_temperature_k: temperature(cpu.hits[1]),
-            hit2_delay: path.delays[1],
+            hit2_delay: cpu.hits[1].and_then(|hit| hit.delay),
             difference: None,
         };
         Ok(Self {
@@ -191,6 +199,7 @@ impl Inspected {
     ) -> Result<(), ObserverError> {
         self.numbers.gpu = Some(Record::from(gpu));
         let errors = Truth::of(scene, vec![ray])?.judge(std::slice::from_ref(gpu));
+        let hit_t = largest_delay_difference(&self.trace, gpu);
         self.numbers.difference = errors.first().map(|error| {
             let backward = Some(error.backward).filter(|turn| turn.is_finite());
             Difference {
@@ -198,12 +207,23 @@ impl Inspected {
                 sky: error.sky,
                 hit_r: error.hit_r,
                 hit_g: error.hit_g,
+                hit_t,
                 backward,
                 backward_px: backward.map(|turn| turn / scene.camera.pixel_angle(height)),
             }
         });
         Ok(())
     }
+}
+
+/// The largest difference of the delays of the hits that both traces have, in r_s/c.
+fn largest_delay_difference(one: &Trace, other: &Trace) -> Option<f64> {
+    let pairs = one.hits.iter().zip(&other.hits);
+    let differences = pairs.filter_map(|(one, other)| {
+        let (one, other) = (one.as_ref()?.delay?, other.as_ref()?.delay?);
+        Some((one - other).abs())
+    });
+    differences.reduce(greater)
 }
 
 impl Inspection {

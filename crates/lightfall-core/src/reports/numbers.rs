@@ -53,6 +53,25 @@ pub fn three_digits(number: f64) -> String {
     four_digits((number * scale).round() / scale)
 }
 
+/// A time in the unit that gives it the shortest number, with at most three digits, e.g. `2.82
+/// minutes`. Years are Julian years.
+#[must_use]
+pub fn duration_in_words(seconds: f64) -> String {
+    const UNITS: [(f64, &str); 6] = [
+        (365.25 * 86_400.0, "years"),
+        (86_400.0, "days"),
+        (3600.0, "hours"),
+        (60.0, "minutes"),
+        (1.0, "s"),
+        (1e-3, "ms"),
+    ];
+    let largest = UNITS.iter().find(|(unit, _)| seconds.abs() >= *unit);
+    match largest {
+        Some((unit, name)) => format!("{} {name}", three_digits(seconds / unit)),
+        None => format!("{} s", three_digits(seconds)),
+    }
+}
+
 /// A number with four digits, zeros included, e.g. `20.00` or `0.912`. For read-outs that change
 /// while they are read: their width stays the same.
 #[must_use]

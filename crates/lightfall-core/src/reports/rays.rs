@@ -10,15 +10,15 @@ use std::io::{self, BufRead, Read, Write};
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::optics::trace::Trace;
+use crate::optics::trace::{Hit, Trace};
 
 /// The columns of a ray.
 const COLUMNS: [&str; 3] = ["er", "etheta", "ephi"];
 
 /// The columns of a trace.
-pub const HEADER: [&str; 12] = [
+pub const HEADER: [&str; 14] = [
     "outcome", "sky_x", "sky_y", "sky_z", "hit1_r", "hit1_phi", "hit1_g", "hit2_r", "hit2_phi",
-    "hit2_g", "steps", "residual",
+    "hit2_g", "steps", "residual", "hit1_t", "hit2_t",
 ];
 
 /// Maximum length of a line, in bytes. Three numbers in any notation need far less, and a file
@@ -243,7 +243,16 @@ impl<W: Write> TraceWriter<W> {
         let hits = trace.hits.map(|hit| hit.map(|hit| [hit.r, hit.phi, hit.g]));
         let numbers = [sky, hits[0], hits[1]]
             .map(|numbers| numbers.map_or_else(Default::default, |n| n.map(digits)));
-        let last = [digits(trace.steps), digits(trace.residual)];
+        let delay = |hit: Option<Hit>| {
+            hit.and_then(|hit| hit.delay)
+                .map_or_else(String::new, digits)
+        };
+        let last = [
+            digits(trace.steps),
+            digits(trace.residual),
+            delay(trace.hits[0]),
+            delay(trace.hits[1]),
+        ];
         let fields = [trace.outcome.word()].into_iter().chain(
             numbers
                 .as_flattened()

@@ -30,6 +30,15 @@ impl Camera {
             .normalize()
     }
 
+    /// The place on a picture of `size` pixels, in pixels from the upper left corner, that is seen
+    /// in the direction `looking` (right, up, forward); `None` behind the camera. The inverse of
+    /// [`looking`](Self::looking).
+    pub fn pixel_of(&self, looking: DVec3, size: DVec2) -> Option<DVec2> {
+        let up = self.half_height();
+        let across = looking.truncate() / looking.z / DVec2::new(up * size.x / size.y, up);
+        (looking.z > 0.0).then(|| 0.5 * (across * DVec2::new(1.0, -1.0) + 1.0) * size)
+    }
+
     /// The angle that a pixel in the middle of a picture `height` pixels high covers, in radians.
     pub fn pixel_angle(&self, height: f64) -> f64 {
         2.0 * self.half_height() / height
@@ -48,9 +57,9 @@ impl Camera {
     /// The camera's axes right, up, forward on the observer's axes (outward, theta, phi), one per
     /// column.
     ///
-    /// Without turns the camera looks at the hole: forward is inward, up is decreasing theta, right is
-    /// growing phi. It is turned about its own axes: to the right, then up, then clockwise as seen
-    /// from behind it.
+    /// Without turns the camera looks at the hole: forward is inward, up is decreasing theta, right
+    /// is growing phi. It is turned about its own axes: to the right, then up, then clockwise as
+    /// seen from behind it.
     pub fn tetrad_from_camera(&self) -> DMat3 {
         let [yaw, pitch, roll] = [self.yaw_deg, self.pitch_deg, self.roll_deg].map(sin_cos_deg);
         let [right, up, forward] = [DVec3::Z, -DVec3::Y, -DVec3::X];

@@ -2,7 +2,7 @@
 //! panel all read it.
 
 use super::row::Row;
-use super::{Camera, Disk, Effects, Hole, Observer, Picture, Probe, Quality, Scene, Sky};
+use super::{Camera, Disk, Effects, Hole, HotSpot, Observer, Picture, Probe, Quality, Scene, Sky};
 
 /// One leaf field of a scene.
 pub type Field = Row<Scene>;
@@ -10,13 +10,14 @@ pub type Field = Row<Scene>;
 /// Every leaf field of a scene, in the order of declaration.
 pub const FIELDS: &[Field] = &all_fields();
 
-const TABLES: [&[Field]; 10] = [
+const TABLES: [&[Field]; 11] = [
     Scene::FIELDS,
     Hole::FIELDS,
     Camera::FIELDS,
     Observer::FIELDS,
     Effects::FIELDS,
     Disk::FIELDS,
+    HotSpot::FIELDS,
     Sky::FIELDS,
     Probe::FIELDS,
     Picture::FIELDS,

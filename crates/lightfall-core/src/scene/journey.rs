@@ -8,6 +8,7 @@
 
 mod caption;
 mod check;
+mod clock;
 mod error;
 mod format;
 mod keyframe;
@@ -20,6 +21,7 @@ pub use error::JourneyError;
 pub use load::load;
 pub use track::Track;
 
+use self::clock::Clock;
 use super::presets::Preset;
 use super::{Camera, ObserverKind, Scene};
 use crate::geometry::kerr::Kerr;
@@ -46,6 +48,8 @@ pub struct Journey {
     tracks_in_rain: Tracks,
     /// The kinds of observer, each with the time from which it holds.
     kinds: Vec<(f64, ObserverKind)>,
+    /// What the keyframes say about the disk's clock.
+    clock: Clock,
 }
 
 /// The tracks of all quantities; none for a quantity that no keyframe names.
@@ -81,8 +85,9 @@ impl Journey {
         (time < caption.time + caption.seconds).then_some(caption)
     }
 
-    /// Writes the camera and the observer after `time` seconds into `scene`. Times before the first
-    /// keyframe count as the first, times after the last as the last. The scene is not checked.
+    /// Writes the camera, the observer and the rate of the disk's clock after `time` seconds into
+    /// `scene`. Times before the first keyframe count as the first, times after the last as the
+    /// last. The scene is not checked. [`drive_clock`](Self::drive_clock) writes the disk's time.
     ///
     /// A circular orbit cannot leave its plane: unless the journey itself names an observer, `orbit`
     /// becomes `static`, as when flying by hand.
@@ -111,6 +116,9 @@ impl Journey {
             &self.tracks
         };
         tracks.apply(time, scene);
+        if let Some(rate) = self.clock.rate_at(time) {
+            scene.disk.rate = rate;
+        }
         if tracks.leads("phi_deg") {
             let phi = scene.camera.phi_deg
                 - self
@@ -169,6 +177,26 @@ impl Journey {
         times
             .map(|((from, _), end)| lead(time.min(end)) - lead(*from))
             .sum()
+    }
+
+    /// Writes the time of a disk that moves into `next`, a scene of the time `to`, in seconds after
+    /// the beginning. `before` is the scene of the time `from`, with its camera and its
+    /// `disk.time`. Both have their cameras already. A keyframe that names `disk_time` sets the
+    /// clock, and what passed before does not count.
+    pub fn drive_clock(&self, [from, to]: [f64; 2], before: &Scene, next: &mut Scene) {
+        if !next.disk_moves() {
+            return;
+        }
+        let (start, time, r) = match self.clock.set_before(to) {
+            Some((set, time)) => {
+                let mut there = before.clone();
+                self.apply(set, &mut there);
+                (set, time, there.camera.r)
+            }
+            None => (from, before.disk.time, before.camera.r),
+        };
+        let moved = next.disk_time_lead(next.camera.r) - next.disk_time_lead(r);
+        next.disk.time = time + self.clock.passed(start, to, before.disk.rate) + moved;
     }
 }
 

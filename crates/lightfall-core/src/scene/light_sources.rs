@@ -1,4 +1,4 @@
-//! Light sources: the profiles of the disk's flux, and the skies.
+//! Light sources: what the disk's light is made of, and the skies.
 
 crate::words! {
     /// Radial profile of the disk's flux.
@@ -9,6 +9,46 @@ crate::words! {
         Newtonian = "newtonian",
         /// Relativistic, around Kerr: Page & Thorne 1974, with the same peak.
         PageThorne = "page-thorne",
+    }
+}
+
+crate::words! {
+    /// Structure of the disk's light.
+    #[derive(Default)]
+    pub enum DiskStructure {
+        /// None: a smooth disk.
+        #[default]
+        None = "none",
+        /// Turbulence, sheared into trailing spirals.
+        Turbulent = "turbulent",
+        /// The same drawn out along the orbits, with more contrast, as in films.
+        Streaks = "streaks",
+    }
+}
+
+crate::words! {
+    /// How the brightness of the disk's surface depends on the angle at which it is seen.
+    #[derive(Default)]
+    pub enum LimbDarkening {
+        /// It does not.
+        #[default]
+        None = "none",
+        /// As that of an atmosphere that scatters light on electrons: Chandrasekhar 1960.
+        ElectronScattering = "electron-scattering",
+    }
+}
+
+crate::words! {
+    /// A hot spot in the disk.
+    #[derive(Default)]
+    pub enum HotSpotKind {
+        /// None.
+        #[default]
+        None = "none",
+        /// One that keeps its shape: all of it has the angular velocity of its middle.
+        Rigid = "rigid",
+        /// One that the disk's rotation draws out into an arc.
+        Sheared = "sheared",
     }
 }
 

@@ -6,7 +6,7 @@ use super::error::{Because, Refusal};
 use super::fields::{FIELDS, Field};
 use super::range::{Kind, Range, number};
 use super::tables::{EDGE, POLAR};
-use super::{Effects, Scene};
+use super::{Effects, HotSpotKind, Scene};
 use crate::geometry::kerr::Kerr;
 use crate::geometry::observer::{Limit, min_infall_radius};
 use crate::geometry::sphere::polar_sin_cos;
@@ -68,9 +68,43 @@ impl Scene {
                 };
                 (Range { low, ..range }, Some(because))
             }
+            "hot_spot.r" if self.disk.enabled && self.hot_spot.kind != HotSpotKind::None => {
+                let (low, high) = (Included(self.inner_edge()), Included(self.disk.outer));
+                let because = Because {
+                    keys: vec![
+                        "disk.inner",
+                        "disk.outer",
+                        "disk.follow_isco",
+                        "disk.enabled",
+                        "hole.spin",
+                        "hot_spot.kind",
+                    ],
+                    reason: "between the edges of the disk".into(),
+                };
+                (Range { low, high }, Some(because))
+            }
+            "disk.period" if self.disk.period > 0.0 => {
+                let low = Included(MIN_PERIOD);
+                let because = Because {
+                    keys: Vec::new(),
+                    reason: "0 for a structure that never repeats".into(),
+                };
+                (Range { low, ..range }, Some(because))
+            }
             "picture.grid_width" => grid_range("picture.width", self.picture.width),
             "picture.grid_height" => grid_range("picture.height", self.picture.height),
             _ => (range, None),
+        }
+    }
+
+    /// The disk's inner edge: `disk.inner`, or the innermost stable circular orbit where that lies
+    /// farther out or `disk.follow_isco` asks for it.
+    pub(crate) fn inner_edge(&self) -> f64 {
+        let isco = self.kerr().isco();
+        if self.disk.follow_isco {
+            isco
+        } else {
+            self.disk.inner.max(isco)
         }
     }
 
@@ -131,6 +165,10 @@ impl Scene {
         }
     }
 }
+
+/// The shortest period of a disk's structure, in r_s/c. Without a period no filament lives for less:
+/// the shortest orbit takes 6.3 r_s/c, and the shortest life is a quarter of an orbit.
+const MIN_PERIOD: f64 = 2.0;
 
 /// Largest number of pixels of the HDR picture that a presentation cell averages along each axis. It
 /// bounds the loops of pixelate.wgsl.

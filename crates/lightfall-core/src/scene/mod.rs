@@ -11,6 +11,7 @@
 
 mod camera;
 mod changes;
+mod disk_motion;
 mod edit;
 mod error;
 mod fields;
@@ -28,6 +29,7 @@ mod relevant;
 mod row;
 mod save;
 mod tables;
+mod tone_curve;
 mod value;
 mod view;
 
@@ -36,13 +38,16 @@ pub use changes::Changes;
 pub use error::{Because, Refusal, SceneError};
 pub use fields::{FIELDS, Field, field};
 pub use hint::nearest_name;
-pub use light_sources::{DiskModel, SkyMode};
+pub use light_sources::{DiskModel, DiskStructure, HotSpotKind, LimbDarkening, SkyMode};
 pub use limits::MAX_PIXELS_PER_CELL;
 pub use load::{Override, load};
 pub use method::{AccuracySetting, Method, MethodProperties};
 pub use range::{Kind, MAX_TEXT_CHARS, Range};
 pub use row::Row;
-pub use tables::{Camera, Disk, Effects, Hole, Observer, Picture, Probe, Quality, Scene, Sky};
+pub use tables::{
+    Camera, Disk, Effects, Hole, HotSpot, Observer, Picture, Probe, Quality, Scene, Sky,
+};
+pub use tone_curve::ToneCurve;
 pub use value::Value;
 pub use view::{Content, View, ViewProperties};
 

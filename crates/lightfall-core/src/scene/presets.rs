@@ -29,7 +29,7 @@ macro_rules! presets {
 }
 
 /// The presets in the order of their numbers.
-pub const PRESETS: [Preset; 10] = presets![
+pub const PRESETS: [Preset; 12] = presets![
     1 "telescope",
     2 "edge-on",
     3 "above",
@@ -40,6 +40,8 @@ pub const PRESETS: [Preset; 10] = presets![
     8 "extremal",
     9 "falling",
     10 "article",
+    11 "flare",
+    12 "ring",
 ];
 
 /// The preset with this number or name.

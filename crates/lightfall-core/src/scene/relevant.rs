@@ -1,7 +1,7 @@
 //! Scenes reduced to the fields that matter for one purpose, so that two of them compare equal
 //! exactly when the result is the same.
 
-use super::{Disk, Picture, Scene};
+use super::{Disk, HotSpotKind, Picture, Scene};
 use glam::UVec2;
 
 impl Scene {
@@ -53,6 +53,18 @@ impl Scene {
             },
             ..default
         }
+    }
+
+    /// The scene with only the fields that read-outs depend on: those of its rays, and where a hot
+    /// spot is seen. Other light of the disk, which may move, is left out.
+    #[must_use]
+    pub fn for_readouts(&self) -> Self {
+        let mut needed = self.without_shading();
+        if self.hot_spot.kind != HotSpotKind::None {
+            needed.hot_spot = self.hot_spot;
+            needed.disk.time = self.disk.time;
+        }
+        needed
     }
 }
 

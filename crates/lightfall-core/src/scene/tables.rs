@@ -11,7 +11,10 @@ use serde::{Deserialize, Serialize};
 use super::range::Range;
 use super::row::Row;
 use super::value::FieldValue;
-use super::{DiskModel, MAX_PICTURE_SIDE, MAX_RADIUS, Method, ObserverKind, SCHEMA, SkyMode, View};
+use super::{
+    DiskModel, DiskStructure, HotSpotKind, LimbDarkening, MAX_PICTURE_SIDE, MAX_RADIUS, Method,
+    ObserverKind, SCHEMA, SkyMode, ToneCurve, View,
+};
 
 /// A radius in the disk.
 pub(super) const EDGE: Range = Range::above(0.0, 1e6);
@@ -114,6 +117,8 @@ table! {
         effects: Effects;
         /// The thin disk.
         disk: Disk;
+        /// A hot spot in the disk.
+        hot_spot: HotSpot;
         /// What lies at infinity.
         sky: Sky;
         /// The foreground probe.
@@ -218,6 +223,56 @@ table! {
         edge_taper: f64 = 0.03, Range::closed(0.0, 0.5), "";
         /// Share of the light from behind that passes through.
         transmission: f64 = 0.0, SHARE, "";
+        /// How the surface's brightness depends on the angle at which it is seen.
+        limb: LimbDarkening = LimbDarkening::default();
+        /// Structure of the light: a statistical model of turbulence, carried and sheared by the
+        /// rotation. Streaks multiply contrast by 5/3 (to 1.5 at most), scale by 5/7 (to 0.02 at
+        /// least), aspect by 2.4 (to 20 at most), pitch_deg by 8/15, and lifetime by 1.5 (to 4 at
+        /// most).
+        structure: DiskStructure = DiskStructure::default();
+        /// Standard deviation of the logarithm of the structure's flux.
+        contrast: f64 = 0.6, Range::closed(0.0, 1.5), "";
+        /// Width of the structure's filaments, as a share of the radius.
+        scale: f64 = 0.07, Range::closed(0.02, 0.5), "";
+        /// Length of the filaments over their width.
+        aspect: f64 = 5.0, Range::closed(1.0, 20.0), "";
+        /// Angle by which the filaments trail behind the orbits, in the middle of their lives.
+        pitch_deg: f64 = 15.0, Range::closed(0.0, 45.0), "degrees";
+        /// How long the filaments live.
+        lifetime: f64 = 1.0, Range::closed(0.25, 4.0), "orbits";
+        /// Time after which the structure repeats, at least 2; 0 if it never does. Filaments then
+        /// live for whole parts of it, at most for all of it. A hot spot does not repeat.
+        period: f64 = 0.0, Range::closed(0.0, 1e6), "r_s/c";
+        /// Number of waves in each ring of the structure, rounded down to a multiple of four.
+        waves: u32 = 24, Range::closed(12.0, 48.0), "waves";
+        /// Number that chooses the random pattern of the structure.
+        seed: u32 = 1, Range::closed(0.0, u32::MAX as f64), "";
+        /// Clock of the disk: Boyer-Lindquist's time at the camera; inside the horizon Kerr's
+        /// ingoing time.
+        time: f64 = 0.0, Range::closed(-1e9, 1e9), "r_s/c";
+        /// How far the disk's clock goes on in one second of a window or of a sequence.
+        rate: f64 = 4.0, Range::closed(0.0, 1e3), "r_s/c";
+    }
+}
+
+table! {
+    /// A spot of the disk that shines more brightly and moves with the matter.
+    #[derive(Copy)]
+    pub struct HotSpot in (hot_spot) {
+        /// Whether there is a hot spot, and whether the rotation shears it.
+        kind: HotSpotKind = HotSpotKind::default();
+        /// Radius of the spot's middle.
+        r: f64 = 4.5, EDGE, "r_s";
+        /// Azimuth of the spot's middle at hot_spot.time.
+        phi_deg: f64 = 0.0, TURN, "degrees";
+        /// Standard deviation of the spot, as a share of its radius.
+        size: f64 = 0.08, Range::closed(0.01, 0.5), "";
+        /// How much the spot's middle adds to the flux, in units of the disk's flux there.
+        strength: f64 = 8.0, SCALE, "";
+        /// Time on the disk's clock at which the spot is at hot_spot.phi_deg and brightest.
+        time: f64 = 0.0, Range::closed(-1e9, 1e9), "r_s/c";
+        /// Standard deviation in time of the spot's brightness; 0 for a spot that always shines.
+        duration: f64 = 0.0, Range::closed(0.0, 1e9), "r_s/c";
     }
 }
 
@@ -275,6 +330,10 @@ table! {
         exposure_ev: f64 = 1.2, Range::closed(-20.0, 20.0), "powers of two";
         /// Whether a light meter chooses the exposure.
         automatic_exposure: bool = false;
+        /// What is added to the exposure that the light meter chooses.
+        exposure_bias: f64 = 0.0, Range::closed(-5.0, 5.0), "powers of two";
+        /// Curve from light to the levels of the screen; views of rays have the neutral one.
+        tone_curve: ToneCurve = ToneCurve::default();
         /// Strength of the bloom; zero leaves it out.
         bloom: f64 = 0.08, SHARE, "";
         /// How many levels a channel is rounded to.

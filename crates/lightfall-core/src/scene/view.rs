@@ -15,6 +15,8 @@ crate::words! {
         Residual = "residual",
         /// Order of the image: half-turns about the hole up to what is seen first.
         Order = "order",
+        /// How long the light of the first crossing of the disk was under way, in r_s/c.
+        Delay = "delay",
         /// Observed over emitted frequency of what is seen first, disk or sky.
         Redshift = "redshift",
         /// Number of steps that the method takes along each ray.
@@ -43,6 +45,8 @@ pub struct ViewProperties {
     /// Whether the shader traces the rays it shows; otherwise it shows numbers computed
     /// beforehand.
     pub traces: bool,
+    /// Whether it shows how long the light of the disk was under way.
+    pub delays: bool,
 }
 
 impl View {
@@ -51,11 +55,17 @@ impl View {
     pub const fn properties(self) -> ViewProperties {
         let (content, traces) = match self {
             Self::Colour | Self::Unfinished => (Content::Light, true),
-            Self::Classes | Self::Residual | Self::Order | Self::Steps => (Content::Rays, true),
+            Self::Classes | Self::Residual | Self::Order | Self::Delay | Self::Steps => {
+                (Content::Rays, true)
+            }
             Self::Redshift => (Content::Shift, true),
             Self::Error => (Content::Rays, false),
         };
-        ViewProperties { content, traces }
+        ViewProperties {
+            content,
+            traces,
+            delays: matches!(self, Self::Delay),
+        }
     }
 
     /// Whether the view shows the light of disk and sky, and not the colours of marks.

@@ -3,10 +3,10 @@
 use encase::ShaderType;
 use lightfall_core::gpu::rays::{GpuHit, GpuTrace};
 use lightfall_core::gpu::{
-    Difference, GpuDisk, GpuHole, GpuObserver, GpuPicture, GpuQuality, GpuScene, GpuShadow, GpuSky,
-    Presentation, Variant,
+    Difference, GpuDisk, GpuHole, GpuHotSpot, GpuObserver, GpuPicture, GpuQuality, GpuRing,
+    GpuScene, GpuShadow, GpuSky, GpuStructure, Presentation, Variant,
 };
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{DiskStructure, HotSpotKind, Scene};
 use naga::{Module, TypeInner};
 
 /// A member's name, its offset, and the name of its type if that is a struct.
@@ -105,6 +105,24 @@ fn rust_and_wgsl_lay_out_the_records_of_rays_alike() {
     let source = Variant::rays(&Scene::default()).source();
     let module = naga::front::wgsl::parse_str(&source).unwrap();
     assert_same_layout!(&module, GpuHit = "Hit", GpuTrace = "Trace");
+}
+
+#[test]
+fn rust_and_wgsl_lay_out_the_disks_structure_alike() {
+    let mut scene = Scene::default();
+    scene.disk.structure = DiskStructure::Turbulent;
+    let source = Variant::picture(&scene).source();
+    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    assert_same_layout!(&module, GpuStructure = "Structure", GpuRing = "Ring");
+}
+
+#[test]
+fn rust_and_wgsl_lay_out_the_hot_spot_alike() {
+    let mut scene = Scene::default();
+    scene.hot_spot.kind = HotSpotKind::Rigid;
+    let source = Variant::picture(&scene).source();
+    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    assert_same_layout!(&module, GpuHotSpot = "HotSpot");
 }
 
 #[test]

@@ -95,7 +95,7 @@ fn every_ray_ends_as_in_the_reference_and_every_number_is_finite() {
             .zip(rays::records(gpu, &scene, &directions).unwrap())
         {
             let expected = reference.trace(*direction);
-            let found = Trace::from(&record);
+            let found = record.trace(None);
             assert_eq!(
                 found.outcome, expected.outcome,
                 "spin {spin}, r {r}, theta {theta}, {direction}"

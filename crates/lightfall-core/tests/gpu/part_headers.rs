@@ -48,7 +48,7 @@ impl Part {
 fn declaration(line: &str) -> Option<String> {
     let line = match line.split_once(" var<") {
         Some((attributes, rest)) if attributes.starts_with('@') => rest.split_once("> ")?.1,
-        _ => ["fn ", "struct ", "const "]
+        _ => ["fn ", "struct ", "const ", "alias "]
             .iter()
             .find_map(|keyword| line.strip_prefix(keyword))?,
     };
@@ -191,10 +191,13 @@ fn every_shader_has_one_part_that_gives_what_another_part_needs() {
 fn names_are_found_outside_of_comments_and_members() {
     let part = Part::new(
         "// a comment of unused\n@vertex\nfn entry(x: f32) -> f32 {\n    return x + a.member * scale(B[2u]); // c\n}\n\
-         const LIMIT: u32 = 3u;\n@group(0) @binding(SLOT) var<uniform> table: array<f32, LEN>;\nstruct S {\n}\n",
+         const LIMIT: u32 = 3u;\nalias Pair = vec2<f32>;\n@group(0) @binding(SLOT) var<uniform> table: array<f32, LEN>;\nstruct S {\n}\n",
     );
     let set = |names: &[&str]| names.iter().map(|name| name.to_string()).collect::<Names>();
-    assert_eq!(part.declared, set(&["entry", "LIMIT", "table", "S"]));
+    assert_eq!(
+        part.declared,
+        set(&["entry", "LIMIT", "Pair", "table", "S"])
+    );
     assert_eq!(part.entry_points, set(&["entry"]));
     let others = set(&["a", "scale", "B", "SLOT", "LEN"]);
     assert_eq!(

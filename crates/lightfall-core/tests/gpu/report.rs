@@ -7,7 +7,9 @@ use lightfall_core::reports::bench::{
     Measurement, Plan, auto_margin, markdown, methods_for, plot, scenes, settings,
 };
 use lightfall_core::reports::export::csv;
-use lightfall_core::reports::extremes::{Hunt, Verdict, WorstRay, cells, measure_matrix};
+use lightfall_core::reports::extremes::{
+    Hunt, Verdict, WorstRay, cells, delays_table, measure_delays, measure_matrix,
+};
 use lightfall_core::scene::{Method, Scene};
 
 /// A quick run of few rays.
@@ -136,6 +138,33 @@ fn closed_and_mino_hold_every_extreme_cell() {
         verdicts.len()
     );
     assert!(verdicts.len() > 250 && verdicts.iter().all(|verdict| verdict.rays >= 32));
+}
+
+/// The cells have hits next to the critical curve, where the ray's own error moves some of them,
+/// and a camera from which delays are large.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_delays_of_hard_places_are_right_or_their_places_explain_them() {
+    let mut cells = cells(96);
+    let group = "distance to the critical curve";
+    cells.retain(|cell| cell.group == group || cell.name.ends_with(" 100000 r_s"));
+    let methods = Method::on_gpu();
+    let rows = measure_delays(gpu(), &cells, &methods, |_, _| {}).unwrap();
+    // closed traces the six rings and the far camera without spin.
+    assert_eq!(rows.len(), cells.len() + 7);
+    for row in &rows {
+        assert!(
+            row.over == row.place + row.far + row.unexplained && row.over <= row.hits,
+            "{row:?}"
+        );
+        assert_eq!(row.over > 0, row.turn_max > 1e-3, "{row:?}");
+        assert_eq!(row.unexplained, 0, "{row:?}");
+    }
+    assert!(
+        rows.iter().all(|row| row.hits > 0) && rows.iter().any(|row| row.place > 0),
+        "{}",
+        delays_table(&rows)
+    );
 }
 
 /// The places where azimuths are hardest: the throats of almost extremal holes, where rays are

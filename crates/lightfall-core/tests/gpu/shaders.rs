@@ -1,7 +1,9 @@
 //! The text of every shader, without a GPU.
 
 use lightfall_core::gpu::{Difference, Entry, Presentation, ShaderText, Variant};
-use lightfall_core::scene::{DiskModel, SkyMode, View};
+use lightfall_core::scene::{
+    DiskModel, DiskStructure, HotSpotKind, LimbDarkening, Method, Scene, SkyMode, View,
+};
 use std::collections::HashMap;
 
 #[test]
@@ -13,6 +15,7 @@ fn naga_accepts_every_variant() {
                 Entry::Picture => &["vertex", "fragment"],
                 Entry::Rays => &["rays"],
                 Entry::Timed => &["vertex", "timed", "fragment"],
+                Entry::TimedLight => &["timed"],
             };
             let message = validate(&variant.text(), entries).err()?;
             Some(format!("{variant:?}\n{message}"))
@@ -101,8 +104,8 @@ fn a_line_of_a_variant_is_found_in_its_file() {
             let (file, number) = text.locate(index + 1);
             let Some(lines) = files.entry(file).or_insert_with(|| lines_of(file)) else {
                 assert!(
-                    line.starts_with("const "),
-                    "only constants are in no file: {line}"
+                    line.starts_with("const ") || line.starts_with("alias "),
+                    "only constants and names of types are in no file: {line}"
                 );
                 continue;
             };
@@ -147,6 +150,112 @@ fn a_shader_contains_only_the_parts_that_its_scene_needs() {
             "{variant:?}"
         );
     }
+}
+
+/// The files that a shader has only where the disk has structure, where it has a hot spot, and
+/// where something asks when light left.
+const LIVING_FILES: [&[&str]; 3] = [
+    &["disk/structure/footprint.wgsl", "disk/structure/waves.wgsl"],
+    &["disk/hot_spot/spot.wgsl"],
+    &["delay/closed.wgsl", "delay/mino.wgsl"],
+];
+
+/// The same for pieces of its text.
+const LIVING_TEXT: [&[&str]; 3] = [
+    &["var<uniform> structure", "MAX_RINGS", "dpdx(", "dpdy("],
+    &["var<uniform> hot_spot", "const SHEARED_SPOT: bool = true"],
+    &["Nodes", "const DELAY: bool = true"],
+];
+
+#[test]
+fn a_shader_contains_of_a_living_disk_only_what_its_scene_asks_for() {
+    type Change = fn(&mut Scene);
+    // Whether the shader has structure, a hot spot, and delays after a change to a smooth disk.
+    let changes: [(Change, [bool; 3]); 7] = [
+        (|_| {}, [false; 3]),
+        (
+            |scene| scene.disk.limb = LimbDarkening::ElectronScattering,
+            [false; 3],
+        ),
+        (
+            |scene| scene.disk.structure = DiskStructure::Turbulent,
+            [true, false, true],
+        ),
+        (
+            |scene| scene.hot_spot.kind = HotSpotKind::Sheared,
+            [false, true, true],
+        ),
+        (|scene| scene.view = View::Delay, [false, false, true]),
+        (
+            // A view that shows no light has nothing to modulate.
+            |scene| {
+                scene.disk.structure = DiskStructure::Streaks;
+                scene.hot_spot.kind = HotSpotKind::Sheared;
+                scene.view = View::Redshift;
+            },
+            [false; 3],
+        ),
+        (
+            |scene| {
+                scene.disk.structure = DiskStructure::Streaks;
+                scene.hot_spot.kind = HotSpotKind::Sheared;
+                scene.disk.enabled = false;
+            },
+            [false; 3],
+        ),
+    ];
+    for method in Method::on_gpu() {
+        for (change, expected) in changes {
+            let mut scene = Scene {
+                method,
+                ..Scene::default()
+            };
+            change(&mut scene);
+            let variant = Variant::picture(&scene);
+            let (files, source) = (variant.files(), variant.source());
+            // The article's methods sum the delay in their own files.
+            let own_delay = matches!(method, Method::Verlet | Method::KerrSchild);
+            let own_file = match method {
+                Method::Mino => "delay/mino.wgsl",
+                _ => "delay/closed.wgsl",
+            };
+            for (i, expected) in expected.into_iter().enumerate() {
+                for file in LIVING_FILES[i] {
+                    let of_method = i < 2 || !own_delay && *file == own_file;
+                    assert_eq!(
+                        files.contains(file),
+                        expected && of_method,
+                        "{file}: {variant:?}"
+                    );
+                }
+                for text in LIVING_TEXT[i] {
+                    assert_eq!(source.contains(text), expected, "{text}: {variant:?}");
+                }
+            }
+            // What is timed is the tracing alone.
+            let timed = Variant::timed(&scene);
+            for text in LIVING_TEXT.concat() {
+                assert!(!timed.source().contains(text), "{text}: {timed:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn only_a_structure_with_a_period_counts_its_lives_anew() {
+    let mut scene = Scene::default();
+    let repeats = |scene: &Scene| {
+        let source = Variant::picture(scene).source();
+        [true, false].map(|value| source.contains(&format!("const REPEATS: bool = {value};")))
+    };
+    assert_eq!(repeats(&scene), [false, false]);
+    let smooth = Variant::picture(&scene);
+    scene.disk.period = 24.0;
+    assert_eq!(Variant::picture(&scene), smooth);
+    scene.disk.structure = DiskStructure::Turbulent;
+    assert_eq!(repeats(&scene), [true, false]);
+    scene.disk.period = 0.0;
+    assert_eq!(repeats(&scene), [false, true]);
 }
 
 /// wgpu writes shaders anew for browsers, and leaves these attributes out.

@@ -4,17 +4,24 @@
 
 mod accuracy;
 mod apparent_hole;
+mod delay;
+mod delay_error;
 mod disk;
+mod disk_clock;
+mod echo;
 mod effects;
 mod elliptic;
 mod exposure;
 mod guides;
+mod hot_spot;
 mod inside;
 mod kerr;
 mod kerr_schild;
+mod limb;
 mod mino;
 mod observer;
 mod path;
+mod random;
 mod ray_plane;
 mod readout;
 mod reference;
@@ -22,6 +29,8 @@ mod released;
 mod schwarzschild;
 mod shadow_edge;
 mod spectrum;
+mod structure;
+mod structure_period;
 mod timelike;
 
 /// Asserts that `found` equals `expected` within the relative tolerance `relative`.

@@ -2,6 +2,7 @@
 //! forms.
 
 use glam::{DVec2, DVec3};
+use lightfall_core::accuracy::Ray;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::path::Path;
 use lightfall_core::optics::reference::Reference;
@@ -215,7 +216,7 @@ fn a_second_hit_was_emitted_earlier_by_more_than_the_light_time_of_the_straight_
     let mut counted = 0;
     for direction in directions(&scene) {
         let inspected = Inspected::new(&scene, direction, None, 60.0).unwrap();
-        let [first, second] = inspected.path.delays;
+        let (first, second) = (inspected.numbers.hit1_delay, inspected.numbers.hit2_delay);
         if let (Some(first), Some(second)) = (first, second) {
             let place = |r: f64, phi: f64| DVec2::new(phi.cos(), phi.sin()) * r;
             let cpu = &inspected.numbers.cpu;
@@ -238,7 +239,9 @@ fn an_inspection_has_the_numbers_of_trace() {
                 .numbers;
             let mut csv = Vec::new();
             let mut writer = lightfall_core::reports::rays::TraceWriter::new(&mut csv).unwrap();
-            writer.write(&reference.trace(direction)).unwrap();
+            writer
+                .write(&reference.trace_with_delays(direction))
+                .unwrap();
             writer.finish().unwrap();
             let csv = String::from_utf8(csv).unwrap();
             let mut lines = csv.lines().map(|line| line.split(','));
@@ -267,6 +270,50 @@ fn an_inspection_has_the_numbers_of_trace() {
             );
         }
     }
+}
+
+#[test]
+fn an_inspection_compares_the_delays_of_the_hits_that_both_answers_have() {
+    let scene = presets::find("extremal").unwrap().scene(&[]).unwrap();
+    let reference = Reference::new(&scene).unwrap();
+    let axes = scene.camera.tetrad_from_camera();
+    let mut counted = [0; 3];
+    for toward in directions(&scene) {
+        let ray = Ray::toward(axes.transpose() * toward);
+        let direction = axes * ray.direction();
+        let mut inspected = Inspected::new(&scene, direction, None, 60.0).unwrap();
+        let mut given = reference.trace_with_delays(direction);
+        let mut hits = given.hits.iter_mut().flatten();
+        let mut expected = None;
+        // The second delay is off by less than the first, and on the other side.
+        for off in [2e-3, -1e-3] {
+            if let Some(hit) = hits.next() {
+                hit.delay = hit.delay.map(|delay| delay + off);
+                expected = expected.or(Some(off));
+            }
+        }
+        inspected.compare(&scene, ray, &given, 540.0).unwrap();
+        let numbers = inspected.numbers;
+        let found = numbers.difference.unwrap().hit_t;
+        match (found, expected) {
+            (Some(found), Some(expected)) => {
+                // The rounding of delays of some 50 r_s/c.
+                assert!(
+                    (found - expected).abs() < 1e-13,
+                    "{found} and not {expected}"
+                );
+                let text = numbers.to_text();
+                assert!(
+                    text.contains("cpu.hit1_t = ") && text.contains("gpu.hit1_t = "),
+                    "{text}"
+                );
+                assert!(text.contains("difference.hit_t = 0.00"), "{text}");
+            }
+            (found, expected) => assert_eq!(found, expected),
+        }
+        counted[given.hits.iter().flatten().count()] += 1;
+    }
+    assert!(counted[1] > 0 && counted[2] > 0, "{counted:?}");
 }
 
 #[test]

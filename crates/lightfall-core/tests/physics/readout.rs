@@ -10,7 +10,7 @@ use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::shift::RestFrame;
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::scene::ObserverKind::{Orbit, Rain, Static, Zamo};
-use lightfall_core::scene::{ObserverKind, Scene};
+use lightfall_core::scene::{HotSpotKind, ObserverKind, Scene};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 fn scene(spin: f64, kind: ObserverKind, r: f64, theta_deg: f64) -> Scene {
@@ -442,5 +442,27 @@ fn rain_with_the_relative_velocity_is_the_same_observer() {
                 );
             }
         }
+    }
+}
+
+#[test]
+fn hot_spot_has_a_period_and_an_echo_and_no_spot_has_none() {
+    let mut scene = scene(0.0, Static, 20.0, 0.0);
+    assert_eq!(read(&scene).hot_spot, None);
+    scene.disk.enabled = true;
+    (scene.hot_spot.kind, scene.hot_spot.r) = (HotSpotKind::Rigid, 4.5);
+    // Effects that are off change the picture, not the world.
+    scene.effects.lensing = false;
+    let spot = read(&scene).hot_spot.unwrap();
+    assert_close(
+        "period",
+        spot.period,
+        TAU * 4.5_f64.powf(1.5) / 0.5_f64.sqrt(),
+        1e-12,
+    );
+    // The orbit's equation with 30 digits.
+    let expected = [22.521_771_456_4, 34.372_260_342_2, 42.707_549_924_9];
+    for (found, expected) in spot.delays.into_iter().zip(expected) {
+        assert_close("delay", found.unwrap(), expected, 1e-11);
     }
 }

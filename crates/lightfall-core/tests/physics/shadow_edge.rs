@@ -25,6 +25,7 @@ fn an_answer_with_other_half_turns_next_to_the_end_of_the_disks_image_is_explain
         r: 10.994_947_855_169_167,
         phi: -2.604_627_359_851_636_7,
         g: 0.976_445_436_477_681_1,
+        delay: None,
     };
     let sky = DVec3::new(
         -0.938_218_817_544_848_1,

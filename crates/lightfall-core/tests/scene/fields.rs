@@ -15,7 +15,7 @@ fn set(key: &str, value: &str) -> Result<Scene, String> {
 fn other_values(field: &Field) -> Vec<Value> {
     let default = field.get(&Scene::default());
     let candidates = match field.kind {
-        Kind::Float(_) => [0.125, 12.3, 54.7, 321.5].map(Value::Float).to_vec(),
+        Kind::Float(_) => [0.125, 1.5, 12.3, 54.7, 321.5].map(Value::Float).to_vec(),
         Kind::Integer(_) => [1, 12, 77].map(Value::Integer).to_vec(),
         Kind::Boolean => [false, true].map(Value::Boolean).to_vec(),
         Kind::Choice(words) => words.iter().map(|word| Value::Word(word)).collect(),

@@ -5,14 +5,14 @@ use lightfall_core::gpu::Drawable;
 use lightfall_core::gpu::GpuScene;
 use lightfall_core::scene::journey;
 use lightfall_core::scene::journey::{Journey, Track, between};
-use lightfall_core::scene::{ObserverKind, Scene, presets};
+use lightfall_core::scene::{ObserverKind, Scene};
 
 fn default() -> Journey {
     journey::load("default.toml", journey::DEFAULT).unwrap()
 }
 
 fn preset() -> Scene {
-    presets::PRESETS[presets::DEFAULT - 1].scene(&[]).unwrap()
+    default().preset.unwrap().scene(&[]).unwrap()
 }
 
 fn at(journey: &Journey, time: f64, kind: ObserverKind) -> Scene {

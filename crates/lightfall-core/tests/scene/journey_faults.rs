@@ -5,7 +5,7 @@ use lightfall_core::scene::journey;
 use lightfall_core::scene::{Hole, Method, Observer, ObserverKind, Scene, presets};
 
 fn preset() -> Scene {
-    presets::PRESETS[presets::DEFAULT - 1].scene(&[]).unwrap()
+    presets::find("above").unwrap().scene(&[]).unwrap()
 }
 
 #[test]
@@ -31,7 +31,7 @@ fn faults_of_a_journey_are_reported_with_their_keyframe() {
             "preset = \"nowhere\"".into(),
             "j.toml: preset = \"nowhere\" is refused: it must be the name or the number of a built-in preset: \
              1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit, 8 extremal, 9 falling, \
-             10 article",
+             10 article, 11 flare, 12 ring",
         ),
         (
             two.into(),
@@ -49,8 +49,8 @@ fn faults_of_a_journey_are_reported_with_their_keyframe() {
         (
             format!("{two}time = 1\nradius = 3"),
             "j.toml: keyframe 2: there is no radius; a keyframe has time, any of r, theta_deg, phi_deg, yaw_deg, \
-             pitch_deg, roll_deg, fov_deg, observer, velocity, and a table rain of those but the observer, for an \
-             observer that falls from rest at infinity",
+             pitch_deg, roll_deg, fov_deg, observer, velocity, disk_rate, disk_time, and a table rain of those but the \
+             observer and the disk's clock, for an observer that falls from rest at infinity",
         ),
         (
             format!("{two}time = 1\nrain.theta_deg = 200"),

@@ -63,6 +63,19 @@ fn a_refusal_names_the_other_fields_that_limit_the_field() {
              orbit at hole.spin = 0)",
         ),
         (
+            "disk.inner = 4\nhot_spot.kind = \"rigid\"\nhot_spot.r = 3.5",
+            "hot_spot.r = 3.5 is refused: it must be a number from 4 to 11 r_s (between the edges of the disk)",
+        ),
+        (
+            "disk.period = 1.5",
+            "disk.period = 1.5 is refused: it must be a number from 2 to 1000000 r_s/c (0 for a structure that never \
+             repeats)",
+        ),
+        (
+            "disk.period = -1",
+            "disk.period = -1 is refused: it must be a number from 0 to 1000000 r_s/c",
+        ),
+        (
             "picture.grid_height = 541",
             "picture.grid_height = 541 is refused: it must be an integer from 9 to 540 cells (picture.height is 540)",
         ),

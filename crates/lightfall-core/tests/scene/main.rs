@@ -5,6 +5,7 @@
 )]
 
 mod changes;
+mod disk_motion;
 mod fields;
 mod garbled;
 mod journey;

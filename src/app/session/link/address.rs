@@ -52,7 +52,8 @@ fn show_address(
     }
     *is_late = false;
     let scene = resolution.full_scene(&scene);
-    if shown.as_ref() != Some(&scene) {
+    // A disk whose clock runs would change the address in every frame.
+    if shown.as_ref().map(Scene::without_clock) != Some(scene.without_clock()) {
         if let Err(reason) = address(&scene).and_then(|address| browser::replace_address(&address))
         {
             warn!("the address cannot be changed: {reason}");

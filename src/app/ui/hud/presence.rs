@@ -102,7 +102,7 @@ fn watch_input(
         || buttons.get_pressed().next().is_some();
     let moves = pacing.moving || free_fall.is_moving() || player.is_playing();
     // The first seconds count from the first picture, which may take a while to be drawn.
-    *has_picture |= request.is_drawn();
+    *has_picture |= request.is_shown();
     if pointed || pressed || moves || pads.in_use() || !*has_picture {
         presence.active = presence.now;
     }

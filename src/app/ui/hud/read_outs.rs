@@ -5,6 +5,7 @@ use super::presence::{Presence, keep_fading};
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::FlightInput;
 use crate::app::input::held::HeldControls;
+use crate::app::motion::disk_clock;
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::motion::orbit_camera::OrbitCamera;
@@ -153,6 +154,7 @@ fn show_read_outs(
         orbit.status(&bindings),
         journey(&player, paused.0, &bindings),
         free_fall.clocks(&scene),
+        disk_clock::status(&scene, moves, paused.0, &bindings),
     ];
     for line in modes {
         if !line.is_empty() {

@@ -43,7 +43,7 @@ pub(super) fn show_title(
     let now = time.elapsed();
     let came = *title.came.get_or_insert(now);
     // The seconds count from the scene's first picture, which may take a while to be drawn.
-    if title.drawn.is_none() && request.is_drawn() {
+    if title.drawn.is_none() && request.is_shown() {
         title.drawn = Some(now);
     }
     let left = title

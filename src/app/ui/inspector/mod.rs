@@ -310,7 +310,7 @@ fn mark_rays(context: &egui::Context, inspector: &Inspector, scene: &Scene, wind
     let Some(answer) = inspector
         .answer
         .as_ref()
-        .filter(|answer| answer.scene == *scene)
+        .filter(|answer| answer.scene.without_clock() == scene.without_clock())
     else {
         return;
     };

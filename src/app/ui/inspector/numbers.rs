@@ -169,6 +169,12 @@ fn differences(
             .zip(difference.hit_g)
             .map(|(r, g)| format!("{}, {}", size(r), size(g))),
     );
+    row(
+        "GPU error, emitted",
+        difference
+            .hit_t
+            .map(|delay| format!("{} r_s/c", size(delay))),
+    );
 }
 
 /// The size of an error.

@@ -1,6 +1,6 @@
 //! Which fields of a scene change nothing at present, and why.
 
-use lightfall_core::scene::{AccuracySetting, Content, Scene, SkyMode};
+use lightfall_core::scene::{AccuracySetting, Content, DiskStructure, HotSpotKind, Scene, SkyMode};
 
 /// Why a field changes nothing in this scene, in one sentence. None if it matters, as far as the
 /// program knows.
@@ -14,6 +14,28 @@ pub fn why_idle(scene: &Scene, key: &str) -> Option<&'static str> {
         ("disk", _) if !scene.disk.enabled => Some("The disk is off."),
         ("disk", "inner") if scene.disk.follow_isco => {
             Some("The disk begins at the innermost stable orbit.")
+        }
+        ("hot_spot", _) if !scene.disk.enabled => Some("The disk is off."),
+        (
+            "disk",
+            "contrast" | "scale" | "aspect" | "pitch_deg" | "lifetime" | "period" | "waves"
+            | "seed",
+        ) if scene.disk.structure == DiskStructure::None => Some("The disk is smooth."),
+        ("disk", "time" | "rate") if !scene.disk_moves() => {
+            Some("Nothing moves in the disk: it has neither structure nor a hot spot.")
+        }
+        ("hot_spot", field) if field != "kind" && scene.hot_spot.kind == HotSpotKind::None => {
+            Some("There is no hot spot.")
+        }
+        (
+            "disk",
+            "limb" | "structure" | "contrast" | "scale" | "aspect" | "pitch_deg" | "lifetime"
+            | "period" | "waves" | "seed" | "time" | "rate",
+        )
+        | ("hot_spot", _)
+            if light != Content::Light =>
+        {
+            Some("This view shows no light.")
         }
         ("disk", "temperature_k" | "brightness" | "model") if light != Content::Light => {
             Some("This view shows no light.")
@@ -33,6 +55,10 @@ pub fn why_idle(scene: &Scene, key: &str) -> Option<&'static str> {
         ("picture", "levels" | "dither" | "grid_width" | "grid_height") if scene.picture.bypass => {
             Some("The pixel look is off.")
         }
+        ("picture", "exposure_bias") if !scene.picture.automatic_exposure => {
+            Some("The exposure is not automatic.")
+        }
+        ("picture", "tone_curve") if light != Content::Light => Some("This view shows no light."),
         ("quality", "max_error_px") if setting != AccuracySetting::MaxError => {
             Some("Only Mino time keeps a largest error: the method in use does not control it.")
         }

@@ -1,9 +1,9 @@
-//! The page that says what is exact, what is approximate and what is art.
+//! The page that says what is exact, what is statistics, what is approximate and what is art.
 
 use crate::app::controls::bindings::Bindings;
 use bevy_egui::egui;
 
-const EXACT: [&str; 5] = [
+const EXACT: [&str; 7] = [
     "Where light goes: every pixel of the background is a null geodesic of Schwarzschild or Kerr. Its error is stated as the \
      turn of the pixel's ray that would explain it. Without spin (closed) the turn is below 1e-6 rad, a two-thousandth of a \
      pixel. With spin (mino) it is within 6e-6 rad for 99 of 100 rays at the default setting, a few thousandths of a pixel, \
@@ -11,14 +11,26 @@ const EXACT: [&str; 5] = [
      that you click.",
     "The shadow's edge, the order of the images, and which rays are captured.",
     "The shift g of light from the disk and from the sky: gravity, Doppler and aberration together, for any observer.",
+    "How the disk moves, and when you see it: matter goes round on circular orbits of Schwarzschild or Kerr, the rotation shears \
+     what it carries, and each point is seen as it was when its light left. How long this light was under way is right to \
+     0.002 r_s/c (closed and mino).",
+    "Limb darkening: the flux of each place stays what it is, and is spread over the directions as by an atmosphere that \
+     scatters light on electrons (within 0.25 %).",
     "The observer: at rest, with zero angular momentum, in orbit or in free fall, and boosted. Its frame decides what is seen.",
     "Black-body colours: Planck's law and the CIE 1931 observer.",
 ];
 
-const ART: [&str; 3] = [
-    "The disk's brightness, its temperature and the 4 % of light that it lets through.",
+const STATISTICS: [&str; 1] = [
+    "The disk's filaments: a random pattern with the spread, the tilt and the lifetime that simulations of turbulence find. No \
+     equation of motion makes it. On average it keeps the flux of every radius. The same seed and time give the same disk.",
+];
+
+const ART: [&str; 5] = [
+    "The disk's brightness, its temperature and the light that it lets through.",
+    "The contrast of the filaments, the streaks, and the size and strength of the hot spot.",
+    "How fast the disk's clock runs.",
     "The stars: they are placed at random and not taken from a catalogue.",
-    "Exposure, bloom and tone mapping.",
+    "Exposure, bloom and the tone curve.",
 ];
 
 pub(super) fn show(ui: &mut egui::Ui, bindings: &Bindings) {
@@ -29,9 +41,11 @@ pub(super) fn show(ui: &mut egui::Ui, bindings: &Bindings) {
         key("view.unfinished")
     );
     let approximate = [
-        "The disk is infinitely thin and steady, on circular orbits: it has no turbulence, no light delay, and no light from \
-         inside the innermost stable orbit.",
-        "Each pixel has one sample: rings thinner than a pixel break into dashes.",
+        "The disk is infinitely thin, and no light comes from inside the innermost stable orbit.",
+        "A ray shows the first two places where it meets the disk. Around a spinning hole a third one is left out, which can be \
+         the image of order 2.",
+        "Each pixel has one ray. Filaments finer than a pixel are averaged over it, with a third of the error that they would \
+         have otherwise. Rings thinner than a pixel break into dashes.",
         &unfinished,
         "The probe is in front of everything: it is not lensed, and its lamps imitate the disk only roughly.",
         "Flying by hand moves the camera from place to place. Its observer is at rest there, or moves as the scene says.",
@@ -43,6 +57,7 @@ pub(super) fn show(ui: &mut egui::Ui, bindings: &Bindings) {
     );
     let art = [&ART[..], &[&cells, "The probe's design."]].concat();
     list(ui, "Exact, to the error stated", &EXACT);
+    list(ui, "Statistics", &STATISTICS);
     list(ui, "Approximate", &approximate);
     list(ui, "Art", &art);
     let effects = [

@@ -5,7 +5,7 @@ use crate::IN_BROWSER;
 use crate::app::session::adapter::AdapterChoice;
 use crate::app::session::frame_pacing::FramePacing;
 use crate::app::state::scene_editor::SceneEditor;
-use crate::render::{Chain, cost_rows};
+use crate::render::{Chain, WaveLimit, cost_rows};
 use bevy::diagnostic::DiagnosticsStore;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
@@ -14,7 +14,7 @@ use bevy::render::renderer::RenderAdapterInfo;
 use bevy_egui::egui;
 use lightfall_core::gpu;
 use lightfall_core::gpu::{AdapterName, Listed, Variant};
-use lightfall_core::scene::{Method, Picture, Scene};
+use lightfall_core::scene::{Disk, Method, Picture, Scene, View};
 use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 use web_time::Instant;
@@ -40,7 +40,7 @@ pub(super) struct MachinePage {
 #[derive(Default)]
 struct CostReport {
     rows: Vec<(&'static str, String)>,
-    made_for: Option<(Method, Variant, Chain)>,
+    made_for: Option<(Method, View, Disk, Variant, Chain, WaveLimit)>,
 }
 
 /// Mean time of a frame, in seconds.
@@ -55,6 +55,7 @@ pub(super) struct Machine<'w> {
     frame_time: Res<'w, FrameTime>,
     pacing: Res<'w, FramePacing>,
     choice: Res<'w, AdapterChoice>,
+    waves: Res<'w, WaveLimit>,
 }
 
 pub(super) fn plugin(app: &mut App) {
@@ -122,7 +123,7 @@ impl MachinePage {
         egui::CollapsingHeader::new("What this scene compiles and allocates").show_unindented(
             ui,
             |ui| {
-                for (topic, items) in self.costs.rows(drawn) {
+                for (topic, items) in self.costs.rows(drawn, *machine.waves) {
                     ui.horizontal_top(|ui| {
                         let left = egui::Layout::left_to_right(egui::Align::Min);
                         ui.allocate_ui_with_layout(egui::vec2(TOPIC_WIDTH, 18.0), left, |ui| {
@@ -241,10 +242,12 @@ fn passes(ui: &mut egui::Ui, machine: &Machine) {
 
 impl CostReport {
     /// The rows for a scene, made again only where what they depend on has changed.
-    fn rows(&mut self, scene: &Scene) -> &[(&'static str, String)] {
-        let wanted = (scene.method, Variant::picture(scene), Chain::of(scene));
+    fn rows(&mut self, scene: &Scene, limit: WaveLimit) -> &[(&'static str, String)] {
+        let disk = scene.without_clock().disk;
+        let (variant, chain) = (Variant::picture(scene), Chain::of(scene));
+        let wanted = (scene.method, scene.view, disk, variant, chain, limit);
         if self.made_for != Some(wanted) {
-            self.rows = cost_rows(scene);
+            self.rows = cost_rows(scene, limit);
             self.made_for = Some(wanted);
         }
         &self.rows

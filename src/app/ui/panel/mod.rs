@@ -22,6 +22,7 @@ use crate::app::controls::control::AppCommand;
 use crate::app::motion::free_fall::FreeFall;
 use crate::app::session::clipboard::Clipboard;
 use crate::app::state::overlays::{Overlays, PANEL, PANEL_WIDTH, Side};
+use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::rebinding::Rebinding;
 use crate::app::state::scene_editor::SceneEditor;
@@ -99,7 +100,7 @@ fn show_panel(
     mut rebinding: ResMut<Rebinding>,
     keys: Res<ButtonInput<KeyCode>>,
     machine: Machine,
-    free_fall: Res<FreeFall>,
+    (free_fall, mut paused): (Res<FreeFall>, ResMut<Paused>),
     steps: Res<StepCounter>,
     clipboard: Res<Clipboard>,
 ) -> Result {
@@ -134,7 +135,7 @@ fn show_panel(
             .show(ui, |ui| match page {
                 Page::Scene => {
                     let size = window.physical_size();
-                    scene_page::show(ui, &mut editor, &steps, &bindings, size);
+                    scene_page::show(ui, &mut editor, &steps, &bindings, &mut paused, size);
                 }
                 Page::Presets => presets.show(ui, &mut editor, &clipboard),
                 Page::Readouts => {

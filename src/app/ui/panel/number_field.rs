@@ -100,6 +100,9 @@ pub(super) fn suffix(unit: &str) -> &str {
         "cells" => " cells",
         "powers of two" => " EV",
         "steps" => " steps",
+        "r_s/c" => " r_s/c",
+        "orbits" => " orbits",
+        "waves" => " waves",
         "levels" => " tones",
         other => other,
     }

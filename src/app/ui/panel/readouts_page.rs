@@ -7,8 +7,10 @@ use crate::app::state::settings::{HOLE_MASSES, Settings};
 use crate::app::ui::help::RADIUS_UNIT;
 use crate::app::ui::number::{from_words, in_words};
 use bevy_egui::egui;
-use lightfall_core::optics::readout::Readout;
+use lightfall_core::optics::disk::inner_period;
 use lightfall_core::optics::readout::si::{HoleMass, MASSES};
+use lightfall_core::optics::readout::{HotSpotReadout, Readout};
+use lightfall_core::reports::numbers::duration_in_words;
 use lightfall_core::scene::{ObserverKind, Scene};
 use std::time::Duration;
 use web_time::Instant;
@@ -28,16 +30,17 @@ pub(super) struct ReadoutsPage {
 
 impl ReadoutsPage {
     fn readout(&mut self, scene: &Scene) -> &Result<Readout, String> {
+        let needed = scene.for_readouts();
         let stale = self
             .last
             .as_ref()
-            .is_none_or(|(seen, made, _)| seen != scene && made.elapsed() > MIN_AGE);
+            .is_none_or(|(seen, made, _)| *seen != needed && made.elapsed() > MIN_AGE);
         if stale {
             self.last = None;
         }
         let fresh = || {
             (
-                scene.clone(),
+                needed,
                 Instant::now(),
                 Readout::new(scene).map_err(|error| error.to_string()),
             )
@@ -58,7 +61,11 @@ impl ReadoutsPage {
         match self.readout(scene) {
             Ok(readout) => {
                 tables(ui, readout, scene.observer.kind, mass);
+                if let Some(spot) = &readout.hot_spot {
+                    echo(ui, spot, mass);
+                }
                 clocks(ui, free_fall, bindings, mass);
+                disk(ui, scene, mass);
             }
             Err(reason) => {
                 ui.colored_label(ui.visuals().error_fg_color, reason);
@@ -147,6 +154,37 @@ fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMa
     );
 }
 
+/// How long the hot spot takes for a turn, how long the light of its direct image was under way,
+/// and by how much the light of each further image is older than that of the one before.
+fn echo(ui: &mut egui::Ui, spot: &HotSpotReadout, mass: HoleMass) {
+    let both = |time: f64| format!("{} r_s/c = {}", in_words(time), in_minutes(time, mass));
+    let known = |time: Option<f64>| time.map_or_else(|| "not known here".into(), both);
+    let [direct, once, twice] = spot.delays;
+    let later = |first: Option<f64>, second: Option<f64>| {
+        known(first.zip(second).map(|(first, second)| second - first))
+    };
+    table(
+        ui,
+        "Hot spot and its light echo",
+        &[
+            ("One turn", both(spot.period)),
+            ("Direct light, under way for", known(direct)),
+            ("Around the hole, older by", later(direct, once)),
+            ("Once more around, older by", later(once, twice)),
+        ],
+    );
+}
+
+/// A time in r_s/c as minutes, or as seconds where it is short.
+fn in_minutes(time: f64, mass: HoleMass) -> String {
+    let seconds = time * mass.seconds();
+    if seconds >= 60.0 {
+        format!("{} min", in_words(seconds / 60.0))
+    } else {
+        format!("{} s", in_words(seconds))
+    }
+}
+
 fn clocks(ui: &mut egui::Ui, free_fall: &FreeFall, bindings: &Bindings, mass: HoleMass) {
     let Some(worldline) = free_fall.worldline() else {
         ui.weak(format!(
@@ -171,6 +209,42 @@ fn clocks(ui: &mut egui::Ui, free_fall: &FreeFall, bindings: &Bindings, mass: Ho
         "Clocks since the observer was let go",
         &[("Own time", both(worldline.proper_time())), far],
     );
+}
+
+/// The disk's clock, and how long an orbit at its inner edge takes.
+fn disk(ui: &mut egui::Ui, scene: &Scene, mass: HoleMass) {
+    if !scene.disk.enabled {
+        return;
+    }
+    let in_seconds = |time: f64| duration_in_words(time * mass.seconds());
+    let mut rows = Vec::new();
+    if scene.disk_moves() {
+        let rate = scene.disk.rate;
+        rows.extend([
+            (
+                "Time at the camera",
+                format!("{:.1} r_s/c", scene.disk.time),
+            ),
+            ("One second here", format!("{} r_s/c", in_words(rate))),
+            ("", format!("{} for {}", in_seconds(rate), mass.name)),
+        ]);
+    }
+    if let Some(period) = inner_period(scene) {
+        rows.extend([
+            (
+                "Orbit at the inner edge",
+                format!("{} r_s/c", in_words(period)),
+            ),
+            ("", in_seconds(period)),
+        ]);
+        if scene.disk_moves() && scene.disk.rate > 0.0 {
+            rows.push((
+                "On the screen",
+                format!("{} s", in_words(period / scene.disk.rate)),
+            ));
+        }
+    }
+    table(ui, "The disk", &rows);
 }
 
 fn table(ui: &mut egui::Ui, title: &str, rows: &[(&str, String)]) {
@@ -215,8 +289,5 @@ fn choose_mass(ui: &mut egui::Ui, settings: &mut Settings) -> HoleMass {
         let own = own.custom_formatter(|suns, _| in_words(suns));
         ui.add(own.custom_parser(from_words));
     });
-    HoleMass {
-        name: "chosen",
-        suns: *suns,
-    }
+    HoleMass::of_suns(*suns)
 }

@@ -5,6 +5,7 @@ use super::idle::why_idle;
 use super::sections::{RowText, SECTIONS, Shown};
 use super::step_count::StepCounter;
 use crate::app::controls::bindings::Bindings;
+use crate::app::state::paused::Paused;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::ui::theme::{ACCENT, WEAK_TEXT};
 use crate::render::letterbox;
@@ -22,6 +23,9 @@ const IDLE_OPACITY: f32 = 0.45;
 /// The field below which the number of steps is shown.
 const FIELD_WITH_STEPS: &str = "method";
 
+/// The field that the disk's clock changes, below which it is paused.
+const FIELD_OF_CLOCK: &str = "disk.time";
+
 /// The field below which the number of cells or pixels in the window is shown.
 const FIELD_WITH_CELLS: &str = "picture.grid_height";
 
@@ -33,6 +37,7 @@ pub(super) fn show(
     editor: &mut SceneEditor,
     steps: &StepCounter,
     bindings: &Bindings,
+    paused: &mut Paused,
     window: UVec2,
 ) {
     show_head(ui, editor, bindings);
@@ -55,6 +60,9 @@ pub(super) fn show(
                         ui.weak(steps.in_words()).on_hover_text(
                             "The work that method and quality mean for this picture",
                         );
+                    }
+                    if field.key == FIELD_OF_CLOCK && scene.disk_moves() {
+                        pause_button(ui, bindings, paused);
                     }
                     if field.key == FIELD_WITH_CELLS {
                         let drawn = &editor.drawn_scene().picture;
@@ -109,6 +117,25 @@ fn show_head(ui: &mut egui::Ui, editor: &mut SceneEditor, bindings: &Bindings) {
     ui.add_space(2.0);
 }
 
+/// Pauses the disk's clock, and lets it go on.
+fn pause_button(ui: &mut egui::Ui, bindings: &Bindings, paused: &mut Paused) {
+    ui.horizontal(|ui| {
+        ui.add_space(LABEL_WIDTH + 6.0);
+        let text = if paused.0 {
+            "Run the clock"
+        } else {
+            "Pause the clock"
+        };
+        let key = bindings.label("motion.pause");
+        let button = ui.button(text).on_hover_text(format!(
+            "As {key} does: journeys and falls stand still, too"
+        ));
+        if button.clicked() {
+            paused.0 = !paused.0;
+        }
+    });
+}
+
 /// The fields that no section has, if there are any.
 fn show_other_fields(ui: &mut egui::Ui, scene: &Scene, loaded: &Scene) -> Option<Change> {
     let listed = |key| {
@@ -156,7 +183,8 @@ fn show_row(
             ui.set_opacity(IDLE_OPACITY);
         }
         let is_changed = value != original;
-        let colour = if is_changed {
+        // What the clock does is no change of the preset.
+        let colour = if is_changed && field.key != FIELD_OF_CLOCK {
             ACCENT
         } else {
             ui.visuals().text_color()

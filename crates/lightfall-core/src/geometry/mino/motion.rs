@@ -125,16 +125,22 @@ impl Constants {
         self.k - self.angular_momentum.powi(2)
     }
 
+    /// K' = Q + (L - a E)^2, in r_s^2.
+    #[must_use]
+    pub fn k_prime(&self) -> f64 {
+        let ae = self.a * self.energy;
+        self.k + ae * (ae - 2.0 * self.angular_momentum)
+    }
+
     /// The coefficients of U, from u^0 to u^4.
     #[must_use]
     pub fn potential_coefficients(&self) -> [f64; 5] {
         let ae = self.a * self.energy;
-        let k_prime = self.k + ae * (ae - 2.0 * self.angular_momentum);
         [
             self.energy.powi(2),
             0.0,
             ae * ae - self.k,
-            k_prime,
+            self.k_prime(),
             -self.a.powi(2) * self.carter_q(),
         ]
     }

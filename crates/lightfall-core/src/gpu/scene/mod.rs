@@ -3,6 +3,7 @@
 
 mod disk;
 mod hole;
+mod hot_spot;
 mod observer;
 mod picture;
 mod quality;
@@ -11,7 +12,9 @@ mod sky;
 
 pub use disk::GpuDisk;
 pub use hole::GpuHole;
+pub use hot_spot::GpuHotSpot;
 pub use observer::GpuObserver;
+pub(super) use observer::time_lead;
 pub use picture::{GpuPicture, MARK_BRIGHTNESS};
 pub use quality::GpuQuality;
 pub use shadow::GpuShadow;

@@ -26,6 +26,7 @@ pub struct GpuObserver {
     pub u: f32,
     pub u_to_horizon: f32,
     pub ingoing_azimuth_lead: f32,
+    pub time_lead: f32,
     pub zamo_lapse: f32,
     pub zamo_angular_velocity: f32,
 }
@@ -70,9 +71,24 @@ impl GpuObserver {
             } else {
                 wrap_angle(kerr.ingoing_azimuth_lead(r)) as f32
             },
+            time_lead: time_lead(scene).unwrap_or(0.0) as f32,
             zamo_lapse: zamo.lapse as f32,
             zamo_angular_velocity: zamo.dragging as f32,
         }
+    }
+}
+
+/// How far Kerr's ingoing time is ahead of the camera's time, in r_s/c; without lensing the
+/// camera's distance from the centre of flat space. `None` at and inside the horizon, where the
+/// camera's time is the ingoing one.
+pub(in crate::gpu) fn time_lead(scene: &Scene) -> Option<f64> {
+    let kerr = Kerr {
+        spin: scene.hole.spin,
+    };
+    let r = scene.camera.r;
+    match scene.effects.lensing {
+        false => Some(r),
+        true => (r > kerr.horizon()).then(|| kerr.ingoing_time_lead(r)),
     }
 }
 

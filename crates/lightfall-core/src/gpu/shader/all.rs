@@ -2,7 +2,7 @@
 //! so that a new row is tested as well.
 
 use super::{Entry, Tracer, Variant};
-use crate::scene::{DiskModel, Effects, Method, Scene, SkyMode, View};
+use crate::scene::{DiskModel, Effects, HotSpotKind, LimbDarkening, Method, Scene, SkyMode, View};
 
 impl Variant {
     /// Every variant that a scene can ask for, with two exceptions: sets of effects with some
@@ -61,6 +61,26 @@ impl Variant {
                 ..*variant
             };
             all.extend(shining.iter().map(modelled));
+        }
+        for hot_spot in HotSpotKind::ALL {
+            all.extend(shining.iter().map(|variant| Self {
+                hot_spot,
+                limb: LimbDarkening::ElectronScattering,
+                delay_nodes: match hot_spot {
+                    HotSpotKind::None => 0,
+                    _ => variant.tracer.delay_nodes(),
+                },
+                ..*variant
+            }));
+        }
+        let plain = |variant: &&Self| variant.effects == Effects::default();
+        for repeats in [false, true] {
+            all.extend(shining.iter().filter(plain).map(|variant| Self {
+                structure: true,
+                repeats,
+                delay_nodes: variant.tracer.delay_nodes(),
+                ..*variant
+            }));
         }
         let close = |variant: &Self| {
             let (tracer, view, effects) = (variant.tracer, variant.view, variant.effects);

@@ -12,7 +12,9 @@ pub use text::ShaderText;
 pub use tracer::Tracer;
 
 use crate::geometry::kerr::Kerr;
-use crate::scene::{DiskModel, Effects, Scene, SkyMode, View};
+use crate::scene::{
+    DiskModel, DiskStructure, Effects, HotSpotKind, LimbDarkening, Scene, SkyMode, View,
+};
 use text::{Part, part};
 use view::view_shader;
 
@@ -32,6 +34,17 @@ pub struct Variant {
     pub disk: bool,
     /// The model of the disk's flux; the default where none is drawn.
     pub disk_model: DiskModel,
+    /// Whether the disk has structure; false where none is drawn.
+    pub structure: bool,
+    /// Whether that structure repeats after a period.
+    pub repeats: bool,
+    /// The hot spot; none where none is drawn.
+    pub hot_spot: HotSpotKind,
+    /// The disk's limb darkening; none where none is drawn.
+    pub limb: LimbDarkening,
+    /// Nodes of the integral for the time between emission and arrival: 2, 3, 4 or 8, or 0 where
+    /// nothing asks for that time.
+    pub delay_nodes: u32,
     /// What lies at infinity; off where nothing is drawn.
     pub sky: SkyMode,
     /// Whether the reference star is in the sky.
@@ -56,6 +69,8 @@ pub enum Entry {
     Rays,
     /// One vector per pixel, for timing: entry points `timed`, `vertex` and `fragment`.
     Timed,
+    /// The light of each pixel from a compute entry, for timing: entry point `timed`.
+    TimedLight,
 }
 
 /// The smallest share of light from behind the disk for which a ray is followed beyond crossings:
@@ -89,17 +104,36 @@ impl Variant {
         } else {
             scene.disk.transmission
         };
+        let lit = scene.disk.enabled && !marks;
+        let structure = lit && scene.disk.structure != DiskStructure::None;
+        let hot_spot = if lit {
+            scene.hot_spot.kind
+        } else {
+            HotSpotKind::None
+        };
+        let needs_delay = structure
+            || hot_spot != HotSpotKind::None
+            || scene.disk.enabled && scene.view.properties().delays;
         Self {
             entry: Entry::Picture,
             tracer,
             spinning: scene.hole.spin != 0.0,
             near_horizon: tracer.has_near_horizon() && passes_near_horizon(scene),
             disk: scene.disk.enabled && scene.view.properties().traces,
-            disk_model: if scene.disk.enabled && !marks {
+            disk_model: if lit {
                 scene.disk.model
             } else {
                 DiskModel::default()
             },
+            structure,
+            repeats: structure && scene.disk.period > 0.0,
+            hot_spot,
+            limb: if lit {
+                scene.disk.limb
+            } else {
+                LimbDarkening::None
+            },
+            delay_nodes: if needs_delay { tracer.delay_nodes() } else { 0 },
             sky,
             reference_star: scene.sky.reference_star && sky != SkyMode::Off,
             view: scene.view,
@@ -121,15 +155,21 @@ impl Variant {
 
     /// The shader that traces rays through the scene and records everything about them.
     pub fn rays(scene: &Scene) -> Self {
+        let tracing = Self::tracing_only(scene);
         Self {
             entry: Entry::Rays,
             effects: Effects {
                 beaming: true,
                 ..scene.effects
             },
+            delay_nodes: if scene.disk.enabled {
+                tracing.tracer.delay_nodes()
+            } else {
+                0
+            },
             max_hits: 2,
             follow_beyond_hits: true,
-            ..Self::tracing_only(scene)
+            ..tracing
         }
     }
 
@@ -141,10 +181,23 @@ impl Variant {
         }
     }
 
+    /// The shader that computes a picture's light and draws nothing, to be timed.
+    pub fn timed_light(scene: &Scene) -> Self {
+        Self {
+            entry: Entry::TimedLight,
+            ..Self::picture(scene)
+        }
+    }
+
     /// The picture's variant without anything that shines.
     fn tracing_only(scene: &Scene) -> Self {
         Self {
             disk_model: DiskModel::default(),
+            structure: false,
+            repeats: false,
+            hot_spot: HotSpotKind::None,
+            limb: LimbDarkening::None,
+            delay_nodes: 0,
             sky: SkyMode::Off,
             reference_star: false,
             ..Self::picture(&Scene {
@@ -178,7 +231,7 @@ impl Variant {
         match self.entry {
             Entry::Rays => parts.push(part!("rays.wgsl")),
             Entry::Timed => parts.extend([part!("fullscreen.wgsl"), part!("timed.wgsl")]),
-            Entry::Picture => {
+            Entry::Picture | Entry::TimedLight => {
                 if self.view.shows_light() {
                     parts.extend(self.light());
                 }
@@ -187,7 +240,11 @@ impl Variant {
                 if self.view.properties().traces {
                     parts.push(part!("view/traced.wgsl"));
                 }
-                parts.extend([part!("fullscreen.wgsl"), part!("geodesic.wgsl")]);
+                if self.entry == Entry::Picture {
+                    parts.extend([part!("fullscreen.wgsl"), part!("geodesic.wgsl")]);
+                } else {
+                    parts.push(part!("timed_light.wgsl"));
+                }
             }
         }
         parts
@@ -202,7 +259,7 @@ impl Variant {
             part!("shift.wgsl"),
         ];
         parts.extend(source::disk_parts(self.disk));
-        parts.extend(self.tracer.parts());
+        parts.extend(self.tracer.parts(self.delay_nodes > 0));
         parts
     }
 
@@ -213,7 +270,14 @@ impl Variant {
             parts.push(part!("spectrum.wgsl"));
         }
         if self.disk {
-            parts.extend(source::emission_parts(self.disk_model));
+            parts.extend(source::flux_parts(self.disk_model));
+            parts.extend(source::structure_parts(
+                self.structure,
+                self.entry == Entry::Picture,
+            ));
+            parts.extend(source::hot_spot_parts(self.hot_spot));
+            parts.extend(source::limb_parts(self.limb));
+            parts.push(part!("disk/emission.wgsl"));
         }
         parts.extend(source::sky_parts(self.sky));
         parts

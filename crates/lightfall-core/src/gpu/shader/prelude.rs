@@ -4,24 +4,28 @@
 use super::text::add_constant;
 use super::view::view_shader;
 use super::{Entry, Variant};
+use crate::geometry::quadrature::gauss_legendre;
 use crate::gpu::bindings;
 use crate::gpu::error_map::ErrorMap;
+use crate::gpu::structure::GpuStructure;
 use crate::optics::disk;
 use crate::optics::spectrum::{TABLE_LEN, TABLE_MAX_TEMPERATURE, TABLE_MIN_TEMPERATURE};
-use crate::scene::{SkyMode, View};
+use crate::scene::{HotSpotKind, SkyMode, View};
 
 impl Variant {
     /// The flags, by their names in the shaders.
-    pub fn flags(self) -> [(&'static str, bool); 13] {
+    pub fn flags(self) -> [(&'static str, bool); 15] {
         let records = self.entry == Entry::Rays;
         [
             ("SPINNING", self.spinning),
             ("NEAR_HORIZON", self.near_horizon),
-            ("AZIMUTH", records),
+            ("AZIMUTH", records || self.moves()),
+            ("DELAY", self.delay_nodes > 0),
+            ("SHEARED_SPOT", self.hot_spot == HotSpotKind::Sheared),
             // A timed shader does all the work that a picture with a sky does.
             (
                 "SKY_DIRECTION",
-                self.entry != Entry::Picture || self.sky != SkyMode::Off,
+                matches!(self.entry, Entry::Rays | Entry::Timed) || self.sky != SkyMode::Off,
             ),
             ("REFERENCE_STAR", self.reference_star),
             ("SHOW_UNFINISHED", self.view == View::Unfinished),
@@ -68,6 +72,51 @@ impl Variant {
         for (name, value) in temperatures {
             add_constant(&mut text, name, "f32", format!("{value:?}"));
         }
+        if self.structure {
+            add_constant(&mut text, "REPEATS", "bool", self.repeats);
+            for (name, kind, value) in GpuStructure::constants() {
+                add_constant(&mut text, name, kind, value);
+            }
+        }
+        if self.delay_nodes > 0 {
+            text.push_str(&delay_nodes(self.delay_nodes));
+        }
         text
     }
+
+    /// Whether anything in the disk moves with its matter.
+    fn moves(self) -> bool {
+        self.structure || self.hot_spot != HotSpotKind::None
+    }
+}
+
+/// The nodes and weights on [0, 1] of the rule by Gauss and Legendre: `DELAY_NODES` and
+/// `DELAY_WEIGHTS`, vectors of the type `Nodes`, and for more than four nodes a second pair.
+fn delay_nodes(count: u32) -> String {
+    let size = count.min(4) as usize;
+    let rule = gauss_legendre(count as usize);
+    let mut text = format!("alias Nodes = vec{size}<f32>;\n");
+    let vector = |values: &[f64]| {
+        let values: Vec<String> = values.iter().map(|x| format!("{:?}", *x as f32)).collect();
+        format!("vec{size}<f32>({})", values.join(", "))
+    };
+    let (nodes, weights): (Vec<f64>, Vec<f64>) = rule.into_iter().unzip();
+    let last = nodes.len() - size;
+    for (suffix, from) in [("", 0), ("_2", last)] {
+        let range = from..from + size;
+        add_constant(
+            &mut text,
+            &format!("DELAY_NODES{suffix}"),
+            "Nodes",
+            vector(&nodes[range.clone()]),
+        );
+        add_constant(
+            &mut text,
+            &format!("DELAY_WEIGHTS{suffix}"),
+            "Nodes",
+            vector(&weights[range]),
+        );
+    }
+    add_constant(&mut text, "DELAY_MORE_NODES", "bool", last > 0);
+    text
 }

@@ -1,7 +1,7 @@
 //! The sources of light, one row each: the files of every disk model and sky mode.
 
 use super::text::{Part, part};
-use crate::scene::{DiskModel, SkyMode};
+use crate::scene::{DiskModel, HotSpotKind, LimbDarkening, SkyMode};
 
 /// The files that find a ray's crossings of a disk, or of none.
 pub(super) fn disk_parts(disk: bool) -> &'static [Part] {
@@ -12,11 +12,43 @@ pub(super) fn disk_parts(disk: bool) -> &'static [Part] {
     }
 }
 
-/// The files that define `disk_light`.
-pub(super) fn emission_parts(model: DiskModel) -> &'static [Part] {
+/// The files that define `disk_flux`.
+pub(super) fn flux_parts(model: DiskModel) -> &'static [Part] {
     match model {
-        DiskModel::Newtonian => &[part!("disk/newtonian.wgsl"), part!("disk/emission.wgsl")],
-        DiskModel::PageThorne => &[part!("disk/page_thorne.wgsl"), part!("disk/emission.wgsl")],
+        DiskModel::Newtonian => &[part!("disk/newtonian.wgsl")],
+        DiskModel::PageThorne => &[part!("disk/page_thorne.wgsl")],
+    }
+}
+
+/// The files that define `structure_factor`. Compute entries have no neighbours to measure a
+/// pixel's footprint by.
+pub(super) fn structure_parts(structure: bool, has_neighbours: bool) -> &'static [Part] {
+    match (structure, has_neighbours) {
+        (false, _) => &[part!("disk/structure/none.wgsl")],
+        (true, true) => &[
+            part!("disk/structure/footprint.wgsl"),
+            part!("disk/structure/waves.wgsl"),
+        ],
+        (true, false) => &[
+            part!("disk/structure/fixed_footprint.wgsl"),
+            part!("disk/structure/waves.wgsl"),
+        ],
+    }
+}
+
+/// The files that define `hot_spot_factor`.
+pub(super) fn hot_spot_parts(kind: HotSpotKind) -> &'static [Part] {
+    match kind {
+        HotSpotKind::None => &[part!("disk/hot_spot/none.wgsl")],
+        HotSpotKind::Rigid | HotSpotKind::Sheared => &[part!("disk/hot_spot/spot.wgsl")],
+    }
+}
+
+/// The files that define `limb_darkening`.
+pub(super) fn limb_parts(limb: LimbDarkening) -> &'static [Part] {
+    match limb {
+        LimbDarkening::None => &[part!("disk/limb/none.wgsl")],
+        LimbDarkening::ElectronScattering => &[part!("disk/limb/electron_scattering.wgsl")],
     }
 }
 

@@ -33,18 +33,49 @@ impl Tracer {
     }
 
     /// The files that define `trace`: a new tracer is a new row.
-    pub(super) fn parts(self) -> &'static [Part] {
-        match self {
-            Self::Verlet => &[part!("method/verlet.wgsl")],
-            Self::Closed => &[part!("elliptic.wgsl"), part!("method/closed.wgsl")],
-            Self::Mino => &[
+    pub(super) fn parts(self, delay: bool) -> Vec<Part> {
+        match (self, delay) {
+            (Self::Verlet, _) => vec![part!("method/verlet.wgsl")],
+            (Self::Closed, false) => vec![
+                part!("elliptic.wgsl"),
+                part!("method/closed_orbit.wgsl"),
+                part!("delay/none/closed.wgsl"),
+                part!("method/closed.wgsl"),
+            ],
+            (Self::Closed, true) => vec![
+                part!("elliptic.wgsl"),
+                part!("method/closed_orbit.wgsl"),
+                part!("delay/tortoise.wgsl"),
+                part!("delay/closed.wgsl"),
+                part!("method/closed.wgsl"),
+            ],
+            (Self::Mino, false) => vec![
                 part!("method/mino_motion.wgsl"),
                 part!("method/mino_azimuth.wgsl"),
+                part!("delay/none/mino.wgsl"),
                 part!("method/mino.wgsl"),
             ],
-            Self::KerrSchild => &[part!("method/kerr_schild.wgsl")],
-            Self::Straight => &[part!("method/straight.wgsl")],
+            (Self::Mino, true) => vec![
+                part!("method/mino_motion.wgsl"),
+                part!("method/mino_azimuth.wgsl"),
+                part!("delay/tortoise.wgsl"),
+                part!("delay/mino.wgsl"),
+                part!("method/mino.wgsl"),
+            ],
+            (Self::KerrSchild, _) => {
+                vec![
+                    part!("delay/tortoise.wgsl"),
+                    part!("method/kerr_schild.wgsl"),
+                ]
+            }
+            (Self::Straight, _) => vec![part!("method/straight.wgsl")],
         }
+    }
+
+    /// Nodes of the integral that gives the delay, where a picture asks for it: per leg of a ray of
+    /// the method closed, per step of the method mino.
+    pub(super) fn delay_nodes(self) -> u32 {
+        if self == Self::Mino { 3 } else { 4 }
     }
 
     /// Whether it has a second way to sum azimuths, for rays next to the horizon (the flag

@@ -23,6 +23,7 @@ pub(super) fn view_shader(view: View) -> ViewShader {
         View::Classes => (&[part!("view/classes.wgsl")], false),
         View::Residual => (&[part!("view/residual.wgsl")], true),
         View::Order => (&[part!("view/order.wgsl")], true),
+        View::Delay => (&[part!("view/oklab.wgsl"), part!("view/delay.wgsl")], false),
         View::Redshift => (&[part!("view/redshift.wgsl")], false),
         View::Steps => (&[part!("view/oklab.wgsl"), part!("view/steps.wgsl")], false),
         View::Error => (&[part!("view/oklab.wgsl"), part!("view/error.wgsl")], false),

@@ -113,5 +113,5 @@ fn follow(
 ) -> Trace {
     let photon = sky.frame.photon(direction);
     let (constants, start) = Constants::of_photon(hole.kerr, &photon, sky.r, sky.n);
-    hole.follow(&constants, start, |_, expansion, end| visit(expansion, end))
+    hole.follow(&constants, start, |step| visit(step.expansion, step.length))
 }

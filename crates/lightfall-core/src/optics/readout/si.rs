@@ -36,6 +36,16 @@ pub const MASSES: [HoleMass; 3] = [
 ];
 
 impl HoleMass {
+    /// The mass of so many suns, with the name of the hole that has it, or as `this hole`.
+    #[must_use]
+    pub fn of_suns(suns: f64) -> Self {
+        let known = MASSES.into_iter().find(|mass| mass.suns == suns);
+        known.unwrap_or(Self {
+            name: "this hole",
+            suns,
+        })
+    }
+
     /// r_s = 2 G M / c^2, in m.
     #[must_use]
     pub fn metres(self) -> f64 {

@@ -1,8 +1,10 @@
 //! Error against run time: for each scene, method and setting, how long tracing takes and how wrong
 //! it is.
 
+mod delay;
 mod equal_error;
 mod labels;
+mod light;
 mod markdown;
 mod measurement;
 mod pareto;
@@ -11,7 +13,9 @@ mod plot;
 mod scenes;
 mod settings;
 
+pub use delay::{DelayMeasurement, delay_table, plot_delays};
 pub use equal_error::{AtEqualError, at_equal_error};
+pub use light::{LightMeasurement, light_table};
 pub use markdown::markdown;
 pub use measurement::Measurement;
 pub use pareto::{AutoMargin, Ranking, auto_margin, is_on_front};

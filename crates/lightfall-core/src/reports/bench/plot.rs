@@ -26,24 +26,60 @@ fn colour(method: &str) -> RGBColor {
     }
 }
 
+/// A mark of a plot.
+pub(super) struct Mark {
+    pub method: String,
+    pub label: String,
+    pub trace_ms: f64,
+    /// A mark whose error is infinite becomes a cross at the upper edge.
+    pub error: f64,
+    /// Whether it belongs to the Pareto front, which is drawn dashed.
+    pub on_front: bool,
+}
+
 /// The scene's rows as SVG. `None` if there is nothing to draw. Rows whose error is infinite,
 /// because of unfinished rays, are crosses at the upper edge.
 ///
 /// # Errors
 /// The message of the plotting library.
 pub fn plot(scene: &str, about: &str, rows: &[Measurement]) -> Result<Option<String>, String> {
-    let own: Vec<&Measurement> = rows.iter().filter(|row| row.scene == scene).collect();
+    let own = rows.iter().filter(|row| row.scene == scene);
+    let marks: Vec<Mark> = own
+        .map(|row| Mark {
+            method: row.method.clone(),
+            label: row.value.map(|value| value.to_string()).unwrap_or_default(),
+            trace_ms: row.trace_ms,
+            error: row.backward_p99_px,
+            on_front: is_on_front(rows, row),
+        })
+        .collect();
+    plot_marks(
+        &format!("{scene}: {about}"),
+        "backward error, pixels, 99th percentile",
+        &marks,
+    )
+}
+
+/// The marks as SVG, one line per method. `None` if there is nothing to draw.
+///
+/// # Errors
+/// The message of the plotting library.
+pub(super) fn plot_marks(
+    caption: &str,
+    error: &str,
+    own: &[Mark],
+) -> Result<Option<String>, String> {
     let bounded = || {
         own.iter()
-            .filter(|row| row.backward_p99_px.is_finite() && row.backward_p99_px > 0.0)
+            .filter(|mark| mark.error.is_finite() && mark.error > 0.0)
     };
     let ends = |values: Vec<f64>| {
         let low = values.iter().copied().fold(f64::INFINITY, f64::min);
         let high = values.iter().copied().fold(0.0, f64::max);
         (low, high)
     };
-    let (fastest, slowest) = ends(own.iter().map(|row| row.trace_ms).collect());
-    let (least, most) = ends(bounded().map(|row| row.backward_p99_px).collect());
+    let (fastest, slowest) = ends(own.iter().map(|mark| mark.trace_ms).collect());
+    let (least, most) = ends(bounded().map(|mark| mark.error).collect());
     if !(fastest > 0.0 && least > 0.0 && least.is_finite()) {
         return Ok(None);
     }
@@ -53,10 +89,8 @@ pub fn plot(scene: &str, about: &str, rows: &[Measurement]) -> Result<Option<Str
         let area = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
         draw(
             &area,
-            scene,
-            about,
-            &own,
-            rows,
+            [caption, error],
+            own,
             [fastest / 1.6, slowest * 9.0, least / 2.5, top],
         )
         .map_err(|error| error.to_string())?;
@@ -69,15 +103,13 @@ type Drawn<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBacke
 
 fn draw<'a>(
     area: &DrawingArea<SVGBackend<'a>, plotters::coord::Shift>,
-    scene: &str,
-    about: &str,
-    own: &[&Measurement],
-    rows: &[Measurement],
+    [caption, error]: [&str; 2],
+    own: &[Mark],
     [left, right, bottom, top]: [f64; 4],
 ) -> Drawn<'a> {
     area.fill(&WHITE)?;
     let mut chart = ChartBuilder::on(area)
-        .caption(format!("{scene}: {about}"), ("sans-serif", 17))
+        .caption(caption, ("sans-serif", 17))
         .margin(12)
         .x_label_area_size(44)
         .y_label_area_size(76)
@@ -87,59 +119,53 @@ fn draw<'a>(
         .light_line_style(RGBColor(238, 238, 238))
         .bold_line_style(RGBColor(215, 215, 215))
         .x_desc("time to trace the picture's rays, ms")
-        .y_desc("backward error, pixels, 99th percentile")
+        .y_desc(error)
         .x_label_formatter(&|x| decade(*x))
         .y_label_formatter(&|y| decade(*y))
         .label_style(("sans-serif", 13))
         .draw()?;
     let ceiling = top / 1.6;
-    let height = |row: &Measurement| {
-        if row.backward_p99_px.is_finite() {
-            row.backward_p99_px
+    let place = |mark: &Mark| {
+        let height = if mark.error.is_finite() {
+            mark.error
         } else {
             ceiling
-        }
+        };
+        (mark.trace_ms, height)
     };
-    let mut methods: Vec<&str> = own.iter().map(|row| row.method.as_str()).collect();
+    let mut methods: Vec<&str> = own.iter().map(|mark| mark.method.as_str()).collect();
     methods.dedup();
-    let at = |row: &Measurement| chart.backend_coord(&(row.trace_ms, height(row))).into();
-    let points: Vec<[i32; 2]> = own.iter().map(|row| at(row)).collect();
-    let names: Vec<String> = own
+    let points: Vec<[i32; 2]> = own
         .iter()
-        .map(|row| row.value.map(|value| value.to_string()).unwrap_or_default())
+        .map(|mark| chart.backend_coord(&place(mark)).into())
         .collect();
-    let sizes: Vec<[i32; 2]> = names
+    let sizes: Vec<[i32; 2]> = own
         .iter()
-        .map(|name| [LETTER[0] * name.len() as i32, LETTER[1]])
+        .map(|mark| [LETTER[0] * mark.label.len() as i32, LETTER[1]])
         .collect();
-    for ((row, name), corner) in own
-        .iter()
-        .zip(names)
-        .zip(place_labels(&points, &sizes, LEGEND))
-    {
-        let colour = colour(&row.method);
+    for (mark, corner) in own.iter().zip(place_labels(&points, &sizes, LEGEND)) {
+        let colour = colour(&mark.method);
         let style = ("sans-serif", 11)
             .into_font()
             .color(&colour)
             .pos(Pos::new(HPos::Left, VPos::Top));
         let label = corner.map(|[x, y]| {
-            EmptyElement::at((row.trace_ms, height(row))) + Text::new(name, (x, y), style)
+            EmptyElement::at(place(mark)) + Text::new(mark.label.clone(), (x, y), style)
         });
         chart.draw_series(label)?;
     }
     for method in methods {
         let colour = colour(method);
-        let mut points: Vec<&&Measurement> =
-            own.iter().filter(|row| row.method == method).collect();
+        let mut points: Vec<&Mark> = own.iter().filter(|mark| mark.method == method).collect();
         points.sort_by(|a, b| a.trace_ms.total_cmp(&b.trace_ms));
-        let line = points.iter().map(|row| (row.trace_ms, height(row)));
+        let line = points.iter().map(|mark| place(mark));
         chart
             .draw_series(LineSeries::new(line, colour.stroke_width(1)))?
             .label(method)
             .legend(move |(x, y)| Circle::new((x + 8, y), 5, colour.filled()));
-        for row in points {
-            let place = (row.trace_ms, height(row));
-            if row.backward_p99_px.is_finite() {
+        for mark in points {
+            let place = place(mark);
+            if mark.error.is_finite() {
                 chart.draw_series(std::iter::once(Circle::new(place, 5, colour.filled())))?;
             } else {
                 chart.draw_series(std::iter::once(Cross::new(
@@ -152,21 +178,23 @@ fn draw<'a>(
     }
     let mut front: Vec<(f64, f64)> = own
         .iter()
-        .filter(|row| is_on_front(rows, row))
-        .map(|row| (row.trace_ms, row.backward_p99_px))
+        .filter(|mark| mark.on_front)
+        .map(|mark| (mark.trace_ms, mark.error))
         .collect();
     front.sort_by(|a, b| a.0.total_cmp(&b.0));
-    chart
-        .draw_series(DashedLineSeries::new(
-            front,
-            DASHES[0],
-            DASHES[1],
-            BLACK.stroke_width(1),
-        ))?
-        .label("Pareto front")
-        .legend(|(x, y)| {
-            DashedPathElement::new([(x - 2, y), (x + 20, y)], DASHES[0], DASHES[1], BLACK)
-        });
+    if !front.is_empty() {
+        chart
+            .draw_series(DashedLineSeries::new(
+                front,
+                DASHES[0],
+                DASHES[1],
+                BLACK.stroke_width(1),
+            ))?
+            .label("Pareto front")
+            .legend(|(x, y)| {
+                DashedPathElement::new([(x - 2, y), (x + 20, y)], DASHES[0], DASHES[1], BLACK)
+            });
+    }
     chart
         .configure_series_labels()
         .position(SeriesLabelPosition::UpperRight)

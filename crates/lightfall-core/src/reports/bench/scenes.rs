@@ -11,35 +11,28 @@ pub struct BenchScene {
     pub scene: Scene,
 }
 
-/// The scenes that are measured by default: the presets, without the one that is about a method, and
-/// preset 2 with a spinning hole.
+/// The scenes that are measured by default: the presets, without the one that is about a method.
+/// The opening preset comes without spin, so that every method can trace it, and once more as it
+/// is.
 #[must_use]
 pub fn scenes() -> Vec<BenchScene> {
-    let preset = |preset: &presets::Preset, name: &str, overrides: &[Override]| {
-        preset.scene(overrides).ok().map(|scene| BenchScene {
-            name: name.into(),
-            scene,
-        })
+    let measured = |preset: &presets::Preset, name: String, overrides: &[Override]| {
+        let scene = preset.scene(overrides).ok()?;
+        Some(BenchScene { name, scene })
     };
-    let twin = Override {
-        option: "--set",
-        key: "hole.spin".into(),
-        value: "0.9".into(),
-    };
-    let spinning = presets::PRESETS
-        .iter()
-        .filter(|preset| preset.number == presets::DEFAULT);
-    let spinning = spinning.filter_map(|found| {
-        preset(
-            found,
-            &format!("{}-spinning", found.name),
-            std::slice::from_ref(&twin),
-        )
-    });
+    let opening = &presets::PRESETS[presets::DEFAULT - 1];
+    let without_spin = [Override::new("--spin", "hole.spin", "0")];
     presets::PRESETS
         .iter()
-        .filter(|found| found.plain_scene().method == Method::Auto)
-        .filter_map(|found| preset(found, found.name, &[]))
-        .chain(spinning)
+        .filter(|preset| preset.plain_scene().method == Method::Auto)
+        .filter_map(|preset| {
+            let overrides: &[Override] = if preset == opening {
+                &without_spin
+            } else {
+                &[]
+            };
+            measured(preset, preset.name.into(), overrides)
+        })
+        .chain(measured(opening, format!("{}-spinning", opening.name), &[]))
         .collect()
 }

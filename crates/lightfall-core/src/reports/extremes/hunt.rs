@@ -49,7 +49,7 @@ impl Hunt {
             rays.extend(rays_over_picture(&scene, RAYS_PER_SCENE / 4));
             rays.extend(rays_near_edge(&scene, RAYS_PER_SCENE / 2, EDGE_DISTANCES));
             let truth = Truth::of(&scene, rays)?;
-            let traces = kernels.traces(gpu, &scene, &truth)?;
+            let traces = kernels.traces(gpu, &scene, &truth.rays)?;
             if let Some(ray) = WorstRay::of(&scene, &truth, &traces) {
                 done(&ray);
                 worst.push(ray);

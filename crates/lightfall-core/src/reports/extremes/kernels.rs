@@ -1,6 +1,6 @@
 //! Compiled shaders that many scenes share.
 
-use crate::accuracy::{Ray, Truth};
+use crate::accuracy::Ray;
 use crate::gpu::rays::RayKernel;
 use crate::gpu::{Gpu, GpuError, Variant};
 use crate::optics::trace::Trace;
@@ -13,14 +13,14 @@ use std::collections::hash_map::Entry;
 pub(super) struct Kernels(HashMap<Variant, RayKernel>);
 
 impl Kernels {
-    /// The answers of the scene's method to the rays of `truth`.
+    /// The answers of the scene's method to these rays.
     pub(super) fn traces(
         &mut self,
         gpu: &Gpu,
         scene: &Scene,
-        truth: &Truth,
+        rays: &[Ray],
     ) -> Result<Vec<Trace>, GpuError> {
-        let given: Vec<_> = truth.rays.iter().map(Ray::given).collect();
+        let given: Vec<_> = rays.iter().map(Ray::given).collect();
         let kernel = match self.0.entry(Variant::rays(scene)) {
             Entry::Occupied(known) => known.into_mut(),
             Entry::Vacant(new) => new.insert(RayKernel::new(gpu, scene)?),

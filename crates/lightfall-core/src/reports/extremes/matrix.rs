@@ -28,7 +28,7 @@ pub fn measure_matrix(
             let verdict = Verdict::new(
                 cell,
                 &scene,
-                &ErrorSummary::of(&truth, &kernels.traces(gpu, &scene, &truth)?),
+                &ErrorSummary::of(&truth, &kernels.traces(gpu, &scene, &truth.rays)?),
             );
             done(&verdict, work_of(cell, &scene));
             verdicts.push(verdict);
@@ -64,6 +64,6 @@ pub fn matrix_work(cells: &[Cell], methods: &[Method]) -> f64 {
     cells.iter().map(work).sum()
 }
 
-fn work_of(cell: &Cell, scene: &Scene) -> f64 {
+pub(super) fn work_of(cell: &Cell, scene: &Scene) -> f64 {
     cell.rays.len() as f64 * ray_work(scene)
 }

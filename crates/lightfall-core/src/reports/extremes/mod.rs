@@ -3,6 +3,7 @@
 
 mod cause;
 mod cells;
+mod delays;
 mod grid;
 mod hunt;
 mod kernels;
@@ -15,6 +16,7 @@ mod worst_ray;
 
 pub use cause::Cause;
 pub use cells::{Cell, cells};
+pub use delays::{CellDelays, delays_table, delays_work, measure_delays};
 pub use grid::grid;
 pub use hunt::Hunt;
 pub use matrix::{matrix_work, measure_matrix};

@@ -1,7 +1,7 @@
 //! One keyframe of a journey: its values, each checked by the field that it will be written to.
 
 use super::error::JourneyError;
-use super::format::{MAX_SECONDS, NAMES, field_like};
+use super::format::{MAX_SECONDS, NAMES, NOT_IN_RAIN, field_like};
 use crate::scene::from_toml::{float, given};
 use crate::scene::value::{FieldValue, Value, shortened};
 use std::collections::BTreeMap;
@@ -47,8 +47,8 @@ impl Keyframe {
             Some(_) => return Err(unknown("value rain")),
             None => Table::new(),
         };
-        if in_rain.contains_key("observer") {
-            return Err(unknown("rain.observer"));
+        if let Some(key) = NOT_IN_RAIN.iter().find(|key| in_rain.contains_key(**key)) {
+            return Err(unknown(&format!("rain.{key}")));
         }
         let values = checked(origin, number, &frame)?;
         let mut values_in_rain = values.clone();

@@ -1,6 +1,7 @@
 //! From the text of a journey to the journey.
 
 use super::caption::{Caption, read_captions};
+use super::clock::Clock;
 use super::error::JourneyError;
 use super::format::MAX_KEYFRAMES;
 use super::keyframe::{Keyframe, Values};
@@ -152,6 +153,13 @@ fn journey(keyframes: &[Keyframe], captions: Vec<Caption>) -> Journey {
         Value::Word(word) => Some((frame.time - start, ObserverKind::from_word(word)?)),
         _ => None,
     };
+    let numbers = |name: &str| {
+        let number = |frame: &Keyframe| {
+            let value = frame.values().get(name)?.number()?;
+            Some((frame.time - start, value))
+        };
+        keyframes.iter().filter_map(number).collect()
+    };
     let of = |values: fn(&Keyframe) -> &Values| {
         tracks(
             &keyframes
@@ -169,6 +177,10 @@ fn journey(keyframes: &[Keyframe], captions: Vec<Caption>) -> Journey {
         tracks: of(Keyframe::values),
         tracks_in_rain: of(Keyframe::values_in_rain),
         kinds: keyframes.iter().filter_map(kind).collect(),
+        clock: Clock {
+            rates: numbers("disk_rate"),
+            times: numbers("disk_time"),
+        },
     }
 }
 

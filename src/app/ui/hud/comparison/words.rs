@@ -19,12 +19,15 @@ const OBVIOUS_GROUPS: [&str; 3] = ["effects", "quality", "observer"];
 /// Groups that both sides of a comparison share.
 const SHARED_GROUPS: [&str; 3] = ["camera", "probe", "picture"];
 
+/// Fields that both sides share, or that say nothing about the picture.
+const SHARED_FIELDS: [&str; 3] = ["schema", "title", "disk.time"];
+
 /// The settings in which two compared scenes differ, each as it is in the first and in the second.
 #[must_use]
 pub fn differences(a: &Scene, b: &Scene) -> Vec<[String; 2]> {
     let compared = FIELDS.iter().filter(|field| {
         let group = field.key.split('.').next().unwrap_or_default();
-        !SHARED_GROUPS.contains(&group) && !["schema", "title"].contains(&field.key)
+        !SHARED_GROUPS.contains(&group) && !SHARED_FIELDS.contains(&field.key)
     });
     compared
         .filter(|field| field.get(a) != field.get(b))

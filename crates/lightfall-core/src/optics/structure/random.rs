@@ -1,0 +1,66 @@
+//! Random numbers by their place in a list: the same on every machine, for any time.
+
+/// Distance between the places of an octave's neighbouring waves in the list of phases: 2^32 over
+/// the golden ratio, so that the places of two waves are far apart.
+pub const GROUP_STRIDE: u32 = 0x9e37_79b9;
+
+/// Random bits of a place: the output function of SplitMix64 (Steele, Lea & Flood 2014).
+pub(super) fn bits(place: u64) -> u64 {
+    let mut z = place.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+/// The phase, in turns from -1/2 to 1/2, of the place `at` in the list of phases: the integer hash
+/// that Wellons found by search (lowbias32, 2018). Both languages compute it in 32 bits and keep the
+/// upper 23, so a wave has the same phase in both, however many lives it has lived.
+#[must_use]
+pub fn phase(at: u32) -> f64 {
+    let mut z = at;
+    z = (z ^ (z >> 16)).wrapping_mul(0x7feb_352d);
+    z = (z ^ (z >> 15)).wrapping_mul(0x846c_a68b);
+    z ^= z >> 16;
+    f64::from(z.cast_signed() >> 9) / 8_388_608.0
+}
+
+/// A list of random numbers that belongs to one purpose.
+pub(super) struct List {
+    start: u64,
+    next: u64,
+}
+
+impl List {
+    /// The list for a seed and the place that it is drawn for.
+    pub(super) fn new(seed: u32, ring: usize, octave: usize) -> Self {
+        let place = (ring * 16 + octave) as u64;
+        Self {
+            start: bits(u64::from(seed) << 16 | place),
+            next: 0,
+        }
+    }
+
+    /// The next 64 bits.
+    pub(super) fn bits(&mut self) -> u64 {
+        self.next += 1;
+        bits(self.start.wrapping_add(self.next))
+    }
+
+    /// The next number between 0 and 1.
+    pub(super) fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// One number from each of `count` equal parts of [0, 1], in random order.
+    pub(super) fn spread(&mut self, count: usize) -> Vec<f64> {
+        let mut parts: Vec<usize> = (0..count).collect();
+        for last in (1..count).rev() {
+            let other = (self.unit() * (last + 1) as f64) as usize;
+            parts.swap(last, other.min(last));
+        }
+        parts
+            .into_iter()
+            .map(|part| (part as f64 + self.unit()) / count as f64)
+            .collect()
+    }
+}

@@ -1,0 +1,244 @@
+//! The error of the time between emission and arrival against the run time of tracing with it.
+
+use super::plan::Plan;
+use super::plot::{Mark, plot_marks};
+use super::scenes::BenchScene;
+use crate::accuracy::{Ray, rays_over_picture};
+use crate::geometry::kerr::Kerr;
+use crate::gpu::rays::RayKernel;
+use crate::gpu::timing::Stopwatch;
+use crate::gpu::{Gpu, GpuError, Variant};
+use crate::optics::reference::Reference;
+use crate::optics::trace::{Hit, Trace};
+use crate::scene::{Method, Scene};
+use glam::Vec3;
+use serde::Serialize;
+
+/// Numbers of nodes that are measured, 0 for tracing without delays: per leg of a ray of the method
+/// closed, per step of the method mino.
+const NODES: [u32; 5] = [0, 2, 3, 4, 8];
+
+/// The delays of one method with one number of nodes in one scene, in r_s/c. They are compared
+/// where the ray meets the disk as often as it should.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DelayMeasurement {
+    /// Name of the scene.
+    pub scene: String,
+    /// Name of the method.
+    pub method: String,
+    /// Number of nodes; 0 for tracing without delays.
+    pub nodes: u32,
+    /// Whether pictures use this number.
+    pub own: bool,
+    /// Median time of tracing the picture's rays, in milliseconds.
+    pub trace_ms: f64,
+    /// Difference between the 90th and the 10th percentile of that time, in milliseconds.
+    pub trace_spread_ms: f64,
+    /// The clock that the times were read from.
+    pub clock: &'static str,
+    /// Number of hits.
+    pub hits: usize,
+    /// Error of their delays: its median.
+    pub delay_p50: f64,
+    /// Its 99th percentile.
+    pub delay_p99: f64,
+    /// Its maximum.
+    pub delay_max: f64,
+    /// Error in radians of the angle by which the matter turns meanwhile: its 99th percentile.
+    pub turn_p99: f64,
+    /// Its maximum.
+    pub turn_max: f64,
+}
+
+impl Plan {
+    /// Measures the delays of the methods closed and mino. `done` is called after each row.
+    ///
+    /// # Errors
+    /// A scene cannot be traced, the picture is too large for the device, or the device failed.
+    pub fn run_delays(
+        &self,
+        gpu: &Gpu,
+        mut done: impl FnMut(&DelayMeasurement),
+    ) -> Result<Vec<DelayMeasurement>, GpuError> {
+        let mut rows = Vec::new();
+        for bench_scene in self.scenes.iter().filter(|scene| scene.scene.disk.enabled) {
+            let scene = &bench_scene.scene;
+            let rays = rays_over_picture(scene, self.rays);
+            let (reference, axes) = (Reference::new(scene)?, scene.camera.tetrad_from_camera());
+            let truth: Vec<Trace> = rays
+                .iter()
+                .map(|ray| reference.trace_with_delays(axes * ray.direction()))
+                .collect();
+            let given: Vec<Vec3> = rays.iter().map(Ray::given).collect();
+            for method in self.methods_with_delays(scene) {
+                let scene = Scene {
+                    method,
+                    ..scene.clone()
+                };
+                for nodes in NODES {
+                    let row = self.delays(gpu, bench_scene, (&scene, nodes), &given, &truth)?;
+                    done(&row);
+                    rows.push(row);
+                }
+            }
+        }
+        Ok(rows)
+    }
+
+    fn methods_with_delays(&self, scene: &Scene) -> impl Iterator<Item = Method> {
+        let spins = scene.hole.spin != 0.0;
+        let wanted = [Method::Closed, Method::Mino].into_iter();
+        let methods = self.methods.clone();
+        wanted
+            .filter(move |method| methods.contains(method) && (!spins || method.properties().spins))
+    }
+
+    fn delays(
+        &self,
+        gpu: &Gpu,
+        bench_scene: &BenchScene,
+        (scene, nodes): (&Scene, u32),
+        given: &[Vec3],
+        truth: &[Trace],
+    ) -> Result<DelayMeasurement, GpuError> {
+        let with_nodes = |variant: Variant| Variant {
+            delay_nodes: nodes,
+            ..variant
+        };
+        let timed = with_nodes(Variant::timed(scene));
+        let stopwatch = Stopwatch::of_variant(gpu, timed, scene, self.size, self.stage)?;
+        let timing = stopwatch.time(gpu, self.effort)?;
+        let own = Variant::rays(scene).delay_nodes == nodes;
+        let mut errors = Vec::new();
+        if nodes > 0 {
+            let kernel = RayKernel::of_variant(gpu, with_nodes(Variant::rays(scene)), scene)?;
+            let found = kernel.trace_camera_rays(gpu, scene, given)?;
+            errors = truth.iter().zip(&found).flat_map(delay_errors).collect();
+        }
+        let kerr = Kerr {
+            spin: scene.hole.spin,
+        };
+        let turn = |(r, error): &(f64, f64)| {
+            let orbit = kerr.circular_orbit(*r);
+            orbit.map_or(f64::NAN, |orbit| orbit.angular_velocity * error)
+        };
+        let delays = Spread::of(errors.iter().map(|(_, error)| *error).collect());
+        let turns = Spread::of(errors.iter().map(turn).collect());
+        Ok(DelayMeasurement {
+            scene: bench_scene.name.clone(),
+            method: scene.method.word().into(),
+            nodes,
+            own,
+            trace_ms: timing.median_ms,
+            trace_spread_ms: timing.spread_ms,
+            clock: timing.clock.word(),
+            hits: errors.len(),
+            delay_p50: delays.p50,
+            delay_p99: delays.p99,
+            delay_max: delays.max,
+            turn_p99: turns.p99,
+            turn_max: turns.max,
+        })
+    }
+}
+
+/// The radius of each hit and the error of its delay, for a ray that meets the disk as often as it
+/// should.
+fn delay_errors((expected, found): (&Trace, &Trace)) -> impl Iterator<Item = (f64, f64)> {
+    let count = |trace: &Trace| trace.hits.iter().flatten().count();
+    let alike = count(expected) == count(found);
+    let pairs = expected.hits.into_iter().zip(found.hits);
+    pairs
+        .filter(move |_| alike)
+        .filter_map(|(expected, found): (Option<Hit>, Option<Hit>)| {
+            let (expected, found) = (expected?, found?);
+            Some((expected.r, (expected.delay? - found.delay?).abs()))
+        })
+}
+
+/// How a number is distributed; NaN where there is none.
+struct Spread {
+    p50: f64,
+    p99: f64,
+    max: f64,
+}
+
+impl Spread {
+    fn of(mut values: Vec<f64>) -> Self {
+        values.sort_by(f64::total_cmp);
+        let at = |share: f64| {
+            let index = (values.len().saturating_sub(1) as f64 * share).round() as usize;
+            values.get(index).copied().unwrap_or(f64::NAN)
+        };
+        Self {
+            p50: at(0.5),
+            p99: at(0.99),
+            max: at(1.0),
+        }
+    }
+}
+
+/// The scene's rows as SVG: error of the delays against run time. `None` if there is nothing to
+/// draw.
+///
+/// # Errors
+/// The message of the plotting library.
+pub fn plot_delays(
+    scene: &str,
+    about: &str,
+    rows: &[DelayMeasurement],
+) -> Result<Option<String>, String> {
+    let own = rows
+        .iter()
+        .filter(|row| row.scene == scene && row.nodes > 0);
+    let marks: Vec<Mark> = own
+        .map(|row| Mark {
+            method: row.method.clone(),
+            label: row.nodes.to_string(),
+            trace_ms: row.trace_ms,
+            error: row.delay_p99,
+            on_front: false,
+        })
+        .collect();
+    plot_marks(
+        &format!("{scene}: {about}"),
+        "error of the delay, r_s/c, 99th percentile",
+        &marks,
+    )
+}
+
+/// The rows as a Markdown table, with each time relative to tracing without delays.
+#[must_use]
+pub fn delay_table(rows: &[DelayMeasurement]) -> String {
+    let mut text = String::from(
+        "| scene | method | nodes | ms | over none | median error, r_s/c | 99 % | largest | turn of the matter, 99 %, rad | largest |\n\
+         |---|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for row in rows {
+        let none = rows.iter().find(|other| {
+            other.nodes == 0 && other.scene == row.scene && other.method == row.method
+        });
+        let over = none.map_or(f64::NAN, |none| row.trace_ms / none.trace_ms);
+        let errors = [
+            row.delay_p50,
+            row.delay_p99,
+            row.delay_max,
+            row.turn_p99,
+            row.turn_max,
+        ];
+        let errors = errors.map(|error| match row.nodes {
+            0 => String::new(),
+            _ => format!("{error:.1e}"),
+        });
+        let own = if row.own { " (own)" } else { "" };
+        text += &format!(
+            "| {} | {} | {}{own} | {:.4} | {over:.3} | {} |\n",
+            row.scene,
+            row.method,
+            row.nodes,
+            row.trace_ms,
+            errors.join(" | ")
+        );
+    }
+    text
+}

@@ -1,0 +1,100 @@
+//! What a living disk costs: the run time of a picture's light with structure, limb darkening and
+//! the delay that structure needs, over that of the smooth disk.
+
+use super::plan::Plan;
+use super::scenes::BenchScene;
+use super::settings::methods_for;
+use crate::gpu::timing::{Stopwatch, Timing};
+use crate::gpu::{Gpu, GpuError};
+use crate::scene::{DiskStructure, HotSpotKind, LimbDarkening, Method, Scene};
+use serde::Serialize;
+
+/// The run time of one method in one scene.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LightMeasurement {
+    /// Name of the scene.
+    pub scene: String,
+    /// Name of the method.
+    pub method: String,
+    /// Median time of a smooth disk's light, in milliseconds.
+    pub smooth_ms: f64,
+    /// The same with structure of the scene's own number of waves, and limb darkening.
+    pub living_ms: f64,
+    /// The second over the first.
+    pub ratio: f64,
+    /// Difference between the 90th and the 10th percentile of the second, in milliseconds.
+    pub living_spread_ms: f64,
+    /// The clock that the times were read from.
+    pub clock: &'static str,
+}
+
+impl Plan {
+    /// Times the light of every scene with a disk. `done` is called after each row.
+    ///
+    /// # Errors
+    /// A scene cannot be traced, the picture is too large for the device, or the device failed.
+    pub fn run_light(
+        &self,
+        gpu: &Gpu,
+        mut done: impl FnMut(&LightMeasurement),
+    ) -> Result<Vec<LightMeasurement>, GpuError> {
+        let mut rows = Vec::new();
+        for bench_scene in self.scenes.iter().filter(|scene| scene.scene.disk.enabled) {
+            let methods = methods_for(&bench_scene.scene).into_iter();
+            for method in methods.filter(|method| self.methods.contains(method)) {
+                let row = self.light(gpu, bench_scene, method)?;
+                done(&row);
+                rows.push(row);
+            }
+        }
+        Ok(rows)
+    }
+
+    fn light(
+        &self,
+        gpu: &Gpu,
+        bench_scene: &BenchScene,
+        method: Method,
+    ) -> Result<LightMeasurement, GpuError> {
+        let mut smooth = Scene {
+            method,
+            ..bench_scene.scene.clone()
+        };
+        let mut living = smooth.clone();
+        smooth.disk.structure = DiskStructure::None;
+        smooth.disk.limb = LimbDarkening::None;
+        smooth.hot_spot.kind = HotSpotKind::None;
+        living.disk.limb = LimbDarkening::ElectronScattering;
+        if living.disk.structure == DiskStructure::None {
+            living.disk.structure = DiskStructure::Turbulent;
+        }
+        let time = |scene: &Scene| -> Result<Timing, GpuError> {
+            Stopwatch::of_light(gpu, scene, self.size)?.time(gpu, self.effort)
+        };
+        let (smooth, living) = (time(&smooth)?, time(&living)?);
+        Ok(LightMeasurement {
+            scene: bench_scene.name.clone(),
+            method: method.word().into(),
+            smooth_ms: smooth.median_ms,
+            living_ms: living.median_ms,
+            ratio: living.median_ms / smooth.median_ms,
+            living_spread_ms: living.spread_ms,
+            clock: living.clock.word(),
+        })
+    }
+}
+
+/// The rows as a Markdown table.
+#[must_use]
+pub fn light_table(rows: &[LightMeasurement]) -> String {
+    let mut text = String::from(
+        "| scene | method | smooth, ms | living, ms | ratio |\n|---|---|---|---|---|\n",
+    );
+    for row in rows {
+        text += &format!(
+            "| {} | {} | {:.4} | {:.4} | {:.2} |\n",
+            row.scene, row.method, row.smooth_ms, row.living_ms, row.ratio
+        );
+    }
+    text
+}

@@ -1,0 +1,401 @@
+//! The delays of the shaders against the f64 reference, which tests/physics compares with tabulated
+//! values.
+
+use crate::random::Random;
+use crate::{gpu, quantile};
+use glam::{DVec2, DVec3};
+use lightfall_core::accuracy::TimedRay;
+use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::geometry::observer::min_infall_radius;
+use lightfall_core::gpu::rays;
+use lightfall_core::optics::reference::Reference;
+use lightfall_core::optics::trace::Outcome;
+use lightfall_core::scene::{Method, ObserverKind, Scene};
+use std::f64::consts::PI;
+
+/// What a method may be wrong by.
+#[derive(Clone, Copy, Debug)]
+struct Bar {
+    /// The delay at the place that the method has found, in r_s/c.
+    delay: f64,
+    /// The share of hits at places that are too far apart to compare.
+    elsewhere: f64,
+}
+
+/// A thousandth of a radian of the innermost orbits. At most 3e-4 r_s/c are measured from outside
+/// the horizon, the error of four Gaussian nodes next to the critical curve.
+const CLOSED: Bar = Bar {
+    delay: 1e-3,
+    elsewhere: 0.1,
+};
+
+/// Twice as much: up to 1.6e-3 r_s/c are measured, from the quadrature over the method's long
+/// steps.
+const MINO: Bar = Bar {
+    delay: 2e-3,
+    elsewhere: 0.25,
+};
+
+/// The truncation error of the trapezoidal rule over the article's steps: up to 9e-3 r_s/c are
+/// measured for verlet and 5e-3 for kerr-schild. Their rays stray, too, most of all next to the
+/// photon sphere.
+const ARTICLE: Bar = Bar {
+    delay: 1.5e-2,
+    elsewhere: 0.8,
+};
+
+/// The least number of hits that count as a test.
+const ENOUGH: usize = 20;
+
+/// The differences between the GPU's delays and the reference's, in r_s/c.
+///
+/// Next to the critical curve a tiny turn of the ray moves the hit and the delay with it. So the
+/// second number is what remains at the place that the GPU has found.
+#[derive(Default)]
+struct Differences {
+    plain: Vec<f64>,
+    there: Vec<f64>,
+    elsewhere: usize,
+    worst: Option<(f64, String)>,
+}
+
+impl Differences {
+    fn add(&mut self, scene: &Scene, directions: &[DVec3]) {
+        let reference = Reference::new(scene).unwrap();
+        let kerr = reference.hole_and_disk().kerr;
+        // Inside the horizon the GPU's number is the lag as it stands.
+        let lead = match (scene.camera.r > kerr.horizon(), scene.effects.lensing) {
+            (false, _) => 0.0,
+            (true, true) => kerr.ingoing_time_lead(scene.camera.r),
+            (true, false) => scene.camera.r,
+        };
+        let records = rays::records(gpu(), scene, directions).unwrap();
+        for (direction, record) in directions.iter().zip(records) {
+            let ray = TimedRay::of(&reference, *direction);
+            let errors = ray.errors(&record.trace(Some(lead)));
+            for (i, error) in errors.into_iter().flatten().enumerate() {
+                self.plain.push(error.plain.abs());
+                if !error.same_place() {
+                    self.elsewhere += 1;
+                    continue;
+                }
+                let off = error.at_place.abs();
+                self.there.push(off);
+                if self
+                    .worst
+                    .as_ref()
+                    .is_none_or(|(worst, _)| off.total_cmp(worst).is_gt())
+                {
+                    let (camera, [_, dphi]) = (&scene.camera, error.moved());
+                    let place = format!(
+                        "camera {} r_s, {} deg, {:?} {:?}, {direction}: hit {} at r {} and {}, \
+                         phi off by {dphi:e}, delay {:?} and {:?}",
+                        camera.r,
+                        camera.theta_deg,
+                        scene.observer.kind,
+                        scene.observer.velocity,
+                        i + 1,
+                        error.found.r,
+                        error.truth.r,
+                        error.found.delay,
+                        error.truth.delay
+                    );
+                    self.worst = Some((off, place));
+                }
+            }
+        }
+    }
+
+    /// Prints the differences, and says in `faults` where they are above the bar.
+    fn check(&self, what: &str, bar: Bar, faults: &mut Vec<String>) {
+        let count = self.there.len();
+        if count < ENOUGH {
+            faults.push(format!("{what}: {count} hits"));
+            return;
+        }
+        let of = |all: &[f64]| [0.5, 0.99, 1.0].map(|share| quantile(all, share));
+        let ([middle, much, most], plain) = (of(&self.there), of(&self.plain));
+        let (_, worst) = self.worst.as_ref().unwrap();
+        println!(
+            "{what}: {count} hits, {middle:.1e} {much:.1e} {most:.1e}, plain {:.1e} {:.1e} {:.1e}, \
+             {} elsewhere",
+            plain[0], plain[1], plain[2], self.elsewhere
+        );
+        let strays = self.elsewhere as f64 / self.plain.len() as f64;
+        let right = most <= bar.delay && strays <= bar.elsewhere;
+        if !right {
+            faults.push(format!(
+                "{what}: {middle:.1e} {much:.1e} {most:.1e}, {} of {count} elsewhere; {worst}",
+                self.elsewhere
+            ));
+        }
+    }
+}
+
+#[track_caller]
+fn assert_none(faults: &[String]) {
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+}
+
+/// A static camera at 20 r_s with a disk from the innermost stable orbit to 11 r_s, 50 degrees
+/// high.
+fn tabulated(method: Method, spin: f64, theta_deg: f64) -> Scene {
+    let mut scene = Scene {
+        method,
+        ..Scene::default()
+    };
+    scene.hole.spin = spin;
+    (scene.camera.r, scene.camera.theta_deg, scene.camera.phi_deg) = (20.0, theta_deg, 0.0);
+    scene.camera.fov_deg = 50.0;
+    (scene.disk.follow_isco, scene.disk.outer) = (true, 11.0);
+    scene
+}
+
+/// Every third pixel of 960 x 540, as the shaders get it.
+fn pixels(scene: &Scene) -> Vec<DVec3> {
+    let size = DVec2::new(960.0, 540.0);
+    let pixel = |i: u32| DVec2::new(f64::from(i % 64), f64::from(i / 64)) * 15.0 + 0.5;
+    let axes = scene.camera.tetrad_from_camera();
+    let directions = (0..64 * 36).map(|i| axes * scene.camera.looking(pixel(i), size));
+    directions.map(|d| d.as_vec3().as_dvec3()).collect()
+}
+
+/// Random directions, as the shaders get them: a third of them all over the sky, a third toward the
+/// hole, and a third at 1e-5 to 0.3 of its radius from the shadow's edge, where the images of high
+/// order are.
+fn random_directions(random: &mut Random, scene: &Scene, count: u32) -> Vec<DVec3> {
+    let reference = Reference::new(scene).unwrap();
+    let shadow = 2.6 / scene.camera.r;
+    let captured = |direction: DVec3| reference.trace(direction).outcome == Outcome::Captured;
+    let direction = |i: u32| {
+        let any = random.direction();
+        let direction = match i % 3 {
+            0 => any,
+            1 => DVec3::NEG_X + random.between(0.0, 3.0) * shadow * any,
+            _ => {
+                let across = DVec3::new(0.0, any.y, any.z).normalize();
+                let at = |angle: f64| DVec3::new(-angle.cos(), 0.0, 0.0) + angle.sin() * across;
+                let (mut low, mut high) = (0.0, PI);
+                if captured(at(low)) && !captured(at(high)) {
+                    while high - low > 1e-6 * high.min(PI - high) {
+                        let middle = 0.5 * (low + high);
+                        if captured(at(middle)) {
+                            low = middle
+                        } else {
+                            high = middle
+                        }
+                    }
+                }
+                let off = high.min(PI - high) * random.log_between(1e-5, 0.3);
+                at(high
+                    + if random.between(0.0, 1.0) < 0.8 {
+                        off
+                    } else {
+                        -off
+                    })
+            }
+        };
+        direction.normalize().as_vec3().as_dvec3()
+    };
+    (0..count).map(direction).collect()
+}
+
+/// The places of the cameras, in r_s.
+const FAR: [f64; 5] = [2.0, 5.0, 20.0, 1000.0, 1e5];
+
+fn random_scene(random: &mut Random, method: Method, spin: f64, r: f64) -> Scene {
+    let mut scene = tabulated(method, spin, random.between(1.0, 179.0));
+    scene.camera.r = r;
+    scene.observer.kind = ObserverKind::Zamo;
+    // From afar aberration would turn the hole away from the directions, and next to the horizon
+    // the sky.
+    let speed = if (1.1..10.0).contains(&r) || r <= 1.0 {
+        random.between(0.0, 0.5)
+    } else {
+        0.0
+    };
+    scene.observer.velocity = (speed * random.direction()).to_array();
+    scene
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_delays_of_closed_are_those_of_the_reference() {
+    let mut faults = vec![];
+    for theta in [83.0, 60.0, 0.0] {
+        let scene = tabulated(Method::Closed, 0.0, theta);
+        let mut off = Differences::default();
+        off.add(&scene, &pixels(&scene));
+        off.check(&format!("closed, pixels, {theta}"), CLOSED, &mut faults);
+    }
+    let mut random = Random::new();
+    for r in [1.0001, 1.2, 1.6].into_iter().chain(FAR) {
+        let mut off = Differences::default();
+        for _ in 0..3 {
+            let scene = random_scene(&mut random, Method::Closed, 0.0, r);
+            off.add(&scene, &random_directions(&mut random, &scene, 400));
+        }
+        off.check(&format!("closed, {r}"), CLOSED, &mut faults);
+    }
+    assert_none(&faults);
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_delays_of_mino_are_those_of_the_reference() {
+    let mut faults = vec![];
+    for (spin, theta) in [(0.0, 83.0), (0.9, 83.0), (0.9, 60.0)] {
+        let scene = tabulated(Method::Mino, spin, theta);
+        let mut off = Differences::default();
+        off.add(&scene, &pixels(&scene));
+        off.check(&format!("mino, pixels, {spin}, {theta}"), MINO, &mut faults);
+    }
+    let mut random = Random::new();
+    for spin in [0.0, 0.3, 0.9, -0.9, 0.998] {
+        for r in FAR {
+            let mut off = Differences::default();
+            for _ in 0..3 {
+                let scene = random_scene(&mut random, Method::Mino, spin, r);
+                off.add(&scene, &random_directions(&mut random, &scene, 400));
+            }
+            off.check(&format!("mino, {spin}, {r}"), MINO, &mut faults);
+        }
+    }
+    assert_none(&faults);
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn inside_the_horizon_the_lags_are_those_of_the_reference() {
+    let mut faults = vec![];
+    let mut random = Random::new();
+    for (method, spin) in [
+        (Method::Closed, 0.0),
+        (Method::Mino, 0.0),
+        (Method::Mino, 0.5),
+        (Method::Mino, 0.9),
+        (Method::Mino, -0.9),
+    ] {
+        let (horizon, end) = (Kerr { spin }.horizon(), min_infall_radius(Kerr { spin }));
+        for depth in [0.0, 0.01, 0.5, 1.0] {
+            let mut off = Differences::default();
+            for _ in 0..3 {
+                let mut scene = random_scene(&mut random, method, spin, 1.0);
+                scene.observer.kind = ObserverKind::Rain;
+                scene.camera.r = horizon - depth * (horizon - end);
+                off.add(&scene, &random_directions(&mut random, &scene, 600));
+            }
+            let bar = if method == Method::Closed {
+                CLOSED
+            } else {
+                MINO
+            };
+            off.check(
+                &format!("inside, {method:?}, {spin}, {depth}"),
+                bar,
+                &mut faults,
+            );
+        }
+    }
+    assert_none(&faults);
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn without_lensing_the_delay_is_the_distance() {
+    let mut faults = vec![];
+    let mut random = Random::new();
+    for spin in [0.0, 0.9] {
+        let mut off = Differences::default();
+        for _ in 0..3 {
+            let mut scene = random_scene(&mut random, Method::Auto, spin, 20.0);
+            scene.effects.lensing = false;
+            off.add(&scene, &random_directions(&mut random, &scene, 400));
+        }
+        off.check(&format!("straight, {spin}"), CLOSED, &mut faults);
+    }
+    assert_none(&faults);
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_delays_of_the_articles_methods_are_those_of_the_reference_at_fine_steps() {
+    let mut faults = vec![];
+    let mut random = Random::new();
+    for (method, spin) in [
+        (Method::Verlet, 0.0),
+        (Method::KerrSchild, 0.0),
+        (Method::KerrSchild, 0.9),
+        (Method::KerrSchild, -0.9),
+    ] {
+        for r in [2.0, 5.0, 20.0, 100.0] {
+            let mut off = Differences::default();
+            for _ in 0..3 {
+                let mut scene = random_scene(&mut random, method, spin, r);
+                scene.quality.step_scale = 0.45;
+                scene.quality.max_affine = 1e5;
+                off.add(&scene, &random_directions(&mut random, &scene, 400));
+            }
+            off.check(&format!("{method:?}, {spin}, {r}"), ARTICLE, &mut faults);
+        }
+    }
+    assert_none(&faults);
+}
+
+/// The pixels of disk scenes whose delays tests/physics has in a table, as plain differences.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_delays_of_the_tabulated_pixels_are_right() {
+    let size = DVec2::new(960.0, 540.0);
+    for (method, spin, theta, bar) in [
+        (Method::Closed, 0.0, 83.0, CLOSED),
+        (Method::Mino, 0.0, 83.0, MINO),
+        (Method::Mino, 0.9, 83.0, MINO),
+        (Method::Closed, 0.0, 60.0, CLOSED),
+        (Method::Mino, 0.9, 60.0, MINO),
+    ] {
+        let pixels = if theta == 83.0 {
+            &TABULATED_PIXELS[..9]
+        } else {
+            &TABULATED_PIXELS[9..]
+        };
+        let scene = tabulated(method, spin, theta);
+        let axes = scene.camera.tetrad_from_camera();
+        let looking = |pixel: &[f64; 2]| scene.camera.looking(DVec2::from_array(*pixel), size);
+        let directions: Vec<DVec3> = pixels.iter().map(|pixel| axes * looking(pixel)).collect();
+        let reference = Reference::new(&scene).unwrap();
+        let found = rays::trace(gpu(), &scene, &directions).unwrap();
+        for (direction, found) in directions.iter().zip(found) {
+            let truth = reference.trace_with_delays(*direction);
+            for (found, truth) in found.hits.into_iter().zip(truth.hits) {
+                assert_eq!(found.is_some(), truth.is_some());
+                let delays = found
+                    .zip(truth)
+                    .map(|(found, truth)| (found.delay, truth.delay));
+                if let Some((Some(found), Some(truth))) = delays {
+                    let off = (found - truth).abs();
+                    assert!(
+                        off < bar.delay,
+                        "{method:?}, {spin}, {theta}: {found} and not {truth}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// The first nine for a camera 83 degrees from the axis, the others for 60 degrees.
+const TABULATED_PIXELS: [[f64; 2]; 12] = [
+    [200.5, 300.5],
+    [760.5, 300.5],
+    [480.5, 150.5],
+    [430.5, 190.5],
+    [600.5, 215.5],
+    [300.5, 240.5],
+    [480.5, 380.5],
+    [560.5, 352.5],
+    [410.5, 262.5],
+    [540.5, 330.5],
+    [480.5, 341.5],
+    [430.5, 330.5],
+];

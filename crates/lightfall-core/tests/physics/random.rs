@@ -1,0 +1,51 @@
+//! Random numbers for tests of properties: another sequence in every run, which a failed run names
+//! so that it can be repeated.
+
+use std::time::{SystemTime, UNIX_EPOCH};
+
+/// SplitMix64 (Steele, Lea & Flood 2014).
+pub struct Random(u64);
+
+impl Random {
+    /// A sequence from the seed in the environment variable `LIGHTFALL_SEED`, or from the time.
+    /// Prints the seed.
+    pub fn new() -> Self {
+        let seed = match std::env::var("LIGHTFALL_SEED") {
+            Ok(seed) => seed.parse().expect("LIGHTFALL_SEED is a whole number"),
+            Err(_) => {
+                let since = SystemTime::now().duration_since(UNIX_EPOCH);
+                since.expect("the clock is right").as_nanos() as u64
+            }
+        };
+        println!("LIGHTFALL_SEED={seed}");
+        Self(seed)
+    }
+
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// A number from `low` to `high`.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// A number whose logarithm is spread evenly from `low` to `high`.
+    pub fn log_between(&mut self, low: f64, high: f64) -> f64 {
+        self.between(low.ln(), high.ln()).exp()
+    }
+
+    /// A direction, spread evenly over the sphere.
+    pub fn direction(&mut self) -> glam::DVec3 {
+        let (z, angle) = (
+            self.between(-1.0, 1.0),
+            self.between(0.0, std::f64::consts::TAU),
+        );
+        let (sin, cos) = angle.sin_cos();
+        let across = (1.0 - z * z).sqrt();
+        glam::DVec3::new(across * cos, across * sin, z)
+    }
+}

@@ -1,0 +1,74 @@
+// The delay of the method mino, in Mino time:
+//
+//   dt/dtau = (1/u^2 + a^2) W/D - B + a^2 E n_z^2.
+//
+// With W^2 - U = K' u^2 D, the first term is K' (1 + a^2 u^2)/(W + |u'|), which is finite at
+// infinity and at the horizon, plus the change of the tortoise coordinate r* per Mino time. On
+// every stretch on which r does not turn
+//
+//   delay = |r*(end) - r*(start)|
+//       + integral of [K' (1 + a^2 u^2)/(W + |u'|) - B + a^2 E n_z^2] dtau.
+//
+// In the step in which r turns |u'| has a kink, and the plain form holds, where u is never small.
+// Derived.
+//
+// Needs: Curve, DELAY_MORE_NODES, DELAY_NODES, DELAY_NODES_2, DELAY_WEIGHTS, DELAY_WEIGHTS_2,
+//     Motion, Nodes, Step, TINY, curve, horizon_factors, scene, square, tortoise, tortoise_sum.
+// Gives: crossing_delay, first_delay, step_delay.
+
+// The rate at some shares of a step of length h.
+fn rates_at(m: Motion, c: Curve, h: f32, turns: bool, t: Nodes) -> Nodes {
+    let a2 = square(scene.hole.a);
+    let v = c.c0.x + t * (c.c1.x + t * (c.c2.x + t * (c.c3.x + t * (c.c4.x + t * c.c5.x))));
+    let n_z = c.c0.y + t * (c.c1.y + t * (c.c2.y + t * (c.c3.y + t * (c.c4.y + t * c.c5.y))));
+    let u = m.base + v;
+    let w = m.w.x + v * (m.w.y + v * m.w.z);
+    let twist = a2 * m.constants.energy * n_z * n_z - m.constants.drag;
+    if turns {
+        let d = m.d.x + v * (m.d.y + v * m.d.z);
+        return (1.0 + a2 * u * u) * w / max(u * u * d, Nodes(TINY)) + twist;
+    }
+    let speed = abs(c.c1.x + t * (2.0 * c.c2.x + t * (3.0 * c.c3.x + t * (4.0 * c.c4.x + t * (5.0 * c.c5.x)))));
+    return m.constants.k_prime * (1.0 + a2 * u * u) / max(w + speed / h, Nodes(TINY)) + twist;
+}
+
+// The rate's integral over the first `share` of a step.
+fn delay_integral(m: Motion, c: Curve, h: f32, turns: bool, share: f32) -> f32 {
+    var sum = dot(DELAY_WEIGHTS, rates_at(m, c, h, turns, share * DELAY_NODES));
+    if DELAY_MORE_NODES {
+        sum += dot(DELAY_WEIGHTS_2, rates_at(m, c, h, turns, share * DELAY_NODES_2));
+    }
+    return h * share * sum;
+}
+
+// r* with the sign that it has in the delay: positive where a leg that leads outward ends.
+fn signed_tortoise(m: Motion, v: f32, inward: bool) -> f32 {
+    let value = tortoise(m.base + v, horizon_factors(m, v));
+    return select(value, -value, inward);
+}
+
+// What a ray begins with. Its delay is counted from the camera's outgoing time.
+fn first_delay(inward: bool) -> f32 {
+    return select(-2.0 * scene.observer.time_lead, 0.0, inward);
+}
+
+// What a whole step adds. In the step in which r turns a leg ends and another one begins.
+fn step_delay(m: Motion, step: Step, h: f32) -> f32 {
+    let inward = vec2<bool>(step.dy0.x > 0.0, step.dy1.x > 0.0);
+    let turns = inward.x != inward.y;
+    var delay = delay_integral(m, curve(step), h, turns, 1.0);
+    if turns {
+        let ends = vec2<f32>(step.y0.x, step.y1.x);
+        let legs = tortoise_sum(m.base + ends, horizon_factors(m, ends.x), horizon_factors(m, ends.y));
+        delay += select(legs, -legs, inward.x);
+    }
+    return delay;
+}
+
+// What is added up to a crossing after the first `share` of a step, at v.
+fn crossing_delay(m: Motion, step: Step, h: f32, share: f32, v: f32) -> f32 {
+    let inward = step.dy0.x > 0.0;
+    let turns = inward != (step.dy1.x > 0.0);
+    let leg_end = select(v, step.y0.x, turns);
+    return delay_integral(m, curve(step), h, turns, share) + signed_tortoise(m, leg_end, inward);
+}

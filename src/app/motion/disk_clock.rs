@@ -1,0 +1,203 @@
+//! The clock of a disk that moves: it runs while the picture shows the motion, and its rate is
+//! changed by keys.
+//!
+//! `disk.time` is the time at the camera, so the clock depends on how the camera moves:
+//!
+//! * An observer that falls or orbits has clocks of its own. Its worldline says how much coordinate
+//!   time goes by, and the fall writes it to the scene.
+//! * A journey drives the clock itself, by the same rule as for numbered pictures.
+//! * A hand moves the camera faster than light, and no observer sees what such a camera would. The
+//!   picture then keeps the stage that the disk is seen at: the clock is put on by the change of
+//!   [`Scene::disk_time_lead`], so that the disk neither leaps nor runs backward.
+//!
+//! Views of rays and of shifts do not depend on the time. There the clock stands still, so that the
+//! window can rest. What the clock does is no edit of the scene: it cannot be undone.
+
+use super::MAX_FRAME_SECONDS;
+use super::free_fall::{FreeFall, advance_free_fall, keys_are_the_clocks};
+use super::journey::advance_journey;
+use super::journey_player::JourneyPlayer;
+use super::pilot::steer_camera;
+use crate::app::controls::bindings::Bindings;
+use crate::app::controls::control::AppCommand;
+use crate::app::state::paused::Paused;
+use crate::app::state::preferences::Preferences;
+use crate::app::state::scene_editor::SceneEditor;
+use crate::render::{ComparedScene, CurrentScene};
+use bevy::prelude::*;
+use lightfall_core::gpu::Drawable;
+use lightfall_core::optics::readout::si::HoleMass;
+use lightfall_core::reports::numbers::{duration_in_words, four_digits};
+use lightfall_core::scene::Scene;
+
+/// One press changes the rate by this factor, within a range of r_s/c per second.
+const RATE_STEP: f64 = 2.0;
+const RATES: [f64; 2] = [1.0 / 64.0, 1000.0];
+
+/// The rate of the disk's clock after this many presses; a negative number slows it down. Beyond
+/// the range of the keys it stays as it is, unless it comes nearer to the range. A clock that
+/// stands begins with the slowest rate.
+#[must_use]
+pub fn stepped_rate(rate: f64, presses: i32) -> f64 {
+    let [slowest, fastest] = RATES;
+    if rate == 0.0 {
+        return if presses > 0 { slowest } else { 0.0 };
+    }
+    (rate * RATE_STEP.powi(presses)).clamp(slowest.min(rate), fastest.max(rate))
+}
+
+/// The disk's clock, and what it has seen last.
+#[derive(Resource, Clone, Debug, Default)]
+pub struct DiskClock {
+    last: Option<Reading>,
+}
+
+/// The scene as the clock has left it.
+#[derive(Clone, Debug)]
+struct Reading {
+    name: String,
+    time: f64,
+    r: f64,
+}
+
+impl DiskClock {
+    /// The scene's `disk.time` after `seconds` more; what exceeds the longest frame does not count.
+    /// Where the camera has been moved since the last call, the disk is seen at the same stage as
+    /// before. A time that something else has set is kept, and a scene that was loaded begins at
+    /// its own.
+    pub fn advance(&mut self, seconds: f64, scene: &Scene) -> f64 {
+        let mut time = scene.disk.time;
+        if let Some(last) = &self.last
+            && (last.time, &last.name) == (time, &scene.name)
+            && last.r != scene.camera.r
+        {
+            time += scene.disk_time_lead(scene.camera.r) - scene.disk_time_lead(last.r);
+        }
+        time += scene.disk.rate * seconds.min(MAX_FRAME_SECONDS);
+        self.note(scene, time);
+        time
+    }
+
+    /// Notes that something else drives the clock.
+    pub fn follow(&mut self, scene: &Scene) {
+        self.note(scene, scene.disk.time);
+    }
+
+    fn note(&mut self, scene: &Scene, time: f64) {
+        self.last = Some(Reading {
+            name: scene.name.clone(),
+            time,
+            r: scene.camera.r,
+        });
+    }
+}
+
+/// What a second of the window is for the disk of a hole of this mass, e.g. `Disk's clock: 4 r_s/c
+/// per second (2.82 minutes for Sgr A*)`.
+#[must_use]
+pub fn disk_rate_words(rate: f64, mass: HoleMass) -> String {
+    format!(
+        "Disk's clock: {} r_s/c per second ({} for {})",
+        four_digits(rate),
+        duration_in_words(rate * mass.seconds()),
+        mass.name
+    )
+}
+
+/// The clock in one line, with what it does. Empty where nothing moves.
+#[must_use]
+pub(crate) fn status(scene: &Scene, flies: bool, paused: bool, bindings: &Bindings) -> String {
+    if !scene.disk_moves() {
+        return String::new();
+    }
+    let time = format!("{:.1} r_s/c", scene.disk.time);
+    let pause = bindings.label("motion.pause");
+    if flies {
+        format!("Disk's clock {time}")
+    } else if paused {
+        format!("Disk's clock paused at {time} · {pause} goes on")
+    } else if scene.view.shows_light() {
+        let rate = four_digits(scene.disk.rate);
+        format!("Disk's clock {time}, {rate} per second · {pause} pauses")
+    } else {
+        format!("Disk's clock stands at {time} in this view")
+    }
+}
+
+pub(crate) fn plugin(app: &mut App) {
+    app.init_resource::<DiskClock>().add_systems(
+        Update,
+        (
+            change_rate,
+            // After all that moves the camera, so that no frame has its place and an older time.
+            run_disk_clock
+                .after(steer_camera)
+                .after(advance_free_fall)
+                .after(advance_journey),
+        ),
+    );
+}
+
+/// Lets the clock run for one frame.
+fn run_disk_clock(
+    time: Res<Time>,
+    paused: Res<Paused>,
+    free_fall: Res<FreeFall>,
+    player: Res<JourneyPlayer>,
+    compared: Res<ComparedScene>,
+    mut clock: ResMut<DiskClock>,
+    mut scene: ResMut<CurrentScene>,
+) {
+    // Both sides of a comparison have the same clock.
+    let pinned = compared.drawn().map(|(pinned, _)| pinned.scene());
+    let either = |has: fn(&Scene) -> bool| has(&scene) || pinned.is_some_and(has);
+    let flies = free_fall.is_moving() || player.is_playing();
+    if flies || !either(Scene::disk_moves) {
+        clock.follow(&scene);
+        return;
+    }
+    let runs = !paused.0 && either(Scene::shows_disk_motion);
+    let seconds = if runs { time.delta_secs_f64() } else { 0.0 };
+    let disk_time = clock.advance(seconds, &scene);
+    if disk_time == scene.disk.time {
+        return;
+    }
+    let mut next = scene.scene().clone();
+    next.disk.time = disk_time;
+    match Drawable::new(next) {
+        Ok(next) => scene.0 = next,
+        Err(reason) => {
+            clock.follow(&scene);
+            error_once!("the disk's clock cannot go on: {reason}");
+        }
+    }
+}
+
+/// Changes the rate of the disk's clock by the keys for the rate of time, unless a fall or a
+/// journey uses them.
+fn change_rate(
+    mut commands: MessageReader<AppCommand>,
+    free_fall: Res<FreeFall>,
+    player: Res<JourneyPlayer>,
+    preferences: Res<Preferences>,
+    mut editor: SceneEditor,
+) {
+    for command in commands.read() {
+        let presses = match command {
+            AppCommand::FasterTime => 1,
+            AppCommand::SlowerTime => -1,
+            _ => continue,
+        };
+        let scene = editor.scene();
+        if !keys_are_the_clocks(&scene, &free_fall, &player) {
+            continue;
+        }
+        let mut changed = scene;
+        changed.disk.rate = stepped_rate(changed.disk.rate, presses);
+        let mass = HoleMass::of_suns(preferences.settings.hole_mass_suns);
+        let words = disk_rate_words(changed.disk.rate, mass);
+        if editor.change("Disk's clock", changed) {
+            editor.say(words);
+        }
+    }
+}
