@@ -63,6 +63,8 @@ struct Script {
     light: Option<Shown>,
     /// Whether the crossing of the horizon was announced since the last fall began.
     crossed: bool,
+    /// Whether falls are faster than usual from their beginning.
+    is_fast: bool,
     folder: Option<PathBuf>,
 }
 
@@ -146,8 +148,10 @@ fn fly_script(
             script.crossed = false;
             keyboard.press(KeyCode::KeyF);
             // Four times as fast.
-            keyboard.press(KeyCode::Period);
-            keyboard.press(KeyCode::Period);
+            if !script.is_fast {
+                keyboard.press(KeyCode::Period);
+                keyboard.press(KeyCode::Period);
+            }
             Some(Phase::Move)
         }
         Phase::Move => match held {
@@ -164,8 +168,10 @@ fn fly_script(
             }
             None => {
                 let over = script.frames > 2 && !free_fall.is_moving();
-                if over {
-                    // The next fall begins at the usual pace.
+                // The next fall begins at the usual pace. But where the disk moves, the keys are those of
+                // its clock now.
+                script.is_fast = scene.disk_moves();
+                if over && !script.is_fast {
                     keyboard.press(KeyCode::Comma);
                     keyboard.press(KeyCode::Comma);
                 }
@@ -363,6 +369,7 @@ fn started_program_that_flies_the_script() {
         texts: Vec::new(),
         light: None,
         crossed: false,
+        is_fast: false,
         folder: std::env::var_os(FOLDER_VARIABLE).map(PathBuf::from),
     })
     .add_systems(First, fly_script)
