@@ -2,7 +2,7 @@
 // would show: atan2 may be wrong by 4096 units in the last place, 2.4e-4 of the result.
 //
 // Needs: PI, TINY.
-// Gives: angle_between, atan2_precise, atanh_small, log_precise, sin_cos_precise.
+// Gives: angle_between, atan2_precise, atanh_small, exp_precise, log_precise, sin_cos_precise.
 
 // Arctangent on [-1, 1]: x times a polynomial in x^2, interpolated at Chebyshev's points. The
 // polynomial's error is 1e-8 rad.
@@ -66,4 +66,15 @@ fn log_precise(x: f32) -> f32 {
     let mantissa = bitcast<f32>((bits & 0x7fffffu) | select(0x3f000000u, 0x3f800000u, below_root));
     let ratio = (mantissa - 1.0) / (mantissa + 1.0);
     return exponent * 0.693145752 + (exponent * 1.42860677e-6 + 2.0 * atanh_small(ratio));
+}
+
+// e^x for |x| <= 80, with a relative error of at most 2e-7 in addition to that of x. The nearest
+// multiple of ln 2 is subtracted in two parts, the first of few digits; the rest goes into the
+// series.
+fn exp_precise(x: f32) -> f32 {
+    let doublings = round(x * 1.44269504);
+    let y = (x - doublings * 0.693145752) - doublings * 1.42860677e-6;
+    let series = 1.0 + y * (1.0 + y * (0.5 + y * (0.166666667 + y * (0.0416666667 + y * (0.00833333333
+        + y * (0.00138888889 + y * 0.000198412698))))));
+    return series * bitcast<f32>(u32(i32(doublings) + 127) << 23u);
 }

@@ -125,6 +125,13 @@ struct Picture {
     tan_half_fov: vec2<f32>,
     // Light of a mark that looks the same at every exposure.
     mark_brightness: f32,
+    // What light is multiplied by before it is shown.
+    exposure: f32,
+    // Where a pixel's ray goes through it, in pixels from its middle.
+    offset: vec2<f32>,
+    // Width of what a ray stands for, in pixels, or in cells of the grid of refined pixels: less
+    // than one where a picture is the mean of several frames.
+    footprint: f32,
 }
 
 // WGSL asks that structs within a uniform begin at multiples of 16 bytes. Those that hold vectors of

@@ -2,7 +2,7 @@
 // their light arrives shifted by g, the observed over the emitted frequency. Shifted thermal light
 // has Planck's spectrum at the temperature g T, and its intensity is beamed.
 //
-// Needs: REFERENCE_STAR, TINY, beaming_factor, scene, sky_background, thermal_colour.
+// Needs: Footprint, REFERENCE_STAR, TINY, beaming_factor, scene, sky_background, thermal_colour.
 // Gives: MAX_SPOT_RADIUS, shifted_spot_radius, sky_light, spot_profile.
 
 // The reference star: temperature in kelvin, brightness, and angular radius (a quarter of a
@@ -36,9 +36,10 @@ fn reference_star_light(direction: vec3<f32>, g: f32) -> vec3<f32> {
     return thermal_colour(REFERENCE_TEMPERATURE * g) * (REFERENCE_BRIGHTNESS * share);
 }
 
-fn sky_light(direction: vec3<f32>, shift: f32) -> vec3<f32> {
+// The footprint is how the direction differs from those of the neighbouring rays.
+fn sky_light(direction: vec3<f32>, shift: f32, footprint: Footprint) -> vec3<f32> {
     let g = min(shift, 1e6);
-    var light = sky_background(direction, g);
+    var light = sky_background(direction, g, footprint);
     if REFERENCE_STAR {
         light += reference_star_light(direction, g);
     }

@@ -26,7 +26,7 @@ const OUTCOME_CAPTURED: u32 = 1u;
 const OUTCOME_UNFINISHED: u32 = 2u;
 const OUTCOME_HIDDEN: u32 = 3u;
 
-// The change of a hit's position from this pixel to its neighbours, in r_s.
+// The change of a value from this ray to its neighbours: of a hit's position, in r_s.
 struct Footprint {
     to_the_right: vec3<f32>,
     downward: vec3<f32>,

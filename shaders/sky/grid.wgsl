@@ -1,7 +1,7 @@
 // The sky mode `grid`: circles of latitude and meridians every 15 degrees. The lines have no
 // temperature, so the shift changes their brightness only.
 //
-// Needs: PI, atan2_precise, shifted_spot_radius, spot_profile, square.
+// Needs: Footprint, PI, TINY, atan2_precise, shifted_spot_radius, spot_profile, square.
 // Gives: sky_background.
 
 const GRID_SPACING: f32 = PI / 12.0;
@@ -23,24 +23,49 @@ fn line_colour(index: i32, coloured: i32, colour: vec3<f32>) -> vec3<f32> {
     return select(GRID_LINE, GRID_STRONG_LINE, index % GRID_STRONG == 0);
 }
 
-fn sky_background(direction: vec3<f32>, g: f32) -> vec3<f32> {
+// Light of a family of parallel lines, per unit of the nearest line's light, and the share that is
+// their mean. Lines that a lens squeezes below the distance of neighbouring rays are as wide as that
+// distance, with as much light as before. Where neighbouring lines then overlap, only their mean is
+// left.
+fn lines(distance: f32, spacing: f32, radius: f32, footprint: f32) -> vec2<f32> {
+    let width = max(radius, footprint);
+    let widest = max(0.5 * spacing, TINY);
+    let drawn = max(min(width, widest), radius);
+    let mean = select(0.0, clamp(footprint / widest - 1.0, 0.0, 1.0), footprint > radius);
+    return vec2<f32>(spot_profile(square(distance), drawn) * radius / drawn, mean);
+}
+
+// A line's share of a family of lines: the integral of its profile over their spacing.
+fn mean_of_lines(spacing: f32, radius: f32) -> vec3<f32> {
+    let colour = (2.0 * GRID_LINE + GRID_STRONG_LINE) / 3.0;
+    return colour * min(32.0 / 35.0 * radius / max(spacing, TINY), 1.0);
+}
+
+// How far the sky moves along a direction from a ray to its neighbours.
+fn extent(footprint: Footprint, along: vec3<f32>) -> f32 {
+    return length(vec2<f32>(dot(footprint.to_the_right, along), dot(footprint.downward, along)));
+}
+
+fn sky_background(direction: vec3<f32>, g: f32, footprint: Footprint) -> vec3<f32> {
     let radius = shifted_spot_radius(g);
     let sine = length(direction.xy);
+    let outward = vec2<f32>(direction.x, direction.y) / max(sine, TINY);
     // Circles: differences of theta are distances on the sky. The poles are no circles.
     let theta = atan2_precise(sine, direction.z);
-    let circle = i32(round(theta / GRID_SPACING));
-    let circle_distance = theta - f32(circle) * GRID_SPACING;
-    var light = vec3<f32>(0.0);
-    if circle > 0 && circle < 12 {
-        light = line_colour(circle, 6, GRID_EQUATOR) * spot_profile(square(circle_distance), radius);
-    }
+    let circle = clamp(i32(round(theta / GRID_SPACING)), 1, 11);
+    let across = extent(footprint, vec3<f32>(direction.z * outward, -sine));
+    let circles = lines(theta - f32(circle) * GRID_SPACING, GRID_SPACING, radius, across);
+    let mean_circle = mean_of_lines(GRID_SPACING, radius);
+    let light = mix(line_colour(circle, 6, GRID_EQUATOR) * circles.x, mean_circle, circles.y);
     // Meridians: the distance from a meridian is sin(theta) times the difference in azimuth.
     let phi = atan2_precise(direction.y, direction.x);
-    let meridian = i32(round(phi / GRID_SPACING));
-    let meridian_distance = sine * (phi - f32(meridian) * GRID_SPACING);
-    if meridian % GRID_STRONG == 0 || sine > GRID_LAST_CIRCLE_SINE {
-        let line = line_colour(meridian, 0, GRID_PRIME_MERIDIAN) * spot_profile(square(meridian_distance), radius);
-        light = max(light, line);
-    }
-    return GRID_FILL + light;
+    let stride = select(GRID_STRONG, 1, sine > GRID_LAST_CIRCLE_SINE);
+    let spacing = f32(stride) * GRID_SPACING;
+    let meridian = stride * i32(round(phi / spacing));
+    let distance = sine * (phi - f32(meridian) * GRID_SPACING);
+    let around = extent(footprint, vec3<f32>(-outward.y, outward.x, 0.0));
+    let meridians = lines(distance, sine * spacing, radius, around);
+    let mean_meridian = mean_of_lines(sine * spacing, radius);
+    let line = mix(line_colour(meridian, 0, GRID_PRIME_MERIDIAN) * meridians.x, mean_meridian, meridians.y);
+    return GRID_FILL + max(light, line);
 }

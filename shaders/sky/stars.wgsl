@@ -1,129 +1,97 @@
-// The sky mode `stars`: stars, the same for the same seed, and a faint band of unresolved ones.
+// The sky mode `stars`: the light of the Milky Way. Stars that are bright enough are drawn as points
+// by passes of their own (shaders/stars/). This part draws the light of all others, so that no light
+// is drawn twice and none is lost.
 //
-// Three layers of stars overlap, each on the six gnomonic charts of a cube that is rotated against
-// the other two. A chart is divided into cells, and a cell holds at most one star, far enough from
-// the cell's edges that the whole image lies inside. So a pixel looks up one cell per layer, no
-// image is cut off, and the edges of the charts and the poles do not show.
-//
-// Needs: MAX_SPOT_RADIUS, scene, shifted_spot_radius, spot_profile, square, thermal_colour.
-// Gives: sky_background.
+// Needs: BINDING_MILKY_WAY, BINDING_MILKY_WAY_SAMPLER, BINDING_STARLIGHT, FAINTER_SHARE, Footprint,
+//     LOG10_2, TINY, beaming_factor, pixel_cosine, ray_share, thermal_colour.
+// Gives: sky_background, starlight.
 
-const CELLS: f32 = 36.0;
-// The bolometric fluxes of the faintest and the brightest star. Between them N(> F) is proportional
-// to F^(-3/2), as for stars evenly spread through space.
-const MIN_STAR_FLUX: f32 = 0.15;
-const MAX_STAR_FLUX: f32 = 60.0;
-// Temperature of the coldest star in kelvin, and the ratio of the hottest to it.
-const MIN_TEMPERATURE: f32 = 2800.0;
-const MAX_TEMPERATURE_RATIO: f32 = 10.0;
-// The band: its pole, its half width as a sine of latitude, its light and temperature, and the
-// density of stars off the band relative to that on it.
-const BAND_POLE: vec3<f32> = vec3<f32>(2.0, 3.0, 6.0) / 7.0;
-const BAND_WIDTH: f32 = 0.16;
-const BAND_LIGHT: f32 = 0.03;
-const BAND_TEMPERATURE: f32 = 6500.0;
-const OFF_BAND: f32 = 0.55;
+// Mirror of `GpuStarlight` in crates/lightfall-core/src/gpu/starlight.rs.
+struct Starlight {
+    // From the hole's frame to the equatorial frame (J2000).
+    celestial_from_hole: mat3x3<f32>,
+    // The faintest magnitude of a point: of an image that has the star's own flux, and of any image.
+    magnitude_limit: f32,
+    last_magnitude: f32,
+    // Temperatures of the two components, in kelvin.
+    temperatures: vec2<f32>,
+    // Solid angle of a pixel in the middle of the picture, in steradians.
+    pixel_solid_angle: f32,
+    // Width of a texel of the finest level, in radians.
+    texel: f32,
+    // Linear light per unit of the sums of points.
+    light_unit: f32,
+    // The squares whose light the sums hold: how many there are along the side of a pixel, and in a row.
+    squares_per_pixel: f32,
+    columns: u32,
+}
 
-// Three numbers from three, each of which depends on all: a permuted congruential generator
-// (Jarzynski & Olano 2020, "Hash Functions for GPU Rendering").
-fn hash(key: vec3<u32>) -> vec3<u32> {
-    var v = key * 1664525u + 1013904223u;
-    for (var turn = 0u; turn < 2u; turn++) {
-        v.x += v.y * v.z;
-        v.y += v.z * v.x;
-        v.z += v.x * v.y;
-        if turn == 0u {
-            v ^= v >> vec3<u32>(16u);
-        }
+@group(0) @binding(BINDING_STARLIGHT) var<uniform> starlight: Starlight;
+// Light per steradian of a bluer and of a redder component.
+@group(0) @binding(BINDING_MILKY_WAY) var milky_way: texture_cube<f32>;
+@group(0) @binding(BINDING_MILKY_WAY_SAMPLER) var milky_way_sampler: sampler;
+
+// Most samples along a footprint. With four the error next to the shadow is a third of that with
+// one.
+const MAX_TAPS: f32 = 4.0;
+// Longest footprint, in radians: at the edge of the shadow a pixel can hold the whole sky.
+const MAX_FOOTPRINT: f32 = 1.0;
+
+// The principal axes of a footprint: the longer one, and the lengths of both.
+struct Axes {
+    long: vec3<f32>,
+    lengths: vec2<f32>,
+}
+
+// The longer axis lies at the angle theta from `to_the_right`, where tan(2 theta) =
+// 2 right.down/(right.right - down.down).
+fn footprint_axes(footprint: Footprint) -> Axes {
+    let right = dot(footprint.to_the_right, footprint.to_the_right);
+    let down = dot(footprint.downward, footprint.downward);
+    let both = dot(footprint.to_the_right, footprint.downward);
+    let middle = 0.5 * (right + down);
+    let half_difference = 0.5 * (right - down);
+    let spread = sqrt(half_difference * half_difference + both * both);
+    let cos_double = clamp(half_difference / max(spread, TINY), -1.0, 1.0);
+    let cosine = sqrt(0.5 + 0.5 * cos_double);
+    let sine = select(1.0, -1.0, both < 0.0) * sqrt(0.5 - 0.5 * cos_double);
+    let long = cosine * footprint.to_the_right + sine * footprint.downward;
+    let lengths = sqrt(max(vec2<f32>(middle + spread, middle - spread), vec2<f32>(0.0)));
+    let shrink = min(1.0, MAX_FOOTPRINT / max(lengths.x, TINY));
+    return Axes(shrink * long, min(lengths, vec2<f32>(MAX_FOOTPRINT)));
+}
+
+// The share of all starlight that comes from stars fainter than a magnitude
+// (crates/lightfall-core/src/optics/stars/counts.rs).
+fn faint_share(magnitude: f32) -> f32 {
+    let x = clamp(magnitude - 11.0, -13.0, 14.0);
+    let cubic = FAINTER_SHARE.x + x * (FAINTER_SHARE.y + x * (FAINTER_SHARE.z + x * FAINTER_SHARE.w));
+    return 1.0 / (1.0 + exp(cubic));
+}
+
+// The light of both components in a direction, filtered along the footprint: as many samples as the
+// longer axis is longer than the other.
+fn milky_way_light(direction: vec3<f32>, axes: Axes) -> vec2<f32> {
+    let along = starlight.celestial_from_hole * axes.long;
+    let middle = starlight.celestial_from_hole * direction;
+    let taps = clamp(ceil(axes.lengths.x / max(axes.lengths.y, TINY) - 0.25), 1.0, MAX_TAPS);
+    let level = log2(max(max(axes.lengths.y, axes.lengths.x / taps) / starlight.texel, 1.0));
+    var light = vec2<f32>(0.0);
+    for (var tap = 0.5; tap < taps; tap += 1.0) {
+        let place = middle + (tap / taps - 0.5) * along;
+        light += textureSampleLevel(milky_way, milky_way_sampler, place, level).rg;
     }
-    return v;
+    return light / taps;
 }
 
-// The lower and the upper half of a number's bits, each scaled to [0, 1).
-fn unit_halves(bits: u32) -> vec2<f32> {
-    return vec2<f32>(f32(bits & 0xffffu), f32(bits >> 16u)) / 65536.0;
-}
-
-// Relative density of the band at a sine of latitude.
-fn band_profile(sine: f32) -> f32 {
-    let inside = 1.0 / (1.0 + square(sine / BAND_WIDTH));
-    return inside * inside;
-}
-
-// The index, 0 to 2, of the component with the largest absolute value.
-fn largest_axis(d: vec3<f32>) -> u32 {
-    let size = abs(d);
-    if size.x >= size.y && size.x >= size.z {
-        return 0u;
-    }
-    return select(2u, 1u, size.y >= size.z);
-}
-
-// A cyclic permutation of the components that makes the given one the third.
-fn rotate_axis_to_z(d: vec3<f32>, axis: u32) -> vec3<f32> {
-    return select(select(d.xyz, d.zxy, axis == 1u), d.yzx, axis == 0u);
-}
-
-// Light of one layer; `frame` turns its cube.
-fn star_layer(direction: vec3<f32>, g: f32, frame: mat3x3<f32>, layer: u32) -> vec3<f32> {
-    let rotated = frame * direction;
-    let axis = largest_axis(rotated);
-    let d = rotate_axis_to_z(rotated, axis);
-    let face = axis * 2u + select(0u, 1u, d.z < 0.0);
-    let place = clamp((d.xy / max(abs(d.z), 0.5) * 0.5 + 0.5) * CELLS, vec2<f32>(0.0), vec2<f32>(CELLS - 1.0));
-    let cell = floor(place);
-    let bits = hash(vec3<u32>(u32(cell.x + CELLS * cell.y), face + 6u * layer, scene.sky.seed));
-
-    // The star's distance from the cell's edges is at least the radius of its image; toward the
-    // corners of a face one radian spans up to three units of the chart.
-    let radius = shifted_spot_radius(g);
-    let half_cell = 1.0 / CELLS;
-    let middle = (cell + 0.5) * (2.0 * half_cell) - 1.0;
-    let outermost = abs(middle) + half_cell;
-    let room = max(half_cell - MAX_SPOT_RADIUS * (1.0 + dot(outermost, outermost)), 0.0);
-    let uv = middle + room * (2.0 * unit_halves(bits.x) - 1.0);
-    let stretch = inverseSqrt(1.0 + dot(uv, uv));
-    let star = stretch * vec3<f32>(uv, sign(d.z));
-    let offset = d - star;
-    let distance2 = dot(offset, offset);
-    if distance2 >= radius * radius {
-        return vec3<f32>(0.0);
-    }
-    // The chance of a star is proportional to the cell's solid angle, and higher on the band.
-    let density = mix(OFF_BAND, 1.0, band_profile(dot(star, rotate_axis_to_z(frame * BAND_POLE, axis))));
-    let chances = unit_halves(bits.z);
-    if chances.x >= stretch * stretch * stretch * density {
-        return vec3<f32>(0.0);
-    }
-    let rank = (f32(bits.y >> 8u) + 0.5) / 16777216.0;
-    let flux = min(MIN_STAR_FLUX * pow(rank, -2.0 / 3.0), MAX_STAR_FLUX);
-    let temperature = MIN_TEMPERATURE * pow(MAX_TEMPERATURE_RATIO, square(chances.y));
-    // The same flux is spread over an image that is wider on the sky.
-    let spread = square(scene.sky.spot_radius / radius) * scene.sky.star_brightness;
-    return thermal_colour(temperature * g) * (flux * spread * spot_profile(distance2, radius));
-}
-
-// The glow of the band, mottled, with a dark lane along its middle.
-fn band_light(direction: vec3<f32>, g: f32) -> vec3<f32> {
-    let sine = dot(direction, BAND_POLE);
-    let profile = band_profile(sine);
-    if profile < 0.02 {
-        return vec3<f32>(0.0);
-    }
-    let q = 7.0 * direction;
-    let folds = sin(q.x + 1.9 * sin(1.4 * q.y + q.z)) * sin(1.1 * q.z + 2.1 * sin(1.6 * q.x - q.y));
-    let lane = 1.0 - 0.7 / (1.0 + square((sine + 0.03 * folds) / 0.035));
-    return thermal_colour(BAND_TEMPERATURE * g) * (BAND_LIGHT * (profile - 0.02) * lane * (1.0 + 0.6 * folds));
-}
-
-// The rotations of the three cubes; their entries are rational, exact except for rounding.
-const FRAME_OF_THREE: mat3x3<f32> =
-    mat3x3<f32>(2.0 / 3.0, 2.0 / 3.0, -1.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0);
-const FRAME_OF_SEVEN: mat3x3<f32> =
-    mat3x3<f32>(2.0 / 7.0, 3.0 / 7.0, 6.0 / 7.0, 3.0 / 7.0, -6.0 / 7.0, 2.0 / 7.0, 6.0 / 7.0, 2.0 / 7.0, -3.0 / 7.0);
-const UPRIGHT: mat3x3<f32> = mat3x3<f32>(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
-
-fn sky_background(direction: vec3<f32>, g: f32) -> vec3<f32> {
-    return band_light(direction, g) + star_layer(direction, g, UPRIGHT, 0u)
-        + star_layer(direction, g, FRAME_OF_THREE, 1u) + star_layer(direction, g, FRAME_OF_SEVEN, 2u);
+fn sky_background(direction: vec3<f32>, g: f32, footprint: Footprint) -> vec3<f32> {
+    let axes = footprint_axes(footprint);
+    // The magnification of an image: the solid angle of the ray in the picture over that on the sky.
+    let solid_angle = starlight.pixel_solid_angle * pixel_cosine * pixel_cosine * pixel_cosine * ray_share();
+    let gain = solid_angle / max(axes.lengths.x * axes.lengths.y, TINY) * beaming_factor(g);
+    let faintest = starlight.magnitude_limit + 2.5 * LOG10_2 * log2(clamp(gain, 1e-12, 1e12));
+    let share = faint_share(min(faintest, starlight.last_magnitude));
+    let light = milky_way_light(direction, axes) * share;
+    return thermal_colour(starlight.temperatures.x * g) * light.x
+        + thermal_colour(starlight.temperatures.y * g) * light.y;
 }

@@ -1,29 +1,50 @@
 // The views `colour` and `unfinished`: the light itself.
 //
-// Needs: MAGENTA, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_SKY, OUTCOME_UNFINISHED, Photon,
-//     SHOW_UNFINISHED, disk_cover, disk_light, disk_transmission, hit_footprints, mark, sky_light,
-//     sky_shift, trace.
-// Gives: light_along.
+// Needs: MAGENTA, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, OUTCOME_UNFINISHED,
+//     Photon, SHOW_UNFINISHED, differences, disk_cover, disk_light, disk_transmission,
+//     hit_footprints, mark, scene, sky_light, sky_shift, trace.
+// Gives: light_along, seen_along.
+
+// Where there is at least half of the disk, a crossing counts for the class. The middle of a fade is
+// one edge; its two ends would be two.
+const MIN_COVER: f32 = 0.5;
+// The least share of light from behind the crossings that count that is worth to tell apart.
+const MIN_VISIBLE: f32 = 0.02;
+
+// The light along a ray; and how the ray ends and how often it meets the disk, as far as that is
+// visible: by these the search for edges tells neighbouring pixels apart.
+struct Seen {
+    light: vec4<f32>,
+    outcome: u32,
+    hit_count: u32,
+}
 
 // The disk shines at each of the first two crossings and lets a share of the light from behind
 // through. Alpha is the share of the ray that ends at a source, disk or sky: zero in the shadow,
 // where bloom must add nothing (pixelate.wgsl).
-fn light_along(photon: Photon) -> vec4<f32> {
+fn seen_along(photon: Photon) -> Seen {
     let ray = trace(photon);
-    // Before any branch: neighbouring pixels must call it together.
+    // Before any branch: neighbouring rays must call it together.
     let footprints = hit_footprints(ray);
+    let sky_footprint = differences(ray.sky);
     var light = vec3<f32>(0.0);
     var transmission = 1.0;
     var without_source = 1.0;
+    var hit_count = 0u;
+    var visible = 1.0;
     var hit = ray.hits[0];
     var footprint = footprints.first;
     // A loop, so that drivers that execute both sides of a branch compute a light that nothing
     // hides only once for most pixels.
     for (var i = 0u; i < min(ray.hit_count, MAX_HITS); i++) {
         let r = length(hit.position);
+        let cover = disk_cover(r);
         light += transmission * disk_light(photon, hit, footprint);
+        let counts = cover > MIN_COVER && visible > MIN_VISIBLE;
+        hit_count += select(0u, 1u, counts);
+        visible *= select(1.0, scene.disk.transmission, counts);
         transmission *= disk_transmission(r);
-        without_source *= 1.0 - disk_cover(r);
+        without_source *= 1.0 - cover;
         if transmission == 0.0 {
             break;
         }
@@ -31,11 +52,16 @@ fn light_along(photon: Photon) -> vec4<f32> {
         footprint = footprints.second;
     }
     if ray.outcome == OUTCOME_SKY {
-        light += transmission * sky_light(ray.sky, sky_shift(photon));
+        light += transmission * sky_light(ray.sky, sky_shift(photon), sky_footprint);
     }
+    let outcome = select(OUTCOME_HIDDEN, ray.outcome, visible > MIN_VISIBLE);
     if SHOW_UNFINISHED && ray.outcome == OUTCOME_UNFINISHED {
-        return mark(MAGENTA);
+        return Seen(mark(MAGENTA), outcome, hit_count);
     }
     let ends_dark = ray.outcome == OUTCOME_CAPTURED || ray.outcome == OUTCOME_UNFINISHED;
-    return vec4<f32>(light, select(1.0, 1.0 - without_source, ends_dark));
+    return Seen(vec4<f32>(light, select(1.0, 1.0 - without_source, ends_dark)), outcome, hit_count);
+}
+
+fn light_along(photon: Photon) -> vec4<f32> {
+    return seen_along(photon).light;
 }

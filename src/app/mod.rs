@@ -54,13 +54,14 @@ pub use ui::panel::{
 
 use crate::log::quiet_log;
 use crate::render::recovery::DeviceFailure;
-use crate::render::{LightfallRenderPlugin, render_plugin};
+use crate::render::{LightfallRenderPlugin, StarCatalogue, render_plugin};
 use bevy::app::PluginGroupBuilder;
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
 use bevy::winit::WinitPlugin;
 use bevy_egui::EguiPlugin;
 use lightfall_core::gpu::Drawable;
+use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
 use session::adapter::AdapterChoice;
@@ -74,6 +75,8 @@ pub struct Start {
     pub message: Option<String>,
     /// The first scene.
     pub scene: Drawable,
+    /// The stars.
+    pub stars: &'static Catalogue,
     /// The guided journey.
     pub journey: Journey,
     /// Whether the journey starts at once. Otherwise it starts when its key is pressed.
@@ -89,6 +92,7 @@ impl Start {
         Self {
             message: None,
             scene,
+            stars: Catalogue::built_in(),
             journey,
             plays_journey: false,
             keeps_own_look: false,
@@ -124,6 +128,7 @@ pub fn program(start: Start) -> App {
     let Start {
         message,
         mut scene,
+        stars,
         journey,
         plays_journey,
         keeps_own_look,
@@ -165,6 +170,7 @@ pub fn program(start: Start) -> App {
         .insert_resource(title)
         .insert_resource(player)
         .insert_resource(adapter)
+        .insert_resource(StarCatalogue(stars))
         .add_plugins(LightfallRenderPlugin {
             scene,
             target: RenderTarget::default(),
@@ -189,7 +195,11 @@ pub fn program(start: Start) -> App {
         .add_plugins((
             session::window::plugin,
             session::icon::plugin,
-            (session::frame_pacing::plugin, session::wave_limit::plugin),
+            (
+                session::frame_pacing::plugin,
+                session::detail_limits::plugin,
+                session::resting_frames::plugin,
+            ),
             session::canvas::plugin,
             session::pixel_look::plugin,
             session::adaptive_resolution::plugin,
@@ -219,7 +229,7 @@ pub fn program(start: Start) -> App {
             ui::dock::plugin,
             ui::hud::plugin,
             ui::legend::plugin,
-            ui::guides::plugin,
+            (ui::guides::plugin, ui::star_names::plugin),
             ui::help::plugin,
             ui::panel::plugin,
             ui::inspector::plugin,

@@ -2,7 +2,7 @@
 
 use super::circumstances::circumstances;
 use super::cli::ExtremesArgs;
-use super::output::{create_report_folder, print, write_report};
+use super::output::{create_report_folder, print, write_tables};
 use super::progress::Progress;
 use super::scene::device;
 use super::stop::Stop;
@@ -70,9 +70,8 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     let circumstances = circumstances(&gpu, format!("{} rays a cell", args.rays), "compute");
     let (json, markdown) = (json(&circumstances, &verdicts), markdown(&verdicts));
     if let Some(folder) = &args.out {
-        write_report(folder, "extremes.csv", &csv(&circumstances, &verdicts))?;
-        write_report(folder, "extremes.json", &json)?;
-        write_report(folder, "extremes.md", &markdown)?;
+        let csv = csv(&circumstances, &verdicts);
+        write_tables(folder, "extremes", [&csv, &json, &markdown])?;
     }
     print(if args.json { &json } else { &markdown })?;
     let is_solved = |method: &str| {
@@ -112,9 +111,8 @@ fn delays(args: &ExtremesArgs, gpu: &Gpu, cells: &[Cell], methods: &[Method]) ->
     let circumstances = circumstances(gpu, format!("{} rays a cell", args.rays), "compute");
     let (json, table) = (json(&circumstances, &rows), delays_table(&rows));
     if let Some(folder) = &args.out {
-        write_report(folder, "delays.csv", &csv(&circumstances, &rows))?;
-        write_report(folder, "delays.json", &json)?;
-        write_report(folder, "delays.md", &table)?;
+        let csv = csv(&circumstances, &rows);
+        write_tables(folder, "delays", [&csv, &json, &table])?;
     }
     print(if args.json { &json } else { &table })?;
     let sum = |of: fn(&CellDelays) -> usize| rows.iter().map(of).sum::<usize>();

@@ -3,11 +3,13 @@
 use super::cli::FlyArgs;
 use super::console::close_own_console;
 use super::render::write_still;
-use super::scene::{drawable, journey, scene};
+use super::scene::{drawable, journey, scene, stars};
 use super::stop::Stop;
 use crate::app::Start;
+use crate::picture::HeadlessOptions;
 use crate::storage::file_safe_name;
 use crate::{app, picture};
+use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
 use std::path::{Path, PathBuf};
@@ -15,14 +17,16 @@ use std::path::{Path, PathBuf};
 /// Flies.
 pub(super) fn fly(args: &FlyArgs) -> Result<(), Stop> {
     let scene = scene(&args.scene)?;
+    let stars = stars(&args.scene)?;
     let drawable = drawable(&scene)?;
     let journey_file = args.journey.as_deref();
     let journey = journey(journey_file, &scene)?;
     if let Err(reason) = app::display() {
-        return draw_instead(scene, &journey, journey_file, &reason);
+        return draw_instead(scene, stars, &journey, journey_file, &reason);
     }
     close_own_console();
     let start = Start {
+        stars,
         plays_journey: journey_file.is_some(),
         keeps_own_look: args.scene.sets("picture.bypass").map_err(Stop::refused)?,
         ..Start::new(drawable, journey)
@@ -34,6 +38,7 @@ pub(super) fn fly(args: &FlyArgs) -> Result<(), Stop> {
 /// current folder. `reason` says why there is no display.
 fn draw_instead(
     mut scene: Scene,
+    stars: &'static Catalogue,
     journey: &Journey,
     journey_file: Option<&Path>,
     reason: &str,
@@ -61,7 +66,12 @@ fn draw_instead(
     eprintln!("lightfall: no display ({reason}); rendering {what} to a picture instead");
     let scene = scene.exposed();
     let size = scene.picture.size();
-    let still = picture::render(&picture::filled(&scene), size).map_err(Stop::failed)?;
+    let options = HeadlessOptions {
+        stars,
+        ..HeadlessOptions::default()
+    };
+    let still =
+        picture::render_with(&picture::filled(&scene), size, options).map_err(Stop::failed)?;
     write_still(&file, &still, &scene)
 }
 

@@ -49,3 +49,15 @@ pub(super) fn create_report_folder(folder: Option<&Path>) -> Result<(), Stop> {
 pub(super) fn write_report(folder: &Path, name: &str, text: &str) -> Result<(), Stop> {
     storage::write_atomically(&folder.join(name), text.as_bytes()).map_err(Stop::failed)
 }
+
+/// Writes the tables of a report: NAME.csv, NAME.json and NAME.md.
+pub(super) fn write_tables(
+    folder: &Path,
+    name: &str,
+    [csv, json, markdown]: [&str; 3],
+) -> Result<(), Stop> {
+    for (ending, text) in [("csv", csv), ("json", json), ("md", markdown)] {
+        write_report(folder, &format!("{name}.{ending}"), text)?;
+    }
+    Ok(())
+}

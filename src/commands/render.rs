@@ -4,7 +4,7 @@ use super::circumstances::commit;
 use super::cli::RenderArgs;
 use super::output::print;
 use super::progress::{LongWork, progress};
-use super::scene::{drawable, journey, scene};
+use super::scene::{drawable, journey, scene, stars};
 use super::stop::Stop;
 use crate::picture;
 use crate::picture::{
@@ -66,6 +66,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     let options = HeadlessOptions {
         timed: args.timings,
         light: format == Format::Exr,
+        stars: stars(&args.scene)?,
     };
     let (first_scene, _) = pictures.get(pictures.numbers().start);
     let first_scene = drawn_scene(&first_scene, format);

@@ -5,6 +5,7 @@ use super::stop::Stop;
 use crate::storage;
 use lightfall_core::gpu;
 use lightfall_core::gpu::{AdapterName, Drawable, Gpu};
+use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::journey::Journey;
 use lightfall_core::scene::{Scene, presets};
 use std::path::Path;
@@ -29,6 +30,21 @@ pub fn scene(args: &SceneArgs) -> Result<Scene, Stop> {
 /// The file cannot be read or is wrong, or a part of the journey cannot be flown in `scene`.
 pub fn journey(file: Option<&Path>, scene: &Scene) -> Result<Journey, Stop> {
     Ok(storage::read_journey(file, scene)?)
+}
+
+/// The stars that the options name, or the built-in catalogue. The program has one catalogue as long
+/// as it runs.
+///
+/// # Errors
+/// The file cannot be read or is wrong.
+pub(super) fn stars(args: &SceneArgs) -> Result<&'static Catalogue, Stop> {
+    match &args.stars {
+        None => Ok(Catalogue::built_in()),
+        Some(file) => {
+            let catalogue = storage::read_stars(file).map_err(Stop::refused)?;
+            Ok(Box::leak(Box::new(catalogue)))
+        }
+    }
 }
 
 /// Checks that the scene can be drawn, and that there is a graphics device. Says so where it is

@@ -2,7 +2,10 @@
 
 use super::PictureError;
 use crate::log::quiet_log;
-use crate::render::{AwaitErrorMap, Capture, LightfallRenderPlugin, is_drawn, render_plugin};
+use crate::render::{
+    AwaitErrorMap, Capture, DrawRequest, LightfallRenderPlugin, StarCatalogue, is_drawn,
+    render_plugin,
+};
 use bevy::app::PluginsState;
 use bevy::asset::RenderAssetUsages;
 use bevy::camera::RenderTarget;
@@ -15,22 +18,35 @@ use bevy::render::renderer::RenderDevice;
 use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
 use lightfall_core::gpu::{Drawable, driver_advice};
+use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::{MAX_PICTURE_SIDE, Scene};
 use std::env::consts::OS;
 
-/// Maximum number of frames to wait for a picture. Compiling every pipeline takes a few frames.
+/// Maximum number of frames to wait for a picture, or for the next frame of one that is a mean. Compiling every pipeline takes a few frames.
 pub(super) const MAX_UPDATES: usize = 600;
 
 /// Bevy's exit status after Ctrl+C.
 const INTERRUPTED: u8 = 130;
 
 /// What a [`Studio`](super::Studio) does in addition to drawing.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub struct HeadlessOptions {
     /// Measure the GPU time of each pass.
     pub timed: bool,
     /// Keep the linear light and the depth of each picture.
     pub light: bool,
+    /// Draw these stars.
+    pub stars: &'static Catalogue,
+}
+
+impl Default for HeadlessOptions {
+    fn default() -> Self {
+        Self {
+            timed: false,
+            light: false,
+            stars: Catalogue::built_in(),
+        }
+    }
 }
 
 /// The image that the last pass writes.
@@ -44,7 +60,7 @@ pub(super) struct Output(pub(super) Handle<Image>);
 pub(super) fn headless(
     scene: &Scene,
     size: UVec2,
-    HeadlessOptions { timed, light }: HeadlessOptions,
+    options: HeadlessOptions,
 ) -> Result<App, PictureError> {
     let mut app = App::new();
     app.add_plugins(
@@ -67,7 +83,7 @@ pub(super) fn headless(
             app.add_plugins(quiet_log());
         }
     });
-    if timed {
+    if options.timed {
         app.add_plugins(RenderDiagnosticsPlugin);
     }
     while app.plugins_state() == PluginsState::Adding {
@@ -81,11 +97,12 @@ pub(super) fn headless(
     image.asset_usage = RenderAssetUsages::RENDER_WORLD;
     image.texture_descriptor.usage |= TextureUsages::COPY_SRC;
     let output = app.world_mut().resource_mut::<Assets<Image>>().add(image);
-    if light {
+    if options.light {
         app.init_resource::<Capture>();
     }
     app.insert_resource(Output(output.clone()))
         .insert_resource(AwaitErrorMap(true))
+        .insert_resource(StarCatalogue(options.stars))
         .add_plugins(LightfallRenderPlugin {
             scene,
             target: RenderTarget::Image(output.into()),
@@ -149,11 +166,16 @@ pub(super) fn update(app: &mut App) -> Result<(), PictureError> {
 
 /// Draws frames until the scene is completely drawn.
 pub(super) fn warm_up(app: &mut App) -> Result<(), PictureError> {
-    for _ in 0..MAX_UPDATES {
+    let frames = |app: &App| app.world().resource::<DrawRequest>().drawn_frames();
+    let (mut waited, mut drawn) = (0, 0);
+    while waited < MAX_UPDATES {
         update(app)?;
         if is_drawn(app).map_err(PictureError::Draw)? {
             return Ok(());
         }
+        // Every frame of a mean may take as long as a picture of one.
+        waited = if frames(app) == drawn { waited + 1 } else { 0 };
+        drawn = frames(app);
     }
     Err(PictureError::Draw("its passes did not become ready".into()))
 }

@@ -2,6 +2,7 @@
 //! a file. Also sequences of pictures.
 
 mod animation;
+mod brightness;
 mod channels;
 mod file;
 mod headless;
@@ -10,9 +11,10 @@ mod sequence;
 mod still;
 
 pub use animation::Animation;
+pub use brightness::brightness;
 pub use channels::{CHANNELS, Channel, Channels, PixelRays, Samples};
 pub use file::{Format, PictureError, check_path, write_png};
 pub use headless::{HeadlessOptions, check_size};
 pub use open_exr::{Linear, write_exr};
 pub use sequence::{Frames, Sequence, frame_rate};
-pub use still::{PassTime, Still, Studio, filled, render, render_timed};
+pub use still::{PassTime, Still, Studio, filled, render, render_timed, render_with};

@@ -53,7 +53,7 @@ impl Studio {
             size,
             HeadlessOptions {
                 timed: true,
-                light: false,
+                ..HeadlessOptions::default()
             },
         )
     }
@@ -176,6 +176,25 @@ impl Studio {
         });
         Ok(times.collect())
     }
+
+    /// Shows a scene, draws frames until it is completely drawn, and returns the names of the passes
+    /// that ran in them. The list is empty on a device without timestamps. The studio must time
+    /// passes.
+    ///
+    /// # Errors
+    /// The scene cannot be drawn, or drawing failed.
+    pub fn passes_to_show(&mut self, scene: &Scene) -> Result<Vec<String>, PictureError> {
+        // Measurements of earlier frames arrive before.
+        self.settle()?;
+        medians(&mut self.app, 0)?;
+        let begin = Instant::now();
+        self.show(scene)?;
+        self.settle()?;
+        medians(&mut self.app, 0)?;
+        Ok(fresh_measurements(&self.app, begin)
+            .map(|(pass, _)| pass.to_owned())
+            .collect())
+    }
 }
 
 /// The scene as it is drawn for a picture of its own size: its cells fill the picture.
@@ -194,7 +213,19 @@ pub fn filled(scene: &Scene) -> Scene {
 /// # Errors
 /// The size is too large, or drawing failed.
 pub fn render(scene: &Scene, size: UVec2) -> Result<Still, PictureError> {
-    Studio::with_options(scene, size, HeadlessOptions::default())?.picture()
+    render_with(scene, size, HeadlessOptions::default())
+}
+
+/// Like [`render`], with these options.
+///
+/// # Errors
+/// As [`render`].
+pub fn render_with(
+    scene: &Scene,
+    size: UVec2,
+    options: HeadlessOptions,
+) -> Result<Still, PictureError> {
+    Studio::with_options(scene, size, options)?.picture()
 }
 
 /// Like [`render`], with the GPU time of each pass, see [`Studio::time`].
@@ -222,21 +253,8 @@ fn medians(app: &mut App, frames: usize) -> Result<BTreeMap<String, f64>, Pictur
     for _ in 0..frames {
         let begin = Instant::now();
         update(app)?;
-        for diagnostic in app.world().resource::<DiagnosticsStore>().iter() {
-            let path = diagnostic.path().as_str();
-            let pass = path
-                .strip_prefix("render/")
-                .and_then(|path| path.strip_suffix("/elapsed_gpu"));
-            // The measurement of a pass that no longer runs stays in the store.
-            let fresh = diagnostic
-                .measurement()
-                .filter(|measurement| measurement.time >= begin);
-            if let (Some(pass), Some(measurement)) = (pass, fresh) {
-                samples
-                    .entry(pass.into())
-                    .or_default()
-                    .push(measurement.value);
-            }
+        for (pass, time) in fresh_measurements(app, begin) {
+            samples.entry(pass.into()).or_default().push(time);
         }
     }
     let median = |mut values: Vec<f64>| {
@@ -247,6 +265,17 @@ fn medians(app: &mut App, frames: usize) -> Result<BTreeMap<String, f64>, Pictur
         .into_iter()
         .map(|(pass, values)| (pass, median(values)))
         .collect())
+}
+
+/// The passes whose GPU time has arrived since `begin`, and the latest time of each, in milliseconds.
+fn fresh_measurements(app: &App, begin: Instant) -> impl Iterator<Item = (&str, f64)> {
+    let diagnostics = app.world().resource::<DiagnosticsStore>().iter();
+    diagnostics.filter_map(move |diagnostic| {
+        let path = diagnostic.path().as_str().strip_prefix("render/")?;
+        // The measurement of a pass that no longer runs stays in the store.
+        let measurement = diagnostic.measurement().filter(|last| last.time >= begin)?;
+        Some((path.strip_suffix("/elapsed_gpu")?, measurement.value))
+    })
 }
 
 #[derive(Resource, Default)]

@@ -1,8 +1,8 @@
 //! Copies of the traced light and the depth, taken before bloom and tone mapping, for pictures of
 //! linear light. A chain copies them only where there is a [`Capture`].
 
+use crate::render::accumulate::accumulate_frame;
 use crate::render::camera_markers::SceneCamera;
-use bevy::core_pipeline::core_3d::main_transparent_pass_3d;
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::prelude::*;
 use bevy::render::RenderApp;
@@ -115,7 +115,7 @@ pub(super) fn plugin(app: &mut App) {
         Core3d,
         copy_light_and_depth
             .in_set(Core3dSystems::MainPass)
-            .after(main_transparent_pass_3d)
+            .after(accumulate_frame)
             .run_if(resource_exists::<Capture>),
     );
 }

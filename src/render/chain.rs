@@ -3,7 +3,7 @@
 
 use crate::render::comparison::ComparedScene;
 use bevy::math::UVec2;
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Scene, SkyMode};
 
 /// Rows of bloom's largest level: half the default picture's height. A finer level would take most
 /// of the time and change nothing that the presentation grid can show (docs/PASSES.md).
@@ -31,6 +31,15 @@ pub struct Chain {
     pub probe: bool,
     /// Samples per pixel of the foreground: one, or four where its edges are smoothed.
     pub samples: u32,
+    /// Whether stars are drawn as points.
+    pub stars: bool,
+    /// Whether edges are found and refined.
+    pub antialias: bool,
+    /// Whether all of the picture shows light, rather than colours that have a meaning and must not
+    /// be averaged.
+    pub shows_light: bool,
+    /// How many frames are averaged, one at least.
+    pub frames: u32,
     /// Rows of bloom's largest level; `None` without bloom, as in views whose colours have a
     /// meaning.
     pub bloom: Option<u32>,
@@ -73,6 +82,14 @@ impl Chain {
             } else {
                 1
             },
+            stars: scene.sky.mode == SkyMode::Stars && scene.view.shows_light(),
+            antialias: scene.picture.antialias && scene.view.shows_light(),
+            shows_light: scene.view.shows_light(),
+            frames: if scene.view.shows_light() {
+                scene.picture.samples
+            } else {
+                1
+            },
             bloom: (scene.picture.bloom > 0.0
                 && rows >= MIN_BLOOM_ROWS
                 && scene.view.shows_light())
@@ -82,16 +99,30 @@ impl Chain {
         }
     }
 
-    /// The chain that also draws a compared scene. Two scenes side by side need no more than one.
-    /// A difference has neither bloom, which would spread it, nor smooth edges of the foreground,
-    /// which it covers.
+    /// The chain that also draws a compared scene. Two scenes side by side need no more passes than
+    /// one. A difference has neither bloom, which would spread it, nor smooth edges: what is
+    /// compared are single rays, and it covers the foreground.
     #[must_use]
     pub fn comparing(self, compared: &ComparedScene) -> Self {
+        let pinned = compared.drawn().map(|(scene, _)| Self::of(scene));
+        let stars = self.stars || pinned.is_some_and(|pinned| pinned.stars);
         if !compared.is_difference() {
-            return self;
+            return Self {
+                stars,
+                antialias: self.antialias || pinned.is_some_and(|pinned| pinned.antialias),
+                shows_light: self.shows_light && pinned.is_none_or(|pinned| pinned.shows_light),
+                frames: self
+                    .frames
+                    .min(pinned.map_or(u32::MAX, |pinned| pinned.frames)),
+                ..self
+            };
         }
         Self {
             samples: 1,
+            stars,
+            antialias: false,
+            shows_light: false,
+            frames: 1,
             bloom: None,
             difference: true,
             ..self
@@ -100,6 +131,7 @@ impl Chain {
 
     /// Names of the passes in their order, as in `render --timings`.
     pub fn passes(&self) -> Vec<&'static str> {
+        let stars: &[_] = if self.stars { &["stars"] } else { &[] };
         let lamps: &[_] = if self.probe { &["clustering"] } else { &[] };
         let bloom: &[_] = if self.bloom.is_some() {
             &["bloom"]
@@ -111,15 +143,28 @@ impl Chain {
         } else {
             &[]
         };
+        let edges: &[_] = if self.antialias {
+            &["edges", "refine"]
+        } else {
+            &[]
+        };
+        let mean: &[_] = if self.frames > 1 {
+            &["accumulate"]
+        } else {
+            &[]
+        };
         let difference: &[_] = if self.difference {
             &["geodesic_pinned", "difference"]
         } else {
             &[]
         };
         let scene_camera = [
+            stars,
             lamps,
             &["main_opaque_pass_3d", "geodesic"],
             difference,
+            edges,
+            mean,
             bloom,
             &["tonemapping"],
         ]
@@ -155,6 +200,13 @@ impl Chain {
         }
         if self.samples > 1 {
             textures.push(of_picture("HDR picture of four samples", "rgba16float"));
+        }
+        if self.antialias {
+            textures.push(of_picture("classes", "rg8uint"));
+        }
+        if self.frames > 1 {
+            textures.push(of_picture("sum of frames", "rgba32float"));
+            textures.push(of_picture("sum of one frame less", "rgba32float"));
         }
         textures.extend(self.bloom.map(|rows| {
             WrittenTexture {

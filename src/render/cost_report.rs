@@ -2,8 +2,11 @@
 //! the shader variant and the chain that draw the scene.
 
 use crate::render::chain::{Chain, EMPTY_PASSES, WrittenTexture};
+use crate::render::resting_frames::FRAMES_AT_REST;
 use crate::render::wave_limit::WaveLimit;
+use lightfall_core::gpu::stars::sums_size;
 use lightfall_core::gpu::{Entry, Variant};
+use lightfall_core::optics::stars::{Depth, MAX_MAGNITUDE};
 use lightfall_core::reports::numbers::four_digits;
 use lightfall_core::scene::{HotSpotKind, LimbDarkening, Scene};
 use std::collections::BTreeSet;
@@ -66,8 +69,11 @@ pub fn cost_rows(scene: &Scene, limit: WaveLimit) -> Vec<(&'static str, String)>
             "none".into()
         }],
     );
+    row("edges", &[edges(&chain).into()]);
+    row("frames averaged", &[frames(&chain)]);
     row("disk's light", &lights(scene, variant, limit));
     row("disk's clock", &[clock(scene)]);
+    row("stars", &stars(scene, chain));
     row("flags set", &own(names(set)));
     row("flags not set", &own(names(unset)));
     row("shader files", &own(variant.files()));
@@ -144,6 +150,44 @@ fn lights(scene: &Scene, variant: Variant, limit: WaveLimit) -> Vec<String> {
     lights
 }
 
+/// How deep the point stars go, and what they take.
+fn stars(scene: &Scene, chain: Chain) -> Vec<String> {
+    let Some(depth) = Depth::new(scene, MAX_MAGNITUDE)
+        .ok()
+        .filter(|_| chain.stars)
+    else {
+        return Vec::new();
+    };
+    let sums = sums_size(chain.picture) as f64 / 1e6;
+    let mut lines = vec![
+        format!("points down to V = {:.1}", depth.limit),
+        format!("of stars down to V = {:.1}", depth.last),
+        format!("{sums:.1} MB of sums"),
+    ];
+    let kernels = Variant::star_kernels(scene).into_iter();
+    lines.extend(kernels.map(|kernel| format!("by {}", kernel.files().join(" "))));
+    lines
+}
+
+/// How edges are drawn.
+fn edges(chain: &Chain) -> &'static str {
+    if chain.antialias {
+        "4 or 16 rays in each pixel where they pass, 64 where the shadow's edge does"
+    } else {
+        "one ray a pixel"
+    }
+}
+
+/// How many frames are averaged.
+fn frames(chain: &Chain) -> String {
+    let frames = chain.frames;
+    if chain.shows_light && frames < FRAMES_AT_REST {
+        format!("{frames} ({FRAMES_AT_REST} in a window at rest on a graphics card)")
+    } else {
+        frames.to_string()
+    }
+}
+
 /// What the disk's clock makes the window draw.
 fn clock(scene: &Scene) -> String {
     if !scene.disk_moves() {
@@ -180,6 +224,8 @@ fn chain_with_everything(chain: &Chain) -> Chain {
     scene.probe.enabled = true;
     scene.picture.bypass = false;
     scene.picture.bloom = 1.0;
+    scene.picture.antialias = true;
+    scene.picture.samples = 2;
     Chain {
         picture: chain.picture,
         ..Chain::of(&scene)

@@ -5,6 +5,9 @@
 mod pipeline;
 mod shader;
 mod side;
+mod sky;
+
+use crate::render::antialias::{AntialiasPass, prepare_antialias};
 
 pub(crate) use shader::GeodesicShaders;
 pub(super) use shader::select_geodesic_shaders;
@@ -15,8 +18,12 @@ use crate::render::comparison::{
     follow_current_scene, prepare_difference,
 };
 use crate::render::current_scene::CurrentScene;
+use crate::render::draw_request::DrawRequest;
 use crate::render::error_map::ShownErrorMap;
 use crate::render::full_screen_pass::run_full_screen_pass;
+use crate::render::star_catalogue::StarCatalogue;
+use crate::render::star_limit::StarLimit;
+use crate::render::stars::{SceneStars, StarPass};
 use crate::render::wave_limit::WaveLimit;
 use bevy::asset::AssetEventSystems;
 use bevy::core_pipeline::core_3d::{main_opaque_pass_3d, main_transparent_pass_3d};
@@ -26,18 +33,22 @@ use bevy::prelude::*;
 use bevy::render::diagnostic::RecordDiagnostics;
 use bevy::render::extract_resource::ExtractResourcePlugin;
 use bevy::render::render_phase::TrackedRenderPass;
-use bevy::render::render_resource::binding_types::{uniform_buffer, uniform_buffer_sized};
+use bevy::render::render_resource::binding_types::*;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use lightfall_core::gpu::kernel::table_bytes;
-use lightfall_core::gpu::{ErrorMap, GpuHotSpot, GpuScene, GpuStructure, bindings};
+use lightfall_core::gpu::{
+    ErrorMap, GpuHotSpot, GpuScene, GpuStarlight, GpuStructure, SkyTexture, bindings,
+};
 use lightfall_core::optics::spectrum;
 use lightfall_core::scene::View;
-use pipeline::{Destination, pipeline_descriptor};
-use shader::{JoinedShader, JoinedShaders};
-use side::{PAGE_THORNE_SIZE, Shared, Side};
+use pipeline::{Destination, Traits, pipeline_descriptor};
+use shader::{JoinedShader, JoinedShaders, SceneShaders};
+use side::{PAGE_THORNE_SIZE, Shared, Side, SidePipelines, SideWriter};
+use sky::NoStars;
+use std::ops::Range;
 
 /// Most pixels that one draw call traces: a full HD picture.
 const MAX_BAND_PIXELS: u32 = 1920 * 1080;
@@ -64,6 +75,40 @@ impl GeodesicPass {
     pub(super) fn has_drawn_scene(&self) -> bool {
         self.drawn && !self.changed
     }
+
+    /// The columns of a picture of this width that show the pinned scene and the current one.
+    fn columns(&self, width: u32) -> [Range<u32>; 2] {
+        let divider = match self.pinned {
+            Some((_, ComparisonLayout::SideBySide { columns })) => columns.min(width),
+            _ => 0,
+        };
+        [0..divider, divider..width]
+    }
+
+    /// The stars of the scenes.
+    pub(super) fn scene_stars(&self) -> impl Iterator<Item = &SceneStars> {
+        let pinned = self.pinned.as_ref().map(|(side, _)| side);
+        let sides = pinned.into_iter().chain([&self.current]);
+        sides.filter_map(Side::stars)
+    }
+
+    /// What refines the scenes that this frame has drawn, and the columns of each.
+    pub(super) fn refinements<'a>(
+        &'a self,
+        cache: &'a PipelineCache,
+        width: u32,
+    ) -> impl Iterator<Item = (&'a ComputePipeline, &'a BindGroup, Range<u32>)> {
+        let [left, right] = self.columns(width);
+        let pinned = self.pinned.as_ref().map(|(side, _)| (side, left));
+        pinned
+            .into_iter()
+            .chain([(&self.current, right)])
+            .filter(move |(_, columns)| self.drawn && !columns.is_empty())
+            .filter_map(|(side, columns)| {
+                let (pipeline, bind_group) = side.refinement(cache)?;
+                Some((pipeline, bind_group, columns))
+            })
+    }
 }
 
 pub(super) fn plugin(app: &mut App) {
@@ -85,7 +130,7 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(RenderStartup, create_geodesic_pass)
         .add_systems(
             Render,
-            (prepare_difference, prepare_geodesic_pass)
+            (prepare_difference, prepare_antialias, prepare_geodesic_pass)
                 .chain()
                 .in_set(RenderSystems::PrepareResources),
         )
@@ -99,7 +144,11 @@ pub(super) fn plugin(app: &mut App) {
         );
 }
 
-fn create_geodesic_pass(mut commands: Commands, device: Res<RenderDevice>) {
+fn create_geodesic_pass(
+    mut commands: Commands,
+    device: Res<RenderDevice>,
+    queue: Res<RenderQueue>,
+) {
     let table = table_bytes(&spectrum::table());
     let spectrum = device.create_buffer_with_data(&BufferInitDescriptor {
         label: Some("spectrum table"),
@@ -115,7 +164,7 @@ fn create_geodesic_pass(mut commands: Commands, device: Res<RenderDevice>) {
     let layout = BindGroupLayoutDescriptor::new(
         "geodesic layout",
         &BindGroupLayoutEntries::with_indices(
-            ShaderStages::FRAGMENT,
+            ShaderStages::FRAGMENT | ShaderStages::COMPUTE,
             (
                 (bindings::SCENE, uniform_buffer::<GpuScene>(false)),
                 (
@@ -135,20 +184,37 @@ fn create_geodesic_pass(mut commands: Commands, device: Res<RenderDevice>) {
                     uniform_buffer_sized(false, BufferSize::new(GpuStructure::SIZE)),
                 ),
                 (bindings::HOT_SPOT, uniform_buffer::<GpuHotSpot>(false)),
+                (bindings::STARLIGHT, uniform_buffer::<GpuStarlight>(false)),
+                (
+                    bindings::MILKY_WAY,
+                    texture_cube(TextureSampleType::Float { filterable: true }),
+                ),
+                (
+                    bindings::MILKY_WAY_SAMPLER,
+                    sampler(SamplerBindingType::Filtering),
+                ),
+                (
+                    bindings::STAR_SUMS,
+                    storage_buffer_read_only_sized(false, None),
+                ),
             ),
         ),
     );
+    let no_stars = NoStars::new(&device, &queue);
     commands.insert_resource(GeodesicPass {
         shared: Shared {
             layout,
             spectrum,
             error_map,
             waves: WaveLimit::default(),
+            no_stars,
+            milky_way: None,
+            sampler: device.create_sampler(&SkyTexture::sampler()),
         },
         current: Side::new(&device),
         pinned: None,
         pipelines: HashMap::default(),
-        destination: Destination::Picture { samples: 1 },
+        destination: Destination::Light,
         changed: true,
         drawn: false,
     });
@@ -160,13 +226,21 @@ fn prepare_geodesic_pass(
     compared: Res<ComparedScene>,
     shaders: Option<Res<GeodesicShaders>>,
     errors: Res<ShownErrorMap>,
-    waves: Res<WaveLimit>,
-    (pass, difference): (Option<ResMut<GeodesicPass>>, Option<Res<DifferencePass>>),
+    (waves, request): (Res<WaveLimit>, Option<Res<DrawRequest>>),
+    (catalogue, deepest): (Res<StarCatalogue>, Res<StarLimit>),
+    (pass, difference, antialias, stars): (
+        Option<ResMut<GeodesicPass>>,
+        Option<Res<DifferencePass>>,
+        Option<ResMut<AntialiasPass>>,
+        Option<ResMut<StarPass>>,
+    ),
     cache: Res<PipelineCache>,
     device: Res<RenderDevice>,
     queue: Res<RenderQueue>,
 ) {
-    let (Some(shaders), Some(mut pass)) = (shaders, pass) else {
+    let (Some(shaders), Some(mut pass), Some(mut antialias), Some(mut stars)) =
+        (shaders, pass, antialias, stars)
+    else {
         return;
     };
     let GeodesicPass {
@@ -178,8 +252,11 @@ fn prepare_geodesic_pass(
         changed,
         drawn,
     } = &mut *pass;
-    *changed |=
-        scene.is_changed() || errors.is_changed() || compared.is_changed() || waves.is_changed();
+    *changed |= scene.is_changed()
+        || errors.is_changed()
+        || compared.is_changed()
+        || waves.is_changed()
+        || deepest.is_changed();
     *drawn = false;
     shared.waves = *waves;
     let shows_difference = difference.is_some_and(|pass| pass.is_ready(&cache));
@@ -198,25 +275,75 @@ fn prepare_geodesic_pass(
         joined.set_ready(ready);
         ready.then_some(id)
     };
-    let current_pipeline = pipeline_of(&shaders.current);
-    let pinned_pipeline = shaders.pinned.as_ref().map(&mut pipeline_of);
+    let finds_edges = antialias.finds_edges(&cache);
+    let mut refinement_of = |joined: &JoinedShader| {
+        let id = antialias.refinement(&shared.layout, &joined.shader, &cache);
+        let ready = cache.get_compute_pipeline(id).is_some() && finds_edges;
+        joined.set_ready(ready);
+        ready.then_some(id)
+    };
+    let mut stars_of = |kernels: &[JoinedShader]| {
+        let shaders = kernels
+            .iter()
+            .filter_map(|joined| Some((joined.star_kernel()?, &joined.shader)));
+        let pipelines = stars.pipelines(shaders, &cache);
+        let ready = pipelines.are_ready(&cache);
+        for joined in kernels {
+            joined.set_ready(ready);
+        }
+        ready.then_some(pipelines)
+    };
+    // All pipelines of a scene are asked for at the same time. `None` until they exist.
+    let mut pipelines_of = |shaders: &SceneShaders| {
+        let picture = pipeline_of(&shaders.picture);
+        let refine = shaders.refine.as_ref().map(&mut refinement_of);
+        let stars = (!shaders.stars.is_empty()).then(|| stars_of(&shaders.stars));
+        Some(SidePipelines {
+            picture: picture?,
+            refine: refine.map_or(Some(None), |refine| refine.map(Some))?,
+            stars: stars.map_or(Some(None), |stars| stars.map(Some))?,
+        })
+    };
+    let current_pipelines = pipelines_of(&shaders.current);
+    let pinned_pipelines = shaders.pinned.as_ref().map(&mut pipelines_of);
+    // The number of the frame, and of all frames that are averaged.
+    let frame = request.and_then(|request| {
+        let frame = request.averaged_frame()?;
+        Some((frame, request.averaged_frames()))
+    });
+    let frame = frame.unwrap_or((0, 1));
+    if !*changed {
+        current.set_frame(frame, &device, &queue);
+        if let Some((side, _)) = pinned {
+            side.set_frame(frame, &device, &queue);
+        }
+    }
     // Until all pipelines exist, the scenes and the pipelines of the last picture stay.
-    let (true, Some(current_pipeline)) = (*changed, current_pipeline) else {
+    let (true, Some(current_pipelines)) = (*changed, current_pipelines) else {
         return;
     };
-    let pinned_pipeline = match pinned_pipeline {
+    let pinned_pipelines = match pinned_pipelines {
         Some(None) => return,
         None => None,
         Some(ready) => ready,
     };
-    let gpu = (&*cache, &*device, &*queue);
-    current.write(&scene, current_pipeline, shared, gpu);
-    *pinned = match (compared.drawn(), pinned_pipeline) {
-        (Some((scene, layout)), Some(pipeline)) => {
+    let mut writer = SideWriter {
+        shared,
+        stars: &mut stars,
+        catalogue: *catalogue,
+        deepest: deepest.0,
+        frame,
+        cache: &cache,
+        device: &device,
+        queue: &queue,
+    };
+    current.write(&scene, current_pipelines, &mut writer);
+    *pinned = match (compared.drawn(), pinned_pipelines) {
+        (Some((scene, layout)), Some(pipelines)) => {
             let mut side = pinned
                 .take()
                 .map_or_else(|| Side::new(&device), |(side, _)| side);
-            side.write(scene, pipeline, shared, gpu);
+            side.write(scene, pipelines, &mut writer);
             Some((side, layout))
         }
         _ => None,
@@ -224,13 +351,13 @@ fn prepare_geodesic_pass(
     if scene.view == View::Error {
         queue.write_buffer(&shared.error_map, 0, &errors.map.bytes());
     }
-    (*changed, *destination) = (false, shaders.current.destination);
+    (*changed, *destination) = (false, shaders.current.picture.destination);
 }
 
 fn draw_geodesic_pass(
     view: ViewQuery<(&ViewTarget, &ViewDepthTexture), With<SceneCamera>>,
     pass: Option<ResMut<GeodesicPass>>,
-    difference: Option<Res<DifferencePass>>,
+    (difference, antialias): (Option<Res<DifferencePass>>, Option<Res<AntialiasPass>>),
     cache: Res<PipelineCache>,
     mut context: RenderContext,
 ) {
@@ -255,15 +382,24 @@ fn draw_geodesic_pass(
                 )
             })
         }
-        (Destination::Light, None) => false,
+        (Destination::Light, None) | (Destination::Compute(_), _) => false,
         // A pipeline for another number of samples waits until the target has as many.
-        (Destination::Picture { samples }, _)
+        (Destination::Picture { samples, .. }, _)
             if (samples > 1) != target.sampled_main_texture().is_some() =>
         {
             false
         }
-        (Destination::Picture { .. }, _) => {
-            draw_picture(&mut context, &cache, &pass, target, depth)
+        (Destination::Picture { traits, .. }, _) => {
+            let second = antialias.as_ref().and_then(|pass| pass.attachment(target));
+            // So does a pipeline with a second target.
+            (traits == Traits::Absent || second.is_some())
+                && draw_picture(
+                    &mut context,
+                    &cache,
+                    &pass,
+                    (target, second.filter(|_| traits != Traits::Absent)),
+                    depth,
+                )
         }
     };
     pass.drawn = drawn;
@@ -275,38 +411,40 @@ fn draw_picture(
     context: &mut RenderContext,
     cache: &PipelineCache,
     pass: &GeodesicPass,
-    target: &ViewTarget,
+    (target, second): (&ViewTarget, Option<RenderPassColorAttachment>),
     depth: &ViewDepthTexture,
 ) -> bool {
     let Some(current) = pass.current.ready(cache) else {
         return false;
     };
     let pinned = match &pass.pinned {
-        Some((side, ComparisonLayout::SideBySide { columns })) => {
+        Some((side, ComparisonLayout::SideBySide { .. })) => {
             let Some(ready) = side.ready(cache) else {
                 return false;
             };
-            Some((ready, *columns))
+            Some(ready)
         }
         _ => None,
     };
     let size = target.main_texture().size();
     let diagnostics = context.diagnostic_recorder();
     let diagnostics = diagnostics.as_deref();
+    let attachments: Vec<_> = [Some(target.get_color_attachment())]
+        .into_iter()
+        .chain(second.map(Some))
+        .collect();
     let mut render_pass = context.begin_tracked_render_pass(RenderPassDescriptor {
         label: Some("geodesic"),
-        color_attachments: &[Some(target.get_color_attachment())],
+        color_attachments: &attachments,
         depth_stencil_attachment: Some(depth.get_attachment(StoreOp::Store)),
         timestamp_writes: None,
         occlusion_query_set: None,
         multiview_mask: None,
     });
     let span = diagnostics.pass_span(&mut render_pass, "geodesic");
-    let divider = pinned.map_or(0, |(_, columns)| columns.min(size.width));
-    let left = pinned.map(|(ready, _)| (ready, 0..divider));
-    for ((pipeline, bind_group), columns) in
-        left.into_iter().chain([(current, divider..size.width)])
-    {
+    let [left, right] = pass.columns(size.width);
+    let pinned = pinned.map(|ready| (ready, left));
+    for ((pipeline, bind_group), columns) in pinned.into_iter().chain([(current, right)]) {
         if columns.is_empty() {
             continue;
         }

@@ -7,6 +7,8 @@
 //!   geodesic.rs      GEODESIC                traced light where the depth is zero
 //!   comparison.rs    (DIFFERENCE)            two scenes' light, only while they are compared so
 //!                    main_transparent_pass_3d
+//!   refine.rs        (EDGES -> REFINE)       more rays where edges pass, unless switched off
+//!   accumulate.rs    (ACCUMULATE)            the mean of several frames, where it is asked for
 //!   capture.rs       (copy)                  light and depth, only for pictures of linear light
 //!   scene_camera.rs  bloom -> tonemapping    Bevy's own
 //! screen camera (Core2d, window or still)
@@ -17,6 +19,8 @@
 //!
 //! error_map.rs computes what the view `error` shows, on a background thread.
 
+mod accumulate;
+mod antialias;
 mod camera_markers;
 mod capture;
 mod chain;
@@ -24,6 +28,7 @@ mod comparison;
 mod cost_report;
 mod current_scene;
 mod device;
+mod draw_request;
 mod error_map;
 mod full_screen_pass;
 mod geodesic;
@@ -31,7 +36,12 @@ mod presentation;
 mod probe;
 pub mod recovery;
 mod redraw;
+mod refine;
+mod resting_frames;
 mod scene_camera;
+mod star_catalogue;
+mod star_limit;
+mod stars;
 mod wave_limit;
 
 pub use camera_markers::{SceneCamera, ScreenCamera};
@@ -41,11 +51,15 @@ pub use comparison::{ComparedScene, Comparison, ComparisonLayout, ComparisonMode
 pub use cost_report::{cost_report, cost_rows};
 pub use current_scene::CurrentScene;
 pub use device::render_plugin;
+pub use draw_request::{AlwaysDraw, DrawRequest};
 pub use error_map::AwaitErrorMap;
 pub(crate) use geodesic::GeodesicShaders;
 pub use presentation::{Letterbox, ShownCells, fit, letterbox, resized};
-pub use redraw::{AlwaysDraw, DrawRequest, is_drawn};
+pub use redraw::is_drawn;
+pub use resting_frames::RestingFrames;
 pub use scene_camera::NEAR_PLANE;
+pub use star_catalogue::StarCatalogue;
+pub use star_limit::StarLimit;
 pub use wave_limit::WaveLimit;
 
 use bevy::camera::RenderTarget;
@@ -65,7 +79,10 @@ impl Plugin for LightfallRenderPlugin {
     fn build(&self, app: &mut App) {
         app.insert_resource(CurrentScene(self.scene.clone()))
             .insert_resource(ClearColor(Color::BLACK))
+            .init_resource::<StarCatalogue>()
+            .init_resource::<StarLimit>()
             .init_resource::<WaveLimit>()
+            .init_resource::<RestingFrames>()
             .add_plugins(ExtractResourcePlugin::<WaveLimit>::default())
             .add_plugins(ExtractResourcePlugin::<CurrentScene>::default())
             .add_plugins(comparison::plugin)
@@ -77,6 +94,10 @@ impl Plugin for LightfallRenderPlugin {
             ))
             .add_plugins((
                 geodesic::plugin,
+                antialias::plugin,
+                stars::plugin,
+                refine::plugin,
+                accumulate::plugin,
                 error_map::plugin,
                 capture::plugin,
                 redraw::plugin,

@@ -4,7 +4,7 @@
 
 use crate::IN_BROWSER;
 use crate::render::device::wgpu_settings;
-use crate::render::redraw::DrawRequest;
+use crate::render::draw_request::DrawRequest;
 use bevy::platform::time::Instant;
 use bevy::prelude::*;
 use bevy::render::error_handler::{ErrorType, RenderError, RenderErrorHandler, RenderErrorPolicy};

@@ -5,100 +5,29 @@
 //! The main world holds the request ([`DrawRequest`]) and wakes the camera in the same frame as a
 //! change. The render world marks the request as drawn once a frame has drawn all of it. While the
 //! shader of a new request compiles, the camera stays idle, so the last picture stays complete.
+//!
+//! A request may ask for the mean of several frames (accumulate.rs). The camera then stays awake
+//! until all of them are drawn. A change begins with the first frame again, so nothing is averaged
+//! while the camera moves or the disk's clock runs.
 
+use crate::render::accumulate::AccumulatePass;
 use crate::render::camera_markers::SceneCamera;
 use crate::render::chain::Chain;
-use crate::render::comparison::{ComparedScene, ComparisonLayout};
+use crate::render::comparison::ComparedScene;
 use crate::render::current_scene::CurrentScene;
+use crate::render::draw_request::{AlwaysDraw, DrawRequest};
 use crate::render::error_map::{ErrorMapRequest, ShownErrorMap, update_error_map};
 use crate::render::geodesic::{GeodesicPass, GeodesicShaders, select_geodesic_shaders};
+use crate::render::resting_frames::RestingFrames;
 use bevy::camera::CameraUpdateSystems;
 use bevy::prelude::*;
 use bevy::render::camera::ExtractedCamera;
-use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
+use bevy::render::extract_resource::ExtractResourcePlugin;
 use bevy::render::render_resource::{CachedPipelineState, PipelineCache};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use bevy::shader::ShaderCacheError;
-use lightfall_core::scene::{Scene, View};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-
-/// Whether the scene is drawn in every frame, changed or not: for measurements.
-#[derive(Resource, Default)]
-pub struct AlwaysDraw(pub bool);
-
-/// The picture to draw. Every change makes a new request with a flag of its own, so that a late
-/// "drawn" cannot be taken for the answer to a newer request.
-#[derive(Resource, Clone, ExtractResource)]
-pub struct DrawRequest {
-    scene: Scene,
-    /// The pinned scene that is compared with it.
-    compared: Option<(Scene, ComparisonLayout)>,
-    /// Whether a frame has drawn all of it; shared by the main and the render world.
-    drawn: Arc<AtomicBool>,
-    /// Whether a frame has drawn the scene at some time of the disk; shared by the requests that
-    /// differ in that time only. While the disk's clock runs, every frame has a request of its own,
-    /// of which none is known to be drawn before the next one comes.
-    shown: Arc<AtomicBool>,
-    /// Whether there is a picture, of this or an earlier request. All requests share it.
-    has_picture: Arc<AtomicBool>,
-}
-
-impl DrawRequest {
-    fn new(scene: &Scene, compared: &ComparedScene) -> Self {
-        Self {
-            scene: scene.without_presentation(),
-            compared: compared.without_presentation(),
-            drawn: default(),
-            shown: default(),
-            has_picture: default(),
-        }
-    }
-
-    /// A request for another picture, which replaces this one's.
-    fn next(&self, scene: &Scene, compared: &ComparedScene) -> Self {
-        let next = Self::new(scene, compared);
-        let shown = if next.scene.without_clock() == self.scene.without_clock() {
-            Arc::clone(&self.shown)
-        } else {
-            default()
-        };
-        Self {
-            shown,
-            has_picture: Arc::clone(&self.has_picture),
-            ..next
-        }
-    }
-
-    fn mark_shown(&self) {
-        self.shown.store(true, Ordering::Release);
-    }
-
-    fn mark_drawn(&self) {
-        self.mark_shown();
-        self.drawn.store(true, Ordering::Release);
-        self.has_picture.store(true, Ordering::Release);
-    }
-
-    /// Whether a frame has drawn this scene, at this or another time of the disk.
-    #[must_use]
-    pub fn is_shown(&self) -> bool {
-        self.shown.load(Ordering::Acquire)
-    }
-
-    /// Whether a frame has drawn all of it.
-    #[must_use]
-    pub fn is_drawn(&self) -> bool {
-        self.drawn.load(Ordering::Acquire)
-    }
-
-    /// Asks for the same picture again, because the one that was drawn is lost.
-    pub(super) fn forget_picture(&self) {
-        self.drawn.store(false, Ordering::Release);
-        self.shown.store(false, Ordering::Release);
-        self.has_picture.store(false, Ordering::Release);
-    }
-}
+use lightfall_core::scene::View;
+use std::sync::atomic::Ordering;
 
 /// Extra frames that a foreground is drawn before its picture is kept. Meshes and materials reach
 /// the GPU some frames after they are made, the lamps' clusters are sized by what an earlier frame
@@ -110,10 +39,14 @@ pub(super) fn plugin(app: &mut App) {
     let request = DrawRequest::new(
         world.resource::<CurrentScene>(),
         world.resource::<ComparedScene>(),
+        world.resource::<RestingFrames>().to_owned(),
     );
     app.init_resource::<AlwaysDraw>()
         .insert_resource(request)
-        .add_plugins(ExtractResourcePlugin::<DrawRequest>::default())
+        .add_plugins((
+            ExtractResourcePlugin::<DrawRequest>::default(),
+            ExtractResourcePlugin::<AlwaysDraw>::default(),
+        ))
         .add_systems(
             PostUpdate,
             wake_scene_camera
@@ -143,15 +76,16 @@ fn wake_scene_camera(
     compared: Res<ComparedScene>,
     shaders: Res<GeodesicShaders>,
     errors: Res<ShownErrorMap>,
-    always: Res<AlwaysDraw>,
+    (always, resting): (Res<AlwaysDraw>, Res<RestingFrames>),
     mut request: ResMut<DrawRequest>,
     mut camera: Single<&mut Camera, With<SceneCamera>>,
 ) {
     // A system that writes the scene may have written the values it already had.
     let changed = scene.is_changed() && request.scene != scene.without_presentation()
-        || compared.is_changed() && request.compared != compared.without_presentation();
+        || compared.is_changed() && request.compared != compared.without_presentation()
+        || resting.is_changed();
     if changed || errors.is_changed() && scene.view == View::Error {
-        *request = request.next(&scene, &compared);
+        *request = request.next(&scene, &compared, *resting);
     }
     // Before the first picture of a device the camera draws without the geodesic pass, so that Bevy compiles
     // the pipelines of the other passes at the same time.
@@ -162,15 +96,15 @@ fn wake_scene_camera(
     }
 }
 
-/// Marks the request as drawn when this frame has drawn all of it.
+/// Counts the frame for the request when this frame has drawn all of it.
 fn mark_request_drawn(
     request: Option<Res<DrawRequest>>,
-    pass: Option<Res<GeodesicPass>>,
+    (pass, mean): (Option<Res<GeodesicPass>>, Option<Res<AccumulatePass>>),
     camera: Query<(), (With<SceneCamera>, With<ExtractedCamera>)>,
     cache: Res<PipelineCache>,
     mut frames_left: Local<u32>,
 ) {
-    let (Some(request), Some(pass)) = (request, pass) else {
+    let (Some(request), Some(pass), Some(mean)) = (request, pass, mean) else {
         return;
     };
     let extra_frames = if Chain::of(&request.scene).probe {
@@ -179,8 +113,10 @@ fn mark_request_drawn(
         0
     };
     // A pass whose pipeline is still compiling is skipped.
-    let complete =
-        !camera.is_empty() && pass.has_drawn_scene() && cache.waiting_pipelines().next().is_none();
+    let complete = !camera.is_empty()
+        && pass.has_drawn_scene()
+        && (request.averaged_frame().is_none() || mean.has_added())
+        && cache.waiting_pipelines().next().is_none();
     if !complete || request.is_changed() {
         *frames_left = extra_frames;
     }
@@ -188,7 +124,7 @@ fn mark_request_drawn(
         request.mark_shown();
     }
     if complete && *frames_left == 0 {
-        request.mark_drawn();
+        request.count_frame();
     } else if complete {
         *frames_left -= 1;
     }

@@ -7,7 +7,8 @@ use crate::render::chain::Chain;
 use crate::render::comparison::{ComparedScene, follow_current_scene};
 use crate::render::current_scene::CurrentScene;
 use bevy::camera::{
-    CameraOutputMode, CameraUpdateSystems, ClearColorConfig, Exposure, Hdr, RenderTarget,
+    CameraMainTextureUsages, CameraOutputMode, CameraUpdateSystems, ClearColorConfig, Exposure,
+    Hdr, RenderTarget,
 };
 use bevy::core_pipeline::tonemapping::{DebandDither, Tonemapping};
 use bevy::light::cluster::ClusterConfig;
@@ -122,12 +123,21 @@ fn apply_scene_to_camera(
             &mut ColorGrading,
             &mut Tonemapping,
             &mut Msaa,
+            &mut CameraMainTextureUsages,
         ),
         With<SceneCamera>,
     >,
 ) {
-    let (entity, mut target, mut transform, mut projection, mut grading, mut tonemapping, mut msaa) =
-        camera.into_inner();
+    let (
+        entity,
+        mut target,
+        mut transform,
+        mut projection,
+        mut grading,
+        mut tonemapping,
+        mut msaa,
+        mut usages,
+    ) = camera.into_inner();
     let chain = Chain::of(&scene).comparing(&compared);
     let samples = if chain.samples > 1 {
         Msaa::Sample4
@@ -136,6 +146,15 @@ fn apply_scene_to_camera(
     };
     if *msaa != samples {
         *msaa = samples;
+    }
+    let needed = if chain.antialias {
+        // Refined pixels are stored by a compute pass.
+        CameraMainTextureUsages::default().with(TextureUsages::STORAGE_BINDING)
+    } else {
+        CameraMainTextureUsages::default()
+    };
+    if usages.0 != needed.0 {
+        *usages = needed;
     }
     let size = chain.picture;
     if !matches!(*target, RenderTarget::None { size: old } if old == size) {

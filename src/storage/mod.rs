@@ -7,6 +7,7 @@ mod file_name;
 mod files;
 mod folders;
 mod scene_source;
+mod star_file;
 
 pub use crash_report::{note_adapter, note_log, note_scene, report_panics};
 pub use embedded_preset::{PRESET_KEY, embedded_preset, encoded_png, is_picture};
@@ -22,3 +23,4 @@ pub use folders::{preset_files, presets_folder, settings_file};
 pub use scene_source::{
     SourceError, own_presets, read_journey, read_scene, scene_by_name, scene_of_file,
 };
+pub use star_file::{StarFileError, read_stars};

@@ -16,12 +16,15 @@ fn small(number: usize) -> Scene {
     smaller(preset(number))
 }
 
-/// The scene as a small picture without bloom, which would spread over the divider, shown pixel by
-/// pixel.
+/// The scene as a small picture without bloom, which would spread over the divider, and of single
+/// rays: whether a pixel beside the divider is refined depends on what is not drawn there. It is
+/// shown pixel by pixel, at a fixed exposure: the pinned scene takes over that of the current one,
+/// and the light of stars is counted in units that follow the exposure.
 fn smaller(mut scene: Scene) -> Scene {
     (scene.picture.width, scene.picture.height) = SIZE.into();
     (scene.picture.grid_width, scene.picture.grid_height) = (160, 90);
     (scene.picture.bypass, scene.picture.bloom) = (true, 0.0);
+    (scene.picture.antialias, scene.picture.automatic_exposure) = (false, false);
     scene
 }
 
@@ -29,6 +32,7 @@ fn studio(scene: &Scene) -> Studio {
     let options = HeadlessOptions {
         timed: true,
         light: true,
+        ..HeadlessOptions::default()
     };
     Studio::with_options(scene, SIZE, options).unwrap()
 }
@@ -103,6 +107,36 @@ fn each_side_of_the_divider_is_the_picture_of_its_scene() {
             studio.light().unwrap() == right,
             "{what}: the comparison has not ended"
         );
+    }
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn edges_are_refined_on_both_sides_of_the_divider_also_beside_a_view_that_shows_no_light() {
+    let refined = |mut scene: Scene| {
+        scene.picture.antialias = true;
+        scene
+    };
+    let pinned = refined(smaller(without_spin(2)));
+    let (left, single) = (light(&pinned), light(&smaller(without_spin(2))));
+    assert!(left.rgba != single.rgba, "there is nothing to refine");
+    for (what, change) in changes() {
+        let mut scene = pinned.clone();
+        change(&mut scene);
+        let right = light(&scene);
+        let mut studio = studio(&scene);
+        studio.compare(Some((&pinned, MIDDLE)));
+        let both = studio.light().unwrap();
+        for (i, pixel) in both.rgba.iter().enumerate() {
+            // In the two columns beside the divider, marks depend on what is not drawn.
+            let column = i % SIZE.x as usize;
+            let side = if column >= 160 { &right } else { &left };
+            let beside = (159..=160).contains(&column);
+            assert!(
+                beside || pixel[..3] == side.rgba[i][..3],
+                "{what}: pixel {i}"
+            );
+        }
     }
 }
 

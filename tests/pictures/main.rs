@@ -2,12 +2,14 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 mod animation;
+mod antialias;
 mod comparison;
 mod embedded;
 mod light;
 mod linear;
 mod redraw;
 mod sequences;
+mod stars;
 
 use glam::{DVec2, UVec2};
 use lightfall::picture::{Still, check_path, render, write_png};
@@ -223,14 +225,19 @@ fn hiding_the_disk_leaves_the_probe_alone_and_changes_what_is_around_it() {
 #[ignore = "needs a graphics adapter"]
 fn fractional_cells_average_the_light_that_falls_on_them() {
     // The mean light of a picture does not depend on how many cells it is cut into, whole pixels to
-    // a cell or not. Stars alone have pixels without any light beside them.
+    // a cell or not. Procedural stars have pixels without any light beside them. The sky is so
+    // bright that its mean is more than a level above black, which is dithered in steps, and so dim
+    // that no star is brighter than white, where light is lost.
     let disk = preset(3);
-    let stars = ToneCurve::ALL.map(|curve| {
-        let mut scene = disk.clone();
-        (scene.disk.enabled, scene.picture.tone_curve) = (false, curve);
-        scene
+    let stars = ToneCurve::ALL.into_iter().flat_map(|curve| {
+        [SkyMode::Stars, SkyMode::Procedural].map(|mode| {
+            let mut scene = disk.clone();
+            (scene.disk.enabled, scene.sky.mode) = (false, mode);
+            (scene.picture.tone_curve, scene.sky.brightness) = (curve, 0.4);
+            scene
+        })
     });
-    for scene in stars.into_iter().chain([disk]) {
+    for scene in stars.chain([disk.clone()]) {
         let (mut scene, _) = plain(scene);
         scene.picture.bypass = false;
         scene.picture.dither = true;
@@ -246,8 +253,9 @@ fn fractional_cells_average_the_light_that_falls_on_them() {
         // picture by far less.
         assert!(
             whole > 0.0 && (fractional / whole - 1.0).abs() < 1e-3,
-            "{:?}, disk {}: {whole} and {fractional}",
+            "{:?}, sky {:?}, disk {}: {whole} and {fractional}",
             scene.picture.tone_curve,
+            scene.sky.mode,
             scene.disk.enabled
         );
     }

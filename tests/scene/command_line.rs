@@ -246,8 +246,8 @@ fn wrong_values_of_the_short_forms_name_the_short_form() {
 
 #[test]
 fn the_error_about_an_unknown_preset_lists_the_presets() {
-    let presets = "1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit, 8 extremal, 9 falling, 10 article, 11 flare, 12 ring";
-    for given in ["13", "galaxy", "-1", ""] {
+    let presets = "1 telescope, 2 edge-on, 3 above, 4 close, 5 einstein-ring, 6 probe, 7 limit, 8 extremal, 9 falling, 10 article, 11 flare, 12 ring, 13 orion";
+    for given in ["14", "galaxy", "-1", ""] {
         let sentence =
             format!("--preset {given}: there is no such preset or file; the presets are {presets}");
         assert_eq!(fault(&of_preset(Path::new(given))), sentence);

@@ -25,18 +25,21 @@ fn the_cost_report_follows_from_the_scene() {
     assert_eq!(line(&probe, "method"), "closed (asked for: auto)");
     assert_eq!(line(&probe, "picture"), "960x540 pixels, 480x270 cells");
     assert!(
-        line(&probe, "passes ").starts_with("clustering, main_opaque_pass_3d, geodesic, bloom, ")
+        line(&probe, "passes ").starts_with(
+            "stars, clustering, main_opaque_pass_3d, geodesic, edges, refine, bloom, "
+        )
     );
-    assert_eq!(line(&probe, "passes left out"), "none");
+    assert_eq!(line(&probe, "passes left out"), "accumulate");
     assert!(line(&probe, "passes, empty").ends_with("main_transparent_pass_2d"));
-    assert_eq!(line(&probe, "not allocated"), "none");
+    let sums = "sum of frames, sum of one frame less";
+    assert_eq!(line(&probe, "not allocated"), sums);
     assert!(line(&probe, "textures").contains("HDR picture 960x540 rgba16float"));
     assert!(line(&probe, "textures").contains("cells 480x270"));
 
     let ring = needs_of("5", &[]);
     assert!(line(&ring, "files left out").contains("disk/emission.wgsl"));
     assert!(!line(&ring, "shader files").contains("disk.wgsl"));
-    assert_eq!(line(&ring, "passes left out"), "clustering");
+    assert_eq!(line(&ring, "passes left out"), "clustering, accumulate");
 
     assert_eq!(line(&probe, "disk's light"), "none");
     assert_eq!(
@@ -67,14 +70,34 @@ fn the_cost_report_follows_from_the_scene() {
     assert_eq!(line(&order, "disk's light"), "none");
     assert!(line(&order, "disk's clock").starts_with("stands still in this view"));
 
-    let spinning = needs_of("8", &["picture.bloom=0", "picture.bypass=true"]);
+    let spinning = needs_of(
+        "8",
+        &[
+            "picture.bloom=0",
+            "picture.bypass=true",
+            "picture.antialias=false",
+        ],
+    );
     assert_eq!(line(&spinning, "method"), "mino (asked for: auto)");
     assert!(line(&spinning, "flags set").starts_with("SPINNING, "));
     assert_eq!(
         line(&spinning, "passes left out"),
-        "clustering, bloom, pixelate, expand"
+        "clustering, edges, refine, accumulate, bloom, pixelate, expand"
     );
     assert_eq!(line(&spinning, "picture"), "960x540 pixels, no cells");
     assert_eq!(line(&spinning, "while idle"), "fit, upscaling");
-    assert_eq!(line(&spinning, "not allocated"), "bloom, cells");
+    assert_eq!(
+        line(&spinning, "not allocated"),
+        format!("classes, {sums}, bloom, cells")
+    );
+    assert_eq!(line(&spinning, "edges"), "one ray a pixel");
+
+    let mean = needs_of("2", &["picture.samples=64"]);
+    assert_eq!(line(&mean, "frames averaged"), "64");
+    assert!(line(&mean, "passes ").contains(", edges, refine, accumulate, bloom"));
+    assert!(line(&mean, "textures").contains("classes 960x540 rg8uint"));
+    // Marks are neither refined nor averaged.
+    let marks = needs_of("2", &["picture.samples=64", "view=\"order\""]);
+    assert_eq!(line(&marks, "frames averaged"), "1");
+    assert!(!line(&marks, "passes ").contains("edges"));
 }

@@ -79,7 +79,7 @@ fn a_switch_used_twice_restores_any_preset() {
         for id in switches {
             assert_eq!(used(&scene, id, 2), scene, "{id} in {}", preset.name);
         }
-        assert_eq!(used(&scene, "scene.sky_mode", 3), scene, "{}", preset.name);
+        assert_eq!(used(&scene, "scene.sky_mode", 4), scene, "{}", preset.name);
         // Both take the exposure from the light meter.
         let [brighter, darker] = ["picture.brighter", "picture.darker"];
         let mut by_hand = scene.clone();

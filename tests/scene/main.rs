@@ -29,6 +29,7 @@ mod menu;
 mod never_lost;
 mod panel;
 mod program;
+#[path = "../../crates/lightfall-core/tests/physics/random.rs"]
 mod random;
 mod rays;
 mod release;

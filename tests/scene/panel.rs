@@ -118,7 +118,16 @@ fn rows_are_dimmed_where_they_change_nothing() {
         ]
     );
     let grid = with(|scene| scene.sky.mode = SkyMode::Grid);
-    assert_eq!(dimmed_between(&grid, &lit), ["sky.seed"]);
+    let of_stars = [
+        "sky.seed",
+        "sky.ra_deg",
+        "sky.dec_deg",
+        "sky.roll_deg",
+        "sky.magnitude_limit",
+    ];
+    assert_eq!(dimmed_between(&grid, &lit), of_stars);
+    let procedural = with(|scene| scene.sky.mode = SkyMode::Procedural);
+    assert_eq!(dimmed_between(&procedural, &lit), of_stars[1..]);
     let isco = with(|scene| scene.disk.follow_isco = true);
     assert_eq!(dimmed_between(&isco, &lit), ["disk.inner"]);
     let order = with(|scene| scene.view = View::Order);

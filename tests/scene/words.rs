@@ -31,7 +31,7 @@ fn a_switch_says_its_state_each_time_it_is_used() {
             "Disk from the innermost stable orbit: off",
         ),
         ("scene.sky", "Sky: off", "Sky: stars"),
-        ("scene.sky_mode", "Sky: grid", "Sky: off"),
+        ("scene.sky_mode", "Sky: the article's stars", "Sky: grid"),
         ("scene.spin", "Spin: 0.9", "Spin: 0"),
         ("light.lensing", "Lensing: off", "Lensing: on"),
         ("light.doppler", "Doppler shift: off", "Doppler shift: on"),

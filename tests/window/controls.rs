@@ -44,7 +44,7 @@ fn a_switch_changes_the_picture_and_pressed_again_restores_it() {
         ("scene.disk", 2),
         ("scene.isco", 2),
         ("scene.sky", 2),
-        ("scene.sky_mode", 3),
+        ("scene.sky_mode", 4),
         ("scene.probe", 2),
         ("scene.spin", 2),
         ("light.lensing", 2),

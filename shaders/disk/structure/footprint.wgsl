@@ -1,11 +1,7 @@
-// The footprints of a pixel on the disk, from the hits of the neighbouring pixels.
+// The footprints of a ray on the disk, from the hits of the neighbouring rays.
 //
-// Needs: Footprint, Footprints, Trace.
+// Needs: Footprint, Footprints, Trace, differences.
 // Gives: hit_footprints.
-
-fn footprint_of(position: vec3<f32>) -> Footprint {
-    return Footprint(dpdx(position), dpdy(position));
-}
 
 fn shorter(a: Footprint, b: Footprint) -> Footprint {
     let right = dot(a.to_the_right, a.to_the_right) <= dot(b.to_the_right, b.to_the_right);
@@ -13,15 +9,15 @@ fn shorter(a: Footprint, b: Footprint) -> Footprint {
     return Footprint(select(b.to_the_right, a.to_the_right, right), select(b.downward, a.downward, down));
 }
 
-// The footprints of both hits. All pixels must call it, before any branch. Where an image of the
+// The footprints of both hits. All rays must call it, before any branch. Where an image of the
 // disk ends in front of another one, the neighbour's hit in that other image has another number
 // from the front, but the same one from the back. Where the neighbour has no hit in the same image,
 // the difference is huge, and structure_factor leaves it out.
 fn hit_footprints(ray: Trace) -> Footprints {
     let two = ray.hit_count > 1u;
-    let last = footprint_of(select(ray.hits[0].position, ray.hits[1].position, two));
-    let first = footprint_of(ray.hits[0].position);
-    let second = footprint_of(ray.hits[1].position);
+    let last = differences(select(ray.hits[0].position, ray.hits[1].position, two));
+    let first = differences(ray.hits[0].position);
+    let second = differences(ray.hits[1].position);
     if two {
         return Footprints(first, shorter(second, last));
     }

@@ -125,6 +125,8 @@ pub enum AppCommand {
     Inspector,
     /// Show or hide the guides over the picture.
     Guides,
+    /// Show or hide the names of bright stars.
+    StarNames,
     /// Write the picture to a file, without anything that is drawn over it.
     Screenshot,
     /// Write what the window shows to a file.

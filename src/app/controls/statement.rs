@@ -104,6 +104,8 @@ fn field_words(key: &str) -> String {
         (_, "follow_isco") => "disk from the innermost stable orbit".into(),
         (_, "bypass") => "pixel look".into(),
         (_, "levels") => "tones".into(),
+        ("picture", "antialias") => "smooth edges".into(),
+        (_, "samples") => "frames averaged".into(),
         (_, "edge_taper") => "soft edges of the disk".into(),
         (_, "exposure_ev" | "automatic_exposure") => "exposure".into(),
         ("disk", "limb") => "limb darkening".into(),
@@ -129,6 +131,7 @@ fn field_words(key: &str) -> String {
 fn sky_word(sky: SkyMode) -> &'static str {
     match sky {
         SkyMode::Stars => "stars",
+        SkyMode::Procedural => "the article's stars",
         SkyMode::Grid => "grid",
         SkyMode::Off => "off",
     }

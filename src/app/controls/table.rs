@@ -68,7 +68,7 @@ pub const CONTROLS: &[Control] = controls! {
         "scene.disk" [F2] "disk" Edit(edits::switch_disk);
         "scene.isco" [KeyU] "disk from the innermost stable orbit" Edit(edits::switch_isco);
         "scene.sky" [F3, Home] "sky" Edit(edits::switch_sky);
-        "scene.sky_mode" [KeyG] "sky: stars, grid, nothing" Edit(edits::next_sky);
+        "scene.sky_mode" [KeyG] "sky: stars, the article's stars, grid, nothing" Edit(edits::next_sky);
         "scene.probe" [F4] "probe" Edit(edits::switch_probe);
         "scene.spin" [KeyT] "spin" Edit(edits::switch_spin);
         "scene.observer" [KeyO] "observer: how the camera moves" Edit(edits::next_observer);
@@ -107,6 +107,7 @@ pub const CONTROLS: &[Control] = controls! {
         "window.panel" [KeyP] "panel: every setting" Do(AppCommand::Panel);
         "window.inspector" [KeyI] "ray inspector: then click a pixel" Do(AppCommand::Inspector);
         "window.guides" [F10, ArrowUp] "guides: shadow, orbits, scale" Do(AppCommand::Guides);
+        "window.star_names" Shift + [KeyG] "names of the bright stars" Do(AppCommand::StarNames);
         "window.hide" [KeyH] "photo mode: only the picture" Do(AppCommand::Hide);
         "window.screenshot" [F12, PrintScreen, Insert] "save the picture" Do(AppCommand::Screenshot);
         "window.screenshot_of_window" Shift + [F12, Insert] "save the window as it is" Do(AppCommand::ScreenshotOfWindow);

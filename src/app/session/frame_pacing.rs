@@ -5,7 +5,7 @@ use crate::IN_BROWSER;
 use crate::app::input::gamepad::Pads;
 use crate::app::input::typing::Typing;
 use crate::app::state::preferences::Preferences;
-use crate::render::{Comparison, CurrentScene};
+use crate::render::{Comparison, CurrentScene, DrawRequest};
 use bevy::platform::time::Instant;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
@@ -80,7 +80,7 @@ fn watch_activity(
     keys: Res<ButtonInput<KeyCode>>,
     buttons: Res<ButtonInput<MouseButton>>,
     mut moves: MessageReader<CursorMoved>,
-    typing: Res<Typing>,
+    (typing, request): (Res<Typing>, Res<DrawRequest>),
     pads: Pads,
     window: Single<&Window, With<PrimaryWindow>>,
     mut pacing: ResMut<FramePacing>,
@@ -124,7 +124,9 @@ fn watch_activity(
         0
     };
     (pacing.moving, pacing.running) = (moving, running);
-    pacing.resting = !running && now.saturating_sub(pacing.active) > AWAKE_FOR;
+    // While frames are averaged, each is drawn at once.
+    let averaging = request.is_shown() && !request.is_drawn();
+    pacing.resting = !running && !averaging && now.saturating_sub(pacing.active) > AWAKE_FOR;
 }
 
 /// The scene with the default resolution and without its texts. A change by the automatic

@@ -25,6 +25,7 @@ pub(crate) struct Overlays {
     pub(crate) panel: bool,
     pub(crate) inspector: bool,
     pub(crate) guides: bool,
+    pub(crate) star_names: bool,
     /// Whether every overlay and the status bar are hidden for now.
     pub(crate) hidden: bool,
     /// The side whose panel is covered, in a window too narrow for both.
@@ -64,6 +65,16 @@ impl Overlays {
     pub(crate) fn toggle_guides(&mut self) {
         self.guides = !self.guides || self.hidden;
         self.hidden &= !self.guides;
+    }
+
+    pub(crate) fn shows_star_names(&self) -> bool {
+        self.star_names && !self.hidden
+    }
+
+    /// Shows the names of stars over the picture, or takes them away.
+    pub(crate) fn toggle_star_names(&mut self) {
+        self.star_names = !self.star_names || self.hidden;
+        self.hidden &= !self.star_names;
     }
 
     /// Opens or closes the help.

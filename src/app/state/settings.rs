@@ -21,6 +21,8 @@ pub struct Settings {
     pub ui_scale: f32,
     /// Whether the picture gets coarser while something moves, to hold the frame rate.
     pub automatic_resolution: Automatic,
+    /// Whether a picture at rest is the mean of several frames.
+    pub average_at_rest: Automatic,
     /// Whether the picture is shown in large cells: the pixel look.
     pub pixel_look: bool,
     /// Whether the picture has the window's shape or the preset's.
@@ -57,11 +59,12 @@ pub struct Settings {
 /// broken one.
 pub const SETTINGS_VERSION: i64 = 1;
 
-/// Whether the automatic resolution is used.
+/// Whether something is done that suits some adapters.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Automatic {
-    /// On software adapters and on those that are part of the processor.
+    /// Where it suits the adapter: the automatic resolution on software adapters and on those that
+    /// are part of the processor, means at rest on all but software adapters.
     #[default]
     Auto,
     /// Always.
@@ -99,6 +102,7 @@ impl Default for Settings {
             version: SETTINGS_VERSION,
             ui_scale: 1.0,
             automatic_resolution: Automatic::Auto,
+            average_at_rest: Automatic::Auto,
             pixel_look: true,
             picture_shape: PictureShape::Window,
             frame_rate: 30.0,

@@ -41,10 +41,18 @@ pub struct SceneArgs {
     #[arg(long, help = format!("Short for --set method=METHOD, applied after every --set; {}. reference is for `trace --device cpu` only",
                                field("method").map(Field::allowed).unwrap_or_default()))]
     pub method: Option<String>,
+    /// Average N frames, each with its rays at other places in their pixels; short for --set
+    /// picture.samples=N, applied after every --set
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    pub samples: Option<String>,
     /// Show the picture in large cells, or pixel by pixel; short for --set picture.bypass=false or
     /// true, applied after every --set
     #[arg(long, value_name = "on|off", value_enum, hide_possible_values = true)]
     pub cells: Option<Cells>,
+    /// CSV file of stars in place of the built-in catalogue, a line ra_deg,dec_deg,v_mag,b_v,name for
+    /// each: J2000, in degrees; the last two may be missing
+    #[arg(long, value_name = "FILE")]
+    pub stars: Option<PathBuf>,
 }
 
 /// Whether the picture is shown in cells.
@@ -177,7 +185,9 @@ impl SceneArgs {
             sets: [&self.sets[..], &after.sets[..]].concat(),
             spin: one(&self.spin, &after.spin)?,
             method: one(&self.method, &after.method)?,
+            samples: one(&self.samples, &after.samples)?,
             cells: one(&self.cells, &after.cells)?,
+            stars: one(&self.stars, &after.stars)?,
         })
     }
 
@@ -200,6 +210,11 @@ impl SceneArgs {
             self.method
                 .as_ref()
                 .map(|method| Override::new("--method", "method", method)),
+        );
+        overrides.extend(
+            self.samples
+                .as_ref()
+                .map(|samples| Override::new("--samples", "picture.samples", samples)),
         );
         overrides.extend(self.cells.map(|cells| {
             let bypass = if cells == Cells::Off { "true" } else { "false" };

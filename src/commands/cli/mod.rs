@@ -155,7 +155,7 @@ fn with_options(
         Command::Fly(fly) => fly.scene = before,
         Command::Render(RenderArgs { scene: after, .. })
         | Command::Trace(TraceArgs { scene: after, .. }) => {
-            let message = "--preset, --spin, --method and --cells may be given once: before the command or after it";
+            let message = "--preset, --spin, --method, --cells and --stars may be given once: before the command or after it";
             *after = before.followed_by(after).ok_or_else(|| conflict(message))?;
         }
         Command::ListGpus => {}

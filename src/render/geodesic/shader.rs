@@ -1,30 +1,49 @@
 //! The shaders of the current scene and of the pinned one: which parts each is joined from, and
 //! whether its pipeline exists.
 
-use super::pipeline::Destination;
+use super::pipeline::{Destination, Traits};
 use crate::render::chain::Chain;
 use crate::render::comparison::ComparedScene;
 use crate::render::current_scene::CurrentScene;
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResource;
 use lightfall_core::gpu::Variant;
-use lightfall_core::scene::Scene;
+use lightfall_core::gpu::stars::Kernel;
+use lightfall_core::scene::{Scene, SkyMode};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The shaders that are needed now. The main world writes them, since shader assets live there.
 #[derive(Resource, Clone, ExtractResource)]
 pub(crate) struct GeodesicShaders {
-    pub(super) current: JoinedShader,
-    /// That of the pinned scene, while it is compared with the current one.
-    pub(super) pinned: Option<JoinedShader>,
+    pub(super) current: SceneShaders,
+    /// Those of the pinned scene, while it is compared with the current one.
+    pub(super) pinned: Option<SceneShaders>,
+}
+
+/// The shaders of a scene.
+#[derive(Clone)]
+pub(super) struct SceneShaders {
+    pub(super) picture: JoinedShader,
+    /// What refines its edges, where there is anything to refine.
+    pub(super) refine: Option<JoinedShader>,
+    /// What finds the images of its stars, where it has any.
+    pub(super) stars: Vec<JoinedShader>,
 }
 
 impl GeodesicShaders {
     /// Whether their pipelines exist.
     pub(crate) fn are_ready(&self) -> bool {
-        let both = [Some(&self.current), self.pinned.as_ref()];
-        both.into_iter().flatten().all(JoinedShader::is_ready)
+        let scenes = [Some(&self.current), self.pinned.as_ref()];
+        scenes.into_iter().flatten().all(SceneShaders::are_ready)
+    }
+}
+
+impl SceneShaders {
+    fn are_ready(&self) -> bool {
+        let drawing = [Some(&self.picture), self.refine.as_ref()];
+        let mut all = drawing.into_iter().flatten().chain(&self.stars);
+        all.all(JoinedShader::is_ready)
     }
 }
 
@@ -40,6 +59,11 @@ pub(super) struct JoinedShader {
 }
 
 impl JoinedShader {
+    /// The kernel of stars that it is, if it is one.
+    pub(super) fn star_kernel(&self) -> Option<Kernel> {
+        Kernel::with_entry(self.variant.entry)
+    }
+
     fn is_ready(&self) -> bool {
         self.ready.load(Ordering::Acquire)
     }
@@ -53,8 +77,8 @@ impl JoinedShader {
 #[derive(Resource, Default)]
 pub(in crate::render) struct JoinedShaders(Vec<JoinedShader>);
 
-/// Maximum number of shaders that are kept, each with a compiled pipeline: more than a user reaches
-/// in a while with keys and presets.
+/// Maximum number of shaders that are kept for each destination, each with a compiled pipeline: more
+/// than a user reaches in a while with keys and presets.
 const MAX_SHADERS: usize = 48;
 
 /// Selects the shaders of the current scene and of the pinned one.
@@ -65,25 +89,46 @@ pub(in crate::render) fn select_geodesic_shaders(
     mut joined: ResMut<JoinedShaders>,
     mut shaders: ResMut<Assets<Shader>>,
 ) {
-    let destination = if compared.is_difference() {
-        Destination::Light
-    } else {
-        Destination::Picture {
-            samples: Chain::of(&scene).samples,
+    let chain = Chain::of(&scene).comparing(&compared);
+    let mut select = |scene: &Scene| {
+        let mut variant = Variant::picture(scene);
+        variant.antialias &= chain.antialias;
+        let destination = if chain.difference {
+            Destination::Light
+        } else {
+            Destination::Picture {
+                samples: chain.samples,
+                traits: match (chain.antialias, variant.antialias) {
+                    (false, _) => Traits::Absent,
+                    (true, false) => Traits::Kept,
+                    (true, true) => Traits::Written,
+                },
+            }
+        };
+        let refined = variant.refined();
+        let stars = if variant.sky == SkyMode::Stars {
+            Variant::star_kernels(scene)
+        } else {
+            Vec::new()
+        };
+        let mut join = |variant, destination| joined.select(variant, destination, &mut shaders);
+        let picture = join(variant, destination);
+        let mut compute = |variant: Variant| join(variant, Destination::Compute(variant.entry));
+        SceneShaders {
+            picture,
+            refine: refined.map(&mut compute),
+            stars: stars.into_iter().map(compute).collect(),
         }
     };
-    let mut select =
-        |scene: &Scene| joined.select(Variant::picture(scene), destination, &mut shaders);
-    let selected = GeodesicShaders {
-        current: select(&scene),
-        pinned: compared.drawn().map(|(pinned, _)| select(pinned)),
-    };
-    commands.insert_resource(selected);
+    let current = select(&scene);
+    let pinned = compared.drawn().map(|(pinned, _)| select(pinned));
+    commands.insert_resource(GeodesicShaders { current, pinned });
 }
 
 impl JoinedShaders {
     /// A new variant is joined from its parts; once there are [`MAX_SHADERS`], it replaces the
-    /// shader that has been unused for the longest time.
+    /// shader that has been unused for the longest time. Only shaders for the same destination
+    /// replace each other, because the pipelines of a shader are kept with it.
     fn select(
         &mut self,
         variant: Variant,
@@ -98,10 +143,12 @@ impl JoinedShaders {
             Some(index) => joined.remove(index),
             None => {
                 let source = Shader::from_wgsl(variant.source(), "lightfall/geodesic.wgsl");
-                let shader = if joined.len() < MAX_SHADERS {
+                let like = |known: &JoinedShader| known.destination == destination;
+                let oldest = joined.iter().position(like).unwrap_or_default();
+                let shader = if joined.iter().filter(|known| like(known)).count() < MAX_SHADERS {
                     shaders.add(source)
                 } else {
-                    let JoinedShader { shader, .. } = joined.remove(0);
+                    let JoinedShader { shader, .. } = joined.remove(oldest);
                     if let Err(error) = shaders.insert(shader.id(), source) {
                         error!("a shader could not be replaced: {error}");
                     }

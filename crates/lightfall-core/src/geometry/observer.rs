@@ -112,7 +112,10 @@ pub fn observer_matrix(
 /// frame to that frame's own (frequency, frequency times direction): gamma (1 - v.d) and d +
 /// (gamma^2 / (gamma + 1)) (v.d) v - gamma v. The Lorentz transformation, d being opposite to the
 /// momentum.
-fn boost(velocity: [f64; 3]) -> Result<Matrix4, ObserverError> {
+///
+/// # Errors
+/// The speed is not below that of light.
+pub fn boost(velocity: [f64; 3]) -> Result<[[f64; 4]; 4], ObserverError> {
     let speed = DVec3::from_array(velocity).length();
     if speed.is_nan() || speed >= 1.0 {
         return Err(ObserverError::Velocity { velocity });

@@ -6,6 +6,7 @@
 //! one with D < 0 has turning points.
 
 pub mod delay;
+pub mod rain_sky;
 
 use crate::geometry::elliptic::carlson_rf;
 use glam::DVec3;

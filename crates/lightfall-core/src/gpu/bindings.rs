@@ -18,6 +18,35 @@ pub const STRUCTURE: u32 = 6;
 /// The hot spot of the disk, a uniform.
 pub const HOT_SPOT: u32 = 7;
 
+/// The uniform `Starlight` of the sky mode `stars`.
+pub const STARLIGHT: u32 = 14;
+/// The Milky Way's light, a cube map, and its sampler.
+pub const MILKY_WAY: u32 = 15;
+/// See [`MILKY_WAY`].
+pub const MILKY_WAY_SAMPLER: u32 = 16;
+/// The uniform `Stars`: what the kernels of point stars share.
+pub const STARS: u32 = 8;
+/// The table by which the images of stars are found, a uniform.
+pub const STAR_TABLE: u32 = 9;
+/// The list of stars, a storage array.
+pub const STAR_LIST: u32 = 10;
+/// The list of images, a storage array.
+pub const STAR_IMAGES: u32 = 11;
+/// The number of images and of workgroups that draw them, in storage.
+pub const STAR_COUNT: u32 = 12;
+/// The light of the images on each pixel, a storage array.
+pub const STAR_SUMS: u32 = 13;
+/// The uniform `StarMesh`: the mesh by which images are found without an inversion.
+pub const STAR_MESH: u32 = 17;
+/// What the rays of the mesh have met, a storage array.
+pub const MESH_POINTS: u32 = 18;
+/// Where on the sky the stars of the list are, a storage array.
+pub const STAR_INDEX: u32 = 19;
+/// The stars that may have an image in a cell of the mesh, a storage array.
+pub const CANDIDATES: u32 = 20;
+/// The number of candidates and of workgroups that polish them, in storage.
+pub const CANDIDATE_COUNT: u32 = 21;
+
 /// The uniform `Presentation` of the presentation's shader, which has bindings of its own.
 pub const PRESENTATION: u32 = 0;
 /// The texture that a stage of the presentation reads.
@@ -30,8 +59,29 @@ pub const DIFFERENCE_LEFT: u32 = 1;
 /// The light of the current scene.
 pub const DIFFERENCE_RIGHT: u32 = 2;
 
+/// What REFINE has to do, which EDGES writes. The bindings of REFINE are in group 1: in group 0 it
+/// binds what the picture's shader does. EDGES has a group of its own.
+pub const WORK: u32 = 0;
+/// The list of pixels to refine.
+pub const LIST: u32 = 1;
+/// The picture's texture, which REFINE writes.
+pub const PICTURE: u32 = 2;
+/// The texture of classes and brightness, which EDGES reads.
+pub const TRAITS: u32 = 3;
+/// The columns of the picture in which EDGES looks, a uniform.
+pub const COLUMNS: u32 = 4;
+
+/// The uniform `Accumulation` of the shader that averages frames, which has bindings of its own.
+pub const ACCUMULATION: u32 = 0;
+/// The light of the present frame.
+pub const ACCUMULATION_LIGHT: u32 = 1;
+/// The sum of the light of the frames before it.
+pub const ACCUMULATION_SUM: u32 = 2;
+
 /// Invocations of a compute shader's workgroup.
 pub const WORKGROUP_SIZE: u32 = 64;
+/// Maximum number of workgroups along one side of a dispatch: WebGPU's default limit.
+pub const MAX_WORKGROUPS: u32 = 65_535;
 
 /// The constants of the shaders that trace rays or draw the picture.
 pub(super) const CONSTANTS: [(&str, u32); 9] = [
@@ -44,6 +94,45 @@ pub(super) const CONSTANTS: [(&str, u32); 9] = [
     ("BINDING_STRUCTURE", STRUCTURE),
     ("BINDING_HOT_SPOT", HOT_SPOT),
     ("WORKGROUP_SIZE", WORKGROUP_SIZE),
+];
+
+/// The further constants of pictures with the sky mode `stars`.
+pub(super) const STARLIGHT_CONSTANTS: [(&str, u32); 4] = [
+    ("BINDING_STARLIGHT", STARLIGHT),
+    ("BINDING_MILKY_WAY", MILKY_WAY),
+    ("BINDING_MILKY_WAY_SAMPLER", MILKY_WAY_SAMPLER),
+    ("BINDING_STAR_SUMS", STAR_SUMS),
+];
+
+/// The constants of the shaders that find and refine edges, beside those above.
+pub(super) const ANTIALIAS_CONSTANTS: [(&str, u32); 5] = [
+    ("BINDING_WORK", WORK),
+    ("BINDING_LIST", LIST),
+    ("BINDING_PICTURE", PICTURE),
+    ("BINDING_TRAITS", TRAITS),
+    ("BINDING_COLUMNS", COLUMNS),
+];
+
+/// The further constants of the kernels of point stars.
+pub(super) const STAR_CONSTANTS: [(&str, u32); 11] = [
+    ("BINDING_STARS", STARS),
+    ("BINDING_STAR_TABLE", STAR_TABLE),
+    ("BINDING_STAR_LIST", STAR_LIST),
+    ("BINDING_STAR_IMAGES", STAR_IMAGES),
+    ("BINDING_STAR_COUNT", STAR_COUNT),
+    ("BINDING_STAR_SUMS", STAR_SUMS),
+    ("BINDING_STAR_MESH", STAR_MESH),
+    ("BINDING_MESH_POINTS", MESH_POINTS),
+    ("BINDING_STAR_INDEX", STAR_INDEX),
+    ("BINDING_CANDIDATES", CANDIDATES),
+    ("BINDING_CANDIDATE_COUNT", CANDIDATE_COUNT),
+];
+
+/// The constants of the shader that averages frames.
+pub(super) const ACCUMULATION_CONSTANTS: [(&str, u32); 3] = [
+    ("BINDING_ACCUMULATION", ACCUMULATION),
+    ("BINDING_ACCUMULATION_LIGHT", ACCUMULATION_LIGHT),
+    ("BINDING_ACCUMULATION_SUM", ACCUMULATION_SUM),
 ];
 
 /// The constants of the presentation's shader.

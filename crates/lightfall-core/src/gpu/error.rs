@@ -2,6 +2,7 @@
 
 use super::driver_advice;
 use crate::geometry::observer::ObserverError;
+use crate::optics::stars::images::InversionError;
 use crate::scene::Method;
 use std::env::consts::OS;
 use thiserror::Error;
@@ -74,6 +75,9 @@ pub enum GpuError {
     /// The device's validation refuses a pipeline, a resource or a command.
     #[error("the graphics device refuses a request: {0}")]
     Invalid(String),
+    /// The images of stars cannot be found by inversion.
+    #[error(transparent)]
+    Stars(#[from] InversionError),
     /// The method cannot trace this spin.
     #[error(
         "hole.spin = {spin} is refused: methods {} trace holes without spin only, so it must be 0 (methods {} trace any spin)",

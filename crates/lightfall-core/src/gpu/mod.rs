@@ -1,7 +1,9 @@
 //! The GPU without Bevy: shader variants joined from WGSL parts, the scene as a uniform, a device
 //! without a window, and rays traced on it.
 
+mod accumulation;
 mod adapter;
+mod antialias;
 mod background_device;
 pub mod bindings;
 mod buffer;
@@ -19,12 +21,17 @@ mod read_back;
 mod requirements;
 mod scene;
 mod shader;
+mod sky_texture;
+mod starlight;
+pub mod stars;
 mod structure;
 pub mod timing;
 
+pub use accumulation::Accumulation;
 pub use adapter::{
     AdapterName, Listed, adapters, check_adapter, chosen, kind, named_by_environment, prefer,
 };
+pub use antialias::{EdgeTraits, Edges};
 pub use background_device::with_background_device;
 pub use device::Gpu;
 pub use difference::Difference;
@@ -40,4 +47,6 @@ pub use scene::{
     MARK_BRIGHTNESS,
 };
 pub use shader::{Entry, ShaderText, Tracer, Variant};
+pub use sky_texture::SkyTexture;
+pub use starlight::GpuStarlight;
 pub use structure::{GpuGroup, GpuRing, GpuStructure};

@@ -56,9 +56,11 @@ crate::words! {
     /// What is drawn at infinity.
     #[derive(Default)]
     pub enum SkyMode {
-        /// Stars at pseudo-random places, the same for the same seed.
+        /// The stars of a catalogue, each image a point with its exact light, and the Milky Way.
         #[default]
         Stars = "stars",
+        /// Stars at pseudo-random places, looked up by each pixel, as in the article.
+        Procedural = "procedural",
         /// A celestial grid.
         Grid = "grid",
         /// Nothing: the sky is black.
@@ -71,5 +73,11 @@ impl SkyMode {
     #[must_use]
     pub fn next(self) -> Self {
         Self::ALL[(self as usize + 1) % Self::ALL.len()]
+    }
+
+    /// Whether there are stars, of either kind.
+    #[must_use]
+    pub fn has_stars(self) -> bool {
+        matches!(self, Self::Stars | Self::Procedural)
     }
 }

@@ -29,7 +29,7 @@ macro_rules! presets {
 }
 
 /// The presets in the order of their numbers.
-pub const PRESETS: [Preset; 12] = presets![
+pub const PRESETS: [Preset; 13] = presets![
     1 "telescope",
     2 "edge-on",
     3 "above",
@@ -42,6 +42,7 @@ pub const PRESETS: [Preset; 12] = presets![
     10 "article",
     11 "flare",
     12 "ring",
+    13 "orion",
 ];
 
 /// The preset with this number or name.

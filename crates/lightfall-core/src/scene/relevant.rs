@@ -4,6 +4,9 @@
 use super::{Disk, HotSpotKind, Picture, Scene};
 use glam::UVec2;
 
+/// Steps of the exposure, in powers of two, at which the unit of whole-numbered light changes.
+pub const EXPOSURE_STEP: f64 = 4.0;
+
 impl Scene {
     /// The scene with only the fields that decide the traced picture, before the presentation. The
     /// schema, the texts and the presentation's settings have their defaults.
@@ -53,6 +56,25 @@ impl Scene {
             },
             ..default
         }
+    }
+
+    /// The scene with only the fields that decide the light of its point stars: those of its rays,
+    /// the sky, and what of the disk lets light through. The exposure counts in steps of
+    /// `EXPOSURE_STEP`, so that a little more of it draws no star anew.
+    #[must_use]
+    pub fn for_stars(&self) -> Self {
+        let mut needed = self.without_shading();
+        needed.sky = self.sky;
+        needed.disk.edge_taper = self.disk.edge_taper;
+        needed.disk.transmission = self.disk.transmission;
+        needed.picture.exposure_ev = self.stepped_exposure();
+        needed
+    }
+
+    /// The exposure, rounded to a multiple of `EXPOSURE_STEP`.
+    #[must_use]
+    pub fn stepped_exposure(&self) -> f64 {
+        EXPOSURE_STEP * (self.picture.exposure_ev / EXPOSURE_STEP).round()
     }
 
     /// The scene with only the fields that read-outs depend on: those of its rays, and where a hot

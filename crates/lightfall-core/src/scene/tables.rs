@@ -20,6 +20,8 @@ use super::{
 pub(super) const EDGE: Range = Range::above(0.0, 1e6);
 /// From pole to pole.
 pub(super) const POLAR: Range = Range::closed(0.0, 180.0);
+/// From the south pole of the sky to the north pole.
+const LATITUDE: Range = Range::closed(-90.0, 90.0);
 /// A turn either way.
 const TURN: Range = Range::closed(-360.0, 360.0);
 /// A share of a whole.
@@ -282,10 +284,21 @@ table! {
     pub struct Sky in (sky) {
         /// What is drawn at infinity.
         mode: SkyMode = SkyMode::default();
-        /// Which stars.
+        /// Which stars: in mode `stars` those that are fainter than the catalogue's.
         seed: u32 = 1, Range::closed(0.0, u32::MAX as f64), "";
         /// Scale of the sky's light.
         brightness: f64 = 1.0, SCALE, "";
+        /// Right ascension (J2000) of the place in the sky that is behind the hole, as seen from
+        /// azimuth 0 in the disk's plane.
+        ra_deg: f64 = 266.0, TURN, "degrees";
+        /// Declination (J2000) of the same place.
+        dec_deg: f64 = -29.0, LATITUDE, "degrees";
+        /// Turn of the sky about this place; at 0 the celestial north pole is on the side of the disk
+        /// normal.
+        roll_deg: f64 = 0.0, TURN, "degrees";
+        /// Faintest stars that are drawn as points, if the picture can show them; the Milky Way holds
+        /// the light of all others.
+        magnitude_limit: f64 = 12.0, Range::closed(-2.0, 12.0), "mag";
         /// Whether one bright star is added, in any mode but `off`.
         reference_star: bool = false;
         /// The reference star's angle from the disk normal.
@@ -336,6 +349,11 @@ table! {
         tone_curve: ToneCurve = ToneCurve::default();
         /// Strength of the bloom; zero leaves it out.
         bloom: f64 = 0.08, SHARE, "";
+        /// Whether more rays are traced where edges pass: 4 or 16 a pixel, 64 at the shadow's edge.
+        antialias: bool = true;
+        /// How many frames are averaged, each with its rays at other places in their pixels, for a
+        /// still or while a window's picture rests.
+        samples: u32 = 1, Range::closed(1.0, 1024.0), "frames";
         /// How many levels a channel is rounded to.
         levels: u32 = 24, Range::closed(2.0, 256.0), "levels";
         /// Whether a 4x4 Bayer pattern spreads the rounding error.

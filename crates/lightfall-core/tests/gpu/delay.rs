@@ -385,7 +385,7 @@ fn the_delays_of_the_tabulated_pixels_are_right() {
 }
 
 /// The first nine for a camera 83 degrees from the axis, the others for 60 degrees.
-const TABULATED_PIXELS: [[f64; 2]; 12] = [
+pub const TABULATED_PIXELS: [[f64; 2]; 12] = [
     [200.5, 300.5],
     [760.5, 300.5],
     [480.5, 150.5],

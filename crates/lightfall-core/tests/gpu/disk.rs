@@ -277,7 +277,7 @@ fn the_disks_edges_mix_its_light_with_the_light_from_behind() {
             .map(|direction| direction.as_vec3().extend(0.0));
         light_from(
             gpu(),
-            &Variant::picture(scene).source(),
+            &Variant::timed_light(scene).source(),
             ALONG,
             &uniforms,
             given,

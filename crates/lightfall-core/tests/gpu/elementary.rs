@@ -89,3 +89,22 @@ fn the_logarithm_has_its_stated_error() {
         );
     }
 }
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_exponential_has_its_stated_error() {
+    let gpu = gpu();
+    let numbers: Vec<f32> = (-80_000..=80_000).map(|i| i as f32 * 1e-3).collect();
+    let powers: Vec<f32> = of_each(gpu, "exp_precise(given)", ["f32", "f32"])
+        .run(gpu, &numbers)
+        .unwrap();
+    for (number, power) in numbers.iter().zip(powers) {
+        let truth = f64::from(*number).exp();
+        // Beside the stated error, the multiple of ln 2 that is subtracted may be rounded.
+        let bound = 2e-7 + 1e-9 * f64::from(number.abs());
+        assert!(
+            (f64::from(power) - truth).abs() <= bound * truth,
+            "{number}: {power} against {truth}"
+        );
+    }
+}

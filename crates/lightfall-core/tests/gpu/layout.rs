@@ -2,9 +2,12 @@
 
 use encase::ShaderType;
 use lightfall_core::gpu::rays::{GpuHit, GpuTrace};
+use lightfall_core::gpu::stars::{
+    GpuMeshPoint, GpuStarImage, GpuStarMesh, GpuStars, propose_shader,
+};
 use lightfall_core::gpu::{
-    Difference, GpuDisk, GpuHole, GpuHotSpot, GpuObserver, GpuPicture, GpuQuality, GpuRing,
-    GpuScene, GpuShadow, GpuSky, GpuStructure, Presentation, Variant,
+    Accumulation, Difference, GpuDisk, GpuHole, GpuHotSpot, GpuObserver, GpuPicture, GpuQuality,
+    GpuRing, GpuScene, GpuShadow, GpuSky, GpuStructure, Presentation, Variant,
 };
 use lightfall_core::scene::{DiskStructure, HotSpotKind, Scene};
 use naga::{Module, TypeInner};
@@ -126,10 +129,30 @@ fn rust_and_wgsl_lay_out_the_hot_spot_alike() {
 }
 
 #[test]
+fn rust_and_wgsl_lay_out_the_images_of_stars_alike() {
+    let source = Variant::stars(&Scene::default()).source();
+    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    assert_same_layout!(&module, GpuStars = "Stars", GpuStarImage = "StarImage");
+    let module = naga::front::wgsl::parse_str(&propose_shader().source()).unwrap();
+    assert_same_layout!(
+        &module,
+        GpuStarMesh = "StarMesh",
+        GpuMeshPoint = "MeshPoint"
+    );
+}
+
+#[test]
 fn rust_and_wgsl_lay_out_the_presentation_alike() {
     let source = Presentation::shader().source();
     let module = naga::front::wgsl::parse_str(&source).unwrap();
     assert_same_layout!(&module, Presentation = "Presentation");
+}
+
+#[test]
+fn rust_and_wgsl_lay_out_the_mean_of_frames_alike() {
+    let source = Accumulation::shader().source();
+    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    assert_same_layout!(&module, Accumulation = "Accumulation");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Cosines of emission in the shader, against those in f64.
 
+use crate::delay::TABULATED_PIXELS;
 use crate::gpu;
 use crate::light::light_from;
 use glam::{DVec2, DVec3};
@@ -29,15 +30,7 @@ fn scene(method: Method, spin: f64) -> Scene {
 #[ignore = "needs a graphics adapter"]
 fn limb_cosines_of_emission_agree_with_those_in_f64_whatever_effects_are_off() {
     // Places whose cosines two other computations give; the physics tests compare the ones in f64.
-    let pixels = [
-        [200.5, 300.5],
-        [760.5, 300.5],
-        [480.5, 150.5],
-        [430.5, 190.5],
-        [600.5, 215.5],
-        [300.5, 240.5],
-        [480.5, 380.5],
-    ];
+    let pixels = &TABULATED_PIXELS[..7];
     for (method, spin) in [(Method::Closed, 0.0), (Method::Mino, 0.9)] {
         for effects_off in 0..8 {
             let mut scene = scene(method, spin);

@@ -33,6 +33,7 @@ mod requirements;
 mod shaders;
 mod sky;
 mod spectrum;
+mod stars;
 mod structure;
 mod verlet;
 mod views;

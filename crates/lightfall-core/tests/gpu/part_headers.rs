@@ -1,7 +1,10 @@
 //! The header of every WGSL file: the names that it needs from other files or from the constants in
 //! front of them, and the names that it gives to others.
 
-use lightfall_core::gpu::{Difference, Presentation, ShaderText, Variant};
+use lightfall_core::gpu::stars::{propose_shader, splat_shader};
+use lightfall_core::gpu::{
+    Accumulation, Difference, EdgeTraits, Presentation, ShaderText, Variant,
+};
 use std::collections::{BTreeMap, BTreeSet};
 
 type Names = BTreeSet<String>;
@@ -46,8 +49,10 @@ impl Part {
 
 /// The name that a line declares, if it is a declaration that is not indented.
 fn declaration(line: &str) -> Option<String> {
-    let line = match line.split_once(" var<") {
-        Some((attributes, rest)) if attributes.starts_with('@') => rest.split_once("> ")?.1,
+    let line = match line.split_once("var<") {
+        Some((attributes, rest)) if attributes.is_empty() || attributes.starts_with('@') => {
+            rest.split_once("> ")?.1
+        }
         _ => ["fn ", "struct ", "const ", "alias "]
             .iter()
             .find_map(|keyword| line.strip_prefix(keyword))?,
@@ -118,7 +123,14 @@ fn joined_texts() -> Vec<ShaderText> {
         .into_iter()
         .filter(|variant| seen.insert(variant.files()));
     let mut texts: Vec<ShaderText> = variants.map(Variant::text).collect();
-    texts.extend([Presentation::shader(), Difference::shader()]);
+    texts.extend([
+        Presentation::shader(),
+        Difference::shader(),
+        Accumulation::shader(),
+        splat_shader(),
+        propose_shader(),
+    ]);
+    texts.extend([1, 4].map(|samples| EdgeTraits { samples }.shader()));
     texts
 }
 

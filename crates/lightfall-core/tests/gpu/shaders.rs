@@ -1,10 +1,13 @@
 //! The text of every shader, without a GPU.
 
-use lightfall_core::gpu::{Difference, Entry, Presentation, ShaderText, Variant};
+use lightfall_core::gpu::stars::{propose_shader, splat_shader};
+use lightfall_core::gpu::{
+    Accumulation, Difference, EdgeTraits, Entry, Presentation, ShaderText, Variant,
+};
 use lightfall_core::scene::{
     DiskModel, DiskStructure, HotSpotKind, LimbDarkening, Method, Scene, SkyMode, View,
 };
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 #[test]
 fn naga_accepts_every_variant() {
@@ -13,9 +16,15 @@ fn naga_accepts_every_variant() {
         .filter_map(|variant| {
             let entries: &[&str] = match variant.entry {
                 Entry::Picture => &["vertex", "fragment"],
+                Entry::Refine => &["refine"],
                 Entry::Rays => &["rays"],
                 Entry::Timed => &["vertex", "timed", "fragment"],
                 Entry::TimedLight => &["timed"],
+                Entry::Stars => &["solve"],
+                Entry::StarMesh => &["trace_mesh"],
+                Entry::StarInterpolation => &["interpolate"],
+                Entry::StarPolish => &["polish"],
+                Entry::HiddenStars => &["hide"],
             };
             let message = validate(&variant.text(), entries).err()?;
             Some(format!("{variant:?}\n{message}"))
@@ -28,6 +37,32 @@ fn naga_accepts_every_variant() {
 fn naga_accepts_the_presentation() {
     let entries = ["vertex", "pixelate", "expand", "fit"];
     if let Err(message) = validate(&Presentation::shader(), &entries) {
+        panic!("{message}");
+    }
+}
+
+#[test]
+fn naga_accepts_the_search_for_edges() {
+    for samples in [1, 4] {
+        if let Err(message) = validate(&EdgeTraits { samples }.shader(), &["edges"]) {
+            panic!("{samples} samples: {message}");
+        }
+    }
+}
+
+#[test]
+fn naga_accepts_the_drawing_of_stars() {
+    let propose: &[&str] = &["propose", "propose_wide", "propose_widest"];
+    for (shader, entries) in [(propose_shader(), propose), (splat_shader(), &["splat"])] {
+        if let Err(message) = validate(&shader, entries) {
+            panic!("{entries:?}: {message}");
+        }
+    }
+}
+
+#[test]
+fn naga_accepts_the_mean_of_frames() {
+    if let Err(message) = validate(&Accumulation::shader(), &["vertex", "accumulate"]) {
         panic!("{message}");
     }
 }
@@ -98,7 +133,12 @@ fn lines_of(file: &str) -> Option<Vec<String>> {
 #[test]
 fn a_line_of_a_variant_is_found_in_its_file() {
     let mut files: HashMap<&str, Option<Vec<String>>> = HashMap::new();
+    let mut seen = HashSet::new();
+    // One variant of those with the same files is enough.
     for variant in Variant::all() {
+        if !seen.insert(variant.files()) {
+            continue;
+        }
         let text = variant.text();
         for (index, line) in text.source().lines().enumerate() {
             let (file, number) = text.locate(index + 1);
@@ -119,11 +159,16 @@ fn a_line_of_a_variant_is_found_in_its_file() {
 fn a_shader_contains_only_the_parts_that_its_scene_needs() {
     for variant in Variant::all() {
         let source = variant.source();
-        let pictures = variant.entry == Entry::Picture;
+        let pictures = matches!(
+            variant.entry,
+            Entry::Picture | Entry::Refine | Entry::TimedLight
+        );
         let sky = pictures && variant.sky != SkyMode::Off;
         assert_eq!(source.contains("fn hermite"), variant.disk, "{variant:?}");
         let light = matches!(variant.view, View::Colour | View::Unfinished);
-        let spectrum = pictures && light && (variant.disk || sky);
+        let stars = matches!(variant.entry, Entry::Stars | Entry::StarInterpolation);
+        let lights_stars = stars || variant.entry == Entry::StarPolish;
+        let spectrum = lights_stars || pictures && light && (variant.disk || sky);
         assert_eq!(
             source.contains("var<uniform> spectrum"),
             spectrum,
@@ -142,11 +187,13 @@ fn a_shader_contains_only_the_parts_that_its_scene_needs() {
         );
         assert!(!relativistic || pictures && variant.disk, "{variant:?}");
         // The view `error` shows what the CPU has computed and traces nothing.
-        let traces = !pictures || variant.view != View::Error;
-        assert_eq!(source.contains("fn trace("), traces, "{variant:?}");
+        let shows_errors = pictures && variant.view == View::Error;
+        // Images of stars are found without rays.
+        let traces = !shows_errors && !stars;
+        assert_eq!(source.contains("\nfn trace("), traces, "{variant:?}");
         assert_eq!(
             source.contains("var<uniform> errors"),
-            !traces,
+            shows_errors,
             "{variant:?}"
         );
     }
@@ -210,6 +257,8 @@ fn a_shader_contains_of_a_living_disk_only_what_its_scene_asks_for() {
                 method,
                 ..Scene::default()
             };
+            // A sky that is not filtered.
+            scene.sky.mode = SkyMode::Procedural;
             change(&mut scene);
             let variant = Variant::picture(&scene);
             let (files, source) = (variant.files(), variant.source());

@@ -9,9 +9,13 @@ use lightfall_core::optics::spectrum::{TABLE_LEN, table};
 use lightfall_core::scene::{Scene, SkyMode};
 use std::f64::consts::{PI, TAU};
 
+/// The footprint of a ray that stands for nothing but itself.
+const ALONE: &str = "Footprint(vec3<f32>(0.0), vec3<f32>(0.0))";
+
 /// The light of the sky in these directions, by a WGSL expression of `direction`.
 fn light(gpu: &Gpu, scene: &Scene, expression: &str, directions: &[DVec3]) -> Vec<DVec3> {
-    let source = Variant::picture(scene).source();
+    // A compute entry has no neighbouring rays, by which the picture's shader measures footprints.
+    let source = Variant::timed_light(scene).source();
     let expression = format!(
         "vec4<f32>({}, scene.sky.spot_radius + spectrum[0].x)",
         expression.replace("direction", "given.xyz")
@@ -75,7 +79,7 @@ fn no_star_is_cut_off_where_charts_meet() {
         }
     }
     let layer = "star_layer(direction, 10.0, UPRIGHT, 0u)";
-    let scene = sky(SkyMode::Stars);
+    let scene = sky(SkyMode::Procedural);
     assert!(
         light(gpu, &scene, layer, &seams)
             .iter()
@@ -102,7 +106,7 @@ fn stars_cover_the_sky_evenly_except_for_their_band() {
     let (mut near, mut far, mut middle, mut corner) = ([0.0; 2], [0.0; 2], [0.0; 2], [0.0; 2]);
     for (direction, light) in directions.iter().zip(light(
         gpu,
-        &sky(SkyMode::Stars),
+        &sky(SkyMode::Procedural),
         "star_layer(direction, 4.0, UPRIGHT, 0u)",
         &directions,
     )) {
@@ -139,10 +143,15 @@ fn the_stars_depend_only_on_the_seed() {
     let gpu = gpu();
     let directions = all_around(50_000);
     let stars = |seed: u32, change: fn(&mut Scene)| {
-        let mut scene = sky(SkyMode::Stars);
+        let mut scene = sky(SkyMode::Procedural);
         scene.sky.seed = seed;
         change(&mut scene);
-        light(gpu, &scene, "sky_light(direction, 1.0)", &directions)
+        light(
+            gpu,
+            &scene,
+            &format!("sky_light(direction, 1.0, {ALONE})"),
+            &directions,
+        )
     };
     let one = stars(1, |_| ());
     assert_eq!(
@@ -159,14 +168,14 @@ fn the_stars_depend_only_on_the_seed() {
 fn the_sky_is_finite_and_not_negative_for_any_shift() {
     let gpu = gpu();
     let directions = all_around(20_000);
-    for mode in [SkyMode::Stars, SkyMode::Grid] {
+    for mode in [SkyMode::Procedural, SkyMode::Grid] {
         let mut scene = sky(mode);
         (scene.sky.reference_star, scene.sky.brightness) = (true, 1e3);
         for shift in ["0.0", "1e-6", "1.0", "300.0", "1e6", "1e30"] {
             let lights = light(
                 gpu,
                 &scene,
-                &format!("sky_light(direction, f32({shift}))"),
+                &format!("sky_light(direction, f32({shift}), {ALONE})"),
                 &directions,
             );
             assert!(
@@ -194,7 +203,14 @@ fn light_from_the_sky_grows_with_the_fourth_power_of_the_shift() {
             &star,
         )[0]
     };
-    let seen = |g: f64| light(gpu, &scene, &format!("sky_light(direction, {g:?})"), &star)[0];
+    let seen = |g: f64| {
+        light(
+            gpu,
+            &scene,
+            &format!("sky_light(direction, {g:?}, {ALONE})"),
+            &star,
+        )[0]
+    };
     let ratio = seen(1.5) / seen(1.0);
     let expected = at(8000.0, 1.5) / at(8000.0, 1.0) * 1.5_f64.powi(4);
     // A grid line crosses the star's centre and adds a few percent, with the same power.
@@ -218,10 +234,15 @@ fn the_grid_has_its_lines_every_fifteen_degrees_and_keeps_its_width_to_the_poles
                 DVec3::new(st * cp, st * sp, ct)
             })
             .collect();
-        light(gpu, &scene, "sky_background(direction, 1.0)", &directions)
-            .iter()
-            .map(|light| light.element_sum())
-            .collect::<Vec<_>>()
+        light(
+            gpu,
+            &scene,
+            &format!("sky_background(direction, 1.0, {ALONE})"),
+            &directions,
+        )
+        .iter()
+        .map(|light| light.element_sum())
+        .collect::<Vec<_>>()
     };
     // The sky between the lines is not black, so that the hole's shadow shows.
     let [fill] = brightness(&[(50.0, 7.0)])[..] else {
@@ -265,4 +286,57 @@ fn the_grid_has_its_lines_every_fifteen_degrees_and_keeps_its_width_to_the_poles
         (near / far - 1.0).abs() < 0.03,
         "lit length {near} at 3 degrees, {far} at 10"
     );
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn lines_of_the_grid_keep_their_light_however_a_lens_squeezes_them() {
+    let scene = sky(SkyMode::Grid);
+    // Across three circles, between two meridians: two common lines and a strong one, whose mean is
+    // that of all.
+    let count = 4000;
+    let directions: Vec<DVec3> = (0..count)
+        .map(|i| {
+            let theta = (7.5 + 45.0 * (f64::from(i) + 0.5) / f64::from(count)).to_radians();
+            let phi = 7.5_f64.to_radians();
+            DVec3::new(
+                theta.sin() * phi.cos(),
+                theta.sin() * phi.sin(),
+                theta.cos(),
+            )
+        })
+        .collect();
+    // The footprint is along theta only, so no meridian is widened.
+    let seen = |footprint: f64| {
+        let along = "vec3<f32>(direction.z * normalize(direction.xy), -length(direction.xy))";
+        let footprint = format!("Footprint({along} * f32({footprint:?}), vec3<f32>(0.0))");
+        light(
+            gpu(),
+            &scene,
+            &format!("sky_background(direction, 1.0, {footprint}) - GRID_FILL"),
+            &directions,
+        )
+    };
+    let mean = |lights: &[DVec3]| lights.iter().sum::<DVec3>() / f64::from(count);
+    let brightest = |lights: &[DVec3]| lights.iter().fold(0.0, |most, light| light.z.max(most));
+    let narrow = seen(0.0);
+    assert!(brightest(&narrow) > 0.35, "no line is met in its middle");
+    let mut last = f64::INFINITY;
+    for footprint in [0.01, 0.05, 0.12, 0.2, 1.0] {
+        let lights = seen(footprint);
+        // Some twenty directions across each narrow line: their mean is right to a percent.
+        let ratio = mean(&lights) / mean(&narrow);
+        assert!(
+            (ratio - 1.0).abs().max_element() < 0.01,
+            "{footprint}: {ratio}"
+        );
+        assert!(
+            brightest(&lights) < last,
+            "{footprint} does not fade the lines"
+        );
+        last = brightest(&lights);
+    }
+    // In the end there is nothing but the mean.
+    let flat = seen(1.0);
+    assert!(flat.iter().all(|light| light.distance(flat[0]) < 1e-6));
 }

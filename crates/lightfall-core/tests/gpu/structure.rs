@@ -40,8 +40,8 @@ fn factors(scene: &Scene, limit: Option<u32>, places: &[Place]) -> Vec<f32> {
     ];
     let source = Variant::picture(scene)
         .source()
-        .replace("dpdx(position)", "position")
-        .replace("dpdy(position)", "position")
+        .replace("dpdx(value)", "value")
+        .replace("dpdy(value)", "value")
         + "struct Place { position: vec2<f32>, delay: f32, right: vec2<f32>, down: vec2<f32> }
            @group(0) @binding(BINDING_INPUT) var<storage, read> places: array<Place>;
            @group(0) @binding(BINDING_OUTPUT) var<storage, read_write> factors: array<f32>;

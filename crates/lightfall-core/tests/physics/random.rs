@@ -1,6 +1,11 @@
 //! Random numbers for tests of properties: another sequence in every run, which a failed run names
 //! so that it can be repeated.
 
+#![allow(
+    dead_code,
+    reason = "three test programs share it, and none uses all of it"
+)]
+
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// SplitMix64 (Steele, Lea & Flood 2014).
@@ -21,21 +26,36 @@ impl Random {
         Self(seed)
     }
 
-    fn unit(&mut self) -> f64 {
+    fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+        z ^ (z >> 31)
     }
 
     /// A number from `low` to `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
+        low + (high - low) * ((self.next() >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
     /// A number whose logarithm is spread evenly from `low` to `high`.
     pub fn log_between(&mut self, low: f64, high: f64) -> f64 {
         self.between(low.ln(), high.ln()).exp()
+    }
+
+    /// A whole number from `low` to `high`.
+    pub fn integer(&mut self, low: u32, high: u32) -> u32 {
+        low + (self.next() % u64::from(high - low + 1)) as u32
+    }
+
+    /// True in one of `count` cases.
+    pub fn one_in(&mut self, count: u32) -> bool {
+        self.integer(1, count) == 1
+    }
+
+    /// One of these.
+    pub fn of<T: Copy>(&mut self, choices: &[T]) -> T {
+        choices[self.integer(0, choices.len() as u32 - 1) as usize]
     }
 
     /// A direction, spread evenly over the sphere.

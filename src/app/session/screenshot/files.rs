@@ -6,8 +6,8 @@ use crate::app::state::resolution::Resolution;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::toast::Toast;
 use crate::picture;
-use crate::picture::Still;
-use crate::render::CurrentScene;
+use crate::picture::{HeadlessOptions, Still};
+use crate::render::{CurrentScene, StarCatalogue};
 use crate::storage::{file_safe_name, pictures_folder};
 use crate::worker::Worker;
 use bevy::prelude::*;
@@ -22,8 +22,9 @@ const MAX_SAVING: Duration = Duration::from_secs(600);
 
 /// What is to be written.
 enum Order {
-    /// The picture of a scene, at that scene's size. The second scene is the one that is drawn.
-    Picture(Box<[Scene; 2]>),
+    /// The picture of a scene, at that scene's size, under these stars. The second scene is the one
+    /// that is drawn.
+    Picture(Box<[Scene; 2]>, StarCatalogue),
     /// What the window shows, with everything that is drawn over the picture of this scene.
     Window(Box<Scene>, Box<Image>),
 }
@@ -48,13 +49,14 @@ fn save_picture(
     mut asked: MessageReader<AppCommand>,
     mut editor: SceneEditor,
     writer: Res<ScreenshotWriter>,
+    stars: Res<StarCatalogue>,
 ) {
     if asked
         .read()
         .any(|command| *command == AppCommand::Screenshot)
     {
         let scenes = Box::new(editor.scene_and_drawing());
-        writer.0.ask(Order::Picture(scenes));
+        writer.0.ask(Order::Picture(scenes, *stars));
         editor.say("Saving the picture");
         editor.keep_saying_for(MAX_SAVING);
     }
@@ -96,9 +98,13 @@ fn report_screenshot(writer: Res<ScreenshotWriter>, mut toast: ResMut<Toast>) {
 /// The picture cannot be drawn, encoded or written; one sentence.
 fn write(order: Order, folder: &Path) -> Result<String, String> {
     let (scene, still) = match order {
-        Order::Picture(scene) => {
+        Order::Picture(scene, StarCatalogue(stars)) => {
             let [scene, drawn] = *scene;
-            let still = picture::render(&drawn, scene.picture.size());
+            let options = HeadlessOptions {
+                stars,
+                ..HeadlessOptions::default()
+            };
+            let still = picture::render_with(&drawn, scene.picture.size(), options);
             (scene, still.map_err(|error| error.to_string())?)
         }
         Order::Window(scene, image) => {

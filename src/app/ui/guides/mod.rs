@@ -22,7 +22,8 @@ use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, Landmark, quick_guides, traced_guides};
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::scene::{Scene, View};
-use place::{Placement, draw_line};
+pub(in crate::app::ui) use place::Placement;
+use place::draw_line;
 use style::{Style, label};
 
 /// Opacity of the guides that belong to an earlier place of the camera.

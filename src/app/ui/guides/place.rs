@@ -16,16 +16,16 @@ const HALO: f32 = 1.4;
 const HALO_ALPHA: u8 = 170;
 
 /// From directions on the observer's axes to places of the window, in points.
-pub(super) struct Placement {
+pub(in crate::app::ui) struct Placement {
     from_observer: DMat3,
     /// Tangents of half the field of view, horizontal and vertical.
     half: [f64; 2],
     /// The part of the window that the picture fills.
-    pub(super) picture: Rect,
+    pub(in crate::app::ui) picture: Rect,
 }
 
 impl Placement {
-    pub(super) fn new(scene: &Scene, shown: Letterbox, pixels_per_point: f32) -> Self {
+    pub(in crate::app::ui) fn new(scene: &Scene, shown: Letterbox, pixels_per_point: f32) -> Self {
         let [offset, extent] = [shown.offset, shown.extent].map(|v| v / pixels_per_point);
         let size = scene.picture.size().as_dvec2();
         let up = scene.camera.half_height();
@@ -37,7 +37,7 @@ impl Placement {
     }
 
     /// The place of a direction. None far outside the picture and behind the camera.
-    pub(super) fn of(&self, direction: DVec3) -> Option<Pos2> {
+    pub(in crate::app::ui) fn of(&self, direction: DVec3) -> Option<Pos2> {
         let looking = self.from_observer * direction;
         if looking.z < MIN_FORWARD {
             return None;

@@ -95,7 +95,11 @@ pub fn choice(key: &str, word: &'static str) -> [&'static str; 2] {
         ("picture.tone_curve", "soft") => ["Soft", "A long way to white, on which colours fade"],
         ("picture.tone_curve", "aces") => ["ACES", "Film-like: more contrast, and hues that turn"],
         ("picture.tone_curve", "reinhard") => ["Reinhard", "Colours never fade to white"],
-        ("sky.mode", "stars") => ["Stars", "Stars at random places and a milky band"],
+        ("sky.mode", "stars") => ["Stars", "The stars and the Milky Way as seen from Earth"],
+        ("sky.mode", "procedural") => [
+            "Article's stars",
+            "Stars at random places, stretched by the bending",
+        ],
         ("sky.mode", "grid") => ["Grid", "Lines of celestial latitude and longitude"],
         ("sky.mode", "off") => ["None", "A black sky"],
         _ => [word, ""],

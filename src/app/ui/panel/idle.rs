@@ -43,7 +43,12 @@ pub fn why_idle(scene: &Scene, key: &str) -> Option<&'static str> {
         ("sky", "reference_theta_deg" | "reference_phi_deg") if !scene.sky.reference_star => {
             Some("The extra star is off.")
         }
-        ("sky", "seed") if scene.sky.mode != SkyMode::Stars => Some("The sky shows no stars."),
+        ("sky", "seed") if !scene.sky.mode.has_stars() => Some("The sky shows no stars."),
+        ("sky", "ra_deg" | "dec_deg" | "roll_deg" | "magnitude_limit")
+            if scene.sky.mode != SkyMode::Stars =>
+        {
+            Some("The sky does not show the real stars.")
+        }
         ("sky", "brightness") if scene.sky.mode == SkyMode::Off && !scene.sky.reference_star => {
             Some("The sky is off.")
         }
@@ -57,6 +62,9 @@ pub fn why_idle(scene: &Scene, key: &str) -> Option<&'static str> {
         }
         ("picture", "exposure_bias") if !scene.picture.automatic_exposure => {
             Some("The exposure is not automatic.")
+        }
+        ("picture", "antialias" | "samples") if light != Content::Light => {
+            Some("This view shows no light.")
         }
         ("picture", "tone_curve") if light != Content::Light => Some("This view shows no light."),
         ("quality", "max_error_px") if setting != AccuracySetting::MaxError => {

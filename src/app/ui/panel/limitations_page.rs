@@ -3,7 +3,7 @@
 use crate::app::controls::bindings::Bindings;
 use bevy_egui::egui;
 
-const EXACT: [&str; 7] = [
+const EXACT: [&str; 8] = [
     "Where light goes: every pixel of the background is a null geodesic of Schwarzschild or Kerr. Its error is stated as the \
      turn of the pixel's ray that would explain it. Without spin (closed) the turn is below 1e-6 rad, a two-thousandth of a \
      pixel. With spin (mino) it is within 6e-6 rad for 99 of 100 rays at the default setting, a few thousandths of a pixel, \
@@ -18,18 +18,21 @@ const EXACT: [&str; 7] = [
      scatters light on electrons (within 0.25 %).",
     "The observer: at rest, with zero angular momentum, in orbit or in free fall, and boosted. Its frame decides what is seen.",
     "Black-body colours: Planck's law and the CIE 1931 observer.",
+    "The stars: 9096 of the Bright Star Catalogue, where they are and as bright as they are. Each image is a point with the \
+     magnification of its light, to a thousandth.",
 ];
 
-const STATISTICS: [&str; 1] = [
+const STATISTICS: [&str; 2] = [
     "The disk's filaments: a random pattern with the spread, the tilt and the lifetime that simulations of turbulence find. No \
      equation of motion makes it. On average it keeps the flux of every radius. The same seed and time give the same disk.",
+    "Stars fainter than V = 6, and the Milky Way: as many stars as are counted, with their colours and their crowding toward \
+     the galaxy's plane, but at random places; and the light of a model of the galaxy.",
 ];
 
-const ART: [&str; 5] = [
+const ART: [&str; 4] = [
     "The disk's brightness, its temperature and the light that it lets through.",
     "The contrast of the filaments, the streaks, and the size and strength of the hot spot.",
     "How fast the disk's clock runs.",
-    "The stars: they are placed at random and not taken from a catalogue.",
     "Exposure, bloom and the tone curve.",
 ];
 
@@ -44,12 +47,11 @@ pub(super) fn show(ui: &mut egui::Ui, bindings: &Bindings) {
         "The disk is infinitely thin, and no light comes from inside the innermost stable orbit.",
         "A ray shows the first two places where it meets the disk. Around a spinning hole a third one is left out, which can be \
          the image of order 2.",
-        "Each pixel has one ray. Filaments finer than a pixel are averaged over it, with a third of the error that they would \
-         have otherwise. Rings thinner than a pixel break into dashes.",
+        "Each pixel has one ray, and 16 or 64 where an edge passes. Filaments finer than a pixel are averaged over it, with a \
+         third of the error that they would have otherwise.",
         &unfinished,
         "The probe is in front of everything: it is not lensed, and its lamps imitate the disk only roughly.",
         "Flying by hand moves the camera from place to place. Its observer is at rest there, or moves as the scene says.",
-        "Stars are points with a spot a few pixels wide. The lens does not magnify them.",
     ];
     let cells = format!(
         "The cells, the few tones and the dither pattern; {} removes them.",

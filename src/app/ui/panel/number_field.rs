@@ -104,6 +104,7 @@ pub(super) fn suffix(unit: &str) -> &str {
         "orbits" => " orbits",
         "waves" => " waves",
         "levels" => " tones",
+        "frames" => " frames",
         other => other,
     }
 }

@@ -135,6 +135,10 @@ pub const SECTIONS: &[Section] = &[
         rows: &[
             row("sky.mode", "Sky", Plain),
             row("sky.brightness", "Brightness", Logarithmic(0.01, 100.0)),
+            row("sky.ra_deg", "Behind the hole: RA", Linear(0.0, 360.0)),
+            row("sky.dec_deg", "Behind the hole: Dec", Linear(-90.0, 90.0)),
+            row("sky.roll_deg", "Turn of the sky", Linear(-180.0, 180.0)),
+            row("sky.magnitude_limit", "Faintest star", Linear(-2.0, 12.0)),
             row("sky.seed", "Star pattern", Linear(0.0, 1000.0)),
             row("sky.reference_star", "Extra star", Plain),
             row("sky.reference_theta_deg", "Star above the disk", AboveDisk),
@@ -155,6 +159,12 @@ pub const SECTIONS: &[Section] = &[
             row("picture.exposure_bias", "Exposure bias", Linear(-3.0, 3.0)),
             row("picture.tone_curve", "Tone curve", Plain),
             row("picture.bloom", "Bloom", Plain),
+            row("picture.antialias", "Smooth edges", Plain),
+            row(
+                "picture.samples",
+                "Frames averaged",
+                Logarithmic(1.0, 1024.0),
+            ),
             row("picture.bypass", "Pixel look", Inverted),
             row(
                 "picture.levels",

@@ -89,6 +89,18 @@ fn places() -> [&'static str; 2] {
     ]
 }
 
+fn choose_automatic(ui: &mut egui::Ui, setting: &mut Automatic) {
+    ui.horizontal(|ui| {
+        for (value, text) in [
+            (Automatic::Auto, "Auto"),
+            (Automatic::On, "On"),
+            (Automatic::Off, "Off"),
+        ] {
+            ui.selectable_value(setting, value, text);
+        }
+    });
+}
+
 fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
     ui.strong("Comfort");
     egui::Grid::new("comfort")
@@ -137,19 +149,17 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
                 .on_hover_text("Look down when the mouse or the right stick moves up");
             switch(ui, &mut settings.invert_y);
             ui.end_row();
+            ui.label("Average frames at rest").on_hover_text(
+                "While nothing moves, the picture becomes the mean of 16 frames, whose rays go through other places of each \
+                 pixel. Auto: on with a graphics card",
+            );
+            choose_automatic(ui, &mut settings.average_at_rest);
+            ui.end_row();
             ui.label("Lower resolution while moving").on_hover_text(
                 "While something moves, the picture is drawn with as many pixels as the target frame rate allows. A picture at \
                  rest is drawn in full. Auto: on for software and integrated graphics, and without the pixel look",
             );
-            ui.horizontal(|ui| {
-                for (value, text) in [
-                    (Automatic::Auto, "Auto"),
-                    (Automatic::On, "On"),
-                    (Automatic::Off, "Off"),
-                ] {
-                    ui.selectable_value(&mut settings.automatic_resolution, value, text);
-                }
-            });
+            choose_automatic(ui, &mut settings.automatic_resolution);
             ui.end_row();
             ui.label("Frame rate while moving");
             ui.add(

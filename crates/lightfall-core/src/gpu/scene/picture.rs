@@ -1,5 +1,6 @@
 //! The picture's part of the uniform.
 
+use crate::optics::pixel_samples::pixel_offset;
 use crate::scene::Scene;
 use encase::ShaderType;
 use glam::{DVec2, Vec2};
@@ -14,15 +15,32 @@ pub struct GpuPicture {
     pub size: Vec2,
     pub tan_half_fov: Vec2,
     pub mark_brightness: f32,
+    pub exposure: f32,
+    pub offset: Vec2,
+    pub footprint: f32,
 }
 
 impl GpuPicture {
+    /// The numbers of one frame among `frames` that are averaged.
+    #[must_use]
+    pub fn of_frame(&self, frame: u32, frames: u32) -> Self {
+        Self {
+            offset: pixel_offset(frame).as_vec2(),
+            footprint: f64::from(frames.max(1)).sqrt().recip() as f32,
+            ..self.clone()
+        }
+    }
+
     pub(super) fn new(scene: &Scene, size: DVec2) -> Self {
         let vertical = scene.camera.half_height();
+        let exposure = scene.picture.exposure_ev.exp2();
         Self {
             size: size.as_vec2(),
             tan_half_fov: DVec2::new(vertical * size.x / size.y, vertical).as_vec2(),
-            mark_brightness: (MARK_BRIGHTNESS / scene.picture.exposure_ev.exp2()) as f32,
+            mark_brightness: (MARK_BRIGHTNESS / exposure) as f32,
+            exposure: exposure as f32,
+            offset: Vec2::ZERO,
+            footprint: 1.0,
         }
     }
 }

@@ -6,8 +6,8 @@ use crate::scene::{DiskModel, Effects, HotSpotKind, LimbDarkening, Method, Scene
 
 impl Variant {
     /// Every variant that a scene can ask for, with two exceptions: sets of effects with some
-    /// switched off come with one sky only, and cameras next to the horizon come with the view
-    /// `colour` only.
+    /// switched off come with one sky and one disk only, and cameras next to the horizon come with the
+    /// view `colour` only.
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         let mut scene = Scene::default();
@@ -27,7 +27,10 @@ impl Variant {
             (scene.method, scene.hole.spin) = (method, spin);
             (scene.disk.enabled, scene.disk.transmission) = (enabled, transmission);
             all.extend([Self::rays(&scene), Self::timed(&scene)]);
+            all.extend(Self::star_kernels(&scene));
             for mode in SkyMode::ALL {
+                scene.sky.mode = mode;
+                all.push(Self::timed_light(&scene));
                 for reference_star in [false, true] {
                     for view in View::ALL {
                         (scene.sky.mode, scene.sky.reference_star, scene.view) =
@@ -48,12 +51,14 @@ impl Variant {
                     aberration,
                 };
                 all.extend([Self::rays(&scene), Self::picture(&scene)]);
+                all.extend(Self::star_kernels(&scene));
             }
         }
         let shining: Vec<Self> = all
             .iter()
             .copied()
             .filter(|v| v.disk && v.view.shows_light() && v.entry == Entry::Picture)
+            .filter(|v| v.effects == Effects::default())
             .collect();
         for disk_model in DiskModel::ALL {
             let modelled = |variant: &Self| Self {
@@ -73,15 +78,26 @@ impl Variant {
                 ..*variant
             }));
         }
-        let plain = |variant: &&Self| variant.effects == Effects::default();
         for repeats in [false, true] {
-            all.extend(shining.iter().filter(plain).map(|variant| Self {
+            all.extend(shining.iter().map(|variant| Self {
                 structure: true,
                 repeats,
                 delay_nodes: variant.tracer.delay_nodes(),
                 ..*variant
             }));
         }
+        // Pictures without the search for edges, and what refines them.
+        all.extend(shining.iter().map(|variant| Self {
+            antialias: false,
+            ..*variant
+        }));
+        let plain = |variant: &&Self| variant.effects == Effects::default();
+        let refined: Vec<Self> = all
+            .iter()
+            .filter(plain)
+            .filter_map(|v| v.refined())
+            .collect();
+        all.extend(refined);
         let close = |variant: &Self| {
             let (tracer, view, effects) = (variant.tracer, variant.view, variant.effects);
             tracer == Tracer::Mino && view == View::Colour && effects == Effects::default()

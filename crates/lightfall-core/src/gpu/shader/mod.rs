@@ -2,12 +2,16 @@
 //! flags decide the rest; compilers drop what is behind a flag that is not set.
 
 mod all;
+mod entry;
 mod prelude;
 mod source;
+pub(super) mod spectrum_constants;
+mod star_images;
 pub(super) mod text;
 mod tracer;
 mod view;
 
+pub use entry::Entry;
 pub use text::ShaderText;
 pub use tracer::Tracer;
 
@@ -58,19 +62,8 @@ pub struct Variant {
     pub max_hits: u32,
     /// Whether rays are followed beyond those crossings.
     pub follow_beyond_hits: bool,
-}
-
-/// What a shader answers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Entry {
-    /// The light of a pixel: entry points `vertex` and `fragment`.
-    Picture,
-    /// Records of rays: entry point `rays`.
-    Rays,
-    /// One vector per pixel, for timing: entry points `timed`, `vertex` and `fragment`.
-    Timed,
-    /// The light of each pixel from a compute entry, for timing: entry point `timed`.
-    TimedLight,
+    /// Whether the picture's fragment also writes what the search for edges compares.
+    pub antialias: bool,
 }
 
 /// The smallest share of light from behind the disk for which a ray is followed beyond crossings:
@@ -150,7 +143,18 @@ impl Variant {
             follow_beyond_hits: marks
                 || !scene.disk.enabled
                 || transmission.powi(2) > MIN_TRANSMISSION,
+            antialias: scene.picture.antialias && !marks,
         }
+    }
+
+    /// The shader that refines the edges of the picture that this one draws, if it finds any.
+    #[must_use]
+    pub fn refined(self) -> Option<Self> {
+        (self.entry == Entry::Picture && self.antialias).then_some(Self {
+            entry: Entry::Refine,
+            antialias: false,
+            ..self
+        })
     }
 
     /// The shader that traces rays through the scene and records everything about them.
@@ -185,6 +189,7 @@ impl Variant {
     pub fn timed_light(scene: &Scene) -> Self {
         Self {
             entry: Entry::TimedLight,
+            antialias: false,
             ..Self::picture(scene)
         }
     }
@@ -200,6 +205,7 @@ impl Variant {
             delay_nodes: 0,
             sky: SkyMode::Off,
             reference_star: false,
+            antialias: false,
             ..Self::picture(&Scene {
                 view: View::Colour,
                 ..scene.clone()
@@ -222,50 +228,96 @@ impl Variant {
         self.parts().into_iter().map(|part| part.file).collect()
     }
 
+    /// Whether it takes part in finding the images of stars.
+    pub fn finds_stars(self) -> bool {
+        let follows_no_rays = matches!(self.entry, Entry::Stars | Entry::StarInterpolation);
+        self.seeks_stars() || follows_no_rays || self.entry == Entry::HiddenStars
+    }
+
+    /// Whether it follows rays to the images of stars.
+    fn seeks_stars(self) -> bool {
+        matches!(self.entry, Entry::StarMesh | Entry::StarPolish)
+    }
+
     /// The parts in their order.
     fn parts(self) -> Vec<Part> {
         let mut parts = vec![part!("math.wgsl"), part!("scene.wgsl")];
-        if self.view.properties().traces {
+        if matches!(self.entry, Entry::Stars | Entry::StarInterpolation) {
+            parts.extend(self.photons());
+        } else if self.view.properties().traces {
             parts.extend(self.tracing());
         }
         match self.entry {
+            Entry::Stars => parts.extend(self.solving_parts()),
+            Entry::StarMesh => parts.extend(self.mesh_parts()),
+            Entry::StarInterpolation | Entry::StarPolish => parts.extend(self.candidate_parts()),
+            Entry::HiddenStars => parts.extend(self.hiding_parts()),
             Entry::Rays => parts.push(part!("rays.wgsl")),
             Entry::Timed => parts.extend([part!("fullscreen.wgsl"), part!("timed.wgsl")]),
-            Entry::Picture | Entry::TimedLight => {
+            Entry::Picture | Entry::Refine | Entry::TimedLight => {
                 if self.view.shows_light() {
                     parts.extend(self.light());
                 }
                 parts.push(part!("view/mark.wgsl"));
                 parts.extend(view_shader(self.view).parts);
-                if self.view.properties().traces {
-                    parts.push(part!("view/traced.wgsl"));
-                }
-                if self.entry == Entry::Picture {
-                    parts.extend([part!("fullscreen.wgsl"), part!("geodesic.wgsl")]);
-                } else {
-                    parts.push(part!("timed_light.wgsl"));
-                }
+                parts.extend(self.pixel());
             }
+        }
+        parts
+    }
+
+    /// The parts that give a pixel the light of its rays.
+    fn pixel(self) -> Vec<Part> {
+        let mut parts = Vec::new();
+        let by_place = self.entry != Entry::Refine && !self.antialias;
+        if by_place && self.view.properties().traces {
+            parts.push(part!("view/traced.wgsl"));
+        }
+        if self.entry == Entry::TimedLight {
+            parts.push(part!("timed_light.wgsl"));
+            return parts;
+        }
+        parts.push(part!("bounded_light.wgsl"));
+        parts.extend(source::point_light_parts(self.sky));
+        match (self.entry, self.antialias) {
+            (Entry::Refine, _) => parts.push(part!("antialias/refine.wgsl")),
+            (_, true) => parts.extend([
+                part!("fullscreen.wgsl"),
+                part!("antialias/class.wgsl"),
+                part!("antialias/geodesic.wgsl"),
+            ]),
+            (_, false) => parts.extend([part!("fullscreen.wgsl"), part!("geodesic.wgsl")]),
         }
         parts
     }
 
     /// The parts that trace a ray.
     fn tracing(self) -> Vec<Part> {
-        let mut parts = vec![
-            part!("trace.wgsl"),
-            part!("elementary.wgsl"),
-            part!("observer.wgsl"),
-            part!("shift.wgsl"),
-        ];
+        let mut parts = self.photons();
         parts.extend(source::disk_parts(self.disk));
         parts.extend(self.tracer.parts(self.delay_nodes > 0));
         parts
     }
 
+    /// The parts that take a direction to a photon and its shift.
+    fn photons(self) -> Vec<Part> {
+        vec![
+            part!("trace.wgsl"),
+            part!("elementary.wgsl"),
+            part!("observer.wgsl"),
+            part!("shift.wgsl"),
+        ]
+    }
+
+    /// Whether rays are compared with their neighbours.
+    fn has_footprints(self) -> bool {
+        let structure = self.structure && self.entry != Entry::TimedLight;
+        structure || matches!(self.sky, SkyMode::Stars | SkyMode::Grid)
+    }
+
     /// The parts that give a ray its light.
     fn light(self) -> Vec<Part> {
-        let mut parts = Vec::new();
+        let mut parts = source::neighbour_parts(self.has_footprints(), self.entry).to_vec();
         if self.disk || self.sky != SkyMode::Off {
             parts.push(part!("spectrum.wgsl"));
         }
@@ -273,11 +325,11 @@ impl Variant {
             parts.extend(source::flux_parts(self.disk_model));
             parts.extend(source::structure_parts(
                 self.structure,
-                self.entry == Entry::Picture,
+                self.entry != Entry::TimedLight,
             ));
             parts.extend(source::hot_spot_parts(self.hot_spot));
             parts.extend(source::limb_parts(self.limb));
-            parts.push(part!("disk/emission.wgsl"));
+            parts.extend([part!("disk/cover.wgsl"), part!("disk/emission.wgsl")]);
         }
         parts.extend(source::sky_parts(self.sky));
         parts

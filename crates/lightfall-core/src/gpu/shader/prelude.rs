@@ -1,15 +1,18 @@
 //! The constants in front of a variant: its flags, and the numbers that its parts must share with
 //! the CPU.
 
+use super::spectrum_constants::add_spectrum_constants;
 use super::text::add_constant;
 use super::view::view_shader;
 use super::{Entry, Variant};
 use crate::geometry::quadrature::gauss_legendre;
+use crate::gpu::antialias;
 use crate::gpu::bindings;
 use crate::gpu::error_map::ErrorMap;
+use crate::gpu::starlight;
+use crate::gpu::stars::add_star_constants;
 use crate::gpu::structure::GpuStructure;
 use crate::optics::disk;
-use crate::optics::spectrum::{TABLE_LEN, TABLE_MAX_TEMPERATURE, TABLE_MIN_TEMPERATURE};
 use crate::scene::{HotSpotKind, SkyMode, View};
 
 impl Variant {
@@ -25,7 +28,9 @@ impl Variant {
             // A timed shader does all the work that a picture with a sky does.
             (
                 "SKY_DIRECTION",
-                matches!(self.entry, Entry::Rays | Entry::Timed) || self.sky != SkyMode::Off,
+                matches!(self.entry, Entry::Rays | Entry::Timed)
+                    || self.seeks_stars()
+                    || self.sky != SkyMode::Off,
             ),
             ("REFERENCE_STAR", self.reference_star),
             ("SHOW_UNFINISHED", self.view == View::Unfinished),
@@ -35,7 +40,10 @@ impl Variant {
             ("BEAMING", self.effects.beaming),
             ("GRAVITATIONAL_SHIFT", self.effects.gravitational_shift),
             ("ABERRATION", self.effects.aberration),
-            ("DIAGNOSTICS", records || view_shader(self.view).diagnostics),
+            (
+                "DIAGNOSTICS",
+                records || self.seeks_stars() || view_shader(self.view).diagnostics,
+            ),
         ]
     }
 
@@ -48,6 +56,12 @@ impl Variant {
         for (name, value) in bindings::CONSTANTS {
             add_constant(&mut text, name, "u32", format!("{value}u"));
         }
+        if self.entry == Entry::Refine {
+            text.push_str(&antialias::constants());
+        }
+        if self.sky == SkyMode::Stars {
+            text.push_str(&starlight::constants());
+        }
         if !self.view.properties().traces {
             for (name, kind, value) in ErrorMap::constants() {
                 add_constant(&mut text, name, kind, value);
@@ -56,21 +70,13 @@ impl Variant {
         let lengths = [
             ("MAX_HITS", self.max_hits),
             ("PAGE_THORNE_LEN", disk::TABLE_LEN as u32),
-            ("SPECTRUM_LEN", TABLE_LEN as u32),
         ];
         for (name, value) in lengths {
             add_constant(&mut text, name, "u32", format!("{value}u"));
         }
-        let temperatures = [
-            ("SPECTRUM_MIN_TEMPERATURE", TABLE_MIN_TEMPERATURE),
-            ("SPECTRUM_MAX_TEMPERATURE", TABLE_MAX_TEMPERATURE),
-            (
-                "SPECTRUM_LN_RANGE",
-                (TABLE_MAX_TEMPERATURE / TABLE_MIN_TEMPERATURE).ln(),
-            ),
-        ];
-        for (name, value) in temperatures {
-            add_constant(&mut text, name, "f32", format!("{value:?}"));
+        add_spectrum_constants(&mut text);
+        if self.finds_stars() {
+            add_star_constants(&mut text);
         }
         if self.structure {
             add_constant(&mut text, "REPEATS", "bool", self.repeats);

@@ -1,5 +1,6 @@
 //! The sources of light, one row each: the files of every disk model and sky mode.
 
+use super::entry::Entry;
 use super::text::{Part, part};
 use crate::scene::{DiskModel, HotSpotKind, LimbDarkening, SkyMode};
 
@@ -20,8 +21,17 @@ pub(super) fn flux_parts(model: DiskModel) -> &'static [Part] {
     }
 }
 
-/// The files that define `structure_factor`. Compute entries have no neighbours to measure a
-/// pixel's footprint by.
+/// The file that defines `differences`, by which a footprint is measured. Only the entries of
+/// pictures have neighbours.
+pub(super) fn neighbour_parts(needed: bool, entry: Entry) -> &'static [Part] {
+    match (needed, entry) {
+        (_, Entry::Refine) => &[part!("neighbours/lanes.wgsl")],
+        (true, Entry::Picture) => &[part!("neighbours/pixels.wgsl")],
+        _ => &[part!("neighbours/none.wgsl")],
+    }
+}
+
+/// The files that define `structure_factor`.
 pub(super) fn structure_parts(structure: bool, has_neighbours: bool) -> &'static [Part] {
     match (structure, has_neighbours) {
         (false, _) => &[part!("disk/structure/none.wgsl")],
@@ -56,7 +66,16 @@ pub(super) fn limb_parts(limb: LimbDarkening) -> &'static [Part] {
 pub(super) fn sky_parts(mode: SkyMode) -> &'static [Part] {
     match mode {
         SkyMode::Stars => &[part!("sky.wgsl"), part!("sky/stars.wgsl")],
+        SkyMode::Procedural => &[part!("sky.wgsl"), part!("sky/procedural.wgsl")],
         SkyMode::Grid => &[part!("sky.wgsl"), part!("sky/grid.wgsl")],
         SkyMode::Off => &[part!("sky/none.wgsl")],
+    }
+}
+
+/// The file that defines `point_light`.
+pub(super) fn point_light_parts(mode: SkyMode) -> &'static [Part] {
+    match mode {
+        SkyMode::Stars => &[part!("stars/sums.wgsl")],
+        SkyMode::Procedural | SkyMode::Grid | SkyMode::Off => &[part!("stars/none.wgsl")],
     }
 }

@@ -1,16 +1,10 @@
 //! Random numbers by their place in a list: the same on every machine, for any time.
 
+use crate::optics::random;
+
 /// Distance between the places of an octave's neighbouring waves in the list of phases: 2^32 over
 /// the golden ratio, so that the places of two waves are far apart.
 pub const GROUP_STRIDE: u32 = 0x9e37_79b9;
-
-/// Random bits of a place: the output function of SplitMix64 (Steele, Lea & Flood 2014).
-pub(super) fn bits(place: u64) -> u64 {
-    let mut z = place.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
-}
 
 /// The phase, in turns from -1/2 to 1/2, of the place `at` in the list of phases: the integer hash
 /// that Wellons found by search (lowbias32, 2018). Both languages compute it in 32 bits and keep the
@@ -35,7 +29,7 @@ impl List {
     pub(super) fn new(seed: u32, ring: usize, octave: usize) -> Self {
         let place = (ring * 16 + octave) as u64;
         Self {
-            start: bits(u64::from(seed) << 16 | place),
+            start: random::bits(u64::from(seed) << 16 | place),
             next: 0,
         }
     }
@@ -43,12 +37,12 @@ impl List {
     /// The next 64 bits.
     pub(super) fn bits(&mut self) -> u64 {
         self.next += 1;
-        bits(self.start.wrapping_add(self.next))
+        random::bits(self.start.wrapping_add(self.next))
     }
 
     /// The next number between 0 and 1.
     pub(super) fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+        random::unit(self.bits())
     }
 
     /// One number from each of `count` equal parts of [0, 1], in random order.

@@ -1,7 +1,7 @@
 //! The error of the time between emission and arrival against the run time of tracing with it.
 
 use super::plan::Plan;
-use super::plot::{Mark, plot_marks};
+use super::plot::{Axes, Mark, plot_marks};
 use super::scenes::BenchScene;
 use crate::accuracy::{Ray, rays_over_picture};
 use crate::geometry::kerr::Kerr;
@@ -202,7 +202,7 @@ pub fn plot_delays(
         .collect();
     plot_marks(
         &format!("{scene}: {about}"),
-        "error of the delay, r_s/c, 99th percentile",
+        Axes::of_tracing("error of the delay, r_s/c, 99th percentile"),
         &marks,
     )
 }

@@ -6,7 +6,7 @@ use super::scenes::BenchScene;
 use super::settings::methods_for;
 use crate::gpu::timing::{Stopwatch, Timing};
 use crate::gpu::{Gpu, GpuError};
-use crate::scene::{DiskStructure, HotSpotKind, LimbDarkening, Method, Scene};
+use crate::scene::{DiskStructure, HotSpotKind, LimbDarkening, Method, Scene, SkyMode};
 use serde::Serialize;
 
 /// The run time of one method in one scene.
@@ -29,7 +29,8 @@ pub struct LightMeasurement {
 }
 
 impl Plan {
-    /// Times the light of every scene with a disk. `done` is called after each row.
+    /// Times the light of every scene with a disk, under the procedural sky where it has real stars.
+    /// `done` is called after each row.
     ///
     /// # Errors
     /// A scene cannot be traced, the picture is too large for the device, or the device failed.
@@ -60,6 +61,10 @@ impl Plan {
             method,
             ..bench_scene.scene.clone()
         };
+        // The article's stars are drawn by each ray; real ones need passes of their own.
+        if smooth.sky.mode == SkyMode::Stars {
+            smooth.sky.mode = SkyMode::Procedural;
+        }
         let mut living = smooth.clone();
         smooth.disk.structure = DiskStructure::None;
         smooth.disk.limb = LimbDarkening::None;

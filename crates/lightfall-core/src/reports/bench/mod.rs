@@ -8,6 +8,7 @@ mod light;
 mod markdown;
 mod measurement;
 mod pareto;
+mod pictures;
 mod plan;
 mod plot;
 mod scenes;
@@ -19,6 +20,10 @@ pub use light::{LightMeasurement, light_table};
 pub use markdown::markdown;
 pub use measurement::Measurement;
 pub use pareto::{AutoMargin, Ranking, auto_margin, is_on_front};
+pub use pictures::{
+    PICTURE_SETTINGS, PictureError, PictureMeasurement, PictureSetting, TRUE_SAMPLES,
+    measured_part, pictures_table, plot_pictures, shown_brightness, with_smooth_disk,
+};
 pub use plan::{Plan, Step};
 pub use plot::plot;
 pub use scenes::{BenchScene, scenes};

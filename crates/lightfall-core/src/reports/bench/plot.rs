@@ -16,12 +16,29 @@ const LEGEND: [i32; 4] = [716, 34, 848, 140];
 /// Lengths of the dashes of the Pareto front and of the gaps between them, in pixels.
 const DASHES: [i32; 2] = [5, 4];
 
+/// What the axes of a plot show.
+#[derive(Clone, Copy)]
+pub(super) struct Axes<'a> {
+    pub time: &'a str,
+    pub error: &'a str,
+}
+
+impl<'a> Axes<'a> {
+    /// An error against the time of tracing.
+    pub(super) fn of_tracing(error: &'a str) -> Self {
+        Self {
+            time: "time to trace the picture's rays, ms",
+            error,
+        }
+    }
+}
+
 /// One colour per method, from a set that colour-blind people can tell apart (Okabe & Ito 2008).
 fn colour(method: &str) -> RGBColor {
     match method {
-        "closed" => RGBColor(0, 114, 178),
+        "closed" | "edges refined" => RGBColor(0, 114, 178),
         "mino" => RGBColor(0, 158, 115),
-        "verlet" => RGBColor(213, 94, 0),
+        "verlet" | "single rays" => RGBColor(213, 94, 0),
         _ => RGBColor(204, 121, 167),
     }
 }
@@ -55,7 +72,7 @@ pub fn plot(scene: &str, about: &str, rows: &[Measurement]) -> Result<Option<Str
         .collect();
     plot_marks(
         &format!("{scene}: {about}"),
-        "backward error, pixels, 99th percentile",
+        Axes::of_tracing("backward error, pixels, 99th percentile"),
         &marks,
     )
 }
@@ -66,7 +83,7 @@ pub fn plot(scene: &str, about: &str, rows: &[Measurement]) -> Result<Option<Str
 /// The message of the plotting library.
 pub(super) fn plot_marks(
     caption: &str,
-    error: &str,
+    axes: Axes,
     own: &[Mark],
 ) -> Result<Option<String>, String> {
     let bounded = || {
@@ -89,7 +106,7 @@ pub(super) fn plot_marks(
         let area = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
         draw(
             &area,
-            [caption, error],
+            (caption, axes),
             own,
             [fastest / 1.6, slowest * 9.0, least / 2.5, top],
         )
@@ -103,7 +120,7 @@ type Drawn<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBacke
 
 fn draw<'a>(
     area: &DrawingArea<SVGBackend<'a>, plotters::coord::Shift>,
-    [caption, error]: [&str; 2],
+    (caption, axes): (&str, Axes),
     own: &[Mark],
     [left, right, bottom, top]: [f64; 4],
 ) -> Drawn<'a> {
@@ -118,8 +135,8 @@ fn draw<'a>(
         .configure_mesh()
         .light_line_style(RGBColor(238, 238, 238))
         .bold_line_style(RGBColor(215, 215, 215))
-        .x_desc("time to trace the picture's rays, ms")
-        .y_desc(error)
+        .x_desc(axes.time)
+        .y_desc(axes.error)
         .x_label_formatter(&|x| decade(*x))
         .y_label_formatter(&|y| decade(*y))
         .label_style(("sans-serif", 13))

@@ -1,8 +1,10 @@
 //! `lightfall bench`: error against run time.
 
+mod pictures;
+
 use super::circumstances::circumstances;
 use super::cli::{BenchArgs, EntryArg};
-use super::output::{create_report_folder, print, write_report};
+use super::output::{create_report_folder, print, write_report, write_tables};
 use super::progress::Progress;
 use super::scene::device;
 use super::stop::Stop;
@@ -10,12 +12,13 @@ use crate::picture;
 use glam::UVec2;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::reports::bench::{
-    AutoMargin, Measurement, Plan, Ranking, auto_margin, delay_table, light_table, markdown, plot,
-    plot_delays,
+    AutoMargin, Measurement, Plan, Ranking, auto_margin, delay_table, light_table, markdown,
+    pictures_table, plot, plot_delays, plot_pictures, with_smooth_disk,
 };
 use lightfall_core::reports::circumstances::Circumstances;
 use lightfall_core::reports::export::{csv, json};
 use lightfall_core::scene::{Method, Scene};
+use pictures::measure_pictures;
 use std::path::Path;
 
 /// Number of frames that a whole frame's time is the median of.
@@ -30,6 +33,9 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
         return Err(Stop::refused(
             "no method of --methods can trace a scene of --scenes: verlet and closed need hole.spin = 0",
         ));
+    }
+    if args.pictures {
+        return bench_pictures(args, &gpu, &plan);
     }
     if args.delay {
         return bench_delays(args, &gpu, &plan);
@@ -51,17 +57,17 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
         time_frames(&plan, &mut rows)?;
     }
 
-    let entry = entry_word(args.entry);
     let circumstances = Circumstances {
         floor_ms: Some(plan.floor(&gpu).map_err(Stop::failed)?),
-        ..circumstances(&gpu, format!("{}x{}", plan.size.x, plan.size.y), entry)
+        ..circumstances_of(&plan, &gpu, args.entry)
     };
     let (json, markdown) = (json(&circumstances, &rows), markdown(&circumstances, &rows));
     if let Some(folder) = &args.out {
-        write_report(folder, "bench.csv", &csv(&circumstances, &rows))?;
-        write_report(folder, "bench.json", &json)?;
-        write_report(folder, "bench.md", &markdown)?;
-        write_plots(folder, &plan, &circumstances, &rows)?;
+        let csv = csv(&circumstances, &rows);
+        write_tables(folder, "bench", [&csv, &json, &markdown])?;
+        write_plots(folder, "", &plan, &circumstances, |scene, about| {
+            plot(scene, about, &rows)
+        })?;
     }
     for scene in &plan.scenes {
         if let Some(margin) = auto_margin(&rows, &scene.name) {
@@ -81,22 +87,14 @@ fn bench_delays(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
             );
         })
         .map_err(Stop::failed)?;
-    let circumstances = circumstances(
-        gpu,
-        format!("{}x{}", plan.size.x, plan.size.y),
-        entry_word(args.entry),
-    );
+    let circumstances = circumstances_of(plan, gpu, args.entry);
     let (json, table) = (json(&circumstances, &rows), delay_table(&rows));
     if let Some(folder) = &args.out {
-        write_report(folder, "delay.csv", &csv(&circumstances, &rows))?;
-        write_report(folder, "delay.json", &json)?;
-        write_report(folder, "delay.md", &table)?;
-        let about = format!("{}, {}", circumstances.size, circumstances.adapter);
-        for scene in &plan.scenes {
-            if let Some(svg) = plot_delays(&scene.name, &about, &rows).map_err(Stop::failed)? {
-                write_report(folder, &format!("delay-{}.svg", scene.name), &svg)?;
-            }
-        }
+        let csv = csv(&circumstances, &rows);
+        write_tables(folder, "delay", [&csv, &json, &table])?;
+        write_plots(folder, "delay-", plan, &circumstances, |scene, about| {
+            plot_delays(scene, about, &rows)
+        })?;
     }
     print(if args.json { &json } else { &table })
 }
@@ -108,23 +106,44 @@ fn bench_light(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
             eprintln!("lightfall: bench: {}, {}", row.scene, row.method);
         })
         .map_err(Stop::failed)?;
-    let size = format!("{}x{}", plan.size.x, plan.size.y);
-    let circumstances = circumstances(gpu, size, entry_word(EntryArg::Compute));
+    let circumstances = circumstances_of(plan, gpu, EntryArg::Compute);
     let (json, table) = (json(&circumstances, &rows), light_table(&rows));
     if let Some(folder) = &args.out {
-        write_report(folder, "light.csv", &csv(&circumstances, &rows))?;
-        write_report(folder, "light.json", &json)?;
-        write_report(folder, "light.md", &table)?;
+        let csv = csv(&circumstances, &rows);
+        write_tables(folder, "light", [&csv, &json, &table])?;
     }
     print(if args.json { &json } else { &table })
 }
 
-/// The entry's name in reports.
-fn entry_word(entry: EntryArg) -> &'static str {
-    match entry {
+/// Measures the error and the time of pictures, and prints and writes the report.
+fn bench_pictures(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
+    let plan = &Plan {
+        scenes: plan.scenes.iter().flat_map(with_smooth_disk).collect(),
+        ..plan.clone()
+    };
+    let mut rows = Vec::new();
+    for scene in &plan.scenes {
+        rows.extend(measure_pictures(scene, plan.size)?);
+    }
+    let circumstances = circumstances_of(plan, gpu, EntryArg::Fragment);
+    let (json, table) = (json(&circumstances, &rows), pictures_table(&rows));
+    if let Some(folder) = &args.out {
+        let csv = csv(&circumstances, &rows);
+        write_tables(folder, "pictures", [&csv, &json, &table])?;
+        write_plots(folder, "pictures-", plan, &circumstances, |scene, about| {
+            plot_pictures(scene, about, &rows)
+        })?;
+    }
+    print(if args.json { &json } else { &table })
+}
+
+/// What the plan is measured on, with this entry.
+fn circumstances_of(plan: &Plan, gpu: &Gpu, entry: EntryArg) -> Circumstances {
+    let entry = match entry {
         EntryArg::Compute => "compute",
         EntryArg::Fragment => "fragment",
-    }
+    };
+    circumstances(gpu, format!("{}x{}", plan.size.x, plan.size.y), entry)
 }
 
 /// Measures everything that is planned, and shows how far it has come.
@@ -172,17 +191,19 @@ fn time_frames(plan: &Plan, rows: &mut [Measurement]) -> Result<(), Stop> {
     Ok(())
 }
 
-/// Writes one plot per scene.
+/// Writes one plot per scene, as `prefix` and the scene's name. `plot` gets this name and a line about
+/// the measurement.
 fn write_plots(
     folder: &Path,
+    prefix: &str,
     plan: &Plan,
     circumstances: &Circumstances,
-    rows: &[Measurement],
+    plot: impl Fn(&str, &str) -> Result<Option<String>, String>,
 ) -> Result<(), Stop> {
     let about = format!("{}, {}", circumstances.size, circumstances.adapter);
     for scene in &plan.scenes {
-        if let Some(svg) = plot(&scene.name, &about, rows).map_err(Stop::failed)? {
-            write_report(folder, &format!("{}.svg", scene.name), &svg)?;
+        if let Some(svg) = plot(&scene.name, &about).map_err(Stop::failed)? {
+            write_report(folder, &format!("{prefix}{}.svg", scene.name), &svg)?;
         }
     }
     Ok(())

@@ -1,0 +1,110 @@
+//! The shader that finds the pixels where edges pass, and the sizes of what it and REFINE share.
+
+use super::bindings::{self, ANTIALIAS_CONSTANTS};
+use super::shader::ShaderText;
+use super::shader::text::{add_constant, part};
+use glam::UVec2;
+
+/// Pixels that one workgroup of REFINE refines, where each gets 4 rays and where each gets 16.
+const BENT_PIXELS: u32 = 16;
+const COARSE_PIXELS: u32 = 4;
+
+/// Maximum size of the list of marked pixels in bytes: what WebGPU lets every device bind.
+const MAX_LIST_SIZE: u64 = 128 << 20;
+
+/// Rows of the picture that one invocation of EDGES reads.
+const STRIP: u32 = 16;
+
+/// Largest number of workgroups along one axis of a dispatch, which WebGPU guarantees.
+const MAX_GROUPS: u32 = 65_535;
+
+/// The texture of what the search for edges compares: a ray's class, and the brightness of its light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct EdgeTraits {
+    /// Samples per pixel, as many as the picture has.
+    pub samples: u32,
+}
+
+/// The search for edges in a picture of this size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Edges {
+    /// Width and height of the picture, in pixels.
+    pub size: UVec2,
+}
+
+impl EdgeTraits {
+    /// The shader: entry point `edges`.
+    #[must_use]
+    pub fn shader(self) -> ShaderText {
+        let kind = if self.samples > 1 {
+            "texture_multisampled_2d"
+        } else {
+            "texture_2d"
+        };
+        let mut prelude = format!("alias Traits = {kind}<u32>;\n") + &constants();
+        let numbers = [
+            ("SAMPLES", self.samples),
+            ("STRIP", STRIP),
+            ("WORKGROUP_SIZE", bindings::WORKGROUP_SIZE),
+        ];
+        for (name, value) in numbers {
+            add_constant(&mut prelude, name, "u32", format!("{value}u"));
+        }
+        let parts = vec![
+            part!("trace.wgsl"),
+            part!("antialias/class.wgsl"),
+            part!("antialias/edges.wgsl"),
+        ];
+        ShaderText::new(prelude, parts)
+    }
+}
+
+impl Edges {
+    /// Size of the buffer `Work` of shaders/antialias/edges.wgsl, in bytes.
+    pub const WORK_SIZE: u64 = 28;
+
+    /// Its bytes before the search: no column of workgroups, and as many in each as keep their
+    /// number within WebGPU's limit, even if every pixel has a workgroup of its own.
+    #[must_use]
+    pub fn no_work(self) -> Vec<u8> {
+        let rows = (self.size.x * self.size.y).div_ceil(MAX_GROUPS).max(1);
+        [0, rows, 1, 0, 0, 0, 0]
+            .into_iter()
+            .flat_map(u32::to_le_bytes)
+            .collect()
+    }
+
+    /// Size of the list of marked pixels, in bytes. All of them may be: with 16 rays in the first
+    /// half of the list, with 4 or 64 in the second. Of pictures with more than 16 million pixels not
+    /// all fit into a binding of every device; those that find no room keep the light of one ray.
+    #[must_use]
+    pub fn list_size(self) -> u64 {
+        let all = 8 * u64::from(self.size.x) * u64::from(self.size.y);
+        all.min(MAX_LIST_SIZE)
+    }
+
+    /// Workgroups of EDGES for this many columns of the picture.
+    #[must_use]
+    pub fn groups(self, columns: u32) -> UVec2 {
+        UVec2::new(
+            columns.div_ceil(bindings::WORKGROUP_SIZE),
+            self.size.y.div_ceil(STRIP),
+        )
+    }
+}
+
+/// The constants that EDGES and REFINE share.
+pub(super) fn constants() -> String {
+    let mut text = String::new();
+    for (name, value) in ANTIALIAS_CONSTANTS {
+        add_constant(&mut text, name, "u32", format!("{value}u"));
+    }
+    let sizes = [
+        ("BENT_PIXELS", BENT_PIXELS),
+        ("COARSE_PIXELS", COARSE_PIXELS),
+    ];
+    for (name, value) in sizes {
+        add_constant(&mut text, name, "u32", format!("{value}u"));
+    }
+    text
+}

@@ -1,0 +1,27 @@
+//! The entry points of shaders.
+
+/// What a shader answers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Entry {
+    /// The light of a pixel: entry points `vertex` and `fragment`.
+    Picture,
+    /// The light of the pixels where edges pass, each from many rays: entry point `refine`.
+    Refine,
+    /// Records of rays: entry point `rays`.
+    Rays,
+    /// One vector per pixel, for timing: entry points `timed`, `vertex` and `fragment`.
+    Timed,
+    /// The light of each pixel from a compute entry, for timing: entry point `timed`.
+    TimedLight,
+    /// The images of stars, found by inversion: entry point `solve`.
+    Stars,
+    /// The rays of the mesh by which images are found without an inversion: entry point
+    /// `trace_mesh`.
+    StarMesh,
+    /// The images of candidates where the mesh alone gives them: entry point `interpolate`.
+    StarInterpolation,
+    /// The images of the other candidates, by rays: entry point `polish`.
+    StarPolish,
+    /// How much of each image the disk lets through: entry point `hide`.
+    HiddenStars,
+}

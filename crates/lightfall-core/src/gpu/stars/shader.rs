@@ -1,0 +1,84 @@
+//! The shader that draws images, and the constants of all kernels of stars.
+
+use super::index;
+use super::list::{FLUX_BIAS, TEMPERATURE_STEPS};
+use super::mesh::{MESH_RIM, WIDE_GROUPS};
+use crate::gpu::bindings::{CONSTANTS, STAR_CONSTANTS};
+use crate::gpu::shader::ShaderText;
+use crate::gpu::shader::spectrum_constants::add_spectrum_constants;
+use crate::gpu::shader::text::{add_constant, part};
+use crate::optics::spectrum::rgb_from_xyz;
+use crate::optics::stars::images::{MIN_SOURCE_RADIUS, ORDERS, table::INTERVALS};
+
+/// The shader that adds the images to the sums: entry point `splat`. It is the same for all scenes.
+#[must_use]
+pub fn splat_shader() -> ShaderText {
+    let mut prelude = String::new();
+    for (name, value) in CONSTANTS {
+        add_constant(&mut prelude, name, "u32", format!("{value}u"));
+    }
+    add_spectrum_constants(&mut prelude);
+    add_star_constants(&mut prelude);
+    ShaderText::new(
+        prelude,
+        vec![
+            part!("scene.wgsl"),
+            part!("spectrum.wgsl"),
+            part!("stars/stars.wgsl"),
+            part!("stars/pinhole.wgsl"),
+            part!("stars/splat.wgsl"),
+        ],
+    )
+}
+
+/// The shader that looks for the stars in each cell of the mesh: entry points `propose` and
+/// `propose_wide`. It is the same for all scenes.
+#[must_use]
+pub fn propose_shader() -> ShaderText {
+    let mut prelude = String::new();
+    for (name, value) in CONSTANTS {
+        add_constant(&mut prelude, name, "u32", format!("{value}u"));
+    }
+    add_spectrum_constants(&mut prelude);
+    add_star_constants(&mut prelude);
+    let side = format!("{}u", index::SIDE);
+    add_constant(&mut prelude, "STAR_INDEX_SIDE", "u32", side);
+    add_constant(&mut prelude, "MESH_RIM", "u32", format!("{MESH_RIM}u"));
+    let groups = format!("{WIDE_GROUPS}u");
+    add_constant(&mut prelude, "WIDE_GROUPS", "u32", groups);
+    ShaderText::new(
+        prelude,
+        vec![
+            part!("math.wgsl"),
+            part!("scene.wgsl"),
+            part!("stars/stars.wgsl"),
+            part!("stars/list.wgsl"),
+            part!("stars/pinhole.wgsl"),
+            part!("stars/mesh_points.wgsl"),
+            part!("stars/mesh_cells.wgsl"),
+            part!("stars/candidates.wgsl"),
+            part!("stars/cell_sky.wgsl"),
+            part!("stars/propose.wgsl"),
+        ],
+    )
+}
+
+/// Appends the constants of the kernels.
+pub(in crate::gpu) fn add_star_constants(prelude: &mut String) {
+    let numbers = [
+        ("STAR_ORDERS", ORDERS),
+        ("STAR_INTERVALS", INTERVALS as u32),
+        ("STAR_FLUX_BIAS", FLUX_BIAS),
+    ];
+    for (name, value) in STAR_CONSTANTS.into_iter().chain(numbers) {
+        add_constant(prelude, name, "u32", format!("{value}u"));
+    }
+    let steps = format!("{:?}", f64::from(TEMPERATURE_STEPS));
+    add_constant(prelude, "STAR_TEMPERATURE_STEPS", "f32", steps);
+    let radius = format!("{MIN_SOURCE_RADIUS:?}");
+    add_constant(prelude, "MIN_SOURCE_RADIUS", "f32", radius);
+    // The share of each primary in the luminance Y.
+    let [r, g, b] = rgb_from_xyz().inverse().row(1).to_array();
+    let luminance = format!("vec3<f32>({r:?}, {g:?}, {b:?})");
+    add_constant(prelude, "LUMINANCE", "vec3<f32>", luminance);
+}

@@ -1,0 +1,76 @@
+//! Cube maps of the sky, with the faces and texels of WebGPU: +x, -x, +y, -y, +z, -z, each row by
+//! row.
+
+use glam::DVec3;
+
+/// Number of faces.
+pub const FACES: usize = 6;
+
+/// The vector from the centre of the cube [-1, 1]^3 to the place (`u`, `v`) on a face. Both run from
+/// 0 to 1 as texture coordinates do, v downward. The vector is not of unit length.
+///
+/// # Panics
+/// There is no such face.
+#[must_use]
+pub fn place(face: usize, u: f64, v: f64) -> DVec3 {
+    let (s, t) = (2.0 * u - 1.0, 2.0 * v - 1.0);
+    match face {
+        0 => DVec3::new(1.0, -t, -s),
+        1 => DVec3::new(-1.0, -t, s),
+        2 => DVec3::new(s, 1.0, t),
+        3 => DVec3::new(s, -1.0, -t),
+        4 => DVec3::new(s, -t, 1.0),
+        5 => DVec3::new(-s, -t, -1.0),
+        _ => panic!("a cube has six faces; face {face} does not exist"),
+    }
+}
+
+/// The face that a direction points to, and the place there: the inverse of [`place`].
+#[must_use]
+pub fn face_and_place(direction: DVec3) -> (usize, f64, f64) {
+    let size = direction.abs();
+    let DVec3 { x, y, z } = direction;
+    let (face, along, s, t) = if size.x >= size.y && size.x >= size.z {
+        if x >= 0.0 {
+            (0, size.x, -z, -y)
+        } else {
+            (1, size.x, z, -y)
+        }
+    } else if size.y >= size.z {
+        if y >= 0.0 {
+            (2, size.y, x, z)
+        } else {
+            (3, size.y, x, -z)
+        }
+    } else if z >= 0.0 {
+        (4, size.z, x, -y)
+    } else {
+        (5, size.z, -x, -y)
+    };
+    (face, 0.5 * (s / along + 1.0), 0.5 * (t / along + 1.0))
+}
+
+/// The number of the texel that a direction points to, in a cube map of `size` texels a side.
+#[must_use]
+pub fn texel(size: usize, direction: DVec3) -> usize {
+    let (face, u, v) = face_and_place(direction);
+    let index = |place: f64| ((place * size as f64) as usize).min(size - 1);
+    (face * size + index(v)) * size + index(u)
+}
+
+/// Face, column and row of a texel by its number.
+#[must_use]
+pub fn face_column_row(size: usize, texel: usize) -> (usize, usize, usize) {
+    (texel / (size * size), texel % size, texel / size % size)
+}
+
+/// The solid angle in steradians of the texel in `column` and `row` of a face of `size` texels a
+/// side. The part of a face between its middle and (x, y) has atan(x y / sqrt(x^2 + y^2 + 1)).
+#[must_use]
+pub fn solid_angle(size: usize, column: usize, row: usize) -> f64 {
+    let edge = |index: usize| 2.0 * index as f64 / size as f64 - 1.0;
+    let corner = |x: f64, y: f64| (x * y).atan2((x * x + y * y + 1.0).sqrt());
+    let (left, right) = (edge(column), edge(column + 1));
+    let (top, bottom) = (edge(row), edge(row + 1));
+    corner(right, bottom) - corner(left, bottom) - corner(right, top) + corner(left, top)
+}

@@ -1,0 +1,62 @@
+//! What can be wrong with a catalogue of stars, each in one sentence.
+
+use super::format::{COLUMNS, MAX_STARS};
+use thiserror::Error;
+
+/// Why a text is not a catalogue of stars. `origin` is its file; lines count from 1.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum CatalogueError {
+    /// The header lacks a column.
+    #[error(
+        "{origin}: line {line}: the header has no column {column}; it needs ra_deg, dec_deg and v_mag and may have b_v and name"
+    )]
+    Column {
+        /// The file.
+        origin: String,
+        /// Line.
+        line: u64,
+        /// The column.
+        column: &'static str,
+    },
+    /// A field has a value that it cannot have.
+    #[error("{origin}: line {line}: {column} = \"{given}\" is refused: it must be {allowed}")]
+    Field {
+        /// The file.
+        origin: String,
+        /// Line.
+        line: u64,
+        /// The column.
+        column: &'static str,
+        /// The text, shortened.
+        given: String,
+        /// What it may be, in words.
+        allowed: String,
+    },
+    /// There are more stars than a catalogue may have.
+    #[error(
+        "{origin}: line {line} is one star too many: a catalogue has at most {MAX_STARS} stars"
+    )]
+    TooMany {
+        /// The file.
+        origin: String,
+        /// Line of the first star that is too many.
+        line: u64,
+    },
+    /// There is no star.
+    #[error(
+        "{origin} has no star; a star is a line {}, the last two of which may be left out",
+        COLUMNS.join(",")
+    )]
+    Empty {
+        /// The file.
+        origin: String,
+    },
+    /// The text cannot be split into fields.
+    #[error("{origin} cannot be read as CSV: {reason}")]
+    NotCsv {
+        /// The file.
+        origin: String,
+        /// What the CSV reader says.
+        reason: String,
+    },
+}

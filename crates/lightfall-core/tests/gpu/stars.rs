@@ -1,0 +1,119 @@
+//! The images of stars on the GPU: against their twin in f64, and the light that they add to the
+//! picture.
+
+mod images;
+mod light;
+mod magnification;
+mod mesh;
+
+use crate::gpu;
+use glam::{DMat3, DVec2};
+use lightfall_core::gpu::stars::{GpuStarImage, PackedStars, StarLight, StarRun};
+use lightfall_core::optics::disk;
+use lightfall_core::optics::reference::Reference;
+use lightfall_core::optics::stars::images::{Inversion, StarImage};
+use lightfall_core::optics::stars::{
+    Catalogue, Depth, ZERO_MAGNITUDE_FLUX, hole_from_celestial, luminance,
+};
+use lightfall_core::scene::{Scene, presets};
+use std::collections::HashMap;
+
+/// The limit of the catalogue.
+const LIMIT: f64 = 6.5;
+
+const DEPTH: Depth = Depth {
+    limit: LIMIT,
+    last: f64::INFINITY,
+};
+
+/// The catalogue's stars, and how they lie about the hole in most of these tests.
+fn bright_stars() -> (PackedStars, DMat3) {
+    let list = PackedStars::new(Catalogue::built_in().stars());
+    (list, hole_from_celestial(83.0, 5.0, 20.0))
+}
+
+/// The preset around a hole without spin.
+fn preset(number: usize) -> Scene {
+    let mut scene = presets::PRESETS[number - 1].plain_scene().clone();
+    scene.hole.spin = 0.0;
+    scene
+}
+
+fn star_light(scene: &Scene) -> StarLight {
+    let (list, turn) = bright_stars();
+    let gpu = gpu();
+    let run = StarRun::new(gpu, scene, &list, turn, DEPTH).unwrap();
+    run.run(gpu).unwrap()
+}
+
+/// An image in f64: its place in pixels, its luminous flux and its flux without the disk, its flux
+/// behind it, and its temperature.
+struct Truth {
+    place: DVec2,
+    luminous: f64,
+    unhidden: f64,
+    flux: f64,
+    temperature: f64,
+}
+
+/// The images of the list's stars within the picture, by star and order.
+fn truths(scene: &Scene, list: &PackedStars, turn: DMat3) -> HashMap<(u32, u32), Truth> {
+    let inversion = Inversion::new(scene).unwrap();
+    let reference = Reference::new(scene).unwrap();
+    let size = scene.picture.size().as_dvec2();
+    let camera_from_tetrad = scene.camera.tetrad_from_camera().transpose();
+    let mut truths = HashMap::new();
+    for number in 0..list.len() {
+        let star = list.star(number).unwrap();
+        let direction = (turn * star.direction.as_dvec3()).normalize();
+        for image in inversion.images(direction) {
+            let StarImage {
+                direction,
+                order,
+                shift,
+                gain,
+                ..
+            } = image;
+            let looking = camera_from_tetrad * direction;
+            let Some(place) = scene.camera.pixel_of(looking, size) else {
+                continue;
+            };
+            let luminous = star.luminous_flux * gain;
+            let beside = (place - 0.5 * size).abs() - 0.5 * size;
+            if beside.max_element() > 2.0 || luminous < 0.9 * limit_flux() {
+                continue;
+            }
+            let passed: f64 = reference
+                .trace(direction)
+                .hits
+                .iter()
+                .flatten()
+                .map(|hit| disk::transmission(scene, hit.r))
+                .product();
+            truths.insert(
+                (number, order),
+                Truth {
+                    place,
+                    luminous,
+                    unhidden: luminous / luminance(star.temperature),
+                    flux: luminous / luminance(star.temperature) * passed,
+                    temperature: star.temperature * shift,
+                },
+            );
+        }
+    }
+    truths
+}
+
+fn limit_flux() -> f64 {
+    ZERO_MAGNITUDE_FLUX * 10_f64.powf(-0.4 * LIMIT)
+}
+
+fn place_of(scene: &Scene, image: &GpuStarImage) -> DVec2 {
+    let size = scene.picture.size().as_dvec2();
+    let direction = image.direction.as_dvec3();
+    scene
+        .camera
+        .pixel_of(direction, size)
+        .unwrap_or_else(|| panic!("{image:?}"))
+}

@@ -1,0 +1,16 @@
+// What a ray met, as one small number: by it neighbouring pixels are told apart.
+//
+// Needs: OUTCOME_CAPTURED.
+// Gives: NO_CLASS, is_class_captured, ray_class.
+
+// A pixel without a ray: the foreground covers it.
+const NO_CLASS: u32 = 0u;
+
+// An outcome and a number of hits: two bits each, and one more so that it differs from NO_CLASS.
+fn ray_class(outcome: u32, hit_count: u32) -> u32 {
+    return 1u + outcome + 4u * hit_count;
+}
+
+fn is_class_captured(seen_class: u32) -> bool {
+    return seen_class != NO_CLASS && (seen_class - 1u) % 4u == OUTCOME_CAPTURED;
+}

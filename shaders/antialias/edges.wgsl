@@ -1,0 +1,159 @@
+// EDGES: marks the pixels whose neighbourhood of 3x3 pixels differs in class, or across which
+// brightness bends. The list has no fixed order. Each of its pixels is refined alone, so the order
+// does not show.
+//
+// Needs: BENT_PIXELS, BINDING_COLUMNS, BINDING_LIST, BINDING_TRAITS, BINDING_WORK, COARSE_PIXELS,
+//     NO_CLASS, SAMPLES, STRIP, Traits, WORKGROUP_SIZE, is_class_captured.
+// Gives: edges.
+
+// What one dispatch of REFINE has to do. The first three numbers are those of an indirect dispatch.
+struct Work {
+    columns: atomic<u32>,
+    // As many workgroups a column as keep the number of columns within WebGPU's limit.
+    rows: u32,
+    layers: u32,
+    groups: atomic<u32>,
+    // Pixels that get 4 rays, from the list's middle; 16, from its beginning; and 64, from its end.
+    bent: atomic<u32>,
+    coarse: atomic<u32>,
+    fine: atomic<u32>,
+}
+
+@group(0) @binding(BINDING_TRAITS) var traits: Traits;
+// The first column of the picture that belongs to the scene, and the one behind its last: beyond a
+// comparison's divider is another scene.
+@group(0) @binding(BINDING_COLUMNS) var<uniform> columns: vec2<u32>;
+@group(0) @binding(BINDING_WORK) var<storage, read_write> work: Work;
+@group(0) @binding(BINDING_LIST) var<storage, read_write> list: array<u32>;
+
+// Largest second differences of brightness across a pixel that need no refinement, and that need
+// only a few rays, in levels. The ray through a pixel's middle is wrong by a 24th of it where
+// brightness varies smoothly, and by up to half of it at an edge.
+const MAX_BEND: i32 = 40;
+const MAX_SOFT_BEND: i32 = 100;
+
+// Largest difference of brightness between classes that needs no refinement, in levels, but for the
+// edge of the shadow, where images of the disk too thin for a single ray may hide.
+const MAX_STEP: i32 = 5;
+
+// A pixel and its neighbours to the left and right.
+struct Row {
+    // Brightness, and -1 for a pixel without a class.
+    brightness: vec3<i32>,
+    // The middle pixel's class, and one bit for each class among the three.
+    own_class: u32,
+    classes: u32,
+}
+
+// The traits of a pixel. A pixel that the foreground covers in part has no class.
+fn traits_at(at: vec2<u32>) -> vec2<u32> {
+    var seen = textureLoad(traits, at, 0).xy;
+    for (var i = 1u; i < SAMPLES; i++) {
+        seen.x = select(seen.x, NO_CLASS, textureLoad(traits, at, i).x == NO_CLASS);
+    }
+    return seen;
+}
+
+// Pixels beyond the scene's border are those at it.
+fn row_at(at: vec2<u32>) -> Row {
+    let left = traits_at(vec2<u32>(max(at.x, columns.x + 1u) - 1u, at.y));
+    let middle = traits_at(at);
+    let right = traits_at(vec2<u32>(min(at.x + 1u, columns.y - 1u), at.y));
+    let seen = vec3<u32>(left.x, middle.x, right.x);
+    let bits = (vec3<u32>(1u) << seen) & vec3<u32>(~(1u << NO_CLASS));
+    let brightness = vec3<i32>(i32(left.y), i32(middle.y), i32(right.y));
+    return Row(
+        select(brightness, vec3<i32>(-1), seen == vec3<u32>(NO_CLASS)),
+        middle.x,
+        bits.x | bits.y | bits.z,
+    );
+}
+
+// The second difference across a pixel, zero beside the foreground.
+fn bend(before: i32, here: i32, after: i32) -> i32 {
+    return select(abs(before - 2 * here + after), 0, min(before, after) < 0);
+}
+
+fn largest_bend(above: vec3<i32>, here: vec3<i32>, lower: vec3<i32>) -> i32 {
+    let straight = max(bend(here.x, here.y, here.z), bend(above.y, here.y, lower.y));
+    return max(straight, max(bend(above.x, here.y, lower.z), bend(above.z, here.y, lower.x)));
+}
+
+// The difference between the greatest and the least brightness; covered pixels do not count.
+fn range(above: Row, here: Row, lower: Row) -> i32 {
+    let brightest = max(above.brightness, max(here.brightness, lower.brightness));
+    let all = array<vec3<i32>, 3>(above.brightness, here.brightness, lower.brightness);
+    var darkest = vec3<i32>(255);
+    for (var i = 0u; i < 3u; i++) {
+        darkest = min(darkest, select(all[i], vec3<i32>(255), all[i] < vec3<i32>(0)));
+    }
+    return max(brightest.x, max(brightest.y, brightest.z)) - min(darkest.x, min(darkest.y, darkest.z));
+}
+
+// Whether some of the classes are captured and others are not.
+fn passes_shadow(classes: u32) -> bool {
+    let captured = captured_classes();
+    return (classes & captured) != 0u && (classes & ~captured) != 0u;
+}
+
+fn captured_classes() -> u32 {
+    var bits = 0u;
+    for (var i = 1u; i < 16u; i++) {
+        bits |= select(0u, 1u << i, is_class_captured(i));
+    }
+    return bits;
+}
+
+fn add_group() {
+    if atomicAdd(&work.groups, 1u) % work.rows == 0u {
+        atomicAdd(&work.columns, 1u);
+    }
+}
+
+// `hard` tells an edge from brightness that only bends.
+fn mark(pixel: u32, classes: u32, hard: bool) {
+    if passes_shadow(classes) {
+        let place = atomicAdd(&work.fine, 1u);
+        list[arrayLength(&list) - 1u - place] = pixel;
+        add_group();
+        return;
+    }
+    if hard {
+        let place = atomicAdd(&work.coarse, 1u);
+        list[place] = pixel;
+        if place % COARSE_PIXELS == 0u {
+            add_group();
+        }
+        return;
+    }
+    let place = atomicAdd(&work.bent, 1u);
+    list[arrayLength(&list) / 2u + place] = pixel;
+    if place % BENT_PIXELS == 0u {
+        add_group();
+    }
+}
+
+// One invocation walks down a strip of pixels, so that it reads every row only once.
+@compute @workgroup_size(WORKGROUP_SIZE)
+fn edges(@builtin(global_invocation_id) id: vec3<u32>) {
+    let size = textureDimensions(traits);
+    let x = columns.x + id.x;
+    let top = id.y * STRIP;
+    if x >= columns.y || top >= size.y {
+        return;
+    }
+    var above = row_at(vec2<u32>(x, max(top, 1u) - 1u));
+    var here = row_at(vec2<u32>(x, top));
+    for (var y = top; y < min(top + STRIP, size.y); y++) {
+        let lower = row_at(vec2<u32>(x, min(y + 1u, size.y - 1u)));
+        let classes = above.classes | here.classes | lower.classes;
+        let bends = largest_bend(above.brightness, here.brightness, lower.brightness);
+        let hard = bends > MAX_SOFT_BEND
+            || countOneBits(classes) > 1u && range(above, here, lower) > MAX_STEP;
+        if here.own_class != NO_CLASS && (hard || bends > MAX_BEND || passes_shadow(classes)) {
+            mark(y * size.x + x, classes, hard);
+        }
+        above = here;
+        here = lower;
+    }
+}

@@ -1,0 +1,29 @@
+// The picture's fragment entry where edges are refined: the light of each pixel, and what the search
+// for edges compares.
+//
+// Needs: bounded_light, photon_from, pixel_direction, point_light, ray_class, scene, seen_along.
+// Gives: fragment.
+
+struct Pixel {
+    @location(0) light: vec4<f32>,
+    // The class of the ray, and the brightness of its light on a scale of 255 levels.
+    @location(1) traits: vec2<u32>,
+}
+
+// The brightness that a screen shows, without the tone curve: sRGB's encoding of the luminance at
+// the scene's exposure (IEC 61966-2-1).
+fn shown_brightness(light: vec3<f32>) -> f32 {
+    let luminance = clamp(dot(light, vec3<f32>(0.2126, 0.7152, 0.0722)) * scene.picture.exposure, 0.0, 1.0);
+    return select(1.055 * pow(luminance, 1.0 / 2.4) - 0.055, 12.92 * luminance, luminance < 0.0031308);
+}
+
+@fragment
+fn fragment(@builtin(position) position: vec4<f32>) -> Pixel {
+    let seen = seen_along(photon_from(pixel_direction(position.xy + scene.picture.offset)));
+    let light = bounded_light(seen.light.rgb);
+    let whole = bounded_light(light + point_light(vec2<u32>(position.xy)));
+    return Pixel(
+        vec4<f32>(whole, seen.light.a),
+        vec2<u32>(ray_class(seen.outcome, seen.hit_count), u32(255.0 * shown_brightness(light) + 0.5)),
+    );
+}

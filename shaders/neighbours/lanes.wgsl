@@ -1,0 +1,29 @@
+// How values differ between a ray and its neighbours, in a workgroup whose lanes trace the rays of
+// square grids: as derivatives of a fragment entry, each pair of neighbours has one difference.
+//
+// Needs: Footprint, WORKGROUP_SIZE, scene, square.
+// Gives: differences, lane_below, lane_beside, own_lane, own_share, ray_share.
+
+// This ray's lane, and those of its neighbours.
+var<private> own_lane: u32;
+var<private> lane_beside: u32;
+var<private> lane_below: u32;
+// The share of the pixel that this ray stands for.
+var<private> own_share: f32;
+
+var<workgroup> lanes: array<vec3<f32>, WORKGROUP_SIZE>;
+
+// All lanes must call it, before any branch.
+fn differences(value: vec3<f32>) -> Footprint {
+    // The lanes may still read the last values.
+    workgroupBarrier();
+    lanes[own_lane] = value;
+    workgroupBarrier();
+    let to_the_right = select(value - lanes[lane_beside], lanes[lane_beside] - value, lane_beside > own_lane);
+    let downward = select(value - lanes[lane_below], lanes[lane_below] - value, lane_below > own_lane);
+    return Footprint(to_the_right * scene.picture.footprint, downward * scene.picture.footprint);
+}
+
+fn ray_share() -> f32 {
+    return own_share * square(scene.picture.footprint);
+}

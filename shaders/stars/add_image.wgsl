@@ -1,0 +1,41 @@
+// The light of a star's image, and the list of images. Images arrive in the list in any order.
+//
+// Needs: BINDING_STAR_COUNT, BINDING_STAR_IMAGES, LUMINANCE, MAX_SHIFT, StarImage, WORKGROUP_SIZE,
+//     beaming_factor, is_in_view, photon_from, sky_shift, star_list, stars, thermal_colour,
+//     unpacked_flux, unpacked_temperature.
+// Gives: add_image.
+
+// How many images there are, also those that the list had no room for; and before it, the number of
+// workgroups that draws those in the list, as an indirect dispatch reads it.
+struct ImageCount {
+    groups_x: atomic<u32>,
+    groups_y: u32,
+    groups_z: u32,
+    images: atomic<u32>,
+}
+
+@group(0) @binding(BINDING_STAR_IMAGES) var<storage, read_write> star_images: array<StarImage>;
+@group(0) @binding(BINDING_STAR_COUNT) var<storage, read_write> image_count: ImageCount;
+
+// Adds the image that is seen in `direction` (right, up, forward), magnified by `magnification`,
+// unless it is outside the picture or too faint.
+fn add_image(star: u32, order: u32, direction: vec3<f32>, magnification: f32) {
+    if !is_in_view(direction, 2.0 * stars.stretch) {
+        return;
+    }
+    let photon = photon_from(direction);
+    let g = min(sky_shift(photon), MAX_SHIFT);
+    let gain = magnification * beaming_factor(g);
+    let light = star_list[star].light;
+    let luminous = unpacked_flux(light) * gain;
+    if !(luminous >= stars.flux_limit) {
+        return;
+    }
+    let temperature = unpacked_temperature(light);
+    let flux = luminous / max(dot(thermal_colour(temperature), LUMINANCE), 1e-6);
+    let index = atomicAdd(&image_count.images, 1u);
+    if index < min(stars.capacity, arrayLength(&star_images)) {
+        star_images[index] = StarImage(direction, flux, temperature * g, star, order);
+        atomicMax(&image_count.groups_x, index / WORKGROUP_SIZE + 1u);
+    }
+}

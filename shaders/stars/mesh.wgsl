@@ -1,0 +1,24 @@
+// The rays of the mesh: where each comes from. The disk is left out, because stars behind it are
+// dimmed later, and `turn` ends at a disk.
+//
+// Needs: BINDING_MESH_POINTS, MAX_SHIFT, MeshPoint, OUTCOME_SKY, WORKGROUP_SIZE, beaming_factor,
+//     in_list, mesh, mesh_place, photon_from, seen_direction, sky_shift, trace.
+// Gives: trace_mesh.
+
+@group(0) @binding(BINDING_MESH_POINTS) var<storage, read_write> mesh_points: array<MeshPoint>;
+
+// One invocation for each point.
+@compute @workgroup_size(WORKGROUP_SIZE)
+fn trace_mesh(@builtin(global_invocation_id) id: vec3<u32>) {
+    let columns = max(mesh.points.x, 1u);
+    let row = id.x / columns;
+    if row >= mesh.points.y || id.x >= arrayLength(&mesh_points) {
+        return;
+    }
+    let place = mesh_place(vec2<f32>(f32(id.x - row * columns), f32(row)));
+    let photon = photon_from(seen_direction(place));
+    let ray = trace(photon);
+    let gain = beaming_factor(min(sky_shift(photon), MAX_SHIFT));
+    let sees_sky = ray.outcome == OUTCOME_SKY;
+    mesh_points[id.x] = MeshPoint(in_list(ray.sky), ray.turn, select(-1.0, gain, sees_sky));
+}

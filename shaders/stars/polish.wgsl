@@ -1,0 +1,231 @@
+// Finds the image of each candidate by following rays: Broyden's method from the cell's own linear map
+// (Broyden 1965, "A class of methods for solving nonlinear simultaneous equations"), then five rays
+// for the last step and the magnification.
+//
+// Only the cell in which an image lies accepts it, so no image is found twice. Two cells that find the
+// same image round differently, and must agree next to their common side: so the last step begins at
+// the nearest point of a grid, and its rays depend on nothing else. Points of the grid lie on the
+// sides. Along a side its points are farther apart than elsewhere, so that rounding seldom decides
+// which one is the nearest.
+//
+// Needs: Cell, MAX_STARTS, OUTCOME_SKY, PI, ROUGH, TINY, Tangents, WORKGROUP_SIZE, add_image,
+//     candidate_at, candidate_number, cell_at, components_across, in_list, limited, mesh,
+//     mesh_place, newton_step, photon_from, safe_normalize, seen_direction, star_list, tangents_at,
+//     trace, triangles_of.
+// Gives: polish.
+
+// Maximum number of rays from one start, before the last five.
+const MAX_RAYS: u32 = 10u;
+const LAST_RAYS: u32 = 5u;
+// Lengths in cells: the longest step; the step after which the place is good enough; that after
+// MAX_RAYS; the longest last step; and how far apart two images of a star in a cell must be.
+const LONGEST_STEP: f32 = 2.0;
+const CLOSE: f32 = 5e-4;
+const LEAST_CLOSE: f32 = 0.05;
+const LONGEST_LAST_STEP: f32 = 0.05;
+const APART: f32 = 0.03;
+// How far outside its cell a search may go where the map folds.
+const FOLD_PATIENCE: f32 = 3.0;
+// Points of the grid along the side of a cell; and the same for images that lie less than NEAR_SIDE
+// from a side.
+const GRID: f32 = 4096.0;
+const SIDE_GRID: f32 = 16.0;
+const NEAR_SIDE: f32 = 1e-3;
+// How far a ray may miss a star, in radians, where nothing more precise is known.
+const ROUNDING: f32 = 3e-7;
+// Least width on the sky, in radians, of what the rays about an image enclose: what is narrower is
+// lost in their rounding. It limits the magnification, next to a caustic, to some thousands.
+const MIN_WIDTH: f32 = 4e-7;
+
+// A search for an image from one start. Places are in cells of the mesh.
+struct Search {
+    // Where the next ray goes, and where the last one that saw the sky went.
+    place: vec2<f32>,
+    last: vec2<f32>,
+    // By how much that one missed the star.
+    missed: vec2<f32>,
+    // How `missed` changes along x and y.
+    jacobian: mat2x2<f32>,
+    rays: u32,
+    state: u32,
+}
+
+const SEARCHING: u32 = 0u;
+const FOUND: u32 = 1u;
+const FAILED: u32 = 2u;
+
+fn search_from(start: u32, cell: Cell, number: vec2<u32>, star: vec3<f32>, tangents: Tangents) -> Search {
+    var triangles = triangles_of(cell);
+    let triangle = triangles[start & 1u];
+    let along_x = components_across(tangents, triangle.along_x);
+    let along_y = components_across(tangents, triangle.along_y);
+    let jacobian = mat2x2<f32>(along_x, along_y);
+    // From within the cell: where the map folds, a triangle is no measure of how far outside a star is.
+    let by_triangle = newton_step(jacobian, components_across(tangents, triangle.origin - star));
+    let local = select(vec2<f32>(0.5), clamp(by_triangle, vec2<f32>(0.0), vec2<f32>(1.0)), start < 2u);
+    let place = vec2<f32>(number) + local;
+    return Search(place, place, vec2<f32>(0.0), jacobian, 0u, SEARCHING);
+}
+
+// How far a place is from a cell, along the axis on which it is farther.
+fn distance_outside(place: vec2<f32>, number: vec2<u32>) -> f32 {
+    let off = abs(place - vec2<f32>(number) - 0.5) - 0.5;
+    return max(0.0, max(off.x, off.y));
+}
+
+// Takes what the ray through `place` has met, and says where the next one goes. The search ends when
+// the image is farther outside the cell than twice the step, or than `patience`, in cells.
+fn continue_search(
+    search: ptr<function, Search>,
+    number: vec2<u32>,
+    patience: f32,
+    sees_sky: bool,
+    missed: vec2<f32>,
+) {
+    let is_first = (*search).rays == 0u;
+    (*search).rays += 1u;
+    let done = (*search).rays >= MAX_RAYS;
+    if !sees_sky {
+        // Back toward the sky.
+        (*search).place = 0.5 * ((*search).place + (*search).last);
+        (*search).state = select(SEARCHING, FAILED, is_first || done);
+        return;
+    }
+    if !is_first {
+        let taken = (*search).place - (*search).last;
+        let unexplained = (missed - (*search).missed - (*search).jacobian * taken) / max(dot(taken, taken), TINY);
+        (*search).jacobian += mat2x2<f32>(unexplained * taken.x, unexplained * taken.y);
+    }
+    (*search).last = (*search).place;
+    (*search).missed = missed;
+    let step = limited(newton_step((*search).jacobian, missed), LONGEST_STEP);
+    (*search).place += step;
+    let size = length(step);
+    let close = size < CLOSE || length(missed) < ROUNDING || done && size < LEAST_CLOSE;
+    // Another cell finds what is clearly outside of this one.
+    let elsewhere = distance_outside((*search).place, number) > select(max(2.0 * size, patience), 2.0 * size, close) + CLOSE;
+    (*search).state = select(select(SEARCHING, FOUND, close), FAILED, elsewhere || done && !close || !(size < 1e6));
+}
+
+// The rays about an image: one through the middle, and one on each side, where the sky is seen.
+struct Cross {
+    middle: vec2<f32>,
+    // What the ray through the middle has met, and where it looked.
+    missed: vec2<f32>,
+    turn: f32,
+    sky: vec3<f32>,
+    looking: vec3<f32>,
+    // The change of the sky and of the looking direction from the left to the right and from above to
+    // below, and the lengths of these, in cells.
+    sky_x: vec3<f32>,
+    sky_y: vec3<f32>,
+    looking_x: vec3<f32>,
+    looking_y: vec3<f32>,
+    lengths: vec2<f32>,
+}
+
+fn cross_about(middle: vec2<f32>) -> Cross {
+    let zero = vec3<f32>(0.0);
+    return Cross(middle, vec2<f32>(0.0), 0.0, zero, zero, zero, zero, zero, zero, vec2<f32>(0.0));
+}
+
+// The point of the grid from which the last step begins.
+fn anchor_of(place: vec2<f32>) -> vec2<f32> {
+    let from_side = abs(place - round(place));
+    let grid = select(GRID, SIDE_GRID, min(from_side.x, from_side.y) < NEAR_SIDE);
+    return round(place * grid) / grid;
+}
+
+// Adds the image within a cross, if the cell contains it.
+fn add_found(measured: Cross, number: vec2<u32>, star: u32, tangents: Tangents) {
+    let lengths = measured.lengths;
+    if !(min(lengths.x, lengths.y) > 0.0) {
+        return;
+    }
+    let along_x = components_across(tangents, measured.sky_x) / lengths.x;
+    let along_y = components_across(tangents, measured.sky_y) / lengths.y;
+    let step = limited(newton_step(mat2x2<f32>(along_x, along_y), measured.missed), LONGEST_LAST_STEP);
+    let place = measured.middle + step;
+    let corner = vec2<f32>(number);
+    if any(place < corner) || any(place >= corner + 1.0) {
+        return;
+    }
+    let seen = length(cross(measured.looking_x, measured.looking_y));
+    let narrowest = MIN_WIDTH * max(length(measured.sky_x), length(measured.sky_y));
+    let shown = max(length(cross(measured.sky_x, measured.sky_y)), narrowest);
+    let order = u32(max(measured.turn, 0.0) / PI);
+    let share = step / lengths;
+    let direction = safe_normalize(measured.looking + share.x * measured.looking_x + share.y * measured.looking_y);
+    add_image(star, order, direction, seen / max(shown, TINY));
+}
+
+// One invocation for each candidate.
+@compute @workgroup_size(WORKGROUP_SIZE)
+fn polish(@builtin(global_invocation_id) id: vec3<u32>) {
+    if id.x >= candidate_number(ROUGH) {
+        return;
+    }
+    let candidate = candidate_at(ROUGH, id.x);
+    let number = candidate.cell;
+    let star = candidate.star;
+    let starts = candidate.starts;
+    let direction = star_list[star].direction;
+    let tangents = tangents_at(direction);
+    let cell = cell_at(number);
+    let half_step = mesh.half_step / mesh.spacing;
+    // Where the map folds, the first steps go astray.
+    let patience = select(0.0, FOLD_PATIENCE, starts > 2u);
+
+    // Where the searches from earlier starts have ended.
+    var found = vec4<f32>(-1e6);
+    for (var start = 0u; start < MAX_STARTS; start++) {
+        if (starts & (1u << start)) == 0u {
+            continue;
+        }
+        var search = search_from(start, cell, number, direction, tangents);
+        var measured = cross_about(search.place);
+        // Which ray of the cross comes next: that through the middle, right, left, below or above.
+        var arm = 0u;
+        // One loop for all rays, so that the shader contains the tracer once.
+        for (var i = 0u; i < MAX_RAYS + LAST_RAYS && search.state != FAILED && arm < LAST_RAYS; i++) {
+            let measures = search.state == FOUND;
+            let side = select(-1.0, 1.0, (arm & 1u) == 1u);
+            let axis = select(vec2<f32>(0.0, 1.0), vec2<f32>(1.0, 0.0), arm < 3u);
+            let offset = select(0.0, side * half_step, measures && arm > 0u);
+            let place = select(search.place, measured.middle, measures) + offset * axis;
+            let looking = seen_direction(mesh_place(place));
+            let ray = trace(photon_from(looking));
+            let sky = in_list(ray.sky);
+            let sees_sky = ray.outcome == OUTCOME_SKY && dot(sky, direction) > 0.0;
+            let missed = components_across(tangents, sky - direction);
+            if !measures {
+                continue_search(&search, number, patience, sees_sky, missed);
+                let nearest = min(distance(search.place, found.xy), distance(search.place, found.zw));
+                if search.state == FOUND {
+                    search.state = select(FOUND, FAILED, nearest < APART);
+                    measured = cross_about(anchor_of(search.place));
+                }
+            } else if arm == 0u {
+                measured.missed = missed;
+                measured.turn = ray.turn;
+                measured.sky = sky;
+                measured.looking = looking;
+                search.state = select(FAILED, FOUND, sees_sky);
+                arm = 1u;
+            } else {
+                let sky_step = select(0.0, side, sees_sky) * (sky - measured.sky);
+                let looking_step = select(0.0, side, sees_sky) * (looking - measured.looking);
+                measured.sky_x += axis.x * sky_step;
+                measured.sky_y += axis.y * sky_step;
+                measured.looking_x += axis.x * looking_step;
+                measured.looking_y += axis.y * looking_step;
+                measured.lengths += select(0.0, half_step, sees_sky) * axis;
+                arm += 1u;
+            }
+        }
+        if arm == LAST_RAYS {
+            found = vec4<f32>(search.place, found.xy);
+            add_found(measured, number, star, tangents);
+        }
+    }
+}

@@ -1,0 +1,74 @@
+// Draws the images of stars: adds the light of each to the squares about it, which are single pixels
+// but in very large pictures. Sums are whole numbers, so they do not depend on the order in which the
+// images are added.
+//
+// Needs: BINDING_STAR_COUNT, BINDING_STAR_IMAGES, BINDING_STAR_SUMS, StarImage, WORKGROUP_SIZE,
+//     pixel_solid_angle, project, scene, stars, thermal_colour.
+// Gives: splat.
+
+// Maximum width of an image in squares, for pictures of up to 8192 lines.
+const MAX_WIDTH: u32 = 32u;
+// Maximum light of an image on a square, in units: eight of them fit into a sum.
+const MAX_UNITS: f32 = 536870912.0;
+
+@group(0) @binding(BINDING_STAR_IMAGES) var<storage, read> star_images: array<StarImage>;
+// As in add_image.wgsl; the last number counts the images.
+@group(0) @binding(BINDING_STAR_COUNT) var<storage, read> image_count: vec4<u32>;
+// Red, green and blue of each square, row by row.
+@group(0) @binding(BINDING_STAR_SUMS) var<storage, read_write> star_sums: array<atomic<u32>>;
+
+// The cubic B-spline, wider by the stretch: zero at twice the stretch from its middle.
+fn profile(distance: f32, stretch: f32) -> f32 {
+    let x = abs(distance) / stretch;
+    let wide = max(2.0 - x, 0.0);
+    let narrow = max(1.0 - x, 0.0);
+    return wide * wide * wide - 4.0 * narrow * narrow * narrow;
+}
+
+// One invocation for each image.
+@compute @workgroup_size(WORKGROUP_SIZE)
+fn splat(@builtin(global_invocation_id) id: vec3<u32>) {
+    if id.x >= min(image_count.w, min(stars.capacity, arrayLength(&star_images))) {
+        return;
+    }
+    let image = star_images[id.x];
+    if !(image.flux > 0.0) {
+        return;
+    }
+    let light = thermal_colour(image.temperature) * (image.flux * scene.sky.brightness * stars.unit);
+    // From here on lengths are in squares.
+    let side = f32(max(stars.sums_side, 1u));
+    let place = project(image.direction) / side;
+    let stretch = max(stars.stretch / side, 1.0);
+    // The squares whose middles are within the profile, on each axis, and the sum of their weights:
+    // divided by it, they add up to one wherever the image lies.
+    let first = ceil(place - (2.0 * stretch + 0.5));
+    let width = min(u32(ceil(4.0 * stretch)), MAX_WIDTH);
+    var sums = vec2<f32>(0.0);
+    for (var i = 0u; i < width; i++) {
+        let offset = first + (f32(i) + 0.5) - place;
+        sums += vec2<f32>(profile(offset.x, stretch), profile(offset.y, stretch));
+    }
+    let whole = 1.0 / max(sums.x * sums.y, 1e-30);
+    let size = vec2<i32>(ceil(scene.picture.size / side));
+    for (var row = 0u; row < width; row++) {
+        for (var column = 0u; column < width; column++) {
+            let middle = first + vec2<f32>(f32(column), f32(row)) + 0.5;
+            let at = vec2<i32>(floor(middle));
+            if any(at < vec2<i32>(0)) || any(at >= size) {
+                continue;
+            }
+            let weight = profile(middle.x - place.x, stretch) * profile(middle.y - place.y, stretch) * whole;
+            let share = light * (weight / (side * side * pixel_solid_angle(middle * side)));
+            // Comparisons with NaN are false.
+            let units = select(vec3<f32>(0.0), min(share, vec3<f32>(MAX_UNITS)), share > vec3<f32>(0.0));
+            let index = 3u * u32(at.y * size.x + at.x);
+            if index + 2u < arrayLength(&star_sums) {
+                let rounded = vec3<u32>(units + 0.5);
+                atomicAdd(&star_sums[index], rounded.x);
+                atomicAdd(&star_sums[index + 1u], rounded.y);
+                atomicAdd(&star_sums[index + 2u], rounded.z);
+            }
+        }
+    }
+}

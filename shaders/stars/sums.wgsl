@@ -1,0 +1,17 @@
+// The light of the point sources in each pixel, which the star passes have added up.
+//
+// Needs: BINDING_STAR_SUMS, starlight.
+// Gives: point_light.
+
+// Three numbers a square, which is a pixel but in very large pictures: red, green and blue, in units of
+// starlight.light_unit.
+@group(0) @binding(BINDING_STAR_SUMS) var<storage, read> star_sums: array<u32>;
+
+// Light of the point sources whose images fall on a pixel. It is added to the pixel once, after its
+// rays are averaged, and no offset of the rays moves it.
+fn point_light(pixel: vec2<u32>) -> vec3<f32> {
+    let at = vec2<u32>((vec2<f32>(pixel) + 0.5) * starlight.squares_per_pixel);
+    let first = 3u * (at.y * starlight.columns + at.x);
+    let sums = vec3<u32>(star_sums[first], star_sums[first + 1u], star_sums[first + 2u]);
+    return starlight.light_unit * vec3<f32>(sums);
+}

@@ -1,0 +1,239 @@
+//! The mean of several frames, each with its rays at other places within their pixels: a pass that
+//! adds the light of a frame to the sum of those before it, and writes the mean to the picture.
+//!
+//! The sums are kept in two textures, of which each frame reads one and writes the other. So a frame
+//! that is drawn twice is added once.
+
+use crate::render::camera_markers::SceneCamera;
+use crate::render::draw_request::DrawRequest;
+use crate::render::geodesic::GeodesicPass;
+use crate::render::refine::refine_edges;
+use bevy::asset::uuid_handle;
+use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
+use bevy::image::ToExtents;
+use bevy::prelude::*;
+use bevy::render::diagnostic::RecordDiagnostics;
+use bevy::render::render_resource::binding_types::{texture_2d, uniform_buffer};
+use bevy::render::render_resource::*;
+use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
+use bevy::render::view::ViewTarget;
+use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
+use lightfall_core::gpu::Accumulation;
+use lightfall_core::gpu::bindings::{ACCUMULATION, ACCUMULATION_LIGHT, ACCUMULATION_SUM};
+
+const SHADER: Handle<Shader> = uuid_handle!("0f3f2f4e-93a8-4a52-8b93-2f7d6f1c0a35");
+
+/// The pass's resources on the GPU.
+#[derive(Resource)]
+pub(super) struct AccumulatePass {
+    layout: BindGroupLayoutDescriptor,
+    /// Queued when frames are averaged for the first time.
+    pipeline: Option<CachedRenderPipelineId>,
+    uniform: UniformBuffer<Accumulation>,
+    /// `None` while frames are shown as they are.
+    sums: Option<Sums>,
+    /// Whether this frame has been added.
+    added: bool,
+}
+
+/// The sums after an even and after an odd frame.
+struct Sums {
+    size: UVec2,
+    after: [TextureView; 2],
+}
+
+impl AccumulatePass {
+    /// Whether this frame has been added to the mean.
+    pub(super) fn has_added(&self) -> bool {
+        self.added
+    }
+}
+
+pub(super) fn plugin(app: &mut App) {
+    let source = Accumulation::shader().source();
+    if let Err(error) = app.world_mut().resource_mut::<Assets<Shader>>().insert(
+        SHADER.id(),
+        Shader::from_wgsl(source, "lightfall/accumulate.wgsl"),
+    ) {
+        error!("the shader of means could not be added: {error}");
+    }
+    let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
+        return;
+    };
+    render_app
+        .add_systems(RenderStartup, create_accumulate_pass)
+        .add_systems(
+            Render,
+            prepare_accumulate_pass.in_set(RenderSystems::PrepareResources),
+        )
+        .add_systems(
+            Core3d,
+            accumulate_frame
+                .in_set(Core3dSystems::MainPass)
+                .after(refine_edges),
+        );
+}
+
+fn create_accumulate_pass(mut commands: Commands) {
+    let texture = || texture_2d(TextureSampleType::Float { filterable: false });
+    let layout = BindGroupLayoutDescriptor::new(
+        "accumulation layout",
+        &BindGroupLayoutEntries::with_indices(
+            ShaderStages::FRAGMENT,
+            (
+                (ACCUMULATION, uniform_buffer::<Accumulation>(false)),
+                (ACCUMULATION_LIGHT, texture()),
+                (ACCUMULATION_SUM, texture()),
+            ),
+        ),
+    );
+    commands.insert_resource(AccumulatePass {
+        layout,
+        pipeline: None,
+        uniform: UniformBuffer::from(Accumulation::default()),
+        sums: None,
+        added: false,
+    });
+}
+
+/// Creates what a mean needs, and drops the sums where a frame is shown as it is.
+fn prepare_accumulate_pass(
+    request: Option<Res<DrawRequest>>,
+    pass: Option<ResMut<AccumulatePass>>,
+    cache: Res<PipelineCache>,
+    device: Res<RenderDevice>,
+    queue: Res<RenderQueue>,
+) {
+    let (Some(request), Some(mut pass)) = (request, pass) else {
+        return;
+    };
+    let AccumulatePass {
+        layout,
+        pipeline,
+        uniform,
+        sums,
+        added,
+    } = &mut *pass;
+    *added = false;
+    let Some(frame) = request.averaged_frame() else {
+        *sums = None;
+        return;
+    };
+    pipeline.get_or_insert_with(|| cache.queue_render_pipeline(pipeline_descriptor(layout)));
+    uniform.set(Accumulation { frame });
+    uniform.write_buffer(&device, &queue);
+    let size = request.picture_size();
+    if sums.as_ref().is_none_or(|sums| sums.size != size) {
+        *sums = Some(Sums {
+            size,
+            after: ["sum of even frames", "sum of odd frames"]
+                .map(|label| create_sum(&device, label, size)),
+        });
+    }
+}
+
+fn create_sum(device: &RenderDevice, label: &'static str, size: UVec2) -> TextureView {
+    let texture = device.create_texture(&TextureDescriptor {
+        label: Some(label),
+        size: size.to_extents(),
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: TextureDimension::D2,
+        format: TextureFormat::Rgba32Float,
+        usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    });
+    texture.create_view(&default())
+}
+
+fn pipeline_descriptor(layout: &BindGroupLayoutDescriptor) -> RenderPipelineDescriptor {
+    let target = |format| {
+        Some(ColorTargetState {
+            format,
+            blend: None,
+            write_mask: ColorWrites::ALL,
+        })
+    };
+    RenderPipelineDescriptor {
+        label: Some("accumulate".into()),
+        layout: vec![layout.clone()],
+        vertex: VertexState {
+            shader: SHADER,
+            entry_point: Some("vertex".into()),
+            ..default()
+        },
+        fragment: Some(FragmentState {
+            shader: SHADER,
+            entry_point: Some("accumulate".into()),
+            targets: vec![
+                target(TextureFormat::Rgba16Float),
+                target(TextureFormat::Rgba32Float),
+            ],
+            ..default()
+        }),
+        ..default()
+    }
+}
+
+/// Adds the frame to the mean, and shows it.
+pub(super) fn accumulate_frame(
+    view: ViewQuery<&ViewTarget, With<SceneCamera>>,
+    request: Option<Res<DrawRequest>>,
+    geodesic: Option<Res<GeodesicPass>>,
+    pass: Option<ResMut<AccumulatePass>>,
+    cache: Res<PipelineCache>,
+    mut context: RenderContext,
+) {
+    let target = view.into_inner();
+    let (Some(request), Some(geodesic), Some(mut pass)) = (request, geodesic, pass) else {
+        return;
+    };
+    let Extent3d { width, height, .. } = target.main_texture().size();
+    let sums = pass.sums.as_ref();
+    let (true, Some(frame), Some(sums), Some(pipeline), Some(uniform)) = (
+        geodesic.has_drawn_scene(),
+        request.averaged_frame(),
+        sums.filter(|sums| sums.size == UVec2::new(width, height)),
+        pass.pipeline.and_then(|id| cache.get_render_pipeline(id)),
+        pass.uniform.binding(),
+    ) else {
+        return;
+    };
+    let after = &sums.after[frame as usize % 2];
+    let before = &sums.after[(frame as usize + 1) % 2];
+    let picture = target.post_process_write();
+    let bind_group = context.render_device().create_bind_group(
+        "accumulation bindings",
+        &cache.get_bind_group_layout(&pass.layout),
+        &BindGroupEntries::with_indices((
+            (ACCUMULATION, uniform),
+            (ACCUMULATION_LIGHT, picture.source),
+            (ACCUMULATION_SUM, before),
+        )),
+    );
+    let attachment = |view| {
+        Some(RenderPassColorAttachment {
+            view,
+            depth_slice: None,
+            resolve_target: None,
+            ops: default(),
+        })
+    };
+    let diagnostics = context.diagnostic_recorder();
+    let diagnostics = diagnostics.as_deref();
+    let mut render_pass = context.begin_tracked_render_pass(RenderPassDescriptor {
+        label: Some("accumulate"),
+        color_attachments: &[attachment(picture.destination), attachment(after)],
+        depth_stencil_attachment: None,
+        timestamp_writes: None,
+        occlusion_query_set: None,
+        multiview_mask: None,
+    });
+    let span = diagnostics.pass_span(&mut render_pass, "accumulate");
+    render_pass.set_render_pipeline(pipeline);
+    render_pass.set_bind_group(0, &bind_group, &[]);
+    render_pass.draw(0..3, 0..1);
+    span.end(&mut render_pass);
+    drop(render_pass);
+    pass.added = true;
+}

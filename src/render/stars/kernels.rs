@@ -1,0 +1,126 @@
+//! The kernels of stars: their layouts and pipelines.
+
+use super::list::StarLists;
+use bevy::asset::uuid_handle;
+use bevy::platform::collections::HashMap;
+use bevy::prelude::*;
+use bevy::render::render_resource::binding_types::*;
+use bevy::render::render_resource::*;
+use lightfall_core::gpu::GpuScene;
+use lightfall_core::gpu::bindings::{SCENE, SPECTRUM, STAR_MESH, STAR_TABLE, STARS};
+use lightfall_core::gpu::stars::{GpuStarMesh, GpuStars, Kernel, propose_shader, splat_shader};
+
+const PROPOSE_SHADER: Handle<Shader> = uuid_handle!("5a1de0c4-3c8e-4d0b-8a4e-b0a6f3a7d911");
+const SPLAT_SHADER: Handle<Shader> = uuid_handle!("0f3b6c55-7a10-4a5e-9d3c-51d7a6f0c2b8");
+
+/// The layouts and pipelines of the kernels, and the lists of stars.
+#[derive(Resource)]
+pub(in crate::render) struct StarPass {
+    layouts: [BindGroupLayoutDescriptor; Kernel::ALL.len()],
+    /// The pipelines queued so far.
+    pipelines: HashMap<(Kernel, AssetId<Shader>), CachedComputePipelineId>,
+    pub(super) lists: StarLists,
+}
+
+/// The pipelines of a scene's stars, in the order of [`Kernel::ALL`]; `None` where the scene has no
+/// use for a kernel.
+#[derive(Clone, Copy)]
+pub(in crate::render) struct StarPipelines([Option<CachedComputePipelineId>; Kernel::ALL.len()]);
+
+impl Default for StarPass {
+    fn default() -> Self {
+        Self {
+            layouts: Kernel::ALL.map(layout),
+            pipelines: HashMap::default(),
+            lists: StarLists::default(),
+        }
+    }
+}
+
+impl StarPass {
+    /// The layout of a kernel's bindings.
+    pub(super) fn layout(&self, kernel: Kernel) -> &BindGroupLayoutDescriptor {
+        &self.layouts[kernel as usize]
+    }
+
+    /// The pipelines with these shaders of kernels, and with those that are the same for all scenes.
+    pub(in crate::render) fn pipelines<'a>(
+        &mut self,
+        shaders: impl Iterator<Item = (Kernel, &'a Handle<Shader>)> + Clone,
+        cache: &PipelineCache,
+    ) -> StarPipelines {
+        let by_mesh = shaders
+            .clone()
+            .any(|(kernel, _)| kernel == Kernel::TraceMesh);
+        let proposing = by_mesh.then_some(Kernel::PROPOSING);
+        let proposing = proposing.into_iter().flatten();
+        let mut pipelines = [None; Kernel::ALL.len()];
+        let all = shaders
+            .chain(proposing.map(|kernel| (kernel, &PROPOSE_SHADER)))
+            .chain([(Kernel::Splat, &SPLAT_SHADER)]);
+        for (kernel, shader) in all {
+            let layout = &self.layouts[kernel as usize];
+            let id = *self
+                .pipelines
+                .entry((kernel, shader.id()))
+                .or_insert_with(|| {
+                    cache.queue_compute_pipeline(ComputePipelineDescriptor {
+                        label: Some(kernel.entry_point().into()),
+                        layout: vec![layout.clone()],
+                        shader: shader.clone(),
+                        entry_point: Some(kernel.entry_point().into()),
+                        ..default()
+                    })
+                });
+            pipelines[kernel as usize] = Some(id);
+        }
+        StarPipelines(pipelines)
+    }
+}
+
+impl StarPipelines {
+    /// The kernels and their pipelines, in the order in which they run.
+    pub(super) fn kernels(self) -> impl Iterator<Item = (Kernel, CachedComputePipelineId)> {
+        let pairs = Kernel::ALL.into_iter().zip(self.0);
+        pairs.filter_map(|(kernel, id)| Some((kernel, id?)))
+    }
+
+    /// Whether all of them exist.
+    pub(in crate::render) fn are_ready(self, cache: &PipelineCache) -> bool {
+        self.kernels()
+            .all(|(_, id)| cache.get_compute_pipeline(id).is_some())
+    }
+}
+
+/// Adds the shaders that are the same for all scenes.
+pub(super) fn add_shaders(shaders: &mut Assets<Shader>) {
+    let texts = [
+        (PROPOSE_SHADER, propose_shader(), "lightfall/propose.wgsl"),
+        (SPLAT_SHADER, splat_shader(), "lightfall/splat.wgsl"),
+    ];
+    for (handle, text, name) in texts {
+        let shader = Shader::from_wgsl(text.source(), name);
+        if let Err(error) = shaders.insert(handle.id(), shader) {
+            error!("the shader of stars could not be added: {error}");
+        }
+    }
+}
+
+fn layout(kernel: Kernel) -> BindGroupLayoutDescriptor {
+    let read = kernel.reads().iter().map(|binding| {
+        let kind = match *binding {
+            SCENE => uniform_buffer::<GpuScene>(false),
+            STARS => uniform_buffer::<GpuStars>(false),
+            STAR_MESH => uniform_buffer::<GpuStarMesh>(false),
+            SPECTRUM | STAR_TABLE => uniform_buffer_sized(false, None),
+            _ => storage_buffer_read_only_sized(false, None),
+        };
+        kind.build(*binding, ShaderStages::COMPUTE)
+    });
+    let written = kernel
+        .writes()
+        .iter()
+        .map(|binding| storage_buffer_sized(false, None).build(*binding, ShaderStages::COMPUTE));
+    let entries: Vec<_> = read.chain(written).collect();
+    BindGroupLayoutDescriptor::new(kernel.entry_point(), &entries)
+}
