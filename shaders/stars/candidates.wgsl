@@ -1,18 +1,32 @@
-// The candidates: which stars may have an image in which cell of the mesh. Smooth cells, whose map to
-// the sky is known from the mesh alone, have a list of their own.
+// The candidates: which stars may have an image in which cell of the mesh.
 //
 // Needs: nothing.
-// Gives: FROM_MIDDLE, MAX_STARTS, ROUGH, SMOOTH, STAR_BITS, WIDE, WIDEST.
+// Gives: BENT, CANDIDATE_LISTS, FROM_MESH, FROM_MIDDLE, MAX_STARTS, RANKS, ROUGH, SMOOTH, STAR_BITS,
+//     WIDE, rank_of.
 
-// The lists, one after the other: each has room for `mesh.capacity` candidates. The last two hold cells
-// alone: those whose stars are still to be found.
+// The lists, one after the other: each has room for `mesh.capacity` candidates. They are those in cells
+// whose map to the sky is known from the mesh alone; those whose images are found by rays; those of
+// which the mesh has still to tell whether their image is in the cell; and cells whose stars have still
+// to be found.
 const SMOOTH: u32 = 0u;
 const ROUGH: u32 = 1u;
-const WIDE: u32 = 2u;
-const WIDEST: u32 = 3u;
+const BENT: u32 = 2u;
+const WIDE: u32 = 3u;
+const CANDIDATE_LISTS: u32 = 4u;
 
 // A candidate is two numbers: that of the cell, and that of the star with, in its upper bits, the
-// places from which the image is looked for: one for each triangle of the cell, and its middle.
-const STAR_BITS: u32 = 29u;
-const MAX_STARTS: u32 = 3u;
+// places from which the image is looked for: one for each triangle of the cell, its middle, and where
+// the mesh has it.
+const STAR_BITS: u32 = 28u;
+const MAX_STARTS: u32 = 4u;
 const FROM_MIDDLE: u32 = 4u;
+const FROM_MESH: u32 = 8u;
+
+// Rough candidates are counted by the rank of their stars, four ranks for each doubling of the star's
+// number: the list of stars has the brightest first.
+const RANKS: u32 = 128u;
+
+fn rank_of(star: u32) -> u32 {
+    // The exponent and two bits of the mantissa.
+    return min((bitcast<u32>(f32(star + 1u)) >> 21u) - (127u << 2u), RANKS - 1u);
+}

@@ -5,9 +5,9 @@
 // along that side alone. An image next to a side belongs to the cell on whose side of this curve it
 // lies, so that one cell accepts it, however both have rounded its place.
 //
-// Needs: PI, SMOOTH, TINY, Tangents, WORKGROUP_SIZE, add_image, candidate_at, candidate_number,
-//     components_across, limited, mesh, mesh_place, mesh_points, newton_step, pixel_solid_angle,
-//     seen_direction, star_list, tangents_at.
+// Needs: PI, Row, SMOOTH, TINY, WORKGROUP_SIZE, add_image, candidate_at, candidate_number,
+//     cubic_slopes, cubic_weights, jacobian_at, mesh, mesh_place, mesh_points, next_place,
+//     pixel_solid_angle, rows_about, seen_direction, star_list, tangents_at.
 // Gives: interpolate.
 
 // Newton's method doubles its digits in each step: from a quarter of a cell, three reach f32's.
@@ -16,64 +16,6 @@ const STEPS: u32 = 4u;
 const NEAR_SIDE: f32 = 1e-3;
 // Along a side the curve is replaced by its tangents at this many points.
 const SIDE_GRID: f32 = 16.0;
-
-// By how much the rays through a row of four points miss a star, across its direction: both components.
-struct Row {
-    first: vec4<f32>,
-    second: vec4<f32>,
-}
-
-// Weights of the values at -1, 0, 1 and 2 in the cubic polynomial through them (Lagrange's formula).
-fn cubic_weights(x: f32) -> vec4<f32> {
-    let offsets = vec4<f32>(x + 1.0, x, x - 1.0, x - 2.0);
-    return offsets.yxxx * offsets.zzyy * offsets.wwwz * vec4<f32>(-1.0 / 6.0, 0.5, -0.5, 1.0 / 6.0);
-}
-
-// The derivatives of these weights.
-fn cubic_slopes(x: f32) -> vec4<f32> {
-    let offsets = vec4<f32>(x + 1.0, x, x - 1.0, x - 2.0);
-    let pairs = offsets.zzyy * offsets.wwwz + offsets.yxxx * offsets.wwwz + offsets.yxxx * offsets.zzyy;
-    return pairs * vec4<f32>(-1.0 / 6.0, 0.5, -0.5, 1.0 / 6.0);
-}
-
-fn row_of(start: u32, star: vec3<f32>, tangents: Tangents) -> Row {
-    let points = array<vec2<f32>, 4>(
-        components_across(tangents, mesh_points[start].sky - star),
-        components_across(tangents, mesh_points[start + 1u].sky - star),
-        components_across(tangents, mesh_points[start + 2u].sky - star),
-        components_across(tangents, mesh_points[start + 3u].sky - star),
-    );
-    return Row(
-        vec4<f32>(points[0].x, points[1].x, points[2].x, points[3].x),
-        vec4<f32>(points[0].y, points[1].y, points[2].y, points[3].y),
-    );
-}
-
-// The 16 points about a cell, from the upper left one.
-fn rows_about(number: vec2<u32>, star: vec3<f32>, tangents: Tangents) -> array<Row, 4> {
-    let columns = mesh.points.x;
-    let start = (number.y - 1u) * columns + number.x - 1u;
-    return array<Row, 4>(
-        row_of(start, star, tangents),
-        row_of(start + columns, star, tangents),
-        row_of(start + 2u * columns, star, tangents),
-        row_of(start + 3u * columns, star, tangents),
-    );
-}
-
-// By how much the star is missed with these weights along x and along y.
-fn missed_at(rows: array<Row, 4>, x: vec4<f32>, y: vec4<f32>) -> vec2<f32> {
-    let first = y.x * rows[0].first + y.y * rows[1].first + y.z * rows[2].first + y.w * rows[3].first;
-    let second = y.x * rows[0].second + y.y * rows[1].second + y.z * rows[2].second + y.w * rows[3].second;
-    return vec2<f32>(dot(x, first), dot(x, second));
-}
-
-fn jacobian_at(rows: array<Row, 4>, place: vec2<f32>) -> mat2x2<f32> {
-    return mat2x2<f32>(
-        missed_at(rows, cubic_slopes(place.x), cubic_weights(place.y)),
-        missed_at(rows, cubic_weights(place.x), cubic_slopes(place.y)),
-    );
-}
 
 // The left or the right side of the cell, as a row.
 fn column_of(rows: array<Row, 4>, is_right: bool) -> Row {
@@ -135,8 +77,7 @@ fn interpolate(@builtin(global_invocation_id) id: vec3<u32>) {
     let rows = rows_about(number, direction, tangents);
     var place = vec2<f32>(0.5);
     for (var i = 0u; i < STEPS; i++) {
-        let missed = missed_at(rows, cubic_weights(place.x), cubic_weights(place.y));
-        place += limited(newton_step(jacobian_at(rows, place), missed), 1.0);
+        place = next_place(rows, place);
     }
     let along = jacobian_at(rows, place);
     let area = along[0].x * along[1].y - along[0].y * along[1].x;

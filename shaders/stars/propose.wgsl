@@ -1,48 +1,29 @@
 // Looks for the stars that may have an image in each cell of the mesh.
 //
-// The cells of an index over the sky list their stars: a cell of the mesh searches those that its own
-// sky touches. Cells that see more sky than MAX_NARROW are left to a second kernel. For those that see
-// more than MAX_INDEXED, a third one searches the list of all stars instead, until the first star that is
-// too faint: such a cell shows its sky so small that few stars are bright enough.
+// The cells of an index over the sky list their stars, in layers by brightness: a cell of the mesh
+// searches those that its own sky touches, down to the layer whose stars are too faint. Cells that see
+// more sky than MAX_NARROW are left to a second kernel, which divides the sky of each into parts. There,
+// cells that see much of the sky and show only bright stars search the list of all stars instead, until
+// the first that is too faint.
 //
-// Needs: BINDING_CANDIDATES, BINDING_CANDIDATE_COUNT, BINDING_STAR_INDEX, CellSky, FROM_MIDDLE,
-//     MAX_INDEXED, MESH_RIM, ROUGH, SMOOTH, STAR_BITS, STAR_INDEX_SIDE, WIDE, WIDEST, WIDE_GROUPS,
-//     WORKGROUP_SIZE, cell_at, cell_number, depth_within, is_whole, mesh, mesh_cells, sky_of,
-//     square, star_list, stars, unpacked_flux.
-// Gives: propose, propose_wide, propose_widest.
+// Needs: BENT, BINDING_STAR_INDEX, CellSky, FIRST_INDEX_SIDE, FROM_MIDDLE, INDEX_LAYERS,
+//     MAX_INDEXED, MESH_RIM, SMOOTH, WIDE, WIDE_GROUPS, WORKGROUP_SIZE, add_candidate, add_rough,
+//     candidate_counts, candidates, cell_at, cell_number, depth_within, is_whole, mesh, mesh_cells,
+//     sky_of, square, star_list, stars, unpacked_flux.
+// Gives: propose, propose_wide.
 
-// Invocations that share a wide cell.
-const WIDE_LANES: u32 = 8u;
 // The part of the sky, in radians, that one invocation searches.
-const MAX_NARROW: f32 = 0.025;
-// How many stars of the list, the brightest ones, a widest cell searches. Next to the inner horizon
-// light is shifted to the blue so far that all stars are bright in all cells.
-const MAX_LISTED: u32 = 1024u;
+const MAX_NARROW: f32 = 0.015;
+// The parts into which a wide cell's sky is divided.
+const PARTS: u32 = 8u;
+// The part of the sky, in radians, from which on cells that show bright stars alone search the list.
+const MIN_LISTED: f32 = 0.14;
 // Least component, along a face's axis, of a direction on that face: 1/sqrt(3), rounded down.
 const FACE_EDGE: f32 = 0.577;
 
-// The number of candidates in a list, and before it the number of workgroups that find their images,
-// as an indirect dispatch reads it.
-struct CandidateCount {
-    groups_x: atomic<u32>,
-    groups_y: u32,
-    groups_z: u32,
-    candidates: atomic<u32>,
-}
-
-// For each cell of the index, where its stars begin, and at last where they end, in pairs of numbers;
-// and then, as pairs, the places of the stars on their face, from 0 to 1, and their numbers.
+// For each layer, and in it for each cell, where the stars begin, and at last where they end, in pairs
+// of numbers; and then, as pairs, the places of the stars on their face, from 0 to 1, and their numbers.
 @group(0) @binding(BINDING_STAR_INDEX) var<storage, read> star_index: array<u32>;
-@group(0) @binding(BINDING_CANDIDATES) var<storage, read_write> candidates: array<vec2<u32>>;
-@group(0) @binding(BINDING_CANDIDATE_COUNT) var<storage, read_write> candidate_counts: array<CandidateCount, 4>;
-
-fn add_candidate(list: u32, cell: u32, star: u32, starts: u32) {
-    let index = atomicAdd(&candidate_counts[list].candidates, 1u);
-    if index < min(mesh.capacity, arrayLength(&candidates) / 4u) {
-        candidates[list * mesh.capacity + index] = vec2<u32>(cell, (starts << STAR_BITS) | star);
-        atomicMax(&candidate_counts[list].groups_x, index / WORKGROUP_SIZE + 1u);
-    }
-}
 
 // The list's star becomes a candidate if it may have an image in this cell that is bright enough.
 fn propose_star(sky: CellSky, cell: u32, star: u32) {
@@ -60,7 +41,11 @@ fn propose_star(sky: CellSky, cell: u32, star: u32) {
     let both = select(0u, 1u, above) | select(0u, 2u, below);
     let either = select(2u, 1u, above);
     let starts = select(select(either, both, sky.may_fold), both | FROM_MIDDLE, sky.is_caustic);
-    add_candidate(select(ROUGH, SMOOTH, sky.is_smooth), cell, star, starts);
+    if sky.is_smooth || sky.is_bent {
+        add_candidate(select(BENT, SMOOTH, sky.is_smooth), cell, star, starts);
+    } else {
+        add_rough(cell, star, starts);
+    }
 }
 
 // The number of stars that count.
@@ -76,17 +61,30 @@ fn covered(across: f32, radius: f32, nearest: f32, farthest: f32) -> vec2<f32> {
     return vec2<f32>(low / select(nearest, farthest, low > 0.0), high / select(farthest, nearest, high > 0.0));
 }
 
-// The cells of the index along a side, from the first to the one after the last.
-fn touched_cells(part: vec2<f32>) -> vec2<u32> {
-    let side = f32(STAR_INDEX_SIDE);
-    let places = floor(0.5 * side * (part + 1.0)) + vec2<f32>(0.0, 1.0);
-    return vec2<u32>(clamp(places, vec2<f32>(0.0), vec2<f32>(side)));
+// The cells of a layer along a side of a face, from the first to the one after the last.
+fn touched_cells(part: vec2<f32>, side: u32) -> vec2<u32> {
+    let places = floor(0.5 * f32(side) * (part + 1.0)) + vec2<f32>(0.0, 1.0);
+    return vec2<u32>(clamp(places, vec2<f32>(0.0), vec2<f32>(f32(side))));
 }
 
-// Every `step`th star, from the one with number `lane` on.
-fn propose_from_index(sky: CellSky, cell: u32, lane: u32, step: u32) {
+// The layers of the index that have stars as bright as this.
+fn layer_count(least_flux: f32) -> u32 {
+    var first = 0u;
+    for (var layer = 0u; layer < INDEX_LAYERS; layer++) {
+        if first >= star_count() || unpacked_flux(star_list[first].light) < least_flux {
+            return layer;
+        }
+        let side = FIRST_INDEX_SIDE << layer;
+        first += 6u * side * side;
+    }
+    return INDEX_LAYERS;
+}
+
+// The stars of one of several parts of the sky that a cell sees: every so many rows of the index.
+fn propose_from_index(sky: CellSky, cell: u32, part: u32, parts: u32) {
     // A little more than the radius, for rounding.
     let radius = sky.reach + 1e-4;
+    let layers = layer_count(sky.least_flux);
     for (var face = 0u; face < 6u; face++) {
         let axis = face >> 1u;
         let turned = select(select(sky.middle.zxy, sky.middle.yzx, axis == 1u), sky.middle, axis == 0u);
@@ -97,23 +95,39 @@ fn propose_from_index(sky: CellSky, cell: u32, lane: u32, step: u32) {
         let nearest = max(along - radius, FACE_EDGE);
         let part_x = covered(turned.y, radius, nearest, along + radius);
         let part_y = covered(turned.z, radius, nearest, along + radius);
-        let columns = touched_cells(part_x);
-        let rows = touched_cells(part_y);
-        // The stars of a row of cells follow each other.
-        for (var row = rows.x; row < rows.y; row++) {
-            let start = (face * STAR_INDEX_SIDE + row) * STAR_INDEX_SIDE;
-            let end = min(star_index[start + columns.y], arrayLength(&star_index) / 2u);
-            for (var i = star_index[start + columns.x] + lane; i < end; i += step) {
-                let place = 2.0 * unpack2x16unorm(star_index[2u * i]) - 1.0;
-                if place.x < part_x.x || place.x > part_x.y || place.y < part_y.x || place.y > part_y.y {
-                    continue;
-                }
-                let star = star_index[2u * i + 1u];
-                if star < star_count() {
-                    propose_star(sky, cell, star);
+        // Where the numbers of the layer begin.
+        var layer_start = 0u;
+        for (var layer = 0u; layer < layers; layer++) {
+            let side = FIRST_INDEX_SIDE << layer;
+            let columns = touched_cells(part_x, side);
+            let rows = touched_cells(part_y, side);
+            // The stars of a row of cells follow each other.
+            for (var row = rows.x + part; row < rows.y; row += parts) {
+                let start = layer_start + (face * side + row) * side;
+                let end = min(star_index[start + columns.y], arrayLength(&star_index) / 2u);
+                for (var i = star_index[start + columns.x]; i < end; i++) {
+                    let place = 2.0 * unpack2x16unorm(star_index[2u * i]) - 1.0;
+                    if place.x < part_x.x || place.x > part_x.y || place.y < part_y.x || place.y > part_y.y {
+                        continue;
+                    }
+                    let star = star_index[2u * i + 1u];
+                    if star < star_count() {
+                        propose_star(sky, cell, star);
+                    }
                 }
             }
+            layer_start += 6u * side * side + 1u;
         }
+    }
+}
+
+// The same from the list of all stars, from the brightest on.
+fn propose_from_list(sky: CellSky, cell: u32, part: u32) {
+    for (var star = part; star < star_count(); star += PARTS) {
+        if unpacked_flux(star_list[star].light) < sky.least_flux {
+            break;
+        }
+        propose_star(sky, cell, star);
     }
 }
 
@@ -130,34 +144,25 @@ fn propose(@builtin(global_invocation_id) id: vec3<u32>) {
     if sky.reach < MAX_NARROW {
         propose_from_index(sky, id.x, 0u, 1u);
     } else {
-        add_candidate(select(WIDEST, WIDE, sky.reach < MAX_INDEXED), id.x, 0u, 0u);
+        for (var part = 0u; part < PARTS; part++) {
+            add_candidate(WIDE, id.x, part, 0u);
+        }
     }
 }
 
-// The invocations of a workgroup share the stars of a wide cell.
-@compute @workgroup_size(WIDE_LANES)
-fn propose_wide(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let count = min(atomicLoad(&candidate_counts[WIDE].candidates), mesh.capacity);
-    for (var i = group.x; i < count; i += WIDE_GROUPS) {
-        let cell = candidates[WIDE * mesh.capacity + i].x;
-        let number = cell_number(cell);
-        propose_from_index(sky_of(cell_at(number), number), cell, lane, WIDE_LANES);
-    }
-}
-
-// The same for the widest, from the brightest star to the first that is too faint.
+// One invocation for each part of a wide cell's stars. Cells that see most search the list of all
+// stars.
 @compute @workgroup_size(WORKGROUP_SIZE)
-fn propose_widest(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let count = min(atomicLoad(&candidate_counts[WIDEST].candidates), mesh.capacity);
-    for (var i = group.x; i < count; i += WIDE_GROUPS) {
-        let cell = candidates[WIDEST * mesh.capacity + i].x;
-        let number = cell_number(cell);
+fn propose_wide(@builtin(global_invocation_id) id: vec3<u32>) {
+    let count = min(atomicLoad(&candidate_counts.lists[WIDE].candidates), mesh.capacity);
+    for (var i = id.x; i < count; i += WIDE_GROUPS * WORKGROUP_SIZE) {
+        let task = candidates[WIDE * mesh.capacity + i];
+        let number = cell_number(task.x);
         let sky = sky_of(cell_at(number), number);
-        for (var star = lane; star < min(star_count(), MAX_LISTED); star += WORKGROUP_SIZE) {
-            if unpacked_flux(star_list[star].light) < sky.least_flux {
-                break;
-            }
-            propose_star(sky, cell, star);
+        if sky.reach < MIN_LISTED || sky.reach < MAX_INDEXED && layer_count(sky.least_flux) > 1u {
+            propose_from_index(sky, task.x, task.y, PARTS);
+        } else {
+            propose_from_list(sky, task.x, task.y);
         }
     }
 }

@@ -1,7 +1,8 @@
 // The candidates that `propose` has listed, for the kernels that find their images.
 //
-// Needs: BINDING_CANDIDATES, BINDING_CANDIDATE_COUNT, ROUGH, STAR_BITS, cell_number, mesh.
-// Gives: candidate_at, candidate_number.
+// Needs: BINDING_CANDIDATES, BINDING_CANDIDATE_COUNT, CANDIDATE_LISTS, RANKS, ROUGH, STAR_BITS,
+//     cell_number, mesh.
+// Gives: candidate_at, candidate_number, first_rank_left_out.
 
 // A star that may have an image in a cell, and the places from which it is looked for.
 struct Candidate {
@@ -11,17 +12,37 @@ struct Candidate {
 }
 
 @group(0) @binding(BINDING_CANDIDATES) var<storage, read> candidates: array<vec2<u32>>;
-// As in propose.wgsl, for each list; the last number counts its candidates.
-@group(0) @binding(BINDING_CANDIDATE_COUNT) var<storage, read> candidate_counts: array<vec4<u32>, 4>;
+// As `CandidateCounts` in propose.wgsl: the last number of a list counts its candidates.
+struct ProposedCounts {
+    lists: array<vec4<u32>, CANDIDATE_LISTS>,
+    rough: array<u32, RANKS>,
+}
 
-// Maximum number of candidates whose images are looked for by rays: more than any picture from outside
-// the horizon has. It keeps a frame from lasting seconds.
-const MAX_ROUGH: u32 = 65536u;
+@group(0) @binding(BINDING_CANDIDATE_COUNT) var<storage, read> candidate_counts: ProposedCounts;
 
-// How many candidates of a list count.
+// Maximum number of candidates whose images are looked for by rays: twice as many as pictures from
+// outside the horizon have. It keeps a frame from lasting seconds.
+const MAX_ROUGH: u32 = 131072u;
+
+// How many candidates a list has.
 fn candidate_number(list: u32) -> u32 {
-    let room = min(mesh.capacity, arrayLength(&candidates) / 4u);
-    return min(candidate_counts[list].w, select(room, min(room, MAX_ROUGH), list == ROUGH));
+    return min(candidate_counts.lists[list].w, min(mesh.capacity, arrayLength(&candidates) / CANDIDATE_LISTS));
+}
+
+// The rank of the first stars whose rough candidates would be too many; brighter ones count. It depends
+// on how many candidates there are and not on their order.
+fn first_rank_left_out() -> u32 {
+    if candidate_counts.lists[ROUGH].w <= MAX_ROUGH {
+        return RANKS;
+    }
+    var sum = 0u;
+    for (var rank = 0u; rank < RANKS; rank++) {
+        sum += candidate_counts.rough[rank];
+        if sum > MAX_ROUGH {
+            return rank;
+        }
+    }
+    return RANKS;
 }
 
 // A candidate of a list.

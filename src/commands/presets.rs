@@ -1,6 +1,6 @@
 //! `lightfall presets`: lists, shows and checks presets.
 
-use super::cli::PresetsCommand;
+use super::cli::{PresetsCommand, assignments};
 use super::output::print_to;
 use super::stop::Stop;
 use crate::render::cost_report;
@@ -18,7 +18,11 @@ use std::path::Path;
 pub fn presets(command: &PresetsCommand, out: &mut impl Write) -> Result<(), Stop> {
     let answer = match command {
         PresetsCommand::List => list()?,
-        PresetsCommand::Show { preset, needs } => show(preset, *needs)?,
+        PresetsCommand::Show {
+            preset,
+            sets,
+            needs,
+        } => show(preset, sets, *needs)?,
         PresetsCommand::Check { file } => check(file)?,
     };
     print_to(&answer, out)
@@ -39,8 +43,9 @@ fn list() -> Result<String, Stop> {
 }
 
 /// A preset as a file with all its fields, or what it costs to draw.
-fn show(preset: &OsStr, cost: bool) -> Result<String, Stop> {
-    let scene = storage::scene_by_name("presets show", preset, &[])?;
+fn show(preset: &OsStr, sets: &[String], cost: bool) -> Result<String, Stop> {
+    let overrides = assignments(sets).map_err(Stop::refused)?;
+    let scene = storage::scene_by_name("presets show", preset, &overrides)?;
     Ok(if cost {
         cost_report(&scene)
     } else {

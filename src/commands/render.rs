@@ -15,7 +15,7 @@ use crate::render::{fit, resized};
 use glam::UVec2;
 use indicatif::ProgressBar;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::{Picture, Scene};
+use lightfall_core::scene::{Picture, Scene, SkyMode};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -63,6 +63,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     if format != Format::Exr && args.size.is_some() && args.scene.cells.is_none() {
         note_cells(&pictures.scene.picture);
     }
+    note_unseen_stars(args, &pictures.scene);
     let options = HeadlessOptions {
         timed: args.timings,
         light: format == Format::Exr,
@@ -116,6 +117,23 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         );
     }
     Ok(())
+}
+
+/// Says that a catalogue has been given for nothing.
+fn note_unseen_stars(args: &RenderArgs, scene: &Scene) {
+    let shown = match scene.sky.mode {
+        SkyMode::Stars => return,
+        SkyMode::Procedural => "stars at pseudo-random places",
+        SkyMode::Grid => "a grid",
+        SkyMode::Off => "nothing",
+    };
+    if let Some(file) = &args.scene.stars {
+        eprintln!(
+            "lightfall: --stars {} is not seen, because the sky of this scene shows {shown}; \
+             --set sky.mode=stars shows it",
+            file.display()
+        );
+    }
 }
 
 fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence, Stop> {

@@ -4,7 +4,7 @@
 use crate::render::chain::{Chain, EMPTY_PASSES, WrittenTexture};
 use crate::render::resting_frames::FRAMES_AT_REST;
 use crate::render::wave_limit::WaveLimit;
-use lightfall_core::gpu::stars::sums_size;
+use lightfall_core::gpu::stars::{Kernel, sums_size};
 use lightfall_core::gpu::{Entry, Variant};
 use lightfall_core::optics::stars::{Depth, MAX_MAGNITUDE};
 use lightfall_core::reports::numbers::four_digits;
@@ -74,6 +74,8 @@ pub fn cost_rows(scene: &Scene, limit: WaveLimit) -> Vec<(&'static str, String)>
     row("disk's light", &lights(scene, variant, limit));
     row("disk's clock", &[clock(scene)]);
     row("stars", &stars(scene, chain));
+    row("star kernels", &star_kernels(scene, chain));
+    row("star files", &star_files(scene, chain));
     row("flags set", &own(names(set)));
     row("flags not set", &own(names(unset)));
     row("shader files", &own(variant.files()));
@@ -159,14 +161,26 @@ fn stars(scene: &Scene, chain: Chain) -> Vec<String> {
         return Vec::new();
     };
     let sums = sums_size(chain.picture) as f64 / 1e6;
-    let mut lines = vec![
+    vec![
         format!("points down to V = {:.1}", depth.limit),
         format!("of stars down to V = {:.1}", depth.last),
         format!("{sums:.1} MB of sums"),
-    ];
-    let kernels = Variant::star_kernels(scene).into_iter();
-    lines.extend(kernels.map(|kernel| format!("by {}", kernel.files().join(" "))));
-    lines
+    ]
+}
+
+/// The kernels of the star pass, in the order in which they run.
+fn star_kernels(scene: &Scene, chain: Chain) -> Vec<String> {
+    let kernels = Kernel::of(scene).filter(|_| chain.stars);
+    kernels.map(|kernel| kernel.entry_point().into()).collect()
+}
+
+/// The shader files that these kernels have and the picture's shader does not.
+fn star_files(scene: &Scene, chain: Chain) -> Vec<String> {
+    let picture = Variant::picture(scene).files();
+    let kernels = Kernel::of(scene).filter(|_| chain.stars);
+    let files: BTreeSet<_> = kernels.flat_map(|kernel| kernel.files(scene)).collect();
+    let own = files.into_iter().filter(|file| !picture.contains(file));
+    own.map(str::to_owned).collect()
 }
 
 /// How edges are drawn.

@@ -1,5 +1,6 @@
 //! The arrow at the edge of the picture that points to the hole while it is out of view, and to the
-//! sky while the hole fills the view; and a ring around a hole too small to be seen.
+//! sky while the hole fills the view; and a ring around a hole too small to be seen, unless nothing
+//! of it is drawn: without lensing and disk the stars look as they do from Earth.
 
 use crate::app::state::hole_in_view::{HoleInView, SeenHole};
 use crate::app::state::overlays::Overlays;
@@ -56,7 +57,7 @@ fn show_compass(
     } else if !hole.in_picture {
         let distance = format!("hole  {} r_s", four_digits(scene.camera.r));
         draw_arrow(&painter, free, hole.direction, &distance);
-    } else {
+    } else if scene.effects.lensing || scene.disk.enabled {
         let pixels = context.pixels_per_point();
         draw_ring(&painter, &scene, &hole, window.physical_size(), pixels);
     }

@@ -163,6 +163,9 @@ pub enum PresetsCommand {
         /// Number, name, TOML file, or a picture that Lightfall drew
         #[arg(value_name = "NAME")]
         preset: OsString,
+        /// Set one field of the preset, such as camera.r=20; may be repeated, and the last value counts
+        #[arg(long = "set", value_name = "KEY=VALUE")]
+        sets: Vec<String>,
         /// Show instead which shader parts and passes it needs, and which it leaves out
         #[arg(long)]
         needs: bool,
@@ -172,6 +175,14 @@ pub enum PresetsCommand {
         /// TOML file, or a picture that Lightfall drew
         file: PathBuf,
     },
+}
+
+/// The overrides of `--set` options.
+///
+/// # Errors
+/// One that is not of the form KEY=VALUE.
+pub fn assignments(sets: &[String]) -> Result<Vec<Override>, SceneError> {
+    sets.iter().map(|set| Override::assignment(set)).collect()
 }
 
 impl SceneArgs {
@@ -196,11 +207,7 @@ impl SceneArgs {
     /// # Errors
     /// A `--set` that is not of the form KEY=VALUE.
     pub fn overrides(&self) -> Result<Vec<Override>, SceneError> {
-        let mut overrides = self
-            .sets
-            .iter()
-            .map(|set| Override::assignment(set))
-            .collect::<Result<Vec<_>, _>>()?;
+        let mut overrides = assignments(&self.sets)?;
         overrides.extend(
             self.spin
                 .as_ref()

@@ -5,7 +5,9 @@ mod measure;
 mod number;
 mod size;
 
-pub use args::{Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs};
+pub use args::{
+    Device, FlyArgs, GpuArgs, PresetsCommand, RenderArgs, SceneArgs, TraceArgs, assignments,
+};
 pub use measure::{BenchArgs, DoctorArgs, EntryArg, ExtremesArgs};
 
 use crate::app::NO_GAMEPAD;

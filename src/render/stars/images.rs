@@ -11,9 +11,9 @@ use lightfall_core::gpu::bindings::{
 };
 use lightfall_core::gpu::kernel::table_bytes;
 use lightfall_core::gpu::stars::{
-    CANDIDATE_COUNT_SIZE, CANDIDATE_LISTS, COUNT_SIZE, EMPTY_COUNT, GpuStarMesh, GpuStars, Kernel,
-    TABLE_SIZE, candidates_size, images_size, mesh_layout, mesh_points_size, solve_workgroups,
-    sums_size, table_rows,
+    CANDIDATE_COUNT_SIZE, COUNT_SIZE, EMPTY_COUNT, GpuStarMesh, GpuStars, Kernel, TABLE_SIZE,
+    candidates_size, empty_candidate_count, images_size, mesh_layout, mesh_points_size,
+    solve_workgroups, sums_size, table_rows,
 };
 use lightfall_core::gpu::{Drawable, GpuScene, GpuStarlight, Variant};
 use lightfall_core::optics::stars::images::{Inversion, MeshLayout};
@@ -273,7 +273,7 @@ impl ReadyStars<'_> {
         for (binding, buffer) in &self.drawn.buffers {
             match *binding {
                 STAR_COUNT => queue.write_buffer(buffer, 0, &none),
-                CANDIDATE_COUNT => queue.write_buffer(buffer, 0, &none.repeat(CANDIDATE_LISTS)),
+                CANDIDATE_COUNT => queue.write_buffer(buffer, 0, &empty_candidate_count()),
                 STAR_SUMS => encoder.clear_buffer(buffer, 0, None),
                 _ => {}
             }

@@ -52,7 +52,7 @@ fn naga_accepts_the_search_for_edges() {
 
 #[test]
 fn naga_accepts_the_drawing_of_stars() {
-    let propose: &[&str] = &["propose", "propose_wide", "propose_widest"];
+    let propose: &[&str] = &["propose", "propose_wide", "predict"];
     for (shader, entries) in [(propose_shader(), propose), (splat_shader(), &["splat"])] {
         if let Err(message) = validate(&shader, entries) {
             panic!("{entries:?}: {message}");

@@ -4,6 +4,7 @@
 mod images;
 mod light;
 mod magnification;
+mod many;
 mod mesh;
 
 use crate::gpu;

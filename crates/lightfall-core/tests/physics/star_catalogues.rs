@@ -63,6 +63,14 @@ fn a_refusal_names_the_line_the_column_what_was_given_and_what_is_allowed() {
             "my.csv: line 1: the header has no column ra_deg; it needs ra_deg, dec_deg and v_mag and may have b_v and name",
         ),
         (
+            "# mine\nra_deg;dec_deg;v_mag\n1;2;3\n",
+            "my.csv: line 2: its fields are separated by semicolons, and must be separated by commas",
+        ),
+        (
+            "1\t2\t3\n",
+            "my.csv: line 1: its fields are separated by tabs, and must be separated by commas",
+        ),
+        (
             "# nothing\n",
             "my.csv has no star; a star is a line ra_deg,dec_deg,v_mag,b_v,name, the last two of which may be left out",
         ),

@@ -126,6 +126,7 @@ impl Variant {
             part!("stars/candidates.wgsl"),
             part!("stars/proposed.wgsl"),
             part!("stars/tangent_plane.wgsl"),
+            part!("stars/bicubic.wgsl"),
             if by_mesh {
                 part!("stars/interpolate.wgsl")
             } else {

@@ -1,45 +1,78 @@
 //! Where on the sky the list's stars are: the index by which a cell of the mesh finds its own.
+//!
+//! The stars are in layers by their brightness, because a cell that sees much of the sky shows only
+//! bright ones. Fainter layers have more stars and smaller cells.
 
 use super::list::PackedStars;
 use glam::{UVec2, Vec2, Vec3};
+use std::ops::Range;
 
-/// Cells along a side of each of the cube's six faces: a cell covers 0.7 degrees.
-pub(super) const SIDE: u32 = 128;
+/// Number of layers.
+pub(super) const LAYERS: u32 = 4;
 
-/// The contents of `STAR_INDEX`: for each cell where its stars begin, counted in pairs of numbers from
-/// the start of the buffer, and at last where they end; then for each star, cell by cell, its place on
-/// its face and its number. The cells are in the order of faces, rows and columns; `place_of` gives a star's.
+/// Cells of the brightest layer along a side of each of the cube's six faces. Each next layer has
+/// twice as many; a cell of the last one covers 0.7 degrees.
+pub(super) const FIRST_SIDE: u32 = 32;
+
+/// The cells of a layer along a side of a face.
+fn side(layer: u32) -> u32 {
+    FIRST_SIDE << layer
+}
+
+fn cell_count(layer: u32) -> u32 {
+    6 * side(layer) * side(layer)
+}
+
+/// The stars of a layer: as many as it has cells, and in the last one all others.
+fn stars_of(layer: u32, list: &PackedStars) -> Range<u32> {
+    let first: u32 = (0..layer).map(cell_count).sum();
+    let last = if layer + 1 < LAYERS {
+        first + cell_count(layer)
+    } else {
+        u32::MAX
+    };
+    first.min(list.len())..last.min(list.len())
+}
+
+/// The contents of `STAR_INDEX`. First, layer by layer, where the stars of each cell begin, counted
+/// in pairs of numbers from the start of the buffer, and at last where they end; then for each star,
+/// cell by cell, its place on its face and its number. The cells of a layer are in the order of
+/// faces, rows and columns; `place_of` gives a star's.
 #[must_use]
 pub fn index_bytes(list: &PackedStars) -> Vec<u8> {
-    let count = 6 * (SIDE * SIDE) as usize;
     let places: Vec<(u32, Vec2)> = list.directions().map(place_of).collect();
-    let cell_of = |(face, place): &(u32, Vec2)| {
-        let cell = (place * SIDE as f32).as_uvec2().min(UVec2::splat(SIDE - 1));
-        (face * SIDE + cell.y) * SIDE + cell.x
-    };
-    let cells: Vec<u32> = places.iter().map(cell_of).collect();
-    // Each cell's end, then moved back to its start as its stars are counted from the last one.
-    let mut starts = vec![0; count + 1];
-    for cell in &cells {
-        starts[*cell as usize] += 1;
+    let numbers: u32 = (0..LAYERS).map(|layer| cell_count(layer) + 1).sum();
+    let first_pair = numbers.div_ceil(2);
+    let mut starts = Vec::new();
+    let mut stars = vec![[0; 2]; places.len()];
+    for layer in 0..LAYERS {
+        let range = stars_of(layer, list);
+        let cell_of = |star: u32| {
+            let (face, place) = places[star as usize];
+            let side = side(layer);
+            let cell = (place * side as f32).as_uvec2().min(UVec2::splat(side - 1));
+            ((face * side + cell.y) * side + cell.x) as usize
+        };
+        // Each cell's end, then moved back to its start as its stars are counted from the last one.
+        let mut ends = vec![0; cell_count(layer) as usize + 1];
+        for star in range.clone() {
+            ends[cell_of(star)] += 1;
+        }
+        let mut end = first_pair + range.start;
+        for here in &mut ends {
+            end += *here;
+            *here = end;
+        }
+        for star in range.rev() {
+            let start = &mut ends[cell_of(star)];
+            *start -= 1;
+            let place = places[star as usize].1.to_array();
+            let [x, y] = place.map(|place| (place * 65535.0).round() as u32);
+            stars[(*start - first_pair) as usize] = [x | y << 16, star];
+        }
+        starts.extend(ends);
     }
-    let first = (count as u32 + 1).div_ceil(2);
-    let mut end = first;
-    for start in &mut starts {
-        end += *start;
-        *start = end;
-    }
-    let mut stars = vec![[0; 2]; cells.len()];
-    for (star, cell) in cells.iter().enumerate().rev() {
-        let start = &mut starts[*cell as usize];
-        *start -= 1;
-        let [x, y] = places[star]
-            .1
-            .to_array()
-            .map(|place| (place * 65535.0).round() as u32);
-        stars[(*start - first) as usize] = [x | y << 16, star as u32];
-    }
-    starts.resize(2 * first as usize, 0);
+    starts.resize(2 * first_pair as usize, 0);
     let words = starts.into_iter().chain(stars.into_iter().flatten());
     words.flat_map(u32::to_le_bytes).collect()
 }

@@ -1,13 +1,13 @@
 //! The kernels of stars: what each binds, in the order in which they run.
 
 use super::COUNT_SIZE;
-use super::mesh::WIDE_GROUPS;
+use super::mesh::{PREDICT_GROUPS, WIDE_GROUPS};
 use super::shader::{propose_shader, splat_shader};
 use crate::gpu::bindings::{
     CANDIDATE_COUNT, CANDIDATES, MESH_POINTS, SCENE, SPECTRUM, STAR_COUNT, STAR_IMAGES, STAR_INDEX,
     STAR_LIST, STAR_MESH, STAR_SUMS, STAR_TABLE, STARS, WORKGROUP_SIZE,
 };
-use crate::gpu::shader::{Entry, Variant};
+use crate::gpu::shader::{Entry, ShaderText, Variant};
 use crate::optics::stars::images::MeshLayout;
 use crate::scene::Scene;
 
@@ -22,8 +22,8 @@ pub enum Kernel {
     Propose,
     /// Looks for the stars in cells that see much of the sky.
     ProposeWide,
-    /// Looks for the bright stars in cells that see very much of it.
-    ProposeWidest,
+    /// Looks which candidates in bent cells have their image there.
+    Predict,
     /// Finds the images of candidates in smooth cells.
     Interpolate,
     /// Finds those of the other candidates by rays.
@@ -41,7 +41,7 @@ impl Kernel {
         Self::TraceMesh,
         Self::Propose,
         Self::ProposeWide,
-        Self::ProposeWidest,
+        Self::Predict,
         Self::Interpolate,
         Self::Polish,
         Self::Hide,
@@ -49,7 +49,7 @@ impl Kernel {
     ];
 
     /// The kernels that look for the stars in cells of the mesh, by one shader.
-    pub const PROPOSING: [Self; 3] = [Self::Propose, Self::ProposeWide, Self::ProposeWidest];
+    pub const PROPOSING: [Self; 3] = [Self::Propose, Self::ProposeWide, Self::Predict];
 
     /// The kernels that draw the scene's stars.
     pub fn of(scene: &Scene) -> impl Iterator<Item = Self> {
@@ -64,7 +64,7 @@ impl Kernel {
             Self::TraceMesh
             | Self::Propose
             | Self::ProposeWide
-            | Self::ProposeWidest
+            | Self::Predict
             | Self::Interpolate
             | Self::Polish => by_mesh,
             Self::Hide => has_disk,
@@ -93,7 +93,7 @@ impl Kernel {
             Self::TraceMesh => "trace_mesh",
             Self::Propose => "propose",
             Self::ProposeWide => "propose_wide",
-            Self::ProposeWidest => "propose_widest",
+            Self::Predict => "predict",
             Self::Interpolate => "interpolate",
             Self::Polish => "polish",
             Self::Hide => "hide",
@@ -104,14 +104,23 @@ impl Kernel {
     /// Its WGSL text.
     #[must_use]
     pub fn source(self, scene: &Scene) -> String {
+        self.text(scene).source()
+    }
+
+    /// The files below shaders/ whose text is in its own.
+    pub fn files(self, scene: &Scene) -> Vec<&'static str> {
+        self.text(scene).files().map(|(file, _)| file).collect()
+    }
+
+    fn text(self, scene: &Scene) -> ShaderText {
         match self {
-            Self::Solve => Variant::stars(scene).source(),
-            Self::TraceMesh => Variant::star_mesh(scene).source(),
-            Self::Propose | Self::ProposeWide | Self::ProposeWidest => propose_shader().source(),
-            Self::Interpolate => Variant::star_interpolation(scene).source(),
-            Self::Polish => Variant::star_polish(scene).source(),
-            Self::Hide => Variant::hidden_stars(scene).source(),
-            Self::Splat => splat_shader().source(),
+            Self::Solve => Variant::stars(scene).text(),
+            Self::TraceMesh => Variant::star_mesh(scene).text(),
+            Self::Propose | Self::ProposeWide | Self::Predict => propose_shader(),
+            Self::Interpolate => Variant::star_interpolation(scene).text(),
+            Self::Polish => Variant::star_polish(scene).text(),
+            Self::Hide => Variant::hidden_stars(scene).text(),
+            Self::Splat => splat_shader(),
         }
     }
 
@@ -124,7 +133,7 @@ impl Kernel {
             Self::Propose | Self::ProposeWide => {
                 &[SCENE, STARS, STAR_MESH, STAR_LIST, STAR_INDEX, MESH_POINTS]
             }
-            Self::ProposeWidest => &[SCENE, STARS, STAR_MESH, STAR_LIST, MESH_POINTS],
+            Self::Predict => &[SCENE, STARS, STAR_MESH, STAR_LIST, MESH_POINTS],
             Self::Interpolate | Self::Polish => &[
                 SCENE,
                 SPECTRUM,
@@ -146,9 +155,7 @@ impl Kernel {
         match self {
             Self::Solve | Self::Interpolate | Self::Polish => &[STAR_IMAGES, STAR_COUNT],
             Self::TraceMesh => &[MESH_POINTS],
-            Self::Propose | Self::ProposeWide | Self::ProposeWidest => {
-                &[CANDIDATES, CANDIDATE_COUNT]
-            }
+            Self::Propose | Self::ProposeWide | Self::Predict => &[CANDIDATES, CANDIDATE_COUNT],
             Self::Hide => &[STAR_IMAGES],
             Self::Splat => &[STAR_SUMS],
         }
@@ -159,7 +166,8 @@ impl Kernel {
     pub fn mesh_workgroups(self, layout: &MeshLayout) -> u32 {
         match self {
             Self::TraceMesh => layout.point_count().div_ceil(WORKGROUP_SIZE),
-            Self::ProposeWide | Self::ProposeWidest => WIDE_GROUPS,
+            Self::ProposeWide => WIDE_GROUPS,
+            Self::Predict => PREDICT_GROUPS,
             _ => layout.cell_count().div_ceil(WORKGROUP_SIZE),
         }
     }
@@ -172,11 +180,9 @@ impl Kernel {
             Self::Interpolate => Some((CANDIDATE_COUNT, 0)),
             Self::Polish => Some((CANDIDATE_COUNT, COUNT_SIZE)),
             Self::Hide | Self::Splat => Some((STAR_COUNT, 0)),
-            Self::Solve
-            | Self::TraceMesh
-            | Self::Propose
-            | Self::ProposeWide
-            | Self::ProposeWidest => None,
+            Self::Solve | Self::TraceMesh | Self::Propose | Self::ProposeWide | Self::Predict => {
+                None
+            }
         }
     }
 }

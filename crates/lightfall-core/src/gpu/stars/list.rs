@@ -23,16 +23,17 @@ pub(super) const TEMPERATURE_STEPS: u32 = (1 << TEMPERATURE_BITS) - 1;
 /// Maximum number of images in the list of images, which then takes 64 MiB.
 pub const MAX_IMAGES: u32 = 1 << 21;
 
-/// Candidates per star that there is room for in each list. A star seen once is a candidate in little
-/// more than one smooth cell; and the pictures with most images show each star three times.
-const CANDIDATES_PER_STAR: u32 = 4;
+/// Candidates per star that there is room for in each list. From outside the horizon it is at most 3 in
+/// the longest list; a falling observer next to the horizon sees all stars several times, in cells each
+/// of which sees a large part of the sky.
+const CANDIDATES_PER_STAR: u32 = 14;
 
-/// Minimum number of candidates that there is room for: bright stars are candidates in many cells
-/// next to the shadow, each of which sees a large part of the sky.
-const MIN_CANDIDATES: u32 = 1 << 17;
+/// Minimum number of candidates that there is room for: wide cells are listed with the candidates, in
+/// up to eight parts each.
+const MIN_CANDIDATES: u32 = 1 << 18;
 
-/// Maximum number of candidates in each list: 32 MiB for all four.
-pub const MAX_CANDIDATES: u32 = 1 << 20;
+/// Maximum number of candidates in each list: 64 MiB for all four.
+pub const MAX_CANDIDATES: u32 = 1 << 21;
 
 /// Stars in the form that the kernels read, brightest first.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! Images of stars by a mesh of rays: its uniform, its lists and their sizes.
 
-use super::COUNT_SIZE;
 use super::list::PackedStars;
 use super::numbers::stretch;
+use super::{COUNT_SIZE, EMPTY_COUNT};
 use crate::optics::stars::images::MeshLayout;
 use crate::scene::Scene;
 use encase::ShaderType;
@@ -92,16 +92,30 @@ pub fn mesh_points_size(layout: &MeshLayout) -> u64 {
     u64::from(layout.point_count()) * <GpuMeshPoint as encase::ShaderSize>::SHADER_SIZE.get()
 }
 
-/// The workgroups of `propose_wide` and of `propose_widest`, which share the wide cells: some thousands
+/// The workgroups of `propose_wide`, which share the parts of wide cells: some ten thousands
 /// in most pictures. More are faster on a graphics card, and slower on a software renderer, where a
 /// workgroup costs time even if it finds nothing to do.
-pub(super) const WIDE_GROUPS: u32 = 1024;
+pub(super) const WIDE_GROUPS: u32 = 256;
+
+/// The workgroups of `predict`, which share the candidates in bent cells.
+pub(super) const PREDICT_GROUPS: u32 = 64;
 
 /// The lists in `CANDIDATES`, as in shaders/stars/candidates.wgsl.
-pub const CANDIDATE_LISTS: usize = 4;
+const CANDIDATE_LISTS: usize = 4;
+
+/// The ranks of stars by which rough candidates are counted, as in shaders/stars/candidates.wgsl.
+const RANKS: usize = 128;
 
 /// The size of `CANDIDATE_COUNT` in bytes.
-pub const CANDIDATE_COUNT_SIZE: u64 = CANDIDATE_LISTS as u64 * COUNT_SIZE;
+pub const CANDIDATE_COUNT_SIZE: u64 = CANDIDATE_LISTS as u64 * COUNT_SIZE + 4 * RANKS as u64;
+
+/// The contents of `CANDIDATE_COUNT` before a run: empty lists, and no candidate of any rank.
+#[must_use]
+pub fn empty_candidate_count() -> Vec<u8> {
+    let lists = EMPTY_COUNT.repeat(CANDIDATE_LISTS);
+    let words = lists.into_iter().chain([0; RANKS]);
+    words.flat_map(u32::to_le_bytes).collect()
+}
 
 /// The size of `CANDIDATES` in bytes.
 #[must_use]

@@ -15,10 +15,10 @@
 //!    place:
 //!    * `trace_mesh` ([`Variant::star_mesh`](super::Variant::star_mesh)) reads `SCENE` and
 //!      `STAR_MESH` and writes `MESH_POINTS`. It takes [`Kernel::mesh_workgroups`] workgroups.
-//!    * `propose`, `propose_wide` and `propose_widest` ([`propose_shader`]) read `SCENE`, `STARS`,
+//!    * `propose`, `propose_wide` and `predict` ([`propose_shader`]) read `SCENE`, `STARS`,
 //!      `STAR_LIST`, `STAR_MESH` and `MESH_POINTS`, the first two also `STAR_INDEX`, and write
-//!      `CANDIDATES` and `CANDIDATE_COUNT`, to which the pass has written [`EMPTY_COUNT`] once for
-//!      each of the [`CANDIDATE_LISTS`]. They take [`Kernel::mesh_workgroups`] workgroups.
+//!      `CANDIDATES` and `CANDIDATE_COUNT`, to which the pass has written [`empty_candidate_count`].
+//!      They take [`Kernel::mesh_workgroups`] workgroups.
 //!    * `interpolate` ([`Variant::star_interpolation`](super::Variant::star_interpolation)) and
 //!      `polish` ([`Variant::star_polish`](super::Variant::star_polish)) read `SCENE`, `SPECTRUM`,
 //!      `STARS`, `STAR_LIST`, `STAR_MESH`, `MESH_POINTS`, `CANDIDATES` and `CANDIDATE_COUNT`, and
@@ -66,8 +66,8 @@ pub use index::index_bytes;
 pub use kernel::Kernel;
 pub use list::{MAX_CANDIDATES, MAX_IMAGES, PackedStars, UnpackedStar};
 pub use mesh::{
-    CANDIDATE_COUNT_SIZE, CANDIDATE_LISTS, GpuMeshPoint, GpuStarMesh, candidates_size, mesh_layout,
-    mesh_points_size,
+    CANDIDATE_COUNT_SIZE, GpuMeshPoint, GpuStarMesh, candidates_size, empty_candidate_count,
+    mesh_layout, mesh_points_size,
 };
 pub use numbers::{GpuStarImage, GpuStars, light_unit, table_rows};
 pub use run::{StarLight, StarRun};
@@ -80,8 +80,8 @@ use super::bindings::{MAX_WORKGROUPS, WORKGROUP_SIZE};
 use crate::optics::stars::images::table::INTERVALS;
 use encase::ShaderSize;
 
-/// The contents of `STAR_COUNT` and of each list in `CANDIDATE_COUNT` before a run: no workgroups of the kernel that
-/// reads the list, and nothing in it.
+/// The contents of `STAR_COUNT` and of each list in `CANDIDATE_COUNT` before a run: no workgroups of the
+/// kernel that reads the list, and nothing in it.
 pub const EMPTY_COUNT: [u32; 4] = [0, 1, 1, 0];
 
 /// The size in bytes of `STAR_COUNT` and of the part of each list in `CANDIDATE_COUNT`.

@@ -4,8 +4,9 @@ use super::kernel::Kernel;
 use super::list::PackedStars;
 use super::numbers::{GpuStarImage, GpuStars, table_rows};
 use super::{
-    CANDIDATE_COUNT_SIZE, CANDIDATE_LISTS, COUNT_SIZE, EMPTY_COUNT, GpuStarMesh, candidates_size,
-    images_size, index_bytes, mesh_layout, mesh_points_size, solve_workgroups, sums_size,
+    CANDIDATE_COUNT_SIZE, COUNT_SIZE, EMPTY_COUNT, GpuStarMesh, candidates_size,
+    empty_candidate_count, images_size, index_bytes, mesh_layout, mesh_points_size,
+    solve_workgroups, sums_size,
 };
 use crate::gpu::bindings;
 use crate::gpu::buffer::{buffer_from_bytes, empty_buffer};
@@ -216,8 +217,7 @@ impl StarRun {
             match *binding {
                 bindings::STAR_COUNT => gpu.queue.write_buffer(buffer, 0, &empty),
                 bindings::CANDIDATE_COUNT => {
-                    gpu.queue
-                        .write_buffer(buffer, 0, &empty.repeat(CANDIDATE_LISTS));
+                    gpu.queue.write_buffer(buffer, 0, &empty_candidate_count());
                 }
                 bindings::STAR_SUMS => encoder.clear_buffer(buffer, 0, None),
                 _ => {}

@@ -2,7 +2,7 @@
 
 use super::index;
 use super::list::{FLUX_BIAS, TEMPERATURE_STEPS};
-use super::mesh::{MESH_RIM, WIDE_GROUPS};
+use super::mesh::{MESH_RIM, PREDICT_GROUPS, WIDE_GROUPS};
 use crate::gpu::bindings::{CONSTANTS, STAR_CONSTANTS};
 use crate::gpu::shader::ShaderText;
 use crate::gpu::shader::spectrum_constants::add_spectrum_constants;
@@ -31,8 +31,8 @@ pub fn splat_shader() -> ShaderText {
     )
 }
 
-/// The shader that looks for the stars in each cell of the mesh: entry points `propose` and
-/// `propose_wide`. It is the same for all scenes.
+/// The shader that looks for the stars in each cell of the mesh: entry points `propose`,
+/// `propose_wide` and `predict`. It is the same for all scenes.
 #[must_use]
 pub fn propose_shader() -> ShaderText {
     let mut prelude = String::new();
@@ -41,11 +41,15 @@ pub fn propose_shader() -> ShaderText {
     }
     add_spectrum_constants(&mut prelude);
     add_star_constants(&mut prelude);
-    let side = format!("{}u", index::SIDE);
-    add_constant(&mut prelude, "STAR_INDEX_SIDE", "u32", side);
-    add_constant(&mut prelude, "MESH_RIM", "u32", format!("{MESH_RIM}u"));
-    let groups = format!("{WIDE_GROUPS}u");
-    add_constant(&mut prelude, "WIDE_GROUPS", "u32", groups);
+    for (name, value) in [
+        ("INDEX_LAYERS", index::LAYERS),
+        ("FIRST_INDEX_SIDE", index::FIRST_SIDE),
+        ("MESH_RIM", MESH_RIM),
+        ("WIDE_GROUPS", WIDE_GROUPS),
+        ("PREDICT_GROUPS", PREDICT_GROUPS),
+    ] {
+        add_constant(&mut prelude, name, "u32", format!("{value}u"));
+    }
     ShaderText::new(
         prelude,
         vec![
@@ -57,8 +61,12 @@ pub fn propose_shader() -> ShaderText {
             part!("stars/mesh_points.wgsl"),
             part!("stars/mesh_cells.wgsl"),
             part!("stars/candidates.wgsl"),
+            part!("stars/add_candidate.wgsl"),
             part!("stars/cell_sky.wgsl"),
             part!("stars/propose.wgsl"),
+            part!("stars/tangent_plane.wgsl"),
+            part!("stars/bicubic.wgsl"),
+            part!("stars/predict.wgsl"),
         ],
     )
 }

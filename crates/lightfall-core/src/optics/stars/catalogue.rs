@@ -83,6 +83,7 @@ impl Catalogue {
                 record: &record,
                 places,
             };
+            row.check_separator()?;
             if std::mem::take(&mut header_may_come) && row.is_header() {
                 places = row.places_of_columns()?;
                 continue;
@@ -150,6 +151,23 @@ impl Row<'_> {
             .split(|byte| *byte == b'\n')
             .take_while(|line| line.starts_with(b"#") || line.trim_ascii().is_empty());
         position.line() + skipped.count() as u64
+    }
+
+    /// A line without commas that has other separators is refused as such: what its only field must
+    /// be would lead the reader astray.
+    fn check_separator(&self) -> Result<(), CatalogueError> {
+        let only = self.record.get(0).filter(|_| self.record.len() == 1);
+        for (mark, separator) in [(b';', "semicolons"), (b'\t', "tabs")] {
+            if only.is_some_and(|field| field.contains(&mark)) {
+                let (origin, line) = (self.origin.to_owned(), self.line());
+                return Err(CatalogueError::Separator {
+                    origin,
+                    line,
+                    separator,
+                });
+            }
+        }
+        Ok(())
     }
 
     /// A header begins with a word, and a star with a number.

@@ -18,6 +18,18 @@ pub enum CatalogueError {
         /// The column.
         column: &'static str,
     },
+    /// The fields of a line are separated by something else than commas.
+    #[error(
+        "{origin}: line {line}: its fields are separated by {separator}, and must be separated by commas"
+    )]
+    Separator {
+        /// The file.
+        origin: String,
+        /// Line.
+        line: u64,
+        /// What separates them, in words.
+        separator: &'static str,
+    },
     /// A field has a value that it cannot have.
     #[error("{origin}: line {line}: {column} = \"{given}\" is refused: it must be {allowed}")]
     Field {
