@@ -107,6 +107,8 @@ fn the_first_setting_of_every_scene_is_its_own_and_the_only_one_of_auto() {
 #[test]
 fn every_scene_is_measured_by_every_method_that_can_trace_it() {
     for subject in scenes() {
+        // Without lensing, times of methods would be those of one and the same code.
+        assert!(subject.scene.effects.lensing, "{}", subject.name);
         let methods = methods_for(&subject.scene);
         for method in Method::on_gpu() {
             let scene = Scene {

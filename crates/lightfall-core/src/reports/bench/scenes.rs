@@ -11,7 +11,8 @@ pub struct BenchScene {
     pub scene: Scene,
 }
 
-/// The scenes that are measured by default: the presets, without the one that is about a method.
+/// The scenes that are measured by default: the presets, without the one that is about a method and
+/// without those of straight rays, which every method traces alike.
 /// The opening preset comes without spin, so that every method can trace it, and once more as it
 /// is.
 #[must_use]
@@ -24,7 +25,10 @@ pub fn scenes() -> Vec<BenchScene> {
     let without_spin = [Override::new("--spin", "hole.spin", "0")];
     presets::PRESETS
         .iter()
-        .filter(|preset| preset.plain_scene().method == Method::Auto)
+        .filter(|preset| {
+            let scene = preset.plain_scene();
+            scene.method == Method::Auto && scene.effects.lensing
+        })
         .filter_map(|preset| {
             let overrides: &[Override] = if preset == opening {
                 &without_spin
