@@ -17,6 +17,7 @@ struct CandidateCount {
 struct CandidateCounts {
     lists: array<CandidateCount, CANDIDATE_LISTS>,
     rough: array<atomic<u32>, RANKS>,
+    max_traced: u32,
 }
 
 @group(0) @binding(BINDING_CANDIDATES) var<storage, read_write> candidates: array<vec2<u32>>;

@@ -16,13 +16,11 @@ struct Candidate {
 struct ProposedCounts {
     lists: array<vec4<u32>, CANDIDATE_LISTS>,
     rough: array<u32, RANKS>,
+    // How many rough candidates rays follow at most.
+    max_traced: u32,
 }
 
 @group(0) @binding(BINDING_CANDIDATE_COUNT) var<storage, read> candidate_counts: ProposedCounts;
-
-// Maximum number of candidates whose images are looked for by rays: twice as many as pictures from
-// outside the horizon have. It keeps a frame from lasting seconds.
-const MAX_ROUGH: u32 = 131072u;
 
 // How many candidates a list has.
 fn candidate_number(list: u32) -> u32 {
@@ -32,13 +30,13 @@ fn candidate_number(list: u32) -> u32 {
 // The rank of the first stars whose rough candidates would be too many; brighter ones count. It depends
 // on how many candidates there are and not on their order.
 fn first_rank_left_out() -> u32 {
-    if candidate_counts.lists[ROUGH].w <= MAX_ROUGH {
+    if candidate_counts.lists[ROUGH].w <= candidate_counts.max_traced {
         return RANKS;
     }
     var sum = 0u;
     for (var rank = 0u; rank < RANKS; rank++) {
         sum += candidate_counts.rough[rank];
-        if sum > MAX_ROUGH {
+        if sum > candidate_counts.max_traced {
             return rank;
         }
     }

@@ -227,7 +227,7 @@ fn prepare_geodesic_pass(
     shaders: Option<Res<GeodesicShaders>>,
     errors: Res<ShownErrorMap>,
     (waves, request): (Res<WaveLimit>, Option<Res<DrawRequest>>),
-    (catalogue, deepest): (Res<StarCatalogue>, Res<StarLimit>),
+    (catalogue, star_limit): (Res<StarCatalogue>, Res<StarLimit>),
     (pass, difference, antialias, stars): (
         Option<ResMut<GeodesicPass>>,
         Option<Res<DifferencePass>>,
@@ -256,7 +256,7 @@ fn prepare_geodesic_pass(
         || errors.is_changed()
         || compared.is_changed()
         || waves.is_changed()
-        || deepest.is_changed();
+        || star_limit.is_changed();
     *drawn = false;
     shared.waves = *waves;
     let shows_difference = difference.is_some_and(|pass| pass.is_ready(&cache));
@@ -331,7 +331,7 @@ fn prepare_geodesic_pass(
         shared,
         stars: &mut stars,
         catalogue: *catalogue,
-        deepest: deepest.0,
+        star_limit: *star_limit,
         frame,
         cache: &cache,
         device: &device,

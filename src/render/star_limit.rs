@@ -1,21 +1,37 @@
-//! How faint the stars are that are drawn as points at most. A window on a slow adapter stops
-//! earlier; stills draw as deep as their pixels show.
+//! How much work stars may be. A window on a slow adapter has stricter limits; stills draw as deep as
+//! their pixels show.
 
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResource;
+use lightfall_core::gpu::stars::MAX_TRACED;
 use lightfall_core::optics::stars::MAX_MAGNITUDE;
 use wgpu::DeviceType;
 
-/// The faintest V in a window on a software renderer: 80 000 stars take it a few milliseconds.
-const FAINTEST_ON_CPU: f64 = 8.5;
+/// The limits in a window on a software renderer.
+const LIMIT_ON_CPU: StarLimit = StarLimit {
+    // 80 000 stars take it a few milliseconds.
+    faintest: 8.5,
+    // A tenth of a second, or half a second next to the inner horizon. Pictures from outside have some
+    // thousands.
+    traced: 1 << 14,
+};
 
-/// The faintest V that is drawn as a point. The Milky Way holds the light of all fainter stars.
+/// Which stars are drawn as points at most.
 #[derive(Resource, Clone, Copy, Debug, PartialEq, ExtractResource)]
-pub struct StarLimit(pub f64);
+pub struct StarLimit {
+    /// The faintest V. The Milky Way holds the light of all fainter stars.
+    pub faintest: f64,
+    /// How many candidates for images rays follow. Where there are more, the faintest stars are left
+    /// out.
+    pub traced: u32,
+}
 
 impl Default for StarLimit {
     fn default() -> Self {
-        Self(MAX_MAGNITUDE)
+        Self {
+            faintest: MAX_MAGNITUDE,
+            traced: MAX_TRACED,
+        }
     }
 }
 
@@ -24,7 +40,7 @@ impl StarLimit {
     #[must_use]
     pub fn of_window(kind: DeviceType) -> Self {
         if kind == DeviceType::Cpu {
-            Self(FAINTEST_ON_CPU)
+            LIMIT_ON_CPU
         } else {
             Self::default()
         }

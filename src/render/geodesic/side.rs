@@ -2,6 +2,7 @@
 
 use super::sky::{NoStars, sky_texture};
 use crate::render::star_catalogue::StarCatalogue;
+use crate::render::star_limit::StarLimit;
 use crate::render::stars::{SceneStars, StarPass, StarPipelines, StarWriter};
 use crate::render::wave_limit::WaveLimit;
 use bevy::render::render_resource::*;
@@ -42,7 +43,7 @@ pub(super) struct SideWriter<'a> {
     pub(super) stars: &'a mut StarPass,
     pub(super) catalogue: StarCatalogue,
     /// The faintest stars that are drawn as points, in V.
-    pub(super) deepest: f64,
+    pub(super) star_limit: StarLimit,
     /// The number of the frame, and of all frames that are averaged.
     pub(super) frame: (u32, u32),
     pub(super) cache: &'a PipelineCache,
@@ -124,7 +125,7 @@ impl Side {
             shared,
             stars: pass,
             catalogue,
-            deepest,
+            star_limit,
             cache,
             device,
             queue,
@@ -143,7 +144,7 @@ impl Side {
             StarWriter {
                 pass,
                 catalogue,
-                deepest: *deepest,
+                star_limit: *star_limit,
                 spectrum: &shared.spectrum,
                 cache,
                 device,

@@ -2,6 +2,7 @@
 
 use super::kernels::{StarPass, StarPipelines};
 use super::list::GpuStarList;
+use crate::render::star_limit::StarLimit;
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
@@ -25,7 +26,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// The stars of one scene.
 pub(in crate::render) struct SceneStars {
     /// The scene that was written last, without what changes no image, and the limit of its stars.
-    written: Option<(Scene, f64)>,
+    written: Option<(Scene, StarLimit)>,
     numbers: UniformBuffer<GpuStars>,
     /// Written where images are found by a mesh.
     mesh: UniformBuffer<GpuStarMesh>,
@@ -53,6 +54,8 @@ struct Drawn {
 pub(super) struct ReadyStars<'a> {
     kernels: Vec<(Kernel, &'a ComputePipeline)>,
     drawn: &'a Drawn,
+    /// How many candidates rays follow at most.
+    max_traced: u32,
 }
 
 impl SceneStars {
@@ -80,7 +83,7 @@ pub(in crate::render) struct StarWriter<'a> {
     pub(in crate::render) pass: &'a mut StarPass,
     pub(in crate::render) catalogue: &'a Catalogue,
     /// The faintest stars that the device draws, in V.
-    pub(in crate::render) deepest: f64,
+    pub(in crate::render) star_limit: StarLimit,
     pub(in crate::render) spectrum: &'a Buffer,
     pub(in crate::render) cache: &'a PipelineCache,
     pub(in crate::render) device: &'a RenderDevice,
@@ -99,12 +102,12 @@ impl SceneStars {
     ) -> bool {
         let (device, queue) = (writer.device, writer.queue);
         self.pipelines = pipelines;
-        let wanted = (scene.for_stars(), writer.deepest);
+        let wanted = (scene.for_stars(), writer.star_limit);
         if self.written.as_ref() == Some(&wanted) {
             return false;
         }
         // A scene that can be drawn has an observer, and so has a depth.
-        let Ok(depth) = Depth::new(scene, writer.deepest) else {
+        let Ok(depth) = Depth::new(scene, writer.star_limit.faintest) else {
             return self.draw_nothing(scene, Depth::NO_POINTS, device, queue);
         };
         let lists = &mut writer.pass.lists;
@@ -254,6 +257,7 @@ impl SceneStars {
                 .map(|(kernel, id)| Some((kernel, cache.get_compute_pipeline(id)?)))
                 .collect::<Option<_>>()?,
             drawn: self.drawn.as_ref()?,
+            max_traced: self.written.as_ref()?.1.traced,
         })
     }
 }
@@ -273,7 +277,9 @@ impl ReadyStars<'_> {
         for (binding, buffer) in &self.drawn.buffers {
             match *binding {
                 STAR_COUNT => queue.write_buffer(buffer, 0, &none),
-                CANDIDATE_COUNT => queue.write_buffer(buffer, 0, &empty_candidate_count()),
+                CANDIDATE_COUNT => {
+                    queue.write_buffer(buffer, 0, &empty_candidate_count(self.max_traced));
+                }
                 STAR_SUMS => encoder.clear_buffer(buffer, 0, None),
                 _ => {}
             }

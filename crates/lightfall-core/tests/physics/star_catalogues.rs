@@ -51,6 +51,14 @@ fn a_refusal_names_the_line_the_column_what_was_given_and_what_is_allowed() {
             "my.csv: line 1: v_mag = \"\" is refused: it must be a number from -30 to 30",
         ),
         (
+            "83.8 -5.4 1.0\n",
+            "my.csv: line 1: ra_deg = \"83.8 -5.4 1.0\" is refused: it must be a number from 0 to 360",
+        ),
+        (
+            "5h35m,-5,1\n",
+            "my.csv: line 1: ra_deg = \"5h35m\" is refused: it must be a number from 0 to 360",
+        ),
+        (
             "1,2,3,NaN",
             "my.csv: line 1: b_v = \"NaN\" is refused: it must be a number, or empty if it is not known",
         ),

@@ -19,6 +19,10 @@ const HALF_STEP: f64 = 0.0875;
 /// 0.5 %; above, the bending of the map from the picture to the sky would.
 const HALF_STEPS: [f64; 2] = [3e-5, 6.1e-4];
 
+/// Maximum number of candidates that rays follow: more than pictures from a few r_s away have. It keeps a
+/// frame next to the horizon from lasting seconds.
+pub const MAX_TRACED: u32 = 1 << 17;
+
 /// Mirror of `StarMesh` in shaders/stars/mesh_points.wgsl.
 #[expect(
     missing_docs,
@@ -106,14 +110,16 @@ const CANDIDATE_LISTS: usize = 4;
 /// The ranks of stars by which rough candidates are counted, as in shaders/stars/candidates.wgsl.
 const RANKS: usize = 128;
 
-/// The size of `CANDIDATE_COUNT` in bytes.
-pub const CANDIDATE_COUNT_SIZE: u64 = CANDIDATE_LISTS as u64 * COUNT_SIZE + 4 * RANKS as u64;
+/// The size of `CANDIDATE_COUNT` in bytes: lists, ranks and a number, filled up to whole 16 bytes.
+pub const CANDIDATE_COUNT_SIZE: u64 = CANDIDATE_LISTS as u64 * COUNT_SIZE + 4 * RANKS as u64 + 16;
 
-/// The contents of `CANDIDATE_COUNT` before a run: empty lists, and no candidate of any rank.
+/// The contents of `CANDIDATE_COUNT` before a run in which rays follow at most `max_traced` candidates:
+/// empty lists, no candidate of any rank, and this number.
 #[must_use]
-pub fn empty_candidate_count() -> Vec<u8> {
+pub fn empty_candidate_count(max_traced: u32) -> Vec<u8> {
     let lists = EMPTY_COUNT.repeat(CANDIDATE_LISTS);
     let words = lists.into_iter().chain([0; RANKS]);
+    let words = words.chain([max_traced, 0, 0, 0]);
     words.flat_map(u32::to_le_bytes).collect()
 }
 

@@ -66,8 +66,8 @@ pub use index::index_bytes;
 pub use kernel::Kernel;
 pub use list::{MAX_CANDIDATES, MAX_IMAGES, PackedStars, UnpackedStar};
 pub use mesh::{
-    CANDIDATE_COUNT_SIZE, GpuMeshPoint, GpuStarMesh, candidates_size, empty_candidate_count,
-    mesh_layout, mesh_points_size,
+    CANDIDATE_COUNT_SIZE, GpuMeshPoint, GpuStarMesh, MAX_TRACED, candidates_size,
+    empty_candidate_count, mesh_layout, mesh_points_size,
 };
 pub use numbers::{GpuStarImage, GpuStars, light_unit, table_rows};
 pub use run::{StarLight, StarRun};

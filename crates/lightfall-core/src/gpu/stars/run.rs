@@ -4,7 +4,7 @@ use super::kernel::Kernel;
 use super::list::PackedStars;
 use super::numbers::{GpuStarImage, GpuStars, table_rows};
 use super::{
-    CANDIDATE_COUNT_SIZE, COUNT_SIZE, EMPTY_COUNT, GpuStarMesh, candidates_size,
+    CANDIDATE_COUNT_SIZE, COUNT_SIZE, EMPTY_COUNT, GpuStarMesh, MAX_TRACED, candidates_size,
     empty_candidate_count, images_size, index_bytes, mesh_layout, mesh_points_size,
     solve_workgroups, sums_size,
 };
@@ -217,7 +217,8 @@ impl StarRun {
             match *binding {
                 bindings::STAR_COUNT => gpu.queue.write_buffer(buffer, 0, &empty),
                 bindings::CANDIDATE_COUNT => {
-                    gpu.queue.write_buffer(buffer, 0, &empty_candidate_count());
+                    gpu.queue
+                        .write_buffer(buffer, 0, &empty_candidate_count(MAX_TRACED));
                 }
                 bindings::STAR_SUMS => encoder.clear_buffer(buffer, 0, None),
                 _ => {}

@@ -170,11 +170,13 @@ impl Row<'_> {
         Ok(())
     }
 
-    /// A header begins with a word, and a star with a number.
+    /// A header has the name of a column.
     fn is_header(&self) -> bool {
-        self.record
-            .get(0)
-            .is_some_and(|first| !first.is_empty() && number(first).is_none())
+        let is_column = |field: &[u8]| {
+            let mut columns = COLUMNS.iter();
+            columns.any(|column| field.eq_ignore_ascii_case(column.as_bytes()))
+        };
+        self.record.iter().any(is_column)
     }
 
     fn places_of_columns(&self) -> Result<[Option<usize>; 5], CatalogueError> {
