@@ -44,7 +44,7 @@ fn the_window_survives_any_size_and_being_minimised() {
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn the_window_survives_another_monitor_scale_and_a_suspended_machine() {
-    let mut desktop = Desktop::open(&["--preset", "1"]);
+    let mut desktop = Desktop::open(&["--preset", "5"]);
     let start = desktop.first_picture();
     desktop.press("p");
     // Twice the pixels for the same window, and back.
@@ -64,7 +64,7 @@ fn the_window_survives_another_monitor_scale_and_a_suspended_machine() {
     std::thread::sleep(Duration::from_secs(3));
     desktop.suspend(false);
     desktop.until("the journey goes on", |shot| changed(shot, &start) > 0.02);
-    desktop.press("1");
+    desktop.press("5");
     desktop.settled("the preset as before", |shot| changed(shot, &start) == 0.0);
     assert!(
         desktop.running() && !desktop.stderr().contains("ERROR"),
