@@ -121,6 +121,7 @@ fn limb_darkening_changes_the_light_that_the_meter_sees() {
         .unwrap()
         .scene(&[])
         .unwrap();
+    scene.disk.limb = LimbDarkening::None;
     let plain = metered_exposure(&scene).unwrap().unwrap();
     scene.disk.limb = LimbDarkening::ElectronScattering;
     let darkened = metered_exposure(&scene).unwrap().unwrap();
