@@ -24,7 +24,7 @@ const SIZE: f32 = 12.0;
 const RING: f32 = 5.0;
 const DISTANCE: f32 = 9.0;
 const COLOUR: Color32 = Color32::from_rgb(170, 200, 255);
-const SHADE: Color32 = Color32::from_black_alpha(170);
+const SHADE: Color32 = Color32::from_black_alpha(215);
 
 /// The images found, and the thread that looks for them.
 #[derive(Resource)]
@@ -164,8 +164,8 @@ fn show_star_names(
     Ok(())
 }
 
-/// Draws a ring around each image and its name beside it, the brightest first. A name that would
-/// cover another one is left out.
+/// Draws a ring around each image and its name beside it, the brightest first. An image whose name
+/// would cover another one is left out: next to the shadow, rings alone would only be clutter.
 fn draw(painter: &Painter, images: &[NamedImage], placement: &Placement) {
     let mut taken: Vec<Rect> = Vec::new();
     for image in images {
@@ -174,8 +174,8 @@ fn draw(painter: &Painter, images: &[NamedImage], placement: &Placement) {
         };
         let galley = painter.layout_no_wrap(words(image), FontId::proportional(SIZE), COLOUR);
         let place = free_place(at, galley.size(), placement.picture, &taken);
-        painter.circle_stroke(at, RING, Stroke::new(1.0, COLOUR.gamma_multiply(0.7)));
         if let Some(place) = place {
+            painter.circle_stroke(at, RING, Stroke::new(1.0, COLOUR.gamma_multiply(0.7)));
             painter.rect_filled(place.expand(1.0), 2.0, SHADE);
             painter.galley(place.min, galley, COLOUR);
             taken.push(place);
@@ -220,6 +220,10 @@ fn magnification_in_words(magnification: f64) -> String {
     match magnification {
         m if m >= 10.0 => format!("{m:.0}"),
         m if m >= 0.1 => format!("{m:.2}"),
+        m if m >= 1e-4 => {
+            let decimals = (1.0 - m.log10().floor()) as usize;
+            format!("{m:.decimals$}")
+        }
         m => format!("{m:.1e}"),
     }
 }
