@@ -52,8 +52,10 @@ fn draw_stars(
     let Some(pass) = pass else { return };
     let waiting: Vec<_> = pass
         .scene_stars()
-        .filter(|stars| stars.take_changed() || always.0)
-        .filter_map(|stars| stars.ready(&cache))
+        // A change stays until its pipelines are ready.
+        .filter_map(|stars| Some((stars, stars.ready(&cache)?)))
+        .filter(|(stars, _)| stars.take_changed() || always.0)
+        .map(|(_, ready)| ready)
         .collect();
     if waiting.is_empty() {
         return;
