@@ -1,7 +1,7 @@
 // The sky in a cell as the bicubic polynomial through the 16 points of the mesh about it.
 //
 // Needs: Tangents, components_across, limited, mesh, mesh_points, newton_step.
-// Gives: Row, cubic_slopes, cubic_weights, jacobian_at, next_place, predicted, rows_about.
+// Gives: Row, cubic_slopes, cubic_weights, jacobian_at, predicted, rows_about.
 
 // By how much the rays through a row of four points miss a star, across its direction: both components.
 struct Row {
@@ -67,9 +67,6 @@ fn next_place(rows: array<Row, 4>, place: vec2<f32>) -> vec2<f32> {
     return place + limited(newton_step(jacobian_at(rows, place), missed), 1.0);
 }
 
-// Steps of Newton's method from the middle of a cell to where the mesh has a star's image.
-const PREDICTION_STEPS: u32 = 6u;
-
 // Where the mesh has the image of a star, in cells from the cell's corner, and how far the last step
 // has gone.
 struct Prediction {
@@ -77,10 +74,11 @@ struct Prediction {
     last_step: f32,
 }
 
-fn predicted(rows: array<Row, 4>) -> Prediction {
+// By so many steps of Newton's method from the middle of the cell.
+fn predicted(rows: array<Row, 4>, steps: u32) -> Prediction {
     var place = vec2<f32>(0.5);
     var last = place;
-    for (var i = 0u; i < PREDICTION_STEPS; i++) {
+    for (var i = 0u; i < steps; i++) {
         last = place;
         place = next_place(rows, place);
     }

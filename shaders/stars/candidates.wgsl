@@ -1,8 +1,8 @@
 // The candidates: which stars may have an image in which cell of the mesh.
 //
-// Needs: nothing.
-// Gives: BENT, CANDIDATE_LISTS, FROM_MESH, FROM_MIDDLE, MAX_STARTS, RANKS, ROUGH, SMOOTH, STAR_BITS,
-//     WIDE, rank_of.
+// Needs: RANKS, cell_number.
+// Gives: BENT, Candidate, FROM_MESH, FROM_MIDDLE, MAX_STARTS, PREDICTION_STEPS, ROUGH, SMOOTH,
+//     STAR_BITS, WIDE, rank_of, unpacked_candidate.
 
 // The lists, one after the other: each has room for `mesh.capacity` candidates. They are those in cells
 // whose map to the sky is known from the mesh alone; those whose images are found by rays; those of
@@ -12,7 +12,6 @@ const SMOOTH: u32 = 0u;
 const ROUGH: u32 = 1u;
 const BENT: u32 = 2u;
 const WIDE: u32 = 3u;
-const CANDIDATE_LISTS: u32 = 4u;
 
 // A candidate is two numbers: that of the cell, and that of the star with, in its upper bits, the
 // places from which the image is looked for: one for each triangle of the cell, its middle, and where
@@ -21,11 +20,22 @@ const STAR_BITS: u32 = 28u;
 const MAX_STARTS: u32 = 4u;
 const FROM_MIDDLE: u32 = 4u;
 const FROM_MESH: u32 = 8u;
+// Steps of Newton's method to where the mesh has the image of a candidate in a bent cell.
+const PREDICTION_STEPS: u32 = 6u;
+
+// A star that may have an image in a cell, and the places from which it is looked for.
+struct Candidate {
+    cell: vec2<u32>,
+    star: u32,
+    starts: u32,
+}
+
+fn unpacked_candidate(packed: vec2<u32>) -> Candidate {
+    return Candidate(cell_number(packed.x), packed.y & ((1u << STAR_BITS) - 1u), packed.y >> STAR_BITS);
+}
 
 // Rough candidates are counted by the rank of their stars, four ranks for each doubling of the star's
 // number: the list of stars has the brightest first.
-const RANKS: u32 = 128u;
-
 fn rank_of(star: u32) -> u32 {
     // The exponent and two bits of the mantissa.
     return min((bitcast<u32>(f32(star + 1u)) >> 21u) - (127u << 2u), RANKS - 1u);

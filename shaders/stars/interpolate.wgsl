@@ -6,8 +6,8 @@
 // lies, so that one cell accepts it, however both have rounded its place.
 //
 // Needs: PI, Row, SMOOTH, TINY, WORKGROUP_SIZE, add_image, candidate_at, candidate_number,
-//     cubic_slopes, cubic_weights, jacobian_at, mesh, mesh_place, mesh_points, next_place,
-//     pixel_solid_angle, rows_about, seen_direction, star_list, tangents_at.
+//     cubic_slopes, cubic_weights, jacobian_at, mesh, mesh_place, mesh_points, pixel_solid_angle,
+//     predicted, rows_about, seen_direction, star_list, tangents_at.
 // Gives: interpolate.
 
 // Newton's method doubles its digits in each step: from a quarter of a cell, three reach f32's.
@@ -75,10 +75,7 @@ fn interpolate(@builtin(global_invocation_id) id: vec3<u32>) {
     let direction = star_list[star].direction;
     let tangents = tangents_at(direction);
     let rows = rows_about(number, direction, tangents);
-    var place = vec2<f32>(0.5);
-    for (var i = 0u; i < STEPS; i++) {
-        place = next_place(rows, place);
-    }
+    let place = predicted(rows, STEPS).place;
     let along = jacobian_at(rows, place);
     let area = along[0].x * along[1].y - along[0].y * along[1].x;
     if is_within(rows, place, sign(area)) {

@@ -8,11 +8,11 @@
 // sides. Along a side its points are farther apart than elsewhere, so that rounding seldom decides
 // which one is the nearest.
 //
-// Needs: Cell, FROM_MESH, FROM_MIDDLE, MAX_STARTS, OUTCOME_SKY, PI, ROUGH, TINY, Tangents,
-//     WORKGROUP_SIZE, add_image, candidate_at, candidate_number, cell_at, components_across,
-//     first_rank_left_out, in_list, jacobian_at, limited, mesh, mesh_place, newton_step,
-//     photon_from, predicted, rank_of, rows_about, safe_normalize, seen_direction, star_list,
-//     tangents_at, trace, triangles_of.
+// Needs: Cell, FROM_MESH, FROM_MIDDLE, MAX_STARTS, OUTCOME_SKY, PI, PREDICTION_STEPS, ROUGH, TINY,
+//     Tangents, WORKGROUP_SIZE, add_image, candidate_at, candidate_number, cell_at,
+//     components_across, first_rank_left_out, in_list, jacobian_at, limited, mesh, mesh_place,
+//     newton_step, photon_from, predicted, rank_of, rows_about, safe_normalize, seen_direction,
+//     star_list, tangents_at, trace, triangles_of.
 // Gives: polish.
 
 // Maximum number of rays from one start, before the last five.
@@ -55,7 +55,18 @@ const SEARCHING: u32 = 0u;
 const FOUND: u32 = 1u;
 const FAILED: u32 = 2u;
 
+// A search for an image of which the mesh tells nearly where it is.
+fn search_from_mesh(number: vec2<u32>, star: vec3<f32>, tangents: Tangents) -> Search {
+    let rows = rows_about(number, star, tangents);
+    let local = predicted(rows, PREDICTION_STEPS).place;
+    let place = vec2<f32>(number) + local;
+    return Search(place, place, vec2<f32>(0.0), jacobian_at(rows, local), 0u, SEARCHING);
+}
+
 fn search_from(start: u32, cell: Cell, number: vec2<u32>, star: vec3<f32>, tangents: Tangents) -> Search {
+    if (1u << start) == FROM_MESH {
+        return search_from_mesh(number, star, tangents);
+    }
     var triangles = triangles_of(cell);
     let triangle = triangles[start & 1u];
     let along_x = components_across(tangents, triangle.along_x);
@@ -66,14 +77,6 @@ fn search_from(start: u32, cell: Cell, number: vec2<u32>, star: vec3<f32>, tange
     let local = select(vec2<f32>(0.5), clamp(by_triangle, vec2<f32>(0.0), vec2<f32>(1.0)), start < 2u);
     let place = vec2<f32>(number) + local;
     return Search(place, place, vec2<f32>(0.0), jacobian, 0u, SEARCHING);
-}
-
-// A search for an image of which the mesh tells nearly where it is.
-fn search_from_mesh(number: vec2<u32>, star: vec3<f32>, tangents: Tangents) -> Search {
-    let rows = rows_about(number, star, tangents);
-    let local = predicted(rows).place;
-    let place = vec2<f32>(number) + local;
-    return Search(place, place, vec2<f32>(0.0), jacobian_at(rows, local), 0u, SEARCHING);
 }
 
 // How far a place is from a cell, along the axis on which it is farther.
@@ -195,9 +198,6 @@ fn polish(@builtin(global_invocation_id) id: vec3<u32>) {
             continue;
         }
         var search = search_from(start, cell, number, direction, tangents);
-        if (1u << start) == FROM_MESH {
-            search = search_from_mesh(number, direction, tangents);
-        }
         var measured = cross_about(search.place);
         // Which ray of the cross comes next: that through the middle, right, left, below or above.
         var arm = 0u;

@@ -67,6 +67,15 @@ fn touched_cells(part: vec2<f32>, side: u32) -> vec2<u32> {
     return vec2<u32>(clamp(places, vec2<f32>(0.0), vec2<f32>(f32(side))));
 }
 
+// The cells of a layer along a side of a face, and all of them.
+fn layer_side(layer: u32) -> u32 {
+    return FIRST_INDEX_SIDE << layer;
+}
+
+fn layer_cells(layer: u32) -> u32 {
+    return 6u * layer_side(layer) * layer_side(layer);
+}
+
 // The layers of the index that have stars as bright as this.
 fn layer_count(least_flux: f32) -> u32 {
     var first = 0u;
@@ -74,8 +83,8 @@ fn layer_count(least_flux: f32) -> u32 {
         if first >= star_count() || unpacked_flux(star_list[first].light) < least_flux {
             return layer;
         }
-        let side = FIRST_INDEX_SIDE << layer;
-        first += 6u * side * side;
+        // A layer has as many stars as cells.
+        first += layer_cells(layer);
     }
     return INDEX_LAYERS;
 }
@@ -98,7 +107,7 @@ fn propose_from_index(sky: CellSky, cell: u32, part: u32, parts: u32) {
         // Where the numbers of the layer begin.
         var layer_start = 0u;
         for (var layer = 0u; layer < layers; layer++) {
-            let side = FIRST_INDEX_SIDE << layer;
+            let side = layer_side(layer);
             let columns = touched_cells(part_x, side);
             let rows = touched_cells(part_y, side);
             // The stars of a row of cells follow each other.
@@ -116,7 +125,7 @@ fn propose_from_index(sky: CellSky, cell: u32, part: u32, parts: u32) {
                     }
                 }
             }
-            layer_start += 6u * side * side + 1u;
+            layer_start += layer_cells(layer) + 1u;
         }
     }
 }

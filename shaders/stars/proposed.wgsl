@@ -1,18 +1,11 @@
 // The candidates that `propose` has listed, for the kernels that find their images.
 //
-// Needs: BINDING_CANDIDATES, BINDING_CANDIDATE_COUNT, CANDIDATE_LISTS, RANKS, ROUGH, STAR_BITS,
-//     cell_number, mesh.
+// Needs: BINDING_CANDIDATES, BINDING_CANDIDATE_COUNT, CANDIDATE_LISTS, Candidate, RANKS, ROUGH,
+//     mesh, unpacked_candidate.
 // Gives: candidate_at, candidate_number, first_rank_left_out.
 
-// A star that may have an image in a cell, and the places from which it is looked for.
-struct Candidate {
-    cell: vec2<u32>,
-    star: u32,
-    starts: u32,
-}
-
 @group(0) @binding(BINDING_CANDIDATES) var<storage, read> candidates: array<vec2<u32>>;
-// As `CandidateCounts` in propose.wgsl: the last number of a list counts its candidates.
+// As `CandidateCounts` in add_candidate.wgsl: the last number of a list counts its candidates.
 struct ProposedCounts {
     lists: array<vec4<u32>, CANDIDATE_LISTS>,
     rough: array<u32, RANKS>,
@@ -45,7 +38,5 @@ fn first_rank_left_out() -> u32 {
 
 // A candidate of a list.
 fn candidate_at(list: u32, index: u32) -> Candidate {
-    let packed = candidates[list * mesh.capacity + index];
-    let star = packed.y & ((1u << STAR_BITS) - 1u);
-    return Candidate(cell_number(packed.x), star, packed.y >> STAR_BITS);
+    return unpacked_candidate(candidates[list * mesh.capacity + index]);
 }

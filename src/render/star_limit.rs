@@ -9,10 +9,9 @@ use wgpu::DeviceType;
 
 /// The limits in a window on a software renderer.
 const LIMIT_ON_CPU: StarLimit = StarLimit {
-    // 80 000 stars take it a few milliseconds.
+    // 80 000 stars take it a few milliseconds without spin, and a twentieth of a second with it.
     faintest: 8.5,
-    // A tenth of a second, or half a second next to the inner horizon. Pictures from outside have some
-    // thousands.
+    // An eighth of what other devices follow. Pictures from outside have some thousands.
     traced: 1 << 14,
 };
 

@@ -104,11 +104,11 @@ pub(super) const WIDE_GROUPS: u32 = 256;
 /// The workgroups of `predict`, which share the candidates in bent cells.
 pub(super) const PREDICT_GROUPS: u32 = 64;
 
-/// The lists in `CANDIDATES`, as in shaders/stars/candidates.wgsl.
-const CANDIDATE_LISTS: usize = 4;
+/// The lists in `CANDIDATES`, which shaders/stars/candidates.wgsl names.
+pub(super) const CANDIDATE_LISTS: usize = 4;
 
-/// The ranks of stars by which rough candidates are counted, as in shaders/stars/candidates.wgsl.
-const RANKS: usize = 128;
+/// The ranks of stars by which rough candidates are counted.
+pub(super) const RANKS: usize = 128;
 
 /// The size of `CANDIDATE_COUNT` in bytes: lists, ranks and a number, filled up to whole 16 bytes.
 pub const CANDIDATE_COUNT_SIZE: u64 = CANDIDATE_LISTS as u64 * COUNT_SIZE + 4 * RANKS as u64 + 16;

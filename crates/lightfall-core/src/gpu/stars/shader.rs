@@ -2,7 +2,7 @@
 
 use super::index;
 use super::list::{FLUX_BIAS, TEMPERATURE_STEPS};
-use super::mesh::{MESH_RIM, PREDICT_GROUPS, WIDE_GROUPS};
+use super::mesh::{CANDIDATE_LISTS, MESH_RIM, PREDICT_GROUPS, RANKS, WIDE_GROUPS};
 use crate::gpu::bindings::{CONSTANTS, STAR_CONSTANTS};
 use crate::gpu::shader::ShaderText;
 use crate::gpu::shader::spectrum_constants::add_spectrum_constants;
@@ -77,6 +77,8 @@ pub(in crate::gpu) fn add_star_constants(prelude: &mut String) {
         ("STAR_ORDERS", ORDERS),
         ("STAR_INTERVALS", INTERVALS as u32),
         ("STAR_FLUX_BIAS", FLUX_BIAS),
+        ("CANDIDATE_LISTS", CANDIDATE_LISTS as u32),
+        ("RANKS", RANKS as u32),
     ];
     for (name, value) in STAR_CONSTANTS.into_iter().chain(numbers) {
         add_constant(prelude, name, "u32", format!("{value}u"));
