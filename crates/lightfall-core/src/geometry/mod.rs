@@ -7,6 +7,7 @@
 
 pub mod elliptic;
 pub mod kerr;
+pub mod kerr_orbit;
 pub mod mino;
 pub mod observer;
 pub mod quadrature;

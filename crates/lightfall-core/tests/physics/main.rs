@@ -17,6 +17,7 @@ mod guides;
 mod hot_spot;
 mod inside;
 mod kerr;
+mod kerr_orbit;
 mod kerr_schild;
 mod limb;
 mod milky_way;

@@ -1,0 +1,181 @@
+//! Null geodesics of Kerr in closed form, with real arithmetic, for cameras outside the horizon.
+//!
+//! In Mino time the motions in u = 1/r and in latitude are independent (see
+//! [`mino`](crate::geometry::mino)), and the right-hand side of each is a quartic. [`Radial`] gives
+//! the time at which the ray is at infinity as one or two of Carlson's R_F, and u at any time by
+//! Weierstrass's function; [`Polar`] gives the place on the sphere. The dragging of the azimuth by
+//! the radial motion is the one integral that is left. Its value at the turning point, or at the
+//! point that the ray lingers at, is taken out, so that it does not grow next to the critical curve.
+
+mod polar;
+mod radial;
+mod weierstrass;
+
+pub use polar::Polar;
+pub use radial::{Centre, Radial};
+pub use weierstrass::weierstrass;
+
+use crate::geometry::kerr::Kerr;
+use crate::geometry::mino::{Constants, State};
+use crate::geometry::quadrature::integral_on_scale;
+use glam::{DMat3, DVec3};
+
+/// A leg of a ray, measured from a centre: from and to a distance, of which the roots are given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Leg {
+    centre: Centre,
+    from: f64,
+    to: f64,
+}
+
+/// A backward ray in closed form.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KerrOrbit {
+    start: State,
+    /// The motion in u.
+    pub radial: Radial,
+    /// The motion in latitude.
+    pub polar: Polar,
+}
+
+impl KerrOrbit {
+    /// The ray with these constants from `start` on.
+    #[must_use]
+    pub fn new(kerr: Kerr, constants: &Constants, start: State) -> Self {
+        Self {
+            start,
+            radial: Radial::new(kerr, constants),
+            polar: Polar::new(constants, &start),
+        }
+    }
+
+    /// Whether the ray reaches infinity, for a camera outside the horizon.
+    #[must_use]
+    pub fn escapes(&self) -> bool {
+        match self.radial.barrier {
+            Some(top) => self.start.u < top,
+            None => self.start.du < 0.0,
+        }
+    }
+
+    /// The Mino time to infinity, of a ray that escapes.
+    #[must_use]
+    pub fn time_to_infinity(&self) -> f64 {
+        let (u, du) = (self.start.u, self.start.du);
+        if du <= 0.0 {
+            return self.radial.direct_time([u, -du], [0.0, self.radial.energy]);
+        }
+        let turn = self.radial.turning_point(true);
+        self.radial.time_from_turn(&turn, self.distance(&turn))
+            + self.radial.time_from_turn(&turn, turn.u)
+    }
+
+    /// The camera's distance from a turning point, from its speed.
+    fn distance(&self, turn: &Centre) -> f64 {
+        let [_, c1, c2, c3, c4] = turn.c;
+        let mut y = (turn.side * (turn.u - self.start.u)).max(0.0);
+        if y < 0.25 * turn.u {
+            let f = self.start.du * self.start.du;
+            for _ in 0..3 {
+                let value = y * (c1 + y * (c2 + y * (c3 + y * c4))) - f;
+                y -= value / (c1 + y * (2.0 * c2 + y * (3.0 * c3 + 4.0 * y * c4)));
+            }
+        }
+        y.max(f64::MIN_POSITIVE)
+    }
+
+    /// The legs to infinity.
+    fn legs_to_infinity(&self) -> (f64, Vec<Leg>) {
+        let (u, du) = (self.start.u, self.start.du);
+        if self.radial.barrier.is_some() {
+            let centre = self.radial.turning_point(true);
+            let near = self.distance(&centre).sqrt();
+            let far = Leg {
+                centre,
+                from: 0.0,
+                to: centre.u.sqrt(),
+            };
+            return if du > 0.0 {
+                (
+                    centre.u,
+                    vec![
+                        Leg {
+                            centre,
+                            from: 0.0,
+                            to: near,
+                        },
+                        far,
+                    ],
+                )
+            } else {
+                (centre.u, vec![Leg { from: near, ..far }])
+            };
+        }
+        let base = self.radial.base;
+        let outer = self.radial.critical_point(1.0);
+        if u > base {
+            let inner = Leg {
+                centre: self.radial.critical_point(-1.0),
+                from: 0.0,
+                to: (u - base).sqrt(),
+            };
+            return (
+                base,
+                vec![
+                    inner,
+                    Leg {
+                        centre: outer,
+                        from: 0.0,
+                        to: base.sqrt(),
+                    },
+                ],
+            );
+        }
+        (
+            base,
+            vec![Leg {
+                centre: outer,
+                from: (base - u).sqrt(),
+                to: base.sqrt(),
+            }],
+        )
+    }
+
+    /// The dragging of the azimuth on the way to infinity, which takes the Mino time `t`.
+    fn dragging_to_infinity(&self, t: f64) -> f64 {
+        let (centre, legs) = self.legs_to_infinity();
+        let at_centre = self.radial.dragging(centre);
+        legs.iter().fold(at_centre * t, |sum, leg| {
+            let rate = |x: f64| {
+                let u = leg.centre.u - leg.centre.side * x * x;
+                (self.radial.dragging(u) - at_centre) * leg.centre.weight(x)
+            };
+            sum + integral_on_scale(1e-3, leg.from, leg.to, &rate)
+        })
+    }
+
+    /// The unit vector toward the place at infinity that the ray comes from.
+    #[must_use]
+    pub fn sky(&self) -> Option<DVec3> {
+        if !self.escapes() || self.radial.energy <= 0.0 {
+            return None;
+        }
+        let t = self.time_to_infinity();
+        let turn = self.start.chi + self.dragging_to_infinity(t);
+        Some(DMat3::from_rotation_z(turn) * self.polar.at(t))
+    }
+
+    /// u at the ray's crossing of the plane number `index`, on the way to infinity.
+    #[must_use]
+    pub fn crossing(&self, index: u32) -> Option<f64> {
+        let [first, period] = self.polar.crossing_times()?;
+        let (t, end) = (first + f64::from(index) * period, self.time_to_infinity());
+        (t < end).then(|| {
+            if t < 0.5 * end {
+                self.radial.u_after(t, [self.start.u, self.start.du])
+            } else {
+                self.radial.u_after(end - t, [0.0, self.radial.energy])
+            }
+        })
+    }
+}

@@ -1,0 +1,256 @@
+//! The motion in u = 1/r, in closed form.
+//!
+//! u'^2 = U(u) = W^2 - K' u^2 D and u'' = u p(u), where p = p_0 + p_1 u + p_2 u^2 is
+//! 2 B W - K' (D + u D'/2). So U has critical points at u = 0 and where p vanishes, in closed form.
+//! About a critical point c, with v = u - c,
+//!
+//! U = b_0 + alpha v^2 + beta v^3 + gamma v^4
+//!
+//! has no linear term, and everything follows from these four numbers: how far the critical curve is
+//! (b_0 alone is small next to it), a root e of Weierstrass's cubic, and the turning points.
+
+use crate::geometry::elliptic::carlson_rf_pair;
+use crate::geometry::kerr::Kerr;
+use crate::geometry::mino::Constants;
+
+/// Number of Newton's steps that take the cubic's root to its last digit.
+const NEWTON_STEPS: u32 = 80;
+
+/// The constants of the radial motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Radial {
+    /// E.
+    pub energy: f64,
+    /// The coefficients of p.
+    pub p: [f64; 3],
+    /// a, L and K'.
+    a: f64,
+    angular_momentum: f64,
+    k_prime: f64,
+    /// The critical point about which the numbers below are.
+    pub base: f64,
+    b_0: f64,
+    alpha: f64,
+    beta: f64,
+    gamma: f64,
+    /// The isolated root of the cubic is -alpha/6 + offset, and the other two are alpha/12 -
+    /// offset/2 +- sqrt(half_gap_squared).
+    offset: f64,
+    half_gap_squared: f64,
+    /// u of the critical point, if it is outside the horizon and U is negative there: no light with
+    /// these constants passes it.
+    pub barrier: Option<f64>,
+}
+
+/// A turning point, or another point from which a leg of the ray is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Centre {
+    /// u there.
+    pub u: f64,
+    /// 1 where the leg leads to smaller u, -1 where it leads to larger u.
+    pub side: f64,
+    /// U is the sum of c_k y^k, y the distance from the centre.
+    pub c: [f64; 5],
+    /// What the two kinds of arguments of R_F are for y -> infinity.
+    isolated: f64,
+    pair: f64,
+}
+
+impl Radial {
+    /// The motion of a ray with these constants.
+    #[must_use]
+    pub fn new(kerr: Kerr, c: &Constants) -> Self {
+        let (a, energy, k_prime) = (c.a, c.energy, c.k_prime());
+        let drag = a * (a * energy - c.angular_momentum);
+        let p = [
+            2.0 * drag * energy - k_prime,
+            1.5 * k_prime,
+            2.0 * (drag * drag - a * a * k_prime),
+        ];
+        let mut radial = Self {
+            energy,
+            p,
+            a,
+            angular_momentum: c.angular_momentum,
+            k_prime,
+            base: 0.0,
+            b_0: energy * energy,
+            alpha: p[0],
+            beta: k_prime,
+            gamma: 0.5 * p[2],
+            offset: 0.0,
+            half_gap_squared: 0.0,
+            barrier: None,
+        };
+        let root2 = p[1] * p[1] - 4.0 * p[0] * p[2];
+        let u_horizon = 1.0 / kerr.horizon();
+        if p[0] < 0.0 && root2 >= 0.0 {
+            let root = root2.sqrt();
+            let u = -2.0 * p[0] / (p[1] + root);
+            let w = energy + drag * u * u;
+            let d = (1.0 - kerr.horizon() * u) * (1.0 - kerr.inner_horizon() * u);
+            let b_0 = w * w - k_prime * u * u * d;
+            if u < u_horizon && b_0 < 0.0 {
+                radial.barrier = Some(u);
+            }
+            // Where light is hardly bent the critical point at u = 0 is the better base.
+            if b_0 > -energy * energy {
+                radial.base = u;
+                radial.b_0 = b_0;
+                radial.alpha = u * root;
+                radial.beta = 2.0 / 3.0 * (root + p[2] * u);
+            }
+        }
+        radial.offset = radial.isolated_offset();
+        let e = radial.offset;
+        radial.half_gap_squared = 0.25 * (radial.gamma * radial.b_0 + e * (radial.alpha - 3.0 * e));
+        radial
+    }
+
+    /// The root, on the side of zero that b_0 asks for, of 4 x^3 - 2 alpha x^2 + (alpha^2/4 - gamma
+    /// b_0) x + beta^2 b_0/16: what is left of Weierstrass's cubic at -alpha/6 + x.
+    fn isolated_offset(&self) -> f64 {
+        let slope = 0.25 * self.alpha * self.alpha - self.gamma * self.b_0;
+        let constant = self.beta * self.beta * self.b_0 / 16.0;
+        let mut x = 0.0;
+        let value_at = |x: f64| constant + x * (slope + x * (4.0 * x - 2.0 * self.alpha));
+        // Newton's method is steady from either side of the root where the cubic does not change
+        // its curvature on the way: from zero, or from below all roots.
+        if self.b_0 > 0.0 && value_at(self.alpha / 6.0) > 0.0 {
+            x = -(0.25 * constant).cbrt() - 0.5 * (-slope).max(0.0).sqrt()
+                + 0.5 * self.alpha.min(0.0);
+        }
+        for _ in 0..NEWTON_STEPS {
+            let value = value_at(x);
+            let step = value / (slope + x * (12.0 * x - 4.0 * self.alpha));
+            if !step.is_finite() || step == 0.0 {
+                break;
+            }
+            x -= step;
+        }
+        x
+    }
+
+    /// U(u).
+    #[must_use]
+    pub fn potential(&self, u: f64) -> f64 {
+        let v = u - self.base;
+        self.b_0 + v * v * (self.alpha + v * (self.beta + v * self.gamma))
+    }
+
+    /// g2 and g3 of Weierstrass's function.
+    #[must_use]
+    pub fn invariants(&self) -> [f64; 2] {
+        let [p0, _, p2] = self.p;
+        let e2 = self.energy * self.energy;
+        [
+            p0 * p0 / 12.0 + 0.5 * p2 * e2,
+            p2 * p0 * e2 / 12.0 - p0.powi(3) / 216.0 - self.k_prime.powi(2) * e2 / 16.0,
+        ]
+    }
+
+    /// The turning point on the outer side of the barrier, where light from outside turns, or on the
+    /// inner one.
+    #[must_use]
+    pub fn turning_point(&self, outer: bool) -> Centre {
+        let mean = 0.25 * self.alpha - 0.5 * self.offset;
+        let product = (mean * mean - self.half_gap_squared).max(0.0).sqrt();
+        // The roots s = 1/v of b_0 s^4 + alpha s^2 + beta s + gamma by Euler's solution.
+        let sum = (8.0 / self.b_0.abs() * (mean.abs() + product)).sqrt();
+        let third = (-4.0 * self.offset / self.b_0)
+            .max(0.0)
+            .sqrt()
+            .copysign(self.beta);
+        let v = match (self.base > 0.0, outer) {
+            (true, true) => -2.0 / (sum - third),
+            (true, false) => 2.0 / (sum + third),
+            (false, true) => 2.0 / (sum - third),
+            (false, false) => f64::NAN,
+        };
+        let side = if outer { 1.0 } else { -1.0 };
+        let slope = v * (2.0 * self.alpha + v * (3.0 * self.beta + v * 4.0 * self.gamma));
+        let bend = v * (3.0 * self.beta + v * 6.0 * self.gamma);
+        Centre {
+            u: self.base + v,
+            side,
+            c: [
+                0.0,
+                -side * slope,
+                self.alpha + bend,
+                -side * (self.beta + 4.0 * self.gamma * v),
+                self.gamma,
+            ],
+            isolated: 0.25 * self.alpha + bend / 12.0 - self.offset,
+            pair: bend / 12.0 + 0.5 * self.offset,
+        }
+    }
+
+    /// The critical point as the centre of a leg that leads to smaller u (`side` 1) or to larger u
+    /// (-1).
+    #[must_use]
+    pub fn critical_point(&self, side: f64) -> Centre {
+        Centre {
+            u: self.base,
+            side,
+            c: [self.b_0, 0.0, self.alpha, -side * self.beta, self.gamma],
+            isolated: 0.0,
+            pair: 0.0,
+        }
+    }
+
+    /// The Mino time from a turning point to the distance `y` from it.
+    #[must_use]
+    pub fn time_from_turn(&self, centre: &Centre, y: f64) -> f64 {
+        let pole = centre.c[1] / (4.0 * y);
+        carlson_rf_pair(
+            pole + centre.isolated,
+            pole + centre.pair,
+            self.half_gap_squared,
+        )
+    }
+
+    /// The Mino time from u = `x` to u = `y` without a turn; the speeds are not negative.
+    #[must_use]
+    pub fn direct_time(&self, [x, dx]: [f64; 2], [y, dy]: [f64; 2]) -> f64 {
+        let polar = 0.5 * self.p[2] * (x * y).powi(2)
+            + 0.5 * self.k_prime * x * y * (x + y)
+            + self.p[0] / 6.0 * (x * x + 4.0 * x * y + y * y)
+            + self.energy * self.energy;
+        let p = (polar + dx * dy) / (2.0 * (x - y) * (x - y));
+        let e = self.offset - self.alpha / 6.0;
+        carlson_rf_pair(p - e, p + 0.5 * e, self.half_gap_squared)
+    }
+
+    /// u at the Mino time `t` after a place with u and u', through turning points: Biermann's and
+    /// Weierstrass's solution (Whittaker & Watson 1927 section 20.6).
+    #[must_use]
+    pub fn u_after(&self, t: f64, [u, du]: [f64; 2]) -> f64 {
+        let [g2, g3] = self.invariants();
+        let [p, dp] = super::weierstrass::weierstrass(t, g2, g3);
+        let [p0, p1, p2] = self.p;
+        let f = du * du;
+        let accel = p0 + u * (p1 + u * p2);
+        let slope = p1 + 2.0 * p2 * u;
+        let (first, second) = (2.0 * u * accel, 2.0 * (accel + u * slope));
+        let (third, fourth) = (4.0 * slope + 4.0 * u * p2, 12.0 * p2);
+        let x = p - second / 24.0;
+        u + (-du * dp + 0.5 * first * x + f * third / 24.0) / (2.0 * x * x - f * fourth / 48.0)
+    }
+
+    /// The dragging of the azimuth per Mino time: -a u (E - a L u)/D.
+    #[must_use]
+    pub fn dragging(&self, u: f64) -> f64 {
+        -self.a * u * (self.energy - self.a * self.angular_momentum * u)
+            / (1.0 - u + self.a * self.a * u * u)
+    }
+}
+
+impl Centre {
+    /// dtau/dx at u = centre - side x^2.
+    #[must_use]
+    pub fn weight(&self, x: f64) -> f64 {
+        let y = x * x;
+        let [c0, c1, c2, c3, c4] = self.c;
+        2.0 / (c0 / y + c1 + y * (c2 + y * (c3 + y * c4))).sqrt()
+    }
+}
