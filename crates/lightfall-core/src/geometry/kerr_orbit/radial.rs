@@ -209,14 +209,35 @@ impl Radial {
         )
     }
 
-    /// The Mino time from u = `x` to u = `y` without a turn; the speeds are not negative.
+    /// The Mino time between two places (u, |u'|) without a turn between them: R_F of P less the
+    /// roots, where P = (F(x, y) + |x'| |y'|)/(2 (x - y)^2) with the polarised form F of the quartic.
+    ///
+    /// On the two sides of the critical point that a ray lingers at, P less the mean of the pair is a
+    /// small difference. With x and y relative to that point and C = alpha + beta (x + y)/2 + gamma
+    /// x y, it follows without one from
+    ///
+    /// (|x'| |y'|)^2 - (x y C)^2 = b_0 (x'^2 + y'^2 - b_0) + (x y (x - y))^2 (alpha gamma - beta^2/4).
     #[must_use]
     pub fn direct_time(&self, [x, dx]: [f64; 2], [y, dy]: [f64; 2]) -> f64 {
-        let polar = 0.5 * self.p[2] * (x * y).powi(2)
+        let (v_x, v_y, width2) = (x - self.base, y - self.base, (x - y) * (x - y));
+        let product = v_x * v_y;
+        if product < 0.0 {
+            let middle = self.alpha + 0.5 * self.beta * (v_x + v_y) + self.gamma * product;
+            let above = self.b_0 * (dx * dx + dy * dy - self.b_0)
+                + product
+                    * product
+                    * width2
+                    * (self.alpha * self.gamma - 0.25 * self.beta * self.beta);
+            let below = dx * dy - product * middle;
+            let pair = 0.5 * self.offset + 0.5 * (self.b_0 + above / below) / width2;
+            let isolated = pair + 0.25 * self.alpha - 1.5 * self.offset;
+            return carlson_rf_pair(isolated, pair, self.half_gap_squared);
+        }
+        let polarised = 0.5 * self.p[2] * (x * y).powi(2)
             + 0.5 * self.k_prime * x * y * (x + y)
             + self.p[0] / 6.0 * (x * x + 4.0 * x * y + y * y)
             + self.energy * self.energy;
-        let p = (polar + dx * dy) / (2.0 * (x - y) * (x - y));
+        let p = (polarised + dx * dy) / (2.0 * width2);
         let e = self.offset - self.alpha / 6.0;
         carlson_rf_pair(p - e, p + 0.5 * e, self.half_gap_squared)
     }
