@@ -20,7 +20,7 @@ use crate::geometry::mino::{Constants, State};
 use crate::geometry::quadrature::integral_on_scale;
 use glam::{DMat3, DVec3};
 
-/// A leg of a ray, measured from a centre: from and to a distance, of which the roots are given.
+/// A leg of a ray: the stretch between two square roots of the distance from a centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Leg {
     centre: Centre,
@@ -62,18 +62,27 @@ impl KerrOrbit {
     #[must_use]
     pub fn time_to_infinity(&self) -> f64 {
         let (u, du) = (self.start.u, self.start.du);
-        if du <= 0.0 {
-            return self.radial.direct_time([u, -du], [0.0, self.radial.energy]);
+        let direct = || self.radial.direct_time([u, -du], [0.0, self.radial.energy]);
+        if self.radial.barrier.is_none() {
+            return direct();
         }
-        let turn = self.radial.turning_point(true);
-        self.radial.time_from_turn(&turn, self.distance(&turn))
-            + self.radial.time_from_turn(&turn, turn.u)
+        let turn = self.radial.turning_point();
+        let near = self.distance(&turn);
+        let time_to = |y| self.radial.time_from_turn(&turn, y);
+        if du > 0.0 {
+            time_to(near) + time_to(turn.u)
+        } else if near < 0.25 * turn.u {
+            // Next to the turning point the direct form is a small difference.
+            time_to(turn.u) - time_to(near)
+        } else {
+            direct()
+        }
     }
 
     /// The camera's distance from a turning point, from its speed.
     fn distance(&self, turn: &Centre) -> f64 {
         let [_, c1, c2, c3, c4] = turn.c;
-        let mut y = (turn.side * (turn.u - self.start.u)).max(0.0);
+        let mut y = (turn.u - self.start.u).max(0.0);
         if y < 0.25 * turn.u {
             let f = self.start.du * self.start.du;
             for _ in 0..3 {
@@ -84,61 +93,33 @@ impl KerrOrbit {
         y.max(f64::MIN_POSITIVE)
     }
 
-    /// The legs to infinity.
+    /// The u from which the legs to infinity are measured, and the legs.
     fn legs_to_infinity(&self) -> (f64, Vec<Leg>) {
         let (u, du) = (self.start.u, self.start.du);
+        let leg = |centre: Centre, from: f64, to: f64| Leg {
+            centre,
+            from: from.sqrt(),
+            to: to.sqrt(),
+        };
         if self.radial.barrier.is_some() {
-            let centre = self.radial.turning_point(true);
-            let near = self.distance(&centre).sqrt();
-            let far = Leg {
-                centre,
-                from: 0.0,
-                to: centre.u.sqrt(),
-            };
-            return if du > 0.0 {
-                (
-                    centre.u,
-                    vec![
-                        Leg {
-                            centre,
-                            from: 0.0,
-                            to: near,
-                        },
-                        far,
-                    ],
-                )
+            let turn = self.radial.turning_point();
+            let near = self.distance(&turn);
+            let legs = if du > 0.0 {
+                vec![leg(turn, 0.0, near), leg(turn, 0.0, turn.u)]
             } else {
-                (centre.u, vec![Leg { from: near, ..far }])
+                vec![leg(turn, near, turn.u)]
             };
+            return (turn.u, legs);
         }
         let base = self.radial.base;
         let outer = self.radial.critical_point(1.0);
-        if u > base {
-            let inner = Leg {
-                centre: self.radial.critical_point(-1.0),
-                from: 0.0,
-                to: (u - base).sqrt(),
-            };
-            return (
-                base,
-                vec![
-                    inner,
-                    Leg {
-                        centre: outer,
-                        from: 0.0,
-                        to: base.sqrt(),
-                    },
-                ],
-            );
-        }
-        (
-            base,
-            vec![Leg {
-                centre: outer,
-                from: (base - u).sqrt(),
-                to: base.sqrt(),
-            }],
-        )
+        let legs = if u > base {
+            let inner = self.radial.critical_point(-1.0);
+            vec![leg(inner, 0.0, u - base), leg(outer, 0.0, base)]
+        } else {
+            vec![leg(outer, base - u, base)]
+        };
+        (base, legs)
     }
 
     /// The dragging of the azimuth on the way to infinity, which takes the Mino time `t`.

@@ -131,13 +131,6 @@ impl Radial {
         x
     }
 
-    /// U(u).
-    #[must_use]
-    pub fn potential(&self, u: f64) -> f64 {
-        let v = u - self.base;
-        self.b_0 + v * v * (self.alpha + v * (self.beta + v * self.gamma))
-    }
-
     /// g2 and g3 of Weierstrass's function.
     #[must_use]
     pub fn invariants(&self) -> [f64; 2] {
@@ -149,10 +142,9 @@ impl Radial {
         ]
     }
 
-    /// The turning point on the outer side of the barrier, where light from outside turns, or on the
-    /// inner one.
+    /// The outer side of the barrier, where light from outside turns.
     #[must_use]
-    pub fn turning_point(&self, outer: bool) -> Centre {
+    pub fn turning_point(&self) -> Centre {
         let mean = 0.25 * self.alpha - 0.5 * self.offset;
         let product = (mean * mean - self.half_gap_squared).max(0.0).sqrt();
         // The roots s = 1/v of b_0 s^4 + alpha s^2 + beta s + gamma by Euler's solution.
@@ -161,23 +153,18 @@ impl Radial {
             .max(0.0)
             .sqrt()
             .copysign(self.beta);
-        let v = match (self.base > 0.0, outer) {
-            (true, true) => -2.0 / (sum - third),
-            (true, false) => 2.0 / (sum + third),
-            (false, true) => 2.0 / (sum - third),
-            (false, false) => f64::NAN,
-        };
-        let side = if outer { 1.0 } else { -1.0 };
+        // The barrier is below the critical point, and above u = 0.
+        let v = if self.base > 0.0 { -2.0 } else { 2.0 } / (sum - third);
         let slope = v * (2.0 * self.alpha + v * (3.0 * self.beta + v * 4.0 * self.gamma));
         let bend = v * (3.0 * self.beta + v * 6.0 * self.gamma);
         Centre {
             u: self.base + v,
-            side,
+            side: 1.0,
             c: [
                 0.0,
-                -side * slope,
+                -slope,
                 self.alpha + bend,
-                -side * (self.beta + 4.0 * self.gamma * v),
+                -(self.beta + 4.0 * self.gamma * v),
                 self.gamma,
             ],
             isolated: 0.25 * self.alpha + bend / 12.0 - self.offset,
