@@ -7,6 +7,7 @@ use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::structure::{Covariance, Structure, Term};
 use lightfall_core::scene::{DiskStructure, Scene};
+use std::array;
 use std::f64::consts::{PI, TAU};
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -302,6 +303,9 @@ fn change(here: &[[f64; 2]], there: &[[f64; 2]]) -> Option<[f64; 2]> {
     candidates.min_by(|a, b| a[0].hypot(a[1]).total_cmp(&b[0].hypot(b[1])))
 }
 
+/// Fields that `one_filtered_ray_a_pixel_stands_for_many` looks at.
+const FIELDS: usize = 15;
+
 /// The filter against 16 rays a pixel, with differences to the neighbours as on the GPU: streaks of
 /// sigma = 0.8 in a small picture, where they are finer than pixels.
 #[test]
@@ -312,11 +316,12 @@ fn one_filtered_ray_a_pixel_stands_for_many() {
     // The view of the preset edge-on.
     (scene.camera.theta_deg, scene.camera.fov_deg) = (83.0, 50.0);
     let reference = Reference::new(&scene).unwrap();
-    let structures = seeds().map(|seed| {
-        scene.disk.seed = seed;
+    let [first, fresh] = seeds();
+    let structures: [_; FIELDS] = array::from_fn(|i| {
+        scene.disk.seed = first.wrapping_add((i as u32).wrapping_mul(fresh));
         Structure::new(&scene, None).unwrap()
     });
-    let mut sums = [[0.0; 4]; 2];
+    let mut sums = [[0.0; 4]; FIELDS];
     let mut count = 0.0;
     for pixel in (0..120 * 45).map(|i| [2 * (i % 120), 3 * (i / 120)]) {
         let [x, y] = pixel.map(f64::from);
@@ -350,22 +355,16 @@ fn one_filtered_ray_a_pixel_stands_for_many() {
         }
     }
     assert!(count > 600.0, "the picture shows the disk: {count} pixels");
-    for [unfiltered, filtered, mean, truth] in sums {
-        let [unfiltered, filtered] = [unfiltered, filtered].map(|sum: f64| (sum / count).sqrt());
-        eprintln!(
-            "{count} pixels: rms {unfiltered} unfiltered, {filtered} filtered; means {} and {}",
-            mean / count,
-            truth / count
-        );
-        // What is left comes from pixels whose neighbours are not the same distance away on both
-        // sides, and from the difference between the mean of an exponential and the exponential of
-        // a mean. Measured: 0.28 to 0.35 of the error without the filter.
-        assert!(
-            filtered < 0.45 * unfiltered,
-            "{filtered} is left of {unfiltered}"
-        );
-        // 861 pixels that are off by 0.12 have a standard error of 0.4 per cent. Measured: 0.7 and
-        // 1.4.
-        assert_close("mean of the picture", mean, truth, 0.02);
-    }
+    let mut left = sums.map(|[unfiltered, filtered, ..]: [f64; 4]| (filtered / unfiltered).sqrt());
+    left.sort_by(f64::total_cmp);
+    eprintln!("{count} pixels: the shares of the error that are left: {left:.2?}");
+    // What is left comes from pixels whose neighbours are not the same distance away on both sides,
+    // and from the difference between the mean of an exponential and the exponential of a mean.
+    // A few bright pixels decide about one field: of 200 fields the median is 0.33, and one in
+    // sixteen is above 0.45. The median of 15 fields is above 0.45 once in a million runs.
+    assert!(left[FIELDS / 2] < 0.45, "{left:?}");
+    // The mean of one field is off by up to 1.8 per cent, with a standard deviation of 0.6: 0.15 for
+    // the mean of 15.
+    let [mean, truth] = [2, 3].map(|i| sums.iter().map(|sum| sum[i]).sum::<f64>());
+    assert_close("mean of the pictures", mean, truth, 0.01);
 }
