@@ -44,7 +44,7 @@ impl KerrOrbit {
     pub fn new(kerr: Kerr, constants: &Constants, start: State) -> Self {
         Self {
             start,
-            radial: Radial::new(kerr, constants),
+            radial: Radial::new(kerr, constants, [start.u, start.du]),
             polar: Polar::new(constants, &start),
         }
     }
@@ -93,7 +93,7 @@ impl KerrOrbit {
         y.max(f64::MIN_POSITIVE)
     }
 
-    /// The u from which the legs to infinity are measured, and the legs.
+    /// The u next to which the ray takes the longest, and the legs to infinity.
     fn legs_to_infinity(&self) -> (f64, Vec<Leg>) {
         let (u, du) = (self.start.u, self.start.du);
         let leg = |centre: Centre, from: f64, to: f64| Leg {
@@ -119,7 +119,8 @@ impl KerrOrbit {
         } else {
             vec![leg(outer, base - u, base)]
         };
-        (base, legs)
+        // The dragging at the critical point has no bound where that is next to the horizon.
+        (base.min(u), legs)
     }
 
     /// The dragging of the azimuth on the way to infinity, which takes the Mino time `t`.

@@ -11,7 +11,8 @@ const NODES: [[f64; 2]; 4] = [
     [0.949_107_912_342_758_5, 0.129_484_966_168_869_7],
 ];
 
-/// Maximum relative difference between an integral and the sum over its halves.
+/// Maximum relative difference between an integral and the sum over its halves, and between their
+/// first moments: chance may make one of the two agree.
 const TOLERANCE: f64 = 1e-12;
 
 /// Number of Newton's steps that take the first guess of a root of Legendre's polynomial to its
@@ -20,6 +21,14 @@ const NEWTON_STEPS: u32 = 8;
 
 /// Maximum number of times that an interval is halved.
 const MAX_HALVINGS: u32 = 24;
+
+/// A function's integral over an interval, and that of its product with the distance from the
+/// middle in units of half the width.
+#[derive(Clone, Copy, Debug)]
+struct Panel {
+    integral: f64,
+    moment: f64,
+}
 
 /// The integral of a smooth function from `from` to `to`, with a relative error of about 1e-12: the
 /// interval is halved until the two halves agree with the whole.
@@ -39,33 +48,40 @@ pub fn integral_on_scale(scale: f64, from: f64, to: f64, f: &impl Fn(f64) -> f64
 fn refined(
     scale: f64,
     [from, to]: [f64; 2],
-    whole: f64,
+    whole: Panel,
     halvings: u32,
     f: &impl Fn(f64) -> f64,
 ) -> f64 {
     let middle = 0.5 * (from + to);
-    let halves = [seven_points(from, middle, f), seven_points(middle, to, f)];
-    let sum = halves[0] + halves[1];
-    let differs = (sum - whole).abs() > TOLERANCE * sum.abs().max(scale);
+    let [low, high] = [seven_points(from, middle, f), seven_points(middle, to, f)];
+    let sum = low.integral + high.integral;
+    let moment = 0.5 * (low.moment + high.moment + high.integral - low.integral);
+    let limit = TOLERANCE * sum.abs().max(scale);
+    let differs = (sum - whole.integral).abs() > limit || (moment - whole.moment).abs() > limit;
     // False for NaN, so that the halving ends.
     if halvings == 0 || !differs {
         return sum;
     }
-    refined(scale, [from, middle], halves[0], halvings - 1, f)
-        + refined(scale, [middle, to], halves[1], halvings - 1, f)
+    refined(scale, [from, middle], low, halvings - 1, f)
+        + refined(scale, [middle, to], high, halvings - 1, f)
 }
 
-fn seven_points(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
+fn seven_points(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> Panel {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-    let pair = |[node, weight]: [f64; 2]| {
-        let values = if node == 0.0 {
-            f(middle)
+    let (mut integral, mut moment) = (0.0, 0.0);
+    for [node, weight] in NODES {
+        if node == 0.0 {
+            integral += weight * f(middle);
         } else {
-            f(middle - half * node) + f(middle + half * node)
-        };
-        weight * values
-    };
-    half * NODES.into_iter().map(pair).sum::<f64>()
+            let (low, high) = (f(middle - half * node), f(middle + half * node));
+            integral += weight * (low + high);
+            moment += weight * node * (high - low);
+        }
+    }
+    Panel {
+        integral: half * integral,
+        moment: half * moment,
+    }
 }
 
 /// Nodes and weights of the Gauss-Legendre rule with `count` points on [0, 1], in growing order of

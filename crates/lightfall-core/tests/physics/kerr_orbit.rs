@@ -4,10 +4,11 @@ use crate::random::Random;
 use glam::DVec3;
 use lightfall_core::accuracy::Quantiles;
 use lightfall_core::geometry::kerr::Kerr;
-use lightfall_core::geometry::kerr_orbit::{KerrOrbit, weierstrass};
-use lightfall_core::geometry::mino::Constants;
+use lightfall_core::geometry::kerr_orbit::KerrOrbit;
+use lightfall_core::geometry::mino::{Constants, State};
 use lightfall_core::geometry::schwarzschild::CRITICAL_IMPACT;
-use lightfall_core::optics::reference::Reference;
+use lightfall_core::optics::reference::{HoleAndDisk, Reference};
+use lightfall_core::optics::trace::Trace;
 use lightfall_core::scene::{ObserverKind, Scene};
 
 /// The reference of a camera with zero angular momentum, without a disk, and its rays in closed
@@ -39,9 +40,8 @@ impl Camera {
     }
 }
 
-/// Cameras far away, close by, over the pole and in the plane. Within 2 r_+ of a nearly extremal
-/// hole the closed form still loses digits next to the critical curve, up to 1e-3 rad.
-const CAMERAS: [[f64; 3]; 12] = [
+/// Cameras far away, close by, over the pole and in the plane, also next to nearly extremal holes.
+const CAMERAS: [[f64; 3]; 18] = [
     [0.9, 20.0, 83.0],
     [0.998, 6.0, 60.0],
     [-0.7, 30.0, 100.0],
@@ -54,6 +54,59 @@ const CAMERAS: [[f64; 3]; 12] = [
     [0.1, 1.3, 20.0],
     [1e-3, 7.0, 20.0],
     [0.7, 2.0, 0.0],
+    [0.998, 0.8, 60.0],
+    [0.998, 0.56, 30.0],
+    [0.9999, 0.6, 60.0],
+    [0.9999, 1.0, 60.0],
+    [0.9999, 6.0, 60.0],
+    [-0.9999, 0.8, 90.0],
+];
+
+/// Rays that failed once: spin, E, L and K, u and u', n, n'. A root of Weierstrass's cubic past the
+/// inflection, a critical point next to the horizon, and sums over halves that agreed by chance.
+const HARD_RAYS: [[f64; 12]; 3] = [
+    [
+        0.9999,
+        0.490_432_584_370_639_63,
+        0.473_706_044_186_810_17,
+        0.309_051_639_036_557_9,
+        1.666_666_666_666_666_7,
+        -0.139_461_371_520_194_97,
+        0.866_025_403_784_438_6,
+        0.0,
+        0.500_000_000_000_000_1,
+        -0.078_874_639_552_549_9,
+        -0.546_988_624_256_015_2,
+        0.136_614_883_133_698_13,
+    ],
+    [
+        0.9999,
+        0.625_392_918_779_013_5,
+        0.626_834_635_509_098_7,
+        0.621_239_946_181_725_7,
+        1.0,
+        -0.370_929_168_415_798_26,
+        0.866_025_403_784_438_6,
+        0.0,
+        0.500_000_000_000_000_1,
+        0.174_488_022_059_757_03,
+        -0.723_806_291_097_118_1,
+        -0.302_222_119_519_698_13,
+    ],
+    [
+        0.9999,
+        0.549_500_588_274_177_7,
+        0.546_598_082_384_839_5,
+        0.555_859_253_612_449,
+        1.666_666_666_666_666_7,
+        -0.064_407_695_850_745_66,
+        0.866_025_403_784_438_6,
+        0.0,
+        0.500_000_000_000_000_1,
+        -0.209_981_026_260_720_13,
+        -0.631_157_100_006_840_8,
+        0.363_697_806_109_021_8,
+    ],
 ];
 
 /// A direction of the whole sky, or one about the hole.
@@ -66,25 +119,45 @@ fn direction(random: &mut Random, r: f64) -> DVec3 {
     (DVec3::NEG_X + aside * any).normalize()
 }
 
-/// The largest change of the reference's sky direction if the ray is turned by 1e-12 rad: what the
-/// rounding of its constants can do. Infinite where the turned ray may end elsewhere.
-fn rounding_of_sky(reference: &Reference, direction: DVec3, truth: DVec3) -> f64 {
+/// The largest change of the reference's trace if the ray is turned by 1e-12 rad: what the rounding
+/// of its constants can do.
+fn rounding(reference: &Reference, direction: DVec3, change: impl Fn(&Trace) -> f64) -> f64 {
     let across = direction.any_orthonormal_vector();
-    let turned = |axis: DVec3| {
-        let sky = reference.trace((direction + 1e-12 * axis).normalize()).sky;
-        sky.map_or(f64::INFINITY, |sky| (sky - truth).length())
-    };
     let axes = [
         across,
         -across,
         across.cross(direction),
         direction.cross(across),
     ];
-    axes.into_iter().map(turned).fold(0.0, f64::max)
+    let turned = axes.map(|axis| (direction + 1e-12 * axis).normalize());
+    turned
+        .into_iter()
+        .map(|direction| change(&reference.trace(direction)))
+        .fold(0.0, f64::max)
 }
 
-/// The tolerance is 1e-10 rad. A larger error, next to the critical curve, must be no larger than
-/// that of a turn of the ray by 1e-12 rad.
+/// The distance of a trace's sky direction from `truth`; infinite where the ray ends elsewhere.
+fn change_of_sky(trace: &Trace, truth: DVec3) -> f64 {
+    let sky = trace.sky;
+    sky.map_or(f64::INFINITY, |sky| (sky - truth).length())
+}
+
+/// The radii of a trace's hits.
+fn radii(trace: &Trace) -> Vec<f64> {
+    trace.hits.iter().flatten().map(|hit| hit.r).collect()
+}
+
+/// The largest relative difference of two lists of radii; infinite where one is longer.
+fn difference(given: &[f64], known: &[f64]) -> f64 {
+    if given.len() != known.len() {
+        return f64::INFINITY;
+    }
+    let differences = given.iter().zip(known).map(|(a, b)| (a / b - 1.0).abs());
+    differences.fold(0.0, f64::max)
+}
+
+/// The tolerance is 1e-11 rad. A larger error, next to the critical curve, must be no larger than a
+/// tenth of that of a turn of the ray by 1e-12 rad.
 #[test]
 fn every_outcome_and_sky_direction_is_that_of_the_reference() {
     let mut random = Random::new();
@@ -100,22 +173,32 @@ fn every_outcome_and_sky_direction_is_that_of_the_reference() {
                 continue;
             };
             let error = (truth - given).length();
+            let sensitivity = || {
+                let change = |trace: &Trace| change_of_sky(trace, truth);
+                rounding(&camera.reference, direction, change)
+            };
             assert!(
-                error < 1e-10 || error < rounding_of_sky(&camera.reference, direction, truth),
+                error < 1e-11 || error < 0.1 * sensitivity(),
                 "{spin} {r} {direction}: {error:e}"
             );
             errors.push(error);
         }
+        let sensitive = errors.iter().filter(|error| **error > 1e-11).count();
+        // From next to the horizon a few dozen rays escape: too few to tell a share from chance.
+        let share = sensitive as f64 / errors.len().max(200) as f64;
         let Quantiles { p50, p99, max, .. } = Quantiles::of(errors.into_iter());
-        println!("{spin} {r} {theta}: {p50:.1e} {p99:.1e} {max:.1e}");
+        println!("{spin} {r} {theta}: {p50:.1e} {p99:.1e} {max:.1e} {share:.3}");
         assert!(
-            p50 < 1e-13 && p99 < 1e-10,
-            "{spin} {r} {theta}: {p50:e} {p99:e} {max:e}"
+            p50 < 1e-13 && share < 0.05,
+            "{spin} {r} {theta}: {p50:e} {p99:e} {max:e} {share}"
         );
     }
 }
 
-/// Crossings of rays that reach the sky, at radii up to 1000 r_s.
+/// Crossings of rays that reach the sky, at radii up to 1000 r_s, to a relative tolerance of 1e-11.
+/// A larger error must be no larger than that of a turn of the ray by 1e-12 rad. Next to a nearly
+/// extremal hole the constants nearly cancel in u', and their rounding has the effect of up to 5e-14
+/// rad in 200 runs: a tenth of the turn would be too near.
 #[test]
 fn crossings_of_the_plane_are_those_of_the_reference() {
     let mut random = Random::new();
@@ -130,64 +213,63 @@ fn crossings_of_the_plane_are_those_of_the_reference() {
             if truth.sky.is_none() {
                 continue;
             }
-            let crossings = (0..8).map_while(|index| orbit.crossing(index));
+            let crossings = (0..64).map_while(|index| orbit.crossing(index));
             let hits: Vec<f64> = crossings
                 .map(|u| 1.0 / u)
                 .filter(|r| *r > inner && *r < 1000.0)
                 .take(2)
                 .collect();
-            let known: Vec<f64> = truth.hits.iter().flatten().map(|hit| hit.r).collect();
-            assert_eq!(
-                known.len(),
-                hits.len(),
-                "{spin} {r} {direction}: {known:?}, {hits:?}"
+            let known = radii(&truth);
+            let error = difference(&hits, &known);
+            let sensitivity = || {
+                let change = |trace: &Trace| difference(&radii(trace), &known);
+                rounding(&camera.reference, direction, change)
+            };
+            assert!(
+                known.len() == hits.len() && (error < 1e-11 || error < sensitivity()),
+                "{spin} {r} {direction}: {error:e} {known:?}, {hits:?}"
             );
-            errors.extend(
-                known
-                    .iter()
-                    .zip(&hits)
-                    .map(|(known, hit)| (hit / known - 1.0).abs()),
-            );
+            if !known.is_empty() {
+                errors.push(error);
+            }
         }
         if errors.is_empty() {
             continue;
         }
-        let Quantiles { p50, p99, .. } = Quantiles::of(errors.into_iter());
-        println!("{spin} {r} {theta}: {p50:.1e} {p99:.1e}");
-        assert!(
-            p50 < 1e-12 && p99 < 1e-9,
-            "{spin} {r} {theta}: {p50:e} {p99:e}"
-        );
+        let Quantiles { p50, p99, max, .. } = Quantiles::of(errors.into_iter());
+        println!("{spin} {r} {theta}: {p50:.1e} {p99:.1e} {max:.1e}");
+        assert!(p50 < 1e-12, "{spin} {r} {theta}: {p50:e} {p99:e} {max:e}");
     }
 }
 
-/// P'^2 = 4 P^3 - g2 P - g3, and the homogeneity of P: two independent identities.
 #[test]
-fn weierstrass_function_obeys_its_equation_and_scales() {
-    let mut random = Random::new();
-    for _ in 0..1000 {
-        let (z, g2, g3) = (
-            random.between(0.01, 2.0),
-            random.between(-1.0, 1.0),
-            random.between(-1.0, 1.0),
-        );
-        let [p, dp] = weierstrass(z, g2, g3);
-        let right = 4.0 * p.powi(3) - g2 * p - g3;
-        let scale = 4.0 * p.abs().powi(3) + (g2 * p).abs() + g3.abs();
-        assert!(
-            (dp * dp - right).abs() < 1e-10 * scale,
-            "{z} {g2} {g3}: {p} {dp}"
-        );
-        let t = random.between(0.5, 2.0);
-        let [q, dq] = weierstrass(t * z, g2 / t.powi(4), g3 / t.powi(6));
-        assert!(
-            (q * t * t - p).abs() < 1e-9 * p.abs().max(1.0),
-            "{z} {g2} {g3}"
-        );
-        assert!(
-            (dq * t.powi(3) - dp).abs() < 1e-8 * dp.abs().max(1.0),
-            "{z} {g2} {g3}"
-        );
+fn rays_that_failed_once_are_those_of_the_reference() {
+    for [spin, energy, l, k, u, du, x, y, z, dx, dy, dz] in HARD_RAYS {
+        let kerr = Kerr { spin };
+        let constants = Constants {
+            a: kerr.a(),
+            energy,
+            angular_momentum: l,
+            k,
+            ingoing: false,
+        };
+        let (n, dn) = (DVec3::new(x, y, z), DVec3::new(dx, dy, dz));
+        let start = State {
+            u,
+            du,
+            n,
+            dn,
+            chi: 0.0,
+        };
+        let scene = HoleAndDisk {
+            kerr,
+            annulus: None,
+        };
+        let truth = scene.trace(&constants, start).sky.unwrap();
+        let given = KerrOrbit::new(kerr, &constants, start).sky().unwrap();
+        let error = (truth - given).length();
+        println!("{error:.1e}");
+        assert!(error < 1e-11, "{energy} {l} {k}: {error:e}");
     }
 }
 

@@ -39,6 +39,7 @@ mod stars;
 mod structure;
 mod structure_period;
 mod timelike;
+mod weierstrass;
 
 /// Asserts that `found` equals `expected` within the relative tolerance `relative`.
 #[track_caller]

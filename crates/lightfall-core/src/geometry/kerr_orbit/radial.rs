@@ -23,6 +23,8 @@ pub struct Radial {
     pub energy: f64,
     /// The coefficients of p.
     pub p: [f64; 3],
+    /// r_+ and r_-.
+    horizons: [f64; 2],
     /// a, L and K'.
     a: f64,
     angular_momentum: f64,
@@ -57,9 +59,9 @@ pub struct Centre {
 }
 
 impl Radial {
-    /// The motion of a ray with these constants.
+    /// The motion of a ray with these constants, which starts with `u` and `du`.
     #[must_use]
-    pub fn new(kerr: Kerr, c: &Constants) -> Self {
+    pub fn new(kerr: Kerr, c: &Constants, [u_start, du]: [f64; 2]) -> Self {
         let (a, energy, k_prime) = (c.a, c.energy, c.k_prime());
         let drag = a * (a * energy - c.angular_momentum);
         let p = [
@@ -70,6 +72,7 @@ impl Radial {
         let mut radial = Self {
             energy,
             p,
+            horizons: [kerr.horizon(), kerr.inner_horizon()],
             a,
             angular_momentum: c.angular_momentum,
             k_prime,
@@ -87,9 +90,15 @@ impl Radial {
         if p[0] < 0.0 && root2 >= 0.0 {
             let root = root2.sqrt();
             let u = -2.0 * p[0] / (p[1] + root);
-            let w = energy + drag * u * u;
-            let d = (1.0 - kerr.horizon() * u) * (1.0 - kerr.inner_horizon() * u);
-            let b_0 = w * w - k_prime * u * u * d;
+            let (alpha, beta) = (u * root, 2.0 / 3.0 * (root + p[2] * u));
+            let v = u_start - u;
+            // Next to the critical point u'^2 has digits of b_0 that W^2 - K' u^2 D has lost.
+            let b_0 = if v.abs() < 0.5 * u {
+                du * du - v * v * (alpha + v * (beta + v * radial.gamma))
+            } else {
+                let w = energy + drag * u * u;
+                w * w - k_prime * u * u * radial.denominator(u)
+            };
             if u < u_horizon && b_0 < 0.0 {
                 radial.barrier = Some(u);
             }
@@ -97,8 +106,7 @@ impl Radial {
             if b_0 > -energy * energy {
                 radial.base = u;
                 radial.b_0 = b_0;
-                radial.alpha = u * root;
-                radial.beta = 2.0 / 3.0 * (root + p[2] * u);
+                (radial.alpha, radial.beta) = (alpha, beta);
             }
         }
         radial.offset = radial.isolated_offset();
@@ -108,38 +116,36 @@ impl Radial {
     }
 
     /// The root, on the side of zero that b_0 asks for, of 4 x^3 - 2 alpha x^2 + (alpha^2/4 - gamma
-    /// b_0) x + beta^2 b_0/16: what is left of Weierstrass's cubic at -alpha/6 + x.
+    /// b_0) x + beta^2 b_0/16: what is left of Weierstrass's cubic at -alpha/6 + x. It is the one
+    /// next to zero if there are three on that side.
     fn isolated_offset(&self) -> f64 {
-        let slope = 0.25 * self.alpha * self.alpha - self.gamma * self.b_0;
-        let constant = self.beta * self.beta * self.b_0 / 16.0;
-        let mut x = 0.0;
-        let value_at = |x: f64| constant + x * (slope + x * (4.0 * x - 2.0 * self.alpha));
-        // Newton's method is steady from either side of the root where the cubic does not change
-        // its curvature on the way: from zero, or from below all roots.
-        if self.b_0 > 0.0 && value_at(self.alpha / 6.0) > 0.0 {
-            x = -(0.25 * constant).cbrt() - 0.5 * (-slope).max(0.0).sqrt()
-                + 0.5 * self.alpha.min(0.0);
-        }
+        let side = -self.b_0.signum();
+        let curve = self.gamma * self.b_0;
+        let (bend, slope) = (side * self.alpha, 0.25 * self.alpha * self.alpha - curve);
+        let constant = self.beta * self.beta * self.b_0.abs() / 16.0;
+        // The cubic as a function of y = side x, negative at zero.
+        let value_at = |y: f64| y * (slope + y * (4.0 * y - 2.0 * bend)) - constant;
+        // Newton's method is steady where the cubic does not change its curvature on the way: from
+        // zero to a root below its maximum (its inflection, if it has none), else from beyond all
+        // roots.
+        let top = bend / 6.0 - (bend * bend / 144.0 + curve / 12.0).max(0.0).sqrt();
+        let below_top = top > 0.0 && value_at(top) >= 0.0;
+        let (mut y, limit) = if below_top {
+            (0.0, top)
+        } else if bend <= 0.0 && slope > 0.0 {
+            (constant / slope, f64::INFINITY)
+        } else {
+            let far = (0.25 * constant).cbrt() + 0.5 * (-slope).max(0.0).sqrt();
+            (far + 0.5 * bend.max(0.0), f64::INFINITY)
+        };
         for _ in 0..NEWTON_STEPS {
-            let value = value_at(x);
-            let step = value / (slope + x * (12.0 * x - 4.0 * self.alpha));
+            let step = value_at(y) / (slope + y * (12.0 * y - 4.0 * bend));
             if !step.is_finite() || step == 0.0 {
                 break;
             }
-            x -= step;
+            y = (y - step).min(limit);
         }
-        x
-    }
-
-    /// g2 and g3 of Weierstrass's function.
-    #[must_use]
-    pub fn invariants(&self) -> [f64; 2] {
-        let [p0, _, p2] = self.p;
-        let e2 = self.energy * self.energy;
-        [
-            p0 * p0 / 12.0 + 0.5 * p2 * e2,
-            p2 * p0 * e2 / 12.0 - p0.powi(3) / 216.0 - self.k_prime.powi(2) * e2 / 16.0,
-        ]
+        side * y
     }
 
     /// The outer side of the barrier, where light from outside turns.
@@ -233,23 +239,27 @@ impl Radial {
     /// Weierstrass's solution (Whittaker & Watson 1927 section 20.6).
     #[must_use]
     pub fn u_after(&self, t: f64, [u, du]: [f64; 2]) -> f64 {
-        let [g2, g3] = self.invariants();
-        let [p, dp] = super::weierstrass::weierstrass(t, g2, g3);
-        let [p0, p1, p2] = self.p;
+        let v = u - self.base;
+        let mean = self.alpha / 12.0 - 0.5 * self.offset;
+        let [above, dp] = super::weierstrass::weierstrass(t, mean, self.half_gap_squared);
+        // Next to the critical curve U''/24 is close to the pair's mean.
+        let x = above - 0.5 * self.offset - v * (0.25 * self.beta + 0.5 * self.gamma * v);
         let f = du * du;
-        let accel = p0 + u * (p1 + u * p2);
-        let slope = p1 + 2.0 * p2 * u;
-        let (first, second) = (2.0 * u * accel, 2.0 * (accel + u * slope));
-        let (third, fourth) = (4.0 * slope + 4.0 * u * p2, 12.0 * p2);
-        let x = p - second / 24.0;
-        u + (-du * dp + 0.5 * first * x + f * third / 24.0) / (2.0 * x * x - f * fourth / 48.0)
+        let half_first = v * (self.alpha + v * (1.5 * self.beta + v * 2.0 * self.gamma));
+        let quarter_third = 0.25 * self.beta + self.gamma * v;
+        u + (half_first * x + f * quarter_third - du * dp) / (2.0 * x * x - 0.5 * f * self.gamma)
     }
 
     /// The dragging of the azimuth per Mino time: -a u (E - a L u)/D.
     #[must_use]
     pub fn dragging(&self, u: f64) -> f64 {
-        -self.a * u * (self.energy - self.a * self.angular_momentum * u)
-            / (1.0 - u + self.a * self.a * u * u)
+        -self.a * u * (self.energy - self.a * self.angular_momentum * u) / self.denominator(u)
+    }
+
+    /// D, whose factors keep their digits next to the horizon.
+    fn denominator(&self, u: f64) -> f64 {
+        let [outer, inner] = self.horizons;
+        (1.0 - outer * u) * (1.0 - inner * u)
     }
 }
 
