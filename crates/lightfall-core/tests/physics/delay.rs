@@ -179,7 +179,9 @@ fn delays_with_spin_are_the_integral_of_carters_equation() {
                     expected.extend(step.hit.map(|hit| sum + over(hit)));
                     sum += over(step.length);
                 });
-                let trace = reference.trace_with_delays(direction);
+                // The very ray of the quadrature: the reference normalizes its direction once more,
+                // and next to the critical curve the last bit counts.
+                let trace = hole.trace_with_lags(&constants, start);
                 for (hit, expected) in trace.hits.iter().flatten().zip(expected) {
                     let delay = hit.delay.unwrap();
                     worst = worst.max((delay - expected).abs());
@@ -196,8 +198,10 @@ fn delays_with_spin_are_the_integral_of_carters_equation() {
     assert!(hits > 500, "{hits}");
 }
 
-/// Without a form that is finite there: 40 nodes a step come as near to the horizon as 1e-3 of a
-/// step, where the quotient of two small numbers loses four digits.
+/// Without a form that is finite there. At the horizon Carter's rate is the quotient of two numbers
+/// that vanish, and a node at the distance x from it is wrong by about 1e-16/x. A node anywhere in
+/// the step can be that near. So the integral is split at the horizon: then a node's weight is at
+/// most about three times its distance, and no node contributes more than a few roundings.
 #[test]
 fn lags_inside_a_spinning_hole_are_the_integral_of_carters_equation() {
     let mut random = Random::new();
@@ -219,21 +223,34 @@ fn lags_inside_a_spinning_hole_are_the_integral_of_carters_equation() {
                 let (constants, start) = Constants::of_photon(kerr, &photon, r, n);
                 let (mut sum, mut expected) = (0.0, vec![]);
                 hole.follow(&constants, start, |step| {
-                    let over = |end: f64| {
+                    let part = |from: f64, to: f64| {
                         let rate = |x: f64| {
-                            let state = step.expansion.at(end * x);
+                            let state = step.expansion.at(from + (to - from) * x);
                             carters_rate(kerr, &constants, &state, true)
                         };
-                        end * nodes
-                            .iter()
-                            .map(|(x, weight)| weight * rate(*x))
-                            .sum::<f64>()
+                        (to - from)
+                            * nodes
+                                .iter()
+                                .map(|(x, weight)| weight * rate(*x))
+                                .sum::<f64>()
+                    };
+                    let over = |end: f64| {
+                        let mut depth = step.expansion.u;
+                        depth.0[0] -= 1.0 / kerr.horizon();
+                        if depth.0[0] > 0.0 && depth.at(end).0 < 0.0 {
+                            let horizon = depth.root(end);
+                            part(0.0, horizon) + part(horizon, end)
+                        } else {
+                            part(0.0, end)
+                        }
                     };
                     let outward = |time: f64| step.expansion.at(time).du < 0.0;
                     expected.extend(step.hit.map(|hit| (outward(hit), sum + over(hit))));
                     sum += over(step.length);
                 });
-                let trace = reference.trace_with_lags(direction);
+                // The very ray of the quadrature: the reference normalizes its direction once more,
+                // and next to the critical curve the last bit counts.
+                let trace = hole.trace_with_lags(&constants, start);
                 assert!(
                     reference
                         .trace_with_delays(direction)
@@ -262,8 +279,20 @@ fn lags_inside_a_spinning_hole_are_the_integral_of_carters_equation() {
     assert!(hits > 100, "{hits}");
 }
 
+/// The largest change of the delay `second` of a ray's second hit if the ray is turned by 1e-12 rad.
+fn change_by_a_turn(reference: &Reference, direction: DVec3, second: f64) -> f64 {
+    let (across, up) = direction.any_orthonormal_pair();
+    [across, -across, up, -up]
+        .map(|axis| reference.trace_with_delays(direction + 1e-12 * axis))
+        .map(|turned| turned.hits[1].map_or(f64::INFINITY, |hit| hit.delay.unwrap() - second))
+        .into_iter()
+        .fold(0.0, |largest, change| largest.max(change.abs()))
+}
+
 /// What a camera at the first hit would measure of the second is missing between the two, wherever
-/// the ray turns.
+/// the ray turns. The two start their steps at other places, and next to the critical curve the ray
+/// magnifies their rounding above the claim. Then the error must be no larger than a tenth of that
+/// of a turn of the ray by 1e-12 rad.
 #[test]
 fn delays_add_up_along_a_ray() {
     let mut random = Random::new();
@@ -295,8 +324,10 @@ fn delays_add_up_along_a_ray() {
                     .find(|hit| (hit.r - second.r).abs() < 1e-6);
                 let (first, second) = (first.delay.unwrap(), second.delay.unwrap());
                 let between = again.unwrap().delay.unwrap();
+                let error = (second - first - between).abs();
+                let sensitivity = || change_by_a_turn(&reference, aim.normalize(), second);
                 assert!(
-                    (second - first - between).abs() < CLAIM && between > 0.0,
+                    between > 0.0 && (error < CLAIM || error < 0.1 * sensitivity()),
                     "spin {spin}, {scene:?}, {aim}: {first} + {between} and not {second}"
                 );
                 pairs += 1;
