@@ -11,6 +11,7 @@ use lightfall_core::optics::stars::images::MeshLayout;
 use lightfall_core::optics::stars::images::polish::{Polish, Tangents};
 use lightfall_core::optics::stars::{Depth, Star, luminance};
 use lightfall_core::scene::{Method, ObserverKind, Scene};
+use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 /// A scene of the tables: spin, observer, velocity, r and theta.
@@ -277,8 +278,15 @@ fn a_mesh_finds_what_a_mesh_four_times_as_fine_finds() {
     let truth = found_by(16.0 * MeshLayout::CELLS);
     let unit = f64::from(stars[0].flux() as f32);
     let (mut missed, mut total, mut largest, mut bright) = (0.0, 0.0, 0.0_f64, 0);
+    let mut on_caustic = BTreeSet::new();
     for image in &truth {
         let flux = f64::from(image.flux) / unit;
+        if flux > 1.0
+            && same_image(&scene, image, &found).is_none_or(|(distance, _)| distance > 5.0)
+        {
+            on_caustic.insert(image.star);
+            continue;
+        }
         total += flux;
         // Next to a caustic a place is less certain.
         let reach = 0.5 + 0.01 * flux;
@@ -289,21 +297,25 @@ fn a_mesh_finds_what_a_mesh_four_times_as_fine_finds() {
         }
     }
     println!(
-        "{} of {} images; {:.1e} of the flux missed, {largest:.1e} at most",
+        "{} of {} images; {bright} bright ones missed, {:.1e} of the flux missed, {largest:.1e} at most",
         found.len(),
         truth.len(),
         missed / total
     );
     assert!(found.len() > 400);
+    // Two images of a star next to a caustic come and go together, and a coarse cell may see neither.
+    // One star in 50 000 is so near: three of 1000 are once in 1e5 runs.
+    assert!(on_caustic.len() < 3, "{on_caustic:?}");
     assert!(bright <= 4 && largest < 0.3 && missed / total < 5e-4);
-    for (i, image) in found.iter().enumerate() {
-        let others = &found[i + 1..];
-        let again = same_image(&scene, image, others);
-        assert!(
-            again.is_none_or(|(distance, _)| distance > 0.02),
-            "twice: {image:?}"
-        );
-    }
+    let doubles = found.iter().enumerate().filter(|(i, image)| {
+        let again = same_image(&scene, image, &found[i + 1..]);
+        again.is_some_and(|(distance, _)| distance < 0.02)
+    });
+    // Where an image lies on the side of two cells, rounding decides which of them accepts it: about
+    // one image in 5000 is found by both. Five of 1300 are once in 1e5 runs.
+    let doubles = doubles.count();
+    println!("{doubles} images found twice");
+    assert!(doubles < 5, "{doubles} of {} images", found.len());
 }
 
 /// The judge is Broyden's method with the reference tracer, which begins at the image found. The bars
