@@ -3,7 +3,7 @@
 // which are always real, so the same text serves either sign of D.
 //
 // Needs: nothing.
-// Gives: carlson_rf_pair, weierstrass.
+// Gives: LaurentSeries, carlson_rf_pair, laurent_series, weierstrass, weierstrass_of.
 
 // Maximum number of duplications: with the series below, enough for a relative error of 5e-7 down
 // to |D| = 1e-6. Elsewhere fewer are enough: the series is right to f32's rounding once its
@@ -76,4 +76,46 @@ fn weierstrass(z: f32, g3: f32) -> Weierstrass {
     let slope = (even * (2.0 + even) - y2 * (1.0 / 144.0) - odd) / (1.0 + odd);
     let twice = 9.0 * slope * (2.0 + slope) - 8.0 * even;
     return Weierstrass(twice, 9.0 * slope - 8.0 * odd + (1.0 + slope) * (12.0 * even - 3.0 * twice));
+}
+
+// Laurent's series of P(z; g2, g3) about its pole, for any invariants.
+struct LaurentSeries {
+    g2: f32,
+    // The coefficients of z^4, z^6, ..., z^16 in z^2 P(z) - 1.
+    low: vec4<f32>,
+    high: vec3<f32>,
+    // 1/z where the series still has all its digits.
+    reach: f32,
+}
+
+fn laurent_series(g2: f32, g3: f32) -> LaurentSeries {
+    let c2 = g2 * (1.0 / 20.0);
+    let c3 = g3 * (1.0 / 28.0);
+    let c4 = c2 * c2 * (1.0 / 3.0);
+    let c5 = c2 * c3 * (3.0 / 11.0);
+    let c6 = (2.0 * c2 * c4 + c3 * c3) * (1.0 / 13.0);
+    let c7 = (c2 * c5 + c3 * c4) * 0.1;
+    let c8 = (3.0 / 85.0) * (2.0 * c2 * c6 + 2.0 * c3 * c5 + c4 * c4);
+    let reach = 1.2 * max(sqrt(sqrt(abs(g2))), exp2(log2(max(abs(g3), 1e-30)) * (1.0 / 6.0)));
+    return LaurentSeries(g2, vec4<f32>(c2, c3, c4, c5), vec3<f32>(c6, c7, c8), reach);
+}
+
+// P(z; g2, g3): the series at z/2^k, then k duplications.
+fn weierstrass_of(series: LaurentSeries, z: f32) -> Weierstrass {
+    let doublings = u32(clamp(ceil(log2(max(z * series.reach, 1e-30))), 0.0, 6.0));
+    let a = series.low;
+    let b = series.high;
+    var y = z * z * exp2(-2.0 * f32(doublings));
+    let y2 = y * y;
+    var even = y2 * (a.x + y * (a.y + y * (a.z + y * (a.w + y * (b.x + y * (b.y + y * b.z))))));
+    var odd = -y2
+        * (a.x + y * (2.0 * a.y + y * (3.0 * a.z + y * (4.0 * a.w + y * (5.0 * b.x + y * (6.0 * b.y + y * 7.0 * b.z))))));
+    for (var i = 0u; i < doublings; i++) {
+        let slope = (even * (2.0 + even) - y * y * series.g2 * (1.0 / 12.0) - odd) / (1.0 + odd);
+        let twice = 9.0 * slope * (2.0 + slope) - 8.0 * even;
+        odd = 9.0 * slope - 8.0 * odd + (1.0 + slope) * (12.0 * even - 3.0 * twice);
+        even = twice;
+        y *= 4.0;
+    }
+    return Weierstrass(even, odd);
 }

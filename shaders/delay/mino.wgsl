@@ -43,7 +43,7 @@ fn delay_integral(m: Motion, c: Curve, h: f32, turns: bool, share: f32) -> f32 {
 
 // r* with the sign that it has in the delay: positive where a leg that leads outward ends.
 fn signed_tortoise(m: Motion, v: f32, inward: bool) -> f32 {
-    let value = tortoise(m.base + v, horizon_factors(m, v));
+    let value = tortoise(m.base + v, horizon_factors(m.base, v));
     return select(value, -value, inward);
 }
 
@@ -59,7 +59,7 @@ fn step_delay(m: Motion, step: Step, h: f32) -> f32 {
     var delay = delay_integral(m, curve(step), h, turns, 1.0);
     if turns {
         let ends = vec2<f32>(step.y0.x, step.y1.x);
-        let legs = tortoise_sum(m.base + ends, horizon_factors(m, ends.x), horizon_factors(m, ends.y));
+        let legs = tortoise_sum(m.base + ends, horizon_factors(m.base, ends.x), horizon_factors(m.base, ends.y));
         delay += select(legs, -legs, inward.x);
     }
     return delay;

@@ -3,39 +3,22 @@
 // begins a ray, follows it and ends it.
 //
 // Needs: AZIMUTH, Angle, Constants, DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, HAS_DISK, MAX_HITS,
-//     Motion, NEAR_HORIZON, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Photon, SKY_DIRECTION,
-//     SPINNING, Step, TINY, Trace, acceleration, add_angle, add_hit, angle_between, azimuth_gain,
-//     azimuth_lag_to_infinity, cannot_turn, crosses_plane, crossing_delay, curve, curve_at,
-//     curve_slope, empty_trace, first_delay, in_annulus, motion_about, nystroem_step, quadratic,
-//     rotate_z, safe_normalize, scene, sin_cos_precise, speed_squared, square, step_delay,
-//     wrap_angle.
+//     Motion, NEAR_HORIZON, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Orbit, Photon,
+//     SKY_DIRECTION, SPINNING, Step, TINY, Trace, acceleration, add_angle, add_hit, angle_between,
+//     azimuth_gain, azimuth_lag_to_infinity, begins_near_horizon, camera_is_inside, cannot_turn,
+//     crosses_plane, crossing_delay, curve, curve_at, curve_slope, empty_trace, first_delay,
+//     in_annulus, motion_about, nystroem_step, orbit_of, quadratic, rotate_z, safe_normalize,
+//     scene, sin_cos_precise, speed_squared, square, step_delay, wrap_angle.
 // Gives: trace.
 
 // More steps than a ray within f32's rounding of the critical curve takes at the shortest step.
 const MAX_STEPS: u32 = 1024u;
-// The weight of E^2 beside K in the scale. Radial rays, with K = 0, cover at most du = step/2 in a
-// step.
-const ENERGY_WEIGHT: f32 = 4.0;
 // Rays with sqrt(K)/E below this may come near the critical curve, on which it is at most 3.5.
 // Their step is shorter, to keep the shadow's edge in its place.
 const FAR_IMPACT: f32 = 4.0;
 // Where U is below this share of W^2, a turning point is near and U is no longer a good measure of
 // u'.
 const TURNING_SHARE: f32 = 0.0625;
-
-// What is constant along a ray.
-struct Orbit {
-    constants: Constants,
-    // The scaled w at the camera, and its moment about the axis.
-    w: vec3<f32>,
-    angular_momentum: f32,
-    // L/E.
-    lambda: f32,
-    // What the photon was multiplied by, so that K + ENERGY_WEIGHT E^2 is one.
-    scale: f32,
-    // The step in Mino time.
-    h: f32,
-}
 
 // Where a ray is.
 struct Ray {
@@ -63,62 +46,27 @@ struct StepEnd {
     regular: bool,
 }
 
-// Whether the camera is so near to the horizon that rays begin about u = 1/r_+.
-fn begins_near_horizon() -> bool {
-    return NEAR_HORIZON && scene.observer.u > 0.5 * scene.hole.horizon_u;
-}
-
-fn camera_is_inside() -> bool {
-    return NEAR_HORIZON && scene.observer.u_to_horizon <= 0.0;
-}
-
-// The constants of a photon, and the step for its ray.
-fn orbit_of(photon: Photon) -> Orbit {
-    let n = scene.observer.position_direction;
-    let a = scene.hole.a;
-    // K = |w|^2 - a^2 E^2 n_z^2, for w as a length.
-    let w_camera = scene.observer.r * photon.w;
-    let k_camera = dot(w_camera, w_camera) - square(a * n.z * photon.energy);
-    let scale = inverseSqrt(max(k_camera + ENERGY_WEIGHT * square(photon.energy), TINY));
-    let energy = scale * photon.energy;
-    let w = scale * w_camera;
-    // K' = |w - a E e_z x n|^2, and L - a E is the moment of that vector about the axis, less
-    // a E n_z^2.
-    let dragged = w - a * energy * vec3<f32>(-n.y, n.x, 0.0);
-    let k_prime = dot(dragged, dragged);
-    let drag = -a * (n.x * dragged.y - n.y * dragged.x - a * energy * n.z * n.z);
-    let angular_momentum = n.x * w.y - n.y * w.x;
-    let u_horizon = scene.hole.horizon_u;
-    let depth = scene.observer.u_to_horizon;
-    var horizon_w = energy + drag * u_horizon * u_horizon;
-    if begins_near_horizon() && depth > 0.0 {
-        // E and B u^2 may cancel at the camera; outside, u'^2 and K' u^2 D do not.
-        let d = depth * (scene.hole.horizon_separation + a * a * depth);
-        let w_there = sqrt(square(scale * photon.radial) + k_prime * square(scene.observer.u) * d);
-        horizon_w = w_there + drag * depth * (2.0 * u_horizon - depth);
+// The step in Mino time.
+fn step_of(orbit: Orbit) -> f32 {
+    let c = orbit.constants;
+    let far = orbit.k > square(FAR_IMPACT * c.energy);
+    let h = select(scene.quality.mino_critical_step, scene.quality.mino_step, far);
+    if !camera_is_inside() {
+        return h;
     }
-    let constants = Constants(energy, drag, k_prime, 2.0 * energy * drag - k_prime, square(a * energy), horizon_w);
-    // Next to the horizon an observer can meet light that has no energy.
-    let lambda = angular_momentum / select(energy, TINY, abs(energy) < TINY);
-
-    let far = k_camera > square(FAR_IMPACT * photon.energy);
-    var h = select(scene.quality.mino_critical_step, scene.quality.mino_step, far);
-    if camera_is_inside() {
-        // Deep inside, u changes by as much as itself within less than a radian. The step is a
-        // share of that time, as the growing terms of U give it.
-        let u = scene.observer.u;
-        h *= inverseSqrt(max(1.0, u * (6.0 * k_prime + 8.0 * u * (square(drag) + square(a) * k_prime))));
-    }
-    return Orbit(constants, w, angular_momentum, lambda, scale, h);
+    // Deep inside, u changes by as much as itself within less than a radian. The step is a share of
+    // that time, as the growing terms of U give it.
+    let u = scene.observer.u;
+    return h * inverseSqrt(max(1.0, u * (6.0 * c.k_prime + 8.0 * u * (square(c.drag) + square(scene.hole.a) * c.k_prime))));
 }
 
-fn ray_at_camera(photon: Photon, orbit: Orbit) -> Ray {
+fn ray_at_camera(photon: Photon, orbit: Orbit, h: f32) -> Ray {
     let n = scene.observer.position_direction;
     let near = begins_near_horizon();
     let motion = motion_about(select(0.0, scene.hole.horizon_u, near), orbit.constants);
     let y = vec4<f32>(select(scene.observer.u, -scene.observer.u_to_horizon, near), n.z, n.xy);
-    let dy = orbit.h * vec4<f32>(orbit.scale * photon.radial, -orbit.w.z, -orbit.w.xy);
-    let k = orbit.h * orbit.h * acceleration(motion, y);
+    let dy = h * vec4<f32>(orbit.scale * photon.radial, -orbit.w.z, -orbit.w.xy);
+    let k = h * h * acceleration(motion, y);
     // Kerr's ingoing azimuth has no pole along light that comes in from outside.
     let ingoing = NEAR_HORIZON && photon.radial < 0.0;
     let chi = select(0.0, scene.observer.ingoing_azimuth_lead, ingoing);
@@ -140,13 +88,13 @@ fn change_base(ray: ptr<function, Ray>, constants: Constants) {
 }
 
 // Keeps the largest residuals of the constraints: u'^2 = U, |n| = 1, and L.
-fn record_residuals(result: ptr<function, Trace>, ray: Ray, orbit: Orbit) {
+fn record_residuals(result: ptr<function, Trace>, ray: Ray, orbit: Orbit, h: f32) {
     let w2 = square(quadratic(ray.motion.w, ray.y.x));
     let u2 = speed_squared(ray.motion, ray.y.x, w2);
-    let radial = abs(square(ray.dy.x / orbit.h) - u2) / max(w2 + abs(w2 - u2), TINY);
+    let radial = abs(square(ray.dy.x / h) - u2) / max(w2 + abs(w2 - u2), TINY);
     let length = abs(dot(ray.y.yzw, ray.y.yzw) - 1.0);
     (*result).residual = max((*result).residual, max(radial, length));
-    let axial = abs((ray.y.z * ray.dy.w - ray.y.w * ray.dy.z) / orbit.h + orbit.angular_momentum);
+    let axial = abs((ray.y.z * ray.dy.w - ray.y.w * ray.dy.z) / h + orbit.angular_momentum);
     (*result).angular_momentum_drift = max((*result).angular_momentum_drift, axial);
 }
 
@@ -203,6 +151,7 @@ fn record_plane_crossing(
     step: Step,
     end: StepEnd,
     orbit: Orbit,
+    h: f32,
     energy: f32,
 ) {
     let path = curve(step);
@@ -218,7 +167,7 @@ fn record_plane_crossing(
     var place = crossing.zw * inverseSqrt(max(dot(crossing.zw, crossing.zw), TINY));
     // Pictures do not need the azimuth of a hit.
     if SPINNING && AZIMUTH {
-        var gain = azimuth_gain(ray.motion, path, orbit.h, t, crossing.x, end.regular, ray.ingoing);
+        var gain = azimuth_gain(ray.motion, path, h, t, crossing.x, end.regular, ray.ingoing);
         if ray.ingoing {
             gain += azimuth_lag_to_infinity(ray.motion, crossing.x);
         }
@@ -227,7 +176,7 @@ fn record_plane_crossing(
     if DIAGNOSTICS && (*result).hit_count == 0u {
         (*result).turn = ray.turn + angle_between(ray.y.yzw, crossing.yzw);
     }
-    let delay = ray.delay + crossing_delay(ray.motion, step, orbit.h, t, crossing.x);
+    let delay = ray.delay + crossing_delay(ray.motion, step, h, t, crossing.x);
     add_hit(result, vec3<f32>(r * place, 0.0), energy, orbit.lambda, delay);
 }
 
@@ -249,12 +198,12 @@ fn trace(photon: Photon) -> Trace {
         result.outcome = OUTCOME_CAPTURED;
         return result;
     }
-    let h = orbit.h;
-    var ray = ray_at_camera(photon, orbit);
+    let h = step_of(orbit);
+    var ray = ray_at_camera(photon, orbit, h);
     for (var i = 0u; i < MAX_STEPS; i++) {
         change_base(&ray, orbit.constants);
         if DIAGNOSTICS {
-            record_residuals(&result, ray, orbit);
+            record_residuals(&result, ray, orbit, h);
         }
         if is_captured(ray, result.hit_count) {
             result.outcome = OUTCOME_CAPTURED;
@@ -274,7 +223,7 @@ fn trace(photon: Photon) -> Trace {
             ray.chi = add_angle(ray.chi, azimuth_lag_to_infinity(ray.motion, ray.y.x));
         }
         if HAS_DISK && crosses_plane(ray.y.y, end.y.y) && result.hit_count < MAX_HITS {
-            record_plane_crossing(&result, ray, step, end, orbit, photon.energy);
+            record_plane_crossing(&result, ray, step, end, orbit, h, photon.energy);
         }
         if DELAY && may_hit(ray, result.hit_count) {
             ray.delay += step_delay(ray.motion, step, h);

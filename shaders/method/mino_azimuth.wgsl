@@ -1,8 +1,8 @@
 // The azimuth of the method mino: the growth of chi by frame dragging, chi' = a (E - W/D).
 //
-// Needs: Curve, Motion, NEAR_HORIZON, TINY, atanh_small, curve_at, curve_slope, log_precise,
+// Needs: Curve, Motion, NEAR_HORIZON, TINY, azimuth_lag, curve_at, curve_slope, horizon_factors,
 //     quadratic, scene, square.
-// Gives: Angle, add_angle, azimuth_gain, azimuth_lag_to_infinity, horizon_factors, wrap_angle.
+// Gives: Angle, add_angle, azimuth_gain, azimuth_lag_to_infinity, wrap_angle.
 
 // The four Gauss-Legendre nodes on [0, 1], 1/2 -+ sqrt(3/7 +- (2/7) sqrt(6/5))/2, and the weights
 // of the outer and the inner two, (18 -+ sqrt(30))/72.
@@ -30,7 +30,7 @@ fn azimuth_gain(m: Motion, c: Curve, h: f32, t: f32, v: f32, regular: bool, ingo
         return gain;
     }
     let start = c.c0.x;
-    return gain - azimuth_lag(horizon_factors(m, start), horizon_factors(m, v), abs(v - start));
+    return gain - azimuth_lag(horizon_factors(m.base, start), horizon_factors(m.base, v), abs(v - start));
 }
 
 // Away from the horizon and at a turning point the rate is smooth, and the four Gauss-Legendre
@@ -74,32 +74,9 @@ fn regular_azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
     return scene.hole.a * h * t * sum;
 }
 
-// 1 - r_+ u and 1 - r_- u, the factors of D.
-fn horizon_factors(m: Motion, v: f32) -> vec2<f32> {
-    let about_horizon = m.base > 0.0;
-    let outer = select(1.0, 0.0, about_horizon) - scene.hole.horizon * v;
-    let inner = select(1.0, scene.hole.horizon_separation * m.base, about_horizon) - scene.hole.inner_horizon * v;
-    return vec2<f32>(max(outer, TINY), inner);
-}
-
-// Integral of a/D over u between two places this distance apart, whose factors of D are p and q:
-//
-//   a / (r_+ - r_-) |ln(p_1 q_2 / (p_2 q_1))|,   |p_1 q_2 - p_2 q_1| = (r_+ - r_-) distance,
-//
-// which as an inverse hyperbolic tangent keeps its digits, however close the two horizons are.
-fn azimuth_lag(p: vec2<f32>, q: vec2<f32>, distance: f32) -> f32 {
-    let products = vec2<f32>(p.x * q.y, q.x * p.y);
-    let tangent = scene.hole.horizon_separation * distance / (products.x + products.y);
-    if tangent < 0.17 {
-        return 2.0 * scene.hole.a / scene.hole.horizon_separation * atanh_small(tangent);
-    }
-    let ratio = max(products.x, products.y) / min(products.x, products.y);
-    return scene.hole.a / scene.hole.horizon_separation * log_precise(ratio);
-}
-
 // The same out to u = 0: how far Kerr's ingoing azimuth lags behind.
 fn azimuth_lag_to_infinity(m: Motion, v: f32) -> f32 {
-    return azimuth_lag(horizon_factors(m, v), vec2<f32>(1.0), m.base + v);
+    return azimuth_lag(horizon_factors(m.base, v), vec2<f32>(1.0), m.base + v);
 }
 
 fn add_angle(angle: Angle, gain: f32) -> Angle {

@@ -20,22 +20,9 @@
 // are scaled such that the step in Mino time is an angle; docs/PHYSICS.md has the measurements from
 // which the steps were chosen.
 //
-// Needs: scene, square.
-// Gives: Constants, Curve, Motion, Step, acceleration, cannot_turn, curve, curve_at, curve_slope,
+// Needs: Constants, scene, square.
+// Gives: Curve, Motion, Step, acceleration, cannot_turn, curve, curve_at, curve_slope,
 //     motion_about, nystroem_step, quadratic, speed_squared.
-
-// Constants of the motion, scaled.
-struct Constants {
-    energy: f32,
-    // B and K'.
-    drag: f32,
-    k_prime: f32,
-    // a^2 E^2 - K, and a^2 E^2.
-    stiffness: f32,
-    axial: f32,
-    // W at the horizon.
-    horizon_w: f32,
-}
 
 // The motion about u = base, in the variable v = u - base.
 struct Motion {

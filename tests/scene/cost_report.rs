@@ -78,7 +78,7 @@ fn the_cost_report_follows_from_the_scene() {
             "picture.antialias=false",
         ],
     );
-    assert_eq!(line(&spinning, "method"), "mino (asked for: auto)");
+    assert_eq!(line(&spinning, "method"), "closed (asked for: auto)");
     assert!(line(&spinning, "flags set").starts_with("SPINNING, "));
     assert_eq!(
         line(&spinning, "passes left out"),

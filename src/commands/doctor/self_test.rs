@@ -42,7 +42,7 @@ impl StatedErrors {
             method,
             ..scene.clone()
         });
-        let p99 = method.properties().backward_p99.unwrap_or(max);
+        let p99 = method.backward_p99(scene.hole.spin).unwrap_or(max);
         Self { p99, max }
     }
 

@@ -80,7 +80,7 @@ pub enum GpuError {
     Stars(#[from] InversionError),
     /// The method cannot trace this spin.
     #[error(
-        "hole.spin = {spin} is refused: methods {} trace holes without spin only, so it must be 0 (methods {} trace any spin)",
+        "hole.spin = {spin} is refused: holes without spin are all that {} can trace, so it must be 0 (methods {} trace any spin)",
         Method::list("and", |method| !method.spins),
         Method::list("and", |method| method.spins && method.on_gpu),
         spin = .0
@@ -88,11 +88,9 @@ pub enum GpuError {
     Spin(f64),
     /// The camera is inside the horizon, where the method cannot start a ray.
     #[error(
-        "camera.r = {r} is refused: it is inside the horizon, where methods {} cannot start a ray ({} can, and without \
-         spin {})",
+        "camera.r = {r} is refused: it is inside the horizon, where methods {} cannot start a ray ({} can)",
         Method::list("and", |method| !method.inside),
-        Method::list("and", |method| method.inside && method.spins && method.on_gpu),
-        Method::list("and", |method| method.inside && !method.spins)
+        Method::list("and", |method| method.inside && method.on_gpu)
     )]
     Inside {
         /// The camera's radius, in r_s.

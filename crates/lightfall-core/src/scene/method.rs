@@ -9,7 +9,7 @@ crate::words! {
         Auto = "auto",
         /// Velocity Verlet in Schwarzschild's areal Cartesian coordinates.
         Verlet = "verlet",
-        /// Schwarzschild's null geodesics in closed form.
+        /// Null geodesics in closed form, for any spin.
         Closed = "closed",
         /// Kerr's null geodesics in Mino time.
         Mino = "mino",
@@ -47,16 +47,28 @@ pub struct MethodProperties {
     /// The field that sets its accuracy.
     pub setting: AccuracySetting,
     /// 99 of 100 rays have a backward error of at most this many radians at the default setting
-    /// (docs/ACCURACY.md); none where nothing is stated.
+    /// (docs/ACCURACY.md); none where nothing is stated. Around a hole that spins it is
+    /// [`Method::backward_p99`].
     pub backward_p99: Option<f64>,
     /// Every ray has a backward error of at most this many radians, or of the method's own setting
-    /// if that is larger (docs/EXTREMES.md).
+    /// if that is larger (docs/EXTREMES.md). Around a hole that spins it is
+    /// [`Method::backward_max`].
     pub backward_max: f64,
 }
 
+/// Around holes of larger |spin| the steps of `mino` lose fewer digits next to the horizon than the
+/// closed form does (docs/ACCURACY.md).
+const MAX_CLOSED_SPIN: f64 = 0.9999;
+
+/// The largest backward error of `closed` around holes that spin, next to the horizon and for
+/// observers that move fast, in radians: what hunts through random scenes find (docs/EXTREMES.md).
+const CLOSED_SPINNING_MAX: f64 = 6e-6;
+/// What 99 of 100 of its rays hold in the scenes of `bench` (docs/ACCURACY.md).
+const CLOSED_SPINNING_P99: f64 = 5e-7;
+
 /// What f32 leaves of a direction, solved in closed form.
 const CLOSED: MethodProperties = MethodProperties {
-    spins: false,
+    spins: true,
     inside: true,
     on_gpu: true,
     steps: false,
@@ -91,7 +103,7 @@ const KERR_SCHILD: MethodProperties = MethodProperties {
 
 impl Method {
     /// The method's properties: a new method is a new row. Those of `auto` are those of the method
-    /// it means for a hole that spins; ask [`Method::resolved`] first to have them for a scene.
+    /// it means for a nearly extremal hole; ask [`Method::resolved`] first to have them for a scene.
     #[must_use]
     pub const fn properties(self) -> MethodProperties {
         match self {
@@ -137,10 +149,39 @@ impl Method {
         }
     }
 
-    /// What `auto` means for a hole of spin `chi`.
+    /// The backward error that 99 of 100 rays around a hole of spin `chi` hold at the default setting, in
+    /// radians; none where nothing is stated.
+    #[must_use]
+    pub fn backward_p99(self, chi: f64) -> Option<f64> {
+        let spins = self == Self::Closed && chi != 0.0;
+        self.properties()
+            .backward_p99
+            .map(|p99| if spins { CLOSED_SPINNING_P99 } else { p99 })
+    }
+
+    /// The largest backward error of any ray around a hole of spin `chi`, in radians, apart from the
+    /// method's own setting.
+    ///
+    /// In closed form the azimuth of a ray that lingers next to the horizon is a rate times a time.
+    /// The rate grows as 1/(r_+ - r_-), and f32 keeps 1e-7 of it.
+    #[must_use]
+    pub fn backward_max(self, chi: f64) -> f64 {
+        if self == Self::Closed && chi != 0.0 {
+            CLOSED_SPINNING_MAX + 2e-7 / (1.0 - chi * chi).sqrt()
+        } else {
+            self.properties().backward_max
+        }
+    }
+
+    /// What `auto` means for a hole of spin `chi`: the closed form, as long as 99 of 100 of its rays are
+    /// more exact than those of `mino`.
     #[must_use]
     pub fn for_spin(chi: f64) -> Self {
-        if chi == 0.0 { Self::Closed } else { Self::Mino }
+        if chi.abs() <= MAX_CLOSED_SPIN {
+            Self::Closed
+        } else {
+            Self::Mino
+        }
     }
 
     /// This method, or what `auto` means for a hole of spin `chi`.

@@ -253,18 +253,41 @@ fn the_delays_of_mino_are_those_of_the_reference() {
         off.add(&scene, &pixels(&scene));
         off.check(&format!("mino, pixels, {spin}, {theta}"), MINO, &mut faults);
     }
+    check_spins(
+        Method::Mino,
+        &[0.0, 0.3, 0.9, -0.9, 0.998],
+        MINO,
+        &mut faults,
+    );
+    assert_none(&faults);
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_delays_of_closed_with_spin_are_those_of_the_reference() {
+    let mut faults = vec![];
+    check_spins(
+        Method::Closed,
+        &[0.3, 0.9, -0.9, 0.998],
+        CLOSED,
+        &mut faults,
+    );
+    assert_none(&faults);
+}
+
+/// Random scenes of a method from outside.
+fn check_spins(method: Method, spins: &[f64], bar: Bar, faults: &mut Vec<String>) {
     let mut random = Random::new();
-    for spin in [0.0, 0.3, 0.9, -0.9, 0.998] {
+    for spin in spins {
         for r in FAR {
             let mut off = Differences::default();
             for _ in 0..3 {
-                let scene = random_scene(&mut random, Method::Mino, spin, r);
+                let scene = random_scene(&mut random, method, *spin, r);
                 off.add(&scene, &random_directions(&mut random, &scene, 400));
             }
-            off.check(&format!("mino, {spin}, {r}"), MINO, &mut faults);
+            off.check(&format!("{method:?}, {spin}, {r}"), bar, faults);
         }
     }
-    assert_none(&faults);
 }
 
 #[test]
@@ -274,6 +297,7 @@ fn inside_the_horizon_the_lags_are_those_of_the_reference() {
     let mut random = Random::new();
     for (method, spin) in [
         (Method::Closed, 0.0),
+        (Method::Closed, 0.9),
         (Method::Mino, 0.0),
         (Method::Mino, 0.5),
         (Method::Mino, 0.9),
@@ -353,8 +377,10 @@ fn the_delays_of_the_tabulated_pixels_are_right() {
     for (method, spin, theta, bar) in [
         (Method::Closed, 0.0, 83.0, CLOSED),
         (Method::Mino, 0.0, 83.0, MINO),
+        (Method::Closed, 0.9, 83.0, CLOSED),
         (Method::Mino, 0.9, 83.0, MINO),
         (Method::Closed, 0.0, 60.0, CLOSED),
+        (Method::Closed, 0.9, 60.0, CLOSED),
         (Method::Mino, 0.9, 60.0, MINO),
     ] {
         let pixels = if theta == 83.0 {

@@ -8,6 +8,7 @@ mod bench_rows;
 mod camera;
 mod choice;
 mod closed;
+mod closed_kerr;
 mod delay;
 mod disk;
 mod effects;

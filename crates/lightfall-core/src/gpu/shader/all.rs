@@ -100,7 +100,9 @@ impl Variant {
         all.extend(refined);
         let close = |variant: &Self| {
             let (tracer, view, effects) = (variant.tracer, variant.view, variant.effects);
-            tracer == Tracer::Mino && view == View::Colour && effects == Effects::default()
+            matches!(tracer, Tracer::Mino | Tracer::ClosedKerr)
+                && view == View::Colour
+                && effects == Effects::default()
         };
         let close: Vec<Self> = all.iter().copied().filter(close).collect();
         all.extend(close.into_iter().map(|variant| Self {

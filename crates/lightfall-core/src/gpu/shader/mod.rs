@@ -31,9 +31,11 @@ pub struct Variant {
     pub tracer: Tracer,
     /// Whether the hole spins.
     pub spinning: bool,
-    /// Whether rays of the method mino pass close to the horizon, where their azimuth needs care,
-    /// or begin inside.
+    /// Whether rays of the methods mino and closed pass close to the horizon, where their azimuth
+    /// needs care, or begin inside.
     pub near_horizon: bool,
+    /// Whether a ray in closed form may turn so close to the horizon that its azimuth's pole is near.
+    pub nearly_extremal: bool,
     /// Whether rays can meet a disk.
     pub disk: bool,
     /// The model of the disk's flux; the default where none is drawn.
@@ -70,17 +72,24 @@ pub struct Variant {
 /// half of an 8-bit level.
 const MIN_TRANSMISSION: f64 = 0.002;
 
+/// Around holes of larger |spin| rays in closed form turn next to the horizon.
+const MAX_DISTANT_SPIN: f64 = 0.99;
+
 /// Whether rays that see something pass so close to the horizon of a spinning hole that their
 /// azimuth must be summed in coordinates that are regular there. Elsewhere the pole of the
 /// azimuth's rate is too far away to disturb four Gaussian nodes per step, or what it disturbs is
 /// too small a rotation of the ray as seen from the camera. Without spin only a camera inside is
 /// affected.
-fn passes_near_horizon(Scene { hole, camera, .. }: &Scene) -> bool {
-    let farthest = match hole.spin.abs() {
-        0.0 => 1.0,
-        spin if spin > 0.999 => f64::INFINITY,
-        spin if spin > 0.99 => 10.0,
-        _ => 1.5,
+///
+/// A ray in closed form has a nearby pole only where the camera is next to the horizon.
+fn passes_near_horizon(tracer: Tracer, Scene { hole, camera, .. }: &Scene) -> bool {
+    let farthest = match (tracer, hole.spin.abs()) {
+        (Tracer::ClosedKerr, _) => 2.0,
+        (Tracer::Mino, 0.0) => 1.0,
+        (Tracer::Mino, spin) if spin > 0.999 => f64::INFINITY,
+        (Tracer::Mino, spin) if spin > 0.99 => 10.0,
+        (Tracer::Mino, _) => 1.5,
+        _ => return false,
     };
     camera.r <= farthest * Kerr { spin: hole.spin }.horizon()
 }
@@ -111,7 +120,9 @@ impl Variant {
             entry: Entry::Picture,
             tracer,
             spinning: scene.hole.spin != 0.0,
-            near_horizon: tracer.has_near_horizon() && passes_near_horizon(scene),
+            near_horizon: passes_near_horizon(tracer, scene),
+            nearly_extremal: tracer == Tracer::ClosedKerr
+                && scene.hole.spin.abs() > MAX_DISTANT_SPIN,
             disk: scene.disk.enabled && scene.view.properties().traces,
             disk_model: if lit {
                 scene.disk.model

@@ -17,11 +17,12 @@ use crate::scene::{HotSpotKind, SkyMode, View};
 
 impl Variant {
     /// The flags, by their names in the shaders.
-    pub fn flags(self) -> [(&'static str, bool); 15] {
+    pub fn flags(self) -> [(&'static str, bool); 16] {
         let records = self.entry == Entry::Rays;
         [
             ("SPINNING", self.spinning),
             ("NEAR_HORIZON", self.near_horizon),
+            ("NEARLY_EXTREMAL", self.nearly_extremal),
             ("AZIMUTH", records || self.moves()),
             ("DELAY", self.delay_nodes > 0),
             ("SHEARED_SPOT", self.hot_spot == HotSpotKind::Sheared),
@@ -84,7 +85,7 @@ impl Variant {
                 add_constant(&mut text, name, kind, value);
             }
         }
-        if self.delay_nodes > 0 {
+        if self.delay_nodes > 0 && !self.tracer.has_own_nodes() {
             text.push_str(&delay_nodes(self.delay_nodes));
         }
         text

@@ -10,6 +10,8 @@ pub enum Tracer {
     Verlet,
     /// Closed form; spin zero only.
     Closed,
+    /// Closed form, for holes that spin.
+    ClosedKerr,
     /// Mino time, any spin.
     Mino,
     /// Runge-Kutta in Kerr-Schild coordinates.
@@ -28,6 +30,7 @@ impl Tracer {
             Method::Verlet => Self::Verlet,
             Method::Mino => Self::Mino,
             Method::KerrSchild => Self::KerrSchild,
+            Method::Closed if scene.hole.spin != 0.0 => Self::ClosedKerr,
             Method::Auto | Method::Closed | Method::Reference => Self::Closed,
         }
     }
@@ -49,13 +52,22 @@ impl Tracer {
                 part!("delay/closed.wgsl"),
                 part!("method/closed.wgsl"),
             ],
+            (Self::ClosedKerr, false) => closed_kerr(&[part!("delay/none/closed_kerr.wgsl")]),
+            (Self::ClosedKerr, true) => closed_kerr(&[
+                part!("delay/tortoise.wgsl"),
+                part!("delay/closed_kerr.wgsl"),
+            ]),
             (Self::Mino, false) => vec![
+                part!("method/kerr_constants.wgsl"),
+                part!("method/horizon.wgsl"),
                 part!("method/mino_motion.wgsl"),
                 part!("method/mino_azimuth.wgsl"),
                 part!("delay/none/mino.wgsl"),
                 part!("method/mino.wgsl"),
             ],
             (Self::Mino, true) => vec![
+                part!("method/kerr_constants.wgsl"),
+                part!("method/horizon.wgsl"),
                 part!("method/mino_motion.wgsl"),
                 part!("method/mino_azimuth.wgsl"),
                 part!("delay/tortoise.wgsl"),
@@ -72,15 +84,33 @@ impl Tracer {
         }
     }
 
-    /// Nodes of the integral that gives the delay, where a picture asks for it: per leg of a ray of
-    /// the method closed, per step of the method mino.
+    /// Nodes of the integral that gives the delay, where a picture asks for it: per leg of a ray in
+    /// closed form, per step of the method mino.
     pub(super) fn delay_nodes(self) -> u32 {
-        if self == Self::Mino { 3 } else { 4 }
+        match self {
+            Self::Mino => 3,
+            Self::ClosedKerr => 24,
+            _ => 4,
+        }
     }
 
-    /// Whether it has a second way to sum azimuths, for rays next to the horizon (the flag
-    /// NEAR_HORIZON).
-    pub(super) fn has_near_horizon(self) -> bool {
-        self == Self::Mino
+    /// Whether the tracer's own files hold these nodes.
+    pub(super) fn has_own_nodes(self) -> bool {
+        self == Self::ClosedKerr
     }
+}
+
+/// The method closed around a hole that spins, with its parts for the delay.
+fn closed_kerr(delay: &[Part]) -> Vec<Part> {
+    let before = [
+        part!("elliptic.wgsl"),
+        part!("method/kerr_constants.wgsl"),
+        part!("method/horizon.wgsl"),
+        part!("method/closed_kerr_radial.wgsl"),
+        part!("method/closed_kerr_polar.wgsl"),
+        part!("method/closed_kerr_legs.wgsl"),
+        part!("method/closed_kerr_azimuth.wgsl"),
+    ];
+    let after = [part!("method/closed_kerr.wgsl")];
+    [&before, delay, &after].concat()
 }

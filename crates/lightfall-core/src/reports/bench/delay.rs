@@ -75,7 +75,7 @@ impl Plan {
                     method,
                     ..scene.clone()
                 };
-                for nodes in NODES {
+                for nodes in counts_of_nodes(&scene) {
                     let row = self.delays(gpu, bench_scene, (&scene, nodes), &given, &truth)?;
                     done(&row);
                     rows.push(row);
@@ -139,6 +139,16 @@ impl Plan {
             turn_p99: turns.p99,
             turn_max: turns.max,
         })
+    }
+}
+
+/// The numbers of nodes to measure with: a method whose nodes are fixed has none but its own.
+fn counts_of_nodes(scene: &Scene) -> Vec<u32> {
+    let own = Variant::rays(scene).delay_nodes;
+    if own == 0 || NODES.contains(&own) {
+        NODES.to_vec()
+    } else {
+        vec![0, own]
     }
 }
 

@@ -9,12 +9,12 @@ use crate::scene::{AccuracySetting, Scene};
 /// article's pictures, 960x540 at 60 degrees.
 #[must_use]
 pub fn tolerance(scene: &Scene) -> f64 {
-    let method = scene.method.properties();
-    match method.setting {
+    let most = scene.method.backward_max(scene.hole.spin);
+    match scene.method.properties().setting {
         AccuracySetting::MaxError => {
             let pixel = scene.camera.pixel_angle(f64::from(scene.picture.height));
-            f64::max(method.backward_max, scene.quality.max_error_px * pixel)
+            f64::max(most, scene.quality.max_error_px * pixel)
         }
-        AccuracySetting::None | AccuracySetting::StepScale => method.backward_max,
+        AccuracySetting::None | AccuracySetting::StepScale => most,
     }
 }

@@ -1,0 +1,86 @@
+//! The method closed around holes that spin, against the reference.
+
+use crate::gpu;
+use lightfall_core::accuracy::{
+    ErrorSummary, Quantiles, Ray, Truth, rays_near_edge, rays_over_sky,
+};
+use lightfall_core::gpu::rays::RayKernel;
+use lightfall_core::reports::extremes::tolerance;
+use lightfall_core::scene::{Method, ObserverKind, Scene};
+
+/// Rays over the whole sky, and as many again next to the shadow's edge.
+const RAYS: usize = 250;
+
+fn seen_from(spin: f64, r: f64, theta_deg: f64, kind: ObserverKind) -> Scene {
+    let mut scene = Scene {
+        method: Method::Closed,
+        ..Scene::default()
+    };
+    scene.hole.spin = spin;
+    (scene.camera.r, scene.camera.theta_deg) = (r, theta_deg);
+    scene.observer.kind = kind;
+    // A disk that reaches far inward has hits on rays that linger.
+    (scene.disk.inner, scene.disk.outer) = (1.0, 14.0);
+    scene
+}
+
+fn errors_of(scene: &Scene) -> ErrorSummary {
+    let mut rays = rays_over_sky(RAYS);
+    rays.extend(rays_near_edge(scene, RAYS, [1e-6, 0.3]));
+    let truth = Truth::of(scene, rays).unwrap();
+    let directions: Vec<_> = truth.rays.iter().map(Ray::given).collect();
+    let kernel = RayKernel::new(gpu(), scene).unwrap();
+    let given = kernel.trace_camera_rays(gpu(), scene, &directions).unwrap();
+    ErrorSummary::of(&truth, &given)
+}
+
+/// Every ray must hold the method's bound, and 99 of 100 a multiple of what f32 leaves of a
+/// direction, 6e-8.
+fn check(scene: &Scene, p99: f64) {
+    let place = format!("spin {} r {}", scene.hole.spin, scene.camera.r);
+    let errors = errors_of(scene);
+    let Quantiles {
+        p99: found, max, ..
+    } = errors.backward;
+    println!("{place}: p99 {found:.1e} max {max:.1e}");
+    assert_eq!((errors.unfinished(), errors.not_finite), (0, 0), "{place}");
+    assert!(max <= tolerance(scene), "{place}: {max:e}");
+    assert!(found <= p99, "{place}: {found:e}");
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn rays_from_outside_hold_their_bound() {
+    for (spin, r, theta_deg, p99) in [
+        (0.9, 20.0, 83.0, 4e-7),
+        (-0.7, 30.0, 100.0, 4e-7),
+        (0.5, 3.0, 70.0, 6e-7),
+        (0.9, 1000.0, 80.0, 4e-7),
+        (1e-3, 10.0, 75.0, 4e-7),
+        // Next to the axis, where no great circle describes the latitude.
+        (0.9, 4.0, 1.0, 8e-7),
+        // Next to the photon orbits.
+        (0.9, 1.6, 20.0, 1.2e-6),
+        // Where rays turn next to the horizon.
+        (0.99, 6.0, 60.0, 8e-7),
+        (0.998, 6.0, 60.0, 1e-6),
+        (0.9999, 5.0, 90.0, 1e-6),
+    ] {
+        check(&seen_from(spin, r, theta_deg, ObserverKind::Zamo), p99);
+    }
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn rays_of_a_falling_observer_hold_their_bound_on_both_sides_of_the_horizon() {
+    for (spin, r, theta_deg) in [
+        (0.9, 1.2, 70.0),
+        (0.9, 0.719, 30.0),
+        (0.9, 0.6, 80.0),
+        (0.5, 0.4, 90.0),
+        (0.998, 0.8, 60.0),
+        (0.998, 0.51, 60.0),
+    ] {
+        check(&seen_from(spin, r, theta_deg, ObserverKind::Rain), 2e-6);
+    }
+}

@@ -1,0 +1,166 @@
+// The method closed around a hole that spins: Kerr's null geodesics in closed form, with real
+// arithmetic, without steps and without a radius that stands for infinity. closed_kerr_radial.wgsl
+// has the motion in r, closed_kerr_polar.wgsl the motion in latitude and closed_kerr_azimuth.wgsl
+// the azimuth; this part finds what a ray meets. No constraint can drift: the record's steps and
+// residuals are 0.
+//
+// Needs: AZIMUTH, Anchor, Centre, DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, HAS_DISK, LaurentSeries,
+//     MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Photon, Radial, SKY_DIRECTION, TINY,
+//     Trace, add_hit, anchor_at, anchor_at_centre, arc_after, camera_is_inside, course_from,
+//     crossing_delay, dragged_azimuth, empty_trace, mino_time, orbit_of, place_after, polar_of,
+//     potential, radial_of, radial_series, safe_normalize, scene, square, time_between,
+//     time_from_turn, turning_point, u_after.
+// Gives: trace.
+
+// Crossings of the plane that are looked at: rays within f32's rounding of the critical curve go
+// round ten times.
+const MAX_CROSSINGS: u32 = 24u;
+// A place where |u'| is below this share of E lies so near to the critical orbit that u is improved
+// from the time.
+const SLOW_SHARE: f32 = 0.2;
+
+// When a ray is where, in Mino time since the camera, and the places from which u is computed.
+struct Schedule {
+    // The turning point, or the place where the ray is slowest.
+    centre: f32,
+    end: f32,
+    at_camera: Anchor,
+    at_centre: Anchor,
+    at_end: Anchor,
+}
+
+// u at the time t. From the nearest of the camera, the centre and the end, because errors grow on
+// the way.
+fn u_at(m: Radial, series: LaurentSeries, s: Schedule, t: f32) -> f32 {
+    var anchor = s.at_camera;
+    var since = t;
+    if abs(t - s.centre) < min(t, s.end - t) {
+        anchor = s.at_centre;
+        anchor.slope *= sign(t - s.centre);
+        since = max(abs(t - s.centre), TINY);
+    } else if t + t > s.end {
+        anchor = s.at_end;
+        since = s.end - t;
+    }
+    return u_after(m, series, anchor, since);
+}
+
+// One step of Newton's method toward the u that the ray reaches at the time t. Where the ray is
+// slow, the time of a place is known better than the place at a time.
+fn improve(m: Radial, s: Schedule, centre: Centre, turns: bool, inward: bool, u: f32, t: f32) -> f32 {
+    let speed = sqrt(potential(m, u));
+    let camera = vec2<f32>(s.at_camera.u, abs(s.at_camera.slope));
+    var arguments = time_between(m, camera, vec2<f32>(u, speed));
+    var target_time = t;
+    var rate = select(-speed, speed, inward);
+    if turns {
+        arguments = time_from_turn(centre, centre.side * (centre.u - u));
+        target_time = abs(t - s.centre);
+        rate = -centre.side * speed;
+    }
+    return u + rate * (target_time - mino_time(m, arguments));
+}
+
+fn trace(photon: Photon) -> Trace {
+    var result = empty_trace();
+    result.outcome = OUTCOME_CAPTURED;
+    let orbit = orbit_of(photon);
+    let c = orbit.constants;
+    if camera_is_inside() && c.horizon_w <= 0.0 {
+        // Light that comes from the horizon's other branch, through which nothing comes from
+        // outside.
+        return result;
+    }
+    let u_0 = scene.observer.u;
+    let slope = orbit.scale * photon.radial;
+    let m = radial_of(c, slope);
+    let inward = slope > 0.0;
+    let outside_barrier = u_0 < m.barrier;
+    // Light of negative energy never was at infinity.
+    let escapes = m.energy > 0.0 && select(!inward, outside_barrier, m.has_barrier);
+    let turns = m.has_barrier && inward == outside_barrier;
+
+    // A ray that does not escape is followed to the disk's inner edge.
+    let u_inner = 1.0 / scene.disk.inner;
+    let u_end = select(u_inner, 0.0, escapes);
+    let turn = turning_point(m, outside_barrier);
+    let course = course_from(m, c, orbit.angular_momentum, slope, turn, u_end);
+    let centre = course.centre;
+    let comes_from_disk = select(inward && u_0 < u_inner, turn.u < u_inner, turns);
+    if !(escapes || HAS_DISK && comes_from_disk) {
+        return result;
+    }
+    let polar = polar_of(scene.observer.position_direction, -orbit.w, orbit.k, orbit.angular_momentum, c);
+    let may_hit = HAS_DISK && polar.crosses;
+
+    // The times of the centre and of the end, from the camera or from the turning point.
+    let camera = vec2<f32>(u_0, abs(slope));
+    let speed_end = select(sqrt(potential(m, u_end)), m.energy, escapes);
+    var to_centre = time_between(m, camera, vec2<f32>(centre.u, sqrt(centre.c_0)));
+    var to_end = time_between(m, camera, vec2<f32>(u_end, speed_end));
+    if turns {
+        to_centre = time_from_turn(turn, course.distance);
+        to_end = time_from_turn(turn, turn.side * (turn.u - u_end));
+    }
+    let centre_time = mino_time(m, to_centre);
+    let end_time = mino_time(m, to_end) + select(0.0, centre_time, turns);
+    // Without a turn, a centre at either end or in no way slower is of no use.
+    let passes = !m.has_barrier && centre.u != u_0 && centre.u != u_end;
+
+    if may_hit {
+        let series = radial_series(m);
+        let schedule = Schedule(
+            select(0.0, centre_time, turns || passes),
+            end_time,
+            anchor_at(m, u_0, slope),
+            anchor_at_centre(centre, sqrt(centre.c_0) * select(-1.0, 1.0, u_end > u_0)),
+            anchor_at(m, u_end, select(-speed_end, speed_end, escapes)),
+        );
+        var t = polar.first_crossing;
+        for (var i = 0u; i < MAX_CROSSINGS; i++) {
+            if t >= end_time || result.hit_count >= MAX_HITS {
+                break;
+            }
+            var u = u_at(m, series, schedule, t);
+            // A loop in place of a branch: software renderers compute both sides of every branch, but
+            // skip a loop that no pixel enters. The parts of this method use it for rare work.
+            let slow = m.base > 0.0 && potential(m, u) < square(SLOW_SHARE * m.energy);
+            for (var k = 0u; k < select(0u, 1u, slow); k++) {
+                u = improve(m, schedule, centre, turns, inward, u, t);
+            }
+            if u * scene.disk.outer > 1.0 && u * scene.disk.inner < 1.0 {
+                let returned = turns && t > centre_time;
+                // Pictures of a smooth disk need neither the azimuth of a hit nor its delay.
+                var azimuth = 0.0;
+                if AZIMUTH {
+                    azimuth = dragged_azimuth(m, c, course, u, returned, t, centre_time);
+                }
+                var place = vec3<f32>(1.0, 0.0, 0.0);
+                var delay = 0.0;
+                if AZIMUTH || DELAY {
+                    let there = place_after(polar, t, azimuth);
+                    place = vec3<f32>(there.n.xy * inverseSqrt(max(dot(there.n.xy, there.n.xy), TINY)), 0.0);
+                    delay = crossing_delay(m, c, course, inward, u, returned, t, there.height2);
+                }
+                if DIAGNOSTICS && result.hit_count == 0u {
+                    result.turn = arc_after(polar, t);
+                }
+                add_hit(&result, place / u, photon.energy, orbit.lambda, delay);
+            }
+            t += polar.period;
+        }
+    }
+    if escapes {
+        result.outcome = OUTCOME_SKY;
+        if DIAGNOSTICS && result.hit_count == 0u {
+            result.turn = arc_after(polar, end_time);
+        }
+        if !FOLLOW_BEYOND_HITS && result.hit_count == MAX_HITS {
+            result.outcome = OUTCOME_HIDDEN;
+        } else if SKY_DIRECTION {
+            let azimuth = dragged_azimuth(m, c, course, 0.0, turns, end_time, centre_time);
+            result.sky = safe_normalize(place_after(polar, end_time, azimuth).n);
+        }
+    }
+    return result;
+}
