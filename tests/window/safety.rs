@@ -185,7 +185,8 @@ fn the_window_survives_five_hundred_random_keys_and_clicks() {
         "{stderr}"
     );
     println!("memory: {memory:?}");
-    // Pipelines of new variants are kept, so there is some growth; a texture lost with each change
-    // would be a hundred times as much.
-    assert!(memory[4] < memory[1] + 300_000_000, "{memory:?}");
+    // Pipelines of new variants are kept, and a software driver's are machine code: 0.30 to 0.33 GB
+    // for those that these keys ask for. A texture of the window lost with each of the 300 changes
+    // would be 1.4 GB.
+    assert!(memory[4] < memory[1] + 450_000_000, "{memory:?}");
 }

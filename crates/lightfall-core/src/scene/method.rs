@@ -46,14 +46,10 @@ pub struct MethodProperties {
     pub answers_every_ray: bool,
     /// The field that sets its accuracy.
     pub setting: AccuracySetting,
-    /// 99 of 100 rays have a backward error of at most this many radians at the default setting
-    /// (docs/ACCURACY.md); none where nothing is stated. Around a hole that spins it is
-    /// [`Method::backward_p99`].
-    pub backward_p99: Option<f64>,
-    /// Every ray has a backward error of at most this many radians, or of the method's own setting
-    /// if that is larger (docs/EXTREMES.md). Around a hole that spins it is
-    /// [`Method::backward_max`].
-    pub backward_max: f64,
+    /// [`Method::backward_p99`] without spin.
+    p99_without_spin: Option<f64>,
+    /// [`Method::backward_max`] without spin.
+    max_without_spin: f64,
 }
 
 /// Around holes of larger |spin| the steps of `mino` lose fewer digits next to the horizon than the
@@ -74,8 +70,8 @@ const CLOSED: MethodProperties = MethodProperties {
     steps: false,
     answers_every_ray: true,
     setting: AccuracySetting::None,
-    backward_p99: Some(3e-7),
-    backward_max: 1e-6,
+    p99_without_spin: Some(3e-7),
+    max_without_spin: 1e-6,
 };
 
 const MINO: MethodProperties = MethodProperties {
@@ -85,8 +81,8 @@ const MINO: MethodProperties = MethodProperties {
     steps: true,
     answers_every_ray: true,
     setting: AccuracySetting::MaxError,
-    backward_p99: Some(4e-6),
-    backward_max: 2e-6,
+    p99_without_spin: Some(4e-6),
+    max_without_spin: 2e-6,
 };
 
 /// The article's methods are held to a pixel of the article's own pictures, 960x540 at 60 degrees.
@@ -97,8 +93,8 @@ const KERR_SCHILD: MethodProperties = MethodProperties {
     steps: true,
     answers_every_ray: false,
     setting: AccuracySetting::StepScale,
-    backward_p99: None,
-    backward_max: 2.1e-3,
+    p99_without_spin: None,
+    max_without_spin: 2.1e-3,
 };
 
 impl Method {
@@ -150,17 +146,17 @@ impl Method {
     }
 
     /// The backward error that 99 of 100 rays around a hole of spin `chi` hold at the default setting, in
-    /// radians; none where nothing is stated.
+    /// radians (docs/ACCURACY.md); none where nothing is stated.
     #[must_use]
     pub fn backward_p99(self, chi: f64) -> Option<f64> {
         let spins = self == Self::Closed && chi != 0.0;
         self.properties()
-            .backward_p99
+            .p99_without_spin
             .map(|p99| if spins { CLOSED_SPINNING_P99 } else { p99 })
     }
 
-    /// The largest backward error of any ray around a hole of spin `chi`, in radians, apart from the
-    /// method's own setting.
+    /// The largest backward error of any ray around a hole of spin `chi`, in radians, if the method's
+    /// own setting is not larger (docs/EXTREMES.md).
     ///
     /// In closed form the azimuth of a ray that lingers next to the horizon is a rate times a time.
     /// The rate grows as 1/(r_+ - r_-), and f32 keeps 1e-7 of it.
@@ -169,7 +165,7 @@ impl Method {
         if self == Self::Closed && chi != 0.0 {
             CLOSED_SPINNING_MAX + 2e-7 / (1.0 - chi * chi).sqrt()
         } else {
-            self.properties().backward_max
+            self.properties().max_without_spin
         }
     }
 

@@ -72,11 +72,13 @@ fn auto_means_a_method_that_can_trace_the_hole_from_anywhere() {
 #[test]
 fn a_method_has_a_bar_that_its_setting_can_reach() {
     for method in Method::on_gpu() {
-        let properties = method.properties();
-        assert!(properties.backward_max > 0.0 && properties.backward_max < 0.01);
-        if properties.setting == AccuracySetting::None {
-            let p99 = properties.backward_p99.unwrap();
-            assert!(p99 <= properties.backward_max, "{}", method.word());
+        for chi in [0.0, 0.9, -0.9999] {
+            let max = method.backward_max(chi);
+            assert!(max > 0.0 && max < 0.01, "{}, {chi}", method.word());
+            if method.properties().setting == AccuracySetting::None {
+                let p99 = method.backward_p99(chi).unwrap();
+                assert!(p99 <= max, "{}, {chi}", method.word());
+            }
         }
     }
 }
