@@ -104,7 +104,7 @@ fn trace(photon: Photon) -> Trace {
     }
     let centre_time = mino_time(m, to_centre);
     let end_time = mino_time(m, to_end) + select(0.0, centre_time, turns);
-    // Without a turn, a centre at either end or in no way slower is of no use.
+    // A centre at the camera or at the end is no third place to compute u from.
     let passes = !m.has_barrier && centre.u != u_0 && centre.u != u_end;
 
     if may_hit {
