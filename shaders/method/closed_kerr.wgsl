@@ -91,7 +91,9 @@ fn trace(photon: Photon) -> Trace {
         return result;
     }
     let polar = polar_of(scene.observer.position_direction, -orbit.w, orbit.k, orbit.angular_momentum, c);
-    let may_hit = HAS_DISK && polar.crosses;
+    // Rays that turn beyond the disk's outer edge meet no disk.
+    let deepest = select(max(u_0, u_end), centre.u, turns && outside_barrier);
+    let may_hit = HAS_DISK && polar.crosses && deepest * scene.disk.outer > 1.0;
 
     // The times of the centre and of the end, from the camera or from the turning point.
     let camera = vec2<f32>(u_0, abs(slope));
@@ -122,10 +124,8 @@ fn trace(photon: Photon) -> Trace {
                 break;
             }
             var u = u_at(m, series, schedule, t);
-            // A loop in place of a branch: software renderers compute both sides of every branch, but
-            // skip a loop that no pixel enters. The parts of this method use it for rare work.
             let slow = m.base > 0.0 && potential(m, u) < square(SLOW_SHARE * m.energy);
-            for (var k = 0u; k < select(0u, 1u, slow); k++) {
+            if slow {
                 u = improve(m, schedule, centre, turns, inward, u, t);
             }
             if u * scene.disk.outer > 1.0 && u * scene.disk.inner < 1.0 {

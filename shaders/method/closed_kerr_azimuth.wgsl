@@ -5,9 +5,9 @@
 // Light that comes in from outside to a camera next to the horizon, or inside it, is followed in Kerr's
 // ingoing azimuth, whose rate a (E - K' u^2/(W + |u'|)) has no pole there. Derived.
 //
-// Needs: Centre, Constants, NEAR_HORIZON, Radial, Regular, azimuth_lag, distance_from,
-//     horizon_factors_at, horizon_function, leg_azimuth, passing_centre, regular_at, regular_leg,
-//     scene.
+// Needs: Centre, Constants, NEAR_HORIZON, Radial, Regular, Way, azimuth_lag, distance_from,
+//     dragging_along, horizon_factors_at, horizon_function, leg_between, passing_centre,
+//     regular_along, regular_at, regular_scale, scene.
 // Gives: Course, course_from, dragged_azimuth, regular_way.
 
 // A ray's radial motion from the camera on.
@@ -22,40 +22,27 @@ struct Course {
     comes_in: bool,
 }
 
-// The one or two legs of the way from the camera to a place: the distances from the centre between
-// which the first leg leads, and the one to which the second leg leads from the centre.
-struct Way {
-    first: vec2<f32>,
-    // The centre as the second leg sees it.
-    far_side: Centre,
-    second_end: f32,
-    // How many second legs there are, for a loop in place of a branch (closed_kerr.wgsl).
-    second_legs: u32,
-}
-
-fn way_to(m: Radial, course: Course, u: f32, returned: bool) -> Way {
+// The way from the camera to u, before or after the turn. A ray that has turned goes twice along the leg
+// from the centre to the nearer one of camera and u. `scale` is that of leg_between.
+fn way_to(m: Radial, course: Course, u: f32, returned: bool, scale: f32) -> Way {
     let centre = course.centre;
     let y = centre.side * (centre.u - u);
-    let passes = returned || y < 0.0 && !m.has_barrier;
-    var far_side = centre;
-    if !m.has_barrier {
-        far_side = passing_centre(m, centre.u, -centre.side);
+    let end = abs(y);
+    let near = min(end, course.distance);
+    let far = max(end, course.distance);
+    var second = leg_between(centre, 0.0, near, select(0.0, 2.0, returned), scale);
+    if m.has_barrier || y >= 0.0 {
+        return Way(leg_between(centre, near, far, 1.0, scale), second);
     }
-    let end = select(max(y, 0.0), abs(y), passes);
-    let near = select(min(end, course.distance), 0.0, passes);
-    let far = select(max(end, course.distance), course.distance, passes);
-    return Way(vec2<f32>(near, far), far_side, end, select(0u, 1u, passes));
+    // The ray passes the centre.
+    second = leg_between(passing_centre(m, centre.u, -centre.side), 0.0, end, 1.0, scale);
+    return Way(leg_between(centre, 0.0, course.distance, 1.0, scale), second);
 }
 
 // The integral of a regular quantity less its value at the centre, from the camera to u before or after
 // the turn.
 fn regular_way(m: Radial, c: Constants, course: Course, at: Regular, u: f32, returned: bool) -> f32 {
-    let way = way_to(m, course, u, returned);
-    var sum = regular_leg(c, course.centre, at, way.first.x, way.first.y);
-    for (var i = 0u; i < way.second_legs; i++) {
-        sum += regular_leg(c, way.far_side, at, 0.0, way.second_end);
-    }
-    return sum;
+    return regular_along(c, way_to(m, course, u, returned, regular_scale(c, course.centre, at)), at);
 }
 
 // Boyer-Lindquist's azimuth of light that came in from outside and has not turned, at u.
@@ -92,15 +79,15 @@ fn dragged_azimuth(m: Radial, c: Constants, course: Course, u: f32, returned: bo
     if NEAR_HORIZON && course.comes_in && !returned {
         return azimuth_of_ingoing(m, c, course, u, t);
     }
-    let way = way_to(m, course, u, returned);
-    var sum = 0.0;
+    let scale = abs(course.centre.beyond);
+    var way = way_to(m, course, u, returned, scale);
+    var before = 0.0;
+    var since = t;
     if NEAR_HORIZON && course.comes_in {
-        sum = azimuth_of_ingoing(m, c, course, course.centre.u, turn_time) + course.dragging * (t - turn_time);
-    } else {
-        sum = course.dragging * t + leg_azimuth(c, course.centre, way.first.x, way.first.y);
+        // Up to the turn in the ingoing azimuth.
+        before = azimuth_of_ingoing(m, c, course, course.centre.u, turn_time);
+        since = t - turn_time;
+        way = Way(leg_between(course.centre, 0.0, 0.0, 0.0, scale), leg_between(course.centre, 0.0, abs(course.centre.u - u), 1.0, scale));
     }
-    for (var i = 0u; i < way.second_legs; i++) {
-        sum += leg_azimuth(c, way.far_side, 0.0, way.second_end);
-    }
-    return sum;
+    return before + course.dragging * since + dragging_along(c, way);
 }

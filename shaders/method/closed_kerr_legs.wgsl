@@ -10,168 +10,148 @@
 //
 // with s = r_+ - r_-, vanishes at the centre, so that its integral has no logarithm.
 //
-// Away from the horizon it is integrated over the root x of the distance y from the centre. Next to
-// the critical curve dtau/dx has a bend at small x. There the part in which the difference is linear
-// and U is quadratic is integrated in closed form:
+// A leg is integrated by Gauss's and Legendre's rule over the root x of the distance y from the centre,
+// which takes away the root of U at a turning point. Where the integrand changes on a scale that is much
+// smaller than the leg (next to the critical curve, or next to the horizon), the leg is divided by theta
+// instead: y, or behind a turning point x, is the scale times sinh(theta). Derived.
 //
-//   integral of y dy/sqrt(V) = sqrt(V)/c_2 - c_1/(2 c_2^(3/2)) ln(2 sqrt(c_2 V) + 2 c_2 y + c_1),
-//   V = c_0 + c_1 y + c_2 y^2.
-//
-// Where the horizon's pole is close (nearly extremal holes), or light comes in to a camera next to the
-// horizon, the leg is divided by theta: y, or behind a turning point x, is a scale times sinh(theta).
-// So the nodes follow the smallest scale on which the integrand changes. Derived.
-//
-// Needs: Centre, Constants, NEARLY_EXTREMAL, TINY, scene, square.
-// Gives: Regular, horizon_function, leg_azimuth, regular_at, regular_leg.
+// Needs: Centre, Constants, TINY, scene, square.
+// Gives: Regular, Way, dragging_along, horizon_function, leg_between, regular_along, regular_at,
+//     regular_scale.
 
-// The twelve Gauss-Legendre nodes on [0, 1] and their weights.
-const NODES_1: vec4<f32> = vec4<f32>(0.00921968288, 0.0479413718, 0.115048663, 0.206341023);
-const NODES_2: vec4<f32> = vec4<f32>(0.316084251, 0.437383296, 0.562616704, 0.683915749);
-const NODES_3: vec4<f32> = vec4<f32>(0.793658977, 0.884951337, 0.952058628, 0.990780317);
-const WEIGHTS_1: vec4<f32> = vec4<f32>(0.0235876682, 0.053469663, 0.0800391643, 0.101583713);
-const WEIGHTS_2: vec4<f32> = vec4<f32>(0.116746268, 0.124573523, 0.124573523, 0.116746268);
-const WEIGHTS_3: vec4<f32> = vec4<f32>(0.101583713, 0.0800391643, 0.053469663, 0.0235876682);
+// The eight Gauss-Legendre nodes on [0, 1], and their weights on both sides of the middle.
+const LOW_NODES: vec4<f32> = vec4<f32>(0.0198550718, 0.101666761, 0.237233795, 0.408282679);
+const HIGH_NODES: vec4<f32> = vec4<f32>(0.980144928, 0.898333239, 0.762766205, 0.591717321);
+const WEIGHTS: vec4<f32> = vec4<f32>(0.0506142681, 0.111190517, 0.156853323, 0.181341892);
 
-// The squares of the twelve Gauss-Legendre nodes on [0, 1], and the weights that belong to them.
-const SQUARES_1: vec4<f32> = vec4<f32>(8.50025523e-05, 0.00229837513, 0.0132361948, 0.0425766177);
-const SQUARES_2: vec4<f32> = vec4<f32>(0.0999092534, 0.191304147, 0.316537556, 0.467740752);
-const SQUARES_3: vec4<f32> = vec4<f32>(0.629894572, 0.783138869, 0.906415632, 0.981645637);
-const SQUARE_WEIGHTS_1: vec4<f32> = vec4<f32>(0.000434941641, 0.00512681799, 0.0184167977, 0.0419217746);
-const SQUARE_WEIGHTS_2: vec4<f32> = vec4<f32>(0.0738033134, 0.108972756, 0.14017429, 0.159689223);
-const SQUARE_WEIGHTS_3: vec4<f32> = vec4<f32>(0.161245652, 0.141661531, 0.101812508, 0.0467403947);
-
+// A leg is integrated over x if it is at most this many times as long as the scale on which the
+// integrand changes: behind a turning point, where the rule's error is below 3e-7 rad then, and next to
+// a place that the ray passes, where the integrand has no root to take away.
+const MAX_SMOOTH_TURN: f32 = 6.0;
+const MAX_SMOOTH_PASSAGE: f32 = 0.1;
+// Into how many parts a leg is divided over theta. The loop over them takes half of a part's nodes in
+// each pass.
+const SPREAD_PARTS: u32 = 3u;
+const SPREAD_PASSES: u32 = 2u * SPREAD_PARTS;
 // A leg's smallest scale is at least this share of it.
 const MIN_LEG_SCALE: f32 = 1e-5;
+
+// A leg between two distances from its centre.
+struct Leg {
+    centre: Centre,
+    low: f32,
+    high: f32,
+    // How often the ray goes along it.
+    count: f32,
+    // Whether its centre is a turning point.
+    turns: bool,
+    // The smallest distance on which the integrand changes, and whether the leg is divided by theta.
+    scale: f32,
+    spreads: bool,
+}
+
+// The legs of the way from the camera to a place.
+struct Way {
+    first: Leg,
+    second: Leg,
+}
+
+// Places on a leg: the distance from the centre, its change with the variable of the rule, and what U
+// grows by since the centre.
+struct LegPlaces {
+    y: vec4<f32>,
+    dy: vec4<f32>,
+    rise: vec4<f32>,
+}
 
 // D at a distance from the horizon.
 fn horizon_function(beyond: vec4<f32>) -> vec4<f32> {
     return max(beyond * (square(scene.hole.a) * beyond - scene.hole.horizon_separation), vec4<f32>(TINY));
 }
 
-struct Leg {
-    centre: Centre,
-    horizon_w: f32,
-    drag: f32,
-    // The difference at the centre, divided by the distance and by a/D(c).
-    linear: f32,
-    low: f32,
-    width: f32,
-}
-
-fn leg_sum(leg: Leg, nodes: vec4<f32>, weights: vec4<f32>) -> f32 {
-    let centre = leg.centre;
-    let c = centre.c;
-    let x = leg.low + leg.width * nodes;
-    let y = x * x;
-    let v = centre.beyond - centre.side * y;
-    let bent = centre.c_0 + y * (c.x + y * c.y);
-    let speed = sqrt(max(bent + y * y * y * (c.z + y * c.w), vec4<f32>(TINY)));
-    let bent_speed = sqrt(max(bent, vec4<f32>(TINY)));
-    let rise = leg.horizon_w * (scene.hole.horizon_separation - square(scene.hole.a) * (centre.beyond + v))
-        - leg.drag * centre.beyond * v;
-    // rise/(D speed) - linear/bent_speed, with one division.
-    let d_speed = horizon_function(v) * speed;
-    return dot(weights, x * y * ((rise * bent_speed - leg.linear * d_speed) / max(d_speed * bent_speed, vec4<f32>(TINY))));
-}
-
-// The integral of d(u) - d(c) between two roots of distances.
-fn smooth_leg_azimuth(constants: Constants, centre: Centre, low: f32, high: f32) -> f32 {
-    let c = centre.c;
-    let here = horizon_function(vec4<f32>(centre.beyond)).x;
-    let narrowing = scene.hole.horizon_separation - 2.0 * square(scene.hole.a) * centre.beyond;
-    let slope = (constants.horizon_w * narrowing - constants.drag * square(centre.beyond)) / here;
-    // Whether the bend lies within the leg.
-    let high2 = high * high;
-    let bends = c.y * high2 > max(abs(c.x), centre.c_0 / max(high2, TINY));
-    let leg = Leg(centre, constants.horizon_w, constants.drag, select(0.0, slope, bends), low, high - low);
-    var sum = leg_sum(leg, SQUARES_1, SQUARE_WEIGHTS_1) + leg_sum(leg, SQUARES_2, SQUARE_WEIGHTS_2)
-        + leg_sum(leg, SQUARES_3, SQUARE_WEIGHTS_3);
-    sum *= 2.0 * leg.width;
-    // The closed form at both ends.
-    let y = vec2<f32>(low * low, high2);
-    let c_2 = max(c.y, TINY);
-    let speed = sqrt(max(centre.c_0 + y * (c.x + y * c_2), vec2<f32>(0.0)));
-    let root = sqrt(c_2);
-    let grown = max(2.0 * root * speed + 2.0 * c_2 * y + c.x, vec2<f32>(TINY));
-    let closed = (speed.y - speed.x) / c_2 - 0.5 * c.x / (c_2 * root) * log(grown.y / grown.x);
-    sum += select(0.0, slope * closed, bends);
-    return centre.side * scene.hole.a / here * sum;
-}
-
-// A leg divided by theta.
-struct SpreadLeg {
-    centre: Centre,
-    turns: bool,
-    scale: f32,
-    low: f32,
-    width: f32,
-}
-
-// Places on such a leg: the distance from the centre, its change with theta, what U grows by since
-// the centre, and |u'|.
-struct LegPlaces {
-    y: vec4<f32>,
-    dy: vec4<f32>,
-    rise: vec4<f32>,
-    speed: vec4<f32>,
-}
-
-// Between two distances. `scale` is the smallest distance on which the integrand changes, apart from
-// U itself.
-fn spread_leg(centre: Centre, scale: f32, low: f32, high: f32) -> SpreadLeg {
+// `scale` is the smallest distance on which the integrand changes, apart from U itself.
+fn leg_between(centre: Centre, low: f32, high: f32, count: f32, scale: f32) -> Leg {
+    let c = abs(centre.c);
     let turns = centre.c_0 <= 0.0;
-    let bend = max(centre.c.y, TINY);
-    var ends = vec2<f32>(low, high);
-    var least = min(scale, sqrt(centre.c_0 / bend));
-    if turns {
+    // Where the first terms of U are as large as each other.
+    let bend = select(min(centre.c_0 / max(c.x, TINY), sqrt(centre.c_0 / max(c.y, TINY))), c.x / max(c.y, TINY), turns);
+    let curl = sqrt(c.x / max(c.z, TINY));
+    let least = min(scale, select(bend, min(bend, curl), turns));
+    let spreads = count > 0.0 && high > select(MAX_SMOOTH_PASSAGE, MAX_SMOOTH_TURN, turns) * least;
+    return Leg(centre, low, high, count, turns, least, spreads);
+}
+
+fn places_at(centre: Centre, y: vec4<f32>, dy: vec4<f32>) -> LegPlaces {
+    let c = centre.c;
+    return LegPlaces(y, dy, y * (c.x + y * (c.y + y * (c.z + y * c.w))));
+}
+
+fn smooth_places(leg: Leg, nodes: vec4<f32>) -> LegPlaces {
+    let low = sqrt(leg.low);
+    let width = sqrt(leg.high) - low;
+    let x = low + width * nodes;
+    return places_at(leg.centre, x * x, 2.0 * width * x);
+}
+
+// The places of a pass of the loop over theta.
+fn spread_places(leg: Leg, i: u32) -> LegPlaces {
+    var ends = vec2<f32>(leg.low, leg.high);
+    var scale = leg.scale;
+    if leg.turns {
         ends = sqrt(ends);
-        least = sqrt(min(scale, max(centre.c.x, TINY) / bend));
+        scale = sqrt(scale);
     }
-    least = clamp(least, max(MIN_LEG_SCALE * ends.y, TINY), max(ends.y, TINY));
-    ends /= least;
+    scale = clamp(scale, max(MIN_LEG_SCALE * ends.y, TINY), max(ends.y, TINY));
+    ends /= scale;
     let theta = log(ends + sqrt(1.0 + ends * ends));
-    return SpreadLeg(centre, turns, least, theta.x, 0.5 * (theta.y - theta.x));
+    let width = (theta.y - theta.x) / f32(SPREAD_PARTS);
+    let nodes = select(HIGH_NODES, LOW_NODES, (i & 1u) == 0u);
+    let e = exp(theta.x + width * (f32(i / 2u) + nodes));
+    let z = 0.5 * scale * (e - 1.0 / e);
+    let dz = 0.5 * width * scale * (e + 1.0 / e);
+    return places_at(leg.centre, select(z, z * z, leg.turns), select(dz, 2.0 * z * dz, leg.turns));
 }
 
-fn places_on(leg: SpreadLeg, nodes: vec4<f32>) -> LegPlaces {
+// How many passes the loop over theta takes: one loop for both legs, because it is rare work for which
+// software renderers pay once per loop.
+fn spread_passes(way: Way) -> u32 {
+    return select(0u, SPREAD_PASSES, way.first.spreads) + select(0u, SPREAD_PASSES, way.second.spreads);
+}
+
+// The leg of a pass.
+fn spread_leg(way: Way, i: u32) -> Leg {
+    if way.first.spreads && i < SPREAD_PASSES {
+        return way.first;
+    }
+    return way.second;
+}
+
+// The integral of the difference d(u) - d(c) over some places on a leg, times D(c)/a.
+fn dragging_sum(c: Constants, leg: Leg, p: LegPlaces) -> f32 {
     let centre = leg.centre;
-    let q = centre.c;
-    let e = exp(leg.low + leg.width * nodes);
-    let z = 0.5 * leg.scale * (e - 1.0 / e);
-    let dz = 0.5 * leg.scale * (e + 1.0 / e);
-    let y = select(z, z * z, leg.turns);
-    let rise = y * (q.x + y * (q.y + y * (q.z + y * q.w)));
-    let speed = sqrt(max(centre.c_0 + rise, vec4<f32>(TINY)));
-    return LegPlaces(y, select(dz, 2.0 * z * dz, leg.turns), rise, speed);
+    let v = centre.beyond - centre.side * p.y;
+    let change = c.horizon_w * (scene.hole.horizon_separation - square(scene.hole.a) * (centre.beyond + v))
+        - c.drag * centre.beyond * v;
+    let d = horizon_function(v);
+    let speed2 = max(d * d * (centre.c_0 + p.rise), vec4<f32>(TINY));
+    return leg.count * centre.side * dot(WEIGHTS, p.y * p.dy * change * inverseSqrt(speed2));
 }
 
-fn spread_sum(c: Constants, leg: SpreadLeg, nodes: vec4<f32>, weights: vec4<f32>) -> f32 {
-    let p = places_on(leg, nodes);
-    let v_centre = leg.centre.beyond;
-    let v = v_centre - leg.centre.side * p.y;
-    let rise = c.horizon_w * (scene.hole.horizon_separation - square(scene.hole.a) * (v_centre + v))
-        - c.drag * v_centre * v;
-    return dot(weights, p.y * p.dy * rise / max(horizon_function(v) * p.speed, vec4<f32>(TINY)));
-}
-
-fn spread_leg_azimuth(c: Constants, centre: Centre, low: f32, high: f32) -> f32 {
-    let leg = spread_leg(centre, abs(centre.beyond), low, high);
-    var sum = 0.0;
-    for (var i = 0u; i < 2u; i++) {
-        let half = SpreadLeg(centre, leg.turns, leg.scale, leg.low + f32(i) * leg.width, leg.width);
-        sum += spread_sum(c, half, NODES_1, WEIGHTS_1) + spread_sum(c, half, NODES_2, WEIGHTS_2)
-            + spread_sum(c, half, NODES_3, WEIGHTS_3);
+fn smooth_dragging(c: Constants, leg: Leg) -> f32 {
+    if leg.count == 0.0 || leg.spreads {
+        return 0.0;
     }
-    let here = horizon_function(vec4<f32>(centre.beyond)).x;
-    return centre.side * scene.hole.a / here * leg.width * sum;
+    return dragging_sum(c, leg, smooth_places(leg, LOW_NODES)) + dragging_sum(c, leg, smooth_places(leg, HIGH_NODES));
 }
 
-// The integral of d(u) - d(c) between two distances from the centre.
-fn leg_azimuth(c: Constants, centre: Centre, low: f32, high: f32) -> f32 {
-    if NEARLY_EXTREMAL {
-        return spread_leg_azimuth(c, centre, low, high);
+// The integral of d(u) - d(c) along a way.
+fn dragging_along(c: Constants, way: Way) -> f32 {
+    var sum = smooth_dragging(c, way.first) + smooth_dragging(c, way.second);
+    for (var i = 0u; i < spread_passes(way); i++) {
+        let leg = spread_leg(way, i);
+        sum += dragging_sum(c, leg, spread_places(leg, i % SPREAD_PASSES));
     }
-    return smooth_leg_azimuth(c, centre, sqrt(low), sqrt(high));
+    return scene.hole.a / horizon_function(vec4<f32>(way.first.centre.beyond)).x * sum;
 }
 
 // The quantity K' (p + q u^2)/(W + |u'|) at the centre: what Kerr's ingoing dragging falls short of a E
@@ -190,23 +170,36 @@ fn regular_at(c: Constants, centre: Centre, p: f32, q: f32) -> Regular {
     return Regular(q, sum, c.k_prime * (p + q * square(centre.u)) / sum);
 }
 
-fn regular_sum(c: Constants, leg: SpreadLeg, at: Regular, nodes: vec4<f32>, weights: vec4<f32>) -> f32 {
-    let p = places_on(leg, nodes);
-    let centre = leg.centre;
-    // The changes of u^2, and of W + |u'|, since the centre.
-    let squares = -centre.side * p.y * (2.0 * centre.u - centre.side * p.y);
-    let sums = c.drag * squares + p.rise / (p.speed + sqrt(centre.c_0));
-    return dot(weights, p.dy * (c.k_prime * at.q * squares - at.value * sums) / max((at.sum + sums) * p.speed, vec4<f32>(TINY)));
+// The distance on which the quantity changes next to the centre: a leg that is much shorter has no pole
+// of it nearby.
+fn regular_scale(c: Constants, centre: Centre, at: Regular) -> f32 {
+    let pole = min(at.sum * at.sum / max(abs(centre.c.x), TINY), at.sum / max(abs(c.drag) * centre.u, TINY));
+    return pole / MAX_SMOOTH_TURN;
 }
 
-// The integral of the quantity less its value at the centre, between two distances from there.
-fn regular_leg(c: Constants, centre: Centre, at: Regular, low: f32, high: f32) -> f32 {
-    let leg = spread_leg(centre, at.sum * at.sum / max(abs(centre.c.x), TINY), low, high);
-    var sum = 0.0;
-    for (var i = 0u; i < 2u; i++) {
-        let half = SpreadLeg(centre, leg.turns, leg.scale, leg.low + f32(i) * leg.width, leg.width);
-        sum += regular_sum(c, half, at, NODES_1, WEIGHTS_1) + regular_sum(c, half, at, NODES_2, WEIGHTS_2)
-            + regular_sum(c, half, at, NODES_3, WEIGHTS_3);
+fn regular_sum(c: Constants, leg: Leg, at: Regular, p: LegPlaces) -> f32 {
+    let centre = leg.centre;
+    let speed = sqrt(max(centre.c_0 + p.rise, vec4<f32>(TINY)));
+    // The changes of u^2, and of W + |u'|, since the centre.
+    let squares = -centre.side * p.y * (2.0 * centre.u - centre.side * p.y);
+    let sums = c.drag * squares + p.rise / (speed + sqrt(centre.c_0));
+    let change = (c.k_prime * at.q * squares - at.value * sums) / max((at.sum + sums) * speed, vec4<f32>(TINY));
+    return leg.count * dot(WEIGHTS, p.dy * change);
+}
+
+fn smooth_regular(c: Constants, leg: Leg, at: Regular) -> f32 {
+    if leg.count == 0.0 || leg.spreads {
+        return 0.0;
     }
-    return leg.width * sum;
+    return regular_sum(c, leg, at, smooth_places(leg, LOW_NODES)) + regular_sum(c, leg, at, smooth_places(leg, HIGH_NODES));
+}
+
+// The integral of the quantity less its value at the centre, along a way.
+fn regular_along(c: Constants, way: Way, at: Regular) -> f32 {
+    var sum = smooth_regular(c, way.first, at) + smooth_regular(c, way.second, at);
+    for (var i = 0u; i < spread_passes(way); i++) {
+        let leg = spread_leg(way, i);
+        sum += regular_sum(c, leg, at, spread_places(leg, i % SPREAD_PASSES));
+    }
+    return sum;
 }

@@ -101,8 +101,7 @@ fn polar_of(n: vec3<f32>, dn: vec3<f32>, k: f32, angular_momentum: f32, c: Const
     // At the plane the phase is psi.
     polar.first_crossing = (to_plane - polar.lead) / polar.rate;
     polar.period = PI / polar.rate;
-    // A loop in place of a branch (closed_kerr.wgsl).
-    for (var i = 0u; i < select(1u, 0u, polar.on_circle); i++) {
+    if !polar.on_circle {
         // m = n_z^2 + n_z'^2/rho^2, and the times are R_F.
         let climb2 = dn.z * dn.z / (rho * rho);
         let m = max(z2 + climb2, TINY);
@@ -133,7 +132,7 @@ fn circle_turn(p: Polar, grown: f32, sines_0: vec2<f32>, sines_1: vec2<f32>) -> 
 fn circle_height(p: Polar, grown: f32, sines_0: vec2<f32>, sines_1: vec2<f32>) -> f32 {
     // dpsi/dphase = 1 + c_2 cos 2 phase + c_4 cos 4 phase.
     let q2 = p.nome * p.nome;
-    let c_2 = -4.0 * p.nome / (1.0 + q2);
+    let c_2 = -4.0 * p.nome * (1.0 - q2);
     let c_4 = 4.0 * q2;
     let change = sines_1 - sines_0;
     let mean = 1.0 + 0.5 * (c_2 * c_2 + c_4 * c_4);
@@ -195,7 +194,7 @@ fn place_after(p: Polar, t: f32, dragging: f32) -> SpherePlace {
     let sixfold = add_angles(end, fourfold).x;
     let q = p.nome;
     let q2 = q * q;
-    let lag = p.lead + (-2.0 * q / (1.0 + q2)) * end.x + q2 * fourfold.x - (2.0 / 3.0) * q * q2 * sixfold;
+    let lag = p.lead + (-2.0 * q * (1.0 - q2)) * end.x + q2 * fourfold.x - (2.0 / 3.0) * q * q2 * sixfold;
     let swept = add_angles(sweep, small_sin_cos(lag));
     let circle = circle_turn(p, grown, vec2<f32>(start.x, start.z), vec2<f32>(end.x, fourfold.x));
     let turn = dragging + select(0.0, circle, p.on_circle);

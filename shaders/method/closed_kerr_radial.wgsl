@@ -23,8 +23,8 @@
 //     passing_centre, potential, radial_of, radial_series, time_between, time_from_turn,
 //     turning_point, u_after.
 
-// Most steps of Newton's method for the cubic's root.
-const MAX_ROOT_STEPS: u32 = 32u;
+// The cubic's root is small below this share of |alpha|: there the cubic term changes it by a tenth.
+const MAX_SMALL_ROOT: f32 = 0.05;
 // The smallest distance from a turning point: the arguments of R_F there still have a square in f32.
 const MIN_DISTANCE: f32 = 1e-14;
 // Rays with a smaller |b_0|/W^2 are treated alike.
@@ -67,30 +67,31 @@ struct Centre {
 // b_0 asks for: what is left of Weierstrass's cubic at -alpha/6 + x. It is the one next to zero if there
 // are three on that side.
 //
-// Newton's method is steady where the cubic does not change its curvature on the way: from zero to a
-// root below its maximum (its inflection, if it has none), or else from beyond all roots.
+// The start is the root without the cubic term where it is small, or else the root about the inflection
+// at alpha/6: Cardano's where the cubic has one real root, and where it has three, with
+// z = +-m (1 + x), an approximation of 3 x^2 + x^3 = t to two per cent. Two steps of Newton's method
+// from there leave a relative error of 1e-7.
 fn isolated_offset(alpha: f32, beta: f32, gamma: f32, b_0: f32) -> f32 {
     let side = select(1.0, -1.0, b_0 > 0.0);
-    let curve = gamma * b_0;
     let bend = side * alpha;
-    let slope = 0.25 * alpha * alpha - curve;
+    let slope = 0.25 * alpha * alpha - gamma * b_0;
     let constant = 0.0625 * beta * beta * abs(b_0);
-    let top = bend * (1.0 / 6.0) - sqrt(max(bend * bend * (1.0 / 144.0) + curve * (1.0 / 12.0), 0.0));
-    let below_top = top > 0.0 && top * (slope + top * (4.0 * top - 2.0 * bend)) >= constant;
-    let cube_root = exp2(log2(max(0.25 * constant, TINY)) * (1.0 / 3.0));
-    let far = cube_root + 0.5 * (sqrt(max(-slope, 0.0)) + max(bend, 0.0));
-    let first = constant / select(slope, TINY, abs(slope) < TINY);
-    var y = select(far, first, bend <= 0.0 && slope > 0.0);
-    // The first step from zero.
-    y = select(y, min(first, top), below_top);
-    for (var i = 0u; i < MAX_ROOT_STEPS; i++) {
-        let value = y * (slope + y * (4.0 * y - 2.0 * bend)) - constant;
+    let discriminant = slope * slope - 8.0 * bend * constant;
+    let small = 2.0 * constant / max(slope + sqrt(max(discriminant, 0.0)), TINY);
+    let m2 = bend * bend * (1.0 / 36.0) - slope * (1.0 / 12.0);
+    let half_q = 0.125 * (constant + bend * (bend * bend * (1.0 / 27.0) - slope * (1.0 / 6.0)));
+    let d = half_q * half_q - m2 * m2 * m2;
+    let cube_root = exp2(log2(max(abs(half_q) + sqrt(max(d, 0.0)), TINY)) * (1.0 / 3.0));
+    let single = select(-1.0, 1.0, half_q >= 0.0) * (cube_root + m2 / cube_root);
+    let m = sqrt(max(m2, 0.0));
+    let which = select(1.0, -1.0, bend > 0.0 && slope > 0.0);
+    let t = max(2.0 + which * 2.0 * half_q / max(m * m2, TINY), 0.0);
+    let triple = which * m * (1.0 + sqrt(t / (3.0 + sqrt(t * (1.0 / 3.0)))));
+    var y = bend * (1.0 / 6.0) + select(triple, single, d >= 0.0);
+    y = select(y, small, small < MAX_SMALL_ROOT * abs(bend) && discriminant >= 0.25 * slope * slope);
+    for (var i = 0u; i < 2u; i++) {
         let rate = slope + y * (12.0 * y - 4.0 * bend);
-        let step = value / select(rate, TINY, abs(rate) < TINY);
-        y = select(y - step, min(y - step, top), below_top);
-        if abs(step) <= 2e-7 * y {
-            break;
-        }
+        y -= (y * (slope + y * (4.0 * y - 2.0 * bend)) - constant) / select(rate, TINY, abs(rate) < TINY);
     }
     return side * y;
 }

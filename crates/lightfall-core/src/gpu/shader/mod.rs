@@ -34,8 +34,6 @@ pub struct Variant {
     /// Whether rays of the methods mino and closed pass close to the horizon, where their azimuth
     /// needs care, or begin inside.
     pub near_horizon: bool,
-    /// Whether a ray in closed form may turn so close to the horizon that its azimuth's pole is near.
-    pub nearly_extremal: bool,
     /// Whether rays can meet a disk.
     pub disk: bool,
     /// The model of the disk's flux; the default where none is drawn.
@@ -71,9 +69,6 @@ pub struct Variant {
 /// The smallest share of light from behind the disk for which a ray is followed beyond crossings:
 /// half of an 8-bit level.
 const MIN_TRANSMISSION: f64 = 0.002;
-
-/// Around holes of larger |spin| rays in closed form turn next to the horizon.
-const MAX_DISTANT_SPIN: f64 = 0.99;
 
 /// Whether rays that see something pass so close to the horizon of a spinning hole that their
 /// azimuth must be summed in coordinates that are regular there. Elsewhere the pole of the
@@ -121,8 +116,6 @@ impl Variant {
             tracer,
             spinning: scene.hole.spin != 0.0,
             near_horizon: passes_near_horizon(tracer, scene),
-            nearly_extremal: tracer == Tracer::ClosedKerr
-                && scene.hole.spin.abs() > MAX_DISTANT_SPIN,
             disk: scene.disk.enabled && scene.view.properties().traces,
             disk_model: if lit {
                 scene.disk.model

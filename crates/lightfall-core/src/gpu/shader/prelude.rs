@@ -17,12 +17,11 @@ use crate::scene::{HotSpotKind, SkyMode, View};
 
 impl Variant {
     /// The flags, by their names in the shaders.
-    pub fn flags(self) -> [(&'static str, bool); 16] {
+    pub fn flags(self) -> [(&'static str, bool); 15] {
         let records = self.entry == Entry::Rays;
         [
             ("SPINNING", self.spinning),
             ("NEAR_HORIZON", self.near_horizon),
-            ("NEARLY_EXTREMAL", self.nearly_extremal),
             ("AZIMUTH", records || self.moves()),
             ("DELAY", self.delay_nodes > 0),
             ("SHEARED_SPOT", self.hot_spot == HotSpotKind::Sheared),

@@ -18,7 +18,6 @@ impl Variant {
             tracer,
             spinning: false,
             near_horizon: false,
-            nearly_extremal: false,
             disk: false,
             ..Self::hidden_stars(scene)
         }
