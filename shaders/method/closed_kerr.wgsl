@@ -84,7 +84,7 @@ fn trace(photon: Photon) -> Trace {
     let u_inner = 1.0 / scene.disk.inner;
     let u_end = select(u_inner, 0.0, escapes);
     let turn = turning_point(m, outside_barrier);
-    let course = course_from(m, c, orbit.angular_momentum, slope, turn, u_end);
+    let course = course_from(m, slope, turn, u_end);
     let centre = course.centre;
     let comes_from_disk = select(inward && u_0 < u_inner, turn.u < u_inner, turns);
     if !(escapes || HAS_DISK && comes_from_disk) {

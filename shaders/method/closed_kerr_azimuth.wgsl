@@ -6,16 +6,14 @@
 // ingoing azimuth, whose rate a (E - K' u^2/(W + |u'|)) has no pole there. Derived.
 //
 // Needs: Centre, Constants, NEAR_HORIZON, Radial, Regular, Way, azimuth_lag, distance_from,
-//     dragging_along, horizon_factors_at, horizon_function, leg_between, passing_centre,
-//     regular_along, regular_at, regular_scale, scene.
+//     dragging_along, horizon_factors_at, leg_between, passing_centre, regular_along, regular_at,
+//     regular_scale, scene, way_of.
 // Gives: Course, course_from, dragged_azimuth, regular_way.
 
 // A ray's radial motion from the camera on.
 struct Course {
     // The turning point, or the place where the ray is slowest.
     centre: Centre,
-    // The dragging there.
-    dragging: f32,
     // The camera's distance from it.
     distance: f32,
     // Whether the light came in from outside to a camera next to the horizon or inside it.
@@ -32,11 +30,11 @@ fn way_to(m: Radial, course: Course, u: f32, returned: bool, scale: f32) -> Way 
     let far = max(end, course.distance);
     var second = leg_between(centre, 0.0, near, select(0.0, 2.0, returned), scale);
     if m.has_barrier || y >= 0.0 {
-        return Way(leg_between(centre, near, far, 1.0, scale), second);
+        return way_of(leg_between(centre, near, far, 1.0, scale), second);
     }
     // The ray passes the centre.
     second = leg_between(passing_centre(m, centre.u, -centre.side), 0.0, end, 1.0, scale);
-    return Way(leg_between(centre, 0.0, course.distance, 1.0, scale), second);
+    return way_of(leg_between(centre, 0.0, course.distance, 1.0, scale), second);
 }
 
 // The integral of a regular quantity less its value at the centre, from the camera to u before or after
@@ -55,7 +53,7 @@ fn azimuth_of_ingoing(m: Radial, c: Constants, course: Course, u: f32, t: f32) -
 
 // The course of a ray that turns at `turn`, or that leads from the camera to u_end without a turn.
 // `slope` is u' at the camera.
-fn course_from(m: Radial, c: Constants, angular_momentum: f32, slope: f32, turn: Centre, u_end: f32) -> Course {
+fn course_from(m: Radial, slope: f32, turn: Centre, u_end: f32) -> Course {
     let u = scene.observer.u;
     let u_slowest = clamp(m.base, min(u, u_end), max(u, u_end));
     var centre = passing_centre(m, u_slowest, select(-1.0, 1.0, u <= u_slowest));
@@ -64,13 +62,7 @@ fn course_from(m: Radial, c: Constants, angular_momentum: f32, slope: f32, turn:
         centre = turn;
         distance = distance_from(turn, u, slope * slope);
     }
-    let d = horizon_function(vec4<f32>(centre.beyond)).x;
-    var dragging = -scene.hole.a * centre.u * (m.energy - scene.hole.a * angular_momentum * centre.u) / d;
-    if centre.u > 0.5 * scene.hole.horizon_u {
-        let w = c.horizon_w + c.drag * centre.beyond * (2.0 * scene.hole.horizon_u + centre.beyond);
-        dragging = scene.hole.a * (c.energy - w / d);
-    }
-    return Course(centre, dragging, distance, NEAR_HORIZON && slope < 0.0);
+    return Course(centre, distance, NEAR_HORIZON && slope < 0.0);
 }
 
 // The azimuth at u, which the ray reaches at the time t, before or after it has turned at the time
@@ -83,11 +75,15 @@ fn dragged_azimuth(m: Radial, c: Constants, course: Course, u: f32, returned: bo
     var way = way_to(m, course, u, returned, scale);
     var before = 0.0;
     var since = t;
+    let camera_is_nearer = course.distance < abs(course.centre.u - u);
+    var end = select(u, scene.observer.u, camera_is_nearer);
     if NEAR_HORIZON && course.comes_in {
         // Up to the turn in the ingoing azimuth.
         before = azimuth_of_ingoing(m, c, course, course.centre.u, turn_time);
         since = t - turn_time;
-        way = Way(leg_between(course.centre, 0.0, 0.0, 0.0, scale), leg_between(course.centre, 0.0, abs(course.centre.u - u), 1.0, scale));
+        end = u;
+        let from_turn = leg_between(course.centre, 0.0, abs(course.centre.u - u), 1.0, scale);
+        way = way_of(leg_between(course.centre, 0.0, 0.0, 0.0, scale), from_turn);
     }
-    return before + course.dragging * since + dragging_along(c, way);
+    return before + dragging_along(c, way, since, end);
 }

@@ -10,31 +10,28 @@
 //
 // with s = r_+ - r_-, vanishes at the centre, so that its integral has no logarithm.
 //
-// A leg is integrated by Gauss's and Legendre's rule over the root x of the distance y from the centre,
-// which takes away the root of U at a turning point. Where the integrand changes on a scale that is much
-// smaller than the leg (next to the critical curve, or next to the horizon), the leg is divided by theta
-// instead: y, or behind a turning point x, is the scale times sinh(theta). Derived.
+// A leg is integrated by Gauss's and Legendre's rule over the distance y from the centre, or behind a
+// turning point over its root, which takes away the root of U. Where the integrand changes on a scale
+// that is much smaller than the leg (next to the critical curve, or next to the horizon), the leg is
+// divided in parts, each twice as long as the one before. Derived.
 //
 // Needs: Centre, Constants, TINY, scene, square.
-// Gives: Regular, Way, dragging_along, horizon_function, leg_between, regular_along, regular_at,
-//     regular_scale.
+// Gives: Regular, Way, dragging_along, leg_between, regular_along, regular_at, regular_scale,
+//     way_of.
 
 // The eight Gauss-Legendre nodes on [0, 1], and their weights on both sides of the middle.
 const LOW_NODES: vec4<f32> = vec4<f32>(0.0198550718, 0.101666761, 0.237233795, 0.408282679);
 const HIGH_NODES: vec4<f32> = vec4<f32>(0.980144928, 0.898333239, 0.762766205, 0.591717321);
 const WEIGHTS: vec4<f32> = vec4<f32>(0.0506142681, 0.111190517, 0.156853323, 0.181341892);
 
-// A leg is integrated over x if it is at most this many times as long as the scale on which the
-// integrand changes: behind a turning point, where the rule's error is below 3e-7 rad then, and next to
-// a place that the ray passes, where the integrand has no root to take away.
+// A leg is divided if it is more than this many times as long as the scale on which the integrand
+// changes: behind a turning point, and next to a place that the ray passes. The rule's error is below
+// 3e-7 rad otherwise.
 const MAX_SMOOTH_TURN: f32 = 6.0;
-const MAX_SMOOTH_PASSAGE: f32 = 0.1;
-// Into how many parts a leg is divided over theta. The loop over them takes half of a part's nodes in
-// each pass.
-const SPREAD_PARTS: u32 = 3u;
-const SPREAD_PASSES: u32 = 2u * SPREAD_PARTS;
-// A leg's smallest scale is at least this share of it.
-const MIN_LEG_SCALE: f32 = 1e-5;
+const MAX_SMOOTH_PASSAGE: f32 = 1.0;
+const MAX_PARTS: u32 = 20u;
+// The largest angle, in radians, that the dragging at a leg's centre may stand for.
+const MAX_STEADY_TURN: f32 = 7.0;
 
 // A leg between two distances from its centre.
 struct Leg {
@@ -45,15 +42,24 @@ struct Leg {
     count: f32,
     // Whether its centre is a turning point.
     turns: bool,
-    // The smallest distance on which the integrand changes, and whether the leg is divided by theta.
-    scale: f32,
-    spreads: bool,
+    // Into how many parts it is divided; zero if it is not.
+    parts: u32,
 }
 
 // The legs of the way from the camera to a place.
 struct Way {
     first: Leg,
     second: Leg,
+}
+
+fn way_of(first: Leg, second: Leg) -> Way {
+    var way = Way(first, second);
+    // If one leg is divided, so is the other.
+    if max(first.parts, second.parts) > 0u {
+        way.first.parts = select(0u, max(first.parts, 2u), first.count > 0.0);
+        way.second.parts = select(0u, max(second.parts, 2u), second.count > 0.0);
+    }
+    return way;
 }
 
 // Places on a leg: the distance from the centre, its change with the variable of the rule, and what U
@@ -77,58 +83,63 @@ fn leg_between(centre: Centre, low: f32, high: f32, count: f32, scale: f32) -> L
     let bend = select(min(centre.c_0 / max(c.x, TINY), sqrt(centre.c_0 / max(c.y, TINY))), c.x / max(c.y, TINY), turns);
     let curl = sqrt(c.x / max(c.z, TINY));
     let least = min(scale, select(bend, min(bend, curl), turns));
-    let spreads = count > 0.0 && high > select(MAX_SMOOTH_PASSAGE, MAX_SMOOTH_TURN, turns) * least;
-    return Leg(centre, low, high, count, turns, least, spreads);
+    let ratio = high / max(least, TINY);
+    let divides = count > 0.0 && ratio > select(MAX_SMOOTH_PASSAGE, MAX_SMOOTH_TURN, turns);
+    let doublings = log2(max(ratio, 1.0)) * select(1.0, 0.5, turns);
+    let parts = min(1u + u32(ceil(doublings)), MAX_PARTS);
+    return Leg(centre, low, high, count, turns, select(0u, parts, divides));
 }
 
-fn places_at(centre: Centre, y: vec4<f32>, dy: vec4<f32>) -> LegPlaces {
-    let c = centre.c;
+// The places on the part of a leg between two shares of the range of the rule's variable.
+fn places_on(leg: Leg, low_share: f32, high_share: f32, nodes: vec4<f32>) -> LegPlaces {
+    let low = select(leg.low, sqrt(leg.low), leg.turns);
+    let high = select(leg.high, sqrt(leg.high), leg.turns);
+    let first = max(low, low_share * high);
+    let width = max(low, high_share * high) - first;
+    let x = first + width * nodes;
+    let y = select(x, x * x, leg.turns);
+    let c = leg.centre.c;
+    let dy = width * select(vec4<f32>(1.0), 2.0 * x, leg.turns);
     return LegPlaces(y, dy, y * (c.x + y * (c.y + y * (c.z + y * c.w))));
 }
 
-fn smooth_places(leg: Leg, nodes: vec4<f32>) -> LegPlaces {
-    let low = sqrt(leg.low);
-    let width = sqrt(leg.high) - low;
-    let x = low + width * nodes;
-    return places_at(leg.centre, x * x, 2.0 * width * x);
+// A pass of the loop over the parts of both legs, with half of a part's nodes: one loop, because it is
+// rare work, and software renderers pay for every loop.
+struct Pass {
+    leg: Leg,
+    places: LegPlaces,
 }
 
-// The places of a pass of the loop over theta.
-fn spread_places(leg: Leg, i: u32) -> LegPlaces {
-    var ends = vec2<f32>(leg.low, leg.high);
-    var scale = leg.scale;
-    if leg.turns {
-        ends = sqrt(ends);
-        scale = sqrt(scale);
+fn count_passes(way: Way) -> u32 {
+    return 2u * (way.first.parts + way.second.parts);
+}
+
+fn pass_at(way: Way, i: u32) -> Pass {
+    var leg = way.first;
+    var own = i;
+    if i >= 2u * leg.parts {
+        own = i - 2u * leg.parts;
+        leg = way.second;
     }
-    scale = clamp(scale, max(MIN_LEG_SCALE * ends.y, TINY), max(ends.y, TINY));
-    ends /= scale;
-    let theta = log(ends + sqrt(1.0 + ends * ends));
-    let width = (theta.y - theta.x) / f32(SPREAD_PARTS);
-    let nodes = select(HIGH_NODES, LOW_NODES, (i & 1u) == 0u);
-    let e = exp(theta.x + width * (f32(i / 2u) + nodes));
-    let z = 0.5 * scale * (e - 1.0 / e);
-    let dz = 0.5 * width * scale * (e + 1.0 / e);
-    return places_at(leg.centre, select(z, z * z, leg.turns), select(dz, 2.0 * z * dz, leg.turns));
+    let part = own / 2u;
+    let high_share = exp2(-f32(part));
+    let low_share = select(0.5 * high_share, 0.0, part + 1u >= leg.parts);
+    return Pass(leg, places_on(leg, low_share, high_share, select(HIGH_NODES, LOW_NODES, (own & 1u) == 0u)));
 }
 
-// How many passes the loop over theta takes: one loop for both legs, because it is rare work for which
-// software renderers pay once per loop.
-fn spread_passes(way: Way) -> u32 {
-    return select(0u, SPREAD_PASSES, way.first.spreads) + select(0u, SPREAD_PASSES, way.second.spreads);
+// d(u), at distances from the horizon too.
+fn dragging_at(c: Constants, u: vec4<f32>, beyond: vec4<f32>) -> vec4<f32> {
+    let d = horizon_function(beyond);
+    let w = c.horizon_w + c.drag * beyond * (2.0 * scene.hole.horizon_u + beyond);
+    // E - W/D, and the same where both are nearly E.
+    let far = -u * (c.energy - (square(scene.hole.a) * c.energy - c.drag) * u) / d;
+    return scene.hole.a * select(far, c.energy - w / d, u > vec4<f32>(0.5 * scene.hole.horizon_u));
 }
 
-// The leg of a pass.
-fn spread_leg(way: Way, i: u32) -> Leg {
-    if way.first.spreads && i < SPREAD_PASSES {
-        return way.first;
-    }
-    return way.second;
-}
-
-// The integral of the difference d(u) - d(c) over some places on a leg, times D(c)/a.
-fn dragging_sum(c: Constants, leg: Leg, p: LegPlaces) -> f32 {
+// The integral of d(u) - d(c) along a leg, times D(c)/a.
+fn smooth_dragging_sum(c: Constants, leg: Leg, nodes: vec4<f32>) -> f32 {
     let centre = leg.centre;
+    let p = places_on(leg, 0.0, 1.0, nodes);
     let v = centre.beyond - centre.side * p.y;
     let change = c.horizon_w * (scene.hole.horizon_separation - square(scene.hole.a) * (centre.beyond + v))
         - c.drag * centre.beyond * v;
@@ -138,20 +149,33 @@ fn dragging_sum(c: Constants, leg: Leg, p: LegPlaces) -> f32 {
 }
 
 fn smooth_dragging(c: Constants, leg: Leg) -> f32 {
-    if leg.count == 0.0 || leg.spreads {
+    if leg.count == 0.0 || leg.parts > 0u {
         return 0.0;
     }
-    return dragging_sum(c, leg, smooth_places(leg, LOW_NODES)) + dragging_sum(c, leg, smooth_places(leg, HIGH_NODES));
+    return smooth_dragging_sum(c, leg, LOW_NODES) + smooth_dragging_sum(c, leg, HIGH_NODES);
 }
 
-// The integral of d(u) - d(c) along a way.
-fn dragging_along(c: Constants, way: Way) -> f32 {
-    var sum = smooth_dragging(c, way.first) + smooth_dragging(c, way.second);
-    for (var i = 0u; i < spread_passes(way); i++) {
-        let leg = spread_leg(way, i);
-        sum += dragging_sum(c, leg, spread_places(leg, i % SPREAD_PASSES));
+// The integral of d(u) along a way that takes the time t and has an end at `end`. d(c) t is exact where
+// light lingers, but next to the horizon of a nearly extremal hole it may be much larger than the sum.
+// There the rest of the integral is relative to the dragging at the end.
+fn dragging_along(c: Constants, way: Way, t: f32, end: f32) -> f32 {
+    let centre = way.first.centre;
+    let smooth_sum = smooth_dragging(c, way.first) + smooth_dragging(c, way.second);
+    let at_centre = dragging_at(c, vec4<f32>(centre.u), vec4<f32>(centre.beyond)).x;
+    let smooth_dragged = at_centre * t + scene.hole.a / horizon_function(vec4<f32>(centre.beyond)).x * smooth_sum;
+    let end_beyond = (end - scene.hole.horizon_u) - scene.hole.horizon_u_low;
+    let at_end = dragging_at(c, vec4<f32>(end), vec4<f32>(end_beyond)).x;
+    let steady = select(at_centre, at_end, abs(at_centre * t) > MAX_STEADY_TURN);
+    var sum = steady * t;
+    for (var i = 0u; i < count_passes(way); i++) {
+        let part = pass_at(way, i);
+        let place = part.leg.centre;
+        let distance = place.side * part.places.y;
+        let rate = dragging_at(c, place.u - distance, place.beyond - distance) - steady;
+        let speed2 = max(place.c_0 + part.places.rise, vec4<f32>(TINY));
+        sum += part.leg.count * dot(WEIGHTS, part.places.dy * rate * inverseSqrt(speed2));
     }
-    return scene.hole.a / horizon_function(vec4<f32>(way.first.centre.beyond)).x * sum;
+    return select(smooth_dragged, sum, count_passes(way) > 0u);
 }
 
 // The quantity K' (p + q u^2)/(W + |u'|) at the centre: what Kerr's ingoing dragging falls short of a E
@@ -188,18 +212,19 @@ fn regular_sum(c: Constants, leg: Leg, at: Regular, p: LegPlaces) -> f32 {
 }
 
 fn smooth_regular(c: Constants, leg: Leg, at: Regular) -> f32 {
-    if leg.count == 0.0 || leg.spreads {
+    if leg.count == 0.0 || leg.parts > 0u {
         return 0.0;
     }
-    return regular_sum(c, leg, at, smooth_places(leg, LOW_NODES)) + regular_sum(c, leg, at, smooth_places(leg, HIGH_NODES));
+    return regular_sum(c, leg, at, places_on(leg, 0.0, 1.0, LOW_NODES))
+        + regular_sum(c, leg, at, places_on(leg, 0.0, 1.0, HIGH_NODES));
 }
 
 // The integral of the quantity less its value at the centre, along a way.
 fn regular_along(c: Constants, way: Way, at: Regular) -> f32 {
     var sum = smooth_regular(c, way.first, at) + smooth_regular(c, way.second, at);
-    for (var i = 0u; i < spread_passes(way); i++) {
-        let leg = spread_leg(way, i);
-        sum += regular_sum(c, leg, at, spread_places(leg, i % SPREAD_PASSES));
+    for (var i = 0u; i < count_passes(way); i++) {
+        let part = pass_at(way, i);
+        sum += regular_sum(c, part.leg, at, part.places);
     }
     return sum;
 }

@@ -25,8 +25,8 @@
 
 // The cubic's root is small below this share of |alpha|: there the cubic term changes it by a tenth.
 const MAX_SMALL_ROOT: f32 = 0.05;
-// The smallest distance from a turning point: the arguments of R_F there still have a square in f32.
-const MIN_DISTANCE: f32 = 1e-14;
+// The largest pole in the arguments of R_F next to a turning point: its square is finite in f32.
+const MAX_POLE: f32 = 1e18;
 // Rays with a smaller |b_0|/W^2 are treated alike.
 const MIN_MARGIN: f32 = 2e-8;
 
@@ -200,7 +200,7 @@ fn distance_from(centre: Centre, u: f32, speed2: f32) -> f32 {
             y = max(y - value / select(rate, TINY, abs(rate) < TINY), 0.0);
         }
     }
-    return max(y, MIN_DISTANCE);
+    return y;
 }
 
 // The arguments of R_F of which the Mino time between two places is R_F(isolated, pair, h2).
@@ -211,7 +211,7 @@ struct TimeArguments {
 
 // From a turning point to the distance y.
 fn time_from_turn(centre: Centre, y: f32) -> TimeArguments {
-    let pole = centre.c.x / (4.0 * max(y, MIN_DISTANCE));
+    let pole = centre.c.x / max(4.0 * y, max(centre.c.x / MAX_POLE, TINY));
     return TimeArguments(pole + centre.isolated, pole + centre.pair);
 }
 

@@ -141,7 +141,7 @@ fn text(text: &str) -> Text {
 /// The method that traced the light, with `auto` resolved.
 fn method(scene: &Scene) -> &'static str {
     if scene.effects.lensing {
-        scene.method.resolved(scene.hole.spin).word()
+        scene.method.resolved().word()
     } else {
         "straight lines, without lensing"
     }

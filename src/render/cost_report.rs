@@ -249,7 +249,7 @@ fn chain_with_everything(chain: &Chain) -> Chain {
 /// The word of the method that traces the scene; without lensing, what takes its place.
 fn traced_by(scene: &Scene) -> &'static str {
     if scene.effects.lensing {
-        scene.method.resolved(scene.hole.spin).word()
+        scene.method.resolved().word()
     } else {
         "straight"
     }

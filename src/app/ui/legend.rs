@@ -187,7 +187,7 @@ fn show_legend(
 
 /// Why a view has nothing to show with the scene's method.
 fn why_empty(scene: &Scene) -> Option<&'static str> {
-    let method = scene.method.resolved(scene.hole.spin).properties();
+    let method = scene.method.resolved().properties();
     let straight = !scene.effects.lensing;
     match scene.view {
         View::Unfinished if straight || method.answers_every_ray => {

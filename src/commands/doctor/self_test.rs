@@ -37,7 +37,7 @@ impl StatedErrors {
     /// The errors stated for the method that traces this scene.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
-        let method = scene.method.resolved(scene.hole.spin);
+        let method = scene.method.resolved();
         let max = tolerance(&Scene {
             method,
             ..scene.clone()
@@ -116,7 +116,7 @@ impl SelfTest {
         let backward = errors.backward;
         Ok(Self {
             scene: name.into(),
-            method: scene.method.resolved(scene.hole.spin).word(),
+            method: scene.method.resolved().word(),
             rays: errors.rays,
             unanswered: unanswered(&errors),
             backward_max_px: backward.max

@@ -52,10 +52,6 @@ pub struct MethodProperties {
     max_without_spin: f64,
 }
 
-/// Around holes of larger |spin| the steps of `mino` lose fewer digits next to the horizon than the
-/// closed form does (docs/ACCURACY.md).
-const MAX_CLOSED_SPIN: f64 = 0.9999;
-
 /// The largest backward error of `closed` around holes that spin, next to the horizon and for
 /// observers that move fast, in radians: what hunts through random scenes find (docs/EXTREMES.md).
 const CLOSED_SPINNING_MAX: f64 = 6e-6;
@@ -98,13 +94,12 @@ const KERR_SCHILD: MethodProperties = MethodProperties {
 };
 
 impl Method {
-    /// The method's properties: a new method is a new row. Those of `auto` are those of the method
-    /// it means for a nearly extremal hole; ask [`Method::resolved`] first to have them for a scene.
+    /// The method's properties: a new method is a new row.
     #[must_use]
     pub const fn properties(self) -> MethodProperties {
         match self {
-            Self::Closed => CLOSED,
-            Self::Auto | Self::Mino => MINO,
+            Self::Auto | Self::Closed => CLOSED,
+            Self::Mino => MINO,
             Self::KerrSchild => KERR_SCHILD,
             Self::Verlet => MethodProperties {
                 spins: false,
@@ -169,24 +164,12 @@ impl Method {
         }
     }
 
-    /// What `auto` means for a hole of spin `chi`: the closed form, as long as 99 of 100 of its rays are
-    /// more exact than those of `mino`.
-    #[must_use]
-    pub fn for_spin(chi: f64) -> Self {
-        if chi.abs() <= MAX_CLOSED_SPIN {
-            Self::Closed
-        } else {
-            Self::Mino
-        }
-    }
+    /// What `auto` means. Hunts through random scenes find `mino` better in no kind of scene.
+    pub const BEST: Self = Self::Closed;
 
-    /// This method, or what `auto` means for a hole of spin `chi`.
+    /// This method, or what `auto` means.
     #[must_use]
-    pub fn resolved(self, chi: f64) -> Self {
-        if self == Self::Auto {
-            Self::for_spin(chi)
-        } else {
-            self
-        }
+    pub fn resolved(self) -> Self {
+        if self == Self::Auto { Self::BEST } else { self }
     }
 }

@@ -279,7 +279,7 @@ fn heading(ui: &mut egui::Ui, first: &Inspected, seen: &Scene, now: &Scene, gpu:
     } else {
         ""
     };
-    let method = seen.method.resolved(seen.hole.spin).word();
+    let method = seen.method.resolved().word();
     ui.label(format!(
         "Pixel {x}, {y} of {} x {}, by {method}{earlier}{asked}",
         seen.picture.width, seen.picture.height

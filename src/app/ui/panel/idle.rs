@@ -7,7 +7,7 @@ use lightfall_core::scene::{AccuracySetting, Content, DiskStructure, HotSpotKind
 #[must_use]
 pub fn why_idle(scene: &Scene, key: &str) -> Option<&'static str> {
     let (table, field) = key.split_once('.').unwrap_or(("", key));
-    let setting = scene.method.resolved(scene.hole.spin).properties().setting;
+    let setting = scene.method.resolved().properties().setting;
     let light = scene.view.properties().content;
     match (table, field) {
         ("disk", "enabled") | ("probe", "enabled") | ("sky", "mode" | "reference_star") => None,

@@ -26,7 +26,7 @@ impl Tracer {
         if !scene.effects.lensing {
             return Self::Straight;
         }
-        match scene.method.resolved(scene.hole.spin) {
+        match scene.method.resolved() {
             Method::Verlet => Self::Verlet,
             Method::Mino => Self::Mino,
             Method::KerrSchild => Self::KerrSchild,

@@ -54,7 +54,7 @@ pub fn methods_for(scene: &Scene) -> Vec<Method> {
 /// out.
 #[must_use]
 pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
-    let auto = Method::for_spin(scene.hole.spin);
+    let auto = Method::BEST;
     let subject = scene;
     let set = |key: Option<&'static str>, value: f64, change: fn(&mut Scene, f64)| {
         let mut scene = Scene {

@@ -15,7 +15,7 @@ pub(super) fn random_scene(random: &mut Random) -> Scene {
             share if share < 0.6 => random.between(-0.99, 0.99),
             _ => (1.0 - random.log_between(1e-6, 0.5)) * if random.one_in(2) { -1.0 } else { 1.0 },
         };
-        scene.method = Method::for_spin(scene.hole.spin);
+        scene.method = Method::BEST;
         let horizon = Kerr {
             spin: scene.hole.spin,
         }

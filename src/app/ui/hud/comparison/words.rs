@@ -41,7 +41,7 @@ fn setting(key: &str, unit: &str, value: &Value, scene: &Scene) -> String {
         ("name", _) => return scene.name.clone(),
         ("observer.kind", _) => motion(scene.observer.kind).into(),
         ("method", _) if scene.method == Method::Auto => {
-            format!("auto ({})", Method::for_spin(scene.hole.spin).word())
+            format!("auto ({})", Method::BEST.word())
         }
         (_, Value::Boolean(true)) => "on".into(),
         (_, Value::Boolean(false)) => "off".into(),
