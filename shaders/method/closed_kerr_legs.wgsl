@@ -8,12 +8,13 @@
 //
 //   d(u) - d(c) = -a (u - c) (W_+ (s - a^2 (v + v_c)) - B v v_c)/(D(u) D(c)),   v = u - 1/r_+,
 //
-// with s = r_+ - r_-, vanishes at the centre, so that its integral has no logarithm.
+// with s = r_+ - r_-, vanishes at the centre, so that its integral has no logarithm there.
 //
 // A leg is integrated by Gauss's and Legendre's rule over the distance y from the centre, or behind a
 // turning point over its root, which takes away the root of U. Where the integrand changes on a scale
 // that is much smaller than the leg (next to the critical curve, or next to the horizon), the leg is
-// divided in parts, each twice as long as the one before. Derived.
+// divided in parts, each at most twice as long as its distance from the centre, and from the horizon if
+// the leg leads toward it. Derived.
 //
 // Needs: Centre, Constants, TINY, scene, square.
 // Gives: Regular, Way, dragging_along, leg_between, regular_along, regular_at, regular_scale,
@@ -25,12 +26,12 @@ const HIGH_NODES: vec4<f32> = vec4<f32>(0.980144928, 0.898333239, 0.762766205, 0
 const WEIGHTS: vec4<f32> = vec4<f32>(0.0506142681, 0.111190517, 0.156853323, 0.181341892);
 
 // A leg is divided if it is more than this many times as long as the scale on which the integrand
-// changes: behind a turning point, and next to a place that the ray passes. The rule's error is below
-// 3e-7 rad otherwise.
+// changes: behind a turning point, and next to a place that the ray passes.
 const MAX_SMOOTH_TURN: f32 = 6.0;
 const MAX_SMOOTH_PASSAGE: f32 = 1.0;
+// f32 tells no more halvings of a leg apart.
 const MAX_PARTS: u32 = 20u;
-// The largest angle, in radians, that the dragging at a leg's centre may stand for.
+// The largest angle, in radians, of which f32 keeps enough digits: more cancels in the sum.
 const MAX_STEADY_TURN: f32 = 7.0;
 
 // A leg between two distances from its centre.
@@ -42,8 +43,13 @@ struct Leg {
     count: f32,
     // Whether its centre is a turning point.
     turns: bool,
-    // Into how many parts it is divided; zero if it is not.
+    // Into how many parts it is divided: parts that grow away from the centre (none if the leg is not
+    // divided), and beyond the leg's middle parts that shrink toward the horizon, if it is near.
     parts: u32,
+    far_parts: u32,
+    // The distances of the horizon from the centre and from the far end, of a leg that leads toward it.
+    pole: f32,
+    gap: f32,
 }
 
 // The legs of the way from the camera to a place.
@@ -54,10 +60,10 @@ struct Way {
 
 fn way_of(first: Leg, second: Leg) -> Way {
     var way = Way(first, second);
-    // If one leg is divided, so is the other.
+    // If one leg is divided, so is the other, because dragging_along sums divided ways otherwise.
     if max(first.parts, second.parts) > 0u {
-        way.first.parts = select(0u, max(first.parts, 2u), first.count > 0.0);
-        way.second.parts = select(0u, max(second.parts, 2u), second.count > 0.0);
+        way.first.parts = select(0u, max(first.parts, 1u), first.count > 0.0);
+        way.second.parts = select(0u, max(second.parts, 1u), second.count > 0.0);
     }
     return way;
 }
@@ -84,18 +90,33 @@ fn leg_between(centre: Centre, low: f32, high: f32, count: f32, scale: f32) -> L
     let curl = sqrt(c.x / max(c.z, TINY));
     let least = min(scale, select(bend, min(bend, curl), turns));
     let ratio = high / max(least, TINY);
-    let divides = count > 0.0 && ratio > select(MAX_SMOOTH_PASSAGE, MAX_SMOOTH_TURN, turns);
     let doublings = log2(max(ratio, 1.0)) * select(1.0, 0.5, turns);
     let parts = min(1u + u32(ceil(doublings)), MAX_PARTS);
-    return Leg(centre, low, high, count, turns, select(0u, parts, divides));
+    let pole = -centre.beyond;
+    let gap = max(pole - high, TINY);
+    let ends_near_horizon = centre.side < 0.0 && pole > high && gap < high;
+    let far_parts = min(u32(ceil(log2(1.0 + 0.5 * high / gap))), MAX_PARTS);
+    let uneven = ratio > select(MAX_SMOOTH_PASSAGE, MAX_SMOOTH_TURN, turns);
+    let divides = count > 0.0 && (uneven || ends_near_horizon);
+    return Leg(
+        centre,
+        low,
+        high,
+        count,
+        turns,
+        select(0u, parts, divides),
+        select(0u, far_parts, divides && ends_near_horizon),
+        pole,
+        gap,
+    );
 }
 
-// The places on the part of a leg between two shares of the range of the rule's variable.
-fn places_on(leg: Leg, low_share: f32, high_share: f32, nodes: vec4<f32>) -> LegPlaces {
-    let low = select(leg.low, sqrt(leg.low), leg.turns);
-    let high = select(leg.high, sqrt(leg.high), leg.turns);
-    let first = max(low, low_share * high);
-    let width = max(low, high_share * high) - first;
+// The places on a part of a leg between two distances.
+fn places_on(leg: Leg, part_low: f32, part_high: f32, nodes: vec4<f32>) -> LegPlaces {
+    let low = max(leg.low, part_low);
+    let high = max(leg.low, part_high);
+    let first = select(low, sqrt(low), leg.turns);
+    let width = select(high, sqrt(high), leg.turns) - first;
     let x = first + width * nodes;
     let y = select(x, x * x, leg.turns);
     let c = leg.centre.c;
@@ -111,20 +132,32 @@ struct Pass {
 }
 
 fn count_passes(way: Way) -> u32 {
-    return 2u * (way.first.parts + way.second.parts);
+    return 2u * (way.first.parts + way.first.far_parts + way.second.parts + way.second.far_parts);
 }
 
 fn pass_at(way: Way, i: u32) -> Pass {
     var leg = way.first;
     var own = i;
-    if i >= 2u * leg.parts {
-        own = i - 2u * leg.parts;
+    let of_first = 2u * (leg.parts + leg.far_parts);
+    if i >= of_first {
+        own = i - of_first;
         leg = way.second;
     }
+    let nodes = select(HIGH_NODES, LOW_NODES, (own & 1u) == 0u);
     let part = own / 2u;
-    let high_share = exp2(-f32(part));
-    let low_share = select(0.5 * high_share, 0.0, part + 1u >= leg.parts);
-    return Pass(leg, places_on(leg, low_share, high_share, select(HIGH_NODES, LOW_NODES, (own & 1u) == 0u)));
+    let middle = select(leg.high, 0.5 * leg.high, leg.far_parts > 0u);
+    if part < leg.far_parts {
+        let growth = exp2(f32(part));
+        let high = select(leg.pole - growth * leg.gap, leg.high, part == 0u);
+        let next = max(leg.pole - 2.0 * growth * leg.gap, middle);
+        return Pass(leg, places_on(leg, select(next, middle, part + 1u == leg.far_parts), high, nodes));
+    }
+    // Halvings of the rule's variable.
+    let halvings = f32(part - leg.far_parts) * select(1.0, 2.0, leg.turns);
+    let high = middle * exp2(-halvings);
+    let next = high * select(0.5, 0.25, leg.turns);
+    let low = select(next, 0.0, part - leg.far_parts + 1u >= leg.parts);
+    return Pass(leg, places_on(leg, low, high, nodes));
 }
 
 // d(u), at distances from the horizon too.
@@ -139,7 +172,7 @@ fn dragging_at(c: Constants, u: vec4<f32>, beyond: vec4<f32>) -> vec4<f32> {
 // The integral of d(u) - d(c) along a leg, times D(c)/a.
 fn smooth_dragging_sum(c: Constants, leg: Leg, nodes: vec4<f32>) -> f32 {
     let centre = leg.centre;
-    let p = places_on(leg, 0.0, 1.0, nodes);
+    let p = places_on(leg, leg.low, leg.high, nodes);
     let v = centre.beyond - centre.side * p.y;
     let change = c.horizon_w * (scene.hole.horizon_separation - square(scene.hole.a) * (centre.beyond + v))
         - c.drag * centre.beyond * v;
@@ -215,8 +248,8 @@ fn smooth_regular(c: Constants, leg: Leg, at: Regular) -> f32 {
     if leg.count == 0.0 || leg.parts > 0u {
         return 0.0;
     }
-    return regular_sum(c, leg, at, places_on(leg, 0.0, 1.0, LOW_NODES))
-        + regular_sum(c, leg, at, places_on(leg, 0.0, 1.0, HIGH_NODES));
+    return regular_sum(c, leg, at, places_on(leg, leg.low, leg.high, LOW_NODES))
+        + regular_sum(c, leg, at, places_on(leg, leg.low, leg.high, HIGH_NODES));
 }
 
 // The integral of the quantity less its value at the centre, along a way.

@@ -164,7 +164,7 @@ impl Method {
         }
     }
 
-    /// What `auto` means. Hunts through random scenes find `mino` better in no kind of scene.
+    /// What `auto` means: the method with the smallest error at its speed (docs/ACCURACY.md).
     pub const BEST: Self = Self::Closed;
 
     /// This method, or what `auto` means.

@@ -1,9 +1,11 @@
 //! The method closed around holes that spin, against the reference.
 
 use crate::gpu;
+use glam::DVec3;
 use lightfall_core::accuracy::{
     ErrorSummary, Quantiles, Ray, Truth, rays_near_edge, rays_over_sky,
 };
+use lightfall_core::geometry::sphere::wrap_angle;
 use lightfall_core::gpu::rays::RayKernel;
 use lightfall_core::reports::extremes::tolerance;
 use lightfall_core::scene::{Method, ObserverKind, Scene};
@@ -82,5 +84,43 @@ fn rays_of_a_falling_observer_hold_their_bound_on_both_sides_of_the_horizon() {
         (0.998, 0.51, 60.0),
     ] {
         check(&seen_from(spin, r, theta_deg, ObserverKind::Rain), 2e-6);
+    }
+}
+
+/// A leg that ends next to the horizon has the horizon's pole close behind its end.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn hits_next_to_a_nearly_extremal_horizon_are_where_the_reference_has_them() {
+    for spin in [0.998, 0.9999, 0.999_999] {
+        let mut scene = seen_from(spin, 20.0, 75.0, ObserverKind::Static);
+        (scene.disk.inner, scene.disk.outer) = (0.3, 0.75);
+        // The ring's image is a few degrees wide.
+        let rays: Vec<Ray> = (0..4000)
+            .map(|i| {
+                let (share, turn) = (f64::from(i) / 4000.0, 2.399_963 * f64::from(i));
+                let (sin, cos) = (0.08 * share.sqrt()).sin_cos();
+                Ray::toward(DVec3::new(sin * turn.cos(), sin * turn.sin(), cos))
+            })
+            .collect();
+        let truth = Truth::of(&scene, rays).unwrap();
+        let directions: Vec<_> = truth.rays.iter().map(Ray::given).collect();
+        let kernel = RayKernel::new(gpu(), &scene).unwrap();
+        let given = kernel
+            .trace_camera_rays(gpu(), &scene, &directions)
+            .unwrap();
+        let mut off: Vec<f64> = truth
+            .traces
+            .iter()
+            .zip(&given)
+            .filter_map(|(truth, given)| Some(wrap_angle(truth.hits[0]?.phi - given.hits[0]?.phi)))
+            .map(f64::abs)
+            .collect();
+        off.sort_by(f64::total_cmp);
+        let [most, worst] = [0.9, 0.99].map(|share| off[(share * off.len() as f64) as usize]);
+        println!("spin {spin}: {} hits, {most:.1e}, {worst:.1e}", off.len());
+        assert!(
+            off.len() > 200 && most < 1e-4 && worst < 1e-3,
+            "{spin}: {most:e}, {worst:e}"
+        );
     }
 }

@@ -13,7 +13,7 @@ pub fn choice(key: &str, word: &'static str) -> [&'static str; 2] {
     match (key, word) {
         ("method", "auto") => [
             "Best for this scene (auto)",
-            "Closed form without spin, Mino time with spin",
+            "The closed form, with or without spin",
         ],
         ("method", "verlet") => [
             "Verlet steps (verlet)",
@@ -21,11 +21,11 @@ pub fn choice(key: &str, word: &'static str) -> [&'static str; 2] {
         ],
         ("method", "closed") => [
             "Closed form (closed)",
-            "Elliptic functions, without spin; exact to the numbers' own precision",
+            "Elliptic functions, with or without spin; no steps, and nothing to set",
         ],
         ("method", "mino") => [
             "Mino time (mino)",
-            "Kerr's equations in Mino time, with or without spin; the error is bounded",
+            "Steps in Mino time, with or without spin; the independent second method",
         ],
         ("method", "kerr-schild") => [
             "Kerr-Schild steps (kerr-schild)",
