@@ -31,7 +31,8 @@ const MAX_SMOOTH_TURN: f32 = 6.0;
 const MAX_SMOOTH_PASSAGE: f32 = 1.0;
 // f32 tells no more halvings of a leg apart.
 const MAX_PARTS: u32 = 20u;
-// The largest angle, in radians, of which f32 keeps enough digits: more cancels in the sum.
+// The dragging at the centre times the time may be this large, in radians. The rounding of a larger
+// angle, which the rest of the integral cancels, would show.
 const MAX_STEADY_TURN: f32 = 7.0;
 
 // A leg between two distances from its centre.
@@ -43,13 +44,11 @@ struct Leg {
     count: f32,
     // Whether its centre is a turning point.
     turns: bool,
-    // Into how many parts it is divided: parts that grow away from the centre (none if the leg is not
-    // divided), and beyond the leg's middle parts that shrink toward the horizon, if it is near.
+    // The number of parts that grow away from the centre: zero if the leg is not divided.
     parts: u32,
+    // The number of parts in the far half of a leg that ends next to the horizon. They become shorter
+    // toward the horizon.
     far_parts: u32,
-    // The distances of the horizon from the centre and from the far end, of a leg that leads toward it.
-    pole: f32,
-    gap: f32,
 }
 
 // The legs of the way from the camera to a place.
@@ -98,17 +97,8 @@ fn leg_between(centre: Centre, low: f32, high: f32, count: f32, scale: f32) -> L
     let far_parts = min(u32(ceil(log2(1.0 + 0.5 * high / gap))), MAX_PARTS);
     let uneven = ratio > select(MAX_SMOOTH_PASSAGE, MAX_SMOOTH_TURN, turns);
     let divides = count > 0.0 && (uneven || ends_near_horizon);
-    return Leg(
-        centre,
-        low,
-        high,
-        count,
-        turns,
-        select(0u, parts, divides),
-        select(0u, far_parts, divides && ends_near_horizon),
-        pole,
-        gap,
-    );
+    let near_parts = select(0u, parts, divides);
+    return Leg(centre, low, high, count, turns, near_parts, select(0u, far_parts, divides && ends_near_horizon));
 }
 
 // The places on a part of a leg between two distances.
@@ -147,10 +137,11 @@ fn pass_at(way: Way, i: u32) -> Pass {
     let part = own / 2u;
     let middle = select(leg.high, 0.5 * leg.high, leg.far_parts > 0u);
     if part < leg.far_parts {
-        let growth = exp2(f32(part));
-        let high = select(leg.pole - growth * leg.gap, leg.high, part == 0u);
-        let next = max(leg.pole - 2.0 * growth * leg.gap, middle);
-        return Pass(leg, places_on(leg, select(next, middle, part + 1u == leg.far_parts), high, nodes));
+        let pole = -leg.centre.beyond;
+        let gap = exp2(f32(part)) * (pole - leg.high);
+        let high = select(pole - gap, leg.high, part == 0u);
+        let low = select(max(pole - 2.0 * gap, middle), middle, part + 1u == leg.far_parts);
+        return Pass(leg, places_on(leg, low, high, nodes));
     }
     // Halvings of the rule's variable.
     let halvings = f32(part - leg.far_parts) * select(1.0, 2.0, leg.turns);
@@ -182,7 +173,7 @@ fn smooth_dragging_sum(c: Constants, leg: Leg, nodes: vec4<f32>) -> f32 {
 }
 
 fn smooth_dragging(c: Constants, leg: Leg) -> f32 {
-    if leg.count == 0.0 || leg.parts > 0u {
+    if leg.count == 0.0 {
         return 0.0;
     }
     return smooth_dragging_sum(c, leg, LOW_NODES) + smooth_dragging_sum(c, leg, HIGH_NODES);
@@ -193,14 +184,17 @@ fn smooth_dragging(c: Constants, leg: Leg) -> f32 {
 // There the rest of the integral is relative to the dragging at the end.
 fn dragging_along(c: Constants, way: Way, t: f32, end: f32) -> f32 {
     let centre = way.first.centre;
-    let smooth_sum = smooth_dragging(c, way.first) + smooth_dragging(c, way.second);
     let at_centre = dragging_at(c, vec4<f32>(centre.u), vec4<f32>(centre.beyond)).x;
-    let smooth_dragged = at_centre * t + scene.hole.a / horizon_function(vec4<f32>(centre.beyond)).x * smooth_sum;
+    let passes = count_passes(way);
+    if passes == 0u {
+        let sum = smooth_dragging(c, way.first) + smooth_dragging(c, way.second);
+        return at_centre * t + scene.hole.a / horizon_function(vec4<f32>(centre.beyond)).x * sum;
+    }
     let end_beyond = (end - scene.hole.horizon_u) - scene.hole.horizon_u_low;
     let at_end = dragging_at(c, vec4<f32>(end), vec4<f32>(end_beyond)).x;
     let steady = select(at_centre, at_end, abs(at_centre * t) > MAX_STEADY_TURN);
     var sum = steady * t;
-    for (var i = 0u; i < count_passes(way); i++) {
+    for (var i = 0u; i < passes; i++) {
         let part = pass_at(way, i);
         let place = part.leg.centre;
         let distance = place.side * part.places.y;
@@ -208,7 +202,7 @@ fn dragging_along(c: Constants, way: Way, t: f32, end: f32) -> f32 {
         let speed2 = max(place.c_0 + part.places.rise, vec4<f32>(TINY));
         sum += part.leg.count * dot(WEIGHTS, part.places.dy * rate * inverseSqrt(speed2));
     }
-    return select(smooth_dragged, sum, count_passes(way) > 0u);
+    return sum;
 }
 
 // The quantity K' (p + q u^2)/(W + |u'|) at the centre: what Kerr's ingoing dragging falls short of a E
@@ -227,8 +221,7 @@ fn regular_at(c: Constants, centre: Centre, p: f32, q: f32) -> Regular {
     return Regular(q, sum, c.k_prime * (p + q * square(centre.u)) / sum);
 }
 
-// The distance on which the quantity changes next to the centre: a leg that is much shorter has no pole
-// of it nearby.
+// The distance on which the quantity changes next to the centre. Its pole is not nearer than this.
 fn regular_scale(c: Constants, centre: Centre, at: Regular) -> f32 {
     let pole = min(at.sum * at.sum / max(abs(centre.c.x), TINY), at.sum / max(abs(c.drag) * centre.u, TINY));
     return pole / MAX_SMOOTH_TURN;
@@ -245,7 +238,7 @@ fn regular_sum(c: Constants, leg: Leg, at: Regular, p: LegPlaces) -> f32 {
 }
 
 fn smooth_regular(c: Constants, leg: Leg, at: Regular) -> f32 {
-    if leg.count == 0.0 || leg.parts > 0u {
+    if leg.count == 0.0 {
         return 0.0;
     }
     return regular_sum(c, leg, at, places_on(leg, leg.low, leg.high, LOW_NODES))
@@ -254,8 +247,12 @@ fn smooth_regular(c: Constants, leg: Leg, at: Regular) -> f32 {
 
 // The integral of the quantity less its value at the centre, along a way.
 fn regular_along(c: Constants, way: Way, at: Regular) -> f32 {
-    var sum = smooth_regular(c, way.first, at) + smooth_regular(c, way.second, at);
-    for (var i = 0u; i < count_passes(way); i++) {
+    let passes = count_passes(way);
+    if passes == 0u {
+        return smooth_regular(c, way.first, at) + smooth_regular(c, way.second, at);
+    }
+    var sum = 0.0;
+    for (var i = 0u; i < passes; i++) {
         let part = pass_at(way, i);
         sum += regular_sum(c, part.leg, at, part.places);
     }

@@ -156,6 +156,16 @@ fn potential(m: Radial, u: f32) -> f32 {
     return max(m.b_0 + v * v * (m.alpha + v * (m.beta + v * m.gamma)), 0.0);
 }
 
+// The coefficients by which U grows from base + v to one side: `c` of a Centre.
+fn growth_from(m: Radial, v: f32, side: f32) -> vec4<f32> {
+    return vec4<f32>(
+        -side * v * (2.0 * m.alpha + v * (3.0 * m.beta + v * 4.0 * m.gamma)),
+        m.alpha + v * (3.0 * m.beta + v * 6.0 * m.gamma),
+        -side * (m.beta + 4.0 * m.gamma * v),
+        m.gamma,
+    );
+}
+
 // The turning point on the outer side of the barrier, or on the inner one: the roots s = 1/v of
 // b_0 s^4 + alpha s^2 + beta s + gamma, by Euler's solution.
 fn turning_point(m: Radial, outer: bool) -> Centre {
@@ -167,26 +177,17 @@ fn turning_point(m: Radial, outer: bool) -> Centre {
     let lower = 2.0 / max(sum - third, TINY);
     let v = select(lower, select(2.0 / (sum + third), -lower, outer), m.base > 0.0);
     let side = select(-1.0, 1.0, outer);
-    let slope = v * (2.0 * m.alpha + v * (3.0 * m.beta + v * 4.0 * m.gamma));
     let bend = v * (3.0 * m.beta + v * 6.0 * m.gamma);
-    let c = vec4<f32>(-side * slope, m.alpha + bend, -side * (m.beta + 4.0 * m.gamma * v), m.gamma);
     let isolated = 0.25 * m.alpha + bend * (1.0 / 12.0) - m.offset;
     let pair = bend * (1.0 / 12.0) + 0.5 * m.offset;
-    return Centre(m.base + v, m.base_beyond + v, side, 0.0, c, isolated, pair);
+    return Centre(m.base + v, m.base_beyond + v, side, 0.0, growth_from(m, v, side), isolated, pair);
 }
 
 // A place on a ray that does not turn, as the centre of a leg on one of its sides.
 fn passing_centre(m: Radial, u: f32, side: f32) -> Centre {
     let v = u - m.base;
     let c_0 = m.b_0 + v * v * (m.alpha + v * (m.beta + v * m.gamma));
-    let slope = v * (2.0 * m.alpha + v * (3.0 * m.beta + v * 4.0 * m.gamma));
-    let c = vec4<f32>(
-        -side * slope,
-        m.alpha + v * (3.0 * m.beta + v * 6.0 * m.gamma),
-        -side * (m.beta + 4.0 * m.gamma * v),
-        m.gamma,
-    );
-    return Centre(u, m.base_beyond + v, side, max(c_0, 0.0), c, 0.0, 0.0);
+    return Centre(u, m.base_beyond + v, side, max(c_0, 0.0), growth_from(m, v, side), 0.0, 0.0);
 }
 
 // How far a place with u and u'^2 is from a turning point. Close to it, u'^2 knows better.

@@ -7,6 +7,7 @@ use lightfall_core::accuracy::{
 };
 use lightfall_core::geometry::sphere::wrap_angle;
 use lightfall_core::gpu::rays::RayKernel;
+use lightfall_core::optics::trace::Trace;
 use lightfall_core::reports::extremes::tolerance;
 use lightfall_core::scene::{Method, ObserverKind, Scene};
 
@@ -26,13 +27,19 @@ fn seen_from(spin: f64, r: f64, theta_deg: f64, kind: ObserverKind) -> Scene {
     scene
 }
 
-fn errors_of(scene: &Scene) -> ErrorSummary {
-    let mut rays = rays_over_sky(RAYS);
-    rays.extend(rays_near_edge(scene, RAYS, [1e-6, 0.3]));
+/// The reference's answers to the rays, and the method's.
+fn answers_to(scene: &Scene, rays: Vec<Ray>) -> (Truth, Vec<Trace>) {
     let truth = Truth::of(scene, rays).unwrap();
     let directions: Vec<_> = truth.rays.iter().map(Ray::given).collect();
     let kernel = RayKernel::new(gpu(), scene).unwrap();
     let given = kernel.trace_camera_rays(gpu(), scene, &directions).unwrap();
+    (truth, given)
+}
+
+fn errors_of(scene: &Scene) -> ErrorSummary {
+    let mut rays = rays_over_sky(RAYS);
+    rays.extend(rays_near_edge(scene, RAYS, [1e-6, 0.3]));
+    let (truth, given) = answers_to(scene, rays);
     ErrorSummary::of(&truth, &given)
 }
 
@@ -102,12 +109,7 @@ fn hits_next_to_a_nearly_extremal_horizon_are_where_the_reference_has_them() {
                 Ray::toward(DVec3::new(sin * turn.cos(), sin * turn.sin(), cos))
             })
             .collect();
-        let truth = Truth::of(&scene, rays).unwrap();
-        let directions: Vec<_> = truth.rays.iter().map(Ray::given).collect();
-        let kernel = RayKernel::new(gpu(), &scene).unwrap();
-        let given = kernel
-            .trace_camera_rays(gpu(), &scene, &directions)
-            .unwrap();
+        let (truth, given) = answers_to(&scene, rays);
         let mut off: Vec<f64> = truth
             .traces
             .iter()
