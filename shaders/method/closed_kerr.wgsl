@@ -6,10 +6,10 @@
 //
 // Needs: AZIMUTH, Anchor, Centre, DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, HAS_DISK, LaurentSeries,
 //     MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Photon, Radial, SKY_DIRECTION, TINY,
-//     Trace, add_hit, anchor_at, anchor_at_centre, arc_after, camera_is_inside, course_from,
-//     crossing_delay, dragged_azimuth, empty_trace, mino_time, orbit_of, place_after, polar_of,
-//     potential, radial_of, radial_series, safe_normalize, scene, square, time_between,
-//     time_from_turn, turning_point, u_after.
+//     TimeArguments, Trace, add_hit, anchor_at, anchor_at_centre, arc_after, camera_is_inside,
+//     course_from, crossing_delay, dragged_azimuth, empty_trace, mino_time, orbit_of, place_after,
+//     polar_of, potential, radial_of, radial_series, safe_normalize, scene, square, time_between,
+//     time_from_turn, u_after.
 // Gives: trace.
 
 // Crossings of the plane that are looked at: rays within f32's rounding of the critical curve go
@@ -24,23 +24,23 @@ struct Schedule {
     // The turning point, or the place where the ray is slowest.
     centre: f32,
     end: f32,
-    at_camera: Anchor,
     at_centre: Anchor,
-    at_end: Anchor,
+    // (u, u') at the camera and at the end.
+    at_camera: vec2<f32>,
+    at_end: vec2<f32>,
 }
 
 // u at the time t. From the nearest of the camera, the centre and the end, because errors grow on
 // the way.
 fn u_at(m: Radial, series: LaurentSeries, s: Schedule, t: f32) -> f32 {
-    var anchor = s.at_camera;
-    var since = t;
-    if abs(t - s.centre) < min(t, s.end - t) {
+    let from_end = t + t > s.end;
+    var since = select(t, s.end - t, from_end);
+    let place = select(s.at_camera, s.at_end, vec2<bool>(from_end));
+    var anchor = anchor_at(m, place.x, place.y);
+    if abs(t - s.centre) < since {
         anchor = s.at_centre;
         anchor.slope *= sign(t - s.centre);
         since = max(abs(t - s.centre), TINY);
-    } else if t + t > s.end {
-        anchor = s.at_end;
-        since = s.end - t;
     }
     return u_after(m, series, anchor, since);
 }
@@ -49,14 +49,15 @@ fn u_at(m: Radial, series: LaurentSeries, s: Schedule, t: f32) -> f32 {
 // slow, the time of a place is known better than the place at a time.
 fn improve(m: Radial, s: Schedule, centre: Centre, turns: bool, inward: bool, u: f32, t: f32) -> f32 {
     let speed = sqrt(potential(m, u));
-    let camera = vec2<f32>(s.at_camera.u, abs(s.at_camera.slope));
-    var arguments = time_between(m, camera, vec2<f32>(u, speed));
+    var arguments: TimeArguments;
     var target_time = t;
     var rate = select(-speed, speed, inward);
     if turns {
         arguments = time_from_turn(centre, centre.side * (centre.u - u));
         target_time = abs(t - s.centre);
         rate = -centre.side * speed;
+    } else {
+        arguments = time_between(m, vec2<f32>(s.at_camera.x, abs(s.at_camera.y)), vec2<f32>(u, speed));
     }
     return u + rate * (target_time - mino_time(m, arguments));
 }
@@ -83,10 +84,9 @@ fn trace(photon: Photon) -> Trace {
     // A ray that does not escape is followed to the disk's inner edge.
     let u_inner = 1.0 / scene.disk.inner;
     let u_end = select(u_inner, 0.0, escapes);
-    let turn = turning_point(m, outside_barrier);
-    let course = course_from(m, slope, turn, u_end);
+    let course = course_from(m, slope, u_end);
     let centre = course.centre;
-    let comes_from_disk = select(inward && u_0 < u_inner, turn.u < u_inner, turns);
+    let comes_from_disk = select(inward && u_0 < u_inner, centre.u < u_inner, turns);
     if !(escapes || HAS_DISK && comes_from_disk) {
         return result;
     }
@@ -98,11 +98,14 @@ fn trace(photon: Photon) -> Trace {
     // The times of the centre and of the end, from the camera or from the turning point.
     let camera = vec2<f32>(u_0, abs(slope));
     let speed_end = select(sqrt(potential(m, u_end)), m.energy, escapes);
-    var to_centre = time_between(m, camera, vec2<f32>(centre.u, sqrt(centre.c_0)));
-    var to_end = time_between(m, camera, vec2<f32>(u_end, speed_end));
+    var to_centre: TimeArguments;
+    var to_end: TimeArguments;
     if turns {
-        to_centre = time_from_turn(turn, course.distance);
-        to_end = time_from_turn(turn, turn.side * (turn.u - u_end));
+        to_centre = time_from_turn(centre, course.distance);
+        to_end = time_from_turn(centre, centre.side * (centre.u - u_end));
+    } else {
+        to_centre = time_between(m, camera, vec2<f32>(centre.u, sqrt(centre.c_0)));
+        to_end = time_between(m, camera, vec2<f32>(u_end, speed_end));
     }
     let centre_time = mino_time(m, to_centre);
     let end_time = mino_time(m, to_end) + select(0.0, centre_time, turns);
@@ -114,9 +117,9 @@ fn trace(photon: Photon) -> Trace {
         let schedule = Schedule(
             select(0.0, centre_time, turns || passes),
             end_time,
-            anchor_at(m, u_0, slope),
             anchor_at_centre(centre, sqrt(centre.c_0) * select(-1.0, 1.0, u_end > u_0)),
-            anchor_at(m, u_end, select(-speed_end, speed_end, escapes)),
+            vec2<f32>(u_0, slope),
+            vec2<f32>(u_end, select(-speed_end, speed_end, escapes)),
         );
         var t = polar.first_crossing;
         for (var i = 0u; i < MAX_CROSSINGS; i++) {

@@ -7,7 +7,7 @@
 //
 // Needs: Centre, Constants, NEAR_HORIZON, Radial, Regular, Way, azimuth_lag, distance_from,
 //     dragging_along, horizon_factors_at, leg_between, passing_centre, regular_along, regular_at,
-//     regular_scale, scene, way_of.
+//     regular_scale, scene, turning_point.
 // Gives: Course, course_from, dragged_azimuth, regular_way.
 
 // A ray's radial motion from the camera on.
@@ -30,11 +30,11 @@ fn way_to(m: Radial, course: Course, u: f32, returned: bool, scale: f32) -> Way 
     let far = max(end, course.distance);
     var second = leg_between(centre, 0.0, near, select(0.0, 2.0, returned), scale);
     if m.has_barrier || y >= 0.0 {
-        return way_of(leg_between(centre, near, far, 1.0, scale), second);
+        return Way(leg_between(centre, near, far, 1.0, scale), second);
     }
     // The ray passes the centre.
     second = leg_between(passing_centre(m, centre.u, -centre.side), 0.0, end, 1.0, scale);
-    return way_of(leg_between(centre, 0.0, course.distance, 1.0, scale), second);
+    return Way(leg_between(centre, 0.0, course.distance, 1.0, scale), second);
 }
 
 // The integral of a regular quantity less its value at the centre, from the camera to u before or after
@@ -51,18 +51,17 @@ fn azimuth_of_ingoing(m: Radial, c: Constants, course: Course, u: f32, t: f32) -
     return scene.observer.ingoing_azimuth_lead + scene.hole.a * gain + lag;
 }
 
-// The course of a ray that turns at `turn`, or that leads from the camera to u_end without a turn.
-// `slope` is u' at the camera.
-fn course_from(m: Radial, slope: f32, turn: Centre, u_end: f32) -> Course {
+// The course of a ray that has the slope u' at the camera, and ends at u_end.
+fn course_from(m: Radial, slope: f32, u_end: f32) -> Course {
     let u = scene.observer.u;
-    let u_slowest = clamp(m.base, min(u, u_end), max(u, u_end));
-    var centre = passing_centre(m, u_slowest, select(-1.0, 1.0, u <= u_slowest));
-    var distance = abs(u_slowest - u);
+    let comes_in = NEAR_HORIZON && slope < 0.0;
     if m.has_barrier {
-        centre = turn;
-        distance = distance_from(turn, u, slope * slope);
+        let turn = turning_point(m, u < m.barrier);
+        return Course(turn, distance_from(turn, u, slope * slope), comes_in);
     }
-    return Course(centre, distance, NEAR_HORIZON && slope < 0.0);
+    let u_slowest = clamp(m.base, min(u, u_end), max(u, u_end));
+    let slowest = passing_centre(m, u_slowest, select(-1.0, 1.0, u <= u_slowest));
+    return Course(slowest, abs(u_slowest - u), comes_in);
 }
 
 // The azimuth at u, which the ray reaches at the time t, before or after it has turned at the time
@@ -83,7 +82,7 @@ fn dragged_azimuth(m: Radial, c: Constants, course: Course, u: f32, returned: bo
         since = t - turn_time;
         end = u;
         let from_turn = leg_between(course.centre, 0.0, abs(course.centre.u - u), 1.0, scale);
-        way = way_of(leg_between(course.centre, 0.0, 0.0, 0.0, scale), from_turn);
+        way = Way(leg_between(course.centre, 0.0, 0.0, 0.0, scale), from_turn);
     }
     return before + dragging_along(c, way, since, end);
 }

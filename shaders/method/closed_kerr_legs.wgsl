@@ -17,13 +17,18 @@
 // the leg leads toward it. Derived.
 //
 // Needs: Centre, Constants, TINY, scene, square.
-// Gives: Regular, Way, dragging_along, leg_between, regular_along, regular_at, regular_scale,
-//     way_of.
+// Gives: Regular, Way, dragging_along, leg_between, regular_along, regular_at, regular_scale.
 
 // The eight Gauss-Legendre nodes on [0, 1], and their weights on both sides of the middle.
 const LOW_NODES: vec4<f32> = vec4<f32>(0.0198550718, 0.101666761, 0.237233795, 0.408282679);
 const HIGH_NODES: vec4<f32> = vec4<f32>(0.980144928, 0.898333239, 0.762766205, 0.591717321);
 const WEIGHTS: vec4<f32> = vec4<f32>(0.0506142681, 0.111190517, 0.156853323, 0.181341892);
+// Four nodes, and their weights.
+const FEW_NODES: vec4<f32> = vec4<f32>(0.0694318442, 0.330009478, 0.669990522, 0.930568156);
+const FEW_WEIGHTS: vec4<f32> = vec4<f32>(0.173927423, 0.326072577, 0.326072577, 0.173927423);
+// A smooth leg takes four nodes if its ends have at least this ratio: then the integrand's poles are at
+// least four times as far from its middle as its ends are, and four nodes leave a share of 1e-7.
+const MIN_SHORT_RATIO: f32 = 0.36;
 
 // A leg is divided if it is more than this many times as long as the scale on which the integrand
 // changes: behind a turning point, and next to a place that the ray passes.
@@ -44,27 +49,14 @@ struct Leg {
     count: f32,
     // Whether its centre is a turning point.
     turns: bool,
-    // The number of parts that grow away from the centre: zero if the leg is not divided.
-    parts: u32,
-    // The number of parts in the far half of a leg that ends next to the horizon. They become shorter
-    // toward the horizon.
-    far_parts: u32,
+    // The smallest distance on which the integrand changes, apart from U itself.
+    scale: f32,
 }
 
 // The legs of the way from the camera to a place.
 struct Way {
     first: Leg,
     second: Leg,
-}
-
-fn way_of(first: Leg, second: Leg) -> Way {
-    var way = Way(first, second);
-    // If one leg is divided, so is the other, because dragging_along sums divided ways otherwise.
-    if max(first.parts, second.parts) > 0u {
-        way.first.parts = select(0u, max(first.parts, 1u), first.count > 0.0);
-        way.second.parts = select(0u, max(second.parts, 1u), second.count > 0.0);
-    }
-    return way;
 }
 
 // Places on a leg: the distance from the centre, its change with the variable of the rule, and what U
@@ -80,25 +72,66 @@ fn horizon_function(beyond: vec4<f32>) -> vec4<f32> {
     return max(beyond * (square(scene.hole.a) * beyond - scene.hole.horizon_separation), vec4<f32>(TINY));
 }
 
-// `scale` is the smallest distance on which the integrand changes, apart from U itself.
 fn leg_between(centre: Centre, low: f32, high: f32, count: f32, scale: f32) -> Leg {
-    let c = abs(centre.c);
-    let turns = centre.c_0 <= 0.0;
-    // Where the first terms of U are as large as each other.
-    let bend = select(min(centre.c_0 / max(c.x, TINY), sqrt(centre.c_0 / max(c.y, TINY))), c.x / max(c.y, TINY), turns);
-    let curl = sqrt(c.x / max(c.z, TINY));
-    let least = min(scale, select(bend, min(bend, curl), turns));
-    let ratio = high / max(least, TINY);
-    let doublings = log2(max(ratio, 1.0)) * select(1.0, 0.5, turns);
-    let parts = min(1u + u32(ceil(doublings)), MAX_PARTS);
-    let pole = -centre.beyond;
-    let gap = max(pole - high, TINY);
-    let ends_near_horizon = centre.side < 0.0 && pole > high && gap < high;
-    let far_parts = min(u32(ceil(log2(1.0 + 0.5 * high / gap))), MAX_PARTS);
-    let uneven = ratio > select(MAX_SMOOTH_PASSAGE, MAX_SMOOTH_TURN, turns);
-    let divides = count > 0.0 && (uneven || ends_near_horizon);
-    let near_parts = select(0u, parts, divides);
-    return Leg(centre, low, high, count, turns, near_parts, select(0u, far_parts, divides && ends_near_horizon));
+    return Leg(centre, low, high, count, centre.c_0 <= 0.0, scale);
+}
+
+// How many times as long a leg is as the distance on which the integrand changes. U itself changes where
+// two of its first terms are as large as each other.
+fn unevenness(leg: Leg) -> f32 {
+    let c = abs(leg.centre.c);
+    let c_0 = leg.centre.c_0;
+    var least = min(c_0 / max(c.x, TINY), sqrt(c_0 / max(c.y, TINY)));
+    if leg.turns {
+        least = min(c.x / max(c.y, TINY), sqrt(c.x / max(c.z, TINY)));
+    }
+    return leg.high / max(min(leg.scale, least), TINY);
+}
+
+// Whether the unevenness is larger than a leg's that is not divided: the same without its divisions and
+// roots.
+fn is_uneven(leg: Leg) -> bool {
+    let c = abs(leg.centre.c);
+    let c_0 = leg.centre.c_0;
+    let share = leg.high / select(MAX_SMOOTH_PASSAGE, MAX_SMOOTH_TURN, leg.turns);
+    let changes = select(
+        share * c.x > c_0 || share * share * c.y > c_0,
+        share * c.y > c.x || share * share * c.z > c.x,
+        leg.turns,
+    );
+    return changes || share > leg.scale;
+}
+
+// Whether a leg on the inner side of its centre ends next to the horizon.
+fn ends_near_horizon(leg: Leg) -> bool {
+    let pole = -leg.centre.beyond;
+    return leg.centre.side < 0.0 && pole > leg.high && pole < 2.0 * leg.high;
+}
+
+fn is_leg_divided(leg: Leg) -> bool {
+    return leg.count > 0.0 && (is_uneven(leg) || ends_near_horizon(leg));
+}
+
+// If one leg is divided, so is the other, because dragging_along sums divided ways otherwise.
+fn is_divided(way: Way) -> bool {
+    return is_leg_divided(way.first) || is_leg_divided(way.second);
+}
+
+// The numbers of a leg's parts: those that grow away from the centre, and in the far half of a leg that
+// ends next to the horizon those that become shorter toward it.
+struct Parts {
+    near: u32,
+    far: u32,
+}
+
+fn parts_of(leg: Leg) -> Parts {
+    if !is_leg_divided(leg) {
+        return Parts(select(0u, 1u, leg.count > 0.0), 0u);
+    }
+    let doublings = log2(max(unevenness(leg), 1.0)) * select(1.0, 0.5, leg.turns);
+    let gap = max(-leg.centre.beyond - leg.high, TINY);
+    let far = min(u32(ceil(log2(1.0 + 0.5 * leg.high / gap))), MAX_PARTS);
+    return Parts(min(1u + u32(ceil(doublings)), MAX_PARTS), select(0u, far, ends_near_horizon(leg)));
 }
 
 // The places on a part of a leg between two distances.
@@ -114,40 +147,48 @@ fn places_on(leg: Leg, part_low: f32, part_high: f32, nodes: vec4<f32>) -> LegPl
     return LegPlaces(y, dy, y * (c.x + y * (c.y + y * (c.z + y * c.w))));
 }
 
-// A pass of the loop over the parts of both legs, with half of a part's nodes: one loop, because it is
-// rare work, and software renderers pay for every loop.
+// The parts of a divided way, whose integrals one loop sums, half of a part's nodes in each pass: one
+// loop, because it is rare work, and software renderers pay for every loop.
+struct WayParts {
+    first: Parts,
+    second: Parts,
+    passes: u32,
+}
+
+fn parts_of_way(way: Way) -> WayParts {
+    let first = parts_of(way.first);
+    let second = parts_of(way.second);
+    return WayParts(first, second, 2u * (first.near + first.far + second.near + second.far));
+}
+
 struct Pass {
     leg: Leg,
     places: LegPlaces,
 }
 
-fn count_passes(way: Way) -> u32 {
-    return 2u * (way.first.parts + way.first.far_parts + way.second.parts + way.second.far_parts);
-}
-
-fn pass_at(way: Way, i: u32) -> Pass {
+fn pass_at(way: Way, parts: WayParts, i: u32) -> Pass {
     var leg = way.first;
-    var own = i;
-    let of_first = 2u * (leg.parts + leg.far_parts);
-    if i >= of_first {
-        own = i - of_first;
+    var own = parts.first;
+    var part = i / 2u;
+    if part >= own.near + own.far {
+        part -= own.near + own.far;
+        own = parts.second;
         leg = way.second;
     }
-    let nodes = select(HIGH_NODES, LOW_NODES, (own & 1u) == 0u);
-    let part = own / 2u;
-    let middle = select(leg.high, 0.5 * leg.high, leg.far_parts > 0u);
-    if part < leg.far_parts {
+    let nodes = select(HIGH_NODES, LOW_NODES, (i & 1u) == 0u);
+    let middle = select(leg.high, 0.5 * leg.high, own.far > 0u);
+    if part < own.far {
         let pole = -leg.centre.beyond;
         let gap = exp2(f32(part)) * (pole - leg.high);
         let high = select(pole - gap, leg.high, part == 0u);
-        let low = select(max(pole - 2.0 * gap, middle), middle, part + 1u == leg.far_parts);
+        let low = select(max(pole - 2.0 * gap, middle), middle, part + 1u == own.far);
         return Pass(leg, places_on(leg, low, high, nodes));
     }
     // Halvings of the rule's variable.
-    let halvings = f32(part - leg.far_parts) * select(1.0, 2.0, leg.turns);
+    let halvings = f32(part - own.far) * select(1.0, 2.0, leg.turns);
     let high = middle * exp2(-halvings);
     let next = high * select(0.5, 0.25, leg.turns);
-    let low = select(next, 0.0, part - leg.far_parts + 1u >= leg.parts);
+    let low = select(next, 0.0, part - own.far + 1u >= own.near);
     return Pass(leg, places_on(leg, low, high, nodes));
 }
 
@@ -161,7 +202,7 @@ fn dragging_at(c: Constants, u: vec4<f32>, beyond: vec4<f32>) -> vec4<f32> {
 }
 
 // The integral of d(u) - d(c) along a leg, times D(c)/a.
-fn smooth_dragging_sum(c: Constants, leg: Leg, nodes: vec4<f32>) -> f32 {
+fn smooth_dragging_sum(c: Constants, leg: Leg, nodes: vec4<f32>, weights: vec4<f32>) -> f32 {
     let centre = leg.centre;
     let p = places_on(leg, leg.low, leg.high, nodes);
     let v = centre.beyond - centre.side * p.y;
@@ -169,14 +210,20 @@ fn smooth_dragging_sum(c: Constants, leg: Leg, nodes: vec4<f32>) -> f32 {
         - c.drag * centre.beyond * v;
     let d = horizon_function(v);
     let speed2 = max(d * d * (centre.c_0 + p.rise), vec4<f32>(TINY));
-    return leg.count * centre.side * dot(WEIGHTS, p.y * p.dy * change * inverseSqrt(speed2));
+    return leg.count * centre.side * dot(weights, p.y * p.dy * change * inverseSqrt(speed2));
 }
 
 fn smooth_dragging(c: Constants, leg: Leg) -> f32 {
     if leg.count == 0.0 {
         return 0.0;
     }
-    return smooth_dragging_sum(c, leg, LOW_NODES) + smooth_dragging_sum(c, leg, HIGH_NODES);
+    let is_short = leg.low > MIN_SHORT_RATIO * leg.high;
+    let nodes = select(LOW_NODES, FEW_NODES, is_short);
+    let sum = smooth_dragging_sum(c, leg, nodes, select(WEIGHTS, FEW_WEIGHTS, is_short));
+    if is_short {
+        return sum;
+    }
+    return sum + smooth_dragging_sum(c, leg, HIGH_NODES, WEIGHTS);
 }
 
 // The integral of d(u) along a way that takes the time t and has an end at `end`. d(c) t is exact where
@@ -185,8 +232,7 @@ fn smooth_dragging(c: Constants, leg: Leg) -> f32 {
 fn dragging_along(c: Constants, way: Way, t: f32, end: f32) -> f32 {
     let centre = way.first.centre;
     let at_centre = dragging_at(c, vec4<f32>(centre.u), vec4<f32>(centre.beyond)).x;
-    let passes = count_passes(way);
-    if passes == 0u {
+    if !is_divided(way) {
         let sum = smooth_dragging(c, way.first) + smooth_dragging(c, way.second);
         return at_centre * t + scene.hole.a / horizon_function(vec4<f32>(centre.beyond)).x * sum;
     }
@@ -194,8 +240,9 @@ fn dragging_along(c: Constants, way: Way, t: f32, end: f32) -> f32 {
     let at_end = dragging_at(c, vec4<f32>(end), vec4<f32>(end_beyond)).x;
     let steady = select(at_centre, at_end, abs(at_centre * t) > MAX_STEADY_TURN);
     var sum = steady * t;
-    for (var i = 0u; i < passes; i++) {
-        let part = pass_at(way, i);
+    let parts = parts_of_way(way);
+    for (var i = 0u; i < parts.passes; i++) {
+        let part = pass_at(way, parts, i);
         let place = part.leg.centre;
         let distance = place.side * part.places.y;
         let rate = dragging_at(c, place.u - distance, place.beyond - distance) - steady;
@@ -247,13 +294,13 @@ fn smooth_regular(c: Constants, leg: Leg, at: Regular) -> f32 {
 
 // The integral of the quantity less its value at the centre, along a way.
 fn regular_along(c: Constants, way: Way, at: Regular) -> f32 {
-    let passes = count_passes(way);
-    if passes == 0u {
+    if !is_divided(way) {
         return smooth_regular(c, way.first, at) + smooth_regular(c, way.second, at);
     }
     var sum = 0.0;
-    for (var i = 0u; i < passes; i++) {
-        let part = pass_at(way, i);
+    let parts = parts_of_way(way);
+    for (var i = 0u; i < parts.passes; i++) {
+        let part = pass_at(way, parts, i);
         sum += regular_sum(c, part.leg, at, part.places);
     }
     return sum;

@@ -155,8 +155,8 @@ fn axial_acceleration(p: Polar, n: vec3<f32>) -> vec3<f32> {
 // The place after the time t, and the integral of n_z^2 up to then.
 fn step_along_axis(p: Polar, t: f32) -> vec4<f32> {
     let angle = t * sqrt(abs(p.k) + 2.0 * p.axial);
-    let steps = select(clamp(u32(ceil(angle / AXIAL_STEP)), 1u, MAX_AXIAL_STEPS), 0u, p.on_circle);
-    let h = t / f32(max(steps, 1u));
+    let steps = clamp(u32(ceil(angle / AXIAL_STEP)), 1u, MAX_AXIAL_STEPS);
+    let h = t / f32(steps);
     let h2 = h * h;
     var n = p.n;
     var dn = h * p.dn;
@@ -175,6 +175,10 @@ fn step_along_axis(p: Polar, t: f32) -> vec4<f32> {
     return vec4<f32>(n, height2);
 }
 
+fn rotate_about_axis(n: vec3<f32>, angle: f32) -> vec3<f32> {
+    return vec3<f32>(rotate_z(n.xy, sin_cos_precise(angle)), n.z);
+}
+
 // Where a ray is on the celestial sphere after some time.
 struct SpherePlace {
     n: vec3<f32>,
@@ -185,7 +189,10 @@ struct SpherePlace {
 // The place on the celestial sphere after the time t, where the radial motion has dragged the
 // azimuth by `dragging`.
 fn place_after(p: Polar, t: f32, dragging: f32) -> SpherePlace {
-    let along_axis = step_along_axis(p, t);
+    if !p.on_circle {
+        let along_axis = step_along_axis(p, t);
+        return SpherePlace(rotate_about_axis(along_axis.xyz, dragging), p.axial * along_axis.w);
+    }
     let grown = p.rate * t;
     let sweep = sin_cos_precise(grown);
     let start = first_sines(p);
@@ -197,14 +204,12 @@ fn place_after(p: Polar, t: f32, dragging: f32) -> SpherePlace {
     let lag = p.lead + (-2.0 * q * (1.0 - q2)) * end.x + q2 * fourfold.x - (2.0 / 3.0) * q * q2 * sixfold;
     let swept = add_angles(sweep, small_sin_cos(lag));
     let circle = circle_turn(p, grown, vec2<f32>(start.x, start.z), vec2<f32>(end.x, fourfold.x));
-    let turn = dragging + select(0.0, circle, p.on_circle);
-    let n = select(along_axis.xyz, swept.y * p.n + swept.x * p.tangent, p.on_circle);
-    var height2 = p.axial * along_axis.w;
-    if (DELAY || DIAGNOSTICS) && p.on_circle {
+    var height2 = 0.0;
+    if DELAY || DIAGNOSTICS {
         let sines = vec2<f32>(end.x, fourfold.x);
         height2 = circle_height(p, grown, vec2<f32>(start.x, start.z), sines) - p.k_plus * t;
     }
-    return SpherePlace(vec3<f32>(rotate_z(n.xy, sin_cos_precise(turn)), n.z), height2);
+    return SpherePlace(rotate_about_axis(swept.y * p.n + swept.x * p.tangent, dragging + circle), height2);
 }
 
 // The arc that the ray has swept about the hole after the time t, as the method mino counts it: the

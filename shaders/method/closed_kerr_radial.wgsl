@@ -19,8 +19,8 @@
 //
 // Needs: Constants, LaurentSeries, TINY, carlson_rf_pair, laurent_series, scene, square,
 //     weierstrass_of.
-// Gives: Anchor, Centre, Radial, anchor_at, anchor_at_centre, distance_from, mino_time,
-//     passing_centre, potential, radial_of, radial_series, time_between, time_from_turn,
+// Gives: Anchor, Centre, Radial, TimeArguments, anchor_at, anchor_at_centre, distance_from,
+//     mino_time, passing_centre, potential, radial_of, radial_series, time_between, time_from_turn,
 //     turning_point, u_after.
 
 // The cubic's root is small below this share of |alpha|: there the cubic term changes it by a tenth.
@@ -78,17 +78,22 @@ fn isolated_offset(alpha: f32, beta: f32, gamma: f32, b_0: f32) -> f32 {
     let constant = 0.0625 * beta * beta * abs(b_0);
     let discriminant = slope * slope - 8.0 * bend * constant;
     let small = 2.0 * constant / max(slope + sqrt(max(discriminant, 0.0)), TINY);
-    let m2 = bend * bend * (1.0 / 36.0) - slope * (1.0 / 12.0);
-    let half_q = 0.125 * (constant + bend * (bend * bend * (1.0 / 27.0) - slope * (1.0 / 6.0)));
-    let d = half_q * half_q - m2 * m2 * m2;
-    let cube_root = exp2(log2(max(abs(half_q) + sqrt(max(d, 0.0)), TINY)) * (1.0 / 3.0));
-    let single = select(-1.0, 1.0, half_q >= 0.0) * (cube_root + m2 / cube_root);
-    let m = sqrt(max(m2, 0.0));
-    let which = select(1.0, -1.0, bend > 0.0 && slope > 0.0);
-    let t = max(2.0 + which * 2.0 * half_q / max(m * m2, TINY), 0.0);
-    let triple = which * m * (1.0 + sqrt(t / (3.0 + sqrt(t * (1.0 / 3.0)))));
-    var y = bend * (1.0 / 6.0) + select(triple, single, d >= 0.0);
-    y = select(y, small, small < MAX_SMALL_ROOT * abs(bend) && discriminant >= 0.25 * slope * slope);
+    var y = small;
+    if small >= MAX_SMALL_ROOT * abs(bend) || discriminant < 0.25 * slope * slope {
+        let m2 = bend * bend * (1.0 / 36.0) - slope * (1.0 / 12.0);
+        let half_q = 0.125 * (constant + bend * (bend * bend * (1.0 / 27.0) - slope * (1.0 / 6.0)));
+        let d = half_q * half_q - m2 * m2 * m2;
+        y = bend * (1.0 / 6.0);
+        if d >= 0.0 {
+            let cube_root = exp2(log2(max(abs(half_q) + sqrt(d), TINY)) * (1.0 / 3.0));
+            y += select(-1.0, 1.0, half_q >= 0.0) * (cube_root + m2 / cube_root);
+        } else {
+            let m = sqrt(m2);
+            let which = select(1.0, -1.0, bend > 0.0 && slope > 0.0);
+            let t = max(2.0 + which * 2.0 * half_q / max(m * m2, TINY), 0.0);
+            y += which * m * (1.0 + sqrt(t / (3.0 + sqrt(t * (1.0 / 3.0)))));
+        }
+    }
     for (var i = 0u; i < 2u; i++) {
         let rate = slope + y * (12.0 * y - 4.0 * bend);
         y -= (y * (slope + y * (4.0 * y - 2.0 * bend)) - constant) / select(rate, TINY, abs(rate) < TINY);
@@ -171,11 +176,14 @@ fn growth_from(m: Radial, v: f32, side: f32) -> vec4<f32> {
 fn turning_point(m: Radial, outer: bool) -> Centre {
     let mean = 0.25 * m.alpha - 0.5 * m.offset;
     let product = sqrt(max(mean * mean - m.h2, 0.0));
-    let sum = sqrt(8.0 * (abs(mean) + product) / max(abs(m.b_0), TINY));
-    let third = sign(m.beta) * sqrt(max(-4.0 * m.offset / select(m.b_0, TINY, abs(m.b_0) < TINY), 0.0));
-    // Relative to u = 0 only the outer side is asked for.
-    let lower = 2.0 / max(sum - third, TINY);
-    let v = select(lower, select(2.0 / (sum + third), -lower, outer), m.base > 0.0);
+    // About a barrier b_0 is negative, and there is a root on either side. About u = 0 it is positive, and
+    // the root at u > 0 is the outer turning point.
+    let share = 4.0 / max(abs(m.b_0), TINY);
+    let sum = sqrt(2.0 * share * (abs(mean) + product));
+    let third = sign(m.beta) * sqrt(max(-select(-share, share, m.b_0 > 0.0) * m.offset, 0.0));
+    let about_barrier = m.base > 0.0;
+    let sum_of_roots = select(sum - third, sum + third, about_barrier && !outer);
+    let v = select(2.0, -2.0, about_barrier && outer) / max(sum_of_roots, TINY);
     let side = select(-1.0, 1.0, outer);
     let bend = v * (3.0 * m.beta + v * 6.0 * m.gamma);
     let isolated = 0.25 * m.alpha + bend * (1.0 / 12.0) - m.offset;
