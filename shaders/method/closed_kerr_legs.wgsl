@@ -36,9 +36,6 @@ const MAX_SMOOTH_TURN: f32 = 6.0;
 const MAX_SMOOTH_PASSAGE: f32 = 1.0;
 // f32 tells no more halvings of a leg apart.
 const MAX_PARTS: u32 = 20u;
-// The dragging at the centre times the time may be this large, in radians. The rounding of a larger
-// angle, which the rest of the integral cancels, would show.
-const MAX_STEADY_TURN: f32 = 7.0;
 
 // A leg between two distances from its centre.
 struct Leg {
@@ -226,9 +223,9 @@ fn smooth_dragging(c: Constants, leg: Leg) -> f32 {
     return sum + smooth_dragging_sum(c, leg, HIGH_NODES, WEIGHTS);
 }
 
-// The integral of d(u) along a way that takes the time t and has an end at `end`. d(c) t is exact where
-// light lingers, but next to the horizon of a nearly extremal hole it may be much larger than the sum.
-// There the rest of the integral is relative to the dragging at the end.
+// The integral of d(u) along a way that takes the time t and has an end at `end`. Next to the horizon of
+// a nearly extremal hole d(c) t may be much larger than the integral. There a divided way is summed
+// relative to the dragging at its end.
 fn dragging_along(c: Constants, way: Way, t: f32, end: f32) -> f32 {
     let centre = way.first.centre;
     let at_centre = dragging_at(c, vec4<f32>(centre.u), vec4<f32>(centre.beyond)).x;
@@ -238,7 +235,7 @@ fn dragging_along(c: Constants, way: Way, t: f32, end: f32) -> f32 {
     }
     let end_beyond = (end - scene.hole.horizon_u) - scene.hole.horizon_u_low;
     let at_end = dragging_at(c, vec4<f32>(end), vec4<f32>(end_beyond)).x;
-    let steady = select(at_centre, at_end, abs(at_centre * t) > MAX_STEADY_TURN);
+    let steady = select(at_centre, at_end, abs(at_end) < abs(at_centre));
     var sum = steady * t;
     let parts = parts_of_way(way);
     for (var i = 0u; i < parts.passes; i++) {

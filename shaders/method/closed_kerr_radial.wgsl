@@ -118,17 +118,19 @@ fn radial_of(c: Constants, slope: f32) -> Radial {
     if p.x < 0.0 && root2 >= 0.0 {
         var root = sqrt(root2);
         let u = -2.0 * p.x / (p.y + root);
-        // The same root relative to the horizon, about which p is q_0 + q_1 v + p_2 v^2.
-        let fall = 0.5 * scene.hole.horizon_u * scene.hole.horizon_separation;
-        let q_0 = 2.0 * c.drag * c.horizon_w + c.k_prime * fall;
-        let q_1 = p.y + 2.0 * p.z * scene.hole.horizon_u;
         var v = (u - scene.hole.horizon_u) - scene.hole.horizon_u_low;
+        var w = energy + c.drag * u * u;
+        var d = 1.0 - u + square(scene.hole.a * u);
+        let q_1 = p.y + 2.0 * p.z * scene.hole.horizon_u;
         if q_1 > 0.0 && abs(v) < 0.25 * scene.hole.horizon_u {
+            // The same relative to the horizon, about which p is q_0 + q_1 v + p_2 v^2.
+            let fall = 0.5 * scene.hole.horizon_u * scene.hole.horizon_separation;
+            let q_0 = 2.0 * c.drag * c.horizon_w + c.k_prime * fall;
             root = sqrt(max(q_1 * q_1 - 4.0 * q_0 * p.z, 0.0));
             v = -2.0 * q_0 / (q_1 + root);
+            w = c.horizon_w + c.drag * v * (2.0 * scene.hole.horizon_u + v);
+            d = v * (square(scene.hole.a) * v - scene.hole.horizon_separation);
         }
-        let w = c.horizon_w + c.drag * v * (2.0 * scene.hole.horizon_u + v);
-        let d = v * (square(scene.hole.a) * v - scene.hole.horizon_separation);
         let least = MIN_MARGIN * max(w * w, TINY);
         var b_0 = w * w - c.k_prime * u * u * d;
         let alpha = u * root;
