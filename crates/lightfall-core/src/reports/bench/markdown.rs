@@ -63,13 +63,17 @@ fn half_spread(spread_ms: f64) -> String {
 /// A larger ratio only shows that the two times differ from the floor by no more than their noise.
 const MAX_RATIO: f64 = 1e6;
 
-/// The solved methods compared with the article's at equal errors, scene by scene. Empty if they
-/// were not measured.
+/// The methods compared at equal errors, scene by scene. Empty if they were not measured.
 fn equal_errors(circumstances: &Circumstances, rows: &[Measurement]) -> String {
     let mut scenes: Vec<&str> = rows.iter().map(|row| row.scene.as_str()).collect();
     scenes.dedup();
     let mut text = String::new();
-    for (fast, slow) in [("closed", "verlet"), ("mino", "kerr-schild")] {
+    for (fast, slow) in [
+        ("closed", "mino"),
+        ("closed", "verlet"),
+        ("closed", "kerr-schild"),
+        ("mino", "kerr-schild"),
+    ] {
         for scene in &scenes {
             let Some(found) = at_equal_error(rows, scene, fast, slow, circumstances.floor_ms)
             else {
