@@ -5,11 +5,11 @@
 // Gives: photon_angular_momentum, photon_energy, photon_from, pixel_cosine, pixel_direction.
 
 // For a fast observer almost all light comes from ahead, and the light from elsewhere is a small
-// difference of large numbers. But every component is a smooth function about the direction of
-// least energy. Computed from there, with |d| = 1 used for the component along it, the numbers keep
-// their digits.
+// difference of large numbers. So is the light from the sky for an observer in the ergosphere. But
+// every component is a smooth function about the direction of the smallest photons. Computed from
+// there, with |d| = 1 used for the component along it, the numbers keep their digits.
 fn photon_from(direction: vec3<f32>) -> Photon {
-    let off = direction - scene.observer.min_energy_direction;
+    let off = direction - scene.observer.expansion_centre;
     let one_off = vec4<f32>(1.0, off);
     let half = 0.5 * dot(off, off);
     let w = vec3<f32>(dot(scene.observer.w_x, one_off), dot(scene.observer.w_y, one_off), dot(scene.observer.w_z, one_off));

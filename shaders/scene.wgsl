@@ -15,7 +15,7 @@ const MASS: f32 = 0.5;
 // give d as (right, up, forward) of the camera; files of rays give it as (outward, theta, phi) of
 // the observer. Each component of the photon is
 //
-//   dot(row, (1, off)) + curvature |off|^2/2,   off = d - min_energy_direction.
+//   dot(row, (1, off)) + curvature |off|^2/2,   off = d - expansion_centre.
 struct Observer {
     energy: vec4<f32>,
     radial: vec4<f32>,
@@ -24,8 +24,9 @@ struct Observer {
     w_z: vec4<f32>,
     // The curvatures of radial, w_x, w_y and w_z.
     curvature: vec4<f32>,
-    // The direction from which light arrives with the least energy.
-    min_energy_direction: vec3<f32>,
+    // The direction from which light arrives with the least energy or, where energies can be negative,
+    // the smallest photons arrive.
+    expansion_centre: vec3<f32>,
     energy_curvature: f32,
     // Without ABERRATION: the photon's frequency at the camera is dot(row, (1, d)), and the photon
     // is divided by it.

@@ -1,13 +1,16 @@
 //! Observer matrices against the metric, boosts, conserved energies and special relativity.
 
 use crate::assert_close;
-use glam::{DMat3, DVec3};
+use crate::random::Random;
+use glam::{DMat3, DVec3, Vec3, Vec4};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::mino::Constants;
-use lightfall_core::geometry::observer::{ObserverError, ObserverMatrix, observer_matrix};
+use lightfall_core::geometry::observer::{ObserverError, ObserverMatrix, Photon, observer_matrix};
 use lightfall_core::geometry::sphere::celestial_frame;
-use lightfall_core::scene::ObserverKind;
+use lightfall_core::gpu::GpuScene;
+use lightfall_core::optics::reference::Reference;
 use lightfall_core::scene::ObserverKind::{Orbit, Rain, Static, Zamo};
+use lightfall_core::scene::{ObserverKind, Scene};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 const MOVING: [f64; 3] = [0.3, -0.5, 0.4];
@@ -361,4 +364,51 @@ fn impossible_observers_are_refused_with_a_sentence_that_names_the_field() {
         observer_matrix(0.9, Zamo, still, 0.99, FRAC_PI_2, 0.0).is_ok(),
         "a ZAMO may be in the ergosphere"
     );
+}
+
+/// A component of the photon that arrives from `direction`, as shaders/observer.wgsl computes it.
+fn component_in_f32(row: Vec4, curvature: f32, off: Vec3) -> f32 {
+    row.dot(Vec4::from((1.0, off))) + curvature * (0.5 * off.dot(off))
+}
+
+/// In the ergosphere photons of the sky are a thousand times smaller than the matrix of a fast
+/// observer. Differences of its entries would leave them four digits.
+#[test]
+fn small_photons_keep_their_digits_in_f32() {
+    let mut random = Random::new();
+    for case in 0..200 {
+        let mut scene = Scene::default();
+        scene.hole.spin = random.between(0.5, 0.99) * [-1.0, 1.0][case % 2];
+        let horizon = Kerr {
+            spin: scene.hole.spin,
+        }
+        .horizon();
+        scene.camera.r = horizon * random.between(1.005, 1.1);
+        scene.camera.theta_deg = random.between(40.0, 140.0);
+        scene.observer.kind = [Zamo, Rain][case / 2 % 2];
+        let velocity = DVec3::from_array([(); 3].map(|()| random.between(-1.0, 1.0)));
+        scene.observer.velocity = (random.between(0.0, 0.99) * velocity.normalize()).to_array();
+        let reference = Reference::new(&scene).unwrap();
+        let observer = GpuScene::for_rays(&scene).unwrap().observer;
+        let size = |photon: &Photon| photon.energy.hypot(scene.camera.r * photon.w.length());
+        for _ in 0..200 {
+            let direction = DVec3::from_array([(); 3].map(|()| random.between(-1.0, 1.0)))
+                .normalize()
+                .as_vec3();
+            let known = reference.photon(direction.as_dvec3().normalize());
+            let off = direction - observer.expansion_centre;
+            let energy = component_in_f32(observer.energy, observer.energy_curvature, off);
+            let w = [
+                component_in_f32(observer.w_x, observer.curvature.y, off),
+                component_in_f32(observer.w_y, observer.curvature.z, off),
+                component_in_f32(observer.w_z, observer.curvature.w, off),
+            ];
+            let error = (f64::from(energy) - known.energy)
+                .hypot(scene.camera.r * (DVec3::from_array(w.map(f64::from)) - known.w).length());
+            assert!(
+                error < 2e-6 * size(&known),
+                "{scene:?} {direction}: {error:e} {known:?}"
+            );
+        }
+    }
 }

@@ -267,6 +267,26 @@ fn extreme_rays_end_in_few_steps() {
     assert!(most < 400, "{most} steps");
 }
 
+/// Far away the moment of light that crosses the line of sight is large, and a fast observer sees it
+/// another hundred times larger. High powers of it are still finite in f64.
+#[test]
+fn fast_observers_far_away_finish_every_ray() {
+    for (spin, r) in [(-0.842, 761_378.0), (0.0, 1e7), (0.9999, 1e7)] {
+        let mut view = scene(spin, r, 119.8, ObserverKind::Rain);
+        view.observer.velocity = [-0.239, 0.4555, 0.857_36];
+        let reference = Reference::new(&view).unwrap();
+        let toward_the_hole = DVec3::NEG_X;
+        for direction in directions(400).chain([toward_the_hole]) {
+            let trace = reference.trace(direction);
+            assert_ne!(
+                trace.outcome,
+                Outcome::Unfinished,
+                "spin {spin}, r {r}, {direction}"
+            );
+        }
+    }
+}
+
 /// Next to the critical curve the number of windings grows only with the logarithm of the distance.
 #[test]
 fn rays_next_to_the_critical_curve_end_on_both_sides() {

@@ -86,7 +86,8 @@ impl Constants {
             n,
             chi: Taylor(chi),
         } = expansion;
-        let n_term = |k: usize| DVec3::new(n[0].0[k], n[1].0[k], n[2].0[k]).length();
+        // The squares of high terms would overflow where K is 1e16: for fast observers far away.
+        let n_term = |k: usize| n[0].0[k].hypot(n[1].0[k]).hypot(n[2].0[k]);
         // Two terms of each series, since one may vanish by symmetry. The series of chi is one term
         // shorter.
         for k in [ORDER - 1, ORDER] {

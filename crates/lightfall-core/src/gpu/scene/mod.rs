@@ -2,6 +2,7 @@
 //! in shaders/scene.wgsl, which says what each number means; tests/gpu/layout.rs compares the two.
 
 mod disk;
+mod expansion;
 mod hole;
 mod hot_spot;
 mod observer;

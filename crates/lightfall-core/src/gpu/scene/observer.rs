@@ -1,5 +1,6 @@
 //! The observer's part of the uniform: its matrix, and where it is.
 
+use super::expansion::{expand_about, expansion_centre};
 use crate::geometry::kerr::Kerr;
 use crate::geometry::sphere::wrap_angle;
 use crate::optics::camera_rays::CameraRays;
@@ -18,7 +19,7 @@ pub struct GpuObserver {
     pub w_y: Vec4,
     pub w_z: Vec4,
     pub curvature: Vec4,
-    pub min_energy_direction: Vec3,
+    pub expansion_centre: Vec3,
     pub energy_curvature: f32,
     pub frequency: Vec4,
     pub position_direction: Vec3,
@@ -44,10 +45,10 @@ impl GpuObserver {
             DVec4::new(one, row.x, row.y, row.z)
         };
         let rows = rays.matrix.rows.map(on_directions);
-        let min_energy_direction = min_energy_direction(rows[0])
+        let centre = expansion_centre(rows, scene.camera.r)
             .unwrap_or(direction_from_tetrad * DVec3::NEG_X)
             .as_vec3();
-        let expanded = rows.map(|row| expand_about(row, min_energy_direction.as_dvec3()));
+        let expanded = rows.map(|row| expand_about(row, centre.as_dvec3()));
         let [energy, radial, w_x, w_y, w_z] = expanded.map(|(row, _)| row.as_vec4());
         let [energy_curvature, curvatures @ ..] = expanded.map(|(_, curvature)| curvature as f32);
         let zamo = Shift::new(scene).camera();
@@ -59,7 +60,7 @@ impl GpuObserver {
             w_y,
             w_z,
             curvature: Vec4::from_array(curvatures),
-            min_energy_direction,
+            expansion_centre: centre,
             energy_curvature,
             frequency: on_directions(rays.frequency).as_vec4(),
             position_direction: scene.camera.direction().as_vec3(),
@@ -90,24 +91,4 @@ pub(in crate::gpu) fn time_lead(scene: &Scene) -> Option<f64> {
         false => Some(r),
         true => (r > kerr.horizon()).then(|| kerr.ingoing_time_lead(r)),
     }
-}
-
-/// The direction from which light has the least energy, from the row that gives the energy; `None`
-/// if all light has the same energy.
-fn min_energy_direction(energy: DVec4) -> Option<DVec3> {
-    let slope = DVec3::new(energy.y, energy.z, energy.w);
-    (slope.length() > 1e-6 * energy.x.abs()).then(|| -slope.normalize())
-}
-
-/// Rewrites dot(row, (1, d)), for unit d, as dot(expanded, (1, off)) + curvature |off|^2/2 with
-/// off = d - m. Returns `expanded` and the curvature.
-///
-/// With row = (s, b m + q), q perpendicular to m, it is s + b m.m + b m.off + q.off, and
-/// m.off = (1 - |m|^2 - |off|^2)/2.
-fn expand_about(row: DVec4, m: DVec3) -> (DVec4, f64) {
-    let slope = DVec3::new(row.y, row.z, row.w);
-    let along = slope.dot(m) / m.length_squared();
-    let across = slope - along * m;
-    let at_m = row.x + 0.5 * along * (1.0 + m.length_squared());
-    (DVec4::new(at_m, across.x, across.y, across.z), -along)
 }
