@@ -85,7 +85,7 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
         .collect();
     let failing = solved.iter().filter(|verdict| !verdict.holds).count();
     eprintln!(
-        "lightfall: closed and mino hold {} of their {} cells",
+        "lightfall: closed and mino, where they were measured, hold {} of their {} cells",
         solved.len() - failing,
         solved.len()
     );

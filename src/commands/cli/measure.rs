@@ -97,7 +97,7 @@ pub struct ExtremesArgs {
     /// writes delays.csv, delays.json and delays.md
     #[arg(long, conflicts_with = "hunt")]
     pub delay: bool,
-    /// Instead of the matrix, trace N rays through random scenes with `auto`'s methods, 2000 rays a
+    /// Instead of the matrix, trace N rays through random scenes by `auto`, 2000 rays a
     /// scene, and list the worst rays
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u32>(1, 100_000_000))]
     pub hunt: Option<u32>,

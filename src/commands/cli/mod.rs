@@ -76,7 +76,8 @@ pub enum Command {
                             infinity in the hole's frame, with z along the disk normal and the camera at azimuth \
                             camera.phi_deg; hit*_r in r_s, hit*_phi in radians and hit*_g, the observed over the emitted \
                             frequency, of the first two crossings of the disk's annulus along the backward ray; steps; \
-                            residual, the largest normalized residual of the null condition. Missing values are \
+                            residual, the largest normalized residual of the null condition; hit*_t, the time between \
+                            emission and arrival in r_s/c, outside the horizon. Missing values are \
                             empty. The CPU always uses the f64 reference, for any method and spin."
     )]
     Trace(TraceArgs),

@@ -17,6 +17,9 @@ use glam::DVec2;
 const MIN_WORTH: f64 = 1e-6;
 const AMPLIFIED: f64 = 30.0;
 const LARGE: f64 = 0.01;
+/// Shares of the usual scale on which the search is repeated if it found no turn below `MIN_WORTH`.
+/// For a camera next to the disk's plane, hits move by their radius within millionths of a radian.
+const FINER: [f64; 2] = [1e-2, 1e-4];
 
 /// The backward error, in radians, of an answer of the right class: the largest of the turns that
 /// explain its parts.
@@ -53,7 +56,13 @@ pub(super) fn backward_error(
 /// upper bound, so a failing search can only overstate the error. A bound below `precision` ends
 /// the search.
 fn explaining_turn(camera: &ReferenceCamera, ray: &Ray, part: Part, precision: f64) -> f64 {
-    let least = turn_in_plane(camera, ray, part, &|_, _| {});
+    let mut least = turn_in_plane(camera, ray, part, camera.scale, &|_, _| {});
+    for share in FINER {
+        if least > precision.max(MIN_WORTH) {
+            let finer = turn_in_plane(camera, ray, part, share * camera.scale, &|_, _| {});
+            least = least.min(finer);
+        }
+    }
     // Finding an edge is expensive. It is worth the time only where a small turn leads to a distant
     // answer, as near an edge.
     let forward = part
@@ -73,15 +82,16 @@ fn explaining_turn(camera: &ReferenceCamera, ray: &Ray, part: Part, precision: f
     }
 }
 
-/// The same, searched along two directions perpendicular to the ray. `visit` is called with the
-/// turn and the answer at each place that is tried.
+/// The same, searched along two directions perpendicular to the ray, with finite differences on a
+/// scale in radians. `visit` is called with the turn and the answer at each place that is tried.
 pub(super) fn turn_in_plane(
     camera: &ReferenceCamera,
     ray: &Ray,
     part: Part,
+    scale: f64,
     visit: &dyn Fn(f64, &Trace),
 ) -> f64 {
-    let plane = Chart::plane(ray, camera.scale);
+    let plane = Chart::plane(ray, scale);
     newton(
         &plane,
         &miss_on_chart(camera, &plane, part, visit),

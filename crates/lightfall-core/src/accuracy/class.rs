@@ -62,7 +62,7 @@ pub(super) fn class_backward_error(
     // Far from an edge, or without one.
     for part in Part::all(given) {
         if nearest.get() > precision {
-            turn_in_plane(camera, ray, part, &seen);
+            turn_in_plane(camera, ray, part, camera.scale, &seen);
         }
     }
     nearest.get()

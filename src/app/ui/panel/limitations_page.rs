@@ -6,7 +6,7 @@ use bevy_egui::egui;
 const EXACT: [&str; 8] = [
     "Where light goes: every pixel of the background is a null geodesic of Schwarzschild or Kerr. Its error is stated as the \
      turn of the pixel's ray that would explain it. In closed form (closed) the turn is below 1e-6 rad without spin, a \
-     two-thousandth of a pixel. With spin it is within 5e-7 rad for 99 of 100 rays, and within some 1e-5 rad for every ray \
+     two-thousandth of a pixel. With spin it is within 6e-7 rad for 99 of 100 rays, and within some 1e-5 rad for every ray \
      unless the hole is nearly extremal. The ray inspector measures it for the pixel that you click.",
     "The shadow's edge, the order of the images, and which rays are captured.",
     "The shift g of light from the disk and from the sky: gravity, Doppler and aberration together, for any observer.",
