@@ -7,9 +7,9 @@
 // Needs: AZIMUTH, Anchor, Centre, DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, HAS_DISK, LaurentSeries,
 //     MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Photon, Radial, SKY_DIRECTION, TINY,
 //     TimeArguments, Trace, add_hit, anchor_at, anchor_at_centre, arc_after, camera_is_inside,
-//     course_from, crossing_delay, dragged_azimuth, empty_trace, mino_time, orbit_of, place_after,
+//     course_from, crossing_delay, dragged_azimuth, empty_trace, leaves_slowly, mino_time, orbit_of, place_after,
 //     polar_of, potential, radial_of, radial_series, safe_normalize, scene, square, time_between,
-//     time_from_turn, u_after.
+//     time_from_turn, time_leaving, u_after.
 // Gives: trace.
 
 // Crossings of the plane that are looked at: rays within f32's rounding of the critical curve go
@@ -84,7 +84,7 @@ fn trace(photon: Photon) -> Trace {
     // A ray that does not escape is followed to the disk's inner edge.
     let u_inner = 1.0 / scene.disk.inner;
     let u_end = select(u_inner, 0.0, escapes);
-    let course = course_from(m, slope, u_end);
+    let course = course_from(m, c, slope, u_end);
     let centre = course.centre;
     let comes_from_disk = select(inward && u_0 < u_inner, centre.u < u_inner, turns);
     if !(escapes || HAS_DISK && comes_from_disk) {
@@ -108,7 +108,10 @@ fn trace(photon: Photon) -> Trace {
         to_end = time_between(m, camera, vec2<f32>(u_end, speed_end));
     }
     let centre_time = mino_time(m, to_centre);
-    let end_time = mino_time(m, to_end) + select(0.0, centre_time, turns);
+    var end_time = mino_time(m, to_end) + select(0.0, centre_time, turns);
+    if leaves_slowly(m, slope) {
+        end_time = time_leaving(m, centre, vec2<f32>(u_end, speed_end));
+    }
     // A centre at the camera or at the end is no third place to compute u from.
     let passes = !m.has_barrier && centre.u != u_0 && centre.u != u_end;
 

@@ -5,9 +5,9 @@
 // Light that comes in from outside to a camera next to the horizon, or inside it, is followed in Kerr's
 // ingoing azimuth, whose rate a (E - K' u^2/(W + |u'|)) has no pole there. Derived.
 //
-// Needs: Centre, Constants, NEAR_HORIZON, Radial, Regular, Way, azimuth_lag, distance_from,
-//     dragging_along, horizon_factors_at, leg_between, passing_centre, regular_along, regular_at,
-//     regular_scale, scene, turning_point.
+// Needs: Centre, Constants, NEAR_HORIZON, Radial, Regular, Way, azimuth_lag, camera_centre,
+//     distance_from, dragging_along, horizon_factors_at, leaves_slowly, leg_between, passing_centre,
+//     regular_along, regular_at, regular_scale, scene, turning_point.
 // Gives: Course, course_from, dragged_azimuth, regular_way.
 
 // A ray's radial motion from the camera on.
@@ -52,9 +52,12 @@ fn azimuth_of_ingoing(m: Radial, c: Constants, course: Course, u: f32, t: f32) -
 }
 
 // The course of a ray that has the slope u' at the camera, and ends at u_end.
-fn course_from(m: Radial, slope: f32, u_end: f32) -> Course {
+fn course_from(m: Radial, c: Constants, slope: f32, u_end: f32) -> Course {
     let u = scene.observer.u;
     let comes_in = NEAR_HORIZON && slope < 0.0;
+    if leaves_slowly(m, slope) {
+        return Course(camera_centre(m, c, slope), 0.0, comes_in);
+    }
     if m.has_barrier {
         let turn = turning_point(m, u < m.barrier);
         return Course(turn, distance_from(turn, u, slope * slope), comes_in);

@@ -20,8 +20,8 @@
 // Needs: Constants, LaurentSeries, TINY, carlson_rf_pair, laurent_series, scene, square,
 //     weierstrass_of.
 // Gives: Anchor, Centre, Radial, TimeArguments, anchor_at, anchor_at_centre, distance_from,
-//     mino_time, passing_centre, potential, radial_of, radial_series, time_between, time_from_turn,
-//     turning_point, u_after.
+//     mino_time, passing_centre, potential, radial_of, radial_series, stiffness_at_horizon,
+//     stiffness_slope_at_horizon, time_between, time_from_turn, turning_point, u_after.
 
 // The cubic's root is small below this share of |alpha|: there the cubic term changes it by a tenth.
 const MAX_SMALL_ROOT: f32 = 0.05;
@@ -101,6 +101,17 @@ fn isolated_offset(alpha: f32, beta: f32, gamma: f32, b_0: f32) -> f32 {
     return side * y;
 }
 
+// q_0, where p is q_0 + q_1 v + p_2 v^2 at the distance v from the horizon.
+fn stiffness_at_horizon(c: Constants) -> f32 {
+    let fall = 0.5 * scene.hole.horizon_u * scene.hole.horizon_separation;
+    return 2.0 * c.drag * c.horizon_w + c.k_prime * fall;
+}
+
+// q_1. By a^2 = r_+ r_-, 4 a^2/r_+ is 2 - 2 s.
+fn stiffness_slope_at_horizon(c: Constants) -> f32 {
+    return c.k_prime * (2.0 * scene.hole.horizon_separation - 0.5) + 4.0 * square(c.drag) * scene.hole.horizon_u;
+}
+
 fn radial_of(c: Constants, slope: f32) -> Radial {
     let energy = c.energy;
     let p = vec3<f32>(c.stiffness, 1.5 * c.k_prime, 2.0 * (square(c.drag) - square(scene.hole.a) * c.k_prime));
@@ -121,11 +132,10 @@ fn radial_of(c: Constants, slope: f32) -> Radial {
         var v = (u - scene.hole.horizon_u) - scene.hole.horizon_u_low;
         var w = energy + c.drag * u * u;
         var d = 1.0 - u + square(scene.hole.a * u);
-        let q_1 = p.y + 2.0 * p.z * scene.hole.horizon_u;
+        let q_1 = stiffness_slope_at_horizon(c);
         if q_1 > 0.0 && abs(v) < 0.25 * scene.hole.horizon_u {
-            // The same relative to the horizon, about which p is q_0 + q_1 v + p_2 v^2.
-            let fall = 0.5 * scene.hole.horizon_u * scene.hole.horizon_separation;
-            let q_0 = 2.0 * c.drag * c.horizon_w + c.k_prime * fall;
+            // The same relative to the horizon.
+            let q_0 = stiffness_at_horizon(c);
             root = sqrt(max(q_1 * q_1 - 4.0 * q_0 * p.z, 0.0));
             v = -2.0 * q_0 / (q_1 + root);
             w = c.horizon_w + c.drag * v * (2.0 * scene.hole.horizon_u + v);

@@ -1,6 +1,7 @@
 //! The f64 reference, asked in directions of the camera.
 
-use crate::geometry::observer::ObserverError;
+use crate::geometry::mino::Constants;
+use crate::geometry::observer::{ObserverError, Photon};
 use crate::optics::reference::Reference;
 use crate::optics::trace::Trace;
 use crate::scene::Scene;
@@ -27,5 +28,22 @@ impl CameraTracer {
     /// The reference's answer to the ray that arrives from a direction of the camera.
     pub(super) fn trace(&self, direction: DVec3) -> Trace {
         self.reference.trace(self.tetrad_from_camera * direction)
+    }
+
+    /// The reference's answer if the ray's photon is changed by `change`. The photon remains null:
+    /// its radial momentum follows from the rest. `None` if no photon has the rest.
+    pub(super) fn trace_changed(
+        &self,
+        direction: DVec3,
+        change: impl Fn(&mut Photon),
+    ) -> Option<Trace> {
+        let mut photon = self.reference.photon(self.tetrad_from_camera * direction);
+        change(&mut photon);
+        let (r, n) = self.reference.camera();
+        let kerr = self.reference.hole_and_disk().kerr;
+        let (constants, start) = Constants::of_photon(kerr, &photon, r, n);
+        let radial2 = constants.potential(start.u);
+        photon.radial = radial2.sqrt().copysign(photon.radial);
+        (radial2 >= 0.0).then(|| self.reference.trace_photon(&photon))
     }
 }

@@ -17,6 +17,11 @@ const FAR: f64 = 3.0;
 const HEIGHT_STEP: f64 = 0.1;
 /// Number of bisections of such a step.
 const BISECTIONS: u32 = 30;
+/// Number of steps of a golden-section search between three such steps: it ends within 1e-5 of
+/// their width, so the height is right to 1e-10 of their heights.
+const SUMMIT_STEPS: u32 = 24;
+/// The golden section.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Maximum number of places of the right height that are searched, the nearest first.
 const MAX_PLACES: usize = 4;
 /// Where the azimuth changes faster than this, in radians per e-fold of the distance to the edge,
@@ -92,8 +97,50 @@ fn heights(
     let line = chart
         .line(camera, side, farthest, HEIGHT_STEP, moved)
         .into_iter();
-    line.filter_map(|(x, trace)| part.height(&trace).map(|height| [x, height]))
-        .collect()
+    let line: Vec<_> = line
+        .filter_map(|(x, trace)| part.height(&trace).map(|height| [x, height]))
+        .collect();
+    with_summits(&line, |x| {
+        part.height(&camera.trace(chart.at(DVec2::new(x, 0.0))))
+    })
+}
+
+/// The same line with the places between its steps where the height turns back just before it is
+/// right, or just after. At the ends of the orbit's range of latitudes a right height lies between
+/// two steps that are both on one side of it. `height` gives the height between the steps.
+fn with_summits(line: &[[f64; 2]], height: impl Fn(f64) -> Option<f64>) -> Vec<[f64; 2]> {
+    let mut summits: Vec<[f64; 2]> = line
+        .windows(3)
+        .filter(|three| is_nearest(three) && three[1][1].abs() < HEIGHT_STEP)
+        .filter_map(|three| {
+            // Golden-section search for the height that goes farthest to the other side.
+            let toward = -three[1][1].signum();
+            let beyond = |x: f64| height(x).map_or(f64::NEG_INFINITY, |height| toward * height);
+            let (mut low, mut high) = (three[0][0], three[2][0]);
+            for _ in 0..SUMMIT_STEPS {
+                let width = (1.0 - GOLDEN) * (high - low);
+                if beyond(low + width) < beyond(high - width) {
+                    low += width;
+                } else {
+                    high -= width;
+                }
+            }
+            let x = 0.5 * (low + high);
+            height(x).map(|height| [x, height])
+        })
+        .collect();
+    summits.extend(line);
+    summits.sort_by(|a, b| a[0].abs().total_cmp(&b[0].abs()));
+    summits
+}
+
+/// Whether the middle one of three steps is the nearest to the right height, which is not passed.
+fn is_nearest(three: &[[f64; 2]]) -> bool {
+    let [before, here, after] = [three[0][1], three[1][1], three[2][1]];
+    here.abs() <= before.abs()
+        && here.abs() <= after.abs()
+        && before * here > 0.0
+        && here * after > 0.0
 }
 
 /// Whether the difference in height is positive at one place of a line and negative at another.
@@ -108,13 +155,7 @@ fn places(line: &[[f64; 2]]) -> Vec<[f64; 2]> {
         .windows(2)
         .filter(|two| two[0][1] * two[1][1] <= 0.0)
         .map(|two| [two[0][0], two[1][0]]);
-    let nearest = line.windows(3).filter(|three| {
-        let [before, here, after] = [three[0][1].abs(), three[1][1].abs(), three[2][1].abs()];
-        here <= before
-            && here <= after
-            && three[0][1] * three[1][1] > 0.0
-            && three[1][1] * three[2][1] > 0.0
-    });
+    let nearest = line.windows(3).filter(|three| is_nearest(three));
     right.chain(nearest.map(|three| [three[1][0]; 2])).collect()
 }
 

@@ -3,7 +3,7 @@
 use super::camera_tracer::CameraTracer;
 use super::edge::{Edge, Shadow};
 use super::ray::Ray;
-use crate::geometry::observer::ObserverError;
+use crate::geometry::observer::{ObserverError, Photon};
 use crate::optics::reference::Reference;
 use crate::optics::trace::Trace;
 use crate::scene::Scene;
@@ -53,6 +53,16 @@ impl ReferenceCamera {
     /// What another scene's reference answers to the ray that arrives from the same direction.
     pub(super) fn trace_by(&self, other: &Reference, direction: DVec3) -> Trace {
         other.trace(self.tracer.tetrad_from_camera * direction)
+    }
+
+    /// The reference's answer if the ray's photon is changed by `change`. `None` if no photon has the
+    /// changed energy and momentum along the sphere.
+    pub(super) fn trace_changed(
+        &self,
+        direction: DVec3,
+        change: impl Fn(&mut Photon),
+    ) -> Option<Trace> {
+        self.tracer.trace_changed(direction, change)
     }
 
     /// The shadow's edge around a position angle, where there is a shadow.

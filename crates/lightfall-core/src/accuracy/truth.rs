@@ -5,7 +5,7 @@ use super::class::{class_backward_error, hits};
 use super::finite::{all_finite, greater};
 use super::ray::Ray;
 use super::reference_camera::ReferenceCamera;
-use crate::geometry::observer::ObserverError;
+use crate::geometry::observer::{ObserverError, Photon};
 use crate::geometry::sphere::angle_between;
 use crate::optics::reference::Reference;
 use crate::optics::trace::{Outcome, Trace};
@@ -83,7 +83,21 @@ impl Truth {
     #[must_use]
     pub fn error_of(&self, ray: usize, other: &Reference) -> f64 {
         let given = self.camera.trace_by(other, self.rays[ray].direction());
-        self.judge_ray(&self.rays[ray], &self.traces[ray], &given, 0.0)
+        self.error_of_answer(ray, &given)
+    }
+
+    /// The backward error, in radians, of the reference for the ray of index `ray` if its photon is
+    /// changed by `change`. `None` if no photon has the changed constants.
+    #[must_use]
+    pub fn error_of_photon(&self, ray: usize, change: impl Fn(&mut Photon)) -> Option<f64> {
+        let given = self
+            .camera
+            .trace_changed(self.rays[ray].direction(), change)?;
+        Some(self.error_of_answer(ray, &given))
+    }
+
+    fn error_of_answer(&self, ray: usize, given: &Trace) -> f64 {
+        self.judge_ray(&self.rays[ray], &self.traces[ray], given, 0.0)
             .backward
     }
 

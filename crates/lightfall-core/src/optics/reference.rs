@@ -125,17 +125,31 @@ impl Reference {
                 residual: f64::NAN,
             };
         };
-        let photon = self.photon(direction);
+        self.trace_photon_by(&self.photon(direction), lensed)
+    }
+
+    /// Follows the backward ray of a photon at the camera, as [`trace`](Self::trace) follows that of
+    /// a direction.
+    #[must_use]
+    pub fn trace_photon(&self, photon: &Photon) -> Trace {
+        self.trace_photon_by(photon, HoleAndDisk::trace)
+    }
+
+    fn trace_photon_by(
+        &self,
+        photon: &Photon,
+        lensed: impl Fn(&HoleAndDisk, &Constants, State) -> Trace,
+    ) -> Trace {
         let HoleAndDisk { kerr, annulus } = self.hole_and_disk;
         let (mut trace, lambda) = if self.lensing {
-            let (constants, start) = Constants::of_photon(kerr, &photon, self.r, self.n);
+            let (constants, start) = Constants::of_photon(kerr, photon, self.r, self.n);
             (
                 lensed(&self.hole_and_disk, &constants, start),
                 constants.angular_momentum / constants.energy,
             )
         } else {
             // Without frame dragging no shift depends on lambda.
-            (straight::trace(kerr, annulus, &photon, self.r, self.n), 0.0)
+            (straight::trace(kerr, annulus, photon, self.r, self.n), 0.0)
         };
         for hit in trace.hits.iter_mut().flatten() {
             hit.g = self.shift.of_disk(hit.g, hit.r, lambda);

@@ -7,7 +7,7 @@ use lightfall_core::accuracy::{
 };
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::{Outcome, Trace};
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{ObserverKind, Scene};
 
 fn scene(spin: f64) -> Scene {
     let mut scene = Scene::default();
@@ -231,4 +231,24 @@ fn a_known_rotation_is_found_where_it_changes_the_orbits_around_a_fast_hole() {
         worst <= 10.0 * angle,
         "a turn of {angle:e} was found to be {worst:e}"
     );
+}
+
+/// At the top of its range of latitudes a critical orbit has the right height on a short stretch only.
+/// The answer belongs to a ray between this one and the edge of the shadow, 2.3e-7 rad away.
+#[test]
+fn an_answer_at_the_end_of_the_orbits_latitudes_is_explained_next_to_the_edge() {
+    let mut scene = scene(-0.999_939_806_753_672_2);
+    (scene.camera.r, scene.camera.theta_deg) = (0.506_930_271_912_324, 74.446_850_303_743_94);
+    scene.observer.kind = ObserverKind::Zamo;
+    scene.disk.enabled = false;
+    let direction = DVec3::new(-0.110_084_718_2, 0.024_988_283_94, 0.993_608_041_68);
+    let ray = Ray::toward(scene.camera.tetrad_from_camera().transpose() * direction);
+    let truth = Truth::of(&scene, vec![ray]).expect("a static observer");
+    let given = Trace {
+        sky: Some(DVec3::new(-0.837_505_84, -0.476_148_94, 0.268_078_61)),
+        ..truth.traces[0]
+    };
+    let error = truth.judge(&[given])[0].backward;
+    println!("{error:e}");
+    assert!(error < 1e-6, "{error:e}");
 }

@@ -107,6 +107,7 @@ fn closed_kerr(delay: &[Part]) -> Vec<Part> {
         part!("method/kerr_constants.wgsl"),
         part!("method/horizon.wgsl"),
         part!("method/closed_kerr_radial.wgsl"),
+        part!("method/closed_kerr_leaving.wgsl"),
         part!("method/closed_kerr_polar.wgsl"),
         part!("method/closed_kerr_legs.wgsl"),
         part!("method/closed_kerr_azimuth.wgsl"),
