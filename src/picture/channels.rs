@@ -68,17 +68,17 @@ pub const CHANNELS: [Channel; 17] = channels![
         "x of the unit vector toward the source at infinity, in the hole's frame with the camera at azimuth camera.phi_deg";
     "sky.y" Number |seen| seen.trace.sky.map(|sky| sky.y), "y of the unit vector toward the source at infinity";
     "sky.z" Number |seen| seen.trace.sky.map(|sky| sky.z),
-        "z of the unit vector toward the source at infinity, along the disk normal";
+        "z of the unit vector toward the source at infinity, along the normal of a disk that is not tilted";
     "hit1.r" Number |seen| seen.hit(0, |hit| hit.r),
         "radius of the first crossing of the disk along the backward ray, in r_s";
-    "hit1.phi" Number |seen| seen.hit(0, |hit| hit.phi), "azimuth of the first crossing, in radians, in (-pi, pi]";
+    "hit1.phi" Number |seen| seen.hit(0, |hit| hit.phi), "azimuth of the first crossing in the disk, in radians, in (-pi, pi]";
     "hit1.g" Number |seen| seen.hit(0, |hit| hit.g), "observed over emitted frequency of light from the first crossing";
     "hit1.T" Number |seen| seen.temperature(0),
         "temperature of the matter at the first crossing, in its own frame, in kelvin, without structure and hot spot; the observer sees g T";
     "hit1.t" Number |seen| seen.delay(0),
         "time from the emission at the first crossing to its arrival, in r_s/c; missing for a camera at or inside the horizon";
     "hit2.r" Number |seen| seen.hit(1, |hit| hit.r), "radius of the second crossing of the disk, in r_s";
-    "hit2.phi" Number |seen| seen.hit(1, |hit| hit.phi), "azimuth of the second crossing, in radians, in (-pi, pi]";
+    "hit2.phi" Number |seen| seen.hit(1, |hit| hit.phi), "azimuth of the second crossing in the disk, in radians, in (-pi, pi]";
     "hit2.g" Number |seen| seen.hit(1, |hit| hit.g), "observed over emitted frequency of light from the second crossing";
     "hit2.T" Number |seen| seen.temperature(1),
         "temperature of the matter at the second crossing, in its own frame, in kelvin, without structure and hot spot";

@@ -40,7 +40,7 @@ use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use lightfall_core::gpu::kernel::table_bytes;
 use lightfall_core::gpu::{
-    ErrorMap, GpuHotSpot, GpuScene, GpuStarlight, GpuStructure, SkyTexture, bindings,
+    ErrorMap, GpuHotSpot, GpuScene, GpuStarlight, GpuStructure, GpuTilt, SkyTexture, bindings,
 };
 use lightfall_core::optics::spectrum;
 use lightfall_core::scene::View;
@@ -184,6 +184,7 @@ fn create_geodesic_pass(
                     uniform_buffer_sized(false, BufferSize::new(GpuStructure::SIZE)),
                 ),
                 (bindings::HOT_SPOT, uniform_buffer::<GpuHotSpot>(false)),
+                (bindings::TILT, uniform_buffer::<GpuTilt>(false)),
                 (bindings::STARLIGHT, uniform_buffer::<GpuStarlight>(false)),
                 (
                     bindings::MILKY_WAY,

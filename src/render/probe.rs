@@ -235,12 +235,13 @@ fn place_probe(
             scale: Vec3::splat(scene.probe.size as f32),
         };
     }
+    let hole_from_disk = scene.disk.hole_from_disk().as_mat3();
     for (DiskLamp { ring, place }, mut transform) in &mut lamps {
         // Every second ring is rotated by half a gap.
         let angle = TAU * (*place as f32 + 0.5 * (*ring % 2) as f32) / LAMPS as f32;
         let radius = DiskRing::new(&scene, *ring, RINGS).radius;
         let on_ring = Vec3::new(angle.cos(), angle.sin(), 0.0) * radius as f32;
-        transform.translation = on_ring - camera.as_vec3();
+        transform.translation = hole_from_disk * on_ring - camera.as_vec3();
     }
 }
 

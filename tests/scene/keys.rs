@@ -130,6 +130,24 @@ fn feedback_of(scene: &Scene, id: &str) -> String {
 }
 
 #[test]
+fn a_hole_with_a_tilted_disk_is_not_made_to_spin() {
+    let mut tilted = Scene::default();
+    tilted.disk.tilt_deg = 30.0;
+    let spinning = used(&tilted, "scene.spin", 1);
+    assert_ne!(spinning.hole.spin, 0.0);
+    assert_eq!(
+        checked_change(&tilted, spinning).unwrap_err(),
+        "around a hole that spins the disk must lie in the equator (its tilt is 30° and must be 0)"
+    );
+    // An orbit of the camera stays in the equator, and not in the disk's plane.
+    (tilted.camera.theta_deg, tilted.observer.kind) = (83.0, ObserverKind::Zamo);
+    assert_eq!(
+        feedback_of(&tilted, "scene.observer"),
+        "an orbit is possible in the plane theta = 90° only (you are 7° off)"
+    );
+}
+
+#[test]
 fn a_skipped_observer_is_named_with_the_reason() {
     let mut scene = Scene::default();
     scene.camera.theta_deg = 83.0;

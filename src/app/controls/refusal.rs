@@ -45,7 +45,13 @@ pub fn undrawable(reason: &Undrawable, scene: &Scene) -> String {
 pub fn no_observer(error: &ObserverError, scene: &Scene) -> String {
     match error {
         ObserverError::OffPlane { theta_deg } => format!(
-            "an orbit is possible in the disk's plane only (you are {}° off)",
+            "an orbit is possible in {} only (you are {}° off)",
+            // The camera's orbit stays in the equator when the disk is tilted out of it.
+            if scene.disk.is_tilted() {
+                "the plane theta = 90°"
+            } else {
+                "the disk's plane"
+            },
             four_digits((10.0 * (90.0 - theta_deg).abs()).round() / 10.0)
         ),
         ObserverError::TooDeep { inner, .. } => too_deep(scene.hole.spin, *inner),
@@ -106,6 +112,10 @@ fn refused(refusal: &Refusal, scene: &Scene) -> String {
                 ),
             }
         }
+        ("disk.tilt_deg", _) if scene.hole.spin != 0.0 => format!(
+            "around a hole that spins the disk must lie in the equator (its tilt is {}° and must be 0)",
+            four_digits(scene.disk.tilt_deg)
+        ),
         _ => with_short_numbers(&refusal.to_string()),
     }
 }

@@ -115,6 +115,8 @@ fn field_words(key: &str) -> String {
         ("disk", "pitch_deg") => "tilt of the disk's filaments".into(),
         ("disk", "lifetime") => "lifetime of the disk's filaments".into(),
         ("disk", "period") => "period of the disk's structure".into(),
+        ("disk", "tilt_deg") => "tilt of the disk".into(),
+        ("disk", "node_deg") => "azimuth of the disk's node".into(),
         ("disk", "time") => "disk's clock".into(),
         ("disk", "rate") => "rate of the disk's clock".into(),
         ("hot_spot", "kind") => "hot spot".into(),

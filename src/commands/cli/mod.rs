@@ -73,8 +73,8 @@ pub enum Command {
         after_help = "A ray is a line er,etheta,ephi: the looking direction on the observer's axes (outward, toward \
                             increasing theta, toward increasing phi), of any nonzero length. A header line is optional.\n\nThe output has one \
                             line per ray: outcome (sky, captured or unfinished); sky_*, the unit vector toward the source at \
-                            infinity in the hole's frame, with z along the disk normal and the camera at azimuth \
-                            camera.phi_deg; hit*_r in r_s, hit*_phi in radians and hit*_g, the observed over the emitted \
+                            infinity in the hole's frame, with z along the normal of a disk that is not tilted and the camera at azimuth \
+                            camera.phi_deg; hit*_r in r_s, hit*_phi, the azimuth in the disk, in radians, and hit*_g, the observed over the emitted \
                             frequency, of the first two crossings of the disk's annulus along the backward ray; steps; \
                             residual, the largest normalized residual of the null condition; hit*_t, the time between \
                             emission and arrival in r_s/c, outside the horizon. Missing values are \

@@ -8,7 +8,7 @@ use crate::render::wave_limit::WaveLimit;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use lightfall_core::gpu::kernel::{table_bytes, uniform};
-use lightfall_core::gpu::{Drawable, GpuHotSpot, GpuScene, GpuStructure, bindings};
+use lightfall_core::gpu::{Drawable, GpuHotSpot, GpuScene, GpuStructure, GpuTilt, bindings};
 use lightfall_core::optics::disk;
 use lightfall_core::scene::SkyMode;
 
@@ -21,6 +21,8 @@ pub(super) struct Side {
     structure: Buffer,
     /// The hot spot. Always bound; only the variants that need it read it.
     hot_spot: UniformBuffer<GpuHotSpot>,
+    /// How the disk is tilted. Always bound; only the variants that need it read it.
+    tilt: UniformBuffer<GpuTilt>,
     /// The stars; `None` where the sky has no real ones.
     stars: Option<SceneStars>,
     bind_group: Option<BindGroup>,
@@ -74,6 +76,7 @@ impl Side {
             page_thorne: written_buffer(device, "Page-Thorne table", PAGE_THORNE_SIZE),
             structure: written_buffer(device, "disk structure", GpuStructure::SIZE),
             hot_spot: UniformBuffer::from(GpuHotSpot::default()),
+            tilt: UniformBuffer::from(GpuTilt::default()),
             stars: None,
             bind_group: None,
             pipelines: None,
@@ -96,6 +99,8 @@ impl Side {
         self.uniform.write_buffer(device, queue);
         self.hot_spot.set(GpuHotSpot::new(scene));
         self.hot_spot.write_buffer(device, queue);
+        self.tilt.set(GpuTilt::new(scene));
+        self.tilt.write_buffer(device, queue);
         if let disk::Profile::PageThorne(disk) = disk::Profile::new(scene) {
             queue.write_buffer(&self.page_thorne, 0, &table_bytes(&disk.table()));
         }
@@ -174,6 +179,7 @@ impl Side {
                 (bindings::ERROR_MAP, shared.error_map.as_entire_binding()),
                 (bindings::STRUCTURE, self.structure.as_entire_binding()),
                 (bindings::HOT_SPOT, self.hot_spot.binding()?),
+                (bindings::TILT, self.tilt.binding()?),
                 (bindings::STARLIGHT, starlight),
                 (bindings::MILKY_WAY, milky_way.unwrap_or(&none.milky_way)),
                 (bindings::MILKY_WAY_SAMPLER, &shared.sampler),

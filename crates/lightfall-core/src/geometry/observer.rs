@@ -14,7 +14,7 @@ pub use kind::{Limit, ObserverKind, ObserverProperties, min_infall_radius};
 
 use super::sphere::celestial_frame;
 use crate::geometry::kerr::Kerr;
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use rows::{Matrix4, rows_of};
 
 /// Maps (1, d) to the photon that arrives from the direction d with unit frequency for the
@@ -59,6 +59,20 @@ impl ObserverMatrix {
             energy: row(0),
             radial: row(1),
             w: DVec3::new(row(2), row(3), row(4)),
+        }
+    }
+
+    /// The same observer with `w` on the axes of another frame, to which `rotation` turns the
+    /// hole's.
+    #[must_use]
+    pub fn turned(&self, rotation: DMat3) -> Self {
+        let [energy, radial, w @ ..] = self.rows;
+        let on_axis = |axis: usize| {
+            let along = rotation.row(axis).to_array();
+            std::array::from_fn(|column| (0..3).map(|i| along[i] * w[i][column]).sum())
+        };
+        Self {
+            rows: [energy, radial, on_axis(0), on_axis(1), on_axis(2)],
         }
     }
 }

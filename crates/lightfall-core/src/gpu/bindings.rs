@@ -18,6 +18,8 @@ pub const STRUCTURE: u32 = 6;
 /// The hot spot of the disk, a uniform.
 pub const HOT_SPOT: u32 = 7;
 
+/// The uniform `Tilt` of a tilted disk.
+pub const TILT: u32 = 22;
 /// The uniform `Starlight` of the sky mode `stars`.
 pub const STARLIGHT: u32 = 14;
 /// The Milky Way's light, a cube map, and its sampler.
@@ -95,6 +97,9 @@ pub(super) const CONSTANTS: [(&str, u32); 9] = [
     ("BINDING_HOT_SPOT", HOT_SPOT),
     ("WORKGROUP_SIZE", WORKGROUP_SIZE),
 ];
+
+/// The further constant of pictures with a sky behind a tilted disk.
+pub(super) const TILT_CONSTANTS: [(&str, u32); 1] = [("BINDING_TILT", TILT)];
 
 /// The further constants of pictures with the sky mode `stars`.
 pub(super) const STARLIGHT_CONSTANTS: [(&str, u32); 4] = [

@@ -44,7 +44,7 @@ pub use read_back::read_back;
 pub use requirements::Abilities;
 pub use scene::{
     GpuDisk, GpuHole, GpuHotSpot, GpuObserver, GpuPicture, GpuQuality, GpuScene, GpuShadow, GpuSky,
-    MARK_BRIGHTNESS,
+    GpuTilt, MARK_BRIGHTNESS,
 };
 pub use shader::{Entry, ShaderText, Tracer, Variant};
 pub use sky_texture::SkyTexture;

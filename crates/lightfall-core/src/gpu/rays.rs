@@ -50,7 +50,7 @@ pub fn trace(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<Trace
 }
 
 /// As [`trace`], but returns the GPU's own records, which also hold the drift of the angular
-/// momentum.
+/// momentum. Their directions on the sky are in the disk's frame.
 ///
 /// # Errors
 /// As [`trace`].
@@ -135,14 +135,22 @@ fn unit(direction: DVec3) -> DVec3 {
     }
 }
 
-/// The GPU's records in f64, with the delays that a camera outside the horizon can state.
+/// The GPU's records in f64, with the delays that a camera outside the horizon can state, and the
+/// sky in the hole's frame.
 fn traces(scene: &Scene, records: &[GpuTrace]) -> Vec<Trace> {
-    let lead = time_lead(scene);
-    records.iter().map(|record| record.trace(lead)).collect()
+    let (lead, hole_from_disk) = (time_lead(scene), scene.disk.hole_from_disk());
+    let in_hole_frame = |trace: Trace| Trace {
+        sky: trace.sky.map(|sky| hole_from_disk * sky),
+        ..trace
+    };
+    records
+        .iter()
+        .map(|record| in_hole_frame(record.trace(lead)))
+        .collect()
 }
 
 impl GpuTrace {
-    /// The record in f64. `time_lead` is the part of the delays that the GPU leaves out; `None` for
+    /// The record in f64, in the disk's frame. `time_lead` is the part of the delays that the GPU leaves out; `None` for
     /// a camera that has no delays to state.
     #[must_use]
     pub fn trace(&self, time_lead: Option<f64>) -> Trace {

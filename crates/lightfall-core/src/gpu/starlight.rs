@@ -34,10 +34,12 @@ impl GpuStarlight {
     pub fn new(scene: &Scene, depth: Depth) -> Self {
         let sky = &scene.sky;
         let hole_from_celestial = hole_from_celestial(sky.ra_deg, sky.dec_deg, sky.roll_deg);
+        // Rays are traced in the disk's frame.
+        let celestial_from_rays = hole_from_celestial.transpose() * scene.disk.hole_from_disk();
         let pixel = scene.camera.pixel_angle(scene.picture.height.into());
         let side = sums_side(scene.picture.size());
         Self {
-            celestial_from_hole: hole_from_celestial.transpose().as_mat3(),
+            celestial_from_hole: celestial_from_rays.as_mat3(),
             magnitude_limit: depth.limit as f32,
             last_magnitude: depth.last as f32,
             temperatures: DVec2::from(MilkyWay::temperatures()).as_vec2(),

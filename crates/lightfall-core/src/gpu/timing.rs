@@ -9,7 +9,7 @@ use super::buffer::{buffer_from_bytes, empty_buffer};
 use super::device::Gpu;
 use super::error::GpuError;
 use super::kernel::{table_bytes, uniform};
-use super::scene::{GpuHotSpot, GpuScene};
+use super::scene::{GpuHotSpot, GpuScene, GpuTilt};
 use super::shader::Variant;
 use super::structure::GpuStructure;
 use crate::optics::disk::Profile;
@@ -143,6 +143,9 @@ impl Stopwatch {
         }
         if let (true, Some(structure)) = (variant.structure, GpuStructure::new(scene, None)) {
             tables.push((bindings::STRUCTURE, uniform(&structure)));
+        }
+        if variant.turned_sky {
+            tables.push((bindings::TILT, uniform(&GpuTilt::new(scene))));
         }
         if variant.hot_spot != HotSpotKind::None {
             tables.push((bindings::HOT_SPOT, uniform(&GpuHotSpot::new(scene))));

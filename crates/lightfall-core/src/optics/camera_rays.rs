@@ -1,5 +1,10 @@
 //! The photons that reach a scene's camera, with the scene's effects on or off. The twin in WGSL is
 //! shaders/observer.wgsl.
+//!
+//! Rays are traced in the disk's frame, in which the disk's plane is z = 0. Without tilt it is the
+//! hole's frame. Only disks around holes without spin are tilted; their gravity is the same in both
+//! frames, so that no tracing method needs to know of the tilt. What a ray's trace says about the sky
+//! is turned back to the hole's frame.
 
 use crate::geometry::kerr::Kerr;
 use crate::geometry::observer::{ObserverError, ObserverMatrix, Photon, observer_matrix};
@@ -82,6 +87,22 @@ impl CameraRays {
         })
     }
 
+    /// The same rays with the photons' `w` in the disk's frame, in which rays are traced.
+    ///
+    /// # Errors
+    /// As [`CameraRays::new`].
+    pub fn in_disk_frame(scene: &Scene) -> Result<Self, ObserverError> {
+        let rays = Self::new(scene)?;
+        if !scene.disk.is_tilted() {
+            return Ok(rays);
+        }
+        let Self { matrix, frequency } = rays;
+        Ok(Self {
+            matrix: matrix.turned(scene.disk.hole_from_disk().transpose()),
+            frequency,
+        })
+    }
+
     /// The photon that arrives from the unit looking direction `direction`, given on the observer's
     /// axes, per unit frequency for the camera.
     #[must_use]
@@ -94,6 +115,21 @@ impl CameraRays {
             w: w / frequency,
         }
     }
+}
+
+/// Components of a unit vector below this, which is a few roundings, are zero in the disk's frame: a
+/// camera in a tilted disk's plane, or on its axis, is there exactly.
+const ROUNDING: f64 = 1e-15;
+
+/// The unit vector from the hole to the scene's camera, in the disk's frame.
+#[must_use]
+pub fn camera_in_disk_frame(scene: &Scene) -> DVec3 {
+    let n = scene.camera.direction();
+    if !scene.disk.is_tilted() {
+        return n;
+    }
+    let turned = scene.disk.hole_from_disk().transpose() * n;
+    turned.map(|x| if x.abs() < ROUNDING { 0.0 } else { x })
 }
 
 /// The rows of the boost that takes (1, d) of an observer to the ZAMO's (frequency, frequency times

@@ -16,15 +16,15 @@ use crate::geometry::mino::Constants;
 use crate::geometry::observer::{
     ObserverError, ObserverKind, ObserverMatrix, Photon, observer_matrix,
 };
-use crate::geometry::sphere::{celestial_frame, wrap_angle};
-use crate::optics::camera_rays::CameraRays;
+use crate::geometry::sphere::wrap_angle;
+use crate::optics::camera_rays::{CameraRays, camera_in_disk_frame};
 use crate::optics::delay::Lag;
 use crate::optics::hot_spot::HotSpot;
 use crate::optics::reference::{HoleAndDisk, Reference, time_to_plane};
 use crate::optics::shift::{RestFrame, Shift};
 use crate::optics::trace::{Hit, Outcome};
 use crate::scene::Scene;
-use glam::{DMat4, DVec2, DVec3, DVec4};
+use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 use std::f64::consts::PI;
 
 /// Number of images to find. Next to the shadow's edge each is e^pi = 23 times as thin as the one
@@ -66,11 +66,11 @@ pub struct Image {
 /// # Errors
 /// If the scene's observer cannot exist.
 pub fn echo(scene: &Scene) -> Result<Vec<Image>, ObserverError> {
-    let rays = CameraRays::new(scene)?;
+    let rays = CameraRays::in_disk_frame(scene)?;
     let kerr = Kerr {
         spin: scene.hole.spin,
     };
-    let (r, n) = (scene.camera.r, scene.camera.direction());
+    let (r, n) = (scene.camera.r, camera_in_disk_frame(scene));
     let spot = match HotSpot::new(scene) {
         Some(spot) if r > kerr.horizon() && n.z != 0.0 => spot,
         _ => return Ok(Vec::new()),
@@ -89,7 +89,8 @@ pub fn echo(scene: &Scene) -> Result<Vec<Image>, ObserverError> {
             // A ray matters as far in as the spot, and no crossing counts as a hit.
             annulus: Some([spot.r(); 2]),
         },
-        zamo: observer_matrix(kerr.spin, ObserverKind::Zamo, [0.0; 3], r, theta, phi)?,
+        zamo: observer_matrix(kerr.spin, ObserverKind::Zamo, [0.0; 3], r, theta, phi)?
+            .turned(scene.disk.hole_from_disk().transpose()),
         r,
         n,
         tangents: tangents(scene),
@@ -235,7 +236,7 @@ fn straight_image(
     rays: &CameraRays,
     spot: &HotSpot,
 ) -> Result<Option<Image>, ObserverError> {
-    let n = scene.camera.direction();
+    let n = camera_in_disk_frame(scene);
     let start = scene.camera.r * n;
     let mut delay = scene.camera.r;
     let mut way = DVec3::ZERO;
@@ -280,13 +281,11 @@ fn image_of(scene: &Scene, order: u32, direction: DVec3, hit: Hit) -> Option<Ima
     })
 }
 
-/// The unit vectors at the camera toward growing theta and growing phi.
+/// The unit vectors at the camera toward growing theta and growing phi, in the disk's frame.
 fn tangents(scene: &Scene) -> [DVec3; 2] {
-    let [_, theta_hat, phi_hat] = celestial_frame(
-        scene.camera.theta_deg.to_radians(),
-        scene.camera.phi_deg.to_radians(),
-    );
-    [theta_hat, phi_hat]
+    let DMat3 { y_axis, z_axis, .. } =
+        scene.disk.hole_from_disk().transpose() * scene.camera.tetrad();
+    [y_axis, z_axis]
 }
 
 /// The direction, on the observer's axes, from which a photon with these constants, up to a factor,

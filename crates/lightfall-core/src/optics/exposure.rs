@@ -168,8 +168,8 @@ fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
         // Per covered share, so that a ray at the disk's edge sees the light next to the edge.
         add(covered, light.max_element() / covered.max(1e-9));
         if trace.outcome == Outcome::Sky && scene.sky.mode != SkyMode::Off {
-            let lambda =
-                scene.camera.r * scene.camera.direction().cross(photon.w).z / photon.energy;
+            let (r, n) = reference.camera();
+            let lambda = r * n.cross(photon.w).z / photon.energy;
             let g = shift.of_sky(1.0 / photon.energy, lambda).abs();
             let seen = DVec3::from(spectrum::colour(g * SKY_TEMPERATURE)).max_element();
             add(SKY_WEIGHT * uncovered, sky_light * seen * beaming(g));

@@ -3,6 +3,7 @@
 
 use crate::geometry::kerr::Kerr;
 use crate::geometry::observer::Photon;
+use crate::optics::camera_rays::camera_in_disk_frame;
 use crate::optics::shift::{RestFrame, Shift};
 use crate::optics::{disk, straight};
 use crate::scene::{LimbDarkening, Scene};
@@ -43,7 +44,7 @@ impl Limb {
             lensing: scene.effects.lensing,
             camera_lapse: Shift::new(scene).camera().lapse,
             camera_r: scene.camera.r,
-            n: scene.camera.direction(),
+            n: camera_in_disk_frame(scene),
         }
     }
 

@@ -30,7 +30,7 @@ const HALF_TURN_TOLERANCE: f64 = 1e-5;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
     /// Points along the backward ray, from the camera on, in r_s: r times the unit vector toward
-    /// Boyer-Lindquist theta, phi. For a camera at or inside the horizon phi is Kerr's ingoing
+    /// Boyer-Lindquist theta, phi of the disk's frame. For a camera at or inside the horizon phi is Kerr's ingoing
     /// azimuth.
     pub points: Vec<DVec3>,
     /// Smallest r of the ray, in r_s; the horizon's radius for a captured ray.

@@ -67,7 +67,9 @@ impl RayPlane {
         trace: &Trace,
         path: &Path,
     ) -> Self {
-        let (_, n) = reference.camera();
+        // The path is in the disk's frame, the sky and what the observer sees in the hole's.
+        let (_, n_for_disk) = reference.camera();
+        let n = scene.camera.direction();
         let swept = swept_angles(&path.points);
         let points: Vec<DVec2> = swept
             .iter()
@@ -77,6 +79,10 @@ impl RayPlane {
         // Without lensing the photon is that of flat space, whose direction is simply its own.
         let lensed = reference.lensing();
         let photon = reference.photon(direction.normalize());
+        let photon = Photon {
+            w: scene.disk.hole_from_disk() * photon.w,
+            ..photon
+        };
         let received = if lensed {
             received_direction(scene, &photon)
         } else {
@@ -108,7 +114,7 @@ impl RayPlane {
         Self {
             closest: closest(&points, path.closest_r, trace),
             hits: hits(path, &swept, trace),
-            disk: (!spins).then(|| disk_section(n, &path.points)),
+            disk: (!spins).then(|| disk_section(n_for_disk, &path.points)),
             deflection: deflection.filter(|_| lensed),
             points,
             looking,

@@ -11,8 +11,8 @@
 use crate::geometry::kerr::Kerr;
 use crate::geometry::mino::{Constants, Expansion, State};
 use crate::geometry::observer::{ObserverError, Photon};
-use crate::geometry::sphere::{celestial_frame, wrap_angle};
-use crate::optics::camera_rays::CameraRays;
+use crate::geometry::sphere::wrap_angle;
+use crate::optics::camera_rays::{CameraRays, camera_in_disk_frame};
 use crate::optics::shift::Shift;
 use crate::optics::trace::{Hit, Outcome, Trace};
 use crate::optics::{disk, straight};
@@ -31,6 +31,7 @@ pub struct Reference {
     lensing: bool,
     r: f64,
     n: DVec3,
+    hole_from_disk: DMat3,
 }
 
 /// The hole and the disk, which rays can hit.
@@ -59,8 +60,7 @@ impl Reference {
     /// # Errors
     /// If the scene's observer does not exist.
     pub fn new(scene: &Scene) -> Result<Self, ObserverError> {
-        let camera = &scene.camera;
-        let camera_rays = CameraRays::new(scene)?;
+        let camera_rays = CameraRays::in_disk_frame(scene)?;
         let annulus = scene
             .disk
             .enabled
@@ -71,15 +71,15 @@ impl Reference {
             },
             annulus,
         };
-        let [n, ..] = celestial_frame(camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
         let (shift, lensing) = (Shift::new(scene), scene.effects.lensing);
         Ok(Self {
             hole_and_disk,
             camera_rays,
             shift,
             lensing,
-            r: camera.r,
-            n,
+            r: scene.camera.r,
+            n: camera_in_disk_frame(scene),
+            hole_from_disk: scene.disk.hole_from_disk(),
         })
     }
 
@@ -154,10 +154,11 @@ impl Reference {
         for hit in trace.hits.iter_mut().flatten() {
             hit.g = self.shift.of_disk(hit.g, hit.r, lambda);
         }
+        trace.sky = trace.sky.map(|sky| self.hole_from_disk * sky);
         trace
     }
 
-    /// The photon that arrives from a unit direction.
+    /// The photon that arrives from a unit direction, in the disk's frame.
     #[must_use]
     pub fn photon(&self, direction: DVec3) -> Photon {
         self.camera_rays.photon(direction)
@@ -169,7 +170,8 @@ impl Reference {
         self.hole_and_disk
     }
 
-    /// The camera's place: its radius, in r_s, and its unit vector on the celestial sphere.
+    /// The camera's place: its radius, in r_s, and its unit vector on the celestial sphere of the
+    /// disk's frame.
     #[must_use]
     pub fn camera(&self) -> (f64, DVec3) {
         (self.r, self.n)

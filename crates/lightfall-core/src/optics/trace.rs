@@ -42,7 +42,8 @@ pub struct Hit {
     /// Boyer-Lindquist radius, in r_s.
     pub r: f64,
     /// Boyer-Lindquist azimuth, in (-pi, pi], in the frame where the observer is at
-    /// `camera.phi_deg`.
+    /// `camera.phi_deg`. In a tilted disk it is counted from the ascending node, whose azimuth is
+    /// `disk.node_deg`.
     pub phi: f64,
     /// Observed over emitted frequency of light from matter on the circular orbit there.
     pub g: f64,

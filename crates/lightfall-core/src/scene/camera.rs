@@ -75,7 +75,7 @@ impl Camera {
 
 /// Sine and cosine of an angle in degrees, exact at multiples of 90, so that a camera without turns
 /// looks exactly at the hole's centre.
-fn sin_cos_deg(degrees: f64) -> (f64, f64) {
+pub(super) fn sin_cos_deg(degrees: f64) -> (f64, f64) {
     let quarters = (degrees / 90.0).round();
     let (sin, cos) = (degrees - 90.0 * quarters).to_radians().sin_cos();
     match quarters.rem_euclid(4.0) {

@@ -68,6 +68,16 @@ impl Scene {
                 };
                 (Range { low, ..range }, Some(because))
             }
+            "disk.tilt_deg" if self.hole.spin != 0.0 => {
+                let because = Because {
+                    keys: vec!["hole.spin"],
+                    reason: format!(
+                        "a thin disk around a hole that spins is steady in the hole's equator only; hole.spin is {}",
+                        number(self.hole.spin)
+                    ),
+                };
+                (Range::closed(0.0, 0.0), Some(because))
+            }
             "hot_spot.r" if self.disk.enabled && self.hot_spot.kind != HotSpotKind::None => {
                 let (low, high) = (Included(self.inner_edge()), Included(self.disk.outer));
                 let because = Because {

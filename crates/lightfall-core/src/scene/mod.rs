@@ -2,8 +2,8 @@
 //! controls, read by the passes. Plain data: no Bevy, no GPU types, no files.
 //!
 //! Lengths are in Schwarzschild radii, angles in degrees (suffix `_deg`), temperatures in kelvin.
-//! The hole's frame is right-handed with z along the disk normal; `r`, `theta_deg`, `phi_deg` are
-//! Boyer-Lindquist.
+//! The hole's frame is right-handed with z along the spin axis, which is the normal of a disk that is
+//! not tilted; `r`, `theta_deg`, `phi_deg` are Boyer-Lindquist.
 //!
 //! The fields are declared in `tables.rs`, each in one place: its meaning, type, default, range and
 //! unit. The enumerations declare their words with their variants, and their properties as rows of
@@ -11,6 +11,7 @@
 
 mod camera;
 mod changes;
+mod disk_frame;
 mod disk_motion;
 mod edit;
 mod error;

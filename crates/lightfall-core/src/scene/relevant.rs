@@ -47,6 +47,8 @@ impl Scene {
                 inner: self.disk.inner,
                 follow_isco: self.disk.follow_isco,
                 outer: self.disk.outer,
+                tilt_deg: self.disk.tilt_deg,
+                node_deg: self.disk.node_deg,
                 ..default.disk
             },
             picture: Picture {

@@ -151,7 +151,7 @@ table! {
     pub struct Camera in (camera) {
         /// Boyer-Lindquist radius of the camera, outside the horizon unless observer.kind is rain.
         r: f64 = 20.0, CAMERA, "r_s";
-        /// Angle from the disk normal.
+        /// Angle from the z axis: the spin axis, and the normal of a disk that is not tilted.
         theta_deg: f64 = 80.0, POLAR, "degrees";
         /// Azimuth.
         phi_deg: f64 = 0.0, TURN, "degrees";
@@ -199,7 +199,7 @@ table! {
 }
 
 table! {
-    /// The thin emitting disk in the equatorial plane.
+    /// The thin emitting disk: in the equatorial plane, or tilted around a hole without spin.
     #[derive(Copy)]
     pub struct Disk in (disk) {
         /// Whether there is a disk.
@@ -210,6 +210,11 @@ table! {
         follow_isco: bool = false;
         /// Outer edge; outside the innermost stable circular orbit.
         outer: f64 = 11.0, EDGE, "r_s";
+        /// Angle between the disk's normal and the z axis; 0 around a hole that spins.
+        tilt_deg: f64 = 0.0, POLAR, "degrees";
+        /// Azimuth of the ascending node, where the orbits of a tilted disk cross the equator upward;
+        /// azimuths in the disk are counted on from there.
+        node_deg: f64 = 0.0, TURN, "degrees";
         /// Radial profile of the flux.
         model: DiskModel = DiskModel::default();
         /// Whether the disk keeps its accretion rate when its inner edge moves, as if temperature_k
@@ -265,7 +270,7 @@ table! {
         kind: HotSpotKind = HotSpotKind::default();
         /// Radius of the spot's middle.
         r: f64 = 4.5, EDGE, "r_s";
-        /// Azimuth of the spot's middle at hot_spot.time.
+        /// Azimuth of the spot's middle in the disk at hot_spot.time.
         phi_deg: f64 = 0.0, TURN, "degrees";
         /// Standard deviation of the spot, as a share of its radius.
         size: f64 = 0.08, Range::closed(0.01, 0.5), "";
@@ -289,19 +294,19 @@ table! {
         /// Scale of the sky's light.
         brightness: f64 = 1.0, SCALE, "";
         /// Right ascension (J2000) of the place in the sky that is behind the hole, as seen from
-        /// azimuth 0 in the disk's plane.
+        /// azimuth 0 in the equatorial plane.
         ra_deg: f64 = 266.0, TURN, "degrees";
         /// Declination (J2000) of the same place.
         dec_deg: f64 = -29.0, LATITUDE, "degrees";
-        /// Turn of the sky about this place; at 0 the celestial north pole is on the side of the disk
-        /// normal.
+        /// Turn of the sky about this place; at 0 the celestial north pole is on the side of the z
+        /// axis.
         roll_deg: f64 = 0.0, TURN, "degrees";
         /// Faintest stars that are drawn as points, if the picture can show them; the Milky Way holds
         /// the light of all others.
         magnitude_limit: f64 = 12.0, Range::closed(-2.0, 12.0), "mag";
         /// Whether one bright star is added, in any mode but `off`.
         reference_star: bool = false;
-        /// The reference star's angle from the disk normal.
+        /// The reference star's angle from the z axis.
         reference_theta_deg: f64 = 90.0, POLAR, "degrees";
         /// The reference star's azimuth.
         reference_phi_deg: f64 = 180.0, TURN, "degrees";
@@ -316,7 +321,7 @@ table! {
         enabled: bool = false;
         /// Radius where the probe hovers.
         r: f64 = 20.0, Range::above(1.0, MAX_RADIUS), "r_s";
-        /// The probe's angle from the disk normal.
+        /// The probe's angle from the z axis.
         theta_deg: f64 = 80.0, POLAR, "degrees";
         /// The probe's azimuth.
         phi_deg: f64 = 0.0, TURN, "degrees";

@@ -22,6 +22,8 @@ mod layout;
 mod light;
 mod limb;
 mod mino;
+#[path = "../physics/moved_camera.rs"]
+mod moved_camera;
 mod observers;
 mod omissions;
 mod part_headers;
@@ -36,6 +38,7 @@ mod sky;
 mod spectrum;
 mod stars;
 mod structure;
+mod tilted_disk;
 mod verlet;
 mod views;
 

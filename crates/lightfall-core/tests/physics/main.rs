@@ -22,6 +22,7 @@ mod kerr_schild;
 mod limb;
 mod milky_way;
 mod mino;
+mod moved_camera;
 mod observer;
 mod path;
 mod pixel_samples;
@@ -38,6 +39,7 @@ mod star_images;
 mod stars;
 mod structure;
 mod structure_period;
+mod tilted_disk;
 mod timelike;
 mod weierstrass;
 

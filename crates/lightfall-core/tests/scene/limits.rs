@@ -67,6 +67,11 @@ fn a_refusal_names_the_other_fields_that_limit_the_field() {
             "hot_spot.r = 3.5 is refused: it must be a number from 4 to 11 r_s (between the edges of the disk)",
         ),
         (
+            "hole.spin = 0.5\ndisk.tilt_deg = 30",
+            "disk.tilt_deg = 30 is refused: it must be a number equal to 0 degrees (a thin disk around a hole that spins is \
+             steady in the hole's equator only; hole.spin is 0.5)",
+        ),
+        (
             "disk.period = 1.5",
             "disk.period = 1.5 is refused: it must be a number from 2 to 1000000 r_s/c (0 for a structure that never \
              repeats)",
@@ -157,6 +162,11 @@ fn the_value_that_was_set_last_is_blamed() {
     assert_eq!(
         sentence(&["disk.outer=2"]),
         "--set: disk.outer = 2 is refused together with disk.inner = 3, which must then be a number above 0 and below 2 r_s"
+    );
+    let tilted = with("disk.tilt_deg = 30", &["hole.spin=0.9"]).unwrap_err();
+    assert_eq!(
+        tilted.to_string(),
+        "--set: hole.spin = 0.9 is refused together with disk.tilt_deg = 30, which must then be a number equal to 0 degrees"
     );
     let spin = load("my.toml", "", &[Override::new("--spin", "hole.spin", "2")])
         .unwrap_err()

@@ -99,7 +99,7 @@ fn switch_guides(
 }
 
 /// A scene with only what decides where guides are on the observer's sky. Around the axis
-/// everything is the same at every azimuth.
+/// everything is the same at every azimuth, but for a tilted disk.
 fn sky_of(scene: &Scene) -> Scene {
     let mut sky = Scene {
         hole: scene.hole,
@@ -108,6 +108,10 @@ fn sky_of(scene: &Scene) -> Scene {
         ..Scene::default()
     };
     (sky.camera.r, sky.camera.theta_deg) = (scene.camera.r, scene.camera.theta_deg);
+    if scene.disk.is_tilted() {
+        sky.camera.phi_deg = scene.camera.phi_deg;
+        (sky.disk.tilt_deg, sky.disk.node_deg) = (scene.disk.tilt_deg, scene.disk.node_deg);
+    }
     sky
 }
 

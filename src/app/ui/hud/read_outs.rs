@@ -62,7 +62,11 @@ pub fn read_outs(scene: &Scene, speed: f64) -> [Vec<ReadOut>; 2] {
     let degrees = |angle: f64| format!("{angle:.1}°");
     let mut place = vec![
         ReadOut::new("r", format!("{} r_s", steady_digits(camera.r)), "00000 r_s"),
-        ReadOut::new("", height(camera.theta_deg), "00.0° above the disk"),
+        ReadOut::new(
+            "",
+            height(scene.degrees_above_disk()),
+            "00.0° above the disk",
+        ),
         ReadOut::new("theta", degrees(camera.theta_deg), "000.0°"),
         ReadOut::new("azimuth", degrees(camera.phi_deg), "−000.0°"),
     ];
@@ -86,8 +90,7 @@ pub fn read_outs(scene: &Scene, speed: f64) -> [Vec<ReadOut>; 2] {
 }
 
 /// How far a place is above or below the disk's plane, as seen from the hole.
-fn height(theta_deg: f64) -> String {
-    let above = 90.0 - theta_deg;
+fn height(above: f64) -> String {
     match above {
         _ if above.abs() < 0.05 => "in the disk's plane".into(),
         _ if above > 0.0 => format!("{above:.1}° above the disk"),

@@ -8,6 +8,7 @@ use crate::app::ui::number::four_decimals;
 use bevy_egui::egui::{self, Color32, Pos2, Rect, Stroke};
 use glam::{DMat3, DVec3};
 use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::optics::camera_rays::camera_in_disk_frame;
 use lightfall_core::optics::disk;
 use lightfall_core::reports::inspection::Inspected;
 use lightfall_core::scene::Scene;
@@ -130,14 +131,20 @@ impl Sketch {
                     .is_some_and(|first| std::ptr::eq(first, inspected)),
             );
         }
-        let camera = projection.point(scene.camera.direction() * scene.camera.r);
+        let camera = projection.point(camera_in_disk_frame(scene) * scene.camera.r);
         painter.circle_filled(camera, 3.5, CAMERA);
         draw_scale(&painter, rect, projection.points_per_length);
     }
 
-    /// Rows: right, up, toward the viewer. The camera's azimuth points left.
+    /// Rows: right, up, toward the viewer, in the disk's frame. The camera's azimuth points left.
     fn axes(&self, scene: &Scene) -> DMat3 {
-        let (sin, cos) = scene.camera.phi_deg.to_radians().sin_cos();
+        let azimuth = if scene.disk.is_tilted() {
+            let place = camera_in_disk_frame(scene);
+            place.y.atan2(place.x)
+        } else {
+            scene.camera.phi_deg.to_radians()
+        };
+        let (sin, cos) = azimuth.sin_cos();
         let (left, growing_phi) = (DVec3::new(cos, sin, 0.0), DVec3::new(-sin, cos, 0.0));
         let rows = match self.viewpoint {
             Viewpoint::Plane | Viewpoint::Side => [-left, DVec3::Z, growing_phi],

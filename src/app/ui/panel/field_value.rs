@@ -115,7 +115,7 @@ fn show_number(
     whole: bool,
 ) -> Option<Typed> {
     let turned = |angle: f64| {
-        if shown == Shown::AboveDisk {
+        if shown == Shown::AboveEquator {
             90.0 - angle
         } else {
             angle
@@ -151,7 +151,7 @@ fn show_number(
 fn slider_ends(shown: Shown, range: Range) -> Option<(f64, f64)> {
     let (low, high) = match shown {
         Shown::Linear(low, high) | Shown::Logarithmic(low, high) => (low, high),
-        Shown::AboveDisk => (-90.0, 90.0),
+        Shown::AboveEquator => (-90.0, 90.0),
         Shown::Plain | Shown::Inverted => (f64::NEG_INFINITY, f64::INFINITY),
     };
     let inside = |end, sign: f64| match end {
@@ -159,7 +159,7 @@ fn slider_ends(shown: Shown, range: Range) -> Option<(f64, f64)> {
         Included(end) => end,
         Excluded(end) => end + sign * OPEN_END_MARGIN * f64::abs(end).max(1.0),
     };
-    let (low, high) = if shown == Shown::AboveDisk {
+    let (low, high) = if shown == Shown::AboveEquator {
         (low, high)
     } else {
         (

@@ -15,6 +15,10 @@ pub fn why_idle(scene: &Scene, key: &str) -> Option<&'static str> {
         ("disk", "inner") if scene.disk.follow_isco => {
             Some("The disk begins at the innermost stable orbit.")
         }
+        ("disk", "tilt_deg") if scene.hole.spin != 0.0 => {
+            Some("Around a hole that spins the disk lies in the equator.")
+        }
+        ("disk", "node_deg") if !scene.disk.is_tilted() => Some("The disk is not tilted."),
         ("hot_spot", _) if !scene.disk.enabled => Some("The disk is off."),
         (
             "disk",

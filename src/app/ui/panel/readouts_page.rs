@@ -86,7 +86,7 @@ fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMa
         &[
             ("Distance", format!("{} r_s", in_words(readout.r))),
             ("", format!("{} km", in_words(si.r_km))),
-            ("Above the disk", format!("{:.3}°", 90.0 - theta)),
+            ("Above the equator", format!("{:.3}°", 90.0 - theta)),
             ("Around the hole", format!("{phi:.3}°")),
         ],
     );

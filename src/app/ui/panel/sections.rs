@@ -31,13 +31,13 @@ pub enum Shown {
     Linear(f64, f64),
     /// A number on a logarithmic slider.
     Logarithmic(f64, f64),
-    /// An angle from the disk normal, as the angle above the disk.
-    AboveDisk,
+    /// An angle from the z axis, as the angle above the equator, where a disk without tilt lies.
+    AboveEquator,
     /// A switch whose field says the opposite.
     Inverted,
 }
 
-use Shown::{AboveDisk, Inverted, Linear, Logarithmic, Plain};
+use Shown::{AboveEquator, Inverted, Linear, Logarithmic, Plain};
 
 const fn row(key: &'static str, label: &'static str, shown: Shown) -> RowText {
     RowText { key, label, shown }
@@ -50,7 +50,7 @@ pub const SECTIONS: &[Section] = &[
         open: true,
         rows: &[
             row("camera.r", "Distance", Logarithmic(0.3, 1000.0)),
-            row("camera.theta_deg", "Above the disk", AboveDisk),
+            row("camera.theta_deg", "Above the equator", AboveEquator),
             row("camera.phi_deg", "Around the hole", Linear(-180.0, 180.0)),
             row("camera.fov_deg", "Field of view", Linear(5.0, 150.0)),
             row("camera.yaw_deg", "Turn right", Linear(-180.0, 180.0)),
@@ -76,6 +76,8 @@ pub const SECTIONS: &[Section] = &[
             row("disk.follow_isco", "At innermost orbit", Plain),
             row("disk.keep_accretion", "Keep accretion rate", Plain),
             row("disk.outer", "Outer edge", Logarithmic(1.0, 300.0)),
+            row("disk.tilt_deg", "Tilt", Linear(0.0, 180.0)),
+            row("disk.node_deg", "Node's azimuth", Linear(-180.0, 180.0)),
             row("disk.transmission", "Transparency", Plain),
             row("disk.edge_taper", "Soft edges", Plain),
             row("disk.model", "Brightness law", Plain),
@@ -141,7 +143,11 @@ pub const SECTIONS: &[Section] = &[
             row("sky.magnitude_limit", "Faintest star", Linear(-2.0, 12.0)),
             row("sky.seed", "Star pattern", Linear(0.0, 1000.0)),
             row("sky.reference_star", "Extra star", Plain),
-            row("sky.reference_theta_deg", "Star above the disk", AboveDisk),
+            row(
+                "sky.reference_theta_deg",
+                "Star above equator",
+                AboveEquator,
+            ),
             row(
                 "sky.reference_phi_deg",
                 "Star around the hole",
@@ -207,7 +213,7 @@ pub const SECTIONS: &[Section] = &[
         rows: &[
             row("probe.enabled", "Probe", Plain),
             row("probe.r", "Distance", Logarithmic(1.0, 1000.0)),
-            row("probe.theta_deg", "Above the disk", AboveDisk),
+            row("probe.theta_deg", "Above the equator", AboveEquator),
             row("probe.phi_deg", "Around the hole", Linear(-180.0, 180.0)),
             row("probe.size", "Length", Logarithmic(0.01, 10.0)),
             row("probe.antialias", "Smooth edges", Plain),

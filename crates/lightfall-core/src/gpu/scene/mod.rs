@@ -10,6 +10,7 @@ mod picture;
 mod quality;
 mod shadow;
 mod sky;
+mod tilt;
 
 pub use disk::GpuDisk;
 pub use hole::GpuHole;
@@ -20,6 +21,7 @@ pub use picture::{GpuPicture, MARK_BRIGHTNESS};
 pub use quality::GpuQuality;
 pub use shadow::GpuShadow;
 pub use sky::GpuSky;
+pub use tilt::GpuTilt;
 
 use super::error::GpuError;
 use crate::geometry::kerr::Kerr;
@@ -73,7 +75,7 @@ impl GpuScene {
             spin: scene.hole.spin,
         };
         check_method(scene, kerr)?;
-        let rays = CameraRays::new(scene)?;
+        let rays = CameraRays::in_disk_frame(scene)?;
         let size = size.max(UVec2::ONE).as_dvec2();
         let pixel = scene.camera.pixel_angle(size.y);
         Ok(Self {

@@ -3,7 +3,7 @@
 use super::expansion::{expand_about, expansion_centre};
 use crate::geometry::kerr::Kerr;
 use crate::geometry::sphere::wrap_angle;
-use crate::optics::camera_rays::CameraRays;
+use crate::optics::camera_rays::{CameraRays, camera_in_disk_frame};
 use crate::optics::shift::Shift;
 use crate::scene::Scene;
 use encase::ShaderType;
@@ -63,7 +63,7 @@ impl GpuObserver {
             expansion_centre: centre,
             energy_curvature,
             frequency: on_directions(rays.frequency).as_vec4(),
-            position_direction: scene.camera.direction().as_vec3(),
+            position_direction: camera_in_disk_frame(scene).as_vec3(),
             r: r as f32,
             u: (1.0 / r) as f32,
             u_to_horizon: ((r - horizon) / (horizon * r)) as f32,

@@ -32,7 +32,7 @@ impl GpuSky {
             sky.reference_phi_deg.to_radians(),
         );
         Self {
-            reference_star: reference_star.as_vec3(),
+            reference_star: (scene.disk.hole_from_disk().transpose() * reference_star).as_vec3(),
             brightness: sky.brightness as f32,
             spot_radius: (SPOT_PIXELS * 2.0 * scene.camera.half_height() / size.y) as f32,
             star_brightness: (size.y / SPOT_HEIGHT).powi(2) as f32,

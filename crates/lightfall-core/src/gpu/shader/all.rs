@@ -86,6 +86,13 @@ impl Variant {
                 ..*variant
             }));
         }
+        let skies = shining.iter().filter(|variant| {
+            matches!(variant.sky, SkyMode::Procedural | SkyMode::Grid) && !variant.spinning
+        });
+        all.extend(skies.map(|variant| Self {
+            turned_sky: true,
+            ..*variant
+        }));
         // Pictures without the search for edges, and what refines them.
         all.extend(shining.iter().map(|variant| Self {
             antialias: false,

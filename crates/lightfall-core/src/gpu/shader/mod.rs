@@ -51,6 +51,8 @@ pub struct Variant {
     pub delay_nodes: u32,
     /// What lies at infinity; off where nothing is drawn.
     pub sky: SkyMode,
+    /// Whether the sky is one that needs directions turned from the frame of a tilted disk.
+    pub turned_sky: bool,
     /// Whether the reference star is in the sky.
     pub reference_star: bool,
     /// What the picture shows.
@@ -132,6 +134,7 @@ impl Variant {
             },
             delay_nodes: if needs_delay { tracer.delay_nodes() } else { 0 },
             sky,
+            turned_sky: scene.disk.is_tilted() && source::needs_turned_directions(sky),
             reference_star: scene.sky.reference_star && sky != SkyMode::Off,
             view: scene.view,
             // Brightness has no meaning for marks.
@@ -208,6 +211,7 @@ impl Variant {
             limb: LimbDarkening::None,
             delay_nodes: 0,
             sky: SkyMode::Off,
+            turned_sky: false,
             reference_star: false,
             antialias: false,
             ..Self::picture(&Scene {
@@ -335,7 +339,7 @@ impl Variant {
             parts.extend(source::limb_parts(self.limb));
             parts.extend([part!("disk/cover.wgsl"), part!("disk/emission.wgsl")]);
         }
-        parts.extend(source::sky_parts(self.sky));
+        parts.extend(source::sky_parts(self.sky, self.turned_sky));
         parts
     }
 }

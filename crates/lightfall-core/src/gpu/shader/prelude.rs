@@ -59,6 +59,11 @@ impl Variant {
         if self.entry == Entry::Refine {
             text.push_str(&antialias::constants());
         }
+        if self.turned_sky {
+            for (name, value) in bindings::TILT_CONSTANTS {
+                add_constant(&mut text, name, "u32", format!("{value}u"));
+            }
+        }
         if self.sky == SkyMode::Stars {
             text.push_str(&starlight::constants());
         }

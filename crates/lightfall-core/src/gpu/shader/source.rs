@@ -62,14 +62,27 @@ pub(super) fn limb_parts(limb: LimbDarkening) -> &'static [Part] {
     }
 }
 
-/// The files that define `sky_light`.
-pub(super) fn sky_parts(mode: SkyMode) -> &'static [Part] {
-    match mode {
-        SkyMode::Stars => &[part!("sky.wgsl"), part!("sky/stars.wgsl")],
-        SkyMode::Procedural => &[part!("sky.wgsl"), part!("sky/procedural.wgsl")],
-        SkyMode::Grid => &[part!("sky.wgsl"), part!("sky/grid.wgsl")],
-        SkyMode::Off => &[part!("sky/none.wgsl")],
+/// The files that define `sky_light`. Behind a tilted disk rays come in the disk's frame: if the sky
+/// is `turned`, a file between the two turns their directions to the hole's.
+pub(super) fn sky_parts(mode: SkyMode, turned: bool) -> Vec<Part> {
+    let background = match mode {
+        SkyMode::Stars => part!("sky/stars.wgsl"),
+        SkyMode::Procedural => part!("sky/procedural.wgsl"),
+        SkyMode::Grid => part!("sky/grid.wgsl"),
+        SkyMode::Off => return vec![part!("sky/none.wgsl")],
+    };
+    if turned {
+        let background = background.renaming("sky_background", "background_in_hole_frame");
+        vec![part!("sky.wgsl"), part!("sky/tilted.wgsl"), background]
+    } else {
+        vec![part!("sky.wgsl"), background]
     }
+}
+
+/// Whether a sky needs its directions turned behind a tilted disk. The mode `stars` turns them
+/// anyway, to the celestial frame.
+pub(super) fn needs_turned_directions(mode: SkyMode) -> bool {
+    matches!(mode, SkyMode::Procedural | SkyMode::Grid)
 }
 
 /// The file that defines `point_light`.

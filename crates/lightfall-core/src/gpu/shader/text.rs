@@ -1,10 +1,33 @@
 //! WGSL text joined from constants and files.
 
+use std::borrow::Cow;
+
 /// A file below shaders/, and its text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::gpu) struct Part {
     pub file: &'static str,
     pub text: &'static str,
+    /// A name in the file that another file gives in its place, and what it is called instead.
+    pub renamed: Option<(&'static str, &'static str)>,
+}
+
+impl Part {
+    /// The same file with another name for a function of its own, so that a file that calls it can
+    /// take its place.
+    pub(super) fn renaming(self, own: &'static str, other: &'static str) -> Self {
+        Self {
+            renamed: Some((own, other)),
+            ..self
+        }
+    }
+
+    /// The text as it is joined.
+    fn joined(&self) -> Cow<'static, str> {
+        match self.renamed {
+            Some((own, other)) => self.text.replace(own, other).into(),
+            None => self.text.into(),
+        }
+    }
 }
 
 /// The [`Part`] of a file below shaders/.
@@ -17,6 +40,7 @@ macro_rules! part {
                 "/../../shaders/",
                 $file
             )),
+            renamed: None,
         }
     };
 }
@@ -49,9 +73,9 @@ impl ShaderText {
         &self.prelude
     }
 
-    /// The files below shaders/ in their order, with their texts.
-    pub fn files(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
-        self.parts.iter().map(|part| (part.file, part.text))
+    /// The files below shaders/ in their order, with their texts as they are joined.
+    pub fn files(&self) -> impl Iterator<Item = (&'static str, Cow<'static, str>)> {
+        self.parts.iter().map(|part| (part.file, part.joined()))
     }
 
     /// The file that a line of the text comes from, and the line within that file; both lines are
@@ -69,9 +93,9 @@ impl ShaderText {
         place
     }
 
-    fn blocks(&self) -> impl Iterator<Item = (&'static str, &str)> {
-        let files = self.parts.iter().map(|part| (part.file, part.text));
-        std::iter::once((PRELUDE, self.prelude.as_str())).chain(files)
+    fn blocks(&self) -> impl Iterator<Item = (&'static str, Cow<'_, str>)> {
+        let files = self.parts.iter().map(|part| (part.file, part.joined()));
+        std::iter::once((PRELUDE, self.prelude.as_str().into())).chain(files)
     }
 }
 

@@ -75,8 +75,9 @@ impl GpuStarMesh {
         let pixel = scene.camera.pixel_angle(scene.picture.height.into());
         let [shortest, longest] = HALF_STEPS;
         let angle = (HALF_STEP * layout.spacing * pixel).clamp(shortest, longest);
-        // The rows of the inverse of a rotation are its columns.
-        let [list_x, list_y, list_z] = [0, 1, 2].map(|i| hole_from_list.col(i).as_vec3());
+        // Rays are traced in the disk's frame. The rows of the inverse of a rotation are its columns.
+        let disk_from_list = scene.disk.hole_from_disk().transpose() * hole_from_list;
+        let [list_x, list_y, list_z] = [0, 1, 2].map(|i| disk_from_list.col(i).as_vec3());
         Self {
             origin: layout.origin.as_vec2(),
             points: layout.points,

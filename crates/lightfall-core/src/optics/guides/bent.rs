@@ -1,7 +1,7 @@
 //! The guides that are traced through bent light.
 
 use super::outline::outline;
-use super::sky::Sky;
+use super::sky::{Place, Sky};
 use crate::geometry::kerr::Kerr;
 use crate::geometry::mino::Constants;
 use crate::geometry::observer::ObserverError;
@@ -24,12 +24,12 @@ const FAR: f64 = 1e9;
 
 /// The edge of the shadow: where light arrives that grazes the photon orbits.
 pub(super) fn shadow_edge(scene: &Scene) -> Result<Vec<DVec3>, ObserverError> {
-    let theta = scene.camera.theta_deg.to_radians();
-    let sky = Sky::bent(scene, theta)?;
+    let place = Place::of(scene);
+    let sky = Sky::bent(scene, &place)?;
     let kerr = Kerr {
         spin: scene.hole.spin,
     };
-    let curve = CriticalCurve::new(kerr, sky.r, theta, scene.camera.phi_deg.to_radians());
+    let curve = CriticalCurve::new(kerr, sky.r, place.theta, place.phi);
     let angle = |i: usize| TAU * (i as f64 + 0.5) / EDGE_POINTS as f64;
     Ok(sky.curve_seen((0..EDGE_POINTS).map(|i| curve.at(angle(i)))))
 }
@@ -41,9 +41,13 @@ pub(super) fn orbit_image(
     radius: f64,
     crossing: u32,
 ) -> Result<Option<Vec<DVec3>>, ObserverError> {
-    let own = scene.camera.theta_deg.to_radians() - FRAC_PI_2;
-    let height = own.abs().max(MIN_HEIGHT).copysign(own);
-    let sky = Sky::bent(scene, FRAC_PI_2 + height)?;
+    let own = Place::of(scene);
+    let height = own.theta - FRAC_PI_2;
+    let place = Place {
+        theta: FRAC_PI_2 + height.abs().max(MIN_HEIGHT).copysign(height),
+        ..own
+    };
+    let sky = Sky::bent(scene, &place)?;
     let hole = HoleAndDisk {
         kerr: Kerr {
             spin: scene.hole.spin,
@@ -75,7 +79,7 @@ pub(super) fn orbit_image(
 /// The outline of the ergosphere: the edge of the directions whose rays pass through it. Rays that
 /// end at the hole do. `None` without spin, and for a camera inside.
 pub(super) fn ergosphere(scene: &Scene) -> Result<Option<Vec<DVec3>>, ObserverError> {
-    let sky = Sky::bent(scene, scene.camera.theta_deg.to_radians())?;
+    let sky = Sky::bent(scene, &Place::of(scene))?;
     let kerr = Kerr {
         spin: scene.hole.spin,
     };

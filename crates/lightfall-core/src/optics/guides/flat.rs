@@ -4,6 +4,7 @@
 use super::outline::outline;
 use super::sky::Sky;
 use crate::geometry::kerr::Kerr;
+use crate::scene::Disk;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -23,9 +24,10 @@ pub(super) fn sphere(sky: &Sky, radius: f64) -> Option<Vec<DVec3>> {
 }
 
 /// The circle of radius `radius` (r_s) in the disk's plane.
-pub(super) fn orbit(sky: &Sky, radius: f64) -> Vec<DVec3> {
+pub(super) fn orbit(sky: &Sky, disk: &Disk, radius: f64) -> Vec<DVec3> {
+    let hole_from_disk = disk.hole_from_disk();
     let toward = |angle: f64| {
-        let place = radius * DVec3::new(angle.cos(), angle.sin(), 0.0);
+        let place = hole_from_disk * (radius * DVec3::new(angle.cos(), angle.sin(), 0.0));
         sky.axes.transpose() * (place - sky.r * sky.n)
     };
     sky.curve_seen(angles().map(|angle| toward(angle).normalize_or_zero()))

@@ -80,7 +80,7 @@ pub fn quick_guides(scene: &Scene) -> Result<Vec<Guide>, ObserverError> {
             add(
                 Landmark::StableOrbit,
                 true,
-                vec![flat::orbit(&sky, kerr.isco())],
+                vec![flat::orbit(&sky, &scene.disk, kerr.isco())],
             );
             let ergosphere = flat::ergosphere(&sky, kerr);
             add(Landmark::Ergosphere, true, ergosphere.into_iter().collect());

@@ -4,7 +4,7 @@
 use crate::geometry::observer::{ObserverError, ObserverKind, ObserverMatrix, observer_matrix};
 use crate::geometry::sphere::celestial_frame;
 use crate::geometry::tetrad::transformation;
-use crate::optics::camera_rays::CameraRays;
+use crate::optics::camera_rays::{CameraRays, camera_in_disk_frame};
 use crate::scene::Scene;
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
@@ -16,19 +16,52 @@ pub(super) struct Sky {
     pub(super) n: DVec3,
     /// The matrix of the observer in whose frame curves are found.
     pub(super) frame: ObserverMatrix,
-    /// That observer's axes (outward, theta, phi), as columns in the hole's frame.
+    /// That observer's axes (outward, theta, phi), as columns.
     pub(super) axes: DMat3,
     /// From (1, d) of that observer to (frequency, frequency times d) of the camera.
     to_camera: DMat4,
 }
 
-impl Sky {
-    /// The sky of bent light. Curves are found in the frame of `rain`, which exists on both sides
-    /// of the horizon, at the polar angle `theta` (radians) in place of the camera's own.
-    pub(super) fn bent(scene: &Scene, theta: f64) -> Result<Self, ObserverError> {
+/// A place on the celestial sphere of the disk's frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// Polar angle and azimuth, in radians.
+    pub(super) theta: f64,
+    pub(super) phi: f64,
+    /// From components on an observer's axes (outward, theta, phi) of the disk's frame to those on
+    /// its axes of the hole's frame.
+    pub(super) turn: DMat3,
+}
+
+impl Place {
+    /// The camera's.
+    pub(super) fn of(scene: &Scene) -> Self {
         let camera = &scene.camera;
-        let phi = camera.phi_deg.to_radians();
-        let at = |theta| {
+        if !scene.disk.is_tilted() {
+            return Self {
+                theta: camera.theta_deg.to_radians(),
+                phi: camera.phi_deg.to_radians(),
+                turn: DMat3::IDENTITY,
+            };
+        }
+        let n = camera_in_disk_frame(scene);
+        let (theta, phi) = (n.truncate().length().atan2(n.z), n.y.atan2(n.x));
+        let axes = scene.disk.hole_from_disk() * axes_at(theta, phi);
+        Self {
+            theta,
+            phi,
+            turn: camera.tetrad().transpose() * axes,
+        }
+    }
+}
+
+impl Sky {
+    /// The sky of bent light, in the disk's frame. Curves are found in the frame of `rain`, which
+    /// exists on both sides of the horizon, at `place`, which may differ a little from the camera's
+    /// own.
+    pub(super) fn bent(scene: &Scene, place: &Place) -> Result<Self, ObserverError> {
+        let camera = &scene.camera;
+        let at = |theta, phi| {
             observer_matrix(
                 scene.hole.spin,
                 ObserverKind::Rain,
@@ -38,14 +71,16 @@ impl Sky {
                 phi,
             )
         };
-        let own_theta = camera.theta_deg.to_radians();
+        let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
         let to_camera = transformation(
-            &at(own_theta)?,
+            &at(theta, phi)?,
             &CameraRays::new(scene)?.matrix,
-            own_theta,
+            theta,
             phi,
         );
-        Ok(Self::new(camera.r, theta, phi, at(theta)?, to_camera))
+        let Place { theta, phi, turn } = *place;
+        let to_camera = to_camera * with_time(turn);
+        Ok(Self::new(camera.r, theta, phi, at(theta, phi)?, to_camera))
     }
 
     /// The sky without bending, where Boyer-Lindquist r, theta, phi are spherical coordinates of
@@ -65,12 +100,12 @@ impl Sky {
     }
 
     fn new(r: f64, theta: f64, phi: f64, frame: ObserverMatrix, to_camera: DMat4) -> Self {
-        let [n, theta_hat, phi_hat] = celestial_frame(theta, phi);
+        let axes = axes_at(theta, phi);
         Self {
             r,
-            n,
+            n: axes.x_axis,
             frame,
-            axes: DMat3::from_cols(n, theta_hat, phi_hat),
+            axes,
             to_camera,
         }
     }
@@ -90,4 +125,20 @@ impl Sky {
             .filter_map(|point| self.seen(point))
             .collect()
     }
+}
+
+/// An observer's axes (outward, theta, phi) at a place, as columns.
+fn axes_at(theta: f64, phi: f64) -> DMat3 {
+    let [outward, theta_hat, phi_hat] = celestial_frame(theta, phi);
+    DMat3::from_cols(outward, theta_hat, phi_hat)
+}
+
+/// A rotation of d as one of (1, d).
+fn with_time(turn: DMat3) -> DMat4 {
+    DMat4::from_cols(
+        DVec4::X,
+        DVec4::from((0.0, turn.x_axis)),
+        DVec4::from((0.0, turn.y_axis)),
+        DVec4::from((0.0, turn.z_axis)),
+    )
 }

@@ -1,0 +1,23 @@
+// The sky behind a tilted disk. Rays are traced in the disk's frame, and the file of the sky's mode
+// knows directions of the hole's frame. That file is joined with its `sky_background` under the name
+// `background_in_hole_frame` (crates/lightfall-core/src/gpu/shader/source.rs).
+//
+// Needs: BINDING_TILT, Footprint, background_in_hole_frame.
+// Gives: sky_background.
+
+// Mirror of `GpuTilt` in crates/lightfall-core/src/gpu/scene/tilt.rs.
+struct Tilt {
+    // From the disk's frame to the hole's.
+    hole_from_disk: mat3x3<f32>,
+}
+
+@group(0) @binding(BINDING_TILT) var<uniform> tilted_disk: Tilt;
+
+fn in_hole_frame(v: vec3<f32>) -> vec3<f32> {
+    return tilted_disk.hole_from_disk * v;
+}
+
+fn sky_background(direction: vec3<f32>, g: f32, footprint: Footprint) -> vec3<f32> {
+    let turned = Footprint(in_hole_frame(footprint.to_the_right), in_hole_frame(footprint.downward));
+    return background_in_hole_frame(in_hole_frame(direction), g, turned);
+}
