@@ -7,9 +7,16 @@ mod comparison;
 mod embedded;
 mod light;
 mod linear;
+#[path = "../../crates/lightfall-core/tests/physics/moved_camera.rs"]
+#[allow(
+    dead_code,
+    reason = "pictures need the scene of the twin, and not the directions of its rays"
+)]
+mod moved_camera;
 mod redraw;
 mod sequences;
 mod stars;
+mod tilt;
 
 use glam::{DVec2, UVec2};
 use lightfall::picture::{Still, check_path, render, write_png};

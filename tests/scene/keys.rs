@@ -133,7 +133,7 @@ fn feedback_of(scene: &Scene, id: &str) -> String {
 fn a_hole_with_a_tilted_disk_is_not_made_to_spin() {
     let mut tilted = Scene::default();
     tilted.disk.tilt_deg = 30.0;
-    let spinning = used(&tilted, "scene.spin", 1);
+    let spinning = edited(control_named("scene.spin").unwrap(), &tilted, &tilted).unwrap();
     assert_ne!(spinning.hole.spin, 0.0);
     assert_eq!(
         checked_change(&tilted, spinning).unwrap_err(),

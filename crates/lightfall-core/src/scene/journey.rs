@@ -60,6 +60,8 @@ struct Tracks {
     angles: [Option<Track>; ANGLES.len()],
     field_of_view: Option<Track>,
     velocity: [Option<Track>; 3],
+    disk_tilt: Option<Track>,
+    disk_node: Option<Track>,
 }
 
 /// An angle of the camera: its name in a keyframe, and its field.
@@ -85,8 +87,8 @@ impl Journey {
         (time < caption.time + caption.seconds).then_some(caption)
     }
 
-    /// Writes the camera, the observer and the rate of the disk's clock after `time` seconds into
-    /// `scene`. Times before the first keyframe count as the first, times after the last as the
+    /// Writes the camera, the observer, the disk's tilt and the rate of its clock after `time` seconds
+    /// into `scene`. Times before the first keyframe count as the first, times after the last as the
     /// last. The scene is not checked. [`drive_clock`](Self::drive_clock) writes the disk's time.
     ///
     /// A circular orbit cannot leave its plane: unless the journey itself names an observer, `orbit`
@@ -230,6 +232,12 @@ impl Tracks {
             if let Some(track) = track {
                 *component = track.at(time);
             }
+        }
+        if let Some(track) = &self.disk_tilt {
+            scene.disk.tilt_deg = track.at(time);
+        }
+        if let Some(track) = &self.disk_node {
+            scene.disk.node_deg = wrap_degrees(track.at(time));
         }
     }
 }

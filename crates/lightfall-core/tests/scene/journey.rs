@@ -303,3 +303,38 @@ fn a_journey_may_name_the_preset_in_which_it_is_flown() {
     assert!(preset.disk.enabled && preset.observer.kind == ObserverKind::Static);
     assert_eq!(default().check(preset, 0.0, Drawable::new), Ok(()));
 }
+
+/// The middle of a track between two points at which it rests is their mean, by symmetry.
+#[test]
+fn a_journey_tilts_the_disk_and_turns_its_node_on_by_any_number_of_turns() {
+    let text = "[[keyframe]]\ntime = 0\ndisk_tilt_deg = 10\ndisk_node_deg = 100\n\
+                [[keyframe]]\ntime = 4\ndisk_tilt_deg = 70\ndisk_node_deg = 1000\n";
+    let journey = journey::load("tilt.toml", text).unwrap();
+    let tilt_at = |time: f64| {
+        let mut scene = Scene::default();
+        journey.apply(time, &mut scene);
+        Drawable::new(scene.clone()).unwrap();
+        (scene.disk.tilt_deg, scene.disk.node_deg)
+    };
+    assert_eq!(tilt_at(0.0), (10.0, 100.0));
+    let (tilt, node) = tilt_at(2.0);
+    // 550 degrees are 190, or -170.
+    assert!((tilt - 40.0).abs() < 1e-9 && (node + 170.0).abs() < 1e-9);
+    assert_eq!(tilt_at(4.0), (70.0, -80.0));
+    // A journey that does not name them leaves both alone.
+    let mut scene = Scene::default();
+    (scene.disk.tilt_deg, scene.disk.node_deg) = (33.0, -200.0);
+    default().apply(3.0, &mut scene);
+    assert_eq!((scene.disk.tilt_deg, scene.disk.node_deg), (33.0, -200.0));
+    // Where the hole spins, the journey is refused with the keyframe.
+    let mut spinning = Scene::default();
+    spinning.hole.spin = 0.5;
+    let refused = journey
+        .check(&spinning, 0.0, Drawable::new)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        refused.starts_with("keyframe 1 (time = 0): disk.tilt_deg = 10 is refused"),
+        "{refused}"
+    );
+}

@@ -59,7 +59,7 @@ pub enum JourneyError {
     /// A keyframe with an unknown key.
     #[error(
         "{origin}: keyframe {number}: there is no {key}; a keyframe has time, any of {}, and a table rain of those but \
-             the observer and the disk's clock, for an observer that falls from rest at infinity",
+             the observer and the disk's own, for an observer that falls from rest at infinity",
         names()
     )]
     UnknownKey {

@@ -18,7 +18,7 @@ pub(super) const CAPTION_SECONDS: f64 = 6.0;
 
 /// What a keyframe may have: its name there, and the key of the field that says what it may be.
 /// The angles without a key may be of any number of turns here.
-pub(super) const NAMES: [(&str, &str); 11] = [
+pub(super) const NAMES: [(&str, &str); 13] = [
     ("r", "camera.r"),
     ("theta_deg", "camera.theta_deg"),
     ("phi_deg", ""),
@@ -28,12 +28,20 @@ pub(super) const NAMES: [(&str, &str); 11] = [
     ("fov_deg", "camera.fov_deg"),
     ("observer", "observer.kind"),
     ("velocity", "observer.velocity"),
+    ("disk_tilt_deg", "disk.tilt_deg"),
+    ("disk_node_deg", ""),
     ("disk_rate", "disk.rate"),
     ("disk_time", "disk.time"),
 ];
 
 /// What the table `rain` of a keyframe may not have: it is the same for every observer.
-pub(super) const NOT_IN_RAIN: [&str; 3] = ["observer", "disk_rate", "disk_time"];
+pub(super) const NOT_IN_RAIN: [&str; 5] = [
+    "observer",
+    "disk_tilt_deg",
+    "disk_node_deg",
+    "disk_rate",
+    "disk_time",
+];
 
 /// An angle of any number of turns, as a field that belongs to no scene.
 const ANY_ANGLE: Field = Field::new(

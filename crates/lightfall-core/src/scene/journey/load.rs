@@ -200,5 +200,7 @@ fn tracks(keyframes: &[(f64, &Values)]) -> Tracks {
         field_of_view: track(&|values| number(values, "fov_deg")),
         velocity: [0, 1, 2]
             .map(|axis| track(&|values| Some(component(values.get("velocity")?, axis)))),
+        disk_tilt: track(&|values| number(values, "disk_tilt_deg")),
+        disk_node: track(&|values| number(values, "disk_node_deg")),
     }
 }
