@@ -3,12 +3,15 @@
 use crate::bench_rows::circumstances;
 use crate::gpu;
 use lightfall_core::gpu::GpuScene;
+use lightfall_core::gpu::rays::RayKernel;
+use lightfall_core::optics::reference::Reference;
 use lightfall_core::reports::bench::{
     Measurement, Plan, auto_margin, markdown, methods_for, plot, scenes, settings,
 };
 use lightfall_core::reports::export::csv;
 use lightfall_core::reports::extremes::{
-    Hunt, Verdict, WorstRay, cells, delays_table, measure_delays, measure_matrix,
+    Hunt, Verdict, WorstRay, cells, delays_table, markdown as extremes_markdown, measure_delays,
+    measure_matrix,
 };
 use lightfall_core::scene::{Method, Scene};
 
@@ -157,6 +160,77 @@ fn closed_and_mino_hold_every_extreme_cell() {
         assert_eq!(verdict.cell, cell.name);
         assert!(verdict.backward_max <= most, "{verdict:?}: over {most:e}");
     }
+}
+
+/// The errors of hits against the reference's hits, found here ray by ray, and the columns that hold
+/// them: the last ones, since columns are only ever appended.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_matrix_states_the_errors_of_hits_in_its_last_columns() {
+    let gpu = gpu();
+    let mut cells = cells(96);
+    cells.retain(|cell| {
+        cell.name == "chi 0, from 5 r_s"
+            || cell.name == "chi 0.9, from 5 r_s"
+            || cell.name == "chi 0, in and out, exactly"
+    });
+    let verdicts = measure_matrix(gpu, &cells, &[Method::Closed], |_, _| {}).unwrap();
+    assert_eq!(verdicts.len(), 3);
+    for (verdict, cell) in verdicts.iter().zip(&cells) {
+        let scene = Scene {
+            method: Method::Closed,
+            ..cell.scene.clone()
+        };
+        let reference = Reference::new(&scene).unwrap();
+        let axes = scene.camera.tetrad_from_camera();
+        let given: Vec<_> = cell.rays.iter().map(|ray| ray.given()).collect();
+        let kernel = RayKernel::new(gpu, &scene).unwrap();
+        let traces = kernel.trace_camera_rays(gpu, &scene, &given).unwrap();
+        let [mut r, mut g] = [Vec::new(), Vec::new()];
+        for (ray, trace) in cell.rays.iter().zip(traces) {
+            let truth = reference.trace(axes * ray.direction());
+            let pairs = trace.hits.into_iter().zip(truth.hits);
+            let errors = pairs.filter_map(|(hit, truth)| {
+                let (hit, truth) = (hit?, truth?);
+                Some([hit.r / truth.r, hit.g / truth.g].map(|ratio| (ratio - 1.0).abs()))
+            });
+            // Of a ray with two hits the larger error counts.
+            if let Some([worst_r, worst_g]) =
+                errors.reduce(|[r, g], [other_r, other_g]| [r.max(other_r), g.max(other_g)])
+            {
+                r.push(worst_r);
+                g.push(worst_g);
+            }
+        }
+        if r.is_empty() {
+            assert!(verdict.hit_r_p50.is_nan() && verdict.hit_g_p99.is_nan());
+            continue;
+        }
+        assert!(r.len() > 10);
+        for (values, [p50, p99]) in [
+            (&mut r, [verdict.hit_r_p50, verdict.hit_r_p99]),
+            (&mut g, [verdict.hit_g_p50, verdict.hit_g_p99]),
+        ] {
+            values.sort_by(f64::total_cmp);
+            // The smallest value that is no less than half, and than 99 %, of all.
+            assert_eq!(p50, values[values.len().div_ceil(2) - 1]);
+            assert_eq!(
+                p99,
+                values[(0.99 * values.len() as f64).ceil() as usize - 1]
+            );
+        }
+    }
+    let text = csv(&circumstances(), &verdicts);
+    let header = text.lines().find(|line| !line.starts_with('#')).unwrap();
+    assert!(header.ends_with(",bar,holds,hit_r_p50,hit_r_p99,hit_g_p50,hit_g_p99"));
+    // A cell without hits leaves the fields empty.
+    assert_eq!(
+        text.lines().filter(|line| line.ends_with(",,,,")).count(),
+        1
+    );
+    let table = extremes_markdown(&verdicts);
+    let mut columns = table.lines().map(|line| line.matches('|').count());
+    assert!(columns.all(|count| count == 18), "{table}");
 }
 
 /// The cells have hits next to the critical curve, where the ray's own error moves some of them,

@@ -58,6 +58,14 @@ pub struct Verdict {
     pub tolerance: f64,
     /// Whether every ray has an answer of finite numbers within the tolerance.
     pub holds: bool,
+    /// Median of the relative error of the hits' radii; NaN in a cell without hits.
+    pub hit_r_p50: f64,
+    /// Its 99th percentile.
+    pub hit_r_p99: f64,
+    /// Median of the relative error of the hits' g; NaN in a cell without hits.
+    pub hit_g_p50: f64,
+    /// Its 99th percentile.
+    pub hit_g_p99: f64,
 }
 
 impl Verdict {
@@ -87,6 +95,10 @@ impl Verdict {
             steps_max: errors.steps[1],
             tolerance,
             holds: sound && errors.rays > 0 && backward_max <= tolerance,
+            hit_r_p50: errors.hit_r.p50,
+            hit_r_p99: errors.hit_r.p99,
+            hit_g_p50: errors.hit_g.p50,
+            hit_g_p99: errors.hit_g.p99,
         }
     }
 
@@ -107,19 +119,20 @@ impl Verdict {
 #[must_use]
 pub fn markdown(verdicts: &[Verdict]) -> String {
     let mut text = String::from(
-        "| cell | method | rays | unfinished | not a number | wrong class | backward p50 | p99 | max | bar | residual | steps | verdict |\n\
-         |---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+        "| cell | method | rays | unfinished | not a number | wrong class | backward p50 | p99 | max | bar | residual | steps | verdict \
+         | hit r p50 | p99 | hit g p50 | p99 |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
     let mut group = "";
     for verdict in verdicts {
         if verdict.group != group {
             group = verdict.group;
-            writeln!(text, "| **{group}** | | | | | | | | | | | | |")
+            writeln!(text, "| **{group}** | | | | | | | | | | | | | | | | |")
                 .expect("writing to a string cannot fail");
         }
         writeln!(
             text,
-            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
+            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
             verdict.cell,
             verdict.method,
             verdict.rays,
@@ -133,6 +146,10 @@ pub fn markdown(verdicts: &[Verdict]) -> String {
             short_number(verdict.residual),
             verdict.steps_max,
             verdict.word(),
+            short_number(verdict.hit_r_p50),
+            short_number(verdict.hit_r_p99),
+            short_number(verdict.hit_g_p50),
+            short_number(verdict.hit_g_p99),
         )
         .expect("writing to a string cannot fail");
     }
