@@ -202,6 +202,7 @@ fn the_matrix_states_the_errors_of_hits_in_its_last_columns() {
                 g.push(worst_g);
             }
         }
+        assert_eq!(verdict.hits, r.len());
         if r.is_empty() {
             assert!(verdict.hit_r_p50.is_nan() && verdict.hit_g_p99.is_nan());
             continue;
@@ -222,15 +223,15 @@ fn the_matrix_states_the_errors_of_hits_in_its_last_columns() {
     }
     let text = csv(&circumstances(), &verdicts);
     let header = text.lines().find(|line| !line.starts_with('#')).unwrap();
-    assert!(header.ends_with(",bar,holds,hit_r_p50,hit_r_p99,hit_g_p50,hit_g_p99"));
+    assert!(header.ends_with(",bar,holds,hits,hit_r_p50,hit_r_p99,hit_g_p50,hit_g_p99"));
     // A cell without hits leaves the fields empty.
     assert_eq!(
-        text.lines().filter(|line| line.ends_with(",,,,")).count(),
+        text.lines().filter(|line| line.ends_with(",0,,,,")).count(),
         1
     );
     let table = extremes_markdown(&verdicts);
     let mut columns = table.lines().map(|line| line.matches('|').count());
-    assert!(columns.all(|count| count == 18), "{table}");
+    assert!(columns.all(|count| count == 19), "{table}");
 }
 
 /// The cells have hits next to the critical curve, where the ray's own error moves some of them,

@@ -58,6 +58,8 @@ pub struct Verdict {
     pub tolerance: f64,
     /// Whether every ray has an answer of finite numbers within the tolerance.
     pub holds: bool,
+    /// Number of rays with a hit that is compared: one that the method and the reference have.
+    pub hits: usize,
     /// Median of the relative error of the hits' radii; NaN in a cell without hits.
     pub hit_r_p50: f64,
     /// Its 99th percentile.
@@ -95,6 +97,7 @@ impl Verdict {
             steps_max: errors.steps[1],
             tolerance,
             holds: sound && errors.rays > 0 && backward_max <= tolerance,
+            hits: errors.hit_r.count,
             hit_r_p50: errors.hit_r.p50,
             hit_r_p99: errors.hit_r.p99,
             hit_g_p50: errors.hit_g.p50,
@@ -120,19 +123,19 @@ impl Verdict {
 pub fn markdown(verdicts: &[Verdict]) -> String {
     let mut text = String::from(
         "| cell | method | rays | unfinished | not a number | wrong class | backward p50 | p99 | max | bar | residual | steps | verdict \
-         | hit r p50 | p99 | hit g p50 | p99 |\n\
-         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+         | hits | hit r p50 | p99 | hit g p50 | p99 |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
     let mut group = "";
     for verdict in verdicts {
         if verdict.group != group {
             group = verdict.group;
-            writeln!(text, "| **{group}** | | | | | | | | | | | | | | | | |")
+            writeln!(text, "| **{group}** | | | | | | | | | | | | | | | | | |")
                 .expect("writing to a string cannot fail");
         }
         writeln!(
             text,
-            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
+            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
             verdict.cell,
             verdict.method,
             verdict.rays,
@@ -146,6 +149,7 @@ pub fn markdown(verdicts: &[Verdict]) -> String {
             short_number(verdict.residual),
             verdict.steps_max,
             verdict.word(),
+            verdict.hits,
             short_number(verdict.hit_r_p50),
             short_number(verdict.hit_r_p99),
             short_number(verdict.hit_g_p50),
