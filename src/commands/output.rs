@@ -27,22 +27,27 @@ pub(super) fn output_result(written: io::Result<()>) -> Result<(), Stop> {
     }
 }
 
-/// Creates the folder of `--out`, before any work is done for its reports.
+/// Creates the folder of `--out` and checks that it accepts files, before any work is done for its
+/// reports.
 pub(super) fn create_report_folder(folder: Option<&Path>) -> Result<(), Stop> {
     let Some(folder) = folder else { return Ok(()) };
+    let fault = |reason| Stop::failed(format!("--out {}: {reason}", folder.display()));
     std::fs::create_dir_all(folder).map_err(|error| {
-        let reason = match folder
-            .ancestors()
-            .find(|part| part.exists() && !part.is_dir())
-        {
-            Some(part) => format!(
-                "{} is a file, and this must be a folder, or one that can be made",
-                part.display()
-            ),
-            None => format!("this folder cannot be made: {error}"),
-        };
-        Stop::failed(format!("--out {}: {reason}", folder.display()))
-    })
+        fault(
+            match folder
+                .ancestors()
+                .find(|part| part.exists() && !part.is_dir())
+            {
+                Some(part) => format!(
+                    "{} is a file, and this must be a folder, or one that can be made",
+                    part.display()
+                ),
+                None => format!("this folder cannot be made: {error}"),
+            },
+        )
+    })?;
+    storage::check_folder_writable(folder)
+        .map_err(|error| fault(format!("no report can be written: {error}")))
 }
 
 /// Writes one file of a report.

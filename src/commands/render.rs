@@ -12,6 +12,7 @@ use crate::picture::{
     PixelRays, Sequence, Still, Studio,
 };
 use crate::render::{fit, resized};
+use crate::storage;
 use glam::UVec2;
 use indicatif::ProgressBar;
 use lightfall_core::gpu::Drawable;
@@ -28,16 +29,11 @@ const TIMED_FRAMES: usize = 15;
 /// Draws and writes a picture, or a sequence of pictures.
 pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     let mut scene = scene(&args.scene)?;
-    // The file is checked before any work is done for a picture that could not be written.
     let sequence = args
         .frames
         .map(|frames| sequence(args, frames, &scene))
         .transpose()?;
-    let first = sequence.as_ref().map_or_else(
-        || args.out.clone(),
-        |sequence| sequence.file(sequence.frames.first),
-    );
-    let format = picture::check_path(&first).map_err(stop_writing)?;
+    let format = check_files(&args.out, sequence.as_ref()).map_err(stop_writing)?;
     if let Some(size) = args.size {
         resize(&mut scene, size)?;
     }
@@ -159,6 +155,26 @@ fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence
         _ => {}
     }
     Ok(sequence)
+}
+
+/// Checks that every picture can be written, before any work is done for one that could not be, and
+/// returns their format.
+fn check_files(out: &Path, sequence: Option<&Sequence>) -> Result<Format, PictureError> {
+    let format = Format::of(out)?;
+    match sequence {
+        Some(sequence) if format != Format::Apng => {
+            let Frames { first, last } = sequence.frames;
+            picture::check_path(&sequence.file(first))?;
+            for number in first..=last {
+                storage::check_name(&sequence.file(number))?;
+            }
+        }
+        // One file, which holds the frames of a sequence, too.
+        _ => {
+            picture::check_path(out)?;
+        }
+    }
+    Ok(format)
 }
 
 /// Gives the scene's picture another size.

@@ -1,7 +1,6 @@
 //! Picture files.
 
 use crate::storage::{WriteError, check_writable, encoded_png, write_atomically};
-use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// Why a picture could not be drawn or written. Each message is one sentence.
@@ -65,32 +64,37 @@ pub enum Format {
     Exr,
 }
 
+impl Format {
+    /// The format of the file at `path`, which its extension decides.
+    ///
+    /// # Errors
+    /// The extension is unknown.
+    pub fn of(path: &Path) -> Result<Self, PictureError> {
+        let extension = path
+            .extension()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        match extension.to_ascii_lowercase().as_str() {
+            "png" => Ok(Self::Png),
+            "apng" => Ok(Self::Apng),
+            "exr" => Ok(Self::Exr),
+            _ => Err(PictureError::Extension {
+                path: path.into(),
+                extension,
+            }),
+        }
+    }
+}
+
 /// Checks that a picture can be written to `path`, before any work is done for it, and returns its
 /// format.
 ///
 /// # Errors
-/// The extension is unknown, or the folder does not exist or cannot be written.
+/// The extension is unknown, the file is a folder, or its folder does not exist or cannot be
+/// written.
 pub fn check_path(path: &Path) -> Result<Format, PictureError> {
-    let extension = path
-        .extension()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned();
-    let format = match extension.to_ascii_lowercase().as_str() {
-        "png" => Format::Png,
-        "apng" => Format::Apng,
-        "exr" => Format::Exr,
-        _ => {
-            return Err(PictureError::Extension {
-                path: path.into(),
-                extension,
-            });
-        }
-    };
-    if path.is_dir() {
-        let reason = io::Error::new(ErrorKind::IsADirectory, "it is a folder");
-        return Err(WriteError::new(path, reason).into());
-    }
+    let format = Format::of(path)?;
     check_writable(path)?;
     Ok(format)
 }

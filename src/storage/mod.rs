@@ -16,7 +16,7 @@ pub use files::{
     WriteError, create_parent_folder, exists, read_text, remove, rename, write_atomically,
 };
 #[cfg(not(target_arch = "wasm32"))]
-pub use files::{check_folder_writable, check_writable};
+pub use files::{check_folder_writable, check_name, check_writable};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folders::pictures_folder;
 pub use folders::{preset_files, presets_folder, settings_file};

@@ -36,5 +36,6 @@ mod release;
 mod resolution;
 mod settings;
 mod steering;
+mod unwritable;
 mod words;
 mod worker;

@@ -25,9 +25,25 @@ pub fn write_atomically(path: &Path, contents: &[u8]) -> Result<(), WriteError> 
 /// Checks that a file can be created at `path`, without creating it.
 ///
 /// # Errors
-/// The folder does not exist or does not accept new files.
+/// It is a folder, or its name is too long; or its folder does not exist or does not accept new
+/// files.
 pub fn check_writable(path: &Path) -> Result<(), WriteError> {
+    check_name(path)?;
     check_folder_writable(parent_folder(path)).map_err(|error| WriteError::new(path, error))
+}
+
+/// Checks that a file in a folder that accepts new files can have this name. It only looks, so it is
+/// quick enough for the files of a long sequence.
+///
+/// # Errors
+/// It is a folder, or its name is too long.
+pub fn check_name(path: &Path) -> Result<(), WriteError> {
+    let reason = match fs::metadata(path) {
+        Ok(found) if found.is_dir() => io::Error::new(ErrorKind::IsADirectory, "it is a folder"),
+        Err(error) if error.kind() == ErrorKind::InvalidFilename => error,
+        _ => return Ok(()),
+    };
+    Err(WriteError::new(path, reason))
 }
 
 /// Checks that files can be created in a folder, by creating and removing one.
@@ -107,6 +123,9 @@ fn temporary_file(folder: &Path) -> io::Result<NamedTempFile> {
         .tempfile_in(folder)
         .map_err(|error| match error.kind() {
             // The error's own message names the temporary file, which means nothing to the user.
+            ErrorKind::NotFound if folder.is_dir() => {
+                io::Error::new(ErrorKind::NotFound, "the folder accepts no new files")
+            }
             ErrorKind::NotFound => io::Error::new(ErrorKind::NotFound, "there is no such folder"),
             kind => kind.into(),
         })

@@ -10,8 +10,8 @@ mod write_error;
 pub use browser::{create_parent_folder, exists, files_in, read, remove, rename, write_atomically};
 #[cfg(not(target_arch = "wasm32"))]
 pub use disk::{
-    check_folder_writable, check_writable, create_parent_folder, exists, files_in, read, remove,
-    rename, write_atomically,
+    check_folder_writable, check_name, check_writable, create_parent_folder, exists, files_in,
+    read, remove, rename, write_atomically,
 };
 
 pub use write_error::WriteError;
