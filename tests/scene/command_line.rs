@@ -114,7 +114,7 @@ fn one_preset_given_twice_is_refused() {
     ] {
         assert_eq!(refuse(line).kind(), ErrorKind::ArgumentConflict);
     }
-    for command in ["presets list", "doctor", "bench", "extremes"] {
+    for command in ["presets list", "doctor --preset 3", "bench", "extremes"] {
         assert_eq!(
             refuse(&format!("lightfall --preset 2 {command}")).kind(),
             ErrorKind::ArgumentConflict

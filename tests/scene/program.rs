@@ -1,5 +1,6 @@
 //! The program as a shell runs it: exit status, standard output and standard error.
 
+use lightfall_core::scene::presets::PRESETS;
 use std::fs;
 use std::io::Write;
 use std::path::Path;
@@ -68,6 +69,11 @@ fn a_wrong_command_line_is_status_two_and_a_sentence_that_names_it() {
             "{line}"
         );
     }
+    let (status, stdout, stderr) = program(folder.path(), "doctor --spin 3", "");
+    assert!(
+        status == 2 && stdout.is_empty() && stderr.starts_with("lightfall: --spin: hole.spin = 3"),
+        "{stderr}"
+    );
     let (status, _, stderr) = program(folder.path(), "trace --rays nofile", "");
     assert!(
         status == 2 && stderr.starts_with("lightfall: nofile: cannot be read"),
@@ -177,7 +183,7 @@ fn a_journey_is_checked_before_it_is_flown_and_without_a_display_its_first_momen
 fn examined(home: &Path, variables: &[(&str, &Path)]) -> (i32, serde_json::Value) {
     let config = home.join("config");
     let variables = [&[("HOME", home), ("XDG_CONFIG_HOME", &config)], variables].concat();
-    let (status, stdout, _) = program_with(&variables, home, "doctor --json", "");
+    let (status, stdout, _) = program_with(&variables, home, "doctor --json --preset 8", "");
     (status, serde_json::from_str(&stdout).unwrap())
 }
 
@@ -211,6 +217,12 @@ fn the_doctor_reports_on_the_machine_and_changes_nothing() {
             .count(),
         3
     );
+    // The shaders of all presets and of the scene at hand.
+    let shaders = &report["shaders"];
+    let scenes = shaders["scenes"].as_array().unwrap();
+    assert_eq!(scenes.len(), PRESETS.len() + 1);
+    assert_eq!(scenes[PRESETS.len()], "extremal");
+    assert_eq!(shaders["faults"], serde_json::json!([]));
     let trials = report["trials"].as_array().unwrap();
     assert_eq!(trials.len(), 2);
     for trial in trials {

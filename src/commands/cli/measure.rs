@@ -1,5 +1,6 @@
 //! The arguments of `lightfall bench`, `lightfall extremes` and `lightfall doctor`.
 
+use super::args::SceneArgs;
 use super::number::whole_number;
 use super::size::size;
 use clap::{Args, ValueEnum};
@@ -116,13 +117,17 @@ pub struct ExtremesArgs {
 #[derive(Debug, Args)]
 #[command(
     after_help = "The self-test traces rays of presets 3 and 8 as pictures do and compares them with the f64 reference; \
-                        docs/ACCURACY.md states the errors that they must stay below. Nothing on the machine is changed. The exit status is 1 \
+                        docs/ACCURACY.md states the errors that they must stay below. The shaders of every pass are checked for all built-in presets and \
+                        for the scene that the options name. Nothing on the machine is changed. The exit status is 1 \
                         if something that is needed does not work; the report says what it is and what to do."
 )]
 pub struct DoctorArgs {
     /// Print JSON to standard output
     #[arg(long)]
     pub json: bool,
+    /// The scene whose shaders are checked beside those of the presets.
+    #[command(flatten)]
+    pub scene: SceneArgs,
 }
 
 impl BenchArgs {

@@ -157,14 +157,14 @@ fn with_options(
     match &mut command {
         Command::Fly(fly) => fly.scene = before,
         Command::Render(RenderArgs { scene: after, .. })
-        | Command::Trace(TraceArgs { scene: after, .. }) => {
+        | Command::Trace(TraceArgs { scene: after, .. })
+        | Command::Doctor(DoctorArgs { scene: after, .. }) => {
             let message = "--preset, --spin, --method, --cells and --stars may be given once: before the command or after it";
             *after = before.followed_by(after).ok_or_else(|| conflict(message))?;
         }
         Command::ListGpus => {}
         Command::Presets(_) if before == SceneArgs::default() => {}
-        Command::Bench(_) | Command::Extremes(_) | Command::Doctor(_)
-            if before == SceneArgs::default() => {}
+        Command::Bench(_) | Command::Extremes(_) if before == SceneArgs::default() => {}
         Command::Presets(_) => return Err(conflict("`presets` takes no scene options")),
         Command::Bench(_) => return Err(conflict("`bench` takes its scenes by --scenes")),
         Command::Extremes(_) => {
@@ -172,7 +172,6 @@ fn with_options(
                 "`extremes` takes no scene options: its cells are its scenes",
             ));
         }
-        Command::Doctor(_) => return Err(conflict("`doctor` takes no scene options")),
     }
     Ok(command)
 }

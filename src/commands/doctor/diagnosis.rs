@@ -2,10 +2,12 @@
 
 use super::places::{Folder, SettingsFile, folders};
 use super::self_test::SelfTest;
+use super::shaders::{FaultyShader, ShaderCheck};
 use super::system::System;
 
 use lightfall_core::gpu::{AdapterName, Gpu, GpuError, Listed, adapters, driver_advice};
-use lightfall_core::scene::presets;
+use lightfall_core::scene::Scene;
+use lightfall_core::scene::presets::{self, PRESETS};
 use serde::Serialize;
 
 /// The presets of the self-test: one without spin, and the one with the fastest spin.
@@ -30,6 +32,8 @@ pub struct Diagnosis {
     pub settings: SettingsFile,
     /// The folders that the program writes to.
     pub folders: Vec<Folder>,
+    /// The shaders of the built-in presets and of the scene at hand.
+    pub shaders: ShaderCheck,
     /// The self-test on the adapter in use.
     #[serde(rename = "trials")]
     pub self_tests: Vec<SelfTest>,
@@ -64,9 +68,18 @@ pub struct Adapter {
 
 impl Diagnosis {
     /// Examines the machine. `gpu` is the device that commands use, or the reason why there is
-    /// none. `next` is called with the preset of each self-test before the test.
+    /// none, and `scene` is the scene at hand, if there is one. `next` is called with the preset of
+    /// each self-test before the test.
     #[must_use]
-    pub fn new(gpu: Result<Gpu, GpuError>, mut next: impl FnMut(&str)) -> Self {
+    pub fn new(
+        gpu: Result<Gpu, GpuError>,
+        scene: Option<&Scene>,
+        mut next: impl FnMut(&str),
+    ) -> Self {
+        // As short-lived as the reference to the scene at hand.
+        let built_in = PRESETS
+            .iter()
+            .map(|preset| -> &Scene { preset.plain_scene() });
         let used = gpu.as_ref().ok().map(|gpu| AdapterName::of(&gpu.info));
         let mut diagnosis = Self {
             version: env!("CARGO_PKG_VERSION"),
@@ -78,6 +91,7 @@ impl Diagnosis {
                 .collect(),
             settings: SettingsFile::here(),
             folders: folders(),
+            shaders: ShaderCheck::of(built_in.chain(scene)),
             self_tests: Vec::new(),
             faults: Vec::new(),
             remarks: Vec::new(),
@@ -133,6 +147,8 @@ impl Diagnosis {
 
     /// Adds the faults and remarks about everything but the self-test.
     fn add_faults_and_remarks(&mut self) {
+        self.faults
+            .extend(self.shaders.faults.iter().map(FaultyShader::sentence));
         self.faults.extend(self.settings.fault());
         self.faults
             .extend(self.folders.iter().filter_map(Folder::fault));

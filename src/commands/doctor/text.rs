@@ -3,6 +3,7 @@
 use super::diagnosis::{Adapter, Diagnosis};
 use super::places::Folder;
 use super::self_test::SelfTest;
+use super::shaders::ShaderCheck;
 use lightfall_core::reports::numbers::{four_digits, short_number};
 use std::fmt::{Display, Formatter, Result};
 use std::path::Path;
@@ -47,6 +48,7 @@ impl Display for Diagnosis {
         for folder in &self.folders {
             line(&format!("  {}", folder.holds), &folder.to_string())?;
         }
+        line("shaders", &self.shaders.to_string())?;
         for test in &self.self_tests {
             line("self-test", &test.to_string())?;
             line("", &test.speed())?;
@@ -118,6 +120,17 @@ impl Display for Folder {
             (false, None) => "does not exist yet, can be created",
         };
         write!(f, "{}: {state}", path_text(self.path.as_deref()))
+    }
+}
+
+impl Display for ShaderCheck {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let verdict = match self.faults.len() {
+            0 => "all valid".into(),
+            faults => format!("{faults} NOT valid, see below"),
+        };
+        let (shaders, scenes) = (self.shaders, self.scenes.len());
+        write!(f, "{shaders} of {scenes} scenes, {verdict}")
     }
 }
 

@@ -14,19 +14,7 @@ fn naga_accepts_every_variant() {
     let failures: Vec<String> = Variant::all()
         .into_iter()
         .filter_map(|variant| {
-            let entries: &[&str] = match variant.entry {
-                Entry::Picture => &["vertex", "fragment"],
-                Entry::Refine => &["refine"],
-                Entry::Rays => &["rays"],
-                Entry::Timed => &["vertex", "timed", "fragment"],
-                Entry::TimedLight => &["timed"],
-                Entry::Stars => &["solve"],
-                Entry::StarMesh => &["trace_mesh"],
-                Entry::StarInterpolation => &["interpolate"],
-                Entry::StarPolish => &["polish"],
-                Entry::HiddenStars => &["hide"],
-            };
-            let message = validate(&variant.text(), entries).err()?;
+            let message = validate(&variant.text(), variant.entry.points()).err()?;
             Some(format!("{variant:?}\n{message}"))
         })
         .collect();
@@ -74,40 +62,41 @@ fn naga_accepts_the_difference() {
     }
 }
 
-/// Parses and validates, as wgpu does before it gives a shader to a driver, and compares the entry
-/// points. The message of an error has its file and line.
+/// Validates a text and compares its entry points.
 fn validate(text: &ShaderText, entries: &[&str]) -> Result<(), String> {
-    let source = text.source();
-    let at = |line: Option<u32>, message: String| {
-        let (file, line) = text.locate(line.unwrap_or(1) as usize);
-        format!("{file}:{line}: {message}")
-    };
-    let module = naga::front::wgsl::parse_str(&source).map_err(|error| {
-        at(
-            error.location(&source).map(|place| place.line_number),
-            error.emit_to_string(&source),
-        )
-    })?;
-    naga::valid::Validator::new(
-        naga::valid::ValidationFlags::all(),
-        naga::valid::Capabilities::default(),
-    )
-    .validate(&module)
-    .map_err(|error| {
-        at(
-            error.location(&source).map(|place| place.line_number),
-            error.emit_to_string(&source),
-        )
-    })?;
-    let found: Vec<&str> = module
-        .entry_points
-        .iter()
-        .map(|entry| entry.name.as_str())
-        .collect();
+    let found = text.validate().map_err(|fault| fault.to_string())?;
     if found == entries {
         Ok(())
     } else {
-        Err(at(None, format!("entry points are {found:?}")))
+        Err(format!("entry points are {found:?}"))
+    }
+}
+
+#[test]
+fn a_fault_is_one_line_with_its_file_and_its_line_there() {
+    for (text, line, reason) in [
+        (
+            "// Ours.\nfn ours() -> f32 { return theirs; }\n",
+            2,
+            "no definition in scope for identifier: `theirs`",
+        ),
+        // Valid by its words, and invalid by its types.
+        (
+            "fn ours() -> f32 { return vec2<f32>(); }\n",
+            1,
+            "Function [N] 'ours' is invalid: ",
+        ),
+    ] {
+        let fault = Presentation::shader()
+            .followed_by("ours.wgsl", text)
+            .validate()
+            .unwrap_err();
+        assert_eq!((fault.file, fault.line), ("ours.wgsl", line), "{fault}");
+        // naga counts the functions of a text.
+        let reason = reason.split("[N]");
+        let said = fault.to_string();
+        assert!(reason.clone().all(|part| said.contains(part)), "{said}");
+        assert_eq!(said.lines().count(), 1, "{said}");
     }
 }
 

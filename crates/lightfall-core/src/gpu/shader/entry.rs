@@ -25,3 +25,22 @@ pub enum Entry {
     /// How much of each image the disk lets through: entry point `hide`.
     HiddenStars,
 }
+
+impl Entry {
+    /// The names of the shader's entry points, in their order.
+    #[must_use]
+    pub fn points(self) -> &'static [&'static str] {
+        match self {
+            Self::Picture => &["vertex", "fragment"],
+            Self::Refine => &["refine"],
+            Self::Rays => &["rays"],
+            Self::Timed => &["vertex", "timed", "fragment"],
+            Self::TimedLight => &["timed"],
+            Self::Stars => &["solve"],
+            Self::StarMesh => &["trace_mesh"],
+            Self::StarInterpolation => &["interpolate"],
+            Self::StarPolish => &["polish"],
+            Self::HiddenStars => &["hide"],
+        }
+    }
+}

@@ -9,11 +9,15 @@ pub(super) mod spectrum_constants;
 mod star_images;
 pub(super) mod text;
 mod tracer;
+#[cfg(not(target_arch = "wasm32"))]
+mod validation;
 mod view;
 
 pub use entry::Entry;
 pub use text::ShaderText;
 pub use tracer::Tracer;
+#[cfg(not(target_arch = "wasm32"))]
+pub use validation::ShaderFault;
 
 use crate::geometry::kerr::Kerr;
 use crate::scene::{

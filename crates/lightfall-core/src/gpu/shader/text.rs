@@ -61,6 +61,13 @@ impl ShaderText {
         Self { prelude, parts }
     }
 
+    /// The text with one more file at its end.
+    #[must_use]
+    pub fn followed_by(mut self, file: &'static str, text: &'static str) -> Self {
+        self.parts.push(Part { file, text });
+        self
+    }
+
     /// The whole WGSL text.
     #[must_use]
     pub fn source(&self) -> String {

@@ -112,7 +112,9 @@ impl Kernel {
         self.text(scene).files().map(|(file, _)| file).collect()
     }
 
-    fn text(self, scene: &Scene) -> ShaderText {
+    /// Its WGSL text, by its parts.
+    #[must_use]
+    pub fn text(self, scene: &Scene) -> ShaderText {
         match self {
             Self::Solve => Variant::stars(scene).text(),
             Self::TraceMesh => Variant::star_mesh(scene).text(),
