@@ -154,3 +154,18 @@ fn a_change_that_cannot_be_undone_says_why() {
             .contains("hole.spin = 0 is refused together with camera.r = 0.9")
     );
 }
+
+#[test]
+fn undoing_the_light_meter_restores_the_exposure_by_hand() {
+    let mut start = Scene::default();
+    start.picture.automatic_exposure = false;
+    start.picture.exposure_ev = 2.0;
+    let mut history = History::new(start.clone());
+    let mut scene = start.clone();
+    scene.picture.automatic_exposure = true;
+    history.note(&start, &scene, seconds(1));
+    // What the meter sets is no change of the user's.
+    scene.picture.exposure_ev = -1.5;
+    let undone = history.undo(&scene).unwrap().unwrap();
+    assert_eq!(*undone.scene(), start);
+}

@@ -157,6 +157,13 @@ impl History {
         let undone = match &kind {
             ChangeKind::Edit(after) => now
                 .with(before.differences(after))
+                .map(|mut undone| {
+                    // Since it was switched on, the light meter has set the exposure.
+                    if after.picture.automatic_exposure && !undone.picture.automatic_exposure {
+                        undone.picture.exposure_ev = before.picture.exposure_ev;
+                    }
+                    undone
+                })
                 .map_err(|refusal| refusal.to_string()),
             ChangeKind::DepartureElsewhere => Ok(before.clone()),
             ChangeKind::Departure { .. } => {
