@@ -4,6 +4,7 @@
 mod animation;
 mod antialias;
 mod comparison;
+mod dither;
 mod embedded;
 mod light;
 mod linear;

@@ -6,6 +6,7 @@ mod adapter;
 mod background_device;
 mod bench_rows;
 mod camera;
+mod cells;
 mod choice;
 mod closed;
 mod closed_kerr;
