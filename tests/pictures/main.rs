@@ -6,6 +6,7 @@ mod antialias;
 mod comparison;
 mod dither;
 mod embedded;
+mod finite;
 mod light;
 mod linear;
 #[path = "../../crates/lightfall-core/tests/physics/moved_camera.rs"]
@@ -14,6 +15,10 @@ mod linear;
     reason = "pictures need the scene of the twin, and not the directions of its rays"
 )]
 mod moved_camera;
+#[path = "../../crates/lightfall-core/tests/physics/random.rs"]
+mod random;
+#[path = "../../crates/lightfall-core/tests/gpu/random_scene.rs"]
+mod random_scene;
 mod redraw;
 mod sequences;
 mod stars;

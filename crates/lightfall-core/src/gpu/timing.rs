@@ -134,22 +134,7 @@ impl Stopwatch {
     /// As [`Stopwatch::new`].
     pub fn of_light(gpu: &Gpu, scene: &Scene, size: UVec2) -> Result<Self, GpuError> {
         let variant = Variant::timed_light(scene);
-        let mut tables = Vec::new();
-        if variant.disk || variant.sky != SkyMode::Off {
-            tables.push((bindings::SPECTRUM, table_bytes(&spectrum::table())));
-        }
-        if let (true, Profile::PageThorne(disk)) = (variant.disk, Profile::new(scene)) {
-            tables.push((bindings::PAGE_THORNE, table_bytes(&disk.table())));
-        }
-        if let (true, Some(structure)) = (variant.structure, GpuStructure::new(scene, None)) {
-            tables.push((bindings::STRUCTURE, uniform(&structure)));
-        }
-        if variant.turned_sky {
-            tables.push((bindings::TILT, uniform(&GpuTilt::new(scene))));
-        }
-        if variant.hot_spot != HotSpotKind::None {
-            tables.push((bindings::HOT_SPOT, uniform(&GpuHotSpot::new(scene))));
-        }
+        let tables = light_tables(variant, scene);
         Self::with_tables(gpu, variant, scene, (size, Stage::Compute), tables)
     }
 
@@ -332,6 +317,29 @@ impl Stopwatch {
             }
         }
     }
+}
+
+/// The uniforms of a variant that computes the scene's light by [`Variant::timed_light`], by binding
+/// and beside the scene's own.
+#[must_use]
+pub fn light_tables(variant: Variant, scene: &Scene) -> Vec<(u32, Vec<u8>)> {
+    let mut tables = Vec::new();
+    if variant.disk || variant.sky != SkyMode::Off {
+        tables.push((bindings::SPECTRUM, table_bytes(&spectrum::table())));
+    }
+    if let (true, Profile::PageThorne(disk)) = (variant.disk, Profile::new(scene)) {
+        tables.push((bindings::PAGE_THORNE, table_bytes(&disk.table())));
+    }
+    if let (true, Some(structure)) = (variant.structure, GpuStructure::new(scene, None)) {
+        tables.push((bindings::STRUCTURE, uniform(&structure)));
+    }
+    if variant.turned_sky {
+        tables.push((bindings::TILT, uniform(&GpuTilt::new(scene))));
+    }
+    if variant.hot_spot != HotSpotKind::None {
+        tables.push((bindings::HOT_SPOT, uniform(&GpuHotSpot::new(scene))));
+    }
+    tables
 }
 
 /// Waits until all submitted work is done.

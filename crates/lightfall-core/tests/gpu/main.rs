@@ -16,6 +16,7 @@ mod effects;
 mod elementary;
 mod elliptic;
 mod error_map;
+mod finite_light;
 mod hot_spot;
 mod inside;
 mod kerr_schild;
@@ -31,6 +32,7 @@ mod part_headers;
 mod presentation;
 #[path = "../physics/random.rs"]
 mod random;
+mod random_scene;
 mod refusals;
 mod report;
 mod requirements;
