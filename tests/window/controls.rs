@@ -2,8 +2,9 @@
 
 use crate::desktop::Desktop;
 use crate::shot::Shot;
+use crate::x_keys::x_keys;
 use crate::{PLAIN, STATUS_BAR, TITLE, WINDOW, changed, place, unfold_texts};
-use lightfall::app::{Bindable, control_named};
+use lightfall::app::control_named;
 use lightfall::storage::embedded_preset;
 use lightfall_core::scene::load;
 
@@ -12,17 +13,7 @@ const PANEL: usize = 420;
 
 /// The first key of a control, as X names it.
 fn x_name(id: &str) -> String {
-    let control = control_named(id).unwrap();
-    let name = control.keys[0].name().unwrap();
-    let name = match name {
-        "+" => "equal",
-        "-" => "minus",
-        "Backspace" => "BackSpace",
-        ";" => "semicolon",
-        letter if letter.len() == 1 => return letter.to_lowercase(),
-        other => other,
-    };
-    name.into()
+    x_keys(control_named(id).unwrap()).remove(0)
 }
 
 #[test]

@@ -19,7 +19,7 @@ const PATIENCE: Duration = Duration::from_secs(120);
 /// A picture that stays the same for this time and this number of frames is at rest: the screen
 /// shows a frame only some frames after its keys.
 const REST: Duration = Duration::from_millis(1200);
-const FRAMES: usize = 4;
+pub const FRAMES: usize = 4;
 /// Maximum time to wait for frames: a hidden window shows none.
 const MAX_WAIT: Duration = Duration::from_secs(10);
 
@@ -80,6 +80,15 @@ impl Desktop {
     /// As [`open`](Self::open), with these variables of the environment.
     pub fn open_with_variables(variables: &[(&str, &str)], arguments: &[&str]) -> Self {
         let program = Path::new(env!("CARGO_BIN_EXE_lightfall"));
+        Self::start_with(SCREEN, program, &[], variables, arguments)
+    }
+
+    /// As [`open_program`](Self::open_program), with these variables of the environment.
+    pub fn open_program_with_variables(
+        program: &Path,
+        variables: &[(&str, &str)],
+        arguments: &[&str],
+    ) -> Self {
         Self::start_with(SCREEN, program, &[], variables, arguments)
     }
 
@@ -214,11 +223,6 @@ impl Desktop {
         self.program.try_wait().unwrap().is_none()
     }
 
-    /// Turns the mouse wheel away from the hand by one notch.
-    pub fn wheel(&self) {
-        self.xdotool(&["click", "4"]);
-    }
-
     /// How long it takes, from now, until the screen passes the condition.
     pub fn until(&self, what: &str, condition: impl Fn(&Shot) -> bool) -> Duration {
         let start = Instant::now();
@@ -261,26 +265,6 @@ impl Desktop {
             .unwrap()
     }
 
-    /// Moves the pointer to a place of the window.
-    pub fn point(&self, x: i32, y: i32) {
-        self.xdotool(&["mousemove", &x.to_string(), &y.to_string()]);
-    }
-
-    /// Clicks with the left button at a place of the window. The program sees the pointer before it
-    /// sees the button, as from a hand, and what the click leads to before anything else comes.
-    pub fn click(&self, [x, y]: [i32; 2]) {
-        self.point(x, y);
-        self.frames(FRAMES);
-        self.xdotool(&["click", "1"]);
-        self.frames(FRAMES);
-    }
-
-    /// Clicks, and does not wait for the program.
-    pub fn click_at_once(&self, x: i32, y: i32) {
-        self.point(x, y);
-        self.xdotool(&["click", "1"]);
-    }
-
     /// Waits for so many frames more.
     pub fn frames(&self, count: usize) {
         let (Some(frames), start) = (&self.frames, Instant::now()) else {
@@ -311,42 +295,6 @@ impl Desktop {
             );
             std::thread::sleep(Duration::from_millis(50));
         }
-    }
-
-    /// Types a text.
-    pub fn type_text(&self, text: &str) {
-        self.xdotool(&["type", "--delay", "60", text]);
-    }
-
-    /// Presses and lets go of a key, named as X names it.
-    pub fn press(&self, key: &str) {
-        self.xdotool(&["key", "--delay", "60", key]);
-    }
-
-    /// Presses a key while another one is held: the program has frames in which both are.
-    pub fn chord(&self, held: &str, key: &str) {
-        self.xdotool(&["keydown", held]);
-        self.frames(FRAMES);
-        self.xdotool(&["key", key]);
-        self.frames(FRAMES);
-        self.xdotool(&["keyup", held]);
-        self.frames(FRAMES);
-    }
-
-    /// Holds a key down for a while.
-    pub fn hold(&self, key: &str, time: Duration) {
-        self.xdotool(&["keydown", key]);
-        std::thread::sleep(time);
-        self.xdotool(&["keyup", key]);
-    }
-
-    pub fn look(&self, right: i32, down: i32) {
-        self.xdotool(&[
-            "mousemove_relative",
-            "--",
-            &right.to_string(),
-            &down.to_string(),
-        ]);
     }
 
     pub fn title(&self) -> String {

@@ -13,7 +13,9 @@ mod failures;
 mod flights;
 mod frames;
 mod gamepad;
+mod hands;
 mod inspector;
+mod keys;
 mod latency;
 mod lost;
 mod manager;
@@ -24,6 +26,8 @@ mod pixel_look;
 mod rest;
 mod safety;
 mod shot;
+mod state;
+mod x_keys;
 
 use desktop::Desktop;
 use lightfall::app::Start;

@@ -3,10 +3,11 @@
 use crate::desktop::Desktop;
 use crate::program;
 use crate::shot::Shot;
+use crate::x_keys::x_keys;
 use bevy::diagnostic::FrameCount;
 use bevy::prelude::*;
 use bevy_egui::{EguiFullOutput, EguiPostUpdateSet, egui};
-use lightfall::app::{Action, Bindable, CONTROLS, Control, control_named, edited, statement};
+use lightfall::app::{Action, CONTROLS, Control, control_named, edited, statement};
 use lightfall::render::CurrentScene;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Scene, presets};
@@ -155,35 +156,6 @@ fn open_watched(settings: &str) -> Desktop {
     desktop
 }
 
-/// A control's first key with its modifier, as X names it.
-fn x_name(control: &Control) -> String {
-    let name = control.keys[0].name().unwrap();
-    let key = match name {
-        "+" => "equal".into(),
-        "-" => "minus".into(),
-        "," => "comma".into(),
-        "." => "period".into(),
-        "/" => "slash".into(),
-        ";" => "semicolon".into(),
-        "'" => "apostrophe".into(),
-        "[" => "bracketleft".into(),
-        "]" => "bracketright".into(),
-        "Backspace" => "BackSpace".into(),
-        "Enter" => "Return".into(),
-        "Esc" => "Escape".into(),
-        "Space" => "space".into(),
-        "PageUp" => "Prior".into(),
-        "PageDown" => "Next".into(),
-        "Shift" => "Shift_L".into(),
-        "Ctrl" => "Control_L".into(),
-        "Alt" => "Alt_L".into(),
-        letter if letter.len() == 1 => letter.to_lowercase(),
-        other => other.into(),
-    };
-    let prefix = control.modifier.map_or("", |modifier| modifier.prefix());
-    format!("{}{key}", prefix.to_lowercase())
-}
-
 /// The texts that are shown within the frames after a key.
 struct Answer {
     shown: BTreeSet<String>,
@@ -194,12 +166,12 @@ struct Answer {
 /// Presses a control's key and reads the window's answer.
 fn answer(desktop: &Desktop, control: &Control) -> Answer {
     let before = desktop.stderr().len();
-    let key = x_name(control);
+    let key = &x_keys(control)[0];
     let held = matches!(control.action, Action::Hold(_));
     if held {
-        desktop.xdotool(&["keydown", &key]);
+        desktop.xdotool(&["keydown", key]);
     } else {
-        desktop.xdotool(&["key", "--delay", "80", &key]);
+        desktop.xdotool(&["key", "--delay", "80", key]);
     }
     // Every press is waited for, so that no frame is taken for an answer to a later key.
     let end = format!("after {:?}", control.keys[0]);
@@ -207,7 +179,7 @@ fn answer(desktop: &Desktop, control: &Control) -> Answer {
         desktop.stderr()[before..].contains(&end)
     });
     if held {
-        desktop.xdotool(&["keyup", &key]);
+        desktop.xdotool(&["keyup", key]);
     }
     let stderr = desktop.stderr();
     let lines: Vec<&str> = stderr[before..].lines().collect();
@@ -267,7 +239,7 @@ fn every_key_of_the_table_leads_to_its_message_within_two_frames() {
     }
     assert!(silent.is_empty(), "silent: {silent:?}");
     for control in last {
-        desktop.xdotool(&["key", &x_name(control)]);
+        desktop.xdotool(&["key", &x_keys(control)[0]]);
         desktop.wait(control.id, || !desktop.has_window());
     }
 }
