@@ -2,7 +2,8 @@
 //
 // Needs: Footprint, Footprints, Hit, Photon, Segment, Trace.
 // Gives: HAS_DISK, add_hit, crosses_plane, disk_cover, disk_light, disk_transmission,
-//     hit_footprints, in_annulus, plane_crossing, record_crossing, segment_delay, shift_hits.
+//     hit_footprints, in_annulus, near_annulus, plane_crossing, record_crossing, segment_delay,
+//     shift_hits.
 
 const HAS_DISK: bool = false;
 
@@ -11,6 +12,10 @@ fn crosses_plane(z0: f32, z1: f32) -> bool {
 }
 
 fn in_annulus(r: f32) -> bool {
+    return false;
+}
+
+fn near_annulus(r: f32) -> bool {
     return false;
 }
 

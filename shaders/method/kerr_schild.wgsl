@@ -18,8 +18,8 @@
 //
 // Needs: DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN,
 //     OUTCOME_SKY, Photon, Segment, TINY, Trace, add_hit, angle_between, crosses_plane,
-//     empty_trace, in_annulus, photon_angular_momentum, photon_energy, plane_crossing, rotate_z,
-//     safe_normalize, scene, segment_delay, sin_cos_precise, tortoise.
+//     empty_trace, in_annulus, near_annulus, photon_angular_momentum, photon_energy,
+//     plane_crossing, rotate_z, safe_normalize, scene, sin_cos_precise, tortoise.
 // Gives: trace.
 
 // At this multiple of the horizon's radius an ingoing ray counts as captured.
@@ -178,13 +178,10 @@ fn delay_rate(metric: Metric, p: vec3<f32>) -> f32 {
 }
 
 // The delay of a crossing at the radius r, from Kerr-Schild's time to Boyer-Lindquist's.
-fn hit_delay(segment: Segment, share: f32, r: f32) -> f32 {
-    if !DELAY {
-        return 0.0;
-    }
+fn hit_delay(kerr_schild_delay: f32, r: f32) -> f32 {
     let factors = 1.0 - vec2<f32>(scene.hole.horizon, scene.hole.inner_horizon) / r;
     let lead = tortoise(1.0 / r, factors) - r;
-    return segment_delay(segment, share) + scene.observer.r - 2.0 * scene.observer.time_lead + lead;
+    return kerr_schild_delay + scene.observer.r - 2.0 * scene.observer.time_lead + lead;
 }
 
 fn trace(photon: Photon) -> Trace {
@@ -224,18 +221,27 @@ fn trace(photon: Photon) -> Trace {
         }
         let crosses = crosses_plane(state.x.z, next.x.z) && result.hit_count < MAX_HITS;
         if crosses {
-            let next_metric = metric_at(next.x);
-            let next_v = velocity(next_metric, next.p);
-            let rates = vec2<f32>(delay_rate(metric, state.p), delay_rate(next_metric, next.p));
-            let segment = Segment(state.x, v, next.x, next_v, h, delay, rates);
+            let next_v = velocity(metric_at(next.x), next.p);
+            let segment = Segment(state.x, v, next.x, next_v, h, 0.0, vec2<f32>(0.0));
             let crossing = plane_crossing(segment, crosses);
-            let place = crossing.xyz;
-            let hit = boyer_lindquist(place);
-            if in_annulus(length(hit)) {
-                if DIAGNOSTICS && result.hit_count == 0u {
-                    result.turn = turn + angle_between(state.x, place);
+            // The cubic gives the share of the step. As in the original, the place and L_z are those
+            // of a shorter step from the same state.
+            if near_annulus(metric_at(crossing.xyz).r) {
+                let event_h = crossing.w * h;
+                let event = runge_kutta_step(state, event_h);
+                let hit = boyer_lindquist(event.x);
+                if in_annulus(length(hit)) {
+                    if DIAGNOSTICS && result.hit_count == 0u {
+                        result.turn = turn + angle_between(state.x, event.x);
+                    }
+                    var event_delay = 0.0;
+                    if DELAY {
+                        let rates = delay_rate(metric, state.p) + delay_rate(metric_at(event.x), event.p);
+                        event_delay = hit_delay(delay + 0.5 * event_h * rates, length(hit));
+                    }
+                    // The backward ray's L_z is -L/E.
+                    add_hit(&result, hit, photon_energy(photon), -axial_angular_momentum(event), event_delay);
                 }
-                add_hit(&result, hit, photon_energy(photon), photon_angular_momentum(photon) / photon_energy(photon), hit_delay(segment, crossing.w, length(hit)));
             }
         }
         if DIAGNOSTICS {

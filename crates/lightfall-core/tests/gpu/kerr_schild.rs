@@ -1,12 +1,14 @@
 //! The method kerr-schild, the article's integrator: its equations are right, and its errors are
 //! those that it is known for.
 
+use crate::light::light_from;
 use crate::{bare_hole, gpu, median, pixel_directions};
-use glam::DVec3;
-use lightfall_core::gpu::rays;
+use glam::{DVec3, Vec4};
+use lightfall_core::gpu::kernel::uniform;
+use lightfall_core::gpu::{GpuScene, Variant, bindings, rays};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::Outcome;
-use lightfall_core::scene::{Method, Scene};
+use lightfall_core::scene::{Method, ObserverKind, Scene};
 
 fn scene(spin: f64) -> Scene {
     let mut scene = bare_hole(20.0);
@@ -107,4 +109,70 @@ fn its_axial_angular_momentum_drifts_little() {
         median(&drift)
     );
     assert!(median(&residual) < 3e-6, "{:e}", median(&residual));
+}
+
+/// WGSL for [`light_from`]: how far the method's first hit, and the point of the cubic through the
+/// step that crosses the plane, are from where four short steps end, all at the same share of the
+/// step. The last two components are the radius, and whether the first step crosses.
+const PLACES: &str = "
+    fn places(photon: Photon) -> vec4<f32> {
+        let n = scene.observer.position_direction;
+        let start = scene.observer.r * n + scene.hole.a * vec3<f32>(-n.y, n.x, 0.0);
+        let state = Canonical(start, backward_momentum(photon, n));
+        let metric = metric_at(state.x);
+        let v = velocity(metric, state.p);
+        let h = step_length(metric, state.x, v);
+        let next = runge_kutta_step(state, h);
+        let next_v = velocity(metric_at(next.x), next.p);
+        let crosses = crosses_plane(state.x.z, next.x.z);
+        let segment = Segment(state.x, v, next.x, next_v, h, 0.0, vec2<f32>(0.0));
+        let crossing = plane_crossing(segment, crosses);
+        var end = state;
+        for (var i = 0u; i < 4u; i++) {
+            end = runge_kutta_step(end, 0.25 * crossing.w * h);
+        }
+        let truth = boyer_lindquist(end.x);
+        let found = distance(trace(photon).hits[0].position, truth);
+        return vec4<f32>(found, distance(boyer_lindquist(crossing.xyz), truth), length(truth), f32(crosses));
+    }";
+
+/// Four steps of a quarter are 4^4 = 256 times as exact as one: they stand for the exact solution.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn a_hit_is_where_a_shorter_step_ends_and_not_on_the_cubic_through_the_whole_step() {
+    let mut scene = scene(0.9);
+    // A little above the disk, so that the first step crosses it.
+    (scene.camera.r, scene.camera.theta_deg) = (2.5, 87.5);
+    scene.observer.kind = ObserverKind::Zamo;
+    scene.disk.follow_isco = true;
+    let across = |i: i32| 0.1 * f64::from(i);
+    let directions = (-10..=10).flat_map(|i| (-10..=10).map(move |j| (across(i), across(j))));
+    let given = directions.map(|(out, phi)| DVec3::new(out, 1.0, phi).normalize());
+    let places: Vec<Vec4> = light_from(
+        gpu(),
+        &(Variant::picture(&scene).source() + PLACES),
+        "places(photon_from(given.xyz))",
+        &[(
+            bindings::SCENE,
+            uniform(&GpuScene::for_rays(&scene).unwrap()),
+        )],
+        given.map(|direction| direction.as_vec3().extend(0.0)),
+    );
+    let crossing: Vec<Vec4> = places.into_iter().filter(|place| place.w > 0.0).collect();
+    let off = |component: usize| -> Vec<f64> {
+        let shares = crossing.iter().map(|place| place[component] / place.z);
+        shares.map(f64::from).collect()
+    };
+    let (step, cubic) = (off(0), off(1));
+    let largest = cubic.iter().copied().fold(0.0, f64::max);
+    assert!(crossing.len() > 300, "{} first steps cross", crossing.len());
+    // shaders/disk.wgsl relies on this bound.
+    assert!(largest < 1e-3, "the cubic is off by {largest:e}");
+    // Measured 9e-8, of which most is rounding, against 3.7e-7.
+    assert!(
+        median(&step) < 0.5 * median(&cubic),
+        "{:e} from a shorter step, {:e} from the cubic",
+        median(&step),
+        median(&cubic)
+    );
 }
