@@ -113,6 +113,7 @@ struct Quality {
     max_steps: u32,
     max_affine: f32,
     escape_radius: f32,
+    min_step: f32,
     // Steps of the method mino in Mino time, in radians: of rays that pass far from the critical
     // curve, and of rays that may come near it.
     mino_step: f32,

@@ -16,22 +16,19 @@
 // where these coordinates are singular: momenta grow without bound and steps shrink, so many such
 // rays around fast holes stay unfinished.
 //
-// Needs: DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN,
-//     OUTCOME_SKY, Photon, Segment, TINY, Trace, add_hit, angle_between, crosses_plane,
-//     empty_trace, in_annulus, near_annulus, photon_angular_momentum, photon_energy,
+// Needs: DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, MAX_HITS, MAX_STEP_BUDGET, OUTCOME_CAPTURED,
+//     OUTCOME_HIDDEN, OUTCOME_SKY, Photon, Segment, TINY, Trace, add_hit, angle_between,
+//     crosses_plane, empty_trace, in_annulus, near_annulus, photon_angular_momentum, photon_energy,
 //     plane_crossing, rotate_z, safe_normalize, scene, sin_cos_precise, tortoise.
 // Gives: trace.
 
 // At this multiple of the horizon's radius an ingoing ray counts as captured.
 const CAPTURE_MARGIN: f32 = 1.015;
-// Loop bounds that hold whatever the uniform says.
-const MAX_STEPS: u32 = 768u;
-// The step rule: shares of the radius, range in r_s, and a term that keeps it from dividing by
+// The step rule: shares of the radius, largest step in r_s, and a term that keeps it from dividing by
 // zero.
 const RADIUS_SHARE: f32 = 0.16;
 const BENDING_SHARE: f32 = 0.12;
 const IMPACT_REGULARIZER: f32 = 0.01;
-const MIN_STEP: f32 = 0.008;
 const MAX_STEP: f32 = 12.0;
 const MAX_STEP_SHARE: f32 = 0.15;
 const DISPLACEMENT_SHARE: f32 = 0.10;
@@ -111,7 +108,7 @@ fn step_length(metric: Metric, x: vec3<f32>, v: vec3<f32>) -> f32 {
     let r = metric.r;
     let impact = length(cross(x, v));
     let wanted = scene.quality.step_scale * min(RADIUS_SHARE * r, BENDING_SHARE * r * r / (impact + IMPACT_REGULARIZER));
-    let allowed = clamp(wanted, MIN_STEP, max(MAX_STEP, MAX_STEP_SHARE * r));
+    let allowed = clamp(wanted, scene.quality.min_step, max(MAX_STEP, MAX_STEP_SHARE * r));
     let refinement = min(1.0, scene.quality.step_scale / BALANCED);
     var h = min(allowed, DISPLACEMENT_SHARE * refinement * r / max(length(v), 1.0));
     let inward_speed = -dot(metric.gradient_r, v);
@@ -190,7 +187,7 @@ fn trace(photon: Photon) -> Trace {
     let start = scene.observer.r * n + scene.hole.a * vec3<f32>(-n.y, n.x, 0.0);
     var state = Canonical(start, backward_momentum(photon, n));
     let axial = axial_angular_momentum(state);
-    let max_steps = min(scene.quality.max_steps, MAX_STEPS);
+    let max_steps = min(scene.quality.max_steps, MAX_STEP_BUDGET);
     var affine = 0.0;
     var turn = 0.0;
     var delay = 0.0;
@@ -198,7 +195,7 @@ fn trace(photon: Photon) -> Trace {
     var escaped = false;
     var v = vec3<f32>(0.0);
 
-    for (var i = 0u; i <= MAX_STEPS; i++) {
+    for (var i = 0u; i <= MAX_STEP_BUDGET; i++) {
         let metric = metric_at(state.x);
         v = velocity(metric, state.p);
         if DIAGNOSTICS {

@@ -8,23 +8,21 @@
 // centrifugal term L^2 / r^3, and the relativistic term remains. The affine parameter lambda grows
 // backward along the ray.
 //
-// Needs: DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN,
-//     OUTCOME_SKY, Photon, Segment, TINY, Trace, angle_between, empty_trace, photon_energy,
-//     record_crossing, safe_normalize, scene, segment_delay, shift_hits, square.
+// Needs: DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, MAX_HITS, MAX_STEP_BUDGET, OUTCOME_CAPTURED,
+//     OUTCOME_HIDDEN, OUTCOME_SKY, Photon, Segment, TINY, Trace, angle_between, empty_trace,
+//     photon_energy, record_crossing, safe_normalize, scene, segment_delay, shift_hits, square.
 // Gives: trace.
 
 // At this radius an ingoing ray counts as captured: no ray turns outward inside the photon sphere,
 // at 1.5.
 const CAPTURE_RADIUS: f32 = 1.015;
-// Loop bounds that hold whatever the uniform says.
-const MAX_STEPS: u32 = 768u;
+// A loop bound that holds whatever the uniform says.
 const MAX_HALVINGS: u32 = 24u;
-// The step rule: shares of the radius, range in r_s, and a term that keeps it from dividing by zero
-// for radial rays.
+// The step rule: shares of the radius, largest step in r_s, and a term that keeps it from dividing
+// by zero for radial rays.
 const RADIUS_SHARE: f32 = 0.16;
 const BENDING_SHARE: f32 = 0.12;
 const IMPACT_REGULARIZER: f32 = 0.01;
-const MIN_STEP: f32 = 0.018;
 const MAX_STEP: f32 = 12.0;
 const MAX_STEP_SHARE: f32 = 0.15;
 const DISPLACEMENT_SHARE: f32 = 0.12;
@@ -38,7 +36,7 @@ fn acceleration_factor(l2: f32, inverse_r: f32) -> f32 {
 // The step rule: shorter where light bends, and never a large share of the radius.
 fn step_length(r: f32, v: vec3<f32>, impact: f32) -> f32 {
     let wanted = scene.quality.step_scale * min(RADIUS_SHARE * r, BENDING_SHARE * r * r / (impact + IMPACT_REGULARIZER));
-    let allowed = clamp(wanted, MIN_STEP, max(MAX_STEP, MAX_STEP_SHARE * r));
+    let allowed = clamp(wanted, scene.quality.min_step, max(MAX_STEP, MAX_STEP_SHARE * r));
     return min(allowed, DISPLACEMENT_SHARE * r * inverseSqrt(max(dot(v, v), 1.0)));
 }
 
@@ -93,7 +91,7 @@ fn trace(photon: Photon) -> Trace {
     var result = empty_trace();
     let energy = photon_energy(photon);
     let impact = impact_of(photon, energy);
-    let max_steps = min(scene.quality.max_steps, MAX_STEPS);
+    let max_steps = min(scene.quality.max_steps, MAX_STEP_BUDGET);
     var x = scene.observer.r * scene.observer.position_direction;
     var v = initial_velocity(photon, energy);
     var inverse_r = 1.0 / scene.observer.r;
@@ -103,7 +101,7 @@ fn trace(photon: Photon) -> Trace {
     var captured = false;
     var escaped = false;
 
-    for (var i = 0u; i <= MAX_STEPS; i++) {
+    for (var i = 0u; i <= MAX_STEP_BUDGET; i++) {
         if DIAGNOSTICS {
             record_residuals(&result, x, v, impact);
         }

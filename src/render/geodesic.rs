@@ -40,7 +40,7 @@ use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use lightfall_core::gpu::kernel::table_bytes;
 use lightfall_core::gpu::{
-    ErrorMap, GpuHotSpot, GpuScene, GpuStarlight, GpuStructure, GpuTilt, SkyTexture, bindings,
+    ErrorMap, GpuHotSpot, GpuScene, GpuStarlight, GpuStructure, GpuTilt, SkyTexture, bands, bindings,
 };
 use lightfall_core::optics::spectrum;
 use lightfall_core::scene::View;
@@ -49,9 +49,6 @@ use shader::{JoinedShader, JoinedShaders, SceneShaders};
 use side::{PAGE_THORNE_SIZE, Shared, Side, SidePipelines, SideWriter};
 use sky::NoStars;
 use std::ops::Range;
-
-/// Most pixels that one draw call traces: a full HD picture.
-const MAX_BAND_PIXELS: u32 = 1920 * 1080;
 
 /// The pass's resources on the GPU.
 #[derive(Resource)]
@@ -445,7 +442,7 @@ fn draw_picture(
     let span = diagnostics.pass_span(&mut render_pass, "geodesic");
     let [left, right] = pass.columns(size.width);
     let pinned = pinned.map(|ready| (ready, left));
-    for ((pipeline, bind_group), columns) in pinned.into_iter().chain([(current, right)]) {
+    for ((pipeline, bind_group, most), columns) in pinned.into_iter().chain([(current, right)]) {
         if columns.is_empty() {
             continue;
         }
@@ -454,7 +451,7 @@ fn draw_picture(
         render_pass.set_viewport(left, 0.0, width, size.height as f32, 0.0, 1.0);
         render_pass.set_render_pipeline(pipeline);
         render_pass.set_bind_group(0, bind_group, &[]);
-        draw_in_bands(&mut render_pass, UVec2::new(size.width, size.height));
+        draw_in_bands(&mut render_pass, UVec2::new(size.width, size.height), most);
     }
     span.end(&mut render_pass);
     true
@@ -468,7 +465,7 @@ fn draw_light(
     side: &Side,
     (texture, size): (&TextureView, UVec2),
 ) -> bool {
-    let Some((pipeline, bind_group)) = side.ready(cache) else {
+    let Some((pipeline, bind_group, most)) = side.ready(cache) else {
         return false;
     };
     let target = RenderPassColorAttachment {
@@ -478,24 +475,15 @@ fn draw_light(
         ops: default(),
     };
     run_full_screen_pass(context, name, target, pipeline, bind_group, |render_pass| {
-        draw_in_bands(render_pass, size);
+        draw_in_bands(render_pass, size, most);
     });
     true
 }
 
-/// Draws the triangle band by band on a target of this size.
-fn draw_in_bands(render_pass: &mut TrackedRenderPass, size: UVec2) {
-    for (top, rows) in bands(size.x, size.y) {
+/// Draws the triangle band by band on a target of this size, with at most `most` pixels a band.
+fn draw_in_bands(render_pass: &mut TrackedRenderPass, size: UVec2, most: u32) {
+    for (top, rows) in bands(size.x, size.y, most) {
         render_pass.set_scissor_rect(0, top, size.x, rows);
         render_pass.draw(0..3, 0..1);
     }
-}
-
-/// The first row and the number of rows of each band that is drawn by one call. A driver ends a
-/// device that does not respond for some seconds, and between two calls every device does.
-fn bands(width: u32, height: u32) -> impl Iterator<Item = (u32, u32)> {
-    let rows = (MAX_BAND_PIXELS / width.max(1)).max(1);
-    (0..height)
-        .step_by(rows as usize)
-        .map(move |top| (top, rows.min(height - top)))
 }

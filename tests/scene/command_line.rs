@@ -208,6 +208,24 @@ fn help_and_version_have_exit_status_zero() {
 }
 
 #[test]
+fn the_articles_qualities_set_scale_and_budget_of_the_steps() {
+    let steps = |line: &str| {
+        let quality = commands::scene(&fly(line)).unwrap().quality;
+        (quality.step_scale, quality.max_steps)
+    };
+    for (word, expected) in [
+        ("cheap", (1.55, 128)),
+        ("balanced", (0.85, 256)),
+        ("high", (0.45, 768)),
+    ] {
+        let line = format!("lightfall --quality {word} --set quality.max_steps=5");
+        assert_eq!(steps(&line), expected, "{word}");
+    }
+    let refused = refuse("lightfall --quality best").to_string();
+    assert!(refused.contains("cheap, balanced, high"), "{refused}");
+}
+
+#[test]
 fn wrong_values_of_the_short_forms_name_the_short_form() {
     for (line, sentence) in [
         (

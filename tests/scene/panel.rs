@@ -162,7 +162,9 @@ fn rows_are_dimmed_where_they_change_nothing() {
         [
             "quality.step_scale",
             "quality.max_steps",
-            "quality.max_affine"
+            "quality.max_affine",
+            "quality.escape_radius",
+            "quality.min_step"
         ]
     );
 }

@@ -4,7 +4,7 @@ use super::size::size;
 use crate::picture::{CHANNELS, Channels, Frames, frame_rate};
 use clap::{Args, Subcommand, ValueEnum};
 use glam::UVec2;
-use lightfall_core::scene::{Field, Override, SceneError, field};
+use lightfall_core::scene::{ArticleQuality, Field, Override, SceneError, field};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -41,6 +41,11 @@ pub struct SceneArgs {
     #[arg(long, help = format!("Short for --set method=METHOD, applied after every --set; {}. reference is for `trace --device cpu` only",
                                field("method").map(Field::allowed).unwrap_or_default()))]
     pub method: Option<String>,
+    /// Steps of verlet and kerr-schild as in the article: cheap, balanced or high; short for --set
+    /// quality.step_scale=1.55, 0.85 or 0.45 and --set quality.max_steps=128, 256 or 768, applied
+    /// after every --set
+    #[arg(long, value_name = "cheap|balanced|high", value_parser = ArticleQuality::WORDS)]
+    pub quality: Option<String>,
     /// Average N frames, each with its rays at other places in their pixels; short for --set
     /// picture.samples=N, applied after every --set
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
@@ -196,6 +201,7 @@ impl SceneArgs {
             sets: [&self.sets[..], &after.sets[..]].concat(),
             spin: one(&self.spin, &after.spin)?,
             method: one(&self.method, &after.method)?,
+            quality: one(&self.quality, &after.quality)?,
             samples: one(&self.samples, &after.samples)?,
             cells: one(&self.cells, &after.cells)?,
             stars: one(&self.stars, &after.stars)?,
@@ -218,6 +224,17 @@ impl SceneArgs {
                 .as_ref()
                 .map(|method| Override::new("--method", "method", method)),
         );
+        let named = self.quality.as_deref().and_then(ArticleQuality::from_word);
+        overrides.extend(named.into_iter().flat_map(|named| {
+            let (scale, steps) = (
+                named.step_scale().to_string(),
+                named.max_steps().to_string(),
+            );
+            [
+                Override::new("--quality", "quality.step_scale", &scale),
+                Override::new("--quality", "quality.max_steps", &steps),
+            ]
+        }));
         overrides.extend(
             self.samples
                 .as_ref()

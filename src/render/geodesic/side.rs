@@ -8,7 +8,9 @@ use crate::render::wave_limit::WaveLimit;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use lightfall_core::gpu::kernel::{table_bytes, uniform};
-use lightfall_core::gpu::{Drawable, GpuHotSpot, GpuScene, GpuStructure, GpuTilt, bindings};
+use lightfall_core::gpu::{
+    Drawable, GpuHotSpot, GpuScene, GpuStructure, GpuTilt, bindings, max_pixels_of_call,
+};
 use lightfall_core::optics::disk;
 use lightfall_core::scene::SkyMode;
 
@@ -27,6 +29,8 @@ pub(super) struct Side {
     stars: Option<SceneStars>,
     bind_group: Option<BindGroup>,
     pipelines: Option<SidePipelines>,
+    /// Most pixels that one call draws.
+    max_pixels_of_call: u32,
 }
 
 /// The pipelines of a scene.
@@ -80,6 +84,7 @@ impl Side {
             stars: None,
             bind_group: None,
             pipelines: None,
+            max_pixels_of_call: 0,
         }
     }
 
@@ -108,6 +113,7 @@ impl Side {
             queue.write_buffer(&self.structure, 0, &uniform(&structure));
         }
         self.pipelines = Some(pipelines);
+        self.max_pixels_of_call = max_pixels_of_call(scene);
         if self.write_stars(scene, pipelines, writer) {
             self.bind_group = None;
         }
@@ -207,13 +213,14 @@ impl Side {
         }
     }
 
-    /// The pipeline and the bindings to draw with, once a scene has been written.
+    /// The pipeline and the bindings to draw with, and the most pixels of one call, once a scene has
+    /// been written.
     pub(super) fn ready<'a>(
         &'a self,
         cache: &'a PipelineCache,
-    ) -> Option<(&'a RenderPipeline, &'a BindGroup)> {
+    ) -> Option<(&'a RenderPipeline, &'a BindGroup, u32)> {
         let pipeline = cache.get_render_pipeline(self.pipelines?.picture)?;
-        Some((pipeline, self.bind_group.as_ref()?))
+        Some((pipeline, self.bind_group.as_ref()?, self.max_pixels_of_call))
     }
 
     /// The pipeline and the bindings that refine its edges, where there is anything to refine.

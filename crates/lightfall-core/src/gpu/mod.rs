@@ -7,6 +7,7 @@ mod antialias;
 mod background_device;
 pub mod bindings;
 mod buffer;
+mod call_size;
 mod device;
 mod difference;
 mod drawable;
@@ -33,6 +34,7 @@ pub use adapter::{
 };
 pub use antialias::{EdgeTraits, Edges};
 pub use background_device::with_background_device;
+pub use call_size::{bands, max_pixels_of_call};
 pub use device::Gpu;
 pub use difference::Difference;
 pub use drawable::{Drawable, Undrawable};

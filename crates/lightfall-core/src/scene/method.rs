@@ -27,7 +27,8 @@ pub enum AccuracySetting {
     None,
     /// `quality.max_error_px`: the method keeps its error below this one.
     MaxError,
-    /// `quality.step_scale`, with `max_steps` and `max_affine`: the error follows from the steps.
+    /// `quality.step_scale`, with the other fields of the step policy: the error follows from the
+    /// steps.
     StepScale,
 }
 
@@ -46,6 +47,8 @@ pub struct MethodProperties {
     pub answers_every_ray: bool,
     /// The field that sets its accuracy.
     pub setting: AccuracySetting,
+    /// The article's least step, in r_s; zero for methods without one.
+    pub min_step: f64,
     /// [`Method::backward_p99`] without spin.
     p99_without_spin: Option<f64>,
     /// [`Method::backward_max`] without spin.
@@ -66,6 +69,7 @@ const CLOSED: MethodProperties = MethodProperties {
     steps: false,
     answers_every_ray: true,
     setting: AccuracySetting::None,
+    min_step: 0.0,
     p99_without_spin: Some(3e-7),
     max_without_spin: 1e-6,
 };
@@ -77,6 +81,7 @@ const MINO: MethodProperties = MethodProperties {
     steps: true,
     answers_every_ray: true,
     setting: AccuracySetting::MaxError,
+    min_step: 0.0,
     p99_without_spin: Some(4e-6),
     max_without_spin: 2e-6,
 };
@@ -89,6 +94,7 @@ const KERR_SCHILD: MethodProperties = MethodProperties {
     steps: true,
     answers_every_ray: false,
     setting: AccuracySetting::StepScale,
+    min_step: 0.008,
     p99_without_spin: None,
     max_without_spin: 2.1e-3,
 };
@@ -103,6 +109,7 @@ impl Method {
             Self::KerrSchild => KERR_SCHILD,
             Self::Verlet => MethodProperties {
                 spins: false,
+                min_step: 0.018,
                 ..KERR_SCHILD
             },
             Self::Reference => MethodProperties {

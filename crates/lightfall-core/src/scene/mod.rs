@@ -29,6 +29,7 @@ mod range;
 mod relevant;
 mod row;
 mod save;
+mod step_policy;
 mod tables;
 mod tone_curve;
 mod value;
@@ -45,6 +46,7 @@ pub use load::{Override, load};
 pub use method::{AccuracySetting, Method, MethodProperties};
 pub use range::{Kind, MAX_TEXT_CHARS, Range};
 pub use row::Row;
+pub use step_policy::ArticleQuality;
 pub use tables::{
     Camera, Disk, Effects, Hole, HotSpot, Observer, Picture, Probe, Quality, Scene, Sky,
 };
@@ -61,3 +63,11 @@ pub const MAX_PICTURE_SIDE: u32 = 8192;
 
 /// Maximum radius of a camera, in r_s.
 pub const MAX_RADIUS: f64 = 1e7;
+
+/// The article's own bound of a ray's steps: its budget at high quality, and the default.
+pub const ARTICLE_MAX_STEPS: u32 = 768;
+
+/// Maximum of `quality.max_steps`. Rays of so many steps in f32 are no more exact than those of fewer
+/// (docs/ACCURACY.md), and one dispatch of single rays takes a third of the steps of a full HD
+/// picture with [`ARTICLE_MAX_STEPS`].
+pub const MAX_STEP_BUDGET: u32 = 16_384;

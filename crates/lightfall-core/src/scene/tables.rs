@@ -12,8 +12,8 @@ use super::range::Range;
 use super::row::Row;
 use super::value::FieldValue;
 use super::{
-    DiskModel, DiskStructure, HotSpotKind, LimbDarkening, MAX_PICTURE_SIDE, MAX_RADIUS, Method,
-    ObserverKind, SCHEMA, SkyMode, ToneCurve, View,
+    ARTICLE_MAX_STEPS, DiskModel, DiskStructure, HotSpotKind, LimbDarkening, MAX_PICTURE_SIDE,
+    MAX_RADIUS, MAX_STEP_BUDGET, Method, ObserverKind, SCHEMA, SkyMode, ToneCurve, View,
 };
 
 /// A radius in the disk.
@@ -378,9 +378,17 @@ table! {
         /// Scale of the step rule of verlet and kerr-schild: 1.55 cheap, 0.85 balanced, 0.45 high.
         /// Above 0.85 other limits of kerr-schild's steps decide.
         step_scale: f64 = 0.85, Range::above(0.0, 16.0), "";
-        /// Most steps of verlet and kerr-schild.
-        max_steps: u32 = 768, Range::closed(1.0, 768.0), "steps";
+        /// Most steps of verlet and kerr-schild: 128 cheap, 256 balanced, 768 high. With more than
+        /// 768 no edges are refined, because one call of the GPU could take too long.
+        max_steps: u32 = ARTICLE_MAX_STEPS, Range::closed(1.0, MAX_STEP_BUDGET as f64), "steps";
         /// Most affine length of verlet and kerr-schild.
         max_affine: f64 = 2000.0, Range::above(0.0, 1e9), "r_s";
+        /// Radius beyond which an outgoing ray of verlet and kerr-schild counts as escaped, never
+        /// less than camera.r and disk.outer; 0 for 1.15 camera.r or three times disk.outer,
+        /// whichever is larger.
+        escape_radius: f64 = 0.0, Range::closed(0.0, 1e9), "r_s";
+        /// Least step of the step rule of verlet and kerr-schild, unless another limit is smaller; 0
+        /// for the article's, 0.018 and 0.008.
+        min_step: f64 = 0.0, Range::closed(0.0, 1.0), "r_s";
     }
 }

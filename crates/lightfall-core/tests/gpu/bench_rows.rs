@@ -51,6 +51,8 @@ fn row(method: &str, trace_ms: f64, backward_p99: f64) -> Measurement {
         steps_mean: 10.0,
         steps_max: 20.0,
         residual: 1e-6,
+        quality: None,
+        max_steps: None,
     }
 }
 

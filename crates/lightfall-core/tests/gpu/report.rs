@@ -13,7 +13,7 @@ use lightfall_core::reports::extremes::{
     Hunt, Verdict, WorstRay, cells, delays_table, markdown as extremes_markdown, measure_delays,
     measure_matrix,
 };
-use lightfall_core::scene::{Method, Scene};
+use lightfall_core::scene::{ArticleQuality, Method, Scene};
 
 /// A quick run of few rays.
 fn quick_plan() -> Plan {
@@ -103,6 +103,30 @@ fn the_first_setting_of_every_scene_is_its_own_and_the_only_one_of_auto() {
                 "{}: {method:?}",
                 subject.name
             );
+        }
+    }
+}
+
+#[test]
+fn the_articles_methods_are_measured_at_its_qualities_with_their_budgets() {
+    let subject = &scenes()[0].scene;
+    for method in [Method::Verlet, Method::KerrSchild] {
+        for few in [false, true] {
+            let all = settings(subject, method, few);
+            assert!(all[0].own && all[1..].iter().all(|setting| !setting.own));
+            for named in ArticleQuality::ALL {
+                let found = all.iter().find(|setting| setting.quality == Some(named));
+                let setting = found.unwrap();
+                let quality = setting.scene.quality;
+                assert_eq!(
+                    (quality.step_scale, quality.max_steps),
+                    (named.step_scale(), named.max_steps())
+                );
+                assert_eq!(
+                    setting.label(),
+                    format!("{} {}", method.word(), named.word())
+                );
+            }
         }
     }
 }

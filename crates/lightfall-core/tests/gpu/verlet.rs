@@ -10,7 +10,7 @@ use lightfall_core::geometry::schwarzschild::{
 use lightfall_core::gpu::{Gpu, rays};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::{Outcome, Trace};
-use lightfall_core::scene::{ObserverKind, Scene};
+use lightfall_core::scene::{MAX_STEP_BUDGET, Method, ObserverKind, Scene};
 use std::f64::consts::PI;
 
 /// The outcomes along rays at these angles from the hole's centre.
@@ -295,9 +295,8 @@ fn the_sky_converges_with_second_order_once_the_escape_radius_is_far() {
     let gpu = gpu();
     let error = |step_scale| {
         let mut scene = without_budget(20.0);
-        // The escape radius is three times the disk's outer edge, shown or not; the default leaves
-        // out 3e-4 rad.
-        scene.disk.outer = 1e4;
+        // The article's own radius leaves out 3e-4 rad.
+        scene.quality.escape_radius = 3e4;
         scene.quality.step_scale = step_scale;
         median(&sky_errors(gpu, &scene).1)
     };
@@ -331,6 +330,51 @@ fn a_ray_without_budget_is_unfinished_and_not_captured() {
         outcome(|scene| scene.quality.max_affine = 10.0),
         [Outcome::Unfinished; 2]
     );
+}
+
+/// With a fortieth of the balanced step most rays need more than the article's 768 steps.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn short_steps_need_a_budget_beyond_the_articles() {
+    let unfinished = |method, max_steps| {
+        let mut scene = edge_on();
+        scene.method = method;
+        (scene.quality.step_scale, scene.quality.max_steps) = (0.02, max_steps);
+        let directions = pixel_directions(&scene, 16, 9);
+        let traces = rays::trace(gpu(), &scene, &directions).unwrap();
+        let unfinished = |trace: &&Trace| trace.outcome == Outcome::Unfinished;
+        traces.iter().filter(unfinished).count()
+    };
+    for method in [Method::Verlet, Method::KerrSchild] {
+        let (few, many) = (unfinished(method, 768), unfinished(method, MAX_STEP_BUDGET));
+        assert!(few > 70 && many == 0, "{method:?}: {few} and {many} of 144");
+    }
+}
+
+/// A step scale so small that the least step alone decides: half of it takes twice as many steps.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_least_step_limits_how_short_steps_become() {
+    let steps = |min_step| {
+        let mut scene = bare_hole(5.0);
+        scene.quality.step_scale = 1e-6;
+        scene.quality.max_steps = MAX_STEP_BUDGET;
+        scene.quality.min_step = min_step;
+        let trace = rays::trace(gpu(), &scene, &[DVec3::X]).unwrap()[0];
+        f64::from(trace.steps)
+    };
+    // From 5 to 33 r_s along a straight ray, whose affine length is its radius.
+    for (min_step, expected) in [
+        (0.0, 28.0 / 0.018),
+        (0.02, 28.0 / 0.02),
+        (0.01, 28.0 / 0.01),
+    ] {
+        let found = steps(min_step);
+        assert!(
+            (found / expected - 1.0).abs() < 2e-3,
+            "least step {min_step}: {found} steps and not {expected}"
+        );
+    }
 }
 
 #[test]

@@ -102,8 +102,16 @@ fn a_value_out_of_range_is_refused_with_its_origin_and_the_range() {
             "quality.step_scale = 0 is refused: it must be a number above 0 and at most 16",
         ),
         (
-            "quality.max_steps = 769",
-            "quality.max_steps = 769 is refused: it must be an integer from 1 to 768 steps",
+            "quality.max_steps = 16385",
+            "quality.max_steps = 16385 is refused: it must be an integer from 1 to 16384 steps",
+        ),
+        (
+            "quality.escape_radius = -1",
+            "quality.escape_radius = -1 is refused: it must be a number from 0 to 1000000000 r_s",
+        ),
+        (
+            "quality.min_step = 2",
+            "quality.min_step = 2 is refused: it must be a number from 0 to 1 r_s",
         ),
         (
             "picture.width = 0",

@@ -14,4 +14,5 @@ mod limits;
 mod load;
 mod pose;
 mod presets;
+mod step_policy;
 mod words;

@@ -74,7 +74,10 @@ pub fn why_idle(scene: &Scene, key: &str) -> Option<&'static str> {
         ("quality", "max_error_px") if setting != AccuracySetting::MaxError => {
             Some("Only Mino time keeps a largest error: the method in use does not control it.")
         }
-        ("quality", "step_scale" | "max_steps" | "max_affine")
+        ("picture", "antialias") if scene.budget_ratio() > 1.0 => Some(
+            "With a budget of more than 768 steps, edges are not refined: one call could take too long.",
+        ),
+        ("quality", "step_scale" | "max_steps" | "max_affine" | "escape_radius" | "min_step")
             if setting != AccuracySetting::StepScale =>
         {
             Some("Only the methods that take steps use it: Verlet and Kerr-Schild.")

@@ -11,7 +11,7 @@ use crate::app::ui::theme::{ACCENT, WEAK_TEXT};
 use crate::render::letterbox;
 use bevy::math::UVec2;
 use bevy_egui::egui;
-use lightfall_core::scene::{FIELDS, Field, Picture, Range, Scene, Value, field};
+use lightfall_core::scene::{ArticleQuality, FIELDS, Field, Picture, Range, Scene, Value, field};
 use std::ops::Bound::Included;
 
 /// Width of a row's label and of the button that resets it, in points.
@@ -29,6 +29,9 @@ const FIELD_OF_CLOCK: &str = "disk.time";
 /// The field below which the number of cells or pixels in the window is shown.
 const FIELD_WITH_CELLS: &str = "picture.grid_height";
 
+/// The field below which the article's qualities are offered.
+const FIELD_WITH_QUALITIES: &str = "quality.max_steps";
+
 /// A change that a row asks for: the field, and its new value or what is wrong with it.
 type Change = (&'static str, Result<Value, String>);
 
@@ -43,7 +46,7 @@ pub(super) fn show(
     show_head(ui, editor, bindings);
     let scene = editor.scene();
     let loaded = editor.loaded().clone();
-    let mut change = None;
+    let (mut change, mut quality) = (None, None);
     for section in SECTIONS {
         let heading = egui::RichText::new(section.title).strong().size(15.0);
         egui::CollapsingHeader::new(heading)
@@ -61,6 +64,9 @@ pub(super) fn show(
                             "The work that method and quality mean for this picture",
                         );
                     }
+                    if field.key == FIELD_WITH_QUALITIES {
+                        quality = quality_buttons(ui, &scene).or(quality);
+                    }
                     if field.key == FIELD_OF_CLOCK && scene.disk_moves() {
                         pause_button(ui, bindings, paused);
                     }
@@ -73,6 +79,15 @@ pub(super) fn show(
             });
     }
     change = show_other_fields(ui, &scene, &loaded).or(change);
+    if let Some(named) = quality {
+        let quality = scene.quality.with_steps_of(named);
+        if let Err(reason) = editor.try_change(Scene {
+            quality,
+            ..scene.clone()
+        }) {
+            editor.say(reason);
+        }
+    }
     if let Some((key, value)) = change {
         let changed = value.and_then(|value| {
             // An exposure that is set by hand stays as it is.
@@ -115,6 +130,30 @@ fn show_head(ui: &mut egui::Ui, editor: &mut SceneEditor, bindings: &Bindings) {
             .color(WEAK_TEXT),
     );
     ui.add_space(2.0);
+}
+
+/// Offers the steps of the article's qualities to the methods that take them. Returns the one that
+/// was chosen.
+fn quality_buttons(ui: &mut egui::Ui, scene: &Scene) -> Option<ArticleQuality> {
+    if why_idle(scene, FIELD_WITH_QUALITIES).is_some() {
+        return None;
+    }
+    let mut chosen = None;
+    ui.horizontal(|ui| {
+        ui.add_space(LABEL_WIDTH + 6.0);
+        for named in ArticleQuality::ALL {
+            let (scale, steps) = (named.step_scale(), named.max_steps());
+            let button = ui
+                .selectable_label(scene.quality.article() == Some(named), named.word())
+                .on_hover_text(format!(
+                    "The article's quality: a step size of {scale}, {steps} steps at most"
+                ));
+            if button.clicked() {
+                chosen = Some(named);
+            }
+        }
+    });
+    chosen
 }
 
 /// Pauses the disk's clock, and lets it go on.

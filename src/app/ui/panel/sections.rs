@@ -203,8 +203,18 @@ pub const SECTIONS: &[Section] = &[
                 Logarithmic(1e-4, 1.0),
             ),
             row("quality.step_scale", "Step size", Logarithmic(0.1, 16.0)),
-            row("quality.max_steps", "Most steps", Plain),
+            row(
+                "quality.max_steps",
+                "Most steps",
+                Logarithmic(64.0, 16384.0),
+            ),
             row("quality.max_affine", "Longest path", Logarithmic(10.0, 1e6)),
+            row(
+                "quality.escape_radius",
+                "Escape radius",
+                Linear(0.0, 1000.0),
+            ),
+            row("quality.min_step", "Least step", Linear(0.0, 0.05)),
         ],
     },
     Section {

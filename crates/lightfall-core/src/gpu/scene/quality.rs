@@ -12,6 +12,7 @@ pub struct GpuQuality {
     pub max_steps: u32,
     pub max_affine: f32,
     pub escape_radius: f32,
+    pub min_step: f32,
     pub mino_step: f32,
     pub mino_critical_step: f32,
 }
@@ -25,9 +26,8 @@ impl GpuQuality {
             step_scale: quality.step_scale as f32,
             max_steps: quality.max_steps,
             max_affine: quality.max_affine as f32,
-            // So far out that the remaining bending does not show, and beyond the disk whether the
-            // disk is shown or not.
-            escape_radius: f64::max(1.15 * r, 3.0 * scene.disk.outer) as f32,
+            escape_radius: scene.escape_radius() as f32,
+            min_step: scene.min_step() as f32,
             mino_step: mino_step as f32,
             mino_critical_step: mino_critical_step as f32,
         }

@@ -154,7 +154,8 @@ impl Variant {
             follow_beyond_hits: marks
                 || !scene.disk.enabled
                 || transmission.powi(2) > MIN_TRANSMISSION,
-            antialias: scene.picture.antialias && !marks,
+            // How many pixels one dispatch refines is not known before.
+            antialias: scene.picture.antialias && !marks && scene.budget_ratio() <= 1.0,
         }
     }
 

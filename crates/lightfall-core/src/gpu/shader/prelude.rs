@@ -13,7 +13,7 @@ use crate::gpu::starlight;
 use crate::gpu::stars::add_star_constants;
 use crate::gpu::structure::GpuStructure;
 use crate::optics::disk;
-use crate::scene::{HotSpotKind, SkyMode, View};
+use crate::scene::{HotSpotKind, MAX_STEP_BUDGET, SkyMode, View};
 
 impl Variant {
     /// The flags, by their names in the shaders.
@@ -72,11 +72,12 @@ impl Variant {
                 add_constant(&mut text, name, kind, value);
             }
         }
-        let lengths = [
+        let bounds = [
             ("MAX_HITS", self.max_hits),
             ("PAGE_THORNE_LEN", disk::TABLE_LEN as u32),
+            ("MAX_STEP_BUDGET", MAX_STEP_BUDGET),
         ];
-        for (name, value) in lengths {
+        for (name, value) in bounds {
             add_constant(&mut text, name, "u32", format!("{value}u"));
         }
         add_spectrum_constants(&mut text);

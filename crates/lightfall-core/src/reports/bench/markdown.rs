@@ -22,7 +22,8 @@ pub fn markdown(circumstances: &Circumstances, rows: &[Measurement]) -> String {
          each scene, half over its picture and half next to the shadow's edge: median (p50) and 99th percentile, in pixels \
          of the scene's own picture and in rad. Wrong class counts rays that end at the hole, the disk or the sky by \
          mistake. Steps are the mean per ray. The number after a method is its quality.step_scale or \
-         quality.max_error_px. * is the method of auto; no row beats a bold one in both time and error."
+         quality.max_error_px; cheap, balanced and high are the article's settings, with its budgets of 128, 256 and 768 \
+         steps, and all others have the scene's own. * is the method of auto; no row beats a bold one in both time and error."
     )
     .expect("writing to a string cannot fail");
     text += "\n| scene | method | trace ms | +- | frame ms | backward px p50 | p99 | rad p99 | sky rad p50 | wrong class | unfinished | steps |\n";

@@ -1,9 +1,10 @@
 //! One row of the report: a method at one setting in one scene.
 
-use super::settings::{Setting, label};
+use super::settings::{Setting, setting_label};
 use crate::accuracy::{ErrorSummary, Truth};
 use crate::gpu::timing::Timing;
 use crate::optics::trace::Trace;
+use crate::scene::{AccuracySetting, ArticleQuality};
 use serde::Serialize;
 
 /// Error and time of one method at one setting in one scene. Angles are in radians unless their
@@ -71,6 +72,10 @@ pub struct Measurement {
     pub steps_max: f64,
     /// Largest normalized residual of the null constraint.
     pub residual: f64,
+    /// The article's word for the setting, if it has one.
+    pub quality: Option<&'static str>,
+    /// The budget of steps of a ray, for methods with one.
+    pub max_steps: Option<u32>,
 }
 
 impl Measurement {
@@ -85,6 +90,7 @@ impl Measurement {
         let scene = &setting.scene;
         let pixel = scene.camera.pixel_angle(f64::from(scene.picture.height));
         let [steps_mean, steps_max] = errors.steps;
+        let budgeted = scene.method.properties().setting == AccuracySetting::StepScale;
         Self {
             scene: name.into(),
             method: scene.method.word().into(),
@@ -116,12 +122,21 @@ impl Measurement {
             steps_mean,
             steps_max,
             residual: errors.residual,
+            quality: setting.quality.map(ArticleQuality::word),
+            max_steps: budgeted.then_some(scene.quality.max_steps),
         }
     }
 
     /// The method with its setting, as in tables.
     #[must_use]
     pub fn label(&self) -> String {
-        label(&self.method, self.value)
+        format!("{} {}", self.method, self.setting_label())
+            .trim_end()
+            .to_owned()
+    }
+
+    /// The setting alone, as in plots.
+    pub(super) fn setting_label(&self) -> String {
+        setting_label(self.quality, self.value)
     }
 }

@@ -64,7 +64,7 @@ pub fn plot(scene: &str, about: &str, rows: &[Measurement]) -> Result<Option<Str
     let marks: Vec<Mark> = own
         .map(|row| Mark {
             method: row.method.clone(),
-            label: row.value.map(|value| value.to_string()).unwrap_or_default(),
+            label: row.setting_label(),
             trace_ms: row.trace_ms,
             error: row.backward_p99_px,
             on_front: is_on_front(rows, row),

@@ -1,11 +1,12 @@
 //! The methods that can trace a scene, and the settings at which each is measured.
 
 use crate::gpu::GpuScene;
-use crate::scene::{AccuracySetting, Method, Scene};
+use crate::scene::{AccuracySetting, ArticleQuality, Method, Quality, Scene};
 use glam::UVec2;
 
-/// Step scales of the article's methods, from the fastest to a scale at which their 768 steps do
-/// not suffice. 1.55, 0.85 and 0.45 are the article's own: cheap, balanced and high.
+/// Step scales of the article's methods, from the fastest to a scale at which 768 steps do not
+/// suffice. Those of the article's own qualities, 1.55, 0.85 and 0.45, come with their budgets of
+/// 128, 256 and 768 steps, the others with the scene's.
 const STEP_SCALES: [f64; 8] = [3.0, 1.55, 0.85, 0.45, 0.25, 0.14, 0.08, 0.045];
 /// The article's own.
 const FEW_STEP_SCALES: [f64; 3] = [1.55, 0.85, 0.45];
@@ -21,6 +22,8 @@ pub struct Setting {
     pub key: Option<&'static str>,
     /// Value of the field; NaN if there is none.
     pub value: f64,
+    /// Which of the article's qualities it is, for its own methods.
+    pub quality: Option<ArticleQuality>,
     /// The scene with the method and the setting.
     pub scene: Scene,
     /// Whether it is the scene's own setting.
@@ -33,13 +36,18 @@ impl Setting {
     /// The method with its setting, as in tables.
     #[must_use]
     pub fn label(&self) -> String {
-        label(self.scene.method.word(), self.key.map(|_| self.value))
+        let quality = self.quality.map(ArticleQuality::word);
+        let setting = setting_label(quality, self.key.map(|_| self.value));
+        format!("{} {setting}", self.scene.method.word())
+            .trim_end()
+            .to_owned()
     }
 }
 
-/// A method with the value of its setting, if it has one.
-pub(super) fn label(method: &str, value: Option<f64>) -> String {
-    value.map_or_else(|| method.to_owned(), |value| format!("{method} {value}"))
+/// The setting of a method: the article's word for it, else its value; empty if there is none.
+pub(super) fn setting_label(quality: Option<&str>, value: Option<f64>) -> String {
+    let value = value.map(|value| value.to_string());
+    quality.map(str::to_owned).or(value).unwrap_or_default()
 }
 
 /// The methods that can trace a scene on the GPU.
@@ -63,9 +71,11 @@ pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
         };
         change(&mut scene, value);
         let own = scene.quality == subject.quality;
+        let steps = method.properties().setting == AccuracySetting::StepScale;
         Setting {
             key,
             value,
+            quality: scene.quality.article().filter(|_| steps),
             scene,
             own,
             auto: false,
@@ -74,10 +84,22 @@ pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
     let mut all: Vec<Setting> = match method.properties().setting {
         AccuracySetting::StepScale => {
             let values: &[f64] = if few { &FEW_STEP_SCALES } else { &STEP_SCALES };
-            let change: fn(&mut Scene, f64) = |scene, value| scene.quality.step_scale = value;
-            values
-                .iter()
-                .map(|value| set(Some("quality.step_scale"), *value, change))
+            let change: fn(&mut Scene, f64) = |scene, value| {
+                let named = ArticleQuality::ALL
+                    .into_iter()
+                    .find(|named| named.step_scale() == value);
+                scene.quality = match named {
+                    Some(named) => scene.quality.with_steps_of(named),
+                    None => Quality {
+                        step_scale: value,
+                        ..scene.quality
+                    },
+                };
+            };
+            let key = Some("quality.step_scale");
+            let own = set(key, scene.quality.step_scale, |_, _| {});
+            std::iter::once(own)
+                .chain(values.iter().map(|value| set(key, *value, change)))
                 .collect()
         }
         AccuracySetting::MaxError => {
