@@ -29,6 +29,7 @@ mod moved_camera;
 mod observers;
 mod omissions;
 mod part_headers;
+mod plane;
 mod presentation;
 #[path = "../physics/random.rs"]
 mod random;
