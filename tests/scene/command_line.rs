@@ -226,6 +226,14 @@ fn the_articles_qualities_set_scale_and_budget_of_the_steps() {
 }
 
 #[test]
+fn refining_is_a_measurement_of_its_own() {
+    for other in ["--delay", "--light", "--pictures", "--frames", "--size 9x9"] {
+        let refused = refuse(&format!("lightfall bench --refine {other}"));
+        assert_eq!(refused.kind(), ErrorKind::ArgumentConflict, "{other}");
+    }
+}
+
+#[test]
 fn wrong_values_of_the_short_forms_name_the_short_form() {
     for (line, sentence) in [
         (

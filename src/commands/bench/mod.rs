@@ -1,6 +1,7 @@
 //! `lightfall bench`: error against run time.
 
 mod pictures;
+mod refine;
 
 use super::circumstances::circumstances;
 use super::cli::{BenchArgs, EntryArg};
@@ -19,6 +20,7 @@ use lightfall_core::reports::circumstances::Circumstances;
 use lightfall_core::reports::export::{csv, json};
 use lightfall_core::scene::{Method, Scene};
 use pictures::measure_pictures;
+use refine::bench_refinements;
 use std::path::Path;
 
 /// Number of frames that a whole frame's time is the median of.
@@ -39,6 +41,9 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
     }
     if args.delay {
         return bench_delays(args, &gpu, &plan);
+    }
+    if args.refine {
+        return bench_refinements(args, &gpu, &plan);
     }
     if args.light {
         return bench_light(args, &gpu, &plan);

@@ -57,6 +57,12 @@ pub struct BenchArgs {
     /// pictures.md and plots pictures-SCENE.svg
     #[arg(long, conflicts_with_all = ["frames", "delay", "light", "entry", "methods", "rays", "quick"])]
     pub pictures: bool,
+    /// Refine the article's methods instead: the errors of verlet and kerr-schild with ever shorter
+    /// steps, larger budgets of steps and affine length, a farther radius of escape and a smaller
+    /// least step. --out then writes refine.csv, refine.json, refine.md and plots
+    /// refine-SCENE.svg
+    #[arg(long, conflicts_with_all = ["frames", "delay", "light", "pictures", "entry", "size"])]
+    pub refine: bool,
     /// Folder for the reports; it is created, and files of the same names are replaced
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

@@ -34,6 +34,7 @@ mod presentation;
 #[path = "../physics/random.rs"]
 mod random;
 mod random_scene;
+mod refine;
 mod refusals;
 mod report;
 mod requirements;

@@ -203,9 +203,9 @@ pub fn plot_delays(
         .filter(|row| row.scene == scene && row.nodes > 0);
     let marks: Vec<Mark> = own
         .map(|row| Mark {
-            method: row.method.clone(),
+            line: row.method.clone(),
             label: row.nodes.to_string(),
-            trace_ms: row.trace_ms,
+            cost: row.trace_ms,
             error: row.delay_p99,
             on_front: false,
         })
@@ -213,7 +213,7 @@ pub fn plot_delays(
     plot_marks(
         &format!("{scene}: {about}"),
         Axes::of_tracing("error of the delay, r_s/c, 99th percentile"),
-        &marks,
+        marks,
     )
 }
 

@@ -11,8 +11,10 @@ mod pareto;
 mod pictures;
 mod plan;
 mod plot;
+mod refine;
 mod scenes;
 mod settings;
+mod studies;
 
 pub use delay::{DelayMeasurement, delay_table, plot_delays};
 pub use equal_error::{AtEqualError, at_equal_error};
@@ -26,5 +28,7 @@ pub use pictures::{
 };
 pub use plan::{Plan, Step};
 pub use plot::plot;
+pub use refine::{RefinementMeasurement, plot_refinements, refinement_table};
 pub use scenes::{BenchScene, scenes};
 pub use settings::{Setting, methods_for, settings};
+pub use studies::Study;

@@ -202,16 +202,16 @@ pub fn plot_pictures(
     let own = rows.iter().filter(|row| row.scene == scene);
     let marks: Vec<Mark> = own
         .map(|row| Mark {
-            method: row.line().into(),
+            line: row.line().into(),
             label: row.samples.to_string(),
-            trace_ms: row.picture_ms,
+            cost: row.picture_ms,
             error: row.rms,
             on_front: false,
         })
         .collect();
     let axes = Axes {
-        time: "time to trace, refine and average the picture, ms",
+        cost: "time to trace, refine and average the picture, ms",
         error: "error of the shown brightness, rms",
     };
-    plot_marks(&format!("{scene}: {about}"), axes, &marks)
+    plot_marks(&format!("{scene}: {about}"), axes, marks)
 }

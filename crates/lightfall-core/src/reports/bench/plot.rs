@@ -1,4 +1,4 @@
-//! The plot of error against run time: both axes logarithmic, one line per method.
+//! Plots of error against run time or another cost: both axes logarithmic, one line per method.
 
 use super::labels::place_labels;
 use super::measurement::Measurement;
@@ -19,7 +19,7 @@ const DASHES: [i32; 2] = [5, 4];
 /// What the axes of a plot show.
 #[derive(Clone, Copy)]
 pub(super) struct Axes<'a> {
-    pub time: &'a str,
+    pub cost: &'a str,
     pub error: &'a str,
 }
 
@@ -27,27 +27,29 @@ impl<'a> Axes<'a> {
     /// An error against the time of tracing.
     pub(super) fn of_tracing(error: &'a str) -> Self {
         Self {
-            time: "time to trace the picture's rays, ms",
+            cost: "time to trace the picture's rays, ms",
             error,
         }
     }
 }
 
-/// One colour per method, from a set that colour-blind people can tell apart (Okabe & Ito 2008).
-fn colour(method: &str) -> RGBColor {
-    match method {
-        "closed" | "edges refined" => RGBColor(0, 114, 178),
-        "mino" => RGBColor(0, 158, 115),
-        "verlet" | "single rays" => RGBColor(213, 94, 0),
+/// One colour per line, from a set that colour-blind people can tell apart (Okabe & Ito 2008).
+fn colour(line: &str) -> RGBColor {
+    match line {
+        "closed" | "edges refined" | "step-scale" => RGBColor(0, 114, 178),
+        "mino" | "escape-radius" => RGBColor(0, 158, 115),
+        "verlet" | "single rays" | "budget" => RGBColor(213, 94, 0),
         _ => RGBColor(204, 121, 167),
     }
 }
 
 /// A mark of a plot.
 pub(super) struct Mark {
-    pub method: String,
+    /// The line that it belongs to.
+    pub line: String,
     pub label: String,
-    pub trace_ms: f64,
+    /// Where it lies along the horizontal axis.
+    pub cost: f64,
     /// A mark whose error is infinite becomes a cross at the upper edge.
     pub error: f64,
     /// Whether it belongs to the Pareto front, which is drawn dashed.
@@ -63,9 +65,9 @@ pub fn plot(scene: &str, about: &str, rows: &[Measurement]) -> Result<Option<Str
     let own = rows.iter().filter(|row| row.scene == scene);
     let marks: Vec<Mark> = own
         .map(|row| Mark {
-            method: row.method.clone(),
+            line: row.method.clone(),
             label: row.setting_label(),
-            trace_ms: row.trace_ms,
+            cost: row.trace_ms,
             error: row.backward_p99_px,
             on_front: is_on_front(rows, row),
         })
@@ -73,60 +75,91 @@ pub fn plot(scene: &str, about: &str, rows: &[Measurement]) -> Result<Option<Str
     plot_marks(
         &format!("{scene}: {about}"),
         Axes::of_tracing("backward error, pixels, 99th percentile"),
-        &marks,
+        marks,
     )
 }
 
-/// The marks as SVG, one line per method. `None` if there is nothing to draw.
+/// The marks as SVG. `None` if there is nothing to draw.
 ///
 /// # Errors
 /// The message of the plotting library.
 pub(super) fn plot_marks(
     caption: &str,
     axes: Axes,
-    own: &[Mark],
+    marks: Vec<Mark>,
 ) -> Result<Option<String>, String> {
-    let bounded = || {
-        own.iter()
-            .filter(|mark| mark.error.is_finite() && mark.error > 0.0)
-    };
+    plot_panels(&[Panel {
+        caption: caption.into(),
+        axes,
+        marks,
+    }])
+}
+
+/// One chart of a plot.
+pub(super) struct Panel<'a> {
+    pub caption: String,
+    pub axes: Axes<'a>,
+    pub marks: Vec<Mark>,
+}
+
+/// The charts that have anything to draw as SVG, one below the other. `None` if none has.
+///
+/// # Errors
+/// The message of the plotting library.
+pub(super) fn plot_panels(panels: &[Panel]) -> Result<Option<String>, String> {
+    let drawn: Vec<(&Panel, [f64; 4])> = panels
+        .iter()
+        .filter_map(|panel| Some((panel, ends(&panel.marks)?)))
+        .collect();
+    if drawn.is_empty() {
+        return Ok(None);
+    }
+    let mut svg = String::new();
+    {
+        let size = (SIZE.0, SIZE.1 * drawn.len() as u32);
+        let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
+        let parts = area.split_evenly((drawn.len(), 1));
+        for ((panel, ends), part) in drawn.into_iter().zip(parts) {
+            draw(&part, panel, ends).map_err(|error| error.to_string())?;
+        }
+        area.present().map_err(|error| error.to_string())?;
+    }
+    Ok(Some(svg))
+}
+
+/// The ends of the axes: left, right, bottom, top. `None` if no mark can be drawn.
+fn ends(marks: &[Mark]) -> Option<[f64; 4]> {
     let ends = |values: Vec<f64>| {
         let low = values.iter().copied().fold(f64::INFINITY, f64::min);
         let high = values.iter().copied().fold(0.0, f64::max);
         (low, high)
     };
-    let (fastest, slowest) = ends(own.iter().map(|mark| mark.trace_ms).collect());
-    let (least, most) = ends(bounded().map(|mark| mark.error).collect());
-    if !(fastest > 0.0 && least > 0.0 && least.is_finite()) {
-        return Ok(None);
-    }
-    let top = most * 12.0;
-    let mut svg = String::new();
-    {
-        let area = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
-        draw(
-            &area,
-            (caption, axes),
-            own,
-            [fastest / 1.6, slowest * 9.0, least / 2.5, top],
-        )
-        .map_err(|error| error.to_string())?;
-        area.present().map_err(|error| error.to_string())?;
-    }
-    Ok(Some(svg))
+    let (cheapest, dearest) = ends(marks.iter().map(|mark| mark.cost).collect());
+    let errors = marks.iter().map(|mark| mark.error);
+    let (least, most) = ends(
+        errors
+            .filter(|error| error.is_finite() && *error > 0.0)
+            .collect(),
+    );
+    (cheapest > 0.0 && least > 0.0 && least.is_finite()).then_some([
+        cheapest / 1.6,
+        dearest * 9.0,
+        least / 2.5,
+        most * 12.0,
+    ])
 }
 
 type Drawn<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
 
 fn draw<'a>(
     area: &DrawingArea<SVGBackend<'a>, plotters::coord::Shift>,
-    (caption, axes): (&str, Axes),
-    own: &[Mark],
+    panel: &Panel,
     [left, right, bottom, top]: [f64; 4],
 ) -> Drawn<'a> {
+    let own = &panel.marks;
     area.fill(&WHITE)?;
     let mut chart = ChartBuilder::on(area)
-        .caption(caption, ("sans-serif", 17))
+        .caption(&panel.caption, ("sans-serif", 17))
         .margin(12)
         .x_label_area_size(44)
         .y_label_area_size(76)
@@ -135,8 +168,8 @@ fn draw<'a>(
         .configure_mesh()
         .light_line_style(RGBColor(238, 238, 238))
         .bold_line_style(RGBColor(215, 215, 215))
-        .x_desc(axes.time)
-        .y_desc(axes.error)
+        .x_desc(panel.axes.cost)
+        .y_desc(panel.axes.error)
         .x_label_formatter(&|x| decade(*x))
         .y_label_formatter(&|y| decade(*y))
         .label_style(("sans-serif", 13))
@@ -148,10 +181,10 @@ fn draw<'a>(
         } else {
             ceiling
         };
-        (mark.trace_ms, height)
+        (mark.cost, height)
     };
-    let mut methods: Vec<&str> = own.iter().map(|mark| mark.method.as_str()).collect();
-    methods.dedup();
+    let mut lines: Vec<&str> = own.iter().map(|mark| mark.line.as_str()).collect();
+    lines.dedup();
     let points: Vec<[i32; 2]> = own
         .iter()
         .map(|mark| chart.backend_coord(&place(mark)).into())
@@ -160,8 +193,11 @@ fn draw<'a>(
         .iter()
         .map(|mark| [LETTER[0] * mark.label.len() as i32, LETTER[1]])
         .collect();
-    for (mark, corner) in own.iter().zip(place_labels(&points, &sizes, LEGEND)) {
-        let colour = colour(&mark.method);
+    // Coordinates are those of the whole plot.
+    let above = area.get_pixel_range().1.start;
+    let legend = [LEGEND[0], LEGEND[1] + above, LEGEND[2], LEGEND[3] + above];
+    for (mark, corner) in own.iter().zip(place_labels(&points, &sizes, legend)) {
+        let colour = colour(&mark.line);
         let style = ("sans-serif", 11)
             .into_font()
             .color(&colour)
@@ -171,14 +207,14 @@ fn draw<'a>(
         });
         chart.draw_series(label)?;
     }
-    for method in methods {
-        let colour = colour(method);
-        let mut points: Vec<&Mark> = own.iter().filter(|mark| mark.method == method).collect();
-        points.sort_by(|a, b| a.trace_ms.total_cmp(&b.trace_ms));
-        let line = points.iter().map(|mark| place(mark));
+    for line in lines {
+        let colour = colour(line);
+        let mut points: Vec<&Mark> = own.iter().filter(|mark| mark.line == line).collect();
+        points.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        let places = points.iter().map(|mark| place(mark));
         chart
-            .draw_series(LineSeries::new(line, colour.stroke_width(1)))?
-            .label(method)
+            .draw_series(LineSeries::new(places, colour.stroke_width(1)))?
+            .label(line)
             .legend(move |(x, y)| Circle::new((x + 8, y), 5, colour.filled()));
         for mark in points {
             let place = place(mark);
@@ -196,7 +232,7 @@ fn draw<'a>(
     let mut front: Vec<(f64, f64)> = own
         .iter()
         .filter(|mark| mark.on_front)
-        .map(|mark| (mark.trace_ms, mark.error))
+        .map(|mark| (mark.cost, mark.error))
         .collect();
     front.sort_by(|a, b| a.0.total_cmp(&b.0));
     if !front.is_empty() {

@@ -1,0 +1,225 @@
+//! How far the article's methods can be refined: their errors against shorter steps, larger budgets,
+//! a farther radius of escape and a smaller least step.
+
+use super::plan::Plan;
+use super::plot::{Axes, Mark, Panel, plot_panels};
+use super::scenes::BenchScene;
+use super::settings::methods_for;
+use super::studies::{Refinement, Study, refinements};
+use crate::accuracy::{
+    EDGE_DISTANCES, ErrorSummary, Ray, Truth, rays_near_edge, rays_over_picture,
+};
+use crate::gpu::rays::RayKernel;
+use crate::gpu::{Gpu, GpuError};
+use crate::reports::numbers::short_number;
+use crate::scene::{AccuracySetting, Method, Scene};
+use serde::Serialize;
+
+/// The errors of one method at one setting of a series in one scene. Angles are in radians unless
+/// their name ends in `_px`. The error of an unfinished ray is infinite, and null in JSON.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RefinementMeasurement {
+    /// Name of the scene.
+    pub scene: String,
+    /// Name of the method.
+    pub method: String,
+    /// What the series refines.
+    pub study: Study,
+    /// Scale of the steps.
+    pub step_scale: f64,
+    /// Budget of steps.
+    pub max_steps: u32,
+    /// Budget of affine length, in r_s.
+    pub max_affine: f64,
+    /// Radius of escape, in r_s.
+    pub escape_radius: f64,
+    /// Least step, in r_s.
+    pub min_step: f64,
+    /// Number of rays.
+    pub rays: usize,
+    /// Number of rays that the method gave up.
+    pub unfinished: usize,
+    /// Number of rays with a wrong outcome or number of hits.
+    pub misclassified: usize,
+    /// Forward error of the sky direction: its median.
+    pub sky_p50: f64,
+    /// Its 99th percentile.
+    pub sky_p99: f64,
+    /// Relative error of the radius of hits: its median.
+    pub hit_r_p50: f64,
+    /// Its 99th percentile.
+    pub hit_r_p99: f64,
+    /// Relative error of the g of hits: its median.
+    pub hit_g_p50: f64,
+    /// Its 99th percentile.
+    pub hit_g_p99: f64,
+    /// Backward error: its median.
+    pub backward_p50: f64,
+    /// Its 99th percentile.
+    pub backward_p99: f64,
+    /// Median of the backward error in pixels of the scene's picture.
+    pub backward_p50_px: f64,
+    /// Its 99th percentile.
+    pub backward_p99_px: f64,
+    /// Mean number of steps.
+    pub steps_mean: f64,
+    /// Maximum number of steps.
+    pub steps_max: f64,
+    /// The number that the series refines, for people.
+    #[serde(skip)]
+    pub label: String,
+}
+
+impl RefinementMeasurement {
+    fn new(name: &str, refinement: &Refinement, errors: &ErrorSummary) -> Self {
+        let scene = &refinement.scene;
+        let pixel = scene.camera.pixel_angle(f64::from(scene.picture.height));
+        let [steps_mean, steps_max] = errors.steps;
+        Self {
+            scene: name.into(),
+            method: scene.method.word().into(),
+            study: refinement.study,
+            step_scale: scene.quality.step_scale,
+            max_steps: scene.quality.max_steps,
+            max_affine: scene.quality.max_affine,
+            escape_radius: scene.escape_radius(),
+            min_step: scene.min_step(),
+            rays: errors.rays,
+            unfinished: errors.unfinished(),
+            misclassified: errors.misclassified,
+            sky_p50: errors.sky.p50,
+            sky_p99: errors.sky.p99,
+            hit_r_p50: errors.hit_r.p50,
+            hit_r_p99: errors.hit_r.p99,
+            hit_g_p50: errors.hit_g.p50,
+            hit_g_p99: errors.hit_g.p99,
+            backward_p50: errors.backward.p50,
+            backward_p99: errors.backward.p99,
+            backward_p50_px: errors.backward.p50 / pixel,
+            backward_p99_px: errors.backward.p99 / pixel,
+            steps_mean,
+            steps_max,
+            label: refinement.label(),
+        }
+    }
+}
+
+impl Plan {
+    /// The methods of the plan that can be refined in a scene.
+    #[must_use]
+    pub fn refinable(&self, scene: &Scene) -> Vec<Method> {
+        let mut methods = methods_for(scene);
+        methods.retain(|method| {
+            self.methods.contains(method)
+                && method.properties().setting == AccuracySetting::StepScale
+        });
+        methods
+    }
+
+    /// Refines the article's methods, with the rays of [`Plan::run`]. `done` is called after each
+    /// row.
+    ///
+    /// # Errors
+    /// A scene cannot be traced, or the device failed.
+    pub fn run_refinements(
+        &self,
+        gpu: &Gpu,
+        mut done: impl FnMut(&RefinementMeasurement),
+    ) -> Result<Vec<RefinementMeasurement>, GpuError> {
+        let mut rows = Vec::new();
+        for BenchScene { name, scene } in &self.scenes {
+            let methods = self.refinable(scene);
+            if methods.is_empty() {
+                continue;
+            }
+            let mut rays = rays_over_picture(scene, self.rays - self.rays / 2);
+            rays.extend(rays_near_edge(scene, self.rays / 2, EDGE_DISTANCES));
+            let truth = Truth::of(scene, rays)?;
+            let given: Vec<_> = truth.rays.iter().map(Ray::given).collect();
+            for method in methods {
+                let all = refinements(scene, method);
+                let Some(first) = all.first() else { continue };
+                // All settings of a method share one shader.
+                let kernel = RayKernel::new(gpu, &first.scene)?;
+                for refinement in &all {
+                    let traces = kernel.trace_camera_rays(gpu, &refinement.scene, &given)?;
+                    let errors = ErrorSummary::of(&truth, &traces);
+                    let row = RefinementMeasurement::new(name, refinement, &errors);
+                    done(&row);
+                    rows.push(row);
+                }
+            }
+        }
+        Ok(rows)
+    }
+}
+
+/// The rows as a Markdown table.
+#[must_use]
+pub fn refinement_table(rows: &[RefinementMeasurement]) -> String {
+    let mut text = String::from(
+        "| scene | method | series | value | backward px, median | 99 % | sky rad, median | 99 % | hit r, median | 99 % | hit g, median | 99 % | wrong class | given up | steps |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for row in rows {
+        let errors = [
+            row.backward_p50_px,
+            row.backward_p99_px,
+            row.sky_p50,
+            row.sky_p99,
+            row.hit_r_p50,
+            row.hit_r_p99,
+            row.hit_g_p50,
+            row.hit_g_p99,
+        ];
+        text += &format!(
+            "| {} | {} | {} | {} | {} | {} | {} | {:.0} |\n",
+            row.scene,
+            row.method,
+            row.study.word(),
+            row.label,
+            errors.map(short_number).join(" | "),
+            row.misclassified,
+            row.unfinished,
+            row.steps_mean
+        );
+    }
+    text
+}
+
+/// The scene's rows as SVG, one chart for each method: error against steps, one line per series.
+/// `None` if there is nothing to draw.
+///
+/// # Errors
+/// The message of the plotting library.
+pub fn plot_refinements(
+    scene: &str,
+    about: &str,
+    rows: &[RefinementMeasurement],
+) -> Result<Option<String>, String> {
+    let panels: Vec<Panel> = [Method::Verlet, Method::KerrSchild]
+        .into_iter()
+        .map(|method| {
+            let own = rows
+                .iter()
+                .filter(|row| row.scene == scene && row.method == method.word());
+            Panel {
+                caption: format!("{scene}, {}: {about}", method.word()),
+                axes: Axes {
+                    cost: "steps of a ray, on average",
+                    error: "backward error, pixels, 99th percentile",
+                },
+                marks: own
+                    .map(|row| Mark {
+                        line: row.study.word().into(),
+                        label: row.label.clone(),
+                        cost: row.steps_mean,
+                        error: row.backward_p99_px,
+                        on_front: false,
+                    })
+                    .collect(),
+            }
+        })
+        .collect();
+    plot_panels(&panels)
+}
