@@ -64,7 +64,11 @@ impl ShaderText {
     /// The text with one more file at its end.
     #[must_use]
     pub fn followed_by(mut self, file: &'static str, text: &'static str) -> Self {
-        self.parts.push(Part { file, text });
+        self.parts.push(Part {
+            file,
+            text,
+            renamed: None,
+        });
         self
     }
 
