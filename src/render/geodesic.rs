@@ -40,7 +40,8 @@ use bevy::render::view::{ViewDepthTexture, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use lightfall_core::gpu::kernel::table_bytes;
 use lightfall_core::gpu::{
-    ErrorMap, GpuHotSpot, GpuScene, GpuStarlight, GpuStructure, GpuTilt, SkyTexture, bands, bindings,
+    ErrorMap, GpuHotSpot, GpuScene, GpuStarlight, GpuStructure, GpuTilt, SkyTexture, bands,
+    bindings,
 };
 use lightfall_core::optics::spectrum;
 use lightfall_core::scene::View;

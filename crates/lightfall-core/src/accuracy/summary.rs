@@ -75,21 +75,26 @@ impl ErrorSummary {
     /// There are not as many answers as rays.
     #[must_use]
     pub fn of(truth: &Truth, given: &[Trace]) -> Self {
-        let errors = truth.judge(given);
+        Self::of_errors(truth, given, &truth.judge(given))
+    }
+
+    /// The same, with the errors that [`Truth::judge`] has found.
+    #[must_use]
+    pub fn of_errors(truth: &Truth, given: &[Trace], errors: &[RayError]) -> Self {
         let mut confusion = [[0; 3]; 2];
         for (truth, given) in truth.traces.iter().zip(given) {
             let row = usize::from(truth.outcome != Outcome::Sky);
             confusion[row][given.outcome as usize] += 1;
         }
         let seen = |trace: &Trace| trace.sky.is_some() || trace.hits[0].is_some();
-        let counted = truth.traces.iter().zip(given).zip(&errors);
+        let counted = truth.traces.iter().zip(given).zip(errors);
         let counted = counted.filter(|((truth, _), error)| seen(truth) || error.backward > 0.0);
         let wrong = |(given, error): &(&Trace, &RayError)| {
             given.outcome != Outcome::Unfinished && error.misclassified
         };
         let misclassified: Vec<f64> = given
             .iter()
-            .zip(&errors)
+            .zip(errors)
             .filter(wrong)
             .map(|(_, error)| error.backward)
             .collect();

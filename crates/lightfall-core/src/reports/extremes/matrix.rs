@@ -3,7 +3,7 @@
 use super::cells::Cell;
 use super::kernels::Kernels;
 use super::verdict::{Verdict, tightest};
-use crate::accuracy::{ErrorSummary, Truth};
+use crate::accuracy::Truth;
 use crate::gpu::{Gpu, GpuError};
 use crate::reports::bench::methods_for;
 use crate::reports::work::ray_work;
@@ -25,11 +25,8 @@ pub fn measure_matrix(
     for cell in cells {
         let truth = Truth::of(&cell.scene, cell.rays.clone())?;
         for scene in variations(&cell.scene, methods) {
-            let verdict = Verdict::new(
-                cell,
-                &scene,
-                &ErrorSummary::of(&truth, &kernels.traces(gpu, &scene, &truth.rays)?),
-            );
+            let given = kernels.traces(gpu, &scene, &truth.rays)?;
+            let verdict = Verdict::new(cell, &scene, &truth, &given);
             done(&verdict, work_of(cell, &scene));
             verdicts.push(verdict);
         }
