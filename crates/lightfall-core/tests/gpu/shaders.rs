@@ -139,7 +139,13 @@ fn a_line_of_a_variant_is_found_in_its_file() {
                 continue;
             };
             let in_file = lines.get(number - 1).map(String::as_str);
-            assert_eq!(in_file, Some(line), "{file}:{number}");
+            // Behind a tilted disk a sky gives its function under another name.
+            let own_name = if file == "sky/tilted.wgsl" {
+                line.to_owned()
+            } else {
+                line.replace("background_in_hole_frame", "sky_background")
+            };
+            assert_eq!(in_file, Some(own_name.as_str()), "{file}:{number}");
         }
     }
 }
