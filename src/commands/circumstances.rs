@@ -1,10 +1,13 @@
 //! The circumstances of a measurement: machine, program and command line.
 
 use lightfall_core::gpu::Gpu;
-use lightfall_core::reports::circumstances::Circumstances;
+use lightfall_core::reports::circumstances::{Circumstances, date};
+use lightfall_core::reports::sources::Sources;
+use std::time::{SystemTime, UNIX_EPOCH};
 
-/// The circumstances of a report made now on this device.
-pub(super) fn circumstances(gpu: &Gpu, size: String, entry: &str) -> Circumstances {
+/// The circumstances of a report made now on this device. `report` is the name of its CSV file,
+/// without its ending.
+pub(super) fn circumstances(gpu: &Gpu, report: &str, size: String, entry: &str) -> Circumstances {
     let info = &gpu.info;
     Circumstances {
         adapter: info.name.clone(),
@@ -15,6 +18,12 @@ pub(super) fn circumstances(gpu: &Gpu, size: String, entry: &str) -> Circumstanc
         size,
         entry: entry.into(),
         commit: commit().unwrap_or_else(|| format!("version {}", env!("CARGO_PKG_VERSION"))),
+        sources: Sources::of(report).map_or_else(String::new, |sources| sources.fingerprint.into()),
+        date: date(
+            SystemTime::now()
+                .duration_since(UNIX_EPOCH)
+                .unwrap_or_default(),
+        ),
         floor_ms: None,
         command: command_line(),
     }

@@ -2,15 +2,15 @@
 
 use super::circumstances::circumstances;
 use super::cli::ExtremesArgs;
-use super::output::{create_report_folder, print, write_tables};
+use super::output::{create_report_folder, print, write_report, write_tables};
 use super::progress::Progress;
 use super::scene::device;
 use super::stop::Stop;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::reports::export::{csv, json};
 use lightfall_core::reports::extremes::{
-    Cell, CellDelays, Hunt, WorstRay, cells, delays_table, delays_work, grid, markdown,
-    matrix_work, measure_delays, measure_matrix,
+    Cell, CellDelays, Hunt, HuntRow, WorstRay, cells, delays_table, delays_work, grid, hunt_text,
+    markdown, matrix_work, measure_delays, measure_matrix,
 };
 use lightfall_core::scene::Method;
 
@@ -31,7 +31,7 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
                 rays: rays as usize,
                 seed: args.seed,
             },
-            args.json,
+            args,
         );
     }
     let methods = if args.methods.is_empty() {
@@ -67,7 +67,12 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     progress.finish();
     let verdicts = measured.map_err(Stop::failed)?;
 
-    let circumstances = circumstances(&gpu, format!("{} rays a cell", args.rays), "compute");
+    let circumstances = circumstances(
+        &gpu,
+        "extremes",
+        format!("{} rays a cell", args.rays),
+        "compute",
+    );
     let (json, markdown) = (json(&circumstances, &verdicts), markdown(&verdicts));
     if let Some(folder) = &args.out {
         let csv = csv(&circumstances, &verdicts);
@@ -81,7 +86,7 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     };
     let solved: Vec<_> = verdicts
         .iter()
-        .filter(|verdict| is_solved(verdict.method))
+        .filter(|verdict| is_solved(&verdict.method))
         .collect();
     let failing = solved.iter().filter(|verdict| !verdict.holds).count();
     eprintln!(
@@ -108,7 +113,12 @@ fn delays(args: &ExtremesArgs, gpu: &Gpu, cells: &[Cell], methods: &[Method]) ->
     progress.finish();
     let rows = measured.map_err(Stop::failed)?;
 
-    let circumstances = circumstances(gpu, format!("{} rays a cell", args.rays), "compute");
+    let circumstances = circumstances(
+        gpu,
+        "delays",
+        format!("{} rays a cell", args.rays),
+        "compute",
+    );
     let (json, table) = (json(&circumstances, &rows), delays_table(&rows));
     if let Some(folder) = &args.out {
         let csv = csv(&circumstances, &rows);
@@ -134,7 +144,7 @@ fn delays(args: &ExtremesArgs, gpu: &Gpu, cells: &[Cell], methods: &[Method]) ->
     Ok(())
 }
 
-fn hunt(gpu: &Gpu, hunt: &Hunt, as_json: bool) -> Result<(), Stop> {
+fn hunt(gpu: &Gpu, hunt: &Hunt, args: &ExtremesArgs) -> Result<(), Stop> {
     let scenes = hunt.scenes() as f64;
     let mut progress = Progress::new("extremes --hunt", scenes, SAMPLE_SHARE * scenes);
     let mut worst = 0.0;
@@ -155,22 +165,23 @@ fn hunt(gpu: &Gpu, hunt: &Hunt, as_json: bool) -> Result<(), Stop> {
         rays.len()
     );
     let listed = &rays[..rays.len().min(MIN_LISTED.max(scenes))];
-    if as_json {
-        let rows = listed.iter().map(|ray| {
-            serde_json::json!({
-                "backward": ray.backward,
-                "excess": ray.excess,
-                "verdict": ray.verdict(),
-                "rays_beyond": ray.beyond,
-                "rays_unexplained": ray.unexplained,
-                "command": ray.command(),
-            })
-        });
-        print(&format!("{:#}\n", serde_json::Value::Array(rows.collect())))?;
-    } else {
-        let lines = |ray: &WorstRay| format!("# {}\n{}\n", ray.verdict(), ray.command());
-        print(&listed.iter().map(lines).collect::<String>())?;
+    let rows: Vec<HuntRow> = listed.iter().map(WorstRay::row).collect();
+    let circumstances = circumstances(
+        gpu,
+        "hunt",
+        format!("{} rays in {} scenes", hunt.rays, hunt.scenes()),
+        "compute",
+    );
+    let (json, text) = (
+        json(&circumstances, &rows),
+        hunt_text(&circumstances, &rows),
+    );
+    if let Some(folder) = &args.out {
+        write_report(folder, "hunt.csv", &csv(&circumstances, &rows))?;
+        write_report(folder, "hunt.json", &json)?;
+        write_report(folder, "hunt.txt", &text)?;
     }
+    print(if args.json { &json } else { &text })?;
     if unexplained > 0 {
         return Err(Stop::failed(format!(
             "rays beyond their tolerance that nothing explains: {unexplained}"

@@ -64,7 +64,7 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
 
     let circumstances = Circumstances {
         floor_ms: Some(plan.floor(&gpu).map_err(Stop::failed)?),
-        ..circumstances_of(&plan, &gpu, args.entry)
+        ..circumstances_of(&plan, &gpu, "bench", args.entry)
     };
     let (json, markdown) = (json(&circumstances, &rows), markdown(&circumstances, &rows));
     if let Some(folder) = &args.out {
@@ -92,7 +92,7 @@ fn bench_delays(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
             );
         })
         .map_err(Stop::failed)?;
-    let circumstances = circumstances_of(plan, gpu, args.entry);
+    let circumstances = circumstances_of(plan, gpu, "delay", args.entry);
     let (json, table) = (json(&circumstances, &rows), delay_table(&rows));
     if let Some(folder) = &args.out {
         let csv = csv(&circumstances, &rows);
@@ -111,7 +111,7 @@ fn bench_light(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
             eprintln!("lightfall: bench: {}, {}", row.scene, row.method);
         })
         .map_err(Stop::failed)?;
-    let circumstances = circumstances_of(plan, gpu, EntryArg::Compute);
+    let circumstances = circumstances_of(plan, gpu, "light", EntryArg::Compute);
     let (json, table) = (json(&circumstances, &rows), light_table(&rows));
     if let Some(folder) = &args.out {
         let csv = csv(&circumstances, &rows);
@@ -130,7 +130,7 @@ fn bench_pictures(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> 
     for scene in &plan.scenes {
         rows.extend(measure_pictures(scene, plan.size)?);
     }
-    let circumstances = circumstances_of(plan, gpu, EntryArg::Fragment);
+    let circumstances = circumstances_of(plan, gpu, "pictures", EntryArg::Fragment);
     let (json, table) = (json(&circumstances, &rows), pictures_table(&rows));
     if let Some(folder) = &args.out {
         let csv = csv(&circumstances, &rows);
@@ -143,12 +143,17 @@ fn bench_pictures(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> 
 }
 
 /// What the plan is measured on, with this entry.
-fn circumstances_of(plan: &Plan, gpu: &Gpu, entry: EntryArg) -> Circumstances {
+fn circumstances_of(plan: &Plan, gpu: &Gpu, report: &str, entry: EntryArg) -> Circumstances {
     let entry = match entry {
         EntryArg::Compute => "compute",
         EntryArg::Fragment => "fragment",
     };
-    circumstances(gpu, format!("{}x{}", plan.size.x, plan.size.y), entry)
+    circumstances(
+        gpu,
+        report,
+        format!("{}x{}", plan.size.x, plan.size.y),
+        entry,
+    )
 }
 
 /// Measures everything that is planned, and shows how far it has come.

@@ -105,14 +105,15 @@ pub struct ExtremesArgs {
     #[arg(long, conflicts_with = "hunt")]
     pub delay: bool,
     /// Instead of the matrix, trace N rays through random scenes by `auto`, 2000 rays a
-    /// scene, and list the worst rays
+    /// scene, and list the worst rays. --out then writes hunt.csv, hunt.json and hunt.txt, whose
+    /// lines trace the rays again
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u32>(1, 100_000_000))]
     pub hunt: Option<u32>,
     /// Seed of the hunt's random numbers: the same seed finds the same rays
     #[arg(long, value_name = "SEED", default_value_t = 1, requires = "hunt", value_parser = whole_number::<u64>(0, u64::MAX))]
     pub seed: u64,
     /// Folder for the reports; it is created, and files of the same names are replaced
-    #[arg(long, value_name = "DIR", conflicts_with = "hunt")]
+    #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Print JSON to standard output
     #[arg(long)]

@@ -15,6 +15,17 @@ pub fn short_number(number: f64) -> String {
     }
 }
 
+/// How many times as large one measured number is as another: to two significant digits, or whole.
+#[must_use]
+pub fn ratio(ratio: f64) -> String {
+    let digits = match ratio {
+        _ if ratio < 1.0 => 2,
+        _ if ratio < 10.0 => 1,
+        _ => 0,
+    };
+    format!("{ratio:.digits$}")
+}
+
 /// The significant digits of a number in a sentence for people.
 const DIGITS: i32 = 4;
 

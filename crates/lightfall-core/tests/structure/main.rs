@@ -1,9 +1,10 @@
 //! The structure of the source: which module may import from which. These tests read the source
-//! files and the documents, and need neither Bevy nor a GPU. docs/ARCHITECTURE.md explains the
-//! order.
+//! files, the documents and their measured figures, and need neither Bevy nor a GPU.
+//! docs/ARCHITECTURE.md explains the order.
 
 mod documents;
 mod examples;
+mod figures;
 mod graph;
 mod program;
 mod rules;

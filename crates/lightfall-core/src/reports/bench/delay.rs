@@ -10,9 +10,10 @@ use crate::gpu::timing::Stopwatch;
 use crate::gpu::{Gpu, GpuError, Variant};
 use crate::optics::reference::Reference;
 use crate::optics::trace::{Hit, Trace};
+use crate::reports::import::or_nan;
 use crate::scene::{Method, Scene};
 use glam::Vec3;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Numbers of nodes that are measured, 0 for tracing without delays: per leg of a ray of the method
 /// closed, per step of the method mino.
@@ -20,7 +21,7 @@ const NODES: [u32; 5] = [0, 2, 3, 4, 8];
 
 /// The delays of one method with one number of nodes in one scene, in r_s/c. They are compared
 /// where the ray meets the disk as often as it should.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct DelayMeasurement {
     /// Name of the scene.
     pub scene: String,
@@ -35,18 +36,23 @@ pub struct DelayMeasurement {
     /// Difference between the 90th and the 10th percentile of that time, in milliseconds.
     pub trace_spread_ms: f64,
     /// The clock that the times were read from.
-    pub clock: &'static str,
+    pub clock: String,
     /// Number of hits.
     pub hits: usize,
     /// Error of their delays: its median.
+    #[serde(deserialize_with = "or_nan")]
     pub delay_p50: f64,
     /// Its 99th percentile.
+    #[serde(deserialize_with = "or_nan")]
     pub delay_p99: f64,
     /// Its maximum.
+    #[serde(deserialize_with = "or_nan")]
     pub delay_max: f64,
     /// Error in radians of the angle by which the matter turns meanwhile: its 99th percentile.
+    #[serde(deserialize_with = "or_nan")]
     pub turn_p99: f64,
     /// Its maximum.
+    #[serde(deserialize_with = "or_nan")]
     pub turn_max: f64,
 }
 
@@ -131,7 +137,7 @@ impl Plan {
             own,
             trace_ms: timing.median_ms,
             trace_spread_ms: timing.spread_ms,
-            clock: timing.clock.word(),
+            clock: timing.clock.word().into(),
             hits: errors.len(),
             delay_p50: delays.p50,
             delay_p99: delays.p99,

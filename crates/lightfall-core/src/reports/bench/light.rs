@@ -7,10 +7,10 @@ use super::settings::methods_for;
 use crate::gpu::timing::{Stopwatch, Timing};
 use crate::gpu::{Gpu, GpuError};
 use crate::scene::{DiskStructure, HotSpotKind, LimbDarkening, Method, Scene, SkyMode};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// The run time of one method in one scene.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct LightMeasurement {
     /// Name of the scene.
     pub scene: String,
@@ -25,7 +25,7 @@ pub struct LightMeasurement {
     /// Difference between the 90th and the 10th percentile of the second, in milliseconds.
     pub living_spread_ms: f64,
     /// The clock that the times were read from.
-    pub clock: &'static str,
+    pub clock: String,
 }
 
 impl Plan {
@@ -84,7 +84,7 @@ impl Plan {
             living_ms: living.median_ms,
             ratio: living.median_ms / smooth.median_ms,
             living_spread_ms: living.spread_ms,
-            clock: living.clock.word(),
+            clock: living.clock.word().into(),
         })
     }
 }

@@ -4,7 +4,7 @@ use super::equal_error::at_equal_error;
 use super::measurement::Measurement;
 use super::pareto::is_on_front;
 use crate::reports::circumstances::Circumstances;
-use crate::reports::numbers::short_number;
+use crate::reports::numbers::{ratio, short_number};
 use std::fmt::Write;
 
 /// The report as a Markdown table, scene by scene. Rows on the Pareto front are bold, and `auto`'s
@@ -64,6 +64,17 @@ fn half_spread(spread_ms: f64) -> String {
 /// A larger ratio only shows that the two times differ from the floor by no more than their noise.
 const MAX_RATIO: f64 = 1e6;
 
+/// A range of ratios of times. It is empty if the floor is as high as the faster method's time: then
+/// nothing is left to compare.
+#[must_use]
+pub fn ratio_range([low, high]: [f64; 2]) -> String {
+    match (ratio(low), ratio(high)) {
+        _ if !high.is_finite() || high > MAX_RATIO => String::new(),
+        (low, high) if low == high => low,
+        (low, high) => format!("{low} to {high}"),
+    }
+}
+
 /// The methods compared at equal errors, scene by scene. Empty if they were not measured.
 fn equal_errors(circumstances: &Circumstances, rows: &[Measurement]) -> String {
     let mut scenes: Vec<&str> = rows.iter().map(|row| row.scene.as_str()).collect();
@@ -80,18 +91,12 @@ fn equal_errors(circumstances: &Circumstances, rows: &[Measurement]) -> String {
             else {
                 continue;
             };
-            let range = |[low, high]: [f64; 2]| match (format!("{low:.1}"), format!("{high:.1}")) {
-                // If the floor is as high as the faster method's time, nothing is left to compare.
-                _ if !high.is_finite() || high > MAX_RATIO => String::new(),
-                (low, high) if low == high => low,
-                (low, high) => format!("{low} to {high}"),
-            };
             let [fastest, slowest] = found.best;
             writeln!(
                 text,
                 "| {scene} | {fast}, {slow} | {} | {} | {} | {} |",
-                range(found.ratio),
-                found.net_ratio.map(range).unwrap_or_default(),
+                ratio_range(found.ratio),
+                found.net_ratio.map(ratio_range).unwrap_or_default(),
                 short_number(slowest),
                 short_number(fastest)
             )

@@ -4,19 +4,20 @@ use super::settings::{Setting, setting_label};
 use crate::accuracy::{ErrorSummary, Truth};
 use crate::gpu::timing::Timing;
 use crate::optics::trace::Trace;
+use crate::reports::import::{or_infinite, or_nan};
 use crate::scene::{AccuracySetting, ArticleQuality};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Error and time of one method at one setting in one scene. Angles are in radians unless their
 /// name ends in `_px`. The error of an unfinished ray is infinite, and null in JSON.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Measurement {
     /// Name of the scene.
     pub scene: String,
     /// Name of the method.
     pub method: String,
     /// Key of the field that is the method's setting, if it has one.
-    pub setting: Option<&'static str>,
+    pub setting: Option<String>,
     /// The setting's value.
     pub value: Option<f64>,
     /// Whether it is the scene's own setting.
@@ -28,7 +29,7 @@ pub struct Measurement {
     /// Difference between the 90th and the 10th percentile of that time, in milliseconds.
     pub trace_spread_ms: f64,
     /// The clock that the times were read from.
-    pub clock: &'static str,
+    pub clock: String,
     /// GPU time of the whole frame, in milliseconds, if it was measured.
     pub frame_ms: Option<f64>,
     /// Number of rays whose error was measured.
@@ -45,26 +46,37 @@ pub struct Measurement {
     /// Numbers of the rays that should be captured, by the method's outcome, in the same order.
     pub captured_as: [usize; 3],
     /// Forward error of the sky direction: its median.
+    #[serde(deserialize_with = "or_nan")]
     pub sky_p50: f64,
     /// Its 99th percentile.
+    #[serde(deserialize_with = "or_nan")]
     pub sky_p99: f64,
     /// Relative error of the radius of hits: its median.
+    #[serde(deserialize_with = "or_nan")]
     pub hit_r_p50: f64,
     /// Its 99th percentile.
+    #[serde(deserialize_with = "or_nan")]
     pub hit_r_p99: f64,
     /// Relative error of the g of hits: its median.
+    #[serde(deserialize_with = "or_nan")]
     pub hit_g_p50: f64,
     /// Its 99th percentile.
+    #[serde(deserialize_with = "or_nan")]
     pub hit_g_p99: f64,
     /// Backward error: its median.
+    #[serde(deserialize_with = "or_infinite")]
     pub backward_p50: f64,
     /// Its 99th percentile.
+    #[serde(deserialize_with = "or_infinite")]
     pub backward_p99: f64,
     /// Its maximum.
+    #[serde(deserialize_with = "or_infinite")]
     pub backward_max: f64,
     /// Median of the backward error in pixels of the scene's picture.
+    #[serde(deserialize_with = "or_infinite")]
     pub backward_p50_px: f64,
     /// Its 99th percentile.
+    #[serde(deserialize_with = "or_infinite")]
     pub backward_p99_px: f64,
     /// Mean number of steps.
     pub steps_mean: f64,
@@ -94,13 +106,13 @@ impl Measurement {
         Self {
             scene: name.into(),
             method: scene.method.word().into(),
-            setting: setting.key,
+            setting: setting.key.map(str::to_owned),
             value: setting.key.map(|_| setting.value),
             own_setting: setting.own,
             auto: setting.auto,
             trace_ms: timing.median_ms,
             trace_spread_ms: timing.spread_ms,
-            clock: timing.clock.word(),
+            clock: timing.clock.word().into(),
             frame_ms: None,
             rays: errors.rays,
             unfinished: errors.unfinished(),

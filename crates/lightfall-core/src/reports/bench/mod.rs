@@ -19,7 +19,7 @@ mod studies;
 pub use delay::{DelayMeasurement, delay_table, plot_delays};
 pub use equal_error::{AtEqualError, at_equal_error};
 pub use light::{LightMeasurement, light_table};
-pub use markdown::markdown;
+pub use markdown::{markdown, ratio_range};
 pub use measurement::Measurement;
 pub use pareto::{AutoMargin, Ranking, auto_margin, is_on_front};
 pub use pictures::{

@@ -4,7 +4,7 @@
 use super::plot::{Axes, Mark, plot_marks};
 use super::scenes::BenchScene;
 use crate::scene::{DiskStructure, LimbDarkening, Scene, SkyMode};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Frames of the truth: the mean of as many rays in every pixel, at the places of
 /// [`pixel_offset`](crate::optics::pixel_samples::pixel_offset).
@@ -136,7 +136,7 @@ pub fn shown_brightness([r, g, b]: [f64; 3], exposure_ev: f64) -> f64 {
 }
 
 /// A picture's error and time.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct PictureMeasurement {
     /// Name of the scene.
     pub scene: String,

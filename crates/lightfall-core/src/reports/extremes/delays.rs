@@ -10,32 +10,36 @@ use crate::gpu::{Gpu, GpuError};
 use crate::optics::reference::Reference;
 use crate::optics::trace::Trace;
 use crate::reports::bench::methods_for;
+use crate::reports::import::or_nan;
 use crate::reports::numbers::short_number;
 use crate::scene::{Method, Scene};
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 
 /// The largest turn of the disk's matter, in radians, that the error of a delay may be worth.
 const MAX_TURN: f64 = 1e-3;
 
 /// The delays of a method in a cell, compared with the reference's.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 pub struct CellDelays {
     /// What is extreme.
-    pub group: &'static str,
+    pub group: String,
     /// How extreme.
     pub cell: String,
     /// The method, at its default setting.
-    pub method: &'static str,
+    pub method: String,
     /// Number of hits that are compared.
     pub hits: usize,
     /// Largest difference between the method's delay and the reference's, in r_s/c.
+    #[serde(deserialize_with = "or_nan")]
     pub delay_max: f64,
     /// Largest angle, in radians, by which the matter at the hit turns in the difference.
+    #[serde(deserialize_with = "or_nan")]
     pub turn_max: f64,
     /// The same for the difference from the delay of the place that the method has found, of hits
     /// whose place is the reference's to 0.003 of the radius.
+    #[serde(deserialize_with = "or_nan")]
     pub turn_at_place_max: f64,
     /// Number of hits where the matter turns by more than a thousandth of a radian in the
     /// difference. Each is counted once more in one of the next three classes.
@@ -108,9 +112,9 @@ fn variations(scene: &Scene, methods: &[Method]) -> impl Iterator<Item = Scene> 
 impl CellDelays {
     fn new(cell: &Cell, method: Method, truth: &[TimedRay], found: &[Trace]) -> Self {
         let mut row = Self {
-            group: cell.group,
+            group: cell.group.into(),
             cell: cell.name.clone(),
-            method: method.word(),
+            method: method.word().into(),
             ..Self::default()
         };
         let kerr = Kerr {
@@ -161,7 +165,7 @@ pub fn delays_table(rows: &[CellDelays]) -> String {
     let mut group = "";
     for row in rows {
         if row.group != group {
-            group = row.group;
+            group = &row.group;
             writeln!(text, "| **{group}** | | | | | | | | | | |")
                 .expect("writing to a string cannot fail");
         }

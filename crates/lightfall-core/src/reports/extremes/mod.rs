@@ -22,4 +22,4 @@ pub use hunt::Hunt;
 pub use matrix::{matrix_work, measure_matrix};
 pub use tolerance::tolerance;
 pub use verdict::{Verdict, markdown};
-pub use worst_ray::WorstRay;
+pub use worst_ray::{HuntRow, WorstRay, hunt_text};

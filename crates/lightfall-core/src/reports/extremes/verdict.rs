@@ -5,9 +5,10 @@ use super::cells::Cell;
 use super::tolerance::tolerance;
 use crate::accuracy::{ErrorSummary, Truth};
 use crate::optics::trace::Trace;
+use crate::reports::import::{or_infinite, or_nan};
 use crate::reports::numbers::short_number;
 use crate::scene::{AccuracySetting, Method, Quality, Scene};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 
 /// The name of mino at its tightest setting.
@@ -27,14 +28,14 @@ pub(super) fn tightest(scene: &Scene) -> Scene {
 }
 
 /// The errors of a method in a cell.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Verdict {
     /// What is extreme.
-    pub group: &'static str,
+    pub group: String,
     /// How extreme.
     pub cell: String,
     /// The method. Mino at its tightest setting has a name of its own.
-    pub method: &'static str,
+    pub method: String,
     /// Number of rays.
     pub rays: usize,
     /// Number of rays that the method gave up.
@@ -44,12 +45,16 @@ pub struct Verdict {
     /// Number of answers with a wrong outcome or number of hits.
     pub misclassified: usize,
     /// Maximum of the backward errors of those answers, in radians.
+    #[serde(deserialize_with = "or_infinite")]
     pub misclassified_max: f64,
     /// Median of the backward error, in radians.
+    #[serde(deserialize_with = "or_infinite")]
     pub backward_p50: f64,
     /// Its 99th percentile, in radians.
+    #[serde(deserialize_with = "or_infinite")]
     pub backward_p99: f64,
     /// Its maximum, in radians.
+    #[serde(deserialize_with = "or_infinite")]
     pub backward_max: f64,
     /// Largest normalized residual of the null constraint.
     pub residual: f64,
@@ -62,18 +67,25 @@ pub struct Verdict {
     /// rounding.
     pub holds: bool,
     /// Number of rays with a hit that is compared: one that the method and the reference have.
+    #[serde(default)]
     pub hits: usize,
     /// Median of the relative error of the hits' radii; NaN in a cell without hits.
+    #[serde(default = "not_a_number", deserialize_with = "or_nan")]
     pub hit_r_p50: f64,
     /// Its 99th percentile.
+    #[serde(default = "not_a_number", deserialize_with = "or_nan")]
     pub hit_r_p99: f64,
     /// Median of the relative error of the hits' g; NaN in a cell without hits.
+    #[serde(default = "not_a_number", deserialize_with = "or_nan")]
     pub hit_g_p50: f64,
     /// Its 99th percentile.
+    #[serde(default = "not_a_number", deserialize_with = "or_nan")]
     pub hit_g_p99: f64,
     /// Number of rays with an error beyond the tolerance.
+    #[serde(default)]
     pub beyond: usize,
     /// Number of those rays whose error no rounding to f32 explains.
+    #[serde(default)]
     pub unexplained: usize,
 }
 
@@ -101,12 +113,12 @@ impl Verdict {
         let backward_max = zero_if_none(errors.backward.max);
         let sound = errors.unfinished() == 0 && errors.not_finite == 0;
         Self {
-            group: cell.group,
+            group: cell.group.into(),
             cell: cell.name.clone(),
             method: if *scene == tightest(scene) {
-                TIGHTEST
+                TIGHTEST.into()
             } else {
-                scene.method.word()
+                scene.method.word().into()
             },
             rays: errors.rays,
             unfinished: errors.unfinished(),
@@ -154,7 +166,7 @@ pub fn markdown(verdicts: &[Verdict]) -> String {
     let mut group = "";
     for verdict in verdicts {
         if verdict.group != group {
-            group = verdict.group;
+            group = &verdict.group;
             writeln!(
                 text,
                 "| **{group}** | | | | | | | | | | | | | | | | | | | |"

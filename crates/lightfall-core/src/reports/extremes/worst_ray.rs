@@ -4,8 +4,11 @@ use super::cause::Cause;
 use super::tolerance::tolerance;
 use crate::accuracy::{RayError, Truth};
 use crate::optics::trace::Trace;
+use crate::reports::circumstances::Circumstances;
 use crate::scene::Scene;
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
+use std::fmt::Write;
 
 /// The ray of a scene with the largest error; among the unexplained rays, if there are any.
 #[derive(Clone, Debug, PartialEq)]
@@ -105,6 +108,30 @@ impl WorstRay {
         )
     }
 
+    /// The ray as a row of a report.
+    #[must_use]
+    pub fn row(&self) -> HuntRow {
+        let Scene {
+            hole,
+            camera,
+            observer,
+            ..
+        } = &self.scene;
+        let [v_r, v_theta, v_phi] = observer.velocity;
+        HuntRow {
+            backward: self.backward,
+            excess: self.excess,
+            rays_beyond: self.beyond,
+            rays_unexplained: self.unexplained,
+            spin: hole.spin,
+            r: camera.r,
+            fov_deg: camera.fov_deg,
+            speed: v_r.hypot(v_theta).hypot(v_phi),
+            verdict: self.verdict(),
+            command: self.command(),
+        }
+    }
+
     /// A sentence about this ray.
     #[must_use]
     pub fn verdict(&self) -> String {
@@ -126,4 +153,43 @@ impl WorstRay {
             }
         }
     }
+}
+
+/// The worst ray of a scene, as a row of a report.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct HuntRow {
+    /// The ray's backward error, in radians.
+    pub backward: f64,
+    /// The backward error over the method's tolerance.
+    pub excess: f64,
+    /// Number of the scene's rays with an error beyond the tolerance.
+    pub rays_beyond: usize,
+    /// Number of those rays whose error no rounding explains.
+    pub rays_unexplained: usize,
+    /// The hole's spin.
+    pub spin: f64,
+    /// The camera's radius, in r_s.
+    pub r: f64,
+    /// The vertical field of view, in degrees.
+    pub fov_deg: f64,
+    /// The observer's speed against the kind of observer that the scene names, in units of c.
+    pub speed: f64,
+    /// A sentence about the error.
+    pub verdict: String,
+    /// The command line that traces the ray again.
+    pub command: String,
+}
+
+/// The rows as lines for a shell: each traces a ray again, below a comment with its verdict.
+#[must_use]
+pub fn hunt_text(circumstances: &Circumstances, rows: &[HuntRow]) -> String {
+    let mut text = String::new();
+    for (name, value) in circumstances.lines() {
+        writeln!(text, "# {name}: {value}").expect("writing to a string cannot fail");
+    }
+    for row in rows {
+        writeln!(text, "# {}\n{}", row.verdict, row.command)
+            .expect("writing to a string cannot fail");
+    }
+    text
 }
