@@ -1,10 +1,10 @@
 //! `lightfall render`: a picture, or a sequence of pictures: a journey, or a disk that moves.
 
-use super::circumstances::commit;
+use super::circumstances::{circumstances, commit};
 use super::cli::RenderArgs;
 use super::output::print;
 use super::progress::{LongWork, progress};
-use super::scene::{drawable, journey, scene, stars};
+use super::scene::{device, drawable, journey, scene, stars};
 use super::stop::Stop;
 use crate::picture;
 use crate::picture::{
@@ -16,6 +16,7 @@ use crate::storage;
 use glam::UVec2;
 use indicatif::ProgressBar;
 use lightfall_core::gpu::Drawable;
+use lightfall_core::reports::export::csv;
 use lightfall_core::scene::{Picture, Scene, SkyMode};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -61,7 +62,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     }
     note_unseen_stars(args, &pictures.scene);
     let options = HeadlessOptions {
-        timed: args.timings,
+        timed: args.timings.is_some(),
         light: format == Format::Exr,
         stars: stars(&args.scene)?,
     };
@@ -101,8 +102,12 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         animation.finish().map_err(Stop::failed)?;
         print(&format!("{}\n", args.out.display()))?;
     }
-    if args.timings {
-        print_times(&writer.studio.time(TIMED_FRAMES).map_err(stop_drawing)?);
+    if let Some(file) = &args.timings {
+        let times = writer.studio.time(TIMED_FRAMES).map_err(stop_drawing)?;
+        print_times(&times);
+        if let Some(file) = file {
+            write_times(file, &times, size)?;
+        }
     }
     if let Some(sequence) = &pictures.sequence
         && format != Format::Apng
@@ -364,6 +369,13 @@ fn write_png(file: &Path, still: &Still, scene: &Scene) -> Result<(), Stop> {
 pub(super) fn write_still(file: &Path, still: &Still, scene: &Scene) -> Result<(), Stop> {
     write_png(file, still, scene)?;
     print(&format!("{}\n", file.display()))
+}
+
+/// Writes the times of a picture of this size as CSV.
+fn write_times(file: &Path, times: &[PassTime], size: UVec2) -> Result<(), Stop> {
+    let size = format!("{}x{}", size.x, size.y);
+    let circumstances = circumstances(&device()?, "timings", size, "fragment");
+    storage::write_atomically(file, csv(&circumstances, times).as_bytes()).map_err(Stop::failed)
 }
 
 fn print_times(times: &[PassTime]) {

@@ -11,6 +11,7 @@ use bevy::prelude::*;
 use bevy::render::gpu_readback::{Readback, ReadbackComplete};
 use bevy::render::renderer::RenderDevice;
 use lightfall_core::scene::Scene;
+use serde::Serialize;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -25,7 +26,7 @@ pub struct Still {
 }
 
 /// GPU time of one pass.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PassTime {
     /// Name of the pass.
     pub pass: String,

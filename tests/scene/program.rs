@@ -112,6 +112,49 @@ fn the_error_about_an_unknown_adapter_or_interface_lists_the_available_ones() {
     assert!(!folder.path().join("a.png").exists());
 }
 
+/// A run that is stopped leaves its rows in a file. Here it is the start of a finished report.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn a_bench_that_was_stopped_goes_on_after_its_rows_unless_another_program_measured_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let line = "bench --quick --scenes 5 --methods closed,mino --size 32x18 --rays 32 --out rows";
+    let (table, partial) = (
+        folder.path().join("rows/bench.csv"),
+        folder.path().join("rows/bench.csv.partial"),
+    );
+    let (status, _, stderr) = program(folder.path(), line, "");
+    assert_eq!(status, 0, "{stderr}");
+    assert!(!partial.exists());
+    let whole = fs::read_to_string(&table).unwrap();
+    let rows = |text: &str| -> Vec<String> {
+        let lines = text.lines().filter(|line| !line.starts_with('#'));
+        lines.skip(1).map(str::to_owned).collect()
+    };
+    let count = rows(&whole).len();
+    assert!(count > 2, "{whole}");
+    let lines: Vec<&str> = whole.lines().collect();
+    let stopped = lines[..lines.len() - (count - 2)].join("\n") + "\n";
+
+    fs::write(&partial, &stopped).unwrap();
+    let (status, _, stderr) = program(folder.path(), line, "");
+    assert_eq!(status, 0, "{stderr}");
+    assert!(stderr.contains("goes on after the 2 rows"), "{stderr}");
+    let resumed = rows(&fs::read_to_string(&table).unwrap());
+    // Times that were measured again would differ in some digit.
+    assert_eq!(resumed[..2], rows(&whole)[..2]);
+    assert_eq!(resumed.len(), count);
+    assert!(!partial.exists());
+
+    fs::write(&partial, stopped.replace("# adapter: ", "# adapter: not ")).unwrap();
+    let (status, _, stderr) = program(folder.path(), line, "");
+    assert_eq!(status, 0, "{stderr}");
+    assert!(
+        stderr.contains("starts anew") && stderr.contains("adapter was not"),
+        "{stderr}"
+    );
+    assert!(!partial.exists());
+}
+
 #[test]
 fn missing_or_wrong_rays_are_a_bad_command_line() {
     let folder = tempfile::tempdir().unwrap();

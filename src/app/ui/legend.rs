@@ -18,17 +18,17 @@ const CLASSES: &[Swatch] = &[
     (Vec3::new(0.0, 0.02, 0.16), "from the sky"),
     (
         Vec3::new(0.02, 0.20, 0.75),
-        "from the sky, through the disk once",
+        "from the sky, meets the disk once",
     ),
-    (Vec3::new(0.30, 0.75, 1.0), "from the sky, through it twice"),
+    (Vec3::new(0.30, 0.75, 1.0), "from the sky, meets it twice"),
     (Vec3::new(0.06, 0.02, 0.0), "ends at the horizon"),
     (
         Vec3::new(0.60, 0.15, 0.0),
-        "ends at the horizon, through it once",
+        "ends at the horizon, meets it once",
     ),
     (
         Vec3::new(1.0, 0.65, 0.05),
-        "ends at the horizon, through it twice",
+        "ends at the horizon, meets it twice",
     ),
     (MAGENTA, "unfinished"),
 ];
@@ -107,7 +107,10 @@ pub fn legend(view: View) -> Option<(&'static str, &'static [Swatch])> {
     Some(match view {
         View::Colour => return None,
         View::Unfinished => ("Rays left unfinished", UNFINISHED),
-        View::Classes => ("Where each ray comes from", CLASSES),
+        View::Classes => (
+            "Where each ray comes from, and how often it meets the disk between its edges",
+            CLASSES,
+        ),
         View::Order => (
             "Order of the image; the sky is darker than the disk",
             ORDERS,

@@ -5,6 +5,7 @@ mod refine;
 
 use super::circumstances::circumstances;
 use super::cli::{BenchArgs, EntryArg};
+use super::kept_rows::KeptRows;
 use super::output::{create_report_folder, print, write_report, write_tables};
 use super::progress::Progress;
 use super::scene::device;
@@ -13,8 +14,8 @@ use crate::picture;
 use glam::UVec2;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::reports::bench::{
-    AutoMargin, Measurement, Plan, Ranking, auto_margin, delay_table, light_table, markdown,
-    pictures_table, plot, plot_delays, plot_pictures, with_smooth_disk,
+    AutoMargin, Measurement, PictureMeasurement, Plan, Ranking, auto_margin, delay_table,
+    light_table, markdown, pictures_table, plot, plot_delays, plot_pictures, with_smooth_disk,
 };
 use lightfall_core::reports::circumstances::Circumstances;
 use lightfall_core::reports::export::{csv, json};
@@ -57,14 +58,16 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
         plan.len(),
         gpu.info.name
     );
-    let mut rows = measure(&gpu, &plan)?;
+    let circumstances = circumstances_of(&plan, &gpu, "bench", args.entry);
+    let mut kept = KeptRows::open(args.out.as_deref(), "bench", &circumstances);
+    let mut rows = measure(&gpu, &plan, &mut kept)?;
     if args.frames {
-        time_frames(&plan, &mut rows)?;
+        time_frames(&plan, &mut rows, &mut kept)?;
     }
 
     let circumstances = Circumstances {
         floor_ms: Some(plan.floor(&gpu).map_err(Stop::failed)?),
-        ..circumstances_of(&plan, &gpu, "bench", args.entry)
+        ..circumstances
     };
     let (json, markdown) = (json(&circumstances, &rows), markdown(&circumstances, &rows));
     if let Some(folder) = &args.out {
@@ -74,6 +77,7 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
             plot(scene, about, &rows)
         })?;
     }
+    kept.remove();
     for scene in &plan.scenes {
         if let Some(margin) = auto_margin(&rows, &scene.name) {
             print_margin(&margin);
@@ -84,15 +88,17 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
 
 /// Measures the delays, and prints and writes their report.
 fn bench_delays(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
+    let circumstances = circumstances_of(plan, gpu, "delay", args.entry);
+    let mut kept = KeptRows::open(args.out.as_deref(), "delay", &circumstances);
     let rows = plan
-        .run_delays(gpu, |row| {
+        .run_delays(gpu, &kept.rows(), |row| {
             eprintln!(
                 "lightfall: bench: {}, {}, {} nodes",
                 row.scene, row.method, row.nodes
             );
+            kept.add(row.clone());
         })
         .map_err(Stop::failed)?;
-    let circumstances = circumstances_of(plan, gpu, "delay", args.entry);
     let (json, table) = (json(&circumstances, &rows), delay_table(&rows));
     if let Some(folder) = &args.out {
         let csv = csv(&circumstances, &rows);
@@ -101,22 +107,26 @@ fn bench_delays(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
             plot_delays(scene, about, &rows)
         })?;
     }
+    kept.remove();
     print(if args.json { &json } else { &table })
 }
 
 /// Times the light of living disks, and prints and writes the report.
 fn bench_light(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
+    let circumstances = circumstances_of(plan, gpu, "light", EntryArg::Compute);
+    let mut kept = KeptRows::open(args.out.as_deref(), "light", &circumstances);
     let rows = plan
-        .run_light(gpu, |row| {
+        .run_light(gpu, &kept.rows(), |row| {
             eprintln!("lightfall: bench: {}, {}", row.scene, row.method);
+            kept.add(row.clone());
         })
         .map_err(Stop::failed)?;
-    let circumstances = circumstances_of(plan, gpu, "light", EntryArg::Compute);
     let (json, table) = (json(&circumstances, &rows), light_table(&rows));
     if let Some(folder) = &args.out {
         let csv = csv(&circumstances, &rows);
         write_tables(folder, "light", [&csv, &json, &table])?;
     }
+    kept.remove();
     print(if args.json { &json } else { &table })
 }
 
@@ -126,11 +136,20 @@ fn bench_pictures(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> 
         scenes: plan.scenes.iter().flat_map(with_smooth_disk).collect(),
         ..plan.clone()
     };
-    let mut rows = Vec::new();
-    for scene in &plan.scenes {
-        rows.extend(measure_pictures(scene, plan.size)?);
-    }
     let circumstances = circumstances_of(plan, gpu, "pictures", EntryArg::Fragment);
+    let mut kept = KeptRows::open(args.out.as_deref(), "pictures", &circumstances);
+    for scene in &plan.scenes {
+        // The rows of a scene share the truth, which takes the longest, so they are kept together.
+        let known = kept.rows();
+        if !known
+            .iter()
+            .any(|row: &PictureMeasurement| row.scene == scene.name)
+        {
+            let rows = measure_pictures(scene, plan.size)?;
+            kept.replace(&[known, rows].concat());
+        }
+    }
+    let rows = kept.rows();
     let (json, table) = (json(&circumstances, &rows), pictures_table(&rows));
     if let Some(folder) = &args.out {
         let csv = csv(&circumstances, &rows);
@@ -139,6 +158,7 @@ fn bench_pictures(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> 
             plot_pictures(scene, about, &rows)
         })?;
     }
+    kept.remove();
     print(if args.json { &json } else { &table })
 }
 
@@ -156,14 +176,22 @@ fn circumstances_of(plan: &Plan, gpu: &Gpu, report: &str, entry: EntryArg) -> Ci
     )
 }
 
-/// Measures everything that is planned, and shows how far it has come.
-fn measure(gpu: &Gpu, plan: &Plan) -> Result<Vec<Measurement>, Stop> {
+/// Measures what is planned and not known, and shows how far it has come.
+fn measure(
+    gpu: &Gpu,
+    plan: &Plan,
+    kept: &mut KeptRows<Measurement>,
+) -> Result<Vec<Measurement>, Stop> {
+    let known = kept.rows();
+    let work = plan.work(&known);
     // All rows of a scene are timed before the error of any is computed, so a whole scene tells how
     // long the rest will take.
-    let mut progress = Progress::new("bench", plan.work(), plan.work_of_scene(0));
-    let (mut timed, mut complete) = (0, 0);
-    let measured = plan.run(gpu, |step| {
-        let what = if step.completes_row {
+    let sample = work.iter().copied().find(|work| *work > 0.0);
+    let mut progress = Progress::new("bench", work.iter().sum(), sample.unwrap_or_default());
+    let (mut timed, mut complete) = (known.len(), known.len());
+    let measured = plan.run(gpu, &known, |step| {
+        let what = if let Some(row) = &step.row {
+            kept.add(row.clone());
             complete += 1;
             format!("errors of {complete}")
         } else {
@@ -183,8 +211,17 @@ fn measure(gpu: &Gpu, plan: &Plan) -> Result<Vec<Measurement>, Stop> {
 }
 
 /// Times the frame of each method at the scene's own setting, as the sum of its passes.
-fn time_frames(plan: &Plan, rows: &mut [Measurement]) -> Result<(), Stop> {
-    for row in rows.iter_mut().filter(|row| row.own_setting) {
+fn time_frames(
+    plan: &Plan,
+    rows: &mut [Measurement],
+    kept: &mut KeptRows<Measurement>,
+) -> Result<(), Stop> {
+    let is_left = |row: &Measurement| row.own_setting && row.frame_ms.is_none();
+    let left: Vec<usize> = (0..rows.len()).filter(|i| is_left(&rows[*i])).collect();
+    let mut progress = Progress::new("bench --frames", left.len() as f64, 1.0);
+    for i in left {
+        let row = &mut rows[i];
+        progress.set_task(format!("frames of {}, {}", row.scene, row.label()));
         let bench_scene = plan.scenes.iter().find(|scene| scene.name == row.scene);
         let Some((bench_scene, method)) = bench_scene.zip(Method::from_word(&row.method)) else {
             continue;
@@ -197,7 +234,10 @@ fn time_frames(plan: &Plan, rows: &mut [Measurement]) -> Result<(), Stop> {
         let (_, passes) =
             picture::render_timed(&scene, size, TIMED_FRAMES).map_err(Stop::failed)?;
         row.frame_ms = (!passes.is_empty()).then(|| passes.iter().map(|pass| pass.median_ms).sum());
+        kept.replace(rows);
+        progress.advance(1.0);
     }
+    progress.finish();
     Ok(())
 }
 

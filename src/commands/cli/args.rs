@@ -111,9 +111,10 @@ pub struct RenderArgs {
     /// moves [default: the built-in journey]
     #[arg(long, value_name = "FILE|none")]
     pub journey: Option<PathBuf>,
-    /// Also print the GPU time of each pass to standard error
-    #[arg(long, conflicts_with = "frames")]
-    pub timings: bool,
+    /// Also print the GPU time of each pass to standard error, and with =FILE write them to this CSV
+    /// file
+    #[arg(long, value_name = "FILE", conflicts_with = "frames", num_args = 0..=1, require_equals = true)]
+    pub timings: Option<Option<PathBuf>>,
     /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,

@@ -1,5 +1,6 @@
 //! Reports read back from their CSV files.
 
+use super::circumstances::Circumstances;
 use crate::optics::trace::Outcome;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer};
@@ -34,6 +35,16 @@ impl Head {
     #[must_use]
     pub fn get(&self, name: &str) -> Option<&str> {
         self.0.get(name).map(String::as_str)
+    }
+
+    /// In what the report's conditions differ from these, in words. `None` if they are the same, so
+    /// that its rows belong to a run under these.
+    #[must_use]
+    pub fn difference(&self, circumstances: &Circumstances) -> Option<String> {
+        circumstances.conditions().find_map(|(name, here)| {
+            let there = self.get(name).unwrap_or("unknown");
+            (there != here).then(|| format!("{name} was {there} and is {here}"))
+        })
     }
 
     /// The time of a run that only traces straight lines, in milliseconds, if the report has it.

@@ -1,7 +1,13 @@
 //! The comparison of methods at equal error, with rows that are written by hand.
 
-use lightfall_core::reports::bench::{Measurement, Ranking, at_equal_error, auto_margin, markdown};
-use lightfall_core::reports::circumstances::Circumstances;
+use lightfall_core::reports::bench::{
+    Measurement, Plan, Ranking, at_equal_error, auto_margin, markdown,
+};
+use lightfall_core::reports::circumstances::{Circumstances, date};
+use lightfall_core::reports::export::csv;
+use lightfall_core::reports::import::Report;
+use lightfall_core::scene::Method;
+use std::time::Duration;
 
 /// What a report says of the machine and of the run.
 pub fn circumstances() -> Circumstances {
@@ -107,4 +113,102 @@ fn methods_are_ranked_only_where_the_spread_of_their_times_allows_it() {
     }
     // No time makes a less exact method as good.
     assert_eq!(ranking(3.0, 2.0, 1e-3, 3.0), Ranking::OnFront);
+}
+
+#[test]
+fn rows_are_read_back_from_a_report_as_they_were() {
+    let mut rows = vec![
+        // Numbers that differ in the last digit of f64.
+        row("closed", 0.1 + 0.2, 1.0 / 3.0 * 1e-7),
+        row("verlet", 0.3, f64::INFINITY),
+    ];
+    rows[1].setting = Some("quality.step_scale".into());
+    rows[1].value = Some(0.85);
+    rows[1].frame_ms = Some(5.0);
+    let text = csv(&circumstances(), &rows);
+    let report = Report::<Measurement>::read(&text).unwrap();
+    assert_eq!(report.rows, rows);
+    assert_eq!(csv(&circumstances(), &report.rows), text);
+    assert_eq!(report.head.floor_ms(), Some(0.025));
+    // A number that nothing has is NaN.
+    rows[0].sky_p50 = f64::NAN;
+    let report = Report::<Measurement>::read(&csv(&circumstances(), &rows)).unwrap();
+    assert!(report.rows[0].sky_p50.is_nan());
+    let error = Report::<Measurement>::read(&text.replace("0.85", "fast")).unwrap_err();
+    assert!(error.starts_with("line "), "{error}");
+}
+
+#[test]
+fn rows_belong_to_a_run_of_the_same_machine_program_and_command_on_any_day() {
+    let head = Report::<Measurement>::read(&csv(&circumstances(), &[row("closed", 1.0, 1e-7)]))
+        .unwrap()
+        .head;
+    let later = Circumstances {
+        date: "2026-03-01".into(),
+        floor_ms: None,
+        ..circumstances()
+    };
+    assert_eq!(head.difference(&later), None);
+    for other in [
+        Circumstances {
+            adapter: "another".into(),
+            ..later.clone()
+        },
+        Circumstances {
+            commit: "4567".into(),
+            ..later.clone()
+        },
+        Circumstances {
+            sources: "89abcdef".into(),
+            ..later.clone()
+        },
+        Circumstances {
+            command: "lightfall bench".into(),
+            ..later.clone()
+        },
+    ] {
+        assert!(head.difference(&other).is_some(), "{other:?}");
+    }
+    let sentence = "adapter was an adapter and is another";
+    let other = Circumstances {
+        adapter: "another".into(),
+        ..later
+    };
+    assert_eq!(head.difference(&other).as_deref(), Some(sentence));
+}
+
+#[test]
+fn known_rows_are_no_work() {
+    let mut plan = Plan::new(true);
+    plan.scenes.retain(|scene| scene.name == "edge-on");
+    plan.methods = vec![Method::Closed, Method::Verlet];
+    let all = plan.work(&[])[0];
+    let known = row("closed", 1.0, 1e-7);
+    let left = plan.work(std::slice::from_ref(&known))[0];
+    // Closed has one setting, of one unit of work.
+    assert_eq!(all - left, 1.0);
+    let elsewhere = Measurement {
+        scene: "above".into(),
+        ..known
+    };
+    assert_eq!(plan.work(&[elsewhere])[0], all);
+}
+
+#[test]
+fn a_day_is_written_as_the_calendar_has_it() {
+    // Days since 1970, among them leap days and the days about them, from a published calendar.
+    for (day, expected) in [
+        (0, "1970-01-01"),
+        (58, "1970-02-28"),
+        (59, "1970-03-01"),
+        (789, "1972-02-29"),
+        (11_016, "2000-02-29"),
+        (20_512, "2026-02-28"),
+        (47_540, "2100-02-28"),
+        (47_541, "2100-03-01"),
+    ] {
+        let seconds = 86_400 * day;
+        assert_eq!(date(Duration::from_secs(seconds)), expected);
+        assert_eq!(date(Duration::from_secs(seconds + 86_399)), expected);
+    }
 }

@@ -28,7 +28,7 @@ fn quick_plan() -> Plan {
 fn auto_is_on_the_pareto_front_of_every_scene_of_a_quick_run() {
     let gpu = gpu();
     let plan = quick_plan();
-    let measured = || plan.run(gpu, |_| {}).unwrap();
+    let measured = || plan.run(gpu, &[], |_| {}).unwrap();
     let is_fast = |rows: &[Measurement]| {
         plan.scenes
             .iter()
@@ -60,7 +60,7 @@ fn auto_is_on_the_pareto_front_of_every_scene_of_a_quick_run() {
 #[ignore = "needs a graphics adapter"]
 fn a_quick_run_gives_a_row_for_every_setting_and_its_reports_show_each_of_them() {
     let plan = quick_plan();
-    let rows = plan.run(gpu(), |_| {}).unwrap();
+    let rows = plan.run(gpu(), &[], |_| {}).unwrap();
     assert_eq!(rows.len(), plan.len());
     for scene in &plan.scenes {
         let svg = plot(&scene.name, "a test", &rows)

@@ -6,8 +6,8 @@ use bevy_egui::egui;
 const EXACT: [&str; 8] = [
     "Where light goes: every pixel of the background is a null geodesic of Schwarzschild or Kerr. Its error is stated as the \
      turn of the pixel's ray that would explain it. In closed form (closed) the turn is below 1e-6 rad without spin, a \
-     two-thousandth of a pixel. With spin it is within 6e-7 rad for 99 of 100 rays, and within some 1e-5 rad for every ray \
-     unless the hole is nearly extremal. The ray inspector measures it for the pixel that you click.",
+     two-thousandth of a pixel. With spin it is within 6e-7 rad for 99 of 100 rays, and within some 1e-5 rad for nearly every \
+     ray unless the hole is nearly extremal. The ray inspector measures it for the pixel that you click.",
     "The shadow's edge, the order of the images, and which rays are captured.",
     "The shift g of light from the disk and from the sky: gravity, Doppler and aberration together, for any observer.",
     "How the disk moves, and when you see it: matter goes round on circular orbits of Schwarzschild or Kerr, the rotation shears \
@@ -18,7 +18,7 @@ const EXACT: [&str; 8] = [
     "The observer: at rest, with zero angular momentum, in orbit or in free fall, and boosted. Its frame decides what is seen.",
     "Black-body colours: Planck's law and the CIE 1931 observer.",
     "The stars: 9096 of the Bright Star Catalogue, where they are and as bright as they are. Each image is a point with the \
-     magnification of its light, to a thousandth.",
+     magnification of its light: right to 0.002 for 99 of 100 images, less next to a caustic.",
 ];
 
 const STATISTICS: [&str; 2] = [

@@ -5,8 +5,9 @@ use super::scenes::{BenchScene, scenes};
 use super::settings::{Setting, methods_for, settings};
 use crate::accuracy::{EDGE_DISTANCES, Ray, Truth, rays_near_edge, rays_over_picture};
 use crate::gpu::rays::RayKernel;
-use crate::gpu::timing::{Effort, Stage, Stopwatch};
+use crate::gpu::timing::{Effort, Stage, Stopwatch, Timing};
 use crate::gpu::{Gpu, GpuError};
+use crate::optics::trace::Trace;
 use crate::reports::work::ray_work;
 use crate::scene::{Method, Scene};
 use glam::UVec2;
@@ -82,20 +83,15 @@ impl Plan {
         Ok(stopwatch.time(gpu, self.effort)?.median_ms)
     }
 
-    /// The work of everything that is measured, in the unit of [`ray_work`].
+    /// The work of measuring the rows of each scene that are not known, in the unit of [`ray_work`].
     #[must_use]
-    pub fn work(&self) -> f64 {
-        (0..self.scenes.len())
-            .map(|scene| self.work_of_scene(scene))
-            .sum()
-    }
-
-    /// The work of all rows of the scene with this index, or zero if there is none.
-    #[must_use]
-    pub fn work_of_scene(&self, index: usize) -> f64 {
-        let rows = self.scenes.get(index).map(|scene| self.rows_of(scene));
-        let work = |setting: &Setting| ray_work(&setting.scene);
-        rows.iter().flatten().map(work).sum()
+    pub fn work(&self, known: &[Measurement]) -> Vec<f64> {
+        let work = |scene: &BenchScene| {
+            let left = self.rows_of(scene).into_iter();
+            let left = left.filter(|setting| find(known, scene, setting).is_none());
+            left.map(|setting| ray_work(&setting.scene)).sum()
+        };
+        self.scenes.iter().map(work).collect()
     }
 
     fn rows_of(&self, bench_scene: &BenchScene) -> Vec<Setting> {
@@ -107,17 +103,26 @@ impl Plan {
             .collect()
     }
 
-    /// Measures everything. `done` is called after each step.
+    /// Measures everything but the known rows, which an earlier run has measured. `done` is called
+    /// after each step. Returns all rows.
     ///
     /// # Errors
     /// A scene cannot be traced, the picture is too large for the device, or the device failed.
     pub fn run(
         &self,
         gpu: &Gpu,
+        known: &[Measurement],
         mut done: impl FnMut(&Step),
     ) -> Result<Vec<Measurement>, GpuError> {
         let mut rows = Vec::new();
         for bench_scene in &self.scenes {
+            let all = self.rows_of(bench_scene);
+            let row_of = |setting: &Setting| find(known, bench_scene, setting).cloned();
+            let known_rows: Option<Vec<Measurement>> = all.iter().map(row_of).collect();
+            if let Some(known_rows) = known_rows {
+                rows.extend(known_rows);
+                continue;
+            }
             let mut rays = rays_over_picture(&bench_scene.scene, self.rays - self.rays / 2);
             rays.extend(rays_near_edge(
                 &bench_scene.scene,
@@ -130,7 +135,11 @@ impl Plan {
             let mut answers = Vec::new();
             // Everything is timed before any error is computed: a GPU that waits for the CPU lowers
             // its clock.
-            for setting in self.rows_of(bench_scene) {
+            for setting in all {
+                if let Some(row) = row_of(&setting) {
+                    answers.push(Answer::Known(Box::new(row)));
+                    continue;
+                }
                 let scene = &setting.scene;
                 // All settings of a method share one shader.
                 let (_, stopwatch, kernel) = match &mut compiled {
@@ -144,17 +153,43 @@ impl Plan {
                 stopwatch.set_scene(gpu, scene)?;
                 let timing = stopwatch.time(gpu, self.effort)?;
                 let traces = kernel.trace_camera_rays(gpu, scene, &given)?;
-                done(&Step::new(bench_scene, &setting, false));
-                answers.push((setting, timing, traces));
+                done(&Step::new(bench_scene, &setting, None));
+                answers.push(Answer::New(Box::new(setting), timing, traces));
             }
-            for (setting, timing, traces) in answers {
-                let row = Measurement::new(&bench_scene.name, &setting, timing, &truth, &traces);
-                done(&Step::new(bench_scene, &setting, true));
-                rows.push(row);
+            for answer in answers {
+                rows.push(match answer {
+                    Answer::Known(row) => *row,
+                    Answer::New(setting, timing, traces) => {
+                        let name = &bench_scene.name;
+                        let row = Measurement::new(name, &setting, timing, &truth, &traces);
+                        done(&Step::new(bench_scene, &setting, Some(&row)));
+                        row
+                    }
+                });
             }
         }
         Ok(rows)
     }
+}
+
+/// The known row of a scene at a setting.
+fn find<'a>(
+    known: &'a [Measurement],
+    bench_scene: &BenchScene,
+    setting: &Setting,
+) -> Option<&'a Measurement> {
+    known.iter().find(|row| {
+        row.scene == bench_scene.name
+            && row.method == setting.scene.method.word()
+            && row.setting.as_deref() == setting.key
+            && row.value == setting.key.map(|_| setting.value)
+    })
+}
+
+/// A row whose error is still to be computed, or one that an earlier run has measured.
+enum Answer {
+    Known(Box<Measurement>),
+    New(Box<Setting>, Timing, Vec<Trace>),
 }
 
 /// One step of a plan: a setting has been timed, or its error has been computed.
@@ -164,18 +199,18 @@ pub struct Step {
     pub scene: String,
     /// The method with its setting.
     pub setting: String,
-    /// Whether the error has been computed too, which completes the row.
-    pub completes_row: bool,
+    /// The row, if the error has been computed too, which completes it.
+    pub row: Option<Measurement>,
     /// Its share of [`Plan::work`], in the same unit.
     pub work: f64,
 }
 
 impl Step {
-    fn new(bench_scene: &BenchScene, setting: &Setting, completes_row: bool) -> Self {
+    fn new(bench_scene: &BenchScene, setting: &Setting, row: Option<&Measurement>) -> Self {
         Self {
             scene: bench_scene.name.clone(),
             setting: setting.label(),
-            completes_row,
+            row: row.cloned(),
             work: 0.5 * ray_work(&setting.scene),
         }
     }

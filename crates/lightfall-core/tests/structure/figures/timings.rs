@@ -1,0 +1,105 @@
+//! The times of passes, as scripts/timings measures them, for docs/PASSES.md and docs/SCENES.md.
+
+use super::measured::{files, measured, provenance};
+use super::render::{ratio, short, table};
+use serde::Deserialize;
+
+/// The machines, by their folder in docs/bench and their name in tables. A machine without a file of
+/// timings has no columns.
+const MACHINES: [(&str, &str); 2] = [("llvmpipe", "Mesa llvmpipe"), ("h200", "NVIDIA H200")];
+
+#[derive(Deserialize)]
+struct Row {
+    view: String,
+    pass: String,
+    median_ms: f64,
+    kept_ms: f64,
+}
+
+/// The times on one machine, in milliseconds.
+pub struct Machine {
+    name: &'static str,
+    rows: Vec<Row>,
+}
+
+/// A pass, or several that count as one.
+pub type Passes = &'static [&'static str];
+
+/// Every machine with a file.
+pub fn machines() -> Vec<Machine> {
+    let known = MACHINES
+        .iter()
+        .filter(|(folder, _)| !files(folder, "timings").is_empty());
+    known
+        .map(|(folder, name)| Machine {
+            name,
+            rows: measured(&format!("{folder}/timings")).rows,
+        })
+        .collect()
+}
+
+/// The lines about the files of all machines.
+pub fn sources() -> String {
+    let lines = MACHINES
+        .iter()
+        .filter_map(|(folder, _)| provenance(&format!("{folder}/timings")));
+    lines.collect::<Vec<_>>().join("\n\n")
+}
+
+impl Machine {
+    fn of<'a>(&'a self, view: &'a str, passes: Passes) -> impl Iterator<Item = &'a Row> {
+        let rows = self.rows.iter().filter(move |row| row.view == view);
+        rows.filter(move |row| passes.is_empty() || passes.contains(&row.pass.as_str()))
+    }
+
+    /// The time of these passes in a view; of all, if there are none.
+    pub fn drawn(&self, view: &str, passes: Passes) -> f64 {
+        let found: Vec<&Row> = self.of(view, passes).collect();
+        assert!(
+            self.rows.iter().any(|row| row.view == view),
+            "scripts/timings has a view {view}"
+        );
+        found.iter().map(|row| row.median_ms).sum()
+    }
+
+    /// The same in a frame that keeps its picture.
+    pub fn kept(&self, view: &str, passes: Passes) -> f64 {
+        self.of(view, passes).map(|row| row.kept_ms).sum()
+    }
+
+    /// The time of all passes but these.
+    pub fn others(&self, view: &str, passes: Passes) -> f64 {
+        self.drawn(view, &[]) - self.drawn(view, passes)
+    }
+}
+
+/// A table with the same columns for each machine. Each row has a title and the numbers for a machine,
+/// as texts.
+pub fn by_machine<const N: usize>(
+    title: &str,
+    columns: [&str; N],
+    rows: &[(&str, &dyn Fn(&Machine) -> [String; N])],
+) -> String {
+    let machines = machines();
+    let mut head = vec![title.to_owned()];
+    for machine in &machines {
+        head.extend(columns.map(|column| format!("{}: {column}", machine.name)));
+    }
+    table(
+        &head.join(" | "),
+        rows.iter().map(|(title, numbers)| {
+            let cells = machines.iter().flat_map(numbers);
+            [(*title).to_owned()].into_iter().chain(cells).collect()
+        }),
+    )
+}
+
+/// Two times, and how many times as long the first takes.
+pub fn compared(with: f64, without: f64) -> [String; 3] {
+    let times = if without > 0.0 {
+        ratio(with / without)
+    } else {
+        String::new()
+    };
+    [short(with), short(without), times]
+}

@@ -1,0 +1,101 @@
+//! The rows of a report that takes minutes, kept while it is measured: a run that is stopped leaves
+//! them in a file, and the same run goes on after them.
+
+use crate::storage;
+use lightfall_core::reports::circumstances::Circumstances;
+use lightfall_core::reports::export::csv;
+use lightfall_core::reports::import::Report;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::path::{Path, PathBuf};
+
+/// What the name of the file adds to that of the finished table.
+const ENDING: &str = "csv.partial";
+/// The largest file that is read.
+const MAX_BYTES: u64 = 1 << 26;
+
+/// The rows of a report, so far.
+pub(super) struct KeptRows<T> {
+    /// None if the report is not written to a folder.
+    file: Option<PathBuf>,
+    circumstances: Circumstances,
+    rows: Vec<T>,
+    /// Whether it has been said that the file cannot be written.
+    warned: bool,
+}
+
+impl<T: Clone + Serialize + DeserializeOwned> KeptRows<T> {
+    /// The rows that an earlier run under the same circumstances has left in the folder. It says on
+    /// standard error how many there are, or why they do not count.
+    pub(super) fn open(folder: Option<&Path>, name: &str, circumstances: &Circumstances) -> Self {
+        let file = folder.map(|folder| folder.join(format!("{name}.{ENDING}")));
+        let rows = file
+            .as_deref()
+            .and_then(|file| rows_in(file, circumstances));
+        Self {
+            file,
+            circumstances: circumstances.clone(),
+            rows: rows.unwrap_or_default(),
+            warned: false,
+        }
+    }
+
+    /// The rows that are known.
+    pub(super) fn rows(&self) -> Vec<T> {
+        self.rows.clone()
+    }
+
+    /// Adds a row that has been measured, and writes the file.
+    pub(super) fn add(&mut self, row: T) {
+        self.rows.push(row);
+        self.write();
+    }
+
+    /// Replaces all rows, after more has been measured about them, and writes the file.
+    pub(super) fn replace(&mut self, rows: &[T]) {
+        self.rows = rows.to_vec();
+        self.write();
+    }
+
+    /// Writes the file, or says once that it cannot be written: the measurement goes on.
+    fn write(&mut self) {
+        let Some(file) = &self.file else { return };
+        let text = csv(&self.circumstances, &self.rows);
+        if let Err(error) = storage::write_atomically(file, text.as_bytes())
+            && !self.warned
+        {
+            self.warned = true;
+            eprintln!("lightfall: {error}; a run that is stopped leaves no rows");
+        }
+    }
+
+    /// Removes the file, after the finished report has been written.
+    pub(super) fn remove(self) {
+        if let Some(file) = self.file.filter(|file| storage::exists(file))
+            && let Err(error) = storage::remove(&file)
+        {
+            eprintln!("lightfall: {}: cannot be removed: {error}", file.display());
+        }
+    }
+}
+
+/// The rows in a file, if they were measured under these circumstances.
+fn rows_in<T: DeserializeOwned>(file: &Path, circumstances: &Circumstances) -> Option<Vec<T>> {
+    let text = storage::read_text(file, MAX_BYTES).ok()?;
+    let name = file.display();
+    let reason = match Report::<T>::read(&text) {
+        Err(error) => error,
+        Ok(report) => match report.head.difference(circumstances) {
+            Some(difference) => difference,
+            None => {
+                eprintln!(
+                    "lightfall: goes on after the {} rows that an earlier run has left in {name}",
+                    report.rows.len()
+                );
+                return Some(report.rows);
+            }
+        },
+    };
+    eprintln!("lightfall: starts anew: the rows in {name} do not belong to this run: {reason}");
+    None
+}
