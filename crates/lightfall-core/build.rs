@@ -39,12 +39,11 @@ const BENCH: [&str; 4] = [
     "crates/lightfall-core/src/reports/bench/scenes.rs",
 ];
 
-/// Everything that a picture is drawn with.
-const PICTURES: [&str; 4] = [
+/// What a picture is drawn with.
+const PICTURES: [&str; 3] = [
     "shaders",
     "assets/presets",
     "crates/lightfall-core/src/gpu/scene",
-    "src/render",
 ];
 
 /// The name of each report, which is that of its CSV file, and its own sources.

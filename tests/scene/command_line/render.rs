@@ -6,7 +6,7 @@ use lightfall::commands::cli::Command;
 use std::path::Path;
 
 #[test]
-fn render_reads_channels_and_frames() {
+fn render_reads_channels_timings_and_frames() {
     let Command::Render(render) = read("lightfall render -o a.exr --aov steps,hit1,sky.z,steps")
     else {
         panic!()
@@ -31,6 +31,16 @@ fn render_reads_channels_and_frames() {
             "{error}"
         );
     }
+    let timings = |line: &str| match read(line) {
+        Command::Render(render) => render.timings,
+        _ => None,
+    };
+    assert_eq!(timings("lightfall render -o a.png"), None);
+    assert_eq!(timings("lightfall render --timings -o a.png"), Some(None));
+    assert_eq!(
+        timings("lightfall render --timings=t.csv -o a.png"),
+        Some(Some("t.csv".into()))
+    );
     let line = "lightfall --journey j.toml render -o a.png --frames 10..20 --fps 23.976";
     let Command::Render(render) = read(line) else {
         panic!()
