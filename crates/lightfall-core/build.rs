@@ -47,7 +47,7 @@ const PICTURES: [&str; 3] = [
 ];
 
 /// The name of each report, which is that of its CSV file, and its own sources.
-const REPORTS: [(&str, &[&[&str]]); 9] = [
+const REPORTS: [(&str, &[&[&str]]); 10] = [
     (
         "bench",
         &[
@@ -56,6 +56,7 @@ const REPORTS: [(&str, &[&[&str]]); 9] = [
             &[
                 "crates/lightfall-core/src/reports/bench/measurement.rs",
                 "crates/lightfall-core/src/reports/bench/settings.rs",
+                "crates/lightfall-core/src/scene/step_policy.rs",
             ],
         ],
     ),
@@ -82,6 +83,18 @@ const REPORTS: [(&str, &[&[&str]]); 9] = [
             &[
                 "crates/lightfall-core/src/reports/bench/pictures.rs",
                 "src/commands/bench/pictures.rs",
+            ],
+        ],
+    ),
+    (
+        "refine",
+        &[
+            &RAYS,
+            &BENCH,
+            &[
+                "crates/lightfall-core/src/scene/step_policy.rs",
+                "crates/lightfall-core/src/reports/bench/refine.rs",
+                "crates/lightfall-core/src/reports/bench/studies.rs",
             ],
         ],
     ),

@@ -167,4 +167,9 @@ fn rows_are_dimmed_where_they_change_nothing() {
             "quality.min_step"
         ]
     );
+    let many_steps = with(|scene| {
+        scene.method = Method::Verlet;
+        scene.quality.max_steps = 769;
+    });
+    assert_eq!(dimmed_between(&many_steps, &verlet), ["picture.antialias"]);
 }

@@ -28,7 +28,7 @@ pub(super) fn bench_refinements(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Res
             );
         })
         .map_err(Stop::failed)?;
-    let circumstances = circumstances(gpu, "that of each scene".into(), "compute");
+    let circumstances = circumstances(gpu, "refine", "that of each scene".into(), "compute");
     let (json, table) = (json(&circumstances, &rows), refinement_table(&rows));
     if let Some(folder) = &args.out {
         let csv = csv(&circumstances, &rows);

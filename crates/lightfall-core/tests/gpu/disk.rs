@@ -123,7 +123,7 @@ fn azimuths_of_crossings_turn_with_the_camera_and_stay_in_their_range() {
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn a_ray_that_meets_the_plane_at_the_end_of_a_step_counts_once() {
+fn every_ray_from_above_the_pole_crosses_the_disk_as_often_as_in_the_reference() {
     let gpu = gpu();
     // A ray straight down the axis meets the plane at the hole; every other ray from the pole
     // crosses the plane once.

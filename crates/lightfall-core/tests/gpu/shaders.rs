@@ -5,7 +5,8 @@ use lightfall_core::gpu::{
     Accumulation, Difference, EdgeTraits, Entry, Presentation, ShaderText, Variant,
 };
 use lightfall_core::scene::{
-    DiskModel, DiskStructure, HotSpotKind, LimbDarkening, Method, Scene, SkyMode, View,
+    ARTICLE_MAX_STEPS, DiskModel, DiskStructure, HotSpotKind, LimbDarkening, Method, Scene,
+    SkyMode, View,
 };
 use std::collections::{HashMap, HashSet};
 
@@ -148,6 +149,23 @@ fn a_line_of_a_variant_is_found_in_its_file() {
             assert_eq!(in_file, Some(own_name.as_str()), "{file}:{number}");
         }
     }
+}
+
+/// One dispatch refines all edges, however many there are, and a budget of more steps than the
+/// article's could make it take too long.
+#[test]
+fn edges_are_refined_only_with_the_articles_budget_of_steps() {
+    let refines = |method, max_steps| {
+        let mut scene = Scene {
+            method,
+            ..Scene::default()
+        };
+        scene.quality.max_steps = max_steps;
+        Variant::picture(&scene).refined().is_some()
+    };
+    assert!(refines(Method::Verlet, ARTICLE_MAX_STEPS));
+    assert!(!refines(Method::Verlet, ARTICLE_MAX_STEPS + 1));
+    assert!(refines(Method::Closed, ARTICLE_MAX_STEPS + 1));
 }
 
 #[test]

@@ -5,7 +5,7 @@ use crate::accuracy::{ErrorSummary, Truth};
 use crate::gpu::timing::Timing;
 use crate::optics::trace::Trace;
 use crate::reports::import::{or_infinite, or_nan};
-use crate::scene::{AccuracySetting, ArticleQuality};
+use crate::scene::AccuracySetting;
 use serde::{Deserialize, Serialize};
 
 /// Error and time of one method at one setting in one scene. Angles are in radians unless their
@@ -85,7 +85,7 @@ pub struct Measurement {
     /// Largest normalized residual of the null constraint.
     pub residual: f64,
     /// The article's word for the setting, if it has one.
-    pub quality: Option<&'static str>,
+    pub quality: Option<String>,
     /// The budget of steps of a ray, for methods with one.
     pub max_steps: Option<u32>,
 }
@@ -134,7 +134,7 @@ impl Measurement {
             steps_mean,
             steps_max,
             residual: errors.residual,
-            quality: setting.quality.map(ArticleQuality::word),
+            quality: setting.quality.map(|quality| quality.word().to_owned()),
             max_steps: budgeted.then_some(scene.quality.max_steps),
         }
     }
@@ -149,6 +149,6 @@ impl Measurement {
 
     /// The setting alone, as in plots.
     pub(super) fn setting_label(&self) -> String {
-        setting_label(self.quality, self.value)
+        setting_label(self.quality.as_deref(), self.value)
     }
 }
