@@ -19,6 +19,8 @@ const RING_FACTOR: f64 = 3.0;
 const MIN_RING_DISTANCE: f64 = 1e-10;
 const MAX_RING_DISTANCE: f64 = 0.3;
 const BISECTIONS: u32 = 8;
+/// The factor between the turns that are tried along the edge.
+const ALONG_FACTOR: f64 = 1.2;
 /// Change of the sky direction, in radians, in one step along the line toward the edge: small
 /// enough to find the narrow image of a thin disk.
 const SKY_STEP: f64 = 0.01;
@@ -28,8 +30,8 @@ const SKY_STEP: f64 = 0.01;
 ///
 /// The search tries rings of directions and then bisects toward the ray, which is accurate to about
 /// a third. If that finds nothing within `precision`, it goes along the line through the shadow's
-/// edge, where the images of the disk are, on both sides of the edge, and to the places that
-/// explain the answer's own numbers.
+/// edge, where the images of the disk are, on both sides of the edge, along the edge, and to the places
+/// that explain the answer's own numbers.
 pub(super) fn class_backward_error(
     camera: &ReferenceCamera,
     ray: &Ray,
@@ -52,6 +54,7 @@ pub(super) fn class_backward_error(
             for (x, trace) in chart.line(camera, side, nearest.get(), SKY_STEP, sky_moved) {
                 seen(chart.turn(DVec2::new(x, 0.0)), &trace);
             }
+            along_edge(camera, chart, side, &nearest, &seen);
         }
         for part in Part::all(given) {
             if nearest.get() > precision {
@@ -66,6 +69,28 @@ pub(super) fn class_backward_error(
         }
     }
     nearest.get()
+}
+
+/// Tries the rays at the ray's own distance from the edge, along the edge to one side, until one is seen
+/// or is farther than the nearest. Next to the edge the images of a ring are arcs that are much narrower
+/// than the step between two spokes.
+fn along_edge(
+    camera: &ReferenceCamera,
+    chart: &Chart,
+    side: f64,
+    nearest: &Cell<f64>,
+    seen: &impl Fn(f64, &Trace),
+) {
+    let mut place = DVec2::new(0.0, side);
+    let known = nearest.get();
+    while nearest.get() == known {
+        let turn = chart.turn(place);
+        if turn >= known.min(MAX_RING_DISTANCE) {
+            break;
+        }
+        seen(turn, &camera.trace(chart.at(place)));
+        place *= ALONG_FACTOR;
+    }
 }
 
 /// The same on rings about a direction only.

@@ -6,7 +6,7 @@ use lightfall_core::accuracy::{
     ErrorSummary, Quantiles, Ray, Truth, rays_near_edge, rays_over_picture, rays_over_sky,
 };
 use lightfall_core::optics::reference::Reference;
-use lightfall_core::optics::trace::{Outcome, Trace};
+use lightfall_core::optics::trace::{Hit, Outcome, Trace};
 use lightfall_core::scene::{ObserverKind, Scene};
 
 fn scene(spin: f64) -> Scene {
@@ -251,4 +251,45 @@ fn an_answer_at_the_end_of_the_orbits_latitudes_is_explained_next_to_the_edge() 
     let error = truth.judge(&[given])[0].backward;
     println!("{error:e}");
     assert!(error < 1e-6, "{error:e}");
+}
+
+/// The image of a ring next to the edge of the shadow is an arc a thousandth as wide as it is long. The
+/// answer belongs to a ray 5e-7 rad away along the edge, where the reference has no hit in between.
+#[test]
+fn a_hit_on_a_narrow_ring_is_explained_along_the_edge_of_the_shadow() {
+    let mut scene = scene(0.0);
+    scene.camera.r = 934_098.941_358_315_4;
+    scene.camera.theta_deg = 63.545_927_439_307_22;
+    scene.camera.fov_deg = 0.001_840_140_598_910_195;
+    scene.observer.kind = ObserverKind::Zamo;
+    scene.observer.velocity = [
+        0.454_582_558_167_330_3,
+        -0.541_923_356_764_455_1,
+        0.434_698_210_559_572_3,
+    ];
+    (scene.disk.inner, scene.disk.outer) = (5.057_770_067_556_813, 5.694_984_683_305_130_5);
+    let direction = DVec3::new(
+        -0.431_811_405_520_559_13,
+        -0.703_578_851_294_586,
+        0.564_371_960_743_4,
+    );
+    let ray = Ray::toward(scene.camera.tetrad_from_camera().transpose() * direction);
+    let truth = Truth::of(&scene, vec![ray]).expect("a slower observer than light");
+    let hit = Hit {
+        r: 5.091_664,
+        phi: 0.285_302_2,
+        g: 0.761_248_2,
+        delay: None,
+    };
+    let given = Trace {
+        hits: [Some(hit), None],
+        ..truth.traces[0]
+    };
+    assert_eq!(
+        (truth.traces[0].outcome, truth.traces[0].hits),
+        (Outcome::Captured, [None; 2])
+    );
+    let error = truth.judge(&[given])[0];
+    println!("{error:?}");
+    assert!(error.misclassified && error.backward < 1e-6, "{error:?}");
 }

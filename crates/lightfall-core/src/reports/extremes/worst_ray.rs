@@ -97,12 +97,13 @@ impl WorstRay {
         format!(
             "for device in gpu cpu; do echo {x:?},{y:?},{z:?} | lightfall trace --rays - --device $device --method {} \
              --spin {:?} --set camera.r={:?} --set camera.theta_deg={:?} --set camera.fov_deg={:?} --set observer.kind={kind} \
-             --set 'observer.velocity=[{v_r:?},{v_theta:?},{v_phi:?}]' --set disk.inner={:?} --set disk.outer={:?}; done",
+             --set 'observer.velocity=[{v_r:?},{v_theta:?},{v_phi:?}]' --set disk.follow_isco={} --set disk.inner={:?} --set disk.outer={:?}; done",
             method.word(),
             hole.spin,
             camera.r,
             camera.theta_deg,
             camera.fov_deg,
+            disk.follow_isco,
             disk.inner,
             disk.outer,
         )
