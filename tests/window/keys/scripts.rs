@@ -114,7 +114,7 @@ pub fn mouse_look(session: &mut Session, key: &str) {
 
 /// Only the picture stays: the read-outs go, and come back.
 pub fn photo_mode(session: &mut Session, key: &str) {
-    let has_read_outs = |state: &State| state.shows("r ");
+    let has_read_outs = |state: &State| state.texts.iter().any(|text| text.ends_with(" r_s"));
     session.wait("read-outs", has_read_outs);
     session.press(key);
     session.wait(key, |state| !has_read_outs(state));
