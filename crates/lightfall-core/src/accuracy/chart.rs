@@ -75,6 +75,14 @@ impl Chart {
         })
     }
 
+    /// The angular radius of the edge, in radians; a radian on a plane.
+    pub(super) fn radius(&self) -> f64 {
+        match self.kind {
+            Kind::Plane(_) => 1.0,
+            Kind::Edge(_, _, arc, _) => arc,
+        }
+    }
+
     /// The direction at two coordinates.
     pub(super) fn at(&self, place: DVec2) -> DVec3 {
         match &self.kind {

@@ -22,6 +22,7 @@ mod ray;
 mod reference_camera;
 mod sample;
 mod summary;
+mod thorough;
 mod truth;
 
 pub use delay::{DelayError, TimedRay};

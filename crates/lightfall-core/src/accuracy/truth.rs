@@ -5,6 +5,7 @@ use super::class::{class_backward_error, hits};
 use super::finite::{all_finite, greater};
 use super::ray::Ray;
 use super::reference_camera::ReferenceCamera;
+use super::thorough::thorough_backward_error;
 use crate::geometry::observer::{ObserverError, Photon};
 use crate::geometry::sphere::angle_between;
 use crate::optics::reference::Reference;
@@ -77,6 +78,19 @@ impl Truth {
             .zip(given)
             .map(|((ray, truth), given)| self.judge_ray(ray, truth, given, precision))
             .collect()
+    }
+
+    /// The backward error, in radians, of a method's answer to the ray of index `ray`, whose backward
+    /// error was found to be at most `known`. The search is a hundred times slower than
+    /// [`Truth::judge`]; next to the edge of the shadow it finds smaller turns. A bound below
+    /// `precision` ends it.
+    #[must_use]
+    pub fn judge_thoroughly(&self, ray: usize, given: &Trace, [precision, known]: [f64; 2]) -> f64 {
+        if given.outcome == Outcome::Unfinished || !all_finite(given) {
+            return f64::INFINITY;
+        }
+        let (ray, truth) = (&self.rays[ray], &self.traces[ray]);
+        thorough_backward_error(&self.camera, ray, truth, given, [precision, known])
     }
 
     /// The backward error, in radians, of another scene's reference for the ray of index `ray`.

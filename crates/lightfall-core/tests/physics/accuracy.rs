@@ -293,3 +293,32 @@ fn a_hit_on_a_narrow_ring_is_explained_along_the_edge_of_the_shadow() {
     println!("{error:?}");
     assert!(error.misclassified && error.backward < 1e-6, "{error:?}");
 }
+
+#[test]
+fn the_thorough_search_finds_known_rotations_across_a_tiny_shadow() {
+    // The shadow's radius is 1.8e-6 rad, thirty times the spacing of directions in f32.
+    let mut scene = Scene::default();
+    (scene.camera.r, scene.camera.theta_deg) = (276_779.5, 129.8);
+    scene.camera.fov_deg = 0.006;
+    scene.observer.kind = ObserverKind::Zamo;
+    scene.observer.velocity = [0.0665, -0.9834, -0.0181];
+    (scene.disk.inner, scene.disk.outer) = (33.9, 35.2);
+    let rays = rays_near_edge(&scene, 500, [1e-7, 0.3]);
+    let truth = Truth::of(&scene, rays).expect("a slow observer");
+    let mut overstated = 0;
+    for angle in [1e-8, 3e-8, 1e-7, 2e-7] {
+        // Turns below the spacing of f32 are of no interest.
+        let limit = f64::max(2.0 * angle, 1e-7);
+        let given = answers_to_turned_rays(&scene, &truth, angle);
+        for (i, error) in truth.judge(&given).iter().enumerate() {
+            if error.backward <= limit {
+                continue;
+            }
+            overstated += 1;
+            let found = truth.judge_thoroughly(i, &given[i], [0.0, error.backward]);
+            assert!(found <= limit, "ray {i}, {angle:e}: {found:e}, {error:?}");
+        }
+    }
+    println!("{overstated} rays needed it");
+    assert!(overstated > 0, "the usual search is enough for these rays");
+}

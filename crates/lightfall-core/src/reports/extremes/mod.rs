@@ -4,6 +4,7 @@
 mod cause;
 mod cells;
 mod delays;
+mod far_ray;
 mod grid;
 mod hunt;
 mod kernels;

@@ -1,9 +1,9 @@
 //! How a method does in a cell, and whether that is good enough.
 
-use super::cause::Cause;
 use super::cells::Cell;
+use super::far_ray::FarRay;
 use super::tolerance::tolerance;
-use crate::accuracy::{ErrorSummary, Truth};
+use crate::accuracy::{ErrorSummary, RayError, Truth};
 use crate::optics::trace::Trace;
 use crate::reports::import::{or_infinite, or_nan};
 use crate::reports::numbers::short_number;
@@ -98,21 +98,19 @@ impl Verdict {
     /// The verdict on the answers of the scene's method to the cell's rays.
     pub(super) fn new(cell: &Cell, scene: &Scene, truth: &Truth, given: &[Trace]) -> Self {
         let tolerance = tolerance(scene);
-        let ray_errors = truth.judge(given);
-        let errors = ErrorSummary::of_errors(truth, given, &ray_errors);
+        let mut ray_errors = truth.judge(given);
         // The article's methods have errors of their own, far larger than those of f32.
         let is_solved = scene.method.properties().setting != AccuracySetting::StepScale;
-        let (mut beyond, mut unexplained) = (0, 0);
-        for (i, error) in ray_errors.iter().enumerate() {
-            if error.backward <= tolerance {
-                continue;
-            }
-            beyond += 1;
-            let explained = is_solved
-                && error.backward.is_finite()
-                && Cause::of(scene, truth, i, error.backward).is_some();
-            unexplained += usize::from(!explained);
-        }
+        let (beyond, unexplained) = if is_solved {
+            let far = FarRay::all(scene, truth, given, &mut ray_errors);
+            let unexplained = far.iter().filter(|ray| ray.cause.is_none()).count();
+            (far.len(), unexplained)
+        } else {
+            let is_far = |error: &&RayError| error.backward > tolerance;
+            let beyond = ray_errors.iter().filter(is_far).count();
+            (beyond, beyond)
+        };
+        let errors = ErrorSummary::of_errors(truth, given, &ray_errors);
         // In a cell whose rays see nothing there are no backward errors, and none is too large.
         let zero_if_none = |value: f64| if value.is_nan() { 0.0 } else { value };
         let backward_max = zero_if_none(errors.backward.max);

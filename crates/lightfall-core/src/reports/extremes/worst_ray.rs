@@ -1,13 +1,15 @@
 //! The worst ray of a scene.
 
 use super::cause::Cause;
+use super::far_ray::FarRay;
 use super::tolerance::tolerance;
-use crate::accuracy::{RayError, Truth};
+use crate::accuracy::Truth;
 use crate::optics::trace::Trace;
 use crate::reports::circumstances::Circumstances;
 use crate::scene::Scene;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
+use std::cmp::Ordering;
 use std::fmt::Write;
 
 /// The ray of a scene with the largest error; among the unexplained rays, if there are any.
@@ -33,46 +35,30 @@ impl WorstRay {
     /// The worst of a scene's rays. `None` if there are no rays.
     pub(super) fn of(scene: &Scene, truth: &Truth, traces: &[Trace]) -> Option<Self> {
         let tolerance = tolerance(scene);
-        let errors = truth.judge_to_precision(0.5 * tolerance, traces);
-        let ray = |(i, error): (usize, &RayError)| {
-            let far = error.backward > tolerance;
-            let cause = far
-                .then(|| Cause::of(scene, truth, i, error.backward))
-                .flatten();
-            let direction = scene.camera.tetrad_from_camera() * truth.rays[i].direction();
-            let unexplained = usize::from(far && cause.is_none());
-            let (backward, excess, beyond) =
-                (error.backward, error.backward / tolerance, usize::from(far));
-            Self {
-                scene: scene.clone(),
-                direction,
-                backward,
-                excess,
-                cause,
-                beyond,
-                unexplained,
-            }
-        };
-        let (far, near): (Vec<_>, Vec<_>) = errors
-            .iter()
-            .enumerate()
-            .partition(|(_, error)| error.backward > tolerance);
-        if far.is_empty() {
-            return near
-                .into_iter()
-                .max_by(|a, b| a.1.backward.total_cmp(&b.1.backward))
-                .map(ray);
-        }
-        let far: Vec<Self> = far.into_iter().map(ray).collect();
-        let (beyond, unexplained) = (far.len(), far.iter().map(|ray| ray.unexplained).sum());
-        let worst = far
-            .into_iter()
-            .reduce(|a, b| if b.rank() > a.rank() { b } else { a })?;
-        Some(Self {
-            beyond,
+        let mut errors = truth.judge_to_precision(0.5 * tolerance, traces);
+        let far = FarRay::all(scene, truth, traces, &mut errors);
+        let unexplained = far.iter().filter(|ray| ray.cause.is_none()).count();
+        let worst = |ray: usize, cause: Option<Cause>| Self {
+            scene: scene.clone(),
+            direction: scene.camera.tetrad_from_camera() * truth.rays[ray].direction(),
+            backward: errors[ray].backward,
+            excess: errors[ray].backward / tolerance,
+            cause,
+            beyond: far.len(),
             unexplained,
-            ..worst
-        })
+        };
+        let backward = |ray: usize| errors[ray].backward;
+        if far.is_empty() {
+            return (0..errors.len())
+                .max_by(|a, b| backward(*a).total_cmp(&backward(*b)))
+                .map(|ray| worst(ray, None));
+        }
+        far.iter()
+            .max_by(|a, b| {
+                let rank = |far: &FarRay| (far.cause.is_none(), backward(far.ray));
+                rank(a).partial_cmp(&rank(b)).unwrap_or(Ordering::Equal)
+            })
+            .map(|far| worst(far.ray, far.cause))
     }
 
     /// Rays are listed by this, in decreasing order: unexplained ones first, then by error.
