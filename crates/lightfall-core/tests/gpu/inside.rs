@@ -1,6 +1,6 @@
 //! A camera inside the horizon: the shaders against the reference, and the refusals.
 
-use crate::{bare_hole, gpu, median, quantile};
+use crate::{all_around, bare_hole, gpu, median, quantile};
 use glam::DVec3;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::observer::min_infall_radius;
@@ -16,17 +16,6 @@ fn fallen(method: Method, r: f64, velocity: [f64; 3]) -> Scene {
     scene.disk.enabled = true;
     (scene.observer.kind, scene.observer.velocity) = (ObserverKind::Rain, velocity);
     scene
-}
-
-/// Directions spread evenly over the sphere (a golden spiral).
-fn all_around(count: u32) -> Vec<DVec3> {
-    let turn = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
-    let at = |i: u32| {
-        let x = 1.0 - f64::from(2 * i + 1) / f64::from(count);
-        let (sin, cos) = (turn * f64::from(i)).sin_cos();
-        DVec3::new(x, (1.0 - x * x).sqrt() * cos, (1.0 - x * x).sqrt() * sin)
-    };
-    (0..count).map(at).collect()
 }
 
 /// The differences between the GPU's answers and the reference's.

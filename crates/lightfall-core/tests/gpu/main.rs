@@ -91,6 +91,17 @@ fn pixel_directions(scene: &Scene, columns: u32, rows: u32) -> Vec<DVec3> {
         .collect()
 }
 
+/// Directions spread evenly over the sphere (a golden spiral).
+fn all_around(count: u32) -> Vec<DVec3> {
+    let turn = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
+    let direction = |i: u32| {
+        let x = 1.0 - f64::from(2 * i + 1) / f64::from(count);
+        let (sin, cos) = (turn * f64::from(i)).sin_cos();
+        DVec3::new(x, (1.0 - x * x).sqrt() * cos, (1.0 - x * x).sqrt() * sin)
+    };
+    (0..count).map(direction).collect()
+}
+
 /// The direction, on the observer's axes, at an angle `alpha` from the hole's centre, toward
 /// increasing phi.
 fn direction_off_centre(alpha: f64) -> DVec3 {

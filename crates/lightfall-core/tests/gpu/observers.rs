@@ -1,22 +1,10 @@
 //! The observer's matrix in the shader: every kind of observer sees what it sees in the reference.
 
-use crate::{bare_hole, gpu, median, quantile};
+use crate::{all_around, bare_hole, gpu, median, quantile};
 use glam::DVec3;
 use lightfall_core::gpu::rays;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::scene::{Method, ObserverKind};
-
-/// Directions spread evenly over the sphere (a golden spiral).
-fn all_around(count: u32) -> Vec<DVec3> {
-    let turn = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
-    (0..count)
-        .map(|i| {
-            let x = 1.0 - f64::from(2 * i + 1) / f64::from(count);
-            let (sin, cos) = (turn * f64::from(i)).sin_cos();
-            DVec3::new(x, (1.0 - x * x).sqrt() * cos, (1.0 - x * x).sqrt() * sin)
-        })
-        .collect()
-}
 
 #[test]
 #[ignore = "needs a graphics adapter"]

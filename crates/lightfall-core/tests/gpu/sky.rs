@@ -1,13 +1,13 @@
 //! The sky's stars and grid as functions of direction.
 
 use crate::light::light_from;
-use crate::{bare_hole, gpu};
+use crate::{all_around, bare_hole, gpu};
 use glam::{DVec3, UVec2, Vec4};
 use lightfall_core::gpu::kernel::uniform;
 use lightfall_core::gpu::{Gpu, GpuScene, Variant, bindings};
 use lightfall_core::optics::spectrum::{TABLE_LEN, table};
 use lightfall_core::scene::{Scene, SkyMode};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// The footprint of a ray that stands for nothing but itself.
 const ALONE: &str = "Footprint(vec3<f32>(0.0), vec3<f32>(0.0))";
@@ -41,21 +41,6 @@ fn sky(mode: SkyMode) -> Scene {
     let mut scene = bare_hole(20.0);
     scene.sky.mode = mode;
     scene
-}
-
-/// Directions spread evenly over the sphere.
-fn all_around(count: u32) -> Vec<DVec3> {
-    let turn = PI * (3.0 - 5.0_f64.sqrt());
-    let place = |i: u32| {
-        (
-            1.0 - f64::from(2 * i + 1) / f64::from(count),
-            turn * f64::from(i),
-        )
-    };
-    (0..count)
-        .map(place)
-        .map(|(z, phi)| (DVec3::new(phi.cos(), phi.sin(), 0.0) * (1.0 - z * z).sqrt()).with_z(z))
-        .collect()
 }
 
 #[test]

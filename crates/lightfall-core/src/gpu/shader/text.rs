@@ -7,13 +7,13 @@ use std::borrow::Cow;
 pub(in crate::gpu) struct Part {
     pub file: &'static str,
     pub text: &'static str,
-    /// A name in the file that another file gives in its place, and what it is called instead.
+    /// A function of the file that another file defines in its place, and its name instead.
     pub renamed: Option<(&'static str, &'static str)>,
 }
 
 impl Part {
-    /// The same file with another name for a function of its own, so that a file that calls it can
-    /// take its place.
+    /// The same file with its function `own` called `other`, so that another file can define `own`
+    /// and call it.
     pub(super) fn renaming(self, own: &'static str, other: &'static str) -> Self {
         Self {
             renamed: Some((own, other)),
@@ -24,10 +24,23 @@ impl Part {
     /// The text as it is joined.
     fn joined(&self) -> Cow<'static, str> {
         match self.renamed {
-            Some((own, other)) => self.text.replace(own, other).into(),
+            Some((own, other)) => with_name_replaced(self.text, own, other).into(),
             None => self.text.into(),
         }
     }
+}
+
+/// The text with `other` in place of the name `own`, wherever this is a whole name.
+fn with_name_replaced(text: &str, own: &str, other: &str) -> String {
+    let is_in_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let (mut replaced, mut end) = (String::with_capacity(text.len()), 0);
+    for (start, _) in text.match_indices(own) {
+        replaced += &text[end..start];
+        end = start + own.len();
+        let continues = text[..start].ends_with(is_in_name) || text[end..].starts_with(is_in_name);
+        replaced += if continues { own } else { other };
+    }
+    replaced + &text[end..]
 }
 
 /// The [`Part`] of a file below shaders/.

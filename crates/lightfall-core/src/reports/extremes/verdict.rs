@@ -67,31 +67,23 @@ pub struct Verdict {
     /// rounding.
     pub holds: bool,
     /// Number of rays with a hit that is compared: one that the method and the reference have.
-    #[serde(default)]
     pub hits: usize,
     /// Median of the relative error of the hits' radii; NaN in a cell without hits.
-    #[serde(default = "absent", deserialize_with = "or_nan")]
+    #[serde(deserialize_with = "or_nan")]
     pub hit_r_p50: f64,
     /// Its 99th percentile.
-    #[serde(default = "absent", deserialize_with = "or_nan")]
+    #[serde(deserialize_with = "or_nan")]
     pub hit_r_p99: f64,
     /// Median of the relative error of the hits' g; NaN in a cell without hits.
-    #[serde(default = "absent", deserialize_with = "or_nan")]
+    #[serde(deserialize_with = "or_nan")]
     pub hit_g_p50: f64,
     /// Its 99th percentile.
-    #[serde(default = "absent", deserialize_with = "or_nan")]
+    #[serde(deserialize_with = "or_nan")]
     pub hit_g_p99: f64,
     /// Number of rays with an error beyond the tolerance.
-    #[serde(default)]
     pub beyond: usize,
     /// Number of those rays whose error no rounding to f32 explains.
-    #[serde(default)]
     pub unexplained: usize,
-}
-
-/// What a report from before a column existed has in it.
-fn absent() -> f64 {
-    f64::NAN
 }
 
 impl Verdict {

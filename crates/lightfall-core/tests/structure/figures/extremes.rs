@@ -2,7 +2,7 @@
 
 use super::document::{Claim, Figures, claim};
 use super::measured::{files, measured};
-use super::render::{at_most, bound, count, largest, ratio, short, table};
+use super::render::{at_most, bound, count, largest, median, ratio, short, table};
 use lightfall_core::reports::extremes::{CellDelays, HuntRow, Verdict};
 use lightfall_core::reports::import::Report;
 use lightfall_core::reports::numbers::four_digits;
@@ -13,6 +13,8 @@ const METHODS: [&str; 5] = ["closed", "mino", "mino, tightest", "verlet", "kerr-
 const ANSWERING: usize = 3;
 /// The error below which a cell of `closed` is not listed, in radians.
 const LISTED: f64 = 1e-6;
+/// The relative error that the median of a cell's hits is to stay below.
+const HIT_GOAL: f64 = 1e-5;
 
 /// What the groups of the matrix contain.
 const GROUPS: [(&str, &str); 9] = [
@@ -59,6 +61,7 @@ pub fn figures() -> Figures {
             ("matrix-closed", listed(of(&matrix, "closed"))),
             ("closed", listed(of(&closed, "closed"))),
             ("delays", by_class(&delays)),
+            ("hits", hits(&[("matrix", &matrix), ("grid", &grid)])),
             ("grid", broken(&grid)),
             ("hunt", unexplained(&hunts)),
         ],
@@ -169,6 +172,34 @@ fn of_closed(rows: &[Verdict]) -> Vec<Claim> {
             count(near.count()),
         ],
     )]
+}
+
+/// The errors of hits in the cells that have some: for each method the middle of the cells' medians, and
+/// the number of cells whose median is above [`HIT_GOAL`].
+fn hits(reports: &[(&str, &[Verdict])]) -> String {
+    let row = |report: &str, rows: &[Verdict], method: &str| {
+        let mut cells = of(rows, method);
+        cells.retain(|row| row.hits > 0);
+        let medians: [fn(&Verdict) -> f64; 2] = [|row| row.hit_r_p50, |row| row.hit_g_p50];
+        let middle = medians.map(|of| short(median(cells.iter().map(|row| of(row)))));
+        let above = medians.map(|of| cells.iter().filter(|row| of(row) > HIT_GOAL).count());
+        let name = match method.split_once(", ") {
+            Some((method, setting)) => format!("`{method}`, {setting}"),
+            None => format!("`{method}`"),
+        };
+        let mut columns = vec![format!("{report}, {name}"), count(cells.len())];
+        columns.extend(middle.into_iter().chain(above.map(count)));
+        columns
+    };
+    let rows = reports.iter().flat_map(|(report, rows)| {
+        METHODS[..ANSWERING]
+            .iter()
+            .map(|method| row(report, rows, method))
+    });
+    table(
+        "| cells with hits | median of the cells' medians: r | g | cells with a median above 1e-5: r | g",
+        rows,
+    )
 }
 
 /// The hits of each method, by class.

@@ -46,6 +46,14 @@ pub fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
     extent(numbers)[1]
 }
 
+/// The middle one of some numbers, or the mean of the two in the middle.
+pub fn median(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    let mut numbers: Vec<f64> = numbers.into_iter().collect();
+    numbers.sort_by(f64::total_cmp);
+    let [below, above] = [(numbers.len() - 1) / 2, numbers.len() / 2];
+    0.5 * (numbers[below] + numbers[above])
+}
+
 /// A Markdown table with this head: its columns, separated by `|`.
 pub fn table(head: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
     let rule = "|---".repeat(head.split('|').count());
