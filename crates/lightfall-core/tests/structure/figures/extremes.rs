@@ -1,20 +1,18 @@
 //! docs/EXTREMES.md.
 
 use super::document::{Claim, Figures, claim};
+use super::hits;
 use super::measured::{files, measured};
-use super::render::{at_most, bound, count, largest, median, ratio, short, table};
+use super::render::{at_most, bound, count, largest, short, table};
 use lightfall_core::reports::extremes::{CellDelays, HuntRow, Verdict};
 use lightfall_core::reports::import::Report;
-use lightfall_core::reports::numbers::four_digits;
 use lightfall_core::scene::Method;
 
 /// The methods of the matrix, as its rows name them. The first three answer every ray.
-const METHODS: [&str; 5] = ["closed", "mino", "mino, tightest", "verlet", "kerr-schild"];
-const ANSWERING: usize = 3;
+pub(super) const METHODS: [&str; 5] = ["closed", "mino", "mino, tightest", "verlet", "kerr-schild"];
+pub(super) const ANSWERING: usize = 3;
 /// The error below which a cell of `closed` is not listed, in radians.
 const LISTED: f64 = 1e-6;
-/// The relative error that the median of a cell's hits is to stay below.
-const HIT_GOAL: f64 = 1e-5;
 
 /// What the groups of the matrix contain.
 const GROUPS: [(&str, &str); 9] = [
@@ -53,6 +51,7 @@ pub fn figures() -> Figures {
         of_closed(&closed),
         of_delays(&delays),
         of_grid(&grid),
+        hits::claims(&[&matrix, &grid]),
         of_hunts(&hunts),
     ];
     Figures {
@@ -61,15 +60,16 @@ pub fn figures() -> Figures {
             ("matrix-closed", listed(of(&matrix, "closed"))),
             ("closed", listed(of(&closed, "closed"))),
             ("delays", by_class(&delays)),
-            ("hits", hits(&[("matrix", &matrix), ("grid", &grid)])),
-            ("grid", broken(&grid)),
-            ("hunt", unexplained(&hunts)),
+            (
+                "hits",
+                hits::by_method(&[("matrix", &matrix), ("grid", &grid)]),
+            ),
         ],
         claims: claims.into_iter().flatten().collect(),
     }
 }
 
-fn of<'a>(rows: &'a [Verdict], method: &str) -> Vec<&'a Verdict> {
+pub(super) fn of<'a>(rows: &'a [Verdict], method: &str) -> Vec<&'a Verdict> {
     rows.iter().filter(|row| row.method == method).collect()
 }
 
@@ -174,34 +174,6 @@ fn of_closed(rows: &[Verdict]) -> Vec<Claim> {
     )]
 }
 
-/// The errors of hits in the cells that have some: for each method the middle of the cells' medians, and
-/// the number of cells whose median is above [`HIT_GOAL`].
-fn hits(reports: &[(&str, &[Verdict])]) -> String {
-    let row = |report: &str, rows: &[Verdict], method: &str| {
-        let mut cells = of(rows, method);
-        cells.retain(|row| row.hits > 0);
-        let medians: [fn(&Verdict) -> f64; 2] = [|row| row.hit_r_p50, |row| row.hit_g_p50];
-        let middle = medians.map(|of| short(median(cells.iter().map(|row| of(row)))));
-        let above = medians.map(|of| cells.iter().filter(|row| of(row) > HIT_GOAL).count());
-        let name = match method.split_once(", ") {
-            Some((method, setting)) => format!("`{method}`, {setting}"),
-            None => format!("`{method}`"),
-        };
-        let mut columns = vec![format!("{report}, {name}"), count(cells.len())];
-        columns.extend(middle.into_iter().chain(above.map(count)));
-        columns
-    };
-    let rows = reports.iter().flat_map(|(report, rows)| {
-        METHODS[..ANSWERING]
-            .iter()
-            .map(|method| row(report, rows, method))
-    });
-    table(
-        "| cells with hits | median of the cells' medians: r | g | cells with a median above 1e-5: r | g",
-        rows,
-    )
-}
-
 /// The hits of each method, by class.
 fn by_class(rows: &[CellDelays]) -> String {
     table(
@@ -268,21 +240,6 @@ fn of_delays(rows: &[CellDelays]) -> Vec<Claim> {
     ]
 }
 
-/// The cells of the grid that the methods which answer every ray do not hold.
-fn broken(rows: &[Verdict]) -> String {
-    let broken = METHODS[..ANSWERING]
-        .iter()
-        .flat_map(|method| of(rows, method))
-        .filter(|row| !row.holds);
-    table(
-        "method | cell | largest error, rad | tolerance, rad",
-        broken.map(|row| {
-            let numbers = [row.backward_max, row.tolerance].map(short);
-            [vec![row.method.clone(), row.cell.clone()], numbers.to_vec()].concat()
-        }),
-    )
-}
-
 fn of_grid(rows: &[Verdict]) -> Vec<Claim> {
     let [closed, mino, tightest] =
         [METHODS[0], METHODS[1], METHODS[2]].map(|method| of(rows, method));
@@ -332,40 +289,6 @@ fn number_after(text: &str, word: &str) -> usize {
     number.unwrap_or_else(|| panic!("no number after {word} in: {text}"))
 }
 
-/// A number next to one, such as a spin or a speed.
-fn six_digits(number: f64) -> String {
-    match number {
-        0.0 => "0".into(),
-        _ => format!("{number:.6}"),
-    }
-}
-
-fn unexplained(hunts: &[Report<HuntRow>]) -> String {
-    let rows = hunts.iter().flat_map(|hunt| {
-        let seed = hunt
-            .head
-            .get("command")
-            .map(|command| number_after(command, "--seed"));
-        let found = hunt.rows.iter().filter(|row| row.rays_unexplained > 0);
-        found.map(move |row| {
-            vec![
-                seed.map_or_else(String::new, |seed| seed.to_string()),
-                six_digits(row.spin),
-                four_digits(row.r),
-                six_digits(row.speed),
-                four_digits(row.fov_deg),
-                row.rays_unexplained.to_string(),
-                short(row.backward),
-                ratio(row.excess),
-            ]
-        })
-    });
-    table(
-        "seed | chi | r, r_s | speed, c | field of view, degrees | rays | largest error, rad | of the tolerance",
-        rows,
-    )
-}
-
 fn of_hunts(hunts: &[Report<HuntRow>]) -> Vec<Claim> {
     let size =
         |hunt: &Report<HuntRow>| hunt.head.get("size").expect("a hunt has a size").to_owned();
@@ -385,7 +308,7 @@ fn of_hunts(hunts: &[Report<HuntRow>]) -> Vec<Claim> {
             [count(hunts.len()), total(rays), total(scenes)],
         ),
         claim(
-            "In these runs {} rays in {} scenes were beyond their tolerance without such an explanation",
+            "In these runs {} rays in {} scenes are beyond their tolerance without such an explanation",
             [
                 total(found().map(|row| row.rays_unexplained)),
                 count(found().count()),

@@ -10,6 +10,7 @@ mod bench;
 mod document;
 mod examples;
 mod extremes;
+mod hits;
 mod lines;
 mod measured;
 mod passes;
