@@ -5,6 +5,7 @@ use super::tolerance::tolerance;
 use crate::accuracy::{RayError, Truth};
 use crate::optics::trace::Trace;
 use crate::scene::Scene;
+use rayon::prelude::*;
 
 /// A ray whose error is beyond the method's tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,8 +17,8 @@ pub(super) struct FarRay {
 }
 
 impl FarRay {
-    /// The rays beyond the tolerance of the scene's method. An error that no rounding explains is
-    /// searched for thoroughly first, and replaced by the smaller bound that is found.
+    /// The rays beyond the tolerance of the scene's method. Their errors are searched for thoroughly
+    /// first, and replaced by the smaller bounds that are found.
     pub(super) fn all(
         scene: &Scene,
         truth: &Truth,
@@ -26,17 +27,15 @@ impl FarRay {
     ) -> Vec<Self> {
         let tolerance = tolerance(scene);
         let far = |(ray, error): (usize, &mut RayError)| {
-            if error.backward <= tolerance {
-                return None;
-            }
-            let mut cause = Cause::of(scene, truth, ray, error.backward);
-            if cause.is_none() {
+            if error.backward > tolerance {
                 let bounds = [0.5 * tolerance, error.backward];
                 error.backward = truth.judge_thoroughly(ray, &given[ray], bounds);
-                cause = Cause::of(scene, truth, ray, error.backward);
             }
-            (error.backward > tolerance).then_some(Self { ray, cause })
+            (error.backward > tolerance).then(|| Self {
+                ray,
+                cause: Cause::of(scene, truth, ray, error.backward),
+            })
         };
-        errors.iter_mut().enumerate().filter_map(far).collect()
+        errors.par_iter_mut().enumerate().filter_map(far).collect()
     }
 }
