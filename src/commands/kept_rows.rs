@@ -32,6 +32,12 @@ impl<T: Clone + Serialize + DeserializeOwned> KeptRows<T> {
         let rows = file
             .as_deref()
             .and_then(|file| rows_in(file, circumstances));
+        if let (Some(file), None) = (&file, &rows) {
+            eprintln!(
+                "lightfall: a run that is stopped leaves its rows in {}, and the same command goes on after them",
+                file.display()
+            );
+        }
         Self {
             file,
             circumstances: circumstances.clone(),

@@ -48,6 +48,15 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
             "--aov is for pictures of linear light: the file's name must end in .exr",
         ));
     }
+    if let Some(Some(file)) = &args.timings {
+        if *file == args.out {
+            return Err(Stop::refused(format!(
+                "--timings={}: this is the picture's file; the times need a file of their own",
+                file.display()
+            )));
+        }
+        storage::check_writable(file).map_err(Stop::failed)?;
+    }
     let pictures = Pictures {
         format,
         scene,

@@ -37,6 +37,10 @@ fn a_place_that_cannot_be_written_is_status_one_and_a_sentence_that_names_it() {
                 "nowhere/a.png: cannot be written: there is no such folder",
             ),
             (
+                "render --timings=nowhere/t.csv -o a.png",
+                "nowhere/t.csv: cannot be written: there is no such folder",
+            ),
+            (
                 "bench --quick --out afile",
                 "--out afile: afile is a file, and this must be a folder, or one that can be made",
             ),
@@ -100,6 +104,10 @@ fn a_folder_that_accepts_no_files_is_found_before_any_work_is_done() {
             (
                 "render --frames 0..1 -o /proc/x.png",
                 "/proc/x-0000.png: cannot be written: the folder accepts no new files",
+            ),
+            (
+                "render --timings=/dev/null -o a.png",
+                "/dev/null: cannot be written: it is a device, and no file",
             ),
             (
                 "bench --quick --out /proc",

@@ -34,7 +34,7 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
     let plan = args.plan();
     if plan.is_empty() {
         return Err(Stop::refused(
-            "no method of --methods can trace a scene of --scenes: verlet and closed need hole.spin = 0",
+            "no method of --methods can trace a scene of --scenes: verlet needs hole.spin = 0",
         ));
     }
     if args.pictures {

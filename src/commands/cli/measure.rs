@@ -170,7 +170,10 @@ fn bench_scene(text: &str) -> Result<BenchScene, String> {
     let name = presets::find(text).map_or(text, |preset| preset.name);
     let all = scenes();
     let names: Vec<&str> = all.iter().map(|scene| scene.name.as_str()).collect();
-    let message = format!("the scenes are {}", names.join(", "));
+    let message = format!(
+        "the scenes are {}; the number of a preset among them will do",
+        names.join(", ")
+    );
     all.into_iter()
         .find(|scene| scene.name == name)
         .ok_or(message)

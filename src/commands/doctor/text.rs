@@ -130,7 +130,7 @@ impl Display for ShaderCheck {
             faults => format!("{faults} NOT valid, see below"),
         };
         let (shaders, scenes) = (self.shaders, self.scenes.len());
-        write!(f, "{shaders} of {scenes} scenes, {verdict}")
+        write!(f, "{shaders} for the passes of {scenes} scenes, {verdict}")
     }
 }
 

@@ -42,14 +42,11 @@ fn sentence(
     match blamed.as_deref() {
         None => format!("{key} = {given} is refused: it must be {allowed}{why}"),
         Some((culprit, its)) => {
-            // A field that narrows the range alone has been named already.
-            let why = if because
-                .as_ref()
-                .is_some_and(|because| because.keys == [*culprit])
-            {
-                ""
-            } else {
-                &why
+            // The field that narrows the range has been named already, with its value.
+            let said = format!("{culprit} is {its}");
+            let why = match because {
+                Some(because) if because.reason == said => "",
+                _ => &why,
             };
             format!(
                 "{culprit} = {its} is refused together with {key} = {given}, which must then be {allowed}{why}"
@@ -63,7 +60,7 @@ fn sentence(
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum SceneError {
     /// The text is not TOML.
-    #[error("{origin}: line {line}, column {column}: {message}")]
+    #[error("{origin}: line {line}, column {column}: {message}; the text is read as TOML")]
     Syntax {
         /// Where it was written.
         origin: String,

@@ -72,7 +72,7 @@ impl Scene {
                 let because = Because {
                     keys: vec!["hole.spin"],
                     reason: format!(
-                        "a thin disk around a hole that spins is steady in the hole's equator only; hole.spin is {}",
+                        "a thin disk around a hole that spins, here with hole.spin = {}, is steady in the equator only",
                         number(self.hole.spin)
                     ),
                 };

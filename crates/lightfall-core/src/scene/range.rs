@@ -44,10 +44,13 @@ impl Kind {
     pub(super) fn in_words(self, range: Range, unit: &str) -> String {
         let words = |noun: &str| {
             let space = if unit.is_empty() { "" } else { " " };
-            if range == Range::FINITE {
-                format!("{noun}{space}{unit}")
-            } else {
-                format!("{noun} {range}{space}{unit}")
+            match range {
+                Range::FINITE => format!("{noun}{space}{unit}"),
+                Range {
+                    low: Included(low),
+                    high: Included(high),
+                } if low == high => format!("{}{space}{unit}", number(low)),
+                _ => format!("{noun} {range}{space}{unit}"),
             }
         };
         match self {

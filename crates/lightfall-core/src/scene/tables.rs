@@ -385,7 +385,8 @@ table! {
         max_affine: f64 = 2000.0, Range::above(0.0, 1e9), "r_s";
         /// Radius beyond which an outgoing ray of verlet and kerr-schild counts as escaped, never
         /// less than camera.r and disk.outer; 0 for 1.15 camera.r or three times disk.outer,
-        /// whichever is larger.
+        /// whichever is larger. A ray ends before it, without an answer, after quality.max_affine or
+        /// quality.max_steps.
         escape_radius: f64 = 0.0, Range::closed(0.0, 1e9), "r_s";
         /// Least step of the step rule of verlet and kerr-schild, unless another limit is smaller; 0
         /// for the article's, 0.018 and 0.008.

@@ -242,7 +242,7 @@ fn another_version_of_the_format_is_reported_before_any_other_fault() {
     );
     assert_eq!(
         set("schema=2"),
-        "--set: schema = 2 is refused: it must be an integer equal to 1"
+        "--set: schema = 2 is refused: it must be 1"
     );
 }
 

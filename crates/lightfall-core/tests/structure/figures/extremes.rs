@@ -3,7 +3,7 @@
 use super::document::{Claim, Figures, claim};
 use super::hits;
 use super::measured::{files, measured};
-use super::render::{at_most, bound, count, largest, short, table};
+use super::render::{at_most, bound, count, largest, ratio, short, table};
 use lightfall_core::reports::extremes::{CellDelays, HuntRow, Verdict};
 use lightfall_core::reports::import::Report;
 use lightfall_core::scene::Method;
@@ -41,9 +41,10 @@ pub fn figures() -> Figures {
     let closed = measured::<Verdict>("llvmpipe/extremes-closed").rows;
     let grid = measured::<Verdict>("h200/grid").rows;
     let delays = measured::<CellDelays>("llvmpipe/delays").rows;
-    let hunts: Vec<Report<HuntRow>> = files("h200", "hunt-")
+    let hunts: Vec<Report<HuntRow>> = ["h200", "llvmpipe"]
         .iter()
-        .map(|file| measured(file))
+        .flat_map(|folder| files(folder, "hunt-"))
+        .map(|file| measured(&file))
         .collect();
     let claims = [
         tolerances(),
@@ -60,6 +61,7 @@ pub fn figures() -> Figures {
             ("matrix-closed", listed(of(&matrix, "closed"))),
             ("closed", listed(of(&closed, "closed"))),
             ("delays", by_class(&delays)),
+            ("hunts", by_seed(&hunts)),
             (
                 "hits",
                 hits::by_method(&[("matrix", &matrix), ("grid", &grid)]),
@@ -287,6 +289,33 @@ fn number_after(text: &str, word: &str) -> usize {
     let mut words = text.split(' ').skip_while(|other| *other != word);
     let number = words.nth(1).and_then(|number| number.parse().ok());
     number.unwrap_or_else(|| panic!("no number after {word} in: {text}"))
+}
+
+/// The rays beyond their tolerance that each hunt found. A file lists its worst scenes, which are
+/// those with such rays and some more.
+fn by_seed(hunts: &[Report<HuntRow>]) -> String {
+    table(
+        "seed | machine | rays beyond their tolerance | unexplained | largest error of these, rad | times the tolerance",
+        hunts.iter().map(|hunt| {
+            let said = |name: &str| hunt.head.get(name).expect("a hunt says how it was made");
+            let sum = |of: fn(&HuntRow) -> usize| total(hunt.rows.iter().map(of));
+            let seed = number_after(said("command"), "--seed").to_string();
+            let machine = said("adapter").split(" (").next().unwrap_or_default();
+            let far = hunt.rows.iter().filter(|row| row.rays_beyond > 0);
+            let [error, excess] = match far.max_by(|a, b| a.excess.total_cmp(&b.excess)) {
+                Some(worst) => [short(worst.backward), ratio(worst.excess)],
+                None => Default::default(),
+            };
+            vec![
+                seed,
+                machine.into(),
+                sum(|row| row.rays_beyond),
+                sum(|row| row.rays_unexplained),
+                error,
+                excess,
+            ]
+        }),
+    )
 }
 
 fn of_hunts(hunts: &[Report<HuntRow>]) -> Vec<Claim> {
