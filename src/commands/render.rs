@@ -19,7 +19,7 @@ use lightfall_core::gpu::Drawable;
 use lightfall_core::reports::export::csv;
 use lightfall_core::scene::{Picture, Scene, SkyMode};
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::{Path, PathBuf, absolute};
 
 /// The word that stands for no journey.
 const NO_JOURNEY: &str = "none";
@@ -49,13 +49,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         ));
     }
     if let Some(Some(file)) = &args.timings {
-        if *file == args.out {
-            return Err(Stop::refused(format!(
-                "--timings={}: this is the picture's file; the times need a file of their own",
-                file.display()
-            )));
-        }
-        storage::check_writable(file).map_err(Stop::failed)?;
+        check_times_file(file, &args.out, sequence.as_ref())?;
     }
     let pictures = Pictures {
         format,
@@ -169,6 +163,22 @@ fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence
         _ => {}
     }
     Ok(sequence)
+}
+
+/// Checks that the times of the passes can be written, and to a file that is no picture.
+fn check_times_file(file: &Path, out: &Path, sequence: Option<&Sequence>) -> Result<(), Stop> {
+    let is_own = |picture: &Path| absolute(picture).ok() == absolute(file).ok();
+    let frames = sequence.into_iter().flat_map(|sequence| {
+        let Frames { first, last } = sequence.frames;
+        (first..=last).map(|number| sequence.file(number))
+    });
+    if is_own(out) || frames.into_iter().any(|frame| is_own(&frame)) {
+        return Err(Stop::refused(format!(
+            "--timings={}: this is a picture's file; the times need a file of their own",
+            file.display()
+        )));
+    }
+    storage::check_writable(file).map_err(Stop::failed)
 }
 
 /// Checks that every picture can be written, before any work is done for one that could not be, and

@@ -53,6 +53,28 @@ fn a_place_that_cannot_be_written_is_status_one_and_a_sentence_that_names_it() {
 }
 
 #[test]
+fn times_are_not_written_in_the_place_of_a_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    for (file, line) in [
+        ("a.png", "-o a.png"),
+        ("./a.png", "-o a.png"),
+        ("a-0001.png", "--frames 0..2 -o a.png"),
+    ] {
+        let sentence = format!(
+            "lightfall: --timings={file}: this is a picture's file; the times need a file of their own\n"
+        );
+        assert_eq!(
+            program(
+                folder.path(),
+                &format!("render --timings={file} {line}"),
+                ""
+            ),
+            (2, String::new(), sentence)
+        );
+    }
+}
+
+#[test]
 fn a_folder_in_the_place_of_a_picture_is_found_before_any_picture_is_drawn() {
     let folder = tempfile::tempdir().unwrap();
     let folders = ["a.png", "a.exr", "a.apng", "b-0007.png"];
@@ -107,7 +129,7 @@ fn a_folder_that_accepts_no_files_is_found_before_any_work_is_done() {
             ),
             (
                 "render --timings=/dev/null -o a.png",
-                "/dev/null: cannot be written: it is a device, and no file",
+                "/dev/null: cannot be written: it is not a regular file",
             ),
             (
                 "bench --quick --out /proc",

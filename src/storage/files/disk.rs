@@ -25,7 +25,7 @@ pub fn write_atomically(path: &Path, contents: &[u8]) -> Result<(), WriteError> 
 /// Checks that a file can be created at `path`, without creating it.
 ///
 /// # Errors
-/// It is a folder or a device, or its name is too long; or its folder does not exist or does not accept new
+/// It is a folder or no regular file, or its name is too long; or its folder does not exist or does not accept new
 /// files.
 pub fn check_writable(path: &Path) -> Result<(), WriteError> {
     check_name(path)?;
@@ -36,12 +36,12 @@ pub fn check_writable(path: &Path) -> Result<(), WriteError> {
 /// quick enough for the files of a long sequence.
 ///
 /// # Errors
-/// It is a folder or a device, or its name is too long.
+/// It is a folder or no regular file, or its name is too long.
 pub fn check_name(path: &Path) -> Result<(), WriteError> {
     let reason = match fs::metadata(path) {
         Ok(found) if found.is_dir() => io::Error::new(ErrorKind::IsADirectory, "it is a folder"),
-        // A file that is complete takes its place, and a device would be gone.
-        Ok(found) if !found.is_file() => io::Error::other("it is a device, and no file"),
+        // The complete file would take the place of a device or a pipe.
+        Ok(found) if !found.is_file() => io::Error::other("it is not a regular file"),
         Err(error) if error.kind() == ErrorKind::InvalidFilename => error,
         _ => return Ok(()),
     };

@@ -51,22 +51,19 @@ pub(super) fn thorough_backward_error(
     let is_misclassified = !same(truth);
     let mut most = 0.0;
     for part in Part::all(given) {
-        let mut least = known;
+        let least = Cell::new(known);
+        // A misclassified answer is explained by a ray of its class, wherever its parts are.
+        let bound = if is_misclassified { &nearest } else { &least };
         for chart in own.iter().chain(&mirrored) {
             let at = miss_on_chart(camera, chart, part, &seen);
-            for start in starts(chart, &at, least) {
-                let bound = if is_misclassified {
-                    nearest.get()
-                } else {
-                    least
-                };
-                if bound <= precision {
+            for start in starts(chart, &at, bound.get()) {
+                if bound.get() <= precision {
                     break;
                 }
-                least = least.min(newton(chart, &at, start, NO_DAMPING));
+                least.set(least.get().min(newton(chart, &at, start, NO_DAMPING)));
             }
         }
-        most = greater(most, least);
+        most = greater(most, least.get());
     }
     if is_misclassified {
         nearest.get()

@@ -93,26 +93,25 @@ impl Truth {
         thorough_backward_error(&self.camera, ray, truth, given, [precision, known])
     }
 
-    /// The backward error, in radians, of another scene's reference for the ray of index `ray`.
+    /// The backward error, in radians, of an answer to the ray of index `ray`.
     #[must_use]
-    pub fn error_of(&self, ray: usize, other: &Reference) -> f64 {
-        let given = self.camera.trace_by(other, self.rays[ray].direction());
-        self.error_of_answer(ray, &given)
-    }
-
-    /// The backward error, in radians, of the reference for the ray of index `ray` if its photon is
-    /// changed by `change`. `None` if no photon has the changed constants.
-    #[must_use]
-    pub fn error_of_photon(&self, ray: usize, change: impl Fn(&mut Photon)) -> Option<f64> {
-        let given = self
-            .camera
-            .trace_changed(self.rays[ray].direction(), change)?;
-        Some(self.error_of_answer(ray, &given))
-    }
-
-    fn error_of_answer(&self, ray: usize, given: &Trace) -> f64 {
+    pub fn error_of(&self, ray: usize, given: &Trace) -> f64 {
         self.judge_ray(&self.rays[ray], &self.traces[ray], given, 0.0)
             .backward
+    }
+
+    /// The answer of another scene's reference to the ray of index `ray`.
+    #[must_use]
+    pub fn trace_by(&self, ray: usize, other: &Reference) -> Trace {
+        self.camera.trace_by(other, self.rays[ray].direction())
+    }
+
+    /// The reference's answer to the ray of index `ray` if its photon is changed by `change`. `None`
+    /// if no photon has the changed constants.
+    #[must_use]
+    pub fn trace_changed(&self, ray: usize, change: impl Fn(&mut Photon)) -> Option<Trace> {
+        self.camera
+            .trace_changed(self.rays[ray].direction(), change)
     }
 
     fn judge_ray(&self, ray: &Ray, truth: &Trace, given: &Trace, precision: f64) -> RayError {

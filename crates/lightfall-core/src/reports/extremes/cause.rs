@@ -5,6 +5,7 @@ use crate::accuracy::Truth;
 use crate::geometry::observer::Photon;
 use crate::geometry::sphere::celestial_frame;
 use crate::optics::reference::Reference;
+use crate::optics::trace::Trace;
 use crate::scene::Scene;
 use glam::DVec3;
 
@@ -29,20 +30,33 @@ pub struct Cause {
 }
 
 impl Cause {
-    /// The number whose rounding changes the true answer to ray number `ray` most, if that explains
-    /// the backward error of a method's answer. The GPU holds the scene's numbers in f32, and the
-    /// constants of each photon between the observer's matrix and the tracer.
+    /// The number whose rounding explains the backward error of a method's answer to ray number
+    /// `ray`: the one that changes the true answer most. The GPU holds the scene's numbers in f32,
+    /// and the constants of each photon between the observer's matrix and the tracer.
     pub(super) fn of(scene: &Scene, truth: &Truth, ray: usize, backward: f64) -> Option<Self> {
-        let worst = fields(scene, truth, ray)
+        let least = backward / ROUNDINGS;
+        let mut causes: Vec<(Self, Trace)> = fields(scene, truth, ray)
             .chain(constants(scene, truth, ray))
-            .filter(|cause| cause.backward.is_finite())
-            .max_by(|a, b| a.backward.total_cmp(&b.backward))?;
-        (backward <= ROUNDINGS * worst.backward).then_some(worst)
+            .map(|(input, answer)| {
+                let backward = truth.error_of(ray, &answer);
+                (Self { input, backward }, answer)
+            })
+            .filter(|(cause, _)| cause.backward.is_finite() && cause.backward >= least)
+            .collect();
+        causes.sort_by(|(a, _), (b, _)| b.backward.total_cmp(&a.backward));
+        // The usual search may overstate an effect as it may overstate an error.
+        causes
+            .into_iter()
+            .map(|(cause, answer)| Self {
+                backward: truth.judge_thoroughly(ray, &answer, [least, cause.backward]),
+                ..cause
+            })
+            .find(|cause| cause.backward >= least)
     }
 }
 
-/// The effects of the scene's numbers on the answer to ray number `ray`.
-fn fields(scene: &Scene, truth: &Truth, ray: usize) -> impl Iterator<Item = Cause> {
+/// The true answers to ray number `ray` with each of the scene's numbers rounded.
+fn fields(scene: &Scene, truth: &Truth, ray: usize) -> impl Iterator<Item = (&'static str, Trace)> {
     let inputs: [(&'static str, fn(&mut Scene) -> &mut f64); 3] = [
         ("hole.spin", |scene| &mut scene.hole.spin),
         ("camera.r", |scene| &mut scene.camera.r),
@@ -53,10 +67,7 @@ fn fields(scene: &Scene, truth: &Truth, ray: usize) -> impl Iterator<Item = Caus
         *field(&mut changed) *= 1.0 + side * HALF_UNIT;
         // At the limit of a field one of the two changed scenes may be impossible.
         let reference = Reference::new(&changed).ok()?;
-        Some(Cause {
-            input,
-            backward: truth.error_of(ray, &reference),
-        })
+        Some((input, truth.trace_by(ray, &reference)))
     };
     inputs
         .into_iter()
@@ -64,9 +75,13 @@ fn fields(scene: &Scene, truth: &Truth, ray: usize) -> impl Iterator<Item = Caus
         .flatten()
 }
 
-/// The effects of the photon's constants on the answer to ray number `ray`. The radial momentum
-/// follows from the others.
-fn constants(scene: &Scene, truth: &Truth, ray: usize) -> impl Iterator<Item = Cause> {
+/// The true answers to ray number `ray` with each of the photon's constants rounded. The radial
+/// momentum follows from the others.
+fn constants(
+    scene: &Scene,
+    truth: &Truth,
+    ray: usize,
+) -> impl Iterator<Item = (&'static str, Trace)> {
     let camera = &scene.camera;
     let [_, theta_hat, phi_hat] =
         celestial_frame(camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
@@ -80,10 +95,7 @@ fn constants(scene: &Scene, truth: &Truth, ray: usize) -> impl Iterator<Item = C
             photon.energy *= 1.0 + of_energy * side * HALF_UNIT;
             photon.w += side * HALF_UNIT * photon.w.length() * axis;
         };
-        Some(Cause {
-            input,
-            backward: truth.error_of_photon(ray, change)?,
-        })
+        Some((input, truth.trace_changed(ray, change)?))
     };
     inputs
         .into_iter()

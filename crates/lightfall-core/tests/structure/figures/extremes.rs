@@ -281,6 +281,13 @@ fn of_grid(rows: &[Verdict]) -> Vec<Claim> {
             "`mino` at its tightest setting: {} of {} cells hold. The 99th percentile of each is within {}",
             [counts(&tightest), vec![at_most(p99(&tightest))]].concat(),
         ),
+        claim(
+            "Of all these rays {} are beyond their tolerance, and the rounding of a number explains {} of them",
+            [
+                total(answering.iter().map(|row| row.beyond)),
+                total(answering.iter().map(|row| row.beyond - row.unexplained)),
+            ],
+        ),
     ]
 }
 
