@@ -49,7 +49,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         ));
     }
     if let Some(Some(file)) = &args.timings {
-        check_times_file(file, &args.out, sequence.as_ref())?;
+        check_times_file(file, &args.out)?;
     }
     let pictures = Pictures {
         format,
@@ -165,16 +165,11 @@ fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence
     Ok(sequence)
 }
 
-/// Checks that the times of the passes can be written, and to a file that is no picture.
-fn check_times_file(file: &Path, out: &Path, sequence: Option<&Sequence>) -> Result<(), Stop> {
-    let is_own = |picture: &Path| absolute(picture).ok() == absolute(file).ok();
-    let frames = sequence.into_iter().flat_map(|sequence| {
-        let Frames { first, last } = sequence.frames;
-        (first..=last).map(|number| sequence.file(number))
-    });
-    if is_own(out) || frames.into_iter().any(|frame| is_own(&frame)) {
+/// Checks that the times of the passes can be written, and not to the picture's file.
+fn check_times_file(file: &Path, picture: &Path) -> Result<(), Stop> {
+    if absolute(picture).ok() == absolute(file).ok() {
         return Err(Stop::refused(format!(
-            "--timings={}: this is a picture's file; the times need a file of their own",
+            "--timings={}: this is the picture's file; the times need a file of their own",
             file.display()
         )));
     }

@@ -53,20 +53,16 @@ fn a_place_that_cannot_be_written_is_status_one_and_a_sentence_that_names_it() {
 }
 
 #[test]
-fn times_are_not_written_in_the_place_of_a_picture() {
+fn times_are_not_written_in_the_place_of_the_picture() {
     let folder = tempfile::tempdir().unwrap();
-    for (file, line) in [
-        ("a.png", "-o a.png"),
-        ("./a.png", "-o a.png"),
-        ("a-0001.png", "--frames 0..2 -o a.png"),
-    ] {
+    for file in ["a.png", "./a.png"] {
         let sentence = format!(
-            "lightfall: --timings={file}: this is a picture's file; the times need a file of their own\n"
+            "lightfall: --timings={file}: this is the picture's file; the times need a file of their own\n"
         );
         assert_eq!(
             program(
                 folder.path(),
-                &format!("render --timings={file} {line}"),
+                &format!("render --timings={file} -o a.png"),
                 ""
             ),
             (2, String::new(), sentence)
