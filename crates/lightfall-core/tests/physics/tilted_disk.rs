@@ -4,6 +4,7 @@
 use crate::assert_close;
 use crate::moved_camera::Twin;
 use glam::{DMat3, DVec3};
+use lightfall_core::accuracy::{Ray, rays_over_sky};
 use lightfall_core::geometry::sphere::wrap_angle;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::apparent_hole::dark_share;
@@ -59,14 +60,8 @@ fn scenes() -> Vec<Scene> {
 }
 
 /// Directions spread evenly over the sphere.
-fn all_around(count: u32) -> Vec<DVec3> {
-    let turn = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
-    let direction = |i: u32| {
-        let x = 1.0 - f64::from(2 * i + 1) / f64::from(count);
-        let (sin, cos) = (turn * f64::from(i)).sin_cos();
-        DVec3::new(x, (1.0 - x * x).sqrt() * cos, (1.0 - x * x).sqrt() * sin)
-    };
-    (0..count).map(direction).collect()
+fn all_around(count: usize) -> Vec<DVec3> {
+    rays_over_sky(count).iter().map(Ray::direction).collect()
 }
 
 /// That two traces are the same, but for the frame of the sky.
