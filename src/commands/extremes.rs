@@ -159,9 +159,11 @@ fn hunt(gpu: &Gpu, hunt: &Hunt, args: &ExtremesArgs) -> Result<(), Stop> {
     let rays = rays.map_err(Stop::failed)?;
     let beyond: usize = rays.iter().map(|ray| ray.beyond).sum();
     let unexplained: usize = rays.iter().map(|ray| ray.unexplained).sum();
+    let unanswerable: usize = rays.iter().map(|ray| ray.unanswerable).sum();
     let scenes = rays.iter().filter(|ray| ray.beyond > 0).count();
     eprintln!(
-        "lightfall: {} random scenes; rays beyond their tolerance: {beyond}, in {scenes} of the scenes; unexplained: {unexplained}",
+        "lightfall: {} random scenes; rays beyond their tolerance: {beyond}, in {scenes} of the scenes; unexplained: \
+         {unexplained}; at rings too narrow for f32: {unanswerable}",
         rays.len()
     );
     let listed = &rays[..rays.len().min(MIN_LISTED.max(scenes))];

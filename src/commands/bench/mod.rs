@@ -1,31 +1,26 @@
 //! `lightfall bench`: error against run time.
 
+mod delays;
+mod light;
+mod methods;
 mod pictures;
 mod refine;
+mod row_report;
 
 use super::circumstances::circumstances;
 use super::cli::{BenchArgs, EntryArg};
-use super::kept_rows::KeptRows;
-use super::output::{create_report_folder, print, write_report, write_tables};
-use super::progress::Progress;
+use super::output::{create_report_folder, write_report};
 use super::scene::device;
 use super::stop::Stop;
-use crate::picture;
-use glam::UVec2;
+use delays::bench_delays;
+use light::bench_light;
 use lightfall_core::gpu::Gpu;
-use lightfall_core::reports::bench::{
-    AutoMargin, Measurement, PictureMeasurement, Plan, Ranking, auto_margin, delay_table,
-    light_table, markdown, pictures_table, plot, plot_delays, plot_pictures, with_smooth_disk,
-};
+use lightfall_core::reports::bench::Plan;
 use lightfall_core::reports::circumstances::Circumstances;
-use lightfall_core::reports::export::{csv, json};
-use lightfall_core::scene::{Method, Scene};
-use pictures::measure_pictures;
+use methods::bench_methods;
+use pictures::bench_pictures;
 use refine::bench_refinements;
 use std::path::Path;
-
-/// Number of frames that a whole frame's time is the median of.
-const TIMED_FRAMES: usize = 9;
 
 /// Measures, and prints and writes the report.
 pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
@@ -37,129 +32,14 @@ pub(super) fn bench(args: &BenchArgs) -> Result<(), Stop> {
             "no method of --methods can trace a scene of --scenes: verlet needs hole.spin = 0",
         ));
     }
-    if args.pictures {
-        return bench_pictures(args, &gpu, &plan);
-    }
-    if args.delay {
-        return bench_delays(args, &gpu, &plan);
-    }
-    if args.refine {
-        return bench_refinements(args, &gpu, &plan);
-    }
-    if args.light {
-        return bench_light(args, &gpu, &plan);
-    }
-    let scenes = match plan.scenes.as_slice() {
-        [scene] => format!("in the scene {}", scene.name),
-        scenes => format!("in {} scenes", scenes.len()),
+    let run = match args {
+        BenchArgs { pictures: true, .. } => bench_pictures,
+        BenchArgs { delay: true, .. } => bench_delays,
+        BenchArgs { refine: true, .. } => bench_refinements,
+        BenchArgs { light: true, .. } => bench_light,
+        _ => bench_methods,
     };
-    eprintln!(
-        "lightfall: bench: {} measurements {scenes} on {}",
-        plan.len(),
-        gpu.info.name
-    );
-    let circumstances = circumstances_of(&plan, &gpu, "bench", args.entry);
-    let mut kept = KeptRows::open(args.out.as_deref(), "bench", &circumstances);
-    let mut rows = measure(&gpu, &plan, &mut kept)?;
-    if args.frames {
-        time_frames(&plan, &mut rows, &mut kept)?;
-    }
-
-    let circumstances = Circumstances {
-        floor_ms: Some(plan.floor(&gpu).map_err(Stop::failed)?),
-        ..circumstances
-    };
-    let (json, markdown) = (json(&circumstances, &rows), markdown(&circumstances, &rows));
-    if let Some(folder) = &args.out {
-        let csv = csv(&circumstances, &rows);
-        write_tables(folder, "bench", [&csv, &json, &markdown])?;
-        write_plots(folder, "", &plan, &circumstances, |scene, about| {
-            plot(scene, about, &rows)
-        })?;
-    }
-    kept.remove();
-    for scene in &plan.scenes {
-        if let Some(margin) = auto_margin(&rows, &scene.name) {
-            print_margin(&margin);
-        }
-    }
-    print(if args.json { &json } else { &markdown })
-}
-
-/// Measures the delays, and prints and writes their report.
-fn bench_delays(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
-    let circumstances = circumstances_of(plan, gpu, "delay", args.entry);
-    let mut kept = KeptRows::open(args.out.as_deref(), "delay", &circumstances);
-    let rows = plan
-        .run_delays(gpu, &kept.rows(), |row| {
-            eprintln!(
-                "lightfall: bench: {}, {}, {} nodes",
-                row.scene, row.method, row.nodes
-            );
-            kept.add(row.clone());
-        })
-        .map_err(Stop::failed)?;
-    let (json, table) = (json(&circumstances, &rows), delay_table(&rows));
-    if let Some(folder) = &args.out {
-        let csv = csv(&circumstances, &rows);
-        write_tables(folder, "delay", [&csv, &json, &table])?;
-        write_plots(folder, "delay-", plan, &circumstances, |scene, about| {
-            plot_delays(scene, about, &rows)
-        })?;
-    }
-    kept.remove();
-    print(if args.json { &json } else { &table })
-}
-
-/// Times the light of living disks, and prints and writes the report.
-fn bench_light(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
-    let circumstances = circumstances_of(plan, gpu, "light", EntryArg::Compute);
-    let mut kept = KeptRows::open(args.out.as_deref(), "light", &circumstances);
-    let rows = plan
-        .run_light(gpu, &kept.rows(), |row| {
-            eprintln!("lightfall: bench: {}, {}", row.scene, row.method);
-            kept.add(row.clone());
-        })
-        .map_err(Stop::failed)?;
-    let (json, table) = (json(&circumstances, &rows), light_table(&rows));
-    if let Some(folder) = &args.out {
-        let csv = csv(&circumstances, &rows);
-        write_tables(folder, "light", [&csv, &json, &table])?;
-    }
-    kept.remove();
-    print(if args.json { &json } else { &table })
-}
-
-/// Measures the error and the time of pictures, and prints and writes the report.
-fn bench_pictures(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
-    let plan = &Plan {
-        scenes: plan.scenes.iter().flat_map(with_smooth_disk).collect(),
-        ..plan.clone()
-    };
-    let circumstances = circumstances_of(plan, gpu, "pictures", EntryArg::Fragment);
-    let mut kept = KeptRows::open(args.out.as_deref(), "pictures", &circumstances);
-    for scene in &plan.scenes {
-        // The rows of a scene share the truth, which takes the longest, so they are kept together.
-        let known = kept.rows();
-        if !known
-            .iter()
-            .any(|row: &PictureMeasurement| row.scene == scene.name)
-        {
-            let rows = measure_pictures(scene, plan.size)?;
-            kept.replace(&[known, rows].concat());
-        }
-    }
-    let rows = kept.rows();
-    let (json, table) = (json(&circumstances, &rows), pictures_table(&rows));
-    if let Some(folder) = &args.out {
-        let csv = csv(&circumstances, &rows);
-        write_tables(folder, "pictures", [&csv, &json, &table])?;
-        write_plots(folder, "pictures-", plan, &circumstances, |scene, about| {
-            plot_pictures(scene, about, &rows)
-        })?;
-    }
-    kept.remove();
-    print(if args.json { &json } else { &table })
+    run(args, &gpu, &plan)
 }
 
 /// What the plan is measured on, with this entry.
@@ -176,118 +56,17 @@ fn circumstances_of(plan: &Plan, gpu: &Gpu, report: &str, entry: EntryArg) -> Ci
     )
 }
 
-/// Measures what is planned and not known, and shows how far it has come.
-fn measure(
-    gpu: &Gpu,
-    plan: &Plan,
-    kept: &mut KeptRows<Measurement>,
-) -> Result<Vec<Measurement>, Stop> {
-    let known = kept.rows();
-    let work = plan.work(&known);
-    // All rows of a scene are timed before the error of any is computed, so a whole scene tells how
-    // long the rest will take.
-    let sample = work.iter().copied().find(|work| *work > 0.0);
-    let mut progress = Progress::new("bench", work.iter().sum(), sample.unwrap_or_default());
-    let (mut timed, mut complete) = (known.len(), known.len());
-    let measured = plan.run(gpu, &known, |step| {
-        let what = if let Some(row) = &step.row {
-            kept.add(row.clone());
-            complete += 1;
-            format!("errors of {complete}")
-        } else {
-            timed += 1;
-            format!("times of {timed}")
-        };
-        progress.set_task(format!(
-            "{what} of {} measured; {}, {}",
-            plan.len(),
-            step.scene,
-            step.setting
-        ));
-        progress.advance(step.work);
-    });
-    progress.finish();
-    measured.map_err(Stop::failed)
-}
-
-/// Times the frame of each method at the scene's own setting, as the sum of its passes.
-fn time_frames(
-    plan: &Plan,
-    rows: &mut [Measurement],
-    kept: &mut KeptRows<Measurement>,
-) -> Result<(), Stop> {
-    let is_left = |row: &Measurement| row.own_setting && row.frame_ms.is_none();
-    let left: Vec<usize> = (0..rows.len()).filter(|i| is_left(&rows[*i])).collect();
-    let mut progress = Progress::new("bench --frames", left.len() as f64, 1.0);
-    for i in left {
-        let row = &mut rows[i];
-        progress.set_task(format!("frames of {}, {}", row.scene, row.label()));
-        let bench_scene = plan.scenes.iter().find(|scene| scene.name == row.scene);
-        let Some((bench_scene, method)) = bench_scene.zip(Method::from_word(&row.method)) else {
-            continue;
-        };
-        let scene = Scene {
-            method,
-            ..bench_scene.scene.clone()
-        };
-        let size = UVec2::new(scene.picture.width, scene.picture.height);
-        let (_, passes) =
-            picture::render_timed(&scene, size, TIMED_FRAMES).map_err(Stop::failed)?;
-        row.frame_ms = (!passes.is_empty()).then(|| passes.iter().map(|pass| pass.median_ms).sum());
-        kept.replace(rows);
-        progress.advance(1.0);
-    }
-    progress.finish();
-    Ok(())
-}
-
-/// Writes one plot per scene, as `prefix` and the scene's name. `plot` gets this name and a line about
-/// the measurement.
+/// Writes one plot per scene, as `prefix` and the scene's name. `plot` gets this name.
 fn write_plots(
     folder: &Path,
     prefix: &str,
     plan: &Plan,
-    circumstances: &Circumstances,
-    plot: impl Fn(&str, &str) -> Result<Option<String>, String>,
+    plot: impl Fn(&str) -> Result<Option<String>, String>,
 ) -> Result<(), Stop> {
-    let about = format!("{}, {}", circumstances.size, circumstances.adapter);
     for scene in &plan.scenes {
-        if let Some(svg) = plot(&scene.name, &about).map_err(Stop::failed)? {
+        if let Some(svg) = plot(&scene.name).map_err(Stop::failed)? {
             write_report(folder, &format!("{prefix}{}.svg", scene.name), &svg)?;
         }
     }
     Ok(())
-}
-
-/// Says on standard error whether `auto` is on the Pareto front of its scene, or that the times vary
-/// too much to tell.
-fn print_margin(margin: &AutoMargin) {
-    let verdict = match margin.ranking {
-        Ranking::OnFront => "on the front",
-        Ranking::NotOnFront => "NOT on the front",
-        Ranking::Undecided { spread } => {
-            eprintln!(
-                "{}: no ranking of auto: the times vary by up to +-{:.0} %, which is too much",
-                margin.scene,
-                100.0 * spread
-            );
-            return;
-        }
-    };
-    let speed = match &margin.next {
-        Some(next) => format!(
-            "it is {:.1} times as fast as {next}, the next method with no larger error",
-            margin.faster
-        ),
-        None => "no other method reaches its error".into(),
-    };
-    let error = if margin.more_exact.is_finite() {
-        format!(
-            "at its speed it is {:.1} times as exact as any other method",
-            margin.more_exact
-        )
-    } else {
-        "no other method reaches its speed".into()
-    };
-    eprintln!("{}: auto is {verdict}; {speed}; {error}", margin.scene);
 }

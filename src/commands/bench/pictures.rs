@@ -1,10 +1,15 @@
 //! `lightfall bench --pictures`: the error of whole pictures against their run time.
 
+use super::circumstances_of;
+use super::row_report::RowReport;
+use crate::commands::cli::{BenchArgs, EntryArg};
 use crate::commands::stop::Stop;
 use crate::picture::{self, HeadlessOptions, PictureError as Failure, Studio};
 use glam::UVec2;
+use lightfall_core::gpu::Gpu;
 use lightfall_core::reports::bench::{
-    BenchScene, PICTURE_SETTINGS, PictureError, PictureMeasurement, PictureSetting, measured_part,
+    BenchScene, PICTURE_SETTINGS, PictureError, PictureMeasurement, PictureSetting, Plan,
+    TRUE_SAMPLES, measured_part, pictures_table, plot_pictures, with_smooth_disk,
 };
 
 /// The passes that a picture's sampling decides.
@@ -13,10 +18,49 @@ const SAMPLING_PASSES: [&str; 4] = ["geodesic", "edges", "refine", "accumulate"]
 /// Number of frames that a pass's time is the median of.
 const TIMED_FRAMES: usize = 9;
 
-/// Measures a scene's pictures of this size.
-pub(super) fn measure_pictures(
+/// Measures the error and the time of pictures, and prints and writes the report.
+pub(super) fn bench_pictures(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
+    let plan = &Plan {
+        scenes: plan.scenes.iter().flat_map(with_smooth_disk).collect(),
+        ..plan.clone()
+    };
+    let circumstances = circumstances_of(plan, gpu, "pictures", EntryArg::Fragment);
+    let about = circumstances.about();
+    let left = |known: usize| {
+        let scenes = plan.scenes.len() - known / PICTURE_SETTINGS.len();
+        scenes as f64 * frames_of_a_scene()
+    };
+    let mut report = RowReport::begin(args, "pictures", circumstances, left);
+    for scene in &plan.scenes {
+        // The rows of a scene share the truth, which takes the longest, so they are kept together.
+        let is_known = |row: &PictureMeasurement| row.scene == scene.name;
+        if !report.rows().iter().any(is_known) {
+            let rows = measure_pictures(scene, plan.size, |setting| {
+                let PictureSetting { antialias, samples } = setting;
+                let refined = if antialias { ", edges refined" } else { "" };
+                let task = format!("{}, {samples} frames{refined}", scene.name);
+                report.advance(task, f64::from(samples));
+            })?;
+            report.keep(rows);
+        }
+    }
+    let rows = report.rows();
+    report.finish(plan, &rows, &pictures_table(&rows), |scene| {
+        plot_pictures(scene, &about, &rows)
+    })
+}
+
+/// Number of frames that are drawn for the truth and all settings of a scene.
+fn frames_of_a_scene() -> f64 {
+    let frames = PICTURE_SETTINGS.iter().map(|setting| setting.samples);
+    f64::from(TRUE_SAMPLES + frames.sum::<u32>())
+}
+
+/// Measures a scene's pictures of this size. `done` is called with each setting that has been drawn.
+fn measure_pictures(
     bench_scene: &BenchScene,
     size: UVec2,
+    mut done: impl FnMut(PictureSetting),
 ) -> Result<Vec<PictureMeasurement>, Stop> {
     let mut scene = bench_scene.scene.clone();
     (scene.picture.width, scene.picture.height) = (size.x, size.y);
@@ -43,8 +87,8 @@ pub(super) fn measure_pictures(
         Ok((brightness, frame_ms * f64::from(setting.samples)))
     };
     let mut rows = Vec::new();
-    eprintln!("lightfall: bench: {}, the truth", bench_scene.name);
     let (truth, _) = draw(PictureSetting::TRUTH).map_err(|error: Failure| Stop::failed(error))?;
+    done(PictureSetting::TRUTH);
     for setting in PICTURE_SETTINGS {
         let (brightness, picture_ms) = draw(setting).map_err(Stop::failed)?;
         let PictureError { rms, p99, max } = PictureError::between(&brightness, &truth);
@@ -52,11 +96,7 @@ pub(super) fn measure_pictures(
         let one_ms = rows
             .first()
             .map_or(picture_ms, |one: &PictureMeasurement| one.picture_ms);
-        eprintln!(
-            "lightfall: bench: {}, {samples} frames{}",
-            bench_scene.name,
-            if antialias { ", edges refined" } else { "" }
-        );
+        done(setting);
         rows.push(PictureMeasurement {
             scene: bench_scene.name.clone(),
             antialias,

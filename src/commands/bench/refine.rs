@@ -1,12 +1,13 @@
 //! `lightfall bench --refine`: how far the article's methods can be refined.
 
+use super::row_report::RowReport;
 use crate::commands::circumstances::circumstances;
 use crate::commands::cli::BenchArgs;
-use crate::commands::output::{print, write_report, write_tables};
 use crate::commands::stop::Stop;
 use lightfall_core::gpu::Gpu;
-use lightfall_core::reports::bench::{Plan, plot_refinements, refinement_table};
-use lightfall_core::reports::export::{csv, json};
+use lightfall_core::reports::bench::{
+    Plan, RefinementMeasurement, plot_refinements, refinement_table,
+};
 
 /// Measures the errors of every series, and prints and writes their report.
 pub(super) fn bench_refinements(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
@@ -17,29 +18,18 @@ pub(super) fn bench_refinements(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Res
              have these settings, and verlet needs hole.spin = 0",
         ));
     }
+    let circumstances = circumstances(gpu, "refine", "that of each scene".into(), "compute");
+    let left = |known: usize| plan.refinement_rows().saturating_sub(known) as f64;
+    let mut report = RowReport::<RefinementMeasurement>::begin(args, "refine", circumstances, left);
     let rows = plan
-        .run_refinements(gpu, |row| {
-            eprintln!(
-                "lightfall: bench: {}, {}, {} {}",
-                row.scene,
-                row.method,
-                row.study.word(),
-                row.label
-            );
+        .run_refinements(gpu, &report.rows(), |row| {
+            let study = row.study.word();
+            let task = format!("{}, {}, {study} {}", row.scene, row.method, row.label());
+            report.keep([row.clone()]);
+            report.advance(task, 1.0);
         })
         .map_err(Stop::failed)?;
-    let circumstances = circumstances(gpu, "refine", "that of each scene".into(), "compute");
-    let (json, table) = (json(&circumstances, &rows), refinement_table(&rows));
-    if let Some(folder) = &args.out {
-        let csv = csv(&circumstances, &rows);
-        write_tables(folder, "refine", [&csv, &json, &table])?;
-        let about = format!("{} rays, {}", plan.rays, circumstances.adapter);
-        for scene in &plan.scenes {
-            let plot = plot_refinements(&scene.name, &about, &rows).map_err(Stop::failed)?;
-            if let Some(svg) = plot {
-                write_report(folder, &format!("refine-{}.svg", scene.name), &svg)?;
-            }
-        }
-    }
-    print(if args.json { &json } else { &table })
+    report.finish(plan, &rows, &refinement_table(&rows), |scene| {
+        plot_refinements(scene, &gpu.info.name, &rows)
+    })
 }

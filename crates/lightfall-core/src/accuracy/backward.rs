@@ -1,15 +1,15 @@
 //! The backward error: the angle by which a ray must be turned for the reference to give the
 //! method's answer, up to an angle no greater than that turn.
 
+use super::answer::greater;
 use super::chart::Chart;
-use super::finite::greater;
 use super::near_edge::turn_near_edge;
 use super::newton::{MIN_DAMPING, newton};
 use super::part::{Part, miss_on_chart};
 use super::ray::Ray;
 use super::reference_camera::ReferenceCamera;
 use crate::optics::trace::Trace;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 /// The edge of the shadow is searched for if the backward error found without it is larger than
 /// `MIN_WORTH`, and the forward error is larger than `AMPLIFIED` times that or the backward error
@@ -55,12 +55,20 @@ pub(super) fn backward_error(
 /// of the turn that explains the answer, within a factor of two. Every place that is tried gives an
 /// upper bound, so a failing search can only overstate the error. A bound below `precision` ends
 /// the search.
-fn explaining_turn(camera: &ReferenceCamera, ray: &Ray, part: Part, precision: f64) -> f64 {
-    let mut least = turn_in_plane(camera, ray, part, camera.scale, &|_, _| {});
+pub(super) fn explaining_turn(
+    camera: &ReferenceCamera,
+    ray: &Ray,
+    part: Part,
+    precision: f64,
+) -> f64 {
+    let in_plane = |share: f64| {
+        let scale = share * camera.scale;
+        turn_in_plane(camera, ray, part, (scale, ray.direction()), &|_, _| {})
+    };
+    let mut least = in_plane(1.0);
     for share in FINER {
         if least > precision.max(MIN_WORTH) {
-            let finer = turn_in_plane(camera, ray, part, share * camera.scale, &|_, _| {});
-            least = least.min(finer);
+            least = least.min(in_plane(share));
         }
     }
     // Finding an edge is expensive. It is worth the time only where a small turn leads to a distant
@@ -82,20 +90,18 @@ fn explaining_turn(camera: &ReferenceCamera, ray: &Ray, part: Part, precision: f
     }
 }
 
-/// The same, searched along two directions perpendicular to the ray, with finite differences on a
-/// scale in radians. `visit` is called with the turn and the answer at each place that is tried.
+/// The bound that Newton's method finds from the direction `from` on, in the plane across the ray, with
+/// finite differences on a scale in radians. `visit` is called with the direction and the answer at
+/// each place that is tried.
 pub(super) fn turn_in_plane(
     camera: &ReferenceCamera,
     ray: &Ray,
     part: Part,
-    scale: f64,
-    visit: &dyn Fn(f64, &Trace),
+    (scale, from): (f64, DVec3),
+    visit: &dyn Fn(DVec3, &Trace),
 ) -> f64 {
     let plane = Chart::plane(ray, scale);
-    newton(
-        &plane,
-        &miss_on_chart(camera, &plane, part, visit),
-        DVec2::ZERO,
-        MIN_DAMPING,
-    )
+    let at = miss_on_chart(camera, &plane, part, visit);
+    let start = plane.place_of(from).unwrap_or_default();
+    newton(&plane, &at, start, MIN_DAMPING)
 }

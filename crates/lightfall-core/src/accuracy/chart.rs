@@ -3,7 +3,7 @@
 use super::edge::Edge;
 use super::ray::Ray;
 use super::reference_camera::ReferenceCamera;
-use crate::geometry::sphere::angle_between;
+use crate::geometry::sphere::{angle_between, wrap_angle};
 use crate::optics::trace::Trace;
 use glam::{DVec2, DVec3};
 
@@ -96,6 +96,22 @@ impl Chart {
         }
     }
 
+    /// The coordinates of a direction, which is less than a right angle from the ray. `None` for a
+    /// direction on the other side of the edge, or on it.
+    pub(super) fn place_of(&self, direction: DVec3) -> Option<DVec2> {
+        match &self.kind {
+            Kind::Plane([u, v]) => {
+                let across = DVec2::new(direction.dot(*u), direction.dot(*v));
+                Some(across / (self.scale * direction.dot(self.direction)))
+            }
+            Kind::Edge(edge, position_angle, arc, beyond) => {
+                let [angle, own] = edge.place(direction);
+                let along = wrap_angle(angle - position_angle) * arc / self.scale;
+                (own / beyond > 0.0).then(|| DVec2::new((own / beyond).ln(), along))
+            }
+        }
+    }
+
     /// Maximum change of the coordinates in one step of Newton's method: a hundredth of a radian,
     /// but no more than a factor e of the distance to an edge.
     pub(super) fn reach(&self) -> DVec2 {
@@ -122,7 +138,12 @@ impl Chart {
 
     /// The turn from the ray to the direction at two coordinates, in radians.
     pub(super) fn turn(&self, place: DVec2) -> f64 {
-        angle_between(self.direction, self.at(place))
+        self.turn_to(self.at(place))
+    }
+
+    /// The turn from the ray to a direction, in radians.
+    pub(super) fn turn_to(&self, direction: DVec3) -> f64 {
+        angle_between(self.direction, direction)
     }
 
     /// The rays along the line toward the edge (`side` -1) or away from it (1), up to a turn of

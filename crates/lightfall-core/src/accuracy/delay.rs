@@ -17,7 +17,7 @@
 //! so dphi is known up to whole turns, of which the number that leaves least is taken. This fails,
 //! and leaves a difference, where r turns between the two places.
 
-use super::class::hits;
+use super::answer::{hits, is_same_class};
 use crate::geometry::kerr::Kerr;
 use crate::geometry::mino::Constants;
 use crate::geometry::quadrature::integral_on_scale;
@@ -81,9 +81,8 @@ impl TimedRay {
     /// that there is nothing to compare. Hits without a delay are left out.
     #[must_use]
     pub fn errors(&self, found: &Trace) -> Option<Vec<DelayError>> {
-        let alike = found.outcome == self.trace.outcome && hits(found) == hits(&self.trace);
         let error = |i: usize| self.error(i, found.hits[i]?, self.trace.hits[i]?);
-        alike.then(|| (0..found.hits.len()).filter_map(error).collect())
+        is_same_class(found, &self.trace).then(|| (0..found.hits.len()).filter_map(error).collect())
     }
 
     /// The error of the delay of hit number `hit`.

@@ -7,13 +7,13 @@
 //! reference to give the same answer, up to an angle no greater than the turn; and the confusion
 //! matrix of outcomes.
 
+mod answer;
 mod backward;
 mod camera_tracer;
 mod chart;
 mod class;
 mod delay;
 mod edge;
-mod finite;
 mod near_edge;
 mod newton;
 mod part;
@@ -22,14 +22,15 @@ mod ray;
 mod reference_camera;
 mod sample;
 mod summary;
-mod thorough;
+mod surroundings;
 mod truth;
 
+pub(crate) use answer::greater;
 pub use delay::{DelayError, TimedRay};
 pub use edge::Shadow;
-pub(crate) use finite::greater;
 pub use picture::picture_errors;
 pub use ray::Ray;
 pub use sample::{EDGE_DISTANCES, rays_near_edge, rays_over_picture, rays_over_sky};
 pub use summary::{ErrorSummary, Quantiles};
+pub use surroundings::{Bounds, Surroundings};
 pub use truth::{RayError, Truth};

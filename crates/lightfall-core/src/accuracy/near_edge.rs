@@ -6,7 +6,7 @@ use super::part::{Part, miss_on_chart};
 use super::reference_camera::ReferenceCamera;
 use crate::geometry::sphere::wrap_angle;
 use crate::optics::trace::Trace;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
 /// If the turn is within `NEAR` times the distance to the edge, the plane is as good a chart as the
@@ -30,14 +30,14 @@ const FAST_AZIMUTH: f64 = 2.0 * TAU;
 
 /// The smallest angle found such that some rotation of the ray by at most that angle leaves a miss
 /// of at most that angle, searched on the edge's own chart. `least` is the bound that is known
-/// already. A bound below `precision` ends the search. `visit` is called with the turn and the
+/// already. A bound below `precision` ends the search. `visit` is called with the direction and the
 /// answer at each place that is tried.
 pub(super) fn turn_near_edge(
     camera: &ReferenceCamera,
     chart: &Chart,
     part: Part,
     [precision, mut least]: [f64; 2],
-    visit: &dyn Fn(f64, &Trace),
+    visit: &dyn Fn(DVec3, &Trace),
 ) -> f64 {
     let at = miss_on_chart(camera, chart, part, visit);
     if least > NEAR * chart.scale {
@@ -62,8 +62,13 @@ pub(super) fn turn_near_edge(
     // Each e-fold of the distance to the edge adds an equal part of an orbit, without end. About a
     // spinning hole such an orbit fills the whole range of latitudes in which it moves. So if rays
     // pass an answer above and below, others come arbitrarily close to it, and the distance to the
-    // edge bounds its error.
-    if camera.is_spinning && brackets_zero(&inward) {
+    // edge bounds its error. A hit in front of the orbit converges instead: its height may change its
+    // sign, but not back.
+    let changes = match part {
+        Part::Sky(_) => 1,
+        Part::Hit(..) => 2,
+    };
+    if camera.is_spinning && sign_changes(&inward) >= changes {
         least = least.min(chart.scale);
     }
     let mut places = places(&inward);
@@ -143,9 +148,11 @@ fn is_nearest(three: &[[f64; 2]]) -> bool {
         && here * after > 0.0
 }
 
-/// Whether the difference in height is positive at one place of a line and negative at another.
-fn brackets_zero(line: &[[f64; 2]]) -> bool {
-    line.iter().any(|[_, height]| *height > 0.0) && line.iter().any(|[_, height]| *height < 0.0)
+/// How often the difference in height changes its sign along a line.
+fn sign_changes(line: &[[f64; 2]]) -> usize {
+    line.windows(2)
+        .filter(|two| two[0][1] * two[1][1] < 0.0)
+        .count()
 }
 
 /// The steps of a line in which the height is right somewhere, by their two ends; and the places

@@ -1,8 +1,9 @@
 //! The parts of an answer that a turn of the ray has to explain: its sky direction and its hits.
 
+use super::answer::is_same_class;
 use super::chart::Chart;
 use super::reference_camera::ReferenceCamera;
-use crate::geometry::sphere::wrap_angle;
+use crate::geometry::sphere::{angle_between, wrap_angle};
 use crate::optics::trace::{Hit, Trace};
 use glam::{DVec2, DVec3};
 
@@ -26,21 +27,24 @@ impl Part {
         given.sky.map(Self::Sky).into_iter().chain(hits)
     }
 
-    /// The difference of another answer from this part, in two components: of a direction, along
-    /// two axes perpendicular to the wanted one; of a hit, relative in 1/r, which unlike r is
-    /// smooth up to infinity, and in the azimuth.
+    /// The difference of another answer from this part, in two components: of a direction, in the
+    /// stereographic projection from its opposite, which is as long as the angle where that is small
+    /// and grows without end toward the opposite; of a hit, relative in 1/r, which unlike r is smooth
+    /// up to infinity, and in the azimuth. `None` if the other answer has no such part, or if the
+    /// difference is not finite.
     pub(super) fn miss(&self, found: &Trace) -> Option<DVec2> {
-        match self {
+        let miss = match self {
             Self::Sky(wanted) => found.sky.map(|found| {
                 let (u, v) = wanted.any_orthonormal_pair();
-                let miss = found - wanted;
-                DVec2::new(miss.dot(u), miss.dot(v))
+                let toward = DVec2::new(found.dot(u), found.dot(v)).normalize_or(DVec2::X);
+                2.0 * (0.5 * angle_between(found, *wanted)).tan() * toward
             }),
             Self::Hit(..) => self
                 .height(found)
                 .zip(self.azimuth(found))
                 .map(|(height, azimuth)| DVec2::new(height, azimuth)),
-        }
+        };
+        miss.filter(|miss| miss.is_finite())
     }
 
     /// The component of that difference that is not azimuth. Near a fast hole neighbouring rays
@@ -64,17 +68,28 @@ impl Part {
     }
 }
 
-/// The miss of a part as a function of the place on a chart. `visit` is called with the turn and
+/// The bound of an answer's error that one ray gives, whose answer is `found`: the largest of the turn to
+/// that ray and of the misses of all parts. Infinite if the answers differ in class.
+pub(super) fn bound_of_whole(given: &Trace, turn: f64, found: &Trace) -> f64 {
+    if !is_same_class(given, found) {
+        return f64::INFINITY;
+    }
+    let miss = |part: Part| part.miss(found).map_or(f64::INFINITY, DVec2::length);
+    Part::all(given).map(miss).fold(turn, f64::max)
+}
+
+/// The miss of a part as a function of the place on a chart. `visit` is called with the direction and
 /// the answer at each place.
 pub(super) fn miss_on_chart(
     camera: &ReferenceCamera,
     chart: &Chart,
     part: Part,
-    visit: &dyn Fn(f64, &Trace),
+    visit: &dyn Fn(DVec3, &Trace),
 ) -> impl Fn(DVec2) -> Option<DVec2> {
     move |place| {
-        let trace = camera.trace(chart.at(place));
-        visit(chart.turn(place), &trace);
+        let direction = chart.at(place);
+        let trace = camera.trace(direction);
+        visit(direction, &trace);
         part.miss(&trace)
     }
 }

@@ -12,6 +12,8 @@ use glam::DVec3;
 /// The reference behind the scene's camera. Directions are (right, up, forward).
 pub(super) struct ReferenceCamera {
     tracer: CameraTracer,
+    /// The same without a disk, for the outcome alone: a capture is then certain much earlier.
+    without_disk: CameraTracer,
     /// The shadow on the camera's sky, if it has an edge.
     shadow: Option<Shadow>,
     /// Whether orbits leave their plane.
@@ -27,10 +29,13 @@ impl ReferenceCamera {
     /// # Errors
     /// If the scene's observer cannot exist.
     pub(super) fn new(scene: &Scene) -> Result<Self, ObserverError> {
-        let tracer = CameraTracer::new(scene)?;
+        let mut empty = scene.clone();
+        empty.disk.enabled = false;
+        let without_disk = CameraTracer::new(&empty)?;
         Ok(Self {
-            shadow: Shadow::of(scene, &tracer),
-            tracer,
+            tracer: CameraTracer::new(scene)?,
+            shadow: Shadow::of(scene, &without_disk),
+            without_disk,
             is_spinning: scene.hole.spin != 0.0 && scene.effects.lensing,
             scale: (1e-3 * scene.camera.half_height()).clamp(1e-7, 1e-3),
         })
@@ -40,7 +45,7 @@ impl ReferenceCamera {
     pub(super) fn with_edge(&self, ray: &Ray) -> Ray {
         let edge = ray.edge.or_else(|| {
             self.shadow
-                .map(|shadow| shadow.edge_toward(&self.tracer, ray.direction()))
+                .map(|shadow| shadow.edge_toward(&self.without_disk, ray.direction()))
         });
         Ray { edge, ..*ray }
     }
@@ -68,6 +73,6 @@ impl ReferenceCamera {
     /// The shadow's edge around a position angle, where there is a shadow.
     pub(super) fn edge(&self, position_angle: f64) -> Option<Edge> {
         self.shadow
-            .map(|shadow| shadow.edge(&self.tracer, position_angle))
+            .map(|shadow| shadow.edge(&self.without_disk, position_angle))
     }
 }

@@ -1,6 +1,6 @@
 //! The errors of many rays in a few numbers.
 
-use super::finite::{all_finite, greater};
+use super::answer::{all_finite, greater};
 use super::truth::{RayError, Truth};
 use crate::optics::trace::{Outcome, Trace};
 

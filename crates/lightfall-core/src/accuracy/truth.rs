@@ -1,15 +1,15 @@
 //! The reference's answers to a set of rays, and a method's answers judged by them.
 
+use super::answer::{greater, is_complete, is_same_class};
 use super::backward::backward_error;
-use super::class::{class_backward_error, hits};
-use super::finite::{all_finite, greater};
+use super::class::class_backward_error;
 use super::ray::Ray;
 use super::reference_camera::ReferenceCamera;
-use super::thorough::thorough_backward_error;
+use super::surroundings::{Bounds, Surroundings};
 use crate::geometry::observer::{ObserverError, Photon};
 use crate::geometry::sphere::angle_between;
 use crate::optics::reference::Reference;
-use crate::optics::trace::{Outcome, Trace};
+use crate::optics::trace::Trace;
 use crate::scene::Scene;
 use rayon::prelude::*;
 
@@ -80,24 +80,33 @@ impl Truth {
             .collect()
     }
 
-    /// The backward error, in radians, of a method's answer to the ray of index `ray`, whose backward
-    /// error was found to be at most `known`. The search is a hundred times slower than
-    /// [`Truth::judge`]; next to the edge of the shadow it finds smaller turns. A bound below
-    /// `precision` ends it.
+    /// What the reference answers around the ray of index `ray`, for a search that is a hundred times
+    /// slower than [`Truth::judge`]. Next to the edge of the shadow it finds smaller turns.
     #[must_use]
-    pub fn judge_thoroughly(&self, ray: usize, given: &Trace, [precision, known]: [f64; 2]) -> f64 {
-        if given.outcome == Outcome::Unfinished || !all_finite(given) {
-            return f64::INFINITY;
-        }
-        let (ray, truth) = (&self.rays[ray], &self.traces[ray]);
-        thorough_backward_error(&self.camera, ray, truth, given, [precision, known])
+    pub fn surroundings(&self, ray: usize, bounds: Bounds) -> Surroundings<'_> {
+        Surroundings::new(&self.camera, &self.rays[ray], &self.traces[ray], bounds)
     }
 
-    /// The backward error, in radians, of an answer to the ray of index `ray`.
+    /// The backward error, in radians, of an answer to the ray of index `ray`. A bound below
+    /// `precision` ends the search.
     #[must_use]
-    pub fn error_of(&self, ray: usize, given: &Trace) -> f64 {
-        self.judge_ray(&self.rays[ray], &self.traces[ray], given, 0.0)
-            .backward
+    pub fn error_of(&self, ray: usize, given: &Trace, precision: f64) -> f64 {
+        self.backward(&self.rays[ray], &self.traces[ray], given, precision)
+    }
+
+    /// The backward error, in radians, of the outcome and the sky of an answer to the ray of index
+    /// `ray`, whatever the light meets on its way. Infinite for another outcome.
+    #[must_use]
+    pub fn error_without_hits(&self, ray: usize, given: &Trace, precision: f64) -> f64 {
+        let truth = &self.traces[ray];
+        if given.outcome != truth.outcome {
+            return f64::INFINITY;
+        }
+        let given = Trace {
+            hits: truth.hits,
+            ..*given
+        };
+        self.backward(&self.rays[ray], truth, &given, precision)
     }
 
     /// The answer of another scene's reference to the ray of index `ray`.
@@ -115,7 +124,6 @@ impl Truth {
     }
 
     fn judge_ray(&self, ray: &Ray, truth: &Trace, given: &Trace, precision: f64) -> RayError {
-        let misclassified = given.outcome != truth.outcome || hits(given) != hits(truth);
         let pairs = || {
             truth
                 .hits
@@ -129,7 +137,7 @@ impl Truth {
             })
         };
         let relative = |(truth, given): (f64, f64)| (given / truth - 1.0).abs();
-        let mut error = RayError {
+        RayError {
             sky: truth
                 .sky
                 .zip(given.sky)
@@ -142,16 +150,18 @@ impl Truth {
                 relative,
                 &mut pairs().map(|(truth, given)| (truth.g, given.g)),
             ),
-            backward: 0.0,
-            misclassified,
-        };
-        error.backward = if given.outcome == Outcome::Unfinished || !all_finite(given) {
+            backward: self.backward(ray, truth, given, precision),
+            misclassified: !is_same_class(truth, given),
+        }
+    }
+
+    fn backward(&self, ray: &Ray, truth: &Trace, given: &Trace, precision: f64) -> f64 {
+        if !is_complete(given) {
             f64::INFINITY
-        } else if misclassified {
-            class_backward_error(&self.camera, ray, given, precision)
-        } else {
+        } else if is_same_class(truth, given) {
             backward_error(&self.camera, ray, truth, given, precision)
-        };
-        error
+        } else {
+            class_backward_error(&self.camera, ray, given, precision)
+        }
     }
 }

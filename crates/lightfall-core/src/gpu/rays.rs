@@ -175,7 +175,7 @@ impl GpuTrace {
         };
         Trace {
             outcome,
-            sky: (outcome == Outcome::Sky).then(|| self.sky.as_dvec3().normalize_or_zero()),
+            sky: (outcome == Outcome::Sky).then(|| self.sky.as_dvec3().normalize()),
             hits: [hit(0), hit(1)],
             steps: self.steps,
             residual: f64::from(self.residual),

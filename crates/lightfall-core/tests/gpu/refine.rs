@@ -6,6 +6,7 @@ use lightfall_core::reports::bench::{
     Plan, RefinementMeasurement, Study, plot_refinements, refinement_table, scenes,
 };
 use lightfall_core::reports::export::csv;
+use lightfall_core::reports::import::Report;
 use lightfall_core::scene::Method;
 
 /// A plan for few rays of the scenes edge-on, without and with spin.
@@ -24,7 +25,7 @@ fn plan(methods: &[Method]) -> Plan {
 #[ignore = "needs a graphics adapter"]
 fn each_series_reduces_the_error_that_it_is_about() {
     let rows = plan(&[Method::Closed, Method::Verlet])
-        .run_refinements(gpu(), |_| {})
+        .run_refinements(gpu(), &[], |_| {})
         .unwrap();
     // Only verlet is refined, and only without spin.
     assert!(
@@ -66,6 +67,17 @@ fn each_series_reduces_the_error_that_it_is_about() {
     let text = csv(&circumstances(), &rows);
     let lines = text.lines().filter(|line| !line.starts_with('#'));
     assert_eq!(lines.count(), 1 + rows.len());
+
+    // A run that was stopped goes on after its rows, and one that was complete measures nothing.
+    let plan = plan(&[Method::Verlet]);
+    assert_eq!(plan.refinement_rows(), rows.len());
+    let known = Report::<RefinementMeasurement>::read(&text).unwrap().rows;
+    let mut measured = 0;
+    let all = plan.run_refinements(gpu(), &known[..rows.len() - 2], |_| measured += 1);
+    assert_eq!(measured, 2);
+    assert_eq!(csv(&circumstances(), &all.unwrap()), text);
+    let none = plan.run_refinements(gpu(), &known, |row| panic!("{row:?} is known"));
+    assert_eq!(csv(&circumstances(), &none.unwrap()), text);
     assert_eq!(refinement_table(&rows).lines().count(), 2 + rows.len());
 }
 

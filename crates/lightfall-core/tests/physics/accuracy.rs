@@ -1,6 +1,8 @@
 //! The backward error against known errors: for answers that belong to rays rotated by a known
 //! angle, the measure must find this angle.
 
+mod surroundings;
+
 use glam::{DQuat, DVec3};
 use lightfall_core::accuracy::{
     ErrorSummary, Quantiles, Ray, Truth, rays_near_edge, rays_over_picture, rays_over_sky,
@@ -294,31 +296,84 @@ fn a_hit_on_a_narrow_ring_is_explained_along_the_edge_of_the_shadow() {
     assert!(error.misclassified && error.backward < 1e-6, "{error:?}");
 }
 
+/// The tangent plane at a direction shows its opposite at the same place.
 #[test]
-fn the_thorough_search_finds_known_rotations_across_a_tiny_shadow() {
-    // The shadow's radius is 1.8e-6 rad, thirty times the spacing of directions in f32.
-    let mut scene = Scene::default();
-    (scene.camera.r, scene.camera.theta_deg) = (276_779.5, 129.8);
-    scene.camera.fov_deg = 0.006;
-    scene.observer.kind = ObserverKind::Zamo;
-    scene.observer.velocity = [0.0665, -0.9834, -0.0181];
-    (scene.disk.inner, scene.disk.outer) = (33.9, 35.2);
-    let rays = rays_near_edge(&scene, 500, [1e-7, 0.3]);
-    let truth = Truth::of(&scene, rays).expect("a slow observer");
-    let mut overstated = 0;
-    for angle in [1e-8, 3e-8, 1e-7, 2e-7] {
-        // Turns below the spacing of f32 are of no interest.
-        let limit = f64::max(2.0 * angle, 1e-7);
-        let given = answers_to_turned_rays(&scene, &truth, angle);
-        for (i, error) in truth.judge(&given).iter().enumerate() {
-            if error.backward <= limit {
-                continue;
-            }
-            overstated += 1;
-            let found = truth.judge_thoroughly(i, &given[i], [0.0, error.backward]);
-            assert!(found <= limit, "ray {i}, {angle:e}: {found:e}, {error:?}");
+fn the_opposite_of_the_sky_is_not_the_sky() {
+    for spin in [0.0, 0.9] {
+        let scene = scene(spin);
+        let mut rays = rays_over_picture(&scene, 50);
+        rays.extend(rays_near_edge(&scene, 50, [1e-2, 0.3]));
+        let truth = Truth::of(&scene, rays).expect("a still observer");
+        let opposite = |trace: &Trace| Trace {
+            sky: trace.sky.map(|sky| -sky),
+            ..*trace
+        };
+        let given: Vec<Trace> = truth.traces.iter().map(opposite).collect();
+        let seen = truth.traces.iter().filter(|trace| trace.sky.is_some());
+        assert!(seen.count() > 20);
+        for (trace, error) in truth.traces.iter().zip(truth.judge(&given)) {
+            // The nearest ray with that answer lies on the other side of the hole, or as near to the
+            // edge as half an orbit more asks for: e^-pi of a hundredth of the shadow's radius.
+            let least = if trace.sky.is_some() { 1e-5 } else { 0.0 };
+            assert!(error.backward >= least, "{trace:?} {error:?}");
         }
     }
-    println!("{overstated} rays needed it");
-    assert!(overstated > 0, "the usual search is enough for these rays");
+}
+
+/// Where the disk reaches into the photon orbits, the first two crossings converge toward the edge: they
+/// do not fill all azimuths, as the sky of rays next to a spinning hole's edge does.
+#[test]
+fn a_hit_at_another_azimuth_is_not_explained_by_the_nearness_of_the_edge() {
+    let mut scene = scene(0.9);
+    (scene.disk.inner, scene.disk.outer) = (1.2, 100.0);
+    let truth =
+        Truth::of(&scene, rays_near_edge(&scene, 200, [1e-7, 1e-6])).expect("a still observer");
+    let turned = |trace: &Trace| {
+        let mut given = *trace;
+        for hit in given.hits.iter_mut().flatten() {
+            // The radius is off by what next to the edge is small, to either side.
+            hit.r *= if hit.phi > 0.0 {
+                1.0 + 1e-9
+            } else {
+                1.0 - 1e-9
+            };
+            hit.phi = (hit.phi + 1.0).sin().atan2((hit.phi + 1.0).cos());
+        }
+        given
+    };
+    let given: Vec<Trace> = truth.traces.iter().map(turned).collect();
+    let mut tested = 0;
+    for (trace, error) in truth.traces.iter().zip(truth.judge(&given)) {
+        if trace.hits[1].is_some() {
+            tested += 1;
+            assert!(error.backward > 1e-3, "{trace:?} {error:?}");
+        }
+    }
+    assert!(tested > 50, "{tested} rays with two hits");
+}
+
+/// The edge of a round shadow is a circle, along which the search would go round and round.
+#[test]
+fn the_search_for_a_class_that_no_ray_has_ends() {
+    let mut scene = scene(0.0);
+    (scene.camera.r, scene.disk.enabled) = (1000.0, false);
+    let truth =
+        Truth::of(&scene, rays_near_edge(&scene, 16, [1e-4, 0.1])).expect("a still observer");
+    let hit = Hit {
+        r: 5.0,
+        phi: 0.3,
+        g: 0.8,
+        delay: None,
+    };
+    let with_hits = |trace: &Trace| Trace {
+        hits: [Some(hit); 2],
+        ..*trace
+    };
+    let given: Vec<Trace> = truth.traces.iter().map(with_hits).collect();
+    for error in truth.judge(&given) {
+        assert!(
+            error.misclassified && error.backward == f64::INFINITY,
+            "{error:?}"
+        );
+    }
 }

@@ -13,6 +13,7 @@ use crate::optics::trace::{Hit, Trace};
 use crate::reports::import::or_nan;
 use crate::scene::{Method, Scene};
 use glam::Vec3;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 /// Numbers of nodes that are measured, 0 for tracing without delays: per leg of a ray of the method
@@ -57,6 +58,31 @@ pub struct DelayMeasurement {
 }
 
 impl Plan {
+    /// The methods of the plan that have delays, with their numbers of nodes, in a scene.
+    fn delay_settings(&self, scene: &Scene) -> Vec<(Scene, u32)> {
+        let with_method = |method| Scene {
+            method,
+            ..scene.clone()
+        };
+        self.methods_with_delays(scene)
+            .map(with_method)
+            .flat_map(|scene| {
+                counts_of_nodes(&scene)
+                    .into_iter()
+                    .map(move |nodes| (scene.clone(), nodes))
+            })
+            .collect()
+    }
+
+    /// Number of rows of [`Plan::run_delays`].
+    #[must_use]
+    pub fn delay_rows(&self) -> usize {
+        let with_disk = self.scenes.iter().filter(|scene| scene.scene.disk.enabled);
+        with_disk
+            .map(|scene| self.delay_settings(&scene.scene).len())
+            .sum()
+    }
+
     /// Measures the delays of the methods closed and mino, but for the known rows, which an earlier
     /// run has measured. `done` is called after each row. Returns all rows.
     ///
@@ -71,31 +97,35 @@ impl Plan {
         let mut rows = Vec::new();
         for bench_scene in self.scenes.iter().filter(|scene| scene.scene.disk.enabled) {
             let scene = &bench_scene.scene;
+            let settings = self.delay_settings(scene);
+            let row_of = |(scene, nodes): &(Scene, u32)| {
+                let wanted = (bench_scene.name.as_str(), scene.method.word(), *nodes);
+                let is_it = |row: &&DelayMeasurement| {
+                    (row.scene.as_str(), row.method.as_str(), row.nodes) == wanted
+                };
+                known.iter().find(is_it).cloned()
+            };
+            let known_rows: Option<Vec<_>> = settings.iter().map(row_of).collect();
+            if let Some(known_rows) = known_rows {
+                rows.extend(known_rows);
+                continue;
+            }
             let rays = rays_over_picture(scene, self.rays);
             let (reference, axes) = (Reference::new(scene)?, scene.camera.tetrad_from_camera());
             let truth: Vec<Trace> = rays
-                .iter()
+                .par_iter()
                 .map(|ray| reference.trace_with_delays(axes * ray.direction()))
                 .collect();
             let given: Vec<Vec3> = rays.iter().map(Ray::given).collect();
-            for method in self.methods_with_delays(scene) {
-                let scene = Scene {
-                    method,
-                    ..scene.clone()
-                };
-                for nodes in counts_of_nodes(&scene) {
-                    let is_it = |row: &&DelayMeasurement| {
-                        let place = (row.scene.as_str(), row.method.as_str(), row.nodes);
-                        place == (&bench_scene.name, method.word(), nodes)
-                    };
-                    if let Some(row) = known.iter().find(is_it) {
-                        rows.push(row.clone());
-                        continue;
-                    }
-                    let row = self.delays(gpu, bench_scene, (&scene, nodes), &given, &truth)?;
-                    done(&row);
+            for setting in settings {
+                if let Some(row) = row_of(&setting) {
                     rows.push(row);
+                    continue;
                 }
+                let (scene, nodes) = &setting;
+                let row = self.delays(gpu, bench_scene, (scene, *nodes), &given, &truth)?;
+                done(&row);
+                rows.push(row);
             }
         }
         Ok(rows)

@@ -29,6 +29,23 @@ pub struct LightMeasurement {
 }
 
 impl Plan {
+    /// The scenes with a disk, each with the methods of the plan that can trace it.
+    fn lit_scenes(&self) -> impl Iterator<Item = (&BenchScene, Method)> {
+        let with_disk = self.scenes.iter().filter(|scene| scene.scene.disk.enabled);
+        with_disk.flat_map(|bench_scene| {
+            let methods = methods_for(&bench_scene.scene).into_iter();
+            methods
+                .filter(|method| self.methods.contains(method))
+                .map(move |method| (bench_scene, method))
+        })
+    }
+
+    /// Number of rows of [`Plan::run_light`].
+    #[must_use]
+    pub fn light_rows(&self) -> usize {
+        self.lit_scenes().count()
+    }
+
     /// Times the light of every scene with a disk, under the procedural sky where it has real stars,
     /// but for the known rows, which an earlier run has measured. `done` is called after each row.
     /// Returns all rows.
@@ -42,20 +59,17 @@ impl Plan {
         mut done: impl FnMut(&LightMeasurement),
     ) -> Result<Vec<LightMeasurement>, GpuError> {
         let mut rows = Vec::new();
-        for bench_scene in self.scenes.iter().filter(|scene| scene.scene.disk.enabled) {
-            let methods = methods_for(&bench_scene.scene).into_iter();
-            for method in methods.filter(|method| self.methods.contains(method)) {
-                let is_it = |row: &&LightMeasurement| {
-                    row.scene == bench_scene.name && row.method == method.word()
-                };
-                if let Some(row) = known.iter().find(is_it) {
-                    rows.push(row.clone());
-                    continue;
-                }
-                let row = self.light(gpu, bench_scene, method)?;
-                done(&row);
-                rows.push(row);
+        for (bench_scene, method) in self.lit_scenes() {
+            let is_it = |row: &&LightMeasurement| {
+                row.scene == bench_scene.name && row.method == method.word()
+            };
+            if let Some(row) = known.iter().find(is_it) {
+                rows.push(row.clone());
+                continue;
             }
+            let row = self.light(gpu, bench_scene, method)?;
+            done(&row);
+            rows.push(row);
         }
         Ok(rows)
     }

@@ -11,13 +11,14 @@ use crate::accuracy::{
 };
 use crate::gpu::rays::RayKernel;
 use crate::gpu::{Gpu, GpuError};
-use crate::reports::numbers::short_number;
+use crate::reports::import::{or_infinite, or_nan};
+use crate::reports::numbers::{short_number, three_digits};
 use crate::scene::{AccuracySetting, Method, Scene};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// The errors of one method at one setting of a series in one scene. Angles are in radians unless
 /// their name ends in `_px`. The error of an unfinished ray is infinite, and null in JSON.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct RefinementMeasurement {
     /// Name of the scene.
     pub scene: String,
@@ -42,32 +43,39 @@ pub struct RefinementMeasurement {
     /// Number of rays with a wrong outcome or number of hits.
     pub misclassified: usize,
     /// Forward error of the sky direction: its median.
+    #[serde(deserialize_with = "or_nan")]
     pub sky_p50: f64,
     /// Its 99th percentile.
+    #[serde(deserialize_with = "or_nan")]
     pub sky_p99: f64,
     /// Relative error of the radius of hits: its median.
+    #[serde(deserialize_with = "or_nan")]
     pub hit_r_p50: f64,
     /// Its 99th percentile.
+    #[serde(deserialize_with = "or_nan")]
     pub hit_r_p99: f64,
     /// Relative error of the g of hits: its median.
+    #[serde(deserialize_with = "or_nan")]
     pub hit_g_p50: f64,
     /// Its 99th percentile.
+    #[serde(deserialize_with = "or_nan")]
     pub hit_g_p99: f64,
     /// Backward error: its median.
+    #[serde(deserialize_with = "or_infinite")]
     pub backward_p50: f64,
     /// Its 99th percentile.
+    #[serde(deserialize_with = "or_infinite")]
     pub backward_p99: f64,
     /// Median of the backward error in pixels of the scene's picture.
+    #[serde(deserialize_with = "or_infinite")]
     pub backward_p50_px: f64,
     /// Its 99th percentile.
+    #[serde(deserialize_with = "or_infinite")]
     pub backward_p99_px: f64,
     /// Mean number of steps.
     pub steps_mean: f64,
     /// Maximum number of steps.
     pub steps_max: f64,
-    /// The number that the series refines, for people.
-    #[serde(skip)]
-    pub label: String,
 }
 
 impl RefinementMeasurement {
@@ -99,8 +107,30 @@ impl RefinementMeasurement {
             backward_p99_px: errors.backward.p99 / pixel,
             steps_mean,
             steps_max,
-            label: refinement.label(),
         }
+    }
+
+    /// The number that the series refines, for people.
+    #[must_use]
+    pub fn label(&self) -> String {
+        match self.study {
+            Study::StepScale => three_digits(self.step_scale),
+            Study::Budget => self.max_steps.to_string(),
+            Study::EscapeRadius => three_digits(self.escape_radius),
+            Study::LeastStep => three_digits(self.min_step),
+        }
+    }
+
+    /// Whether it measures this refinement in the scene of this name.
+    fn is_of(&self, name: &str, refinement: &Refinement) -> bool {
+        let scene = &refinement.scene;
+        let quality = &scene.quality;
+        self.scene == name
+            && self.method == scene.method.word()
+            && self.study == refinement.study
+            && self.max_steps == quality.max_steps
+            && [self.step_scale, self.escape_radius, self.min_step]
+                == [quality.step_scale, scene.escape_radius(), scene.min_step()]
     }
 }
 
@@ -116,32 +146,59 @@ impl Plan {
         methods
     }
 
-    /// Refines the article's methods, with the rays of [`Plan::run`]. `done` is called after each
-    /// row.
+    /// The refinements of each method of the plan in a scene.
+    fn refinements(&self, scene: &Scene) -> Vec<Vec<Refinement>> {
+        let methods = self.refinable(scene).into_iter();
+        methods.map(|method| refinements(scene, method)).collect()
+    }
+
+    /// Number of rows of [`Plan::run_refinements`].
+    #[must_use]
+    pub fn refinement_rows(&self) -> usize {
+        let all = self.scenes.iter();
+        all.flat_map(|scene| self.refinements(&scene.scene))
+            .map(|series| series.len())
+            .sum()
+    }
+
+    /// Refines the article's methods, with the rays of [`Plan::run`], but for the known rows, which
+    /// an earlier run has measured. `done` is called after each row. Returns all rows.
     ///
     /// # Errors
     /// A scene cannot be traced, or the device failed.
     pub fn run_refinements(
         &self,
         gpu: &Gpu,
+        known: &[RefinementMeasurement],
         mut done: impl FnMut(&RefinementMeasurement),
     ) -> Result<Vec<RefinementMeasurement>, GpuError> {
         let mut rows = Vec::new();
         for BenchScene { name, scene } in &self.scenes {
-            let methods = self.refinable(scene);
-            if methods.is_empty() {
+            let all = self.refinements(scene);
+            let row_of = |refinement: &Refinement| {
+                let row = known.iter().find(|row| row.is_of(name, refinement));
+                row.cloned()
+            };
+            let known_rows: Option<Vec<_>> = all.iter().flatten().map(row_of).collect();
+            if let Some(known_rows) = known_rows {
+                rows.extend(known_rows);
                 continue;
             }
             let mut rays = rays_over_picture(scene, self.rays - self.rays / 2);
             rays.extend(rays_near_edge(scene, self.rays / 2, EDGE_DISTANCES));
             let truth = Truth::of(scene, rays)?;
             let given: Vec<_> = truth.rays.iter().map(Ray::given).collect();
-            for method in methods {
-                let all = refinements(scene, method);
-                let Some(first) = all.first() else { continue };
+            for of_method in &all {
+                let Some(first) = of_method.first() else {
+                    continue;
+                };
                 // All settings of a method share one shader.
                 let kernel = RayKernel::new(gpu, &first.scene)?;
-                for refinement in &all {
+                for refinement in of_method {
+                    if let Some(row) = row_of(refinement) {
+                        rows.push(row);
+                        continue;
+                    }
                     let traces = kernel.trace_camera_rays(gpu, &refinement.scene, &given)?;
                     let errors = ErrorSummary::of(&truth, &traces);
                     let row = RefinementMeasurement::new(name, refinement, &errors);
@@ -177,7 +234,7 @@ pub fn refinement_table(rows: &[RefinementMeasurement]) -> String {
             row.scene,
             row.method,
             row.study.word(),
-            row.label,
+            row.label(),
             errors.map(short_number).join(" | "),
             row.misclassified,
             row.unfinished,
@@ -212,7 +269,7 @@ pub fn plot_refinements(
                 marks: own
                     .map(|row| Mark {
                         line: row.study.word().into(),
-                        label: row.label.clone(),
+                        label: row.label(),
                         cost: row.steps_mean,
                         error: row.backward_p99_px,
                         on_front: false,

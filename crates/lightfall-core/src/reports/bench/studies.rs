@@ -1,6 +1,5 @@
 //! The article's four ways to refine its methods, each as a series of settings.
 
-use crate::reports::numbers::three_digits;
 use crate::scene::{ARTICLE_MAX_STEPS, ArticleQuality, MAX_STEP_BUDGET, Method, Quality, Scene};
 
 crate::words! {
@@ -29,19 +28,6 @@ const FAR: i32 = 6;
 pub(super) struct Refinement {
     pub(super) study: Study,
     pub(super) scene: Scene,
-}
-
-impl Refinement {
-    /// The number that the series refines, for people.
-    pub(super) fn label(&self) -> String {
-        let quality = &self.scene.quality;
-        match self.study {
-            Study::StepScale => three_digits(quality.step_scale),
-            Study::Budget => quality.max_steps.to_string(),
-            Study::EscapeRadius => three_digits(self.scene.escape_radius()),
-            Study::LeastStep => three_digits(self.scene.min_step()),
-        }
-    }
 }
 
 /// Every series for one of the article's methods in a scene. Whatever no series mentions is the

@@ -1,13 +1,14 @@
 //! Why a ray's error is beyond the tolerance: the GPU knows the scene and the ray's photon in f32
 //! only, and some answers change much when one of these numbers changes by a rounding.
 
-use crate::accuracy::Truth;
+use crate::accuracy::{Bounds, Surroundings, Truth};
 use crate::geometry::observer::Photon;
 use crate::geometry::sphere::celestial_frame;
 use crate::optics::reference::Reference;
 use crate::optics::trace::Trace;
 use crate::scene::Scene;
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// A rounding of a number explains errors up to this many times its own effect, because a method
 /// rounds other numbers too.
@@ -19,39 +20,54 @@ const HALF_UNIT: f64 = 1.0 / (1_u32 << 24) as f64;
 /// A number may be rounded up or down.
 const SIDES: [f64; 2] = [-1.0, 1.0];
 
-/// The number whose rounding to f32 explains an error.
+/// Why an error is beyond the tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cause {
-    /// Key of a field of the scene, or the name of a constant of the photon.
-    pub input: &'static str,
-    /// The backward error, in radians, of the reference with this number changed by half a unit in
-    /// f32's last place.
-    pub backward: f64,
+pub enum Cause {
+    /// The rounding of one number to f32 explains the error.
+    Rounding {
+        /// Key of a field of the scene, or the name of a constant of the photon.
+        input: &'static str,
+        /// The backward error, in radians, of the reference with this number changed by half a unit in
+        /// f32's last place.
+        backward: f64,
+    },
+    /// The answer's sky is right, and f32 cannot tell whether the ray meets the ring: it is too narrow.
+    NarrowRing,
 }
 
 impl Cause {
-    /// The number whose rounding explains the backward error of a method's answer to ray number
-    /// `ray`: the one that changes the true answer most. The GPU holds the scene's numbers in f32,
-    /// and the constants of each photon between the observer's matrix and the tracer.
-    pub(super) fn of(scene: &Scene, truth: &Truth, ray: usize, backward: f64) -> Option<Self> {
-        let least = backward / ROUNDINGS;
-        let mut causes: Vec<(Self, Trace)> = fields(scene, truth, ray)
+    /// The number whose rounding explains the backward error of a method's answer to a ray: the one
+    /// that changes the true answer most. The GPU holds the scene's numbers in f32, and the constants
+    /// of each photon between the observer's matrix and the tracer.
+    pub(super) fn of_rounding(
+        scene: &Scene,
+        truth: &Truth,
+        surroundings: &Surroundings,
+        (ray, error): (usize, f64),
+    ) -> Option<Self> {
+        // No rounding explains an answer that no turn of the ray explains.
+        if !error.is_finite() {
+            return None;
+        }
+        let enough = error / ROUNDINGS;
+        let answers: Vec<(&'static str, Trace)> = fields(scene, truth, ray)
             .chain(constants(scene, truth, ray))
-            .map(|(input, answer)| {
-                let backward = truth.error_of(ray, &answer);
-                (Self { input, backward }, answer)
-            })
-            .filter(|(cause, _)| cause.backward.is_finite() && cause.backward >= least)
             .collect();
-        causes.sort_by(|(a, _), (b, _)| b.backward.total_cmp(&a.backward));
+        let effect = |(input, answer): (&'static str, Trace)| {
+            let known = truth.error_of(ray, &answer, enough);
+            (input, answer, known)
+        };
+        let mut effects: Vec<_> = answers.into_par_iter().map(effect).collect();
+        effects.sort_by(|(.., a), (.., b)| b.total_cmp(a));
         // The usual search may overstate an effect as it may overstate an error.
-        causes
+        effects
             .into_iter()
-            .map(|(cause, answer)| Self {
-                backward: truth.judge_thoroughly(ray, &answer, [least, cause.backward]),
-                ..cause
+            .filter(|(.., known)| *known >= enough)
+            .map(|(input, answer, known)| Self::Rounding {
+                input,
+                backward: surroundings.judge(&answer, Bounds { enough, known }),
             })
-            .find(|cause| cause.backward >= least)
+            .find(|cause| matches!(cause, Self::Rounding { backward, .. } if backward.is_finite() && *backward >= enough))
     }
 }
 
@@ -62,6 +78,9 @@ fn fields(scene: &Scene, truth: &Truth, ray: usize) -> impl Iterator<Item = (&'s
         ("camera.r", |scene| &mut scene.camera.r),
         ("camera.theta_deg", |scene| &mut scene.camera.theta_deg),
     ];
+    // On the axis and in the plane of the disk the sine and the cosine of theta are exact.
+    let is_exact = scene.camera.theta_deg % 90.0 == 0.0;
+    let rounded = if is_exact { 2 } else { 3 };
     let changed = move |(input, field): (&'static str, fn(&mut Scene) -> &mut f64), side: f64| {
         let mut changed = scene.clone();
         *field(&mut changed) *= 1.0 + side * HALF_UNIT;
@@ -71,6 +90,7 @@ fn fields(scene: &Scene, truth: &Truth, ray: usize) -> impl Iterator<Item = (&'s
     };
     inputs
         .into_iter()
+        .take(rounded)
         .flat_map(move |input| SIDES.map(|side| changed(input, side)))
         .flatten()
 }

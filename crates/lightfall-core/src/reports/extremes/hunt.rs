@@ -5,14 +5,19 @@ use super::random::Random;
 use super::random_scene::random_scene;
 use super::worst_ray::WorstRay;
 use crate::accuracy::{Truth, rays_near_edge, rays_over_picture, rays_over_sky};
+use crate::geometry::observer::ObserverError;
 use crate::gpu::{Gpu, GpuError};
-use std::cmp::Ordering;
+use crate::scene::Scene;
+use rayon::prelude::*;
 
 /// Number of rays of one scene.
 const RAYS_PER_SCENE: usize = 2000;
 /// Distances of half of them from the shadow's edge, as shares of the shadow's radius: nearer than
 /// in the usual sample.
-const EDGE_DISTANCES: [f64; 2] = [1e-7, 0.3];
+const HUNT_DISTANCES: [f64; 2] = [1e-7, 0.3];
+/// Number of scenes that are judged side by side. Most rays of a scene take much less time than its
+/// few hard ones, so scenes in turn would leave most of a large machine idle.
+const SCENES_AT_ONCE: usize = 16;
 
 /// A random search for the ray with the largest error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,21 +46,38 @@ impl Hunt {
         mut done: impl FnMut(&WorstRay),
     ) -> Result<Vec<WorstRay>, GpuError> {
         let mut random = Random::new(self.seed);
+        let scenes: Vec<Scene> = (0..self.scenes())
+            .map(|_| random_scene(&mut random))
+            .collect();
         let mut kernels = Kernels::default();
         let mut worst = Vec::new();
-        for _ in 0..self.scenes() {
-            let scene = random_scene(&mut random);
-            let mut rays = rays_over_sky(RAYS_PER_SCENE / 4);
-            rays.extend(rays_over_picture(&scene, RAYS_PER_SCENE / 4));
-            rays.extend(rays_near_edge(&scene, RAYS_PER_SCENE / 2, EDGE_DISTANCES));
-            let truth = Truth::of(&scene, rays)?;
-            let traces = kernels.traces(gpu, &scene, &truth.rays)?;
-            if let Some(ray) = WorstRay::of(&scene, &truth, &traces) {
+        for scenes in scenes.chunks(SCENES_AT_ONCE) {
+            let truths: Vec<Result<Truth, _>> = scenes.par_iter().map(sample).collect();
+            let mut answered = Vec::new();
+            for (scene, truth) in scenes.iter().zip(truths) {
+                let truth = truth?;
+                let answers = kernels.traces(gpu, scene, &truth.rays)?;
+                answered.push((scene, truth, answers));
+            }
+            let judged: Vec<Option<WorstRay>> = answered
+                .par_iter()
+                .map(|(scene, truth, answers)| WorstRay::of(scene, truth, answers))
+                .collect();
+            for ray in judged.into_iter().flatten() {
                 done(&ray);
                 worst.push(ray);
             }
         }
-        worst.sort_by(|a, b| b.rank().partial_cmp(&a.rank()).unwrap_or(Ordering::Equal));
+        worst.sort_by(|a, b| b.compare(a));
         Ok(worst)
     }
+}
+
+/// The rays of a scene, over its sky, over its picture and next to the shadow's edge, and the
+/// reference's answers to them.
+fn sample(scene: &Scene) -> Result<Truth, ObserverError> {
+    let mut rays = rays_over_sky(RAYS_PER_SCENE / 4);
+    rays.extend(rays_over_picture(scene, RAYS_PER_SCENE / 4));
+    rays.extend(rays_near_edge(scene, RAYS_PER_SCENE / 2, HUNT_DISTANCES));
+    Truth::of(scene, rays)
 }

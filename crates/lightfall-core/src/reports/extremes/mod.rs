@@ -9,6 +9,7 @@ mod grid;
 mod hunt;
 mod kernels;
 mod matrix;
+mod narrow_ring;
 mod random;
 mod random_scene;
 mod tolerance;

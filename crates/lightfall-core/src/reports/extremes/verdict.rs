@@ -1,7 +1,7 @@
 //! How a method does in a cell, and whether that is good enough.
 
 use super::cells::Cell;
-use super::far_ray::FarRay;
+use super::far_ray::FarRays;
 use super::tolerance::tolerance;
 use crate::accuracy::{ErrorSummary, RayError, Truth};
 use crate::optics::trace::Trace;
@@ -63,8 +63,8 @@ pub struct Verdict {
     /// The largest backward error that is allowed, in radians.
     #[serde(rename = "bar")]
     pub tolerance: f64,
-    /// Whether every ray has an answer of finite numbers, within the tolerance or explained by a
-    /// rounding.
+    /// Whether every ray has an answer of finite numbers, within the tolerance, or explained by a
+    /// rounding, or unanswerable.
     pub holds: bool,
     /// Number of rays with a hit that is compared: one that the method and the reference have.
     pub hits: usize,
@@ -82,8 +82,12 @@ pub struct Verdict {
     pub hit_g_p99: f64,
     /// Number of rays with an error beyond the tolerance.
     pub beyond: usize,
-    /// Number of those rays whose error no rounding to f32 explains.
+    /// Number of those rays whose error nothing explains.
     pub unexplained: usize,
+    /// Number of those rays of which f32 cannot tell whether they meet the ring, because it is too
+    /// narrow.
+    #[serde(default)]
+    pub unanswerable: usize,
 }
 
 impl Verdict {
@@ -93,14 +97,13 @@ impl Verdict {
         let mut ray_errors = truth.judge(given);
         // The article's methods have errors of their own, far larger than those of f32.
         let is_solved = scene.method.properties().setting != AccuracySetting::StepScale;
-        let (beyond, unexplained) = if is_solved {
-            let far = FarRay::all(scene, truth, given, &mut ray_errors);
-            let unexplained = far.iter().filter(|ray| ray.cause.is_none()).count();
-            (far.len(), unexplained)
+        let [beyond, unexplained, unanswerable] = if is_solved {
+            let far = FarRays::find(scene, truth, given, &mut ray_errors);
+            [far.len(), far.unexplained(), far.unanswerable()]
         } else {
             let is_far = |error: &&RayError| error.backward > tolerance;
             let beyond = ray_errors.iter().filter(is_far).count();
-            (beyond, beyond)
+            [beyond, beyond, 0]
         };
         let errors = ErrorSummary::of_errors(truth, given, &ray_errors);
         // In a cell whose rays see nothing there are no backward errors, and none is too large.
@@ -134,6 +137,7 @@ impl Verdict {
             hit_g_p99: errors.hit_g.p99,
             beyond,
             unexplained,
+            unanswerable,
         }
     }
 
@@ -155,8 +159,8 @@ impl Verdict {
 pub fn markdown(verdicts: &[Verdict]) -> String {
     let mut text = String::from(
         "| cell | method | rays | unfinished | not a number | wrong class | backward p50 | p99 | max | bar | residual | steps | verdict \
-         | hits | hit r p50 | p99 | hit g p50 | p99 | beyond | unexplained |\n\
-         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+         | hits | hit r p50 | p99 | hit g p50 | p99 | beyond | unexplained | unanswerable |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
     let mut group = "";
     for verdict in verdicts {
@@ -164,13 +168,13 @@ pub fn markdown(verdicts: &[Verdict]) -> String {
             group = &verdict.group;
             writeln!(
                 text,
-                "| **{group}** | | | | | | | | | | | | | | | | | | | |"
+                "| **{group}** | | | | | | | | | | | | | | | | | | | | |"
             )
             .expect("writing to a string cannot fail");
         }
         writeln!(
             text,
-            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
+            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
             verdict.cell,
             verdict.method,
             verdict.rays,
@@ -191,6 +195,7 @@ pub fn markdown(verdicts: &[Verdict]) -> String {
             short_number(verdict.hit_g_p99),
             verdict.beyond,
             verdict.unexplained,
+            verdict.unanswerable,
         )
         .expect("writing to a string cannot fail");
     }

@@ -1,11 +1,12 @@
 //! The worst ray of a scene.
 
 use super::cause::Cause;
-use super::far_ray::FarRay;
+use super::far_ray::FarRays;
 use super::tolerance::tolerance;
 use crate::accuracy::Truth;
 use crate::optics::trace::Trace;
 use crate::reports::circumstances::Circumstances;
+use crate::reports::import::or_infinite;
 use crate::scene::Scene;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -23,12 +24,15 @@ pub struct WorstRay {
     pub backward: f64,
     /// The backward error over the method's tolerance.
     pub excess: f64,
-    /// The rounding that explains an error beyond the tolerance.
+    /// Why the error is beyond the tolerance, if it is and the reason is known.
     pub cause: Option<Cause>,
     /// Number of the scene's rays with an error beyond the tolerance.
     pub beyond: usize,
-    /// Number of those rays whose error no rounding explains.
+    /// Number of those rays whose error nothing explains.
     pub unexplained: usize,
+    /// Number of those rays of which f32 cannot tell whether they meet the ring, because it is too
+    /// narrow.
+    pub unanswerable: usize,
 }
 
 impl WorstRay {
@@ -36,34 +40,27 @@ impl WorstRay {
     pub(super) fn of(scene: &Scene, truth: &Truth, traces: &[Trace]) -> Option<Self> {
         let tolerance = tolerance(scene);
         let mut errors = truth.judge_to_precision(0.5 * tolerance, traces);
-        let far = FarRay::all(scene, truth, traces, &mut errors);
-        let unexplained = far.iter().filter(|ray| ray.cause.is_none()).count();
-        let worst = |ray: usize, cause: Option<Cause>| Self {
+        let far = FarRays::find(scene, truth, traces, &mut errors);
+        let is_unexplained = |ray: usize| far.get(ray).is_some_and(|far| far.cause.is_none());
+        let rank = |ray: usize| (is_unexplained(ray), errors[ray].backward);
+        let worst = (0..errors.len()).max_by(|a, b| compare_ranks(rank(*a), rank(*b)))?;
+        Some(Self {
             scene: scene.clone(),
-            direction: scene.camera.tetrad_from_camera() * truth.rays[ray].direction(),
-            backward: errors[ray].backward,
-            excess: errors[ray].backward / tolerance,
-            cause,
+            direction: scene.camera.tetrad_from_camera() * truth.rays[worst].direction(),
+            backward: errors[worst].backward,
+            excess: errors[worst].backward / tolerance,
+            cause: far.get(worst).and_then(|far| far.cause),
             beyond: far.len(),
-            unexplained,
-        };
-        let backward = |ray: usize| errors[ray].backward;
-        if far.is_empty() {
-            return (0..errors.len())
-                .max_by(|a, b| backward(*a).total_cmp(&backward(*b)))
-                .map(|ray| worst(ray, None));
-        }
-        far.iter()
-            .max_by(|a, b| {
-                let rank = |far: &FarRay| (far.cause.is_none(), backward(far.ray));
-                rank(a).partial_cmp(&rank(b)).unwrap_or(Ordering::Equal)
-            })
-            .map(|far| worst(far.ray, far.cause))
+            unexplained: far.unexplained(),
+            unanswerable: far.unanswerable(),
+        })
     }
 
-    /// Rays are listed by this, in decreasing order: unexplained ones first, then by error.
-    pub(super) fn rank(&self) -> (bool, f64) {
-        (self.unexplained > 0, self.excess)
+    /// The order of rays from the best to the worst of their scenes: unexplained ones last, otherwise
+    /// by the error over the tolerance.
+    pub(super) fn compare(&self, other: &Self) -> Ordering {
+        let rank = |ray: &Self| (ray.unexplained > 0, ray.excess);
+        compare_ranks(rank(self), rank(other))
     }
 
     /// The command line that traces this ray again, by the method and by the reference.
@@ -116,6 +113,7 @@ impl WorstRay {
             speed: v_r.hypot(v_theta).hypot(v_phi),
             verdict: self.verdict(),
             command: self.command(),
+            rays_unanswerable: self.unanswerable,
         }
     }
 
@@ -133,25 +131,38 @@ impl WorstRay {
         match &self.cause {
             _ if self.beyond == 0 => error,
             None => format!("{error}: UNEXPLAINED; {count}"),
-            Some(Cause { input, backward }) => {
+            Some(Cause::Rounding { input, backward }) => {
                 format!(
                     "{error}: {input} moved by half a unit in f32's last place gives {backward:.2e} rad; {count}"
+                )
+            }
+            Some(Cause::NarrowRing) => {
+                format!(
+                    "{error}: the ring is too narrow for f32 to tell whether it is met; {count}"
                 )
             }
         }
     }
 }
 
+/// Compares whether two rays are unexplained, and their errors after this. NaN is the largest error.
+fn compare_ranks(a: (bool, f64), b: (bool, f64)) -> Ordering {
+    let error = |error: f64| if error.is_nan() { f64::INFINITY } else { error };
+    a.0.cmp(&b.0).then(error(a.1).total_cmp(&error(b.1)))
+}
+
 /// The worst ray of a scene, as a row of a report.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct HuntRow {
     /// The ray's backward error, in radians.
+    #[serde(deserialize_with = "or_infinite")]
     pub backward: f64,
     /// The backward error over the method's tolerance.
+    #[serde(deserialize_with = "or_infinite")]
     pub excess: f64,
     /// Number of the scene's rays with an error beyond the tolerance.
     pub rays_beyond: usize,
-    /// Number of those rays whose error no rounding explains.
+    /// Number of those rays whose error nothing explains.
     pub rays_unexplained: usize,
     /// The hole's spin.
     pub spin: f64,
@@ -165,6 +176,10 @@ pub struct HuntRow {
     pub verdict: String,
     /// The command line that traces the ray again.
     pub command: String,
+    /// Number of the rays beyond the tolerance of which f32 cannot tell whether they meet the ring,
+    /// because it is too narrow.
+    #[serde(default)]
+    pub rays_unanswerable: usize,
 }
 
 /// The rows as lines for a shell: each traces a ray again, below a comment with its verdict.

@@ -1,0 +1,273 @@
+//! The thorough search for the turn that explains an answer near the edge of the shadow. It follows
+//! thousands of rays, so it is for the few rays whose error is still too large after the usual
+//! search.
+
+use super::answer::{greater, is_complete, is_same_class};
+use super::backward::explaining_turn;
+use super::chart::Chart;
+use super::class::ClassSearch;
+use super::newton::{NO_DAMPING, newton};
+use super::part::{Part, bound_of_whole, miss_on_chart};
+use super::ray::Ray;
+use super::reference_camera::ReferenceCamera;
+use crate::optics::trace::Trace;
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+use std::cell::Cell;
+
+/// The grid's columns: from `MIN_COLUMN` e-folds of the distance to the edge on, in steps of
+/// `COLUMN_STEP`. One e-fold bends the light by about a radian more, so Newton's method converges
+/// from the nearest column. On either side of the ray the step is halved `HALVINGS` times.
+const MIN_COLUMN: f64 = -12.0;
+const COLUMN_STEP: f64 = 0.25;
+const HALVINGS: i32 = 6;
+/// The rows along the edge: the turn of each is half that of the one before, from the greatest turn
+/// down to `MIN_TURN` of the turn that is enough. The maximum number on either side of the ray.
+const MIN_TURN: f64 = 2e-3;
+const MAX_ROWS: usize = 24;
+/// The greatest turn of the grid as a share of the shadow's radius: the edge's polynomial describes
+/// the edge this far.
+const MAX_SHARE: f64 = 0.3;
+/// Misses from which Newton's method is started, in radians or, for the radius of a hit, relative.
+const MAX_MISS: f64 = 1.0;
+/// Maximum number of places on a chart from which Newton's method is started, the nearest first, and
+/// the number of those that are tried side by side.
+const MAX_STARTS: usize = 1024;
+const STARTS_AT_ONCE: usize = 16;
+
+/// What limits the search for a turn, in radians.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// A turn below this ends the search.
+    pub enough: f64,
+    /// An upper bound of the turn.
+    pub known: f64,
+}
+
+/// The answers of the reference to the rays around one ray, on a grid over both sides of the shadow's
+/// edge.
+pub struct Surroundings<'a> {
+    camera: &'a ReferenceCamera,
+    ray: Ray,
+    /// The true answer to the ray.
+    truth: Trace,
+    /// Empty if there is no edge.
+    grids: Vec<Grid>,
+}
+
+/// The answers on one side of the edge, row by row.
+struct Grid {
+    chart: Chart,
+    rows: Vec<Vec<Place>>,
+}
+
+/// A place on a chart, the turn to it, and the answer there.
+struct Place {
+    place: DVec2,
+    turn: f64,
+    trace: Trace,
+}
+
+impl<'a> Surroundings<'a> {
+    /// Traces the rays around a ray, up to the turn that is known and from the turn on that is enough.
+    pub(super) fn new(
+        camera: &'a ReferenceCamera,
+        ray: &Ray,
+        truth: &Trace,
+        bounds: Bounds,
+    ) -> Self {
+        let ray = camera.with_edge(ray);
+        let own = Chart::edge(&ray);
+        let mirrored = own.as_ref().and_then(Chart::mirrored);
+        let charts = own.into_iter().chain(mirrored);
+        Self {
+            camera,
+            ray,
+            truth: *truth,
+            grids: charts
+                .map(|chart| Grid::new(camera, chart, bounds))
+                .collect(),
+        }
+    }
+
+    /// The backward error, in radians, of an answer to the ray, as [`Truth::judge`](super::Truth::judge)
+    /// defines it, but no more than the known bound.
+    #[must_use]
+    pub fn judge(&self, given: &Trace, bounds: Bounds) -> f64 {
+        if !is_complete(given) {
+            return f64::INFINITY;
+        }
+        let class = (!is_same_class(&self.truth, given))
+            .then(|| ClassSearch::new(self.camera, &self.ray, given, bounds.enough));
+        let (mut error, mut whole) = (0.0, f64::INFINITY);
+        for part in Part::all(given) {
+            let found = self.explain(given, part, class.as_ref(), bounds);
+            error = greater(error, found.part);
+            whole = whole.min(found.whole);
+        }
+        if let Some(class) = class {
+            error = class.bound(error).min(self.turn_to_class(given).max(error));
+        }
+        error.min(whole).min(bounds.known)
+    }
+
+    /// The smallest turn on the grid to an answer of the same class.
+    fn turn_to_class(&self, given: &Trace) -> f64 {
+        let places = self
+            .grids
+            .iter()
+            .flat_map(|grid| grid.rows.iter().flatten());
+        let same = places.filter(|place| is_same_class(&place.trace, given));
+        same.map(|place| place.turn).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Searches for the ray that explains a part of an answer. The class of the answer is searched for
+    /// if it is another than that of the ray.
+    fn explain(
+        &self,
+        given: &Trace,
+        part: Part,
+        class: Option<&ClassSearch>,
+        Bounds { enough, known }: Bounds,
+    ) -> Explained {
+        let forward = part.miss(&self.truth).map_or(f64::INFINITY, DVec2::length);
+        if forward <= enough {
+            return Explained {
+                part: forward,
+                whole: f64::INFINITY,
+            };
+        }
+        let usual = match class {
+            Some(class) => class.turn_to_part(part, enough),
+            None => explaining_turn(self.camera, &self.ray, part, enough),
+        };
+        let mut least = Explained {
+            part: usual.min(known),
+            whole: f64::INFINITY,
+        };
+        for grid in &self.grids {
+            least = grid.explain(self.camera, given, part, enough, least);
+        }
+        least
+    }
+}
+
+/// What a search for a part has found: the smallest turn that explains the part, and the smallest bound
+/// of the whole answer's error that one ray gives.
+#[derive(Clone, Copy)]
+struct Explained {
+    part: f64,
+    whole: f64,
+}
+
+impl Explained {
+    fn min(self, other: Self) -> Self {
+        Self {
+            part: self.part.min(other.part),
+            whole: self.whole.min(other.whole),
+        }
+    }
+
+    /// Whether no further search is needed.
+    fn is_enough(self, enough: f64) -> bool {
+        self.part.min(self.whole) <= enough
+    }
+}
+
+impl Grid {
+    fn new(camera: &ReferenceCamera, chart: Chart, bounds: Bounds) -> Self {
+        let rows = places(&chart, bounds);
+        let answer = |place: DVec2| Place {
+            place,
+            turn: chart.turn(place),
+            trace: camera.trace(chart.at(place)),
+        };
+        let row = |row: Vec<DVec2>| row.into_par_iter().map(answer).collect();
+        let rows = rows.into_par_iter().map(row).collect();
+        Self { chart, rows }
+    }
+
+    /// Searches from the grid on, until an explanation is enough.
+    fn explain(
+        &self,
+        camera: &ReferenceCamera,
+        given: &Trace,
+        part: Part,
+        enough: f64,
+        mut least: Explained,
+    ) -> Explained {
+        let chart = &self.chart;
+        let from = |start: &DVec2| {
+            let whole = Cell::new(f64::INFINITY);
+            let visit = |direction: DVec3, trace: &Trace| {
+                let bound = bound_of_whole(given, chart.turn_to(direction), trace);
+                whole.set(whole.get().min(bound));
+            };
+            let at = miss_on_chart(camera, chart, part, &visit);
+            Explained {
+                part: newton(chart, &at, *start, NO_DAMPING),
+                whole: whole.get(),
+            }
+        };
+        let mut starts = self.starts(part, least.part);
+        starts.sort_by(|a, b| chart.turn(*a).total_cmp(&chart.turn(*b)));
+        starts.truncate(MAX_STARTS);
+        for starts in starts.chunks(STARTS_AT_ONCE) {
+            if least.is_enough(enough) {
+                break;
+            }
+            let found = starts.par_iter().map(from);
+            least = found.reduce(|| least, Explained::min);
+        }
+        least
+    }
+
+    /// The places at which the miss of a part is locally least along its row, with turns below the
+    /// known one.
+    fn starts(&self, part: Part, known: f64) -> Vec<DVec2> {
+        let miss = |place: &Place| {
+            let miss = (place.turn < known)
+                .then(|| part.miss(&place.trace))
+                .flatten();
+            (place.place, miss.map_or(f64::INFINITY, DVec2::length))
+        };
+        let is_least =
+            |[before, here, after]: [f64; 3]| here < MAX_MISS && here <= before && here <= after;
+        let least_of_row = |row: &Vec<Place>| {
+            let row: Vec<(DVec2, f64)> = row.iter().map(miss).collect();
+            row.array_windows()
+                .filter(|[before, here, after]| is_least([before.1, here.1, after.1]))
+                .map(|[_, here, _]| here.0)
+                .collect::<Vec<_>>()
+        };
+        self.rows.iter().flat_map(least_of_row).collect()
+    }
+}
+
+/// The places of the grid on a chart, row by row.
+fn places(chart: &Chart, Bounds { enough, known }: Bounds) -> Vec<Vec<DVec2>> {
+    let reach = known.min(MAX_SHARE * chart.radius());
+    let columns = columns((reach / chart.scale).ln_1p());
+    let halved = std::iter::successors(Some(reach), |turn| Some(0.5 * turn));
+    let turns = halved
+        .take_while(|turn| *turn > MIN_TURN * enough)
+        .take(MAX_ROWS);
+    let row = |turn: f64| {
+        let place = |x: &f64| DVec2::new(*x, turn / chart.scale);
+        columns.iter().map(place).collect()
+    };
+    let both = turns.flat_map(|turn| [turn, -turn]);
+    both.chain([0.0]).map(row).collect()
+}
+
+/// The first coordinates of a grid up to `greatest`, in ascending order.
+fn columns(greatest: f64) -> Vec<f64> {
+    let finest = COLUMN_STEP * 0.5_f64.powi(HALVINGS);
+    let mut columns = vec![MIN_COLUMN];
+    let mut last = MIN_COLUMN;
+    while last < greatest {
+        last += (0.5 * last.abs()).clamp(finest, COLUMN_STEP);
+        columns.push(last);
+    }
+    columns
+}

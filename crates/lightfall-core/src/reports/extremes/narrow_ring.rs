@@ -1,0 +1,20 @@
+//! Rings of which f32 cannot tell whether a ray meets them.
+
+use crate::scene::Scene;
+
+/// The spacing of f32's numbers, relative to them.
+const SPACING: f64 = 1.0 / (1_u32 << 23) as f64;
+
+/// A ring narrower than this many spacings is too narrow: each of its edges may be rounded by half of
+/// one, and the place of a hit by one.
+const SPACINGS: f64 = 2.0;
+
+/// Whether the scene's disk is a ring too narrow for f32: its edges differ by no more than roundings of
+/// its radius, or from the camera it is no wider than roundings of a direction. Then f32 cannot tell
+/// whether a ray meets the ring.
+pub(super) fn is_narrow(scene: &Scene) -> bool {
+    let (inner, outer) = (scene.inner_edge(), scene.disk.outer);
+    let width = outer - inner;
+    let farthest = f64::max(outer, scene.camera.r);
+    scene.disk.enabled && width < SPACINGS * SPACING * farthest
+}

@@ -1,0 +1,26 @@
+//! `lightfall bench --delay`: the error of the time between emission and arrival against the run time.
+
+use super::circumstances_of;
+use super::row_report::RowReport;
+use crate::commands::cli::BenchArgs;
+use crate::commands::stop::Stop;
+use lightfall_core::gpu::Gpu;
+use lightfall_core::reports::bench::{DelayMeasurement, Plan, delay_table, plot_delays};
+
+/// Measures the delays, and prints and writes their report.
+pub(super) fn bench_delays(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
+    let circumstances = circumstances_of(plan, gpu, "delay", args.entry);
+    let about = circumstances.about();
+    let left = |known: usize| plan.delay_rows().saturating_sub(known) as f64;
+    let mut report = RowReport::<DelayMeasurement>::begin(args, "delay", circumstances, left);
+    let rows = plan
+        .run_delays(gpu, &report.rows(), |row| {
+            let task = format!("{}, {}, {} nodes", row.scene, row.method, row.nodes);
+            report.keep([row.clone()]);
+            report.advance(task, 1.0);
+        })
+        .map_err(Stop::failed)?;
+    report.finish(plan, &rows, &delay_table(&rows), |scene| {
+        plot_delays(scene, &about, &rows)
+    })
+}
