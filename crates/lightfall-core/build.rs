@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What traces rays and judges them: files and folders, from the top of the repository.
-const RAYS: [&str; 18] = [
+const RAYS: [&str; 26] = [
     "shaders/math.wgsl",
     "shaders/scene.wgsl",
     "shaders/trace.wgsl",
@@ -26,9 +26,17 @@ const RAYS: [&str; 18] = [
     "shaders/fullscreen.wgsl",
     "shaders/timed.wgsl",
     "crates/lightfall-core/src/gpu/scene",
+    "crates/lightfall-core/src/gpu/shader",
+    "crates/lightfall-core/src/gpu/rays.rs",
     "crates/lightfall-core/src/accuracy",
+    "crates/lightfall-core/src/optics/camera_rays.rs",
+    "crates/lightfall-core/src/optics/delay.rs",
+    "crates/lightfall-core/src/optics/disk.rs",
     "crates/lightfall-core/src/optics/reference.rs",
+    "crates/lightfall-core/src/optics/shift.rs",
+    "crates/lightfall-core/src/optics/trace.rs",
     "crates/lightfall-core/src/geometry",
+    "crates/lightfall-core/src/scene/method.rs",
 ];
 
 /// The scenes of `lightfall bench`, and how they are timed.
@@ -40,10 +48,15 @@ const BENCH: [&str; 4] = [
 ];
 
 /// What a picture is drawn with.
-const PICTURES: [&str; 3] = [
+const PICTURES: [&str; 8] = [
     "shaders",
     "assets/presets",
+    "crates/lightfall-core/src/gpu/antialias.rs",
     "crates/lightfall-core/src/gpu/scene",
+    "crates/lightfall-core/src/gpu/shader",
+    "crates/lightfall-core/src/gpu/structure.rs",
+    "crates/lightfall-core/src/optics/structure",
+    "src/render",
 ];
 
 /// The name of each report, which is that of its CSV file, and its own sources.

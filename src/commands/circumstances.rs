@@ -1,6 +1,8 @@
 //! The circumstances of a measurement: machine, program and command line.
 
+use super::cli::EntryArg;
 use lightfall_core::gpu::Gpu;
+use lightfall_core::reports::bench::Plan;
 use lightfall_core::reports::circumstances::{Circumstances, date};
 use lightfall_core::reports::sources::Sources;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -27,6 +29,25 @@ pub(super) fn circumstances(gpu: &Gpu, report: &str, size: String, entry: &str) 
         floor_ms: None,
         command: command_line(),
     }
+}
+
+/// What the plan is measured on, with this entry.
+pub(super) fn circumstances_of(
+    plan: &Plan,
+    gpu: &Gpu,
+    report: &str,
+    entry: EntryArg,
+) -> Circumstances {
+    let entry = match entry {
+        EntryArg::Compute => "compute",
+        EntryArg::Fragment => "fragment",
+    };
+    circumstances(
+        gpu,
+        report,
+        format!("{}x{}", plan.size.x, plan.size.y),
+        entry,
+    )
 }
 
 /// The revision of the sources, if the environment variable LIGHTFALL_COMMIT names it. Git is not

@@ -163,7 +163,7 @@ fn hunt(gpu: &Gpu, hunt: &Hunt, args: &ExtremesArgs) -> Result<(), Stop> {
     let scenes = rays.iter().filter(|ray| ray.beyond > 0).count();
     eprintln!(
         "lightfall: {} random scenes; rays beyond their tolerance: {beyond}, in {scenes} of the scenes; unexplained: \
-         {unexplained}; at rings too narrow for f32: {unanswerable}",
+         {unexplained}; without an answer in f32, at a ring too narrow for it: {unanswerable}",
         rays.len()
     );
     let listed = &rays[..rays.len().min(MIN_LISTED.max(scenes))];

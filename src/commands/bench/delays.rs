@@ -1,7 +1,7 @@
 //! `lightfall bench --delay`: the error of the time between emission and arrival against the run time.
 
-use super::circumstances_of;
 use super::row_report::RowReport;
+use crate::commands::circumstances::circumstances_of;
 use crate::commands::cli::BenchArgs;
 use crate::commands::stop::Stop;
 use lightfall_core::gpu::Gpu;

@@ -1,7 +1,7 @@
 //! `lightfall bench --light`: the run time of a living disk's light over that of a smooth disk's.
 
-use super::circumstances_of;
 use super::row_report::RowReport;
+use crate::commands::circumstances::circumstances_of;
 use crate::commands::cli::{BenchArgs, EntryArg};
 use crate::commands::stop::Stop;
 use lightfall_core::gpu::Gpu;

@@ -1,6 +1,7 @@
 //! `lightfall bench` without another switch: the errors of the methods against their run time.
 
-use super::{circumstances_of, write_plots};
+use super::plots::write_plots;
+use crate::commands::circumstances::circumstances_of;
 use crate::commands::cli::BenchArgs;
 use crate::commands::kept_rows::KeptRows;
 use crate::commands::output::{print, write_tables};

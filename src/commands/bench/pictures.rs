@@ -1,7 +1,7 @@
 //! `lightfall bench --pictures`: the error of whole pictures against their run time.
 
-use super::circumstances_of;
 use super::row_report::RowReport;
+use crate::commands::circumstances::circumstances_of;
 use crate::commands::cli::{BenchArgs, EntryArg};
 use crate::commands::stop::Stop;
 use crate::picture::{self, HeadlessOptions, PictureError as Failure, Studio};

@@ -1,7 +1,7 @@
 //! A report of `lightfall bench` that grows row by row, keeps its rows while it is measured, and says
 //! how long the rest takes.
 
-use super::write_plots;
+use super::plots::write_plots;
 use crate::commands::cli::BenchArgs;
 use crate::commands::kept_rows::KeptRows;
 use crate::commands::output::{print, write_tables};

@@ -40,7 +40,7 @@ pub(super) fn backward_error(
             if forward < precision {
                 forward
             } else {
-                explaining_turn(camera, ray, part, precision)
+                explaining_turn(camera, ray, (part, forward), precision)
             },
         )
     })
@@ -54,11 +54,11 @@ pub(super) fn backward_error(
 /// focused, and near them no turn explains the last digit of an answer. Elsewhere the angle is that
 /// of the turn that explains the answer, within a factor of two. Every place that is tried gives an
 /// upper bound, so a failing search can only overstate the error. A bound below `precision` ends
-/// the search.
+/// the search. `forward` is the part's miss of the true answer.
 pub(super) fn explaining_turn(
     camera: &ReferenceCamera,
     ray: &Ray,
-    part: Part,
+    (part, forward): (Part, f64),
     precision: f64,
 ) -> f64 {
     let in_plane = |share: f64| {
@@ -73,9 +73,6 @@ pub(super) fn explaining_turn(
     }
     // Finding an edge is expensive. It is worth the time only where a small turn leads to a distant
     // answer, as near an edge.
-    let forward = part
-        .miss(&camera.trace(ray.direction()))
-        .map_or(f64::INFINITY, DVec2::length);
     let amplified = least > MIN_WORTH && (forward > AMPLIFIED * least || least > LARGE);
     let ray = if amplified && least > precision {
         camera.with_edge(ray)

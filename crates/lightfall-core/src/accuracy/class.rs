@@ -12,7 +12,7 @@ use super::reference_camera::ReferenceCamera;
 use crate::geometry::sphere::angle_between;
 use crate::optics::trace::Trace;
 use glam::{DVec2, DVec3};
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 use std::f64::consts::{PI, TAU};
 
 /// The directions of the search lie on rings about the ray: their number on each ring, the factor
@@ -48,8 +48,9 @@ pub(super) fn class_backward_error(
 pub(super) struct ClassSearch<'a> {
     camera: &'a ReferenceCamera,
     ray: Ray,
-    /// Both sides of the shadow's edge, if there is one: the answer may belong to either.
-    charts: Vec<Chart>,
+    /// Both sides of the shadow's edge, if there is one: the answer may belong to either. They are
+    /// found when they are needed, because finding an edge is expensive.
+    charts: OnceCell<Vec<Chart>>,
     nearest: Nearest<'a>,
 }
 
@@ -65,28 +66,33 @@ impl<'a> ClassSearch<'a> {
         given: &'a Trace,
         precision: f64,
     ) -> Self {
-        let ray = camera.with_edge(ray);
-        let nearest = Nearest::on_rings(camera, ray.direction(), given);
-        let own = Chart::edge(&ray);
-        let mirrored = own.as_ref().and_then(Chart::mirrored);
-        let charts: Vec<Chart> = own.into_iter().chain(mirrored).collect();
+        let search = Self {
+            camera,
+            ray: *ray,
+            charts: OnceCell::new(),
+            nearest: Nearest::on_rings(camera, ray.direction(), given),
+        };
+        let nearest = &search.nearest;
         if nearest.turn() > precision {
-            for chart in &charts {
+            for chart in search.charts() {
                 for side in [-1.0, 1.0] {
                     let line = chart.line(camera, side, nearest.turn(), SKY_STEP, sky_moved);
                     for (x, trace) in line {
                         nearest.visit(chart.at(DVec2::new(x, 0.0)), &trace);
                     }
-                    along_edge(camera, chart, side, &nearest);
+                    along_edge(camera, chart, side, nearest);
                 }
             }
         }
-        Self {
-            camera,
-            ray,
-            charts,
-            nearest,
-        }
+        search
+    }
+
+    fn charts(&self) -> &[Chart] {
+        self.charts.get_or_init(|| {
+            let own = Chart::edge(&self.camera.with_edge(&self.ray));
+            let mirrored = own.as_ref().and_then(Chart::mirrored);
+            own.into_iter().chain(mirrored).collect()
+        })
     }
 
     /// The bound of the answer's error, given the largest of the turns that explain its parts. The search
@@ -102,21 +108,20 @@ impl<'a> ClassSearch<'a> {
         let visit = |direction: DVec3, trace: &Trace| self.nearest.visit(direction, trace);
         let from = self.nearest.place.get().direction;
         let mut least = f64::INFINITY;
-        for chart in &self.charts {
-            if least > precision
-                && let Some(start) = chart.place_of(from)
-            {
-                let at = miss_on_chart(self.camera, chart, part, &visit);
-                least = least.min(newton(chart, &at, start, NO_DAMPING));
-            }
-        }
         for share in PLANE_SCALES {
             if least > precision {
                 let start = (share * self.camera.scale, from);
                 least = least.min(turn_in_plane(self.camera, &self.ray, part, start, &visit));
             }
         }
-        for chart in &self.charts {
+        if least <= precision {
+            return least;
+        }
+        for chart in self.charts() {
+            if let Some(start) = chart.place_of(from) {
+                let at = miss_on_chart(self.camera, chart, part, &visit);
+                least = least.min(newton(chart, &at, start, NO_DAMPING));
+            }
             if least > precision {
                 let bounds = [precision, least];
                 least = least.min(turn_near_edge(self.camera, chart, part, bounds, &visit));

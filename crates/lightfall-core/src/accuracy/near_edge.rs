@@ -15,6 +15,10 @@ const NEAR: f64 = 0.1;
 const FAR: f64 = 3.0;
 /// Change of an answer's height in one step along the line toward the edge.
 const HEIGHT_STEP: f64 = 0.1;
+/// A part converges toward the edge if its heights at this many of the last places of the line, which
+/// lie some steps apart, differ by less than this.
+const CONVERGED_PLACES: usize = 5;
+const CONVERGED_HEIGHT: f64 = 0.5 * HEIGHT_STEP;
 /// Number of bisections of such a step.
 const BISECTIONS: u32 = 30;
 /// Number of steps of a golden-section search between three such steps: it ends within 1e-5 of
@@ -58,17 +62,17 @@ pub(super) fn turn_near_edge(
     }
     // The answer may belong to a ray with another number of turns about the hole. Those rays lie in
     // a row toward the edge and away from it.
-    let [inward, outward] = [-1.0, 1.0].map(|side| heights(camera, chart, part, side, least));
+    let [toward, away] = [-1.0, 1.0].map(|side| line(camera, chart, part, side, least));
+    let [inward, outward] = [&toward, &away].map(|line| heights(camera, chart, part, line));
     // Each e-fold of the distance to the edge adds an equal part of an orbit, without end. About a
     // spinning hole such an orbit fills the whole range of latitudes in which it moves. So if rays
-    // pass an answer above and below, others come arbitrarily close to it, and the distance to the
-    // edge bounds its error. A hit in front of the orbit converges instead: its height may change its
-    // sign, but not back.
-    let changes = match part {
-        Part::Sky(_) => 1,
-        Part::Hit(..) => 2,
-    };
-    if camera.is_spinning && sign_changes(&inward) >= changes {
+    // pass an answer above and below, or meet the ring only now and then, others come arbitrarily close
+    // to the answer, and the distance to the edge bounds its error. A hit in front of the orbit
+    // converges instead.
+    let is_behind_orbit = matches!(part, Part::Sky(_)) || !converges(&toward);
+    let is_missing =
+        matches!(part, Part::Hit(..)) && toward.iter().any(|(_, height)| height.is_none());
+    if camera.is_spinning && is_behind_orbit && (brackets_zero(&inward) || is_missing) {
         least = least.min(chart.scale);
     }
     let mut places = places(&inward);
@@ -86,24 +90,47 @@ pub(super) fn turn_near_edge(
 }
 
 /// The places on the line toward the edge (`side` -1) or away from it (1), with the difference in
-/// height there.
-fn heights(
+/// height there; `None` where the ray has no such part.
+fn line(
     camera: &ReferenceCamera,
     chart: &Chart,
     part: Part,
     side: f64,
     farthest: f64,
-) -> Vec<[f64; 2]> {
+) -> Vec<(f64, Option<f64>)> {
     let moved = |before: &Trace, after: &Trace| {
         part.height(before)
             .zip(part.height(after))
             .map_or(0.0, |(before, after)| (after - before).abs())
     };
-    let line = chart
-        .line(camera, side, farthest, HEIGHT_STEP, moved)
-        .into_iter();
-    let line: Vec<_> = line
-        .filter_map(|(x, trace)| part.height(&trace).map(|height| [x, height]))
+    let line = chart.line(camera, side, farthest, HEIGHT_STEP, moved);
+    let height = |(x, trace): (f64, Trace)| (x, part.height(&trace));
+    line.into_iter().map(height).collect()
+}
+
+/// Whether the last places of the line toward the edge all have the part at nearly the same height.
+fn converges(inward: &[(f64, Option<f64>)]) -> bool {
+    let Some(last) = inward.last_chunk::<CONVERGED_PLACES>() else {
+        return false;
+    };
+    let heights: Option<Vec<f64>> = last.iter().map(|(_, height)| *height).collect();
+    heights.is_some_and(|heights| {
+        let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let low = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        high - low < CONVERGED_HEIGHT
+    })
+}
+
+/// The differences in height on a line, with its summits.
+fn heights(
+    camera: &ReferenceCamera,
+    chart: &Chart,
+    part: Part,
+    line: &[(f64, Option<f64>)],
+) -> Vec<[f64; 2]> {
+    let line: Vec<[f64; 2]> = line
+        .iter()
+        .filter_map(|(x, height)| height.map(|height| [*x, height]))
         .collect();
     with_summits(&line, |x| {
         part.height(&camera.trace(chart.at(DVec2::new(x, 0.0))))
@@ -148,11 +175,9 @@ fn is_nearest(three: &[[f64; 2]]) -> bool {
         && here * after > 0.0
 }
 
-/// How often the difference in height changes its sign along a line.
-fn sign_changes(line: &[[f64; 2]]) -> usize {
-    line.windows(2)
-        .filter(|two| two[0][1] * two[1][1] < 0.0)
-        .count()
+/// Whether the difference in height is positive at one place of a line and negative at another.
+fn brackets_zero(line: &[[f64; 2]]) -> bool {
+    line.iter().any(|[_, height]| *height > 0.0) && line.iter().any(|[_, height]| *height < 0.0)
 }
 
 /// The steps of a line in which the height is right somewhere, by their two ends; and the places

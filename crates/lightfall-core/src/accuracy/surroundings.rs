@@ -139,7 +139,7 @@ impl<'a> Surroundings<'a> {
         }
         let usual = match class {
             Some(class) => class.turn_to_part(part, enough),
-            None => explaining_turn(self.camera, &self.ray, part, enough),
+            None => explaining_turn(self.camera, &self.ray, (part, forward), enough),
         };
         let mut least = Explained {
             part: usual.min(known),

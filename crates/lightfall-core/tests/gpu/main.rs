@@ -26,6 +26,7 @@ mod limb;
 mod mino;
 #[path = "../physics/moved_camera.rs"]
 mod moved_camera;
+mod narrow_ring;
 mod observers;
 mod omissions;
 mod part_headers;

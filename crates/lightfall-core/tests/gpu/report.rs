@@ -247,14 +247,15 @@ fn the_matrix_states_the_errors_of_hits_in_its_last_columns() {
     }
     let text = csv(&circumstances(), &verdicts);
     let header = text.lines().find(|line| !line.starts_with('#')).unwrap();
-    let columns = ",bar,holds,hits,hit_r_p50,hit_r_p99,hit_g_p50,hit_g_p99,beyond,unexplained";
+    let columns =
+        ",bar,holds,hits,hit_r_p50,hit_r_p99,hit_g_p50,hit_g_p99,beyond,unexplained,unanswerable";
     assert!(header.ends_with(columns), "{header}");
     // A cell without hits leaves the fields of their errors empty.
-    let is_without_hits = |line: &&str| line.ends_with(",0,,,,,0,0");
+    let is_without_hits = |line: &&str| line.ends_with(",0,,,,,0,0,0");
     assert_eq!(text.lines().filter(is_without_hits).count(), 1, "{text}");
     let table = extremes_markdown(&verdicts);
     let mut columns = table.lines().map(|line| line.matches('|').count());
-    assert!(columns.all(|count| count == 21), "{table}");
+    assert!(columns.all(|count| count == 22), "{table}");
 }
 
 /// The cells have hits next to the critical curve, where the ray's own error moves some of them,

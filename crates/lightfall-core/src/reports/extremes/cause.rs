@@ -10,9 +10,12 @@ use crate::scene::Scene;
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// A rounding of a number explains errors up to this many times its own effect, because a method
-/// rounds other numbers too.
+/// The roundings of numbers explain errors up to this many times the sum of their effects, because what a
+/// method computes from each number is rounded again.
 const ROUNDINGS: f64 = 4.0;
+
+/// Share of an error below which the effect of a rounding is not measured.
+const NEGLIGIBLE: f64 = 0.01;
 
 /// Half a unit in the last place of f32, as a relative error.
 const HALF_UNIT: f64 = 1.0 / (1_u32 << 24) as f64;
@@ -23,23 +26,29 @@ const SIDES: [f64; 2] = [-1.0, 1.0];
 /// Why an error is beyond the tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cause {
-    /// The rounding of one number to f32 explains the error.
-    Rounding {
-        /// Key of a field of the scene, or the name of a constant of the photon.
+    /// The roundings of numbers to f32 explain the error.
+    Roundings {
+        /// The number with the largest effect: key of a field of the scene, or the name of a constant of
+        /// the photon.
         input: &'static str,
-        /// The backward error, in radians, of the reference with this number changed by half a unit in
-        /// f32's last place.
+        /// How many other numbers are needed to explain the error.
+        others: usize,
+        /// The sum of the backward errors, in radians, of the reference with each of these numbers changed
+        /// by half a unit in f32's last place.
         backward: f64,
     },
     /// The answer's sky is right, and f32 cannot tell whether the ray meets the ring: it is too narrow.
     NarrowRing,
 }
 
+/// A number that is rounded, the reference's answer to the rounded number, and its backward error.
+type Effect = (&'static str, Trace, f64);
+
 impl Cause {
-    /// The number whose rounding explains the backward error of a method's answer to a ray: the one
-    /// that changes the true answer most. The GPU holds the scene's numbers in f32, and the constants
-    /// of each photon between the observer's matrix and the tracer.
-    pub(super) fn of_rounding(
+    /// The numbers whose roundings explain the backward error of a method's answer to a ray, the one
+    /// with the largest effect first. The GPU holds the scene's numbers in f32, and the constants of each
+    /// photon between the observer's matrix and the tracer.
+    pub(super) fn of_roundings(
         scene: &Scene,
         truth: &Truth,
         surroundings: &Surroundings,
@@ -49,25 +58,37 @@ impl Cause {
         if !error.is_finite() {
             return None;
         }
-        let enough = error / ROUNDINGS;
         let answers: Vec<(&'static str, Trace)> = fields(scene, truth, ray)
             .chain(constants(scene, truth, ray))
             .collect();
-        let effect = |(input, answer): (&'static str, Trace)| {
-            let known = truth.error_of(ray, &answer, enough);
-            (input, answer, known)
+        let enough = NEGLIGIBLE * error;
+        let effect = |(input, answer): (&'static str, Trace)| -> Effect {
+            (input, answer, truth.error_of(ray, &answer, enough))
         };
-        let mut effects: Vec<_> = answers.into_par_iter().map(effect).collect();
+        let mut effects: Vec<Effect> = answers.into_par_iter().map(effect).collect();
         effects.sort_by(|(.., a), (.., b)| b.total_cmp(a));
-        // The usual search may overstate an effect as it may overstate an error.
-        effects
-            .into_iter()
-            .filter(|(.., known)| *known >= enough)
-            .map(|(input, answer, known)| Self::Rounding {
-                input,
-                backward: surroundings.judge(&answer, Bounds { enough, known }),
-            })
-            .find(|cause| matches!(cause, Self::Rounding { backward, .. } if backward.is_finite() && *backward >= enough))
+        let mut inputs: Vec<&'static str> = Vec::new();
+        let mut sum = 0.0;
+        for (input, answer, known) in effects {
+            // A number is rounded up or down.
+            if inputs.contains(&input) {
+                continue;
+            }
+            // The usual search may overstate an effect as it may overstate an error.
+            let effect = surroundings.judge(&answer, Bounds { enough, known });
+            if effect.is_finite() {
+                inputs.push(input);
+                sum += effect;
+            }
+            if ROUNDINGS * sum >= error {
+                return Some(Self::Roundings {
+                    input: inputs.first()?,
+                    others: inputs.len() - 1,
+                    backward: sum,
+                });
+            }
+        }
+        None
     }
 }
 

@@ -72,12 +72,6 @@ impl FarRays {
         self.0.iter().filter(|ray| ray.cause.is_none()).count()
     }
 
-    /// Number of rays of which f32 cannot tell whether they meet the ring.
-    pub(super) fn unanswerable(&self) -> usize {
-        let narrow = |ray: &&FarRay| ray.cause == Some(Cause::NarrowRing);
-        self.0.iter().filter(narrow).count()
-    }
-
     /// The ray with this index.
     pub(super) fn get(&self, ray: usize) -> Option<&FarRay> {
         self.0.iter().find(|far| far.ray == ray)
@@ -107,7 +101,7 @@ fn examine(
     if is_within(backward, tolerance) {
         return (backward, None);
     }
-    let cause = Cause::of_rounding(scene, truth, &surroundings, (ray, backward));
+    let cause = Cause::of_roundings(scene, truth, &surroundings, (ray, backward));
     let is_unanswerable =
         || is_narrow(scene) && truth.error_without_hits(ray, given, bounds.enough) <= tolerance;
     let cause = cause.or_else(|| is_unanswerable().then_some(Cause::NarrowRing));

@@ -1,5 +1,7 @@
 //! Rings of which f32 cannot tell whether a ray meets them.
 
+use crate::accuracy::Truth;
+use crate::optics::trace::Trace;
 use crate::scene::Scene;
 
 /// The spacing of f32's numbers, relative to them.
@@ -17,4 +19,17 @@ pub(super) fn is_narrow(scene: &Scene) -> bool {
     let width = outer - inner;
     let farthest = f64::max(outer, scene.camera.r);
     scene.disk.enabled && width < SPACINGS * SPACING * farthest
+}
+
+/// Number of rays that f32 cannot answer: they meet a ring that is too narrow by the method or by the
+/// reference alone, and end alike.
+pub(super) fn count_unanswerable(scene: &Scene, truth: &Truth, given: &[Trace]) -> usize {
+    if !is_narrow(scene) {
+        return 0;
+    }
+    let hits = |trace: &Trace| trace.hits.iter().flatten().count();
+    let differs = |(truth, given): &(&Trace, &Trace)| {
+        truth.outcome == given.outcome && hits(truth) != hits(given)
+    };
+    truth.traces.iter().zip(given).filter(differs).count()
 }

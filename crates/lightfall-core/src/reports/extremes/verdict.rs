@@ -2,6 +2,7 @@
 
 use super::cells::Cell;
 use super::far_ray::FarRays;
+use super::narrow_ring::count_unanswerable;
 use super::tolerance::tolerance;
 use crate::accuracy::{ErrorSummary, RayError, Truth};
 use crate::optics::trace::Trace;
@@ -84,8 +85,8 @@ pub struct Verdict {
     pub beyond: usize,
     /// Number of those rays whose error nothing explains.
     pub unexplained: usize,
-    /// Number of those rays of which f32 cannot tell whether they meet the ring, because it is too
-    /// narrow.
+    /// Number of rays that meet a ring by the method or by the reference alone, where the ring is too
+    /// narrow for f32 to tell.
     #[serde(default)]
     pub unanswerable: usize,
 }
@@ -97,13 +98,13 @@ impl Verdict {
         let mut ray_errors = truth.judge(given);
         // The article's methods have errors of their own, far larger than those of f32.
         let is_solved = scene.method.properties().setting != AccuracySetting::StepScale;
-        let [beyond, unexplained, unanswerable] = if is_solved {
+        let [beyond, unexplained] = if is_solved {
             let far = FarRays::find(scene, truth, given, &mut ray_errors);
-            [far.len(), far.unexplained(), far.unanswerable()]
+            [far.len(), far.unexplained()]
         } else {
             let is_far = |error: &&RayError| error.backward > tolerance;
             let beyond = ray_errors.iter().filter(is_far).count();
-            [beyond, beyond, 0]
+            [beyond, beyond]
         };
         let errors = ErrorSummary::of_errors(truth, given, &ray_errors);
         // In a cell whose rays see nothing there are no backward errors, and none is too large.
@@ -137,7 +138,7 @@ impl Verdict {
             hit_g_p99: errors.hit_g.p99,
             beyond,
             unexplained,
-            unanswerable,
+            unanswerable: count_unanswerable(scene, truth, given),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::cause::Cause;
 use super::far_ray::FarRays;
+use super::narrow_ring::count_unanswerable;
 use super::tolerance::tolerance;
 use crate::accuracy::Truth;
 use crate::optics::trace::Trace;
@@ -30,8 +31,8 @@ pub struct WorstRay {
     pub beyond: usize,
     /// Number of those rays whose error nothing explains.
     pub unexplained: usize,
-    /// Number of those rays of which f32 cannot tell whether they meet the ring, because it is too
-    /// narrow.
+    /// Number of rays that meet the ring by the method or by the reference alone, where the ring is
+    /// too narrow for f32 to tell.
     pub unanswerable: usize,
 }
 
@@ -52,7 +53,7 @@ impl WorstRay {
             cause: far.get(worst).and_then(|far| far.cause),
             beyond: far.len(),
             unexplained: far.unexplained(),
-            unanswerable: far.unanswerable(),
+            unanswerable: count_unanswerable(scene, truth, traces),
         })
     }
 
@@ -131,10 +132,18 @@ impl WorstRay {
         match &self.cause {
             _ if self.beyond == 0 => error,
             None => format!("{error}: UNEXPLAINED; {count}"),
-            Some(Cause::Rounding { input, backward }) => {
-                format!(
-                    "{error}: {input} moved by half a unit in f32's last place gives {backward:.2e} rad; {count}"
-                )
+            Some(Cause::Roundings {
+                input,
+                others,
+                backward,
+            }) => {
+                let inputs = match others {
+                    0 => format!("{input} moved by half a unit in f32's last place gives"),
+                    _ => format!(
+                        "{input} and {others} other numbers, each moved by half a unit in f32's last place, give together"
+                    ),
+                };
+                format!("{error}: {inputs} {backward:.2e} rad; {count}")
             }
             Some(Cause::NarrowRing) => {
                 format!(
@@ -176,8 +185,8 @@ pub struct HuntRow {
     pub verdict: String,
     /// The command line that traces the ray again.
     pub command: String,
-    /// Number of the rays beyond the tolerance of which f32 cannot tell whether they meet the ring,
-    /// because it is too narrow.
+    /// Number of rays that meet the ring by the method or by the reference alone, where the ring is
+    /// too narrow for f32 to tell.
     #[serde(default)]
     pub rays_unanswerable: usize,
 }

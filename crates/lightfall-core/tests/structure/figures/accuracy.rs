@@ -3,6 +3,7 @@
 use super::bench::{Bench, InScene};
 use super::document::{Claim, Figures, claim};
 use super::measured::measured;
+use super::refine;
 use super::render::{at_most, bound, extent, largest, ratio, short, table};
 use lightfall_core::reports::bench::{
     DelayMeasurement, LightMeasurement, Measurement, PictureMeasurement, delay_table, light_table,
@@ -23,6 +24,7 @@ pub fn figures() -> Figures {
     claims.extend(mino(&h200, &grid));
     claims.extend(picture_errors(&pictures));
     claims.extend(on_mesa(&mesa));
+    claims.extend(refine::claims());
     Figures {
         tables: vec![
             ("h200", errors_and_times(&h200)),
@@ -36,7 +38,8 @@ pub fn figures() -> Figures {
     }
 }
 
-/// Each scene's rows of `auto`, of mino's own and tightest setting, and of the article's settings.
+/// Each scene's rows of `auto`, of mino's own and tightest setting, and of the article's methods at the
+/// scene's own setting and at the article's.
 fn errors_and_times(bench: &Bench) -> String {
     let mut chosen: Vec<&Measurement> = Vec::new();
     for mino in bench.scenes() {
@@ -44,7 +47,7 @@ fn errors_and_times(bench: &Bench) -> String {
         for method in ["verlet", "kerr-schild"] {
             let all = bench.of(method);
             let own = all.iter().find(|in_scene| in_scene.scene == mino.scene);
-            chosen.extend(own.into_iter().flat_map(InScene::article).flatten());
+            chosen.extend(own.into_iter().flat_map(InScene::article));
         }
     }
     table(
@@ -108,20 +111,30 @@ fn shown(rows: &[PictureMeasurement], scenes: &[&str]) -> String {
 }
 
 fn mesa_times(bench: &Bench) -> String {
-    let over = |scene: &str, method: &str| {
+    let own = |scene: &str, method: &str| {
         let all = bench.of(method);
         let found = all.iter().find(|in_scene| in_scene.scene == scene);
-        found.map_or_else(String::new, |found| {
-            ratio(found.own().trace_ms / found.closed.trace_ms)
-        })
+        found.map(|found| (found.own().clone(), found.closed.trace_ms))
+    };
+    let text = |of: fn((Measurement, f64)) -> String, scene: &str| {
+        ["verlet", "kerr-schild", "mino"]
+            .map(|method| own(scene, method).map_or_else(String::new, of))
     };
     table(
-        "scene | `closed`, ms for 160x90 | times as long: verlet 0.85 | kerr-schild 0.85 | mino 0.05",
+        "scene | `closed`, ms for 160x90 | times as long: verlet 0.85 | kerr-schild 0.85 | mino 0.05 | \
+         99th percentile, rad: closed | verlet 0.85 | kerr-schild 0.85 | mino 0.05",
         bench.scenes().iter().map(|in_scene| {
-            let others =
-                ["verlet", "kerr-schild", "mino"].map(|method| over(in_scene.scene, method));
-            let closed = [in_scene.scene.to_owned(), short(in_scene.closed.trace_ms)];
-            [&closed[..], &others].concat()
+            let (scene, closed) = (in_scene.scene, in_scene.closed);
+            let times = text(|(row, closed_ms)| ratio(row.trace_ms / closed_ms), scene);
+            let errors = text(|(row, _)| short(row.backward_p99), scene);
+            let closed = [short(closed.trace_ms), short(closed.backward_p99)];
+            [
+                &[scene.to_owned(), closed[0].clone()][..],
+                &times,
+                &[closed[1].clone()],
+                &errors,
+            ]
+            .concat()
         }),
     )
 }
@@ -391,7 +404,14 @@ fn on_mesa(bench: &Bench) -> Vec<Claim> {
     let net = kerr_schild
         .iter()
         .map(|found| bench.net_ratio(found.own(), found.closed));
+    let edge_on = bench.scenes();
+    let edge_on = edge_on.iter().find(|found| found.scene == "edge-on");
+    let edge_on = edge_on.expect("the scene is measured").closed;
     vec![
+        claim(
+            "`closed` holds {} rad for such rays",
+            [at_most(edge_on.backward_p99)],
+        ),
         claim(
             "With spin 99 of 100 rays of `closed` are within {} rad, and of `mino` at its default setting within {}",
             [

@@ -108,9 +108,11 @@ impl<'a> InScene<'a> {
             .copied()
     }
 
-    /// The rows at the article's settings: cheap, balanced and high.
-    pub fn article(&self) -> [Option<&'a Measurement>; 3] {
-        [1.55, 0.85, 0.45].map(|value| self.at(value))
+    /// The row at the scene's own setting and those at the article's qualities: cheap, balanced and
+    /// high, with their budgets of steps.
+    pub fn article(&self) -> Vec<&'a Measurement> {
+        let is_shown = |row: &&&Measurement| row.own_setting || row.quality.is_some();
+        self.rows.iter().filter(is_shown).copied().collect()
     }
 
     /// All rows.

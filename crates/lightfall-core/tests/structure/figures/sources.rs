@@ -20,10 +20,12 @@ fn every_file_that_a_reports_shaders_are_joined_from_is_one_of_its_sources() {
     };
     for (report, shaders) in [
         ("bench", timed),
+        ("refine", rays),
         ("delay", timed),
         ("light", light),
         ("pictures", picture),
         ("extremes", rays),
+        ("grid", rays),
         ("delays", rays),
         ("hunt", rays),
         ("timings", picture),
