@@ -173,11 +173,3 @@ impl Chart {
         line
     }
 }
-
-/// The angle between the skies of two answers.
-pub(super) fn sky_moved(before: &Trace, after: &Trace) -> f64 {
-    before
-        .sky
-        .zip(after.sky)
-        .map_or(0.0, |(before, after)| angle_between(before, after))
-}

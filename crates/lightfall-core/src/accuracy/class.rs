@@ -3,7 +3,7 @@
 
 use super::answer::{greater, is_same_class};
 use super::backward::turn_in_plane;
-use super::chart::{Chart, sky_moved};
+use super::chart::Chart;
 use super::near_edge::turn_near_edge;
 use super::newton::{NO_DAMPING, newton};
 use super::part::{Part, bound_of_whole, miss_on_chart};
@@ -26,9 +26,11 @@ const BISECTIONS: u32 = 8;
 const PLANE_SCALES: [f64; 3] = [1.0, 1e-2, 1e-4];
 /// The factor between the turns that are tried along the edge.
 const ALONG_FACTOR: f64 = 1.2;
-/// Change of the sky direction, in radians, in one step along the line toward the edge: small
-/// enough to find the narrow image of a thin disk.
-const SKY_STEP: f64 = 0.01;
+/// Change of the sky's height over the disk's plane in one step along the line toward the edge, as a share
+/// of the greatest height on the line: small enough to find the narrow image of a thin disk. The azimuth
+/// does not decide whether a ray meets the disk, and it changes by hundreds of radians per step next to
+/// nearly extremal holes.
+const HEIGHT_STEP: f64 = 0.01;
 
 /// The backward error, in radians, of an answer of the wrong class: the largest of the turn to the
 /// nearest ray of its class and of the turns that explain its parts. Infinite if there is no ray of
@@ -76,7 +78,9 @@ impl<'a> ClassSearch<'a> {
         if nearest.turn() > precision {
             for chart in search.charts() {
                 for side in [-1.0, 1.0] {
-                    let line = chart.line(camera, side, nearest.turn(), SKY_STEP, sky_moved);
+                    let highest = Cell::new(0.0);
+                    let moved = |before: &Trace, after: &Trace| risen(before, after, &highest);
+                    let line = chart.line(camera, side, nearest.turn(), HEIGHT_STEP, moved);
                     for (x, trace) in line {
                         nearest.visit(chart.at(DVec2::new(x, 0.0)), &trace);
                     }
@@ -226,4 +230,14 @@ fn along_edge(camera: &ReferenceCamera, chart: &Chart, side: f64, nearest: &Near
         nearest.visit(direction, &camera.trace(direction));
         place *= ALONG_FACTOR;
     }
+}
+
+/// How much the height of the sky over the disk's plane changes between two answers, as a share of the
+/// highest so far; 0 if one of them has no sky.
+fn risen(before: &Trace, after: &Trace, highest: &Cell<f64>) -> f64 {
+    let Some((before, after)) = before.sky.zip(after.sky) else {
+        return 0.0;
+    };
+    highest.set(highest.get().max(after.z.abs()));
+    (after.z - before.z).abs() / highest.get().max(f64::MIN_POSITIVE)
 }

@@ -10,9 +10,10 @@ use crate::scene::Scene;
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// The roundings of numbers explain errors up to this many times the sum of their effects, because what a
-/// method computes from each number is rounded again.
-const ROUNDINGS: f64 = 4.0;
+/// The roundings of numbers explain errors up to this many times the sum of their effects. Each constant of
+/// the photon is a sum of four products, which takes five roundings after that of the matrix, and the
+/// method goes on with quotients and squares of the constants.
+const ROUNDINGS: f64 = 8.0;
 
 /// Share of an error below which the effect of a rounding is not measured.
 const NEGLIGIBLE: f64 = 0.01;
