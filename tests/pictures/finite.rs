@@ -1,11 +1,12 @@
 //! Pictures of random scenes, drawn by the whole chain: no pixel of the linear light is infinite or
-//! not a number, and no channel of an EXR is infinite.
+//! not a number, no channel of an EXR is infinite, and none is missing but where its ray has no such value.
 
 use super::random::Random;
 use super::random_scene::random_scene;
 use exr::prelude::f16;
 use lightfall::picture::{Channels, HeadlessOptions, PixelRays, Samples, Studio};
 use lightfall_core::scene::{Scene, SkyMode};
+use std::collections::HashMap;
 
 /// Random scenes, each with shaders of its own to compile.
 const SCENES: usize = 24;
@@ -59,22 +60,57 @@ fn no_pixel_of_random_pictures_is_infinite_or_not_a_number() {
             }
             lit += usize::from(rgba[..3].iter().any(|channel| *channel > f16::ZERO));
         }
-        // Missing values are NaN there, and the depth of the sky is infinite.
         let depth = studio.depth().unwrap();
         let samples = rays.sample(&scene, &channels, &depth).unwrap();
-        for (channel, samples) in channels.list().iter().zip(samples) {
-            let Samples::Numbers(numbers) = samples else {
-                continue;
-            };
-            for (pixel, value) in numbers.iter().enumerate() {
-                let may_be_infinite = channel.name == "depth";
-                let may_be_missing = channel.name != "depth" && channel.name != "residual";
-                if value.is_infinite() && !may_be_infinite || value.is_nan() && !may_be_missing {
-                    fault(pixel, format!("{} is {value}", channel.name));
-                }
+        let named: HashMap<&str, Samples> = channels
+            .list()
+            .iter()
+            .map(|channel| channel.name)
+            .zip(samples)
+            .collect();
+        for pixel in 0..light.rgba.len() {
+            if let Some(what) = data_fault(&named, pixel) {
+                fault(pixel, what);
             }
         }
     }
     let all = SCENES * (SIZE[0] * SIZE[1]) as usize;
     assert!(5 * lit > all, "{lit} of {all} pixels show light");
+}
+
+/// What is wrong with a pixel's data. A missing value is NaN: the sky of a ray that does not reach it,
+/// every number of a hit that a ray does not have, and its time at or inside the horizon. The depth is
+/// infinite without a foreground.
+fn data_fault(named: &HashMap<&str, Samples>, pixel: usize) -> Option<String> {
+    let number = |name: &str| match &named[name] {
+        Samples::Numbers(numbers) => f64::from(numbers[pixel]),
+        Samples::Counts(counts) => f64::from(counts[pixel]),
+    };
+    for name in named.keys() {
+        let value = number(name);
+        if value.is_infinite() && *name != "depth" {
+            return Some(format!("{name} is {value}"));
+        }
+    }
+    let reaches_sky = number("outcome") == 0.0;
+    for (names, is_present) in [
+        (&["sky.x", "sky.y", "sky.z"][..], reaches_sky),
+        (
+            &["hit1.phi", "hit1.g", "hit1.T"],
+            !number("hit1.r").is_nan(),
+        ),
+        (
+            &["hit2.phi", "hit2.g", "hit2.T"],
+            !number("hit2.r").is_nan(),
+        ),
+        (&["residual", "depth"], true),
+    ] {
+        for name in names {
+            if number(name).is_nan() == is_present {
+                return Some(format!("{name} is {}, present: {is_present}", number(name)));
+            }
+        }
+    }
+    let is_orphan = number("hit1.r").is_nan() && !number("hit2.r").is_nan();
+    is_orphan.then(|| "a second hit without a first".into())
 }

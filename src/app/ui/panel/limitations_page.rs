@@ -12,7 +12,7 @@ const EXACT: [&str; 8] = [
     "The shift g of light from the disk and from the sky: gravity, Doppler and aberration together, for any observer.",
     "How the disk moves, and when you see it: matter goes round on circular orbits of Schwarzschild or Kerr, the rotation shears \
      what it carries, and each point is seen as it was when its light left. How long this light was under way is right to \
-     0.002 r_s/c (closed and mino).",
+     0.002 r_s/c for the place that is found (closed and mino).",
     "Limb darkening: the flux of each place stays what it is, and is spread over the directions as by an atmosphere that \
      scatters light on electrons (within 0.25 %).",
     "The observer: at rest, with zero angular momentum, in orbit or in free fall, and boosted. Its frame decides what is seen.",
@@ -46,7 +46,7 @@ pub(super) fn show(ui: &mut egui::Ui, bindings: &Bindings) {
         "The disk is infinitely thin, and no light comes from inside the innermost stable orbit.",
         "A ray shows the first two places where it meets the disk. Around a spinning hole a third one is left out, which can be \
          the image of order 2.",
-        "Each pixel has one ray, and 16 or 64 where an edge passes. Filaments finer than a pixel are averaged over it, with a \
+        "Each pixel has one ray, and 4, 16 or 64 where an edge passes. Filaments finer than a pixel are averaged over it, with a \
          third of the error that they would have otherwise.",
         &unfinished,
         "The probe is in front of everything: it is not lensed, and its lamps imitate the disk only roughly.",

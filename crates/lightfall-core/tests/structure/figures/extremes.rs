@@ -2,7 +2,7 @@
 
 use super::document::{Claim, Figures, claim};
 use super::hits;
-use super::measured::{files, measured};
+use super::measured::{files, is_stale, measured};
 use super::render::{at_most, bound, count, largest, ratio, short, table};
 use lightfall_core::reports::extremes::{CellDelays, HuntRow, Verdict};
 use lightfall_core::reports::import::Report;
@@ -282,7 +282,7 @@ fn of_grid(rows: &[Verdict]) -> Vec<Claim> {
             [counts(&tightest), vec![at_most(p99(&tightest))]].concat(),
         ),
         claim(
-            "Of all these rays {} are beyond their tolerance, and the rounding of a number explains {} of them",
+            "Of all these rays {} are beyond their tolerance, and roundings explain {} of them",
             [
                 total(answering.iter().map(|row| row.beyond)),
                 total(answering.iter().map(|row| row.beyond - row.unexplained)),
@@ -302,11 +302,18 @@ fn number_after(text: &str, word: &str) -> usize {
 /// those with such rays and some more.
 fn by_seed(hunts: &[Report<HuntRow>]) -> String {
     table(
-        "seed | machine | rays beyond their tolerance | unexplained | largest error of these, rad | times the tolerance",
+        "seed | machine | revision | rays beyond their tolerance | unexplained | largest error of these, rad | \
+         times the tolerance | at a ring too narrow for f32",
         hunts.iter().map(|hunt| {
             let said = |name: &str| hunt.head.get(name).expect("a hunt says how it was made");
             let sum = |of: fn(&HuntRow) -> usize| total(hunt.rows.iter().map(of));
             let seed = number_after(said("command"), "--seed").to_string();
+            let revision = said("commit").to_owned()
+                + if is_stale("hunt", &hunt.head) {
+                    ", older"
+                } else {
+                    ""
+                };
             let machine = said("adapter").split(" (").next().unwrap_or_default();
             let far = hunt.rows.iter().filter(|row| row.rays_beyond > 0);
             let [error, excess] = match far.max_by(|a, b| a.excess.total_cmp(&b.excess)) {
@@ -316,10 +323,12 @@ fn by_seed(hunts: &[Report<HuntRow>]) -> String {
             vec![
                 seed,
                 machine.into(),
+                revision,
                 sum(|row| row.rays_beyond),
                 sum(|row| row.rays_unexplained),
                 error,
                 excess,
+                sum(|row| row.rays_unanswerable),
             ]
         }),
     )

@@ -42,10 +42,10 @@ pub fn provenance(file: &str) -> Option<String> {
 pub fn described(file: &str, head: &Head) -> Option<String> {
     let stem = file.rsplit('/').next()?;
     let report = stem.split('-').next()?;
-    let current = Sources::of(report)?.fingerprint;
+    Sources::of(report)?;
     let known = |name: &str| head.get(name).unwrap_or("unknown");
     let day = head.get("date").map(|date| format!(", {date}"));
-    let stale = (head.get("sources") != Some(current))
+    let stale = is_stale(report, head)
         .then_some(", **measured before the last change of its shaders or its report**");
     Some(format!(
         "*[{stem}.csv](bench/{file}.csv): {}, {}, revision {}{}: `{}`{}.*",
@@ -56,4 +56,10 @@ pub fn described(file: &str, head: &Head) -> Option<String> {
         known("command"),
         stale.unwrap_or_default(),
     ))
+}
+
+/// Whether the figures below this head are older than the sources of their report.
+pub fn is_stale(report: &str, head: &Head) -> bool {
+    let current = Sources::of(report).map(|sources| sources.fingerprint);
+    head.get("sources") != current
 }

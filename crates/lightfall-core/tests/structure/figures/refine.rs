@@ -25,8 +25,8 @@ impl<'a> Series<'a> {
     }
 
     fn last(&self, study: Study) -> &'a RefinementMeasurement {
-        let own = self.0.iter().filter(|row| row.study == study);
-        own.last().expect("the series is measured")
+        let mut own = self.0.iter().filter(|row| row.study == study);
+        own.next_back().expect("the series is measured")
     }
 }
 
