@@ -105,12 +105,12 @@ pub struct ExtremesArgs {
     #[arg(long, conflicts_with = "hunt")]
     pub delay: bool,
     /// Instead of the matrix, trace N rays through random scenes by `auto`, 2000 rays a
-    /// scene, and list the worst rays. --out then writes hunt.csv, hunt.json and hunt.txt, whose
+    /// scene, and list the worst ray of each of the worst scenes. --out then writes hunt.csv, hunt.json and hunt.txt, whose
     /// lines trace the rays again
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u32>(1, 100_000_000))]
+    #[arg(long, value_name = "N", conflicts_with_all = ["methods", "rays"], allow_negative_numbers = true, value_parser = whole_number::<u32>(1, 100_000_000))]
     pub hunt: Option<u32>,
     /// Seed of the hunt's random numbers: the same seed finds the same rays
-    #[arg(long, value_name = "SEED", default_value_t = 1, requires = "hunt", value_parser = whole_number::<u64>(0, u64::MAX))]
+    #[arg(long, value_name = "SEED", default_value_t = 1, requires = "hunt", allow_negative_numbers = true, value_parser = whole_number::<u64>(0, u64::MAX))]
     pub seed: u64,
     /// Folder for the reports; it is created, and files of the same names are replaced
     #[arg(long, value_name = "DIR")]

@@ -106,8 +106,10 @@ impl<'a> Surroundings<'a> {
             whole = whole.min(found.whole);
         }
         if let Some(class) = class {
+            // The nearest ray of the class may be one of the grid.
             error = class.bound(error).min(self.turn_to_class(given).max(error));
         }
+        // One ray that explains the whole answer is as good as one for each part.
         error.min(whole).min(bounds.known)
     }
 

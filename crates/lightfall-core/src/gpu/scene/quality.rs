@@ -39,10 +39,10 @@ impl GpuQuality {
 ///
 /// Measured: the rotation that explains a ray's error is at most 4.5e-4 step^5.5, and mostly below
 /// 3e-4 step^5.5. Below a step of 0.25 only f32's rounding is left. Up to 0.53 the places on the
-/// disk are right to 1e-5 of their radius in the median of common views, and up to 0.4 the shadow's edge to 2e-6 of
-/// its radius. The default setting asks for both; a setting that allows a larger error relaxes both
-/// in proportion. With the camera next to a spinning hole the error is up to three times as large,
-/// and all rays may come near the curve.
+/// disk are right to 1e-5 of their radius in the median of common views, and up to 0.4 the shadow's
+/// edge to 2e-6 of its radius. The default setting asks for both; a setting that allows a larger
+/// error relaxes both in proportion. With the camera next to a spinning hole the error is up to
+/// three times as large, and all rays may come near the curve.
 fn mino_steps(max_error_px: f64, pixel: f64, kerr: Kerr, r: f64) -> [f64; 2] {
     let growth = |error: f64| error.powf(1.0 / 5.5);
     let wanted = growth(max_error_px * pixel / 4.5e-4);

@@ -146,12 +146,15 @@ fn of_matrix(rows: &[Verdict]) -> Vec<Claim> {
     let near = closed.iter().filter(|row| row.backward_max <= LISTED);
     vec![
         claim(
-            "`closed` and `mino`, at both settings, hold {} of their {} cells. They give up {} rays, and {} answers are not finite",
+            "`closed` and `mino`, at both settings, hold {} of their {} cells. They give up {} rays, and {} answers are not finite. \
+             Of their rays {} are beyond their tolerance, and roundings explain {} of them",
             [
                 count(holding(&answering)),
                 count(answering.len()),
                 total(answering.iter().map(|row| row.unfinished)),
                 total(answering.iter().map(|row| row.not_finite)),
+                total(answering.iter().map(|row| row.beyond)),
+                total(answering.iter().map(|row| row.beyond - row.unexplained)),
             ],
         ),
         claim(
@@ -302,8 +305,8 @@ fn number_after(text: &str, word: &str) -> usize {
 /// those with such rays and some more.
 fn by_seed(hunts: &[Report<HuntRow>]) -> String {
     table(
-        "seed | machine | revision | rays beyond their tolerance | unexplained | largest error of these, rad | \
-         times the tolerance | at a ring too narrow for f32",
+        "seed | machine | revision | rays beyond their tolerance | unexplained | largest error over its tolerance | \
+         that error, rad | at a ring too narrow for f32",
         hunts.iter().map(|hunt| {
             let said = |name: &str| hunt.head.get(name).expect("a hunt says how it was made");
             let sum = |of: fn(&HuntRow) -> usize| total(hunt.rows.iter().map(of));
@@ -316,8 +319,8 @@ fn by_seed(hunts: &[Report<HuntRow>]) -> String {
                 };
             let machine = said("adapter").split(" (").next().unwrap_or_default();
             let far = hunt.rows.iter().filter(|row| row.rays_beyond > 0);
-            let [error, excess] = match far.max_by(|a, b| a.excess.total_cmp(&b.excess)) {
-                Some(worst) => [short(worst.backward), ratio(worst.excess)],
+            let [excess, error] = match far.max_by(|a, b| a.excess.total_cmp(&b.excess)) {
+                Some(worst) => [ratio(worst.excess), short(worst.backward)],
                 None => Default::default(),
             };
             vec![
@@ -326,8 +329,8 @@ fn by_seed(hunts: &[Report<HuntRow>]) -> String {
                 revision,
                 sum(|row| row.rays_beyond),
                 sum(|row| row.rays_unexplained),
-                error,
                 excess,
+                error,
                 sum(|row| row.rays_unanswerable),
             ]
         }),

@@ -24,11 +24,24 @@ impl<'a> Series<'a> {
         found.unwrap_or_else(|| panic!("no row {} {label}", study.word()))
     }
 
+    /// The first row of a series whose 99th percentile is about the smallest.
+    fn first_best(&self, study: Study) -> &'a RefinementMeasurement {
+        let own = || self.0.iter().filter(|row| row.study == study);
+        let least = own()
+            .map(|row| row.backward_p99)
+            .fold(f64::INFINITY, f64::min);
+        let is_best = |row: &&&RefinementMeasurement| row.backward_p99 <= (1.0 + SAME) * least;
+        own().find(is_best).expect("the series is measured")
+    }
+
     fn last(&self, study: Study) -> &'a RefinementMeasurement {
         let mut own = self.0.iter().filter(|row| row.study == study);
         own.next_back().expect("the series is measured")
     }
 }
+
+/// Errors that differ by less than this share are the same.
+const SAME: f64 = 0.1;
 
 fn p99(rows: &[&RefinementMeasurement]) -> Vec<String> {
     rows.iter().map(|row| short(row.backward_p99_px)).collect()
@@ -67,6 +80,10 @@ pub fn claims() -> Vec<Claim> {
     let [finest, finest_kerr_schild, finest_spinning] =
         [&verlet, &kerr_schild, &spinning].map(|series| series.last(Study::LeastStep));
     let farthest = kerr_schild.last(Study::EscapeRadius);
+    let best = [
+        verlet.first_best(Study::LeastStep),
+        kerr_schild.first_best(Study::EscapeRadius),
+    ];
     vec![
         claim(
             "These are {} rays on Mesa's software driver",
@@ -78,9 +95,16 @@ pub fn claims() -> Vec<Claim> {
             [hits(0), hits(1)].concat(),
         ),
         claim(
-            "The 99th percentile of the backward error stays where it is: {} and {} of a pixel for `verlet`, {} and {} \
-             for `kerr-schild`",
-            [errors(0), errors(1)].concat(),
+            "The median of the backward error of `verlet` falls from {} to {} of a pixel. The 99th percentile gets no \
+             better: {} and {} of a pixel for `verlet`, {} and {} for `kerr-schild`",
+            [
+                [usual[0], quarter[0]]
+                    .map(|row| short(row.backward_p50_px))
+                    .to_vec(),
+                errors(0),
+                errors(1),
+            ]
+            .concat(),
         ),
         claim(
             "At half of that step, {} and {} of 512 rays are given up",
@@ -156,8 +180,7 @@ pub fn claims() -> Vec<Claim> {
         claim(
             "for 99 of 100 rays, is {} of a pixel or {} rad with `verlet` after {} steps a ray, and {} or {} with `kerr-schild` \
              after {}",
-            [smallest_step, farthest]
-                .iter()
+            best.iter()
                 .flat_map(|row| {
                     [
                         short(row.backward_p99_px),
