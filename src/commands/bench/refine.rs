@@ -11,8 +11,7 @@ use lightfall_core::reports::bench::{
 
 /// Measures the errors of every series, and prints and writes their report.
 pub(super) fn bench_refinements(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
-    let refinable = |scene| !plan.refinable(scene).is_empty();
-    if !plan.scenes.iter().any(|scene| refinable(&scene.scene)) {
+    if plan.refinement_rows() == 0 {
         return Err(Stop::refused(
             "no method of --methods can be refined in a scene of --scenes: only verlet and kerr-schild \
              have these settings, and verlet needs hole.spin = 0",

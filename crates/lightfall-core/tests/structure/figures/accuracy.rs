@@ -111,30 +111,23 @@ fn shown(rows: &[PictureMeasurement], scenes: &[&str]) -> String {
 }
 
 fn mesa_times(bench: &Bench) -> String {
-    let own = |scene: &str, method: &str| {
-        let all = bench.of(method);
-        let found = all.iter().find(|in_scene| in_scene.scene == scene);
-        found.map(|found| (found.own().clone(), found.closed.trace_ms))
-    };
-    let text = |of: fn((Measurement, f64)) -> String, scene: &str| {
-        ["verlet", "kerr-schild", "mino"]
-            .map(|method| own(scene, method).map_or_else(String::new, of))
-    };
+    let others = ["verlet", "kerr-schild", "mino"].map(|method| bench.of(method));
     table(
         "scene | `closed`, ms for 160x90 | times as long: verlet 0.85 | kerr-schild 0.85 | mino 0.05 | \
          99th percentile, rad: closed | verlet 0.85 | kerr-schild 0.85 | mino 0.05",
-        bench.scenes().iter().map(|in_scene| {
-            let (scene, closed) = (in_scene.scene, in_scene.closed);
-            let times = text(|(row, closed_ms)| ratio(row.trace_ms / closed_ms), scene);
-            let errors = text(|(row, _)| short(row.backward_p99), scene);
-            let closed = [short(closed.trace_ms), short(closed.backward_p99)];
-            [
-                &[scene.to_owned(), closed[0].clone()][..],
-                &times,
-                &[closed[1].clone()],
-                &errors,
-            ]
-            .concat()
+        bench.scenes().iter().map(|InScene { scene, closed, .. }| {
+            let own = others.each_ref().map(|all| {
+                let found = all.iter().find(|in_scene| in_scene.scene == *scene);
+                found.map(InScene::own)
+            });
+            let text = |of: &dyn Fn(&Measurement) -> String| {
+                own.map(|row| row.map_or_else(String::new, of))
+            };
+            let mut row = vec![(*scene).to_owned(), short(closed.trace_ms)];
+            row.extend(text(&|own| ratio(own.trace_ms / closed.trace_ms)));
+            row.push(short(closed.backward_p99));
+            row.extend(text(&|own| short(own.backward_p99)));
+            row
         }),
     )
 }

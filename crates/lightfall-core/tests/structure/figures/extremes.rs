@@ -83,6 +83,12 @@ fn holding(rows: &[&Verdict]) -> usize {
     rows.iter().filter(|row| row.holds).count()
 }
 
+/// Number of rays beyond their tolerance, and of those whose error is explained.
+fn beyond_and_explained(rows: &[&Verdict]) -> Vec<String> {
+    let explained = rows.iter().map(|row| row.beyond - row.unexplained);
+    vec![total(rows.iter().map(|row| row.beyond)), total(explained)]
+}
+
 fn worst(rows: &[&Verdict]) -> f64 {
     largest(rows.iter().map(|row| row.backward_max))
 }
@@ -149,13 +155,15 @@ fn of_matrix(rows: &[Verdict]) -> Vec<Claim> {
             "`closed` and `mino`, at both settings, hold {} of their {} cells. They give up {} rays, and {} answers are not finite. \
              Of their rays {} are beyond their tolerance, and roundings explain {} of them",
             [
-                count(holding(&answering)),
-                count(answering.len()),
-                total(answering.iter().map(|row| row.unfinished)),
-                total(answering.iter().map(|row| row.not_finite)),
-                total(answering.iter().map(|row| row.beyond)),
-                total(answering.iter().map(|row| row.beyond - row.unexplained)),
-            ],
+                vec![
+                    count(holding(&answering)),
+                    count(answering.len()),
+                    total(answering.iter().map(|row| row.unfinished)),
+                    total(answering.iter().map(|row| row.not_finite)),
+                ],
+                beyond_and_explained(&answering),
+            ]
+            .concat(),
         ),
         claim(
             "In {} of the {} cells every ray of `closed` is within 1e-6 rad. The others are",
@@ -286,10 +294,7 @@ fn of_grid(rows: &[Verdict]) -> Vec<Claim> {
         ),
         claim(
             "Of all these rays {} are beyond their tolerance, and roundings explain {} of them",
-            [
-                total(answering.iter().map(|row| row.beyond)),
-                total(answering.iter().map(|row| row.beyond - row.unexplained)),
-            ],
+            beyond_and_explained(&answering),
         ),
     ]
 }

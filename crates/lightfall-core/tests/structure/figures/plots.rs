@@ -31,37 +31,47 @@ fn all() -> Vec<Plot> {
         format!("{}, {}", said("size"), said("adapter"))
     };
     let of_adapter = |head: &Head| head.get("adapter").expect("a report says where").to_owned();
-    let delays = plots::<DelayMeasurement>("h200-living/delay", "delay-", of_size, plot_delays);
-    let pictures = plots::<PictureMeasurement>(
-        "h200-pictures/pictures",
-        "pictures-",
-        of_size,
-        plot_pictures,
-    );
-    let refined =
-        plots::<RefinementMeasurement>("llvmpipe/refine", "refine-", of_adapter, plot_refinements);
     [
-        plots::<Measurement>("h200/bench", "", of_size, plot),
-        plots::<Measurement>("llvmpipe/bench", "", of_size, plot),
-        delays,
-        pictures,
-        refined,
+        plots::<Measurement>("h200/bench", "", of_size, |row| &row.scene, plot),
+        plots::<Measurement>("llvmpipe/bench", "", of_size, |row| &row.scene, plot),
+        plots::<DelayMeasurement>(
+            "h200-living/delay",
+            "delay-",
+            of_size,
+            |row| &row.scene,
+            plot_delays,
+        ),
+        plots::<PictureMeasurement>(
+            "h200-pictures/pictures",
+            "pictures-",
+            of_size,
+            |row| &row.scene,
+            plot_pictures,
+        ),
+        plots::<RefinementMeasurement>(
+            "llvmpipe/refine",
+            "refine-",
+            of_adapter,
+            |row| &row.scene,
+            plot_refinements,
+        ),
     ]
     .into_iter()
     .flatten()
     .collect()
 }
 
-/// The plots of a CSV file, one for each scene. Their names begin with `prefix`.
-fn plots<T: DeserializeOwned + Clone + InScene>(
+/// The plots of a CSV file, one for each scene, which `scene` names. Their names begin with `prefix`.
+fn plots<T: DeserializeOwned>(
     file: &str,
     prefix: &str,
     about: fn(&Head) -> String,
+    scene: fn(&T) -> &str,
     draw: Draw<T>,
 ) -> Vec<Plot> {
     let Report { head, rows } = measured::<T>(file);
     let folder = file.split('/').next().unwrap_or_default();
-    let mut scenes: Vec<&str> = rows.iter().map(InScene::scene).collect();
+    let mut scenes: Vec<&str> = rows.iter().map(scene).collect();
     scenes.dedup();
     let drawn = scenes.into_iter().filter_map(|scene| {
         let svg = draw(scene, &about(&head), &rows).expect("the rows can be drawn")?;
@@ -70,28 +80,6 @@ fn plots<T: DeserializeOwned + Clone + InScene>(
     });
     drawn.collect()
 }
-
-/// A row about a scene.
-trait InScene {
-    fn scene(&self) -> &str;
-}
-
-macro_rules! in_scene {
-    ($($Row:ty),+) => {
-        $(impl InScene for $Row {
-            fn scene(&self) -> &str {
-                &self.scene
-            }
-        })+
-    };
-}
-
-in_scene!(
-    Measurement,
-    DelayMeasurement,
-    PictureMeasurement,
-    RefinementMeasurement
-);
 
 #[test]
 fn every_plot_of_the_documents_is_drawn_from_its_csv_file() {
