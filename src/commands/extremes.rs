@@ -12,6 +12,7 @@ use lightfall_core::reports::extremes::{
     Cell, CellDelays, Hunt, HuntRow, WorstRay, cells, delays_table, delays_work, grid, hunt_text,
     markdown, matrix_work, measure_delays, measure_matrix,
 };
+use lightfall_core::reports::numbers::counted;
 use lightfall_core::scene::Method;
 
 /// Number of scenes that a hunt lists even if their worst rays are within the tolerance.
@@ -136,6 +137,9 @@ fn delays(args: &ExtremesArgs, gpu: &Gpu, cells: &[Cell], methods: &[Method]) ->
         sum(|row| row.far),
         sum(|row| row.lost),
     );
+    if sum(|row| row.hits) == 0 {
+        return Err(Stop::failed("no ray meets a disk: no delay was compared"));
+    }
     if unexplained > 0 {
         return Err(Stop::failed(format!(
             "hits whose delay is wrong for their place: {unexplained}"
@@ -162,16 +166,20 @@ fn hunt(gpu: &Gpu, hunt: &Hunt, args: &ExtremesArgs) -> Result<(), Stop> {
     let unanswerable: usize = rays.iter().map(|ray| ray.unanswerable).sum();
     let scenes = rays.iter().filter(|ray| ray.beyond > 0).count();
     eprintln!(
-        "lightfall: {} random scenes; rays beyond their tolerance: {beyond}, in {scenes} of the scenes; unexplained: \
+        "lightfall: {}; rays beyond their tolerance: {beyond}, in {scenes} of the scenes; unexplained: \
          {unexplained}; without an answer in f32, at a ring too narrow for it: {unanswerable}",
-        rays.len()
+        counted(rays.len(), "random scene")
     );
     let listed = &rays[..rays.len().min(MIN_LISTED.max(scenes))];
     let rows: Vec<HuntRow> = listed.iter().map(WorstRay::row).collect();
     let circumstances = circumstances(
         gpu,
         "hunt",
-        format!("{} rays in {} scenes", hunt.rays, hunt.scenes()),
+        format!(
+            "{} in {}",
+            counted(hunt.rays, "ray"),
+            counted(hunt.scenes(), "scene")
+        ),
         "compute",
     );
     let (json, text) = (

@@ -3,12 +3,11 @@
 
 use glam::UVec2;
 use lightfall_core::accuracy::{
-    Bounds, EDGE_DISTANCES, ErrorSummary, Ray, Truth, rays_near_edge, rays_over_picture,
+    ErrorSummary, Ray, Truth, rays_over_picture_and_near_edge, tolerance,
 };
 use lightfall_core::gpu::rays::RayKernel;
 use lightfall_core::gpu::timing::{Effort, Stage, Stopwatch};
 use lightfall_core::gpu::{Gpu, GpuError};
-use lightfall_core::reports::extremes::tolerance;
 use lightfall_core::reports::numbers::short_number;
 use lightfall_core::scene::Scene;
 use serde::Serialize;
@@ -65,23 +64,10 @@ fn unanswered(errors: &ErrorSummary) -> usize {
 /// # Errors
 /// The GPU cannot trace the scene, or the device failed.
 pub fn measure_errors(gpu: &Gpu, scene: &Scene) -> Result<ErrorSummary, GpuError> {
-    let mut rays = rays_over_picture(scene, RAYS / 2);
-    rays.extend(rays_near_edge(scene, RAYS / 2, EDGE_DISTANCES));
-    let truth = Truth::of(scene, rays)?;
+    let truth = Truth::of(scene, rays_over_picture_and_near_edge(scene, RAYS))?;
     let directions: Vec<_> = truth.rays.iter().map(Ray::given).collect();
     let given = RayKernel::new(gpu, scene)?.trace_camera_rays(gpu, scene, &directions)?;
-    let mut errors = truth.judge(&given);
-    let most = StatedErrors::of(scene).max;
-    for (ray, error) in errors.iter_mut().enumerate() {
-        // The usual search overstates a few rays next to the edge.
-        if error.backward > most {
-            let bounds = Bounds {
-                enough: 0.5 * most,
-                known: error.backward,
-            };
-            error.backward = truth.surroundings(ray, bounds).judge(&given[ray], bounds);
-        }
-    }
+    let errors = truth.judge_to_limit(StatedErrors::of(scene).max, &given);
     Ok(ErrorSummary::of_errors(&truth, &given, &errors))
 }
 

@@ -24,7 +24,7 @@ pub(super) fn hits(trace: &Trace) -> usize {
 }
 
 /// Whether two answers have the same outcome and number of hits.
-pub(super) fn is_same_class(a: &Trace, b: &Trace) -> bool {
+pub(crate) fn is_same_class(a: &Trace, b: &Trace) -> bool {
     a.outcome == b.outcome && hits(a) == hits(b)
 }
 

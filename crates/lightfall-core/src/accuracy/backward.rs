@@ -17,9 +17,10 @@ use glam::{DVec2, DVec3};
 const MIN_WORTH: f64 = 1e-6;
 const AMPLIFIED: f64 = 30.0;
 const LARGE: f64 = 0.01;
-/// Shares of the usual scale on which the search is repeated if it found no turn below `MIN_WORTH`.
-/// For a camera next to the disk's plane, hits move by their radius within millionths of a radian.
-const FINER: [f64; 2] = [1e-2, 1e-4];
+/// Scales of the search in the plane across the ray, as shares of the camera's own. For a camera next
+/// to the disk's plane, hits move by their radius within millionths of a radian, so the search is
+/// repeated on finer scales if it found no small turn.
+pub(super) const PLANE_SCALES: [f64; 3] = [1.0, 1e-2, 1e-4];
 
 /// The backward error, in radians, of an answer of the right class: the largest of the turns that
 /// explain its parts.
@@ -65,8 +66,8 @@ pub(super) fn explaining_turn(
         let scale = share * camera.scale;
         turn_in_plane(camera, ray, part, (scale, ray.direction()), &|_, _| {})
     };
-    let mut least = in_plane(1.0);
-    for share in FINER {
+    let mut least = f64::INFINITY;
+    for share in PLANE_SCALES {
         if least > precision.max(MIN_WORTH) {
             least = least.min(in_plane(share));
         }

@@ -64,8 +64,15 @@ impl Chart {
         })
     }
 
+    /// The charts of both sides of a ray's edge, the ray's own side first; none if it has no edge.
+    pub(super) fn both_sides(ray: &Ray) -> impl Iterator<Item = Self> {
+        let own = Self::edge(ray);
+        let mirrored = own.as_ref().and_then(Self::mirrored);
+        own.into_iter().chain(mirrored)
+    }
+
     /// The same chart on the other side of its edge, with its origin at the same distance.
-    pub(super) fn mirrored(&self) -> Option<Self> {
+    fn mirrored(&self) -> Option<Self> {
         let Kind::Edge(edge, position_angle, arc, beyond) = self.kind else {
             return None;
         };

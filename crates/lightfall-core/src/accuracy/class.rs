@@ -2,7 +2,7 @@
 //! of hits.
 
 use super::answer::{greater, is_same_class};
-use super::backward::turn_in_plane;
+use super::backward::{PLANE_SCALES, turn_in_plane};
 use super::chart::Chart;
 use super::near_edge::turn_near_edge;
 use super::newton::{NO_DAMPING, newton};
@@ -22,8 +22,6 @@ const RING_FACTOR: f64 = 3.0;
 const MIN_RING_DISTANCE: f64 = 1e-10;
 const MAX_RING_DISTANCE: f64 = 0.3;
 const BISECTIONS: u32 = 8;
-/// Scales of the search in the plane across the ray, as shares of the usual one.
-const PLANE_SCALES: [f64; 3] = [1.0, 1e-2, 1e-4];
 /// The factor between the turns that are tried along the edge.
 const ALONG_FACTOR: f64 = 1.2;
 /// Change of the sky's height over the disk's plane in one step along the line toward the edge, as a share
@@ -92,11 +90,8 @@ impl<'a> ClassSearch<'a> {
     }
 
     fn charts(&self) -> &[Chart] {
-        self.charts.get_or_init(|| {
-            let own = Chart::edge(&self.camera.with_edge(&self.ray));
-            let mirrored = own.as_ref().and_then(Chart::mirrored);
-            own.into_iter().chain(mirrored).collect()
-        })
+        self.charts
+            .get_or_init(|| Chart::both_sides(&self.camera.with_edge(&self.ray)).collect())
     }
 
     /// The bound of the answer's error, given the largest of the turns that explain its parts. The search

@@ -23,14 +23,19 @@ mod reference_camera;
 mod sample;
 mod summary;
 mod surroundings;
+mod tolerance;
 mod truth;
 
-pub(crate) use answer::greater;
+pub(crate) use answer::{greater, is_same_class};
 pub use delay::{DelayError, TimedRay};
 pub use edge::Shadow;
 pub use picture::picture_errors;
 pub use ray::Ray;
-pub use sample::{EDGE_DISTANCES, rays_near_edge, rays_over_picture, rays_over_sky};
+pub use sample::{
+    EDGE_DISTANCES, rays_near_edge, rays_over_picture, rays_over_picture_and_near_edge,
+    rays_over_sky,
+};
 pub use summary::{ErrorSummary, Quantiles};
 pub use surroundings::{Bounds, Surroundings};
+pub use tolerance::tolerance;
 pub use truth::{RayError, Truth};

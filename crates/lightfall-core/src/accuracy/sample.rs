@@ -33,6 +33,15 @@ pub fn rays_over_picture(scene: &Scene, count: usize) -> Vec<Ray> {
     (0..count).map(ray).collect()
 }
 
+/// `count` rays: half of them spread over the scene's picture, half close to the shadow's edge at the
+/// usual distances. Only the first half if there is no shadow.
+#[must_use]
+pub fn rays_over_picture_and_near_edge(scene: &Scene, count: usize) -> Vec<Ray> {
+    let mut rays = rays_over_picture(scene, count - count / 2);
+    rays.extend(rays_near_edge(scene, count / 2, EDGE_DISTANCES));
+    rays
+}
+
 /// `count` rays spread evenly over the whole sky, on a Fibonacci spiral.
 #[must_use]
 pub fn rays_over_sky(count: usize) -> Vec<Ray> {

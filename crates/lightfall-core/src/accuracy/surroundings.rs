@@ -44,6 +44,18 @@ pub struct Bounds {
     pub known: f64,
 }
 
+impl Bounds {
+    /// The bounds of a search that decides whether an error exceeds a limit. It goes on to half of the
+    /// limit, so that an error near the limit is stated as it is.
+    #[must_use]
+    pub fn of_limit(limit: f64, known: f64) -> Self {
+        Self {
+            enough: 0.5 * limit,
+            known,
+        }
+    }
+}
+
 /// The answers of the reference to the rays around one ray, on a grid over both sides of the shadow's
 /// edge.
 pub struct Surroundings<'a> {
@@ -77,16 +89,12 @@ impl<'a> Surroundings<'a> {
         bounds: Bounds,
     ) -> Self {
         let ray = camera.with_edge(ray);
-        let own = Chart::edge(&ray);
-        let mirrored = own.as_ref().and_then(Chart::mirrored);
-        let charts = own.into_iter().chain(mirrored);
+        let grid = |chart: Chart| Grid::new(camera, chart, bounds);
         Self {
             camera,
             ray,
             truth: *truth,
-            grids: charts
-                .map(|chart| Grid::new(camera, chart, bounds))
-                .collect(),
+            grids: Chart::both_sides(&ray).map(grid).collect(),
         }
     }
 

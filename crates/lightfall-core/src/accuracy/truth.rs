@@ -80,6 +80,25 @@ impl Truth {
             .collect()
     }
 
+    /// As [`Truth::judge`], but an error beyond `limit` radians is searched for again by
+    /// [`Truth::surroundings`]: next to the edge of the shadow the usual search overstates a few.
+    ///
+    /// # Panics
+    /// There are not as many answers as rays.
+    #[must_use]
+    pub fn judge_to_limit(&self, limit: f64, given: &[Trace]) -> Vec<RayError> {
+        let mut errors = self.judge(given);
+        let judged = errors.par_iter_mut().zip(given).enumerate();
+        let is_within = |error: &RayError| error.backward <= limit;
+        judged
+            .filter(|(_, (error, given))| !is_within(error) && is_complete(given))
+            .for_each(|(ray, (error, given))| {
+                let bounds = Bounds::of_limit(limit, error.backward);
+                error.backward = self.surroundings(ray, bounds).judge(given, bounds);
+            });
+        errors
+    }
+
     /// What the reference answers around the ray of index `ray`, for a search that is a hundred times
     /// slower than [`Truth::judge`]. Next to the edge of the shadow it finds smaller turns.
     #[must_use]

@@ -15,6 +15,13 @@ pub fn short_number(number: f64) -> String {
     }
 }
 
+/// A number of things, e.g. `1 ray` or `2 rays`.
+#[must_use]
+pub fn counted(number: usize, thing: &str) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{number} {thing}{plural}")
+}
+
 /// How many times as large one measured number is as another: to two significant digits, or whole.
 #[must_use]
 pub fn ratio(ratio: f64) -> String {

@@ -3,12 +3,11 @@
 use crate::gpu;
 use glam::DVec3;
 use lightfall_core::accuracy::{
-    ErrorSummary, Quantiles, Ray, Truth, rays_near_edge, rays_over_sky,
+    ErrorSummary, Quantiles, Ray, Truth, rays_near_edge, rays_over_sky, tolerance,
 };
 use lightfall_core::geometry::sphere::wrap_angle;
 use lightfall_core::gpu::rays::RayKernel;
 use lightfall_core::optics::trace::Trace;
-use lightfall_core::reports::extremes::tolerance;
 use lightfall_core::scene::{Method, ObserverKind, Scene};
 
 /// Rays over the whole sky, and as many again next to the shadow's edge.

@@ -3,7 +3,7 @@
 use super::plan::Plan;
 use super::plot::{Axes, Mark, plot_marks};
 use super::scenes::BenchScene;
-use crate::accuracy::{Ray, rays_over_picture};
+use crate::accuracy::{Quantiles, Ray, rays_over_picture};
 use crate::geometry::kerr::Kerr;
 use crate::gpu::rays::RayKernel;
 use crate::gpu::timing::Stopwatch;
@@ -168,8 +168,8 @@ impl Plan {
             let orbit = kerr.circular_orbit(*r);
             orbit.map_or(f64::NAN, |orbit| orbit.angular_velocity * error)
         };
-        let delays = Spread::of(errors.iter().map(|(_, error)| *error).collect());
-        let turns = Spread::of(errors.iter().map(turn).collect());
+        let delays = Quantiles::of(errors.iter().map(|(_, error)| *error));
+        let turns = Quantiles::of(errors.iter().map(turn));
         Ok(DelayMeasurement {
             scene: bench_scene.name.clone(),
             method: scene.method.word().into(),
@@ -210,28 +210,6 @@ fn delay_errors((expected, found): (&Trace, &Trace)) -> impl Iterator<Item = (f6
             let (expected, found) = (expected?, found?);
             Some((expected.r, (expected.delay? - found.delay?).abs()))
         })
-}
-
-/// How a number is distributed; NaN where there is none.
-struct Spread {
-    p50: f64,
-    p99: f64,
-    max: f64,
-}
-
-impl Spread {
-    fn of(mut values: Vec<f64>) -> Self {
-        values.sort_by(f64::total_cmp);
-        let at = |share: f64| {
-            let index = (values.len().saturating_sub(1) as f64 * share).round() as usize;
-            values.get(index).copied().unwrap_or(f64::NAN)
-        };
-        Self {
-            p50: at(0.5),
-            p99: at(0.99),
-            max: at(1.0),
-        }
-    }
 }
 
 /// The scene's rows as SVG: error of the delays against run time. `None` if there is nothing to

@@ -3,7 +3,7 @@
 use super::measurement::Measurement;
 use super::scenes::{BenchScene, scenes};
 use super::settings::{Setting, methods_for, settings};
-use crate::accuracy::{EDGE_DISTANCES, Ray, Truth, rays_near_edge, rays_over_picture};
+use crate::accuracy::{Ray, Truth, rays_over_picture_and_near_edge};
 use crate::gpu::rays::RayKernel;
 use crate::gpu::timing::{Effort, Stage, Stopwatch, Timing};
 use crate::gpu::{Gpu, GpuError};
@@ -123,12 +123,7 @@ impl Plan {
                 rows.extend(known_rows);
                 continue;
             }
-            let mut rays = rays_over_picture(&bench_scene.scene, self.rays - self.rays / 2);
-            rays.extend(rays_near_edge(
-                &bench_scene.scene,
-                self.rays / 2,
-                EDGE_DISTANCES,
-            ));
+            let rays = rays_over_picture_and_near_edge(&bench_scene.scene, self.rays);
             let truth = Truth::of(&bench_scene.scene, rays)?;
             let given: Vec<_> = truth.rays.iter().map(Ray::given).collect();
             let mut compiled: Option<(Method, Stopwatch, RayKernel)> = None;

@@ -6,9 +6,7 @@ use super::plot::{Axes, Mark, Panel, plot_panels};
 use super::scenes::BenchScene;
 use super::settings::methods_for;
 use super::studies::{Refinement, Study, refinements};
-use crate::accuracy::{
-    EDGE_DISTANCES, ErrorSummary, Ray, Truth, rays_near_edge, rays_over_picture,
-};
+use crate::accuracy::{ErrorSummary, Ray, Truth, rays_over_picture_and_near_edge};
 use crate::gpu::rays::RayKernel;
 use crate::gpu::{Gpu, GpuError};
 use crate::reports::import::{or_infinite, or_nan};
@@ -184,9 +182,7 @@ impl Plan {
                 rows.extend(known_rows);
                 continue;
             }
-            let mut rays = rays_over_picture(scene, self.rays - self.rays / 2);
-            rays.extend(rays_near_edge(scene, self.rays / 2, EDGE_DISTANCES));
-            let truth = Truth::of(scene, rays)?;
+            let truth = Truth::of(scene, rays_over_picture_and_near_edge(scene, self.rays))?;
             let given: Vec<_> = truth.rays.iter().map(Ray::given).collect();
             for of_method in &all {
                 let Some(first) = of_method.first() else {

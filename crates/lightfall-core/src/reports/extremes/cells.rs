@@ -1,6 +1,9 @@
 //! The hardest places, by what makes them hard.
 
-use crate::accuracy::{EDGE_DISTANCES, Ray, rays_near_edge, rays_over_picture, rays_over_sky};
+use crate::accuracy::{
+    EDGE_DISTANCES, Ray, rays_near_edge, rays_over_picture, rays_over_picture_and_near_edge,
+    rays_over_sky,
+};
 use crate::geometry::kerr::Kerr;
 use crate::scene::{ObserverKind, Scene};
 use glam::DVec3;
@@ -105,8 +108,7 @@ fn radii(all: &mut Vec<Cell>, count: usize) {
             };
             // Far away, the field of view is narrowed to the hole and its disk.
             scene.camera.fov_deg = scene.camera.fov_deg.min((30.0 / r).to_degrees());
-            let mut rays = rays_over_picture(&scene, count / 2);
-            rays.extend(rays_near_edge(&scene, count / 2, EDGE_DISTANCES));
+            let rays = rays_over_picture_and_near_edge(&scene, count);
             add(
                 all,
                 "place of the camera",

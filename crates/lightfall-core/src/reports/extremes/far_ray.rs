@@ -2,8 +2,7 @@
 
 use super::cause::Cause;
 use super::narrow_ring::is_narrow;
-use super::tolerance::tolerance;
-use crate::accuracy::{Bounds, RayError, Truth};
+use crate::accuracy::{Bounds, RayError, Truth, tolerance};
 use crate::optics::trace::Trace;
 use crate::scene::Scene;
 use rayon::prelude::*;
@@ -24,7 +23,7 @@ pub(super) struct FarRay {
 
 /// The rays of a scene beyond its tolerance.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct FarRays(pub(super) Vec<FarRay>);
+pub(super) struct FarRays(Vec<FarRay>);
 
 impl FarRays {
     /// The rays beyond the tolerance of the scene's method. Their errors are searched for thoroughly
@@ -92,10 +91,7 @@ fn examine(
     known: f64,
 ) -> (f64, Option<Cause>) {
     let tolerance = tolerance(scene);
-    let bounds = Bounds {
-        enough: 0.5 * tolerance,
-        known,
-    };
+    let bounds = Bounds::of_limit(tolerance, known);
     let surroundings = truth.surroundings(ray, bounds);
     let backward = surroundings.judge(given, bounds);
     if is_within(backward, tolerance) {

@@ -12,7 +12,6 @@ mod matrix;
 mod narrow_ring;
 mod random;
 mod random_scene;
-mod tolerance;
 mod verdict;
 mod worst_ray;
 
@@ -22,6 +21,5 @@ pub use delays::{CellDelays, delays_table, delays_work, measure_delays};
 pub use grid::grid;
 pub use hunt::Hunt;
 pub use matrix::{matrix_work, measure_matrix};
-pub use tolerance::tolerance;
 pub use verdict::{Verdict, markdown};
 pub use worst_ray::{HuntRow, WorstRay, hunt_text};

@@ -1,6 +1,6 @@
 //! Rings of which f32 cannot tell whether a ray meets them.
 
-use crate::accuracy::Truth;
+use crate::accuracy::{Truth, is_same_class};
 use crate::optics::trace::Trace;
 use crate::scene::Scene;
 
@@ -27,9 +27,8 @@ pub(super) fn count_unanswerable(scene: &Scene, truth: &Truth, given: &[Trace]) 
     if !is_narrow(scene) {
         return 0;
     }
-    let hits = |trace: &Trace| trace.hits.iter().flatten().count();
     let differs = |(truth, given): &(&Trace, &Trace)| {
-        truth.outcome == given.outcome && hits(truth) != hits(given)
+        truth.outcome == given.outcome && !is_same_class(truth, given)
     };
     truth.traces.iter().zip(given).filter(differs).count()
 }

@@ -3,8 +3,7 @@
 use super::cells::Cell;
 use super::far_ray::FarRays;
 use super::narrow_ring::count_unanswerable;
-use super::tolerance::tolerance;
-use crate::accuracy::{ErrorSummary, RayError, Truth};
+use crate::accuracy::{ErrorSummary, RayError, Truth, tolerance};
 use crate::optics::trace::Trace;
 use crate::reports::import::{or_infinite, or_nan};
 use crate::reports::numbers::short_number;
@@ -87,7 +86,6 @@ pub struct Verdict {
     pub unexplained: usize,
     /// Number of rays that meet a ring by the method or by the reference alone, where the ring is too
     /// narrow for f32 to tell.
-    #[serde(default)]
     pub unanswerable: usize,
 }
 

@@ -3,11 +3,11 @@
 use super::cause::Cause;
 use super::far_ray::FarRays;
 use super::narrow_ring::count_unanswerable;
-use super::tolerance::tolerance;
-use crate::accuracy::Truth;
+use crate::accuracy::{Truth, tolerance};
 use crate::optics::trace::Trace;
 use crate::reports::circumstances::Circumstances;
 use crate::reports::import::or_infinite;
+use crate::reports::numbers::counted;
 use crate::scene::Scene;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -126,8 +126,9 @@ impl WorstRay {
             self.backward, self.excess
         );
         let count = format!(
-            "{} rays of the scene are beyond it, {} unexplained",
-            self.beyond, self.unexplained
+            "{} of the scene beyond it, {} unexplained",
+            counted(self.beyond, "ray"),
+            self.unexplained
         );
         match &self.cause {
             _ if self.beyond == 0 => error,
@@ -140,7 +141,8 @@ impl WorstRay {
                 let inputs = match others {
                     0 => format!("{input} moved by half a unit in f32's last place gives"),
                     _ => format!(
-                        "{input} and {others} other numbers, each moved by half a unit in f32's last place, give together"
+                        "{input} and {}, each moved by half a unit in f32's last place, give together",
+                        counted(*others, "other number")
                     ),
                 };
                 format!("{error}: {inputs} {backward:.2e} rad; {count}")
@@ -187,7 +189,6 @@ pub struct HuntRow {
     pub command: String,
     /// Number of rays that meet the ring by the method or by the reference alone, where the ring is
     /// too narrow for f32 to tell.
-    #[serde(default)]
     pub rays_unanswerable: usize,
 }
 
