@@ -96,6 +96,7 @@ const REPORTS: [(&str, &[&[&str]]); 10] = [
             &[
                 "crates/lightfall-core/src/reports/bench/pictures.rs",
                 "src/commands/bench/pictures.rs",
+                "src/picture/pass_time.rs",
             ],
         ],
     ),
@@ -115,7 +116,10 @@ const REPORTS: [(&str, &[&[&str]]); 10] = [
     ("grid", EXTREMES),
     ("delays", EXTREMES),
     ("hunt", EXTREMES),
-    ("timings", &[&PICTURES, &["scripts/timings"]]),
+    (
+        "timings",
+        &[&PICTURES, &["scripts/timings", "src/picture/pass_time.rs"]],
+    ),
 ];
 
 const EXTREMES: &[&[&str]] = &[&RAYS, &["crates/lightfall-core/src/reports/extremes"]];

@@ -7,6 +7,7 @@ mod channels;
 mod file;
 mod headless;
 mod open_exr;
+mod pass_time;
 mod sequence;
 mod still;
 
@@ -16,5 +17,6 @@ pub use channels::{CHANNELS, Channel, Channels, PixelRays, Samples};
 pub use file::{Format, PictureError, check_path, write_png};
 pub use headless::{HeadlessOptions, check_size};
 pub use open_exr::{Linear, write_exr};
+pub use pass_time::{PassTime, render_timed};
 pub use sequence::{Frames, Sequence, frame_rate};
-pub use still::{PassTime, Still, Studio, filled, render, render_timed, render_with};
+pub use still::{Still, Studio, filled, render, render_with};

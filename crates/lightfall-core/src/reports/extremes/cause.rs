@@ -10,10 +10,10 @@ use crate::scene::Scene;
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// The roundings of numbers explain errors up to this many times the sum of their effects. Each constant of
-/// the photon is a sum of four products, which takes five roundings after that of the matrix, and the
-/// method goes on with quotients and squares of the constants.
-const ROUNDINGS: f64 = 8.0;
+/// The roundings of numbers explain errors up to this many times the sum of their effects, if the method
+/// takes no steps. Each constant of the photon is a sum of four products, which takes five roundings after
+/// that of the matrix, and the method goes on with quotients and squares of the constants.
+const ROUNDINGS_BEFORE_STEPS: f64 = 8.0;
 
 /// Share of an error below which the effect of a rounding is not measured.
 const NEGLIGIBLE: f64 = 0.01;
@@ -46,14 +46,15 @@ pub enum Cause {
 type Effect = (&'static str, Trace, f64);
 
 impl Cause {
-    /// The numbers whose roundings explain the backward error of a method's answer to a ray, the one
-    /// with the largest effect first. The GPU holds the scene's numbers in f32, and the constants of each
+    /// The numbers whose roundings explain the backward error of a method's answer `given` to a ray, the
+    /// one with the largest effect first. The GPU holds the scene's numbers in f32, and the constants of each
     /// photon between the observer's matrix and the tracer.
     pub(super) fn of_roundings(
         scene: &Scene,
         truth: &Truth,
         surroundings: &Surroundings,
-        (ray, error): (usize, f64),
+        (ray, given): (usize, &Trace),
+        error: f64,
     ) -> Option<Self> {
         // No rounding explains an answer that no turn of the ray explains.
         if !error.is_finite() {
@@ -81,7 +82,7 @@ impl Cause {
                 inputs.push(input);
                 sum += effect;
             }
-            if ROUNDINGS * sum >= error {
+            if roundings(given.steps) * sum >= error {
                 return Some(Self::Roundings {
                     input: inputs.first()?,
                     others: inputs.len() - 1,
@@ -91,6 +92,12 @@ impl Cause {
         }
         None
     }
+}
+
+/// How many roundings of each number an answer has taken. A step rounds the place and the momentum of the
+/// ray once more, and the roundings of n steps add up like a random walk (Higham 2002, section 2.8).
+fn roundings(steps: u32) -> f64 {
+    ROUNDINGS_BEFORE_STEPS + f64::from(steps).sqrt()
 }
 
 /// The true answers to ray number `ray` with each of the scene's numbers rounded.

@@ -97,7 +97,7 @@ fn examine(
     if is_within(backward, tolerance) {
         return (backward, None);
     }
-    let cause = Cause::of_roundings(scene, truth, &surroundings, (ray, backward));
+    let cause = Cause::of_roundings(scene, truth, &surroundings, (ray, given), backward);
     let is_unanswerable =
         || is_narrow(scene) && truth.error_without_hits(ray, given, bounds.enough) <= tolerance;
     let cause = cause.or_else(|| is_unanswerable().then_some(Cause::NarrowRing));
