@@ -11,8 +11,8 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 /// The roundings of numbers explain errors up to this many times the sum of their effects, if the method
-/// takes no steps. Each constant of the photon is a sum of four products, which takes five roundings after
-/// that of the matrix, and the method goes on with quotients and squares of the constants.
+/// takes no steps. Each constant of the photon is a sum of four products, which rounds the four products,
+/// three sums and an entry of the matrix.
 const ROUNDINGS_BEFORE_STEPS: f64 = 8.0;
 
 /// Share of an error below which the effect of a rounding is not measured.

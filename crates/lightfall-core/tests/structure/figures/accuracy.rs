@@ -6,8 +6,8 @@ use super::measured::measured;
 use super::refine;
 use super::render::{at_most, bound, extent, largest, ratio, short, table};
 use lightfall_core::reports::bench::{
-    DelayMeasurement, LightMeasurement, Measurement, PictureMeasurement, delay_table, light_table,
-    pictures_table, ratio_range,
+    BenchScene, DelayMeasurement, LightMeasurement, Measurement, PictureMeasurement, delay_table,
+    light_table, pictures_table, ratio_range, scenes,
 };
 use lightfall_core::reports::extremes::Verdict;
 use lightfall_core::scene::Method;
@@ -23,6 +23,7 @@ pub fn figures() -> Figures {
     claims.extend(with_spin(&h200));
     claims.extend(mino(&h200, &grid));
     claims.extend(picture_errors(&pictures));
+    claims.push(living_disk());
     claims.extend(on_mesa(&mesa));
     claims.extend(refine::claims());
     Figures {
@@ -374,7 +375,7 @@ fn over_single_rays(
 fn picture_errors(rows: &[PictureMeasurement]) -> Vec<Claim> {
     vec![
         claim(
-            "There refined edges have {} to {} of the error of single rays for {} to {} times their time",
+            "In the scenes without structure refined edges have {} to {} of the error of single rays for {} to {} times their time",
             over_single_rays(rows, true, (true, 1)),
         ),
         claim(
@@ -386,6 +387,24 @@ fn picture_errors(rows: &[PictureMeasurement]) -> Vec<Claim> {
             over_single_rays(rows, false, (true, 1)),
         ),
     ]
+}
+
+fn living_disk() -> Claim {
+    let rows = measured::<LightMeasurement>("h200-living/light").rows;
+    let time = |scene: &str, method: &str| {
+        let is_it = |row: &&LightMeasurement| row.scene == scene && row.method == method;
+        rows.iter().find(is_it).map(|row| row.living_ms)
+    };
+    let spinning = scenes()
+        .into_iter()
+        .filter(|scene| scene.scene.hole.spin != 0.0);
+    let ratios: Vec<f64> = spinning
+        .filter_map(|BenchScene { name, .. }| Some(time(&name, "closed")? / time(&name, "mino")?))
+        .collect();
+    claim(
+        "a living disk around a spinning hole takes `closed` {} to {} times as long as `mino`",
+        extent(ratios.into_iter()).map(ratio),
+    )
 }
 
 fn on_mesa(bench: &Bench) -> Vec<Claim> {
