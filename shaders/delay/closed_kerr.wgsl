@@ -4,8 +4,9 @@
 //   delay = |r*(end) - r*(start)|
 //       + integral of [K' (1 + a^2 u^2)/(W + |u'|) - B + a^2 E n_z^2] dtau.
 //
-// closed_kerr_legs.wgsl integrates the first term of the bracket, and closed_kerr_polar.wgsl has the last
-// one in closed form. Derived.
+// The first term of the bracket at the centre of the ray's course, times the time, is taken out, so
+// that what grows next to the critical curve is exact; closed_kerr_legs.wgsl integrates the rest, and
+// closed_kerr_polar.wgsl has the last term in closed form. Derived.
 //
 // Needs: Constants, Course, Radial, TINY, horizon_factors_at, regular_at, regular_way, scene,
 //     square, tortoise.
@@ -25,7 +26,7 @@ fn crossing_delay(
 ) -> f32 {
     let at = regular_at(c, course.centre, 1.0, square(scene.hole.a));
     let energy = select(c.energy, TINY, abs(c.energy) < TINY);
-    let delay = regular_way(m, c, course, at, c.drag, u, returned, t) + height2 / energy;
+    let delay = (at.value - c.drag) * t + regular_way(m, c, course, at, u, returned) + height2 / energy;
     // The tortoise coordinate, less that of the camera for light that leaves outward.
     let here = tortoise(u, horizon_factors_at(u));
     let camera = select(2.0 * scene.observer.time_lead, 0.0, inward);

@@ -37,26 +37,16 @@ fn way_to(m: Radial, course: Course, u: f32, returned: bool, scale: f32) -> Way 
     return Way(leg_between(centre, 0.0, course.distance, 1.0, scale), second);
 }
 
-// The integral of a regular quantity less a constant, from the camera to u, which the ray reaches at the
-// time t, before or after the turn.
-fn regular_way(
-    m: Radial,
-    c: Constants,
-    course: Course,
-    at: Regular,
-    constant: f32,
-    u: f32,
-    returned: bool,
-    t: f32,
-) -> f32 {
-    let way = way_to(m, course, u, returned, regular_scale(c, course.centre, at));
-    return regular_along(c, way, at, constant, t, u);
+// The integral of a regular quantity less its value at the centre, from the camera to u before or after
+// the turn.
+fn regular_way(m: Radial, c: Constants, course: Course, at: Regular, u: f32, returned: bool) -> f32 {
+    return regular_along(c, way_to(m, course, u, returned, regular_scale(c, course.centre, at)), at);
 }
 
 // Boyer-Lindquist's azimuth of light that came in from outside and has not turned, at u.
 fn azimuth_of_ingoing(m: Radial, c: Constants, course: Course, u: f32, t: f32) -> f32 {
     let at = regular_at(c, course.centre, 0.0, 1.0);
-    let gain = -regular_way(m, c, course, at, c.energy, u, false, t);
+    let gain = (c.energy - at.value) * t - regular_way(m, c, course, at, u, false);
     let lag = azimuth_lag(horizon_factors_at(u), vec2<f32>(1.0), u);
     return scene.observer.ingoing_azimuth_lead + scene.hole.a * gain + lag;
 }

@@ -34,9 +34,6 @@ const MIN_SHORT_RATIO: f32 = 0.36;
 // changes: behind a turning point, and next to a place that the ray passes.
 const MAX_SMOOTH_TURN: f32 = 6.0;
 const MAX_SMOOTH_PASSAGE: f32 = 1.0;
-// A quantity is summed relative to its value at the end of a way where that is less than this share of the
-// value at the centre.
-const MAX_SHARE_AT_END: f32 = 0.125;
 // f32 tells no more halvings of a leg apart.
 const MAX_PARTS: u32 = 20u;
 
@@ -192,11 +189,6 @@ fn pass_at(way: Way, parts: WayParts, i: u32) -> Pass {
     return Pass(leg, places_on(leg, low, high, nodes));
 }
 
-// u - 1/r_+, with the digits that u has next to the horizon.
-fn beyond_horizon(u: f32) -> vec4<f32> {
-    return vec4<f32>((u - scene.hole.horizon_u) - scene.hole.horizon_u_low);
-}
-
 // d(u), at distances from the horizon too.
 fn dragging_at(c: Constants, u: vec4<f32>, beyond: vec4<f32>) -> vec4<f32> {
     let d = horizon_function(beyond);
@@ -241,7 +233,8 @@ fn dragging_along(c: Constants, way: Way, t: f32, end: f32) -> f32 {
         let sum = smooth_dragging(c, way.first) + smooth_dragging(c, way.second);
         return at_centre * t + scene.hole.a / horizon_function(vec4<f32>(centre.beyond)).x * sum;
     }
-    let at_end = dragging_at(c, vec4<f32>(end), beyond_horizon(end)).x;
+    let end_beyond = (end - scene.hole.horizon_u) - scene.hole.horizon_u_low;
+    let at_end = dragging_at(c, vec4<f32>(end), vec4<f32>(end_beyond)).x;
     let steady = select(at_centre, at_end, abs(at_end) < abs(at_centre));
     var sum = steady * t;
     let parts = parts_of_way(way);
@@ -256,11 +249,10 @@ fn dragging_along(c: Constants, way: Way, t: f32, end: f32) -> f32 {
     return sum;
 }
 
-// The quantity K' (p + q u^2)/(W + |u'|), with its value at the centre: what Kerr's ingoing dragging falls
-// short of a E by, divided by a, with p = 0 and q = 1, and a part of the delay with p = 1 and q = a^2. It
-// has no pole at the horizon for light that comes in from outside.
+// The quantity K' (p + q u^2)/(W + |u'|) at the centre: what Kerr's ingoing dragging falls short of a E
+// by, divided by a, with p = 0 and q = 1, and a part of the delay with p = 1 and q = a^2. It has no
+// pole at the horizon for light that comes in from outside.
 struct Regular {
-    p: f32,
     q: f32,
     // W + |u'|.
     sum: f32,
@@ -270,7 +262,7 @@ struct Regular {
 fn regular_at(c: Constants, centre: Centre, p: f32, q: f32) -> Regular {
     let w = c.horizon_w + c.drag * centre.beyond * (2.0 * scene.hole.horizon_u + centre.beyond);
     let sum = max(w + sqrt(centre.c_0), TINY);
-    return Regular(p, q, sum, c.k_prime * (p + q * square(centre.u)) / sum);
+    return Regular(q, sum, c.k_prime * (p + q * square(centre.u)) / sum);
 }
 
 // The distance on which the quantity changes next to the centre. Its pole is not nearer than this.
@@ -297,49 +289,16 @@ fn smooth_regular(c: Constants, leg: Leg, at: Regular) -> f32 {
         + regular_sum(c, leg, at, places_on(leg, leg.low, leg.high, HIGH_NODES));
 }
 
-// |u'| at a distance from the centre.
-fn speed_at(centre: Centre, y: f32) -> vec4<f32> {
-    let rise = y * (centre.c.x + y * (centre.c.y + y * (centre.c.z + y * centre.c.w)));
-    return vec4<f32>(sqrt(max(centre.c_0 + rise, 0.0)));
-}
-
-// The quantity at u, where the speed |u'| is known.
-fn regular_value(c: Constants, at: Regular, u: vec4<f32>, beyond: vec4<f32>, speed: vec4<f32>) -> vec4<f32> {
-    let w = c.horizon_w + c.drag * beyond * (2.0 * scene.hole.horizon_u + beyond);
-    return c.k_prime * (at.p + at.q * u * u) / max(w + speed, vec4<f32>(TINY));
-}
-
-// The integral of the quantity less its value `at_end` at the end of the way.
-fn regular_sum_to_end(c: Constants, leg: Leg, at: Regular, p: LegPlaces, at_end: f32) -> f32 {
-    let centre = leg.centre;
-    let away = centre.side * p.y;
-    let speed = sqrt(max(centre.c_0 + p.rise, vec4<f32>(TINY)));
-    let change = regular_value(c, at, centre.u - away, centre.beyond - away, speed) - at_end;
-    return leg.count * dot(WEIGHTS, p.dy * change / speed);
-}
-
-// The integral of the quantity less a constant, along a way that takes the time t and has an end at `end`:
-// the value at the centre, times the time, and the integral of the rest. In the throat of a nearly
-// extremal hole the two would almost cancel. There a divided way is summed relative to the value at its
-// end.
-fn regular_along(c: Constants, way: Way, at: Regular, constant: f32, t: f32, end: f32) -> f32 {
+// The integral of the quantity less its value at the centre, along a way.
+fn regular_along(c: Constants, way: Way, at: Regular) -> f32 {
     if !is_divided(way) {
-        return (at.value - constant) * t + smooth_regular(c, way.first, at) + smooth_regular(c, way.second, at);
+        return smooth_regular(c, way.first, at) + smooth_regular(c, way.second, at);
     }
-    let centre = way.first.centre;
-    let speed_at_end = speed_at(centre, centre.side * (centre.u - end));
-    let at_end = regular_value(c, at, vec4<f32>(end), beyond_horizon(end), speed_at_end).x;
-    // With p = 0 the quantity vanishes far out, and does not cancel.
-    let cancels = at.p > 0.0 && at_end < MAX_SHARE_AT_END * at.value;
-    var sum = (select(at.value, at_end, cancels) - constant) * t;
+    var sum = 0.0;
     let parts = parts_of_way(way);
     for (var i = 0u; i < parts.passes; i++) {
         let part = pass_at(way, parts, i);
-        if cancels {
-            sum += regular_sum_to_end(c, part.leg, at, part.places, at_end);
-        } else {
-            sum += regular_sum(c, part.leg, at, part.places);
-        }
+        sum += regular_sum(c, part.leg, at, part.places);
     }
     return sum;
 }
