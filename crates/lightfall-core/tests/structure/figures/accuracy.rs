@@ -403,7 +403,7 @@ fn living_disk() -> Claim {
         .collect();
     claim(
         "a living disk around a spinning hole takes `closed` {} to {} times as long as `mino`",
-        extent(ratios.into_iter()).map(ratio),
+        extent(ratios).map(ratio),
     )
 }
 
