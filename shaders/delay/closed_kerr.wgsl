@@ -4,12 +4,10 @@
 //   delay = |r*(end) - r*(start)|
 //       + integral of [K' (1 + a^2 u^2)/(W + |u'|) - B + a^2 E n_z^2] dtau.
 //
-// The first term of the bracket at the centre of the ray's course, times the time, is taken out, so
-// that what grows next to the critical curve is exact; closed_kerr_legs.wgsl integrates the rest, and
-// closed_kerr_polar.wgsl has the last term in closed form. Derived.
+// closed_kerr_course.wgsl or closed_kerr_throat.wgsl integrates the first two terms of the bracket, and
+// closed_kerr_polar.wgsl has the last one in closed form. Derived.
 //
-// Needs: Constants, Course, Radial, TINY, horizon_factors_at, regular_at, regular_way, scene,
-//     square, tortoise.
+// Needs: Constants, Course, Radial, TINY, horizon_factors_at, radial_delay, scene, tortoise.
 // Gives: crossing_delay.
 
 // The delay of light from u, which the backward ray reaches at the time t, before or after it has
@@ -24,9 +22,8 @@ fn crossing_delay(
     t: f32,
     height2: f32,
 ) -> f32 {
-    let at = regular_at(c, course.centre, 1.0, square(scene.hole.a));
     let energy = select(c.energy, TINY, abs(c.energy) < TINY);
-    let delay = (at.value - c.drag) * t + regular_way(m, c, course, at, u, returned) + height2 / energy;
+    let delay = radial_delay(m, c, course, u, returned, t) + height2 / energy;
     // The tortoise coordinate, less that of the camera for light that leaves outward.
     let here = tortoise(u, horizon_factors_at(u));
     let camera = select(2.0 * scene.observer.time_lead, 0.0, inward);

@@ -8,7 +8,7 @@
 // Needs: Centre, Constants, NEAR_HORIZON, Radial, Regular, Way, azimuth_lag, camera_centre,
 //     distance_from, dragging_along, horizon_factors_at, leaves_slowly, leg_between, passing_centre,
 //     regular_along, regular_at, regular_scale, scene, turning_point.
-// Gives: Course, course_from, dragged_azimuth, regular_way.
+// Gives: Course, course_from, dragged_azimuth, regular_way, way_to.
 
 // A ray's radial motion from the camera on.
 struct Course {

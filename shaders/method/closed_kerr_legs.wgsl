@@ -17,7 +17,8 @@
 // the leg leads toward it. Derived.
 //
 // Needs: Centre, Constants, TINY, scene, square.
-// Gives: Regular, Way, dragging_along, leg_between, regular_along, regular_at, regular_scale.
+// Gives: Leg, LegPlaces, Regular, WEIGHTS, Way, dragging_along, is_divided, leg_between, parts_of_way,
+//     pass_at, regular_along, regular_at, regular_scale.
 
 // The eight Gauss-Legendre nodes on [0, 1], and their weights on both sides of the middle.
 const LOW_NODES: vec4<f32> = vec4<f32>(0.0198550718, 0.101666761, 0.237233795, 0.408282679);

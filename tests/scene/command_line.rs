@@ -234,6 +234,20 @@ fn refining_is_a_measurement_of_its_own() {
 }
 
 #[test]
+fn measurements_refuse_what_they_do_not_use() {
+    for line in [
+        "bench --light --rays 64",
+        "extremes --delay --seed 2",
+        "extremes --grid --seed 2",
+    ] {
+        let refused = refuse(&format!("lightfall {line}"));
+        assert_eq!(refused.kind(), ErrorKind::ArgumentConflict, "{line}");
+    }
+    let refused = refuse("lightfall extremes --seed 2");
+    assert_eq!(refused.kind(), ErrorKind::MissingRequiredArgument);
+}
+
+#[test]
 fn wrong_values_of_the_short_forms_name_the_short_form() {
     for (line, sentence) in [
         (

@@ -49,7 +49,7 @@ pub struct BenchArgs {
     /// Time the light of a living disk instead: structure, limb darkening and the delay that they
     /// need, against a smooth disk, as a compute kernel. --out then writes light.csv, light.json
     /// and light.md
-    #[arg(long, conflicts_with_all = ["frames", "delay", "entry"])]
+    #[arg(long, conflicts_with_all = ["frames", "delay", "entry", "rays"])]
     pub light: bool,
     /// Measure whole pictures instead: the error of single rays, of means of 4, 16 and 64 frames
     /// and of refined edges, against the run time, with 1024 frames as the truth. Without --scenes
@@ -110,7 +110,7 @@ pub struct ExtremesArgs {
     #[arg(long, value_name = "N", conflicts_with_all = ["methods", "rays"], allow_negative_numbers = true, value_parser = whole_number::<u32>(1, 100_000_000))]
     pub hunt: Option<u32>,
     /// Seed of the hunt's random numbers: the same seed finds the same rays
-    #[arg(long, value_name = "SEED", default_value_t = 1, requires = "hunt", allow_negative_numbers = true, value_parser = whole_number::<u64>(0, u64::MAX))]
+    #[arg(long, value_name = "SEED", default_value_t = 1, requires = "hunt", conflicts_with_all = ["grid", "delay"], allow_negative_numbers = true, value_parser = whole_number::<u64>(0, u64::MAX))]
     pub seed: u64,
     /// Folder for the reports; it is created, and files of the same names are replaced
     #[arg(long, value_name = "DIR")]

@@ -19,7 +19,7 @@ pub(super) fn is_complete(trace: &Trace) -> bool {
 }
 
 /// The number of hits of an answer.
-pub(super) fn hits(trace: &Trace) -> usize {
+pub(crate) fn hits(trace: &Trace) -> usize {
     trace.hits.iter().flatten().count()
 }
 

@@ -31,6 +31,9 @@ use std::f64::consts::TAU;
 /// the constants and of the turning points is of second order there, and 0.003^2 is 1e-5.
 const SAME_PLACE: f64 = 0.003;
 
+/// What a method in f32 leaves open of the radius of a hit, as a share of it: eight units in the last place.
+const LAST_DIGITS: f64 = 1e-6;
+
 /// The least change of the delay by a whole turn, in r_s/c, for which turns are counted: a hundred
 /// times the errors that matter, so that a wrong delay rarely fits by chance.
 const LEAST_TURN: f64 = 1.0;
@@ -113,6 +116,16 @@ impl DelayError {
             self.found.r - self.truth.r,
             wrap_angle(self.found.phi - self.truth.phi),
         ]
+    }
+
+    /// The time, in r_s/c, that light takes along the radius across what f32's last digits leave open of
+    /// the place: across the error of the radius, but at most a millionth of it. Next to the horizon of
+    /// a nearly extremal hole this is thousands of times that distance.
+    #[must_use]
+    pub fn light_time_of_rounding(&self, kerr: Kerr) -> f64 {
+        let r = self.truth.r;
+        let rounding = self.moved()[0].abs().min(LAST_DIGITS * r);
+        rounding * (r * r + kerr.a() * kerr.a()) / kerr.delta(r)
     }
 
     /// Whether both places are the same, to 0.003 of the radius.

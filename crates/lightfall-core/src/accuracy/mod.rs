@@ -26,7 +26,7 @@ mod surroundings;
 mod tolerance;
 mod truth;
 
-pub(crate) use answer::{greater, is_same_class};
+pub(crate) use answer::{greater, hits, is_same_class};
 pub use delay::{DelayError, TimedRay};
 pub use edge::Shadow;
 pub use picture::picture_errors;

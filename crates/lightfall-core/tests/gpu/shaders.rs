@@ -320,6 +320,27 @@ fn only_a_structure_with_a_period_counts_its_lives_anew() {
     assert_eq!(repeats(&scene), [false, true]);
 }
 
+#[test]
+fn only_delays_around_a_nearly_extremal_hole_go_through_its_throat() {
+    let mut scene = Scene::default();
+    scene.hot_spot.kind = HotSpotKind::Sheared;
+    let throat = |variant: Variant| variant.files().contains(&"delay/closed_kerr_throat.wgsl");
+    for (spin, expected) in [(0.99, false), (0.9999, true), (-0.9999, true)] {
+        scene.hole.spin = spin;
+        assert_eq!(throat(Variant::picture(&scene)), expected, "spin {spin}");
+        assert_eq!(throat(Variant::rays(&scene)), expected, "spin {spin}");
+        assert!(!throat(Variant::timed(&scene)), "spin {spin}");
+    }
+    scene.disk.enabled = false;
+    assert!(!throat(Variant::picture(&scene)) && !throat(Variant::rays(&scene)));
+    scene.disk.enabled = true;
+    // The same shader as that of any other hole that spins.
+    scene.hot_spot.kind = HotSpotKind::None;
+    let extremal = Variant::picture(&scene);
+    scene.hole.spin = 0.5;
+    assert_eq!(extremal, Variant::picture(&scene));
+}
+
 /// wgpu writes shaders anew for browsers, and leaves these attributes out.
 #[test]
 fn no_layout_depends_on_attributes() {

@@ -116,6 +116,13 @@ impl Variant {
             near_horizon: true,
             ..variant
         }));
+        let delayed =
+            |variant: &Self| variant.tracer == Tracer::ClosedKerr && variant.delay_nodes > 0;
+        let delayed: Vec<Self> = all.iter().copied().filter(delayed).collect();
+        all.extend(delayed.into_iter().map(|variant| Self {
+            throat: true,
+            ..variant
+        }));
         let mut seen = std::collections::HashSet::new();
         all.retain(|variant| seen.insert(*variant));
         all

@@ -53,6 +53,8 @@ pub struct Variant {
     /// Nodes of the integral for the time between emission and arrival: 2, 3, 4 or 8, or 0 where
     /// nothing asks for that time.
     pub delay_nodes: u32,
+    /// Whether the delays of the method closed need care in the throat of a nearly extremal hole.
+    pub throat: bool,
     /// What lies at infinity; off where nothing is drawn.
     pub sky: SkyMode,
     /// Whether the sky is one that needs directions turned from the frame of a tilted disk.
@@ -93,6 +95,16 @@ fn passes_near_horizon(tracer: Tracer, Scene { hole, camera, .. }: &Scene) -> bo
         _ => return false,
     };
     camera.r <= farthest * Kerr { spin: hole.spin }.horizon()
+}
+
+/// The smallest spin of a hole whose throat disturbs the delays of the method closed. At 0.9998 the two
+/// horizons are 0.02 r_s apart. At 0.999999 delays are off by up to 0.018 rad of the matter's turn without
+/// care, at 0.9999 by less than 1e-3 rad.
+const MIN_THROAT_SPIN: f64 = 0.9998;
+
+/// Whether rays in closed form pass through the long throat of a nearly extremal hole.
+fn has_throat(tracer: Tracer, scene: &Scene) -> bool {
+    tracer == Tracer::ClosedKerr && scene.hole.spin.abs() >= MIN_THROAT_SPIN
 }
 
 impl Variant {
@@ -137,6 +149,7 @@ impl Variant {
                 LimbDarkening::None
             },
             delay_nodes: if needs_delay { tracer.delay_nodes() } else { 0 },
+            throat: needs_delay && has_throat(tracer, scene),
             sky,
             turned_sky: scene.disk.is_tilted() && source::needs_turned_directions(sky),
             reference_star: scene.sky.reference_star && sky != SkyMode::Off,
@@ -183,6 +196,7 @@ impl Variant {
             } else {
                 0
             },
+            throat: scene.disk.enabled && has_throat(tracing.tracer, scene),
             max_hits: 2,
             follow_beyond_hits: true,
             ..tracing
@@ -215,6 +229,7 @@ impl Variant {
             hot_spot: HotSpotKind::None,
             limb: LimbDarkening::None,
             delay_nodes: 0,
+            throat: false,
             sky: SkyMode::Off,
             turned_sky: false,
             reference_star: false,
@@ -308,7 +323,7 @@ impl Variant {
     fn tracing(self) -> Vec<Part> {
         let mut parts = self.photons();
         parts.extend(source::disk_parts(self.disk));
-        parts.extend(self.tracer.parts(self.delay_nodes > 0));
+        parts.extend(self.tracer.parts(self.delay_nodes > 0, self.throat));
         parts
     }
 

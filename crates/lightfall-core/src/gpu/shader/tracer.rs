@@ -36,7 +36,8 @@ impl Tracer {
     }
 
     /// The files that define `trace`: a new tracer is a new row.
-    pub(super) fn parts(self, delay: bool) -> Vec<Part> {
+    /// `throat` says whether delays need care in the throat of a nearly extremal hole.
+    pub(super) fn parts(self, delay: bool, throat: bool) -> Vec<Part> {
         match (self, delay) {
             (Self::Verlet, _) => vec![part!("method/verlet.wgsl")],
             (Self::Closed, false) => vec![
@@ -55,6 +56,11 @@ impl Tracer {
             (Self::ClosedKerr, false) => closed_kerr(&[part!("delay/none/closed_kerr.wgsl")]),
             (Self::ClosedKerr, true) => closed_kerr(&[
                 part!("delay/tortoise.wgsl"),
+                if throat {
+                    part!("delay/closed_kerr_throat.wgsl")
+                } else {
+                    part!("delay/closed_kerr_course.wgsl")
+                },
                 part!("delay/closed_kerr.wgsl"),
             ]),
             (Self::Mino, false) => vec![

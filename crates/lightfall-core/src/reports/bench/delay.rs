@@ -3,7 +3,7 @@
 use super::plan::Plan;
 use super::plot::{Axes, Mark, plot_marks};
 use super::scenes::BenchScene;
-use crate::accuracy::{Quantiles, Ray, rays_over_picture};
+use crate::accuracy::{Quantiles, Ray, hits, rays_over_picture};
 use crate::geometry::kerr::Kerr;
 use crate::gpu::rays::RayKernel;
 use crate::gpu::timing::Stopwatch;
@@ -147,17 +147,19 @@ impl Plan {
         given: &[Vec3],
         truth: &[Trace],
     ) -> Result<DelayMeasurement, GpuError> {
+        let recorded = Variant::rays(scene);
         let with_nodes = |variant: Variant| Variant {
             delay_nodes: nodes,
+            throat: nodes > 0 && recorded.throat,
             ..variant
         };
         let timed = with_nodes(Variant::timed(scene));
         let stopwatch = Stopwatch::of_variant(gpu, timed, scene, self.size, self.stage)?;
         let timing = stopwatch.time(gpu, self.effort)?;
-        let own = Variant::rays(scene).delay_nodes == nodes;
+        let own = recorded.delay_nodes == nodes;
         let mut errors = Vec::new();
         if nodes > 0 {
-            let kernel = RayKernel::of_variant(gpu, with_nodes(Variant::rays(scene)), scene)?;
+            let kernel = RayKernel::of_variant(gpu, with_nodes(recorded), scene)?;
             let found = kernel.trace_camera_rays(gpu, scene, given)?;
             errors = truth.iter().zip(&found).flat_map(delay_errors).collect();
         }
@@ -201,8 +203,7 @@ fn counts_of_nodes(scene: &Scene) -> Vec<u32> {
 /// The radius of each hit and the error of its delay, for a ray that meets the disk as often as it
 /// should.
 fn delay_errors((expected, found): (&Trace, &Trace)) -> impl Iterator<Item = (f64, f64)> {
-    let count = |trace: &Trace| trace.hits.iter().flatten().count();
-    let alike = count(expected) == count(found);
+    let alike = hits(expected) == hits(found);
     let pairs = expected.hits.into_iter().zip(found.hits);
     pairs
         .filter(move |_| alike)

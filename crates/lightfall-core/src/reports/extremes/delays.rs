@@ -44,7 +44,8 @@ pub struct CellDelays {
     /// Number of hits where the matter turns by more than a thousandth of a radian in the
     /// difference. Each is counted once more in one of the next three classes.
     pub over: usize,
-    /// Those whose delay is right, to the same thousandth, for the place that the method has found.
+    /// Those whose delay is right for the place that the method has found, to the same thousandth and to
+    /// what f32 leaves open of this place.
     pub place: usize,
     /// Those whose place is another one altogether, so far away that its delay is not known so
     /// well.
@@ -145,7 +146,7 @@ impl CellDelays {
             return;
         }
         self.over += 1;
-        if at_place <= MAX_TURN {
+        if at_place <= MAX_TURN + rate * error.light_time_of_rounding(kerr) {
             self.place += 1;
         } else if !error.same_place() && error.plain.is_finite() {
             self.far += 1;
@@ -195,8 +196,9 @@ const NOTES: &str = "
 * at the place found: the same after subtracting what the hit's own shift does to the delay, of hits
   that are shifted by no more than 0.003 of their radius.
 * over: hits with a turn of more than 1e-3 rad. Each of them is in one of the next three classes.
-* place: the delay is right for the place that the method has found, to 1e-3 rad, and up to whole
-  turns about the hole if that place is far. The ray's own error has moved the hit.
+* place: the delay is right for the place that the method has found, to 1e-3 rad and to the time that
+  light takes across the radius's last digits, and up to whole turns about the hole if that place is
+  far. The ray's own error has moved the hit.
 * far: the hit is more than 0.003 of its radius from the reference's, and the reference's ray does
   not tell the delay there to 1e-3 rad.
 * unexplained: the delay is wrong for the place.

@@ -7,7 +7,7 @@ use crate::accuracy::{ErrorSummary, RayError, Truth, tolerance};
 use crate::optics::trace::Trace;
 use crate::reports::import::{or_infinite, or_nan};
 use crate::reports::numbers::short_number;
-use crate::scene::{AccuracySetting, Method, Quality, Scene};
+use crate::scene::{Method, Quality, Scene};
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 
@@ -95,8 +95,7 @@ impl Verdict {
         let tolerance = tolerance(scene);
         let mut ray_errors = truth.judge(given);
         // The article's methods have errors of their own, far larger than those of f32.
-        let is_solved = scene.method.properties().setting != AccuracySetting::StepScale;
-        let [beyond, unexplained] = if is_solved {
+        let [beyond, unexplained] = if scene.method.properties().answers_every_ray {
             let far = FarRays::find(scene, truth, given, &mut ray_errors);
             [far.len(), far.unexplained()]
         } else {

@@ -122,7 +122,7 @@ impl WorstRay {
     #[must_use]
     pub fn verdict(&self) -> String {
         let error = format!(
-            "{:.2e} rad, {:.2} of its tolerance",
+            "at most {:.2e} rad, {:.2} of its tolerance",
             self.backward, self.excess
         );
         let count = format!(
