@@ -47,6 +47,12 @@ impl Part {
         miss.filter(|miss| miss.is_finite())
     }
 
+    /// The same difference of a hit from another one.
+    pub(super) fn miss_of_hit(wanted: &Hit, found: &Hit) -> Option<DVec2> {
+        let azimuth = wrap_angle(found.phi - wanted.phi);
+        Some(DVec2::new(1.0 - wanted.r / found.r, azimuth)).filter(|miss| miss.is_finite())
+    }
+
     /// The component of that difference that is not azimuth. Near a fast hole neighbouring rays
     /// differ much less in this component than in the azimuth.
     pub(super) fn height(&self, found: &Trace) -> Option<f64> {

@@ -5,15 +5,22 @@ use super::edge::{Edge, Shadow};
 use super::ray::Ray;
 use crate::geometry::observer::{ObserverError, Photon};
 use crate::optics::reference::Reference;
-use crate::optics::trace::Trace;
+use crate::optics::trace::{Hit, Trace};
 use crate::scene::Scene;
 use glam::DVec3;
+
+/// The edges of the wider disk: the inner one as a share of the disk's own, above the crossings of orbits
+/// about the hole where the disk is far, and the outer one in r_s, at infinity for f64.
+const WIDER_INNER: f64 = 1.0 / 3.0;
+const WIDER_OUTER: f64 = 1e12;
 
 /// The reference behind the scene's camera. Directions are (right, up, forward).
 pub(super) struct ReferenceCamera {
     tracer: CameraTracer,
     /// The same without a disk, for the outcome alone: a capture is then certain much earlier.
     without_disk: CameraTracer,
+    /// The same with a ring that is wider than the disk, for where light crosses the plane next to it.
+    wider_disk: CameraTracer,
     /// The shadow on the camera's sky, if it has an edge.
     shadow: Option<Shadow>,
     /// Whether orbits leave their plane.
@@ -32,10 +39,15 @@ impl ReferenceCamera {
         let mut empty = scene.clone();
         empty.disk.enabled = false;
         let without_disk = CameraTracer::new(&empty)?;
+        let mut wider = scene.clone();
+        wider.disk.follow_isco = false;
+        wider.disk.inner = WIDER_INNER * scene.inner_edge();
+        wider.disk.outer = WIDER_OUTER;
         Ok(Self {
             tracer: CameraTracer::new(scene)?,
             shadow: Shadow::of(scene, &without_disk),
             without_disk,
+            wider_disk: CameraTracer::new(&wider)?,
             is_spinning: scene.hole.spin != 0.0 && scene.effects.lensing,
             scale: (1e-3 * scene.camera.half_height()).clamp(1e-7, 1e-3),
         })
@@ -53,6 +65,14 @@ impl ReferenceCamera {
     /// The reference's answer to the ray that arrives from a direction of the camera.
     pub(super) fn trace(&self, direction: DVec3) -> Trace {
         self.tracer.trace(direction)
+    }
+
+    /// The hit nearest to the radius `r` that the ray would have if the disk reached from a third of its inner
+    /// radius to infinity.
+    pub(super) fn crossing_near(&self, direction: DVec3, r: f64) -> Option<Hit> {
+        let crossings = self.wider_disk.trace(direction).hits.into_iter().flatten();
+        let distance = |hit: &Hit| (1.0 - r / hit.r).abs();
+        crossings.min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
     /// What another scene's reference answers to the ray that arrives from the same direction.

@@ -118,7 +118,29 @@ impl<'a> Surroundings<'a> {
             error = class.bound(error).min(self.turn_to_class(given).max(error));
         }
         // One ray that explains the whole answer is as good as one for each part.
-        error.min(whole).min(bounds.known)
+        error = error.min(whole).min(bounds.known);
+        if error > bounds.enough && !is_same_class(&self.truth, given) {
+            error = error.min(self.follow_sky(given, bounds.enough, error));
+        }
+        error
+    }
+
+    /// The smallest error found of an answer with a sky and with hits on a ring so narrow that no ray of the
+    /// grid meets it. The rays that explain the sky lead to those that meet the ring. `known` is an
+    /// upper bound.
+    fn follow_sky(&self, given: &Trace, enough: f64, known: f64) -> f64 {
+        let Some(sky) = given.sky.filter(|_| given.hits.iter().any(Option::is_some)) else {
+            return known;
+        };
+        let mut least = known;
+        for grid in &self.grids {
+            for start in grid.nearest_starts(Part::Sky(sky), known) {
+                if least > enough {
+                    least = least.min(grid.error_along_sky(self.camera, given, sky, start));
+                }
+            }
+        }
+        least
     }
 
     /// The smallest turn on the grid to an answer of the same class.
@@ -219,9 +241,7 @@ impl Grid {
                 whole: whole.get(),
             }
         };
-        let mut starts = self.starts(part, least.part);
-        starts.sort_by(|a, b| chart.turn(*a).total_cmp(&chart.turn(*b)));
-        starts.truncate(MAX_STARTS);
+        let starts = self.nearest_starts(part, least.part);
         for starts in starts.chunks(STARTS_AT_ONCE) {
             if least.is_enough(enough) {
                 break;
@@ -230,6 +250,55 @@ impl Grid {
             least = found.reduce(|| least, Explained::min);
         }
         least
+    }
+
+    /// The error of an answer that the rays near a place bound, where Newton's method finds the sky of the
+    /// answer: the largest of the turns that explain its sky and its hits and of the turn to its class.
+    fn error_along_sky(
+        &self,
+        camera: &ReferenceCamera,
+        given: &Trace,
+        sky: DVec3,
+        start: DVec2,
+    ) -> f64 {
+        let chart = &self.chart;
+        let nearest = Cell::new((f64::INFINITY, chart.at(start)));
+        let class = Cell::new(f64::INFINITY);
+        let look = |direction: DVec3, trace: &Trace| {
+            if is_same_class(trace, given) {
+                class.set(class.get().min(chart.turn_to(direction)));
+            }
+        };
+        let part = Part::Sky(sky);
+        let visit = |direction: DVec3, trace: &Trace| {
+            look(direction, trace);
+            let miss = part.miss(trace).map_or(f64::INFINITY, DVec2::length);
+            if miss < nearest.get().0 {
+                nearest.set((miss, direction));
+            }
+        };
+        let at = miss_on_chart(camera, chart, part, &visit);
+        let mut error = newton(chart, &at, start, NO_DAMPING);
+        let Some(start) = chart.place_of(nearest.get().1) else {
+            return f64::INFINITY;
+        };
+        for hit in given.hits.iter().flatten() {
+            let at = |place: DVec2| {
+                let direction = chart.at(place);
+                look(direction, &camera.trace(direction));
+                Part::miss_of_hit(hit, &camera.crossing_near(direction, hit.r)?)
+            };
+            error = greater(error, newton(chart, &at, start, NO_DAMPING));
+        }
+        greater(error, class.get())
+    }
+
+    /// The places from which Newton's method is started for a part, the nearest first.
+    fn nearest_starts(&self, part: Part, known: f64) -> Vec<DVec2> {
+        let mut starts = self.starts(part, known);
+        starts.sort_by(|a, b| self.chart.turn(*a).total_cmp(&self.chart.turn(*b)));
+        starts.truncate(MAX_STARTS);
+        starts
     }
 
     /// The places at which the miss of a part is locally least along its row, with turns below the

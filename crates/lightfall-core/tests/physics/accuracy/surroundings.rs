@@ -2,7 +2,9 @@
 //! turn, or of a known class, are explained by it.
 
 use super::{answers_to_turned_rays, scene};
-use lightfall_core::accuracy::{Bounds, EDGE_DISTANCES, Truth, rays_near_edge};
+use glam::DVec3;
+use lightfall_core::accuracy::{Bounds, EDGE_DISTANCES, Ray, Truth, rays_near_edge};
+use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::{Outcome, Trace};
 use lightfall_core::scene::{ObserverKind, Scene};
 
@@ -72,4 +74,73 @@ fn the_thorough_search_explains_an_answer_without_sky_and_hits() {
         assert!(found <= limit, "ray {i}: {found:e}, usually {usual:e}");
     }
     assert!(explained > 30, "{explained} rays");
+}
+
+/// A ray next to the edge and another one that meets a ring, both seen by the camera of a scene.
+struct Neighbours {
+    scene: Scene,
+    /// (right, up, forward) of the camera.
+    ray: DVec3,
+    turned: DVec3,
+}
+
+/// Two scenes in which a turn of 4e-9 and of 1e-7 rad leads to a ring whose image is narrower than the
+/// thorough search's grid. The usual search finds 3e-6 rad, and no turn at all.
+fn next_to_narrow_rings() -> [Neighbours; 2] {
+    let mut fast = scene(0.0);
+    (fast.camera.r, fast.camera.theta_deg) = (2.9254440876851753, 6.736336449275317e-5);
+    fast.observer.kind = ObserverKind::Zamo;
+    fast.observer.velocity = [
+        -0.6793707725529271,
+        -0.7168403256806894,
+        0.15207495918428784,
+    ];
+    (fast.disk.inner, fast.disk.outer) = (102.28282381209449, 939.1297244455548);
+    let mut near = scene(-0.2901403599431642);
+    (near.camera.r, near.camera.theta_deg) = (1.0856077020580623, 0.0025225788177677183);
+    near.observer.kind = ObserverKind::Static;
+    (near.disk.inner, near.disk.outer) = (2169.55, 2169.57);
+    for scene in [&mut fast, &mut near] {
+        scene.disk.follow_isco = false;
+    }
+    [
+        Neighbours {
+            scene: fast,
+            ray: DVec3::new(0.1526112740903675, 0.7170238661357559, 0.680137173232171),
+            turned: DVec3::new(0.152611273398547, 0.7170238634567344, 0.6801371762117201),
+        },
+        Neighbours {
+            scene: near,
+            ray: DVec3::new(
+                -0.6545152534679575,
+                -0.31809159483945953,
+                -0.6858771903703058,
+            ),
+            turned: DVec3::new(
+                -0.6545153136633564,
+                -0.31809162409539715,
+                -0.6858771193592266,
+            ),
+        },
+    ]
+}
+
+#[test]
+fn the_thorough_search_follows_the_sky_to_a_ring_too_narrow_for_its_grid() {
+    for Neighbours { scene, ray, turned } in next_to_narrow_rings() {
+        let reference = Reference::new(&scene).expect("an observer that exists");
+        let mut given = reference.trace(scene.camera.tetrad_from_camera() * turned);
+        let hit = given.hits[0].as_mut().expect("a hit on the ring");
+        // Roundings of f32.
+        hit.r *= 1.0 + 2e-7;
+        hit.phi += 3e-7;
+        let truth = Truth::of(&scene, vec![Ray::toward(ray)]).expect("an observer that exists");
+        assert_eq!(truth.traces[0].hits, [None; 2], "the ray passes the ring");
+        let limit = 1e-6;
+        let usual = truth.judge(&[given])[0].backward;
+        assert!(usual > limit, "{usual:e}: the usual search is enough");
+        let bounds = Bounds::of_limit(limit, usual);
+        let found = truth.surroundings(0, bounds).judge(&given, bounds);
+        assert!(found <= bounds.enough, "{found}");
+    }
 }
