@@ -97,8 +97,17 @@ impl<'a> ClassSearch<'a> {
     /// The bound of the answer's error, given the largest of the turns that explain its parts. The search
     /// for the parts has tried further rays of the class.
     pub(super) fn bound(&self, parts: f64) -> f64 {
-        let nearest = &self.nearest;
-        greater(parts, nearest.turn()).min(nearest.whole.get())
+        greater(parts, self.turn()).min(self.whole())
+    }
+
+    /// The turn to the nearest ray of the class.
+    pub(super) fn turn(&self) -> f64 {
+        self.nearest.turn()
+    }
+
+    /// The smallest error of the whole answer that one of the rays bounds.
+    pub(super) fn whole(&self) -> f64 {
+        self.nearest.whole.get()
     }
 
     /// The smallest turn found that explains a part of the answer. The search starts at the nearest ray

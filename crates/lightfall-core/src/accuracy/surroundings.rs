@@ -107,40 +107,41 @@ impl<'a> Surroundings<'a> {
         }
         let class = (!is_same_class(&self.truth, given))
             .then(|| ClassSearch::new(self.camera, &self.ray, given, bounds.enough));
-        let (mut error, mut whole) = (0.0, f64::INFINITY);
+        let mut turns = Turns::default();
+        let mut whole = f64::INFINITY;
         for part in Part::all(given) {
             let found = self.explain(given, part, class.as_ref(), bounds);
-            error = greater(error, found.part);
+            turns.add(part, found.part);
             whole = whole.min(found.whole);
         }
         if let Some(class) = class {
             // The nearest ray of the class may be one of the grid.
-            error = class.bound(error).min(self.turn_to_class(given).max(error));
+            turns.class = class.turn().min(self.turn_to_class(given));
+            whole = whole.min(class.whole());
+            if turns.largest().min(whole) > bounds.enough {
+                let known = turns.largest().min(bounds.known);
+                turns = self.follow_sky(given, bounds.enough, known, turns);
+            }
         }
         // One ray that explains the whole answer is as good as one for each part.
-        error = error.min(whole).min(bounds.known);
-        if error > bounds.enough && !is_same_class(&self.truth, given) {
-            error = error.min(self.follow_sky(given, bounds.enough, error));
-        }
-        error
+        turns.largest().min(whole).min(bounds.known)
     }
 
-    /// The smallest error found of an answer with a sky and with hits on a ring so narrow that no ray of the
-    /// grid meets it. The rays that explain the sky lead to those that meet the ring. `known` is an
-    /// upper bound.
-    fn follow_sky(&self, given: &Trace, enough: f64, known: f64) -> f64 {
+    /// The turns that explain an answer with a sky, with hits on a ring so narrow that no ray of the grid
+    /// meets it. The rays that explain the sky lead to those that meet the ring. `known` bounds the search,
+    /// and `turns` are known already.
+    fn follow_sky(&self, given: &Trace, enough: f64, known: f64, mut turns: Turns) -> Turns {
         let Some(sky) = given.sky.filter(|_| given.hits.iter().any(Option::is_some)) else {
-            return known;
+            return turns;
         };
-        let mut least = known;
         for grid in &self.grids {
             for start in grid.nearest_starts(Part::Sky(sky), known) {
-                if least > enough {
-                    least = least.min(grid.error_along_sky(self.camera, given, sky, start));
+                if turns.largest() > enough {
+                    turns = turns.min(grid.turns_along_sky(self.camera, given, sky, start));
                 }
             }
         }
-        least
+        turns
     }
 
     /// The smallest turn on the grid to an answer of the same class.
@@ -181,6 +182,37 @@ impl<'a> Surroundings<'a> {
             least = grid.explain(self.camera, given, part, enough, least);
         }
         least
+    }
+}
+
+/// The turns that explain an answer of another class, in radians.
+#[derive(Clone, Copy, Default)]
+struct Turns {
+    /// The turn that explains its sky, and the largest of those that explain its hits.
+    sky: f64,
+    hits: f64,
+    /// The turn to the nearest ray of its class.
+    class: f64,
+}
+
+impl Turns {
+    fn add(&mut self, part: Part, turn: f64) {
+        match part {
+            Part::Sky(_) => self.sky = turn,
+            Part::Hit(..) => self.hits = greater(self.hits, turn),
+        }
+    }
+
+    fn min(self, other: Self) -> Self {
+        Self {
+            sky: self.sky.min(other.sky),
+            hits: self.hits.min(other.hits),
+            class: self.class.min(other.class),
+        }
+    }
+
+    fn largest(self) -> f64 {
+        greater(greater(self.sky, self.hits), self.class)
     }
 }
 
@@ -252,15 +284,14 @@ impl Grid {
         least
     }
 
-    /// The error of an answer that the rays near a place bound, where Newton's method finds the sky of the
-    /// answer: the largest of the turns that explain its sky and its hits and of the turn to its class.
-    fn error_along_sky(
+    /// The turns that explain an answer, from a place on where Newton's method looks for its sky.
+    fn turns_along_sky(
         &self,
         camera: &ReferenceCamera,
         given: &Trace,
         sky: DVec3,
         start: DVec2,
-    ) -> f64 {
+    ) -> Turns {
         let chart = &self.chart;
         let nearest = Cell::new((f64::INFINITY, chart.at(start)));
         let class = Cell::new(f64::INFINITY);
@@ -278,19 +309,19 @@ impl Grid {
             }
         };
         let at = miss_on_chart(camera, chart, part, &visit);
-        let mut error = newton(chart, &at, start, NO_DAMPING);
-        let Some(start) = chart.place_of(nearest.get().1) else {
-            return f64::INFINITY;
-        };
+        let sky = newton(chart, &at, start, NO_DAMPING);
+        let start = chart.place_of(nearest.get().1).unwrap_or(start);
+        let mut hits = 0.0;
         for hit in given.hits.iter().flatten() {
             let at = |place: DVec2| {
                 let direction = chart.at(place);
                 look(direction, &camera.trace(direction));
                 Part::miss_of_hit(hit, &camera.crossing_near(direction, hit.r)?)
             };
-            error = greater(error, newton(chart, &at, start, NO_DAMPING));
+            hits = greater(hits, newton(chart, &at, start, NO_DAMPING));
         }
-        greater(error, class.get())
+        let class = class.get();
+        Turns { sky, hits, class }
     }
 
     /// The places from which Newton's method is started for a part, the nearest first.
