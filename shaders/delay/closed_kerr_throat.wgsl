@@ -3,7 +3,7 @@
 // at the end of the way: that value, times the time, and the integral of the rest would almost cancel.
 // There a divided way is summed relative to the value at its end. Derived.
 //
-// Needs: Centre, Constants, Course, Leg, LegPlaces, Radial, Regular, TINY, WEIGHTS, is_divided,
+// Needs: Centre, Constants, Course, Leg, LegPlaces, Radial, TINY, WEIGHTS, is_divided,
 //     parts_of_way, pass_at, regular_along, regular_at, regular_scale, scene, square, way_to.
 // Gives: radial_delay.
 
