@@ -39,15 +39,14 @@ impl Part {
                 let toward = DVec2::new(found.dot(u), found.dot(v)).normalize_or(DVec2::X);
                 2.0 * (0.5 * angle_between(found, *wanted)).tan() * toward
             }),
-            Self::Hit(..) => self
-                .height(found)
-                .zip(self.azimuth(found))
-                .map(|(height, azimuth)| DVec2::new(height, azimuth)),
+            Self::Hit(i, wanted) => {
+                found.hits[*i].and_then(|found| Self::miss_of_hit(wanted, &found))
+            }
         };
         miss.filter(|miss| miss.is_finite())
     }
 
-    /// The same difference of a hit from another one.
+    /// The difference of another hit from a wanted one. `None` if it is not finite.
     pub(super) fn miss_of_hit(wanted: &Hit, found: &Hit) -> Option<DVec2> {
         let azimuth = wrap_angle(found.phi - wanted.phi);
         Some(DVec2::new(1.0 - wanted.r / found.r, azimuth)).filter(|miss| miss.is_finite())
