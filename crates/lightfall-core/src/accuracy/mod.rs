@@ -14,6 +14,7 @@ mod chart;
 mod class;
 mod delay;
 mod edge;
+mod grid;
 mod near_edge;
 mod newton;
 mod part;
@@ -25,6 +26,7 @@ mod summary;
 mod surroundings;
 mod tolerance;
 mod truth;
+mod turns;
 
 pub(crate) use answer::{greater, hits, is_same_class};
 pub use delay::{DelayError, TimedRay};
@@ -36,6 +38,7 @@ pub use sample::{
     rays_over_sky,
 };
 pub use summary::{ErrorSummary, Quantiles};
-pub use surroundings::{Bounds, Surroundings};
+pub use surroundings::Surroundings;
 pub use tolerance::tolerance;
 pub use truth::{RayError, Truth};
+pub use turns::Bounds;

@@ -151,7 +151,7 @@ impl Method {
     /// radians (docs/ACCURACY.md); none where nothing is stated.
     #[must_use]
     pub fn backward_p99(self, chi: f64) -> Option<f64> {
-        let spins = self == Self::Closed && chi != 0.0;
+        let spins = self.resolved() == Self::Closed && chi != 0.0;
         self.properties()
             .p99_without_spin
             .map(|p99| if spins { CLOSED_SPINNING_P99 } else { p99 })
@@ -164,7 +164,7 @@ impl Method {
     /// The rate grows as 1/(r_+ - r_-), and f32 keeps 1e-7 of it.
     #[must_use]
     pub fn backward_max(self, chi: f64) -> f64 {
-        if self == Self::Closed && chi != 0.0 {
+        if self.resolved() == Self::Closed && chi != 0.0 {
             CLOSED_SPINNING_MAX + 2e-7 / (1.0 - chi * chi).sqrt()
         } else {
             self.properties().max_without_spin

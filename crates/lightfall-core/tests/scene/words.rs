@@ -69,6 +69,15 @@ fn auto_means_a_method_that_can_trace_the_hole_from_anywhere() {
 }
 
 #[test]
+fn auto_is_held_to_the_bars_of_the_method_that_it_means() {
+    for chi in [0.0, 0.9, -0.9999] {
+        let meant = Method::Auto.resolved();
+        assert_eq!(Method::Auto.backward_max(chi), meant.backward_max(chi));
+        assert_eq!(Method::Auto.backward_p99(chi), meant.backward_p99(chi));
+    }
+}
+
+#[test]
 fn a_method_has_a_bar_that_its_setting_can_reach() {
     for method in Method::on_gpu() {
         for chi in [0.0, 0.9, -0.9999] {

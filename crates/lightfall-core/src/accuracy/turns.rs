@@ -1,0 +1,78 @@
+//! What limits the thorough search for the turns that explain an answer, and what it finds.
+
+use super::answer::greater;
+use super::part::Part;
+
+/// What limits the search for a turn, in radians.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// A turn below this ends the search.
+    pub enough: f64,
+    /// An upper bound of the turn.
+    pub known: f64,
+}
+
+impl Bounds {
+    /// The bounds of a search that decides whether an error exceeds a limit. It goes on to half of the
+    /// limit, so that an error near the limit is stated as it is.
+    #[must_use]
+    pub fn of_limit(limit: f64, known: f64) -> Self {
+        Self {
+            enough: 0.5 * limit,
+            known,
+        }
+    }
+}
+
+/// The turns that explain an answer of another class, in radians.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Turns {
+    /// The turn that explains its sky, and the largest of those that explain its hits.
+    pub(super) sky: f64,
+    pub(super) hits: f64,
+    /// The turn to the nearest ray of its class.
+    pub(super) class: f64,
+}
+
+impl Turns {
+    pub(super) fn add(&mut self, part: Part, turn: f64) {
+        match part {
+            Part::Sky(_) => self.sky = turn,
+            Part::Hit(..) => self.hits = greater(self.hits, turn),
+        }
+    }
+
+    pub(super) fn min(self, other: Self) -> Self {
+        Self {
+            sky: self.sky.min(other.sky),
+            hits: self.hits.min(other.hits),
+            class: self.class.min(other.class),
+        }
+    }
+
+    pub(super) fn largest(self) -> f64 {
+        greater(greater(self.sky, self.hits), self.class)
+    }
+}
+
+/// What a search for a part has found: the smallest turn that explains the part, and the smallest bound
+/// of the whole answer's error that one ray gives.
+#[derive(Clone, Copy)]
+pub(super) struct Explained {
+    pub(super) part: f64,
+    pub(super) whole: f64,
+}
+
+impl Explained {
+    pub(super) fn min(self, other: Self) -> Self {
+        Self {
+            part: self.part.min(other.part),
+            whole: self.whole.min(other.whole),
+        }
+    }
+
+    /// Whether no further search is needed.
+    pub(super) fn is_enough(self, enough: f64) -> bool {
+        self.part.min(self.whole) <= enough
+    }
+}
