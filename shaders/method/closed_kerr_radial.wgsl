@@ -128,16 +128,17 @@ fn radial_of(c: Constants, slope: f32) -> Radial {
     let root2 = p.y * p.y - 4.0 * p.x * p.z;
     if p.x < 0.0 && root2 >= 0.0 {
         var root = sqrt(root2);
-        let u = -2.0 * p.x / (p.y + root);
+        var u = -2.0 * p.x / (p.y + root);
         var v = (u - scene.hole.horizon_u) - scene.hole.horizon_u_low;
         var w = energy + c.drag * u * u;
         var d = 1.0 - u + square(scene.hole.a * u);
         let q_1 = stiffness_slope_at_horizon(c);
         if q_1 > 0.0 && abs(v) < 0.25 * scene.hole.horizon_u {
-            // The same relative to the horizon.
+            // The same relative to the horizon. p_1^2 and 4 p_0 p_2 nearly cancel in a throat.
             let q_0 = stiffness_at_horizon(c);
             root = sqrt(max(q_1 * q_1 - 4.0 * q_0 * p.z, 0.0));
             v = -2.0 * q_0 / (q_1 + root);
+            u = scene.hole.horizon_u + (scene.hole.horizon_u_low + v);
             w = c.horizon_w + c.drag * v * (2.0 * scene.hole.horizon_u + v);
             d = v * (square(scene.hole.a) * v - scene.hole.horizon_separation);
         }
