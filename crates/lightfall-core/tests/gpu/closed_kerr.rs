@@ -35,6 +35,17 @@ fn answers_to(scene: &Scene, rays: Vec<Ray>) -> (Truth, Vec<Trace>) {
     (truth, given)
 }
 
+/// Rays spread evenly over the directions within `radius` radians of a middle one.
+fn rays_around(middle: DVec3, radius: f64, count: u32) -> Vec<Ray> {
+    let (across, along) = middle.any_orthonormal_pair();
+    let ray = |i: u32| {
+        let (share, turn) = (f64::from(i) / f64::from(count), 2.399_963 * f64::from(i));
+        let (sin, cos) = (radius * share.sqrt()).sin_cos();
+        Ray::toward(cos * middle + sin * (turn.cos() * across + turn.sin() * along))
+    };
+    (0..count).map(ray).collect()
+}
+
 fn errors_of(scene: &Scene) -> ErrorSummary {
     let mut rays = rays_over_sky(RAYS);
     rays.extend(rays_near_edge(scene, RAYS, [1e-6, 0.3]));
@@ -101,13 +112,7 @@ fn hits_next_to_a_nearly_extremal_horizon_are_where_the_reference_has_them() {
         let mut scene = seen_from(spin, 20.0, 75.0, ObserverKind::Static);
         (scene.disk.inner, scene.disk.outer) = (0.3, 0.75);
         // The ring's image is a few degrees wide.
-        let rays: Vec<Ray> = (0..4000)
-            .map(|i| {
-                let (share, turn) = (f64::from(i) / 4000.0, 2.399_963 * f64::from(i));
-                let (sin, cos) = (0.08 * share.sqrt()).sin_cos();
-                Ray::toward(DVec3::new(sin * turn.cos(), sin * turn.sin(), cos))
-            })
-            .collect();
+        let rays = rays_around(DVec3::Z, 0.08, 4000);
         let (truth, given) = answers_to(&scene, rays);
         let mut off: Vec<f64> = truth
             .traces
@@ -158,14 +163,7 @@ fn rays_of_a_throat_keep_their_digits_where_critical_points_nearly_meet() {
     let mut scene = seen_from(-0.999_984_56, 0.5573, 128.03, ObserverKind::Zamo);
     scene.disk.enabled = false;
     let middle = scene.camera.tetrad_from_camera().transpose() * DVec3::new(0.458, 0.1973, 0.8668);
-    let (across, along) = middle.any_orthonormal_pair();
-    let rays = (0..400)
-        .map(|i| {
-            let (share, turn) = (f64::from(i) / 400.0, 2.399_963 * f64::from(i));
-            let side = turn.cos() * across + turn.sin() * along;
-            Ray::toward((middle + 0.1 * share.sqrt() * side).normalize())
-        })
-        .collect();
+    let rays = rays_around(middle.normalize(), 0.1, 400);
     let (truth, given) = answers_to(&scene, rays);
     let sky = ErrorSummary::of(&truth, &given).sky;
     println!("p99 {:.1e} max {:.1e}", sky.p99, sky.max);
