@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What traces rays and judges them: files and folders, from the top of the repository.
-const RAYS: [&str; 26] = [
+const RAYS: [&str; 27] = [
     "shaders/math.wgsl",
     "shaders/scene.wgsl",
     "shaders/trace.wgsl",
@@ -31,6 +31,7 @@ const RAYS: [&str; 26] = [
     "crates/lightfall-core/src/accuracy",
     "crates/lightfall-core/src/optics/camera_rays.rs",
     "crates/lightfall-core/src/optics/delay.rs",
+    "crates/lightfall-core/src/optics/disk",
     "crates/lightfall-core/src/optics/disk.rs",
     "crates/lightfall-core/src/optics/reference.rs",
     "crates/lightfall-core/src/optics/shift.rs",
@@ -40,21 +41,27 @@ const RAYS: [&str; 26] = [
 ];
 
 /// The scenes of `lightfall bench`, and how they are timed.
-const BENCH: [&str; 4] = [
+const BENCH: [&str; 5] = [
     "assets/presets",
+    "crates/lightfall-core/src/gpu/timing",
     "crates/lightfall-core/src/gpu/timing.rs",
     "crates/lightfall-core/src/reports/bench/plan.rs",
     "crates/lightfall-core/src/reports/bench/scenes.rs",
 ];
 
 /// What a picture is drawn with.
-const PICTURES: [&str; 8] = [
+const PICTURES: [&str; 13] = [
     "shaders",
     "assets/presets",
     "crates/lightfall-core/src/gpu/antialias.rs",
+    "crates/lightfall-core/src/gpu/presentation.rs",
     "crates/lightfall-core/src/gpu/scene",
     "crates/lightfall-core/src/gpu/shader",
+    "crates/lightfall-core/src/gpu/sky_texture.rs",
+    "crates/lightfall-core/src/gpu/starlight.rs",
+    "crates/lightfall-core/src/gpu/stars",
     "crates/lightfall-core/src/gpu/structure.rs",
+    "crates/lightfall-core/src/optics/stars",
     "crates/lightfall-core/src/optics/structure",
     "src/render",
 ];
@@ -66,6 +73,8 @@ const REPORTS: [(&str, &[&[&str]]); 10] = [
         &[
             &RAYS,
             &BENCH,
+            // The time of a whole frame.
+            &PICTURES,
             &[
                 "crates/lightfall-core/src/reports/bench/measurement.rs",
                 "crates/lightfall-core/src/reports/bench/settings.rs",

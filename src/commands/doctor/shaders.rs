@@ -40,13 +40,14 @@ impl ShaderCheck {
     }
 
     /// Checks the shaders of passes, by the names of their scenes. A text that several scenes or
-    /// passes share is checked once.
+    /// passes share is checked once for the same entry points.
     #[must_use]
     pub fn of_passes(scenes: impl IntoIterator<Item = (String, Vec<PassShader>)>) -> Self {
         let mut check = Self::default();
         let mut seen = HashSet::new();
         for (scene, shaders) in scenes {
-            let new = |shader: &PassShader| seen.insert(shader.text.source());
+            let new =
+                |shader: &PassShader| seen.insert((shader.text.source(), shader.entries.clone()));
             for shader in shaders.into_iter().filter(new) {
                 check.shaders += 1;
                 check

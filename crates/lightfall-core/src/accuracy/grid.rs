@@ -33,7 +33,8 @@ const MAX_STARTS: usize = 1024;
 const STARTS_AT_ONCE: usize = 16;
 
 /// The answers on one side of the edge, row by row.
-pub(super) struct Grid {
+pub(super) struct Grid<'a> {
+    camera: &'a ReferenceCamera,
     chart: Chart,
     rows: Vec<Vec<Place>>,
 }
@@ -45,8 +46,10 @@ struct Place {
     trace: Trace,
 }
 
-impl Grid {
-    pub(super) fn new(camera: &ReferenceCamera, chart: Chart, bounds: Bounds) -> Self {
+impl<'a> Grid<'a> {
+    /// Traces the rays of the grid: up to the turn that is known, with rows down to a small share of
+    /// the turn that is enough.
+    pub(super) fn new(camera: &'a ReferenceCamera, chart: Chart, bounds: Bounds) -> Self {
         let rows = places(&chart, bounds);
         let answer = |place: DVec2| Place {
             place,
@@ -55,13 +58,16 @@ impl Grid {
         };
         let row = |row: Vec<DVec2>| row.into_par_iter().map(answer).collect();
         let rows = rows.into_par_iter().map(row).collect();
-        Self { chart, rows }
+        Self {
+            camera,
+            chart,
+            rows,
+        }
     }
 
     /// Searches from the grid on, until an explanation is enough.
     pub(super) fn explain(
         &self,
-        camera: &ReferenceCamera,
         given: &Trace,
         part: Part,
         enough: f64,
@@ -74,7 +80,7 @@ impl Grid {
                 let bound = bound_of_whole(given, chart.turn_to(direction), trace);
                 whole.set(whole.get().min(bound));
             };
-            let at = miss_on_chart(camera, chart, part, &visit);
+            let at = miss_on_chart(self.camera, chart, part, &visit);
             Explained {
                 part: newton(chart, &at, *start, NO_DAMPING),
                 whole: whole.get(),
@@ -92,13 +98,7 @@ impl Grid {
     }
 
     /// The turns that explain an answer, from a place on where Newton's method looks for its sky.
-    pub(super) fn turns_along_sky(
-        &self,
-        camera: &ReferenceCamera,
-        given: &Trace,
-        sky: DVec3,
-        start: DVec2,
-    ) -> Turns {
+    pub(super) fn turns_along_sky(&self, given: &Trace, sky: DVec3, start: DVec2) -> Turns {
         let chart = &self.chart;
         let nearest = Cell::new((f64::INFINITY, chart.at(start)));
         let class = Cell::new(f64::INFINITY);
@@ -115,15 +115,15 @@ impl Grid {
                 nearest.set((miss, direction));
             }
         };
-        let at = miss_on_chart(camera, chart, part, &visit);
+        let at = miss_on_chart(self.camera, chart, part, &visit);
         let sky = newton(chart, &at, start, NO_DAMPING);
         let start = chart.place_of(nearest.get().1).unwrap_or(start);
         let mut hits = 0.0;
         for hit in given.hits.iter().flatten() {
             let at = |place: DVec2| {
                 let direction = chart.at(place);
-                look(direction, &camera.trace(direction));
-                Part::miss_of_hit(hit, &camera.crossing_near(direction, hit.r)?)
+                look(direction, &self.camera.trace(direction));
+                Part::miss_of_hit(hit, &self.camera.crossing_near(direction, hit.r)?)
             };
             hits = greater(hits, newton(chart, &at, start, NO_DAMPING));
         }

@@ -57,19 +57,18 @@ impl Part {
     pub(super) fn height(&self, found: &Trace) -> Option<f64> {
         match self {
             Self::Sky(wanted) => found.sky.map(|found| found.z - wanted.z),
-            Self::Hit(i, wanted) => found.hits[*i].map(|found| 1.0 - wanted.r / found.r),
+            Self::Hit(..) => self.miss(found).map(|miss| miss.x),
         }
     }
 
     /// The difference in azimuth.
     pub(super) fn azimuth(&self, found: &Trace) -> Option<f64> {
-        let difference = match self {
+        match self {
             Self::Sky(wanted) => found
                 .sky
-                .map(|found| found.y.atan2(found.x) - wanted.y.atan2(wanted.x)),
-            Self::Hit(i, wanted) => found.hits[*i].map(|found| found.phi - wanted.phi),
-        };
-        difference.map(wrap_angle)
+                .map(|found| wrap_angle(found.y.atan2(found.x) - wanted.y.atan2(wanted.x))),
+            Self::Hit(..) => self.miss(found).map(|miss| miss.y),
+        }
     }
 }
 

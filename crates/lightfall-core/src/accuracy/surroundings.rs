@@ -22,7 +22,7 @@ pub struct Surroundings<'a> {
     /// The true answer to the ray.
     truth: Trace,
     /// Empty if there is no edge.
-    grids: Vec<Grid>,
+    grids: Vec<Grid<'a>>,
 }
 
 impl<'a> Surroundings<'a> {
@@ -83,7 +83,7 @@ impl<'a> Surroundings<'a> {
         for grid in &self.grids {
             for start in grid.nearest_starts(Part::Sky(sky), known) {
                 if turns.largest() > enough {
-                    turns = turns.min(grid.turns_along_sky(self.camera, given, sky, start));
+                    turns = turns.min(grid.turns_along_sky(given, sky, start));
                 }
             }
         }
@@ -115,7 +115,7 @@ impl<'a> Surroundings<'a> {
             whole: f64::INFINITY,
         };
         for grid in &self.grids {
-            least = grid.explain(self.camera, given, part, enough, least);
+            least = grid.explain(given, part, enough, least);
         }
         least
     }

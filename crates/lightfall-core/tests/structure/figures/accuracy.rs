@@ -346,7 +346,24 @@ fn mino(bench: &Bench, grid: &[Verdict]) -> Vec<Claim> {
             ]
             .concat(),
         ),
+        hits_in_limit(&scenes),
     ]
+}
+
+/// The errors of hits in the scene in which they are largest.
+fn hits_in_limit(scenes: &[InScene]) -> Claim {
+    let limit = scenes
+        .iter()
+        .find(|found| found.scene == "limit")
+        .expect("preset `limit` is measured");
+    let rows = [limit.own(), limit.finest(), limit.closed];
+    let radius = rows.map(|row| short(row.hit_r_p50));
+    let shift = rows.map(|row| short(row.hit_g_p50));
+    claim(
+        "In preset `limit` the median relative error of a hit's r is {} ({} at the tightest setting, {} by `closed`) \
+         and that of its g {} ({}, {})",
+        [radius, shift].concat(),
+    )
 }
 
 /// Error and time of a setting over those of single rays, in all scenes that are smooth or not.

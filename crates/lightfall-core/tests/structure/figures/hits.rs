@@ -10,21 +10,24 @@ const HIT_GOAL: f64 = 1e-5;
 /// A cell with more hits than this, a fifth of its rays, has many.
 const MAX_FEW_HITS: usize = 60;
 
-/// The errors of hits in the cells that have some: for each method the middle of the cells' medians, and
-/// the number of cells whose median is above [`HIT_GOAL`].
+/// The errors of hits in the cells that have some: for each method the middle of the cells' medians and
+/// of their 99th percentiles, and the number of cells whose median is above [`HIT_GOAL`].
 pub fn by_method(reports: &[(&str, &[Verdict])]) -> String {
     let row = |report: &str, rows: &[Verdict], method: &str| {
         let mut cells = of(rows, method);
         cells.retain(|row| row.hits > 0);
         let medians: [fn(&Verdict) -> f64; 2] = [|row| row.hit_r_p50, |row| row.hit_g_p50];
-        let middle = medians.map(|of| short(median(cells.iter().map(|row| of(row)))));
+        let percentiles: [fn(&Verdict) -> f64; 2] = [|row| row.hit_r_p99, |row| row.hit_g_p99];
+        let middle = |of: fn(&Verdict) -> f64| short(median(cells.iter().map(|row| of(row))));
         let above = medians.map(|of| cells.iter().filter(|row| of(row) > HIT_GOAL).count());
         let name = match method.split_once(", ") {
             Some((method, setting)) => format!("`{method}`, {setting}"),
             None => format!("`{method}`"),
         };
         let mut columns = vec![format!("{report}, {name}"), count(cells.len())];
-        columns.extend(middle.into_iter().chain(above.map(count)));
+        columns.extend(medians.map(middle));
+        columns.extend(percentiles.map(middle));
+        columns.extend(above.map(count));
         columns
     };
     let rows = reports.iter().flat_map(|(report, rows)| {
@@ -33,7 +36,8 @@ pub fn by_method(reports: &[(&str, &[Verdict])]) -> String {
             .map(|method| row(report, rows, method))
     });
     table(
-        "| cells with hits | median of the cells' medians: r | g | cells with a median above 1e-5: r | g",
+        "| cells with hits | middle of the cells' medians: r | g | middle of their 99th percentiles: r | g | cells \
+         with a median above 1e-5: r | g",
         rows,
     )
 }
