@@ -1,46 +1,83 @@
 //! The light of random scenes, before the picture's shader bounds it: every number of it is finite.
 
 use crate::gpu;
-use crate::light::light_from;
 use crate::random::Random;
 use crate::random_scene::random_scene;
 use glam::{UVec2, Vec4};
-use lightfall_core::gpu::kernel::uniform;
+use lightfall_core::gpu::kernel::{Kernel, uniform};
 use lightfall_core::gpu::timing::light_tables;
-use lightfall_core::gpu::{GpuScene, Variant, bindings};
-use lightfall_core::scene::SkyMode;
+use lightfall_core::gpu::{Entry, GpuScene, GpuStarlight, Variant, bindings};
+use lightfall_core::optics::stars::{Depth, MAX_MAGNITUDE};
+use lightfall_core::scene::{Scene, SkyMode};
 
 /// Random scenes, each with a shader of its own to compile.
 const SCENES: usize = 60;
+/// The pixels of a picture fill whole workgroups.
 const SIZE: UVec2 = UVec2::new(96, 54);
 
-/// The skies that a compute entry draws without textures; pictures of the program show the others.
-const SKIES: [SkyMode; 3] = [SkyMode::Procedural, SkyMode::Grid, SkyMode::Off];
+/// WGSL for a [`Kernel`]: the light of pixels. Four rays in a row are those of 2 x 2 pixels, so
+/// that each has the neighbours by which its footprints are measured, as in a picture.
+const LIGHT: &str = "
+    @group(0) @binding(BINDING_INPUT) var<storage, read> pixels: array<vec4<f32>>;
+    @group(0) @binding(BINDING_OUTPUT) var<storage, read_write> light_of_pixels: array<vec4<f32>>;
+    @compute @workgroup_size(WORKGROUP_SIZE)
+    fn pixel_light(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+        own_lane = lane;
+        own_share = 1.0;
+        lane_beside = lane ^ 1u;
+        lane_below = lane ^ 2u;
+        light_of_pixels[id.x] = light_along(photon_from(pixel_direction(pixels[id.x].xy + 0.5)));
+    }";
 
+/// How the sky mode `stars` reads the map of the Milky Way, which a [`Kernel`] cannot bind; and what
+/// takes its place: a light that is finite where the place and the level are. Pictures of the
+/// program have the map itself.
+const MAP: &str = "textureSampleLevel(milky_way, milky_way_sampler, place, level).rg";
+const INSTEAD_OF_MAP: &str = "(abs(place.xy) / (1.0 + level))";
+
+/// The pixels of a picture, four by four those of 2 x 2 squares.
+fn pixels() -> impl Iterator<Item = UVec2> {
+    let squares = SIZE / 2;
+    let corners = (0..squares.y).flat_map(move |y| (0..squares.x).map(move |x| UVec2::new(x, y)));
+    corners.flat_map(|corner| (0..4).map(move |i| 2 * corner + UVec2::new(i % 2, i / 2)))
+}
+
+/// The light of each of the pixels in a picture of the scene, not bounded.
+fn light(scene: &Scene) -> Vec<Vec4> {
+    // Its rays find their neighbours without a fragment entry.
+    let variant = Variant {
+        entry: Entry::Refine,
+        antialias: false,
+        ..Variant::picture(scene)
+    };
+    let mut source = variant.source() + LIGHT;
+    let mut uniforms = light_tables(variant, scene);
+    let numbers = GpuScene::new(scene, SIZE).unwrap();
+    uniforms.push((bindings::SCENE, uniform(&numbers)));
+    if scene.sky.mode == SkyMode::Stars {
+        assert_eq!(source.matches(MAP).count(), 1);
+        source = source.replace(MAP, INSTEAD_OF_MAP);
+        let depth = Depth::new(scene, MAX_MAGNITUDE).unwrap();
+        let starlight = GpuStarlight::new(scene, depth);
+        uniforms.push((bindings::STARLIGHT, uniform(&starlight)));
+    }
+    let given: Vec<Vec4> = pixels()
+        .map(|pixel| pixel.as_vec2().extend(0.0).extend(0.0))
+        .collect();
+    let kernel = Kernel::new(gpu(), &source, "pixel_light", &uniforms).unwrap();
+    kernel.run(gpu(), &given).unwrap()
+}
+
+/// Stars that are points have passes of their own: see the tests of stars.
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn the_light_of_every_pixel_of_random_scenes_is_finite_and_not_negative() {
     let mut random = Random::new();
     let mut lit = 0;
     for number in 0..SCENES {
-        let scene = random_scene(&mut random, &SKIES);
-        let scene = scene.scene();
-        let variant = Variant::timed_light(scene);
-        let numbers = GpuScene::new(scene, SIZE).unwrap();
-        let mut uniforms = light_tables(variant, scene);
-        uniforms.push((bindings::SCENE, uniform(&numbers)));
-        let pixels = (0..SIZE.y).flat_map(|y| (0..SIZE.x).map(move |x| UVec2::new(x, y)));
-        let places = pixels
-            .clone()
-            .map(|pixel| (pixel.as_vec2() + 0.5).extend(0.0).extend(0.0));
-        let lights = light_from(
-            gpu(),
-            &variant.source(),
-            "light_at(given.xy)",
-            &uniforms,
-            places,
-        );
-        for (pixel, light) in pixels.zip(lights) {
+        let mut scene = random_scene(&mut random, &SkyMode::ALL).into_scene();
+        [scene.picture.width, scene.picture.height] = SIZE.to_array();
+        for (pixel, light) in pixels().zip(light(&scene)) {
             assert!(
                 light.is_finite() && light.min_element() >= 0.0,
                 "scene {number}, pixel {pixel}: {light}\n{}",

@@ -4,8 +4,11 @@
 use crate::light::light_from;
 use crate::{bare_hole, gpu, median, pixel_directions};
 use glam::{DVec3, Vec4};
+use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::gpu::kernel::uniform;
 use lightfall_core::gpu::{GpuScene, Variant, bindings, rays};
+use lightfall_core::optics::camera_rays::CameraRays;
+use lightfall_core::optics::disk::redshift;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::scene::{Method, ObserverKind, Scene};
@@ -111,14 +114,19 @@ fn its_axial_angular_momentum_drifts_little() {
     assert!(median(&residual) < 3e-6, "{:e}", median(&residual));
 }
 
-/// WGSL for [`light_from`]: how far the method's first hit, and the point of the cubic through the
-/// step that crosses the plane, are from where four short steps end, all at the same share of the
-/// step. The last two components are the radius, and whether the first step crosses.
-const PLACES: &str = "
-    fn places(photon: Photon) -> vec4<f32> {
+/// WGSL for the two tests below: a ray's first step, whether it crosses the disk's plane, and where
+/// the cubic through it does.
+const FIRST_STEP: &str = "
+    struct FirstStep {
+        start: Canonical,
+        h: f32,
+        crosses: bool,
+        crossing: vec4<f32>,
+    }
+    fn first_step(photon: Photon) -> FirstStep {
         let n = scene.observer.position_direction;
-        let start = scene.observer.r * n + scene.hole.a * vec3<f32>(-n.y, n.x, 0.0);
-        let state = Canonical(start, backward_momentum(photon, n));
+        let place = scene.observer.r * n + scene.hole.a * vec3<f32>(-n.y, n.x, 0.0);
+        let state = Canonical(place, backward_momentum(photon, n));
         let metric = metric_at(state.x);
         let v = velocity(metric, state.p);
         let h = step_length(metric, state.x, v);
@@ -126,38 +134,76 @@ const PLACES: &str = "
         let next_v = velocity(metric_at(next.x), next.p);
         let crosses = crosses_plane(state.x.z, next.x.z);
         let segment = Segment(state.x, v, next.x, next_v, h, 0.0, vec2<f32>(0.0));
-        let crossing = plane_crossing(segment, crosses);
-        var end = state;
+        return FirstStep(state, h, crosses, plane_crossing(segment, crosses));
+    }";
+
+/// WGSL for [`light_from`]: how far the method's first hit, and the point of the cubic through the
+/// step that crosses the plane, are from where four short steps end, all at the same share of the
+/// step. The last two components are the radius, and whether the first step crosses.
+const PLACES: &str = "
+    fn places(photon: Photon) -> vec4<f32> {
+        let first = first_step(photon);
+        var end = first.start;
         for (var i = 0u; i < 4u; i++) {
-            end = runge_kutta_step(end, 0.25 * crossing.w * h);
+            end = runge_kutta_step(end, 0.25 * first.crossing.w * first.h);
         }
         let truth = boyer_lindquist(end.x);
         let found = distance(trace(photon).hits[0].position, truth);
-        return vec4<f32>(found, distance(boyer_lindquist(crossing.xyz), truth), length(truth), f32(crosses));
+        let cubic = distance(boyer_lindquist(first.crossing.xyz), truth);
+        return vec4<f32>(found, cubic, length(truth), f32(first.crosses));
     }";
+
+/// WGSL for [`light_from`]: g and the radius of the method's first hit, and L_z per energy where a
+/// shorter step to the crossing ends, and where it begins. The radius is zero unless the first step
+/// crosses.
+const SHIFTS: &str = "
+    fn shifts(photon: Photon) -> vec4<f32> {
+        let first = first_step(photon);
+        let event = runge_kutta_step(first.start, first.crossing.w * first.h);
+        let hit = trace(photon).hits[0];
+        let r = select(0.0, length(hit.position), first.crosses);
+        let at_start = -axial_angular_momentum(first.start);
+        return vec4<f32>(hit.g, r, -axial_angular_momentum(event), at_start);
+    }";
+
+/// A camera so little above the disk that the first steps of many rays cross it.
+fn above_disk(r: f64, theta_deg: f64) -> Scene {
+    let mut scene = scene(0.9);
+    (scene.camera.r, scene.camera.theta_deg) = (r, theta_deg);
+    scene.observer.kind = ObserverKind::Zamo;
+    scene.disk.follow_isco = true;
+    scene
+}
+
+/// Directions toward the disk, on the axes of an observer above it.
+fn downward() -> Vec<Vec4> {
+    let across = |i: i32| 0.1 * f64::from(i);
+    let places = (-10..=10).flat_map(|i| (-10..=10).map(move |j| (across(i), across(j))));
+    places
+        .map(|(out, phi)| DVec3::new(out, 1.0, phi).normalize())
+        .map(|direction| direction.as_vec3().extend(0.0))
+        .collect()
+}
+
+/// The value of a WGSL function of a photon, for the rays in these directions.
+fn of_photons(scene: &Scene, source: &str, function: &str, directions: &[Vec4]) -> Vec<Vec4> {
+    let numbers = GpuScene::for_rays(scene).unwrap();
+    light_from(
+        gpu(),
+        source,
+        &format!("{function}(photon_from(given.xyz))"),
+        &[(bindings::SCENE, uniform(&numbers))],
+        directions.iter().copied(),
+    )
+}
 
 /// Four steps of a quarter are 4^4 = 256 times as exact as one: they stand for the exact solution.
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn a_hit_is_where_a_shorter_step_ends_and_not_on_the_cubic_through_the_whole_step() {
-    let mut scene = scene(0.9);
-    // A little above the disk, so that the first step crosses it.
-    (scene.camera.r, scene.camera.theta_deg) = (2.5, 87.5);
-    scene.observer.kind = ObserverKind::Zamo;
-    scene.disk.follow_isco = true;
-    let across = |i: i32| 0.1 * f64::from(i);
-    let directions = (-10..=10).flat_map(|i| (-10..=10).map(move |j| (across(i), across(j))));
-    let given = directions.map(|(out, phi)| DVec3::new(out, 1.0, phi).normalize());
-    let places: Vec<Vec4> = light_from(
-        gpu(),
-        &(Variant::picture(&scene).source() + PLACES),
-        "places(photon_from(given.xyz))",
-        &[(
-            bindings::SCENE,
-            uniform(&GpuScene::for_rays(&scene).unwrap()),
-        )],
-        given.map(|direction| direction.as_vec3().extend(0.0)),
-    );
+    let scene = above_disk(2.5, 87.5);
+    let source = Variant::picture(&scene).source() + FIRST_STEP + PLACES;
+    let places = of_photons(&scene, &source, "places", &downward());
     let crossing: Vec<Vec4> = places.into_iter().filter(|place| place.w > 0.0).collect();
     let off = |component: usize| -> Vec<f64> {
         let shares = crossing.iter().map(|place| place[component] / place.z);
@@ -174,5 +220,52 @@ fn a_hit_is_where_a_shorter_step_ends_and_not_on_the_cubic_through_the_whole_ste
         "{:e} from a shorter step, {:e} from the cubic",
         median(&step),
         median(&cubic)
+    );
+}
+
+/// Exact rays conserve L_z, and steps of the method's own length do so to f32's rounding. Here a
+/// step has the length r_s, and changes L_z by so much that g tells where it was taken. The g that
+/// is expected is computed from it in f64, by the reference's formula.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn a_hits_g_belongs_to_the_angular_momentum_where_the_shorter_step_ends() {
+    /// Ten times the largest error of g that was measured, which is rounding.
+    const TOLERANCE: f64 = 2e-6;
+    let scene = above_disk(2.0, 65.0);
+    let source = Variant::picture(&scene).source() + FIRST_STEP + SHIFTS;
+    let step = "= step_length(metric, state.x, v);";
+    assert_eq!(source.matches(step).count(), 2);
+    let source = source.replace(step, "= 1.0;");
+    let directions = downward();
+    let shifts = of_photons(&scene, &source, "shifts", &directions);
+    let kerr = Kerr {
+        spin: scene.hole.spin,
+    };
+    let rays = CameraRays::new(&scene).unwrap();
+    let (mut crossing, mut telling) = (0, 0);
+    for (direction, shift) in directions.iter().zip(shifts) {
+        let [g, r, at_end, at_start] = shift.as_dvec4().to_array();
+        if r == 0.0 {
+            continue;
+        }
+        let orbit = kerr.circular_orbit(r).unwrap();
+        let energy = rays.photon(direction.truncate().as_dvec3()).energy;
+        let [at_end, at_start] =
+            [at_end, at_start].map(|lambda| redshift(&orbit, energy, lambda * energy));
+        crossing += 1;
+        // With another L_z, g would be off by this share.
+        let change = (at_start / at_end - 1.0).abs();
+        telling += usize::from(change > 10.0 * TOLERANCE);
+        // Where rounding decides about the crossing's share of the step, it may be a thousandth
+        // more or less, and the error of L_z grows with the fifth power of that share.
+        let error = (g / at_end - 1.0).abs();
+        assert!(
+            error < TOLERANCE + 0.01 * change,
+            "{direction}: g is off by {error:e}, and by {change:e} with the L_z of the step's start"
+        );
+    }
+    assert!(
+        crossing > 300 && telling > 200,
+        "{crossing} first steps cross, of which {telling} tell one L_z from the other"
     );
 }

@@ -91,6 +91,12 @@ fn set_disk(random: &mut Random, scene: &mut Scene) {
     disk.contrast = random.between(0.0, 1.5);
     disk.period = random.of(&[0.0, 24.0]);
     disk.time = random.of(&[0.0, 1e3, -1e9]);
+    // Around a hole that spins no disk is tilted.
+    if scene.hole.spin == 0.0 && random.one_in(2) {
+        let tilt_deg = random.between(0.0, 180.0);
+        disk.tilt_deg = random.of(&[tilt_deg, 90.0, 180.0]);
+        disk.node_deg = random.between(-180.0, 180.0);
+    }
     let spot = &mut scene.hot_spot;
     spot.kind = random.of(&HotSpotKind::ALL);
     spot.r = random.between(scene.disk.inner, scene.disk.outer);

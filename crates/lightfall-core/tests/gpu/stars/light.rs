@@ -2,12 +2,14 @@
 
 use super::{DEPTH, bright_stars, place_of, preset, star_light, truths};
 use crate::gpu;
+use crate::random::Random;
+use crate::random_scene::random_scene;
 use glam::{DVec2, DVec3};
 use lightfall_core::gpu::stars::{GpuStarImage, PackedStars, StarLight, StarRun, sums_side};
 use lightfall_core::optics::spectrum;
 use lightfall_core::optics::stars::images::Inversion;
 use lightfall_core::optics::stars::{Catalogue, Star};
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Scene, SkyMode};
 
 /// The luminous fluxes of a picture's light, square by square: radiance times solid angle.
 fn fluxes(scene: &Scene, light: &StarLight) -> Vec<f64> {
@@ -146,6 +148,32 @@ fn stars_keep_their_light_while_the_camera_turns_by_tenths_of_a_pixel() {
     let worst = worst.fold(0.0, f64::max);
     println!("peak to peak {worst:.1e}");
     assert!(worst < 1e-3, "{worst}");
+}
+
+/// Where images are drawn, their light is bounded, and what is not a number is left out. The list of
+/// images still shows both, unless the magnification itself is not a number.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn every_image_of_a_star_in_random_scenes_has_finite_light() {
+    let mut random = Random::new();
+    let mut found = 0;
+    // Each with kernels of its own to compile.
+    for number in 0..20 {
+        let scene = random_scene(&mut random, &[SkyMode::Stars]);
+        let images = star_light(&scene).images;
+        for image in &images {
+            // An opaque disk leaves none of the light.
+            let is_light = image.flux.is_finite() && image.flux >= 0.0;
+            let is_warm = image.temperature.is_finite() && image.temperature > 0.0;
+            assert!(
+                is_light && is_warm && image.direction.is_finite(),
+                "scene {number}: {image:?}\n{}",
+                scene.to_preset()
+            );
+        }
+        found += images.len();
+    }
+    assert!(found > 200, "{found} images");
 }
 
 /// The same sums in spite of another order of threads, and the same images.
