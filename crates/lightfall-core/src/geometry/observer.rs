@@ -6,10 +6,12 @@
 //! is a matrix.
 
 mod error;
+pub(crate) mod expansion;
 mod kind;
 mod rows;
 
 pub use error::ObserverError;
+pub use expansion::ExpandedMatrix;
 pub use kind::{Limit, ObserverKind, ObserverProperties, min_infall_radius};
 
 use super::sphere::celestial_frame;

@@ -7,7 +7,9 @@
 //! is turned back to the hole's frame.
 
 use crate::geometry::kerr::Kerr;
-use crate::geometry::observer::{ObserverError, ObserverMatrix, Photon, observer_matrix};
+use crate::geometry::observer::{
+    ExpandedMatrix, ObserverError, ObserverMatrix, Photon, observer_matrix,
+};
 use crate::geometry::sphere::celestial_frame;
 use crate::optics::shift::RestFrame;
 use crate::scene::{ObserverKind, Scene};
@@ -21,6 +23,8 @@ pub struct CameraRays {
     /// `radial` and `w` are the direction of the light for the ZAMO times the frequency it
     /// measures, and `energy` is that frequency times the lapse.
     pub matrix: ObserverMatrix,
+    /// The same matrix, expanded: [`CameraRays::photon`] takes the photons from it.
+    pub expanded: ExpandedMatrix,
     /// Takes (1, d) to the frequency that the camera measures of the matrix's photon, by which the
     /// photon is divided. It is 1 with aberration, and gamma (1 + v.d) without, v being the
     /// camera's velocity for the ZAMO.
@@ -42,10 +46,12 @@ impl CameraRays {
         let matrix_of =
             |kind, velocity| observer_matrix(kerr.spin, kind, velocity, camera.r, theta, phi);
         let matrix = matrix_of(observer.kind, observer.velocity)?;
-        let complete = Self {
+        let rays = |matrix, frequency| Self {
             matrix,
-            frequency: [1.0, 0.0, 0.0, 0.0],
+            expanded: ExpandedMatrix::new(&matrix, camera.r),
+            frequency,
         };
+        let complete = rays(matrix, [1.0, 0.0, 0.0, 0.0]);
         let horizon = kerr.horizon();
         let all_effects =
             effects.lensing && effects.aberration && effects.doppler && effects.gravitational_shift;
@@ -68,10 +74,7 @@ impl CameraRays {
             [boost[0].x, -boost[1].x, -boost[2].x, -boost[3].x]
         };
         if effects.lensing {
-            return Ok(Self {
-                matrix: zamo,
-                frequency,
-            });
+            return Ok(rays(zamo, frequency));
         }
         let [one, along_r, along_theta, along_phi] = if effects.aberration {
             boost
@@ -81,10 +84,7 @@ impl CameraRays {
         let w = |axis: usize| -(along_theta * theta_hat[axis] + along_phi * phi_hat[axis]);
         let lapse = RestFrame::at(kerr, camera.r, theta).lapse;
         let rows = [lapse * one, -along_r, w(0), w(1), w(2)].map(|row| row.to_array());
-        Ok(Self {
-            matrix: ObserverMatrix { rows },
-            frequency,
-        })
+        Ok(rays(ObserverMatrix { rows }, frequency))
     }
 
     /// The same rays with the photons' `w` in the disk's frame, in which rays are traced.
@@ -96,10 +96,11 @@ impl CameraRays {
         if !scene.disk.is_tilted() {
             return Ok(rays);
         }
-        let Self { matrix, frequency } = rays;
+        let matrix = rays.matrix.turned(scene.disk.hole_from_disk().transpose());
         Ok(Self {
-            matrix: matrix.turned(scene.disk.hole_from_disk().transpose()),
-            frequency,
+            matrix,
+            expanded: ExpandedMatrix::new(&matrix, scene.camera.r),
+            ..rays
         })
     }
 
@@ -107,7 +108,7 @@ impl CameraRays {
     /// axes, per unit frequency for the camera.
     #[must_use]
     pub fn photon(&self, direction: DVec3) -> Photon {
-        let Photon { energy, radial, w } = self.matrix.photon(direction);
+        let Photon { energy, radial, w } = self.expanded.photon(direction);
         let frequency = DVec4::from_array(self.frequency).dot(DVec4::from((1.0, direction)));
         Photon {
             energy: energy / frequency,

@@ -5,7 +5,9 @@ use crate::random::Random;
 use glam::{DMat3, DVec3, Vec3, Vec4};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::mino::Constants;
-use lightfall_core::geometry::observer::{ObserverError, ObserverMatrix, Photon, observer_matrix};
+use lightfall_core::geometry::observer::{
+    ExpandedMatrix, ObserverError, ObserverMatrix, Photon, observer_matrix,
+};
 use lightfall_core::geometry::sphere::celestial_frame;
 use lightfall_core::gpu::GpuScene;
 use lightfall_core::optics::reference::Reference;
@@ -197,6 +199,33 @@ fn observer_kinds_are_pure_boosts_of_the_zamo() {
 
 /// E of an observer's own motion is the matrix's first entry: 1 for free fall from rest at
 /// infinity; sqrt(-g_tt) at rest, for every direction of the light.
+#[test]
+fn an_expanded_matrix_gives_the_photons_of_the_matrix() {
+    let mut random = Random::new();
+    for (spin, kind, velocity, r, theta) in observers() {
+        let matrix = matrix(spin, kind, velocity, r, theta);
+        let expanded = ExpandedMatrix::new(&matrix, r);
+        let size = matrix
+            .rows
+            .as_flattened()
+            .iter()
+            .map(|entry| entry.abs())
+            .fold(0.0, f64::max);
+        for _ in 0..20 {
+            let direction = DVec3::from_array([(); 3].map(|()| random.between(-1.0, 1.0)));
+            let direction = direction.normalize();
+            let (given, known) = (expanded.photon(direction), matrix.photon(direction));
+            // Some ten roundings of numbers of this size.
+            let tolerance = 3e-15 * size;
+            let error = (given.energy - known.energy)
+                .abs()
+                .max((given.radial - known.radial).abs())
+                .max((given.w - known.w).length());
+            assert!(error < tolerance, "{error:e} {given:?} {known:?}");
+        }
+    }
+}
+
 #[test]
 fn observer_energies_are_the_conserved_ones() {
     for spin in [-0.9, 0.0, 0.9] {

@@ -2,7 +2,6 @@
 //! in shaders/scene.wgsl, which says what each number means; tests/gpu/layout.rs compares the two.
 
 mod disk;
-mod expansion;
 mod hole;
 mod hot_spot;
 mod observer;

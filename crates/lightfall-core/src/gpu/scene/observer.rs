@@ -1,7 +1,7 @@
 //! The observer's part of the uniform: its matrix, and where it is.
 
-use super::expansion::{expand_about, expansion_centre};
 use crate::geometry::kerr::Kerr;
+use crate::geometry::observer::expansion::expand_about;
 use crate::geometry::sphere::wrap_angle;
 use crate::optics::camera_rays::{CameraRays, camera_in_disk_frame};
 use crate::optics::shift::Shift;
@@ -45,9 +45,7 @@ impl GpuObserver {
             DVec4::new(one, row.x, row.y, row.z)
         };
         let rows = rays.matrix.rows.map(on_directions);
-        let centre = expansion_centre(rows, scene.camera.r)
-            .unwrap_or(direction_from_tetrad * DVec3::NEG_X)
-            .as_vec3();
+        let centre = (direction_from_tetrad * rays.expanded.centre).as_vec3();
         let expanded = rows.map(|row| expand_about(row, centre.as_dvec3()));
         let [energy, radial, w_x, w_y, w_z] = expanded.map(|(row, _)| row.as_vec4());
         let [energy_curvature, curvatures @ ..] = expanded.map(|(_, curvature)| curvature as f32);

@@ -6,14 +6,19 @@ use crate::geometry::observer::Photon;
 use crate::geometry::sphere::celestial_frame;
 use crate::optics::reference::Reference;
 use crate::optics::trace::Trace;
-use crate::scene::Scene;
+use crate::scene::{Method, Scene};
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// The roundings of numbers explain errors up to this many times the sum of their effects, if the method
-/// takes no steps. Each constant of the photon is a sum of four products, which rounds the four products,
-/// three sums and an entry of the matrix.
-const ROUNDINGS_BEFORE_STEPS: f64 = 8.0;
+/// How often the constants of a photon are rounded until the photon is known: each is a sum of four
+/// products, which rounds the four products, three sums and an entry of the matrix.
+const ROUNDINGS_OF_PHOTON: f64 = 8.0;
+
+/// How often `closed` rounds them again around a hole that spins, until it has U at its critical point,
+/// which decides next to the shadow's edge: the operations of shaders/method/kerr_constants.wgsl and
+/// closed_kerr_radial.wgsl that lead to E, w, K', B, W and D there. Without spin the photon's own margin
+/// decides.
+const ROUNDINGS_OF_CLOSED_KERR: f64 = 30.0;
 
 /// Share of an error below which the effect of a rounding is not measured.
 const NEGLIGIBLE: f64 = 0.01;
@@ -82,7 +87,7 @@ impl Cause {
                 inputs.push(input);
                 sum += effect;
             }
-            if roundings(given.steps) * sum >= error {
+            if roundings(scene, given.steps) * sum >= error {
                 return Some(Self::Roundings {
                     input: inputs.first()?,
                     others: inputs.len() - 1,
@@ -94,10 +99,18 @@ impl Cause {
     }
 }
 
-/// How many roundings of each number an answer has taken. A step rounds the place and the momentum of the
-/// ray once more, and the roundings of n steps add up like a random walk (Higham 2002, section 2.8).
-fn roundings(steps: u32) -> f64 {
-    ROUNDINGS_BEFORE_STEPS + f64::from(steps).sqrt()
+/// How many roundings of each number explain an error. Those of the photon are counted in full. Each
+/// later operation, and each step, rounds the numbers once more, and n of these roundings add up like a
+/// random walk (Higham 2002, section 2.8).
+fn roundings(scene: &Scene, steps: u32) -> f64 {
+    let is_closed = scene.method.resolved() == Method::Closed;
+    let spins = scene.hole.spin != 0.0 && scene.effects.lensing;
+    let operations = if is_closed && spins {
+        ROUNDINGS_OF_CLOSED_KERR
+    } else {
+        f64::from(steps)
+    };
+    ROUNDINGS_OF_PHOTON + operations.sqrt()
 }
 
 /// The true answers to ray number `ray` with each of the scene's numbers rounded.

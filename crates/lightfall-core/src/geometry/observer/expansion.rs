@@ -1,17 +1,55 @@
-//! The direction about which an observer's matrix is expanded, and the expansion.
+//! An observer's matrix, expanded about one direction.
 //!
-//! A photon that is small compared with the matrix is a difference of large numbers. In f32 it keeps
-//! its digits if the matrix is expanded about the direction from which the smallest photons arrive.
+//! A photon that is small compared with the matrix is a difference of large numbers. It keeps its
+//! digits if the matrix is expanded about the direction from which the smallest photons arrive.
 
+use super::{ObserverMatrix, Photon};
 use glam::{DMat3, DVec3, DVec4, Vec4Swizzles};
 
 /// Number of halvings that find the multiplier of [`least_on_sphere`] to its last digit.
 const HALVINGS: u32 = 120;
 
+/// An observer's matrix, expanded about the direction from which the smallest photons arrive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ExpandedMatrix {
+    /// The direction, on the observer's axes.
+    pub centre: DVec3,
+    /// What [`expand_about`] makes of each row.
+    rows: [(DVec4, f64); 5],
+}
+
+impl ExpandedMatrix {
+    /// Expands the matrix of an observer at radius `r` (r_s).
+    #[must_use]
+    pub fn new(matrix: &ObserverMatrix, r: f64) -> Self {
+        let rows = matrix.rows.map(DVec4::from_array);
+        let centre = expansion_centre(rows, r).unwrap_or(DVec3::NEG_X);
+        Self {
+            centre,
+            rows: rows.map(|row| expand_about(row, centre)),
+        }
+    }
+
+    /// The photon that arrives from the unit looking direction `direction`, as
+    /// [`ObserverMatrix::photon`] gives it, to more digits.
+    #[must_use]
+    pub fn photon(&self, direction: DVec3) -> Photon {
+        let off = direction - self.centre;
+        let [energy, radial, x, y, z] = self.rows.map(|(row, curvature)| {
+            row.dot(DVec4::from((1.0, off))) + 0.5 * curvature * off.length_squared()
+        });
+        Photon {
+            energy,
+            radial,
+            w: DVec3::new(x, y, z),
+        }
+    }
+}
+
 /// The direction about which the rows of an observer's matrix are expanded, for an observer at `r`:
 /// that of the least energy or, where light can have negative energy, that of the smallest photon.
 /// `None` if all light has the same energy.
-pub(super) fn expansion_centre(rows: [DVec4; 5], r: f64) -> Option<DVec3> {
+fn expansion_centre(rows: [DVec4; 5], r: f64) -> Option<DVec3> {
     let [energy, _, w_x, w_y, w_z] = rows;
     let slope = energy.yzw();
     if slope.length() <= 1e-6 * energy.x.abs() {
@@ -63,7 +101,7 @@ fn is_positive_definite(a: DMat3) -> bool {
 ///
 /// With row = (s, b m + q), q perpendicular to m, it is s + b m.m + b m.off + q.off, and
 /// m.off = (1 - |m|^2 - |off|^2)/2.
-pub(super) fn expand_about(row: DVec4, m: DVec3) -> (DVec4, f64) {
+pub(crate) fn expand_about(row: DVec4, m: DVec3) -> (DVec4, f64) {
     let slope = row.yzw();
     let along = slope.dot(m) / m.length_squared();
     let across = slope - along * m;
