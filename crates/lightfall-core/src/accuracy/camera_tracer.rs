@@ -2,6 +2,7 @@
 
 use crate::geometry::mino::Constants;
 use crate::geometry::observer::{ObserverError, Photon};
+use crate::geometry::sphere::angle_between;
 use crate::optics::reference::Reference;
 use crate::optics::trace::Trace;
 use crate::scene::Scene;
@@ -30,13 +31,9 @@ impl CameraTracer {
         self.reference.trace(self.tetrad_from_camera * direction)
     }
 
-    /// The reference's answer if the ray's photon is changed by `change`. The photon remains null:
-    /// its radial momentum follows from the rest. `None` if no photon has the rest.
-    pub(super) fn trace_changed(
-        &self,
-        direction: DVec3,
-        change: impl Fn(&mut Photon),
-    ) -> Option<Trace> {
+    /// The photon that arrives from a direction, changed by `change`. The photon remains null: its
+    /// radial momentum follows from the rest. `None` if no photon has the rest.
+    fn changed_photon(&self, direction: DVec3, change: impl Fn(&mut Photon)) -> Option<Photon> {
         let mut photon = self.reference.photon(self.tetrad_from_camera * direction);
         change(&mut photon);
         let (r, n) = self.reference.camera();
@@ -44,6 +41,19 @@ impl CameraTracer {
         let (constants, start) = Constants::of_photon(kerr, &photon, r, n);
         let radial2 = constants.potential(start.u);
         photon.radial = radial2.sqrt().copysign(photon.radial);
-        (radial2 >= 0.0).then(|| self.reference.trace_photon(&photon))
+        (radial2 >= 0.0).then_some(photon)
+    }
+
+    /// The reference's answer if the ray's photon is changed by `change`, and the angle between the ray
+    /// and the one whose photon has the changed constants, in radians. `None` if no photon has them.
+    pub(super) fn trace_changed(
+        &self,
+        direction: DVec3,
+        change: impl Fn(&mut Photon),
+    ) -> Option<(Trace, f64)> {
+        let photon = self.changed_photon(direction, change)?;
+        let changed = self.reference.direction_of(&photon)?;
+        let turn = angle_between(self.tetrad_from_camera * direction, changed);
+        Some((self.reference.trace_photon(&photon), turn))
     }
 }

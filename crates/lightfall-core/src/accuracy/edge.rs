@@ -1,11 +1,12 @@
 //! The edge of the shadow: rays close to it are the hardest to trace.
 
 use super::camera_tracer::CameraTracer;
+use crate::geometry::observer::Photon;
 use crate::geometry::sphere::{angle_between, celestial_frame};
 use crate::optics::camera_rays::CameraRays;
 use crate::optics::trace::Outcome;
 use crate::scene::Scene;
-use glam::{DMat4, DVec3, DVec4};
+use glam::DVec3;
 use std::f64::consts::TAU;
 
 /// Maximum number of bisections of the logarithm of the edge's angle: enough for all digits of f64.
@@ -36,19 +37,17 @@ impl Shadow {
         // straight from the hole and the other straight from the sky. In r_s, a = chi/2.
         let matrix = CameraRays::new(scene).ok()?.matrix;
         let camera = &scene.camera;
-        let [n, theta, phi] =
+        let [n, _, phi_hat] =
             celestial_frame(camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
-        let row = |i: usize| DVec4::from_array(matrix.rows[i]);
-        let along = |hat: DVec3| hat.x * row(2) + hat.y * row(3) + hat.z * row(4);
-        let rows = DMat4::from_cols(row(0), row(1), along(theta), along(phi)).transpose();
         let (a, r) = (scene.hole.spin / 2.0, camera.r);
-        let sine = n.x.hypot(n.y);
-        let radial = 1.0 + (a * n.z / r).powi(2);
         let from_camera = scene.camera.tetrad_from_camera();
         let direction = |sign: f64| {
-            let one_d = rows.inverse() * DVec4::new(1.0, sign * radial, 0.0, a * sine / r);
-            (from_camera.transpose() * (DVec3::new(one_d.y, one_d.z, one_d.w) / one_d.x))
-                .try_normalize()
+            let photon = Photon {
+                energy: 1.0,
+                radial: sign * (1.0 + (a * n.z / r).powi(2)),
+                w: a * n.x.hypot(n.y) / r * phi_hat,
+            };
+            Some(from_camera.transpose() * matrix.direction_of(&photon, n)?)
         };
         let class = |direction: DVec3| tracer.trace(direction).outcome;
         let about = |sign: f64, captured: bool| {

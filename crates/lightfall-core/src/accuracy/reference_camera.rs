@@ -80,13 +80,13 @@ impl ReferenceCamera {
         other.trace(self.tracer.tetrad_from_camera * direction)
     }
 
-    /// The reference's answer if the ray's photon is changed by `change`. `None` if no photon has the
-    /// changed energy and momentum along the sphere.
+    /// The reference's answer if the ray's photon is changed by `change`, and the angle between the ray
+    /// and the one whose photon has the changed constants, in radians. `None` if no photon has them.
     pub(super) fn trace_changed(
         &self,
         direction: DVec3,
         change: impl Fn(&mut Photon),
-    ) -> Option<Trace> {
+    ) -> Option<(Trace, f64)> {
         self.tracer.trace_changed(direction, change)
     }
 

@@ -135,10 +135,11 @@ impl Truth {
         self.camera.trace_by(other, self.rays[ray].direction())
     }
 
-    /// The reference's answer to the ray of index `ray` if its photon is changed by `change`. `None`
-    /// if no photon has the changed constants.
+    /// The reference's answer to the ray of index `ray` if its photon is changed by `change`, and the
+    /// angle between the ray and the one whose photon has the changed constants, in radians. `None` if no
+    /// photon has them.
     #[must_use]
-    pub fn trace_changed(&self, ray: usize, change: impl Fn(&mut Photon)) -> Option<Trace> {
+    pub fn trace_changed(&self, ray: usize, change: impl Fn(&mut Photon)) -> Option<(Trace, f64)> {
         self.camera
             .trace_changed(self.rays[ray].direction(), change)
     }

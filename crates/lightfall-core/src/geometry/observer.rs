@@ -16,7 +16,7 @@ pub use kind::{Limit, ObserverKind, ObserverProperties, min_infall_radius};
 
 use super::sphere::celestial_frame;
 use crate::geometry::kerr::Kerr;
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DMat4, DVec3, DVec4, Vec4Swizzles};
 use rows::{Matrix4, rows_of};
 
 /// Maps (1, d) to the photon that arrives from the direction d with unit frequency for the
@@ -62,6 +62,20 @@ impl ObserverMatrix {
             radial: row(1),
             w: DVec3::new(row(2), row(3), row(4)),
         }
+    }
+
+    /// The unit looking direction from which a photon arrives at the observer, whose unit vector on the
+    /// celestial sphere is `n`; the photon's frequency does not matter. `None` if the observer measures no
+    /// frequency.
+    #[must_use]
+    pub fn direction_of(&self, photon: &Photon, n: DVec3) -> Option<DVec3> {
+        let [energy, radial, x, y, z] = self.rows.map(DVec4::from_array);
+        let (u, v) = n.any_orthonormal_pair();
+        let along = |axis: DVec3| axis.x * x + axis.y * y + axis.z * z;
+        let rows = DMat4::from_cols(energy, radial, along(u), along(v)).transpose();
+        let Photon { energy, radial, w } = *photon;
+        let ray = rows.inverse() * DVec4::new(energy, radial, w.dot(u), w.dot(v));
+        (ray.yzw() / ray.x).try_normalize()
     }
 
     /// The same observer with `w` on the axes of another frame, to which `rotation` turns the

@@ -24,7 +24,7 @@ use crate::optics::reference::{HoleAndDisk, Reference, time_to_plane};
 use crate::optics::shift::{RestFrame, Shift};
 use crate::optics::trace::{Hit, Outcome};
 use crate::scene::Scene;
-use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
+use glam::{DMat3, DVec2, DVec3};
 use std::f64::consts::PI;
 
 /// Number of images to find. Next to the shadow's edge each is e^pi = 23 times as thin as the one
@@ -98,7 +98,7 @@ pub fn echo(scene: &Scene) -> Result<Vec<Image>, ObserverError> {
     };
     let shift = Shift::new(scene);
     let image = |order| {
-        let direction = direction_of(scene, &rays, &search.image(order)?)?;
+        let direction = rays.matrix.direction_of(&search.image(order)?, n)?;
         let photon = rays.photon(direction);
         let mut hit = search.crossing(&photon, order, true).hit()?;
         hit.g = shift.of_disk(hit.g, hit.r, search.lambda(&photon));
@@ -261,7 +261,7 @@ fn straight_image(
         w: -toward.reject_from_normalized(n),
     };
     let reference = Reference::new(scene)?;
-    Ok(direction_of(scene, rays, &photon).and_then(|direction| {
+    Ok(rays.matrix.direction_of(&photon, n).and_then(|direction| {
         // None if the hole is in front of the spot.
         let hit = reference.trace_with_delays(direction).hits[0]?;
         image_of(scene, 0, direction, hit)
@@ -286,24 +286,6 @@ fn tangents(scene: &Scene) -> [DVec3; 2] {
     let DMat3 { y_axis, z_axis, .. } =
         scene.disk.hole_from_disk().transpose() * scene.camera.tetrad();
     [y_axis, z_axis]
-}
-
-/// The direction, on the observer's axes, from which a photon with these constants, up to a factor,
-/// arrives: the observer's matrix solved for (1, d).
-fn direction_of(scene: &Scene, rays: &CameraRays, photon: &Photon) -> Option<DVec3> {
-    let [theta_hat, phi_hat] = tangents(scene);
-    let [energy, radial, x, y, z] = rays.matrix.rows.map(DVec4::from_array);
-    let along = |tangent: DVec3| tangent.x * x + tangent.y * y + tangent.z * z;
-    let rows = DMat4::from_cols(energy, radial, along(theta_hat), along(phi_hat)).transpose();
-    let one_and_direction = rows.inverse()
-        * DVec4::new(
-            photon.energy,
-            photon.radial,
-            photon.w.dot(theta_hat),
-            photon.w.dot(phi_hat),
-        );
-    let [one, direction @ ..] = one_and_direction.to_array();
-    (DVec3::from_array(direction) / one).try_normalize()
 }
 
 /// A root of a growing function between two places, by Ridders' method (1979), which keeps the root

@@ -164,6 +164,13 @@ impl Reference {
         self.camera_rays.photon(direction)
     }
 
+    /// The unit direction from which a photon arrives, in the disk's frame. `None` if the observer
+    /// measures no frequency.
+    #[must_use]
+    pub fn direction_of(&self, photon: &Photon) -> Option<DVec3> {
+        self.camera_rays.matrix.direction_of(photon, self.n)
+    }
+
     /// The hole and the disk.
     #[must_use]
     pub fn hole_and_disk(&self) -> HoleAndDisk {

@@ -367,6 +367,37 @@ fn the_roundings_of_many_steps_explain_an_error_of_mino() {
     }
 }
 
+/// A fast observer who leaves the hole sees its surroundings stretched 60 times, and f32's rounding of the
+/// photon's constants with them. Some captured rays count as sky, and the other way round.
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn roundings_explain_wrong_classes_where_a_fast_observer_sees_the_hole_stretched() {
+    let mut scene = Scene::default();
+    scene.hole.spin = 0.9693178194177392;
+    (scene.camera.r, scene.camera.theta_deg) = (2.978038916182719, 14.639417936069211);
+    scene.camera.fov_deg = 45.0;
+    scene.observer.kind = ObserverKind::Static;
+    scene.observer.velocity = [0.6852859903874264, 0.3595718829613271, -0.6322524216528571];
+    scene.disk.follow_isco = false;
+    (scene.disk.inner, scene.disk.outer) = (14.128400342518596, 15.54931272961803);
+    let cell = Cell {
+        group: "place of the camera",
+        name: "0.9993 c, chi 0.969".into(),
+        rays: rays_near_edge(&scene, 800, [1e-6, 1e-4]),
+        scene,
+    };
+    let verdicts = measure_matrix(gpu(), &[cell], &[Method::Closed], |_, _| {}).unwrap();
+    let [verdict] = &verdicts[..] else {
+        panic!("one setting: {verdicts:#?}");
+    };
+    println!("{verdict:#?}");
+    assert!(
+        verdict.beyond > 0 && verdict.misclassified > 0,
+        "{verdict:#?}"
+    );
+    assert!(verdict.holds, "{verdict:#?}");
+}
+
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn a_search_with_the_same_seed_finds_the_same_ray_and_prints_the_command_that_shows_it() {

@@ -200,10 +200,11 @@ fn observer_kinds_are_pure_boosts_of_the_zamo() {
 /// E of an observer's own motion is the matrix's first entry: 1 for free fall from rest at
 /// infinity; sqrt(-g_tt) at rest, for every direction of the light.
 #[test]
-fn an_expanded_matrix_gives_the_photons_of_the_matrix() {
+fn an_expanded_matrix_gives_the_photons_of_the_matrix_which_leads_back_to_their_directions() {
     let mut random = Random::new();
     for (spin, kind, velocity, r, theta) in observers() {
         let matrix = matrix(spin, kind, velocity, r, theta);
+        let [n, ..] = celestial_frame(theta, 0.7);
         let expanded = ExpandedMatrix::new(&matrix, r);
         let size = matrix
             .rows
@@ -222,6 +223,13 @@ fn an_expanded_matrix_gives_the_photons_of_the_matrix() {
                 .max((given.radial - known.radial).abs())
                 .max((given.w - known.w).length());
             assert!(error < tolerance, "{error:e} {given:?} {known:?}");
+            let twice = Photon {
+                energy: 2.0 * given.energy,
+                radial: 2.0 * given.radial,
+                w: 2.0 * given.w,
+            };
+            let back = matrix.direction_of(&twice, n).expect("a frequency");
+            assert!((back - direction).length() < 1e-11, "{back} {direction}");
         }
     }
 }

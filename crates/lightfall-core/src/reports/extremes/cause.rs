@@ -1,24 +1,19 @@
 //! Why a ray's error is beyond the tolerance: the GPU knows the scene and the ray's photon in f32
 //! only, and some answers change much when one of these numbers changes by a rounding.
 
-use crate::accuracy::{Bounds, Surroundings, Truth};
+use crate::accuracy::{Bounds, Surroundings, Truth, is_same_class};
 use crate::geometry::observer::Photon;
 use crate::geometry::sphere::celestial_frame;
 use crate::optics::reference::Reference;
 use crate::optics::trace::Trace;
-use crate::scene::{Method, Scene};
+use crate::scene::Scene;
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// How often the constants of a photon are rounded until the photon is known: each is a sum of four
-/// products, which rounds the four products, three sums and an entry of the matrix.
-const ROUNDINGS_OF_PHOTON: f64 = 8.0;
-
-/// How often `closed` rounds them again around a hole that spins, until it has U at its critical point,
-/// which decides next to the shadow's edge: the operations of shaders/method/kerr_constants.wgsl and
-/// closed_kerr_radial.wgsl that lead to E, w, K', B, W and D there. Without spin the photon's own margin
-/// decides.
-const ROUNDINGS_OF_CLOSED_KERR: f64 = 30.0;
+/// The roundings of numbers explain errors up to this many times the sum of their effects, if the method
+/// takes no steps. Each constant of the photon is a sum of four products, which rounds the four products,
+/// three sums and an entry of the matrix.
+const ROUNDINGS_BEFORE_STEPS: f64 = 8.0;
 
 /// Share of an error below which the effect of a rounding is not measured.
 const NEGLIGIBLE: f64 = 0.01;
@@ -47,8 +42,16 @@ pub enum Cause {
     NarrowRing,
 }
 
-/// A number that is rounded, the reference's answer to the rounded number, and its backward error.
-type Effect = (&'static str, Trace, f64);
+/// A number that is rounded.
+struct Rounded {
+    /// Key of a field of the scene, or the name of a constant of the photon.
+    input: &'static str,
+    /// The reference's answer to the rounded number.
+    answer: Trace,
+    /// The turn of the ray that leads to a photon with the rounded constant, in radians. A field of the scene
+    /// has no such turn.
+    turn: Option<f64>,
+}
 
 impl Cause {
     /// The numbers whose roundings explain the backward error of a method's answer `given` to a ray, the
@@ -65,29 +68,36 @@ impl Cause {
         if !error.is_finite() {
             return None;
         }
-        let answers: Vec<(&'static str, Trace)> = fields(scene, truth, ray)
+        // Where the class decides, the turn counts: most roundings leave a captured ray captured, whose
+        // answer tells nothing of them.
+        let crosses = !is_same_class(&truth.traces[ray], given);
+        let enough = NEGLIGIBLE * error;
+        let turn = |rounded: &Rounded| rounded.turn.filter(|_| crosses);
+        let known = |rounded: Rounded| {
+            let search = || truth.error_of(ray, &rounded.answer, enough);
+            let known = turn(&rounded).unwrap_or_else(search);
+            (rounded, known)
+        };
+        let numbers: Vec<Rounded> = fields(scene, truth, ray)
             .chain(constants(scene, truth, ray))
             .collect();
-        let enough = NEGLIGIBLE * error;
-        let effect = |(input, answer): (&'static str, Trace)| -> Effect {
-            (input, answer, truth.error_of(ray, &answer, enough))
-        };
-        let mut effects: Vec<Effect> = answers.into_par_iter().map(effect).collect();
-        effects.sort_by(|(.., a), (.., b)| b.total_cmp(a));
+        let mut effects: Vec<(Rounded, f64)> = numbers.into_par_iter().map(known).collect();
+        effects.sort_by(|(_, a), (_, b)| b.total_cmp(a));
         let mut inputs: Vec<&'static str> = Vec::new();
         let mut sum = 0.0;
-        for (input, answer, known) in effects {
+        for (rounded, known) in effects {
             // A number is rounded up or down.
-            if inputs.contains(&input) {
+            if inputs.contains(&rounded.input) {
                 continue;
             }
             // The usual search may overstate an effect as it may overstate an error.
-            let effect = surroundings.judge(&answer, Bounds { enough, known });
+            let search = || surroundings.judge(&rounded.answer, Bounds { enough, known });
+            let effect = turn(&rounded).unwrap_or_else(search);
             if effect.is_finite() {
-                inputs.push(input);
+                inputs.push(rounded.input);
                 sum += effect;
             }
-            if roundings(scene, given.steps) * sum >= error {
+            if roundings(given.steps) * sum >= error {
                 return Some(Self::Roundings {
                     input: inputs.first()?,
                     others: inputs.len() - 1,
@@ -99,22 +109,14 @@ impl Cause {
     }
 }
 
-/// How many roundings of each number explain an error. Those of the photon are counted in full. Each
-/// later operation, and each step, rounds the numbers once more, and n of these roundings add up like a
-/// random walk (Higham 2002, section 2.8).
-fn roundings(scene: &Scene, steps: u32) -> f64 {
-    let is_closed = scene.method.resolved() == Method::Closed;
-    let spins = scene.hole.spin != 0.0 && scene.effects.lensing;
-    let operations = if is_closed && spins {
-        ROUNDINGS_OF_CLOSED_KERR
-    } else {
-        f64::from(steps)
-    };
-    ROUNDINGS_OF_PHOTON + operations.sqrt()
+/// How many roundings of each number an answer has taken. A step rounds the place and the momentum of the
+/// ray once more, and the roundings of n steps add up like a random walk (Higham 2002, section 2.8).
+fn roundings(steps: u32) -> f64 {
+    ROUNDINGS_BEFORE_STEPS + f64::from(steps).sqrt()
 }
 
 /// The true answers to ray number `ray` with each of the scene's numbers rounded.
-fn fields(scene: &Scene, truth: &Truth, ray: usize) -> impl Iterator<Item = (&'static str, Trace)> {
+fn fields(scene: &Scene, truth: &Truth, ray: usize) -> impl Iterator<Item = Rounded> {
     let inputs: [(&'static str, fn(&mut Scene) -> &mut f64); 3] = [
         ("hole.spin", |scene| &mut scene.hole.spin),
         ("camera.r", |scene| &mut scene.camera.r),
@@ -128,7 +130,11 @@ fn fields(scene: &Scene, truth: &Truth, ray: usize) -> impl Iterator<Item = (&'s
         *field(&mut changed) *= 1.0 + side * HALF_UNIT;
         // At the limit of a field one of the two changed scenes may be impossible.
         let reference = Reference::new(&changed).ok()?;
-        Some((input, truth.trace_by(ray, &reference)))
+        Some(Rounded {
+            input,
+            answer: truth.trace_by(ray, &reference),
+            turn: None,
+        })
     };
     inputs
         .into_iter()
@@ -139,11 +145,7 @@ fn fields(scene: &Scene, truth: &Truth, ray: usize) -> impl Iterator<Item = (&'s
 
 /// The true answers to ray number `ray` with each of the photon's constants rounded. The radial
 /// momentum follows from the others.
-fn constants(
-    scene: &Scene,
-    truth: &Truth,
-    ray: usize,
-) -> impl Iterator<Item = (&'static str, Trace)> {
+fn constants(scene: &Scene, truth: &Truth, ray: usize) -> impl Iterator<Item = Rounded> {
     let camera = &scene.camera;
     let [_, theta_hat, phi_hat] =
         celestial_frame(camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
@@ -157,7 +159,12 @@ fn constants(
             photon.energy *= 1.0 + of_energy * side * HALF_UNIT;
             photon.w += side * HALF_UNIT * photon.w.length() * axis;
         };
-        Some((input, truth.trace_changed(ray, change)?))
+        let (answer, turn) = truth.trace_changed(ray, change)?;
+        Some(Rounded {
+            input,
+            answer,
+            turn: Some(turn),
+        })
     };
     inputs
         .into_iter()
