@@ -164,8 +164,8 @@ impl Reference {
         self.camera_rays.photon(direction)
     }
 
-    /// The unit direction from which a photon arrives, in the disk's frame. `None` if the observer
-    /// measures no frequency.
+    /// The unit direction, on the observer's axes, from which a photon in the disk's frame arrives. `None`
+    /// if the observer measures no frequency.
     #[must_use]
     pub fn direction_of(&self, photon: &Photon) -> Option<DVec3> {
         self.camera_rays.matrix.direction_of(photon, self.n)
