@@ -1,4 +1,4 @@
-//! What the program logs.
+//! What the program logs, and what it says on standard error.
 
 use crate::storage::note_log;
 use bevy::log::LogPlugin;
@@ -7,7 +7,14 @@ use bevy::log::tracing::{Event, Subscriber};
 use bevy::log::tracing_subscriber::Layer;
 use bevy::log::tracing_subscriber::layer::Context;
 use bevy::utils::default;
-use std::fmt::Debug;
+use std::fmt::{Debug, Display};
+use std::io::{Write, stderr};
+
+/// Writes a line to standard error. Nobody may read it, or its file system may be full: that is no reason
+/// to stop, as `eprintln!` would.
+pub fn say(line: impl Display) {
+    writeln!(stderr().lock(), "{line}").ok();
+}
 
 /// A log of warnings and errors on standard error. RUST_LOG can change the level.
 pub fn quiet_log() -> LogPlugin {

@@ -53,6 +53,7 @@ pub use ui::panel::{
 };
 
 use crate::log::quiet_log;
+use crate::log::say;
 use crate::render::recovery::DeviceFailure;
 use crate::render::{LightfallRenderPlugin, StarCatalogue, render_plugin};
 use bevy::app::PluginGroupBuilder;
@@ -155,7 +156,7 @@ pub fn program(start: Start) -> App {
     state::preferences::insert(&mut app, preferences);
     if let Some(fault) = &fault {
         // The window says it for some seconds only. The log has not begun yet.
-        eprintln!("lightfall: {fault}");
+        say(format_args!("lightfall: {fault}"));
     }
     let messages: Vec<String> = message.into_iter().chain(fault).collect();
     if !messages.is_empty() {

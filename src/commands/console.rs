@@ -4,6 +4,7 @@
 //! double click gives it a console of its own. The window program closes that console at once, and
 //! every other one vanishes with the program, so what is written there is not read by anybody.
 
+use crate::log::say;
 use std::io::IsTerminal;
 use std::sync::OnceLock;
 #[cfg(windows)]
@@ -56,7 +57,7 @@ pub(super) fn close_own_console() {
 
 /// Says why the program ends: on standard error and, where nobody reads that, in a message box.
 pub(super) fn report(message: &str) {
-    eprintln!("lightfall: {message}");
+    say(format_args!("lightfall: {message}"));
     if StandardError::at_start().is_read() {
         return;
     }

@@ -6,6 +6,7 @@ use super::output::{create_report_folder, print, write_report, write_tables};
 use super::progress::Progress;
 use super::scene::device;
 use super::stop::Stop;
+use crate::log::say;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::reports::export::{csv, json};
 use lightfall_core::reports::extremes::{
@@ -49,8 +50,8 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
             "--delay measures closed and mino, and --methods names neither",
         ));
     }
-    eprintln!(
-        "lightfall: extremes: finding the edges of the shadows; then the first cells will tell how long the rest takes"
+    say(
+        "lightfall: extremes: finding the edges of the shadows; then the first cells will tell how long the rest takes",
     );
     let cells = if args.grid { grid } else { cells }(args.rays as usize);
     if args.delay {
@@ -90,11 +91,11 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
         .filter(|verdict| is_solved(&verdict.method))
         .collect();
     let failing = solved.iter().filter(|verdict| !verdict.holds).count();
-    eprintln!(
+    say(format_args!(
         "lightfall: closed and mino, where they were measured, hold {} of their {} cells",
         solved.len() - failing,
         solved.len()
-    );
+    ));
     if failing > 0 {
         return Err(Stop::failed(format!(
             "cells that do not hold: {failing}; see the table"
@@ -128,7 +129,7 @@ fn delays(args: &ExtremesArgs, gpu: &Gpu, cells: &[Cell], methods: &[Method]) ->
     print(if args.json { &json } else { &table })?;
     let sum = |of: fn(&CellDelays) -> usize| rows.iter().map(of).sum::<usize>();
     let unexplained = sum(|row| row.unexplained);
-    eprintln!(
+    say(format_args!(
         "lightfall: hits: {}; with an error worth more than 1e-3 rad: {}, of which the place explains {}, \
          {} are at another place, and {unexplained} are unexplained; rays lost: {}",
         sum(|row| row.hits),
@@ -136,7 +137,7 @@ fn delays(args: &ExtremesArgs, gpu: &Gpu, cells: &[Cell], methods: &[Method]) ->
         sum(|row| row.place),
         sum(|row| row.far),
         sum(|row| row.lost),
-    );
+    ));
     if sum(|row| row.hits) == 0 {
         return Err(Stop::failed("no ray meets a disk: no delay was compared"));
     }
@@ -165,11 +166,11 @@ fn hunt(gpu: &Gpu, hunt: &Hunt, args: &ExtremesArgs) -> Result<(), Stop> {
     let unexplained: usize = rays.iter().map(|ray| ray.unexplained).sum();
     let unanswerable: usize = rays.iter().map(|ray| ray.unanswerable).sum();
     let scenes = rays.iter().filter(|ray| ray.beyond > 0).count();
-    eprintln!(
+    say(format_args!(
         "lightfall: {}; rays beyond their tolerance: {beyond}, in {scenes} of the scenes; unexplained: \
          {unexplained}; without an answer in f32, at a ring too narrow for it: {unanswerable}",
         counted(rays.len(), "random scene")
-    );
+    ));
     let listed = &rays[..rays.len().min(MIN_LISTED.max(scenes))];
     let rows: Vec<HuntRow> = listed.iter().map(WorstRay::row).collect();
     let circumstances = circumstances(

@@ -6,6 +6,7 @@ use super::render::write_still;
 use super::scene::{drawable, journey, scene, stars};
 use super::stop::Stop;
 use crate::app::Start;
+use crate::log::say;
 use crate::picture::HeadlessOptions;
 use crate::storage::file_safe_name;
 use crate::{app, picture};
@@ -63,7 +64,9 @@ fn draw_instead(
              may write to, or use `lightfall render -o FILE`"
         ))
     })?;
-    eprintln!("lightfall: no display ({reason}); rendering {what} to a picture instead");
+    say(format_args!(
+        "lightfall: no display ({reason}); rendering {what} to a picture instead"
+    ));
     let scene = scene.exposed();
     let size = scene.picture.size();
     let options = HeadlessOptions {

@@ -1,6 +1,7 @@
 //! The rows of a report that takes minutes, kept while it is measured: a run that is stopped leaves
 //! them in a file, and the same run goes on after them.
 
+use crate::log::say;
 use crate::storage;
 use lightfall_core::reports::circumstances::Circumstances;
 use lightfall_core::reports::export::csv;
@@ -33,10 +34,10 @@ impl<T: Clone + Serialize + DeserializeOwned> KeptRows<T> {
             .as_deref()
             .and_then(|file| rows_in(file, circumstances));
         if let (Some(file), None) = (&file, &rows) {
-            eprintln!(
+            say(format_args!(
                 "lightfall: a run that is stopped leaves its rows in {}, and the same command goes on after them",
                 file.display()
-            );
+            ));
         }
         Self {
             file,
@@ -71,7 +72,9 @@ impl<T: Clone + Serialize + DeserializeOwned> KeptRows<T> {
             && !self.warned
         {
             self.warned = true;
-            eprintln!("lightfall: {error}; a run that is stopped leaves no rows");
+            say(format_args!(
+                "lightfall: {error}; a run that is stopped leaves no rows"
+            ));
         }
     }
 
@@ -80,7 +83,10 @@ impl<T: Clone + Serialize + DeserializeOwned> KeptRows<T> {
         if let Some(file) = self.file.filter(|file| storage::exists(file))
             && let Err(error) = storage::remove(&file)
         {
-            eprintln!("lightfall: {}: cannot be removed: {error}", file.display());
+            say(format_args!(
+                "lightfall: {}: cannot be removed: {error}",
+                file.display()
+            ));
         }
     }
 }
@@ -94,14 +100,16 @@ fn rows_in<T: DeserializeOwned>(file: &Path, circumstances: &Circumstances) -> O
         Ok(report) => match report.head.difference(circumstances) {
             Some(difference) => difference,
             None => {
-                eprintln!(
+                say(format_args!(
                     "lightfall: goes on after the {} rows that an earlier run has left in {name}",
                     report.rows.len()
-                );
+                ));
                 return Some(report.rows);
             }
         },
     };
-    eprintln!("lightfall: starts anew: the rows in {name} do not belong to this run: {reason}");
+    say(format_args!(
+        "lightfall: starts anew: the rows in {name} do not belong to this run: {reason}"
+    ));
     None
 }

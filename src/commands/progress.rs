@@ -1,5 +1,6 @@
 //! Progress of long commands: how long they will take, and how much is done.
 
+use crate::log::say;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
@@ -112,8 +113,8 @@ impl Progress {
     fn say(&self, text: &str) {
         let line = format!("lightfall: {} {text}", self.command);
         match &self.bar {
-            Some(bar) => bar.suspend(|| eprintln!("{line}")),
-            None => eprintln!("{line}"),
+            Some(bar) => bar.suspend(|| say(&line)),
+            None => say(&line),
         }
     }
 }
@@ -130,7 +131,7 @@ impl LongWork {
         let (ends, ended) = channel();
         std::thread::spawn(move || {
             if ended.recv_timeout(MAX_SILENCE) == Err(RecvTimeoutError::Timeout) {
-                eprintln!("lightfall: {message}");
+                say(format_args!("lightfall: {message}"));
             }
         });
         Self { _ends: ends }

@@ -6,6 +6,7 @@ use super::output::print;
 use super::progress::{LongWork, progress};
 use super::scene::{device, drawable, journey, scene, stars};
 use super::stop::Stop;
+use crate::log::say;
 use crate::picture;
 use crate::picture::{
     Animation, Channels, Format, Frames, HeadlessOptions, Linear, PassTime, PictureError,
@@ -115,10 +116,10 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     if let Some(sequence) = &pictures.sequence
         && format != Format::Apng
     {
-        eprintln!(
+        say(format_args!(
             "lightfall: a video of them: {}",
             sequence.ffmpeg(size.x, size.y)
-        );
+        ));
     }
     Ok(())
 }
@@ -132,11 +133,11 @@ fn note_unseen_stars(args: &RenderArgs, scene: &Scene) {
         SkyMode::Off => "nothing",
     };
     if let Some(file) = &args.scene.stars {
-        eprintln!(
+        say(format_args!(
             "lightfall: --stars {} is not seen, because the sky of this scene shows {shown}; \
              --set sky.mode=stars shows it",
             file.display()
-        );
+        ));
     }
 }
 
@@ -148,16 +149,18 @@ fn sequence(args: &RenderArgs, frames: Frames, scene: &Scene) -> Result<Sequence
     let sequence = Sequence::new(journey, frames, args.fps, &args.out).map_err(Stop::refused)?;
     match sequence.end() {
         Some(end) if f64::from(frames.last) > end && scene.disk_moves() => {
-            eprintln!(
+            say(format_args!(
                 "lightfall: the journey ends at frame {end}; later frames show the disk from there"
-            );
+            ));
         }
         Some(end) if f64::from(frames.last) > end => {
-            eprintln!("lightfall: the journey ends at frame {end}; later frames show its end");
+            say(format_args!(
+                "lightfall: the journey ends at frame {end}; later frames show its end"
+            ));
         }
         None if !scene.disk_moves() => {
-            eprintln!(
-                "lightfall: nothing moves in this scene without a journey: all frames are the same"
+            say(
+                "lightfall: nothing moves in this scene without a journey: all frames are the same",
             );
         }
         _ => {}
@@ -217,10 +220,10 @@ fn note_cells(picture: &Picture) {
     let grid = fit(picture, picture.size(), u64::MAX).grid();
     let pixels = picture.height.div_ceil(grid.y.max(1));
     if !picture.bypass && pixels > 1 {
-        eprintln!(
+        say(format_args!(
             "lightfall: the picture is shown in {} x {} cells of {pixels} pixels to a side; --cells off shows every pixel",
             grid.x, grid.y
-        );
+        ));
     }
 }
 
@@ -393,17 +396,17 @@ fn write_times(file: &Path, times: &[PassTime], size: UVec2) -> Result<(), Stop>
 }
 
 fn print_times(times: &[PassTime]) {
-    eprintln!(
+    say(format_args!(
         "{:>10}{:>10}  pass (GPU time in ms, median of {TIMED_FRAMES} frames: of frames that draw the scene, and of \
          frames that keep its picture)",
         "drawn", "kept"
-    );
+    ));
     for PassTime {
         pass,
         median_ms,
         kept_ms,
     } in times
     {
-        eprintln!("{median_ms:>10.3}{kept_ms:>10.3}  {pass}");
+        say(format_args!("{median_ms:>10.3}{kept_ms:>10.3}  {pass}"));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::cli::SceneArgs;
 use super::stop::Stop;
+use crate::log::say;
 use crate::storage;
 use lightfall_core::gpu;
 use lightfall_core::gpu::{AdapterName, Drawable, Gpu};
@@ -53,11 +54,11 @@ pub(super) fn drawable(scene: &Scene) -> Result<Drawable, Stop> {
     let drawable = Drawable::new(scene.clone()).map_err(Stop::refused)?;
     let adapter = gpu::working_adapter().map_err(Stop::without_device)?;
     if !adapter.failures.is_empty() {
-        eprintln!(
+        say(format_args!(
             "lightfall: using {}, because another adapter cannot be used: {}",
             adapter.description,
             adapter.failures.join("; ")
-        );
+        ));
     }
     storage::note_adapter(adapter.description);
     storage::note_scene(scene);

@@ -1,6 +1,10 @@
 //! Scenes as they are asked for: fields, presets, overrides, the command line, and the rays of
 //! `lightfall trace`.
 #![allow(
+    clippy::print_stderr,
+    reason = "what a test says is read beside its result"
+)]
+#![allow(
     clippy::unwrap_used,
     reason = "a test that unwraps an error fails, as it should"
 )]

@@ -173,3 +173,24 @@ fn standard_output_on_a_full_disk_is_status_one_and_a_sentence() {
         );
     }
 }
+
+/// What is said on standard error changes nothing, so a place without room for it is no fault.
+#[cfg(target_os = "linux")]
+#[test]
+fn standard_error_on_a_full_disk_changes_no_exit_status() {
+    for (line, status) in [
+        ("--spin 2", 2),
+        ("presets show nothing", 2),
+        ("presets list", 0),
+        ("extremes --hunt 10 --seed 1 --delay", 2),
+    ] {
+        let output = Command::new(env!("CARGO_BIN_EXE_lightfall"))
+            .args(line.split(' '))
+            .stderr(Stdio::from(
+                File::options().write(true).open("/dev/full").unwrap(),
+            ))
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(status), "{line}");
+    }
+}

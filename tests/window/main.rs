@@ -1,5 +1,9 @@
 //! The real window on its own display, used as a user would.
 #![cfg(target_os = "linux")]
+#![allow(
+    clippy::print_stderr,
+    reason = "what a test says is read beside its result"
+)]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod adapter;

@@ -7,6 +7,7 @@ use crate::commands::kept_rows::KeptRows;
 use crate::commands::output::{print, write_tables};
 use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
+use crate::log::say;
 use crate::picture;
 use glam::UVec2;
 use lightfall_core::gpu::Gpu;
@@ -26,11 +27,11 @@ pub(super) fn bench_methods(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<
         [scene] => format!("in the scene {}", scene.name),
         scenes => format!("in {} scenes", scenes.len()),
     };
-    eprintln!(
+    say(format_args!(
         "lightfall: bench: {} measurements {scenes} on {}",
         plan.len(),
         gpu.info.name
-    );
+    ));
     let circumstances = circumstances_of(plan, gpu, "bench", args.entry);
     let mut kept = KeptRows::open(args.out.as_deref(), "bench", &circumstances);
     let mut rows = measure(gpu, plan, &mut kept)?;
@@ -130,11 +131,11 @@ fn print_margin(margin: &AutoMargin) {
         Ranking::OnFront => "on the front",
         Ranking::NotOnFront => "NOT on the front",
         Ranking::Undecided { spread } => {
-            eprintln!(
+            say(format_args!(
                 "{}: no ranking of auto: the times vary by up to +-{:.0} %, which is too much",
                 margin.scene,
                 100.0 * spread
-            );
+            ));
             return;
         }
     };
@@ -153,5 +154,8 @@ fn print_margin(margin: &AutoMargin) {
     } else {
         "no other method reaches its speed".into()
     };
-    eprintln!("{}: auto is {verdict}; {speed}; {error}", margin.scene);
+    say(format_args!(
+        "{}: auto is {verdict}; {speed}; {error}",
+        margin.scene
+    ));
 }

@@ -1,5 +1,9 @@
 //! The shaders, run on the machine's graphics adapter. Tests that need one are ignored unless
 //! `--include-ignored` asks for them.
+#![allow(
+    clippy::print_stderr,
+    reason = "what a test says is read beside its result"
+)]
 #![allow(clippy::unwrap_used, reason = "a test that cannot continue has failed")]
 
 mod adapter;

@@ -1,5 +1,9 @@
 //! The physics against independent results: closed forms, published values, identities, and a code
 //! that uses other coordinates and another integrator.
+#![allow(
+    clippy::print_stderr,
+    reason = "what a test says is read beside its result"
+)]
 #![allow(clippy::unwrap_used, reason = "a failed unwrap is a failed test")]
 
 mod accuracy;
