@@ -52,8 +52,7 @@ pub use ui::panel::{
     sections::{RowText, SECTIONS, Section, Shown},
 };
 
-use crate::log::quiet_log;
-use crate::log::say;
+use crate::log::{quiet_log, say};
 use crate::render::recovery::DeviceFailure;
 use crate::render::{LightfallRenderPlugin, StarCatalogue, render_plugin};
 use bevy::app::PluginGroupBuilder;
