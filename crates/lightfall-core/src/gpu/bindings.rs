@@ -1,53 +1,60 @@
 //! Numbers of the shaders' bindings, all of them in group 0, and the size of a workgroup. Every
 //! shader gets them as constants in front of its text, under the names in the tables below.
 
+// Uniforms with single numbers come before uniforms that are tables, because of a fault of Mesa's
+// software renderer, version 22.3 (Debian 12). It keeps a list of the numbers that conditions of a
+// shader read from uniforms, by uniform, counted from one in the order of these bindings. From the
+// fourth uniform on it writes beyond the list: for the fourth into the list's own counts, for the
+// eighth into memory of others. Only reads at a fixed place enter the list. Tables are read at
+// computed places, so they may be fourth and eighth in a layout.
+
 /// The uniform `Scene`.
 pub const SCENE: u32 = 0;
+/// The uniform `Tilt` of a tilted disk.
+pub const TILT: u32 = 1;
+/// The hot spot of the disk, a uniform.
+pub const HOT_SPOT: u32 = 2;
+/// The uniform `Stars`: what the kernels of point stars share.
+pub const STARS: u32 = 3;
+/// The uniform `StarMesh`: the mesh by which images are found without an inversion.
+pub const STAR_MESH: u32 = 4;
 /// The table of thermal colours, a uniform.
-pub const SPECTRUM: u32 = 1;
-/// The storage array that a compute shader reads.
-pub const INPUT: u32 = 2;
-/// The storage array that a compute shader writes.
-pub const OUTPUT: u32 = 3;
-/// The table of the disk model `page-thorne`, a uniform.
-pub const PAGE_THORNE: u32 = 4;
-/// The grid of the view `error`, a uniform.
-pub const ERROR_MAP: u32 = 5;
+pub const SPECTRUM: u32 = 5;
 /// The rings and waves of the disk's structure, a uniform.
 pub const STRUCTURE: u32 = 6;
-/// The hot spot of the disk, a uniform.
-pub const HOT_SPOT: u32 = 7;
-
-/// The uniform `Tilt` of a tilted disk.
-pub const TILT: u32 = 22;
 /// The uniform `Starlight` of the sky mode `stars`.
-pub const STARLIGHT: u32 = 14;
-/// The Milky Way's light, a cube map, and its sampler.
-pub const MILKY_WAY: u32 = 15;
-/// See [`MILKY_WAY`].
-pub const MILKY_WAY_SAMPLER: u32 = 16;
-/// The uniform `Stars`: what the kernels of point stars share.
-pub const STARS: u32 = 8;
+pub const STARLIGHT: u32 = 7;
+/// The table of the disk model `page-thorne`, a uniform.
+pub const PAGE_THORNE: u32 = 8;
 /// The table by which the images of stars are found, a uniform.
 pub const STAR_TABLE: u32 = 9;
+/// The grid of the view `error`, a uniform.
+pub const ERROR_MAP: u32 = 10;
+
+/// The storage array that a compute shader reads.
+pub const INPUT: u32 = 11;
+/// The storage array that a compute shader writes.
+pub const OUTPUT: u32 = 12;
+/// The Milky Way's light, a cube map, and its sampler.
+pub const MILKY_WAY: u32 = 13;
+/// See [`MILKY_WAY`].
+pub const MILKY_WAY_SAMPLER: u32 = 14;
 /// The list of stars, a storage array.
-pub const STAR_LIST: u32 = 10;
+pub const STAR_LIST: u32 = 15;
 /// The list of images, a storage array.
-pub const STAR_IMAGES: u32 = 11;
+pub const STAR_IMAGES: u32 = 16;
 /// The number of images and of workgroups that draw them, in storage.
-pub const STAR_COUNT: u32 = 12;
+pub const STAR_COUNT: u32 = 17;
 /// The light of the images on each pixel, a storage array.
-pub const STAR_SUMS: u32 = 13;
-/// The uniform `StarMesh`: the mesh by which images are found without an inversion.
-pub const STAR_MESH: u32 = 17;
+pub const STAR_SUMS: u32 = 18;
 /// What the rays of the mesh have met, a storage array.
-pub const MESH_POINTS: u32 = 18;
+pub const MESH_POINTS: u32 = 19;
 /// Where on the sky the stars of the list are, a storage array.
-pub const STAR_INDEX: u32 = 19;
+pub const STAR_INDEX: u32 = 20;
 /// The stars that may have an image in a cell of the mesh, a storage array.
-pub const CANDIDATES: u32 = 20;
+pub const CANDIDATES: u32 = 21;
 /// The number of candidates and of workgroups that polish them, in storage.
-pub const CANDIDATE_COUNT: u32 = 21;
+pub const CANDIDATE_COUNT: u32 = 22;
 
 /// The uniform `Presentation` of the presentation's shader, which has bindings of its own.
 pub const PRESENTATION: u32 = 0;

@@ -49,6 +49,7 @@ mod spectrum;
 mod stars;
 mod structure;
 mod tilted_disk;
+mod uniforms;
 mod verlet;
 mod views;
 
