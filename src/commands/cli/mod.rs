@@ -49,8 +49,8 @@ struct Cli {
     scene: SceneArgs,
     #[command(flatten)]
     gpu: GpuArgs,
-    /// Fly a guided journey at once, from a TOML file of keyframes; assets/journeys/default.toml is
-    /// an example, and the journey that J flies by default
+    /// Fly a guided journey at once, from a TOML file of keyframes; assets/journeys/default.toml of
+    /// the source code is an example, and the journey that J flies by default
     #[arg(long, value_name = "FILE", help_heading = "Scene")]
     journey: Option<PathBuf>,
     #[command(subcommand)]

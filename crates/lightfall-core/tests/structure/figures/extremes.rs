@@ -136,7 +136,7 @@ fn listed(rows: Vec<&Verdict>) -> String {
         far.map(|row| {
             vec![
                 row.cell.clone(),
-                short(row.backward_max),
+                format!("{:.2e}", row.backward_max),
                 short(row.tolerance),
             ]
         }),
