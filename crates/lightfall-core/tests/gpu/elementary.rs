@@ -3,6 +3,7 @@
 use crate::gpu;
 use glam::{Vec2, Vec4};
 use lightfall_core::gpu::Gpu;
+use lightfall_core::gpu::bindings::{INPUT, OUTPUT};
 use lightfall_core::gpu::kernel::Kernel;
 
 /// A kernel that evaluates a WGSL expression of `given`, with the types of `given` and of the
@@ -12,8 +13,8 @@ fn of_each(gpu: &Gpu, expression: &str, [given, answer]: [&str; 2]) -> Kernel {
     let source = format!(
         "const PI: f32 = 3.14159265358979; const TINY: f32 = 1e-30;
          {elementary}
-         @group(0) @binding(2) var<storage, read> inputs: array<{given}>;
-         @group(0) @binding(3) var<storage, read_write> answers: array<{answer}>;
+         @group(0) @binding({INPUT}) var<storage, read> inputs: array<{given}>;
+         @group(0) @binding({OUTPUT}) var<storage, read_write> answers: array<{answer}>;
          @compute @workgroup_size(64) fn of_each(@builtin(global_invocation_id) id: vec3<u32>) {{
              if id.x < arrayLength(&inputs) {{
                  let given = inputs[id.x];

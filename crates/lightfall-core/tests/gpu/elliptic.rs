@@ -3,6 +3,7 @@
 use crate::gpu;
 use glam::{Vec2, Vec4};
 use lightfall_core::geometry::elliptic::carlson_rf;
+use lightfall_core::gpu::bindings::{INPUT, OUTPUT};
 use lightfall_core::gpu::kernel::Kernel;
 
 /// The functions, with an entry point that maps each `vec4` `v` to the `vec2` `expression`.
@@ -10,8 +11,8 @@ fn kernel(expression: &str) -> String {
     let functions = include_str!("../../../../shaders/elliptic.wgsl");
     format!(
         "{functions}
-         @group(0) @binding(2) var<storage, read> given: array<vec4<f32>>;
-         @group(0) @binding(3) var<storage, read_write> found: array<vec2<f32>>;
+         @group(0) @binding({INPUT}) var<storage, read> given: array<vec4<f32>>;
+         @group(0) @binding({OUTPUT}) var<storage, read_write> found: array<vec2<f32>>;
          @compute @workgroup_size(64) fn apply(@builtin(global_invocation_id) id: vec3<u32>) {{
              if id.x < arrayLength(&given) {{
                  let v = given[id.x];
