@@ -4,26 +4,27 @@ use crate::app::controls::bindings::Bindings;
 use bevy_egui::egui;
 
 const EXACT: [&str; 8] = [
-    "Where light goes: every pixel of the background is a null geodesic of Schwarzschild or Kerr. Its error is stated as the \
-     turn of the pixel's ray that would explain it. In closed form (closed) the turn is below 1e-6 rad without spin, \
+    "Where light goes: every pixel of the background is a null geodesic of Schwarzschild or Kerr. Its error is the smallest \
+     turn of the pixel's ray that explains the answer. In closed form (closed) the turn is below 1e-6 rad without spin, \
      0.0006 of a pixel of preset 2. With spin it is within 6e-7 rad for 99 of 100 rays, and within some 1e-5 rad for nearly \
-     every ray unless the hole is nearly extremal. The ray inspector measures it for the pixel that you click.",
-    "The shadow's edge, the order of the images, and which rays are captured.",
+     every ray. Some rays exceed these bounds in extreme scenes: around a nearly extremal hole, next to the horizon, or for an \
+     observer nearly as fast as light. The ray inspector measures the error for the pixel that you click.",
+    "The shadow's edge, the order of the images, and which rays are captured. Their errors are part of the same turn.",
     "The shift g of light from the disk and from the sky: gravity, Doppler and aberration together, for any observer.",
     "How the disk moves, and when you see it: matter goes round on circular orbits of Schwarzschild or Kerr, the rotation shears \
-     what it carries, and each point is seen as it was when its light left. How long this light was under way is right to \
+     what it carries, and each point is seen as it was when its light left. The travel time of this light is right to \
      0.002 r_s/c for the place that is found (closed and mino).",
     "Limb darkening: the flux of each place stays what it is, and is spread over the directions as by an atmosphere that \
      scatters light on electrons (within 0.25 %).",
     "The observer: at rest, with zero angular momentum, in orbit or in free fall, and boosted. Its frame decides what is seen.",
     "Black-body colours: Planck's law and the CIE 1931 observer.",
-    "The stars: 9096 of the Bright Star Catalogue, where they are and as bright as they are. Each image is a point with the \
+    "The stars: 9096 of the Bright Star Catalogue, at their true places and with their true brightness. Each image is a point with the \
      magnification of its light: right to 0.002 for 99 of 100 images, less next to a caustic.",
 ];
 
 const STATISTICS: [&str; 2] = [
-    "The disk's filaments: a random pattern with the spread, the tilt and the lifetime that simulations of turbulence find. No \
-     equation of motion makes it. On average it keeps the flux of every radius. The same seed and time give the same disk.",
+    "The disk's filaments: a random pattern with the spread, the tilt and the lifetime that simulations of turbulence find. It \
+     solves no equation of motion. On average it keeps the flux of every radius. The same seed and time give the same disk.",
     "Stars fainter than V = 6, and the Milky Way: as many stars as are counted, with their colours and their crowding toward \
      the galaxy's plane, but at random places; and the light of a model of the galaxy.",
 ];
@@ -38,14 +39,14 @@ const ART: [&str; 4] = [
 pub(super) fn show(ui: &mut egui::Ui, bindings: &Bindings) {
     let key = |id| bindings.label(id);
     let unfinished = format!(
-        "verlet and kerr-schild, kept for comparison, are as exact as their steps. Some of their rays stay unfinished; {} marks \
-         them.",
+        "The methods verlet and kerr-schild, kept for comparison, are only as accurate as their steps allow. Some of their rays \
+         stay unfinished, which {} shows.",
         key("view.unfinished")
     );
     let approximate = [
         "The disk is infinitely thin, and no light comes from inside the innermost stable orbit.",
-        "A ray shows the first two places where it meets the disk. Around a spinning hole a third one is left out, which can be \
-         the image of order 2.",
+        "A ray shows the first two places where it meets the disk. Around a spinning hole there can be a third one, the image of \
+         order 2, which is left out.",
         "Each pixel has one ray, and 4, 16 or 64 where an edge passes. Filaments finer than a pixel are averaged over it, which \
          leaves less than half of the error that they would have otherwise.",
         &unfinished,
