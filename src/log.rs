@@ -10,8 +10,8 @@ use bevy::utils::default;
 use std::fmt::{Debug, Display};
 use std::io::{Write, stderr};
 
-/// Writes a line to standard error. A line that cannot be written is dropped, because standard error may
-/// be closed or full; `eprintln!` would panic.
+/// Writes a line to standard error. A line that cannot be written is dropped, because standard error
+/// may be closed or full; `eprintln!` would panic.
 pub fn say(line: impl Display) {
     writeln!(stderr().lock(), "{line}").ok();
 }

@@ -2,11 +2,12 @@
 //! shader gets them as constants in front of its text, under the names in the tables below.
 
 // Uniforms with single numbers come before uniforms that are tables, because of a fault of Mesa's
-// software renderer, version 22.3 (Debian 12). It keeps a list of the numbers that conditions of a
-// shader read from uniforms, by uniform, counted from one in the order of these bindings. From the
-// fourth uniform on it writes beyond the list: for the fourth into the list's own counts, for the
-// eighth into memory of others. Only reads at a fixed place enter the list. Tables are read at
-// computed places, so they may be fourth and eighth in a layout.
+// software renderer, version 22.3 (Debian 12). For each pipeline the renderer lists which numbers
+// the shader's conditions read from each uniform. It counts uniforms from one, in the order of
+// these bindings, and writes beyond the list from the fourth uniform of a layout on: for the fourth
+// into the list's own counts, for the fifth to the seventh into parts of the pipeline that are not
+// used, and for the eighth and later ones into the heap. Only reads at a fixed place enter the
+// list. A table is read at computed places, so it can be the fourth or the eighth.
 
 /// The uniform `Scene`.
 pub const SCENE: u32 = 0;

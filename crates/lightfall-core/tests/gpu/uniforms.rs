@@ -1,5 +1,5 @@
-//! The order of uniforms in the layouts that the program binds, on which a software renderer depends
-//! (src/gpu/bindings.rs says why).
+//! The order of uniforms in the layouts of the picture and of the kernels of stars. A fault of Mesa
+//! 22.3's software renderer restricts it (src/gpu/bindings.rs).
 
 use lightfall_core::gpu::stars::Kernel;
 use lightfall_core::gpu::{Entry, Variant};
@@ -18,8 +18,8 @@ fn uniforms(source: &str) -> BTreeMap<u32, bool> {
     module.global_variables.iter().filter_map(uniform).collect()
 }
 
-/// The places in a layout, counted from one, of uniforms that overwrite memory in use unless they are
-/// tables.
+/// Whether a uniform at this place of a layout, counted from one, overwrites memory in use unless it
+/// is a table.
 fn is_unsafe_place(place: usize) -> bool {
     place == 4 || place >= 8
 }

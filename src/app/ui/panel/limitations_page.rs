@@ -9,10 +9,10 @@ const EXACT: [&str; 8] = [
      0.0006 of a pixel of preset 2. With spin it is within 6e-7 rad for 99 of 100 rays, and within some 1e-5 rad for nearly \
      every ray. Some rays exceed these bounds in extreme scenes: around a nearly extremal hole, next to the horizon, or for an \
      observer nearly as fast as light. The ray inspector measures the error for the pixel that you click.",
-    "The shadow's edge, the order of the images, and which rays are captured. Their errors are part of the same turn.",
+    "The shadow's edge, the order of the images, and which rays are captured. The same turn measures their errors.",
     "The shift g of light from the disk and from the sky: gravity, Doppler and aberration together, for any observer.",
     "How the disk moves, and when you see it: matter goes round on circular orbits of Schwarzschild or Kerr, the rotation shears \
-     what it carries, and each point is seen as it was when its light left. The travel time of this light is right to \
+     what it carries, and each point is seen as it was when its light left. The travel time of this light is accurate to \
      0.002 r_s/c for the place that is found (closed and mino).",
     "Limb darkening: the flux of each place stays what it is, and is spread over the directions as by an atmosphere that \
      scatters light on electrons (within 0.25 %).",
