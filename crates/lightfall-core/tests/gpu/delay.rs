@@ -18,30 +18,33 @@ use std::f64::consts::PI;
 struct Bar {
     /// The delay at the place that the method has found, in r_s/c.
     delay: f64,
-    /// The share of hits at places that are too far apart to compare.
+    /// The share of hits at places that are too far apart to compare, of all scenes of a test
+    /// together: about twice the largest share of 60 runs. A single scene may exceed it several
+    /// times over, because how many of its rays pass next to the critical curve depends on its
+    /// camera.
     elsewhere: f64,
 }
 
-/// A thousandth of a radian of the innermost orbits. At most 3e-4 r_s/c are measured from outside
-/// the horizon, the error of four Gaussian nodes next to the critical curve.
+/// A thousandth of a radian of the innermost orbits. At most 4e-4 r_s/c are measured, the error of
+/// four Gaussian nodes next to the critical curve. Up to 0.03 of the hits are elsewhere.
 const CLOSED: Bar = Bar {
     delay: 1e-3,
-    elsewhere: 0.1,
+    elsewhere: 0.06,
 };
 
 /// Twice as much: up to 1.6e-3 r_s/c are measured, from the quadrature over the method's long
-/// steps.
+/// steps. Up to 0.042 of the hits are elsewhere.
 const MINO: Bar = Bar {
     delay: 2e-3,
-    elsewhere: 0.25,
+    elsewhere: 0.1,
 };
 
 /// The truncation error of the trapezoidal rule over the article's steps: up to 9e-3 r_s/c are
 /// measured for verlet and 5e-3 for kerr-schild. Their rays stray, too, most of all next to the
-/// photon sphere.
+/// photon sphere: up to 0.15 of the hits are elsewhere.
 const ARTICLE: Bar = Bar {
     delay: 1.5e-2,
-    elsewhere: 0.8,
+    elsewhere: 0.3,
 };
 
 /// The least number of hits that count as a test.
@@ -105,39 +108,61 @@ impl Differences {
             }
         }
     }
+}
 
-    /// Prints the differences, and says in `faults` where they are above the bar.
-    fn check(&self, what: &str, bar: Bar, faults: &mut Vec<String>) {
-        let count = self.there.len();
+/// What the scenes of a test show of a method.
+struct Comparison {
+    bar: Bar,
+    hits: usize,
+    elsewhere: usize,
+    faults: Vec<String>,
+}
+
+impl Comparison {
+    fn new(bar: Bar) -> Self {
+        Self {
+            bar,
+            hits: 0,
+            elsewhere: 0,
+            faults: vec![],
+        }
+    }
+
+    /// Prints the differences of some scenes, and notes a fault if a delay is wrong or too few
+    /// places can be compared.
+    fn add(&mut self, what: &str, off: &Differences) {
+        self.hits += off.plain.len();
+        self.elsewhere += off.elsewhere;
+        let count = off.there.len();
         if count < ENOUGH {
-            faults.push(format!("{what}: {count} hits"));
+            self.faults.push(format!("{what}: {count} hits"));
             return;
         }
         let of = |all: &[f64]| [0.5, 0.99, 1.0].map(|share| quantile(all, share));
-        let ([middle, much, most], plain) = (of(&self.there), of(&self.plain));
-        let (_, worst) = self.worst.as_ref().unwrap();
+        let ([middle, much, most], plain) = (of(&off.there), of(&off.plain));
         println!(
             "{what}: {count} hits, {middle:.1e} {much:.1e} {most:.1e}, plain {:.1e} {:.1e} {:.1e}, \
              {} elsewhere",
-            plain[0], plain[1], plain[2], self.elsewhere
+            plain[0], plain[1], plain[2], off.elsewhere
         );
-        // Few hits may have a larger share by chance: three standard deviations are allowed.
-        let hits = self.plain.len() as f64;
-        let expected = bar.elsewhere * hits;
-        let chance = 3.0 * (expected * (1.0 - bar.elsewhere)).sqrt();
-        let right = most <= bar.delay && self.elsewhere as f64 <= expected + chance;
+        let right = most <= self.bar.delay;
         if !right {
-            faults.push(format!(
-                "{what}: {middle:.1e} {much:.1e} {most:.1e}, {} of {count} elsewhere; {worst}",
-                self.elsewhere
+            let (_, worst) = off.worst.as_ref().unwrap();
+            self.faults.push(format!(
+                "{what}: {middle:.1e} {much:.1e} {most:.1e}; {worst}"
             ));
         }
     }
-}
 
-#[track_caller]
-fn assert_none(faults: &[String]) {
-    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+    #[track_caller]
+    fn assert_within_the_bar(mut self) {
+        let share = self.elsewhere as f64 / self.hits as f64;
+        println!("{} of {} hits elsewhere", self.elsewhere, self.hits);
+        if share > self.bar.elsewhere {
+            self.faults.push(format!("{share} of all hits elsewhere"));
+        }
+        assert!(self.faults.is_empty(), "\n{}", self.faults.join("\n"));
+    }
 }
 
 /// A static camera at 20 r_s with a disk from the innermost stable orbit to 11 r_s, 50 degrees
@@ -224,12 +249,12 @@ fn random_scene(random: &mut Random, method: Method, spin: f64, r: f64) -> Scene
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn the_delays_of_closed_are_those_of_the_reference() {
-    let mut faults = vec![];
+    let mut comparison = Comparison::new(CLOSED);
     for theta in [83.0, 60.0, 0.0] {
         let scene = tabulated(Method::Closed, 0.0, theta);
         let mut off = Differences::default();
         off.add(&scene, &pixels(&scene));
-        off.check(&format!("closed, pixels, {theta}"), CLOSED, &mut faults);
+        comparison.add(&format!("closed, pixels, {theta}"), &off);
     }
     let mut random = Random::new();
     for r in [1.0001, 1.2, 1.6].into_iter().chain(FAR) {
@@ -238,45 +263,37 @@ fn the_delays_of_closed_are_those_of_the_reference() {
             let scene = random_scene(&mut random, Method::Closed, 0.0, r);
             off.add(&scene, &random_directions(&mut random, &scene, 400));
         }
-        off.check(&format!("closed, {r}"), CLOSED, &mut faults);
+        comparison.add(&format!("closed, {r}"), &off);
     }
-    assert_none(&faults);
+    comparison.assert_within_the_bar();
 }
 
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn the_delays_of_mino_are_those_of_the_reference() {
-    let mut faults = vec![];
+    let mut comparison = Comparison::new(MINO);
     for (spin, theta) in [(0.0, 83.0), (0.9, 83.0), (0.9, 60.0)] {
         let scene = tabulated(Method::Mino, spin, theta);
         let mut off = Differences::default();
         off.add(&scene, &pixels(&scene));
-        off.check(&format!("mino, pixels, {spin}, {theta}"), MINO, &mut faults);
+        comparison.add(&format!("mino, pixels, {spin}, {theta}"), &off);
     }
-    check_spins(
-        Method::Mino,
-        &[0.0, 0.3, 0.9, -0.9, 0.998],
-        MINO,
-        &mut faults,
-    );
-    assert_none(&faults);
+    let spins = [0.0, 0.3, 0.9, -0.9, 0.998];
+    compare_from_outside(&mut comparison, Method::Mino, &spins);
+    comparison.assert_within_the_bar();
 }
 
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn the_delays_of_closed_with_spin_are_those_of_the_reference() {
-    let mut faults = vec![];
-    check_spins(
-        Method::Closed,
-        &[0.3, 0.9, -0.9, 0.998],
-        CLOSED,
-        &mut faults,
-    );
-    assert_none(&faults);
+    let mut comparison = Comparison::new(CLOSED);
+    let spins = [0.3, 0.9, -0.9, 0.998];
+    compare_from_outside(&mut comparison, Method::Closed, &spins);
+    comparison.assert_within_the_bar();
 }
 
-/// Random scenes of a method from outside.
-fn check_spins(method: Method, spins: &[f64], bar: Bar, faults: &mut Vec<String>) {
+/// Adds random scenes of a method from outside the horizon.
+fn compare_from_outside(comparison: &mut Comparison, method: Method, spins: &[f64]) {
     let mut random = Random::new();
     for spin in spins {
         for r in FAR {
@@ -285,24 +302,31 @@ fn check_spins(method: Method, spins: &[f64], bar: Bar, faults: &mut Vec<String>
                 let scene = random_scene(&mut random, method, *spin, r);
                 off.add(&scene, &random_directions(&mut random, &scene, 400));
             }
-            off.check(&format!("{method:?}, {spin}, {r}"), bar, faults);
+            comparison.add(&format!("{method:?}, {spin}, {r}"), &off);
         }
     }
 }
 
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn inside_the_horizon_the_lags_are_those_of_the_reference() {
-    let mut faults = vec![];
+fn inside_the_horizon_the_lags_of_closed_are_those_of_the_reference() {
+    let mut comparison = Comparison::new(CLOSED);
+    compare_inside_the_horizon(&mut comparison, Method::Closed, &[0.0, 0.9]);
+    comparison.assert_within_the_bar();
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn inside_the_horizon_the_lags_of_mino_are_those_of_the_reference() {
+    let mut comparison = Comparison::new(MINO);
+    compare_inside_the_horizon(&mut comparison, Method::Mino, &[0.0, 0.5, 0.9, -0.9]);
+    comparison.assert_within_the_bar();
+}
+
+/// Adds random scenes of a method from the horizon to as far as the camera falls.
+fn compare_inside_the_horizon(comparison: &mut Comparison, method: Method, spins: &[f64]) {
     let mut random = Random::new();
-    for (method, spin) in [
-        (Method::Closed, 0.0),
-        (Method::Closed, 0.9),
-        (Method::Mino, 0.0),
-        (Method::Mino, 0.5),
-        (Method::Mino, 0.9),
-        (Method::Mino, -0.9),
-    ] {
+    for &spin in spins {
         let (horizon, end) = (Kerr { spin }.horizon(), min_infall_radius(Kerr { spin }));
         for depth in [0.0, 0.01, 0.5, 1.0] {
             let mut off = Differences::default();
@@ -316,25 +340,15 @@ fn inside_the_horizon_the_lags_are_those_of_the_reference() {
                 scene.camera.r = horizon - depth * (horizon - end);
                 off.add(&scene, &random_directions(&mut random, &scene, 600));
             }
-            let bar = if method == Method::Closed {
-                CLOSED
-            } else {
-                MINO
-            };
-            off.check(
-                &format!("inside, {method:?}, {spin}, {depth}"),
-                bar,
-                &mut faults,
-            );
+            comparison.add(&format!("inside, {method:?}, {spin}, {depth}"), &off);
         }
     }
-    assert_none(&faults);
 }
 
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn without_lensing_the_delay_is_the_distance() {
-    let mut faults = vec![];
+    let mut comparison = Comparison::new(CLOSED);
     let mut random = Random::new();
     for spin in [0.0, 0.9] {
         let mut off = Differences::default();
@@ -343,15 +357,15 @@ fn without_lensing_the_delay_is_the_distance() {
             scene.effects.lensing = false;
             off.add(&scene, &random_directions(&mut random, &scene, 400));
         }
-        off.check(&format!("straight, {spin}"), CLOSED, &mut faults);
+        comparison.add(&format!("straight, {spin}"), &off);
     }
-    assert_none(&faults);
+    comparison.assert_within_the_bar();
 }
 
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn the_delays_of_the_articles_methods_are_those_of_the_reference_at_fine_steps() {
-    let mut faults = vec![];
+    let mut comparison = Comparison::new(ARTICLE);
     let mut random = Random::new();
     for (method, spin) in [
         (Method::Verlet, 0.0),
@@ -367,10 +381,10 @@ fn the_delays_of_the_articles_methods_are_those_of_the_reference_at_fine_steps()
                 scene.quality.max_affine = 1e5;
                 off.add(&scene, &random_directions(&mut random, &scene, 400));
             }
-            off.check(&format!("{method:?}, {spin}, {r}"), ARTICLE, &mut faults);
+            comparison.add(&format!("{method:?}, {spin}, {r}"), &off);
         }
     }
-    assert_none(&faults);
+    comparison.assert_within_the_bar();
 }
 
 /// The pixels of disk scenes whose delays tests/physics has in a table, as plain differences.
