@@ -19,32 +19,31 @@ struct Bar {
     /// The delay at the place that the method has found, in r_s/c.
     delay: f64,
     /// The share of hits at places that are too far apart to compare, of all scenes of a test
-    /// together: about twice the largest share of 60 runs. A single scene may exceed it several
-    /// times over, because how many of its rays pass next to the critical curve depends on its
-    /// camera.
+    /// together: about three times the largest share of 60 runs. A single scene may exceed it,
+    /// because the number of its rays next to the critical curve depends on its camera.
     elsewhere: f64,
 }
 
 /// A thousandth of a radian of the innermost orbits. At most 4e-4 r_s/c are measured, the error of
-/// four Gaussian nodes next to the critical curve. Up to 0.03 of the hits are elsewhere.
+/// four Gaussian nodes next to the critical curve. Up to 0.035 of the hits are elsewhere.
 const CLOSED: Bar = Bar {
     delay: 1e-3,
-    elsewhere: 0.06,
+    elsewhere: 0.1,
 };
 
 /// Twice as much: up to 1.6e-3 r_s/c are measured, from the quadrature over the method's long
 /// steps. Up to 0.042 of the hits are elsewhere.
 const MINO: Bar = Bar {
     delay: 2e-3,
-    elsewhere: 0.1,
+    elsewhere: 0.12,
 };
 
 /// The truncation error of the trapezoidal rule over the article's steps: up to 9e-3 r_s/c are
 /// measured for verlet and 5e-3 for kerr-schild. Their rays stray, too, most of all next to the
-/// photon sphere: up to 0.15 of the hits are elsewhere.
+/// photon sphere: up to 0.06 of the hits are elsewhere.
 const ARTICLE: Bar = Bar {
     delay: 1.5e-2,
-    elsewhere: 0.3,
+    elsewhere: 0.2,
 };
 
 /// The least number of hits that count as a test.
