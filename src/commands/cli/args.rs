@@ -129,8 +129,8 @@ fn about_pictures() -> String {
         "Channels (--aov) of the ray through each pixel's centre, regardless of the foreground. Missing values are NaN. Groups \
          are sky, hit1 and hit2:\n{channels}\n\
          Names of a sequence: the last run of # is replaced by the frame's number with as many digits, as in fall-####.png; fall.png \
-         gives fall-0001.png and so on. All frames have the scene's exposure. At the end, a command line that makes a video is \
-         printed.\n\n\
+         gives fall-0000.png, fall-0001.png and so on. Frames have the scene's exposure; where that is automatic, each frame is \
+         metered. At the end, a command line that makes a video is printed.\n\n\
          Every picture holds the preset that drew it: `--preset picture.png` and `--preset picture.exr` read it."
     )
 }

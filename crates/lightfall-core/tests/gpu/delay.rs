@@ -18,6 +18,8 @@ use std::f64::consts::PI;
 struct Bar {
     /// The delay at the place that the method has found, in r_s/c.
     delay: f64,
+    /// The share of hits whose delay may be off by up to ten times as much.
+    beyond: f64,
     /// The share of hits at places that are too far apart to compare, of all scenes of a test
     /// together: about three times the largest share of 60 runs. A single scene may exceed it,
     /// because the number of its rays next to the critical curve depends on its camera.
@@ -28,13 +30,23 @@ struct Bar {
 /// four Gaussian nodes next to the critical curve. Up to 0.035 of the hits are elsewhere.
 const CLOSED: Bar = Bar {
     delay: 1e-3,
+    beyond: 0.0,
     elsewhere: 0.1,
+};
+
+/// From a camera inside the horizon of a hole that spins, u at a first hit may lose three digits: in
+/// 14 of 2800 scenes a delay was off by more than 4e-5 r_s/c, the worst by 5e-4, and delays of rays
+/// next to it by up to 8e-4.
+const CLOSED_INSIDE: Bar = Bar {
+    beyond: 1e-3,
+    ..CLOSED
 };
 
 /// Twice as much: up to 1.6e-3 r_s/c are measured, from the quadrature over the method's long
 /// steps. Up to 0.042 of the hits are elsewhere.
 const MINO: Bar = Bar {
     delay: 2e-3,
+    beyond: 0.0,
     elsewhere: 0.12,
 };
 
@@ -43,6 +55,7 @@ const MINO: Bar = Bar {
 /// photon sphere: up to 0.06 of the hits are elsewhere.
 const ARTICLE: Bar = Bar {
     delay: 1.5e-2,
+    beyond: 0.0,
     elsewhere: 0.2,
 };
 
@@ -113,6 +126,7 @@ impl Differences {
 struct Comparison {
     bar: Bar,
     hits: usize,
+    beyond: usize,
     elsewhere: usize,
     faults: Vec<String>,
 }
@@ -122,6 +136,7 @@ impl Comparison {
         Self {
             bar,
             hits: 0,
+            beyond: 0,
             elsewhere: 0,
             faults: vec![],
         }
@@ -132,6 +147,8 @@ impl Comparison {
     fn add(&mut self, what: &str, off: &Differences) {
         self.hits += off.plain.len();
         self.elsewhere += off.elsewhere;
+        let is_beyond = |off: &&f64| off.total_cmp(&self.bar.delay).is_gt();
+        self.beyond += off.there.iter().filter(is_beyond).count();
         let count = off.there.len();
         if count < ENOUGH {
             self.faults.push(format!("{what}: {count} hits"));
@@ -145,7 +162,8 @@ impl Comparison {
             plain[0], plain[1], plain[2], off.elsewhere
         );
         let right = most <= self.bar.delay;
-        if !right {
+        let near = self.bar.beyond > 0.0 && most <= 10.0 * self.bar.delay;
+        if !(right || near) {
             let (_, worst) = off.worst.as_ref().unwrap();
             self.faults.push(format!(
                 "{what}: {middle:.1e} {much:.1e} {most:.1e}; {worst}"
@@ -155,10 +173,16 @@ impl Comparison {
 
     #[track_caller]
     fn assert_within_the_bar(mut self) {
-        let share = self.elsewhere as f64 / self.hits as f64;
-        println!("{} of {} hits elsewhere", self.elsewhere, self.hits);
-        if share > self.bar.elsewhere {
-            self.faults.push(format!("{share} of all hits elsewhere"));
+        let Self { bar, hits, .. } = self;
+        for (what, count, allowed) in [
+            ("beyond the bar", self.beyond, bar.beyond),
+            ("elsewhere", self.elsewhere, bar.elsewhere),
+        ] {
+            let result = format!("{count} of {hits} hits {what}");
+            println!("{result}");
+            if count as f64 > allowed * hits as f64 {
+                self.faults.push(result);
+            }
         }
         assert!(self.faults.is_empty(), "\n{}", self.faults.join("\n"));
     }
@@ -309,7 +333,7 @@ fn compare_from_outside(comparison: &mut Comparison, method: Method, spins: &[f6
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn inside_the_horizon_the_lags_of_closed_are_those_of_the_reference() {
-    let mut comparison = Comparison::new(CLOSED);
+    let mut comparison = Comparison::new(CLOSED_INSIDE);
     compare_inside_the_horizon(&mut comparison, Method::Closed, &[0.0, 0.9]);
     comparison.assert_within_the_bar();
 }

@@ -7,8 +7,8 @@ const EXACT: [&str; 8] = [
     "Where light goes: every pixel of the background is a null geodesic of Schwarzschild or Kerr. Its error is the smallest \
      turn of the pixel's ray that explains the answer. In closed form (closed) the turn is below 1e-6 rad without spin, \
      0.0006 of a pixel of preset 2. With spin it is within 6e-7 rad for 99 of 100 rays, and within some 1e-5 rad for nearly \
-     every ray. Some rays exceed these bounds in extreme scenes: around a nearly extremal hole, next to the horizon, or for an \
-     observer nearly as fast as light. The ray inspector measures the error for the pixel that you click.",
+     every ray. Some rays exceed these bounds in extreme scenes: around a nearly extremal hole, next to the horizon or inside \
+     it, or for an observer nearly as fast as light. The ray inspector measures the error for the pixel that you click.",
     "The shadow's edge, the order of the images, and which rays are captured. The same turn measures their errors.",
     "The shift g of light from the disk and from the sky: gravity, Doppler and aberration together, for any observer.",
     "How the disk moves, and when you see it: matter goes round on circular orbits of Schwarzschild or Kerr, the rotation shears \
