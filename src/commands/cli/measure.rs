@@ -84,10 +84,9 @@ pub enum EntryArg {
 #[derive(Debug, Args)]
 #[command(
     after_help = "Without --json, a Markdown table goes to standard output, or the text of hunt.txt. --out also writes \
-                        extremes.csv, extremes.json and extremes.md, with --grid as well, and other files with --delay and --hunt. \
-                        The exit status is 1 if closed or mino does not hold a cell, if a \
-                        hunt finds a ray beyond its tolerance that nothing explains, or if --delay finds a hit whose delay is \
-                        beyond 1e-3 rad and wrong for its place."
+                        extremes.csv, extremes.json and extremes.md, or the files that --delay and --hunt name. The exit status is \
+                        1 if closed or mino does not hold a cell, if a hunt finds a ray beyond its tolerance that nothing \
+                        explains, or if --delay finds a hit whose delay is beyond 1e-3 rad and wrong for its place."
 )]
 pub struct ExtremesArgs {
     /// Methods, separated by commas: closed, mino, verlet, kerr-schild [default: all that can trace
