@@ -179,8 +179,8 @@ fn star_files(scene: &Scene, chain: Chain) -> Vec<String> {
     let picture = Variant::picture(scene).files();
     let kernels = Kernel::of(scene).filter(|_| chain.stars);
     let files: BTreeSet<_> = kernels.flat_map(|kernel| kernel.files(scene)).collect();
-    let own = files.into_iter().filter(|file| !picture.contains(file));
-    own.map(str::to_owned).collect()
+    let own = files.into_iter();
+    own.filter(|file| !picture.contains(&&**file)).collect()
 }
 
 /// How edges are drawn.

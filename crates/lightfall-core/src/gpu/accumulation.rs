@@ -2,7 +2,7 @@
 
 use super::bindings::ACCUMULATION_CONSTANTS;
 use super::shader::ShaderText;
-use super::shader::text::{add_constant, part};
+use super::shader::text::add_constant;
 use encase::ShaderType;
 
 /// Mirror of `Accumulation` in shaders/antialias/accumulate.wgsl.
@@ -23,9 +23,6 @@ impl Accumulation {
         for (name, value) in ACCUMULATION_CONSTANTS {
             add_constant(&mut prelude, name, "u32", format!("{value}u"));
         }
-        ShaderText::new(
-            prelude,
-            vec![part!("fullscreen.wgsl"), part!("antialias/accumulate.wgsl")],
-        )
+        ShaderText::new(prelude, &["vertex", "accumulate"], Vec::new())
     }
 }

@@ -2,7 +2,7 @@
 
 use super::bindings::{self, ANTIALIAS_CONSTANTS};
 use super::shader::ShaderText;
-use super::shader::text::{add_constant, part};
+use super::shader::text::add_constant;
 use glam::UVec2;
 
 /// Pixels that one workgroup of REFINE refines, where each gets 4 rays and where each gets 16.
@@ -50,12 +50,7 @@ impl EdgeTraits {
         for (name, value) in numbers {
             add_constant(&mut prelude, name, "u32", format!("{value}u"));
         }
-        let parts = vec![
-            part!("trace.wgsl"),
-            part!("antialias/class.wgsl"),
-            part!("antialias/edges.wgsl"),
-        ];
-        ShaderText::new(prelude, parts)
+        ShaderText::new(prelude, &["edges"], Vec::new())
     }
 }
 

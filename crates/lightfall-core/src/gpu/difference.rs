@@ -2,7 +2,7 @@
 
 use super::bindings::DIFFERENCE_CONSTANTS;
 use super::shader::ShaderText;
-use super::shader::text::{add_constant, part};
+use super::shader::text::add_constant;
 use encase::ShaderType;
 
 /// Mirror of `Difference` in shaders/difference.wgsl.
@@ -23,9 +23,6 @@ impl Difference {
         for (name, value) in DIFFERENCE_CONSTANTS {
             add_constant(&mut prelude, name, "u32", format!("{value}u"));
         }
-        ShaderText::new(
-            prelude,
-            vec![part!("fullscreen.wgsl"), part!("difference.wgsl")],
-        )
+        ShaderText::new(prelude, &["vertex", "difference"], Vec::new())
     }
 }

@@ -48,9 +48,7 @@ pub use scene::{
     GpuDisk, GpuHole, GpuHotSpot, GpuObserver, GpuPicture, GpuQuality, GpuScene, GpuShadow, GpuSky,
     GpuTilt, MARK_BRIGHTNESS,
 };
-#[cfg(not(target_arch = "wasm32"))]
-pub use shader::ShaderFault;
-pub use shader::{Entry, ShaderText, Tracer, Variant};
+pub use shader::{Entry, ShaderFault, ShaderFiles, ShaderText, Tracer, Variant};
 pub use sky_texture::SkyTexture;
 pub use starlight::GpuStarlight;
 pub use structure::{GpuGroup, GpuRing, GpuStructure};

@@ -3,7 +3,7 @@
 
 use super::bindings::PRESENTATION_CONSTANTS;
 use super::shader::ShaderText;
-use super::shader::text::{add_constant, part};
+use super::shader::text::add_constant;
 use crate::scene::MAX_PIXELS_PER_CELL;
 use encase::ShaderType;
 use glam::{UVec2, Vec2};
@@ -40,9 +40,7 @@ impl Presentation {
             "u32",
             format!("{touched}u"),
         );
-        ShaderText::new(
-            prelude,
-            vec![part!("fullscreen.wgsl"), part!("pixelate.wgsl")],
-        )
+        let entries = ["vertex", "pixelate", "expand", "fit"];
+        ShaderText::new(prelude, &entries, Vec::new())
     }
 }

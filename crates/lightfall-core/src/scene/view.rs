@@ -47,6 +47,9 @@ pub struct ViewProperties {
     pub traces: bool,
     /// Whether it shows how long the light of the disk was under way.
     pub delays: bool,
+    /// Whether it shows what a ray's record contains only where it is asked for: the residual, and
+    /// the half-turns.
+    pub diagnostics: bool,
 }
 
 impl View {
@@ -65,6 +68,7 @@ impl View {
             content,
             traces,
             delays: matches!(self, Self::Delay),
+            diagnostics: matches!(self, Self::Residual | Self::Order),
         }
     }
 

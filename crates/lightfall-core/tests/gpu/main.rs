@@ -43,6 +43,7 @@ mod refine;
 mod refusals;
 mod report;
 mod requirements;
+mod shader_files;
 mod shaders;
 mod sky;
 mod spectrum;

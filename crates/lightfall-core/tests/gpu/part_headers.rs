@@ -6,6 +6,8 @@ use lightfall_core::gpu::{
     Accumulation, Difference, EdgeTraits, Presentation, ShaderText, Variant,
 };
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::PathBuf;
 
 type Names = BTreeSet<String>;
 
@@ -138,14 +140,14 @@ fn joined_texts() -> Vec<ShaderText> {
 fn every_part_states_what_it_needs_and_what_it_gives() {
     // A file that is joined under another name for one of its functions, its header included, is a
     // text of its own.
-    type File = (&'static str, String);
+    type File = (String, String);
     let mut needs: BTreeMap<File, Names> = BTreeMap::new();
     let mut gives: BTreeMap<File, Names> = BTreeMap::new();
     for text in joined_texts() {
         let constants = Part::new(text.prelude());
         let parts: Vec<(File, Part)> = text
             .files()
-            .map(|(file, text)| ((file, text.to_string()), Part::new(&text)))
+            .map(|(file, text)| ((file.to_owned(), text.to_owned()), Part::new(text)))
             .collect();
         for (file, part) in &parts {
             gives
@@ -188,10 +190,10 @@ fn every_shader_has_one_part_that_gives_what_another_part_needs() {
     for text in joined_texts() {
         let constants = Part::new(text.prelude()).declared;
         for (file, part) in text.files() {
-            for name in header(&part, "Needs").expect("every file has a header") {
+            for name in header(part, "Needs").expect("every file has a header") {
                 let givers: Vec<&str> = text
                     .files()
-                    .filter(|(_, other)| header(other.as_ref(), "Gives").unwrap().contains(&name))
+                    .filter(|(_, other)| header(other, "Gives").unwrap().contains(&name))
                     .map(|(other, _)| other)
                     .collect();
                 let count = givers.len() + usize::from(constants.contains(&name));
@@ -199,6 +201,32 @@ fn every_shader_has_one_part_that_gives_what_another_part_needs() {
             }
         }
     }
+}
+
+#[test]
+fn every_file_is_in_a_shader() {
+    let texts = joined_texts();
+    let used: BTreeSet<&str> = texts
+        .iter()
+        .flat_map(ShaderText::files)
+        .map(|f| f.0)
+        .collect();
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shaders");
+    let (mut files, mut folders) = (Vec::new(), vec![PathBuf::from(folder)]);
+    while let Some(next) = folders.pop() {
+        for entry in fs::read_dir(next).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                let below = path.strip_prefix(folder).unwrap();
+                let words: Vec<_> = below.iter().map(|word| word.to_string_lossy()).collect();
+                files.push(words.join("/"));
+            }
+        }
+    }
+    files.retain(|file| !used.contains(file.as_str()));
+    assert!(files.is_empty(), "no shader needs {files:?}");
 }
 
 #[test]

@@ -92,7 +92,7 @@ fn a_fault_is_one_line_with_its_file_and_its_line_there() {
             .followed_by("ours.wgsl", text)
             .validate()
             .unwrap_err();
-        assert_eq!((fault.file, fault.line), ("ours.wgsl", line), "{fault}");
+        assert_eq!((&*fault.file, fault.line), ("ours.wgsl", line), "{fault}");
         // naga counts the functions of a text.
         let reason = reason.split("[N]");
         let said = fault.to_string();
@@ -122,7 +122,7 @@ fn lines_of(file: &str) -> Option<Vec<String>> {
 
 #[test]
 fn a_line_of_a_variant_is_found_in_its_file() {
-    let mut files: HashMap<&str, Option<Vec<String>>> = HashMap::new();
+    let mut files: HashMap<String, Option<Vec<String>>> = HashMap::new();
     let mut seen = HashSet::new();
     // One variant of those with the same files is enough.
     for variant in Variant::all() {
@@ -132,7 +132,8 @@ fn a_line_of_a_variant_is_found_in_its_file() {
         let text = variant.text();
         for (index, line) in text.source().lines().enumerate() {
             let (file, number) = text.locate(index + 1);
-            let Some(lines) = files.entry(file).or_insert_with(|| lines_of(file)) else {
+            let known = files.entry(file.to_owned());
+            let Some(lines) = known.or_insert_with(|| lines_of(file)) else {
                 assert!(
                     line.starts_with("const ") || line.starts_with("alias "),
                     "only constants and names of types are in no file: {line}"

@@ -86,9 +86,17 @@ impl Variant {
                 ..*variant
             }));
         }
-        let skies = shining.iter().filter(|variant| {
-            matches!(variant.sky, SkyMode::Procedural | SkyMode::Grid) && !variant.spinning
-        });
+        let timed = shining.iter().filter(|variant| variant.sky == SkyMode::Off);
+        all.extend(timed.map(|variant| Self {
+            entry: Entry::TimedLight,
+            antialias: false,
+            structure: true,
+            delay_nodes: variant.tracer.delay_nodes(),
+            ..*variant
+        }));
+        let skies = shining
+            .iter()
+            .filter(|variant| variant.sky.lies_in_hole_frame() && !variant.spinning);
         all.extend(skies.map(|variant| Self {
             turned_sky: true,
             ..*variant
@@ -107,7 +115,7 @@ impl Variant {
         all.extend(refined);
         let close = |variant: &Self| {
             let (tracer, view, effects) = (variant.tracer, variant.view, variant.effects);
-            matches!(tracer, Tracer::Mino | Tracer::ClosedKerr)
+            matches!(tracer, Tracer::Method(Method::Mino) | Tracer::ClosedKerr)
                 && view == View::Colour
                 && effects == Effects::default()
         };

@@ -1,32 +1,34 @@
-//! WGSL parts joined into variants: a shader's text contains only what its scene needs. `const`
+//! WGSL files linked into variants: a shader's text contains only what its scene needs. `const`
 //! flags decide the rest; compilers drop what is behind a flag that is not set.
 
 mod all;
+mod choices;
 mod entry;
+mod fault;
+mod files;
+mod link;
 mod prelude;
-mod source;
 pub(super) mod spectrum_constants;
 mod star_images;
 pub(super) mod text;
 mod tracer;
 #[cfg(not(target_arch = "wasm32"))]
 mod validation;
-mod view;
 
 pub use entry::Entry;
+pub use fault::ShaderFault;
+pub use files::ShaderFiles;
 pub use text::ShaderText;
 pub use tracer::Tracer;
-#[cfg(not(target_arch = "wasm32"))]
-pub use validation::ShaderFault;
 
 use crate::geometry::kerr::Kerr;
 use crate::scene::{
-    DiskModel, DiskStructure, Effects, HotSpotKind, LimbDarkening, Scene, SkyMode, View,
+    DiskModel, DiskStructure, Effects, HotSpotKind, LimbDarkening, Method, Scene, SkyMode, View,
 };
-use text::{Part, part};
-use view::view_shader;
+use link::link;
+use text::declares;
 
-/// A shader: which parts are joined, and which flags are set.
+/// A shader: which files are linked, and which flags are set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Variant {
     /// What it answers.
@@ -88,10 +90,10 @@ const MIN_TRANSMISSION: f64 = 0.002;
 fn passes_near_horizon(tracer: Tracer, Scene { hole, camera, .. }: &Scene) -> bool {
     let farthest = match (tracer, hole.spin.abs()) {
         (Tracer::ClosedKerr, _) => 2.0,
-        (Tracer::Mino, 0.0) => 1.0,
-        (Tracer::Mino, spin) if spin > 0.999 => f64::INFINITY,
-        (Tracer::Mino, spin) if spin > 0.99 => 10.0,
-        (Tracer::Mino, _) => 1.5,
+        (Tracer::Method(Method::Mino), 0.0) => 1.0,
+        (Tracer::Method(Method::Mino), spin) if spin > 0.999 => f64::INFINITY,
+        (Tracer::Method(Method::Mino), spin) if spin > 0.99 => 10.0,
+        (Tracer::Method(Method::Mino), _) => 1.5,
         _ => return false,
     };
     camera.r <= farthest * Kerr { spin: hole.spin }.horizon()
@@ -151,7 +153,7 @@ impl Variant {
             delay_nodes: if needs_delay { tracer.delay_nodes() } else { 0 },
             throat: needs_delay && has_throat(tracer, scene),
             sky,
-            turned_sky: scene.disk.is_tilted() && source::needs_turned_directions(sky),
+            turned_sky: scene.disk.is_tilted() && sky.lies_in_hole_frame(),
             reference_star: scene.sky.reference_star && sky != SkyMode::Off,
             view: scene.view,
             // Brightness has no meaning for marks.
@@ -243,7 +245,7 @@ impl Variant {
 
     /// The shader's text, by its parts.
     pub fn text(self) -> ShaderText {
-        ShaderText::new(self.prelude(), self.parts())
+        ShaderText::new(self.prelude(), self.entry.points(), self.choices())
     }
 
     /// The whole WGSL text.
@@ -253,7 +255,15 @@ impl Variant {
 
     /// The files below shaders/ whose text is in the shader's, in their order.
     pub fn files(self) -> Vec<&'static str> {
-        self.parts().into_iter().map(|part| part.file).collect()
+        let prelude = self.prelude();
+        let is_constant = |name: &str| declares(&prelude, name);
+        let (files, _) = link(
+            ShaderFiles::built_in(),
+            self.entry.points(),
+            &self.choices(),
+            is_constant,
+        );
+        files.into_iter().map(|file| &*file.name).collect()
     }
 
     /// Whether it takes part in finding the images of stars.
@@ -265,101 +275,5 @@ impl Variant {
     /// Whether it follows rays to the images of stars.
     fn seeks_stars(self) -> bool {
         matches!(self.entry, Entry::StarMesh | Entry::StarPolish)
-    }
-
-    /// The parts in their order.
-    fn parts(self) -> Vec<Part> {
-        let mut parts = vec![part!("math.wgsl"), part!("scene.wgsl")];
-        if matches!(self.entry, Entry::Stars | Entry::StarInterpolation) {
-            parts.extend(self.photons());
-        } else if self.view.properties().traces {
-            parts.extend(self.tracing());
-        }
-        match self.entry {
-            Entry::Stars => parts.extend(self.solving_parts()),
-            Entry::StarMesh => parts.extend(self.mesh_parts()),
-            Entry::StarInterpolation | Entry::StarPolish => parts.extend(self.candidate_parts()),
-            Entry::HiddenStars => parts.extend(self.hiding_parts()),
-            Entry::Rays => parts.push(part!("rays.wgsl")),
-            Entry::Timed => parts.extend([part!("fullscreen.wgsl"), part!("timed.wgsl")]),
-            Entry::Picture | Entry::Refine | Entry::TimedLight => {
-                if self.view.shows_light() {
-                    parts.extend(self.light());
-                }
-                parts.push(part!("view/mark.wgsl"));
-                parts.extend(view_shader(self.view).parts);
-                parts.extend(self.pixel());
-            }
-        }
-        parts
-    }
-
-    /// The parts that give a pixel the light of its rays.
-    fn pixel(self) -> Vec<Part> {
-        let mut parts = Vec::new();
-        let by_place = self.entry != Entry::Refine && !self.antialias;
-        if by_place && self.view.properties().traces {
-            parts.push(part!("view/traced.wgsl"));
-        }
-        if self.entry == Entry::TimedLight {
-            parts.push(part!("timed_light.wgsl"));
-            return parts;
-        }
-        parts.push(part!("bounded_light.wgsl"));
-        parts.extend(source::point_light_parts(self.sky));
-        match (self.entry, self.antialias) {
-            (Entry::Refine, _) => parts.push(part!("antialias/refine.wgsl")),
-            (_, true) => parts.extend([
-                part!("fullscreen.wgsl"),
-                part!("antialias/class.wgsl"),
-                part!("antialias/geodesic.wgsl"),
-            ]),
-            (_, false) => parts.extend([part!("fullscreen.wgsl"), part!("geodesic.wgsl")]),
-        }
-        parts
-    }
-
-    /// The parts that trace a ray.
-    fn tracing(self) -> Vec<Part> {
-        let mut parts = self.photons();
-        parts.extend(source::disk_parts(self.disk));
-        parts.extend(self.tracer.parts(self.delay_nodes > 0, self.throat));
-        parts
-    }
-
-    /// The parts that take a direction to a photon and its shift.
-    fn photons(self) -> Vec<Part> {
-        vec![
-            part!("trace.wgsl"),
-            part!("elementary.wgsl"),
-            part!("observer.wgsl"),
-            part!("shift.wgsl"),
-        ]
-    }
-
-    /// Whether rays are compared with their neighbours.
-    fn has_footprints(self) -> bool {
-        let structure = self.structure && self.entry != Entry::TimedLight;
-        structure || matches!(self.sky, SkyMode::Stars | SkyMode::Grid)
-    }
-
-    /// The parts that give a ray its light.
-    fn light(self) -> Vec<Part> {
-        let mut parts = source::neighbour_parts(self.has_footprints(), self.entry).to_vec();
-        if self.disk || self.sky != SkyMode::Off {
-            parts.push(part!("spectrum.wgsl"));
-        }
-        if self.disk {
-            parts.extend(source::flux_parts(self.disk_model));
-            parts.extend(source::structure_parts(
-                self.structure,
-                self.entry != Entry::TimedLight,
-            ));
-            parts.extend(source::hot_spot_parts(self.hot_spot));
-            parts.extend(source::limb_parts(self.limb));
-            parts.extend([part!("disk/cover.wgsl"), part!("disk/emission.wgsl")]);
-        }
-        parts.extend(source::sky_parts(self.sky, self.turned_sky));
-        parts
     }
 }

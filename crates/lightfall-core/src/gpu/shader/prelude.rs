@@ -3,7 +3,6 @@
 
 use super::spectrum_constants::add_spectrum_constants;
 use super::text::add_constant;
-use super::view::view_shader;
 use super::{Entry, Variant};
 use crate::geometry::quadrature::gauss_legendre;
 use crate::gpu::antialias;
@@ -17,9 +16,9 @@ use crate::scene::{HotSpotKind, MAX_STEP_BUDGET, SkyMode, View};
 
 impl Variant {
     /// The flags, by their names in the shaders.
-    pub fn flags(self) -> [(&'static str, bool); 15] {
+    pub fn flags(self) -> Vec<(&'static str, bool)> {
         let records = self.entry == Entry::Rays;
-        [
+        vec![
             ("SPINNING", self.spinning),
             ("NEAR_HORIZON", self.near_horizon),
             ("AZIMUTH", records || self.moves()),
@@ -42,7 +41,7 @@ impl Variant {
             ("ABERRATION", self.effects.aberration),
             (
                 "DIAGNOSTICS",
-                records || self.seeks_stars() || view_shader(self.view).diagnostics,
+                records || self.seeks_stars() || self.view.properties().diagnostics,
             ),
         ]
     }

@@ -1,15 +1,14 @@
-//! The variants that find the images of stars, and their parts.
+//! The variants that find the images of stars.
 
-use super::text::{Part, part};
 use super::{Entry, Tracer, Variant};
-use crate::scene::Scene;
+use crate::scene::{Method, Scene};
 
 impl Variant {
     /// The shader that finds the images of stars, which [`crate::gpu::stars`] describes. It is the
     /// same for all scenes with the same effects.
     pub fn stars(scene: &Scene) -> Self {
         let tracer = if scene.effects.lensing {
-            Tracer::Closed
+            Tracer::Method(Method::Closed)
         } else {
             Tracer::Straight
         };
@@ -52,7 +51,10 @@ impl Variant {
     /// without spin and straight ones are inverted instead.
     #[must_use]
     pub fn uses_star_mesh(scene: &Scene) -> bool {
-        !matches!(Tracer::of(scene), Tracer::Closed | Tracer::Straight)
+        !matches!(
+            Tracer::of(scene),
+            Tracer::Method(Method::Closed) | Tracer::Straight
+        )
     }
 
     /// The scene's shaders among those that find the images of stars, in their order.
@@ -82,65 +84,5 @@ impl Variant {
             follow_beyond_hits: true,
             ..Self::tracing_only(scene)
         }
-    }
-
-    /// The parts that find images by inversion, beside those that take a direction to a photon.
-    pub(super) fn solving_parts(self) -> Vec<Part> {
-        vec![
-            part!("spectrum.wgsl"),
-            part!("stars/stars.wgsl"),
-            part!("stars/list.wgsl"),
-            part!("stars/pinhole.wgsl"),
-            part!("stars/add_image.wgsl"),
-            if self.effects.lensing {
-                part!("stars/closed.wgsl")
-            } else {
-                part!("stars/straight.wgsl")
-            },
-            part!("stars/solve.wgsl"),
-        ]
-    }
-
-    /// The parts that trace the mesh, beside those that trace a ray.
-    pub(super) fn mesh_parts(self) -> Vec<Part> {
-        vec![
-            part!("stars/stars.wgsl"),
-            part!("stars/pinhole.wgsl"),
-            part!("stars/mesh_points.wgsl"),
-            part!("stars/mesh.wgsl"),
-        ]
-    }
-
-    /// The parts that find candidates' images, by the mesh alone or by rays, beside those that take a
-    /// direction to a photon, and those that trace a ray.
-    pub(super) fn candidate_parts(self) -> Vec<Part> {
-        let by_mesh = self.entry == Entry::StarInterpolation;
-        vec![
-            part!("spectrum.wgsl"),
-            part!("stars/stars.wgsl"),
-            part!("stars/list.wgsl"),
-            part!("stars/pinhole.wgsl"),
-            part!("stars/add_image.wgsl"),
-            part!("stars/mesh_points.wgsl"),
-            part!("stars/mesh_cells.wgsl"),
-            part!("stars/candidates.wgsl"),
-            part!("stars/proposed.wgsl"),
-            part!("stars/tangent_plane.wgsl"),
-            part!("stars/bicubic.wgsl"),
-            if by_mesh {
-                part!("stars/interpolate.wgsl")
-            } else {
-                part!("stars/polish.wgsl")
-            },
-        ]
-    }
-
-    /// The parts that dim images behind the disk, beside those that trace a ray.
-    pub(super) fn hiding_parts(self) -> Vec<Part> {
-        vec![
-            part!("disk/cover.wgsl"),
-            part!("stars/stars.wgsl"),
-            part!("stars/hide.wgsl"),
-        ]
     }
 }

@@ -1,33 +1,15 @@
 //! WGSL text joined from constants and files.
 
+use super::fault::ShaderFault;
+use super::files::{ShaderFile, ShaderFiles};
+use super::link::{Choice, link};
 use std::borrow::Cow;
 
-/// A file below shaders/, and its text.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::gpu) struct Part {
-    pub file: &'static str,
-    pub text: &'static str,
-    /// A function of the file that another file defines in its place, and its name instead.
-    pub renamed: Option<(&'static str, &'static str)>,
-}
-
-impl Part {
-    /// The same file with its function `own` called `other`, so that another file can define `own`
-    /// and call it.
-    pub(super) fn renaming(self, own: &'static str, other: &'static str) -> Self {
-        Self {
-            renamed: Some((own, other)),
-            ..self
-        }
-    }
-
-    /// The text as it is joined.
-    fn joined(&self) -> Cow<'static, str> {
-        match self.renamed {
-            Some((own, other)) => with_name_replaced(self.text, own, other).into(),
-            None => self.text.into(),
-        }
-    }
+/// A file below shaders/, and its text as it is joined.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Part {
+    file: Cow<'static, str>,
+    text: Cow<'static, str>,
 }
 
 /// The text with `other` in place of the name `own`, wherever this is a whole name.
@@ -43,45 +25,67 @@ fn with_name_replaced(text: &str, own: &str, other: &str) -> String {
     replaced + &text[end..]
 }
 
-/// The [`Part`] of a file below shaders/.
-macro_rules! part {
-    ($file:literal) => {
-        $crate::gpu::shader::text::Part {
-            file: $file,
-            text: include_str!(concat!(
-                env!("CARGO_MANIFEST_DIR"),
-                "/../../shaders/",
-                $file
-            )),
-            renamed: None,
-        }
-    };
-}
-pub(in crate::gpu) use part;
-
 /// The file name that stands for the constants in front of the files.
 const PRELUDE: &str = "constants of the variant";
 
-/// A shader's text: constants that the CPU writes, and the files that are joined after them.
+/// A shader's text: constants that the CPU writes, and the files that are linked after them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ShaderText {
     prelude: String,
+    entries: Vec<&'static str>,
+    choices: Vec<Choice>,
     parts: Vec<Part>,
+    /// Why it cannot be linked.
+    fault: Option<ShaderFault>,
 }
 
 impl ShaderText {
-    pub(in crate::gpu) fn new(prelude: String, parts: Vec<Part>) -> Self {
-        Self { prelude, parts }
+    /// The shader with these entry points, linked from the files that the program was built with.
+    pub(in crate::gpu) fn new(
+        prelude: String,
+        entries: &[&'static str],
+        choices: Vec<Choice>,
+    ) -> Self {
+        let unlinked = Self {
+            prelude,
+            entries: entries.to_vec(),
+            choices,
+            parts: Vec::new(),
+            fault: None,
+        };
+        unlinked.linked_from(ShaderFiles::built_in())
+    }
+
+    /// The same shader, linked from other files. [`Self::validate`] says what is wrong with it.
+    #[must_use]
+    pub fn linked_from(&self, files: &ShaderFiles) -> Self {
+        let is_constant = |name: &str| declares(&self.prelude, name);
+        let (files, fault) = link(files, &self.entries, &self.choices, is_constant);
+        let part = |file: &ShaderFile| Part {
+            file: file.name.clone(),
+            text: match self.renaming(&file.name) {
+                Some((own, other)) => with_name_replaced(&file.text, own, other).into(),
+                None => file.text.clone(),
+            },
+        };
+        Self {
+            parts: files.into_iter().map(part).collect(),
+            fault,
+            ..self.clone()
+        }
+    }
+
+    /// The function of a file that is joined under another name, and this name.
+    fn renaming(&self, file: &str) -> Option<(&'static str, &'static str)> {
+        let choice = self.choices.iter().find(|choice| choice.file == file)?;
+        choice.renamed
     }
 
     /// The text with one more file at its end.
     #[must_use]
     pub fn followed_by(mut self, file: &'static str, text: &'static str) -> Self {
-        self.parts.push(Part {
-            file,
-            text,
-            renamed: None,
-        });
+        let (file, text) = (file.into(), text.into());
+        self.parts.push(Part { file, text });
         self
     }
 
@@ -98,14 +102,19 @@ impl ShaderText {
     }
 
     /// The files below shaders/ in their order, with their texts as they are joined.
-    pub fn files(&self) -> impl Iterator<Item = (&'static str, Cow<'static, str>)> {
-        self.parts.iter().map(|part| (part.file, part.joined()))
+    pub fn files(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.parts.iter().map(|part| (&*part.file, &*part.text))
+    }
+
+    /// Why it cannot be linked.
+    pub(super) fn link_fault(&self) -> Option<&ShaderFault> {
+        self.fault.as_ref()
     }
 
     /// The file that a line of the text comes from, and the line within that file; both lines are
     /// counted from 1.
     #[must_use]
-    pub fn locate(&self, line: usize) -> (&'static str, usize) {
+    pub fn locate(&self, line: usize) -> (&str, usize) {
         let mut first = 1;
         let mut place = (PRELUDE, line);
         for (file, text) in self.blocks() {
@@ -117,10 +126,18 @@ impl ShaderText {
         place
     }
 
-    fn blocks(&self) -> impl Iterator<Item = (&'static str, Cow<'_, str>)> {
-        let files = self.parts.iter().map(|part| (part.file, part.joined()));
-        std::iter::once((PRELUDE, self.prelude.as_str().into())).chain(files)
+    fn blocks(&self) -> impl Iterator<Item = (&str, &str)> {
+        std::iter::once((PRELUDE, &*self.prelude)).chain(self.files())
     }
+}
+
+/// Whether constants declare this name.
+pub(super) fn declares(constants: &str, name: &str) -> bool {
+    let mut lines = constants.lines().filter_map(|line| line.split_once(' '));
+    lines.any(|(_, rest)| {
+        let rest = rest.strip_prefix(name);
+        rest.is_some_and(|rest| rest.starts_with([':', ' ']))
+    })
 }
 
 /// Appends a WGSL constant to a prelude.

@@ -1,32 +1,22 @@
 //! Whether a shader's text is valid WGSL, as naga finds it: wgpu asks naga the same before a driver
 //! sees the shader. It needs no GPU.
 
-use super::ShaderText;
+use super::{ShaderFault, ShaderText};
 use std::error::Error;
 use std::iter::successors;
-use thiserror::Error;
 use wgpu::naga::SourceLocation;
 use wgpu::naga::front::wgsl::parse_str;
 use wgpu::naga::valid::{Capabilities, ValidationFlags, Validator};
 
-/// What is wrong with a shader's text, in one line that names the file below shaders/.
-#[derive(Clone, Debug, Error, PartialEq, Eq)]
-#[error("{file}:{line}: {reason}")]
-pub struct ShaderFault {
-    /// The file.
-    pub file: &'static str,
-    /// The line in that file, counted from 1.
-    pub line: usize,
-    /// What naga says.
-    pub reason: String,
-}
-
 impl ShaderText {
-    /// Parses and validates the text, and returns the names of its entry points.
+    /// Parses and validates the text if all of it could be linked, and returns the names of its entry points.
     ///
     /// # Errors
     /// The first fault.
     pub fn validate(&self) -> Result<Vec<String>, ShaderFault> {
+        if let Some(fault) = self.link_fault() {
+            return Err(fault.clone());
+        }
         let source = self.source();
         let module =
             parse_str(&source).map_err(|error| self.fault(error.location(&source), &error))?;
@@ -43,7 +33,7 @@ impl ShaderText {
         // naga says where something is invalid, and what is invalid as the cause of that.
         let steps = successors(Some(error), |error| (*error).source());
         ShaderFault {
-            file,
+            file: file.into(),
             line,
             reason: steps
                 .map(<dyn Error>::to_string)

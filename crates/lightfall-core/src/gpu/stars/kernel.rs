@@ -108,8 +108,9 @@ impl Kernel {
     }
 
     /// The files below shaders/ whose text is in its own.
-    pub fn files(self, scene: &Scene) -> Vec<&'static str> {
-        self.text(scene).files().map(|(file, _)| file).collect()
+    pub fn files(self, scene: &Scene) -> Vec<String> {
+        let text = self.text(scene);
+        text.files().map(|(file, _)| file.to_owned()).collect()
     }
 
     /// Its WGSL text, by its parts.

@@ -6,7 +6,7 @@ use super::mesh::{CANDIDATE_LISTS, MESH_RIM, PREDICT_GROUPS, RANKS, WIDE_GROUPS}
 use crate::gpu::bindings::{CONSTANTS, STAR_CONSTANTS};
 use crate::gpu::shader::ShaderText;
 use crate::gpu::shader::spectrum_constants::add_spectrum_constants;
-use crate::gpu::shader::text::{add_constant, part};
+use crate::gpu::shader::text::add_constant;
 use crate::optics::spectrum::rgb_from_xyz;
 use crate::optics::stars::images::{MIN_SOURCE_RADIUS, ORDERS, table::INTERVALS};
 
@@ -19,16 +19,7 @@ pub fn splat_shader() -> ShaderText {
     }
     add_spectrum_constants(&mut prelude);
     add_star_constants(&mut prelude);
-    ShaderText::new(
-        prelude,
-        vec![
-            part!("scene.wgsl"),
-            part!("spectrum.wgsl"),
-            part!("stars/stars.wgsl"),
-            part!("stars/pinhole.wgsl"),
-            part!("stars/splat.wgsl"),
-        ],
-    )
+    ShaderText::new(prelude, &["splat"], Vec::new())
 }
 
 /// The shader that looks for the stars in each cell of the mesh: entry points `propose`,
@@ -50,25 +41,8 @@ pub fn propose_shader() -> ShaderText {
     ] {
         add_constant(&mut prelude, name, "u32", format!("{value}u"));
     }
-    ShaderText::new(
-        prelude,
-        vec![
-            part!("math.wgsl"),
-            part!("scene.wgsl"),
-            part!("stars/stars.wgsl"),
-            part!("stars/list.wgsl"),
-            part!("stars/pinhole.wgsl"),
-            part!("stars/mesh_points.wgsl"),
-            part!("stars/mesh_cells.wgsl"),
-            part!("stars/candidates.wgsl"),
-            part!("stars/add_candidate.wgsl"),
-            part!("stars/cell_sky.wgsl"),
-            part!("stars/propose.wgsl"),
-            part!("stars/tangent_plane.wgsl"),
-            part!("stars/bicubic.wgsl"),
-            part!("stars/predict.wgsl"),
-        ],
-    )
+    let entries = ["propose", "propose_wide", "predict"];
+    ShaderText::new(prelude, &entries, Vec::new())
 }
 
 /// Appends the constants of the kernels.

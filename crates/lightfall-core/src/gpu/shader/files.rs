@@ -1,0 +1,131 @@
+//! The files that shaders are linked from, with what the header of each says.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::fs;
+use std::io;
+use std::path::Path;
+use std::sync::LazyLock;
+
+/// The name and the text of every file below shaders/ when the program was built.
+const BUILT_IN: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/shader_files.rs"));
+
+/// WGSL files, by the names that they need from each other and give to each other.
+#[derive(Clone, Debug)]
+pub struct ShaderFiles {
+    files: Vec<ShaderFile>,
+    /// The places in `files` of those that give a name.
+    givers: HashMap<String, Vec<usize>>,
+}
+
+/// A WGSL file.
+#[derive(Clone, Debug)]
+pub(super) struct ShaderFile {
+    /// Its path below the folder of shaders, with `/` between the words.
+    pub name: Cow<'static, str>,
+    pub text: Cow<'static, str>,
+    /// The names that it needs from other files or from the constants in front of them.
+    pub needs: Vec<String>,
+    /// The names that it gives to others.
+    gives: Vec<String>,
+}
+
+impl ShaderFiles {
+    /// The files as they were when the program was built.
+    #[must_use]
+    pub fn built_in() -> &'static Self {
+        static FILES: LazyLock<ShaderFiles> = LazyLock::new(|| {
+            let files = BUILT_IN.iter();
+            ShaderFiles::new(files.map(|&(name, text)| ShaderFile::new(name, text)))
+        });
+        &FILES
+    }
+
+    /// The WGSL files of a folder, and of the folders below it.
+    ///
+    /// # Errors
+    /// A file or a folder cannot be read; the error names it.
+    pub fn read(folder: &Path) -> io::Result<Self> {
+        let mut files = Vec::new();
+        add_files(folder, "", &mut files)?;
+        // The order of a folder's files is the system's.
+        files.sort_by(|a: &ShaderFile, b| a.name.cmp(&b.name));
+        Ok(Self::new(files.into_iter()))
+    }
+
+    fn new(files: impl Iterator<Item = ShaderFile>) -> Self {
+        let files: Vec<_> = files.collect();
+        let mut givers: HashMap<String, Vec<usize>> = HashMap::new();
+        for (place, file) in files.iter().enumerate() {
+            for name in &file.gives {
+                givers.entry(name.clone()).or_default().push(place);
+            }
+        }
+        Self { files, givers }
+    }
+
+    /// The files that give a name.
+    pub(super) fn giving(&self, name: &str) -> impl Iterator<Item = &ShaderFile> {
+        let places = self.givers.get(name).into_iter().flatten();
+        places.map(|place| &self.files[*place])
+    }
+}
+
+impl ShaderFile {
+    fn new(name: impl Into<Cow<'static, str>>, text: impl Into<Cow<'static, str>>) -> Self {
+        let text = text.into();
+        Self {
+            name: name.into(),
+            needs: header(&text, NEEDS),
+            gives: header(&text, GIVES),
+            text,
+        }
+    }
+
+    /// The line of the header on which a needed name stands, counted from 1.
+    pub(super) fn line_of_need(&self, name: &str) -> usize {
+        let mut lines = self.text.lines();
+        let first = lines.position(|line| line.starts_with(NEEDS)).unwrap_or(0);
+        let mut lines = self.text.lines().skip(first);
+        let further =
+            lines.position(|line| names(line.trim_start_matches(NEEDS)).any(|n| n == name));
+        first + further.unwrap_or(0) + 1
+    }
+}
+
+const NEEDS: &str = "// Needs: ";
+const GIVES: &str = "// Gives: ";
+
+/// The names that a header lists after its word: on that line, and on indented lines below it.
+fn header(text: &str, word: &str) -> Vec<String> {
+    let mut lines = text.lines().skip_while(|line| !line.starts_with(word));
+    let first = lines.next().map(|line| &line[word.len()..]);
+    let further = lines.take_while(|line| line.starts_with("//     "));
+    let listed = first.into_iter().chain(further).flat_map(names);
+    let listed = listed.filter(|name| *name != "nothing");
+    listed.map(str::to_owned).collect()
+}
+
+/// The names on a line of a header.
+fn names(line: &str) -> impl Iterator<Item = &str> {
+    let between = |c: char| !c.is_ascii_alphanumeric() && c != '_';
+    line.split(between).filter(|name| !name.is_empty())
+}
+
+fn add_files(folder: &Path, prefix: &str, files: &mut Vec<ShaderFile>) -> io::Result<()> {
+    let named = |path: &Path, error: io::Error| {
+        io::Error::new(error.kind(), format!("{}: {error}", path.display()))
+    };
+    for entry in fs::read_dir(folder).map_err(|error| named(folder, error))? {
+        let path = entry.map_err(|error| named(folder, error))?.path();
+        let own_name = path.file_name().unwrap_or_default().to_string_lossy();
+        let name = format!("{prefix}{own_name}");
+        if path.is_dir() {
+            add_files(&path, &format!("{name}/"), files)?;
+        } else if name.ends_with(".wgsl") {
+            let text = fs::read_to_string(&path).map_err(|error| named(&path, error))?;
+            files.push(ShaderFile::new(name, text));
+        }
+    }
+    Ok(())
+}
