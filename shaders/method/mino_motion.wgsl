@@ -17,8 +17,8 @@
 // The step is Nystroem's of fifth order (Nystroem 1925; Hairer, Norsett & Wanner 1993, section
 // II.14). It takes four accelerations, the first of which is the last one of the step before. Its
 // dense output is the quintic with the values, slopes and accelerations of both ends. The constants
-// are scaled such that the step in Mino time is an angle; docs/PHYSICS.md has the measurements from
-// which the steps were chosen.
+// are scaled such that the step in Mino time is an angle; docs/physics/steps.md says how the step
+// was chosen.
 //
 // Needs: Constants, scene, square.
 // Gives: Curve, Motion, Step, acceleration, cannot_turn, curve, curve_at, curve_slope,

@@ -55,10 +55,10 @@ fn every_link_of_the_documents_leads_to_a_file_and_a_heading() {
     assert!(faults.is_empty(), "dead links:\n{}", faults.join("\n"));
 }
 
-/// The Markdown files at the top and in docs/, by their path from the top.
+/// The Markdown files at the top, in docs/ and in docs/physics/, by their path from the top.
 fn documents() -> BTreeMap<PathBuf, String> {
     let mut found = BTreeMap::new();
-    for folder in ["", "docs"] {
+    for folder in ["", "docs", "docs/physics"] {
         for entry in fs::read_dir(root().join(folder)).expect("the folder can be read") {
             let path = entry.expect("the folder can be listed").path();
             if path.extension().is_some_and(|extension| extension == "md") {
