@@ -43,6 +43,7 @@ pub use state::resolution::{Canvas, Resolution};
 pub use state::settings::{Automatic, PictureShape, SETTINGS_VERSION, Settings};
 pub use state::settings_fault::{SettingsFault, Unused};
 pub use state::toast::reading_time;
+pub use ui::help::help_rows;
 pub use ui::hud::{ReadOut, differences, physics_off, read_outs};
 pub use ui::inspector::pixel_at;
 pub use ui::legend::{Swatch, legend};

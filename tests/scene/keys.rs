@@ -2,7 +2,8 @@
 
 use bevy::prelude::KeyCode;
 use lightfall::app::{
-    Action, Bindable, Bindings, CONTROLS, Modifier, checked_change, control_named, edited, remark,
+    Action, Bindable, Bindings, CONTROLS, Group, Modifier, checked_change, control_named, edited,
+    help_rows, remark,
 };
 use lightfall_core::scene::{Method, Observer, ObserverKind, Scene, View, presets};
 use std::collections::BTreeMap;
@@ -449,4 +450,23 @@ fn binding_a_key_takes_it_from_its_former_control() {
     assert!(bindings.of("fly.forward").is_empty());
     // What was written into the settings is read back as the same.
     assert_eq!(Bindings::new(&bindings.settings()).unwrap(), bindings);
+}
+
+/// The document's table is made from the table of controls: if this fails, the message holds the
+/// text to put between the marks.
+#[test]
+fn the_table_of_keys_in_the_page_about_the_window_is_that_of_the_help() {
+    let bindings = Bindings::default();
+    let tables = Group::ALL.map(|group| {
+        let rows: String = help_rows(&bindings, group)
+            .iter()
+            .map(|[keys, words]| format!("| {keys} | {words} |\n"))
+            .collect();
+        format!("| Key | {} |\n|---|---|\n{rows}", group.title())
+    });
+    let table = tables.join("\n");
+    let page = std::fs::read_to_string("docs/WINDOW.md").unwrap();
+    let (_, marked) = page.split_once("<!-- keys -->\n").unwrap();
+    let (written, _) = marked.split_once("<!-- end -->").unwrap();
+    assert!(written == table, "the table of keys is now\n\n{table}");
 }

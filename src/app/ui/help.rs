@@ -71,7 +71,8 @@ pub(crate) fn plugin(app: &mut App) {
 
 /// The rows under one heading: keys, and what they do. Neighbouring controls with the same words
 /// share a row.
-fn rows(bindings: &Bindings, group: Group) -> Vec<[String; 2]> {
+#[must_use]
+pub fn help_rows(bindings: &Bindings, group: Group) -> Vec<[String; 2]> {
     let controls: Vec<&Control> = bindings
         .iter()
         .map(|(control, _)| control)
@@ -165,7 +166,7 @@ fn show_help(
                         for (place, groups) in columns.iter().enumerate() {
                             ui.vertical(|ui| {
                                 groups.iter().for_each(|group| {
-                                    table(ui, group.title(), rows(&bindings, *group))
+                                    table(ui, group.title(), help_rows(&bindings, *group))
                                 });
                                 if pads.any() && place + 1 == columns.len() {
                                     table(ui, "Gamepad", pad_rows(&buttons));
