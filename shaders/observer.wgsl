@@ -2,7 +2,7 @@
 // everything about the observer; no other part depends on who looks.
 //
 // Needs: ABERRATION, Photon, scene.
-// Gives: photon_angular_momentum, photon_energy, photon_from, pixel_cosine, pixel_direction.
+// Gives: photon_angular_momentum, photon_energy, photon_from.
 
 // For a fast observer almost all light comes from ahead, and the light from elsewhere is a small
 // difference of large numbers. So is the light from the sky for an observer in the ergosphere. But
@@ -31,18 +31,6 @@ fn photon_from(direction: vec3<f32>) -> Photon {
         photon.w / frequency,
         photon.shadow_margin / frequency,
     );
-}
-
-// Cosine of the angle between the last pixel_direction and the middle of the picture.
-var<private> pixel_cosine: f32;
-
-// Unit looking direction (right, up, forward) of a place in the picture, given in pixels from its
-// upper left corner.
-fn pixel_direction(pixel: vec2<f32>) -> vec3<f32> {
-    let across = pixel / scene.picture.size * vec2<f32>(2.0, -2.0) + vec2<f32>(-1.0, 1.0);
-    let direction = normalize(vec3<f32>(across * scene.picture.tan_half_fov, 1.0));
-    pixel_cosine = direction.z;
-    return direction;
 }
 
 // E, kept away from zero: next to the horizon an observer can meet light that has none.

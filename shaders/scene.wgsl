@@ -123,8 +123,8 @@ struct Quality {
 struct Picture {
     // In pixels.
     size: vec2<f32>,
-    // Tangents of half the field of view, horizontal and vertical.
-    tan_half_fov: vec2<f32>,
+    // What the projection's part (shaders/projection/) depends on.
+    projection: vec2<f32>,
     // Light of a mark that looks the same at every exposure.
     mark_brightness: f32,
     // What light is multiplied by before it is shown.
@@ -134,6 +134,8 @@ struct Picture {
     // Width of what a ray stands for, in pixels, or in cells of the grid of refined pixels: less
     // than one where a picture is the mean of several frames.
     footprint: f32,
+    // Solid angle of a pixel in the middle of the picture, in steradians.
+    middle_solid_angle: f32,
 }
 
 // WGSL asks that structs within a uniform begin at multiples of 16 bytes. Those that hold vectors of

@@ -3,7 +3,7 @@
 // is drawn twice and none is lost.
 //
 // Needs: BINDING_MILKY_WAY, BINDING_MILKY_WAY_SAMPLER, BINDING_STARLIGHT, FAINTER_SHARE, Footprint,
-//     LOG10_2, TINY, beaming_factor, pixel_cosine, ray_share, thermal_colour.
+//     LOG10_2, TINY, beaming_factor, ray_share, ray_solid_angle, thermal_colour.
 // Gives: sky_background, starlight.
 
 // Mirror of `GpuStarlight` in crates/lightfall-core/src/gpu/starlight.rs.
@@ -15,8 +15,6 @@ struct Starlight {
     last_magnitude: f32,
     // Temperatures of the two components, in kelvin.
     temperatures: vec2<f32>,
-    // Solid angle of a pixel in the middle of the picture, in steradians.
-    pixel_solid_angle: f32,
     // Width of a texel of the finest level, in radians.
     texel: f32,
     // Linear light per unit of the sums of points.
@@ -87,8 +85,7 @@ fn milky_way_light(direction: vec3<f32>, axes: Axes) -> vec2<f32> {
 fn sky_background(direction: vec3<f32>, g: f32, footprint: Footprint) -> vec3<f32> {
     let axes = footprint_axes(footprint);
     // The magnification of an image: the solid angle of the ray in the picture over that on the sky.
-    let solid_angle = starlight.pixel_solid_angle * pixel_cosine * pixel_cosine * pixel_cosine * ray_share();
-    let gain = solid_angle / max(axes.lengths.x * axes.lengths.y, TINY) * beaming_factor(g);
+    let gain = ray_solid_angle * ray_share() / max(axes.lengths.x * axes.lengths.y, TINY) * beaming_factor(g);
     let faintest = starlight.magnitude_limit + 2.5 * LOG10_2 * log2(clamp(gain, 1e-12, 1e12));
     let share = faint_share(min(faintest, starlight.last_magnitude));
     let light = milky_way_light(direction, axes) * share;

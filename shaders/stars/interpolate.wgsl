@@ -6,8 +6,8 @@
 // lies, so that one cell accepts it, however both have rounded its place.
 //
 // Needs: PI, Row, SMOOTH, TINY, WORKGROUP_SIZE, add_image, candidate_at, candidate_number,
-//     cubic_slopes, cubic_weights, jacobian_at, mesh, mesh_place, mesh_points, pixel_solid_angle,
-//     predicted, rows_about, seen_direction, star_list, tangents_at.
+//     cubic_slopes, cubic_weights, jacobian_at, mesh, mesh_place, mesh_points, pixel_direction,
+//     pixel_solid_angle, predicted, rows_about, shown_place, star_list, tangents_at.
 // Gives: interpolate.
 
 // Newton's method doubles its digits in each step: from a quarter of a cell, three reach f32's.
@@ -78,10 +78,10 @@ fn interpolate(@builtin(global_invocation_id) id: vec3<u32>) {
     let place = predicted(rows, STEPS).place;
     let along = jacobian_at(rows, place);
     let area = along[0].x * along[1].y - along[0].y * along[1].x;
-    if is_within(rows, place, sign(area)) {
-        let at = mesh_place(vec2<f32>(number) + place);
+    let at = mesh_place(vec2<f32>(number) + place);
+    if is_within(rows, place, sign(area)) && all(shown_place(at) == at) {
         let seen = mesh.spacing * mesh.spacing * pixel_solid_angle(at);
         let order = u32(max(turn_at(number, place), 0.0) / PI);
-        add_image(star, order, seen_direction(at), seen / max(abs(area), TINY));
+        add_image(star, order, pixel_direction(at), seen / max(abs(area), TINY));
     }
 }

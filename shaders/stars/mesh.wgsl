@@ -2,7 +2,7 @@
 // dimmed later, and `turn` ends at a disk.
 //
 // Needs: BINDING_MESH_POINTS, MAX_SHIFT, MeshPoint, OUTCOME_SKY, WORKGROUP_SIZE, beaming_factor,
-//     in_list, mesh, mesh_place, photon_from, seen_direction, sky_shift, trace.
+//     in_list, mesh, mesh_place, photon_from, pixel_direction, sky_shift, trace.
 // Gives: trace_mesh.
 
 @group(0) @binding(BINDING_MESH_POINTS) var<storage, read_write> mesh_points: array<MeshPoint>;
@@ -16,7 +16,7 @@ fn trace_mesh(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let place = mesh_place(vec2<f32>(f32(id.x - row * columns), f32(row)));
-    let photon = photon_from(seen_direction(place));
+    let photon = photon_from(pixel_direction(place));
     let ray = trace(photon);
     let gain = beaming_factor(min(sky_shift(photon), MAX_SHIFT));
     let sees_sky = ray.outcome == OUTCOME_SKY;

@@ -11,8 +11,8 @@
 // Needs: Cell, FROM_MESH, FROM_MIDDLE, MAX_STARTS, OUTCOME_SKY, PI, PREDICTION_STEPS, ROUGH, TINY,
 //     Tangents, WORKGROUP_SIZE, add_image, candidate_at, candidate_number, cell_at,
 //     components_across, first_rank_left_out, in_list, jacobian_at, limited, mesh, mesh_place,
-//     newton_step, photon_from, predicted, rank_of, rows_about, safe_normalize, seen_direction,
-//     star_list, tangents_at, trace, triangles_of.
+//     newton_step, photon_from, pixel_direction, predicted, rank_of, rows_about, safe_normalize,
+//     shown_place, star_list, tangents_at, trace, triangles_of.
 // Gives: polish.
 
 // Maximum number of rays from one start, before the last five.
@@ -159,7 +159,8 @@ fn add_found(measured: Cross, number: vec2<u32>, star: u32, tangents: Tangents) 
     let step = limited(newton_step(mat2x2<f32>(along_x, along_y), measured.missed), LONGEST_LAST_STEP);
     let place = measured.middle + step;
     let corner = vec2<f32>(number);
-    if any(place < corner) || any(place >= corner + 1.0) {
+    let at = mesh_place(place);
+    if any(place < corner) || any(place >= corner + 1.0) || any(shown_place(at) != at) {
         return;
     }
     let seen = length(cross(measured.looking_x, measured.looking_y));
@@ -208,7 +209,7 @@ fn polish(@builtin(global_invocation_id) id: vec3<u32>) {
             let axis = select(vec2<f32>(0.0, 1.0), vec2<f32>(1.0, 0.0), arm < 3u);
             let offset = select(0.0, side * half_step, measures && arm > 0u);
             let place = select(search.place, measured.middle, measures) + offset * axis;
-            let looking = seen_direction(mesh_place(place));
+            let looking = pixel_direction(mesh_place(place));
             let ray = trace(photon_from(looking));
             let sky = in_list(ray.sky);
             let sees_sky = ray.outcome == OUTCOME_SKY && dot(sky, direction) > 0.0;

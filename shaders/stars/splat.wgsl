@@ -3,7 +3,7 @@
 // images are added.
 //
 // Needs: BINDING_STAR_COUNT, BINDING_STAR_IMAGES, BINDING_STAR_SUMS, StarImage, WORKGROUP_SIZE,
-//     pixel_solid_angle, project, scene, stars, thermal_colour.
+//     pixel_solid_angle, project, scene, shown_place, stars, thermal_colour.
 // Gives: splat.
 
 // Maximum width of an image in squares, for pictures of up to 8192 lines.
@@ -54,12 +54,13 @@ fn splat(@builtin(global_invocation_id) id: vec3<u32>) {
     for (var row = 0u; row < width; row++) {
         for (var column = 0u; column < width; column++) {
             let middle = first + vec2<f32>(f32(column), f32(row)) + 0.5;
-            let at = vec2<i32>(floor(middle));
+            let shown = shown_place(middle * side);
+            let at = vec2<i32>(floor(shown / side));
             if any(at < vec2<i32>(0)) || any(at >= size) {
                 continue;
             }
             let weight = profile(middle.x - place.x, stretch) * profile(middle.y - place.y, stretch) * whole;
-            let share = light * (weight / (side * side * pixel_solid_angle(middle * side)));
+            let share = light * (weight / (side * side * pixel_solid_angle(shown)));
             // Comparisons with NaN are false.
             let units = select(vec3<f32>(0.0), min(share, vec3<f32>(MAX_UNITS)), share > vec3<f32>(0.0));
             let index = 3u * u32(at.y * size.x + at.x);

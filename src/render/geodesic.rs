@@ -281,11 +281,15 @@ fn prepare_geodesic_pass(
         joined.set_ready(ready);
         ready.then_some(id)
     };
-    let mut stars_of = |kernels: &[JoinedShader]| {
+    let mut stars_of = |SceneShaders {
+                            picture,
+                            stars: kernels,
+                            ..
+                        }: &SceneShaders| {
         let shaders = kernels
             .iter()
             .filter_map(|joined| Some((joined.star_kernel()?, &joined.shader)));
-        let pipelines = stars.pipelines(shaders, &cache);
+        let pipelines = stars.pipelines(shaders, picture.projection(), &cache);
         let ready = pipelines.are_ready(&cache);
         for joined in kernels {
             joined.set_ready(ready);
@@ -296,7 +300,7 @@ fn prepare_geodesic_pass(
     let mut pipelines_of = |shaders: &SceneShaders| {
         let picture = pipeline_of(&shaders.picture);
         let refine = shaders.refine.as_ref().map(&mut refinement_of);
-        let stars = (!shaders.stars.is_empty()).then(|| stars_of(&shaders.stars));
+        let stars = (!shaders.stars.is_empty()).then(|| stars_of(shaders));
         Some(SidePipelines {
             picture: picture?,
             refine: refine.map_or(Some(None), |refine| refine.map(Some))?,

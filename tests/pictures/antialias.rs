@@ -98,8 +98,7 @@ fn the_photon_ring_has_no_dashes() {
 /// the shadow of a hole without spin, by bilinear interpolation.
 fn deviation_along_ring(scene: &Scene, brightness: &[f64]) -> f64 {
     let size = scene.picture.size();
-    let outside = shadow_half_angle_static(scene.camera.r)
-        + 0.5 * scene.camera.pixel_angle(f64::from(size.y));
+    let outside = shadow_half_angle_static(scene.camera.r) + 0.5 * scene.pixel_angle();
     let camera_from_tetrad = scene.camera.tetrad_from_camera().transpose();
     let at = |place: DVec2| {
         let corner = (place - 0.5).floor();
@@ -191,9 +190,7 @@ fn squeezed_lines_of_the_grid_do_not_break_up() {
         render(&scene, size).unwrap()
     };
     let (single, truth) = (draw(1), draw(64));
-    let radius = shadow_half_angle_static(scene.camera.r).tan() * f64::from(scene.picture.height)
-        / 2.0
-        / scene.camera.half_height();
+    let radius = shadow_half_angle_static(scene.camera.r).tan() / scene.pixel_angle();
     let centre = 0.5 * scene.picture.size().as_dvec2();
     let mut squares = 0.0;
     let mut count = 0.0;

@@ -62,7 +62,7 @@ fn a_fall_is_never_dark_and_the_edge_comes_to_the_middle() {
         let forward = last.camera.tetrad_from_camera().z_axis;
         // At the end the edge is between the middle and the upper part of the picture.
         let above = (hole.radius - hole.direction.angle_between(forward))
-            / last.camera.half_height().atan();
+            / last.camera.half_angles(last.picture.size().as_dvec2()).y;
         assert!(
             frames > 200 && (-0.05..0.6).contains(&above),
             "{name}: {above}, {frames} frames"

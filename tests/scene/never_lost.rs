@@ -7,7 +7,7 @@ use lightfall::app::{
 };
 use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::apparent_hole::{ApparentHole, dark_share};
-use lightfall_core::scene::{ObserverKind, Scene, presets};
+use lightfall_core::scene::{Camera, ObserverKind, Scene, presets};
 
 const FRAME: f64 = 1.0 / 60.0;
 
@@ -208,6 +208,13 @@ fn the_orbit_camera_goes_round_at_the_same_radius_always_facing_the_hole() {
 
 #[test]
 fn the_zoom_keys_stay_between_5_and_120_degrees_and_leave_wider_views_alone() {
+    let zoomed = |fov_deg, power| {
+        let camera = Camera {
+            fov_deg,
+            ..Camera::default()
+        };
+        zoomed(&camera, power)
+    };
     assert!((zoomed(50.0, 0.0) - 50.0).abs() < 1e-12);
     assert!(zoomed(50.0, 0.1) > 50.0 && zoomed(50.0, -0.1) < 50.0);
     assert_eq!((zoomed(50.0, 9.0), zoomed(50.0, -9.0)), (120.0, 5.0));

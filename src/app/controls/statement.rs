@@ -175,10 +175,9 @@ fn probe_place(scene: &Scene) -> String {
     };
     let way = place.r * place.direction() - camera.r * camera.direction();
     let axes = camera.tetrad() * camera.tetrad_from_camera();
-    let [right, up, forward] = (axes.transpose() * way).to_array();
-    let height = camera.half_height() * forward;
-    let width = height * f64::from(scene.picture.width) / f64::from(scene.picture.height);
-    let seen = forward > 0.0 && right.abs() < width && up.abs() < height;
+    let looking = axes.transpose() * way;
+    let [right, up, forward] = looking.to_array();
+    let seen = camera.shows(looking, scene.picture.size().as_dvec2());
     let side = match (right.abs() > up.abs(), right > 0.0, up > 0.0) {
         _ if seen => "in view",
         _ if forward < 0.0 && -forward > right.abs().max(up.abs()) => "behind you",

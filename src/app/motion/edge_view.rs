@@ -40,7 +40,7 @@ pub fn edge_in_view(scene: &Scene, was_turned: bool, max_turn: f64) -> Option<DM
     let axes = scene.camera.tetrad_from_camera();
     let (up, forward) = (axes.y_axis, axes.z_axis);
     let distance = hole.direction.angle_between(forward);
-    let half_height = scene.camera.half_height().atan();
+    let half_height = scene.camera.half_angles(scene.picture.size().as_dvec2()).y;
     let faces_hole = distance < FACES_HOLE;
     let missing = edge_distance(hole.radius, half_height).max(0.0) - distance;
     let turn = missing.clamp(-max_turn, max_turn);

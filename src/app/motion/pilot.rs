@@ -225,7 +225,11 @@ impl Hand {
         // Right and up, as shares of the field of view.
         let look = self.mouse * MOUSE_TURN + self.stick * STICK_TURN * seconds;
         let roll = self.roll * ROLL_SPEED * seconds;
-        let turn = (look * scene.camera.fov_deg.to_radians()).extend(roll);
+        let [_, half_height] = scene
+            .camera
+            .half_angles(scene.picture.size().as_dvec2())
+            .to_array();
+        let turn = (look * 2.0 * half_height).extend(roll);
         (self.thrust != DVec3::ZERO || turn != DVec3::ZERO).then_some(Steering {
             thrust: self.thrust,
             turn,

@@ -156,7 +156,7 @@ pub(super) struct Pace {
 impl Pace {
     /// The factors for the scene's camera. One each where the hole's size is not known.
     pub(super) fn of(scene: &Scene) -> Self {
-        let half_width = (scene.camera.half_height() * scene.picture.aspect()).atan();
+        let half_width = scene.camera.half_angles(scene.picture.size().as_dvec2()).x;
         let share =
             ApparentHole::new(scene).map_or(SLOWING_SHARES[0], |hole| hole.radius / half_width);
         let [from, to] = SLOWING_SHARES;

@@ -5,20 +5,22 @@ use crate::app::controls::control::FlightInput;
 use crate::app::input::held::HeldControls;
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
+use lightfall_core::scene::Camera;
 
 /// The field of view, in degrees, that the keys reach. The panel sets any other.
 const FIELDS_OF_VIEW_DEG: [f64; 2] = [5.0, 120.0];
-/// The tangent of half the field of view changes by this power of e in a second.
+/// The angle that a pixel covers changes by this power of e in a second.
 const ZOOM_SPEED: f64 = 0.9;
 
-/// The field of view, in degrees, after zooming by a power of e: positive is wider. A field of view
+/// The camera's field of view, in degrees, after zooming by a power of e: positive is wider. A field of view
 /// beyond the range of the keys stays where it is, unless it comes nearer to the range.
 #[must_use]
-pub fn zoomed(fov_deg: f64, power: f64) -> f64 {
-    let tangent = (0.5 * fov_deg).to_radians().tan() * power.exp();
+pub fn zoomed(camera: &Camera, power: f64) -> f64 {
     let [narrowest, widest] = FIELDS_OF_VIEW_DEG;
-    let zoomed = 2.0 * tangent.atan().to_degrees();
-    zoomed.clamp(narrowest.min(fov_deg), widest.max(fov_deg))
+    let fov_deg = camera.fov_deg;
+    camera
+        .widened_fov_deg(power.exp())
+        .clamp(narrowest.min(fov_deg), widest.max(fov_deg))
 }
 
 pub(crate) fn plugin(app: &mut App) {
@@ -32,7 +34,7 @@ fn zoom(held: HeldControls, time: Res<Time>, mut editor: SceneEditor) {
     }
     let seconds = time.delta_secs_f64().min(MAX_FRAME_SECONDS);
     let mut next = editor.scene();
-    next.camera.fov_deg = zoomed(next.camera.fov_deg, direction * ZOOM_SPEED * seconds);
+    next.camera.fov_deg = zoomed(&next.camera, direction * ZOOM_SPEED * seconds);
     let fov_deg = next.camera.fov_deg;
     match editor.try_change(next) {
         Ok(()) => editor.say(format!("Field of view: {fov_deg:.0}°")),

@@ -31,7 +31,7 @@ impl SeenHole {
     fn new(scene: &Scene) -> Option<Self> {
         let hole = ApparentHole::new(scene).ok()?;
         let in_picture = hole.is_in_picture(scene);
-        let half_height = scene.camera.half_height().atan();
+        let half_height = scene.camera.half_angles(scene.picture.size().as_dvec2()).y;
         // A hole smaller than the picture's height cannot darken all of it, and needs no rays.
         let fills_view = in_picture
             && hole.radius > half_height

@@ -4,6 +4,7 @@
 
 use crate::app::state::hole_in_view::{HoleInView, SeenHole};
 use crate::app::state::overlays::Overlays;
+use crate::app::ui::guides::Placement;
 use crate::render::{CurrentScene, letterbox};
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
@@ -100,25 +101,24 @@ fn draw_ring(
     window: UVec2,
     pixels_per_point: f32,
 ) {
-    if window.min_element() == 0 || hole.direction.z <= 0.0 {
+    if window.min_element() == 0 {
         return;
     }
-    let shown = letterbox(&scene.picture, window);
-    let half_height = scene.camera.half_height();
-    let points_per_tangent = 0.5 * f64::from(shown.extent.y / pixels_per_point) / half_height;
+    let placement = Placement::new(scene, letterbox(&scene.picture, window), pixels_per_point);
+    let Some(place) = placement.of_looking(hole.direction) else {
+        return;
+    };
     let disk = if scene.disk.enabled {
         scene.disk.outer / scene.camera.r
     } else {
         0.0
     };
-    let radius = (hole.radius.tan().max(disk) * points_per_tangent) as f32;
+    let pixels = hole.radius.max(disk) / scene.pixel_angle();
+    let radius = pixels as f32 * placement.picture.height() / scene.picture.height as f32;
     if radius > SMALL_RADIUS {
         return;
     }
     let ring = (radius + RING_DISTANCE).max(MIN_RING);
-    let middle = (shown.offset + 0.5 * shown.extent) / pixels_per_point;
-    let place = hole.direction.truncate() / hole.direction.z * points_per_tangent;
-    let place = egui::pos2(middle.x + place.x as f32, middle.y - place.y as f32);
     painter.circle_stroke(place, ring, Stroke::new(4.0, DARK));
     painter.circle_stroke(place, ring, Stroke::new(1.5, BRIGHT));
     let text = format!("hole  {} r_s", four_digits(scene.camera.r));

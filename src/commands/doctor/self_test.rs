@@ -115,8 +115,7 @@ impl SelfTest {
             method: scene.method.resolved().word(),
             rays: errors.rays,
             unanswered: unanswered(&errors),
-            backward_max_px: backward.max
-                / scene.camera.pixel_angle(f64::from(scene.picture.height)),
+            backward_max_px: backward.max / scene.pixel_angle(),
             backward_max: backward.max,
             stated_max: stated.max,
             backward_p99: backward.p99,

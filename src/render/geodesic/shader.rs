@@ -9,7 +9,7 @@ use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResource;
 use lightfall_core::gpu::Variant;
 use lightfall_core::gpu::stars::Kernel;
-use lightfall_core::scene::{Scene, SkyMode};
+use lightfall_core::scene::{Projection, Scene, SkyMode};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -62,6 +62,11 @@ impl JoinedShader {
     /// The kernel of stars that it is, if it is one.
     pub(super) fn star_kernel(&self) -> Option<Kernel> {
         Kernel::with_entry(self.variant.entry)
+    }
+
+    /// How it takes a pixel to a direction and back.
+    pub(super) fn projection(&self) -> Projection {
+        self.variant.projection
     }
 
     fn is_ready(&self) -> bool {

@@ -1,7 +1,7 @@
 //! The kernels of stars: their layouts and pipelines.
 
 use super::list::StarLists;
-use bevy::asset::uuid_handle;
+use bevy::asset::uuid::Uuid;
 use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
 use bevy::render::render_resource::binding_types::*;
@@ -9,9 +9,12 @@ use bevy::render::render_resource::*;
 use lightfall_core::gpu::GpuScene;
 use lightfall_core::gpu::bindings::{SCENE, SPECTRUM, STAR_MESH, STAR_TABLE, STARS};
 use lightfall_core::gpu::stars::{GpuStarMesh, GpuStars, Kernel, propose_shader, splat_shader};
+use lightfall_core::scene::Projection;
+use std::marker::PhantomData;
 
-const PROPOSE_SHADER: Handle<Shader> = uuid_handle!("5a1de0c4-3c8e-4d0b-8a4e-b0a6f3a7d911");
-const SPLAT_SHADER: Handle<Shader> = uuid_handle!("0f3b6c55-7a10-4a5e-9d3c-51d7a6f0c2b8");
+/// The first of the shaders of each kind, which have consecutive numbers, one for each projection.
+const PROPOSE_SHADERS: u128 = 0x5a1de0c4_3c8e_4d0b_8a4e_b0a6f3a7d911;
+const SPLAT_SHADERS: u128 = 0x0f3b6c55_7a10_4a5e_9d3c_51d7a6f0c2b8;
 
 /// The layouts and pipelines of the kernels, and the lists of stars.
 #[derive(Resource)]
@@ -43,10 +46,12 @@ impl StarPass {
         &self.layouts[kernel as usize]
     }
 
-    /// The pipelines with these shaders of kernels, and with those that are the same for all scenes.
+    /// The pipelines with these shaders of kernels, and with those that are the same for all scenes
+    /// with this projection.
     pub(in crate::render) fn pipelines<'a>(
         &mut self,
         shaders: impl Iterator<Item = (Kernel, &'a Handle<Shader>)> + Clone,
+        projection: Projection,
         cache: &PipelineCache,
     ) -> StarPipelines {
         let by_mesh = shaders
@@ -55,9 +60,12 @@ impl StarPass {
         let proposing = by_mesh.then_some(Kernel::PROPOSING);
         let proposing = proposing.into_iter().flatten();
         let mut pipelines = [None; Kernel::ALL.len()];
+        let [propose, splat] =
+            [PROPOSE_SHADERS, SPLAT_SHADERS].map(|first| handle(first, projection));
         let all = shaders
-            .chain(proposing.map(|kernel| (kernel, &PROPOSE_SHADER)))
-            .chain([(Kernel::Splat, &SPLAT_SHADER)]);
+            .map(|(kernel, shader)| (kernel, shader.clone()))
+            .chain(proposing.map(|kernel| (kernel, propose.clone())))
+            .chain([(Kernel::Splat, splat)]);
         for (kernel, shader) in all {
             let layout = &self.layouts[kernel as usize];
             let id = *self
@@ -67,7 +75,7 @@ impl StarPass {
                     cache.queue_compute_pipeline(ComputePipelineDescriptor {
                         label: Some(kernel.entry_point().into()),
                         layout: vec![layout.clone()],
-                        shader: shader.clone(),
+                        shader,
                         entry_point: Some(kernel.entry_point().into()),
                         ..default()
                     })
@@ -92,12 +100,25 @@ impl StarPipelines {
     }
 }
 
-/// Adds the shaders that are the same for all scenes.
+/// The shader of one kind for a projection.
+fn handle(first: u128, projection: Projection) -> Handle<Shader> {
+    Handle::Uuid(Uuid::from_u128(first + projection as u128), PhantomData)
+}
+
+/// Adds the shaders that are the same for all scenes with the same projection.
 pub(super) fn add_shaders(shaders: &mut Assets<Shader>) {
-    let texts = [
-        (PROPOSE_SHADER, propose_shader(), "lightfall/propose.wgsl"),
-        (SPLAT_SHADER, splat_shader(), "lightfall/splat.wgsl"),
-    ];
+    let texts = Projection::ALL.into_iter().flat_map(|projection| {
+        let propose = handle(PROPOSE_SHADERS, projection);
+        let splat = handle(SPLAT_SHADERS, projection);
+        [
+            (
+                propose,
+                propose_shader(projection),
+                "lightfall/propose.wgsl",
+            ),
+            (splat, splat_shader(projection), "lightfall/splat.wgsl"),
+        ]
+    });
     for (handle, text, name) in texts {
         let shader = Shader::from_wgsl(text.source(), name);
         if let Err(error) = shaders.insert(handle.id(), shader) {

@@ -36,7 +36,7 @@ pub fn picture_errors(
     let truth = Truth::of(scene, rays.collect())?;
     let directions: Vec<_> = truth.rays.iter().map(Ray::given).collect();
     let given = RayKernel::new(gpu, scene)?.trace_camera_rays(gpu, scene, &directions)?;
-    let pixel = scene.camera.pixel_angle(picture.y);
+    let pixel = scene.pixel_angle();
     let errors = truth.judge_to_precision(PRECISION_PX * pixel, &given);
     let pixels = errors.iter().zip(&truth.traces).map(|(error, trace)| {
         let seen =

@@ -39,6 +39,7 @@ impl ReferenceCamera {
         let mut empty = scene.clone();
         empty.disk.enabled = false;
         let without_disk = CameraTracer::new(&empty)?;
+        let half_height = 0.5 * f64::from(scene.picture.height) * scene.pixel_angle();
         let mut wider = scene.clone();
         wider.disk.follow_isco = false;
         wider.disk.inner = WIDER_INNER * scene.inner_edge();
@@ -49,7 +50,7 @@ impl ReferenceCamera {
             without_disk,
             wider_disk: CameraTracer::new(&wider)?,
             is_spinning: scene.hole.spin != 0.0 && scene.effects.lensing,
-            scale: (1e-3 * scene.camera.half_height()).clamp(1e-7, 1e-3),
+            scale: (1e-3 * half_height).clamp(1e-7, 1e-3),
         })
     }
 

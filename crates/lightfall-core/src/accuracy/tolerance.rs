@@ -12,7 +12,7 @@ pub fn tolerance(scene: &Scene) -> f64 {
     let most = scene.method.backward_max(scene.hole.spin);
     match scene.method.properties().setting {
         AccuracySetting::MaxError => {
-            let pixel = scene.camera.pixel_angle(f64::from(scene.picture.height));
+            let pixel = scene.pixel_angle();
             f64::max(most, scene.quality.max_error_px * pixel)
         }
         AccuracySetting::None | AccuracySetting::StepScale => most,

@@ -21,7 +21,6 @@ pub struct GpuStarlight {
     pub magnitude_limit: f32,
     pub last_magnitude: f32,
     pub temperatures: Vec2,
-    pub pixel_solid_angle: f32,
     pub texel: f32,
     pub light_unit: f32,
     pub squares_per_pixel: f32,
@@ -36,14 +35,12 @@ impl GpuStarlight {
         let hole_from_celestial = hole_from_celestial(sky.ra_deg, sky.dec_deg, sky.roll_deg);
         // Rays are traced in the disk's frame.
         let celestial_from_rays = hole_from_celestial.transpose() * scene.disk.hole_from_disk();
-        let pixel = scene.camera.pixel_angle(scene.picture.height.into());
         let side = sums_side(scene.picture.size());
         Self {
             celestial_from_hole: celestial_from_rays.as_mat3(),
             magnitude_limit: depth.limit as f32,
             last_magnitude: depth.last as f32,
             temperatures: DVec2::from(MilkyWay::temperatures()).as_vec2(),
-            pixel_solid_angle: (pixel * pixel) as f32,
             texel: TEXEL as f32,
             light_unit: light_unit(scene) as f32,
             squares_per_pixel: 1.0 / side as f32,

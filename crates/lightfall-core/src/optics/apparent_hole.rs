@@ -87,11 +87,7 @@ impl ApparentHole {
     #[must_use]
     pub fn is_in_picture(&self, scene: &Scene) -> bool {
         let middle = self.from_camera(scene);
-        let half_height = scene.camera.half_height();
-        let half_width = half_height * scene.picture.aspect();
-        let middle_is_in = middle.z > 0.0
-            && middle.x.abs() < half_width * middle.z
-            && middle.y.abs() < half_height * middle.z;
+        let middle_is_in = scene.camera.shows(middle, scene.picture.size().as_dvec2());
         let cosine = self.radius.cos();
         middle_is_in || picture_directions(scene).any(|direction| direction.dot(middle) > cosine)
     }
@@ -116,11 +112,9 @@ pub fn dark_share(scene: &Scene) -> Result<f64, ObserverError> {
 fn picture_directions(scene: &Scene) -> impl Iterator<Item = DVec3> {
     let [across, down] = RAYS;
     let grid = DVec2::new(across.into(), down.into());
-    // The camera needs only the shape of the picture.
-    let shape = DVec2::new(scene.picture.aspect(), 1.0);
-    let camera = scene.camera;
+    let (camera, size) = (scene.camera, scene.picture.size().as_dvec2());
     (0..across * down).map(move |i| {
         let cell = DVec2::new((i % across).into(), (i / across).into());
-        camera.looking((cell + 0.5) / grid * shape, shape)
+        camera.looking((cell + 0.5) / grid * size, size)
     })
 }

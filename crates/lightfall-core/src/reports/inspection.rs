@@ -190,13 +190,7 @@ impl Inspected {
     ///
     /// # Errors
     /// The scene's observer cannot exist.
-    pub fn compare(
-        &mut self,
-        scene: &Scene,
-        ray: Ray,
-        gpu: &Trace,
-        height: f64,
-    ) -> Result<(), ObserverError> {
+    pub fn compare(&mut self, scene: &Scene, ray: Ray, gpu: &Trace) -> Result<(), ObserverError> {
         self.numbers.gpu = Some(Record::from(gpu));
         let errors = Truth::of(scene, vec![ray])?.judge(std::slice::from_ref(gpu));
         let hit_t = largest_delay_difference(&self.trace, gpu);
@@ -209,7 +203,7 @@ impl Inspected {
                 hit_g: error.hit_g,
                 hit_t,
                 backward,
-                backward_px: backward.map(|turn| turn / scene.camera.pixel_angle(height)),
+                backward_px: backward.map(|turn| turn / scene.pixel_angle()),
             }
         });
         Ok(())

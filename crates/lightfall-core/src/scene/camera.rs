@@ -2,7 +2,7 @@
 
 use super::Camera;
 use crate::geometry::sphere::celestial_frame;
-use glam::{DMat3, DVec2, DVec3};
+use glam::{DMat3, DVec3};
 
 impl Camera {
     /// Unit vector from the hole to the camera, toward Boyer-Lindquist theta and phi, in the hole's
@@ -18,35 +18,6 @@ impl Camera {
         let [outward, theta_hat, phi_hat] =
             celestial_frame(self.theta_deg.to_radians(), self.phi_deg.to_radians());
         DMat3::from_cols(outward, theta_hat, phi_hat)
-    }
-
-    /// Unit looking direction (right, up, forward) of a place on a picture of `size` pixels. The
-    /// place is in pixels from the upper left corner. shaders/observer.wgsl does the same.
-    pub fn looking(&self, pixel: DVec2, size: DVec2) -> DVec3 {
-        let up = self.half_height();
-        let across = pixel / size * DVec2::new(2.0, -2.0) + DVec2::new(-1.0, 1.0);
-        (across * DVec2::new(up * size.x / size.y, up))
-            .extend(1.0)
-            .normalize()
-    }
-
-    /// The place on a picture of `size` pixels, in pixels from the upper left corner, that is seen
-    /// in the direction `looking` (right, up, forward); `None` behind the camera. The inverse of
-    /// [`looking`](Self::looking).
-    pub fn pixel_of(&self, looking: DVec3, size: DVec2) -> Option<DVec2> {
-        let up = self.half_height();
-        let across = looking.truncate() / looking.z / DVec2::new(up * size.x / size.y, up);
-        (looking.z > 0.0).then(|| 0.5 * (across * DVec2::new(1.0, -1.0) + 1.0) * size)
-    }
-
-    /// The angle that a pixel in the middle of a picture `height` pixels high covers, in radians.
-    pub fn pixel_angle(&self, height: f64) -> f64 {
-        2.0 * self.half_height() / height
-    }
-
-    /// Half of the picture's height at unit distance.
-    pub fn half_height(&self) -> f64 {
-        (self.fov_deg.to_radians() / 2.0).tan()
     }
 
     /// How far it is turned: yaw, pitch and roll, in degrees.

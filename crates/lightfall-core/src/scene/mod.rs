@@ -25,6 +25,7 @@ mod load;
 mod method;
 mod pose;
 pub mod presets;
+mod projection;
 mod range;
 mod relevant;
 mod row;
@@ -44,6 +45,7 @@ pub use light_sources::{DiskModel, DiskStructure, HotSpotKind, LimbDarkening, Sk
 pub use limits::MAX_PIXELS_PER_CELL;
 pub use load::{Override, load};
 pub use method::{AccuracySetting, Method, MethodProperties};
+pub use projection::Projection;
 pub use range::{Kind, MAX_TEXT_CHARS, Range};
 pub use row::Row;
 pub use step_policy::ArticleQuality;

@@ -121,7 +121,7 @@ fn the_grid_shows_the_different_errors_of_the_methods() {
     let (closed, mino, verlet) = (of(Method::Closed), of(Method::Mino), of(Method::Verlet));
     // The bound of closed is 1e-6 rad; that of mino is its setting, by default 0.05 pixel.
     let scene = edge_on();
-    let pixel = scene.camera.pixel_angle(f64::from(scene.picture.height));
+    let pixel = scene.pixel_angle();
     assert!(
         closed.iter().all(|error| *error < 1e-6 / pixel),
         "{closed:?}"

@@ -9,7 +9,7 @@ use lightfall_core::gpu::{
     Accumulation, Difference, GpuDisk, GpuHole, GpuHotSpot, GpuObserver, GpuPicture, GpuQuality,
     GpuRing, GpuScene, GpuShadow, GpuSky, GpuStructure, Presentation, Variant,
 };
-use lightfall_core::scene::{DiskStructure, HotSpotKind, Scene};
+use lightfall_core::scene::{DiskStructure, HotSpotKind, Projection, Scene};
 use naga::{Module, TypeInner};
 
 /// A member's name, its offset, and the name of its type if that is a struct.
@@ -133,7 +133,8 @@ fn rust_and_wgsl_lay_out_the_images_of_stars_alike() {
     let source = Variant::stars(&Scene::default()).source();
     let module = naga::front::wgsl::parse_str(&source).unwrap();
     assert_same_layout!(&module, GpuStars = "Stars", GpuStarImage = "StarImage");
-    let module = naga::front::wgsl::parse_str(&propose_shader().source()).unwrap();
+    let module =
+        naga::front::wgsl::parse_str(&propose_shader(Projection::Perspective).source()).unwrap();
     assert_same_layout!(
         &module,
         GpuStarMesh = "StarMesh",

@@ -5,6 +5,7 @@ use lightfall_core::gpu::stars::{propose_shader, splat_shader};
 use lightfall_core::gpu::{
     Accumulation, Difference, EdgeTraits, Presentation, ShaderText, Variant,
 };
+use lightfall_core::scene::Projection;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::PathBuf;
@@ -129,8 +130,8 @@ fn joined_texts() -> Vec<ShaderText> {
         Presentation::shader(),
         Difference::shader(),
         Accumulation::shader(),
-        splat_shader(),
-        propose_shader(),
+        splat_shader(Projection::Perspective),
+        propose_shader(Projection::Perspective),
     ]);
     texts.extend([1, 4].map(|samples| EdgeTraits { samples }.shader()));
     texts

@@ -5,8 +5,8 @@ use lightfall_core::gpu::{
     Accumulation, Difference, EdgeTraits, Entry, Presentation, ShaderText, Variant,
 };
 use lightfall_core::scene::{
-    ARTICLE_MAX_STEPS, DiskModel, DiskStructure, HotSpotKind, LimbDarkening, Method, Scene,
-    SkyMode, View,
+    ARTICLE_MAX_STEPS, DiskModel, DiskStructure, HotSpotKind, LimbDarkening, Method, Projection,
+    Scene, SkyMode, View,
 };
 use std::collections::{HashMap, HashSet};
 
@@ -42,7 +42,10 @@ fn naga_accepts_the_search_for_edges() {
 #[test]
 fn naga_accepts_the_drawing_of_stars() {
     let propose: &[&str] = &["propose", "propose_wide", "predict"];
-    for (shader, entries) in [(propose_shader(), propose), (splat_shader(), &["splat"])] {
+    for (shader, entries) in [
+        (propose_shader(Projection::Perspective), propose),
+        (splat_shader(Projection::Perspective), &["splat"]),
+    ] {
         if let Err(message) = validate(&shader, entries) {
             panic!("{entries:?}: {message}");
         }

@@ -292,7 +292,7 @@ fn an_inspection_compares_the_delays_of_the_hits_that_both_answers_have() {
                 expected = expected.or(Some(off));
             }
         }
-        inspected.compare(&scene, ray, &given, 540.0).unwrap();
+        inspected.compare(&scene, ray, &given).unwrap();
         let numbers = inspected.numbers;
         let found = numbers.difference.unwrap().hit_t;
         match (found, expected) {

@@ -3,23 +3,24 @@
 use super::style::Style;
 use crate::render::Letterbox;
 use bevy_egui::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
-use glam::{DMat3, DVec3};
-use lightfall_core::scene::Scene;
+use glam::{DMat3, DVec2, DVec3};
+use lightfall_core::scene::{Camera, Scene};
 
-/// Directions farther from the picture's middle than this, as the cosine of the angle, are not
+/// Directions whose places are farther from the picture's middle than this many times its size are not
 /// drawn: they are outside every picture.
-const MIN_FORWARD: f64 = 0.02;
+const FARTHEST: f64 = 20.0;
 /// A line is drawn this far beyond the picture, in points, so that its ends do not show.
 const BEYOND: f32 = 40.0;
 /// Width of the dark edge of a line on both sides, in points, and its opacity.
 const HALO: f32 = 1.4;
 const HALO_ALPHA: u8 = 170;
 
-/// From directions on the observer's axes to places of the window, in points.
+/// From directions to places of the window, in points.
 pub(in crate::app::ui) struct Placement {
-    from_observer: DMat3,
-    /// Tangents of half the field of view, horizontal and vertical.
-    half: [f64; 2],
+    camera: Camera,
+    /// Size of the scene's picture, in pixels.
+    size: DVec2,
+    camera_from_observer: DMat3,
     /// The part of the window that the picture fills.
     pub(in crate::app::ui) picture: Rect,
 }
@@ -27,26 +28,26 @@ pub(in crate::app::ui) struct Placement {
 impl Placement {
     pub(in crate::app::ui) fn new(scene: &Scene, shown: Letterbox, pixels_per_point: f32) -> Self {
         let [offset, extent] = [shown.offset, shown.extent].map(|v| v / pixels_per_point);
-        let size = scene.picture.size().as_dvec2();
-        let up = scene.camera.half_height();
         Self {
-            from_observer: scene.camera.tetrad_from_camera().transpose(),
-            half: [up * size.x / size.y, up],
+            camera: scene.camera,
+            size: scene.picture.size().as_dvec2(),
+            camera_from_observer: scene.camera.tetrad_from_camera().transpose(),
             picture: Rect::from_min_size(pos2(offset.x, offset.y), vec2(extent.x, extent.y)),
         }
     }
 
-    /// The place of a direction. None far outside the picture and behind the camera.
+    /// The place of a direction on the observer's axes. None far outside the picture and where no
+    /// picture shows it.
     pub(in crate::app::ui) fn of(&self, direction: DVec3) -> Option<Pos2> {
-        let looking = self.from_observer * direction;
-        if looking.z < MIN_FORWARD {
-            return None;
-        }
-        let [half_width, half_height] = self.half;
-        let across = looking.x / looking.z / half_width;
-        let up = looking.y / looking.z / half_height;
-        let share = vec2(0.5 + 0.5 * across as f32, 0.5 - 0.5 * up as f32);
-        Some(self.picture.min + share * self.picture.size())
+        self.of_looking(self.camera_from_observer * direction)
+    }
+
+    /// The same of a direction (right, up, forward) of the camera.
+    pub(in crate::app::ui) fn of_looking(&self, looking: DVec3) -> Option<Pos2> {
+        let share = self.camera.pixel_of(looking, self.size)? / self.size;
+        let is_near = (share - 0.5).abs().max_element() < FARTHEST;
+        let [across, down] = share.as_vec2().to_array();
+        is_near.then(|| self.picture.min + vec2(across, down) * self.picture.size())
     }
 
     /// The parts of a closed curve that lie in or near the picture.

@@ -84,9 +84,8 @@ fn trace(RayJob { scene, rays }: RayJob, answers: &Answers<RayAnswer>) -> Result
     };
     let state = match trace_on_gpu(&scene, *ray) {
         Ok(trace) => {
-            let height = f64::from(scene.picture.height);
             first
-                .compare(&scene, *ray, &trace, height)
+                .compare(&scene, *ray, &trace)
                 .map_err(|error| error.to_string())?;
             GpuState::Done
         }

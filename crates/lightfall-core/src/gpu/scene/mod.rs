@@ -76,7 +76,7 @@ impl GpuScene {
         check_method(scene, kerr)?;
         let rays = CameraRays::in_disk_frame(scene)?;
         let size = size.max(UVec2::ONE).as_dvec2();
-        let pixel = scene.camera.pixel_angle(size.y);
+        let pixel = scene.camera.pixel_angle(size);
         Ok(Self {
             observer: GpuObserver::new(scene, kerr, &rays, tetrad_from_direction),
             hole: GpuHole::new(kerr),

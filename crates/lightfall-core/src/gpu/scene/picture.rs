@@ -13,11 +13,12 @@ pub const MARK_BRIGHTNESS: f64 = 0.7;
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct GpuPicture {
     pub size: Vec2,
-    pub tan_half_fov: Vec2,
+    pub projection: Vec2,
     pub mark_brightness: f32,
     pub exposure: f32,
     pub offset: Vec2,
     pub footprint: f32,
+    pub middle_solid_angle: f32,
 }
 
 impl GpuPicture {
@@ -32,15 +33,15 @@ impl GpuPicture {
     }
 
     pub(super) fn new(scene: &Scene, size: DVec2) -> Self {
-        let vertical = scene.camera.half_height();
         let exposure = scene.picture.exposure_ev.exp2();
         Self {
             size: size.as_vec2(),
-            tan_half_fov: DVec2::new(vertical * size.x / size.y, vertical).as_vec2(),
+            projection: scene.camera.projection_numbers(size).as_vec2(),
             mark_brightness: (MARK_BRIGHTNESS / exposure) as f32,
             exposure: exposure as f32,
             offset: Vec2::ZERO,
             footprint: 1.0,
+            middle_solid_angle: scene.camera.solid_angle(0.5 * size, size) as f32,
         }
     }
 }

@@ -34,7 +34,7 @@ impl GpuSky {
         Self {
             reference_star: (scene.disk.hole_from_disk().transpose() * reference_star).as_vec3(),
             brightness: sky.brightness as f32,
-            spot_radius: (SPOT_PIXELS * 2.0 * scene.camera.half_height() / size.y) as f32,
+            spot_radius: (SPOT_PIXELS * scene.camera.pixel_angle(size)) as f32,
             star_brightness: (size.y / SPOT_HEIGHT).powi(2) as f32,
             seed: sky.seed,
         }

@@ -2,7 +2,7 @@
 
 use super::link::Choice;
 use super::{Entry, Tracer, Variant};
-use crate::scene::{HotSpotKind, SkyMode, View};
+use crate::scene::{HotSpotKind, Projection, SkyMode, View};
 
 impl Variant {
     /// The files that it chooses, whether its entry needs them or not.
@@ -21,6 +21,7 @@ impl Variant {
         });
         let mut choices: Vec<_> = files.into_iter().map(Choice::of).collect();
         choices.extend(self.sky_files());
+        choices.push(projection_file(self.projection));
         choices
     }
 
@@ -143,6 +144,11 @@ impl Tracer {
             Self::Straight => "straight",
         }
     }
+}
+
+/// The file that takes a pixel to a direction and back.
+pub(in crate::gpu) fn projection_file(projection: Projection) -> Choice {
+    Choice::of(file("projection", projection.word()))
 }
 
 /// The file of a word in a folder below shaders/.

@@ -15,6 +15,7 @@ mod tracer;
 #[cfg(not(target_arch = "wasm32"))]
 mod validation;
 
+pub(super) use choices::projection_file;
 pub use entry::Entry;
 pub use fault::ShaderFault;
 pub use files::ShaderFiles;
@@ -23,7 +24,8 @@ pub use tracer::Tracer;
 
 use crate::geometry::kerr::Kerr;
 use crate::scene::{
-    DiskModel, DiskStructure, Effects, HotSpotKind, LimbDarkening, Method, Scene, SkyMode, View,
+    DiskModel, DiskStructure, Effects, HotSpotKind, LimbDarkening, Method, Projection, Scene,
+    SkyMode, View,
 };
 use link::link;
 use text::declares;
@@ -33,6 +35,8 @@ use text::declares;
 pub struct Variant {
     /// What it answers.
     pub entry: Entry,
+    /// How its pixels become directions.
+    pub projection: Projection,
     /// How it traces.
     pub tracer: Tracer,
     /// Whether the hole spins.
@@ -133,6 +137,7 @@ impl Variant {
             || scene.disk.enabled && scene.view.properties().delays;
         Self {
             entry: Entry::Picture,
+            projection: scene.camera.projection(),
             tracer,
             spinning: scene.hole.spin != 0.0,
             near_horizon: passes_near_horizon(tracer, scene),

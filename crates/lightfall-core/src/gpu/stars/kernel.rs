@@ -119,11 +119,13 @@ impl Kernel {
         match self {
             Self::Solve => Variant::stars(scene).text(),
             Self::TraceMesh => Variant::star_mesh(scene).text(),
-            Self::Propose | Self::ProposeWide | Self::Predict => propose_shader(),
+            Self::Propose | Self::ProposeWide | Self::Predict => {
+                propose_shader(scene.camera.projection())
+            }
             Self::Interpolate => Variant::star_interpolation(scene).text(),
             Self::Polish => Variant::star_polish(scene).text(),
             Self::Hide => Variant::hidden_stars(scene).text(),
-            Self::Splat => splat_shader(),
+            Self::Splat => splat_shader(scene.camera.projection()),
         }
     }
 

@@ -72,7 +72,7 @@ impl GpuStarMesh {
         list: &PackedStars,
         hole_from_list: DMat3,
     ) -> Self {
-        let pixel = scene.camera.pixel_angle(scene.picture.height.into());
+        let pixel = scene.pixel_angle();
         let [shortest, longest] = HALF_STEPS;
         let angle = (HALF_STEP * layout.spacing * pixel).clamp(shortest, longest);
         // Rays are traced in the disk's frame. The rows of the inverse of a rotation are its columns.

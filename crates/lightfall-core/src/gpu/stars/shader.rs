@@ -4,28 +4,30 @@ use super::index;
 use super::list::{FLUX_BIAS, TEMPERATURE_STEPS};
 use super::mesh::{CANDIDATE_LISTS, MESH_RIM, PREDICT_GROUPS, RANKS, WIDE_GROUPS};
 use crate::gpu::bindings::{CONSTANTS, STAR_CONSTANTS};
-use crate::gpu::shader::ShaderText;
 use crate::gpu::shader::spectrum_constants::add_spectrum_constants;
 use crate::gpu::shader::text::add_constant;
+use crate::gpu::shader::{ShaderText, projection_file};
 use crate::optics::spectrum::rgb_from_xyz;
 use crate::optics::stars::images::{MIN_SOURCE_RADIUS, ORDERS, table::INTERVALS};
+use crate::scene::Projection;
 
-/// The shader that adds the images to the sums: entry point `splat`. It is the same for all scenes.
+/// The shader that adds the images to the sums: entry point `splat`. It is the same for all scenes
+/// with the same projection.
 #[must_use]
-pub fn splat_shader() -> ShaderText {
+pub fn splat_shader(projection: Projection) -> ShaderText {
     let mut prelude = String::new();
     for (name, value) in CONSTANTS {
         add_constant(&mut prelude, name, "u32", format!("{value}u"));
     }
     add_spectrum_constants(&mut prelude);
     add_star_constants(&mut prelude);
-    ShaderText::new(prelude, &["splat"], Vec::new())
+    ShaderText::new(prelude, &["splat"], vec![projection_file(projection)])
 }
 
 /// The shader that looks for the stars in each cell of the mesh: entry points `propose`,
-/// `propose_wide` and `predict`. It is the same for all scenes.
+/// `propose_wide` and `predict`. It is the same for all scenes with the same projection.
 #[must_use]
-pub fn propose_shader() -> ShaderText {
+pub fn propose_shader(projection: Projection) -> ShaderText {
     let mut prelude = String::new();
     for (name, value) in CONSTANTS {
         add_constant(&mut prelude, name, "u32", format!("{value}u"));
@@ -42,7 +44,7 @@ pub fn propose_shader() -> ShaderText {
         add_constant(&mut prelude, name, "u32", format!("{value}u"));
     }
     let entries = ["propose", "propose_wide", "predict"];
-    ShaderText::new(prelude, &entries, Vec::new())
+    ShaderText::new(prelude, &entries, vec![projection_file(projection)])
 }
 
 /// Appends the constants of the kernels.

@@ -45,10 +45,7 @@ impl Depth {
     /// The scene's observer does not exist.
     pub fn new(scene: &Scene, deepest: f64) -> Result<Self, ObserverError> {
         let deepest = deepest.min(MAX_MAGNITUDE);
-        let pixel = scene
-            .camera
-            .pixel_angle(f64::from(scene.picture.height))
-            .powi(2);
+        let pixel = scene.pixel_angle().powi(2);
         let visible = FAINTEST + 2.5 * (PIXEL_SOLID_ANGLE / pixel).log10();
         let limit = visible.min(scene.sky.magnitude_limit).min(deepest);
         let [rest, outward, theta, phi] = CameraRays::new(scene)?.matrix.rows[0];

@@ -106,7 +106,7 @@ impl Measurement {
             truth.judge(traces)
         };
         let errors = ErrorSummary::of_errors(truth, traces, &errors);
-        let pixel = scene.camera.pixel_angle(f64::from(scene.picture.height));
+        let pixel = scene.pixel_angle();
         let [steps_mean, steps_max] = errors.steps;
         let budgeted = scene.method.properties().setting == AccuracySetting::StepScale;
         Self {

@@ -79,7 +79,7 @@ pub struct RefinementMeasurement {
 impl RefinementMeasurement {
     fn new(name: &str, refinement: &Refinement, errors: &ErrorSummary) -> Self {
         let scene = &refinement.scene;
-        let pixel = scene.camera.pixel_angle(f64::from(scene.picture.height));
+        let pixel = scene.pixel_angle();
         let [steps_mean, steps_max] = errors.steps;
         Self {
             scene: name.into(),

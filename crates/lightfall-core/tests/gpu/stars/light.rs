@@ -14,7 +14,7 @@ use lightfall_core::scene::{Scene, SkyMode};
 /// The luminous fluxes of a picture's light, square by square: radiance times solid angle.
 fn fluxes(scene: &Scene, light: &StarLight) -> Vec<f64> {
     let size = scene.picture.size().as_dvec2();
-    let half = DVec2::new(size.x / size.y, 1.0) * scene.camera.half_height();
+    let half = DVec2::new(size.x / size.y, 1.0) * (0.5 * scene.camera.fov_deg).to_radians().tan();
     let side = sums_side(scene.picture.size());
     let width = scene.picture.width.div_ceil(side) as usize;
     let side = f64::from(side);
@@ -101,7 +101,7 @@ fn a_picture_of_any_size_holds_the_light_of_all_images() {
 fn stars_keep_their_light_while_the_camera_turns_by_tenths_of_a_pixel() {
     let mut scene = preset(2);
     scene.disk.enabled = false;
-    let pixel = scene.camera.pixel_angle(540.0).to_degrees();
+    let pixel = scene.pixel_angle().to_degrees();
     // Stars with one image each, far from all others'.
     let (list, turn) = bright_stars();
     let all: Vec<_> = truths(&scene, &list, turn).into_iter().collect();

@@ -74,12 +74,8 @@ impl Part {
                 && around(square.as_ivec2()).all(sees_sky)
         };
         let belong: Vec<bool> = squares.iter().zip(&skies).map(belongs).collect();
-        let half = DVec2::new(size.x / size.y, 1.0) * scene.camera.half_height();
-        let solid_angle = |square: &UVec2| {
-            let tangents = (2.0 * place(*square) / size - 1.0) * half;
-            let cosine = (1.0 + tangents.length_squared()).powf(-0.5);
-            4.0 * half.element_product() / SQUARES.as_dvec2().element_product() * cosine.powi(3)
-        };
+        let solid_angle =
+            |square: &UVec2| side * side * scene.camera.solid_angle(place(*square), size);
         let parts = squares.iter().zip(&belong).filter(|(_, belongs)| **belongs);
         let sky = parts.map(|(square, _)| solid_angle(square)).sum();
         Self {

@@ -92,7 +92,7 @@ impl RayMesh {
         let first = self.layout.place(cell);
         let tangents = Tangents::at(star);
         // The sky at unit distance is what `Polish` knows: x to the right, y up.
-        let pixel = self.camera.pixel_angle(self.size.y);
+        let pixel = self.camera.pixel_angle(self.size);
         let scale = DVec2::new(pixel, -pixel);
         let sky = |place: DVec2| self.sky(place / scale + 0.5 * self.size);
         let polish = Polish {
