@@ -17,6 +17,7 @@ const RAYS: [&str; 27] = [
     "shaders/elementary.wgsl",
     "shaders/elliptic.wgsl",
     "shaders/observer.wgsl",
+    "shaders/projection",
     "shaders/shift.wgsl",
     "shaders/disk.wgsl",
     "shaders/disk/none.wgsl",
