@@ -55,7 +55,7 @@ pub use ui::panel::{
 
 use crate::log::{quiet_log, say};
 use crate::render::recovery::DeviceFailure;
-use crate::render::{LightfallRenderPlugin, StarCatalogue, render_plugin};
+use crate::render::{LightfallRenderPlugin, LiveShaders, StarCatalogue, render_plugin};
 use bevy::app::PluginGroupBuilder;
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
@@ -69,6 +69,7 @@ use session::adapter::AdapterChoice;
 use state::preferences::Preferences;
 use state::title::Title;
 use state::toast::Toast;
+use std::path::{Path, PathBuf};
 
 /// What the window starts with.
 pub struct Start {
@@ -84,6 +85,8 @@ pub struct Start {
     pub plays_journey: bool,
     /// Whether the first scene says itself whether it is shown in cells. Otherwise the settings do.
     pub keeps_own_look: bool,
+    /// The folder of shaders that are linked again whenever one of its files changes.
+    pub shaders: Option<PathBuf>,
 }
 
 impl Start {
@@ -97,8 +100,15 @@ impl Start {
             journey,
             plays_journey: false,
             keeps_own_look: false,
+            shaders: source_shaders(),
         }
     }
+}
+
+/// The folder of shaders in the source code, in builds for its development.
+fn source_shaders() -> Option<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders");
+    (cfg!(debug_assertions) && folder.is_dir()).then_some(folder)
 }
 
 /// Opens the window and flies until it is closed.
@@ -133,6 +143,7 @@ pub fn program(start: Start) -> App {
         journey,
         plays_journey,
         keeps_own_look,
+        shaders,
     } = start;
     let mut player = JourneyPlayer::new(journey);
     // A journey that begins at once shows a title of its own.
@@ -172,6 +183,7 @@ pub fn program(start: Start) -> App {
         .insert_resource(player)
         .insert_resource(adapter)
         .insert_resource(StarCatalogue(stars))
+        .insert_resource(LiveShaders::new(shaders))
         .add_plugins(LightfallRenderPlugin {
             scene,
             target: RenderTarget::default(),
@@ -212,7 +224,7 @@ pub fn program(start: Start) -> App {
             session::screenshot::plugin,
             session::clipboard::plugin,
             session::crash_notes::plugin,
-            session::link::plugin,
+            (session::link::plugin, session::shader_news::plugin),
         ))
         .add_plugins((
             motion::facing::plugin,

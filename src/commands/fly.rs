@@ -10,6 +10,7 @@ use crate::log::say;
 use crate::picture::HeadlessOptions;
 use crate::storage::file_safe_name;
 use crate::{app, picture};
+use lightfall_core::gpu::ShaderFiles;
 use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
@@ -22,15 +23,20 @@ pub(super) fn fly(args: &FlyArgs) -> Result<(), Stop> {
     let drawable = drawable(&scene)?;
     let journey_file = args.journey.as_deref();
     let journey = journey(journey_file, &scene)?;
+    if let Some(folder) = &args.shaders {
+        ShaderFiles::read(folder).map_err(|error| Stop::refused(format!("--shaders: {error}")))?;
+    }
     if let Err(reason) = app::display() {
         return draw_instead(scene, stars, &journey, journey_file, &reason);
     }
     close_own_console();
+    let start = Start::new(drawable, journey);
     let start = Start {
         stars,
         plays_journey: journey_file.is_some(),
         keeps_own_look: args.scene.sets("picture.bypass").map_err(Stop::refused)?,
-        ..Start::new(drawable, journey)
+        shaders: args.shaders.clone().or(start.shaders),
+        ..start
     };
     app::fly(start).map_err(Stop::failed)
 }

@@ -7,6 +7,7 @@
 use crate::render::camera_markers::SceneCamera;
 use crate::render::draw_request::DrawRequest;
 use crate::render::geodesic::GeodesicPass;
+use crate::render::live_shaders::add_shader;
 use crate::render::refine::refine_edges;
 use bevy::asset::uuid_handle;
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
@@ -50,13 +51,12 @@ impl AccumulatePass {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    let source = Accumulation::shader().source();
-    if let Err(error) = app.world_mut().resource_mut::<Assets<Shader>>().insert(
-        SHADER.id(),
-        Shader::from_wgsl(source, "lightfall/accumulate.wgsl"),
-    ) {
-        error!("the shader of means could not be added: {error}");
-    }
+    add_shader(
+        app,
+        &SHADER,
+        Accumulation::shader(),
+        "lightfall/accumulate.wgsl",
+    );
     let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
         return;
     };

@@ -4,6 +4,7 @@
 use crate::render::chain::Chain;
 use crate::render::comparison::ComparedScene;
 use crate::render::current_scene::CurrentScene;
+use crate::render::live_shaders::add_shader;
 use bevy::asset::uuid_handle;
 use bevy::image::ToExtents;
 use bevy::platform::collections::HashMap;
@@ -164,13 +165,9 @@ impl Targets {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    let mut shaders = app.world_mut().resource_mut::<Assets<Shader>>();
     for (samples, handle) in SHADERS {
-        let source = EdgeTraits { samples }.shader().source();
-        let shader = Shader::from_wgsl(source, "lightfall/edges.wgsl");
-        if let Err(error) = shaders.insert(handle.id(), shader) {
-            error!("the shader of edges could not be added: {error}");
-        }
+        let text = EdgeTraits { samples }.shader();
+        add_shader(app, &handle, text, "lightfall/edges.wgsl");
     }
     let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
         return;

@@ -10,7 +10,7 @@ mod sky;
 use crate::render::antialias::{AntialiasPass, prepare_antialias};
 
 pub(crate) use shader::GeodesicShaders;
-pub(super) use shader::select_geodesic_shaders;
+pub(super) use shader::{JoinedShaders, select_geodesic_shaders};
 
 use crate::render::camera_markers::SceneCamera;
 use crate::render::comparison::{
@@ -21,6 +21,7 @@ use crate::render::current_scene::CurrentScene;
 use crate::render::draw_request::DrawRequest;
 use crate::render::error_map::ShownErrorMap;
 use crate::render::full_screen_pass::run_full_screen_pass;
+use crate::render::live_shaders::LiveShaders;
 use crate::render::star_catalogue::StarCatalogue;
 use crate::render::star_limit::StarLimit;
 use crate::render::stars::{SceneStars, StarPass};
@@ -46,7 +47,7 @@ use lightfall_core::gpu::{
 use lightfall_core::optics::spectrum;
 use lightfall_core::scene::View;
 use pipeline::{Destination, Traits, pipeline_descriptor};
-use shader::{JoinedShader, JoinedShaders, SceneShaders};
+use shader::{JoinedShader, SceneShaders};
 use side::{PAGE_THORNE_SIZE, Shared, Side, SidePipelines, SideWriter};
 use sky::NoStars;
 use std::ops::Range;
@@ -118,7 +119,11 @@ pub(super) fn plugin(app: &mut App) {
             PostUpdate,
             (follow_current_scene, select_geodesic_shaders)
                 .chain()
-                .run_if(resource_changed::<CurrentScene>.or_eager(resource_changed::<Comparison>))
+                .run_if(
+                    resource_changed::<CurrentScene>
+                        .or_eager(resource_changed::<Comparison>)
+                        .or_eager(resource_changed::<LiveShaders>),
+                )
                 .before(AssetEventSystems),
         );
     let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
@@ -252,12 +257,14 @@ fn prepare_geodesic_pass(
         drawn,
     } = &mut *pass;
     *changed |= scene.is_changed()
+        || shaders.is_changed()
         || errors.is_changed()
         || compared.is_changed()
         || waves.is_changed()
         || star_limit.is_changed();
     *drawn = false;
     shared.waves = *waves;
+    let reloads = shaders.reloads;
     let shows_difference = difference.is_some_and(|pass| pass.is_ready(&cache));
     let mut pipeline_of = |joined: &JoinedShader| {
         let id = *pipelines
@@ -289,7 +296,7 @@ fn prepare_geodesic_pass(
         let shaders = kernels
             .iter()
             .filter_map(|joined| Some((joined.star_kernel()?, &joined.shader)));
-        let pipelines = stars.pipelines(shaders, picture.projection(), &cache);
+        let pipelines = stars.pipelines(shaders, picture.projection(), reloads, &cache);
         let ready = pipelines.are_ready(&cache);
         for joined in kernels {
             joined.set_ready(ready);

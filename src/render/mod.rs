@@ -32,6 +32,7 @@ mod draw_request;
 mod error_map;
 mod full_screen_pass;
 mod geodesic;
+mod live_shaders;
 mod pass_shaders;
 mod presentation;
 mod probe;
@@ -40,6 +41,7 @@ mod redraw;
 mod refine;
 mod resting_frames;
 mod scene_camera;
+mod shader_reload;
 mod star_catalogue;
 mod star_limit;
 mod stars;
@@ -55,6 +57,7 @@ pub use device::render_plugin;
 pub use draw_request::{AlwaysDraw, DrawRequest};
 pub use error_map::AwaitErrorMap;
 pub(crate) use geodesic::GeodesicShaders;
+pub use live_shaders::{LiveShaders, ShaderNews};
 pub use pass_shaders::{PassShader, pass_shaders};
 pub use presentation::{Letterbox, ShownCells, fit, letterbox, resized};
 pub use redraw::is_drawn;
@@ -104,6 +107,7 @@ impl Plugin for LightfallRenderPlugin {
                 capture::plugin,
                 redraw::plugin,
                 presentation::plugin,
+                shader_reload::plugin,
             ));
     }
 }

@@ -12,6 +12,7 @@ use crate::render::camera_markers::{SceneCamera, ScreenCamera};
 use crate::render::chain::Chain;
 use crate::render::current_scene::CurrentScene;
 use crate::render::full_screen_pass::{draw_triangle, run_full_screen_pass};
+use crate::render::live_shaders::add_shader;
 use bevy::core_pipeline::core_2d::main_transparent_pass_2d;
 use bevy::core_pipeline::schedule::{Core2d, Core2dSystems};
 use bevy::platform::collections::HashMap;
@@ -74,13 +75,12 @@ struct PresentationPass {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    let source = Presentation::shader().source();
-    if let Err(error) = app.world_mut().resource_mut::<Assets<Shader>>().insert(
-        SHADER.id(),
-        Shader::from_wgsl(source, "lightfall/pixelate.wgsl"),
-    ) {
-        error!("the presentation shader could not be added: {error}");
-    }
+    add_shader(
+        app,
+        &SHADER,
+        Presentation::shader(),
+        "lightfall/pixelate.wgsl",
+    );
     app.init_resource::<ShownCells>()
         .add_plugins(ExtractResourcePlugin::<ShownCells>::default());
     let Some(render_app) = app.get_sub_app_mut(RenderApp) else {

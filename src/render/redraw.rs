@@ -18,6 +18,7 @@ use crate::render::current_scene::CurrentScene;
 use crate::render::draw_request::{AlwaysDraw, DrawRequest};
 use crate::render::error_map::{ErrorMapRequest, ShownErrorMap, update_error_map};
 use crate::render::geodesic::{GeodesicPass, GeodesicShaders, select_geodesic_shaders};
+use crate::render::live_shaders::LiveShaders;
 use crate::render::resting_frames::RestingFrames;
 use bevy::camera::CameraUpdateSystems;
 use bevy::prelude::*;
@@ -77,13 +78,15 @@ fn wake_scene_camera(
     shaders: Res<GeodesicShaders>,
     errors: Res<ShownErrorMap>,
     (always, resting): (Res<AlwaysDraw>, Res<RestingFrames>),
+    live: Res<LiveShaders>,
     mut request: ResMut<DrawRequest>,
     mut camera: Single<&mut Camera, With<SceneCamera>>,
 ) {
     // A system that writes the scene may have written the values it already had.
     let changed = scene.is_changed() && request.scene != scene.without_presentation()
         || compared.is_changed() && request.compared != compared.without_presentation()
-        || resting.is_changed();
+        || resting.is_changed()
+        || live.is_changed();
     if changed || errors.is_changed() && scene.view == View::Error {
         *request = request.next(&scene, &compared, *resting);
     }

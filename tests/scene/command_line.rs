@@ -444,10 +444,24 @@ fn the_scene_without_options_passes_the_check() {
 }
 
 #[test]
+fn shaders_of_a_folder_are_for_flying_only() {
+    let Command::Fly(FlyArgs { shaders, .. }) = read("lightfall --shaders mine") else {
+        panic!()
+    };
+    assert_eq!(shaders.unwrap(), Path::new("mine"));
+    assert!(
+        refuse("lightfall --shaders mine render -o x.png")
+            .to_string()
+            .contains("--shaders is for flying")
+    );
+}
+
+#[test]
 fn a_journey_is_flown_from_its_file_and_its_faults_are_named() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("mine.toml");
-    let Command::Fly(FlyArgs { journey, scene }) = read("lightfall --journey mine.toml --spin 0.5")
+    let Command::Fly(FlyArgs { journey, scene, .. }) =
+        read("lightfall --journey mine.toml --spin 0.5")
     else {
         panic!()
     };

@@ -20,4 +20,5 @@ pub(crate) mod quit;
 pub(crate) mod recovery;
 pub(crate) mod resting_frames;
 pub(crate) mod screenshot;
+pub(crate) mod shader_news;
 pub(crate) mod window;

@@ -78,6 +78,9 @@ pub struct FlyArgs {
     /// The file of the journey to fly at once.
     #[arg(skip)]
     pub journey: Option<PathBuf>,
+    /// The folder of shaders to watch.
+    #[arg(skip)]
+    pub shaders: Option<PathBuf>,
 }
 
 /// The arguments of `lightfall render`.

@@ -53,6 +53,10 @@ struct Cli {
     /// the source code is an example, and the journey that J flies by default
     #[arg(long, value_name = "FILE", help_heading = "Scene")]
     journey: Option<PathBuf>,
+    /// Draw with the WGSL files of a folder, such as shaders of the source code, and read them again whenever one of
+    /// them changes, for work on the shaders
+    #[arg(long, value_name = "FOLDER")]
+    shaders: Option<PathBuf>,
     #[command(subcommand)]
     command: Option<Command>,
 }
@@ -114,12 +118,13 @@ pub fn read_all<I: IntoIterator<Item: Into<OsString> + Clone>>(
         scene,
         gpu,
         journey,
+        shaders,
         command,
     } = Cli::try_parse_from(args)?;
     let command = if gpu.list_gpus {
         Command::ListGpus
     } else {
-        with_options(scene, journey, command)?
+        with_options(scene, journey, shaders, command)?
     };
     Ok((gpu, command))
 }
@@ -128,15 +133,20 @@ pub fn read_all<I: IntoIterator<Item: Into<OsString> + Clone>>(
 fn with_options(
     before: SceneArgs,
     journey: Option<PathBuf>,
+    shaders: Option<PathBuf>,
     command: Option<Command>,
 ) -> Result<Command, clap::Error> {
     let Some(mut command) = command else {
         return Ok(Command::Fly(FlyArgs {
             scene: before,
             journey,
+            shaders,
         }));
     };
     let conflict = |message: &str| Cli::command().error(ErrorKind::ArgumentConflict, message);
+    if shaders.is_some() {
+        return Err(conflict("--shaders is for flying, without a command"));
+    }
     let mut journey = journey;
     if let Command::Render(render) = &mut command {
         if journey.is_some() && render.journey.is_some() {

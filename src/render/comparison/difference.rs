@@ -4,6 +4,7 @@
 use super::compared_scene::{ComparedScene, ComparisonLayout};
 use crate::render::camera_markers::SceneCamera;
 use crate::render::full_screen_pass::{draw_triangle, run_full_screen_pass};
+use crate::render::live_shaders::add_shader;
 use bevy::asset::uuid_handle;
 use bevy::image::ToExtents;
 use bevy::prelude::*;
@@ -49,13 +50,12 @@ impl DifferencePass {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    let source = Difference::shader().source();
-    if let Err(error) = app.world_mut().resource_mut::<Assets<Shader>>().insert(
-        SHADER.id(),
-        Shader::from_wgsl(source, "lightfall/difference.wgsl"),
-    ) {
-        error!("the shader of differences could not be added: {error}");
-    }
+    add_shader(
+        app,
+        &SHADER,
+        Difference::shader(),
+        "lightfall/difference.wgsl",
+    );
     if let Some(render_app) = app.get_sub_app_mut(RenderApp) {
         render_app.add_systems(RenderStartup, create_difference_pass);
     }

@@ -5,6 +5,7 @@ use super::pipeline::{Destination, Traits};
 use crate::render::chain::Chain;
 use crate::render::comparison::ComparedScene;
 use crate::render::current_scene::CurrentScene;
+use crate::render::live_shaders::LiveShaders;
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResource;
 use lightfall_core::gpu::Variant;
@@ -19,6 +20,8 @@ pub(crate) struct GeodesicShaders {
     pub(super) current: SceneShaders,
     /// Those of the pinned scene, while it is compared with the current one.
     pub(super) pinned: Option<SceneShaders>,
+    /// How often they have been reloaded.
+    pub(super) reloads: u32,
 }
 
 /// The shaders of a scene.
@@ -86,6 +89,9 @@ pub(in crate::render) struct JoinedShaders(Vec<JoinedShader>);
 /// than a user reaches in a while with keys and presets.
 const MAX_SHADERS: usize = 48;
 
+/// What Bevy calls these shaders.
+const NAME: &str = "lightfall/geodesic.wgsl";
+
 /// Selects the shaders of the current scene and of the pinned one.
 pub(in crate::render) fn select_geodesic_shaders(
     mut commands: Commands,
@@ -93,8 +99,11 @@ pub(in crate::render) fn select_geodesic_shaders(
     compared: Res<ComparedScene>,
     mut joined: ResMut<JoinedShaders>,
     mut shaders: ResMut<Assets<Shader>>,
+    mut live: ResMut<LiveShaders>,
 ) {
     let chain = Chain::of(&scene).comparing(&compared);
+    // What is remembered here changes no shader.
+    let live = live.bypass_change_detection();
     let mut select = |scene: &Scene| {
         let mut variant = Variant::picture(scene);
         variant.antialias &= chain.antialias;
@@ -116,7 +125,8 @@ pub(in crate::render) fn select_geodesic_shaders(
         } else {
             Vec::new()
         };
-        let mut join = |variant, destination| joined.select(variant, destination, &mut shaders);
+        let mut join =
+            |variant, destination| joined.select(variant, destination, &mut shaders, live);
         let picture = join(variant, destination);
         let mut compute = |variant: Variant| join(variant, Destination::Compute(variant.entry));
         SceneShaders {
@@ -127,10 +137,22 @@ pub(in crate::render) fn select_geodesic_shaders(
     };
     let current = select(&scene);
     let pinned = compared.drawn().map(|(pinned, _)| select(pinned));
-    commands.insert_resource(GeodesicShaders { current, pinned });
+    commands.insert_resource(GeodesicShaders {
+        current,
+        pinned,
+        reloads: live.news().reloads,
+    });
 }
 
 impl JoinedShaders {
+    /// Counts no pipeline as ready until it is known again: the shaders have changed. What the
+    /// render world still says of the pipelines before does not count.
+    pub(in crate::render) fn await_pipelines(&mut self) {
+        for joined in &mut self.0 {
+            joined.ready = default();
+        }
+    }
+
     /// A new variant is joined from its parts; once there are [`MAX_SHADERS`], it replaces the
     /// shader that has been unused for the longest time. Only shaders for the same destination
     /// replace each other, because the pipelines of a shader are kept with it.
@@ -139,6 +161,7 @@ impl JoinedShaders {
         variant: Variant,
         destination: Destination,
         shaders: &mut Assets<Shader>,
+        live: &mut LiveShaders,
     ) -> JoinedShader {
         let Self(joined) = self;
         let known = joined
@@ -147,7 +170,9 @@ impl JoinedShaders {
         let selected = match known {
             Some(index) => joined.remove(index),
             None => {
-                let source = Shader::from_wgsl(variant.source(), "lightfall/geodesic.wgsl");
+                let text = variant.text();
+                let own_source = live.source(&text);
+                let source = Shader::from_wgsl(own_source.clone(), NAME);
                 let like = |known: &JoinedShader| known.destination == destination;
                 let oldest = joined.iter().position(like).unwrap_or_default();
                 let shader = if joined.iter().filter(|known| like(known)).count() < MAX_SHADERS {
@@ -159,6 +184,7 @@ impl JoinedShaders {
                     }
                     shader
                 };
+                live.remember(shader.id(), NAME, text, own_source);
                 JoinedShader {
                     variant,
                     destination,

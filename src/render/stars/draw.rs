@@ -16,7 +16,7 @@ use bevy::render::renderer::{RenderContext, RenderQueue, ViewQuery};
 use bevy::render::{RenderApp, RenderStartup};
 
 pub(in crate::render) fn plugin(app: &mut App) {
-    add_shaders(&mut app.world_mut().resource_mut::<Assets<Shader>>());
+    add_shaders(app);
     app.add_plugins((
         ExtractResourcePlugin::<StarCatalogue>::default(),
         ExtractResourcePlugin::<StarLimit>::default(),

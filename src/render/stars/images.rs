@@ -25,8 +25,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The stars of one scene.
 pub(in crate::render) struct SceneStars {
-    /// The scene that was written last, without what changes no image, and the limit of its stars.
-    written: Option<(Scene, StarLimit)>,
+    /// The scene that was written last, without what changes no image, the limit of its stars, and
+    /// how often the kernels' shaders had been reloaded.
+    written: Option<(Scene, StarLimit, u32)>,
     numbers: UniformBuffer<GpuStars>,
     /// Written where images are found by a mesh.
     mesh: UniformBuffer<GpuStarMesh>,
@@ -102,7 +103,8 @@ impl SceneStars {
     ) -> bool {
         let (device, queue) = (writer.device, writer.queue);
         self.pipelines = pipelines;
-        let wanted = (scene.for_stars(), writer.star_limit);
+        let reloads = pipelines.map_or(0, |pipelines| pipelines.reloads);
+        let wanted = (scene.for_stars(), writer.star_limit, reloads);
         if self.written.as_ref() == Some(&wanted) {
             return false;
         }

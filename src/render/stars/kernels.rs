@@ -1,6 +1,7 @@
 //! The kernels of stars: their layouts and pipelines.
 
 use super::list::StarLists;
+use crate::render::live_shaders::add_shader;
 use bevy::asset::uuid::Uuid;
 use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
@@ -28,7 +29,11 @@ pub(in crate::render) struct StarPass {
 /// The pipelines of a scene's stars, in the order of [`Kernel::ALL`]; `None` where the scene has no
 /// use for a kernel.
 #[derive(Clone, Copy)]
-pub(in crate::render) struct StarPipelines([Option<CachedComputePipelineId>; Kernel::ALL.len()]);
+pub(in crate::render) struct StarPipelines {
+    ids: [Option<CachedComputePipelineId>; Kernel::ALL.len()],
+    /// How often their shaders have been reloaded.
+    pub(super) reloads: u32,
+}
 
 impl Default for StarPass {
     fn default() -> Self {
@@ -52,6 +57,7 @@ impl StarPass {
         &mut self,
         shaders: impl Iterator<Item = (Kernel, &'a Handle<Shader>)> + Clone,
         projection: Projection,
+        reloads: u32,
         cache: &PipelineCache,
     ) -> StarPipelines {
         let by_mesh = shaders
@@ -82,14 +88,17 @@ impl StarPass {
                 });
             pipelines[kernel as usize] = Some(id);
         }
-        StarPipelines(pipelines)
+        StarPipelines {
+            ids: pipelines,
+            reloads,
+        }
     }
 }
 
 impl StarPipelines {
     /// The kernels and their pipelines, in the order in which they run.
     pub(super) fn kernels(self) -> impl Iterator<Item = (Kernel, CachedComputePipelineId)> {
-        let pairs = Kernel::ALL.into_iter().zip(self.0);
+        let pairs = Kernel::ALL.into_iter().zip(self.ids);
         pairs.filter_map(|(kernel, id)| Some((kernel, id?)))
     }
 
@@ -106,24 +115,14 @@ fn handle(first: u128, projection: Projection) -> Handle<Shader> {
 }
 
 /// Adds the shaders that are the same for all scenes with the same projection.
-pub(super) fn add_shaders(shaders: &mut Assets<Shader>) {
-    let texts = Projection::ALL.into_iter().flat_map(|projection| {
+pub(super) fn add_shaders(app: &mut App) {
+    for projection in Projection::ALL {
         let propose = handle(PROPOSE_SHADERS, projection);
+        let text = propose_shader(projection);
+        add_shader(app, &propose, text, "lightfall/propose.wgsl");
         let splat = handle(SPLAT_SHADERS, projection);
-        [
-            (
-                propose,
-                propose_shader(projection),
-                "lightfall/propose.wgsl",
-            ),
-            (splat, splat_shader(projection), "lightfall/splat.wgsl"),
-        ]
-    });
-    for (handle, text, name) in texts {
-        let shader = Shader::from_wgsl(text.source(), name);
-        if let Err(error) = shaders.insert(handle.id(), shader) {
-            error!("the shader of stars could not be added: {error}");
-        }
+        let text = splat_shader(projection);
+        add_shader(app, &splat, text, "lightfall/splat.wgsl");
     }
 }
 
