@@ -1,30 +1,25 @@
-//! What one scene has on the GPU: its uniform, its table and its bindings. A comparison has two.
+//! What one scene has on the GPU: its numbers, its inputs and its bindings. A comparison has two.
 
-use super::sky::{NoStars, sky_texture};
+use super::inputs::InputBuffers;
+use super::queue::SidePipelines;
+use super::sky::sky_texture;
 use crate::render::star_catalogue::StarCatalogue;
 use crate::render::star_limit::StarLimit;
-use crate::render::stars::{SceneStars, StarPass, StarPipelines, StarWriter};
+use crate::render::stars::{SceneStars, StarPass, StarWriter};
 use crate::render::wave_limit::WaveLimit;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
-use lightfall_core::gpu::kernel::{table_bytes, uniform};
-use lightfall_core::gpu::{
-    Drawable, GpuHotSpot, GpuScene, GpuStructure, GpuTilt, bindings, max_pixels_of_call,
+use lightfall_core::gpu::bindings::{
+    self, MILKY_WAY, MILKY_WAY_SAMPLER, SCENE, SPECTRUM, STAR_SUMS, STARLIGHT,
 };
-use lightfall_core::optics::disk;
+use lightfall_core::gpu::{Drawable, ErrorMap, GpuScene, Inputs, SkyTexture, max_pixels_of_call};
 use lightfall_core::scene::SkyMode;
 
-/// The numbers of a scene, and the pipeline that draws them.
+/// The numbers of a scene, and the pipelines that draw them.
+#[derive(Default)]
 pub(super) struct Side {
     uniform: UniformBuffer<GpuScene>,
-    /// The relativistic disk's flux. Always bound; only the variants that need it read it.
-    page_thorne: Buffer,
-    /// The disk's structure. Always bound; only the variants that need it read it.
-    structure: Buffer,
-    /// The hot spot. Always bound; only the variants that need it read it.
-    hot_spot: UniformBuffer<GpuHotSpot>,
-    /// How the disk is tilted. Always bound; only the variants that need it read it.
-    tilt: UniformBuffer<GpuTilt>,
+    inputs: InputBuffers,
     /// The stars; `None` where the sky has no real ones.
     stars: Option<SceneStars>,
     bind_group: Option<BindGroup>,
@@ -33,19 +28,13 @@ pub(super) struct Side {
     max_pixels_of_call: u32,
 }
 
-/// The pipelines of a scene.
-#[derive(Clone, Copy)]
-pub(super) struct SidePipelines {
-    pub(super) picture: CachedRenderPipelineId,
-    /// What refines its edges, where there is anything to refine.
-    pub(super) refine: Option<CachedComputePipelineId>,
-    /// What draws its stars, where it has any.
-    pub(super) stars: Option<StarPipelines>,
-}
-
 /// What writing a scene takes.
 pub(super) struct SideWriter<'a> {
     pub(super) shared: &'a mut Shared,
+    pub(super) layout: &'a BindGroupLayoutDescriptor,
+    pub(super) errors: &'a ErrorMap,
+    /// The most waves of the disk's structure that are drawn.
+    pub(super) waves: WaveLimit,
     pub(super) stars: &'a mut StarPass,
     pub(super) catalogue: StarCatalogue,
     /// The faintest stars that are drawn as points, in V.
@@ -57,39 +46,34 @@ pub(super) struct SideWriter<'a> {
     pub(super) queue: &'a RenderQueue,
 }
 
-/// What every side binds in addition to its own numbers.
+/// What both sides bind, and what they bind in place of inputs that a scene does not need.
 pub(super) struct Shared {
-    pub(super) layout: BindGroupLayoutDescriptor,
-    pub(super) spectrum: Buffer,
-    /// The map of the view `error`. Always bound; only that view reads it, and only the current
-    /// scene can have that view.
-    pub(super) error_map: Buffer,
-    /// The most waves of the disk's structure that are drawn.
-    pub(super) waves: WaveLimit,
-    /// What is bound where the sky has no real stars.
-    pub(super) no_stars: NoStars,
     /// The Milky Way, from the first scene on that shows it.
-    pub(super) milky_way: Option<TextureView>,
-    pub(super) sampler: Sampler,
+    milky_way: Option<TextureView>,
+    sampler: Sampler,
+    no_milky_way: TextureView,
+    /// A uniform or a storage array that no shader reads.
+    no_input: Buffer,
+}
+
+impl Shared {
+    pub(super) fn new(device: &RenderDevice, queue: &RenderQueue) -> Self {
+        Self {
+            milky_way: None,
+            sampler: device.create_sampler(&SkyTexture::sampler()),
+            no_milky_way: sky_texture(device, queue, false),
+            no_input: device.create_buffer(&BufferDescriptor {
+                label: Some("no input"),
+                size: size_of::<[u32; 4]>() as u64,
+                usage: BufferUsages::UNIFORM | BufferUsages::STORAGE,
+                mapped_at_creation: false,
+            }),
+        }
+    }
 }
 
 impl Side {
-    pub(super) fn new(device: &RenderDevice) -> Self {
-        Self {
-            uniform: UniformBuffer::from(GpuScene::default()),
-            page_thorne: written_buffer(device, "Page-Thorne table", PAGE_THORNE_SIZE),
-            structure: written_buffer(device, "disk structure", GpuStructure::SIZE),
-            hot_spot: UniformBuffer::from(GpuHotSpot::default()),
-            tilt: UniformBuffer::from(GpuTilt::default()),
-            stars: None,
-            bind_group: None,
-            pipelines: None,
-            max_pixels_of_call: 0,
-        }
-    }
-
-    /// Writes a scene, which these pipelines draw, as one of several frames
-    /// that are averaged.
+    /// Writes a scene, which these pipelines draw, as one of several frames that are averaged.
     pub(super) fn write(
         &mut self,
         scene: &Drawable,
@@ -102,22 +86,16 @@ impl Side {
         numbers.picture = numbers.picture.of_frame(frame, frames);
         self.uniform.set(numbers);
         self.uniform.write_buffer(device, queue);
-        self.hot_spot.set(GpuHotSpot::new(scene));
-        self.hot_spot.write_buffer(device, queue);
-        self.tilt.set(GpuTilt::new(scene));
-        self.tilt.write_buffer(device, queue);
-        if let disk::Profile::PageThorne(disk) = disk::Profile::new(scene) {
-            queue.write_buffer(&self.page_thorne, 0, &table_bytes(&disk.table()));
-        }
-        if let Some(structure) = GpuStructure::new(scene, writer.shared.waves.0) {
-            queue.write_buffer(&self.structure, 0, &uniform(&structure));
-        }
+        let inputs = Inputs {
+            scene,
+            max_waves: writer.waves.0,
+            errors: Some(writer.errors),
+        };
+        let new_inputs = self.inputs.write(inputs.of_picture(), device, queue);
         self.pipelines = Some(pipelines);
         self.max_pixels_of_call = max_pixels_of_call(scene);
-        if self.write_stars(scene, pipelines, writer) {
-            self.bind_group = None;
-        }
-        if self.bind_group.is_none() {
+        let new_stars = self.write_stars(scene, pipelines, writer);
+        if new_inputs || new_stars || self.bind_group.is_none() {
             self.bind_group = self.bind(writer);
         }
     }
@@ -129,9 +107,10 @@ impl Side {
         pipelines: SidePipelines,
         writer: &mut SideWriter,
     ) -> bool {
-        if scene.sky.mode != SkyMode::Stars || !scene.view.shows_light() {
+        let shows_stars = scene.sky.mode == SkyMode::Stars && scene.view.shows_light();
+        let (true, Some(spectrum)) = (shows_stars, self.inputs.buffer(SPECTRUM)) else {
             return self.stars.take().is_some();
-        }
+        };
         let SideWriter {
             shared,
             stars: pass,
@@ -156,7 +135,7 @@ impl Side {
                 pass,
                 catalogue,
                 star_limit: *star_limit,
-                spectrum: &shared.spectrum,
+                spectrum,
                 cache,
                 device,
                 queue,
@@ -167,30 +146,34 @@ impl Side {
 
     fn bind(&self, writer: &SideWriter) -> Option<BindGroup> {
         let shared = &*writer.shared;
-        let none = &shared.no_stars;
         let stars = self.stars.as_ref();
-        let starlight = match stars {
-            Some(stars) => stars.starlight()?,
-            None => none.starlight.binding()?,
-        };
-        let sums = stars.and_then(SceneStars::sums).unwrap_or(&none.sums);
         let milky_way = shared.milky_way.as_ref().filter(|_| stars.is_some());
+        let no_input = &shared.no_input;
+        let sums = stars.and_then(SceneStars::sums).unwrap_or(no_input);
+        let rows = bindings::ALL.iter().filter(|row| row.in_picture);
+        let entries = rows.map(|row| {
+            let resource = match row.number {
+                SCENE => self.uniform.binding()?,
+                STARLIGHT => match stars {
+                    Some(stars) => stars.starlight()?,
+                    None => no_input.as_entire_binding(),
+                },
+                MILKY_WAY => milky_way.unwrap_or(&shared.no_milky_way).into_binding(),
+                MILKY_WAY_SAMPLER => shared.sampler.into_binding(),
+                STAR_SUMS => sums.as_entire_binding(),
+                input => self
+                    .inputs
+                    .buffer(input)
+                    .unwrap_or(no_input)
+                    .as_entire_binding(),
+            };
+            let binding = row.number;
+            Some(BindGroupEntry { binding, resource })
+        });
         Some(writer.device.create_bind_group(
             "geodesic bindings",
-            &writer.cache.get_bind_group_layout(&shared.layout),
-            &BindGroupEntries::with_indices((
-                (bindings::SCENE, self.uniform.binding()?),
-                (bindings::SPECTRUM, shared.spectrum.as_entire_binding()),
-                (bindings::PAGE_THORNE, self.page_thorne.as_entire_binding()),
-                (bindings::ERROR_MAP, shared.error_map.as_entire_binding()),
-                (bindings::STRUCTURE, self.structure.as_entire_binding()),
-                (bindings::HOT_SPOT, self.hot_spot.binding()?),
-                (bindings::TILT, self.tilt.binding()?),
-                (bindings::STARLIGHT, starlight),
-                (bindings::MILKY_WAY, milky_way.unwrap_or(&none.milky_way)),
-                (bindings::MILKY_WAY_SAMPLER, &shared.sampler),
-                (bindings::STAR_SUMS, sums.as_entire_binding()),
-            )),
+            &writer.cache.get_bind_group_layout(writer.layout),
+            &entries.collect::<Option<Vec<_>>>()?,
         ))
     }
 
@@ -232,16 +215,3 @@ impl Side {
         Some((pipeline, self.bind_group.as_ref()?))
     }
 }
-
-/// A uniform that is written when the scene changes.
-fn written_buffer(device: &RenderDevice, label: &'static str, size: u64) -> Buffer {
-    device.create_buffer(&BufferDescriptor {
-        label: Some(label),
-        size,
-        usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    })
-}
-
-/// Size of the table of the disk model `page-thorne`, in bytes.
-pub(super) const PAGE_THORNE_SIZE: u64 = size_of::<[[f32; 4]; disk::TABLE_LEN]>() as u64;

@@ -1,8 +1,8 @@
-//! The Milky Way's texture, and what stands in for the sky's resources where a scene has none.
+//! The Milky Way's texture.
 
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
-use lightfall_core::gpu::{GpuStarlight, SkyTexture};
+use lightfall_core::gpu::SkyTexture;
 
 /// The Milky Way as the shaders read it, or one texel a face in its place.
 pub(super) fn sky_texture(device: &RenderDevice, queue: &RenderQueue, shown: bool) -> TextureView {
@@ -13,28 +13,4 @@ pub(super) fn sky_texture(device: &RenderDevice, queue: &RenderQueue, shown: boo
         &SkyTexture::bytes(shown),
     );
     texture.create_view(&SkyTexture::view())
-}
-
-/// What scenes without stars bind in place of theirs.
-pub(super) struct NoStars {
-    pub(super) starlight: UniformBuffer<GpuStarlight>,
-    pub(super) milky_way: TextureView,
-    pub(super) sums: Buffer,
-}
-
-impl NoStars {
-    pub(super) fn new(device: &RenderDevice, queue: &RenderQueue) -> Self {
-        let mut starlight = UniformBuffer::from(GpuStarlight::default());
-        starlight.write_buffer(device, queue);
-        Self {
-            starlight,
-            milky_way: sky_texture(device, queue, false),
-            sums: device.create_buffer(&BufferDescriptor {
-                label: Some("no light of stars"),
-                size: size_of::<[u32; 4]>() as u64,
-                usage: BufferUsages::STORAGE,
-                mapped_at_creation: false,
-            }),
-        }
-    }
 }

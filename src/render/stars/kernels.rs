@@ -5,11 +5,8 @@ use crate::render::live_shaders::add_shader;
 use bevy::asset::uuid::Uuid;
 use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
-use bevy::render::render_resource::binding_types::*;
 use bevy::render::render_resource::*;
-use lightfall_core::gpu::GpuScene;
-use lightfall_core::gpu::bindings::{SCENE, SPECTRUM, STAR_MESH, STAR_TABLE, STARS};
-use lightfall_core::gpu::stars::{GpuStarMesh, GpuStars, Kernel, propose_shader, splat_shader};
+use lightfall_core::gpu::stars::{Kernel, propose_shader, splat_shader};
 use lightfall_core::scene::Projection;
 use std::marker::PhantomData;
 
@@ -38,7 +35,9 @@ pub(in crate::render) struct StarPipelines {
 impl Default for StarPass {
     fn default() -> Self {
         Self {
-            layouts: Kernel::ALL.map(layout),
+            layouts: Kernel::ALL.map(|kernel| {
+                BindGroupLayoutDescriptor::new(kernel.entry_point(), &kernel.layout())
+            }),
             pipelines: HashMap::default(),
             lists: StarLists::default(),
         }
@@ -124,23 +123,4 @@ pub(super) fn add_shaders(app: &mut App) {
         let text = splat_shader(projection);
         add_shader(app, &splat, text, "lightfall/splat.wgsl");
     }
-}
-
-fn layout(kernel: Kernel) -> BindGroupLayoutDescriptor {
-    let read = kernel.reads().iter().map(|binding| {
-        let kind = match *binding {
-            SCENE => uniform_buffer::<GpuScene>(false),
-            STARS => uniform_buffer::<GpuStars>(false),
-            STAR_MESH => uniform_buffer::<GpuStarMesh>(false),
-            SPECTRUM | STAR_TABLE => uniform_buffer_sized(false, None),
-            _ => storage_buffer_read_only_sized(false, None),
-        };
-        kind.build(*binding, ShaderStages::COMPUTE)
-    });
-    let written = kernel
-        .writes()
-        .iter()
-        .map(|binding| storage_buffer_sized(false, None).build(*binding, ShaderStages::COMPUTE));
-    let entries: Vec<_> = read.chain(written).collect();
-    BindGroupLayoutDescriptor::new(kernel.entry_point(), &entries)
 }

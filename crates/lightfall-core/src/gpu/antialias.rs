@@ -1,6 +1,6 @@
 //! The shader that finds the pixels where edges pass, and the sizes of what it and REFINE share.
 
-use super::bindings::{self, ANTIALIAS_CONSTANTS};
+use super::bindings;
 use super::shader::ShaderText;
 use super::shader::text::add_constant;
 use glam::UVec2;
@@ -42,11 +42,7 @@ impl EdgeTraits {
             "texture_2d"
         };
         let mut prelude = format!("alias Traits = {kind}<u32>;\n") + &constants();
-        let numbers = [
-            ("SAMPLES", self.samples),
-            ("STRIP", STRIP),
-            ("WORKGROUP_SIZE", bindings::WORKGROUP_SIZE),
-        ];
+        let numbers = [("SAMPLES", self.samples), ("STRIP", STRIP)];
         for (name, value) in numbers {
             add_constant(&mut prelude, name, "u32", format!("{value}u"));
         }
@@ -91,9 +87,6 @@ impl Edges {
 /// The constants that EDGES and REFINE share.
 pub(super) fn constants() -> String {
     let mut text = String::new();
-    for (name, value) in ANTIALIAS_CONSTANTS {
-        add_constant(&mut text, name, "u32", format!("{value}u"));
-    }
     let sizes = [
         ("BENT_PIXELS", BENT_PIXELS),
         ("COARSE_PIXELS", COARSE_PIXELS),

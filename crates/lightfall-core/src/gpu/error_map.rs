@@ -25,9 +25,6 @@ impl Default for ErrorMap {
 }
 
 impl ErrorMap {
-    /// Size of the uniform, in bytes.
-    pub const SIZE: usize = CELLS * size_of::<f32>();
-
     /// The grid of these errors in pixels, `None` where nothing is seen. The errors of further cells
     /// are not known.
     #[must_use]

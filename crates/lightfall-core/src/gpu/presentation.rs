@@ -1,7 +1,6 @@
 //! The presentation's shader and its uniform: how the tone-mapped picture becomes cells on the
 //! screen.
 
-use super::bindings::PRESENTATION_CONSTANTS;
 use super::shader::ShaderText;
 use super::shader::text::add_constant;
 use crate::scene::MAX_PIXELS_PER_CELL;
@@ -29,9 +28,6 @@ impl Presentation {
     #[must_use]
     pub fn shader() -> ShaderText {
         let mut prelude = String::new();
-        for (name, value) in PRESENTATION_CONSTANTS {
-            add_constant(&mut prelude, name, "u32", format!("{value}u"));
-        }
         // A cell touches one pixel more than it is wide if its edges lie within pixels.
         let touched = MAX_PIXELS_PER_CELL + 1;
         add_constant(

@@ -3,6 +3,7 @@
 use super::bindings;
 use super::device::Gpu;
 use super::error::GpuError;
+use super::inputs::Inputs;
 use super::kernel::{Kernel, uniform};
 use super::scene::{GpuScene, time_lead};
 use super::shader::Variant;
@@ -80,13 +81,10 @@ impl RayKernel {
     /// # Errors
     /// As [`RayKernel::new`].
     pub fn of_variant(gpu: &Gpu, variant: Variant, scene: &Scene) -> Result<Self, GpuError> {
-        let numbers = GpuScene::for_rays(scene)?;
-        Ok(Self(Kernel::new(
-            gpu,
-            &variant.source(),
-            "rays",
-            &[(bindings::SCENE, uniform(&numbers))],
-        )?))
+        let source = variant.source();
+        let mut uniforms = Inputs::new(scene).declared_in(&source);
+        uniforms.push((bindings::SCENE, uniform(&GpuScene::for_rays(scene)?)));
+        Ok(Self(Kernel::new(gpu, &source, "rays", &uniforms)?))
     }
 
     /// Traces rays through a scene of this variant. Directions are unit vectors (right, up,

@@ -1,6 +1,5 @@
 //! The uniform of the sky mode `stars`, in a binding of its own: only scenes with stars read it.
 
-use super::bindings::STARLIGHT_CONSTANTS;
 use super::shader::text::add_constant;
 use super::sky_texture::TEXEL;
 use super::stars::{light_unit, sums_side};
@@ -52,9 +51,6 @@ impl GpuStarlight {
 /// The constants of the shader.
 pub(super) fn constants() -> String {
     let mut text = String::new();
-    for (name, value) in STARLIGHT_CONSTANTS {
-        add_constant(&mut text, name, "u32", format!("{value}u"));
-    }
     let [a, b, c, d] = FAINTER_SHARE;
     let cubic = format!("vec4<f32>({a:?}, {b:?}, {c:?}, {d:?})");
     add_constant(&mut text, "FAINTER_SHARE", "vec4<f32>", cubic);

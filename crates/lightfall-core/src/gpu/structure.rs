@@ -72,9 +72,6 @@ impl Default for GpuStructure {
 }
 
 impl GpuStructure {
-    /// The uniform's size in bytes.
-    pub const SIZE: u64 = <Self as encase::ShaderSize>::SHADER_SIZE.get();
-
     /// The structure of the scene's disk at its clock, with at most `limit` waves in each ring;
     /// `None` for a smooth disk.
     ///

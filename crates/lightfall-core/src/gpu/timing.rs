@@ -8,13 +8,11 @@ use super::bindings;
 use super::buffer::{buffer_from_bytes, empty_buffer};
 use super::device::Gpu;
 use super::error::GpuError;
-use super::kernel::{table_bytes, uniform};
-use super::scene::{GpuHotSpot, GpuScene, GpuTilt};
+use super::inputs::Inputs;
+use super::kernel::uniform;
+use super::scene::GpuScene;
 use super::shader::Variant;
-use super::structure::GpuStructure;
-use crate::optics::disk::Profile;
-use crate::optics::spectrum;
-use crate::scene::{HotSpotKind, Scene, SkyMode};
+use crate::scene::Scene;
 use glam::UVec2;
 use std::time::{Duration, Instant};
 use timestamps::Timestamps;
@@ -124,32 +122,13 @@ impl Stopwatch {
         size: UVec2,
         stage: Stage,
     ) -> Result<Self, GpuError> {
-        Self::with_tables(gpu, variant, scene, (size, stage), Vec::new())
-    }
-
-    /// The same for the light of a picture's pixels, with everything that shines: as a compute
-    /// entry, in which the disk's structure has a pixel's footprint of fixed size.
-    ///
-    /// # Errors
-    /// As [`Stopwatch::new`].
-    pub fn of_light(gpu: &Gpu, scene: &Scene, size: UVec2) -> Result<Self, GpuError> {
-        let variant = Variant::timed_light(scene);
-        let tables = light_tables(variant, scene);
-        Self::with_tables(gpu, variant, scene, (size, Stage::Compute), tables)
-    }
-
-    fn with_tables(
-        gpu: &Gpu,
-        variant: Variant,
-        scene: &Scene,
-        (size, stage): (UVec2, Stage),
-        tables: Vec<(u32, Vec<u8>)>,
-    ) -> Result<Self, GpuError> {
         let numbers = GpuScene::new(scene, size)?;
         if stage == Stage::Compute {
             check_output_size(gpu, size)?;
         }
-        let module = gpu.shader("timed", &variant.source())?;
+        let source = variant.source();
+        let tables = Inputs::new(scene).declared_in(&source);
+        let module = gpu.shader("timed", &source)?;
         gpu.validated(|| {
             let numbers =
                 buffer_from_bytes(gpu, "scene", &uniform(&numbers), BufferUsages::UNIFORM);
@@ -197,6 +176,16 @@ impl Stopwatch {
                 timestamps: Timestamps::new(gpu),
             }
         })
+    }
+
+    /// The same for the light of a picture's pixels, with everything that shines: as a compute
+    /// entry, in which the disk's structure has a pixel's footprint of fixed size.
+    ///
+    /// # Errors
+    /// As [`Stopwatch::new`].
+    pub fn of_light(gpu: &Gpu, scene: &Scene, size: UVec2) -> Result<Self, GpuError> {
+        let variant = Variant::timed_light(scene);
+        Self::of_variant(gpu, variant, scene, size, Stage::Compute)
     }
 
     /// Changes to the numbers of another scene of the same variant, such as one with another step
@@ -317,29 +306,6 @@ impl Stopwatch {
             }
         }
     }
-}
-
-/// The uniforms of a variant that computes the scene's light by [`Variant::timed_light`], by binding
-/// and beside the scene's own.
-#[must_use]
-pub fn light_tables(variant: Variant, scene: &Scene) -> Vec<(u32, Vec<u8>)> {
-    let mut tables = Vec::new();
-    if variant.disk || variant.sky != SkyMode::Off {
-        tables.push((bindings::SPECTRUM, table_bytes(&spectrum::table())));
-    }
-    if let (true, Profile::PageThorne(disk)) = (variant.disk, Profile::new(scene)) {
-        tables.push((bindings::PAGE_THORNE, table_bytes(&disk.table())));
-    }
-    if let (true, Some(structure)) = (variant.structure, GpuStructure::new(scene, None)) {
-        tables.push((bindings::STRUCTURE, uniform(&structure)));
-    }
-    if variant.turned_sky {
-        tables.push((bindings::TILT, uniform(&GpuTilt::new(scene))));
-    }
-    if variant.hot_spot != HotSpotKind::None {
-        tables.push((bindings::HOT_SPOT, uniform(&GpuHotSpot::new(scene))));
-    }
-    tables
 }
 
 /// Waits until all submitted work is done.

@@ -17,17 +17,6 @@ const BAYER: [[u32; 4]; 4] = [
     [15, 7, 13, 5],
 ];
 
-/// The presentation's shader with the constants of a compute entry.
-fn shader() -> String {
-    let constants = format!(
-        "const BINDING_INPUT: u32 = {}u; const BINDING_OUTPUT: u32 = {}u; const WORKGROUP_SIZE: u32 = {}u;\n",
-        bindings::INPUT,
-        bindings::OUTPUT,
-        bindings::WORKGROUP_SIZE
-    );
-    constants + &Presentation::shader().source()
-}
-
 /// The cells of 3 x 3 periods of the pattern, row by row.
 fn cells() -> impl Iterator<Item = [u32; 2]> + Clone {
     (0..12).flat_map(|y| (0..12).map(move |x| [x, y]))
@@ -39,7 +28,7 @@ fn the_dithers_ranks_are_bayers_matrix_with_x_to_the_right_and_y_down() {
     let given = cells().map(|[x, y]| Vec4::new(x as f32, y as f32, 0.0, 0.0));
     let ranks = light_from(
         gpu(),
-        &shader(),
+        &Presentation::shader().source(),
         "vec4<f32>(bayer(vec2<u32>(given.xy)))",
         &[],
         given,
@@ -68,7 +57,7 @@ fn one_colour_between_two_levels_is_dithered_by_bayers_matrix() {
         let given = cells().map(|[x, y]| Vec4::new(x as f32, y as f32, linear, 0.0));
         let shown = light_from(
             gpu(),
-            &shader(),
+            &Presentation::shader().source(),
             "vec4<f32>(srgb_encode(quantize(vec3<f32>(given.z), vec2<u32>(given.xy))), 0.0)",
             &[(bindings::PRESENTATION, uniform(&settings))],
             given,
@@ -139,7 +128,9 @@ fn means(gpu: &Gpu, size: [u32; 2], pixels: &[Vec3], grid: [u32; 2]) -> Vec<Vec3
         @compute @workgroup_size(1) fn each(@builtin(global_invocation_id) cell: vec3<u32>) {
             means[cell.y * presentation.grid.x + cell.x] = vec4<f32>(cell_mean(cell.xy), 0.0);
         }";
-    let module = gpu.shader("means", &(shader() + entry)).unwrap();
+    let module = gpu
+        .shader("means", &(Presentation::shader().source() + entry))
+        .unwrap();
     let pipeline = gpu
         .device
         .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {

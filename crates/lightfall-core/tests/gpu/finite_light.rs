@@ -5,8 +5,7 @@ use crate::random::Random;
 use crate::random_scene::random_scene;
 use glam::{UVec2, Vec4};
 use lightfall_core::gpu::kernel::{Kernel, uniform};
-use lightfall_core::gpu::timing::light_tables;
-use lightfall_core::gpu::{Entry, GpuScene, GpuStarlight, Variant, bindings};
+use lightfall_core::gpu::{Entry, GpuScene, GpuStarlight, Inputs, Variant, bindings};
 use lightfall_core::optics::stars::{Depth, MAX_MAGNITUDE};
 use lightfall_core::scene::{Scene, SkyMode};
 
@@ -51,7 +50,7 @@ fn light(scene: &Scene) -> Vec<Vec4> {
         ..Variant::picture(scene)
     };
     let mut source = variant.source() + LIGHT;
-    let mut uniforms = light_tables(variant, scene);
+    let mut uniforms = Inputs::new(scene).declared_in(&source);
     let numbers = GpuScene::new(scene, SIZE).unwrap();
     uniforms.push((bindings::SCENE, uniform(&numbers)));
     if scene.sky.mode == SkyMode::Stars {

@@ -3,22 +3,16 @@
 use crate::gpu;
 use crate::light::light_from;
 use glam::Vec4;
-use lightfall_core::gpu::{Presentation, bindings};
+use lightfall_core::gpu::Presentation;
 
 /// Levels, of 255, that perceptual values are rounded to at places of the output.
 fn levels(given: impl IntoIterator<Item = ([u32; 2], f32)>) -> Vec<f32> {
-    let constants = format!(
-        "const BINDING_INPUT: u32 = {}u; const BINDING_OUTPUT: u32 = {}u; const WORKGROUP_SIZE: u32 = {}u;\n",
-        bindings::INPUT,
-        bindings::OUTPUT,
-        bindings::WORKGROUP_SIZE
-    );
     let given = given
         .into_iter()
         .map(|([x, y], value)| Vec4::new(x as f32 + 0.5, y as f32 + 0.5, value, 0.0));
     let rounded = light_from(
         gpu(),
-        &(constants + &Presentation::shader().source()),
+        &Presentation::shader().source(),
         "vec4<f32>(to_eight_bits(vec3<f32>(given.z), given.xy), 0.0)",
         &[],
         given,

@@ -6,7 +6,6 @@ use super::text::add_constant;
 use super::{Entry, Variant};
 use crate::geometry::quadrature::gauss_legendre;
 use crate::gpu::antialias;
-use crate::gpu::bindings;
 use crate::gpu::error_map::ErrorMap;
 use crate::gpu::starlight;
 use crate::gpu::stars::add_star_constants;
@@ -52,16 +51,8 @@ impl Variant {
         for (name, value) in self.flags() {
             add_constant(&mut text, name, "bool", value);
         }
-        for (name, value) in bindings::CONSTANTS {
-            add_constant(&mut text, name, "u32", format!("{value}u"));
-        }
         if self.entry == Entry::Refine {
             text.push_str(&antialias::constants());
-        }
-        if self.turned_sky {
-            for (name, value) in bindings::TILT_CONSTANTS {
-                add_constant(&mut text, name, "u32", format!("{value}u"));
-            }
         }
         if self.sky == SkyMode::Stars {
             text.push_str(&starlight::constants());

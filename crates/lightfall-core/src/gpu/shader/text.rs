@@ -3,6 +3,7 @@
 use super::fault::ShaderFault;
 use super::files::{ShaderFile, ShaderFiles};
 use super::link::{Choice, link};
+use crate::gpu::bindings;
 use std::borrow::Cow;
 
 /// A file below shaders/, and its text as it is joined.
@@ -31,6 +32,9 @@ const PRELUDE: &str = "constants of the variant";
 /// A shader's text: constants that the CPU writes, and the files that are linked after them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ShaderText {
+    /// The constants that do not depend on the files.
+    constants: String,
+    /// The same with the numbers of the files' bindings.
     prelude: String,
     entries: Vec<&'static str>,
     choices: Vec<Choice>,
@@ -42,12 +46,13 @@ pub struct ShaderText {
 impl ShaderText {
     /// The shader with these entry points, linked from the files that the program was built with.
     pub(in crate::gpu) fn new(
-        prelude: String,
+        constants: String,
         entries: &[&'static str],
         choices: Vec<Choice>,
     ) -> Self {
         let unlinked = Self {
-            prelude,
+            constants,
+            prelude: String::new(),
             entries: entries.to_vec(),
             choices,
             parts: Vec::new(),
@@ -59,7 +64,7 @@ impl ShaderText {
     /// The same shader, linked from other files. [`Self::validate`] says what is wrong with it.
     #[must_use]
     pub fn linked_from(&self, files: &ShaderFiles) -> Self {
-        let is_constant = |name: &str| declares(&self.prelude, name);
+        let is_constant = |name: &str| declares(&self.constants, name);
         let (files, fault) = link(files, &self.entries, &self.choices, is_constant);
         let part = |file: &ShaderFile| Part {
             file: file.name.clone(),
@@ -68,8 +73,14 @@ impl ShaderText {
                 None => file.text.clone(),
             },
         };
+        let parts: Vec<Part> = files.into_iter().map(part).collect();
+        let mut prelude = self.constants.clone();
+        for (name, number) in bindings::constants(parts.iter().map(|part| &*part.text)) {
+            add_constant(&mut prelude, name, "u32", format!("{number}u"));
+        }
         Self {
-            parts: files.into_iter().map(part).collect(),
+            prelude,
+            parts,
             fault,
             ..self.clone()
         }
@@ -131,8 +142,11 @@ impl ShaderText {
     }
 }
 
-/// Whether constants declare this name.
+/// Whether a name is one of these constants, or a number of the files' bindings.
 pub(super) fn declares(constants: &str, name: &str) -> bool {
+    if bindings::is_constant(name) {
+        return true;
+    }
     let mut lines = constants.lines().filter_map(|line| line.split_once(' '));
     lines.any(|(_, rest)| {
         let rest = rest.strip_prefix(name);

@@ -4,12 +4,20 @@ use super::COUNT_SIZE;
 use super::mesh::{PREDICT_GROUPS, WIDE_GROUPS};
 use super::shader::{propose_shader, splat_shader};
 use crate::gpu::bindings::{
-    CANDIDATE_COUNT, CANDIDATES, MESH_POINTS, SCENE, SPECTRUM, STAR_COUNT, STAR_IMAGES, STAR_INDEX,
-    STAR_LIST, STAR_MESH, STAR_SUMS, STAR_TABLE, STARS, WORKGROUP_SIZE,
+    ALL, CANDIDATE_COUNT, CANDIDATES, MESH_POINTS, SCENE, SPECTRUM, STAR_COUNT, STAR_IMAGES,
+    STAR_INDEX, STAR_LIST, STAR_MESH, STAR_SUMS, STAR_TABLE, STARS, WORKGROUP_SIZE,
 };
 use crate::gpu::shader::{Entry, ShaderText, Variant};
 use crate::optics::stars::images::MeshLayout;
 use crate::scene::Scene;
+use wgpu::{BindGroupLayoutEntry, BindingType, BufferBindingType, ShaderStages};
+
+/// A storage array that a kernel writes.
+const WRITTEN: BindingType = BindingType::Buffer {
+    ty: BufferBindingType::Storage { read_only: false },
+    has_dynamic_offset: false,
+    min_binding_size: None,
+};
 
 /// A kernel of stars.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -164,6 +172,17 @@ impl Kernel {
             Self::Hide => &[STAR_IMAGES],
             Self::Splat => &[STAR_SUMS],
         }
+    }
+
+    /// The layout of its bindings.
+    #[must_use]
+    pub fn layout(self) -> Vec<BindGroupLayoutEntry> {
+        let entry = |binding: &u32| ALL[*binding as usize].layout_entry(ShaderStages::COMPUTE);
+        let written = self.writes().iter().map(|binding| BindGroupLayoutEntry {
+            ty: WRITTEN,
+            ..entry(binding)
+        });
+        self.reads().iter().map(entry).chain(written).collect()
     }
 
     /// The workgroups of a kernel that looks at the mesh.

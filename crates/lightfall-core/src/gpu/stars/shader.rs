@@ -3,7 +3,6 @@
 use super::index;
 use super::list::{FLUX_BIAS, TEMPERATURE_STEPS};
 use super::mesh::{CANDIDATE_LISTS, MESH_RIM, PREDICT_GROUPS, RANKS, WIDE_GROUPS};
-use crate::gpu::bindings::{CONSTANTS, STAR_CONSTANTS};
 use crate::gpu::shader::spectrum_constants::add_spectrum_constants;
 use crate::gpu::shader::text::add_constant;
 use crate::gpu::shader::{ShaderText, projection_file};
@@ -16,9 +15,6 @@ use crate::scene::Projection;
 #[must_use]
 pub fn splat_shader(projection: Projection) -> ShaderText {
     let mut prelude = String::new();
-    for (name, value) in CONSTANTS {
-        add_constant(&mut prelude, name, "u32", format!("{value}u"));
-    }
     add_spectrum_constants(&mut prelude);
     add_star_constants(&mut prelude);
     ShaderText::new(prelude, &["splat"], vec![projection_file(projection)])
@@ -29,9 +25,6 @@ pub fn splat_shader(projection: Projection) -> ShaderText {
 #[must_use]
 pub fn propose_shader(projection: Projection) -> ShaderText {
     let mut prelude = String::new();
-    for (name, value) in CONSTANTS {
-        add_constant(&mut prelude, name, "u32", format!("{value}u"));
-    }
     add_spectrum_constants(&mut prelude);
     add_star_constants(&mut prelude);
     for (name, value) in [
@@ -56,7 +49,7 @@ pub(in crate::gpu) fn add_star_constants(prelude: &mut String) {
         ("CANDIDATE_LISTS", CANDIDATE_LISTS as u32),
         ("RANKS", RANKS as u32),
     ];
-    for (name, value) in STAR_CONSTANTS.into_iter().chain(numbers) {
+    for (name, value) in numbers {
         add_constant(prelude, name, "u32", format!("{value}u"));
     }
     let steps = format!("{:?}", f64::from(TEMPERATURE_STEPS));
