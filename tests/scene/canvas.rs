@@ -108,7 +108,7 @@ fn the_presets_own_shape_has_a_frame_and_its_own_cells() {
 }
 
 #[test]
-fn any_picture_in_any_window_can_be_drawn_and_keeps_its_own_size() {
+fn random_pictures_in_random_windows_can_be_drawn_and_keep_their_own_size() {
     let mut random = Random::new();
     for case in 0..4000 {
         let mut scene = Scene::default();

@@ -203,7 +203,7 @@ fn must_move(before: &Camera, after: &Camera, thrust: DVec3) -> bool {
 }
 
 #[test]
-fn whatever_the_hand_does_anywhere_the_scene_can_be_drawn_and_the_camera_moves() {
+fn whatever_the_hand_does_in_random_places_the_scene_can_be_drawn_and_the_camera_moves() {
     let mut random = Random::new();
     let mut replaced_count = 0;
     for case in 0..10_000 {

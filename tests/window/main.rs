@@ -27,6 +27,8 @@ mod menu;
 mod messages;
 mod pasting;
 mod pixel_look;
+#[path = "../../crates/lightfall-core/tests/physics/random.rs"]
+mod random;
 mod rest;
 mod safety;
 mod shot;

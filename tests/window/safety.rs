@@ -1,6 +1,7 @@
 //! What a window survives.
 
 use crate::desktop::Desktop;
+use crate::random::Random;
 use crate::{WINDOW, changed};
 use std::path::Path;
 use std::time::Duration;
@@ -155,20 +156,14 @@ const KEYS: &[&str] = &[
 fn the_window_survives_five_hundred_random_keys_and_clicks() {
     let mut desktop = Desktop::open(&["--preset", "2"]);
     desktop.first_picture();
-    // Knuth's multiplier; the same sequence every time.
-    let mut state = 20_260_101_u64;
-    let mut random = |below: u64| {
-        state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (state >> 33) % below
-    };
+    let mut random = Random::new();
+    let mut random = |below: u32| random.integer(0, below - 1);
     let mut memory = Vec::new();
     for step in 0..500 {
         if random(4) == 0 {
             desktop.click_at_once(random(1440) as i32, random(810) as i32);
         } else {
-            desktop.press(KEYS[random(KEYS.len() as u64) as usize]);
+            desktop.press(KEYS[random(KEYS.len() as u32) as usize]);
         }
         assert!(
             desktop.running(),

@@ -60,7 +60,7 @@ fn flat_ray(r: f64, b: f64, inward: bool, to_plane: f64) -> (Constants, State) {
 /// Every hit of random rays of a bare hole without spin, whatever its order, against the closed
 /// form, which shares nothing with the reference but the angle and the radius.
 #[test]
-fn the_reference_agrees_with_the_closed_form() {
+fn the_reference_agrees_with_the_closed_form_for_random_rays() {
     let mut random = Random::new();
     let hole = HoleAndDisk {
         kerr: Kerr { spin: 0.0 },
@@ -147,7 +147,7 @@ fn carters_rate(kerr: Kerr, constants: &Constants, state: &State, ingoing: bool)
 }
 
 #[test]
-fn delays_with_spin_are_the_integral_of_carters_equation() {
+fn delays_of_random_rays_with_spin_are_the_integral_of_carters_equation() {
     let mut random = Random::new();
     let nodes = gauss_legendre(40);
     let (mut hits, mut worst) = (0, 0.0_f64);
@@ -203,7 +203,7 @@ fn delays_with_spin_are_the_integral_of_carters_equation() {
 /// the step can be that near. So the integral is split at the horizon: then a node's weight is at
 /// most about three times its distance, and no node contributes more than a few roundings.
 #[test]
-fn lags_inside_a_spinning_hole_are_the_integral_of_carters_equation() {
+fn lags_of_random_rays_inside_a_spinning_hole_are_the_integral_of_carters_equation() {
     let mut random = Random::new();
     let nodes = gauss_legendre(40);
     let (mut hits, mut worst) = (0, 0.0_f64);
@@ -294,7 +294,7 @@ fn change_by_a_turn(reference: &Reference, direction: DVec3, second: f64) -> f64
 /// magnifies their rounding above the claim. Then the error must be no larger than a tenth of that
 /// of a turn of the ray by 1e-12 rad.
 #[test]
-fn delays_add_up_along_a_ray() {
+fn delays_add_up_along_a_random_ray() {
     let mut random = Random::new();
     let mut pairs = 0;
     for spin in [0.0, 0.9, -0.9] {
@@ -397,7 +397,7 @@ fn along_the_principal_null_directions_the_time_is_the_tortoise_coordinates() {
 }
 
 #[test]
-fn straight_light_takes_as_long_as_its_way() {
+fn straight_light_of_random_scenes_takes_as_long_as_its_way() {
     let mut random = Random::new();
     let mut hits = 0;
     for spin in [0.0, 0.9] {

@@ -17,7 +17,7 @@ fn seed() -> u32 {
 }
 
 #[test]
-fn a_list_has_as_many_stars_as_the_sky() {
+fn a_random_list_has_as_many_stars_as_the_sky() {
     let seed = seed();
     for faintest in [7.0, 8.5, 10.0, MAX_MAGNITUDE] {
         let count = list(seed, faintest).stars().len() as f64;
@@ -36,7 +36,7 @@ fn a_list_has_as_many_stars_as_the_sky() {
 }
 
 #[test]
-fn a_deeper_list_begins_with_the_stars_of_a_shallower_one() {
+fn a_deeper_random_list_begins_with_the_stars_of_a_shallower_one() {
     let seed = seed();
     let deep = list(seed, 9.0);
     for faintest in [-5.0, 3.0, 6.0, 6.05, 7.33, 8.0] {
@@ -94,7 +94,7 @@ fn counts(stars: &[Star], from: f32, to: f32, size: usize) -> Vec<f64> {
 }
 
 #[test]
-fn the_numbers_in_cells_are_poissons() {
+fn the_numbers_of_random_stars_in_cells_are_poissons() {
     // Two lists of other seeds have the same mean in each cell: for Poisson numbers a and b,
     // (a - b)^2 / (a + b) has mean 1 where a + b > 0.
     let seed = seed();
@@ -113,7 +113,7 @@ fn the_numbers_in_cells_are_poissons() {
 }
 
 #[test]
-fn stars_lie_evenly_within_their_cells() {
+fn random_stars_lie_evenly_within_their_cells() {
     // Halves of cells along either side; even number of sub-cells.
     let fine = counts(list(seed(), 9.0).stars(), 6.5, 9.0, 128);
     let mut halves = [0.0; 4];
@@ -132,7 +132,7 @@ fn stars_lie_evenly_within_their_cells() {
 }
 
 #[test]
-fn faint_stars_are_dense_where_bright_ones_are() {
+fn random_faint_stars_are_dense_where_bright_ones_are() {
     // Density over galactic latitude as a multiple of the mean, counted in the Bright Star
     // Catalogue for V < 6.
     let bands = [0.0_f64, 10.0, 20.0, 30.0, 45.0, 60.0, 90.0];
@@ -169,7 +169,7 @@ fn faint_stars_are_dense_where_bright_ones_are() {
 }
 
 #[test]
-fn faint_stars_have_the_colours_of_the_catalogues_faint_stars() {
+fn random_faint_stars_have_the_colours_of_the_catalogues_faint_stars() {
     let mean = |stars: &mut dyn Iterator<Item = &Star>| {
         let (sum, count) = stars.fold((0.0, 0.0), |(sum, count), star| {
             (sum + f64::from(star.temperature).ln(), count + 1.0)

@@ -157,7 +157,7 @@ fn all_light_is_that_of_all_stars() {
 }
 
 #[test]
-fn the_light_of_a_list_and_of_the_rest_is_that_of_all_stars() {
+fn the_light_of_a_random_list_and_of_the_rest_is_that_of_all_stars() {
     let seed = Random::new().integer(0, 1 << 30);
     for faintest in [4.0, 6.0, 7.5, 9.0, 11.0] {
         let list = StarList::new(Catalogue::built_in(), seed, faintest);
@@ -173,7 +173,7 @@ fn the_light_of_a_list_and_of_the_rest_is_that_of_all_stars() {
 }
 
 #[test]
-fn the_asset_is_what_the_program_computes() {
+fn random_texels_of_the_asset_are_what_the_program_computes() {
     let mut random = Random::new();
     let sky = MilkyWay::built_in();
     for _ in 0..40 {
@@ -260,7 +260,7 @@ fn specified(direction: DVec3) -> (usize, f64, f64) {
 }
 
 #[test]
-fn faces_and_texels_are_those_of_graphics_interfaces() {
+fn faces_and_texels_of_random_directions_are_those_of_graphics_interfaces() {
     let mut random = Random::new();
     for _ in 0..10_000 {
         let direction = random.direction();

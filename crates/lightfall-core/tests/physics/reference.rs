@@ -153,6 +153,7 @@ fn a_mirrored_hole_shows_the_mirrored_sky() {
     for spin in [0.3, 0.95, 0.9999] {
         let [one, other] = [spin, -spin]
             .map(|spin| Reference::new(&scene(spin, 8.0, 70.0, ObserverKind::Zamo)).unwrap());
+        let mut compared = 0;
         for d in directions(300) {
             let (a, b) = (one.trace(d), other.trace(DVec3::new(d.x, d.y, -d.z)));
             assert_eq!(a.outcome, b.outcome, "spin {spin}, {d}");
@@ -161,8 +162,10 @@ fn a_mirrored_hole_shows_the_mirrored_sky() {
                     (a - DVec3::new(b.x, -b.y, b.z)).length() < 1e-11,
                     "spin {spin}, {d}"
                 );
+                compared += 1;
             }
         }
+        assert!(compared > 200, "spin {spin}: {compared} rays");
     }
 }
 
@@ -179,6 +182,7 @@ fn a_rotation_about_the_axis_rotates_the_sky() {
         Reference::new(&still).unwrap(),
         Reference::new(&turned).unwrap(),
     );
+    let mut compared = 0;
     for d in directions(300) {
         // On the axis the axes toward growing theta and phi are x and y, the outward one is z.
         let around = turn * DVec3::new(d.y, d.z, d.x);
@@ -190,9 +194,11 @@ fn a_rotation_about_the_axis_rotates_the_sky() {
             assert_eq!(a.outcome, b.outcome, "{d}");
             if let (Some(a), Some(b)) = (a.sky, b.sky) {
                 assert!((turn * a - b).length() < 1e-11, "{d}: {a} and {b}");
+                compared += 1;
             }
         }
     }
+    assert!(compared > 400, "{compared} rays");
 }
 
 /// Away from the critical curve the effect of a small spin is linear in the spin: a tenth of the

@@ -103,7 +103,7 @@ fn a_catalogue_has_at_most_two_million_stars() {
 }
 
 #[test]
-fn any_bytes_are_read_or_refused() {
+fn random_bytes_are_read_or_refused() {
     let mut random = Random::new();
     let start =
         b"ra_deg,dec_deg,v_mag,b_v,name\n10,20,3.5,0.5,Alpha\n30,-40,1.25,,\"A \"\"B\"\"\"\n";

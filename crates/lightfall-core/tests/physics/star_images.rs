@@ -377,7 +377,7 @@ fn far_away_both_images_have_the_magnification_of_a_point_lens() {
 /// the magnification is weighed with sin(beta). This is bounded, and three runs in a million exceed
 /// five standard errors at one of the three radii.
 #[test]
-fn the_mean_magnification_is_the_share_of_the_sky_that_is_not_shadow() {
+fn the_mean_magnification_of_random_stars_is_the_share_of_the_sky_that_is_not_shadow() {
     let mut random = Random::new();
     for r in [1.3, 3.0, 20.0] {
         let images = Inversion::new(&static_at(r)).unwrap();

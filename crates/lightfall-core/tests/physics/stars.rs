@@ -84,7 +84,7 @@ fn galactic_places_of_stars_are_those_that_the_catalogue_lists() {
 }
 
 #[test]
-fn the_place_behind_the_hole_is_at_minus_x_and_north_is_up() {
+fn the_place_behind_the_hole_is_at_minus_x_and_north_is_up_for_random_orientations() {
     let mut random = Random::new();
     for _ in 0..1000 {
         let (ra, dec) = (random.between(0.0, 360.0), random.between(-90.0, 90.0));
@@ -132,7 +132,7 @@ fn colours_give_the_temperatures_of_ballesteros() {
 }
 
 #[test]
-fn a_star_of_a_magnitude_has_its_luminance_whatever_its_colour() {
+fn a_star_of_a_magnitude_has_its_luminance_whatever_its_random_colour() {
     let mut random = Random::new();
     for _ in 0..1000 {
         let magnitude = random.between(-2.0, 12.0);

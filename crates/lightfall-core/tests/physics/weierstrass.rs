@@ -5,7 +5,7 @@ use lightfall_core::geometry::kerr_orbit::weierstrass;
 
 /// P'^2 = 4 P^3 - g2 P - g3, and the homogeneity of P: two independent identities.
 #[test]
-fn weierstrass_function_obeys_its_equation_and_scales() {
+fn weierstrass_function_of_random_numbers_obeys_its_equation_and_scales() {
     let mut random = Random::new();
     for _ in 0..1000 {
         let (z, m, h2) = (
@@ -36,7 +36,7 @@ fn weierstrass_function_obeys_its_equation_and_scales() {
 
 /// Where the pair is one root, P - m = 3 m/sinh^2(sqrt(3 m) z). It keeps its digits for long times.
 #[test]
-fn weierstrass_function_keeps_its_digits_next_to_a_double_root() {
+fn weierstrass_function_of_random_numbers_keeps_its_digits_next_to_a_double_root() {
     let mut random = Random::new();
     for _ in 0..1000 {
         let (m, phase) = (random.log_between(1e-3, 10.0), random.between(0.1, 20.0));

@@ -1,21 +1,8 @@
 //! Broken presets: whatever the text is, it loads or is refused in one sentence.
 
+use crate::random::Random;
 use lightfall_core::scene::presets::PRESETS;
 use lightfall_core::scene::{Scene, load};
-
-/// A small linear congruential generator (Knuth's MMIX constants), so that a failure repeats at the
-/// next run.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, sides: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (self.0 >> 33) as usize % sides
-    }
-}
 
 /// Loads any text; an error must be one sentence that begins with the file's name.
 fn survive(text: &str) {
@@ -38,8 +25,9 @@ fn a_truncated_preset_is_a_scene_or_is_refused_in_one_sentence() {
 }
 
 #[test]
-fn a_garbled_preset_is_a_scene_or_is_refused_in_one_sentence() {
-    let mut dice = Dice(1);
+fn a_randomly_garbled_preset_is_a_scene_or_is_refused_in_one_sentence() {
+    let mut random = Random::new();
+    let mut below = |count: usize| random.integer(0, count as u32 - 1) as usize;
     let whole = Scene::default().to_preset();
     // Characters that TOML uses, numbers at their limits, and characters that nothing uses.
     let pieces = [
@@ -77,10 +65,10 @@ fn a_garbled_preset_is_a_scene_or_is_refused_in_one_sentence() {
             PRESETS[round % 7].text.chars()
         }
         .collect();
-        for _ in 0..=dice.below(4) {
-            let at = dice.below(text.len());
-            let length = dice.below(5).min(text.len() - at);
-            text.splice(at..at + length, pieces[dice.below(pieces.len())].chars());
+        for _ in 0..=below(4) {
+            let at = below(text.len());
+            let length = below(5).min(text.len() - at);
+            text.splice(at..at + length, pieces[below(pieces.len())].chars());
         }
         survive(&text.into_iter().collect::<String>());
     }

@@ -14,5 +14,7 @@ mod limits;
 mod load;
 mod pose;
 mod presets;
+#[path = "../physics/random.rs"]
+mod random;
 mod step_policy;
 mod words;

@@ -263,7 +263,7 @@ const THOUSANDTH: Depth = Depth {
 /// stars, 4 had two images each there, with at most 0.12.
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn a_mesh_finds_what_a_mesh_four_times_as_fine_finds() {
+fn a_mesh_finds_the_images_of_random_stars_that_a_mesh_four_times_as_fine_finds() {
     let gpu = gpu();
     let scene = around(0.9);
     let stars = random_stars(&scene, 1000);
@@ -323,7 +323,7 @@ fn a_mesh_finds_what_a_mesh_four_times_as_fine_finds() {
 /// the caustic, which magnifies the rounding of directions.
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn images_are_those_that_the_reference_polishes() {
+fn images_of_random_stars_are_those_that_the_reference_polishes() {
     let mut scene = around(0.9);
     scene.effects.beaming = false;
     let stars = random_stars(&scene, 300);
@@ -384,7 +384,7 @@ fn images_are_those_that_the_reference_polishes() {
 /// anchors they cannot agree: measured, 1 of 1000 here. With anchors as close as elsewhere it is 16.
 #[test]
 #[ignore = "needs a graphics adapter"]
-fn an_image_on_the_side_of_two_cells_is_there_once() {
+fn a_random_image_on_the_side_of_two_cells_is_there_once() {
     let mut random = Random::new();
     let scene = around(0.9);
     let reference = Reference::new(&scene).unwrap();
