@@ -279,15 +279,15 @@ fn a_shader_contains_of_a_living_disk_only_what_its_scene_asks_for() {
             change(&mut scene);
             let variant = Variant::picture(&scene);
             let (files, source) = (variant.files(), variant.source());
-            // The article's methods sum the delay in their own files.
-            let own_delay = matches!(method, Method::Verlet | Method::KerrSchild);
+            // Other methods sum the delay in the file that traces.
             let own_file = match method {
-                Method::Mino => "delay/mino.wgsl",
-                _ => "delay/closed.wgsl",
+                Method::Mino => Some("delay/mino.wgsl"),
+                Method::Closed => Some("delay/closed.wgsl"),
+                _ => None,
             };
             for (i, expected) in expected.into_iter().enumerate() {
                 for file in LIVING_FILES[i] {
-                    let of_method = i < 2 || !own_delay && *file == own_file;
+                    let of_method = i < 2 || own_file == Some(file);
                     assert_eq!(
                         files.contains(file),
                         expected && of_method,
