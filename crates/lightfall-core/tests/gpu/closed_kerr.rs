@@ -53,8 +53,13 @@ fn errors_of(scene: &Scene) -> ErrorSummary {
     ErrorSummary::of(&truth, &given)
 }
 
-/// Every ray must hold the method's bound, and 99 of 100 a multiple of what f32 leaves of a
-/// direction, 6e-8.
+/// Every ray must hold the method's bound, and 99 of 100 the bound `p99`, in radians.
+///
+/// f32 leaves 6e-8 of a direction. The constants, the roots and the integrals of a ray round some
+/// times more, which next to the photon orbits, the axis and the horizon are differences of nearly
+/// equal numbers: with Mesa's driver 99 of 100 rays are within 2.1e-7 to 8.7e-7 from outside, and
+/// within 5.5e-7 to 1.7e-6 of a falling observer. The bounds are 1.2 to 3 times as large, because
+/// other drivers contract products differently.
 fn check(scene: &Scene, p99: f64) {
     let place = format!("spin {} r {}", scene.hole.spin, scene.camera.r);
     let errors = errors_of(scene);
