@@ -1,4 +1,4 @@
-// What a ray met, as one small number: by it neighbouring pixels are told apart.
+// What a ray met, as one small number that tells neighbouring pixels apart.
 //
 // Needs: OUTCOME_CAPTURED.
 // Gives: NO_CLASS, is_class_captured, ray_class.

@@ -5,7 +5,8 @@
 // Needs: Constants, Course, Radial, regular_at, regular_way, scene, square.
 // Gives: radial_delay.
 
-// From the camera to u, which the backward ray reaches at the time t, before or after it has turned.
+// The integral from the camera to u, which the backward ray reaches at the time t, before or after the
+// turn.
 fn radial_delay(m: Radial, c: Constants, course: Course, u: f32, returned: bool, t: f32) -> f32 {
     let at = regular_at(c, course.centre, 1.0, square(scene.hole.a));
     return (at.value - c.drag) * t + regular_way(m, c, course, at, u, returned);

@@ -31,7 +31,8 @@ fn regular_sum_to_end(c: Constants, leg: Leg, places: LegPlaces, at_end: f32) ->
     return leg.count * dot(WEIGHTS, places.dy * change / speed);
 }
 
-// From the camera to u, which the backward ray reaches at the time t, before or after it has turned.
+// The integral from the camera to u, which the backward ray reaches at the time t, before or after the
+// turn.
 fn radial_delay(m: Radial, c: Constants, course: Course, u: f32, returned: bool, t: f32) -> f32 {
     let centre = course.centre;
     let at = regular_at(c, centre, 1.0, square(scene.hole.a));

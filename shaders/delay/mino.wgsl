@@ -47,12 +47,12 @@ fn signed_tortoise(m: Motion, v: f32, inward: bool) -> f32 {
     return select(value, -value, inward);
 }
 
-// What a ray begins with. Its delay is counted from the camera's outgoing time.
+// The delay at the start of a ray. It is counted from the camera's outgoing time.
 fn first_delay(inward: bool) -> f32 {
     return select(-2.0 * scene.observer.time_lead, 0.0, inward);
 }
 
-// What a whole step adds. In the step in which r turns a leg ends and another one begins.
+// The delay that a whole step adds. In the step in which r turns a leg ends and another one begins.
 fn step_delay(m: Motion, step: Step, h: f32) -> f32 {
     let inward = vec2<bool>(step.dy0.x > 0.0, step.dy1.x > 0.0);
     let turns = inward.x != inward.y;
@@ -65,7 +65,7 @@ fn step_delay(m: Motion, step: Step, h: f32) -> f32 {
     return delay;
 }
 
-// What is added up to a crossing after the first `share` of a step, at v.
+// The delay that the first `share` of a step adds, up to a crossing at v.
 fn crossing_delay(m: Motion, step: Step, h: f32, share: f32, v: f32) -> f32 {
     let inward = step.dy0.x > 0.0;
     let turns = inward != (step.dy1.x > 0.0);

@@ -94,7 +94,7 @@ fn trace(photon: Photon) -> Trace {
         let across = crossing_direction(n, tangent, side);
         let lambda = photon_angular_momentum(photon) / energy;
         let g3 = orbit_g3(orbit);
-        // The way from u = 0 to 1/3, or to a turning point before, is at most 2.1 rad long, and the
+        // The way from u = 0 to 1/3, or to an earlier turning point, is at most 2.1 rad long, and the
         // ray crosses the plane every pi. So it crosses the annulus at most once on its way in and
         // once on its way out: at the first and the last crossing of the plane.
         let last = floor((angle - crossing_angle) * (1.0 / PI));

@@ -12,14 +12,14 @@
 //     time_from_turn, time_leaving, u_after.
 // Gives: trace.
 
-// Crossings of the plane that are looked at: rays within f32's rounding of the critical curve go
-// round ten times.
+// Maximum number of crossings of the plane that are examined: rays within f32's rounding of the
+// critical curve go round ten times.
 const MAX_CROSSINGS: u32 = 24u;
-// A place where |u'| is below this share of E lies so near to the critical orbit that u is improved
-// from the time.
+// Where |u'| is below this share of E, the ray is so near to the critical orbit that a step of
+// Newton's method improves u from the time.
 const SLOW_SHARE: f32 = 0.2;
 
-// When a ray is where, in Mino time since the camera, and the places from which u is computed.
+// The Mino times since the camera at which a ray reaches places, and the places from which u is computed.
 struct Schedule {
     // The turning point, or the place where the ray is slowest.
     centre: f32,

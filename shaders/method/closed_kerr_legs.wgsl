@@ -74,8 +74,8 @@ fn leg_between(centre: Centre, low: f32, high: f32, count: f32, scale: f32) -> L
     return Leg(centre, low, high, count, centre.c_0 <= 0.0, scale);
 }
 
-// How many times as long a leg is as the distance on which the integrand changes. U itself changes where
-// two of its first terms are as large as each other.
+// Ratio of the leg's length to the scale on which its integrand changes. U itself changes where two of
+// its first terms are equally large.
 fn unevenness(leg: Leg) -> f32 {
     let c = abs(leg.centre.c);
     let c_0 = leg.centre.c_0;
@@ -86,8 +86,7 @@ fn unevenness(leg: Leg) -> f32 {
     return leg.high / max(min(leg.scale, least), TINY);
 }
 
-// Whether the unevenness is larger than a leg's that is not divided: the same without its divisions and
-// roots.
+// Whether the unevenness is too large for an undivided leg, computed without divisions and roots.
 fn is_uneven(leg: Leg) -> bool {
     let c = abs(leg.centre.c);
     let c_0 = leg.centre.c_0;
@@ -250,9 +249,9 @@ fn dragging_along(c: Constants, way: Way, t: f32, end: f32) -> f32 {
     return sum;
 }
 
-// The quantity K' (p + q u^2)/(W + |u'|) at the centre: what Kerr's ingoing dragging falls short of a E
-// by, divided by a, with p = 0 and q = 1, and a part of the delay with p = 1 and q = a^2. It has no
-// pole at the horizon for light that comes in from outside.
+// The quantity K' (p + q u^2)/(W + |u'|) at the centre. With p = 0 and q = 1 it is (a E - d)/a, where d
+// is Kerr's ingoing dragging; with p = 1 and q = a^2 it is a part of the delay. It has no pole at the
+// horizon for light that comes in from outside.
 struct Regular {
     q: f32,
     // W + |u'|.

@@ -211,7 +211,7 @@ fn passing_centre(m: Radial, u: f32, side: f32) -> Centre {
     return Centre(u, m.base_beyond + v, side, max(c_0, 0.0), growth_from(m, v, side), 0.0, 0.0);
 }
 
-// How far a place with u and u'^2 is from a turning point. Close to it, u'^2 knows better.
+// The distance of a place with u and u'^2 from a turning point. Close to it, u'^2 gives more digits.
 fn distance_from(centre: Centre, u: f32, speed2: f32) -> f32 {
     var y = max(centre.side * (centre.u - u), 0.0);
     if y < 0.25 * centre.u {
@@ -225,7 +225,7 @@ fn distance_from(centre: Centre, u: f32, speed2: f32) -> f32 {
     return y;
 }
 
-// The arguments of R_F of which the Mino time between two places is R_F(isolated, pair, h2).
+// The arguments of R_F: the Mino time between two places is R_F(isolated, pair, h2).
 struct TimeArguments {
     isolated: f32,
     pair: f32,

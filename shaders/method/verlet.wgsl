@@ -16,7 +16,7 @@
 // At this radius an ingoing ray counts as captured: no ray turns outward inside the photon sphere,
 // at 1.5.
 const CAPTURE_RADIUS: f32 = 1.015;
-// A loop bound that holds whatever the uniform says.
+// A bound of the loop that does not depend on the uniform.
 const MAX_HALVINGS: u32 = 24u;
 // The step rule: shares of the radius, largest step in r_s, and a term that keeps it from dividing
 // by zero for radial rays.
@@ -27,7 +27,7 @@ const MAX_STEP: f32 = 12.0;
 const MAX_STEP_SHARE: f32 = 0.15;
 const DISPLACEMENT_SHARE: f32 = 0.12;
 
-// The factor of x in the acceleration, from 1/r: -(3/2) L^2 / r^5.
+// The factor of x in the acceleration, computed from 1/r: -(3/2) L^2 / r^5.
 fn acceleration_factor(l2: f32, inverse_r: f32) -> f32 {
     let inverse_r2 = inverse_r * inverse_r;
     return -1.5 * l2 * inverse_r2 * inverse_r2 * inverse_r;

@@ -3,7 +3,7 @@
 // Needs: Tangents, components_across, limited, mesh, mesh_points, newton_step.
 // Gives: Row, cubic_slopes, cubic_weights, jacobian_at, predicted, rows_about.
 
-// By how much the rays through a row of four points miss a star, across its direction: both components.
+// The misses of a star by the rays through a row of four points: both components across its direction.
 struct Row {
     first: vec4<f32>,
     second: vec4<f32>,
@@ -47,7 +47,7 @@ fn rows_about(number: vec2<u32>, star: vec3<f32>, tangents: Tangents) -> array<R
     );
 }
 
-// By how much the star is missed with these weights along x and along y.
+// The miss of the star with these weights along x and along y.
 fn missed_at(rows: array<Row, 4>, x: vec4<f32>, y: vec4<f32>) -> vec2<f32> {
     let first = y.x * rows[0].first + y.y * rows[1].first + y.z * rows[2].first + y.w * rows[3].first;
     let second = y.x * rows[0].second + y.y * rows[1].second + y.z * rows[2].second + y.w * rows[3].second;

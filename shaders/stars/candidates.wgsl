@@ -4,10 +4,9 @@
 // Gives: BENT, Candidate, FROM_MESH, FROM_MIDDLE, MAX_STARTS, PREDICTION_STEPS, ROUGH, SMOOTH,
 //     STAR_BITS, WIDE, rank_of, unpacked_candidate.
 
-// The lists, one after the other: each has room for `mesh.capacity` candidates. They are those in cells
-// whose map to the sky is known from the mesh alone; those whose images are found by rays; those of
-// which the mesh has still to tell whether their image is in the cell; and cells whose stars have still
-// to be found.
+// The lists, one after the other, each with room for `mesh.capacity` candidates: candidates in smooth
+// cells, whose map to the sky follows from the mesh alone; candidates whose images rays find; candidates
+// that the mesh has not yet tested for an image in the cell; and cells whose stars are not yet found.
 const SMOOTH: u32 = 0u;
 const ROUGH: u32 = 1u;
 const BENT: u32 = 2u;

@@ -1,5 +1,5 @@
-// What a cell of the mesh sees: which part of the sky, whether the map to it folds or is smooth, and
-// how faint a star may be there.
+// What a cell of the mesh sees: its part of the sky, whether the map to the sky folds or is smooth, and
+// the flux of the faintest star that counts there.
 //
 // Needs: Cell, MeshPoint, TINY, Triangle, mesh, mesh_place, mesh_points, pixel_solid_angle,
 //     safe_normalize, stars, triangles_of.
@@ -14,14 +14,12 @@ const MAX_SPAN: f32 = 1.2;
 const MIN_MARGIN: f32 = 0.01;
 const MARGIN: f32 = 0.25;
 const MAX_MARGIN: f32 = 1.0;
-// By how much the farthest point within a margin is farther from the cell's middle than the farthest
-// corner, per margin.
+// Growth of the cell's outer radius per unit of margin.
 const REACH: f32 = 3.2;
 // Where neighbouring parts of the cell see the sky turned over, stars up to this far from the middle
 // count.
 const FOLD_REACH: f32 = 1.15;
-// By how much the largest of a cell's corner triangles may exceed the smallest where the map does not
-// fold.
+// Largest ratio between the areas of a cell's corner triangles where the map does not fold.
 const MAX_AREA_RATIO: f32 = 2.0;
 // By how much, relative to its area, the sides of a cell that does not fold may differ, times its
 // diagonal: next to the Einstein ring cells become slivers that are thinner than they are bent.

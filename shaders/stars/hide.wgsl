@@ -1,6 +1,6 @@
-// Dims the images of stars that lie behind the disk, by the ray of each. A kernel of its own, because
-// few stars have an image in the picture: where neighbouring stars share their instructions, one of
-// them would make all wait for its ray.
+// Dims the images of stars that lie behind the disk, by tracing a ray for each. This is a kernel of its
+// own because few stars have an image in the picture: in a kernel over all stars, invocations without
+// an image would wait for a neighbour's ray.
 //
 // Needs: BINDING_STAR_COUNT, BINDING_STAR_IMAGES, StarImage, WORKGROUP_SIZE, disk_transmission,
 //     photon_from, stars, trace.
@@ -10,8 +10,8 @@
 // As in add_image.wgsl; the last number counts the images.
 @group(0) @binding(BINDING_STAR_COUNT) var<storage, read> image_count: vec4<u32>;
 
-// One invocation for each image. How its ray ends is known, at the star, and next to the shadow's
-// edge better known than the ray tells.
+// One invocation for each image. The ray of an image is known to end at the star, even where, next to
+// the shadow's edge, rounding would make the traced ray end elsewhere.
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn hide(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= min(image_count.w, min(stars.capacity, arrayLength(&star_images))) {

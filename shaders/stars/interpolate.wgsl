@@ -1,4 +1,4 @@
-// Finds the images of candidates in smooth cells without following rays: the sky in such a cell is
+// Finds the images of candidates in smooth cells without tracing rays: the sky in such a cell is
 // the bicubic polynomial through the 16 points of the mesh about it.
 //
 // Two neighbouring cells have the same curve along their common side, because it depends on the points

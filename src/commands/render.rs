@@ -124,7 +124,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
     Ok(())
 }
 
-/// Says that a catalogue has been given for nothing.
+/// Warns that `--stars` has no effect here.
 fn note_unseen_stars(args: &RenderArgs, scene: &Scene) {
     let shown = match scene.sky.mode {
         SkyMode::Stars => return,

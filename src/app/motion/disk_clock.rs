@@ -7,7 +7,7 @@
 //!   time goes by, and the fall writes it to the scene.
 //! * A journey drives the clock itself, by the same rule as for numbered pictures.
 //! * A hand moves the camera faster than light, and no observer sees what such a camera would. The
-//!   picture then keeps the stage that the disk is seen at: the clock is put on by the change of
+//!   picture then keeps the stage that the disk is seen at: the clock is set forward by the change of
 //!   [`Scene::disk_time_lead`], so that the disk neither leaps nor runs backward.
 //!
 //! Views of rays and of shifts do not depend on the time. There the clock stands still, so that the

@@ -53,7 +53,7 @@ pub struct OrbitStep {
 
 /// Moves the camera around the hole for one frame, and faces it to the hole.
 ///
-/// As with hand flight, the camera is taken off a circular orbit, and the nearest observer that
+/// As in flying by hand, the camera is taken off a circular orbit, and the nearest observer that
 /// exists takes the place of one that does not.
 ///
 /// # Errors

@@ -1,6 +1,6 @@
 //! One frame of flying by hand: the new camera position, in f64, and the observer there.
 //!
-//! Hand flight keeps the hole in the picture. Thrust sideways leads round the hole at the same
+//! Flying by hand keeps the hole in the picture. Thrust sideways leads round the hole at the same
 //! radius, and the camera is carried along, so that the hole keeps its place on the screen. Thrust
 //! inward slows down while the hole fills the view.
 
@@ -52,10 +52,10 @@ pub struct Steered {
     pub stopped_by: Option<Barrier>,
 }
 
-/// What hand flight cannot pass.
+/// What a camera flown by hand cannot pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Barrier {
-    /// The smallest radius of hand flight, from outside.
+    /// The smallest radius of a camera flown by hand, from outside.
     MinRadius,
     /// The horizon, from inside: no thrust leads outward there, or holds the radius.
     Horizon,

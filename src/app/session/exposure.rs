@@ -11,7 +11,7 @@ use lightfall_core::optics::exposure::metered_exposure;
 use lightfall_core::scene::Scene;
 
 /// Seconds in which the difference from the metered exposure shrinks to 1/e. After a second nothing
-/// is left even of the largest difference, and a smaller one looks like the work of a pupil.
+/// is left even of the largest difference, and a smaller one looks like an eye adapting.
 const FOLLOW_SECONDS: f64 = 0.2;
 /// Seconds between two measurements.
 const METER_INTERVAL: f64 = 0.1;

@@ -1,4 +1,4 @@
-//! What answers have in common, and whether they are complete.
+//! Comparisons between answers, and whether an answer is complete.
 
 use crate::optics::trace::{Outcome, Trace};
 use glam::DVec3;

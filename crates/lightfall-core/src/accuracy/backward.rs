@@ -1,5 +1,5 @@
-//! The backward error: the angle by which a ray must be turned for the reference to give the
-//! method's answer, up to an angle no greater than that turn.
+//! The backward error: the smallest turn t of a ray for which the reference's answer differs from
+//! the method's by at most t.
 
 use super::answer::greater;
 use super::chart::Chart;
@@ -25,8 +25,8 @@ pub(super) const PLANE_SCALES: [f64; 3] = [1.0, 1e-2, 1e-4];
 /// The backward error, in radians, of an answer of the right class: the largest of the turns that
 /// explain its parts.
 ///
-/// A part that is off by less than `precision` is not searched for its turn: its forward error
-/// bounds the turn and is taken instead.
+/// For a part that is off by less than `precision` the forward error, which bounds the turn, takes
+/// the place of a search.
 pub(super) fn backward_error(
     camera: &ReferenceCamera,
     ray: &Ray,

@@ -1,4 +1,4 @@
-//! The f64 reference, asked in directions of the camera.
+//! The f64 reference for rays given by directions of the camera.
 
 use crate::geometry::mino::Constants;
 use crate::geometry::observer::{ObserverError, Photon};
@@ -8,7 +8,7 @@ use crate::optics::trace::Trace;
 use crate::scene::Scene;
 use glam::{DMat3, DVec3};
 
-/// The reference of a scene and how its camera is turned. Directions are (right, up, forward).
+/// The reference of a scene, with the camera's rotation. Directions are (right, up, forward).
 pub(super) struct CameraTracer {
     reference: Reference,
     pub(super) tetrad_from_camera: DMat3,

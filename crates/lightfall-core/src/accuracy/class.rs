@@ -236,8 +236,8 @@ fn along_edge(camera: &ReferenceCamera, chart: &Chart, side: f64, nearest: &Near
     }
 }
 
-/// How much the height of the sky over the disk's plane changes between two answers, as a share of the
-/// highest so far; 0 if one of them has no sky.
+/// The change of the sky's height over the disk's plane between two answers, as a share of the greatest
+/// height so far; 0 if one of them has no sky.
 fn risen(before: &Trace, after: &Trace, highest: &Cell<f64>) -> f64 {
     let Some((before, after)) = before.sky.zip(after.sky) else {
         return 0.0;

@@ -1,4 +1,4 @@
-//! How wrong the delay of a hit is, and how much of that belongs to the place of the hit.
+//! The error of a hit's delay, and the share of it that follows from the place of the hit.
 //!
 //! A tiny turn of a ray next to the critical curve moves its hit, and the delay with it: the delay
 //! is then right for the place that the method has found, and differs from the reference's at
@@ -31,10 +31,10 @@ use std::f64::consts::TAU;
 /// the constants and of the turning points is of second order there, and 0.003^2 is 1e-5.
 const SAME_PLACE: f64 = 0.003;
 
-/// What a method in f32 leaves open of the radius of a hit, as a share of it: eight units in the last place.
+/// The relative uncertainty of a hit's radius in f32: eight units in the last place.
 const LAST_DIGITS: f64 = 1e-6;
 
-/// The least change of the delay by a whole turn, in r_s/c, for which turns are counted: a hundred
+/// Whole turns are counted only if one changes the delay by at least this much, in r_s/c: a hundred
 /// times the errors that matter, so that a wrong delay rarely fits by chance.
 const LEAST_TURN: f64 = 1.0;
 
@@ -118,9 +118,9 @@ impl DelayError {
         ]
     }
 
-    /// The time, in r_s/c, that light takes along the radius across what f32's last digits leave open of
-    /// the place: across the error of the radius, but at most a millionth of it. Next to the horizon of
-    /// a nearly extremal hole this is thousands of times that distance.
+    /// The time, in r_s/c, that light takes along the radius across the place's uncertainty in f32: the
+    /// error of the radius, but at most a millionth of the radius. Next to the horizon of a nearly
+    /// extremal hole this time is thousands of times the distance.
     #[must_use]
     pub fn light_time_of_rounding(&self, kerr: Kerr) -> f64 {
         let r = self.truth.r;
@@ -156,7 +156,7 @@ impl Motion {
         }
     }
 
-    /// By how much the delay of hit number `hit` grows when it moves from radius `r` by (dr, dphi).
+    /// The growth of the delay of hit number `hit` when it moves from radius `r` by (dr, dphi).
     fn change(&self, hit: usize, [dr, dphi]: [f64; 2], r: f64) -> f64 {
         let p_r = |r: f64| {
             let du = self.constants.potential(1.0 / r).max(0.0).sqrt();
@@ -166,7 +166,7 @@ impl Motion {
         by_azimuth - integral_on_scale(1.0, r, r + dr, &p_r) / self.constants.energy
     }
 
-    /// By how much the delay grows when the hit moves by a whole turn.
+    /// The growth of the delay when the hit moves by a whole turn.
     fn change_in_turn(&self) -> f64 {
         -TAU * self.constants.angular_momentum / self.constants.energy
     }

@@ -18,8 +18,8 @@ use std::cell::Cell;
 const MIN_COLUMN: f64 = -12.0;
 const COLUMN_STEP: f64 = 0.25;
 const HALVINGS: i32 = 6;
-/// The rows along the edge: the turn of each is half that of the one before, from the greatest turn
-/// down to `MIN_TURN` of the turn that is enough. The maximum number on either side of the ray.
+/// The rows along the edge: each halves the turn of the one before, until it is `MIN_TURN` times the
+/// turn that is enough. There are at most `MAX_ROWS` rows on each side of the ray.
 const MIN_TURN: f64 = 2e-3;
 const MAX_ROWS: usize = 24;
 /// The greatest turn of the grid as a share of the shadow's radius: the edge's polynomial describes
@@ -47,8 +47,8 @@ struct Place {
 }
 
 impl<'a> Grid<'a> {
-    /// Traces the rays of the grid: up to the turn that is known, with rows down to a small share of
-    /// the turn that is enough.
+    /// Traces the rays of the grid, with turns from a small share of `bounds.enough` up to
+    /// `bounds.known`.
     pub(super) fn new(camera: &'a ReferenceCamera, chart: Chart, bounds: Bounds) -> Self {
         let rows = places(&chart, bounds);
         let answer = |place: DVec2| Place {
@@ -65,7 +65,7 @@ impl<'a> Grid<'a> {
         }
     }
 
-    /// Searches from the grid on, until an explanation is enough.
+    /// Runs Newton's method from places of the grid until a turn is small enough.
     pub(super) fn explain(
         &self,
         given: &Trace,
@@ -97,7 +97,8 @@ impl<'a> Grid<'a> {
         least
     }
 
-    /// The turns that explain an answer, from a place on where Newton's method looks for its sky.
+    /// The turns that explain an answer, searched along the rays that explain its sky. Newton's method
+    /// looks for these rays from `start`.
     pub(super) fn turns_along_sky(&self, given: &Trace, sky: DVec3, start: DVec2) -> Turns {
         let chart = &self.chart;
         let nearest = Cell::new((f64::INFINITY, chart.at(start)));

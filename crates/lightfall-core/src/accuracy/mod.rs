@@ -3,9 +3,8 @@
 //!
 //! Close to the critical curve every half-turn multiplies an error by e^pi whatever the method. So
 //! three things are stated side by side: the forward error, which the picture shows; the backward
-//! error, which is the method's own: the angle by which the ray would have to be turned for the
-//! reference to give the same answer, up to an angle no greater than the turn; and the confusion
-//! matrix of outcomes.
+//! error, which is the method's own: the smallest turn t of the ray for which the reference's answer
+//! differs from the method's by at most t; and the confusion matrix of outcomes.
 
 mod answer;
 mod backward;

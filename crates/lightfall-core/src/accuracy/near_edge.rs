@@ -121,7 +121,7 @@ fn converges(inward: &[(f64, Option<f64>)]) -> bool {
     })
 }
 
-/// The differences in height on a line, with its summits.
+/// The differences in height on a line, with the places where the height turns back.
 fn heights(
     camera: &ReferenceCamera,
     chart: &Chart,

@@ -23,7 +23,7 @@ pub(super) struct ReferenceCamera {
     wider_disk: CameraTracer,
     /// The shadow on the camera's sky, if it has an edge.
     shadow: Option<Shadow>,
-    /// Whether orbits leave their plane.
+    /// Whether the hole spins, so that orbits do not lie in planes.
     pub(super) is_spinning: bool,
     /// Scale of turns that matter, in radians: a thousandth of the picture's half height, but no
     /// less than f32 can tell apart.

@@ -26,7 +26,7 @@ pub struct Surroundings<'a> {
 }
 
 impl<'a> Surroundings<'a> {
-    /// Traces the rays around a ray, up to the turn that is known and from the turn on that is enough.
+    /// Traces a grid of rays with turns between `bounds.enough` and `bounds.known`.
     pub(super) fn new(
         camera: &'a ReferenceCamera,
         ray: &Ray,

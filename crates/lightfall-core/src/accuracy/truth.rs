@@ -100,7 +100,7 @@ impl Truth {
         errors
     }
 
-    /// What the reference answers around the ray of index `ray`, for a search that is a hundred times
+    /// The reference's answers around the ray of index `ray`, for a search that is a hundred times
     /// slower than [`Truth::judge`]. Next to the edge of the shadow it finds smaller turns.
     #[must_use]
     pub fn surroundings(&self, ray: usize, bounds: Bounds) -> Surroundings<'_> {

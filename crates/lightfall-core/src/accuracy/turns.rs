@@ -1,9 +1,9 @@
-//! What limits the thorough search for the turns that explain an answer, and what it finds.
+//! The bounds of the thorough search for the turns that explain an answer, and its results.
 
 use super::answer::greater;
 use super::part::Part;
 
-/// What limits the search for a turn, in radians.
+/// The bounds of the search for a turn, in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// A turn below this ends the search.
@@ -55,8 +55,8 @@ impl Turns {
     }
 }
 
-/// What a search for a part has found: the smallest turn that explains the part, and the smallest bound
-/// of the whole answer's error that one ray gives.
+/// The result of a search for a part: the smallest turn that explains the part, and the smallest bound
+/// of the whole answer's error that a single ray gives.
 #[derive(Clone, Copy)]
 pub(super) struct Explained {
     pub(super) part: f64,

@@ -93,7 +93,7 @@ impl KerrOrbit {
         y.max(f64::MIN_POSITIVE)
     }
 
-    /// The u next to which the ray takes the longest, and the legs to infinity.
+    /// The u at which the ray moves slowest, and the legs to infinity.
     fn legs_to_infinity(&self) -> (f64, Vec<Leg>) {
         let (u, du) = (self.start.u, self.start.du);
         let leg = |centre: Centre, from: f64, to: f64| Leg {

@@ -1,4 +1,4 @@
-//! What leads others to a scene: in a browser the page's address, elsewhere a command line.
+//! Sharing a scene: by the page's address in a browser, elsewhere by a command line.
 
 #[cfg(target_arch = "wasm32")]
 mod address;

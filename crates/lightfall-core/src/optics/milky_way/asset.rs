@@ -8,7 +8,7 @@ use crate::optics::stars::{galactic_from_celestial, temperature_from_b_v};
 use png::{BitDepth, ColorType, Compression, Decoder, DecodingError, Encoder, EncodingError};
 use std::io::Cursor;
 
-/// Texels a side of a face.
+/// Texels along one side of a face.
 pub(super) const SIZE: usize = 256;
 
 /// A texel's brightness in V: the darkest in stars of V = 0 per steradian, and the step in its

@@ -25,7 +25,7 @@ pub struct MilkyWay {
 }
 
 impl MilkyWay {
-    /// Texels a side of a face of the finest level.
+    /// Texels along one side of a face of the finest level.
     pub const SIZE: usize = asset::SIZE;
 
     /// Number of levels. The last one has one texel a face.
