@@ -6,6 +6,7 @@
 
 use crate::render::camera_markers::SceneCamera;
 use crate::render::draw_request::DrawRequest;
+use crate::render::full_screen_pass::{FullScreenPass, Stage, attachment};
 use crate::render::geodesic::GeodesicPass;
 use crate::render::live_shaders::add_shader;
 use crate::render::refine::refine_edges;
@@ -13,24 +14,27 @@ use bevy::asset::uuid_handle;
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::image::ToExtents;
 use bevy::prelude::*;
-use bevy::render::diagnostic::RecordDiagnostics;
-use bevy::render::render_resource::binding_types::{texture_2d, uniform_buffer};
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::ViewTarget;
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use lightfall_core::gpu::Accumulation;
-use lightfall_core::gpu::bindings::{ACCUMULATION, ACCUMULATION_LIGHT, ACCUMULATION_SUM};
 
 const SHADER: Handle<Shader> = uuid_handle!("0f3f2f4e-93a8-4a52-8b93-2f7d6f1c0a35");
+
+/// The entry point, which writes the picture and the sum.
+const STAGE: Stage = (
+    "accumulate",
+    [
+        Some(TextureFormat::Rgba16Float),
+        Some(TextureFormat::Rgba32Float),
+    ],
+);
 
 /// The pass's resources on the GPU.
 #[derive(Resource)]
 pub(super) struct AccumulatePass {
-    layout: BindGroupLayoutDescriptor,
-    /// Queued when frames are averaged for the first time.
-    pipeline: Option<CachedRenderPipelineId>,
-    uniform: UniformBuffer<Accumulation>,
+    pass: FullScreenPass<Accumulation>,
     /// `None` while frames are shown as they are.
     sums: Option<Sums>,
     /// Whether this frame has been added.
@@ -75,22 +79,8 @@ pub(super) fn plugin(app: &mut App) {
 }
 
 fn create_accumulate_pass(mut commands: Commands) {
-    let texture = || texture_2d(TextureSampleType::Float { filterable: false });
-    let layout = BindGroupLayoutDescriptor::new(
-        "accumulation layout",
-        &BindGroupLayoutEntries::with_indices(
-            ShaderStages::FRAGMENT,
-            (
-                (ACCUMULATION, uniform_buffer::<Accumulation>(false)),
-                (ACCUMULATION_LIGHT, texture()),
-                (ACCUMULATION_SUM, texture()),
-            ),
-        ),
-    );
     commands.insert_resource(AccumulatePass {
-        layout,
-        pipeline: None,
-        uniform: UniformBuffer::from(Accumulation::default()),
+        pass: FullScreenPass::new("accumulation layout", SHADER, 2),
         sums: None,
         added: false,
     });
@@ -107,21 +97,14 @@ fn prepare_accumulate_pass(
     let (Some(request), Some(mut pass)) = (request, pass) else {
         return;
     };
-    let AccumulatePass {
-        layout,
-        pipeline,
-        uniform,
-        sums,
-        added,
-    } = &mut *pass;
+    let AccumulatePass { pass, sums, added } = &mut *pass;
     *added = false;
     let Some(frame) = request.averaged_frame() else {
         *sums = None;
         return;
     };
-    pipeline.get_or_insert_with(|| cache.queue_render_pipeline(pipeline_descriptor(layout)));
-    uniform.set(Accumulation { frame });
-    uniform.write_buffer(&device, &queue);
+    pass.queue(STAGE, &cache);
+    pass.write(Accumulation { frame }, &device, &queue);
     let size = request.picture_size();
     if sums.as_ref().is_none_or(|sums| sums.size != size) {
         *sums = Some(Sums {
@@ -146,35 +129,6 @@ fn create_sum(device: &RenderDevice, label: &'static str, size: UVec2) -> Textur
     texture.create_view(&default())
 }
 
-fn pipeline_descriptor(layout: &BindGroupLayoutDescriptor) -> RenderPipelineDescriptor {
-    let target = |format| {
-        Some(ColorTargetState {
-            format,
-            blend: None,
-            write_mask: ColorWrites::ALL,
-        })
-    };
-    RenderPipelineDescriptor {
-        label: Some("accumulate".into()),
-        layout: vec![layout.clone()],
-        vertex: VertexState {
-            shader: SHADER,
-            entry_point: Some("vertex".into()),
-            ..default()
-        },
-        fragment: Some(FragmentState {
-            shader: SHADER,
-            entry_point: Some("accumulate".into()),
-            targets: vec![
-                target(TextureFormat::Rgba16Float),
-                target(TextureFormat::Rgba32Float),
-            ],
-            ..default()
-        }),
-        ..default()
-    }
-}
-
 /// Adds the frame to the mean, and shows it.
 pub(super) fn accumulate_frame(
     view: ViewQuery<&ViewTarget, With<SceneCamera>>,
@@ -190,50 +144,25 @@ pub(super) fn accumulate_frame(
     };
     let Extent3d { width, height, .. } = target.main_texture().size();
     let sums = pass.sums.as_ref();
-    let (true, Some(frame), Some(sums), Some(pipeline), Some(uniform)) = (
+    let (true, Some(frame), Some(sums)) = (
         geodesic.has_drawn_scene(),
         request.averaged_frame(),
         sums.filter(|sums| sums.size == UVec2::new(width, height)),
-        pass.pipeline.and_then(|id| cache.get_render_pipeline(id)),
-        pass.uniform.binding(),
     ) else {
         return;
     };
+    // The picture's two textures change places only if the pass draws.
+    if pass.pass.pipeline(STAGE, &cache).is_none() {
+        return;
+    }
     let after = &sums.after[frame as usize % 2];
     let before = &sums.after[(frame as usize + 1) % 2];
     let picture = target.post_process_write();
-    let bind_group = context.render_device().create_bind_group(
-        "accumulation bindings",
-        &cache.get_bind_group_layout(&pass.layout),
-        &BindGroupEntries::with_indices((
-            (ACCUMULATION, uniform),
-            (ACCUMULATION_LIGHT, picture.source),
-            (ACCUMULATION_SUM, before),
-        )),
+    pass.added = pass.pass.draw(
+        &mut context,
+        &cache,
+        STAGE,
+        &[picture.source, before],
+        &[attachment(picture.destination), attachment(after)],
     );
-    let attachment = |view| {
-        Some(RenderPassColorAttachment {
-            view,
-            depth_slice: None,
-            resolve_target: None,
-            ops: default(),
-        })
-    };
-    let diagnostics = context.diagnostic_recorder();
-    let diagnostics = diagnostics.as_deref();
-    let mut render_pass = context.begin_tracked_render_pass(RenderPassDescriptor {
-        label: Some("accumulate"),
-        color_attachments: &[attachment(picture.destination), attachment(after)],
-        depth_stencil_attachment: None,
-        timestamp_writes: None,
-        occlusion_query_set: None,
-        multiview_mask: None,
-    });
-    let span = diagnostics.pass_span(&mut render_pass, "accumulate");
-    render_pass.set_render_pipeline(pipeline);
-    render_pass.set_bind_group(0, &bind_group, &[]);
-    render_pass.draw(0..3, 0..1);
-    span.end(&mut render_pass);
-    drop(render_pass);
-    pass.added = true;
 }

@@ -3,7 +3,7 @@
 
 mod fit;
 mod letterbox;
-mod pipeline;
+mod stages;
 
 pub use fit::{fit, resized};
 pub use letterbox::{Letterbox, letterbox};
@@ -11,23 +11,24 @@ pub use letterbox::{Letterbox, letterbox};
 use crate::render::camera_markers::{SceneCamera, ScreenCamera};
 use crate::render::chain::Chain;
 use crate::render::current_scene::CurrentScene;
-use crate::render::full_screen_pass::{draw_triangle, run_full_screen_pass};
+use crate::render::full_screen_pass::{FullScreenPass, attachment};
 use crate::render::live_shaders::add_shader;
+use bevy::asset::uuid_handle;
 use bevy::core_pipeline::core_2d::main_transparent_pass_2d;
 use bevy::core_pipeline::schedule::{Core2d, Core2dSystems};
-use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
 use bevy::render::camera::ExtractedCamera;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
-use bevy::render::render_resource::binding_types::{texture_2d, uniform_buffer};
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::{ExtractedView, ViewTarget};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use lightfall_core::gpu::Presentation;
-use lightfall_core::gpu::bindings::{PRESENTATION, PRESENTATION_SOURCE};
 use lightfall_core::scene::Picture;
-use pipeline::{GRID_FORMAT, SHADER, Stage, create_grid, pipeline_descriptor};
+use stages::{PIXELATE, create_grid, expand_to, fit_to};
+
+/// The shader of all stages.
+const SHADER: Handle<Shader> = uuid_handle!("6f0f7c0e-5b7d-4c0c-9a55-0f3f1c1d7a11");
 
 /// As many levels as eight bits tell apart.
 const EXACT_LEVELS: u32 = 256;
@@ -64,9 +65,7 @@ pub struct ShownCells(pub Option<UVec2>);
 
 #[derive(Resource)]
 struct PresentationPass {
-    layout: BindGroupLayoutDescriptor,
-    uniform: UniformBuffer<Presentation>,
-    pipelines: HashMap<(Stage, TextureFormat), CachedRenderPipelineId>,
+    pass: FullScreenPass<Presentation>,
     /// The cells, which last as long as the picture; `None` when they are bypassed.
     cells: Option<Cells>,
     /// Format of the screen camera's main texture.
@@ -102,23 +101,8 @@ pub(super) fn plugin(app: &mut App) {
 }
 
 fn create_presentation_pass(mut commands: Commands) {
-    let layout = BindGroupLayoutDescriptor::new(
-        "presentation layout",
-        &BindGroupLayoutEntries::with_indices(
-            ShaderStages::FRAGMENT,
-            (
-                (PRESENTATION, uniform_buffer::<Presentation>(false)),
-                (
-                    PRESENTATION_SOURCE,
-                    texture_2d(TextureSampleType::Float { filterable: false }),
-                ),
-            ),
-        ),
-    );
     commands.insert_resource(PresentationPass {
-        layout,
-        uniform: UniformBuffer::from(Presentation::default()),
-        pipelines: HashMap::default(),
+        pass: FullScreenPass::new("presentation layout", SHADER, 1),
         cells: None,
         output: TextureFormat::Rgba8UnormSrgb,
         last_picture: LastPicture::default(),
@@ -205,23 +189,14 @@ fn prepare_presentation_pass(
             },
         }
     });
-    pass.uniform.set(uniform);
-    pass.uniform.write_buffer(&device, &queue);
-    let PresentationPass {
-        layout,
-        pipelines,
-        output,
-        ..
-    } = &mut *pass;
-    let stages: &[_] = if picture.bypass {
-        &[(Stage::Fit, *output)]
+    let output = pass.output;
+    let pass = &mut pass.pass;
+    pass.write(uniform, &device, &queue);
+    if picture.bypass {
+        pass.queue(fit_to(output), &cache);
     } else {
-        &[(Stage::Pixelate, GRID_FORMAT), (Stage::Expand, *output)]
-    };
-    for &(stage, format) in stages {
-        pipelines.entry((stage, format)).or_insert_with(|| {
-            cache.queue_render_pipeline(pipeline_descriptor(layout.clone(), stage, format))
-        });
+        pass.queue(PIXELATE, &cache);
+        pass.queue(expand_to(output), &cache);
     }
 }
 
@@ -244,13 +219,12 @@ fn draw_cells(
     else {
         return;
     };
-    let filled = draw_stage(
-        &pass,
-        &cache,
+    let filled = pass.pass.draw(
         &mut context,
-        (Stage::Pixelate, GRID_FORMAT),
-        source.main_texture_view(),
-        view,
+        &cache,
+        PIXELATE,
+        &[source.main_texture_view()],
+        &[attachment(view)],
     );
     if let Some(cells) = &mut pass.cells {
         cells.filled = filled;
@@ -270,48 +244,14 @@ fn draw_output(
         return;
     };
     let (stage, source) = match &pass.cells {
-        Some(cells) => (Stage::Expand, &cells.view),
-        None => (Stage::Fit, picture.main_texture_view()),
+        Some(cells) => (expand_to(pass.output), &cells.view),
+        None => (fit_to(pass.output), picture.main_texture_view()),
     };
-    draw_stage(
-        &pass,
-        &cache,
+    pass.pass.draw(
         &mut context,
-        (stage, pass.output),
-        source,
-        screen.main_texture_view(),
+        &cache,
+        stage,
+        &[source],
+        &[attachment(screen.main_texture_view())],
     );
-}
-
-/// Draws one stage. Returns whether it was drawn: its pipeline may still be compiling.
-fn draw_stage(
-    pass: &PresentationPass,
-    cache: &PipelineCache,
-    context: &mut RenderContext,
-    key: (Stage, TextureFormat),
-    source: &TextureView,
-    destination: &TextureView,
-) -> bool {
-    let (Some(pipeline), Some(uniform)) = (
-        pass.pipelines
-            .get(&key)
-            .and_then(|id| cache.get_render_pipeline(*id)),
-        pass.uniform.binding(),
-    ) else {
-        return false;
-    };
-    let name = key.0.entry_point();
-    let bind_group = context.render_device().create_bind_group(
-        name,
-        &cache.get_bind_group_layout(&pass.layout),
-        &BindGroupEntries::with_indices(((PRESENTATION, uniform), (PRESENTATION_SOURCE, source))),
-    );
-    let target = RenderPassColorAttachment {
-        view: destination,
-        depth_slice: None,
-        resolve_target: None,
-        ops: default(),
-    };
-    run_full_screen_pass(context, name, target, pipeline, &bind_group, draw_triangle);
-    true
 }

@@ -3,28 +3,25 @@
 
 use super::compared_scene::{ComparedScene, ComparisonLayout};
 use crate::render::camera_markers::SceneCamera;
-use crate::render::full_screen_pass::{draw_triangle, run_full_screen_pass};
+use crate::render::full_screen_pass::{FullScreenPass, Stage};
 use crate::render::live_shaders::add_shader;
 use bevy::asset::uuid_handle;
 use bevy::image::ToExtents;
 use bevy::prelude::*;
-use bevy::render::render_resource::binding_types::{texture_2d, uniform_buffer};
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
 use bevy::render::view::ViewTarget;
 use bevy::render::{RenderApp, RenderStartup};
 use lightfall_core::gpu::Difference;
-use lightfall_core::gpu::bindings::{DIFFERENCE, DIFFERENCE_LEFT, DIFFERENCE_RIGHT};
 
 const SHADER: Handle<Shader> = uuid_handle!("b2a4e5a1-3c55-4b57-8f0d-6a53c2a6e0d4");
+
+const STAGE: Stage = ("difference", [Some(TextureFormat::Rgba16Float), None]);
 
 /// The pass's resources on the GPU.
 #[derive(Resource)]
 pub(in crate::render) struct DifferencePass {
-    layout: BindGroupLayoutDescriptor,
-    /// Queued when a difference is shown for the first time.
-    pipeline: Option<CachedRenderPipelineId>,
-    uniform: UniformBuffer<Difference>,
+    pass: FullScreenPass<Difference>,
     lights: Option<Lights>,
 }
 
@@ -33,14 +30,12 @@ pub(in crate::render) struct Lights {
     pub(in crate::render) size: UVec2,
     pub(in crate::render) pinned: TextureView,
     pub(in crate::render) current: TextureView,
-    bind_group: BindGroup,
 }
 
 impl DifferencePass {
     /// Whether its pipeline exists.
     pub(in crate::render) fn is_ready(&self, cache: &PipelineCache) -> bool {
-        self.pipeline
-            .is_some_and(|id| cache.get_render_pipeline(id).is_some())
+        self.pass.pipeline(STAGE, cache).is_some()
     }
 
     /// The textures that the two scenes are drawn to.
@@ -62,22 +57,8 @@ pub(super) fn plugin(app: &mut App) {
 }
 
 fn create_difference_pass(mut commands: Commands) {
-    let texture = || texture_2d(TextureSampleType::Float { filterable: false });
-    let layout = BindGroupLayoutDescriptor::new(
-        "difference layout",
-        &BindGroupLayoutEntries::with_indices(
-            ShaderStages::FRAGMENT,
-            (
-                (DIFFERENCE, uniform_buffer::<Difference>(false)),
-                (DIFFERENCE_LEFT, texture()),
-                (DIFFERENCE_RIGHT, texture()),
-            ),
-        ),
-    );
     commands.insert_resource(DifferencePass {
-        layout,
-        pipeline: None,
-        uniform: UniformBuffer::from(Difference::default()),
+        pass: FullScreenPass::new("difference layout", SHADER, 2),
         lights: None,
     });
 }
@@ -97,39 +78,17 @@ pub(in crate::render) fn prepare_difference(
         }
         return;
     };
-    let DifferencePass {
-        layout,
-        pipeline,
-        uniform,
-        lights,
-    } = &mut *pass;
-    pipeline.get_or_insert_with(|| cache.queue_render_pipeline(pipeline_descriptor(layout)));
-    uniform.set(Difference { gain });
-    uniform.write_buffer(&device, &queue);
+    let DifferencePass { pass, lights } = &mut *pass;
+    pass.queue(STAGE, &cache);
+    pass.write(Difference { gain }, &device, &queue);
     let size = scene.picture.size();
-    if lights.as_ref().is_some_and(|lights| lights.size == size) {
-        return;
+    if lights.as_ref().is_none_or(|lights| lights.size != size) {
+        *lights = Some(Lights {
+            size,
+            pinned: create(&device, "light of the pinned scene", size),
+            current: create(&device, "light of the scene", size),
+        });
     }
-    let Some(uniform) = uniform.binding() else {
-        return;
-    };
-    let [pinned, current] = ["light of the pinned scene", "light of the scene"]
-        .map(|label| create(&device, label, size));
-    let bind_group = device.create_bind_group(
-        "difference bindings",
-        &cache.get_bind_group_layout(layout),
-        &BindGroupEntries::with_indices((
-            (DIFFERENCE, uniform),
-            (DIFFERENCE_LEFT, &pinned),
-            (DIFFERENCE_RIGHT, &current),
-        )),
-    );
-    *lights = Some(Lights {
-        size,
-        pinned,
-        current,
-        bind_group,
-    });
 }
 
 fn create(device: &RenderDevice, label: &'static str, size: UVec2) -> TextureView {
@@ -146,29 +105,6 @@ fn create(device: &RenderDevice, label: &'static str, size: UVec2) -> TextureVie
     texture.create_view(&default())
 }
 
-fn pipeline_descriptor(layout: &BindGroupLayoutDescriptor) -> RenderPipelineDescriptor {
-    RenderPipelineDescriptor {
-        label: Some("difference".into()),
-        layout: vec![layout.clone()],
-        vertex: VertexState {
-            shader: SHADER,
-            entry_point: Some("vertex".into()),
-            ..default()
-        },
-        fragment: Some(FragmentState {
-            shader: SHADER,
-            entry_point: Some("difference".into()),
-            targets: vec![Some(ColorTargetState {
-                format: TextureFormat::Rgba16Float,
-                blend: None,
-                write_mask: ColorWrites::ALL,
-            })],
-            ..default()
-        }),
-        ..default()
-    }
-}
-
 /// Writes the difference to the picture, also where the probe is: it is the same in both scenes.
 pub(in crate::render) fn draw_difference(
     view: ViewQuery<&ViewTarget, With<SceneCamera>>,
@@ -181,22 +117,15 @@ pub(in crate::render) fn draw_difference(
     let Some(pass) = pass.filter(|_| compared.is_difference()) else {
         return;
     };
-    let (Some(pipeline), Some(lights)) = (
-        pass.pipeline.and_then(|id| cache.get_render_pipeline(id)),
-        &pass.lights,
-    ) else {
+    // The pipeline writes one sample a pixel.
+    let (Some(lights), None) = (&pass.lights, target.sampled_main_texture()) else {
         return;
     };
-    // The pipeline writes one sample a pixel.
-    if target.sampled_main_texture().is_some() {
-        return;
-    }
-    run_full_screen_pass(
+    pass.pass.draw(
         &mut context,
-        "difference",
-        target.get_color_attachment(),
-        pipeline,
-        &lights.bind_group,
-        draw_triangle,
+        &cache,
+        STAGE,
+        &[&lights.pinned, &lights.current],
+        &[Some(target.get_color_attachment())],
     );
 }

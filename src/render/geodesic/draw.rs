@@ -6,7 +6,7 @@ use super::side::Side;
 use crate::render::antialias::AntialiasPass;
 use crate::render::camera_markers::SceneCamera;
 use crate::render::comparison::{ComparisonLayout, DifferencePass};
-use crate::render::full_screen_pass::run_full_screen_pass;
+use crate::render::full_screen_pass::{attachment, run_full_screen_pass};
 use bevy::prelude::*;
 use bevy::render::diagnostic::RecordDiagnostics;
 use bevy::render::render_phase::TrackedRenderPass;
@@ -131,15 +131,16 @@ fn draw_light(
     let Some((pipeline, bind_group, most)) = side.ready(cache) else {
         return false;
     };
-    let target = RenderPassColorAttachment {
-        view: texture,
-        depth_slice: None,
-        resolve_target: None,
-        ops: default(),
-    };
-    run_full_screen_pass(context, name, target, pipeline, bind_group, |render_pass| {
-        draw_in_bands(render_pass, size, most);
-    });
+    run_full_screen_pass(
+        context,
+        name,
+        &[attachment(texture)],
+        pipeline,
+        bind_group,
+        |render_pass| {
+            draw_in_bands(render_pass, size, most);
+        },
+    );
     true
 }
 
