@@ -8,12 +8,12 @@ use super::scene::device;
 use super::stop::Stop;
 use crate::log::say;
 use lightfall_core::gpu::Gpu;
+use lightfall_core::numbers::counted;
 use lightfall_core::reports::export::{csv, json};
 use lightfall_core::reports::extremes::{
     Cell, CellDelays, Hunt, HuntRow, WorstRay, cells, delays_table, delays_work, grid, hunt_text,
     markdown, matrix_work, measure_delays, measure_matrix,
 };
-use lightfall_core::reports::numbers::counted;
 use lightfall_core::scene::Method;
 
 /// Number of scenes that a hunt lists even if their worst rays are within the tolerance.

@@ -7,8 +7,8 @@ use lightfall::app::{
 use lightfall::picture::{Frames, Sequence};
 use lightfall::render::{Pinned, WaveLimit};
 use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::numbers::duration_in_words;
 use lightfall_core::optics::readout::si::{HoleMass, MASSES};
-use lightfall_core::reports::numbers::duration_in_words;
 use lightfall_core::scene::journey::{self, Journey};
 use lightfall_core::scene::{DiskStructure, HotSpotKind, ObserverKind, Scene};
 use std::path::Path;

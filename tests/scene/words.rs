@@ -4,7 +4,7 @@ use lightfall::app::{
     Action, CONTROLS, ReadOut, change_words, control_named, edited, physics_off, read_outs,
     reading_time, statement,
 };
-use lightfall_core::reports::numbers::{
+use lightfall_core::numbers::{
     four_digits, spin_digits, steady_digits, three_digits, with_short_numbers,
 };
 use lightfall_core::scene::{Effects, ObserverKind, Scene, presets};

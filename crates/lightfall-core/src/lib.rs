@@ -4,12 +4,13 @@
 //! Each module may import from those before it in this list, and from no other:
 //!
 //! 1. [`words`](mod@words): enumerations with a word for each variant.
-//! 2. [`geometry`]: Kerr and Schwarzschild, observers and geodesics, as pure functions in f64.
-//! 3. [`scene`]: the one description of what is drawn, with its fields, limits and presets.
-//! 4. [`optics`]: what a scene's camera sees, in f64: the truth that everything is measured against.
-//! 5. [`gpu`]: a scene as the GPU's numbers and shaders, and rays traced by them.
-//! 6. [`accuracy`]: how wrong an answer is, against the reference.
-//! 7. [`reports`]: measurements in forms that people and programs read.
+//! 2. [`numbers`]: numbers as text, for people.
+//! 3. [`geometry`]: Kerr and Schwarzschild, observers and geodesics, as pure functions in f64.
+//! 4. [`scene`]: the one description of what is drawn, with its fields, limits and presets.
+//! 5. [`optics`]: what a scene's camera sees, in f64: the truth that everything is measured against.
+//! 6. [`gpu`]: a scene as the GPU's numbers and shaders, and rays traced by them.
+//! 7. [`accuracy`]: how wrong an answer is, against the reference.
+//! 8. [`reports`]: measurements in forms that people and programs read.
 //!
 //! A test, `cargo test -p lightfall-core --test structure`, fails on an import that runs the other
 //! way and on files that import each other in a circle. docs/PHYSICS.md explains the words and signs.
@@ -17,6 +18,7 @@
 pub mod accuracy;
 pub mod geometry;
 pub mod gpu;
+pub mod numbers;
 pub mod optics;
 pub mod reports;
 pub mod scene;

@@ -6,9 +6,9 @@ use super::edits::ALL_LEVELS;
 use super::refusal::no_observer;
 use super::table::control_named;
 use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::numbers::four_digits;
 use lightfall_core::optics::camera_rays::CameraRays;
 use lightfall_core::optics::disk::inner_edge;
-use lightfall_core::reports::numbers::four_digits;
 use lightfall_core::scene::{Content, ObserverKind, Scene, View};
 
 /// A remark on the change that a control has made. None where the picture shows the change. Keys

@@ -3,7 +3,7 @@
 
 use lightfall_core::geometry::observer::ObserverError;
 use lightfall_core::gpu::{Drawable, GpuError, Undrawable};
-use lightfall_core::reports::numbers::{four_digits, spin_digits, with_short_numbers};
+use lightfall_core::numbers::{four_digits, spin_digits, with_short_numbers};
 use lightfall_core::scene::{ObserverKind, Refusal, Scene, field};
 use std::ops::Bound;
 

@@ -1,7 +1,7 @@
 //! What a control says when it has changed the scene: the state that it has led to.
 
 use super::control::{Action, Control};
-use lightfall_core::reports::numbers::{four_digits, spin_digits, with_short_numbers};
+use lightfall_core::numbers::{four_digits, spin_digits, with_short_numbers};
 use lightfall_core::scene::{Camera, Picture, Scene, SkyMode, Value, View};
 
 /// The state that a control has led to, in a few words, e.g. `Doppler shift: off`. `before` and

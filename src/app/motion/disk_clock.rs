@@ -26,8 +26,8 @@ use crate::app::state::scene_editor::SceneEditor;
 use crate::render::{ComparedScene, CurrentScene};
 use bevy::prelude::*;
 use lightfall_core::gpu::Drawable;
+use lightfall_core::numbers::{duration_in_words, four_digits};
 use lightfall_core::optics::readout::si::HoleMass;
-use lightfall_core::reports::numbers::{duration_in_words, four_digits};
 use lightfall_core::scene::Scene;
 
 /// One press changes the rate by this factor, within a range of r_s/c per second.

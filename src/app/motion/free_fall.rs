@@ -21,11 +21,9 @@ use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::observer::ObserverError;
 use lightfall_core::geometry::timelike::Limit;
 use lightfall_core::gpu::Drawable;
+use lightfall_core::numbers::{four_digits, steady_digits, three_digits, with_short_numbers};
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::worldline::Worldline;
-use lightfall_core::reports::numbers::{
-    four_digits, steady_digits, three_digits, with_short_numbers,
-};
 use lightfall_core::scene::Scene;
 
 /// Proper time that passes in a second, divided by r^(3/2), the time scale of a fall from r. So a

@@ -10,7 +10,7 @@ use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy_egui::egui::{self, Align2, Color32, FontId, Pos2, Rect, Stroke, Vec2};
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass};
-use lightfall_core::reports::numbers::four_digits;
+use lightfall_core::numbers::four_digits;
 use lightfall_core::scene::Scene;
 
 /// Free room between the arrow and the sides, and the top and the bottom, of the picture, in points.

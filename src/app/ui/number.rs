@@ -1,6 +1,6 @@
 //! Numbers as the user interface shows them.
 
-use lightfall_core::reports::numbers::four_digits;
+use lightfall_core::numbers::four_digits;
 
 /// A number with four decimals at most, or with its first eight digits where four decimals would
 /// hide it. For values that are set.

@@ -8,7 +8,7 @@ use lightfall_core::accuracy::{
 use lightfall_core::gpu::rays::RayKernel;
 use lightfall_core::gpu::timing::{Effort, Stage, Stopwatch};
 use lightfall_core::gpu::{Gpu, GpuError};
-use lightfall_core::reports::numbers::short_number;
+use lightfall_core::numbers::short_number;
 use lightfall_core::scene::Scene;
 use serde::Serialize;
 use std::time::Duration;

@@ -4,7 +4,7 @@ use super::diagnosis::{Adapter, Diagnosis};
 use super::places::Folder;
 use super::self_test::SelfTest;
 use super::shaders::ShaderCheck;
-use lightfall_core::reports::numbers::{four_digits, short_number};
+use lightfall_core::numbers::{four_digits, short_number};
 use std::fmt::{Display, Formatter, Result};
 use std::path::Path;
 

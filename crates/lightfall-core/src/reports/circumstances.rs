@@ -1,6 +1,6 @@
 //! The circumstances of a measurement.
 
-use super::numbers::short_number;
+use crate::numbers::short_number;
 use serde::Serialize;
 use std::time::Duration;
 

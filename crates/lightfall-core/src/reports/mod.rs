@@ -6,7 +6,6 @@ pub mod export;
 pub mod extremes;
 pub mod import;
 pub mod inspection;
-pub mod numbers;
 pub mod rays;
 pub mod sources;
 pub mod steps;

@@ -15,7 +15,7 @@ use crate::app::state::paused::Paused;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
-use lightfall_core::reports::numbers::{spin_digits, steady_digits};
+use lightfall_core::numbers::{spin_digits, steady_digits};
 use lightfall_core::scene::{ObserverKind, Scene};
 
 /// Room between two columns and between two lines, in points.

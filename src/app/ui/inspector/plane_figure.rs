@@ -7,11 +7,11 @@ use bevy_egui::egui::{self, Color32, Pos2, Rect, Stroke};
 use glam::DVec2;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::schwarzschild::CRITICAL_IMPACT;
+use lightfall_core::numbers::four_digits;
 use lightfall_core::optics::disk;
 use lightfall_core::optics::ray_plane::{DiskSection, RayPlane};
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::reports::inspection::Inspected;
-use lightfall_core::reports::numbers::four_digits;
 use lightfall_core::scene::Scene;
 use std::f64::consts::TAU;
 

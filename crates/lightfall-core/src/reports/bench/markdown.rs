@@ -3,8 +3,8 @@
 use super::equal_error::at_equal_error;
 use super::measurement::Measurement;
 use super::pareto::is_on_front;
+use crate::numbers::{ratio, short_number};
 use crate::reports::circumstances::Circumstances;
-use crate::reports::numbers::{ratio, short_number};
 use std::fmt::Write;
 
 /// The report as a Markdown table, scene by scene. Rows on the Pareto front are bold, and `auto`'s

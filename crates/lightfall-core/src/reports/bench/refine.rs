@@ -9,8 +9,8 @@ use super::studies::{Refinement, Study, refinements};
 use crate::accuracy::{ErrorSummary, Ray, Truth, rays_over_picture_and_near_edge};
 use crate::gpu::rays::RayKernel;
 use crate::gpu::{Gpu, GpuError};
+use crate::numbers::{short_number, three_digits};
 use crate::reports::import::{or_infinite, or_nan};
-use crate::reports::numbers::{short_number, three_digits};
 use crate::scene::{AccuracySetting, Method, Scene};
 use serde::{Deserialize, Serialize};
 

@@ -1,6 +1,6 @@
 //! Numbers, tables and lines of the documents.
 
-pub use lightfall_core::reports::numbers::{ratio, short_number as short};
+pub use lightfall_core::numbers::{ratio, short_number as short};
 
 /// A whole number, with its thousands set apart from 10 000 on.
 pub fn count(number: usize) -> String {

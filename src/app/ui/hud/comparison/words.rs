@@ -1,7 +1,7 @@
 //! In what two scenes differ, in a player's words.
 
 use crate::app::ui::panel::sections::SECTIONS;
-use lightfall_core::reports::numbers::four_digits;
+use lightfall_core::numbers::four_digits;
 use lightfall_core::scene::{FIELDS, Method, ObserverKind, Scene, Value};
 
 /// Names of fields whose label on the panel does not suit a sentence. Other fields have their label.
