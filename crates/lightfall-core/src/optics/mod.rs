@@ -19,7 +19,6 @@ pub mod milky_way;
 pub mod path;
 pub mod photometry;
 pub mod pixel_samples;
-mod random;
 pub mod ray_plane;
 pub mod readout;
 pub mod reference;

@@ -3,7 +3,7 @@
 //! 2^k has one place in each of 2^k boxes of equal area, whatever their shape, so a mean over it errs
 //! far less than one over random places.
 
-use super::random;
+use crate::random::bits;
 use glam::DVec2;
 
 /// The middle of a pixel, as a share of its side in units of 2^-32.
@@ -45,7 +45,7 @@ fn scrambled(place: u32, axis: u64) -> u32 {
     (0..u32::BITS).fold(place, |scrambled, digit| {
         // The digits before this one, behind a one that tells how many they are.
         let before = (1_u64 << 32 | u64::from(place)) >> (u32::BITS - digit);
-        let flip = random::bits(axis << 40 | before) >> 63;
+        let flip = bits(axis << 40 | before) >> 63;
         scrambled ^ (flip as u32) << (u32::BITS - 1 - digit)
     })
 }

@@ -15,9 +15,10 @@ use graph::Graph;
 use std::path::{Path, PathBuf};
 
 /// The core's modules, lowest first: each may import from those before it.
-const CORE_ORDER: [&str; 8] = [
+const CORE_ORDER: [&str; 9] = [
     "lightfall_core::words",
     "lightfall_core::numbers",
+    "lightfall_core::random",
     "lightfall_core::geometry",
     "lightfall_core::scene",
     "lightfall_core::optics",

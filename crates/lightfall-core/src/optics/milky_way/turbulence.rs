@@ -1,6 +1,6 @@
 //! Turbulence: random fields with structure on all scales, for clouds of dust and of stars.
 
-use crate::optics::random::bits;
+use crate::random::bits;
 use glam::{DVec3, FloatExt};
 
 /// A random field of mean zero: a sum of octaves of gradient noise (Perlin 2002, "Improving Noise").

@@ -6,7 +6,7 @@ use super::counts::number_brighter;
 use super::photometry::Star;
 use crate::optics::cube_map;
 use crate::optics::milky_way::MilkyWay;
-use crate::optics::random::Sequence;
+use crate::random::Random;
 use rayon::prelude::*;
 
 /// Stars are added beyond this V, to which catalogues of bright stars are complete.
@@ -41,7 +41,8 @@ pub(super) fn fainter_stars(catalogue: &Catalogue, seed: u32, faintest: f64) -> 
         .into_par_iter()
         .enumerate()
         .map(|(number, expected)| {
-            Class::new(number, expected).draw(Sequence::new(seed, number as u32), sky, &colours)
+            let random = Random::of_purpose(u64::from(seed) << 32 | number as u64);
+            Class::new(number, expected).draw(random, sky, &colours)
         })
         .collect();
     let mut stars = classes.concat();
@@ -90,13 +91,13 @@ impl Class {
     /// Draws the stars. The cells of the sky lie one after the other on a line, each as long as its
     /// share of the stars, and the gaps from star to star are exponential: so the number in each
     /// cell is Poisson's.
-    fn draw(&self, mut random: Sequence, sky: &MilkyWay, colours: &[f32]) -> Vec<Star> {
+    fn draw(&self, mut random: Random, sky: &MilkyWay, colours: &[f32]) -> Vec<Star> {
         let power =
             FIRST_CONCENTRATION + CONCENTRATION_PER_MAGNITUDE * (self.start - FIRST_MAGNITUDE);
         let weights = sky.cell_light_to_power(power.min(1.0));
         let per_star = weights.iter().sum::<f64>() / self.expected;
         let mut stars = Vec::with_capacity((1.1 * self.expected) as usize);
-        let gap = |random: &mut Sequence| -(1.0 - random.unit()).ln() * per_star;
+        let gap = |random: &mut Random| -(1.0 - random.unit()).ln() * per_star;
         // How far the next star is behind the start of the cell.
         let mut ahead = gap(&mut random);
         for (cell, weight) in weights.into_iter().enumerate() {
@@ -112,7 +113,7 @@ impl Class {
 
     /// A star in a cell: anywhere with equal chance, of a magnitude after the growth of their
     /// number, and of the colour of any.
-    fn star(&self, cell: usize, random: &mut Sequence, colours: &[f32]) -> Star {
+    fn star(&self, cell: usize, random: &mut Random, colours: &[f32]) -> Star {
         let rise = (1.0 + random.unit() * (self.growth - 1.0)).ln() / self.growth.ln();
         let colour = (random.unit() * colours.len() as f64) as usize;
         let size = MilkyWay::CELLS;

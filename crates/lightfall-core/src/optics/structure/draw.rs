@@ -1,7 +1,7 @@
 //! The draw of the waves.
 
 use super::model::{Model, OCTAVES, wave_number};
-use super::random::{GROUP_STRIDE, List, phase};
+use super::random::{GROUP_STRIDE, phase, random, spread};
 use crate::geometry::kerr::{Kerr, MASS};
 use std::f64::consts::{PI, TAU};
 
@@ -53,9 +53,9 @@ impl Ring {
         let across = model.scale;
         let along = model.scale * model.aspect;
         let octaves: [Vec<Wave>; OCTAVES] = std::array::from_fn(|octave| {
-            let mut list = List::new(model.seed, ring, octave);
-            let sizes = list.spread(model.octave);
-            let directions = list.spread(model.octave);
+            let mut random = random(model.seed, ring, octave);
+            let sizes = spread(&mut random, model.octave);
+            let directions = spread(&mut random, model.octave);
             let wave = |(size, direction): (f64, f64)| {
                 let q = wave_number(octave as f64 + size);
                 let (q_across, q_along) = (PI * direction).sin_cos();
@@ -73,7 +73,7 @@ impl Ring {
             };
             sizes.into_iter().zip(directions).map(wave).collect()
         });
-        let mut list = List::new(model.seed, ring, OCTAVES);
+        let mut random = random(model.seed, ring, OCTAVES);
         let orbit = TAU / angular_velocity(kerr, centre.exp()).0;
         let life = model.lifetime * orbit;
         // A period consists of whole lives.
@@ -85,8 +85,8 @@ impl Ring {
                 .zip(cycle)
                 .map_or(life, |(period, lives)| period / lives),
             cycle: cycle.map(|lives| lives as u32),
-            offset: list.unit(),
-            keys: std::array::from_fn(|_| list.bits() as u32),
+            offset: random.unit(),
+            keys: std::array::from_fn(|_| random.bits() as u32),
             groups: (0..model.octave)
                 .map(|group| std::array::from_fn(|octave| octaves[octave][group]))
                 .collect(),

@@ -1,6 +1,6 @@
 //! Random numbers by their place in a list: the same on every machine, for any time.
 
-use crate::optics::random;
+use crate::random::Random;
 
 /// Distance between the places of an octave's neighbouring waves in the list of phases: 2^32 over
 /// the golden ratio, so that the places of two waves are far apart.
@@ -18,43 +18,20 @@ pub fn phase(at: u32) -> f64 {
     f64::from(z.cast_signed() >> 9) / 8_388_608.0
 }
 
-/// A list of random numbers that belongs to one purpose.
-pub(super) struct List {
-    start: u64,
-    next: u64,
+/// The random numbers of a seed for one octave of a ring.
+pub(super) fn random(seed: u32, ring: usize, octave: usize) -> Random {
+    Random::of_purpose(u64::from(seed) << 16 | (ring * 16 + octave) as u64)
 }
 
-impl List {
-    /// The list for a seed and the place that it is drawn for.
-    pub(super) fn new(seed: u32, ring: usize, octave: usize) -> Self {
-        let place = (ring * 16 + octave) as u64;
-        Self {
-            start: random::bits(u64::from(seed) << 16 | place),
-            next: 0,
-        }
+/// One number from each of `count` equal parts of [0, 1], in random order.
+pub(super) fn spread(random: &mut Random, count: usize) -> Vec<f64> {
+    let mut parts: Vec<usize> = (0..count).collect();
+    for last in (1..count).rev() {
+        let other = (random.unit() * (last + 1) as f64) as usize;
+        parts.swap(last, other.min(last));
     }
-
-    /// The next 64 bits.
-    pub(super) fn bits(&mut self) -> u64 {
-        self.next += 1;
-        random::bits(self.start.wrapping_add(self.next))
-    }
-
-    /// The next number between 0 and 1.
-    pub(super) fn unit(&mut self) -> f64 {
-        random::unit(self.bits())
-    }
-
-    /// One number from each of `count` equal parts of [0, 1], in random order.
-    pub(super) fn spread(&mut self, count: usize) -> Vec<f64> {
-        let mut parts: Vec<usize> = (0..count).collect();
-        for last in (1..count).rev() {
-            let other = (self.unit() * (last + 1) as f64) as usize;
-            parts.swap(last, other.min(last));
-        }
-        parts
-            .into_iter()
-            .map(|part| (part as f64 + self.unit()) / count as f64)
-            .collect()
-    }
+    parts
+        .into_iter()
+        .map(|part| (part as f64 + random.unit()) / count as f64)
+        .collect()
 }

@@ -1,12 +1,12 @@
 //! A random search, repeatable by its seed, for the ray that a method does worst.
 
 use super::kernels::Kernels;
-use super::random::Random;
 use super::random_scene::random_scene;
 use super::worst_ray::WorstRay;
 use crate::accuracy::{Truth, rays_near_edge, rays_over_picture, rays_over_sky};
 use crate::geometry::observer::ObserverError;
 use crate::gpu::{Gpu, GpuError};
+use crate::random::Random;
 use crate::scene::Scene;
 use rayon::prelude::*;
 

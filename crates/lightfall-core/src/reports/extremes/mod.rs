@@ -10,7 +10,6 @@ mod hunt;
 mod kernels;
 mod matrix;
 mod narrow_ring;
-mod random;
 mod random_scene;
 mod verdict;
 mod worst_ray;

@@ -1,8 +1,8 @@
 //! Random scenes.
 
-use super::random::Random;
 use crate::geometry::kerr::Kerr;
 use crate::gpu::GpuScene;
+use crate::random::Random;
 use crate::scene::{Method, ObserverKind, Scene};
 use glam::DVec3;
 
