@@ -18,7 +18,7 @@ mod ui;
 
 pub use controls::bindings::{Bindable, BindingTable, Bindings, PadBindings};
 pub use controls::control::{Action, AppCommand, Control, FlightInput, Group, Modifier};
-pub use controls::edits::edited;
+pub use controls::edits::{Edit, edited};
 pub use controls::key_feedback::remark;
 pub use controls::refusal::checked_change;
 pub use controls::statement::{change_words, statement};
@@ -46,9 +46,7 @@ pub use state::toast::reading_time;
 pub use ui::help::help_rows;
 pub use ui::hud::{ReadOut, differences, physics_off, read_outs};
 pub use ui::inspector::pixel_at;
-pub use ui::legend::{Swatch, legend};
 pub use ui::panel::{
-    choices::choice,
     idle::why_idle,
     sections::{RowText, SECTIONS, Section, Shown},
 };

@@ -126,17 +126,14 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
 
 /// Warns that `--stars` has no effect here.
 fn note_unseen_stars(args: &RenderArgs, scene: &Scene) {
-    let shown = match scene.sky.mode {
-        SkyMode::Stars => return,
-        SkyMode::Procedural => "stars at pseudo-random places",
-        SkyMode::Grid => "a grid",
-        SkyMode::Off => "nothing",
-    };
-    if let Some(file) = &args.scene.stars {
+    if let Some(file) = &args.scene.stars
+        && scene.sky.mode != SkyMode::Stars
+    {
         say(format_args!(
-            "lightfall: --stars {} is not seen, because the sky of this scene shows {shown}; \
+            "lightfall: --stars {} is not seen, because this scene has sky.mode = {}; \
              --set sky.mode=stars shows it",
-            file.display()
+            file.display(),
+            scene.sky.mode.word()
         ));
     }
 }

@@ -1,9 +1,10 @@
 //! The panel's page of the scene: every field has its words, and a row that is dimmed says why.
 
-use lightfall::app::{SECTIONS, Shown, choice, why_idle};
+use lightfall::app::{SECTIONS, Shown, why_idle};
 use lightfall_core::scene::{
     DiskStructure, FIELDS, HotSpotKind, Kind, Method, Scene, SkyMode, View,
 };
+use lightfall_core::words::Choice;
 use std::collections::BTreeSet;
 
 /// The fields that leave the user no choice.
@@ -48,19 +49,20 @@ fn every_field_has_one_row_with_a_label_of_its_own() {
 #[test]
 fn every_choice_has_a_name_and_a_meaning() {
     for field in FIELDS {
-        let Kind::Choice(words) = field.kind else {
+        let Kind::Choice(choices) = field.kind else {
             continue;
         };
-        let names: BTreeSet<_> = words
-            .iter()
-            .map(|word| choice(field.key, word)[0])
-            .collect();
-        assert_eq!(names.len(), words.len(), "{}: {names:?}", field.key);
-        for word in words {
-            let [name, meaning] = choice(field.key, word);
+        let names: BTreeSet<_> = choices.iter().map(|choice| choice.name).collect();
+        assert_eq!(names.len(), choices.len(), "{}: {names:?}", field.key);
+        for Choice {
+            word,
+            name,
+            meaning,
+        } in choices
+        {
             assert!(
                 name.starts_with(char::is_uppercase) && !meaning.is_empty(),
-                "{} = {word} needs words in src/app/ui/panel/choices.rs",
+                "{} = {word} needs a name beside its word",
                 field.key
             );
         }

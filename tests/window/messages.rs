@@ -217,7 +217,7 @@ fn every_key_of_the_table_leads_to_its_message_within_two_frames() {
         // read-outs, and commands say what they do in their own words.
         let says: Option<String> = match control.action {
             Action::Edit(_) => edited(control, &scene, &scene)
-                .and_then(|after| statement(control, &scene, &after))
+                .and_then(|after| statement(control, &after))
                 .and_then(|words| Some(words.split_once(':')?.0.to_owned())),
             Action::Load(number) => Some(number.to_string()),
             _ => None,

@@ -1,12 +1,23 @@
 //! Enumerations with a word for each variant, as presets, the command line and messages write it.
 //!
-//! [`words!`](macro@crate::words) declares the variants and their words in one table, so that no variant
-//! can be without a word or missing from `ALL`.
+//! [`words!`](macro@crate::words) declares the variants, their words and what the panel calls them in
+//! one table, so that no variant can be without a word or missing from `ALL`.
+
+/// How a variant is spelt and explained.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// Its word, as presets, the command line and messages write it.
+    pub word: &'static str,
+    /// What the panel calls it; empty for an enumeration that is no field of a scene.
+    pub name: &'static str,
+    /// What it means, in one line: the variant's documentation.
+    pub meaning: &'static str,
+}
 
 /// An enumeration that [`words!`](macro@crate::words) declared, for code that serves all of them.
 pub trait Words: Copy + 'static {
-    /// The words of all variants, in the order of their declaration.
-    const WORDS: &'static [&'static str];
+    /// How all variants are spelt and explained, in the order of their declaration.
+    const CHOICES: &'static [Choice];
 
     /// The variant's word.
     fn word(self) -> &'static str;
@@ -15,23 +26,24 @@ pub trait Words: Copy + 'static {
     fn from_word(word: &str) -> Option<Self>;
 }
 
-/// Declares an enumeration whose variants have words: `Variant = "word"`.
+/// Declares an enumeration whose variants have words, and names on the panel:
+/// `Variant = "word": "Name"`. A variant's documentation is also its help.
 ///
-/// The enumeration can be copied, compared and hashed; serde writes and reads the words. It gets
-/// the constants `ALL` and `WORDS`, in the order of declaration, and the functions `word` and
-/// `from_word`.
+/// The enumeration can be copied, compared and hashed; serde writes and reads the words; its default
+/// is the first variant. It gets the constants `ALL`, `WORDS` and `CHOICES`, in the order of
+/// declaration, and the functions `word`, `choice`, `from_word` and `next`.
 #[macro_export]
 macro_rules! words {
     (
         $(#[$attribute:meta])*
         pub enum $Name:ident {
-            $($(#[$variant_attribute:meta])* $Variant:ident = $word:literal,)+
+            $($(#[doc = $about:literal])+ $Variant:ident = $word:literal $(: $name:literal)?,)+
         }
     ) => {
         $(#[$attribute])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
         pub enum $Name {
-            $($(#[$variant_attribute])* #[serde(rename = $word)] $Variant,)+
+            $($(#[doc = $about])+ #[serde(rename = $word)] $Variant,)+
         }
 
         impl $Name {
@@ -41,12 +53,25 @@ macro_rules! words {
             /// The word of every variant, in the order of declaration.
             pub const WORDS: [&'static str; Self::ALL.len()] = [$($word),+];
 
+            /// How every variant is spelt and explained, in the order of declaration.
+            pub const CHOICES: [$crate::words::Choice; Self::ALL.len()] = [$(
+                $crate::words::Choice {
+                    word: $word,
+                    name: concat!($($name)?),
+                    meaning: $crate::words::without_full_stop(concat!($($about),+)),
+                }
+            ),+];
+
+            /// How the variant is spelt and explained.
+            #[must_use]
+            pub const fn choice(self) -> $crate::words::Choice {
+                Self::CHOICES[self as usize]
+            }
+
             /// The variant's word, as presets, the command line and messages write it.
             #[must_use]
             pub const fn word(self) -> &'static str {
-                match self {
-                    $(Self::$Variant => $word,)+
-                }
+                self.choice().word
             }
 
             /// The variant with this word.
@@ -54,10 +79,22 @@ macro_rules! words {
             pub fn from_word(word: &str) -> Option<Self> {
                 Self::ALL.into_iter().find(|variant| variant.word() == word)
             }
+
+            /// The variant after this one; after the last comes the first.
+            #[must_use]
+            pub fn next(self) -> Self {
+                Self::ALL[(self as usize + 1) % Self::ALL.len()]
+            }
+        }
+
+        impl Default for $Name {
+            fn default() -> Self {
+                Self::ALL[0]
+            }
         }
 
         impl $crate::words::Words for $Name {
-            const WORDS: &'static [&'static str] = &$Name::WORDS;
+            const CHOICES: &'static [$crate::words::Choice] = &$Name::CHOICES;
 
             fn word(self) -> &'static str {
                 self.word()
@@ -68,4 +105,14 @@ macro_rules! words {
             }
         }
     };
+}
+
+/// A doc comment as help. Documentation has a full stop, and a help text has none.
+#[must_use]
+pub const fn without_full_stop(doc: &'static str) -> &'static str {
+    let text = doc.trim_ascii();
+    match text.as_bytes() {
+        [.., b'.'] => text.split_at(text.len() - 1).0,
+        _ => text,
+    }
 }

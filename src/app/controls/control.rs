@@ -1,5 +1,6 @@
 //! A control: one thing that a key or a button does.
 
+use super::edits::Edit;
 use bevy::prelude::{KeyCode, Message};
 use lightfall_core::scene::Scene;
 
@@ -19,6 +20,9 @@ pub struct Control {
     pub description: &'static str,
     /// What happens.
     pub action: Action,
+    /// What it says of the scene that it has led to, where its description does not say it with `on`
+    /// or `off`.
+    pub says: Option<fn(&Scene) -> String>,
 }
 
 /// A key that changes what other keys do while it is held.
@@ -100,8 +104,8 @@ impl Group {
 /// What a control does.
 #[derive(Clone, Copy, Debug)]
 pub enum Action {
-    /// Edits the first scene; the second one is the scene as it was loaded.
-    Edit(fn(&mut Scene, &Scene)),
+    /// Edits the scene.
+    Edit(Edit),
     /// Loads the built-in preset with this number.
     Load(usize),
     /// Loads the built-in preset this many places after the present one, and wraps around.

@@ -4,14 +4,73 @@
 use super::control::{Action, Control};
 use lightfall_core::optics::camera_rays::CameraRays;
 use lightfall_core::scene::presets::PRESETS;
-use lightfall_core::scene::{Method, ObserverKind, Picture, Scene, SkyMode, View};
+use lightfall_core::scene::{Method, Scene, Value, View, field};
 
 /// The spin that is switched on where the loaded scene has none.
 const DEFAULT_SPIN: f64 = 0.9;
 /// As many levels as eight bits can tell apart.
 pub(crate) const ALL_LEVELS: u32 = 256;
-/// One press of an exposure key, in powers of two.
-const EXPOSURE_STEP: f64 = 0.25;
+
+/// How a control edits a scene. Fields are named by their keys.
+#[derive(Clone, Copy, Debug)]
+pub enum Edit {
+    /// Switches a field of the kind true or false.
+    Flip(&'static str),
+    /// Sets a field to this value, which means that something is off. If it is off already, sets the
+    /// field to the value that was loaded, or to its default if it was loaded switched off.
+    SwitchOff(&'static str, &'static Value),
+    /// Shows a view, or the light again where that view is shown already.
+    Show(View),
+    /// Changes the exposure by this many powers of two, and lets no light meter choose it.
+    Expose(f64),
+    /// Edits the first scene; the second one is the scene as it was loaded.
+    By(fn(&mut Scene, &Scene)),
+}
+
+impl Edit {
+    fn apply(self, scene: &mut Scene, loaded: &Scene) {
+        match self {
+            Self::Flip(key) => {
+                let on = value(scene, key) == Some(Value::Boolean(true));
+                set(scene, key, Some(Value::Boolean(!on)));
+            }
+            Self::SwitchOff(key, off) => {
+                let values = [&*scene, loaded, &Scene::default()].map(|scene| value(scene, key));
+                let is_on = |value: &Option<Value>| value.as_ref() != Some(off);
+                let [now, loaded, default] = values;
+                let on = if is_on(&loaded) { loaded } else { default };
+                set(scene, key, if is_on(&now) { Some(off.clone()) } else { on });
+            }
+            Self::Show(view) if scene.view == view => scene.view = View::Colour,
+            Self::Show(view) => scene.view = view,
+            Self::Expose(step) => {
+                scene.picture.automatic_exposure = false;
+                scene.picture.exposure_ev += step;
+            }
+            Self::By(edit) => edit(scene, loaded),
+        }
+    }
+
+    /// Whether what it switches is on in a scene. None for edits that are no switches.
+    pub(super) fn is_on(self, scene: &Scene) -> Option<bool> {
+        match self {
+            Self::Flip(key) => Some(value(scene, key)? == Value::Boolean(true)),
+            Self::SwitchOff(key, off) => Some(value(scene, key)? != *off),
+            Self::Show(_) | Self::Expose(_) | Self::By(_) => None,
+        }
+    }
+}
+
+fn value(scene: &Scene, key: &str) -> Option<Value> {
+    field(key).map(|field| field.get(scene))
+}
+
+/// Sets a field. A test uses every control, so that a wrong key or kind of value is found.
+fn set(scene: &mut Scene, key: &str, value: Option<Value>) {
+    if let Some((field, value)) = field(key).zip(value) {
+        let _ = field.set(scene, value);
+    }
+}
 
 /// The scene that a control makes of `scene`, where `loaded` is the scene that was loaded. None
 /// for controls that change no scene. The result is not checked.
@@ -20,7 +79,7 @@ pub fn edited(control: &Control, scene: &Scene, loaded: &Scene) -> Option<Scene>
     match control.action {
         Action::Edit(edit) => {
             let mut changed = scene.clone();
-            edit(&mut changed, loaded);
+            edit.apply(&mut changed, loaded);
             Some(changed)
         }
         Action::Load(number) => PRESETS
@@ -44,50 +103,6 @@ fn turned_to(name: &str, places: i32) -> &'static Scene {
     PRESETS[next].plain_scene()
 }
 
-fn flip(switch: &mut bool) {
-    *switch = !*switch;
-}
-
-pub(super) fn switch_disk(scene: &mut Scene, _: &Scene) {
-    flip(&mut scene.disk.enabled);
-}
-
-pub(super) fn switch_isco(scene: &mut Scene, _: &Scene) {
-    flip(&mut scene.disk.follow_isco);
-}
-
-pub(super) fn switch_probe(scene: &mut Scene, _: &Scene) {
-    flip(&mut scene.probe.enabled);
-}
-
-pub(super) fn switch_antialias(scene: &mut Scene, _: &Scene) {
-    flip(&mut scene.probe.antialias);
-}
-
-pub(super) fn switch_lensing(scene: &mut Scene, _: &Scene) {
-    flip(&mut scene.effects.lensing);
-}
-
-pub(super) fn switch_doppler(scene: &mut Scene, _: &Scene) {
-    flip(&mut scene.effects.doppler);
-}
-
-pub(super) fn switch_beaming(scene: &mut Scene, _: &Scene) {
-    flip(&mut scene.effects.beaming);
-}
-
-pub(super) fn switch_gravitational_shift(scene: &mut Scene, _: &Scene) {
-    flip(&mut scene.effects.gravitational_shift);
-}
-
-pub(super) fn switch_bypass(scene: &mut Scene, _: &Scene) {
-    flip(&mut scene.picture.bypass);
-}
-
-pub(super) fn switch_dither(scene: &mut Scene, _: &Scene) {
-    flip(&mut scene.picture.dither);
-}
-
 pub(super) fn switch_spin(scene: &mut Scene, loaded: &Scene) {
     let on = if loaded.hole.spin == 0.0 {
         DEFAULT_SPIN
@@ -103,115 +118,17 @@ pub(super) fn switch_spin(scene: &mut Scene, loaded: &Scene) {
     }
 }
 
-/// Shows a view, or the light again where that view is shown already.
-fn toggle(scene: &mut Scene, view: View) {
-    scene.view = if scene.view == view {
-        View::Colour
-    } else {
-        view
-    };
-}
-
-pub(super) fn toggle_unfinished(scene: &mut Scene, _: &Scene) {
-    toggle(scene, View::Unfinished);
-}
-
-pub(super) fn toggle_classes(scene: &mut Scene, _: &Scene) {
-    toggle(scene, View::Classes);
-}
-
-pub(super) fn toggle_residual(scene: &mut Scene, _: &Scene) {
-    toggle(scene, View::Residual);
-}
-
-pub(super) fn toggle_order(scene: &mut Scene, _: &Scene) {
-    toggle(scene, View::Order);
-}
-
-pub(super) fn toggle_delay(scene: &mut Scene, _: &Scene) {
-    toggle(scene, View::Delay);
-}
-
-pub(super) fn toggle_redshift(scene: &mut Scene, _: &Scene) {
-    toggle(scene, View::Redshift);
-}
-
-pub(super) fn toggle_error(scene: &mut Scene, _: &Scene) {
-    toggle(scene, View::Error);
-}
-
-pub(super) fn toggle_steps(scene: &mut Scene, _: &Scene) {
-    toggle(scene, View::Steps);
-}
-
-pub(super) fn switch_sky(scene: &mut Scene, loaded: &Scene) {
-    let on = if loaded.sky.mode == SkyMode::Off {
-        SkyMode::default()
-    } else {
-        loaded.sky.mode
-    };
-    scene.sky.mode = if scene.sky.mode == SkyMode::Off {
-        on
-    } else {
-        SkyMode::Off
-    };
-}
-
 pub(super) fn next_sky(scene: &mut Scene, _: &Scene) {
     scene.sky.mode = scene.sky.mode.next();
 }
 
 /// The next kind of observer that can exist at the camera's place.
 pub(super) fn next_observer(scene: &mut Scene, _: &Scene) {
-    let now = ObserverKind::ALL
-        .iter()
-        .position(|kind| *kind == scene.observer.kind)
-        .unwrap_or(0);
-    for next in 1..ObserverKind::ALL.len() {
-        scene.observer.kind = ObserverKind::ALL[(now + next) % ObserverKind::ALL.len()];
-        if CameraRays::new(scene).is_ok() {
+    let now = scene.observer.kind;
+    loop {
+        scene.observer.kind = scene.observer.kind.next();
+        if scene.observer.kind == now || CameraRays::new(scene).is_ok() {
             return;
         }
     }
-    scene.observer.kind = ObserverKind::ALL[now];
-}
-
-pub(super) fn switch_bloom(scene: &mut Scene, loaded: &Scene) {
-    let on = if loaded.picture.bloom == 0.0 {
-        Picture::default().bloom
-    } else {
-        loaded.picture.bloom
-    };
-    scene.picture.bloom = if scene.picture.bloom == 0.0 { on } else { 0.0 };
-}
-
-pub(super) fn switch_levels(scene: &mut Scene, loaded: &Scene) {
-    let few = if loaded.picture.levels == ALL_LEVELS {
-        Picture::default().levels
-    } else {
-        loaded.picture.levels
-    };
-    scene.picture.levels = if scene.picture.levels == ALL_LEVELS {
-        few
-    } else {
-        ALL_LEVELS
-    };
-}
-
-/// Lets a light meter choose the exposure from here on, or keeps the exposure as it is now.
-pub(super) fn switch_automatic_exposure(scene: &mut Scene, _: &Scene) {
-    flip(&mut scene.picture.automatic_exposure);
-}
-
-pub(super) fn brighten(scene: &mut Scene, _: &Scene) {
-    expose_by_hand(scene, EXPOSURE_STEP);
-}
-
-pub(super) fn darken(scene: &mut Scene, _: &Scene) {
-    expose_by_hand(scene, -EXPOSURE_STEP);
-}
-
-fn expose_by_hand(scene: &mut Scene, step: f64) {
-    scene.picture.automatic_exposure = false;
-    scene.picture.exposure_ev += step;
 }

@@ -79,33 +79,25 @@ pub fn remark(
 
 /// The kinds of observer that the key skipped because they cannot exist here, with the reasons.
 fn skipped_observers(before: &Scene, after: &Scene) -> Option<String> {
-    let place = |kind| {
-        ObserverKind::ALL
-            .iter()
-            .position(|other| *other == kind)
-            .unwrap_or(0)
-    };
-    let (from, to) = (place(before.observer.kind), place(after.observer.kind));
-    let steps = if from == to {
-        ObserverKind::ALL.len()
-    } else {
-        (to + ObserverKind::ALL.len() - from) % ObserverKind::ALL.len()
-    };
+    let (from, to) = (before.observer.kind, after.observer.kind);
     let horizon = Kerr {
         spin: after.hole.spin,
     }
     .horizon();
-    if steps == ObserverKind::ALL.len() && after.camera.r < horizon {
+    if from == to && after.camera.r < horizon {
         return Some("inside the horizon every observer falls".into());
     }
-    let reasons = (1..steps).filter_map(|step| {
-        let mut other = before.clone();
-        other.observer.kind = ObserverKind::ALL[(from + step) % ObserverKind::ALL.len()];
-        CameraRays::new(&other)
-            .err()
-            .map(|error| no_observer(&error, &other))
-    });
-    let reasons = reasons.collect::<Vec<_>>().join("; ");
+    let mut other = before.clone();
+    let mut reasons = Vec::new();
+    loop {
+        other.observer.kind = other.observer.kind.next();
+        if other.observer.kind == to {
+            break;
+        }
+        let refused = CameraRays::new(&other).err();
+        reasons.extend(refused.map(|error| no_observer(&error, &other)));
+    }
+    let reasons = reasons.join("; ");
     (!reasons.is_empty()).then_some(reasons)
 }
 

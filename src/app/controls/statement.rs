@@ -1,43 +1,59 @@
 //! What a control says when it has changed the scene: the state that it has led to.
 
 use super::control::{Action, Control};
-use lightfall_core::numbers::{four_digits, spin_digits, with_short_numbers};
-use lightfall_core::scene::{Camera, Picture, Scene, SkyMode, Value, View};
+use super::edits::ALL_LEVELS;
+use lightfall_core::numbers::{four_digits, spin_digits};
+use lightfall_core::scene::{Camera, Picture, Scene};
 
-/// The state that a control has led to, in a few words, e.g. `Doppler shift: off`. `before` and
-/// `after` are the scene before and after the change. None for controls that change no scene.
+/// The state that a control has led to, in a few words, e.g. `Doppler shift: off`. None for controls
+/// that edit no scene: a preset's title says which one it is.
 #[must_use]
-pub fn statement(control: &Control, before: &Scene, after: &Scene) -> Option<String> {
-    let says = |what: &str, state: &str| Some(format!("{what}: {state}"));
-    let switched = |what: &str, on: bool| says(what, if on { "on" } else { "off" });
-    match control.id {
-        "scene.sky" | "scene.sky_mode" => says("Sky", sky_word(after.sky.mode)),
-        "scene.probe" if after.probe.enabled => {
-            says("Probe", &format!("on, {}", probe_place(after)))
-        }
-        "scene.spin" => says("Spin", &spin_digits(after.hole.spin)),
-        "scene.observer" => says("Observer", after.observer.kind.properties().motion),
-        "picture.bloom" => switched("Bloom", after.picture.bloom > 0.0),
-        "picture.brighter" | "picture.darker" | "picture.automatic_exposure" => {
-            Some(exposure_in_words(after))
-        }
-        "picture.levels" if after.picture.levels >= super::edits::ALL_LEVELS => {
-            says("Tones", "all")
-        }
-        "picture.levels" => says("Tones", &format!("{} a channel", after.picture.levels)),
-        "picture.bypass" => switched("Pixel look", !after.picture.bypass),
-        _ => match control.action {
-            Action::Edit(_) if control.id.starts_with("view.") => {
-                says("View", view_words(after.view))
-            }
-            Action::Edit(_) => says(
-                &capitalised(control.description),
-                &changed_value(before, after),
-            ),
-            // The scene's title says which preset it is.
-            Action::Load(_) | Action::StepPreset(_) | Action::Do(_) | Action::Hold(_) => None,
-        },
+pub fn statement(control: &Control, after: &Scene) -> Option<String> {
+    let Action::Edit(edit) = control.action else {
+        return None;
+    };
+    if let Some(says) = control.says {
+        return Some(says(after));
     }
+    Some(match edit.is_on(after) {
+        Some(on) => switched(&capitalised(control.description), on),
+        None => format!("View: {}", after.view.properties().words),
+    })
+}
+
+fn switched(what: &str, on: bool) -> String {
+    format!("{what}: {}", if on { "on" } else { "off" })
+}
+
+pub(super) fn sky(scene: &Scene) -> String {
+    format!("Sky: {}", scene.sky.mode.choice().name.to_lowercase())
+}
+
+pub(super) fn probe(scene: &Scene) -> String {
+    if scene.probe.enabled {
+        format!("Probe: on, {}", probe_place(scene))
+    } else {
+        switched("Probe", false)
+    }
+}
+
+pub(super) fn spin(scene: &Scene) -> String {
+    format!("Spin: {}", spin_digits(scene.hole.spin))
+}
+
+pub(super) fn observer(scene: &Scene) -> String {
+    format!("Observer: {}", scene.observer.kind.properties().motion)
+}
+
+pub(super) fn tones(scene: &Scene) -> String {
+    match scene.picture.levels {
+        ALL_LEVELS.. => "Tones: all".into(),
+        levels => format!("Tones: {levels} a channel"),
+    }
+}
+
+pub(super) fn pixel_look(scene: &Scene) -> String {
+    switched("Pixel look", !scene.picture.bypass)
 }
 
 /// The scene's exposure, and who chooses it.
@@ -52,17 +68,6 @@ pub fn exposure_in_words(scene: &Scene) -> String {
         format!("Exposure: automatic ({exposure_ev:+.1} EV)")
     } else {
         format!("Exposure: {exposure_ev:+.2} EV, by hand")
-    }
-}
-
-/// The state of the first field that differs between two scenes: `on` or `off` for a switch.
-fn changed_value(before: &Scene, after: &Scene) -> String {
-    // The values of the scene that `differences` is asked for.
-    let changed = after.differences(&metered_as(after, before));
-    match changed.first() {
-        Some((_, Value::Boolean(on))) => if *on { "on" } else { "off" }.into(),
-        Some((_, value)) => with_short_numbers(&value.to_string().replace('"', "")),
-        None => "as it was".into(),
     }
 }
 
@@ -127,30 +132,6 @@ fn field_words(key: &str) -> String {
         (_, "antialias") => "smooth edges of the probe".into(),
         ("disk" | "sky" | "probe", _) => format!("{} of the {table}", field.replace('_', " ")),
         _ => field.replace('_', " "),
-    }
-}
-
-fn sky_word(sky: SkyMode) -> &'static str {
-    match sky {
-        SkyMode::Stars => "stars",
-        SkyMode::Procedural => "the article's stars",
-        SkyMode::Grid => "grid",
-        SkyMode::Off => "off",
-    }
-}
-
-/// What a view shows, in a few words.
-fn view_words(view: View) -> &'static str {
-    match view {
-        View::Colour => "light",
-        View::Unfinished => "light, unfinished rays in magenta",
-        View::Classes => "ray classes",
-        View::Residual => "residual of the null constraint",
-        View::Order => "order of the image",
-        View::Delay => "delay of the disk's light",
-        View::Redshift => "redshift g",
-        View::Steps => "heat map of steps",
-        View::Error => "backward error",
     }
 }
 

@@ -2,28 +2,49 @@
 //! all read it; buttons of a gamepad stand in `buttons.rs`.
 
 use super::control::Action::{Do, Edit, Hold, Load, StepPreset};
-use super::control::{AppCommand, Control, FlightInput, Group, Modifier};
-use super::edits;
+use super::control::{Action, AppCommand, Control, FlightInput, Group, Modifier};
+use super::edits::Edit::{By, Expose, Flip, Show, SwitchOff};
+use super::edits::{ALL_LEVELS, next_observer, next_sky, switch_spin};
+use super::statement;
 use bevy::prelude::KeyCode;
+use lightfall_core::scene::{Value, View};
 
 /// Rows of `"name" [default keys] "what it does" action`, under the heading of the help. `Alt +`,
-/// `Ctrl +` or `Shift +` before the keys means that this modifier is held with them.
+/// `Ctrl +` or `Shift +` before the keys means that this modifier is held with them. What the
+/// control says may follow the action. For a key of a view, `_` stands for the view's own words.
 macro_rules! controls {
     ($($group:ident {
-        $($id:literal $($modifier:ident +)? [$($key:ident),+] $description:literal $action:expr;)+
+        $($id:literal $($modifier:ident +)? [$($key:ident),+] $description:tt $action:expr
+            $(, $says:expr)?;)+
     })+) => {
         &[$($(Control {
             id: $id,
             keys: &[$(KeyCode::$key),+],
             modifier: controls!(@modifier $($modifier)?),
             group: Group::$group,
-            description: $description,
+            description: controls!(@words $description $action),
             action: $action,
+            says: controls!(@says $($says)?),
         },)+)+]
     };
+    (@words _ $action:expr) => { view_words(&$action) };
+    (@words $description:literal $action:expr) => { $description };
+    (@says $says:expr) => { Some($says) };
+    (@says) => { None };
     (@modifier $modifier:ident) => { Some(Modifier::$modifier) };
     (@modifier) => { None };
 }
+
+/// The words of the view that a control shows.
+const fn view_words(action: &Action) -> &'static str {
+    match action {
+        Edit(Show(view)) => view.properties().words,
+        _ => panic!("only a control that shows a view has the view's words"),
+    }
+}
+
+/// One press of an exposure key, in powers of two.
+const EXPOSURE_STEP: f64 = 0.25;
 
 /// Every control, in the order of the help.
 pub const CONTROLS: &[Control] = controls! {
@@ -65,41 +86,41 @@ pub const CONTROLS: &[Control] = controls! {
         "preset.previous" [PageUp] "previous, next preset" StepPreset(-1);
         "preset.next" [PageDown] "previous, next preset" StepPreset(1);
         "scene.undo" [Backspace] "undo the last change" Do(AppCommand::Undo);
-        "scene.disk" [F2] "disk" Edit(edits::switch_disk);
-        "scene.isco" [KeyU] "disk from the innermost stable orbit" Edit(edits::switch_isco);
-        "scene.sky" [F3, Home] "sky" Edit(edits::switch_sky);
-        "scene.sky_mode" [KeyG] "sky: stars, the article's stars, grid, nothing" Edit(edits::next_sky);
-        "scene.probe" [F4] "probe" Edit(edits::switch_probe);
-        "scene.spin" [KeyT] "spin" Edit(edits::switch_spin);
-        "scene.observer" [KeyO] "observer: how the camera moves" Edit(edits::next_observer);
+        "scene.disk" [F2] "disk" Edit(Flip("disk.enabled"));
+        "scene.isco" [KeyU] "disk from the innermost stable orbit" Edit(Flip("disk.follow_isco"));
+        "scene.sky" [F3, Home] "sky" Edit(SwitchOff("sky.mode", &Value::Word("off"))), statement::sky;
+        "scene.sky_mode" [KeyG] "sky: what it shows" Edit(By(next_sky)), statement::sky;
+        "scene.probe" [F4] "probe" Edit(Flip("probe.enabled")), statement::probe;
+        "scene.spin" [KeyT] "spin" Edit(By(switch_spin)), statement::spin;
+        "scene.observer" [KeyO] "observer: how the camera moves" Edit(By(next_observer)), statement::observer;
     }
     Light {
-        "light.lensing" [KeyL] "lensing" Edit(edits::switch_lensing);
-        "light.doppler" [KeyZ] "Doppler shift" Edit(edits::switch_doppler);
-        "light.beaming" [KeyX] "beaming" Edit(edits::switch_beaming);
-        "light.gravitational_shift" [KeyC] "gravitational shift" Edit(edits::switch_gravitational_shift);
+        "light.lensing" [KeyL] "lensing" Edit(Flip("effects.lensing"));
+        "light.doppler" [KeyZ] "Doppler shift" Edit(Flip("effects.doppler"));
+        "light.beaming" [KeyX] "beaming" Edit(Flip("effects.beaming"));
+        "light.gravitational_shift" [KeyC] "gravitational shift" Edit(Flip("effects.gravitational_shift"));
     }
     View {
-        "view.unfinished" [F11, ArrowDown] "unfinished rays in magenta" Edit(edits::toggle_unfinished);
-        "view.classes" [KeyB] "ray classes" Edit(edits::toggle_classes);
-        "view.residual" [KeyM] "residual of the null constraint" Edit(edits::toggle_residual);
-        "view.order" [KeyN] "order of the image" Edit(edits::toggle_order);
-        "view.delay" Shift + [KeyN] "delay of the disk's light" Edit(edits::toggle_delay);
-        "view.steps" [Semicolon] "heat map of steps" Edit(edits::toggle_steps);
-        "view.redshift" [KeyR] "redshift g" Edit(edits::toggle_redshift);
-        "view.error" [Quote] "backward error" Edit(edits::toggle_error);
+        "view.unfinished" [F11, ArrowDown] _ Edit(Show(View::Unfinished));
+        "view.classes" [KeyB] _ Edit(Show(View::Classes));
+        "view.residual" [KeyM] _ Edit(Show(View::Residual));
+        "view.order" [KeyN] _ Edit(Show(View::Order));
+        "view.delay" Shift + [KeyN] _ Edit(Show(View::Delay));
+        "view.steps" [Semicolon] _ Edit(Show(View::Steps));
+        "view.redshift" [KeyR] _ Edit(Show(View::Redshift));
+        "view.error" [Quote] _ Edit(Show(View::Error));
     }
     Picture {
-        "picture.bloom" [F5, End] "bloom" Edit(edits::switch_bloom);
-        "picture.antialias" [F6, Delete] "smooth edges of the probe" Edit(edits::switch_antialias);
-        "picture.bypass" [F7, Backslash] "pixel look" Edit(edits::switch_bypass);
-        "picture.dither" [F8] "dither" Edit(edits::switch_dither);
-        "picture.levels" [KeyV] "posterise" Edit(edits::switch_levels);
-        "picture.brighter" [Equal, NumpadAdd] "brighter, darker" Edit(edits::brighten);
-        "picture.darker" [Minus, NumpadSubtract] "brighter, darker" Edit(edits::darken);
+        "picture.bloom" [F5, End] "bloom" Edit(SwitchOff("picture.bloom", &Value::Float(0.0)));
+        "picture.antialias" [F6, Delete] "smooth edges of the probe" Edit(Flip("probe.antialias"));
+        "picture.bypass" [F7, Backslash] "pixel look" Edit(Flip("picture.bypass")), statement::pixel_look;
+        "picture.dither" [F8] "dither" Edit(Flip("picture.dither"));
+        "picture.levels" [KeyV] "posterise" Edit(SwitchOff("picture.levels", &Value::Integer(ALL_LEVELS as i64))), statement::tones;
+        "picture.brighter" [Equal, NumpadAdd] "brighter, darker" Edit(Expose(EXPOSURE_STEP)), statement::exposure_in_words;
+        "picture.darker" [Minus, NumpadSubtract] "brighter, darker" Edit(Expose(-EXPOSURE_STEP)), statement::exposure_in_words;
         "picture.compare" [Digit0] "side by side: pin the left half" Do(AppCommand::Compare);
         "picture.difference" Shift + [Digit0] "difference of the sides, amplified" Do(AppCommand::Difference);
-        "picture.automatic_exposure" [F9] "automatic exposure" Edit(edits::switch_automatic_exposure);
+        "picture.automatic_exposure" [F9] "automatic exposure" Edit(Flip("picture.automatic_exposure")), statement::exposure_in_words;
     }
     Window {
         "fly.escape" [Escape] "menu, or close, or free the mouse" Do(AppCommand::Escape);

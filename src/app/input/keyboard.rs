@@ -106,7 +106,7 @@ fn apply(control: &Control, input: &str, editor: &mut SceneEditor, bindings: &Bi
     if editor.change(input, changed) {
         let after = editor.scene();
         let remark = remark(control, &before, &after, bindings);
-        let says: Vec<String> = [statement(control, &before, &after), remark]
+        let says: Vec<String> = [statement(control, &after), remark]
             .into_iter()
             .flatten()
             .collect();

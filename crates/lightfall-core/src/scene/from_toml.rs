@@ -16,9 +16,9 @@ impl Field {
             (Kind::Float(_), value) => float(value).map(Value::Float),
             (Kind::Integer(_), toml::Value::Integer(number)) => Some(Value::Integer(*number)),
             (Kind::Boolean, toml::Value::Boolean(on)) => Some(Value::Boolean(*on)),
-            (Kind::Choice(words), toml::Value::String(given)) => {
-                let word = words.iter().find(|word| *word == given);
-                word.map(|word| Value::Word(word))
+            (Kind::Choice(choices), toml::Value::String(given)) => {
+                let choice = choices.iter().find(|choice| choice.word == given);
+                choice.map(|choice| Value::Word(choice.word))
             }
             (Kind::Text, toml::Value::String(text)) => Some(Value::Text(text.clone())),
             (Kind::Velocity, toml::Value::Array(components)) => velocity(components),

@@ -2,79 +2,63 @@
 
 crate::words! {
     /// Radial profile of the disk's flux.
-    #[derive(Default)]
     pub enum DiskModel {
-        /// F = (r_in/r)^3 (1 - sqrt(r_in/r)).
-        #[default]
-        Newtonian = "newtonian",
-        /// Relativistic, around Kerr: Page & Thorne 1974, with the same peak.
-        PageThorne = "page-thorne",
+        /// The thin disk of Newtonian gravity.
+        Newtonian = "newtonian": "Newtonian",
+        /// The thin disk around a spinning hole, after Page and Thorne 1974.
+        PageThorne = "page-thorne": "Relativistic",
     }
 }
 
 crate::words! {
     /// Structure of the disk's light.
-    #[derive(Default)]
     pub enum DiskStructure {
-        /// None: a smooth disk.
-        #[default]
-        None = "none",
-        /// Turbulence, sheared into trailing spirals.
-        Turbulent = "turbulent",
-        /// The same drawn out along the orbits, with more contrast, as in films.
-        Streaks = "streaks",
+        /// A smooth disk, on which nothing moves.
+        None = "none": "None",
+        /// Filaments that the rotation shears into trailing spirals.
+        Turbulent = "turbulent": "Turbulent",
+        /// Longer filaments with more contrast, as in films.
+        Streaks = "streaks": "Streaks",
     }
 }
 
 crate::words! {
     /// How the brightness of the disk's surface depends on the angle at which it is seen.
-    #[derive(Default)]
     pub enum LimbDarkening {
-        /// It does not.
-        #[default]
-        None = "none",
-        /// As that of an atmosphere that scatters light on electrons: Chandrasekhar 1960.
-        ElectronScattering = "electron-scattering",
+        /// As bright from the side as from above.
+        None = "none": "None",
+        /// Darker from the side, as light scattered on electrons is; Chandrasekhar 1960.
+        ElectronScattering = "electron-scattering": "Scattering",
     }
 }
 
 crate::words! {
     /// A hot spot in the disk.
-    #[derive(Default)]
     pub enum HotSpotKind {
-        /// None.
-        #[default]
-        None = "none",
-        /// One that keeps its shape: all of it has the angular velocity of its middle.
-        Rigid = "rigid",
-        /// One that the disk's rotation draws out into an arc.
-        Sheared = "sheared",
+        /// No hot spot.
+        None = "none": "None",
+        /// All of it goes round as fast as its middle.
+        Rigid = "rigid": "Keeps its shape",
+        /// The rotation draws it out into an arc.
+        Sheared = "sheared": "Sheared",
     }
 }
 
 crate::words! {
     /// What is drawn at infinity.
-    #[derive(Default)]
     pub enum SkyMode {
-        /// The stars of a catalogue, each image a point with its exact light, and the Milky Way.
-        #[default]
-        Stars = "stars",
-        /// Stars at pseudo-random places, looked up by each pixel, as in the article.
-        Procedural = "procedural",
-        /// A celestial grid.
-        Grid = "grid",
-        /// Nothing: the sky is black.
-        Off = "off",
+        /// The stars and the Milky Way as seen from Earth.
+        Stars = "stars": "Stars",
+        /// Stars at random places, stretched by the bending.
+        Procedural = "procedural": "The article's stars",
+        /// Lines of celestial latitude and longitude.
+        Grid = "grid": "Grid",
+        /// A black sky.
+        Off = "off": "Off",
     }
 }
 
 impl SkyMode {
-    /// The mode after this one, in the order of declaration; after the last comes the first.
-    #[must_use]
-    pub fn next(self) -> Self {
-        Self::ALL[(self as usize + 1) % Self::ALL.len()]
-    }
-
     /// Whether it stands still in the hole's frame, so that directions have to be turned to that
     /// frame behind a tilted disk. The stars have a frame of their own, the celestial one.
     #[must_use]

@@ -2,21 +2,19 @@
 
 crate::words! {
     /// How light is traced.
-    #[derive(Default)]
     pub enum Method {
-        /// The method best suited to the scene among those that are built.
-        #[default]
-        Auto = "auto",
-        /// Velocity Verlet in Schwarzschild's areal Cartesian coordinates.
-        Verlet = "verlet",
-        /// Null geodesics in closed form, for any spin.
-        Closed = "closed",
-        /// Kerr's null geodesics in Mino time.
-        Mino = "mino",
-        /// Kerr's null geodesics in ingoing Kerr-Schild coordinates, by Runge-Kutta.
-        KerrSchild = "kerr-schild",
-        /// The f64 reference, on the CPU only.
-        Reference = "reference",
+        /// The closed form, with or without spin.
+        Auto = "auto": "Best for this scene (auto)",
+        /// Small steps in space, without spin; the article's method.
+        Verlet = "verlet": "Verlet steps (verlet)",
+        /// Elliptic functions, with or without spin; no steps, and nothing to set.
+        Closed = "closed": "Closed form (closed)",
+        /// Steps in Mino time, with or without spin; the independent second method.
+        Mino = "mino": "Mino time (mino)",
+        /// Runge-Kutta steps in ingoing coordinates, for comparison.
+        KerrSchild = "kerr-schild": "Kerr-Schild steps (kerr-schild)",
+        /// In double precision on the processor; it draws no picture.
+        Reference = "reference": "Reference (reference)",
     }
 }
 

@@ -54,7 +54,7 @@ pub use tables::{
 };
 pub use tone_curve::ToneCurve;
 pub use value::Value;
-pub use view::{Content, View, ViewProperties};
+pub use view::{Content, Swatch, View, ViewProperties};
 
 /// The version of the preset format this program reads and writes.
 pub const SCHEMA: u32 = 1;

@@ -1,5 +1,6 @@
 //! What values a field may have: its kind and, for a number, the interval.
 
+use crate::words::Choice;
 use std::fmt;
 use std::ops::Bound::{self, Excluded, Included, Unbounded};
 
@@ -12,8 +13,8 @@ pub enum Kind {
     Integer(Range),
     /// True or false.
     Boolean,
-    /// One of these words.
-    Choice(&'static [&'static str]),
+    /// One of these.
+    Choice(&'static [Choice]),
     /// One line of text, no longer than [`MAX_TEXT_CHARS`].
     Text,
     /// Three finite numbers, the components of a velocity below that of light.
@@ -57,7 +58,10 @@ impl Kind {
             Self::Float(_) => words("a number"),
             Self::Integer(_) => words("an integer"),
             Self::Boolean => "true or false".into(),
-            Self::Choice(choices) => format!("one of {}", choices.join(", ")),
+            Self::Choice(choices) => {
+                let words = choices.iter().map(|choice| choice.word);
+                format!("one of {}", words.collect::<Vec<_>>().join(", "))
+            }
             Self::Text => format!("one line of text, at most {MAX_TEXT_CHARS} characters"),
             Self::Velocity => {
                 "three numbers, [outward, toward growing theta, toward growing phi], of length below 1 c".into()

@@ -3,6 +3,7 @@
 use super::error::Refusal;
 use super::range::{Kind, MAX_TEXT_CHARS, Range};
 use super::value::Value;
+use crate::words::without_full_stop;
 
 /// One leaf field of the structure `S`, which is a scene.
 #[derive(Debug)]
@@ -37,7 +38,7 @@ impl<S> Row<S> {
         read: fn(&S) -> Value,
         write: fn(&mut S, Value) -> bool,
     ) -> Self {
-        let about = without_full_stop(doc.trim_ascii());
+        let about = without_full_stop(doc);
         Self {
             key,
             kind,
@@ -83,7 +84,9 @@ impl<S> Row<S> {
         let fits = match (self.kind, value) {
             (Kind::Float(_), Value::Float(_)) | (Kind::Boolean, Value::Boolean(_)) => true,
             (Kind::Integer(range), Value::Integer(number)) => range.contains(*number as f64),
-            (Kind::Choice(choices), Value::Word(word)) => choices.contains(word),
+            (Kind::Choice(choices), Value::Word(word)) => {
+                choices.iter().any(|choice| choice.word == *word)
+            }
             (Kind::Text, Value::Text(text)) => {
                 text.chars().count() <= MAX_TEXT_CHARS && !text.chars().any(char::is_control)
             }
@@ -106,13 +109,5 @@ impl<S> Row<S> {
             because: None,
             blamed: None,
         }
-    }
-}
-
-/// Help texts have no full stop, documentation has one.
-const fn without_full_stop(text: &'static str) -> &'static str {
-    match text.as_bytes() {
-        [.., b'.'] => text.split_at(text.len() - 1).0,
-        _ => text,
     }
 }

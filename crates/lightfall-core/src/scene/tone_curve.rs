@@ -2,25 +2,22 @@
 
 crate::words! {
     /// A tone curve: one of those that Bevy computes without a table.
-    #[derive(Default)]
     pub enum ToneCurve {
-        /// Khronos PBR Neutral 2024: exact colours up to three quarters of white, then a short
-        /// shoulder.
-        #[default]
-        Neutral = "neutral",
-        /// Stachowiak's display transform: a long shoulder, on which colours fade slowly to white.
-        Soft = "soft",
-        /// The fitted curve of the Academy Color Encoding System: more contrast, and hues that turn
-        /// with brightness.
-        Aces = "aces",
-        /// Reinhard 2002 by luminance: the channels keep their ratios, and the brightest one may be
-        /// cut off.
-        Reinhard = "reinhard",
+        /// Exact colours, and a short way to white.
+        Neutral = "neutral": "Neutral",
+        /// A long way to white, on which colours fade.
+        Soft = "soft": "Soft",
+        /// Film-like: more contrast, and hues that turn.
+        Aces = "aces": "ACES",
+        /// Colours never fade to white.
+        Reinhard = "reinhard": "Reinhard",
     }
 }
 
 impl ToneCurve {
-    /// Level from 0 to 1, linear, of white light.
+    /// Level from 0 to 1, linear, of white light: by Khronos PBR Neutral 2024, Stachowiak's display
+    /// transform, the fitted curve of the Academy Color Encoding System, or Reinhard 2002 by
+    /// luminance.
     #[must_use]
     pub fn level(self, light: f64) -> f64 {
         match self {

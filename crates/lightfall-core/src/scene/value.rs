@@ -97,7 +97,7 @@ field_value!(String, Kind::Text, Text);
 field_value!([f64; 3], Kind::Velocity, Velocity);
 
 impl<T: Words> FieldValue for T {
-    const KIND: Kind = Kind::Choice(T::WORDS);
+    const KIND: Kind = Kind::Choice(T::CHOICES);
 
     fn to_value(&self) -> Value {
         Value::Word(self.word())

@@ -2,27 +2,25 @@
 
 crate::words! {
     /// What the geodesic pass shows.
-    #[derive(Default)]
     pub enum View {
-        /// The light itself; unfinished rays are black.
-        #[default]
-        Colour = "colour",
-        /// The light itself, with unfinished rays in magenta.
-        Unfinished = "unfinished",
-        /// What becomes of each ray: its outcome, and its number of crossings of the disk.
-        Classes = "classes",
-        /// Largest residual of the null constraint along each ray.
-        Residual = "residual",
-        /// Order of the image: half-turns about the hole up to what is seen first.
-        Order = "order",
-        /// How long the light of the first crossing of the disk was under way, in r_s/c.
-        Delay = "delay",
-        /// Observed over emitted frequency of what is seen first, disk or sky.
-        Redshift = "redshift",
-        /// Number of steps that the method takes along each ray.
-        Steps = "steps",
-        /// Backward error against the reference, in pixels, on a coarse grid.
-        Error = "error",
+        /// What the camera sees.
+        Colour = "colour": "Light",
+        /// Rays that ran out of steps are magenta.
+        Unfinished = "unfinished": "Light, unfinished marked",
+        /// Sky, hole or disk, and how often the ray crosses the disk.
+        Classes = "classes": "Fate of each ray",
+        /// How far each ray strays from being light-like.
+        Residual = "residual": "Residual",
+        /// Half-turns of the ray about the hole.
+        Order = "order": "Order of the image",
+        /// How long the light of the disk was under way.
+        Delay = "delay": "Delay of the light",
+        /// Observed over emitted frequency.
+        Redshift = "redshift": "Redshift",
+        /// How many steps each ray takes.
+        Steps = "steps": "Steps",
+        /// Difference from the reference, in pixels.
+        Error = "error": "Error",
     }
 }
 
@@ -37,9 +35,18 @@ pub enum Content {
     Rays,
 }
 
+/// A colour of a view as its shader has it (linear sRGB), and its meaning.
+pub type Swatch = ([f32; 3], &'static str);
+
 /// What distinguishes a view from the others.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ViewProperties {
+    /// What it shows, as its key says.
+    pub words: &'static str,
+    /// What its legend says over the swatches; empty for the light itself, which has no legend.
+    pub legend: &'static str,
+    /// The colours of its legend.
+    pub swatches: &'static [Swatch],
     /// What its colours stand for.
     pub content: Content,
     /// Whether the shader traces the rays it shows; otherwise it shows numbers computed
@@ -52,23 +59,140 @@ pub struct ViewProperties {
     pub diagnostics: bool,
 }
 
+const BLACK: [f32; 3] = [0.0; 3];
+const MAGENTA: [f32; 3] = [1.0, 0.0, 1.0];
+
+/// The light.
+const LIGHT: ViewProperties = ViewProperties {
+    words: "light",
+    legend: "",
+    swatches: &[],
+    content: Content::Light,
+    traces: true,
+    delays: false,
+    diagnostics: false,
+};
+
+/// What views of rays have in common.
+const RAYS: ViewProperties = ViewProperties {
+    content: Content::Rays,
+    ..LIGHT
+};
+
 impl View {
     /// The view's properties: a new view is a new row.
     #[must_use]
     pub const fn properties(self) -> ViewProperties {
-        let (content, traces) = match self {
-            Self::Colour | Self::Unfinished => (Content::Light, true),
-            Self::Classes | Self::Residual | Self::Order | Self::Delay | Self::Steps => {
-                (Content::Rays, true)
-            }
-            Self::Redshift => (Content::Shift, true),
-            Self::Error => (Content::Rays, false),
-        };
-        ViewProperties {
-            content,
-            traces,
-            delays: matches!(self, Self::Delay),
-            diagnostics: matches!(self, Self::Residual | Self::Order),
+        match self {
+            Self::Colour => LIGHT,
+            Self::Unfinished => ViewProperties {
+                words: "unfinished rays in magenta",
+                legend: "Rays left unfinished",
+                swatches: &[(MAGENTA, "unfinished: out of steps, or not a number")],
+                ..LIGHT
+            },
+            Self::Classes => ViewProperties {
+                words: "ray classes",
+                legend: "Where each ray comes from, and how often it meets the disk between its edges",
+                swatches: &[
+                    ([0.0, 0.02, 0.16], "from the sky"),
+                    ([0.02, 0.20, 0.75], "from the sky, meets the disk once"),
+                    ([0.30, 0.75, 1.0], "from the sky, meets it twice"),
+                    ([0.06, 0.02, 0.0], "ends at the horizon"),
+                    ([0.60, 0.15, 0.0], "ends at the horizon, meets it once"),
+                    ([1.0, 0.65, 0.05], "ends at the horizon, meets it twice"),
+                    (MAGENTA, "unfinished"),
+                ],
+                ..RAYS
+            },
+            Self::Residual => ViewProperties {
+                words: "residual of the null constraint",
+                legend: "Residual of the null constraint (not the error)",
+                swatches: &[
+                    (BLACK, "1e-8 or less"),
+                    ([0.10, 0.01, 0.25], "1e-6"),
+                    ([0.75, 0.12, 0.04], "1e-4"),
+                    ([0.95, 0.65, 0.02], "1e-2"),
+                    ([1.0, 1.0, 1.0], "1 or more"),
+                ],
+                diagnostics: true,
+                ..RAYS
+            },
+            Self::Order => ViewProperties {
+                words: "order of the image",
+                legend: "Order of the image; the sky is darker than the disk",
+                swatches: &[
+                    ([0.20, 0.20, 0.20], "0: direct light"),
+                    ([0.79, 0.35, 0.0], "1: a half-turn about the hole"),
+                    ([0.0, 0.17, 0.45], "2 half-turns"),
+                    ([0.95, 0.95, 0.95], "3 or more"),
+                    (BLACK, "no light: the ray ends at the horizon"),
+                    (MAGENTA, "unfinished"),
+                ],
+                diagnostics: true,
+                ..RAYS
+            },
+            Self::Delay => ViewProperties {
+                words: "delay of the disk's light",
+                legend: "How long the light of the disk was under way; a band every 2 r_s/c",
+                swatches: &[
+                    ([0.9969, 0.8660, 0.4176], "10 r_s/c less, or even less"),
+                    ([0.8501, 0.3482, 0.2012], "as long as from beside the hole"),
+                    ([0.4797, 0.1187, 0.1321], "10 r_s/c more"),
+                    ([0.1521, 0.0360, 0.1154], "20 r_s/c more"),
+                    ([0.0093, 0.0010, 0.1150], "30 r_s/c more, or even more"),
+                    (BLACK, "no disk"),
+                    (MAGENTA, "unfinished"),
+                ],
+                delays: true,
+                ..RAYS
+            },
+            Self::Redshift => ViewProperties {
+                words: "redshift g",
+                legend: "g = observed / emitted frequency, of disk or sky",
+                swatches: &[
+                    ([0.01, 0.04, 0.40], "g = 2 or more"),
+                    ([0.10, 0.40, 0.95], "g = 1.41, blueshifted"),
+                    ([0.90, 0.90, 0.90], "g = 1"),
+                    ([0.90, 0.30, 0.03], "g = 0.71, redshifted"),
+                    ([0.25, 0.01, 0.01], "g = 0.5 or less"),
+                    (BLACK, "no light: the ray ends at the horizon"),
+                ],
+                content: Content::Shift,
+                ..LIGHT
+            },
+            Self::Steps => ViewProperties {
+                words: "heat map of steps",
+                legend: "Steps of the method along each ray",
+                swatches: &[
+                    (BLACK, "none"),
+                    ([0.0200, 0.0029, 0.0729], "4 or fewer"),
+                    ([0.1139, 0.0127, 0.0927], "8"),
+                    ([0.2946, 0.0343, 0.1159], "16"),
+                    ([0.5366, 0.0914, 0.1450], "32"),
+                    ([0.7844, 0.2188, 0.1857], "64"),
+                    ([0.9592, 0.4607, 0.2474], "128"),
+                    ([0.9642, 0.8686, 0.3441], "256 or more"),
+                    (MAGENTA, "unfinished"),
+                ],
+                ..RAYS
+            },
+            Self::Error => ViewProperties {
+                words: "backward error",
+                legend: "Backward error: the rotation that would explain a ray's error; one ray per block",
+                swatches: &[
+                    ([0.0273, 0.0090, 0.1511], "1e-4 px or less"),
+                    ([0.0080, 0.1104, 0.2716], "1e-3 px"),
+                    ([0.0246, 0.3181, 0.3356], "1e-2 px"),
+                    ([0.2431, 0.6151, 0.2757], "0.1 px"),
+                    ([0.9615, 0.9322, 0.0480], "1 px or more"),
+                    (MAGENTA, "too large to measure"),
+                    (BLACK, "nothing seen: the hole"),
+                    ([0.05, 0.05, 0.05], "not known yet"),
+                ],
+                traces: false,
+                ..RAYS
+            },
         }
     }
 

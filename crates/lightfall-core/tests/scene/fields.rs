@@ -18,7 +18,10 @@ fn other_values(field: &Field) -> Vec<Value> {
         Kind::Float(_) => [0.125, 1.5, 12.3, 54.7, 321.5].map(Value::Float).to_vec(),
         Kind::Integer(_) => [1, 12, 77].map(Value::Integer).to_vec(),
         Kind::Boolean => [false, true].map(Value::Boolean).to_vec(),
-        Kind::Choice(words) => words.iter().map(|word| Value::Word(word)).collect(),
+        Kind::Choice(choices) => choices
+            .iter()
+            .map(|choice| Value::Word(choice.word))
+            .collect(),
         Kind::Text => ["a", "\"b\" \\ ä"]
             .map(|text| Value::Text(text.into()))
             .to_vec(),
@@ -117,7 +120,8 @@ fn the_table_has_exactly_the_fields_that_serde_writes() {
 fn the_table_lists_exactly_the_words_that_serde_knows() {
     let mut choices = 0;
     for Field { key, kind, .. } in FIELDS {
-        let Kind::Choice(words) = kind else { continue };
+        let Kind::Choice(listed) = kind else { continue };
+        let words: Vec<&str> = listed.iter().map(|choice| choice.word).collect();
         let text = match key.split_once('.') {
             Some((table, name)) => format!("[{table}]\n{name} = \"?\""),
             None => format!("{key} = \"?\""),
@@ -264,10 +268,10 @@ fn every_field_can_be_set_to_its_own_value_as_text() {
 #[test]
 fn every_word_of_every_choice_can_be_set() {
     for field in FIELDS {
-        let Kind::Choice(words) = field.kind else {
+        let Kind::Choice(choices) = field.kind else {
             continue;
         };
-        for word in words {
+        for word in choices.iter().map(|choice| choice.word) {
             let scene = set(field.key, word).unwrap();
             assert_eq!(field.get(&scene), Value::Word(word));
         }

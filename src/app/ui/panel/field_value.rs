@@ -1,12 +1,12 @@
 //! The value of a field on the panel: a switch, a list of words, a text, or a number with a slider
 //! and a text field.
 
-use super::choices::{choice, is_offered};
 use super::number_field::{Typed, number_field};
 use super::sections::Shown;
 use super::switch::switch;
 use bevy_egui::egui;
-use lightfall_core::scene::{Field, Kind, Range, Value};
+use lightfall_core::scene::{Field, Kind, Method, Range, Value};
+use lightfall_core::words::Choice;
 use std::ops::Bound::{Excluded, Included, Unbounded};
 
 /// Width of a number's text field, in points.
@@ -65,19 +65,25 @@ pub(super) fn show_value(
 fn show_choices(
     ui: &mut egui::Ui,
     key: &str,
-    choices: &[&'static str],
+    choices: &[Choice],
     word: &'static str,
 ) -> Option<Value> {
     let mut chosen = word;
+    let shown = choices.iter().find(|choice| choice.word == word);
     egui::ComboBox::from_id_salt(key)
-        .selected_text(choice(key, word)[0])
+        .selected_text(shown.map_or(word, |choice| choice.name))
         .width(ui.available_width())
         .show_ui(ui, |ui| {
-            for each in choices.iter().filter(|word| is_offered(key, word)) {
-                let [name, meaning] = choice(key, each);
-                let label = ui.selectable_value(&mut chosen, each, name);
-                if !meaning.is_empty() {
-                    label.on_hover_text(format!("{meaning} ({each})"));
+            for Choice {
+                word,
+                name,
+                meaning,
+            } in choices
+            {
+                // The reference cannot draw a picture.
+                if (key, *word) != ("method", Method::Reference.word()) {
+                    ui.selectable_value(&mut chosen, word, *name)
+                        .on_hover_text(format!("{meaning} ({word})"));
                 }
             }
         });

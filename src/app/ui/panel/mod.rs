@@ -1,7 +1,6 @@
 //! The panel at the right: every field of the scene, presets, read-outs, the machine, what the
 //! picture leaves out, and the settings.
 
-pub(crate) mod choices;
 mod field_value;
 mod file_dialog;
 pub(crate) mod idle;

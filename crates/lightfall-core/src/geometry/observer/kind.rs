@@ -12,17 +12,15 @@ const IN_PLANE: f64 = 1e-9;
 crate::words! {
     /// The frames of reference that have a name. Of those that exist off the equatorial plane, each
     /// reaches nearer to the hole than the one before.
-    #[derive(Default)]
     pub enum ObserverKind {
-        /// At rest with respect to infinity.
-        #[default]
-        Static = "static",
-        /// Zero angular momentum.
-        Zamo = "zamo",
-        /// Prograde circular geodesic in the disk's plane.
-        Orbit = "orbit",
-        /// Free fall from rest at infinity.
-        Rain = "rain",
+        /// Hovers at one place; not possible very near a spinning hole.
+        Static = "static": "At rest",
+        /// Hovers at one distance, and is carried round by the hole's spin.
+        Zamo = "zamo": "Zero angular momentum",
+        /// Circles freely in the plane of the disk.
+        Orbit = "orbit": "Circular orbit",
+        /// Falls freely from far away; the only one inside the horizon.
+        Rain = "rain": "Free fall",
     }
 }
 
