@@ -17,8 +17,8 @@ mod state;
 mod ui;
 
 pub use controls::bindings::{Bindable, BindingTable, Bindings, PadBindings};
-pub use controls::control::{Action, AppCommand, Control, FlightInput, Group, Modifier};
-pub use controls::edits::{Edit, edited};
+pub use controls::control::{Action, AppCommand, Control, Edit, FlightInput, Group, Modifier};
+pub use controls::edits::edited;
 pub use controls::key_feedback::remark;
 pub use controls::refusal::checked_change;
 pub use controls::statement::{change_words, statement};

@@ -1,8 +1,7 @@
 //! A control: one thing that a key or a button does.
 
-use super::edits::Edit;
 use bevy::prelude::{KeyCode, Message};
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Scene, Value, View};
 
 /// One control.
 #[derive(Clone, Copy, Debug)]
@@ -114,6 +113,22 @@ pub enum Action {
     Do(AppCommand),
     /// Moves the camera for as long as the control is held.
     Hold(FlightInput),
+}
+
+/// How a control edits a scene. Fields are named by their keys.
+#[derive(Clone, Copy, Debug)]
+pub enum Edit {
+    /// Switches a field of the kind true or false.
+    Flip(&'static str),
+    /// Sets a field to this value, which means that something is off. If it is off already, sets the
+    /// field to the value that was loaded, or to its default if it was loaded switched off.
+    SwitchOff(&'static str, &'static Value),
+    /// Shows a view, or the light again where that view is shown already.
+    Show(View),
+    /// Changes the exposure by this many powers of two, and lets no light meter choose it.
+    Expose(f64),
+    /// Edits the first scene; the second one is the scene as it was loaded.
+    By(fn(&mut Scene, &Scene)),
 }
 
 /// What a control asks of the program, other than to change the scene.

@@ -1,7 +1,7 @@
 //! How controls edit a scene. A switch that is more than on and off returns to the value that was
 //! loaded.
 
-use super::control::{Action, Control};
+use super::control::{Action, Control, Edit};
 use lightfall_core::optics::camera_rays::CameraRays;
 use lightfall_core::scene::presets::PRESETS;
 use lightfall_core::scene::{Method, Scene, Value, View, field};
@@ -10,22 +10,6 @@ use lightfall_core::scene::{Method, Scene, Value, View, field};
 const DEFAULT_SPIN: f64 = 0.9;
 /// As many levels as eight bits can tell apart.
 pub(crate) const ALL_LEVELS: u32 = 256;
-
-/// How a control edits a scene. Fields are named by their keys.
-#[derive(Clone, Copy, Debug)]
-pub enum Edit {
-    /// Switches a field of the kind true or false.
-    Flip(&'static str),
-    /// Sets a field to this value, which means that something is off. If it is off already, sets the
-    /// field to the value that was loaded, or to its default if it was loaded switched off.
-    SwitchOff(&'static str, &'static Value),
-    /// Shows a view, or the light again where that view is shown already.
-    Show(View),
-    /// Changes the exposure by this many powers of two, and lets no light meter choose it.
-    Expose(f64),
-    /// Edits the first scene; the second one is the scene as it was loaded.
-    By(fn(&mut Scene, &Scene)),
-}
 
 impl Edit {
     fn apply(self, scene: &mut Scene, loaded: &Scene) {

@@ -2,8 +2,8 @@
 //! all read it; buttons of a gamepad stand in `buttons.rs`.
 
 use super::control::Action::{Do, Edit, Hold, Load, StepPreset};
+use super::control::Edit::{By, Expose, Flip, Show, SwitchOff};
 use super::control::{Action, AppCommand, Control, FlightInput, Group, Modifier};
-use super::edits::Edit::{By, Expose, Flip, Show, SwitchOff};
 use super::edits::{ALL_LEVELS, next_observer, next_sky, switch_spin};
 use super::statement;
 use bevy::prelude::KeyCode;
