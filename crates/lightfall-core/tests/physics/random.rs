@@ -5,8 +5,8 @@
     reason = "several test programs share it, and none uses all of it"
 )]
 
-/// SplitMix64 (Steele, Lea & Flood 2014).
-pub struct Random(u64);
+/// A sequence of random numbers.
+pub struct Random(lightfall_core::random::Random);
 
 impl Random {
     /// The sequence of the seed in the environment variable `LIGHTFALL_SEED`, or of seed 1. Prints
@@ -20,29 +20,23 @@ impl Random {
             test == "main" || test.contains("random"),
             "scripts/soak finds {test} only if its name contains the word random"
         );
-        Self(seed.parse().expect("LIGHTFALL_SEED is a whole number"))
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        let seed = seed.parse().expect("LIGHTFALL_SEED is a whole number");
+        Self(lightfall_core::random::Random::new(seed))
     }
 
     /// A number from `low` to `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * ((self.next() >> 11) as f64 / (1_u64 << 53) as f64)
+        self.0.between(low, high)
     }
 
     /// A number whose logarithm is spread evenly from `low` to `high`.
     pub fn log_between(&mut self, low: f64, high: f64) -> f64 {
-        self.between(low.ln(), high.ln()).exp()
+        self.0.log_between(low, high)
     }
 
     /// A whole number from `low` to `high`.
     pub fn integer(&mut self, low: u32, high: u32) -> u32 {
-        low + (self.next() % u64::from(high - low + 1)) as u32
+        low + (self.0.bits() % u64::from(high - low + 1)) as u32
     }
 
     /// True in one of `count` cases.
