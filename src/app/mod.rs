@@ -16,8 +16,8 @@ mod session;
 mod state;
 mod ui;
 
-pub use controls::bindings::{Bindable, BindingTable, Bindings, PadBindings};
-pub use controls::control::{Action, AppCommand, Control, Edit, FlightInput, Group, Modifier};
+pub use controls::bindings::{Bindable, Bindings, PadBindings};
+pub use controls::control::{Action, Control, Group, Modifier};
 pub use controls::edits::edited;
 pub use controls::key_feedback::remark;
 pub use controls::refusal::checked_change;
@@ -41,14 +41,13 @@ pub use state::history::History;
 pub use state::menu::{Menu, MenuEntry};
 pub use state::resolution::{Canvas, Resolution};
 pub use state::settings::{Automatic, PictureShape, SETTINGS_VERSION, Settings};
-pub use state::settings_fault::{SettingsFault, Unused};
+pub use state::settings_fault::SettingsFault;
 pub use state::toast::reading_time;
 pub use ui::help::help_rows;
 pub use ui::hud::{ReadOut, differences, physics_off, read_outs};
-pub use ui::inspector::pixel_at;
 pub use ui::panel::{
     idle::why_idle,
-    sections::{RowText, SECTIONS, Section, Shown},
+    sections::{SECTIONS, Shown},
 };
 
 use crate::log::{quiet_log, say};

@@ -190,7 +190,6 @@ pub enum AppCommand {
 
 /// The ways to move while a control is held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[expect(missing_docs, reason = "the names say it")]
 pub enum FlightInput {
     Forward,
     Backward,

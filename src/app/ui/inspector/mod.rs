@@ -77,7 +77,7 @@ pub(crate) fn plugin(app: &mut App) {
 /// The pixel of the picture at a place of the window, in pixels from the picture's upper left
 /// corner. None outside the picture.
 #[must_use]
-pub fn pixel_at(picture: &Picture, place: Vec2, window: UVec2) -> Option<DVec2> {
+fn pixel_at(picture: &Picture, place: Vec2, window: UVec2) -> Option<DVec2> {
     if window.min_element() == 0 {
         return None;
     }
