@@ -160,6 +160,7 @@ fn apply_scene_to_camera(
     if !matches!(*target, RenderTarget::None { size: old } if old == size) {
         *target = RenderTarget::None { size };
     }
+    // Bevy's meshes are drawn in perspective, whatever the scene's projection is.
     *projection = Projection::Perspective(PerspectiveProjection {
         fov: scene.camera.fov_deg.to_radians() as f32,
         aspect_ratio: size.x as f32 / size.y as f32,

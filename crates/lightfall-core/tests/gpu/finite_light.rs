@@ -16,7 +16,7 @@ const SIZE: UVec2 = UVec2::new(96, 54);
 
 /// WGSL for a [`Kernel`]: the light of pixels. Four rays in a row are those of 2 x 2 pixels, so
 /// that each has the neighbours by which its footprints are measured, as in a picture.
-const LIGHT: &str = "
+pub(crate) const LIGHT: &str = "
     @group(0) @binding(BINDING_INPUT) var<storage, read> pixels: array<vec4<f32>>;
     @group(0) @binding(BINDING_OUTPUT) var<storage, read_write> light_of_pixels: array<vec4<f32>>;
     @compute @workgroup_size(WORKGROUP_SIZE)
@@ -31,7 +31,7 @@ const LIGHT: &str = "
 /// How the sky mode `stars` reads the map of the Milky Way, which a [`Kernel`] cannot bind; and what
 /// takes its place: a light that is finite where the place and the level are. Pictures of the
 /// program have the map itself.
-const MAP: &str = "textureSampleLevel(milky_way, milky_way_sampler, place, level).rg";
+pub(crate) const MAP: &str = "textureSampleLevel(milky_way, milky_way_sampler, place, level).rg";
 const INSTEAD_OF_MAP: &str = "(abs(place.xy) / (1.0 + level))";
 
 /// The pixels of a picture, four by four those of 2 x 2 squares.

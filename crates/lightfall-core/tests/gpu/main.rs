@@ -36,6 +36,8 @@ mod omissions;
 mod part_headers;
 mod plane;
 mod presentation;
+mod projection;
+mod promises;
 #[path = "../physics/random.rs"]
 mod random;
 mod random_scene;

@@ -2,7 +2,7 @@
 //! picture.
 
 mod images;
-mod light;
+pub(crate) mod light;
 mod magnification;
 mod many;
 mod mesh;

@@ -15,7 +15,7 @@ use crate::gpu::error::GpuError;
 use crate::gpu::kernel::{table_bytes, uniform};
 use crate::gpu::read_back::read_back;
 use crate::gpu::scene::GpuScene;
-use crate::gpu::shader::Variant;
+use crate::gpu::shader::{ShaderFiles, Variant};
 use crate::optics::spectrum;
 use crate::optics::stars::Depth;
 use crate::optics::stars::images::{Inversion, MeshLayout};
@@ -141,6 +141,25 @@ impl StarRun {
             run.add_empty(gpu, bindings::STAR_SUMS, sums_size(size));
             run
         })
+    }
+
+    /// The same kernels, linked from other files.
+    ///
+    /// # Errors
+    /// They do not compile, or the device failed.
+    pub fn linked_from(
+        mut self,
+        gpu: &Gpu,
+        scene: &Scene,
+        files: &ShaderFiles,
+    ) -> Result<Self, GpuError> {
+        for (kernel, compiled) in &mut self.kernels {
+            let entry = kernel.entry_point();
+            let text = kernel.text(scene).linked_from(files);
+            let module = gpu.shader(entry, &text.source())?;
+            *compiled = gpu.validated(|| pipeline(gpu, &module, entry))?;
+        }
+        Ok(self)
     }
 
     fn add_bytes(&mut self, gpu: &Gpu, binding: u32, bytes: &[u8], usage: BufferUsages) {
