@@ -4,12 +4,10 @@ use super::cli::EntryArg;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::reports::bench::Plan;
 use lightfall_core::reports::circumstances::{Circumstances, date};
-use lightfall_core::reports::sources::Sources;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// The circumstances of a report made now on this device. `report` is the name of its CSV file,
-/// without its ending.
-pub(super) fn circumstances(gpu: &Gpu, report: &str, size: String, entry: &str) -> Circumstances {
+/// The circumstances of a report made now on this device.
+pub(super) fn circumstances(gpu: &Gpu, size: String, entry: &str) -> Circumstances {
     let info = &gpu.info;
     Circumstances {
         adapter: info.name.clone(),
@@ -20,7 +18,6 @@ pub(super) fn circumstances(gpu: &Gpu, report: &str, size: String, entry: &str) 
         size,
         entry: entry.into(),
         commit: commit().unwrap_or_else(|| format!("version {}", env!("CARGO_PKG_VERSION"))),
-        sources: Sources::of(report).map_or_else(String::new, |sources| sources.fingerprint.into()),
         date: date(
             SystemTime::now()
                 .duration_since(UNIX_EPOCH)
@@ -32,22 +29,12 @@ pub(super) fn circumstances(gpu: &Gpu, report: &str, size: String, entry: &str) 
 }
 
 /// What the plan is measured on, with this entry.
-pub(super) fn circumstances_of(
-    plan: &Plan,
-    gpu: &Gpu,
-    report: &str,
-    entry: EntryArg,
-) -> Circumstances {
+pub(super) fn circumstances_of(plan: &Plan, gpu: &Gpu, entry: EntryArg) -> Circumstances {
     let entry = match entry {
         EntryArg::Compute => "compute",
         EntryArg::Fragment => "fragment",
     };
-    circumstances(
-        gpu,
-        report,
-        format!("{}x{}", plan.size.x, plan.size.y),
-        entry,
-    )
+    circumstances(gpu, format!("{}x{}", plan.size.x, plan.size.y), entry)
 }
 
 /// The revision of the sources, if the environment variable LIGHTFALL_COMMIT names it. Git is not

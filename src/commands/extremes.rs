@@ -19,6 +19,9 @@ use lightfall_core::scene::Method;
 /// Number of scenes that a hunt lists even if their worst rays are within the tolerance.
 const MIN_LISTED: usize = 10;
 
+/// The seed of a hunt that names none.
+const DEFAULT_SEED: u64 = 1;
+
 /// Share of the work after which the time of the rest is estimated.
 const SAMPLE_SHARE: f64 = 0.03;
 
@@ -31,7 +34,7 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
             &gpu,
             &Hunt {
                 rays: rays as usize,
-                seed: args.seed,
+                seed: args.seed.unwrap_or(DEFAULT_SEED),
             },
             args,
         );
@@ -69,12 +72,7 @@ pub(super) fn extremes(args: &ExtremesArgs) -> Result<(), Stop> {
     progress.finish();
     let verdicts = measured.map_err(Stop::failed)?;
 
-    let circumstances = circumstances(
-        &gpu,
-        "extremes",
-        format!("{} rays a cell", args.rays),
-        "compute",
-    );
+    let circumstances = circumstances(&gpu, format!("{} rays a cell", args.rays), "compute");
     let (json, markdown) = (json(&circumstances, &verdicts), markdown(&verdicts));
     if let Some(folder) = &args.out {
         let csv = csv(&circumstances, &verdicts);
@@ -115,12 +113,7 @@ fn delays(args: &ExtremesArgs, gpu: &Gpu, cells: &[Cell], methods: &[Method]) ->
     progress.finish();
     let rows = measured.map_err(Stop::failed)?;
 
-    let circumstances = circumstances(
-        gpu,
-        "delays",
-        format!("{} rays a cell", args.rays),
-        "compute",
-    );
+    let circumstances = circumstances(gpu, format!("{} rays a cell", args.rays), "compute");
     let (json, table) = (json(&circumstances, &rows), delays_table(&rows));
     if let Some(folder) = &args.out {
         let csv = csv(&circumstances, &rows);
@@ -175,7 +168,6 @@ fn hunt(gpu: &Gpu, hunt: &Hunt, args: &ExtremesArgs) -> Result<(), Stop> {
     let rows: Vec<HuntRow> = listed.iter().map(WorstRay::row).collect();
     let circumstances = circumstances(
         gpu,
-        "hunt",
         format!(
             "{} in {}",
             counted(hunt.rays, "ray"),

@@ -96,6 +96,7 @@ fn rows_in<T: DeserializeOwned>(file: &Path, circumstances: &Circumstances) -> O
     let text = storage::read_text(file, MAX_BYTES).ok()?;
     let name = file.display();
     let reason = match Report::<T>::read(&text) {
+        _ if is_older_than_program(file) => "the program was built after them".into(),
         Err(error) => error,
         Ok(report) => match report.head.difference(circumstances) {
             Some(difference) => difference,
@@ -112,4 +113,12 @@ fn rows_in<T: DeserializeOwned>(file: &Path, circumstances: &Circumstances) -> O
         "lightfall: starts anew: the rows in {name} do not belong to this run: {reason}"
     ));
     None
+}
+
+/// Whether the program was built after the file was written. Two builds of a changed program may
+/// state the same revision.
+fn is_older_than_program(file: &Path) -> bool {
+    let changed = |path: &Path| path.metadata().and_then(|data| data.modified()).ok();
+    let program = std::env::current_exe().ok().and_then(|path| changed(&path));
+    changed(file) < program
 }

@@ -388,7 +388,7 @@ pub(super) fn write_still(file: &Path, still: &Still, scene: &Scene) -> Result<(
 /// Writes the times of a picture of this size as CSV.
 fn write_times(file: &Path, times: &[PassTime], size: UVec2) -> Result<(), Stop> {
     let size = format!("{}x{}", size.x, size.y);
-    let circumstances = circumstances(&device()?, "timings", size, "fragment");
+    let circumstances = circumstances(&device()?, size, "fragment");
     storage::write_atomically(file, csv(&circumstances, times).as_bytes()).map_err(Stop::failed)
 }
 

@@ -237,14 +237,16 @@ fn refining_is_a_measurement_of_its_own() {
 fn measurements_refuse_what_they_do_not_use() {
     for line in [
         "bench --light --rays 64",
-        "extremes --delay --seed 2",
-        "extremes --grid --seed 2",
+        "extremes --hunt 9 --grid",
+        "extremes --hunt 9 --delay",
     ] {
         let refused = refuse(&format!("lightfall {line}"));
         assert_eq!(refused.kind(), ErrorKind::ArgumentConflict, "{line}");
     }
-    let refused = refuse("lightfall extremes --seed 2");
-    assert_eq!(refused.kind(), ErrorKind::MissingRequiredArgument);
+    for line in ["", " --delay", " --grid"] {
+        let refused = refuse(&format!("lightfall extremes --seed 2{line}")).to_string();
+        assert!(refused.contains("--seed belongs to --hunt"), "{refused}");
+    }
 }
 
 #[test]

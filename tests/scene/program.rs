@@ -5,6 +5,7 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 use std::process;
+use std::time::{SystemTime, UNIX_EPOCH};
 
 /// What the program itself says to a command line: its exit status, standard output and standard
 /// error.
@@ -145,14 +146,22 @@ fn a_bench_that_was_stopped_goes_on_after_its_rows_unless_another_program_measur
     assert_eq!(resumed.len(), count);
     assert!(!partial.exists());
 
-    fs::write(&partial, stopped.replace("# adapter: ", "# adapter: not ")).unwrap();
-    let (status, _, stderr) = program(folder.path(), line, "");
-    assert_eq!(status, 0, "{stderr}");
-    assert!(
-        stderr.contains("starts anew") && stderr.contains("adapter was not"),
-        "{stderr}"
-    );
-    assert!(!partial.exists());
+    let of_another_adapter = stopped.replace("# adapter: ", "# adapter: not ");
+    for (text, written, reason) in [
+        (&of_another_adapter, SystemTime::now(), "adapter was not"),
+        (&stopped, UNIX_EPOCH, "the program was built after them"),
+    ] {
+        fs::write(&partial, text).unwrap();
+        let file = fs::File::options().write(true).open(&partial).unwrap();
+        file.set_modified(written).unwrap();
+        let (status, _, stderr) = program(folder.path(), line, "");
+        assert_eq!(status, 0, "{stderr}");
+        assert!(
+            stderr.contains("starts anew") && stderr.contains(reason),
+            "{stderr}"
+        );
+        assert!(!partial.exists());
+    }
 }
 
 #[test]

@@ -5,12 +5,11 @@ use crate::commands::circumstances::circumstances_of;
 use crate::commands::cli::BenchArgs;
 use crate::commands::stop::Stop;
 use lightfall_core::gpu::Gpu;
-use lightfall_core::reports::bench::{DelayMeasurement, Plan, delay_table, plot_delays};
+use lightfall_core::reports::bench::{DelayMeasurement, Plan, delay_table};
 
 /// Measures the delays, and prints and writes their report.
 pub(super) fn bench_delays(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
-    let circumstances = circumstances_of(plan, gpu, "delay", args.entry);
-    let about = circumstances.about();
+    let circumstances = circumstances_of(plan, gpu, args.entry);
     let left = |known: usize| plan.delay_rows().saturating_sub(known) as f64;
     let mut report = RowReport::<DelayMeasurement>::begin(args, "delay", circumstances, left);
     let rows = plan
@@ -20,7 +19,5 @@ pub(super) fn bench_delays(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(
             report.advance(task, 1.0);
         })
         .map_err(Stop::failed)?;
-    report.finish(plan, &rows, &delay_table(&rows), |scene| {
-        plot_delays(scene, &about, &rows)
-    })
+    report.finish(&rows, &delay_table(&rows))
 }

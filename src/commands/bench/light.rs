@@ -9,7 +9,7 @@ use lightfall_core::reports::bench::{LightMeasurement, Plan, light_table};
 
 /// Times the light of living disks, and prints and writes the report.
 pub(super) fn bench_light(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
-    let circumstances = circumstances_of(plan, gpu, "light", EntryArg::Compute);
+    let circumstances = circumstances_of(plan, gpu, EntryArg::Compute);
     let left = |known: usize| plan.light_rows().saturating_sub(known) as f64;
     let mut report = RowReport::<LightMeasurement>::begin(args, "light", circumstances, left);
     let rows = plan
@@ -18,5 +18,5 @@ pub(super) fn bench_light(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<()
             report.advance(format!("{}, {}", row.scene, row.method), 1.0);
         })
         .map_err(Stop::failed)?;
-    report.finish(plan, &rows, &light_table(&rows), |_| Ok(None))
+    report.finish(&rows, &light_table(&rows))
 }

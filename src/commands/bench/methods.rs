@@ -1,10 +1,9 @@
 //! `lightfall bench` without another switch: the errors of the methods against their run time.
 
-use super::plots::write_plots;
 use crate::commands::circumstances::circumstances_of;
 use crate::commands::cli::BenchArgs;
 use crate::commands::kept_rows::KeptRows;
-use crate::commands::output::{print, write_tables};
+use crate::commands::output::{print, write_report, write_tables};
 use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
 use crate::log::say;
@@ -12,7 +11,7 @@ use crate::picture;
 use glam::UVec2;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::reports::bench::{
-    AutoMargin, Measurement, Plan, Ranking, auto_margin, markdown, plot,
+    AutoMargin, BenchScene, Measurement, Plan, Ranking, auto_margin, markdown, plot,
 };
 use lightfall_core::reports::circumstances::Circumstances;
 use lightfall_core::reports::export::{csv, json};
@@ -32,7 +31,7 @@ pub(super) fn bench_methods(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<
         plan.len(),
         gpu.info.name
     ));
-    let circumstances = circumstances_of(plan, gpu, "bench", args.entry);
+    let circumstances = circumstances_of(plan, gpu, args.entry);
     let mut kept = KeptRows::open(args.out.as_deref(), "bench", &circumstances);
     let mut rows = measure(gpu, plan, &mut kept)?;
     if args.frames {
@@ -48,7 +47,11 @@ pub(super) fn bench_methods(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<
         let csv = csv(&circumstances, &rows);
         write_tables(folder, "bench", [&csv, &json, &markdown])?;
         let about = circumstances.about();
-        write_plots(folder, "", plan, |scene| plot(scene, &about, &rows))?;
+        for BenchScene { name, .. } in &plan.scenes {
+            if let Some(svg) = plot(name, &about, &rows).map_err(Stop::failed)? {
+                write_report(folder, &format!("{name}.svg"), &svg)?;
+            }
+        }
     }
     kept.remove();
     for scene in &plan.scenes {

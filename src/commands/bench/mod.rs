@@ -4,7 +4,6 @@ mod delays;
 mod light;
 mod methods;
 mod pictures;
-mod plots;
 mod refine;
 mod row_report;
 

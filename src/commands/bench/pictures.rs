@@ -9,7 +9,7 @@ use glam::UVec2;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::reports::bench::{
     BenchScene, PICTURE_SETTINGS, PictureError, PictureMeasurement, PictureSetting, Plan,
-    TRUE_SAMPLES, measured_part, pictures_table, plot_pictures, with_smooth_disk,
+    TRUE_SAMPLES, measured_part, pictures_table, with_smooth_disk,
 };
 
 /// The passes that a picture's sampling decides.
@@ -24,8 +24,7 @@ pub(super) fn bench_pictures(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result
         scenes: plan.scenes.iter().flat_map(with_smooth_disk).collect(),
         ..plan.clone()
     };
-    let circumstances = circumstances_of(plan, gpu, "pictures", EntryArg::Fragment);
-    let about = circumstances.about();
+    let circumstances = circumstances_of(plan, gpu, EntryArg::Fragment);
     let left = |known: usize| {
         let scenes = plan.scenes.len() - known / PICTURE_SETTINGS.len();
         scenes as f64 * frames_of_a_scene()
@@ -45,9 +44,7 @@ pub(super) fn bench_pictures(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result
         }
     }
     let rows = report.rows();
-    report.finish(plan, &rows, &pictures_table(&rows), |scene| {
-        plot_pictures(scene, &about, &rows)
-    })
+    report.finish(&rows, &pictures_table(&rows))
 }
 
 /// Number of frames that are drawn for the truth and all settings of a scene.

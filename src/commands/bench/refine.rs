@@ -5,9 +5,7 @@ use crate::commands::circumstances::circumstances;
 use crate::commands::cli::BenchArgs;
 use crate::commands::stop::Stop;
 use lightfall_core::gpu::Gpu;
-use lightfall_core::reports::bench::{
-    Plan, RefinementMeasurement, plot_refinements, refinement_table,
-};
+use lightfall_core::reports::bench::{Plan, RefinementMeasurement, refinement_table};
 
 /// Measures the errors of every series, and prints and writes their report.
 pub(super) fn bench_refinements(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {
@@ -17,7 +15,7 @@ pub(super) fn bench_refinements(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Res
              have these settings, and verlet needs hole.spin = 0",
         ));
     }
-    let circumstances = circumstances(gpu, "refine", "that of each scene".into(), "compute");
+    let circumstances = circumstances(gpu, "that of each scene".into(), "compute");
     let left = |known: usize| plan.refinement_rows().saturating_sub(known) as f64;
     let mut report = RowReport::<RefinementMeasurement>::begin(args, "refine", circumstances, left);
     let rows = plan
@@ -28,7 +26,5 @@ pub(super) fn bench_refinements(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Res
             report.advance(task, 1.0);
         })
         .map_err(Stop::failed)?;
-    report.finish(plan, &rows, &refinement_table(&rows), |scene| {
-        plot_refinements(scene, &gpu.info.name, &rows)
-    })
+    report.finish(&rows, &refinement_table(&rows))
 }

@@ -1,13 +1,11 @@
 //! A report of `lightfall bench` that grows row by row, keeps its rows while it is measured, and says
 //! how long the rest takes.
 
-use super::plots::write_plots;
 use crate::commands::cli::BenchArgs;
 use crate::commands::kept_rows::KeptRows;
 use crate::commands::output::{print, write_tables};
 use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
-use lightfall_core::reports::bench::Plan;
 use lightfall_core::reports::circumstances::Circumstances;
 use lightfall_core::reports::export::{csv, json};
 use serde::Serialize;
@@ -63,20 +61,13 @@ impl<'a, T: Clone + Serialize + DeserializeOwned> RowReport<'a, T> {
         self.progress.advance(work);
     }
 
-    /// Prints and writes the complete report. `plot` draws the scene of a name.
-    pub(super) fn finish(
-        self,
-        plan: &Plan,
-        rows: &[T],
-        table: &str,
-        plot: impl Fn(&str) -> Result<Option<String>, String>,
-    ) -> Result<(), Stop> {
+    /// Prints and writes the complete report.
+    pub(super) fn finish(self, rows: &[T], table: &str) -> Result<(), Stop> {
         self.progress.finish();
         let json = json(&self.circumstances, rows);
         if let Some(folder) = &self.args.out {
             let csv = csv(&self.circumstances, rows);
             write_tables(folder, self.name, [&csv, &json, table])?;
-            write_plots(folder, &format!("{}-", self.name), plan, plot)?;
         }
         self.kept.remove();
         print(if self.args.json { &json } else { table })

@@ -43,7 +43,7 @@ pub struct BenchArgs {
     pub frames: bool,
     /// Measure the time between emission and arrival instead: its error against the run time of
     /// tracing with 2, 3, 4 and 8 nodes, for closed and mino. --out then writes delay.csv,
-    /// delay.json, delay.md and plots delay-SCENE.svg
+    /// delay.json and delay.md
     #[arg(long, conflicts_with = "frames")]
     pub delay: bool,
     /// Time the light of a living disk instead: structure, limb darkening and the delay that they
@@ -53,14 +53,13 @@ pub struct BenchArgs {
     pub light: bool,
     /// Measure whole pictures instead: the error of single rays, of means of 4, 16 and 64 frames
     /// and of refined edges, against the run time, with 1024 frames as the truth. Without --scenes
-    /// that is edge-on, without --size at 960x540; a disk with structure is measured without it, too. --out then writes pictures.csv, pictures.json,
-    /// pictures.md and plots pictures-SCENE.svg
+    /// that is edge-on, without --size at 960x540; a disk with structure is measured without it, too. --out then writes pictures.csv, pictures.json
+    /// and pictures.md
     #[arg(long, conflicts_with_all = ["frames", "delay", "light", "entry", "methods", "rays", "quick"])]
     pub pictures: bool,
     /// Refine the article's methods instead: the errors of verlet and kerr-schild with ever shorter
     /// steps, larger budgets of steps and affine length, a farther radius of escape and a smaller
-    /// least step. --out then writes refine.csv, refine.json, refine.md and plots
-    /// refine-SCENE.svg
+    /// least step. --out then writes refine.csv, refine.json and refine.md
     #[arg(long, conflicts_with_all = ["frames", "delay", "light", "pictures", "entry", "size"])]
     pub refine: bool,
     /// Folder for the reports; it is created, and files of the same names are replaced
@@ -109,9 +108,9 @@ pub struct ExtremesArgs {
     /// lines trace the rays again
     #[arg(long, value_name = "N", conflicts_with_all = ["methods", "rays"], allow_negative_numbers = true, value_parser = whole_number::<u32>(1, 100_000_000))]
     pub hunt: Option<u32>,
-    /// Seed of the hunt's random numbers: the same seed finds the same rays
-    #[arg(long, value_name = "SEED", default_value_t = 1, requires = "hunt", conflicts_with_all = ["grid", "delay"], allow_negative_numbers = true, value_parser = whole_number::<u64>(0, u64::MAX))]
-    pub seed: u64,
+    /// Seed of the hunt's random numbers: the same seed finds the same rays [default: 1]
+    #[arg(long, value_name = "SEED", allow_negative_numbers = true, value_parser = whole_number::<u64>(0, u64::MAX))]
+    pub seed: Option<u64>,
     /// Folder for the reports; it is created, and files of the same names are replaced
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

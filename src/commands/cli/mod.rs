@@ -173,6 +173,15 @@ fn with_options(
             *after = before.followed_by(after).ok_or_else(|| conflict(message))?;
         }
         Command::ListGpus => {}
+        Command::Extremes(ExtremesArgs {
+            hunt: None,
+            seed: Some(_),
+            ..
+        }) => {
+            return Err(conflict(
+                "--seed belongs to --hunt: every other run of `extremes` measures the same scenes",
+            ));
+        }
         Command::Presets(_) if before == SceneArgs::default() => {}
         Command::Bench(_) | Command::Extremes(_) if before == SceneArgs::default() => {}
         Command::Presets(_) => return Err(conflict("`presets` takes no scene options")),

@@ -19,8 +19,6 @@ pub struct Circumstances {
     pub entry: String,
     /// Revision of the program.
     pub commit: String,
-    /// Fingerprint of the report's [`Sources`](super::sources::Sources).
-    pub sources: String,
     /// The day on which the measurement ended, in universal time, as [`date`] writes it.
     pub date: String,
     /// Time of a run that only traces straight lines, in milliseconds, in reports of times.
@@ -43,7 +41,6 @@ impl Circumstances {
             ("size", Some(self.size.clone())),
             ("entry", Some(self.entry.clone())),
             ("commit", Some(self.commit.clone())),
-            ("sources", Some(self.sources.clone())),
             ("date", Some(self.date.clone())),
             ("floor_ms", floor),
             ("command", Some(self.command.clone())),

@@ -7,6 +7,5 @@ pub mod extremes;
 pub mod import;
 pub mod inspection;
 pub mod rays;
-pub mod sources;
 pub mod steps;
 pub mod work;

@@ -1,5 +1,7 @@
 //! How light is traced: the methods, and what distinguishes one from another.
 
+use super::promises;
+
 crate::words! {
     /// How light is traced.
     pub enum Method {
@@ -53,13 +55,6 @@ pub struct MethodProperties {
     max_without_spin: f64,
 }
 
-/// The largest backward error of `closed` around holes that spin, next to the horizon and for
-/// observers that move fast, in radians: what hunts through random scenes find (docs/EXTREMES.md).
-const CLOSED_SPINNING_MAX: f64 = 6e-6;
-/// What 99 of 100 of its rays hold in the scenes of `bench` (docs/ACCURACY.md).
-const CLOSED_SPINNING_P99: f64 = 6e-7;
-
-/// What f32 leaves of a direction, solved in closed form.
 const CLOSED: MethodProperties = MethodProperties {
     spins: true,
     inside: true,
@@ -68,8 +63,8 @@ const CLOSED: MethodProperties = MethodProperties {
     answers_every_ray: true,
     setting: AccuracySetting::None,
     min_step: 0.0,
-    p99_without_spin: Some(3e-7),
-    max_without_spin: 1e-6,
+    p99_without_spin: Some(promises::CLOSED_P99),
+    max_without_spin: promises::CLOSED_MAX,
 };
 
 const MINO: MethodProperties = MethodProperties {
@@ -80,8 +75,8 @@ const MINO: MethodProperties = MethodProperties {
     answers_every_ray: true,
     setting: AccuracySetting::MaxError,
     min_step: 0.0,
-    p99_without_spin: Some(4e-6),
-    max_without_spin: 2e-6,
+    p99_without_spin: Some(promises::MINO_P99),
+    max_without_spin: promises::MINO_MAX,
 };
 
 /// The article's methods are held to a pixel of the article's own pictures, 960x540 at 60 degrees.
@@ -146,24 +141,25 @@ impl Method {
     }
 
     /// The backward error that 99 of 100 rays around a hole of spin `chi` hold at the default setting, in
-    /// radians (docs/ACCURACY.md); none where nothing is stated.
+    /// radians; none where nothing is promised.
     #[must_use]
     pub fn backward_p99(self, chi: f64) -> Option<f64> {
         let spins = self.resolved() == Self::Closed && chi != 0.0;
-        self.properties()
-            .p99_without_spin
-            .map(|p99| if spins { CLOSED_SPINNING_P99 } else { p99 })
+        self.properties().p99_without_spin.map(|p99| {
+            if spins {
+                promises::CLOSED_SPINNING_P99
+            } else {
+                p99
+            }
+        })
     }
 
     /// The largest backward error of any ray around a hole of spin `chi`, in radians, if the method's
-    /// own setting is not larger (docs/EXTREMES.md).
-    ///
-    /// In closed form the azimuth of a ray that lingers next to the horizon is a rate times a time.
-    /// The rate grows as 1/(r_+ - r_-), and f32 keeps 1e-7 of it.
+    /// own setting is not larger.
     #[must_use]
     pub fn backward_max(self, chi: f64) -> f64 {
         if self.resolved() == Self::Closed && chi != 0.0 {
-            CLOSED_SPINNING_MAX + 2e-7 / (1.0 - chi * chi).sqrt()
+            promises::CLOSED_SPINNING_MAX + promises::CLOSED_LINGERING / (1.0 - chi * chi).sqrt()
         } else {
             self.properties().max_without_spin
         }

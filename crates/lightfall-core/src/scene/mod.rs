@@ -26,6 +26,7 @@ mod method;
 mod pose;
 pub mod presets;
 mod projection;
+pub mod promises;
 mod range;
 mod relevant;
 mod row;

@@ -19,7 +19,6 @@ pub fn circumstances() -> Circumstances {
         size: text("160x90"),
         entry: text("compute"),
         commit: text("0123"),
-        sources: text("01234567"),
         date: text("2026-02-28"),
         floor_ms: Some(0.025),
         command: text("lightfall bench --quick"),
@@ -156,10 +155,6 @@ fn rows_belong_to_a_run_of_the_same_machine_program_and_command_on_any_day() {
         },
         Circumstances {
             commit: "4567".into(),
-            ..later.clone()
-        },
-        Circumstances {
-            sources: "89abcdef".into(),
             ..later.clone()
         },
         Circumstances {

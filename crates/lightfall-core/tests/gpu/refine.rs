@@ -3,7 +3,7 @@
 use crate::bench_rows::circumstances;
 use crate::gpu;
 use lightfall_core::reports::bench::{
-    Plan, RefinementMeasurement, Study, plot_refinements, refinement_table, scenes,
+    Plan, RefinementMeasurement, Study, refinement_table, scenes,
 };
 use lightfall_core::reports::export::csv;
 use lightfall_core::reports::import::Report;
@@ -52,18 +52,6 @@ fn each_series_reduces_the_error_that_it_is_about() {
     assert!(small.backward_p99 < 0.5 * large.backward_p99, "{small:?}");
     assert!(small.steps_mean > 1.2 * large.steps_mean, "{small:?}");
 
-    let svg = plot_refinements("edge-on", "a test", &rows)
-        .unwrap()
-        .unwrap();
-    assert!(svg.contains("edge-on, verlet: a test") && !svg.contains("kerr-schild"));
-    for study in Study::ALL {
-        assert!(svg.contains(study.word()), "{}", study.word());
-    }
-    assert_eq!(
-        plot_refinements("edge-on-spinning", "", &rows),
-        Ok(None),
-        "nothing was measured there"
-    );
     let text = csv(&circumstances(), &rows);
     let lines = text.lines().filter(|line| !line.starts_with('#'));
     assert_eq!(lines.count(), 1 + rows.len());

@@ -1,12 +1,12 @@
 //! The structure of the source: which module may import from which. These tests read the source
-//! files, the documents and their measured figures, and need neither Bevy nor a GPU.
+//! files and the documents, and need neither Bevy nor a GPU.
 //! docs/ARCHITECTURE.md explains the order.
 
 mod documents;
 mod examples;
-mod figures;
 mod graph;
 mod program;
+mod promises;
 mod rules;
 mod source;
 mod tokens;

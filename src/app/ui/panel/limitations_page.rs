@@ -2,25 +2,38 @@
 
 use crate::app::controls::bindings::Bindings;
 use bevy_egui::egui;
+use lightfall_core::scene::promises::{
+    CLOSED_MAX, CLOSED_SPINNING_P99, MINO_DELAY, STAR_FLUX_SPINNING,
+};
 
-const EXACT: [&str; 8] = [
-    "Where light goes: every pixel of the background is a null geodesic of Schwarzschild or Kerr. Its error is the smallest \
-     turn of the pixel's ray that explains the answer. In closed form (closed) the turn is below 1e-6 rad without spin, \
-     0.0006 of a pixel of preset 2. With spin it is within 6e-7 rad for 99 of 100 rays, and within some 1e-5 rad for nearly \
-     every ray. Some rays exceed these bounds in extreme scenes: around a nearly extremal hole, next to the horizon or inside \
-     it, or for an observer nearly as fast as light. The ray inspector measures the error for the pixel that you click.",
-    "The shadow's edge, the order of the images, and which rays are captured. The same turn measures their errors.",
-    "The shift g of light from the disk and from the sky: gravity, Doppler and aberration together, for any observer.",
-    "How the disk moves, and when you see it: matter goes round on circular orbits of Schwarzschild or Kerr, the rotation shears \
-     what it carries, and each point is seen as it was when its light left. The travel time of this light is accurate to \
-     0.002 r_s/c for the place that is found (closed and mino).",
-    "Limb darkening: the flux of each place stays what it is, and is spread over the directions as by an atmosphere that \
-     scatters light on electrons (within 0.25 %).",
-    "The observer: at rest, with zero angular momentum, in orbit or in free fall, and boosted. Its frame decides what is seen.",
-    "Black-body colours: Planck's law and the CIE 1931 observer.",
-    "The stars: 9096 of the Bright Star Catalogue, at their true places and with their true brightness. Each image is a point with the \
-     magnification of its light: right to 0.002 for 99 of 100 images, less next to a caustic.",
-];
+/// What is exact, with the errors that the program promises.
+fn exact() -> [String; 8] {
+    [
+        format!(
+            "Where light goes: every pixel of the background is a null geodesic of Schwarzschild or Kerr. Its error is the \
+             smallest turn of the pixel's ray that explains the answer. In closed form (closed) the turn is below {CLOSED_MAX:e} \
+             rad without spin, a thousandth of a pixel of preset 2 or less. With spin it is within {CLOSED_SPINNING_P99:e} rad for \
+             99 of 100 rays, and within some 1e-5 rad for nearly every ray. Some rays exceed these bounds in extreme scenes: \
+             around a nearly extremal hole, next to the horizon or inside it, or for an observer nearly as fast as light. The \
+             ray inspector measures the error for the pixel that you click."
+        ),
+        "The shadow's edge, the order of the images, and which rays are captured. The same turn measures their errors.".into(),
+        "The shift g of light from the disk and from the sky: gravity, Doppler and aberration together, for any observer.".into(),
+        format!(
+            "How the disk moves, and when you see it: matter goes round on circular orbits of Schwarzschild or Kerr, the rotation \
+             shears what it carries, and each point is seen as it was when its light left. The travel time of this light is \
+             accurate to {MINO_DELAY} r_s/c for the place that is found (closed and mino)."
+        ),
+        "Limb darkening: the flux of each place stays what it is, and is spread over the directions as by an atmosphere that \
+         scatters light on electrons (within 0.25 %).".into(),
+        "The observer: at rest, with zero angular momentum, in orbit or in free fall, and boosted. Its frame decides what is seen.".into(),
+        "Black-body colours: Planck's law and the CIE 1931 observer.".into(),
+        format!(
+            "The stars: 9096 of the Bright Star Catalogue, at their true places and with their true brightness. Each image is a \
+             point with the magnification of its light: right to {STAR_FLUX_SPINNING} for 99 of 100 images, less next to a caustic."
+        ),
+    ]
+}
 
 const STATISTICS: [&str; 2] = [
     "The disk's filaments: a random pattern with the spread, the tilt and the lifetime that simulations of turbulence find. It \
@@ -58,7 +71,7 @@ pub(super) fn show(ui: &mut egui::Ui, bindings: &Bindings) {
         key("picture.bypass")
     );
     let art = [&ART[..], &[&cells, "The probe's design."]].concat();
-    list(ui, "Exact, to the error stated", &EXACT);
+    list(ui, "Exact, to the error stated", &exact());
     list(ui, "Statistics", &STATISTICS);
     list(ui, "Approximate", &approximate);
     list(ui, "Art", &art);
@@ -75,12 +88,12 @@ pub(super) fn show(ui: &mut egui::Ui, bindings: &Bindings) {
     ));
 }
 
-fn list(ui: &mut egui::Ui, title: &str, items: &[&str]) {
+fn list(ui: &mut egui::Ui, title: &str, items: &[impl AsRef<str>]) {
     ui.strong(title);
     for item in items {
         ui.horizontal_top(|ui| {
             ui.label("•");
-            ui.add(egui::Label::new(*item).wrap());
+            ui.add(egui::Label::new(item.as_ref()).wrap());
         });
     }
     ui.add_space(10.0);

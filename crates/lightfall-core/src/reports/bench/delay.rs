@@ -1,7 +1,6 @@
 //! The error of the time between emission and arrival against the run time of tracing with it.
 
 use super::plan::Plan;
-use super::plot::{Axes, Mark, plot_marks};
 use super::scenes::BenchScene;
 use crate::accuracy::{Quantiles, Ray, hits, rays_over_picture};
 use crate::geometry::kerr::Kerr;
@@ -211,35 +210,6 @@ fn delay_errors((expected, found): (&Trace, &Trace)) -> impl Iterator<Item = (f6
             let (expected, found) = (expected?, found?);
             Some((expected.r, (expected.delay? - found.delay?).abs()))
         })
-}
-
-/// The scene's rows as SVG: error of the delays against run time. `None` if there is nothing to
-/// draw.
-///
-/// # Errors
-/// The message of the plotting library.
-pub fn plot_delays(
-    scene: &str,
-    about: &str,
-    rows: &[DelayMeasurement],
-) -> Result<Option<String>, String> {
-    let own = rows
-        .iter()
-        .filter(|row| row.scene == scene && row.nodes > 0);
-    let marks: Vec<Mark> = own
-        .map(|row| Mark {
-            line: row.method.clone(),
-            label: row.nodes.to_string(),
-            cost: row.trace_ms,
-            error: row.delay_p99,
-            on_front: false,
-        })
-        .collect();
-    plot_marks(
-        &format!("{scene}: {about}"),
-        Axes::of_tracing("error of the delay, r_s/c, 99th percentile"),
-        marks,
-    )
 }
 
 /// The rows as a Markdown table, with each time relative to tracing without delays.

@@ -16,7 +16,7 @@ mod scenes;
 mod settings;
 mod studies;
 
-pub use delay::{DelayMeasurement, delay_table, plot_delays};
+pub use delay::{DelayMeasurement, delay_table};
 pub use equal_error::{AtEqualError, at_equal_error};
 pub use light::{LightMeasurement, light_table};
 pub use markdown::{markdown, ratio_range};
@@ -24,11 +24,11 @@ pub use measurement::Measurement;
 pub use pareto::{AutoMargin, Ranking, auto_margin, is_on_front};
 pub use pictures::{
     PICTURE_SETTINGS, PictureError, PictureMeasurement, PictureSetting, TRUE_SAMPLES,
-    measured_part, pictures_table, plot_pictures, shown_brightness, with_smooth_disk,
+    measured_part, pictures_table, shown_brightness, with_smooth_disk,
 };
 pub use plan::{Plan, Step};
 pub use plot::plot;
-pub use refine::{RefinementMeasurement, plot_refinements, refinement_table};
+pub use refine::{RefinementMeasurement, refinement_table};
 pub use scenes::{BenchScene, scenes};
 pub use settings::{Setting, methods_for, settings};
 pub use studies::Study;

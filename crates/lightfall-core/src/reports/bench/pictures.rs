@@ -1,7 +1,6 @@
 //! The error of whole pictures against the time that their rays take: single rays, means of several
 //! frames, and refined edges.
 
-use super::plot::{Axes, Mark, plot_marks};
 use super::scenes::BenchScene;
 use crate::scene::{DiskStructure, LimbDarkening, Scene, SkyMode};
 use serde::{Deserialize, Serialize};
@@ -157,8 +156,8 @@ pub struct PictureMeasurement {
 }
 
 impl PictureMeasurement {
-    /// Name of the line of the plot that the row belongs to.
-    fn line(&self) -> &'static str {
+    /// What a pixel gets, for people.
+    fn rays(&self) -> &'static str {
         if self.antialias {
             "edges refined"
         } else {
@@ -178,7 +177,7 @@ pub fn pictures_table(rows: &[PictureMeasurement]) -> String {
         text += &format!(
             "| {} | {} | {} | {:.2} | {:.2} | {:.4} | {:.4} | {:.3} |\n",
             row.scene,
-            row.line(),
+            row.rays(),
             row.samples,
             row.picture_ms,
             row.over_one,
@@ -188,30 +187,4 @@ pub fn pictures_table(rows: &[PictureMeasurement]) -> String {
         );
     }
     text
-}
-
-/// The scene's rows as SVG: error against run time. `None` if there is nothing to draw.
-///
-/// # Errors
-/// The message of the plotting library.
-pub fn plot_pictures(
-    scene: &str,
-    about: &str,
-    rows: &[PictureMeasurement],
-) -> Result<Option<String>, String> {
-    let own = rows.iter().filter(|row| row.scene == scene);
-    let marks: Vec<Mark> = own
-        .map(|row| Mark {
-            line: row.line().into(),
-            label: row.samples.to_string(),
-            cost: row.picture_ms,
-            error: row.rms,
-            on_front: false,
-        })
-        .collect();
-    let axes = Axes {
-        cost: "time to trace, refine and average the picture, ms",
-        error: "error of the shown brightness, rms",
-    };
-    plot_marks(&format!("{scene}: {about}"), axes, marks)
 }

@@ -1,4 +1,4 @@
-//! Plots of error against run time or another cost: both axes logarithmic, one line per method.
+//! The plot of error against run time: both axes logarithmic, one line per method.
 
 use super::labels::place_labels;
 use super::measurement::Measurement;
@@ -16,44 +16,25 @@ const LEGEND: [i32; 4] = [716, 34, 848, 140];
 /// Lengths of the dashes of the Pareto front and of the gaps between them, in pixels.
 const DASHES: [i32; 2] = [5, 4];
 
-/// What the axes of a plot show.
-#[derive(Clone, Copy)]
-pub(super) struct Axes<'a> {
-    pub cost: &'a str,
-    pub error: &'a str,
-}
-
-impl<'a> Axes<'a> {
-    /// An error against the time of tracing.
-    pub(super) fn of_tracing(error: &'a str) -> Self {
-        Self {
-            cost: "time to trace the picture's rays, ms",
-            error,
-        }
-    }
-}
-
 /// One colour per line, from a set that colour-blind people can tell apart (Okabe & Ito 2008).
-fn colour(line: &str) -> RGBColor {
-    match line {
-        "closed" | "edges refined" | "step-scale" => RGBColor(0, 114, 178),
-        "mino" | "escape-radius" => RGBColor(0, 158, 115),
-        "verlet" | "single rays" | "budget" => RGBColor(213, 94, 0),
+fn colour(method: &str) -> RGBColor {
+    match method {
+        "closed" => RGBColor(0, 114, 178),
+        "mino" => RGBColor(0, 158, 115),
+        "verlet" => RGBColor(213, 94, 0),
         _ => RGBColor(204, 121, 167),
     }
 }
 
-/// A mark of a plot.
-pub(super) struct Mark {
-    /// The line that it belongs to.
-    pub line: String,
-    pub label: String,
-    /// Where it lies along the horizontal axis.
-    pub cost: f64,
+/// A mark of the plot.
+struct Mark<'a> {
+    method: &'a str,
+    label: String,
+    time_ms: f64,
     /// A mark whose error is infinite becomes a cross at the upper edge.
-    pub error: f64,
+    error_px: f64,
     /// Whether it belongs to the Pareto front, which is drawn dashed.
-    pub on_front: bool,
+    on_front: bool,
 }
 
 /// The scene's rows as SVG. `None` if there is nothing to draw. Rows whose error is infinite,
@@ -65,64 +46,22 @@ pub fn plot(scene: &str, about: &str, rows: &[Measurement]) -> Result<Option<Str
     let own = rows.iter().filter(|row| row.scene == scene);
     let marks: Vec<Mark> = own
         .map(|row| Mark {
-            line: row.method.clone(),
+            method: &row.method,
             label: row.setting_label(),
-            cost: row.trace_ms,
-            error: row.backward_p99_px,
+            time_ms: row.trace_ms,
+            error_px: row.backward_p99_px,
             on_front: is_on_front(rows, row),
         })
         .collect();
-    plot_marks(
-        &format!("{scene}: {about}"),
-        Axes::of_tracing("backward error, pixels, 99th percentile"),
-        marks,
-    )
-}
-
-/// The marks as SVG. `None` if there is nothing to draw.
-///
-/// # Errors
-/// The message of the plotting library.
-pub(super) fn plot_marks(
-    caption: &str,
-    axes: Axes,
-    marks: Vec<Mark>,
-) -> Result<Option<String>, String> {
-    plot_panels(&[Panel {
-        caption: caption.into(),
-        axes,
-        marks,
-    }])
-}
-
-/// One chart of a plot.
-pub(super) struct Panel<'a> {
-    pub caption: String,
-    pub axes: Axes<'a>,
-    pub marks: Vec<Mark>,
-}
-
-/// The charts that have anything to draw as SVG, one below the other. `None` if none has.
-///
-/// # Errors
-/// The message of the plotting library.
-pub(super) fn plot_panels(panels: &[Panel]) -> Result<Option<String>, String> {
-    let drawn: Vec<(&Panel, [f64; 4])> = panels
-        .iter()
-        .filter_map(|panel| Some((panel, ends(&panel.marks)?)))
-        .collect();
-    if drawn.is_empty() {
+    let Some(ends) = ends(&marks) else {
         return Ok(None);
-    }
+    };
     let mut svg = String::new();
     {
-        let size = (SIZE.0, SIZE.1 * drawn.len() as u32);
-        let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-        let parts = area.split_evenly((drawn.len(), 1));
-        for ((panel, ends), part) in drawn.into_iter().zip(parts) {
-            draw(&part, panel, ends).map_err(|error| error.to_string())?;
-        }
-        area.present().map_err(|error| error.to_string())?;
+        let area = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
+        draw(&area, &format!("{scene}: {about}"), &marks, ends)
+            .and_then(|()| area.present())
+            .map_err(|error| error.to_string())?;
     }
     Ok(Some(svg))
 }
@@ -134,8 +73,8 @@ fn ends(marks: &[Mark]) -> Option<[f64; 4]> {
         let high = values.iter().copied().fold(0.0, f64::max);
         (low, high)
     };
-    let (cheapest, dearest) = ends(marks.iter().map(|mark| mark.cost).collect());
-    let errors = marks.iter().map(|mark| mark.error);
+    let (cheapest, dearest) = ends(marks.iter().map(|mark| mark.time_ms).collect());
+    let errors = marks.iter().map(|mark| mark.error_px);
     let (least, most) = ends(
         errors
             .filter(|error| error.is_finite() && *error > 0.0)
@@ -153,13 +92,13 @@ type Drawn<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBacke
 
 fn draw<'a>(
     area: &DrawingArea<SVGBackend<'a>, plotters::coord::Shift>,
-    panel: &Panel,
+    caption: &str,
+    marks: &[Mark],
     [left, right, bottom, top]: [f64; 4],
 ) -> Drawn<'a> {
-    let own = &panel.marks;
     area.fill(&WHITE)?;
     let mut chart = ChartBuilder::on(area)
-        .caption(&panel.caption, ("sans-serif", 17))
+        .caption(caption, ("sans-serif", 17))
         .margin(12)
         .x_label_area_size(44)
         .y_label_area_size(76)
@@ -168,36 +107,33 @@ fn draw<'a>(
         .configure_mesh()
         .light_line_style(RGBColor(238, 238, 238))
         .bold_line_style(RGBColor(215, 215, 215))
-        .x_desc(panel.axes.cost)
-        .y_desc(panel.axes.error)
+        .x_desc("time to trace the picture's rays, ms")
+        .y_desc("backward error, pixels, 99th percentile")
         .x_label_formatter(&|x| decade(*x))
         .y_label_formatter(&|y| decade(*y))
         .label_style(("sans-serif", 13))
         .draw()?;
     let ceiling = top / 1.6;
     let place = |mark: &Mark| {
-        let height = if mark.error.is_finite() {
-            mark.error
+        let height = if mark.error_px.is_finite() {
+            mark.error_px
         } else {
             ceiling
         };
-        (mark.cost, height)
+        (mark.time_ms, height)
     };
-    let mut lines: Vec<&str> = own.iter().map(|mark| mark.line.as_str()).collect();
-    lines.dedup();
-    let points: Vec<[i32; 2]> = own
+    let mut methods: Vec<&str> = marks.iter().map(|mark| mark.method).collect();
+    methods.dedup();
+    let points: Vec<[i32; 2]> = marks
         .iter()
         .map(|mark| chart.backend_coord(&place(mark)).into())
         .collect();
-    let sizes: Vec<[i32; 2]> = own
+    let sizes: Vec<[i32; 2]> = marks
         .iter()
         .map(|mark| [LETTER[0] * mark.label.len() as i32, LETTER[1]])
         .collect();
-    // Coordinates are those of the whole plot.
-    let above = area.get_pixel_range().1.start;
-    let legend = [LEGEND[0], LEGEND[1] + above, LEGEND[2], LEGEND[3] + above];
-    for (mark, corner) in own.iter().zip(place_labels(&points, &sizes, legend)) {
-        let colour = colour(&mark.line);
+    for (mark, corner) in marks.iter().zip(place_labels(&points, &sizes, LEGEND)) {
+        let colour = colour(mark.method);
         let style = ("sans-serif", 11)
             .into_font()
             .color(&colour)
@@ -207,18 +143,18 @@ fn draw<'a>(
         });
         chart.draw_series(label)?;
     }
-    for line in lines {
-        let colour = colour(line);
-        let mut points: Vec<&Mark> = own.iter().filter(|mark| mark.line == line).collect();
-        points.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    for method in methods {
+        let colour = colour(method);
+        let mut points: Vec<&Mark> = marks.iter().filter(|mark| mark.method == method).collect();
+        points.sort_by(|a, b| a.time_ms.total_cmp(&b.time_ms));
         let places = points.iter().map(|mark| place(mark));
         chart
             .draw_series(LineSeries::new(places, colour.stroke_width(1)))?
-            .label(line)
+            .label(method)
             .legend(move |(x, y)| Circle::new((x + 8, y), 5, colour.filled()));
         for mark in points {
             let place = place(mark);
-            if mark.error.is_finite() {
+            if mark.error_px.is_finite() {
                 chart.draw_series(std::iter::once(Circle::new(place, 5, colour.filled())))?;
             } else {
                 chart.draw_series(std::iter::once(Cross::new(
@@ -229,10 +165,10 @@ fn draw<'a>(
             }
         }
     }
-    let mut front: Vec<(f64, f64)> = own
+    let mut front: Vec<(f64, f64)> = marks
         .iter()
         .filter(|mark| mark.on_front)
-        .map(|mark| (mark.cost, mark.error))
+        .map(|mark| (mark.time_ms, mark.error_px))
         .collect();
     front.sort_by(|a, b| a.0.total_cmp(&b.0));
     if !front.is_empty() {

@@ -2,7 +2,6 @@
 //! a farther radius of escape and a smaller least step.
 
 use super::plan::Plan;
-use super::plot::{Axes, Mark, Panel, plot_panels};
 use super::scenes::BenchScene;
 use super::settings::methods_for;
 use super::studies::{Refinement, Study, refinements};
@@ -238,41 +237,4 @@ pub fn refinement_table(rows: &[RefinementMeasurement]) -> String {
         );
     }
     text
-}
-
-/// The scene's rows as SVG, one chart for each method: error against steps, one line per series.
-/// `None` if there is nothing to draw.
-///
-/// # Errors
-/// The message of the plotting library.
-pub fn plot_refinements(
-    scene: &str,
-    about: &str,
-    rows: &[RefinementMeasurement],
-) -> Result<Option<String>, String> {
-    let panels: Vec<Panel> = [Method::Verlet, Method::KerrSchild]
-        .into_iter()
-        .map(|method| {
-            let own = rows
-                .iter()
-                .filter(|row| row.scene == scene && row.method == method.word());
-            Panel {
-                caption: format!("{scene}, {}: {about}", method.word()),
-                axes: Axes {
-                    cost: "steps of a ray, on average",
-                    error: "backward error, pixels, 99th percentile",
-                },
-                marks: own
-                    .map(|row| Mark {
-                        line: row.study.word().into(),
-                        label: row.label(),
-                        cost: row.steps_mean,
-                        error: row.backward_p99_px,
-                        on_front: false,
-                    })
-                    .collect(),
-            }
-        })
-        .collect();
-    plot_panels(&panels)
 }

@@ -12,13 +12,11 @@ use crate::optics::reference::Reference;
 use crate::optics::trace::Trace;
 use crate::reports::bench::methods_for;
 use crate::reports::import::or_nan;
+use crate::scene::promises::MATTER_TURN;
 use crate::scene::{Method, Scene};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
-
-/// The largest turn of the disk's matter, in radians, that the error of a delay may be worth.
-const MAX_TURN: f64 = 1e-3;
 
 /// The delays of a method in a cell, compared with the reference's.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
@@ -142,11 +140,11 @@ impl CellDelays {
             self.turn_at_place_max = greater(self.turn_at_place_max, at_place);
         }
         // NaN is not small.
-        if turn <= MAX_TURN {
+        if turn <= MATTER_TURN {
             return;
         }
         self.over += 1;
-        if at_place <= MAX_TURN + rate * error.light_time_of_rounding(kerr) {
+        if at_place <= MATTER_TURN + rate * error.light_time_of_rounding(kerr) {
             self.place += 1;
         } else if !error.same_place() && error.plain.is_finite() {
             self.far += 1;

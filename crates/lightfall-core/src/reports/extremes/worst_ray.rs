@@ -121,10 +121,14 @@ impl WorstRay {
     /// A sentence about this ray.
     #[must_use]
     pub fn verdict(&self) -> String {
-        let error = format!(
-            "at most {:.2e} rad, {:.2} of its tolerance",
-            self.backward, self.excess
-        );
+        let error = if self.backward.is_finite() {
+            format!(
+                "at most {:.2e} rad, {:.2} of its tolerance",
+                self.backward, self.excess
+            )
+        } else {
+            "no bound".into()
+        };
         let count = format!(
             "{} of the scene beyond it, {} unexplained",
             counted(self.beyond, "ray"),

@@ -6,6 +6,7 @@ use lightfall_core::accuracy::TimedRay;
 use lightfall_core::gpu::rays;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::scene::Scene;
+use lightfall_core::scene::promises::{CLOSED_DELAY, MINO_DELAY};
 
 /// What a method may be wrong by.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +24,7 @@ pub struct Bar {
 /// A thousandth of a radian of the innermost orbits. At most 4e-4 r_s/c are measured, the error of
 /// four Gaussian nodes next to the critical curve. Up to 0.063 of the hits are elsewhere.
 pub const CLOSED: Bar = Bar {
-    delay: 1e-3,
+    delay: CLOSED_DELAY,
     beyond: 0.0,
     elsewhere: 0.1,
 };
@@ -36,10 +37,9 @@ pub const CLOSED_INSIDE_SPINNING: Bar = Bar {
     ..CLOSED
 };
 
-/// Twice as much: up to 1.6e-3 r_s/c are measured, from the quadrature over the method's long
-/// steps. Up to 0.042 of the hits are elsewhere.
+/// Up to 1.6e-3 r_s/c are measured. Up to 0.042 of the hits are elsewhere.
 pub const MINO: Bar = Bar {
-    delay: 2e-3,
+    delay: MINO_DELAY,
     beyond: 0.0,
     elsewhere: 0.12,
 };

@@ -2,6 +2,7 @@
 
 use super::{bright_stars, limit_flux, place_of, preset, star_light, truths};
 use crate::quantile;
+use lightfall_core::scene::promises::STAR_PLACE_PX;
 use lightfall_core::scene::{Method, ObserverKind, Scene};
 use std::collections::HashSet;
 
@@ -44,7 +45,7 @@ fn compare(name: &str, scene: &Scene) {
         worst(&temperatures),
     );
     assert_eq!(missing, 0, "{name}");
-    assert!(worst(&places) < 1e-3, "{name}");
+    assert!(worst(&places) < STAR_PLACE_PX, "{name}");
     assert!(worst(&temperatures) < 1e-5, "{name}");
     // Next to the shadow the radius of a crossing of the disk, and with it the light that passes
     // where the disk fades, changes fast with the direction.

@@ -6,6 +6,7 @@ use glam::DMat3;
 use lightfall_core::gpu::stars::{GpuStarImage, PackedStars, StarRun, mesh_layout};
 use lightfall_core::optics::stars::images::MeshLayout;
 use lightfall_core::optics::stars::{Catalogue, Depth, Star, StarList};
+use lightfall_core::scene::promises::STAR_LIGHT_MISSED_FALLING;
 use lightfall_core::scene::{ObserverKind, Scene};
 
 /// How deep the stars go.
@@ -69,7 +70,7 @@ fn a_falling_observer_sees_the_light_that_a_finer_mesh_finds() {
         // Images of high order lie between the rays next to the shadow. They have less than a 30th of
         // their star's light, but the blue shift makes them bright. About 1e-2 is missed; a search
         // among the 1000 brightest stars alone, where cells see much of the sky, missed 9e-2.
-        assert!(missed.abs() < 2e-2, "{missed:e}");
+        assert!(missed.abs() < STAR_LIGHT_MISSED_FALLING, "{missed:e}");
     }
 }
 

@@ -1,8 +1,7 @@
 //! docs/PASSES.md.
 
-use super::document::Figures;
-use super::render::short;
-use super::timings::{Machine, Passes, by_machine, sources};
+use crate::render::short;
+use crate::timings::{Machine, Passes, by_machine, sources};
 
 /// The passes with a row of their own.
 const NAMED: Passes = &[
@@ -18,19 +17,17 @@ const NAMED: Passes = &[
 ];
 const GEODESIC: Passes = &["geodesic"];
 
-pub fn figures() -> Figures {
-    Figures {
-        tables: vec![
-            ("passes", passes()),
-            ("methods", methods()),
-            ("living", living()),
-            ("timings", sources()),
-        ],
-        claims: Vec::new(),
+pub fn table(name: &str) -> Result<String, String> {
+    match name {
+        "passes" => passes(),
+        "methods" => methods(),
+        "living" => living(),
+        "timings" => sources(),
+        _ => Err(format!("nothing renders table {name}")),
     }
 }
 
-fn passes() -> String {
+fn passes() -> Result<String, String> {
     let views = ["smooth", "spin", "preset 2"];
     let of_pass =
         |pass: Passes| move |machine: &Machine| views.map(|view| short(machine.drawn(view, pass)));
@@ -50,7 +47,7 @@ fn passes() -> String {
 }
 
 /// The geodesic pass by each method.
-fn methods() -> String {
+fn methods() -> Result<String, String> {
     let times = |views: [&'static str; 2]| {
         move |machine: &Machine| {
             views.map(|view| match view {
@@ -71,7 +68,7 @@ fn methods() -> String {
 }
 
 /// The geodesic pass with each part of a living disk.
-fn living() -> String {
+fn living() -> Result<String, String> {
     let time = |view: &'static str| move |machine: &Machine| [short(machine.drawn(view, GEODESIC))];
     by_machine(
         "geodesic pass, with",

@@ -1,11 +1,10 @@
 //! The times of passes, as scripts/timings measures them, for docs/PASSES.md and docs/SCENES.md.
 
-use super::measured::{files, measured, provenance};
-use super::render::{ratio, short, table};
+use crate::measured::{measured, provenance};
+use crate::render::{ratio, short, table};
 use serde::Deserialize;
 
-/// The machines, by their folder in docs/bench and their name in tables. A machine without a file of
-/// timings has no columns.
+/// The machines, by their folder in docs/bench and their name in tables.
 const MACHINES: [(&str, &str); 2] = [("llvmpipe", "Mesa llvmpipe"), ("h200", "NVIDIA H200")];
 
 #[derive(Deserialize)]
@@ -25,25 +24,13 @@ pub struct Machine {
 /// A pass, or several that count as one.
 pub type Passes = &'static [&'static str];
 
-/// Every machine with a file.
-pub fn machines() -> Vec<Machine> {
-    let known = MACHINES
-        .iter()
-        .filter(|(folder, _)| !files(folder, "timings").is_empty());
-    known
-        .map(|(folder, name)| Machine {
-            name,
-            rows: measured(&format!("{folder}/timings")).rows,
-        })
-        .collect()
-}
-
 /// The lines about the files of all machines.
-pub fn sources() -> String {
-    let lines = MACHINES
-        .iter()
-        .filter_map(|(folder, _)| provenance(&format!("{folder}/timings")));
-    lines.collect::<Vec<_>>().join("\n\n")
+pub fn sources() -> Result<String, String> {
+    let lines = MACHINES.map(|(folder, _)| provenance(&format!("{folder}/timings")));
+    Ok(lines
+        .into_iter()
+        .collect::<Result<Vec<_>, _>>()?
+        .join("\n\n"))
 }
 
 impl Machine {
@@ -54,12 +41,7 @@ impl Machine {
 
     /// The time of these passes in a view; of all, if there are none.
     pub fn drawn(&self, view: &str, passes: Passes) -> f64 {
-        let found: Vec<&Row> = self.of(view, passes).collect();
-        assert!(
-            self.rows.iter().any(|row| row.view == view),
-            "scripts/timings has a view {view}"
-        );
-        found.iter().map(|row| row.median_ms).sum()
+        self.of(view, passes).map(|row| row.median_ms).sum()
     }
 
     /// The same in a frame that keeps its picture.
@@ -79,19 +61,21 @@ pub fn by_machine<const N: usize>(
     title: &str,
     columns: [&str; N],
     rows: &[(&str, &dyn Fn(&Machine) -> [String; N])],
-) -> String {
-    let machines = machines();
+) -> Result<String, String> {
+    let machines = MACHINES.map(|(folder, name)| {
+        let rows = measured(&format!("{folder}/timings"))?.rows;
+        Ok::<_, String>(Machine { name, rows })
+    });
+    let machines = machines.into_iter().collect::<Result<Vec<_>, _>>()?;
     let mut head = vec![title.to_owned()];
     for machine in &machines {
         head.extend(columns.map(|column| format!("{}: {column}", machine.name)));
     }
-    table(
-        &head.join(" | "),
-        rows.iter().map(|(title, numbers)| {
-            let cells = machines.iter().flat_map(numbers);
-            [(*title).to_owned()].into_iter().chain(cells).collect()
-        }),
-    )
+    let rows = rows.iter().map(|(title, numbers)| {
+        let cells = machines.iter().flat_map(numbers);
+        [(*title).to_owned()].into_iter().chain(cells).collect()
+    });
+    Ok(table(&head.join(" | "), rows))
 }
 
 /// Two times, and how many times as long the first takes.

@@ -1,21 +1,21 @@
 //! docs/SCENES.md.
 
-use super::document::Figures;
-use super::timings::{Machine, Passes, by_machine, compared, sources};
+use crate::timings::{Machine, Passes, by_machine, compared, sources};
 
 const GEODESIC: Passes = &["geodesic"];
 const EDGES: Passes = &["geodesic", "edges", "refine"];
 const CELLS: Passes = &["pixelate", "expand", "fit"];
 const PROBE: Passes = &["main_opaque_pass_3d", "clustering"];
 
-pub fn figures() -> Figures {
-    Figures {
-        tables: vec![("omissions", omissions()), ("timings", sources())],
-        claims: Vec::new(),
+pub fn table(name: &str) -> Result<String, String> {
+    match name {
+        "omissions" => omissions(),
+        "timings" => sources(),
+        _ => Err(format!("nothing renders table {name}")),
     }
 }
 
-fn omissions() -> String {
+fn omissions() -> Result<String, String> {
     let left_out = |with: &'static str, without: &'static str, passes: Passes| {
         move |machine: &Machine| {
             compared(machine.drawn(with, passes), machine.drawn(without, passes))
