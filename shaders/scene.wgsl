@@ -121,7 +121,10 @@ struct Quality {
 }
 
 struct Picture {
-    // In pixels.
+    // Size of the whole picture, which the field of view fills; upper left corner and size of the
+    // part that is drawn. In pixels.
+    whole: vec2<f32>,
+    origin: vec2<f32>,
     size: vec2<f32>,
     // What the projection's part (shaders/projection/) depends on.
     projection: vec2<f32>,

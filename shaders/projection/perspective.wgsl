@@ -1,8 +1,8 @@
 // The perspective projection: how a place in the picture becomes a direction and back, the solid angle
-// of a pixel, and what is in view. Places are in pixels from the picture's upper left corner, and
-// directions are (right, up, forward) of the camera. scene.picture.projection holds the tangents of
-// half the field of view, horizontal and vertical. The twin in f64 is
-// crates/lightfall-core/src/scene/projection.rs.
+// of a pixel, and what is in view. Places are in pixels from the upper left corner of the part of the
+// picture that is drawn, and directions are (right, up, forward) of the camera.
+// scene.picture.projection holds the tangents of half the field of view, horizontal and vertical. The
+// twin in f64 is crates/lightfall-core/src/scene/projection.rs.
 //
 // Needs: scene.
 // Gives: is_in_view, pixel_direction, pixel_solid_angle, project, ray_solid_angle, shown_place.
@@ -12,7 +12,7 @@ var<private> ray_solid_angle: f32;
 
 // The unit direction that is seen at a place.
 fn pixel_direction(place: vec2<f32>) -> vec3<f32> {
-    let across = place / scene.picture.size * vec2<f32>(2.0, -2.0) + vec2<f32>(-1.0, 1.0);
+    let across = (place + scene.picture.origin) / scene.picture.whole * vec2<f32>(2.0, -2.0) + vec2<f32>(-1.0, 1.0);
     let direction = normalize(vec3<f32>(across * scene.picture.projection, 1.0));
     // That of a pixel in the middle times the cube of the cosine of the angle off the axis.
     ray_solid_angle = scene.picture.middle_solid_angle * direction.z * direction.z * direction.z;
@@ -22,13 +22,13 @@ fn pixel_direction(place: vec2<f32>) -> vec3<f32> {
 // The place at which a direction in front of the camera is seen: the inverse of pixel_direction.
 fn project(direction: vec3<f32>) -> vec2<f32> {
     let across = direction.xy / direction.z / scene.picture.projection;
-    return (across * vec2<f32>(0.5, -0.5) + 0.5) * scene.picture.size;
+    return (across * vec2<f32>(0.5, -0.5) + 0.5) * scene.picture.whole - scene.picture.origin;
 }
 
-// Whether a direction is seen within the picture or at most `margin` pixels beside it.
+// Whether a direction is seen within the whole picture or at most `margin` pixels beside it.
 fn is_in_view(direction: vec3<f32>, margin: f32) -> bool {
     // In the middle of the picture at (0, 0), at its edges at +-(1, 1).
-    let bound = direction.z * scene.picture.projection * (1.0 + 2.0 * margin / scene.picture.size);
+    let bound = direction.z * scene.picture.projection * (1.0 + 2.0 * margin / scene.picture.whole);
     return direction.z > 0.0 && abs(direction.x) <= bound.x && abs(direction.y) <= bound.y;
 }
 
@@ -40,8 +40,8 @@ fn shown_place(place: vec2<f32>) -> vec2<f32> {
 
 // The solid angle in steradians of the pixel with its middle at this place.
 fn pixel_solid_angle(place: vec2<f32>) -> f32 {
-    let tangents = (place / scene.picture.size * 2.0 - 1.0) * scene.picture.projection;
+    let tangents = ((place + scene.picture.origin) / scene.picture.whole * 2.0 - 1.0) * scene.picture.projection;
     let cosine = inverseSqrt(1.0 + dot(tangents, tangents));
-    let side = 2.0 * scene.picture.projection / scene.picture.size;
+    let side = 2.0 * scene.picture.projection / scene.picture.whole;
     return side.x * side.y * cosine * cosine * cosine;
 }

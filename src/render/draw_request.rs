@@ -3,6 +3,7 @@
 
 use crate::render::chain::Chain;
 use crate::render::comparison::{ComparedScene, ComparisonLayout};
+use crate::render::progress::Progress;
 use crate::render::resting_frames::RestingFrames;
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResource;
@@ -17,7 +18,7 @@ pub struct AlwaysDraw(pub bool);
 /// The picture to draw. Every change makes a new request with a flag of its own, so that a late
 /// "drawn" cannot be taken for the answer to a newer request.
 #[derive(Resource, Clone, ExtractResource)]
-pub struct DrawRequest {
+pub(crate) struct DrawRequest {
     pub(super) scene: Scene,
     /// The pinned scene that is compared with it.
     pub(super) compared: Option<(Scene, ComparisonLayout)>,
@@ -122,21 +123,22 @@ impl DrawRequest {
         !(is_first && self.first_rough)
     }
 
-    /// Whether a frame has drawn this scene, at this or another time of the disk.
-    #[must_use]
-    pub fn is_shown(&self) -> bool {
-        self.shown.load(Ordering::Acquire)
-    }
-
-    /// Whether a frame has drawn all of it.
-    #[must_use]
-    pub fn is_drawn(&self) -> bool {
-        self.drawn.load(Ordering::Acquire) >= self.all_frames()
+    /// How far it is drawn; `ready` says whether its shaders are compiled.
+    pub(super) fn progress(&self, ready: bool) -> Progress {
+        let drawn = self.drawn_frames();
+        if drawn >= self.all_frames() {
+            Progress::Done
+        } else if !ready {
+            Progress::Compiling
+        } else if self.shown.load(Ordering::Acquire) {
+            Progress::Averaging(drawn)
+        } else {
+            Progress::Rough
+        }
     }
 
     /// How many frames have drawn all of it.
-    #[must_use]
-    pub fn drawn_frames(&self) -> u32 {
+    pub(crate) fn drawn_frames(&self) -> u32 {
         self.drawn.load(Ordering::Acquire)
     }
 

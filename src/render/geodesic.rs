@@ -35,6 +35,7 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use draw::draw_geodesic_pass;
+use lightfall_core::gpu::Drawable;
 use pipeline::Destination;
 use queue::{GeodesicPipelines, queue_pipelines};
 use side::{Shared, Side, SideWriter};
@@ -78,10 +79,17 @@ impl GeodesicPass {
     }
 
     /// Goes on to another one of the frames that are averaged.
-    fn set_frame(&mut self, frame: (u32, u32), device: &RenderDevice, queue: &RenderQueue) {
-        let pinned = self.pinned.as_mut().map(|(side, _)| side);
-        for side in pinned.into_iter().chain([&mut self.current]) {
-            side.set_frame(frame, device, queue);
+    fn set_frame(
+        &mut self,
+        scene: &Drawable,
+        compared: &ComparedScene,
+        frame: (u32, u32),
+        device: &RenderDevice,
+        queue: &RenderQueue,
+    ) {
+        self.current.set_frame(scene, frame, device, queue);
+        if let (Some((side, _)), Some((scene, _))) = (&mut self.pinned, compared.drawn()) {
+            side.set_frame(scene, frame, device, queue);
         }
     }
 
@@ -188,7 +196,7 @@ fn write_scenes(
         .and_then(|request| Some((request.averaged_frame()?, request.averaged_frames())))
         .unwrap_or((0, 1));
     if !pass.changed {
-        pass.set_frame(frame, &device, &queue);
+        pass.set_frame(&scene, &compared, frame, &device, &queue);
         return;
     }
     // Until all pipelines exist, the scenes and the pipelines of the last picture stay.

@@ -19,6 +19,7 @@ use crate::render::draw_request::{AlwaysDraw, DrawRequest};
 use crate::render::error_map::{ErrorMapRequest, ShownErrorMap, update_error_map};
 use crate::render::geodesic::{GeodesicPass, GeodesicShaders, select_geodesic_shaders};
 use crate::render::live_shaders::LiveShaders;
+use crate::render::progress::Progress;
 use crate::render::resting_frames::RestingFrames;
 use bevy::camera::CameraUpdateSystems;
 use bevy::prelude::*;
@@ -43,6 +44,7 @@ pub(super) fn plugin(app: &mut App) {
         world.resource::<RestingFrames>().to_owned(),
     );
     app.init_resource::<AlwaysDraw>()
+        .init_resource::<Progress>()
         .insert_resource(request)
         .add_plugins((
             ExtractResourcePlugin::<DrawRequest>::default(),
@@ -70,8 +72,8 @@ fn forget_lost_picture(request: Option<Res<DrawRequest>>) {
     }
 }
 
-/// Makes a new request when the picture changes, and activates the scene camera while a request is
-/// not drawn yet.
+/// Makes a new request when the picture changes, activates the scene camera while a request is not
+/// drawn yet, and states the progress.
 fn wake_scene_camera(
     scene: Res<CurrentScene>,
     compared: Res<ComparedScene>,
@@ -79,7 +81,7 @@ fn wake_scene_camera(
     errors: Res<ShownErrorMap>,
     (always, resting): (Res<AlwaysDraw>, Res<RestingFrames>),
     live: Res<LiveShaders>,
-    mut request: ResMut<DrawRequest>,
+    (mut request, mut progress): (ResMut<DrawRequest>, ResMut<Progress>),
     mut camera: Single<&mut Camera, With<SceneCamera>>,
 ) {
     // A system that writes the scene may have written the values it already had.
@@ -93,7 +95,9 @@ fn wake_scene_camera(
     // Before the first picture of a device the camera draws without the geodesic pass, so that Bevy compiles
     // the pipelines of the other passes at the same time.
     let has_picture = request.has_picture.load(Ordering::Acquire);
-    let active = always.0 || !request.is_drawn() && (shaders.are_ready() || !has_picture);
+    progress.set_if_neq(request.progress(shaders.are_ready()));
+    let waits = *progress == Progress::Compiling && has_picture;
+    let active = always.0 || *progress != Progress::Done && !waits;
     if camera.is_active != active {
         camera.is_active = active;
     }
@@ -160,5 +164,5 @@ pub fn is_drawn(app: &App) -> Result<bool, String> {
     ) else {
         return Ok(false);
     };
-    Ok(error_map.is_done(scene)? && request.is_drawn())
+    Ok(error_map.is_done(scene)? && request.progress(true) == Progress::Done)
 }

@@ -4,7 +4,7 @@ use bevy::math::UVec2;
 use lightfall::app::{Canvas, PictureShape, Resolution};
 use lightfall::render::{Letterbox, fit, letterbox};
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::{MAX_PICTURE_SIDE, MAX_PIXELS_PER_CELL, Picture, Scene};
+use lightfall_core::scene::{Frame, MAX_PICTURE_SIDE, MAX_PIXELS_PER_CELL, Picture, Scene};
 
 use crate::random::Random;
 
@@ -135,13 +135,14 @@ fn random_pictures_in_random_windows_can_be_drawn_and_keep_their_own_size() {
         let mut rest = own.scene().clone();
         rest.picture = drawn;
         assert!(Drawable::new(rest).is_ok(), "case {case}: {drawn:?}");
-        let drawn = resolution.adopt(own.clone());
+        let drawn = resolution.adopt(&own);
         // The drawn scene has the sizes that are wanted: no size was refused.
         assert_eq!(
-            resolution.resized(&drawn),
-            None,
+            resolution.frame(&drawn),
+            Frame::of(&drawn),
             "case {case}: {resolution:?}"
         );
+        assert_eq!(drawn.check(), Ok(()), "case {case}: {resolution:?}");
         assert_eq!(resolution.full_scene(&drawn), *own.scene(), "case {case}");
     }
 }

@@ -28,7 +28,7 @@ fn every_share_of_random_pictures_can_be_drawn_and_leads_back_to_the_whole() {
         for sixteenths in [4, random.integer(4, 15)] {
             let share = f64::from(sixteenths) / 16.0;
             resolution.set_share(share);
-            let drawn = resolution.adopt(full.clone());
+            let drawn = resolution.adopt(&full);
             let given = format!("case {case}: {share} of {:?}", full.picture);
             // At least one pixel stays on each side.
             let wanted = [full.picture.width, full.picture.height]
@@ -41,6 +41,6 @@ fn every_share_of_random_pictures_can_be_drawn_and_leads_back_to_the_whole() {
             assert_eq!(resolution.full_scene(&drawn), *full.scene(), "{given}");
         }
         resolution.set_share(1.0);
-        assert_eq!(resolution.adopt(full.clone()), full, "case {case}");
+        assert_eq!(resolution.adopt(&full), full, "case {case}");
     }
 }

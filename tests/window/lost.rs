@@ -17,7 +17,7 @@ use bevy::time::TimeUpdateStrategy;
 use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiFullOutput, EguiPostUpdateSet, egui};
 use lightfall::app::FreeFall;
-use lightfall::render::{CurrentScene, DrawRequest};
+use lightfall::render::{CurrentScene, Progress};
 use lightfall_core::gpu::Drawable;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -115,7 +115,7 @@ fn fly_script(
     mut script: ResMut<Script>,
     mut keyboard: Keyboard,
     mut scene: ResMut<CurrentScene>,
-    request: Res<DrawRequest>,
+    progress: Res<Progress>,
     free_fall: Res<FreeFall>,
     mut exit: MessageWriter<AppExit>,
 ) {
@@ -133,7 +133,7 @@ fn fly_script(
     let (name, held) = LEGS[script.leg % LEGS.len()];
     let phase = script.phase;
     script.frames += 1;
-    let drawn = request.is_drawn() && script.frames > SETTLING_FRAMES;
+    let drawn = *progress == Progress::Done && script.frames > SETTLING_FRAMES;
     let next = match phase {
         Phase::Load if script.frames == 1 => {
             let digit = preset.to_digit(10).unwrap() as usize;

@@ -9,7 +9,7 @@ use bevy::time::TimeUpdateStrategy;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow, WindowMode};
 use bevy_egui::{EguiFullOutput, EguiPostUpdateSet, egui};
 use lightfall::app::{FreeFall, JourneyPlayer, Menu};
-use lightfall::render::{Comparison, ComparisonMode, CurrentScene};
+use lightfall::render::{Comparison, ComparisonMode, CurrentScene, Progress};
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Scene, load};
 use serde::{Deserialize, Serialize};
@@ -51,6 +51,8 @@ pub struct State {
     pub falls: bool,
     /// How fast the observer's time passes when it falls.
     pub pace: f64,
+    /// How far the picture of the scene is drawn, e.g. `Averaging(3)` or `Done`.
+    pub progress: String,
     /// Whether the menu is open.
     pub menu: bool,
     /// How two scenes are compared; empty while none are.
@@ -123,7 +125,7 @@ fn write_state(
     frame: Res<FrameCount>,
     scene: Res<CurrentScene>,
     outputs: Query<&EguiFullOutput>,
-    (player, fall): (Res<JourneyPlayer>, Res<FreeFall>),
+    (player, fall, progress): (Res<JourneyPlayer>, Res<FreeFall>, Res<Progress>),
     (menu, comparison): (Res<Menu>, Res<Comparison>),
     window: Single<(&Window, &CursorOptions), With<PrimaryWindow>>,
 ) {
@@ -141,6 +143,7 @@ fn write_state(
         journey: player.is_playing().then(|| player.time()),
         falls: fall.is_moving(),
         pace: fall.rate(1.0),
+        progress: format!("{:?}", *progress),
         menu: menu.is_open(),
         comparison: match comparison.0.as_ref().map(|(_, mode)| *mode) {
             None => String::new(),

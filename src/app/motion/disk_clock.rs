@@ -25,10 +25,9 @@ use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::render::{ComparedScene, CurrentScene};
 use bevy::prelude::*;
-use lightfall_core::gpu::Drawable;
 use lightfall_core::numbers::{duration_in_words, four_digits};
 use lightfall_core::optics::readout::si::HoleMass;
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Frame, Scene};
 
 /// One press changes the rate by this factor, within a range of r_s/c per second.
 const RATE_STEP: f64 = 2.0;
@@ -162,10 +161,12 @@ fn run_disk_clock(
     if disk_time == scene.disk.time {
         return;
     }
-    let mut next = scene.scene().clone();
-    next.disk.time = disk_time;
-    match Drawable::new(next) {
-        Ok(next) => scene.0 = next,
+    let frame = Frame {
+        disk_time,
+        ..Frame::of(&scene)
+    };
+    match frame.shown(&scene).check() {
+        Ok(()) => scene.show_in(&frame),
         Err(reason) => {
             clock.follow(&scene);
             error_once!("the disk's clock cannot go on: {reason}");

@@ -7,7 +7,6 @@ use crate::app::controls::control::AppCommand;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use glam::{DMat3, DQuat, DVec3};
-use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::apparent_hole::ApparentHole;
 use lightfall_core::scene::Scene;
 
@@ -92,12 +91,7 @@ fn keep_edge_in_view(
     let Some(axes) = edge_in_view(&scene, view.was_turned, max_turn) else {
         return;
     };
-    let mut next = scene.scene().clone();
-    next.camera.set_orientation(axes);
-    // A camera that is turned at its place can be drawn as before.
-    if let Ok(next) = Drawable::new(next) {
-        scene.0 = next;
-        view.was_turned = true;
-        view.left_at = Some(scene.camera.angles());
-    }
+    scene.turn(axes);
+    view.was_turned = true;
+    view.left_at = Some(scene.camera.angles());
 }

@@ -6,7 +6,6 @@ use crate::app::state::toast::Toast;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
 use glam::{DMat3, DQuat, DVec3};
-use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::apparent_hole::ApparentHole;
 use lightfall_core::scene::Scene;
 
@@ -149,15 +148,9 @@ pub(crate) fn turn_camera(
     } else {
         turn.seconds / TURN_SECONDS
     };
-    let mut next = scene.scene().clone();
-    next.camera
-        .set_orientation(between_axes(turn.from, to, share));
+    scene.turn(between_axes(turn.from, to, share));
     if share >= 1.0 {
         facing.turn = None;
     }
-    facing.left_at = Some(next.camera.angles());
-    // A camera that is turned at its place can be drawn as before.
-    if let Ok(next) = Drawable::new(next) {
-        scene.0 = next;
-    }
+    facing.left_at = Some(scene.camera.angles());
 }

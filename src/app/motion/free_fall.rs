@@ -341,9 +341,7 @@ pub(super) fn advance_free_fall(
         )),
         FlightStep::Moved(next) => {
             // A paused fall rests, and a picture at rest is kept.
-            if scene.0 != *next {
-                scene.0 = *next;
-            }
+            scene.set_if_neq(CurrentScene(*next));
         }
         FlightStep::Ended(next) => {
             scene.0 = *next;

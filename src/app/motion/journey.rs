@@ -120,9 +120,7 @@ pub(super) fn advance_journey(
         )),
         FlightStep::Moved(next) => {
             // A paused journey rests, and a picture at rest is kept.
-            if scene.0 != *next {
-                scene.0 = *next;
-            }
+            scene.set_if_neq(CurrentScene(*next));
         }
         FlightStep::Ended(next) => {
             scene.0 = *next;

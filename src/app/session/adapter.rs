@@ -4,7 +4,7 @@
 
 use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
-use crate::render::DrawRequest;
+use crate::render::Progress;
 use crate::storage::{exists, remove, settings_file, write_atomically};
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
@@ -107,11 +107,11 @@ fn report_adapter(mut choice: ResMut<AdapterChoice>, mut toast: ResMut<Toast>) {
 /// not count as a failure.
 fn end_adapter_trial(
     mut choice: ResMut<AdapterChoice>,
-    request: Res<DrawRequest>,
+    progress: Res<Progress>,
     mut exits: MessageReader<AppExit>,
 ) {
     let closed = exits.read().any(AppExit::is_success);
-    if choice.trial.is_some() && (closed || request.is_shown()) {
+    if choice.trial.is_some() && (closed || progress.is_shown()) {
         choice.end_trial();
     }
 }

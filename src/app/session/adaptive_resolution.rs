@@ -9,6 +9,7 @@ use crate::app::state::settings::Automatic;
 use crate::render::{CurrentScene, ShownCells};
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
+use lightfall_core::scene::Frame;
 use wgpu::DeviceType;
 
 /// The coarsest picture, as a share of each side.
@@ -80,8 +81,9 @@ fn adapt_resolution(
         (measurement.frames, measurement.seconds) = (0, 0.0);
     }
     resolution.set_share(if adapts { share } else { 1.0 });
-    if let Some(resized) = resolution.resized(&scene) {
-        scene.0 = resized;
+    let frame = resolution.frame(&scene);
+    if frame != Frame::of(&scene) {
+        scene.show_in(&frame);
     }
     // The cells do not get coarser with the picture.
     cells.set_if_neq(ShownCells(Some(

@@ -6,9 +6,8 @@ use crate::app::state::preferences::Preferences;
 use crate::app::state::resolution::Resolution;
 use crate::render::CurrentScene;
 use bevy::prelude::*;
-use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::exposure::metered_exposure;
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Frame, Scene};
 
 /// Seconds in which the difference from the metered exposure shrinks to 1/e. After a second nothing
 /// is left even of the largest difference, and a smaller one looks like an eye adapting.
@@ -78,10 +77,9 @@ fn follow_light(
     let Some(exposure) = meter.follow(&metered, time.delta_secs_f64()) else {
         return;
     };
-    let mut exposed = scene.scene().clone();
-    exposed.picture.exposure_ev = exposure;
-    match Drawable::new(exposed) {
-        Ok(exposed) => scene.0 = exposed,
-        Err(reason) => error_once!("the exposure stays as it is: {reason}"),
-    }
+    let frame = Frame {
+        exposure_ev: exposure,
+        ..Frame::of(&scene)
+    };
+    scene.show_in(&frame);
 }

@@ -5,7 +5,7 @@ use crate::IN_BROWSER;
 use crate::app::input::gamepad::Pads;
 use crate::app::input::typing::Typing;
 use crate::app::state::preferences::Preferences;
-use crate::render::{Comparison, CurrentScene, DrawRequest};
+use crate::render::{Comparison, CurrentScene, Progress};
 use bevy::platform::time::Instant;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
@@ -80,7 +80,7 @@ fn watch_activity(
     keys: Res<ButtonInput<KeyCode>>,
     buttons: Res<ButtonInput<MouseButton>>,
     mut moves: MessageReader<CursorMoved>,
-    (typing, request): (Res<Typing>, Res<DrawRequest>),
+    (typing, progress): (Res<Typing>, Res<Progress>),
     pads: Pads,
     window: Single<&Window, With<PrimaryWindow>>,
     mut pacing: ResMut<FramePacing>,
@@ -125,7 +125,7 @@ fn watch_activity(
     };
     (pacing.moving, pacing.running) = (moving, running);
     // While frames are averaged, each is drawn at once.
-    let averaging = request.is_shown() && !request.is_drawn();
+    let averaging = matches!(*progress, Progress::Averaging(_));
     pacing.resting = !running && !averaging && now.saturating_sub(pacing.active) > AWAKE_FOR;
 }
 

@@ -2,7 +2,7 @@
 //! and it says why the window has ended.
 
 use crate::browser::{State, report, show_state};
-use crate::render::DrawRequest;
+use crate::render::Progress;
 use crate::render::recovery::DeviceFailure;
 use bevy::prelude::*;
 
@@ -10,8 +10,8 @@ pub(crate) fn plugin(app: &mut App) {
     app.add_systems(Last, (end_loading, report_end));
 }
 
-fn end_loading(request: Res<DrawRequest>, mut done: Local<bool>) {
-    if !*done && request.is_shown() {
+fn end_loading(progress: Res<Progress>, mut done: Local<bool>) {
+    if !*done && progress.is_shown() {
         *done = true;
         show_state(State::Running);
     }

@@ -5,7 +5,7 @@ use super::settings::PictureShape;
 use crate::render::{fit, letterbox, resized};
 use bevy::prelude::*;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::{MAX_PICTURE_SIDE, MAX_PIXELS_PER_CELL, Picture, Scene};
+use lightfall_core::scene::{Frame, MAX_PICTURE_SIDE, MAX_PIXELS_PER_CELL, Picture, Scene};
 
 /// The window that the picture is drawn for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,23 +54,19 @@ impl Resolution {
     /// Keeps the resolution of a scene that has its own resolution, and returns the scene at the
     /// resolution that is drawn.
     #[must_use]
-    pub fn adopt(&mut self, full: Drawable) -> Drawable {
+    pub fn adopt(&mut self, full: &Drawable) -> Drawable {
         (self.own_size, self.own_grid) = sizes(&full.picture);
-        self.resized(&full).unwrap_or(full)
+        full.shown_in(&self.frame(full))
     }
 
-    /// The scene with the sizes that are to be drawn. None where it has them already.
+    /// The frame of the scene with the sizes that are to be drawn.
     #[must_use]
-    pub fn resized(&self, scene: &Drawable) -> Option<Drawable> {
-        let drawn = self.drawn_sizes(&scene.picture);
-        if sizes(&scene.picture) == drawn {
-            return None;
+    pub fn frame(&self, scene: &Scene) -> Frame {
+        let (size, cells) = self.drawn_sizes(&scene.picture);
+        Frame {
+            cells,
+            ..Frame::of(scene).with_whole(size)
         }
-        let mut resized = scene.scene().clone();
-        set_sizes(&mut resized.picture, drawn);
-        Drawable::new(resized)
-            .inspect_err(|reason| error_once!("the picture keeps its resolution: {reason}"))
-            .ok()
     }
 
     /// The scene with a picture of the window's shape and size, as a picture file of what the

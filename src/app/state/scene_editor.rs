@@ -157,7 +157,7 @@ impl SceneEditor<'_> {
 
     /// Shows a changed scene, metered at once where its exposure is automatic.
     fn put(&mut self, changed: Drawable) {
-        self.scene.0 = self.resolution.adopt(changed.exposed());
+        self.scene.0 = self.resolution.adopt(&changed.exposed());
         self.toast.clear();
     }
 

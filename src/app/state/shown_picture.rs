@@ -1,7 +1,7 @@
 //! The scenes whose picture is on the screen. A scene that needs a new shader is drawn only once the
 //! shader is compiled, and until then no legend and no label may speak of it.
 
-use crate::render::{ComparedScene, CurrentScene, GeodesicShaders};
+use crate::render::{ComparedScene, CurrentScene, Progress};
 use bevy::prelude::*;
 use lightfall_core::scene::Scene;
 
@@ -22,10 +22,10 @@ pub(crate) fn plugin(app: &mut App) {
 fn note_shown_picture(
     scene: Res<CurrentScene>,
     compared: Res<ComparedScene>,
-    shaders: If<Res<GeodesicShaders>>,
+    progress: Res<Progress>,
     mut shown: ResMut<ShownPicture>,
 ) {
-    if !shaders.are_ready() {
+    if *progress == Progress::Compiling {
         return;
     }
     let pinned = compared.drawn().map(|(pinned, _)| pinned.scene());

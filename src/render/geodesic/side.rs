@@ -12,8 +12,10 @@ use bevy::render::renderer::{RenderDevice, RenderQueue};
 use lightfall_core::gpu::bindings::{
     self, MILKY_WAY, MILKY_WAY_SAMPLER, SCENE, SPECTRUM, STAR_SUMS, STARLIGHT,
 };
-use lightfall_core::gpu::{Drawable, ErrorMap, GpuScene, Inputs, SkyTexture, max_pixels_of_call};
-use lightfall_core::scene::SkyMode;
+use lightfall_core::gpu::{
+    Drawable, ErrorMap, GpuPicture, GpuScene, Inputs, SkyTexture, max_pixels_of_call,
+};
+use lightfall_core::scene::{Frame, SkyMode};
 
 /// The numbers of a scene, and the pipelines that draw them.
 #[derive(Default)]
@@ -83,7 +85,7 @@ impl Side {
         let (device, queue) = (writer.device, writer.queue);
         let (frame, frames) = writer.frame;
         let mut numbers = scene.numbers().clone();
-        numbers.picture = numbers.picture.of_frame(frame, frames);
+        numbers.picture = GpuPicture::new(scene, &Frame::of(scene).with_sample(frame, frames));
         self.uniform.set(numbers);
         self.uniform.write_buffer(device, queue);
         let inputs = Inputs {
@@ -185,11 +187,12 @@ impl Side {
     /// Goes on to another one of the frames that are averaged.
     pub(super) fn set_frame(
         &mut self,
+        scene: &Drawable,
         (frame, frames): (u32, u32),
         device: &RenderDevice,
         queue: &RenderQueue,
     ) {
-        let picture = self.uniform.get().picture.of_frame(frame, frames);
+        let picture = GpuPicture::new(scene, &Frame::of(scene).with_sample(frame, frames));
         if self.uniform.get().picture != picture {
             self.uniform.get_mut().picture = picture;
             self.uniform.write_buffer(device, queue);

@@ -2,7 +2,7 @@
 
 use super::error::GpuError;
 use super::scene::GpuScene;
-use crate::scene::{ObserverKind, Refusal, Scene};
+use crate::scene::{Frame, ObserverKind, Refusal, Scene};
 use std::ops::Deref;
 use thiserror::Error;
 
@@ -34,8 +34,7 @@ impl Drawable {
     /// The first refused field, or the reason why no shader can trace the scene.
     pub fn new(scene: Scene) -> Result<Self, Undrawable> {
         scene.check()?;
-        let size = scene.picture.size();
-        let numbers = GpuScene::new(&scene, size)?;
+        let numbers = GpuScene::new(&scene, &Frame::of(&scene))?;
         Ok(Self { scene, numbers })
     }
 
@@ -74,10 +73,20 @@ impl Drawable {
         &self.scene
     }
 
-    /// The scene's numbers for the GPU, for a picture of the scene's own size.
+    /// The scene's numbers for the GPU, for its own frame or the one that it is shown in.
     #[must_use]
     pub fn numbers(&self) -> &GpuScene {
         &self.numbers
+    }
+
+    /// The scene as a frame shows it. The frame's values have to be within the ranges of their
+    /// fields; whether there is an observer does not depend on them.
+    #[must_use]
+    pub fn shown_in(&self, frame: &Frame) -> Self {
+        let scene = frame.shown(&self.scene);
+        let mut numbers = self.numbers.clone();
+        numbers.set_frame(&scene, frame);
+        Self { scene, numbers }
     }
 
     /// The scene with the exposure that its light meter chooses, where its exposure is automatic.
@@ -86,8 +95,7 @@ impl Drawable {
         if !self.scene.picture.automatic_exposure {
             return self;
         }
-        // The meter's exposures are within the field's range, so that nothing is refused.
-        Self::new(self.scene.exposed()).unwrap_or(self)
+        self.shown_in(&Frame::of(&self.scene.exposed()))
     }
 
     /// The scene, for changes that are checked again.

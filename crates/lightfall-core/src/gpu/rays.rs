@@ -8,7 +8,7 @@ use super::kernel::{Kernel, uniform};
 use super::scene::{GpuScene, time_lead};
 use super::shader::Variant;
 use crate::optics::trace::{Hit, Outcome, Trace};
-use crate::scene::Scene;
+use crate::scene::{Frame, Scene};
 use encase::ShaderType;
 use glam::{DVec3, Vec3, Vec4};
 use std::f64::consts::{PI, TAU};
@@ -98,7 +98,7 @@ impl RayKernel {
         scene: &Scene,
         directions: &[Vec3],
     ) -> Result<Vec<Trace>, GpuError> {
-        let numbers = GpuScene::new(scene, scene.picture.size())?;
+        let numbers = GpuScene::new(scene, &Frame::of(scene))?;
         Ok(traces(scene, &self.run(gpu, &numbers, directions)?))
     }
 

@@ -12,7 +12,7 @@ use super::inputs::Inputs;
 use super::kernel::uniform;
 use super::scene::GpuScene;
 use super::shader::Variant;
-use crate::scene::Scene;
+use crate::scene::{Frame, Scene};
 use glam::UVec2;
 use std::time::{Duration, Instant};
 use timestamps::Timestamps;
@@ -122,7 +122,7 @@ impl Stopwatch {
         size: UVec2,
         stage: Stage,
     ) -> Result<Self, GpuError> {
-        let numbers = GpuScene::new(scene, size)?;
+        let numbers = GpuScene::new(scene, &Frame::of(scene).with_whole(size))?;
         if stage == Stage::Compute {
             check_output_size(gpu, size)?;
         }
@@ -197,7 +197,10 @@ impl Stopwatch {
         gpu.queue.write_buffer(
             &self.numbers,
             0,
-            &uniform(&GpuScene::new(scene, self.size)?),
+            &uniform(&GpuScene::new(
+                scene,
+                &Frame::of(scene).with_whole(self.size),
+            )?),
         );
         Ok(())
     }

@@ -5,7 +5,7 @@ use glam::{DMat3, DVec3, UVec2, Vec4};
 use lightfall_core::geometry::observer::observer_matrix;
 use lightfall_core::gpu::kernel::{Kernel, uniform};
 use lightfall_core::gpu::{GpuScene, Variant, bindings};
-use lightfall_core::scene::{Camera, ObserverKind};
+use lightfall_core::scene::{Camera, Frame, ObserverKind, Scene};
 
 #[test]
 fn an_unrotated_camera_looks_at_the_hole_with_decreasing_theta_up_and_increasing_phi_to_the_right()
@@ -59,10 +59,8 @@ fn a_camera_turns_right_then_up_then_clockwise() {
     );
 }
 
-#[test]
-#[ignore = "needs a graphics adapter"]
-fn the_shader_and_the_observers_matrix_give_the_same_photon_for_a_pixel() {
-    let gpu = gpu();
+/// A hole that a turned camera sees from a fast observer.
+fn turned_and_fast() -> Scene {
     let mut scene = bare_hole(3.0);
     (
         scene.camera.yaw_deg,
@@ -70,8 +68,13 @@ fn the_shader_and_the_observers_matrix_give_the_same_photon_for_a_pixel() {
         scene.camera.roll_deg,
     ) = (20.0, -35.0, 10.0);
     (scene.observer.kind, scene.observer.velocity) = (ObserverKind::Rain, [0.1, 0.2, -0.3]);
-    let size = UVec2::new(640, 360);
-    let source = Variant::picture(&scene).source()
+    scene
+}
+
+/// The shader's photons at these places of a frame, in pixels: energy and radial momentum, then w.
+fn photons(scene: &Scene, frame: &Frame, places: &[(f32, f32)]) -> Vec<[Vec4; 2]> {
+    let gpu = gpu();
+    let source = Variant::picture(scene).source()
         + "@group(0) @binding(BINDING_INPUT) var<storage, read> pixels: array<vec4<f32>>;
            @group(0) @binding(BINDING_OUTPUT) var<storage, read_write> photons: array<mat2x4<f32>>;
            @compute @workgroup_size(WORKGROUP_SIZE) fn photons_of(@builtin(global_invocation_id) id: vec3<u32>) {
@@ -80,7 +83,7 @@ fn the_shader_and_the_observers_matrix_give_the_same_photon_for_a_pixel() {
                    photons[id.x] = mat2x4<f32>(vec4(photon.energy, photon.radial, 0.0, 0.0), vec4(photon.w, 0.0));
                }
            }";
-    let numbers = GpuScene::new(&scene, size).unwrap();
+    let numbers = GpuScene::new(scene, frame).unwrap();
     let kernel = Kernel::new(
         gpu,
         &source,
@@ -88,16 +91,45 @@ fn the_shader_and_the_observers_matrix_give_the_same_photon_for_a_pixel() {
         &[(bindings::SCENE, uniform(&numbers))],
     )
     .unwrap();
-    let pixels: Vec<Vec4> = [
+    let pixels: Vec<Vec4> = places
+        .iter()
+        .map(|(x, y)| Vec4::new(*x, *y, 0.0, 0.0))
+        .collect();
+    kernel.run(gpu, &pixels).unwrap()
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn a_part_of_a_picture_has_the_rays_of_the_whole_picture_at_its_place() {
+    let scene = turned_and_fast();
+    let whole = Frame::of(&scene).with_whole(UVec2::new(640, 360));
+    let part = whole.with_part(UVec2::new(128, 200), UVec2::new(64, 48));
+    let places = [(0.5, 0.5), (63.5, 0.5), (20.5, 47.5), (31.5, 12.5)];
+    let in_whole = places.map(|(x, y)| (x + 128.0, y + 200.0));
+    // The places are exact in f32, so that the same arithmetic follows.
+    assert_eq!(
+        photons(&scene, &part, &places),
+        photons(&scene, &whole, &in_whole)
+    );
+    assert_ne!(
+        photons(&scene, &part, &places),
+        photons(&scene, &whole, &places)
+    );
+}
+
+#[test]
+#[ignore = "needs a graphics adapter"]
+fn the_shader_and_the_observers_matrix_give_the_same_photon_for_a_pixel() {
+    let scene = turned_and_fast();
+    let frame = Frame::of(&scene).with_whole(UVec2::new(640, 360));
+    let places = [
         (0.0, 0.0),
         (640.0, 0.0),
         (0.0, 360.0),
         (320.0, 180.0),
         (100.5, 300.5),
-    ]
-    .map(|(x, y)| Vec4::new(x, y, 0.0, 0.0))
-    .to_vec();
-    let photons: Vec<[Vec4; 2]> = kernel.run(gpu, &pixels).unwrap();
+    ];
+    let photons = photons(&scene, &frame, &places);
 
     let Camera {
         r,
@@ -117,8 +149,8 @@ fn the_shader_and_the_observers_matrix_give_the_same_photon_for_a_pixel() {
     )
     .unwrap();
     let tan_half = (fov_deg.to_radians() / 2.0).tan();
-    for (pixel, [head, w]) in pixels.iter().zip(photons) {
-        let [x, y] = [f64::from(pixel.x) / 640.0, f64::from(pixel.y) / 360.0];
+    for (place, [head, w]) in places.iter().zip(photons) {
+        let [x, y] = [f64::from(place.0) / 640.0, f64::from(place.1) / 360.0];
         let direction = DVec3::new(
             (2.0 * x - 1.0) * tan_half * 16.0 / 9.0,
             (1.0 - 2.0 * y) * tan_half,
@@ -137,7 +169,7 @@ fn the_shader_and_the_observers_matrix_give_the_same_photon_for_a_pixel() {
             // A few f32 roundings of numbers of the order of one.
             assert!(
                 (found - truth).abs() < 1e-6,
-                "pixel {pixel}: {found} against {truth}"
+                "place {place:?}: {found} against {truth}"
             );
         }
     }

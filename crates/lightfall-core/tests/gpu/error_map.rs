@@ -6,7 +6,7 @@ use glam::{UVec2, Vec3};
 use lightfall_core::accuracy::picture_errors;
 use lightfall_core::gpu::kernel::uniform;
 use lightfall_core::gpu::{ERROR_MAP_SIZE, ErrorMap, Gpu, GpuScene, Variant, bindings};
-use lightfall_core::scene::{Method, Scene, View};
+use lightfall_core::scene::{Frame, Method, Scene, View};
 
 /// The light that the view shows in the middle of each cell, and at its upper left and lower right
 /// corner, just inside.
@@ -19,7 +19,7 @@ fn shown(gpu: &Gpu, scene: &Scene, errors: &[Option<f64>]) -> Vec<[Vec3; 3]> {
     let uniforms = [
         (
             bindings::SCENE,
-            uniform(&GpuScene::new(&scene, size).unwrap()),
+            uniform(&GpuScene::new(&scene, &Frame::of(&scene).with_whole(size)).unwrap()),
         ),
         (bindings::ERROR_MAP, ErrorMap::new(errors).bytes()),
     ];

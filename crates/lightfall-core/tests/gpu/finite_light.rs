@@ -7,7 +7,7 @@ use glam::{UVec2, Vec4};
 use lightfall_core::gpu::kernel::{Kernel, uniform};
 use lightfall_core::gpu::{Entry, GpuScene, GpuStarlight, Inputs, Variant, bindings};
 use lightfall_core::optics::stars::{Depth, MAX_MAGNITUDE};
-use lightfall_core::scene::{Scene, SkyMode};
+use lightfall_core::scene::{Frame, Scene, SkyMode};
 
 /// Random scenes, each with a shader of its own to compile.
 const SCENES: usize = 60;
@@ -51,7 +51,7 @@ fn light(scene: &Scene) -> Vec<Vec4> {
     };
     let mut source = variant.source() + LIGHT;
     let mut uniforms = Inputs::new(scene).declared_in(&source);
-    let numbers = GpuScene::new(scene, SIZE).unwrap();
+    let numbers = GpuScene::new(scene, &Frame::of(scene).with_whole(SIZE)).unwrap();
     uniforms.push((bindings::SCENE, uniform(&numbers)));
     if scene.sky.mode == SkyMode::Stars {
         assert_eq!(source.matches(MAP).count(), 1);

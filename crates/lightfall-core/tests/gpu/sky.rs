@@ -6,7 +6,7 @@ use glam::{DVec3, UVec2, Vec4};
 use lightfall_core::gpu::kernel::uniform;
 use lightfall_core::gpu::{Gpu, GpuScene, Variant, bindings};
 use lightfall_core::optics::spectrum::{TABLE_LEN, table};
-use lightfall_core::scene::{Scene, SkyMode};
+use lightfall_core::scene::{Frame, Scene, SkyMode};
 use std::f64::consts::TAU;
 
 /// The footprint of a ray that stands for nothing but itself.
@@ -22,7 +22,7 @@ fn light(gpu: &Gpu, scene: &Scene, expression: &str, directions: &[DVec3]) -> Ve
     );
     let entries = table();
     let rows: [Vec4; TABLE_LEN] = std::array::from_fn(|i| Vec4::from_array(entries[i]));
-    let numbers = GpuScene::new(scene, UVec2::new(960, 540)).unwrap();
+    let numbers = GpuScene::new(scene, &Frame::of(scene).with_whole(UVec2::new(960, 540))).unwrap();
     let uniforms = [
         (bindings::SCENE, uniform(&numbers)),
         (bindings::SPECTRUM, uniform(&rows)),

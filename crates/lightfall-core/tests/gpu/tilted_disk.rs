@@ -13,7 +13,7 @@ use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::spectrum;
 use lightfall_core::optics::trace::Trace;
 use lightfall_core::scene::presets::PRESETS;
-use lightfall_core::scene::{Method, Scene, SkyMode};
+use lightfall_core::scene::{Frame, Method, Scene, SkyMode};
 
 /// Every method around a hole without spin.
 const METHODS: [Method; 4] = [
@@ -206,8 +206,8 @@ fn only_a_sky_behind_a_tilted_disk_has_the_tilt_in_its_shader() {
         assert_eq!(Variant::picture(&noded), Variant::picture(&scene));
         let size = scene.picture.size();
         assert_eq!(
-            GpuScene::new(&noded, size).unwrap(),
-            GpuScene::new(&scene, size).unwrap(),
+            GpuScene::new(&noded, &Frame::of(&noded).with_whole(size)).unwrap(),
+            GpuScene::new(&scene, &Frame::of(&scene).with_whole(size)).unwrap(),
             "{}",
             preset.name
         );

@@ -5,7 +5,7 @@ use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::session::frame_pacing::FramePacing;
 use crate::app::state::preferences::Preferences;
-use crate::render::DrawRequest;
+use crate::render::Progress;
 use bevy::input::mouse::MouseWheel;
 use bevy::prelude::*;
 use bevy_egui::EguiPreUpdateSet;
@@ -89,7 +89,7 @@ fn watch_input(
     pacing: Res<FramePacing>,
     free_fall: Res<FreeFall>,
     player: Res<JourneyPlayer>,
-    request: Res<DrawRequest>,
+    progress: Res<Progress>,
     mut has_picture: Local<bool>,
     preferences: Res<Preferences>,
     mut presence: ResMut<Presence>,
@@ -102,7 +102,7 @@ fn watch_input(
         || buttons.get_pressed().next().is_some();
     let moves = pacing.moving || free_fall.is_moving() || player.is_playing();
     // The first seconds count from the first picture, which may take a while to be drawn.
-    *has_picture |= request.is_shown();
+    *has_picture |= progress.is_shown();
     if pointed || pressed || moves || pads.in_use() || !*has_picture {
         presence.active = presence.now;
     }

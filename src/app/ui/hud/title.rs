@@ -4,7 +4,7 @@ use super::board::{BRIGHT, Board, QUIET, free_room};
 use super::presence::{Presence, keep_fading};
 use crate::app::state::overlays::Overlays;
 use crate::app::state::title::Title;
-use crate::render::DrawRequest;
+use crate::render::Progress;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use std::time::Duration;
@@ -30,7 +30,7 @@ pub(super) fn plugin(app: &mut App) {
 pub(super) fn show_title(
     mut contexts: EguiContexts,
     time: Res<Time<Real>>,
-    request: Res<DrawRequest>,
+    progress: Res<Progress>,
     presence: Res<Presence>,
     overlays: Res<Overlays>,
     mut title: ResMut<Title>,
@@ -43,7 +43,7 @@ pub(super) fn show_title(
     let now = time.elapsed();
     let came = *title.came.get_or_insert(now);
     // The seconds count from the scene's first picture, which may take a while to be drawn.
-    if title.drawn.is_none() && request.is_shown() {
+    if title.drawn.is_none() && progress.is_shown() {
         title.drawn = Some(now);
     }
     let left = title

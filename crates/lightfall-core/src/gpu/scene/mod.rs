@@ -25,7 +25,7 @@ pub use tilt::GpuTilt;
 use super::error::GpuError;
 use crate::geometry::kerr::Kerr;
 use crate::optics::camera_rays::CameraRays;
-use crate::scene::{Scene, View};
+use crate::scene::{Frame, Scene, View};
 use encase::ShaderType;
 use glam::{DMat3, UVec2};
 
@@ -43,13 +43,12 @@ pub struct GpuScene {
 }
 
 impl GpuScene {
-    /// The numbers for a picture of `size` pixels, where directions are (right, up, forward) of the
-    /// camera.
+    /// The numbers of a frame of the scene, where directions are (right, up, forward) of the camera.
     ///
     /// # Errors
     /// A method or spin that no shader knows, or an observer that cannot exist.
-    pub fn new(scene: &Scene, size: UVec2) -> Result<Self, GpuError> {
-        Self::with_directions(scene, size, scene.camera.tetrad_from_camera())
+    pub fn new(scene: &Scene, frame: &Frame) -> Result<Self, GpuError> {
+        Self::with_directions(scene, frame, scene.camera.tetrad_from_camera())
     }
 
     /// The numbers for rays whose directions are on the observer's own axes: (outward, theta, phi).
@@ -57,17 +56,13 @@ impl GpuScene {
     /// # Errors
     /// As [`GpuScene::new`].
     pub fn for_rays(scene: &Scene) -> Result<Self, GpuError> {
-        Self::with_directions(
-            scene,
-            UVec2::new(scene.picture.width, scene.picture.height),
-            DMat3::IDENTITY,
-        )
+        Self::with_directions(scene, &Frame::of(scene), DMat3::IDENTITY)
     }
 
     /// `tetrad_from_direction` maps the shader's directions to the observer's axes.
     fn with_directions(
         scene: &Scene,
-        size: UVec2,
+        frame: &Frame,
         tetrad_from_direction: DMat3,
     ) -> Result<Self, GpuError> {
         let kerr = Kerr {
@@ -75,17 +70,26 @@ impl GpuScene {
         };
         check_method(scene, kerr)?;
         let rays = CameraRays::in_disk_frame(scene)?;
-        let size = size.max(UVec2::ONE).as_dvec2();
-        let pixel = scene.camera.pixel_angle(size);
-        Ok(Self {
+        let mut numbers = Self {
             observer: GpuObserver::new(scene, kerr, &rays, tetrad_from_direction),
             hole: GpuHole::new(kerr),
             shadow: GpuShadow::new(scene, &rays.matrix, tetrad_from_direction)?,
             disk: GpuDisk::new(scene),
-            sky: GpuSky::new(scene, size),
-            quality: GpuQuality::new(scene, kerr, pixel),
-            picture: GpuPicture::new(scene, size),
-        })
+            ..Self::default()
+        };
+        numbers.set_frame(scene, frame);
+        Ok(numbers)
+    }
+
+    /// Writes the numbers that depend on the frame, too.
+    pub(super) fn set_frame(&mut self, scene: &Scene, frame: &Frame) {
+        let kerr = Kerr {
+            spin: scene.hole.spin,
+        };
+        let whole = frame.whole.max(UVec2::ONE).as_dvec2();
+        self.sky = GpuSky::new(scene, whole);
+        self.quality = GpuQuality::new(scene, kerr, scene.camera.pixel_angle(whole));
+        self.picture = GpuPicture::new(scene, frame);
     }
 }
 

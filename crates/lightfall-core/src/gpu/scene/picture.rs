@@ -1,9 +1,9 @@
 //! The picture's part of the uniform.
 
 use crate::optics::pixel_samples::pixel_offset;
-use crate::scene::Scene;
+use crate::scene::{Frame, Scene};
 use encase::ShaderType;
-use glam::{DVec2, Vec2};
+use glam::{UVec2, Vec2};
 
 /// Light of a mark after exposure: below the light at which tone mapping begins to bleach colours.
 pub const MARK_BRIGHTNESS: f64 = 0.7;
@@ -12,6 +12,8 @@ pub const MARK_BRIGHTNESS: f64 = 0.7;
 #[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct GpuPicture {
+    pub whole: Vec2,
+    pub origin: Vec2,
     pub size: Vec2,
     pub projection: Vec2,
     pub mark_brightness: f32,
@@ -22,26 +24,21 @@ pub struct GpuPicture {
 }
 
 impl GpuPicture {
-    /// The numbers of one frame among `frames` that are averaged.
+    /// The numbers of a frame of the scene.
     #[must_use]
-    pub fn of_frame(&self, frame: u32, frames: u32) -> Self {
+    pub fn new(scene: &Scene, frame: &Frame) -> Self {
+        let whole = frame.whole.max(UVec2::ONE).as_dvec2();
+        let exposure = frame.exposure_ev.exp2();
         Self {
-            offset: pixel_offset(frame).as_vec2(),
-            footprint: f64::from(frames.max(1)).sqrt().recip() as f32,
-            ..self.clone()
-        }
-    }
-
-    pub(super) fn new(scene: &Scene, size: DVec2) -> Self {
-        let exposure = scene.picture.exposure_ev.exp2();
-        Self {
-            size: size.as_vec2(),
-            projection: scene.camera.projection_numbers(size).as_vec2(),
+            whole: whole.as_vec2(),
+            origin: frame.origin.as_vec2(),
+            size: frame.size.max(UVec2::ONE).as_vec2(),
+            projection: scene.camera.projection_numbers(whole).as_vec2(),
             mark_brightness: (MARK_BRIGHTNESS / exposure) as f32,
             exposure: exposure as f32,
-            offset: Vec2::ZERO,
-            footprint: 1.0,
-            middle_solid_angle: scene.camera.solid_angle(0.5 * size, size) as f32,
+            offset: pixel_offset(frame.sample).as_vec2(),
+            footprint: f64::from(frame.samples.max(1)).sqrt().recip() as f32,
+            middle_solid_angle: scene.camera.solid_angle(0.5 * whole, whole) as f32,
         }
     }
 }

@@ -19,7 +19,7 @@ use crate::gpu::shader::{ShaderFiles, Variant};
 use crate::optics::spectrum;
 use crate::optics::stars::Depth;
 use crate::optics::stars::images::{Inversion, MeshLayout};
-use crate::scene::Scene;
+use crate::scene::{Frame, Scene};
 use encase::{ShaderSize, StorageBuffer};
 use glam::DMat3;
 use wgpu::{Buffer, BufferUsages, CommandEncoder, ComputePipeline, PollType};
@@ -113,7 +113,7 @@ impl StarRun {
         kernels: impl Iterator<Item = Kernel>,
     ) -> Result<Self, GpuError> {
         let size = scene.picture.size();
-        let scene_numbers = GpuScene::new(scene, size)?;
+        let scene_numbers = GpuScene::new(scene, &Frame::of(scene))?;
         let modules = kernels.map(|kernel| {
             let module = gpu.shader(kernel.entry_point(), &kernel.source(scene))?;
             Ok((kernel, module))

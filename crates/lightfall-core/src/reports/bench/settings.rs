@@ -1,7 +1,7 @@
 //! The methods that can trace a scene, and the settings at which each is measured.
 
 use crate::gpu::GpuScene;
-use crate::scene::{AccuracySetting, ArticleQuality, Method, Quality, Scene};
+use crate::scene::{AccuracySetting, ArticleQuality, Frame, Method, Quality, Scene};
 use glam::UVec2;
 
 /// Step scales of the article's methods, from the fastest to a scale at which 768 steps do not
@@ -116,7 +116,10 @@ pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
         }
         AccuracySetting::None => vec![set(None, f64::NAN, |_, _| {})],
     };
-    let numbers = |setting: &Setting| GpuScene::new(&setting.scene, UVec2::new(1920, 1080)).ok();
+    let numbers = |setting: &Setting| {
+        let frame = Frame::of(&setting.scene).with_whole(UVec2::new(1920, 1080));
+        GpuScene::new(&setting.scene, &frame).ok()
+    };
     let mut kept: Vec<Option<GpuScene>> = Vec::new();
     all.retain(|setting| {
         let numbers = numbers(setting);
