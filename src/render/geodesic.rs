@@ -4,19 +4,20 @@
 
 mod draw;
 mod inputs;
+mod pass;
 mod pipeline;
 mod queue;
 mod shader;
 mod side;
 mod sky;
 
+pub(super) use pass::GeodesicPass;
 pub(crate) use shader::GeodesicShaders;
 pub(super) use shader::{JoinedShaders, select_geodesic_shaders};
 
 use crate::render::antialias::prepare_antialias;
 use crate::render::comparison::{
-    ComparedScene, Comparison, ComparisonLayout, draw_difference, follow_current_scene,
-    prepare_difference,
+    ComparedScene, Comparison, draw_difference, follow_current_scene, prepare_difference,
 };
 use crate::render::current_scene::CurrentScene;
 use crate::render::draw_request::DrawRequest;
@@ -24,7 +25,7 @@ use crate::render::error_map::ShownErrorMap;
 use crate::render::live_shaders::LiveShaders;
 use crate::render::star_catalogue::StarCatalogue;
 use crate::render::star_limit::StarLimit;
-use crate::render::stars::{SceneStars, StarPass};
+use crate::render::stars::StarPass;
 use crate::render::wave_limit::WaveLimit;
 use bevy::asset::AssetEventSystems;
 use bevy::core_pipeline::core_3d::{main_opaque_pass_3d, main_transparent_pass_3d};
@@ -35,82 +36,10 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use draw::draw_geodesic_pass;
-use lightfall_core::gpu::Drawable;
+
 use pipeline::Destination;
 use queue::{GeodesicPipelines, queue_pipelines};
 use side::{Shared, Side, SideWriter};
-use std::ops::Range;
-
-/// The pass's resources on the GPU.
-#[derive(Resource)]
-pub(super) struct GeodesicPass {
-    shared: Shared,
-    current: Side,
-    /// The pinned scene, and where the two are drawn; `None` while nothing is compared.
-    pinned: Option<(Side, ComparisonLayout)>,
-    /// What the pipelines of the written scenes draw to.
-    destination: Destination,
-    /// Whether a scene has changed since it was written.
-    changed: bool,
-    /// Whether this frame has drawn the written scenes.
-    drawn: bool,
-}
-
-impl GeodesicPass {
-    /// Whether this frame has drawn the present scenes.
-    pub(super) fn has_drawn_scene(&self) -> bool {
-        self.drawn && !self.changed
-    }
-
-    /// The columns of a picture of this width that show the pinned scene and the current one.
-    fn columns(&self, width: u32) -> [Range<u32>; 2] {
-        let divider = match self.pinned {
-            Some((_, ComparisonLayout::SideBySide { columns })) => columns.min(width),
-            _ => 0,
-        };
-        [0..divider, divider..width]
-    }
-
-    /// The stars of the scenes.
-    pub(super) fn scene_stars(&self) -> impl Iterator<Item = &SceneStars> {
-        let pinned = self.pinned.as_ref().map(|(side, _)| side);
-        let sides = pinned.into_iter().chain([&self.current]);
-        sides.filter_map(Side::stars)
-    }
-
-    /// Goes on to another one of the frames that are averaged.
-    fn set_frame(
-        &mut self,
-        scene: &Drawable,
-        compared: &ComparedScene,
-        frame: (u32, u32),
-        device: &RenderDevice,
-        queue: &RenderQueue,
-    ) {
-        self.current.set_frame(scene, frame, device, queue);
-        if let (Some((side, _)), Some((scene, _))) = (&mut self.pinned, compared.drawn()) {
-            side.set_frame(scene, frame, device, queue);
-        }
-    }
-
-    /// What refines the scenes that this frame has drawn, and the columns of each.
-    pub(super) fn refinements<'a>(
-        &'a self,
-        cache: &'a PipelineCache,
-        width: u32,
-    ) -> impl Iterator<Item = (&'a ComputePipeline, &'a BindGroup, Range<u32>)> {
-        let [left, right] = self.columns(width);
-        let pinned = self.pinned.as_ref().map(|(side, _)| (side, left));
-        pinned
-            .into_iter()
-            .chain([(&self.current, right)])
-            .filter(move |(_, columns)| self.drawn && !columns.is_empty())
-            .filter_map(|(side, columns)| {
-                let (pipeline, bind_group) = side.refinement(cache)?;
-                Some((pipeline, bind_group, columns))
-            })
-    }
-}
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<JoinedShaders>()

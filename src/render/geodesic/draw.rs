@@ -1,6 +1,6 @@
 //! Draws the scenes: a full-screen triangle at the far plane, or one over a texture of its own.
 
-use super::GeodesicPass;
+use super::pass::GeodesicPass;
 use super::pipeline::{Destination, Traits};
 use super::side::Side;
 use crate::render::antialias::AntialiasPass;

@@ -14,7 +14,7 @@ use lightfall_core::gpu::{Entry, GpuScene, GpuStarlight, Inputs, ShaderFiles, Va
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::stars::images::Inversion;
 use lightfall_core::optics::stars::{Depth, Star};
-use lightfall_core::scene::{Effects, Method, Scene, SkyMode};
+use lightfall_core::scene::{Effects, Frame, Method, Scene, SkyMode};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const DEPTH: Depth = Depth {
@@ -86,7 +86,7 @@ fn rays_go_where_another_projection_says() {
         "vec4<f32>(trace(photon_from(pixel_direction(given.xy))).sky, pixel_solid_angle(given.xy))",
         &[(
             bindings::SCENE,
-            uniform(&GpuScene::new(&scene, size).unwrap()),
+            uniform(&GpuScene::new(&scene, &Frame::of(&scene).with_whole(size)).unwrap()),
         )],
         middles(size).map(|place| place.as_vec2().extend(0.0).extend(0.0)),
     );
@@ -134,7 +134,7 @@ fn the_diffuse_light_of_an_even_sky_is_even_in_another_projection() {
         ..Variant::picture(&scene)
     };
     let starlight = GpuStarlight::new(&scene, DEEP);
-    let numbers = GpuScene::new(&scene, size).unwrap();
+    let numbers = GpuScene::new(&scene, &Frame::of(&scene).with_whole(size)).unwrap();
     let mut uniforms = Inputs::new(&scene).declared_in(&variant.source());
     uniforms.push((bindings::SCENE, uniform(&numbers)));
     uniforms.push((bindings::STARLIGHT, uniform(&starlight)));
