@@ -2,8 +2,8 @@
 
 use bevy::prelude::*;
 
-/// How far the picture of the present scene is drawn. One system writes it
-/// ([`redraw`](super::redraw)) once a frame; the program and its tests read it.
+/// How far the picture of the present scene is drawn. `wake_scene_camera` writes it once a frame;
+/// the program and its tests read it.
 #[derive(Resource, Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Progress {
     /// The scene's shaders are compiled. The screen shows the last picture, if there is one.
