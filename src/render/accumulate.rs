@@ -34,7 +34,7 @@ const STAGE: Stage = (
 /// The pass's resources on the GPU.
 #[derive(Resource)]
 pub(super) struct AccumulatePass {
-    pass: FullScreenPass<Accumulation>,
+    full_screen: FullScreenPass<Accumulation>,
     /// `None` while frames are shown as they are.
     sums: Option<Sums>,
     /// Whether this frame has been added.
@@ -80,7 +80,7 @@ pub(super) fn plugin(app: &mut App) {
 
 fn create_accumulate_pass(mut commands: Commands) {
     commands.insert_resource(AccumulatePass {
-        pass: FullScreenPass::new("accumulation layout", SHADER, 2),
+        full_screen: FullScreenPass::new("accumulation layout", SHADER, 2),
         sums: None,
         added: false,
     });
@@ -97,14 +97,18 @@ fn prepare_accumulate_pass(
     let (Some(request), Some(mut pass)) = (request, pass) else {
         return;
     };
-    let AccumulatePass { pass, sums, added } = &mut *pass;
+    let AccumulatePass {
+        full_screen,
+        sums,
+        added,
+    } = &mut *pass;
     *added = false;
     let Some(frame) = request.averaged_frame() else {
         *sums = None;
         return;
     };
-    pass.queue(STAGE, &cache);
-    pass.write(Accumulation { frame }, &device, &queue);
+    full_screen.queue(STAGE, &cache);
+    full_screen.write(Accumulation { frame }, &device, &queue);
     let size = request.picture_size();
     if sums.as_ref().is_none_or(|sums| sums.size != size) {
         *sums = Some(Sums {
@@ -152,13 +156,13 @@ pub(super) fn accumulate_frame(
         return;
     };
     // The picture's two textures change places only if the pass draws.
-    if pass.pass.pipeline(STAGE, &cache).is_none() {
+    if pass.full_screen.pipeline(STAGE, &cache).is_none() {
         return;
     }
     let after = &sums.after[frame as usize % 2];
     let before = &sums.after[(frame as usize + 1) % 2];
     let picture = target.post_process_write();
-    pass.added = pass.pass.draw(
+    pass.added = pass.full_screen.draw(
         &mut context,
         &cache,
         STAGE,

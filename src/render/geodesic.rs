@@ -36,7 +36,6 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use draw::draw_geodesic_pass;
-
 use pipeline::Destination;
 use queue::{GeodesicPipelines, queue_pipelines};
 use side::{Shared, Side, SideWriter};

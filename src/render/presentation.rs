@@ -65,7 +65,7 @@ pub struct ShownCells(pub Option<UVec2>);
 
 #[derive(Resource)]
 struct PresentationPass {
-    pass: FullScreenPass<Presentation>,
+    full_screen: FullScreenPass<Presentation>,
     /// The cells, which last as long as the picture; `None` when they are bypassed.
     cells: Option<Cells>,
     /// Format of the screen camera's main texture.
@@ -102,7 +102,7 @@ pub(super) fn plugin(app: &mut App) {
 
 fn create_presentation_pass(mut commands: Commands) {
     commands.insert_resource(PresentationPass {
-        pass: FullScreenPass::new("presentation layout", SHADER, 1),
+        full_screen: FullScreenPass::new("presentation layout", SHADER, 1),
         cells: None,
         output: TextureFormat::Rgba8UnormSrgb,
         last_picture: LastPicture::default(),
@@ -190,7 +190,7 @@ fn prepare_presentation_pass(
         }
     });
     let output = pass.output;
-    let pass = &mut pass.pass;
+    let pass = &mut pass.full_screen;
     pass.write(uniform, &device, &queue);
     if picture.bypass {
         pass.queue(fit_to(output), &cache);
@@ -219,7 +219,7 @@ fn draw_cells(
     else {
         return;
     };
-    let filled = pass.pass.draw(
+    let filled = pass.full_screen.draw(
         &mut context,
         &cache,
         PIXELATE,
@@ -247,7 +247,7 @@ fn draw_output(
         Some(cells) => (expand_to(pass.output), &cells.view),
         None => (fit_to(pass.output), picture.main_texture_view()),
     };
-    pass.pass.draw(
+    pass.full_screen.draw(
         &mut context,
         &cache,
         stage,

@@ -21,7 +21,7 @@ const STAGE: Stage = ("difference", [Some(TextureFormat::Rgba16Float), None]);
 /// The pass's resources on the GPU.
 #[derive(Resource)]
 pub(in crate::render) struct DifferencePass {
-    pass: FullScreenPass<Difference>,
+    full_screen: FullScreenPass<Difference>,
     lights: Option<Lights>,
 }
 
@@ -35,7 +35,7 @@ pub(in crate::render) struct Lights {
 impl DifferencePass {
     /// Whether its pipeline exists.
     pub(in crate::render) fn is_ready(&self, cache: &PipelineCache) -> bool {
-        self.pass.pipeline(STAGE, cache).is_some()
+        self.full_screen.pipeline(STAGE, cache).is_some()
     }
 
     /// The textures that the two scenes are drawn to.
@@ -58,7 +58,7 @@ pub(super) fn plugin(app: &mut App) {
 
 fn create_difference_pass(mut commands: Commands) {
     commands.insert_resource(DifferencePass {
-        pass: FullScreenPass::new("difference layout", SHADER, 2),
+        full_screen: FullScreenPass::new("difference layout", SHADER, 2),
         lights: None,
     });
 }
@@ -78,9 +78,12 @@ pub(in crate::render) fn prepare_difference(
         }
         return;
     };
-    let DifferencePass { pass, lights } = &mut *pass;
-    pass.queue(STAGE, &cache);
-    pass.write(Difference { gain }, &device, &queue);
+    let DifferencePass {
+        full_screen,
+        lights,
+    } = &mut *pass;
+    full_screen.queue(STAGE, &cache);
+    full_screen.write(Difference { gain }, &device, &queue);
     let size = scene.picture.size();
     if lights.as_ref().is_none_or(|lights| lights.size != size) {
         *lights = Some(Lights {
@@ -121,7 +124,7 @@ pub(in crate::render) fn draw_difference(
     let (Some(lights), None) = (&pass.lights, target.sampled_main_texture()) else {
         return;
     };
-    pass.pass.draw(
+    pass.full_screen.draw(
         &mut context,
         &cache,
         STAGE,

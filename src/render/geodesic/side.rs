@@ -83,9 +83,8 @@ impl Side {
         writer: &mut SideWriter,
     ) {
         let (device, queue) = (writer.device, writer.queue);
-        let (frame, frames) = writer.frame;
         let mut numbers = scene.numbers().clone();
-        numbers.picture = GpuPicture::new(scene, &Frame::of(scene).with_sample(frame, frames));
+        numbers.picture = picture_of_sample(scene, writer.frame);
         self.uniform.set(numbers);
         self.uniform.write_buffer(device, queue);
         let inputs = Inputs {
@@ -188,11 +187,11 @@ impl Side {
     pub(super) fn set_frame(
         &mut self,
         scene: &Drawable,
-        (frame, frames): (u32, u32),
+        frame: (u32, u32),
         device: &RenderDevice,
         queue: &RenderQueue,
     ) {
-        let picture = GpuPicture::new(scene, &Frame::of(scene).with_sample(frame, frames));
+        let picture = picture_of_sample(scene, frame);
         if self.uniform.get().picture != picture {
             self.uniform.get_mut().picture = picture;
             self.uniform.write_buffer(device, queue);
@@ -217,4 +216,9 @@ impl Side {
         let pipeline = cache.get_compute_pipeline(self.pipelines?.refine?)?;
         Some((pipeline, self.bind_group.as_ref()?))
     }
+}
+
+/// The picture's numbers for one of several frames that are averaged.
+fn picture_of_sample(scene: &Drawable, (sample, samples): (u32, u32)) -> GpuPicture {
+    GpuPicture::new(scene, &Frame::of(scene).with_sample(sample, samples))
 }

@@ -126,26 +126,12 @@ fn delay() -> Result<String, String> {
     Ok(markdown(
         "scene | method | time over none | error, r_s/c, median | 99 % | largest | turn of the matter, rad, 99 % | largest",
         own.map(|row| {
-            let is_none = |none: &&DelayMeasurement| {
-                none.nodes == 0 && (&none.scene, &none.method) == (&row.scene, &row.method)
-            };
-            let none = rows
-                .iter()
-                .find(is_none)
-                .map_or(f64::NAN, |none| none.trace_ms);
-            let errors = [
-                row.delay_p50,
-                row.delay_p99,
-                row.delay_max,
-                row.turn_p99,
-                row.turn_max,
-            ];
             let mut cells = vec![
                 row.scene.clone(),
                 row.method.clone(),
-                ratio(row.trace_ms / none),
+                ratio(row.time_over_none(&rows)),
             ];
-            cells.extend(errors.map(short));
+            cells.extend(row.errors().map(short));
             cells
         }),
     ))

@@ -56,6 +56,32 @@ pub struct DelayMeasurement {
     pub turn_max: f64,
 }
 
+impl DelayMeasurement {
+    /// The time relative to that of tracing without delays, which is another of these rows. NaN if
+    /// none of them has it.
+    #[must_use]
+    pub fn time_over_none(&self, rows: &[Self]) -> f64 {
+        let is_none = |none: &&Self| {
+            none.nodes == 0 && (&none.scene, &none.method) == (&self.scene, &self.method)
+        };
+        let none = rows.iter().find(is_none);
+        none.map_or(f64::NAN, |none| self.trace_ms / none.trace_ms)
+    }
+
+    /// The errors of the delays (median, 99th percentile, maximum) in r_s/c, and of the turn of the
+    /// matter (99th percentile, maximum) in radians.
+    #[must_use]
+    pub fn errors(&self) -> [f64; 5] {
+        [
+            self.delay_p50,
+            self.delay_p99,
+            self.delay_max,
+            self.turn_p99,
+            self.turn_max,
+        ]
+    }
+}
+
 impl Plan {
     /// The methods of the plan that have delays, with their numbers of nodes, in a scene.
     fn delay_settings(&self, scene: &Scene) -> Vec<(Scene, u32)> {
@@ -220,18 +246,8 @@ pub fn delay_table(rows: &[DelayMeasurement]) -> String {
          |---|---|---|---|---|---|---|---|---|---|\n",
     );
     for row in rows {
-        let none = rows.iter().find(|other| {
-            other.nodes == 0 && other.scene == row.scene && other.method == row.method
-        });
-        let over = none.map_or(f64::NAN, |none| row.trace_ms / none.trace_ms);
-        let errors = [
-            row.delay_p50,
-            row.delay_p99,
-            row.delay_max,
-            row.turn_p99,
-            row.turn_max,
-        ];
-        let errors = errors.map(|error| match row.nodes {
+        let over = row.time_over_none(rows);
+        let errors = row.errors().map(|error| match row.nodes {
             0 => String::new(),
             _ => format!("{error:.1e}"),
         });
