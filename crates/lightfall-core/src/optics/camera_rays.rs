@@ -6,7 +6,6 @@
 //! frames, so that no tracing method needs to know of the tilt. What a ray's trace says about the sky
 //! is turned back to the hole's frame.
 
-use crate::geometry::kerr::Kerr;
 use crate::geometry::observer::{
     ExpandedMatrix, ObserverError, ObserverMatrix, Photon, observer_matrix,
 };
@@ -39,9 +38,7 @@ impl CameraRays {
     /// whose absence is defined only outside.
     pub fn new(scene: &Scene) -> Result<Self, ObserverError> {
         let (camera, observer, effects) = (&scene.camera, &scene.observer, scene.effects);
-        let kerr = Kerr {
-            spin: scene.hole.spin,
-        };
+        let kerr = scene.kerr();
         let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
         let matrix_of =
             |kind, velocity| observer_matrix(kerr.spin, kind, velocity, camera.r, theta, phi);

@@ -7,7 +7,7 @@ mod page_thorne;
 pub use newtonian::{NEWTONIAN_PEAK, newtonian_flux};
 pub use page_thorne::{PageThorne, TABLE_LEN};
 
-use crate::geometry::kerr::{CircularOrbit, Kerr};
+use crate::geometry::kerr::CircularOrbit;
 use crate::scene::{Disk, DiskModel, Scene};
 use std::f64::consts::TAU;
 
@@ -22,9 +22,7 @@ pub fn inner_edge(scene: &Scene) -> f64 {
 /// clock far away.
 #[must_use]
 pub fn inner_period(scene: &Scene) -> Option<f64> {
-    let kerr = Kerr {
-        spin: scene.hole.spin,
-    };
+    let kerr = scene.kerr();
     let orbit = kerr.circular_orbit(inner_edge(scene))?;
     Some(TAU / orbit.angular_velocity)
 }

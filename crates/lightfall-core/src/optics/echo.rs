@@ -11,7 +11,6 @@
 //! moves the crossing outward, and another azimuth turns it about the axis. So two nested searches
 //! for a root find the ray, without a first guess and at any spin.
 
-use crate::geometry::kerr::Kerr;
 use crate::geometry::mino::Constants;
 use crate::geometry::observer::{
     ObserverError, ObserverKind, ObserverMatrix, Photon, observer_matrix,
@@ -67,9 +66,7 @@ pub struct Image {
 /// If the scene's observer cannot exist.
 pub fn echo(scene: &Scene) -> Result<Vec<Image>, ObserverError> {
     let rays = CameraRays::in_disk_frame(scene)?;
-    let kerr = Kerr {
-        spin: scene.hole.spin,
-    };
+    let kerr = scene.kerr();
     let (r, n) = (scene.camera.r, camera_in_disk_frame(scene));
     let spot = match HotSpot::new(scene) {
         Some(spot) if r > kerr.horizon() && n.z != 0.0 => spot,
@@ -248,9 +245,7 @@ fn straight_image(
     }
     let toward = way / delay;
     let lapse = RestFrame::at(
-        Kerr {
-            spin: scene.hole.spin,
-        },
+        scene.kerr(),
         scene.camera.r,
         scene.camera.theta_deg.to_radians(),
     )

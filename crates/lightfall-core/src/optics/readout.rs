@@ -11,7 +11,6 @@ mod strain;
 pub use shadow::{Shadow, shadow, shadow_radius};
 pub use strain::{held_acceleration, tide};
 
-use crate::geometry::kerr::Kerr;
 use crate::geometry::observer::{ObserverError, observer_matrix};
 use crate::geometry::tetrad::{four_velocity, relative_velocity};
 use crate::optics::camera_rays::CameraRays;
@@ -81,9 +80,7 @@ impl Readout {
     /// If the scene's observer does not exist.
     pub fn new(scene: &Scene) -> Result<Self, ObserverError> {
         let (camera, observer) = (&scene.camera, &scene.observer);
-        let kerr = Kerr {
-            spin: scene.hole.spin,
-        };
+        let kerr = scene.kerr();
         let (r, theta, phi) = (
             camera.r,
             camera.theta_deg.to_radians(),
@@ -151,11 +148,7 @@ fn light_ahead(scene: &Scene) -> Result<Option<LightAhead>, ObserverError> {
     let lambda = scene.camera.r * scene.camera.direction().cross(photon.w).z / photon.energy;
     scene.effects.doppler = false;
     let gravity = Shift::new(&scene);
-    let outside = scene.camera.r
-        > Kerr {
-            spin: scene.hole.spin,
-        }
-        .horizon();
+    let outside = scene.camera.r > scene.kerr().horizon();
     Ok(match (trace.hits[0], trace.outcome) {
         (Some(hit), _) => Some(LightAhead {
             from_disk: true,

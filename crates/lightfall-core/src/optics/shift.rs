@@ -70,9 +70,7 @@ impl Shift {
     /// The shifts of this scene's light.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
-        let kerr = Kerr {
-            spin: scene.hole.spin,
-        };
+        let kerr = scene.kerr();
         let theta = scene.camera.theta_deg.to_radians();
         Self {
             kerr,

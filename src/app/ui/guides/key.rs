@@ -38,9 +38,7 @@ pub(super) fn show_key(
     [right, top]: [f32; 2],
     tracing: Tracing,
 ) -> egui::Rect {
-    let kerr = Kerr {
-        spin: scene.hole.spin,
-    };
+    let kerr = scene.kerr();
     let area = egui::Area::new(KEY.into())
         .fixed_pos([right - WIDTH - 2.0 * MARGIN, top])
         .interactable(false)

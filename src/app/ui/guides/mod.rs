@@ -204,9 +204,7 @@ fn show_guides(
     );
     let taken: Vec<_> = legend.into_iter().chain([key]).collect();
     let figure = Figure {
-        kerr: Kerr {
-            spin: scene.hole.spin,
-        },
+        kerr: scene.kerr(),
         placement,
         quick: &quick.guides,
         slow,

@@ -5,7 +5,6 @@ use super::colours::{CAMERA, DISK, HORIZON, PHOTON_ORBITS, path_colour};
 use super::labels::Labels;
 use bevy_egui::egui::{self, Color32, Pos2, Rect, Stroke};
 use glam::DVec2;
-use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::schwarzschild::CRITICAL_IMPACT;
 use lightfall_core::numbers::four_digits;
 use lightfall_core::optics::disk;
@@ -115,9 +114,7 @@ fn draw_hole(
     first: &Inspected,
     labels: &mut Labels,
 ) {
-    let kerr = Kerr {
-        spin: scene.hole.spin,
-    };
+    let kerr = scene.kerr();
     if scene.disk.enabled {
         let (inner, outer) = (disk::inner_edge(scene), scene.disk.outer);
         match first.plane.disk {

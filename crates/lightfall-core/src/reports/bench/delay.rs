@@ -3,7 +3,6 @@
 use super::plan::Plan;
 use super::scenes::BenchScene;
 use crate::accuracy::{Quantiles, Ray, hits, rays_over_picture};
-use crate::geometry::kerr::Kerr;
 use crate::gpu::rays::RayKernel;
 use crate::gpu::timing::Stopwatch;
 use crate::gpu::{Gpu, GpuError, Variant};
@@ -188,9 +187,7 @@ impl Plan {
             let found = kernel.trace_camera_rays(gpu, scene, given)?;
             errors = truth.iter().zip(&found).flat_map(delay_errors).collect();
         }
-        let kerr = Kerr {
-            spin: scene.hole.spin,
-        };
+        let kerr = scene.kerr();
         let turn = |(r, error): &(f64, f64)| {
             let orbit = kerr.circular_orbit(*r);
             orbit.map_or(f64::NAN, |orbit| orbit.angular_velocity * error)

@@ -1,6 +1,5 @@
 //! Random scenes.
 
-use crate::geometry::kerr::Kerr;
 use crate::gpu::GpuScene;
 use crate::random::Random;
 use crate::scene::{Method, ObserverKind, Scene};
@@ -16,10 +15,7 @@ pub(super) fn random_scene(random: &mut Random) -> Scene {
             _ => (1.0 - random.log_between(1e-6, 0.5)) * if random.one_in(2) { -1.0 } else { 1.0 },
         };
         scene.method = Method::BEST;
-        let horizon = Kerr {
-            spin: scene.hole.spin,
-        }
-        .horizon();
+        let horizon = scene.kerr().horizon();
         scene.camera.r = horizon * (1.0 + random.log_between(1e-4, 1e6));
         scene.camera.theta_deg = match random.unit() {
             share if share < 0.1 => 90.0,

@@ -4,7 +4,6 @@
 use super::StarImage;
 use super::caustic::{MIN_SOURCE_RADIUS, inverse_sine};
 use super::table::{ImageTable, ORDERS};
-use crate::geometry::kerr::Kerr;
 use crate::geometry::observer::{ObserverError, ObserverKind, boost, observer_matrix};
 use crate::geometry::sphere::angle_between;
 use crate::geometry::tetrad::transformation;
@@ -80,9 +79,7 @@ impl Inversion {
             }
             Lens::Table(Box::new(ImageTable::new(camera.r)))
         } else {
-            let kerr = Kerr {
-                spin: scene.hole.spin,
-            };
+            let kerr = scene.kerr();
             Lens::Straight {
                 ball: (kerr.horizon() / camera.r).min(1.0).asin(),
             }
