@@ -2,8 +2,8 @@
 
 use super::cli::EntryArg;
 use lightfall_core::gpu::Gpu;
-use lightfall_core::reports::bench::Plan;
-use lightfall_core::reports::circumstances::{Circumstances, date};
+use lightfall_lab::bench::Plan;
+use lightfall_lab::circumstances::{Circumstances, date};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// The circumstances of a report made now on this device.

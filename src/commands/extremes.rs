@@ -9,12 +9,12 @@ use super::stop::Stop;
 use crate::log::say;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::numbers::counted;
-use lightfall_core::reports::export::{csv, json};
-use lightfall_core::reports::extremes::{
+use lightfall_core::scene::Method;
+use lightfall_lab::export::{csv, json};
+use lightfall_lab::extremes::{
     Cell, CellDelays, Hunt, HuntRow, WorstRay, cells, delays_table, delays_work, grid, hunt_text,
     markdown, matrix_work, measure_delays, measure_matrix,
 };
-use lightfall_core::scene::Method;
 
 /// Number of scenes that a hunt lists even if their worst rays are within the tolerance.
 const MIN_LISTED: usize = 10;

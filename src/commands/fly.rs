@@ -11,6 +11,7 @@ use crate::picture::HeadlessOptions;
 use crate::storage::file_safe_name;
 use crate::{app, picture};
 use lightfall_core::gpu::ShaderFiles;
+use lightfall_core::optics::exposure::exposed;
 use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
@@ -73,7 +74,7 @@ fn draw_instead(
     say(format_args!(
         "lightfall: no display ({reason}); rendering {what} to a picture instead"
     ));
-    let scene = scene.exposed();
+    let scene = exposed(&scene);
     let size = scene.picture.size();
     let options = HeadlessOptions {
         stars,

@@ -3,9 +3,9 @@
 
 use crate::log::say;
 use crate::storage;
-use lightfall_core::reports::circumstances::Circumstances;
-use lightfall_core::reports::export::csv;
-use lightfall_core::reports::import::Report;
+use lightfall_lab::circumstances::Circumstances;
+use lightfall_lab::export::csv;
+use lightfall_lab::import::Report;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};

@@ -2,7 +2,7 @@
 
 use super::stop::Stop;
 use crate::storage;
-use lightfall_core::reports::rays::is_closed_pipe;
+use lightfall_core::accuracy::rays::is_closed_pipe;
 use std::io::{self, Write};
 use std::path::Path;
 

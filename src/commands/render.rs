@@ -17,8 +17,8 @@ use crate::storage;
 use glam::UVec2;
 use indicatif::ProgressBar;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::reports::export::csv;
 use lightfall_core::scene::{Picture, Scene, SkyMode};
+use lightfall_lab::export::csv;
 use std::ops::Range;
 use std::path::{Path, PathBuf, absolute};
 

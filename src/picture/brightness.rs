@@ -2,7 +2,7 @@
 
 use crate::render::Captured;
 use exr::prelude::f16;
-use lightfall_core::reports::bench::shown_brightness;
+use lightfall_lab::bench::shown_brightness;
 
 /// The brightness that a screen shows of each pixel of a part of a picture (left, top, width,
 /// height), from 0 to 1, rows from the top.

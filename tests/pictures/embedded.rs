@@ -2,6 +2,7 @@
 
 use super::linear::{Linear, program, small};
 use lightfall::storage::read_scene;
+use lightfall_core::optics::exposure::exposed;
 use std::fs;
 
 #[test]
@@ -14,7 +15,7 @@ fn a_picture_holds_the_preset_that_drew_it() {
     scene.title = "μέλας \"hole\", 0.1 + 0.2 — tilted".into();
     (scene.camera.theta_deg, scene.hole.spin) = (0.1 + 0.2, 1.0 / 3.0);
     // The exposure that is drawn.
-    scene = scene.exposed();
+    scene = exposed(&scene);
     for file in ["a.exr", "a.png"] {
         program(folder.path(), &scene, &format!("-o {file}"));
         assert_eq!(taken(file).unwrap(), scene, "{file}");

@@ -3,8 +3,8 @@
 use std::io::{self, BufReader, Read, Write};
 
 use glam::{DVec3, dvec3};
+use lightfall_core::accuracy::rays::{HEADER, RayReader, TraceWriter, is_closed_pipe};
 use lightfall_core::optics::trace::{Hit, Outcome, Trace};
-use lightfall_core::reports::rays::{HEADER, RayReader, TraceWriter, is_closed_pipe};
 
 fn rays(text: &str) -> Vec<DVec3> {
     RayReader::new(text.as_bytes(), "rays.csv")

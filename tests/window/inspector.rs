@@ -5,7 +5,7 @@ use crate::desktop::Desktop;
 use crate::shot::Shot;
 use glam::DVec2;
 use lightfall_core::accuracy::Ray;
-use lightfall_core::reports::inspection::Inspected;
+use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::scene::presets;
 use std::time::{Duration, Instant};
 

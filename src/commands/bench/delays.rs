@@ -5,7 +5,7 @@ use crate::commands::circumstances::circumstances_of;
 use crate::commands::cli::BenchArgs;
 use crate::commands::stop::Stop;
 use lightfall_core::gpu::Gpu;
-use lightfall_core::reports::bench::{DelayMeasurement, Plan, delay_table};
+use lightfall_lab::bench::{DelayMeasurement, Plan, delay_table};
 
 /// Measures the delays, and prints and writes their report.
 pub(super) fn bench_delays(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {

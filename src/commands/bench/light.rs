@@ -5,7 +5,7 @@ use crate::commands::circumstances::circumstances_of;
 use crate::commands::cli::{BenchArgs, EntryArg};
 use crate::commands::stop::Stop;
 use lightfall_core::gpu::Gpu;
-use lightfall_core::reports::bench::{LightMeasurement, Plan, light_table};
+use lightfall_lab::bench::{LightMeasurement, Plan, light_table};
 
 /// Times the light of living disks, and prints and writes the report.
 pub(super) fn bench_light(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {

@@ -10,12 +10,12 @@ use crate::log::say;
 use crate::picture;
 use glam::UVec2;
 use lightfall_core::gpu::Gpu;
-use lightfall_core::reports::bench::{
+use lightfall_core::scene::{Method, Scene};
+use lightfall_lab::bench::{
     AutoMargin, BenchScene, Measurement, Plan, Ranking, auto_margin, markdown, plot,
 };
-use lightfall_core::reports::circumstances::Circumstances;
-use lightfall_core::reports::export::{csv, json};
-use lightfall_core::scene::{Method, Scene};
+use lightfall_lab::circumstances::Circumstances;
+use lightfall_lab::export::{csv, json};
 
 /// Number of frames that a whole frame's time is the median of.
 const TIMED_FRAMES: usize = 9;

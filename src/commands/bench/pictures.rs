@@ -7,7 +7,7 @@ use crate::commands::stop::Stop;
 use crate::picture::{self, HeadlessOptions, PictureError as Failure, Studio};
 use glam::UVec2;
 use lightfall_core::gpu::Gpu;
-use lightfall_core::reports::bench::{
+use lightfall_lab::bench::{
     BenchScene, PICTURE_SETTINGS, PictureError, PictureMeasurement, PictureSetting, Plan,
     TRUE_SAMPLES, measured_part, pictures_table, with_smooth_disk,
 };

@@ -5,7 +5,7 @@ use crate::commands::circumstances::circumstances;
 use crate::commands::cli::BenchArgs;
 use crate::commands::stop::Stop;
 use lightfall_core::gpu::Gpu;
-use lightfall_core::reports::bench::{Plan, RefinementMeasurement, refinement_table};
+use lightfall_lab::bench::{Plan, RefinementMeasurement, refinement_table};
 
 /// Measures the errors of every series, and prints and writes their report.
 pub(super) fn bench_refinements(args: &BenchArgs, gpu: &Gpu, plan: &Plan) -> Result<(), Stop> {

@@ -6,8 +6,8 @@ use crate::commands::kept_rows::KeptRows;
 use crate::commands::output::{print, write_tables};
 use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
-use lightfall_core::reports::circumstances::Circumstances;
-use lightfall_core::reports::export::{csv, json};
+use lightfall_lab::circumstances::Circumstances;
+use lightfall_lab::export::{csv, json};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 

@@ -6,8 +6,8 @@ use super::size::size;
 use clap::{Args, ValueEnum};
 use glam::UVec2;
 use lightfall_core::gpu::timing::Stage;
-use lightfall_core::reports::bench::{BenchScene, Plan, scenes};
 use lightfall_core::scene::{Method, presets};
+use lightfall_lab::bench::{BenchScene, Plan, scenes};
 use std::path::PathBuf;
 
 /// The arguments of `lightfall bench`.

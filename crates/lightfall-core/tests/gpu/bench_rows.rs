@@ -1,12 +1,10 @@
 //! The comparison of methods at equal error, with rows that are written by hand.
 
-use lightfall_core::reports::bench::{
-    Measurement, Plan, Ranking, at_equal_error, auto_margin, markdown,
-};
-use lightfall_core::reports::circumstances::{Circumstances, date};
-use lightfall_core::reports::export::csv;
-use lightfall_core::reports::import::Report;
 use lightfall_core::scene::Method;
+use lightfall_lab::bench::{Measurement, Plan, Ranking, at_equal_error, auto_margin, markdown};
+use lightfall_lab::circumstances::{Circumstances, date};
+use lightfall_lab::export::csv;
+use lightfall_lab::import::Report;
 use std::time::Duration;
 
 /// What a report says of the machine and of the run.

@@ -4,8 +4,8 @@ use crate::gpu;
 use glam::DVec3;
 use lightfall_core::accuracy::Ray;
 use lightfall_core::optics::reference::Reference;
-use lightfall_core::reports::extremes::{Cell, Verdict, measure_matrix};
 use lightfall_core::scene::{Method, Scene};
+use lightfall_lab::extremes::{Cell, Verdict, measure_matrix};
 
 /// The middle of the ring, in r_s.
 const RADIUS: f64 = 5.0;

@@ -6,11 +6,11 @@ use lightfall_core::accuracy::{
     ErrorSummary, Ray, Truth, rays_over_picture_and_near_edge, tolerance,
 };
 use lightfall_core::gpu::rays::RayKernel;
-use lightfall_core::reports::bench::scenes;
 use lightfall_core::scene::promises::{
     CLOSED_MAX, CLOSED_P99, CLOSED_SPINNING_P99, MINO_MAX, MINO_P99,
 };
 use lightfall_core::scene::{Method, Scene};
+use lightfall_lab::bench::scenes;
 
 /// Rays of a scene: half over its picture, half next to the shadow's edge.
 const RAYS: usize = 512;

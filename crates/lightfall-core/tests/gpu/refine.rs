@@ -2,12 +2,10 @@
 
 use crate::bench_rows::circumstances;
 use crate::gpu;
-use lightfall_core::reports::bench::{
-    Plan, RefinementMeasurement, Study, refinement_table, scenes,
-};
-use lightfall_core::reports::export::csv;
-use lightfall_core::reports::import::Report;
 use lightfall_core::scene::Method;
+use lightfall_lab::bench::{Plan, RefinementMeasurement, Study, refinement_table, scenes};
+use lightfall_lab::export::csv;
+use lightfall_lab::import::Report;
 
 /// A plan for few rays of the scenes edge-on, without and with spin.
 fn plan(methods: &[Method]) -> Plan {

@@ -7,16 +7,16 @@ use lightfall_core::accuracy::{
 };
 use lightfall_core::gpu::rays::RayKernel;
 use lightfall_core::optics::reference::Reference;
-use lightfall_core::reports::bench::{
+use lightfall_core::scene::promises::{CLOSED_MAX, CLOSED_SPINNING_MAX};
+use lightfall_core::scene::{ArticleQuality, Method, ObserverKind, Scene};
+use lightfall_lab::bench::{
     Measurement, Plan, auto_margin, markdown, methods_for, plot, scenes, settings,
 };
-use lightfall_core::reports::export::csv;
-use lightfall_core::reports::extremes::{
+use lightfall_lab::export::csv;
+use lightfall_lab::extremes::{
     Cell, Hunt, Verdict, WorstRay, cells, delays_table, markdown as extremes_markdown,
     measure_delays, measure_matrix,
 };
-use lightfall_core::scene::promises::{CLOSED_MAX, CLOSED_SPINNING_MAX};
-use lightfall_core::scene::{ArticleQuality, Method, ObserverKind, Scene};
 use std::collections::BTreeSet;
 
 /// A quick run of few rays.

@@ -1,6 +1,7 @@
 //! The light meter, against what it is for: a picture that is neither black nor white, and steady.
 
 use lightfall_core::gpu::Drawable;
+use lightfall_core::optics::exposure::exposed;
 use lightfall_core::optics::exposure::metered_exposure;
 use lightfall_core::optics::worldline::Worldline;
 use lightfall_core::scene::journey;
@@ -29,10 +30,10 @@ fn the_metered_exposure_of_a_metered_scene_is_the_same() {
     for number in ["2", "7", "8"] {
         let mut scene = preset(number);
         scene.picture.automatic_exposure = true;
-        let once = scene.exposed();
-        assert_eq!(once.exposed(), once);
+        let once = exposed(&scene);
+        assert_eq!(exposed(&once), once);
         scene.picture.automatic_exposure = false;
-        assert_eq!(scene.exposed(), scene);
+        assert_eq!(exposed(&scene), scene);
     }
 }
 

@@ -8,11 +8,12 @@ use half::f16;
 use lightfall_core::optics::cube_map::{
     FACES, face_and_place, face_column_row, place, solid_angle, texel,
 };
-use lightfall_core::optics::milky_way::{MilkyWay, asset, light_from};
+use lightfall_core::optics::milky_way::MilkyWay;
 use lightfall_core::optics::stars::{
     Catalogue, StarList, ZERO_MAGNITUDE_FLUX, celestial_direction, fainter_share,
     galactic_from_celestial, total_light,
 };
+use lightfall_galaxy::light_from;
 use std::f64::consts::PI;
 
 /// Stars of V = 0 per steradian as magnitudes V per square second of arc.
@@ -178,7 +179,7 @@ fn random_texels_of_the_asset_are_what_the_program_computes() {
     let sky = MilkyWay::built_in();
     for _ in 0..40 {
         let number = random.integer(0, (FACES * MilkyWay::SIZE * MilkyWay::SIZE) as u32 - 1);
-        let [brightness, share] = asset::texel(number as usize).map(f64::from);
+        let [brightness, share] = lightfall_galaxy::texel(number as usize).map(f64::from);
         let texel = sky.texels(0)[number as usize].map(f64::from);
         // The steps of the two bytes, and one more for other mathematical libraries.
         let found = (MilkyWay::brightness(texel) / 6.0).ln() / 0.02;

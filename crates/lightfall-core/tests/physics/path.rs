@@ -3,11 +3,11 @@
 
 use glam::{DVec2, DVec3};
 use lightfall_core::accuracy::Ray;
+use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::path::Path;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::Outcome;
-use lightfall_core::reports::inspection::Inspected;
 use lightfall_core::scene::{ObserverKind, Scene, presets};
 use std::f64::consts::PI;
 
@@ -238,7 +238,7 @@ fn an_inspection_has_the_numbers_of_trace() {
                 .unwrap()
                 .numbers;
             let mut csv = Vec::new();
-            let mut writer = lightfall_core::reports::rays::TraceWriter::new(&mut csv).unwrap();
+            let mut writer = lightfall_core::accuracy::rays::TraceWriter::new(&mut csv).unwrap();
             writer
                 .write(&reference.trace_with_delays(direction))
                 .unwrap();

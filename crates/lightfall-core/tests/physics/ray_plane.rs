@@ -1,9 +1,9 @@
 //! A ray in its own plane, and the angle by which gravity turns its light, against closed forms.
 
 use glam::{DVec2, DVec3};
+use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::geometry::schwarzschild;
 use lightfall_core::optics::ray_plane::DiskSection;
-use lightfall_core::reports::inspection::Inspected;
 use lightfall_core::scene::{ObserverKind, Scene};
 
 /// A scene without a disk, with the camera at this radius.

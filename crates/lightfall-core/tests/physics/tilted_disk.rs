@@ -4,6 +4,7 @@
 use crate::assert_close;
 use crate::moved_camera::Twin;
 use glam::{DMat3, DVec3};
+use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::accuracy::{Ray, rays_over_sky};
 use lightfall_core::geometry::sphere::wrap_angle;
 use lightfall_core::gpu::Drawable;
@@ -14,7 +15,6 @@ use lightfall_core::optics::guides::{Landmark, quick_guides, traced_guides};
 use lightfall_core::optics::limb::Limb;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::{Outcome, Trace};
-use lightfall_core::reports::inspection::Inspected;
 use lightfall_core::scene::{HotSpotKind, LimbDarkening, ObserverKind, Scene};
 
 /// A wide disk with this tilt and node, and a camera at rest off every axis.

@@ -38,7 +38,9 @@ pub(super) fn show_key(
     [right, top]: [f32; 2],
     tracing: Tracing,
 ) -> egui::Rect {
-    let kerr = scene.kerr();
+    let kerr = Kerr {
+        spin: scene.hole.spin,
+    };
     let area = egui::Area::new(KEY.into())
         .fixed_pos([right - WIDTH - 2.0 * MARGIN, top])
         .interactable(false)

@@ -204,7 +204,9 @@ fn show_guides(
     );
     let taken: Vec<_> = legend.into_iter().chain([key]).collect();
     let figure = Figure {
-        kerr: scene.kerr(),
+        kerr: Kerr {
+            spin: scene.hole.spin,
+        },
         placement,
         quick: &quick.guides,
         slow,

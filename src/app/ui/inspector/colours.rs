@@ -1,8 +1,8 @@
 //! The colours of the inspector's drawings.
 
 use bevy_egui::egui::Color32;
+use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::optics::trace::Outcome;
-use lightfall_core::reports::inspection::Inspected;
 
 pub(super) const HORIZON: Color32 = Color32::from_gray(150);
 pub(super) const ERGOSPHERE: Color32 = Color32::from_rgb(150, 90, 200);

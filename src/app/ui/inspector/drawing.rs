@@ -7,9 +7,10 @@ use super::projection::Projection;
 use crate::app::ui::number::four_decimals;
 use bevy_egui::egui::{self, Color32, Pos2, Rect, Stroke};
 use glam::{DMat3, DVec3};
+use lightfall_core::accuracy::inspection::Inspected;
+use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::camera_rays::camera_in_disk_frame;
 use lightfall_core::optics::disk;
-use lightfall_core::reports::inspection::Inspected;
 use lightfall_core::scene::Scene;
 use std::f64::consts::{PI, TAU};
 
@@ -109,7 +110,10 @@ impl Sketch {
             self.turn[0] += f64::from(drag.x) * 0.01;
             self.turn[1] = (self.turn[1] + f64::from(drag.y) * 0.01).clamp(-PI / 2.0, PI / 2.0);
         }
-        let horizon = scene.kerr().horizon();
+        let horizon = Kerr {
+            spin: scene.hole.spin,
+        }
+        .horizon();
         let projection = Projection {
             axes: self.axes(scene),
             centre: rect.center(),
@@ -178,7 +182,9 @@ fn circle(radius: f64) -> impl Iterator<Item = DVec3> {
 }
 
 fn draw_hole(painter: &egui::Painter, projection: &Projection, scene: &Scene) {
-    let kerr = scene.kerr();
+    let kerr = Kerr {
+        spin: scene.hole.spin,
+    };
     let radius = (projection.horizon * projection.points_per_length) as f32;
     let thin = |colour: Color32| Stroke::new(1.0, colour);
     let fill = if projection.inside {

@@ -21,7 +21,7 @@ use colours::path_colour;
 use drawing::{Sketch, Viewpoint, legend};
 use glam::DVec2;
 use lightfall_core::accuracy::Ray;
-use lightfall_core::reports::inspection::Inspected;
+use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::scene::{Picture, Scene};
 use ray_worker::{GpuState, InspectedRays, RayJob, RayWorker};
 

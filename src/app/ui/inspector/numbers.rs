@@ -2,9 +2,9 @@
 
 use super::ray_worker::GpuState;
 use bevy_egui::egui;
+use lightfall_core::accuracy::inspection::{Difference, Inspection, Record};
 use lightfall_core::numbers::{four_digits, short_number};
 use lightfall_core::optics::trace::Outcome;
-use lightfall_core::reports::inspection::{Difference, Inspection, Record};
 use lightfall_core::scene::Scene;
 
 /// The row that answers how true the picture is at this pixel.

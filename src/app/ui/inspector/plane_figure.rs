@@ -5,12 +5,13 @@ use super::colours::{CAMERA, DISK, HORIZON, PHOTON_ORBITS, path_colour};
 use super::labels::Labels;
 use bevy_egui::egui::{self, Color32, Pos2, Rect, Stroke};
 use glam::DVec2;
+use lightfall_core::accuracy::inspection::Inspected;
+use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::schwarzschild::CRITICAL_IMPACT;
 use lightfall_core::numbers::four_digits;
 use lightfall_core::optics::disk;
 use lightfall_core::optics::ray_plane::{DiskSection, RayPlane};
 use lightfall_core::optics::trace::Outcome;
-use lightfall_core::reports::inspection::Inspected;
 use lightfall_core::scene::Scene;
 use std::f64::consts::TAU;
 
@@ -114,7 +115,9 @@ fn draw_hole(
     first: &Inspected,
     labels: &mut Labels,
 ) {
-    let kerr = scene.kerr();
+    let kerr = Kerr {
+        spin: scene.hole.spin,
+    };
     if scene.disk.enabled {
         let (inner, outer) = (disk::inner_edge(scene), scene.disk.outer);
         match first.plane.disk {

@@ -4,10 +4,10 @@
 use crate::worker::{Answers, Worker};
 use glam::DVec2;
 use lightfall_core::accuracy::Ray;
+use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::gpu::rays::RayKernel;
 use lightfall_core::gpu::{GpuError, with_background_device};
 use lightfall_core::optics::trace::Trace;
-use lightfall_core::reports::inspection::Inspected;
 use lightfall_core::scene::Scene;
 
 /// The thread.

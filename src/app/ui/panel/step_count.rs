@@ -6,8 +6,8 @@ use crate::app::state::overlays::Overlays;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::worker::Worker;
 use bevy::prelude::*;
+use lightfall_core::accuracy::steps::StepCount;
 use lightfall_core::gpu::with_background_device;
-use lightfall_core::reports::steps::StepCount;
 use lightfall_core::scene::Scene;
 
 /// The thread that counts, and its last answer.

@@ -1,0 +1,59 @@
+//! The f64 reference for rays given by directions of the camera.
+
+use glam::{DMat3, DVec3};
+use lightfall_model::geometry::mino::Constants;
+use lightfall_model::geometry::observer::{ObserverError, Photon};
+use lightfall_model::geometry::sphere::angle_between;
+use lightfall_model::scene::Scene;
+use lightfall_optics::reference::Reference;
+use lightfall_optics::trace::Trace;
+
+/// The reference of a scene, with the camera's rotation. Directions are (right, up, forward).
+pub(super) struct CameraTracer {
+    reference: Reference,
+    pub(super) tetrad_from_camera: DMat3,
+}
+
+impl CameraTracer {
+    /// The reference of a scene.
+    ///
+    /// # Errors
+    /// If the scene's observer cannot exist.
+    pub(super) fn new(scene: &Scene) -> Result<Self, ObserverError> {
+        Ok(Self {
+            reference: Reference::new(scene)?,
+            tetrad_from_camera: scene.camera.tetrad_from_camera(),
+        })
+    }
+
+    /// The reference's answer to the ray that arrives from a direction of the camera.
+    pub(super) fn trace(&self, direction: DVec3) -> Trace {
+        self.reference.trace(self.tetrad_from_camera * direction)
+    }
+
+    /// The photon that arrives from a direction, changed by `change`. The photon remains null: its
+    /// radial momentum follows from the rest. `None` if no photon has the rest.
+    fn changed_photon(&self, direction: DVec3, change: impl Fn(&mut Photon)) -> Option<Photon> {
+        let mut photon = self.reference.photon(self.tetrad_from_camera * direction);
+        change(&mut photon);
+        let (r, n) = self.reference.camera();
+        let kerr = self.reference.hole_and_disk().kerr;
+        let (constants, start) = Constants::of_photon(kerr, &photon, r, n);
+        let radial2 = constants.potential(start.u);
+        photon.radial = radial2.sqrt().copysign(photon.radial);
+        (radial2 >= 0.0).then_some(photon)
+    }
+
+    /// The reference's answer if the ray's photon is changed by `change`, and the angle between the ray
+    /// and the one whose photon has the changed constants, in radians. `None` if no photon has them.
+    pub(super) fn trace_changed(
+        &self,
+        direction: DVec3,
+        change: impl Fn(&mut Photon),
+    ) -> Option<(Trace, f64)> {
+        let photon = self.changed_photon(direction, change)?;
+        let changed = self.reference.direction_of(&photon)?;
+        let turn = angle_between(self.tetrad_from_camera * direction, changed);
+        Some((self.reference.trace_photon(&photon), turn))
+    }
+}

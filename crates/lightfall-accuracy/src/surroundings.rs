@@ -1,0 +1,122 @@
+//! The thorough search for the turn that explains an answer near the edge of the shadow. It follows
+//! thousands of rays, so it is for the few rays whose error is still too large after the usual
+//! search.
+
+use super::answer::{is_complete, is_same_class};
+use super::backward::explaining_turn;
+use super::chart::Chart;
+use super::class::ClassSearch;
+use super::grid::Grid;
+use super::part::Part;
+use super::ray::Ray;
+use super::reference_camera::ReferenceCamera;
+use super::turns::{Bounds, Explained, Turns};
+use glam::DVec2;
+use lightfall_optics::trace::Trace;
+
+/// The answers of the reference to the rays around one ray, on a grid over both sides of the shadow's
+/// edge.
+pub struct Surroundings<'a> {
+    camera: &'a ReferenceCamera,
+    ray: Ray,
+    /// The true answer to the ray.
+    truth: Trace,
+    /// Empty if there is no edge.
+    grids: Vec<Grid<'a>>,
+}
+
+impl<'a> Surroundings<'a> {
+    /// Traces a grid of rays with turns between `bounds.enough` and `bounds.known`.
+    pub(super) fn new(
+        camera: &'a ReferenceCamera,
+        ray: &Ray,
+        truth: &Trace,
+        bounds: Bounds,
+    ) -> Self {
+        let ray = camera.with_edge(ray);
+        let grid = |chart: Chart| Grid::new(camera, chart, bounds);
+        Self {
+            camera,
+            ray,
+            truth: *truth,
+            grids: Chart::both_sides(&ray).map(grid).collect(),
+        }
+    }
+
+    /// The backward error, in radians, of an answer to the ray, as [`Truth::judge`](super::Truth::judge)
+    /// defines it, but no more than the known bound.
+    #[must_use]
+    pub fn judge(&self, given: &Trace, bounds: Bounds) -> f64 {
+        if !is_complete(given) {
+            return f64::INFINITY;
+        }
+        let class = (!is_same_class(&self.truth, given))
+            .then(|| ClassSearch::new(self.camera, &self.ray, given, bounds.enough));
+        let mut turns = Turns::default();
+        let mut whole = f64::INFINITY;
+        for part in Part::all(given) {
+            let found = self.explain(given, part, class.as_ref(), bounds);
+            turns.add(part, found.part);
+            whole = whole.min(found.whole);
+        }
+        if let Some(class) = class {
+            // The nearest ray of the class may be one of the grid.
+            let on_grid = self.grids.iter().map(|grid| grid.turn_to_class(given));
+            turns.class = on_grid.fold(class.turn(), f64::min);
+            whole = whole.min(class.whole());
+            if turns.largest().min(whole) > bounds.enough {
+                let known = turns.largest().min(bounds.known);
+                turns = self.follow_sky(given, bounds.enough, known, turns);
+            }
+        }
+        // One ray that explains the whole answer is as good as one for each part.
+        turns.largest().min(whole).min(bounds.known)
+    }
+
+    /// The turns that explain an answer with a sky, with hits on a ring so narrow that no ray of the grid
+    /// meets it. The rays that explain the sky lead to those that meet the ring. `known` bounds the search,
+    /// and `turns` are known already.
+    fn follow_sky(&self, given: &Trace, enough: f64, known: f64, mut turns: Turns) -> Turns {
+        let Some(sky) = given.sky.filter(|_| given.hits.iter().any(Option::is_some)) else {
+            return turns;
+        };
+        for grid in &self.grids {
+            for start in grid.nearest_starts(Part::Sky(sky), known) {
+                if turns.largest() > enough {
+                    turns = turns.min(grid.turns_along_sky(given, sky, start));
+                }
+            }
+        }
+        turns
+    }
+
+    /// Searches for the ray that explains a part of an answer. The class of the answer is searched for
+    /// if it is another than that of the ray.
+    fn explain(
+        &self,
+        given: &Trace,
+        part: Part,
+        class: Option<&ClassSearch>,
+        Bounds { enough, known }: Bounds,
+    ) -> Explained {
+        let forward = part.miss(&self.truth).map_or(f64::INFINITY, DVec2::length);
+        if forward <= enough {
+            return Explained {
+                part: forward,
+                whole: f64::INFINITY,
+            };
+        }
+        let usual = match class {
+            Some(class) => class.turn_to_part(part, enough),
+            None => explaining_turn(self.camera, &self.ray, (part, forward), enough),
+        };
+        let mut least = Explained {
+            part: usual.min(known),
+            whole: f64::INFINITY,
+        };
+        for grid in &self.grids {
+            least = grid.explain(given, part, enough, least);
+        }
+        least
+    }
+}

@@ -1,0 +1,188 @@
+//! The reference's answers to a set of rays, and a method's answers judged by them.
+
+use super::answer::{greater, is_complete, is_same_class};
+use super::backward::backward_error;
+use super::class::class_backward_error;
+use super::ray::Ray;
+use super::reference_camera::ReferenceCamera;
+use super::surroundings::Surroundings;
+use super::turns::Bounds;
+use lightfall_model::geometry::observer::{ObserverError, Photon};
+use lightfall_model::geometry::sphere::angle_between;
+use lightfall_model::scene::Scene;
+use lightfall_optics::reference::Reference;
+use lightfall_optics::trace::Trace;
+use rayon::prelude::*;
+
+/// Rays of a scene's camera and the reference's answers to them.
+pub struct Truth {
+    camera: ReferenceCamera,
+    /// The rays, in order.
+    pub rays: Vec<Ray>,
+    /// The reference's answers.
+    pub traces: Vec<Trace>,
+}
+
+/// What is wrong with one answer.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RayError {
+    /// Angle between the sky directions, in radians, where both answers are the sky.
+    pub sky: Option<f64>,
+    /// Largest relative error of the radius of the hits that both answers have.
+    pub hit_r: Option<f64>,
+    /// Largest relative error of their g.
+    pub hit_g: Option<f64>,
+    /// The turn of the ray that explains the answer, in radians: zero where there is nothing to
+    /// explain, infinite where no turn explains it (an unfinished ray, or a NaN).
+    pub backward: f64,
+    /// Whether outcome or number of hits differ.
+    pub misclassified: bool,
+}
+
+impl Truth {
+    /// Traces the rays with the reference.
+    ///
+    /// # Errors
+    /// The scene's observer cannot exist.
+    pub fn of(scene: &Scene, rays: Vec<Ray>) -> Result<Self, ObserverError> {
+        let camera = ReferenceCamera::new(scene)?;
+        let traces = rays
+            .par_iter()
+            .map(|ray| camera.trace(ray.direction()))
+            .collect();
+        Ok(Self {
+            camera,
+            rays,
+            traces,
+        })
+    }
+
+    /// The errors of a method's answers to the same rays, ray by ray.
+    ///
+    /// # Panics
+    /// There are not as many answers as rays.
+    #[must_use]
+    pub fn judge(&self, given: &[Trace]) -> Vec<RayError> {
+        self.judge_to_precision(0.0, given)
+    }
+
+    /// As [`Truth::judge`], but faster: a search ends once the backward error is known to be below
+    /// `precision` radians, so errors below it are only upper bounds.
+    ///
+    /// # Panics
+    /// There are not as many answers as rays.
+    #[must_use]
+    pub fn judge_to_precision(&self, precision: f64, given: &[Trace]) -> Vec<RayError> {
+        assert_eq!(given.len(), self.rays.len(), "one answer per ray");
+        let known = self.rays.par_iter().zip(&self.traces);
+        known
+            .zip(given)
+            .map(|((ray, truth), given)| self.judge_ray(ray, truth, given, precision))
+            .collect()
+    }
+
+    /// As [`Truth::judge`], but an error beyond `limit` radians is searched for again by
+    /// [`Truth::surroundings`]: next to the edge of the shadow the usual search overstates a few.
+    ///
+    /// # Panics
+    /// There are not as many answers as rays.
+    #[must_use]
+    pub fn judge_to_limit(&self, limit: f64, given: &[Trace]) -> Vec<RayError> {
+        let mut errors = self.judge(given);
+        let judged = errors.par_iter_mut().zip(given).enumerate();
+        let is_within = |error: &RayError| error.backward <= limit;
+        judged
+            .filter(|(_, (error, given))| !is_within(error) && is_complete(given))
+            .for_each(|(ray, (error, given))| {
+                let bounds = Bounds::of_limit(limit, error.backward);
+                error.backward = self.surroundings(ray, bounds).judge(given, bounds);
+            });
+        errors
+    }
+
+    /// The reference's answers around the ray of index `ray`, for a search that is a hundred times
+    /// slower than [`Truth::judge`]. Next to the edge of the shadow it finds smaller turns.
+    #[must_use]
+    pub fn surroundings(&self, ray: usize, bounds: Bounds) -> Surroundings<'_> {
+        Surroundings::new(&self.camera, &self.rays[ray], &self.traces[ray], bounds)
+    }
+
+    /// The backward error, in radians, of an answer to the ray of index `ray`. A bound below
+    /// `precision` ends the search.
+    #[must_use]
+    pub fn error_of(&self, ray: usize, given: &Trace, precision: f64) -> f64 {
+        self.backward(&self.rays[ray], &self.traces[ray], given, precision)
+    }
+
+    /// The backward error, in radians, of the outcome and the sky of an answer to the ray of index
+    /// `ray`, whatever the light meets on its way. Infinite for another outcome.
+    #[must_use]
+    pub fn error_without_hits(&self, ray: usize, given: &Trace, precision: f64) -> f64 {
+        let truth = &self.traces[ray];
+        if given.outcome != truth.outcome {
+            return f64::INFINITY;
+        }
+        let given = Trace {
+            hits: truth.hits,
+            ..*given
+        };
+        self.backward(&self.rays[ray], truth, &given, precision)
+    }
+
+    /// The answer of another scene's reference to the ray of index `ray`.
+    #[must_use]
+    pub fn trace_by(&self, ray: usize, other: &Reference) -> Trace {
+        self.camera.trace_by(other, self.rays[ray].direction())
+    }
+
+    /// The reference's answer to the ray of index `ray` if its photon is changed by `change`, and the
+    /// angle between the ray and the one whose photon has the changed constants, in radians. `None` if no
+    /// photon has them.
+    #[must_use]
+    pub fn trace_changed(&self, ray: usize, change: impl Fn(&mut Photon)) -> Option<(Trace, f64)> {
+        self.camera
+            .trace_changed(self.rays[ray].direction(), change)
+    }
+
+    fn judge_ray(&self, ray: &Ray, truth: &Trace, given: &Trace, precision: f64) -> RayError {
+        let pairs = || {
+            truth
+                .hits
+                .iter()
+                .zip(&given.hits)
+                .filter_map(|(truth, given)| truth.zip(*given))
+        };
+        let largest = |of: fn((f64, f64)) -> f64, pairs: &mut dyn Iterator<Item = (f64, f64)>| {
+            pairs.map(of).fold(None, |max: Option<f64>, error| {
+                Some(max.map_or(error, |max| greater(max, error)))
+            })
+        };
+        let relative = |(truth, given): (f64, f64)| (given / truth - 1.0).abs();
+        RayError {
+            sky: truth
+                .sky
+                .zip(given.sky)
+                .map(|(truth, given)| angle_between(truth, given)),
+            hit_r: largest(
+                relative,
+                &mut pairs().map(|(truth, given)| (truth.r, given.r)),
+            ),
+            hit_g: largest(
+                relative,
+                &mut pairs().map(|(truth, given)| (truth.g, given.g)),
+            ),
+            backward: self.backward(ray, truth, given, precision),
+            misclassified: !is_same_class(truth, given),
+        }
+    }
+
+    fn backward(&self, ray: &Ray, truth: &Trace, given: &Trace, precision: f64) -> f64 {
+        if !is_complete(given) {
+            f64::INFINITY
+        } else if is_same_class(truth, given) {
+            backward_error(&self.camera, ray, truth, given, precision)
+        } else {
+            class_backward_error(&self.camera, ray, given, precision)
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! Why the GPU cannot do what was asked.
+
+use super::driver_advice;
+use lightfall_model::geometry::observer::ObserverError;
+use lightfall_model::scene::Method;
+use lightfall_optics::stars::images::InversionError;
+use std::env::consts::OS;
+use thiserror::Error;
+
+/// Why the GPU cannot do what was asked. Each message is one sentence.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum GpuError {
+    /// No graphics driver offers an adapter.
+    #[error("{}", driver_advice::without_adapter(OS))]
+    NoAdapter,
+    /// There are adapters, but none of them uses the requested interface.
+    #[error(
+        "--backend {given} (or WGPU_BACKEND) is refused: the adapters of this machine use {}", .available.join(" or ")
+    )]
+    UnknownBackend {
+        /// The requested interface.
+        given: String,
+        /// The interfaces that the adapters use.
+        available: Vec<&'static str>,
+    },
+    /// There are adapters, but none of them has the requested name.
+    #[error(
+        "--gpu {given} (or WGPU_ADAPTER_NAME) is refused: it must be part of the name of one of these adapters, which \
+         --list-gpus lists: {}", .names.join("; ")
+    )]
+    UnknownAdapter {
+        /// The requested name.
+        given: String,
+        /// The names of the adapters.
+        names: Vec<String>,
+    },
+    /// There are adapters, but none of them has what the passes need and gives a device.
+    #[error(
+        "no graphics adapter can be used: {}; {}", .failures.join("; "), driver_advice::with_old_driver(OS)
+    )]
+    NoDevice {
+        /// The adapters, each with its reason.
+        failures: Vec<String>,
+    },
+    /// The adapter provides no device, or the device failed: it is of no further use.
+    #[error("the graphics device failed: {0}")]
+    Device(String),
+    /// The program runs in a browser, which lets no page wait for the GPU.
+    #[error("not measured in a browser, where no page can wait for the graphics device")]
+    InBrowser,
+    /// As [`InBrowser`](Self::InBrowser), for the view that shows what is measured.
+    #[error(
+        "view = \"error\" is refused: in a browser no page can wait for the graphics device; the downloaded program \
+         shows this view"
+    )]
+    ErrorsInBrowser,
+    /// The device has too little free memory.
+    #[error("the graphics device has too little free memory: {0}")]
+    OutOfMemory(String),
+    /// A buffer is larger than the device allows.
+    #[error(
+        "{what} need a buffer of {bytes} bytes, and this device allows {limit}: ask for fewer pixels"
+    )]
+    TooLarge {
+        /// What the buffer is for, in the plural.
+        what: &'static str,
+        /// Its size, in bytes.
+        bytes: u64,
+        /// The largest size that the device allows, in bytes.
+        limit: u64,
+    },
+    /// A shader does not compile. The message names the file and line if they are known.
+    #[error("a shader does not compile: {0}")]
+    Shader(String),
+    /// The device's validation refuses a pipeline, a resource or a command.
+    #[error("the graphics device refuses a request: {0}")]
+    Invalid(String),
+    /// The images of stars cannot be found by inversion.
+    #[error(transparent)]
+    Stars(#[from] InversionError),
+    /// The method cannot trace this spin.
+    #[error(
+        "hole.spin = {spin} is refused: holes without spin are all that {} can trace, so it must be 0 (methods {} trace any spin)",
+        Method::list("and", |method| !method.spins),
+        Method::list("and", |method| method.spins && method.on_gpu),
+        spin = .0
+    )]
+    Spin(f64),
+    /// The camera is inside the horizon, where the method cannot start a ray.
+    #[error(
+        "camera.r = {r} is refused: it is inside the horizon, where methods {} cannot start a ray ({} can)",
+        Method::list("and", |method| !method.inside),
+        Method::list("and", |method| method.inside && method.on_gpu)
+    )]
+    Inside {
+        /// The camera's radius, in r_s.
+        r: f64,
+    },
+    /// The method does not run on the GPU.
+    #[error(
+        "method = \"{}\" is refused: it runs on the CPU only, with `trace --device cpu`, so here it must be {}",
+        Method::list("and", |method| !method.on_gpu),
+        Method::list("or", |method| method.on_gpu)
+    )]
+    MethodOfCpu,
+    /// The observer cannot exist at the camera's place.
+    #[error(transparent)]
+    Observer(#[from] ObserverError),
+}
+
+impl GpuError {
+    /// Whether the device failed. Every other error leaves the device as useful as before.
+    #[must_use]
+    pub fn is_device_failure(&self) -> bool {
+        matches!(self, Self::Device(_))
+    }
+
+    /// The failure of a device, in the words of its driver or of wgpu.
+    pub(super) fn device_failed(reason: impl std::fmt::Display) -> Self {
+        Self::Device(reason.to_string())
+    }
+}

@@ -1,0 +1,42 @@
+//! The presentation's shader and its uniform: how the tone-mapped picture becomes cells on the
+//! screen.
+
+use super::shader::ShaderText;
+use super::shader::text::add_constant;
+use encase::ShaderType;
+use glam::{UVec2, Vec2};
+use lightfall_model::scene::MAX_PIXELS_PER_CELL;
+
+/// Mirror of `Presentation` in shaders/pixelate.wgsl.
+#[expect(
+    missing_docs,
+    reason = "shaders/pixelate.wgsl says what each field means"
+)]
+#[derive(ShaderType, Clone, Debug, Default, PartialEq)]
+pub struct Presentation {
+    pub picture: UVec2,
+    pub grid: UVec2,
+    pub offset: Vec2,
+    pub extent: Vec2,
+    pub levels: f32,
+    pub dither: u32,
+    pub bloom: u32,
+}
+
+impl Presentation {
+    /// The shader of all stages: entry points `vertex`, `pixelate`, `expand` and `fit`.
+    #[must_use]
+    pub fn shader() -> ShaderText {
+        let mut prelude = String::new();
+        // A cell touches one pixel more than it is wide if its edges lie within pixels.
+        let touched = MAX_PIXELS_PER_CELL + 1;
+        add_constant(
+            &mut prelude,
+            "MAX_PIXELS_TOUCHED",
+            "u32",
+            format!("{touched}u"),
+        );
+        let entries = ["vertex", "pixelate", "expand", "fit"];
+        ShaderText::new(prelude, &entries, Vec::new())
+    }
+}

@@ -1,0 +1,157 @@
+//! What a variant chooses where several files give the same name.
+
+use super::link::Choice;
+use super::{Entry, Tracer, Variant};
+use lightfall_model::scene::{HotSpotKind, Projection, SkyMode, View};
+
+impl Variant {
+    /// The files that it chooses, whether its entry needs them or not.
+    pub(super) fn choices(self) -> Vec<Choice> {
+        let mut files = vec![
+            self.entry_file().to_owned(),
+            self.neighbours_file().to_owned(),
+        ];
+        files.extend(self.method_files());
+        files.extend(self.disk_files());
+        files.extend(self.view_files());
+        files.push(if self.effects.lensing {
+            "stars/closed.wgsl".into()
+        } else {
+            "stars/straight.wgsl".into()
+        });
+        let mut choices: Vec<_> = files.into_iter().map(Choice::of).collect();
+        choices.extend(self.sky_files());
+        choices.push(projection_file(self.projection));
+        choices
+    }
+
+    /// The file that gives the entry point, where several do.
+    fn entry_file(self) -> &'static str {
+        match self.entry {
+            Entry::Timed => "timed.wgsl",
+            Entry::TimedLight => "timed_light.wgsl",
+            _ if self.antialias => "antialias/geodesic.wgsl",
+            _ => "geodesic.wgsl",
+        }
+    }
+
+    /// The file that gives `trace`, and those that give the delays which it asks for.
+    fn method_files(self) -> [String; 3] {
+        let tracer = self.tracer.word();
+        let delay = if self.delay_nodes > 0 {
+            "delay"
+        } else {
+            "delay/none"
+        };
+        let way = if self.throat {
+            "delay/closed_kerr_throat.wgsl"
+        } else {
+            "delay/closed_kerr_course.wgsl"
+        };
+        [file("method", tracer), file(delay, tracer), way.into()]
+    }
+
+    /// The file that gives `differences`, by which a footprint is measured. Only the entries of
+    /// pictures have neighbours.
+    fn neighbours_file(self) -> &'static str {
+        let structure = self.structure && self.entry != Entry::TimedLight;
+        let compared = structure || matches!(self.sky, SkyMode::Stars | SkyMode::Grid);
+        match self.entry {
+            Entry::Refine => "neighbours/lanes.wgsl",
+            Entry::Picture if compared => "neighbours/pixels.wgsl",
+            _ => "neighbours/none.wgsl",
+        }
+    }
+
+    /// The files that find the crossings of a disk and give its light.
+    fn disk_files(self) -> Vec<String> {
+        if !self.disk {
+            return vec!["disk/none.wgsl".into()];
+        }
+        let structure: &[&str] = match (self.structure, self.entry) {
+            (false, _) => &["disk/structure/none.wgsl"],
+            (true, Entry::TimedLight) => &[
+                "disk/structure/fixed_footprint.wgsl",
+                "disk/structure/waves.wgsl",
+            ],
+            (true, _) => &["disk/structure/footprint.wgsl", "disk/structure/waves.wgsl"],
+        };
+        let hot_spot = match self.hot_spot {
+            HotSpotKind::None => "disk/hot_spot/none.wgsl",
+            HotSpotKind::Rigid | HotSpotKind::Sheared => "disk/hot_spot/spot.wgsl",
+        };
+        let own = [
+            "disk.wgsl",
+            "disk/cover.wgsl",
+            "disk/emission.wgsl",
+            hot_spot,
+        ];
+        let named = [
+            file("disk", self.disk_model.word()),
+            file("disk/limb", self.limb.word()),
+        ];
+        let own = own.iter().chain(structure).copied().map(str::to_owned);
+        own.chain(named).collect()
+    }
+
+    /// The files that give `sky_light` and `point_light`. Behind a tilted disk rays come in the
+    /// disk's frame: a file between the sky and its background turns their directions.
+    fn sky_files(self) -> Vec<Choice> {
+        let background = match self.sky {
+            SkyMode::Off => {
+                return vec![Choice::of("sky/none.wgsl"), Choice::of("stars/none.wgsl")];
+            }
+            mode => Choice::of(file("sky", mode.word())),
+        };
+        let mut choices = vec![Choice::of("sky.wgsl")];
+        choices.push(match self.sky {
+            SkyMode::Stars => Choice::of("stars/sums.wgsl"),
+            _ => Choice::of("stars/none.wgsl"),
+        });
+        if self.turned_sky {
+            choices.push(Choice::of("sky/tilted.wgsl"));
+            choices.push(background.renaming("sky_background", "background_in_hole_frame"));
+        } else {
+            choices.push(background);
+        }
+        choices
+    }
+
+    /// The files that colour a ray. A view that traces rays gives
+    /// `fn light_along(photon: Photon) -> vec4<f32>`, and `view/traced.wgsl` calls it. Any other
+    /// gives `fn light_at(place: vec2<f32>) -> vec4<f32>`, where `place` is in pixels from the upper
+    /// left corner. Both return linear sRGB before exposure, and 1, or less in the shadow, where
+    /// bloom must add nothing.
+    fn view_files(self) -> Vec<String> {
+        let view = match self.view {
+            View::Unfinished => View::Colour,
+            view => view,
+        };
+        let mut files = vec![file("view", view.word())];
+        if view.properties().traces {
+            files.push("view/traced.wgsl".into());
+        }
+        files
+    }
+}
+
+impl Tracer {
+    /// The name of its file below shaders/method.
+    fn word(self) -> &'static str {
+        match self {
+            Self::Method(method) => method.word(),
+            Self::ClosedKerr => "closed-kerr",
+            Self::Straight => "straight",
+        }
+    }
+}
+
+/// The file that takes a pixel to a direction and back.
+pub(crate) fn projection_file(projection: Projection) -> Choice {
+    Choice::of(file("projection", projection.word()))
+}
+
+/// The file of a word in a folder below shaders/.
+fn file(folder: &str, word: &str) -> String {
+    format!("{folder}/{}.wgsl", word.replace('-', "_"))
+}

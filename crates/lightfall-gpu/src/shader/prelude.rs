@@ -1,0 +1,124 @@
+//! The constants in front of a variant: its flags, and the numbers that its parts must share with
+//! the CPU.
+
+use super::spectrum_constants::add_spectrum_constants;
+use super::text::add_constant;
+use super::{Entry, Variant};
+use crate::antialias;
+use crate::error_map::ErrorMap;
+use crate::starlight;
+use crate::stars::add_star_constants;
+use crate::structure::GpuStructure;
+use lightfall_model::geometry::quadrature::gauss_legendre;
+use lightfall_model::scene::{HotSpotKind, MAX_STEP_BUDGET, SkyMode, View};
+use lightfall_optics::disk;
+
+impl Variant {
+    /// The flags, by their names in the shaders.
+    pub fn flags(self) -> Vec<(&'static str, bool)> {
+        let records = self.entry == Entry::Rays;
+        vec![
+            ("SPINNING", self.spinning),
+            ("NEAR_HORIZON", self.near_horizon),
+            ("AZIMUTH", records || self.moves()),
+            ("DELAY", self.delay_nodes > 0),
+            ("SHEARED_SPOT", self.hot_spot == HotSpotKind::Sheared),
+            // A timed shader does all the work that a picture with a sky does.
+            (
+                "SKY_DIRECTION",
+                matches!(self.entry, Entry::Rays | Entry::Timed)
+                    || self.seeks_stars()
+                    || self.sky != SkyMode::Off,
+            ),
+            ("REFERENCE_STAR", self.reference_star),
+            ("SHOW_UNFINISHED", self.view == View::Unfinished),
+            ("FOLLOW_BEYOND_HITS", self.follow_beyond_hits),
+            ("LENSING", self.effects.lensing),
+            ("DOPPLER", self.effects.doppler),
+            ("BEAMING", self.effects.beaming),
+            ("GRAVITATIONAL_SHIFT", self.effects.gravitational_shift),
+            ("ABERRATION", self.effects.aberration),
+            (
+                "DIAGNOSTICS",
+                records || self.seeks_stars() || self.view.properties().diagnostics,
+            ),
+        ]
+    }
+
+    /// The flags, and the numbers that the parts must share with the CPU.
+    pub(super) fn prelude(self) -> String {
+        let mut text = String::new();
+        for (name, value) in self.flags() {
+            add_constant(&mut text, name, "bool", value);
+        }
+        if self.entry == Entry::Refine {
+            text.push_str(&antialias::constants());
+        }
+        if self.sky == SkyMode::Stars {
+            text.push_str(&starlight::constants());
+        }
+        if !self.view.properties().traces {
+            for (name, kind, value) in ErrorMap::constants() {
+                add_constant(&mut text, name, kind, value);
+            }
+        }
+        let bounds = [
+            ("MAX_HITS", self.max_hits),
+            ("PAGE_THORNE_LEN", disk::TABLE_LEN as u32),
+            ("MAX_STEP_BUDGET", MAX_STEP_BUDGET),
+        ];
+        for (name, value) in bounds {
+            add_constant(&mut text, name, "u32", format!("{value}u"));
+        }
+        add_spectrum_constants(&mut text);
+        if self.finds_stars() {
+            add_star_constants(&mut text);
+        }
+        if self.structure {
+            add_constant(&mut text, "REPEATS", "bool", self.repeats);
+            for (name, kind, value) in GpuStructure::constants() {
+                add_constant(&mut text, name, kind, value);
+            }
+        }
+        if self.delay_nodes > 0 && !self.tracer.has_own_nodes() {
+            text.push_str(&delay_nodes(self.delay_nodes));
+        }
+        text
+    }
+
+    /// Whether anything in the disk moves with its matter.
+    fn moves(self) -> bool {
+        self.structure || self.hot_spot != HotSpotKind::None
+    }
+}
+
+/// The nodes and weights on [0, 1] of the rule by Gauss and Legendre: `DELAY_NODES` and
+/// `DELAY_WEIGHTS`, vectors of the type `Nodes`, and for more than four nodes a second pair.
+fn delay_nodes(count: u32) -> String {
+    let size = count.min(4) as usize;
+    let rule = gauss_legendre(count as usize);
+    let mut text = format!("alias Nodes = vec{size}<f32>;\n");
+    let vector = |values: &[f64]| {
+        let values: Vec<String> = values.iter().map(|x| format!("{:?}", *x as f32)).collect();
+        format!("vec{size}<f32>({})", values.join(", "))
+    };
+    let (nodes, weights): (Vec<f64>, Vec<f64>) = rule.into_iter().unzip();
+    let last = nodes.len() - size;
+    for (suffix, from) in [("", 0), ("_2", last)] {
+        let range = from..from + size;
+        add_constant(
+            &mut text,
+            &format!("DELAY_NODES{suffix}"),
+            "Nodes",
+            vector(&nodes[range.clone()]),
+        );
+        add_constant(
+            &mut text,
+            &format!("DELAY_WEIGHTS{suffix}"),
+            "Nodes",
+            vector(&weights[range]),
+        );
+    }
+    add_constant(&mut text, "DELAY_MORE_NODES", "bool", last > 0);
+    text
+}

@@ -1,0 +1,88 @@
+//! The variants that find the images of stars.
+
+use super::{Entry, Tracer, Variant};
+use lightfall_model::scene::{Method, Scene};
+
+impl Variant {
+    /// The shader that finds the images of stars, which [`crate::stars`] describes. It is the
+    /// same for all scenes with the same effects.
+    pub fn stars(scene: &Scene) -> Self {
+        let tracer = if scene.effects.lensing {
+            Tracer::Method(Method::Closed)
+        } else {
+            Tracer::Straight
+        };
+        Self {
+            entry: Entry::Stars,
+            tracer,
+            spinning: false,
+            near_horizon: false,
+            disk: false,
+            ..Self::hidden_stars(scene)
+        }
+    }
+
+    /// The shader that traces the mesh by which images of stars are found without an inversion.
+    pub fn star_mesh(scene: &Scene) -> Self {
+        Self {
+            entry: Entry::StarMesh,
+            disk: false,
+            ..Self::hidden_stars(scene)
+        }
+    }
+
+    /// The shader that finds the images of candidates where the mesh alone gives them.
+    pub fn star_interpolation(scene: &Scene) -> Self {
+        Self {
+            entry: Entry::StarInterpolation,
+            ..Self::star_mesh(scene)
+        }
+    }
+
+    /// The shader that finds the images of the other candidates by following rays.
+    pub fn star_polish(scene: &Scene) -> Self {
+        Self {
+            entry: Entry::StarPolish,
+            ..Self::star_mesh(scene)
+        }
+    }
+
+    /// Whether the images of the scene's stars are found by a mesh of rays. Rays in closed form
+    /// without spin and straight ones are inverted instead.
+    #[must_use]
+    pub fn uses_star_mesh(scene: &Scene) -> bool {
+        !matches!(
+            Tracer::of(scene),
+            Tracer::Method(Method::Closed) | Tracer::Straight
+        )
+    }
+
+    /// The scene's shaders among those that find the images of stars, in their order.
+    #[must_use]
+    pub fn star_kernels(scene: &Scene) -> Vec<Self> {
+        let mut kernels = if Self::uses_star_mesh(scene) {
+            vec![
+                Self::star_mesh(scene),
+                Self::star_interpolation(scene),
+                Self::star_polish(scene),
+            ]
+        } else {
+            vec![Self::stars(scene)]
+        };
+        if scene.disk.enabled {
+            kernels.push(Self::hidden_stars(scene));
+        }
+        kernels
+    }
+
+    /// The shader that dims the images of stars behind the scene's disk.
+    pub fn hidden_stars(scene: &Scene) -> Self {
+        Self {
+            entry: Entry::HiddenStars,
+            effects: scene.effects,
+            max_hits: 2,
+            follow_beyond_hits: true,
+            ..Self::tracing_only(scene)
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! The uniform of the sky mode `stars`, in a binding of its own: only scenes with stars read it.
+
+use super::shader::text::add_constant;
+use super::sky_texture::TEXEL;
+use super::stars::{light_unit, sums_side};
+use encase::ShaderType;
+use glam::{DVec2, Mat3, Vec2};
+use lightfall_model::scene::Scene;
+use lightfall_optics::milky_way::MilkyWay;
+use lightfall_optics::stars::{Depth, FAINTER_SHARE, hole_from_celestial};
+
+/// Mirror of `Starlight` in shaders/sky/stars.wgsl.
+#[expect(
+    missing_docs,
+    reason = "shaders/sky/stars.wgsl says what each field means"
+)]
+#[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
+pub struct GpuStarlight {
+    pub celestial_from_hole: Mat3,
+    pub magnitude_limit: f32,
+    pub last_magnitude: f32,
+    pub temperatures: Vec2,
+    pub texel: f32,
+    pub light_unit: f32,
+    pub squares_per_pixel: f32,
+    pub columns: u32,
+}
+
+impl GpuStarlight {
+    /// The numbers of a scene whose points are as deep as `depth`.
+    #[must_use]
+    pub fn new(scene: &Scene, depth: Depth) -> Self {
+        let sky = &scene.sky;
+        let hole_from_celestial = hole_from_celestial(sky.ra_deg, sky.dec_deg, sky.roll_deg);
+        // Rays are traced in the disk's frame.
+        let celestial_from_rays = hole_from_celestial.transpose() * scene.disk.hole_from_disk();
+        let side = sums_side(scene.picture.size());
+        Self {
+            celestial_from_hole: celestial_from_rays.as_mat3(),
+            magnitude_limit: depth.limit as f32,
+            last_magnitude: depth.last as f32,
+            temperatures: DVec2::from(MilkyWay::temperatures()).as_vec2(),
+            texel: TEXEL as f32,
+            light_unit: light_unit(scene) as f32,
+            squares_per_pixel: 1.0 / side as f32,
+            columns: scene.picture.width.div_ceil(side),
+        }
+    }
+}
+
+/// The constants of the shader.
+pub(super) fn constants() -> String {
+    let mut text = String::new();
+    let [a, b, c, d] = FAINTER_SHARE;
+    let cubic = format!("vec4<f32>({a:?}, {b:?}, {c:?}, {d:?})");
+    add_constant(&mut text, "FAINTER_SHARE", "vec4<f32>", cubic);
+    text
+}

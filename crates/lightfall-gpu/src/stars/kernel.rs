@@ -1,0 +1,212 @@
+//! The kernels of stars: what each binds, in the order in which they run.
+
+use super::COUNT_SIZE;
+use super::mesh::{PREDICT_GROUPS, WIDE_GROUPS};
+use super::shader::{propose_shader, splat_shader};
+use crate::bindings::{
+    ALL, CANDIDATE_COUNT, CANDIDATES, MESH_POINTS, SCENE, SPECTRUM, STAR_COUNT, STAR_IMAGES,
+    STAR_INDEX, STAR_LIST, STAR_MESH, STAR_SUMS, STAR_TABLE, STARS, WORKGROUP_SIZE,
+};
+use crate::shader::{Entry, ShaderText, Variant};
+use lightfall_model::scene::Scene;
+use lightfall_optics::stars::images::MeshLayout;
+use wgpu::{BindGroupLayoutEntry, BindingType, BufferBindingType, ShaderStages};
+
+/// A storage array that a kernel writes.
+const WRITTEN: BindingType = BindingType::Buffer {
+    ty: BufferBindingType::Storage { read_only: false },
+    has_dynamic_offset: false,
+    min_binding_size: None,
+};
+
+/// A kernel of stars.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kernel {
+    /// Finds images by inversion.
+    Solve,
+    /// Traces the mesh.
+    TraceMesh,
+    /// Looks for the stars in each cell of the mesh.
+    Propose,
+    /// Looks for the stars in cells that see much of the sky.
+    ProposeWide,
+    /// Looks which candidates in bent cells have their image there.
+    Predict,
+    /// Finds the images of candidates in smooth cells.
+    Interpolate,
+    /// Finds those of the other candidates by rays.
+    Polish,
+    /// Dims images behind the disk.
+    Hide,
+    /// Draws images.
+    Splat,
+}
+
+impl Kernel {
+    /// All kernels, in the order in which they run.
+    pub const ALL: [Self; 9] = [
+        Self::Solve,
+        Self::TraceMesh,
+        Self::Propose,
+        Self::ProposeWide,
+        Self::Predict,
+        Self::Interpolate,
+        Self::Polish,
+        Self::Hide,
+        Self::Splat,
+    ];
+
+    /// The kernels that look for the stars in cells of the mesh, by one shader.
+    pub const PROPOSING: [Self; 3] = [Self::Propose, Self::ProposeWide, Self::Predict];
+
+    /// The kernels that draw the scene's stars.
+    pub fn of(scene: &Scene) -> impl Iterator<Item = Self> {
+        Self::finding_images(scene, Variant::uses_star_mesh(scene))
+    }
+
+    /// The same with images that are found by a mesh, or by inversion.
+    pub(super) fn finding_images(scene: &Scene, by_mesh: bool) -> impl Iterator<Item = Self> {
+        let has_disk = scene.disk.enabled;
+        Self::ALL.into_iter().filter(move |kernel| match kernel {
+            Self::Solve => !by_mesh,
+            Self::TraceMesh
+            | Self::Propose
+            | Self::ProposeWide
+            | Self::Predict
+            | Self::Interpolate
+            | Self::Polish => by_mesh,
+            Self::Hide => has_disk,
+            Self::Splat => true,
+        })
+    }
+
+    /// The kernel with the entry point of a variant.
+    #[must_use]
+    pub fn with_entry(entry: Entry) -> Option<Self> {
+        match entry {
+            Entry::Stars => Some(Self::Solve),
+            Entry::StarMesh => Some(Self::TraceMesh),
+            Entry::StarInterpolation => Some(Self::Interpolate),
+            Entry::StarPolish => Some(Self::Polish),
+            Entry::HiddenStars => Some(Self::Hide),
+            _ => None,
+        }
+    }
+
+    /// The name of its entry point.
+    #[must_use]
+    pub fn entry_point(self) -> &'static str {
+        match self {
+            Self::Solve => "solve",
+            Self::TraceMesh => "trace_mesh",
+            Self::Propose => "propose",
+            Self::ProposeWide => "propose_wide",
+            Self::Predict => "predict",
+            Self::Interpolate => "interpolate",
+            Self::Polish => "polish",
+            Self::Hide => "hide",
+            Self::Splat => "splat",
+        }
+    }
+
+    /// Its WGSL text.
+    #[must_use]
+    pub fn source(self, scene: &Scene) -> String {
+        self.text(scene).source()
+    }
+
+    /// The files below shaders/ whose text is in its own.
+    pub fn files(self, scene: &Scene) -> Vec<String> {
+        let text = self.text(scene);
+        text.files().map(|(file, _)| file.to_owned()).collect()
+    }
+
+    /// Its WGSL text, by its parts.
+    #[must_use]
+    pub fn text(self, scene: &Scene) -> ShaderText {
+        match self {
+            Self::Solve => Variant::stars(scene).text(),
+            Self::TraceMesh => Variant::star_mesh(scene).text(),
+            Self::Propose | Self::ProposeWide | Self::Predict => {
+                propose_shader(scene.camera.projection())
+            }
+            Self::Interpolate => Variant::star_interpolation(scene).text(),
+            Self::Polish => Variant::star_polish(scene).text(),
+            Self::Hide => Variant::hidden_stars(scene).text(),
+            Self::Splat => splat_shader(scene.camera.projection()),
+        }
+    }
+
+    /// The bindings that it reads. Without lensing [`Self::Solve`] has no `STAR_TABLE`.
+    #[must_use]
+    pub fn reads(self) -> &'static [u32] {
+        match self {
+            Self::Solve => &[SCENE, SPECTRUM, STARS, STAR_TABLE, STAR_LIST],
+            Self::TraceMesh => &[SCENE, STAR_MESH],
+            Self::Propose | Self::ProposeWide => {
+                &[SCENE, STARS, STAR_MESH, STAR_LIST, STAR_INDEX, MESH_POINTS]
+            }
+            Self::Predict => &[SCENE, STARS, STAR_MESH, STAR_LIST, MESH_POINTS],
+            Self::Interpolate | Self::Polish => &[
+                SCENE,
+                SPECTRUM,
+                STARS,
+                STAR_MESH,
+                STAR_LIST,
+                MESH_POINTS,
+                CANDIDATES,
+                CANDIDATE_COUNT,
+            ],
+            Self::Hide => &[SCENE, STARS, STAR_COUNT],
+            Self::Splat => &[SCENE, SPECTRUM, STARS, STAR_IMAGES, STAR_COUNT],
+        }
+    }
+
+    /// The bindings that it writes.
+    #[must_use]
+    pub fn writes(self) -> &'static [u32] {
+        match self {
+            Self::Solve | Self::Interpolate | Self::Polish => &[STAR_IMAGES, STAR_COUNT],
+            Self::TraceMesh => &[MESH_POINTS],
+            Self::Propose | Self::ProposeWide | Self::Predict => &[CANDIDATES, CANDIDATE_COUNT],
+            Self::Hide => &[STAR_IMAGES],
+            Self::Splat => &[STAR_SUMS],
+        }
+    }
+
+    /// The layout of its bindings.
+    #[must_use]
+    pub fn layout(self) -> Vec<BindGroupLayoutEntry> {
+        let entry = |binding: &u32| ALL[*binding as usize].layout_entry(ShaderStages::COMPUTE);
+        let written = self.writes().iter().map(|binding| BindGroupLayoutEntry {
+            ty: WRITTEN,
+            ..entry(binding)
+        });
+        self.reads().iter().map(entry).chain(written).collect()
+    }
+
+    /// The workgroups of a kernel that looks at the mesh.
+    #[must_use]
+    pub fn mesh_workgroups(self, layout: &MeshLayout) -> u32 {
+        match self {
+            Self::TraceMesh => layout.point_count().div_ceil(WORKGROUP_SIZE),
+            Self::ProposeWide => WIDE_GROUPS,
+            Self::Predict => PREDICT_GROUPS,
+            _ => layout.cell_count().div_ceil(WORKGROUP_SIZE),
+        }
+    }
+
+    /// The binding from which its number of workgroups is read, and from which byte on, if it is
+    /// dispatched indirectly.
+    #[must_use]
+    pub fn indirect(self) -> Option<(u32, u64)> {
+        match self {
+            Self::Interpolate => Some((CANDIDATE_COUNT, 0)),
+            Self::Polish => Some((CANDIDATE_COUNT, COUNT_SIZE)),
+            Self::Hide | Self::Splat => Some((STAR_COUNT, 0)),
+            Self::Solve | Self::TraceMesh | Self::Propose | Self::ProposeWide | Self::Predict => {
+                None
+            }
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! The list of stars as the GPU reads it: sixteen bytes a star.
+
+use glam::Vec3;
+use lightfall_optics::spectrum::{TABLE_MAX_TEMPERATURE, TABLE_MIN_TEMPERATURE};
+use lightfall_optics::stars::images::ORDERS;
+use lightfall_optics::stars::{Star, ZERO_MAGNITUDE_FLUX};
+
+/// Bits of the mantissa of a packed flux, which is so right to 1.2e-4.
+const MANTISSA_BITS: u32 = 12;
+/// Bits of f32's mantissa that a packed flux leaves out.
+const DROPPED_BITS: u32 = 23 - MANTISSA_BITS;
+/// Number of bits of a packed flux: 64 octaves.
+const FLUX_BITS: u32 = 6 + MANTISSA_BITS;
+/// Number of bits of a packed temperature.
+const TEMPERATURE_BITS: u32 = 32 - FLUX_BITS;
+/// What a packed flux adds to the upper bits of an f32: its smallest value is 2^-40, that of a star
+/// of V = 20.5.
+pub(super) const FLUX_BIAS: u32 = (127 - 40) << MANTISSA_BITS;
+/// Number of steps of a packed temperature, between the ends of the table of thermal colours. It is
+/// right to 2.4e-4.
+pub(super) const TEMPERATURE_STEPS: u32 = (1 << TEMPERATURE_BITS) - 1;
+
+/// Maximum number of images in the list of images, which then takes 64 MiB.
+pub const MAX_IMAGES: u32 = 1 << 21;
+
+/// Candidates per star that there is room for in each list. From outside the horizon it is at most 3 in
+/// the longest list; a falling observer next to the horizon sees all stars several times, in cells each
+/// of which sees a large part of the sky.
+const CANDIDATES_PER_STAR: u32 = 14;
+
+/// Minimum number of candidates that there is room for: wide cells are listed with the candidates, in
+/// up to eight parts each.
+const MIN_CANDIDATES: u32 = 1 << 18;
+
+/// Maximum number of candidates in each list: 64 MiB for all four.
+pub const MAX_CANDIDATES: u32 = 1 << 21;
+
+/// Stars in the form that the kernels read, brightest first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PackedStars {
+    bytes: Vec<u8>,
+    /// Luminous fluxes.
+    fluxes: Vec<f32>,
+}
+
+/// A star as the kernels know it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UnpackedStar {
+    /// Its unit direction.
+    pub direction: Vec3,
+    /// Its luminous flux at its own temperature: linear light times steradians.
+    pub luminous_flux: f64,
+    /// Its temperature in kelvin.
+    pub temperature: f64,
+}
+
+impl PackedStars {
+    /// Packs stars that are sorted by their magnitude.
+    #[must_use]
+    pub fn new(stars: &[Star]) -> Self {
+        let flux = |star: &Star| {
+            (ZERO_MAGNITUDE_FLUX * 10_f64.powf(-0.4 * f64::from(star.magnitude))) as f32
+        };
+        let bytes = stars.iter().flat_map(|star| {
+            let [x, y, z] = star.direction.to_array().map(f32::to_bits);
+            let light =
+                packed_flux(flux(star)) << TEMPERATURE_BITS | packed_temperature(star.temperature);
+            [x, y, z, light].map(u32::to_le_bytes).concat()
+        });
+        Self {
+            bytes: bytes.collect(),
+            fluxes: stars.iter().map(flux).collect(),
+        }
+    }
+
+    /// The contents of `STAR_LIST`.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// Number of stars.
+    #[must_use]
+    pub fn len(&self) -> u32 {
+        self.fluxes.len() as u32
+    }
+
+    /// Whether there are no stars.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.fluxes.is_empty()
+    }
+
+    /// The stars' directions, in their order.
+    pub fn directions(&self) -> impl Iterator<Item = Vec3> {
+        self.bytes.chunks_exact(16).map(|bytes| {
+            let number =
+                |i: usize| f32::from_le_bytes([0, 1, 2, 3].map(|byte| bytes[4 * i + byte]));
+            Vec3::from_array([0, 1, 2].map(number))
+        })
+    }
+
+    /// How many images the list of images has room for: all that these stars can have, up to
+    /// [`MAX_IMAGES`]. Further ones are not drawn.
+    #[must_use]
+    pub fn max_images(&self) -> u32 {
+        self.len().saturating_mul(ORDERS).clamp(1, MAX_IMAGES)
+    }
+
+    /// How many candidates each list has room for: more than these stars have in any picture, up to
+    /// [`MAX_CANDIDATES`]. Which ones of more would be polished is left to chance.
+    #[must_use]
+    pub fn max_candidates(&self) -> u32 {
+        let count = self.len().saturating_mul(CANDIDATES_PER_STAR);
+        count.clamp(MIN_CANDIDATES, MAX_CANDIDATES)
+    }
+
+    /// How many stars have at least this luminous flux.
+    #[must_use]
+    pub fn count_brighter(&self, luminous_flux: f64) -> u32 {
+        let brighter = |flux: &f32| f64::from(*flux) >= luminous_flux;
+        self.fluxes.partition_point(brighter) as u32
+    }
+
+    /// A star of the list, with the rounding of its packed form.
+    #[must_use]
+    pub fn star(&self, index: u32) -> Option<UnpackedStar> {
+        let bytes = self.bytes.chunks_exact(16).nth(index as usize)?;
+        let word = |i: usize| {
+            let bytes = bytes[4 * i..4 * i + 4].try_into().unwrap_or_default();
+            u32::from_le_bytes(bytes)
+        };
+        let flux = (word(3) >> TEMPERATURE_BITS) + FLUX_BIAS;
+        let share = f64::from(word(3) & TEMPERATURE_STEPS) / f64::from(TEMPERATURE_STEPS);
+        let range: f64 = TABLE_MAX_TEMPERATURE / TABLE_MIN_TEMPERATURE;
+        Some(UnpackedStar {
+            direction: Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(word(i)))),
+            luminous_flux: f64::from(f32::from_bits(flux << DROPPED_BITS)),
+            temperature: TABLE_MIN_TEMPERATURE * range.powf(share),
+        })
+    }
+}
+
+/// The upper bits of the flux's f32 without its sign, rounded, from [`FLUX_BIAS`] on.
+fn packed_flux(flux: f32) -> u32 {
+    let rounded = (flux.max(0.0).to_bits() + (1 << (DROPPED_BITS - 1))) >> DROPPED_BITS;
+    rounded.saturating_sub(FLUX_BIAS).min((1 << FLUX_BITS) - 1)
+}
+
+/// The temperature's place in the table of thermal colours.
+fn packed_temperature(temperature: f32) -> u32 {
+    let range = TABLE_MAX_TEMPERATURE / TABLE_MIN_TEMPERATURE;
+    let share = (f64::from(temperature) / TABLE_MIN_TEMPERATURE).ln() / range.ln();
+    (share.clamp(0.0, 1.0) * f64::from(TEMPERATURE_STEPS)).round() as u32
+}

@@ -1,0 +1,131 @@
+//! Images of stars by a mesh of rays: its uniform, its lists and their sizes.
+
+use super::list::PackedStars;
+use super::numbers::stretch;
+use super::{COUNT_SIZE, EMPTY_COUNT};
+use encase::ShaderType;
+use glam::{DMat3, UVec2, Vec2, Vec3};
+use lightfall_model::scene::Scene;
+use lightfall_optics::stars::images::MeshLayout;
+
+/// Cells at each side of the mesh that find no images, because their neighbours tell how the sky bends.
+pub(super) const MESH_RIM: u32 = 2;
+
+/// How far from an image the rays go that measure its magnification: a share of the mesh's spacing.
+/// That is 0.35 pixels of 960x540.
+const HALF_STEP: f64 = 0.0875;
+
+/// The limits of that distance in radians. Below, the rounding of directions counts for more than
+/// 0.5 %; above, the bending of the map from the picture to the sky would.
+const HALF_STEPS: [f64; 2] = [3e-5, 6.1e-4];
+
+/// Maximum number of candidates that rays follow: more than pictures from a few r_s away have. It keeps a
+/// frame next to the horizon from lasting seconds.
+pub const MAX_TRACED: u32 = 1 << 17;
+
+/// Mirror of `StarMesh` in shaders/stars/mesh_points.wgsl.
+#[expect(
+    missing_docs,
+    reason = "shaders/stars/mesh_points.wgsl says what each field means"
+)]
+#[derive(ShaderType, Clone, Debug, Default, PartialEq)]
+pub struct GpuStarMesh {
+    pub origin: Vec2,
+    pub points: UVec2,
+    pub list_x: Vec3,
+    pub spacing: f32,
+    pub list_y: Vec3,
+    pub half_step: f32,
+    pub list_z: Vec3,
+    pub capacity: u32,
+}
+
+/// Mirror of `MeshPoint` in shaders/stars/mesh_points.wgsl.
+#[expect(
+    missing_docs,
+    reason = "shaders/stars/mesh_points.wgsl says what each field means"
+)]
+#[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
+pub struct GpuMeshPoint {
+    pub sky: Vec3,
+    pub turn: f32,
+    pub gain: f32,
+}
+
+/// The mesh of about `cells` cells for the scene's picture.
+#[must_use]
+pub fn mesh_layout(scene: &Scene, cells: f64) -> MeshLayout {
+    let reach = 2.0 * stretch(scene);
+    MeshLayout::new(scene.picture.size(), cells, reach).with_rim(MESH_RIM)
+}
+
+impl GpuStarMesh {
+    /// The uniform's size in bytes.
+    pub const SIZE: u64 = <Self as encase::ShaderSize>::SHADER_SIZE.get();
+
+    /// The numbers for the scene and this mesh of its picture. `hole_from_list` turns the list's
+    /// directions into the hole's frame.
+    #[must_use]
+    pub fn new(
+        scene: &Scene,
+        layout: &MeshLayout,
+        list: &PackedStars,
+        hole_from_list: DMat3,
+    ) -> Self {
+        let pixel = scene.pixel_angle();
+        let [shortest, longest] = HALF_STEPS;
+        let angle = (HALF_STEP * layout.spacing * pixel).clamp(shortest, longest);
+        // Rays are traced in the disk's frame. The rows of the inverse of a rotation are its columns.
+        let disk_from_list = scene.disk.hole_from_disk().transpose() * hole_from_list;
+        let [list_x, list_y, list_z] = [0, 1, 2].map(|i| disk_from_list.col(i).as_vec3());
+        Self {
+            origin: layout.origin.as_vec2(),
+            points: layout.points,
+            list_x,
+            spacing: layout.spacing as f32,
+            list_y,
+            half_step: (angle / pixel) as f32,
+            list_z,
+            capacity: list.max_candidates(),
+        }
+    }
+}
+
+/// The size of `MESH_POINTS` in bytes.
+#[must_use]
+pub fn mesh_points_size(layout: &MeshLayout) -> u64 {
+    u64::from(layout.point_count()) * <GpuMeshPoint as encase::ShaderSize>::SHADER_SIZE.get()
+}
+
+/// The workgroups of `propose_wide`, which share the parts of wide cells: some ten thousands
+/// in most pictures. More are faster on a graphics card, and slower on a software renderer, where a
+/// workgroup costs time even if it finds nothing to do.
+pub(super) const WIDE_GROUPS: u32 = 256;
+
+/// The workgroups of `predict`, which share the candidates in bent cells.
+pub(super) const PREDICT_GROUPS: u32 = 64;
+
+/// The lists in `CANDIDATES`, which shaders/stars/candidates.wgsl names.
+pub(super) const CANDIDATE_LISTS: usize = 4;
+
+/// The ranks of stars by which rough candidates are counted.
+pub(super) const RANKS: usize = 128;
+
+/// The size of `CANDIDATE_COUNT` in bytes: lists, ranks and a number, filled up to whole 16 bytes.
+pub const CANDIDATE_COUNT_SIZE: u64 = CANDIDATE_LISTS as u64 * COUNT_SIZE + 4 * RANKS as u64 + 16;
+
+/// The contents of `CANDIDATE_COUNT` before a run in which rays follow at most `max_traced` candidates:
+/// empty lists, no candidate of any rank, and this number.
+#[must_use]
+pub fn empty_candidate_count(max_traced: u32) -> Vec<u8> {
+    let lists = EMPTY_COUNT.repeat(CANDIDATE_LISTS);
+    let words = lists.into_iter().chain([0; RANKS]);
+    let words = words.chain([max_traced, 0, 0, 0]);
+    words.flat_map(u32::to_le_bytes).collect()
+}
+
+/// The size of `CANDIDATES` in bytes.
+#[must_use]
+pub fn candidates_size(list: &PackedStars) -> u64 {
+    CANDIDATE_LISTS as u64 * 8 * u64::from(list.max_candidates())
+}

@@ -1,0 +1,63 @@
+//! The shader that draws images, and the constants of all kernels of stars.
+
+use super::index;
+use super::list::{FLUX_BIAS, TEMPERATURE_STEPS};
+use super::mesh::{CANDIDATE_LISTS, MESH_RIM, PREDICT_GROUPS, RANKS, WIDE_GROUPS};
+use crate::shader::spectrum_constants::add_spectrum_constants;
+use crate::shader::text::add_constant;
+use crate::shader::{ShaderText, projection_file};
+use lightfall_model::scene::Projection;
+use lightfall_optics::spectrum::rgb_from_xyz;
+use lightfall_optics::stars::images::{MIN_SOURCE_RADIUS, ORDERS, table::INTERVALS};
+
+/// The shader that adds the images to the sums: entry point `splat`. It is the same for all scenes
+/// with the same projection.
+#[must_use]
+pub fn splat_shader(projection: Projection) -> ShaderText {
+    let mut prelude = String::new();
+    add_spectrum_constants(&mut prelude);
+    add_star_constants(&mut prelude);
+    ShaderText::new(prelude, &["splat"], vec![projection_file(projection)])
+}
+
+/// The shader that looks for the stars in each cell of the mesh: entry points `propose`,
+/// `propose_wide` and `predict`. It is the same for all scenes with the same projection.
+#[must_use]
+pub fn propose_shader(projection: Projection) -> ShaderText {
+    let mut prelude = String::new();
+    add_spectrum_constants(&mut prelude);
+    add_star_constants(&mut prelude);
+    for (name, value) in [
+        ("INDEX_LAYERS", index::LAYERS),
+        ("FIRST_INDEX_SIDE", index::FIRST_SIDE),
+        ("MESH_RIM", MESH_RIM),
+        ("WIDE_GROUPS", WIDE_GROUPS),
+        ("PREDICT_GROUPS", PREDICT_GROUPS),
+    ] {
+        add_constant(&mut prelude, name, "u32", format!("{value}u"));
+    }
+    let entries = ["propose", "propose_wide", "predict"];
+    ShaderText::new(prelude, &entries, vec![projection_file(projection)])
+}
+
+/// Appends the constants of the kernels.
+pub(crate) fn add_star_constants(prelude: &mut String) {
+    let numbers = [
+        ("STAR_ORDERS", ORDERS),
+        ("STAR_INTERVALS", INTERVALS as u32),
+        ("STAR_FLUX_BIAS", FLUX_BIAS),
+        ("CANDIDATE_LISTS", CANDIDATE_LISTS as u32),
+        ("RANKS", RANKS as u32),
+    ];
+    for (name, value) in numbers {
+        add_constant(prelude, name, "u32", format!("{value}u"));
+    }
+    let steps = format!("{:?}", f64::from(TEMPERATURE_STEPS));
+    add_constant(prelude, "STAR_TEMPERATURE_STEPS", "f32", steps);
+    let radius = format!("{MIN_SOURCE_RADIUS:?}");
+    add_constant(prelude, "MIN_SOURCE_RADIUS", "f32", radius);
+    // The share of each primary in the luminance Y.
+    let [r, g, b] = rgb_from_xyz().inverse().row(1).to_array();
+    let luminance = format!("vec3<f32>({r:?}, {g:?}, {b:?})");
+    add_constant(prelude, "LUMINANCE", "vec3<f32>", luminance);
+}

@@ -1,0 +1,147 @@
+//! The uniform of the disk's structure: its rings and waves, at the clock of a scene.
+
+use super::scene::time_lead;
+use encase::ShaderType;
+use glam::{UVec4, Vec4};
+use lightfall_model::scene::Scene;
+use lightfall_optics::structure::{
+    MAX_CHANGE, MAX_RINGS, MAX_WAVES, OCTAVES, Ring, Structure, Wave,
+};
+use std::f64::consts::TAU;
+
+/// Maximum number of groups in a ring: a group is one wave of each octave.
+const MAX_GROUPS: usize = MAX_WAVES / OCTAVES;
+
+/// Mirror of `Structure` in shaders/disk/structure/waves.wgsl.
+#[expect(
+    missing_docs,
+    reason = "shaders/disk/structure/waves.wgsl says what each field means"
+)]
+#[derive(ShaderType, Clone, Debug, PartialEq)]
+pub struct GpuStructure {
+    pub start: f32,
+    pub rings_per_ln_r: f32,
+    pub last_ring: f32,
+    pub contrast: f32,
+    pub group_count: u32,
+    pub group_share: f32,
+    pub amplitudes: Vec4,
+    pub rings: [GpuRing; MAX_RINGS],
+    pub groups: [GpuGroup; MAX_RINGS * MAX_GROUPS],
+}
+
+/// Mirror of `Group` in shaders/disk/structure/waves.wgsl.
+#[expect(
+    missing_docs,
+    reason = "shaders/disk/structure/waves.wgsl says what each field means"
+)]
+#[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
+pub struct GpuGroup {
+    pub m: Vec4,
+    pub k: Vec4,
+}
+
+/// Mirror of `Ring` in shaders/disk/structure/waves.wgsl.
+#[expect(
+    missing_docs,
+    reason = "shaders/disk/structure/waves.wgsl says what each field means"
+)]
+#[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
+pub struct GpuRing {
+    pub centre: f32,
+    pub lives_per_time: f32,
+    pub life_over_turn: f32,
+    pub lives: f32,
+    pub phase_places: UVec4,
+    pub number: f32,
+    pub cycle: f32,
+}
+
+impl Default for GpuStructure {
+    fn default() -> Self {
+        Self {
+            start: 0.0,
+            rings_per_ln_r: 0.0,
+            last_ring: 0.0,
+            contrast: 0.0,
+            group_count: 0,
+            group_share: 0.0,
+            amplitudes: Vec4::ZERO,
+            rings: [GpuRing::default(); MAX_RINGS],
+            groups: [GpuGroup::default(); MAX_RINGS * MAX_GROUPS],
+        }
+    }
+}
+
+impl GpuStructure {
+    /// The structure of the scene's disk at its clock, with at most `limit` waves in each ring;
+    /// `None` for a smooth disk.
+    ///
+    /// The clock is that of the GPU's delays: `disk.time` less the time that they leave out.
+    #[must_use]
+    pub fn new(scene: &Scene, limit: Option<u32>) -> Option<Self> {
+        let structure = Structure::new(scene, limit)?;
+        let clock = scene.disk.time - time_lead(scene).unwrap_or(0.0);
+        let places = structure.places;
+        let mut numbers = Self {
+            start: places.centre(0) as f32,
+            rings_per_ln_r: (1.0 / places.width) as f32,
+            last_ring: (places.count - 1) as f32,
+            contrast: structure.model.contrast as f32,
+            group_count: structure.model.octave as u32,
+            group_share: (1.0 / structure.model.octave as f64) as f32,
+            amplitudes: Vec4::from_array(structure.model.amplitudes().map(|a| a as f32)),
+            ..Self::default()
+        };
+        for (i, ring) in structure.rings.iter().enumerate() {
+            numbers.rings[i] = GpuRing::new(ring, clock);
+            for (slot, waves) in numbers.groups[i * MAX_GROUPS..]
+                .iter_mut()
+                .zip(&ring.groups)
+            {
+                *slot = GpuGroup::new(waves);
+            }
+        }
+        Some(numbers)
+    }
+
+    /// The constants of the shader.
+    pub(super) fn constants() -> [(&'static str, &'static str, String); 4] {
+        let [max_dx, max_dphi] = MAX_CHANGE;
+        [
+            ("MAX_RINGS", "u32", format!("{MAX_RINGS}u")),
+            ("MAX_GROUPS", "u32", format!("{MAX_GROUPS}u")),
+            ("MAX_DX", "f32", format!("{max_dx:?}")),
+            ("MAX_DPHI", "f32", format!("{max_dphi:?}")),
+        ]
+    }
+}
+
+impl GpuGroup {
+    fn new(waves: &[Wave; OCTAVES]) -> Self {
+        Self {
+            m: Vec4::from_array(waves.map(|wave| wave.m as f32)),
+            k: Vec4::from_array(waves.map(|wave| wave.k as f32)),
+        }
+    }
+}
+
+impl GpuRing {
+    fn new(ring: &Ring, clock: f64) -> Self {
+        let (life, rest) = ring.lives(clock);
+        // Without a cycle the shader only adds to the number of this life.
+        let (first, number, cycle) = match ring.cycle {
+            None => (life, 0.0, 0.0),
+            Some(cycle) => (0, ring.number_in_cycle(life) as f32, cycle as f32),
+        };
+        Self {
+            centre: ring.centre as f32,
+            lives_per_time: (1.0 / ring.life) as f32,
+            life_over_turn: (ring.life / TAU) as f32,
+            lives: rest as f32,
+            phase_places: UVec4::from_array(ring.phase_places(first)),
+            number,
+            cycle,
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! Numbers and tables of the documents.
+
+pub use lightfall_model::numbers::{ratio, short_number as short};
+
+/// A whole number, with its thousands set apart from 10 000 on.
+pub fn count(number: usize) -> String {
+    if number < 10_000 {
+        return number.to_string();
+    }
+    let (thousands, rest) = (number / 1000, number % 1000);
+    format!("{} {rest:03}", count_of_thousands(thousands))
+}
+
+fn count_of_thousands(thousands: usize) -> String {
+    match thousands {
+        0..1000 => thousands.to_string(),
+        _ => format!(
+            "{} {:03}",
+            count_of_thousands(thousands / 1000),
+            thousands % 1000
+        ),
+    }
+}
+
+/// The largest of some numbers.
+pub fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    numbers.into_iter().fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// The middle one of some numbers, or the mean of the two in the middle.
+pub fn median(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    let mut numbers: Vec<f64> = numbers.into_iter().collect();
+    numbers.sort_by(f64::total_cmp);
+    let [below, above] = [(numbers.len() - 1) / 2, numbers.len() / 2];
+    0.5 * (numbers[below] + numbers[above])
+}
+
+/// A Markdown table with this head: its columns, separated by `|`.
+pub fn table(head: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
+    let rule = "|---".repeat(head.split('|').count());
+    let mut text = format!("| {head} |\n{rule}|\n");
+    for row in rows {
+        text += &format!("| {} |\n", row.join(" | "));
+    }
+    text
+}

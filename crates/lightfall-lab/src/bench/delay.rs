@@ -1,0 +1,265 @@
+//! The error of the time between emission and arrival against the run time of tracing with it.
+
+use super::plan::Plan;
+use super::scenes::BenchScene;
+use crate::import::or_nan;
+use glam::Vec3;
+use lightfall_accuracy::{Quantiles, Ray, hits, rays_over_picture};
+use lightfall_gpu::rays::RayKernel;
+use lightfall_gpu::timing::Stopwatch;
+use lightfall_gpu::{Gpu, GpuError, Variant};
+use lightfall_model::geometry::kerr::Kerr;
+use lightfall_model::scene::{Method, Scene};
+use lightfall_optics::reference::Reference;
+use lightfall_optics::trace::{Hit, Trace};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+/// Numbers of nodes that are measured, 0 for tracing without delays: per leg of a ray of the method
+/// closed, per step of the method mino.
+const NODES: [u32; 5] = [0, 2, 3, 4, 8];
+
+/// The delays of one method with one number of nodes in one scene, in r_s/c. They are compared
+/// where the ray meets the disk as often as it should.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct DelayMeasurement {
+    /// Name of the scene.
+    pub scene: String,
+    /// Name of the method.
+    pub method: String,
+    /// Number of nodes; 0 for tracing without delays.
+    pub nodes: u32,
+    /// Whether pictures use this number.
+    pub own: bool,
+    /// Median time of tracing the picture's rays, in milliseconds.
+    pub trace_ms: f64,
+    /// Difference between the 90th and the 10th percentile of that time, in milliseconds.
+    pub trace_spread_ms: f64,
+    /// The clock that the times were read from.
+    pub clock: String,
+    /// Number of hits.
+    pub hits: usize,
+    /// Error of their delays: its median.
+    #[serde(deserialize_with = "or_nan")]
+    pub delay_p50: f64,
+    /// Its 99th percentile.
+    #[serde(deserialize_with = "or_nan")]
+    pub delay_p99: f64,
+    /// Its maximum.
+    #[serde(deserialize_with = "or_nan")]
+    pub delay_max: f64,
+    /// Error in radians of the angle by which the matter turns meanwhile: its 99th percentile.
+    #[serde(deserialize_with = "or_nan")]
+    pub turn_p99: f64,
+    /// Its maximum.
+    #[serde(deserialize_with = "or_nan")]
+    pub turn_max: f64,
+}
+
+impl DelayMeasurement {
+    /// The time relative to that of tracing without delays, which is another of these rows. NaN if
+    /// none of them has it.
+    #[must_use]
+    pub fn time_over_none(&self, rows: &[Self]) -> f64 {
+        let is_none = |none: &&Self| {
+            none.nodes == 0 && (&none.scene, &none.method) == (&self.scene, &self.method)
+        };
+        let none = rows.iter().find(is_none);
+        none.map_or(f64::NAN, |none| self.trace_ms / none.trace_ms)
+    }
+
+    /// The errors of the delays (median, 99th percentile, maximum) in r_s/c, and of the turn of the
+    /// matter (99th percentile, maximum) in radians.
+    #[must_use]
+    pub fn errors(&self) -> [f64; 5] {
+        [
+            self.delay_p50,
+            self.delay_p99,
+            self.delay_max,
+            self.turn_p99,
+            self.turn_max,
+        ]
+    }
+}
+
+impl Plan {
+    /// The methods of the plan that have delays, with their numbers of nodes, in a scene.
+    fn delay_settings(&self, scene: &Scene) -> Vec<(Scene, u32)> {
+        let with_method = |method| Scene {
+            method,
+            ..scene.clone()
+        };
+        self.methods_with_delays(scene)
+            .map(with_method)
+            .flat_map(|scene| {
+                counts_of_nodes(&scene)
+                    .into_iter()
+                    .map(move |nodes| (scene.clone(), nodes))
+            })
+            .collect()
+    }
+
+    /// Number of rows of [`Plan::run_delays`].
+    #[must_use]
+    pub fn delay_rows(&self) -> usize {
+        let with_disk = self.scenes.iter().filter(|scene| scene.scene.disk.enabled);
+        with_disk
+            .map(|scene| self.delay_settings(&scene.scene).len())
+            .sum()
+    }
+
+    /// Measures the delays of the methods closed and mino, but for the known rows, which an earlier
+    /// run has measured. `done` is called after each row. Returns all rows.
+    ///
+    /// # Errors
+    /// A scene cannot be traced, the picture is too large for the device, or the device failed.
+    pub fn run_delays(
+        &self,
+        gpu: &Gpu,
+        known: &[DelayMeasurement],
+        mut done: impl FnMut(&DelayMeasurement),
+    ) -> Result<Vec<DelayMeasurement>, GpuError> {
+        let mut rows = Vec::new();
+        for bench_scene in self.scenes.iter().filter(|scene| scene.scene.disk.enabled) {
+            let scene = &bench_scene.scene;
+            let settings = self.delay_settings(scene);
+            let row_of = |(scene, nodes): &(Scene, u32)| {
+                let wanted = (bench_scene.name.as_str(), scene.method.word(), *nodes);
+                let is_it = |row: &&DelayMeasurement| {
+                    (row.scene.as_str(), row.method.as_str(), row.nodes) == wanted
+                };
+                known.iter().find(is_it).cloned()
+            };
+            let known_rows: Option<Vec<_>> = settings.iter().map(row_of).collect();
+            if let Some(known_rows) = known_rows {
+                rows.extend(known_rows);
+                continue;
+            }
+            let rays = rays_over_picture(scene, self.rays);
+            let (reference, axes) = (Reference::new(scene)?, scene.camera.tetrad_from_camera());
+            let truth: Vec<Trace> = rays
+                .par_iter()
+                .map(|ray| reference.trace_with_delays(axes * ray.direction()))
+                .collect();
+            let given: Vec<Vec3> = rays.iter().map(Ray::given).collect();
+            for setting in settings {
+                if let Some(row) = row_of(&setting) {
+                    rows.push(row);
+                    continue;
+                }
+                let (scene, nodes) = &setting;
+                let row = self.delays(gpu, bench_scene, (scene, *nodes), &given, &truth)?;
+                done(&row);
+                rows.push(row);
+            }
+        }
+        Ok(rows)
+    }
+
+    fn methods_with_delays(&self, scene: &Scene) -> impl Iterator<Item = Method> {
+        let spins = scene.hole.spin != 0.0;
+        let wanted = [Method::Closed, Method::Mino].into_iter();
+        let methods = self.methods.clone();
+        wanted
+            .filter(move |method| methods.contains(method) && (!spins || method.properties().spins))
+    }
+
+    fn delays(
+        &self,
+        gpu: &Gpu,
+        bench_scene: &BenchScene,
+        (scene, nodes): (&Scene, u32),
+        given: &[Vec3],
+        truth: &[Trace],
+    ) -> Result<DelayMeasurement, GpuError> {
+        let recorded = Variant::rays(scene);
+        let with_nodes = |variant: Variant| Variant {
+            delay_nodes: nodes,
+            throat: nodes > 0 && recorded.throat,
+            ..variant
+        };
+        let timed = with_nodes(Variant::timed(scene));
+        let stopwatch = Stopwatch::of_variant(gpu, timed, scene, self.size, self.stage)?;
+        let timing = stopwatch.time(gpu, self.effort)?;
+        let own = recorded.delay_nodes == nodes;
+        let mut errors = Vec::new();
+        if nodes > 0 {
+            let kernel = RayKernel::of_variant(gpu, with_nodes(recorded), scene)?;
+            let found = kernel.trace_camera_rays(gpu, scene, given)?;
+            errors = truth.iter().zip(&found).flat_map(delay_errors).collect();
+        }
+        let kerr = Kerr {
+            spin: scene.hole.spin,
+        };
+        let turn = |(r, error): &(f64, f64)| {
+            let orbit = kerr.circular_orbit(*r);
+            orbit.map_or(f64::NAN, |orbit| orbit.angular_velocity * error)
+        };
+        let delays = Quantiles::of(errors.iter().map(|(_, error)| *error));
+        let turns = Quantiles::of(errors.iter().map(turn));
+        Ok(DelayMeasurement {
+            scene: bench_scene.name.clone(),
+            method: scene.method.word().into(),
+            nodes,
+            own,
+            trace_ms: timing.median_ms,
+            trace_spread_ms: timing.spread_ms,
+            clock: timing.clock.word().into(),
+            hits: errors.len(),
+            delay_p50: delays.p50,
+            delay_p99: delays.p99,
+            delay_max: delays.max,
+            turn_p99: turns.p99,
+            turn_max: turns.max,
+        })
+    }
+}
+
+/// The numbers of nodes to measure with: a method whose nodes are fixed has none but its own.
+fn counts_of_nodes(scene: &Scene) -> Vec<u32> {
+    let own = Variant::rays(scene).delay_nodes;
+    if own == 0 || NODES.contains(&own) {
+        NODES.to_vec()
+    } else {
+        vec![0, own]
+    }
+}
+
+/// The radius of each hit and the error of its delay, for a ray that meets the disk as often as it
+/// should.
+fn delay_errors((expected, found): (&Trace, &Trace)) -> impl Iterator<Item = (f64, f64)> {
+    let alike = hits(expected) == hits(found);
+    let pairs = expected.hits.into_iter().zip(found.hits);
+    pairs
+        .filter(move |_| alike)
+        .filter_map(|(expected, found): (Option<Hit>, Option<Hit>)| {
+            let (expected, found) = (expected?, found?);
+            Some((expected.r, (expected.delay? - found.delay?).abs()))
+        })
+}
+
+/// The rows as a Markdown table, with each time relative to tracing without delays.
+#[must_use]
+pub fn delay_table(rows: &[DelayMeasurement]) -> String {
+    let mut text = String::from(
+        "| scene | method | nodes | ms | over none | median error, r_s/c | 99 % | largest | turn of the matter, 99 %, rad | largest |\n\
+         |---|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for row in rows {
+        let over = row.time_over_none(rows);
+        let errors = row.errors().map(|error| match row.nodes {
+            0 => String::new(),
+            _ => format!("{error:.1e}"),
+        });
+        let own = if row.own { " (own)" } else { "" };
+        text += &format!(
+            "| {} | {} | {}{own} | {:.4} | {over:.3} | {} |\n",
+            row.scene,
+            row.method,
+            row.nodes,
+            row.trace_ms,
+            errors.join(" | ")
+        );
+    }
+    text
+}

@@ -1,0 +1,190 @@
+//! The error of whole pictures against the time that their rays take: single rays, means of several
+//! frames, and refined edges.
+
+use super::scenes::BenchScene;
+use lightfall_model::scene::{DiskStructure, LimbDarkening, Scene, SkyMode};
+use serde::{Deserialize, Serialize};
+
+/// Frames of the truth: the mean of as many rays in every pixel, at the places of
+/// [`pixel_offset`](lightfall_optics::pixel_samples::pixel_offset).
+pub const TRUE_SAMPLES: u32 = 1024;
+
+/// Width and height of the part of a picture 540 pixels high whose error is measured, about its
+/// middle, in pixels.
+const CROP_SIDE: u32 = 240;
+/// The height of that picture.
+const CROP_OF_HEIGHT: u32 = 540;
+
+/// How a picture is sampled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PictureSetting {
+    /// Whether edges are refined.
+    pub antialias: bool,
+    /// Frames that are averaged.
+    pub samples: u32,
+}
+
+/// What is measured: single rays and means of frames, without and with refined edges.
+pub const PICTURE_SETTINGS: [PictureSetting; 7] = [
+    PictureSetting::new(false, 1),
+    PictureSetting::new(false, 4),
+    PictureSetting::new(false, 16),
+    PictureSetting::new(false, 64),
+    PictureSetting::new(true, 1),
+    PictureSetting::new(true, 4),
+    PictureSetting::new(true, 16),
+];
+
+impl PictureSetting {
+    /// A setting.
+    #[must_use]
+    pub const fn new(antialias: bool, samples: u32) -> Self {
+        Self { antialias, samples }
+    }
+
+    /// The setting of the truth.
+    pub const TRUTH: Self = Self::new(false, TRUE_SAMPLES);
+
+    /// The scene with this setting and without what is no matter of rays through pixels: stars,
+    /// bloom, and an exposure that depends on the picture.
+    #[must_use]
+    pub fn of(self, scene: &Scene) -> Scene {
+        let mut scene = scene.clone();
+        scene.sky.mode = SkyMode::Off;
+        scene.sky.reference_star = false;
+        scene.picture.bloom = 0.0;
+        scene.picture.automatic_exposure = false;
+        scene.picture.antialias = self.antialias;
+        scene.picture.samples = self.samples;
+        scene
+    }
+}
+
+/// The scene, and in front of it the same with a smooth disk, where its disk has structure: what is
+/// left of the error of refined edges is mostly that of the structure's filter.
+#[must_use]
+pub fn with_smooth_disk(bench_scene: &BenchScene) -> Vec<BenchScene> {
+    let mut smooth = BenchScene {
+        name: format!("{}-smooth", bench_scene.name),
+        ..bench_scene.clone()
+    };
+    smooth.scene.disk.structure = DiskStructure::None;
+    smooth.scene.disk.limb = LimbDarkening::None;
+    let has_structure =
+        bench_scene.scene.disk.enabled && bench_scene.scene.disk.structure != DiskStructure::None;
+    has_structure
+        .then_some(smooth)
+        .into_iter()
+        .chain([bench_scene.clone()])
+        .collect()
+}
+
+/// The error of a part of a picture: of the brightness that a screen shows, from 0 to 1, at each
+/// pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PictureError {
+    /// Root of the mean of its square.
+    pub rms: f64,
+    /// Its 99th percentile.
+    pub p99: f64,
+    /// Its maximum.
+    pub max: f64,
+}
+
+impl PictureError {
+    /// The difference of the brightness of one part of two pictures; NaN where there is no pixel.
+    #[must_use]
+    pub fn between(found: &[f64], truth: &[f64]) -> Self {
+        let mut errors: Vec<f64> = found
+            .iter()
+            .zip(truth)
+            .map(|(a, b)| (a - b).abs())
+            .collect();
+        errors.sort_by(f64::total_cmp);
+        let squares: f64 = errors.iter().map(|error| error * error).sum();
+        let at = |share: f64| {
+            let index = (errors.len().saturating_sub(1) as f64 * share).round() as usize;
+            errors.get(index).copied().unwrap_or(f64::NAN)
+        };
+        Self {
+            rms: (squares / errors.len() as f64).sqrt(),
+            p99: at(0.99),
+            max: at(1.0),
+        }
+    }
+}
+
+/// The part of a picture of this size whose error is measured: its left, top, width and height, in
+/// pixels.
+#[must_use]
+pub fn measured_part([width, height]: [u32; 2]) -> [u32; 4] {
+    let side = (height * CROP_SIDE / CROP_OF_HEIGHT).clamp(1, width.min(height).max(1));
+    [(width - side) / 2, (height - side) / 2, side, side]
+}
+
+/// The brightness that a screen shows at an exposure, without the tone curve: sRGB's encoding of the
+/// luminance of linear light (IEC 61966-2-1), at most 1. shaders/antialias/geodesic.wgsl does the
+/// same.
+#[must_use]
+pub fn shown_brightness([r, g, b]: [f64; 3], exposure_ev: f64) -> f64 {
+    let luminance = (0.2126 * r + 0.7152 * g + 0.0722 * b) * exposure_ev.exp2();
+    match luminance.clamp(0.0, 1.0) {
+        dark if dark < 0.003_130_8 => 12.92 * dark,
+        light => 1.055 * light.powf(1.0 / 2.4) - 0.055,
+    }
+}
+
+/// A picture's error and time.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct PictureMeasurement {
+    /// Name of the scene.
+    pub scene: String,
+    /// Whether edges are refined.
+    pub antialias: bool,
+    /// Frames that are averaged.
+    pub samples: u32,
+    /// Time of all passes that trace, refine and average, in all frames, in milliseconds.
+    pub picture_ms: f64,
+    /// The same over that of one ray a pixel.
+    pub over_one: f64,
+    /// The error.
+    pub rms: f64,
+    /// Its 99th percentile.
+    pub p99: f64,
+    /// Its maximum.
+    pub max: f64,
+}
+
+impl PictureMeasurement {
+    /// What a pixel gets, for people.
+    fn rays(&self) -> &'static str {
+        if self.antialias {
+            "edges refined"
+        } else {
+            "single rays"
+        }
+    }
+}
+
+/// The rows as a Markdown table.
+#[must_use]
+pub fn pictures_table(rows: &[PictureMeasurement]) -> String {
+    let mut text = String::from(
+        "| scene | rays | frames | ms | over one ray | rms error | 99 % | largest |\n\
+         |---|---|---|---|---|---|---|---|\n",
+    );
+    for row in rows {
+        text += &format!(
+            "| {} | {} | {} | {:.2} | {:.2} | {:.4} | {:.4} | {:.3} |\n",
+            row.scene,
+            row.rays(),
+            row.samples,
+            row.picture_ms,
+            row.over_one,
+            row.rms,
+            row.p99,
+            row.max
+        );
+    }
+    text
+}

@@ -1,0 +1,105 @@
+//! The rays of a scene whose error is beyond the method's tolerance.
+
+use super::cause::Cause;
+use super::narrow_ring::is_narrow;
+use lightfall_accuracy::{Bounds, RayError, Truth, tolerance};
+use lightfall_model::scene::Scene;
+use lightfall_optics::trace::Trace;
+use rayon::prelude::*;
+
+/// Number of rays that are searched for thoroughly side by side, and the number of unexplained ones
+/// after which no more are: their method is wrong. The others count as unexplained.
+const RAYS_AT_ONCE: usize = 16;
+const MAX_UNEXPLAINED: usize = 16;
+
+/// A ray whose error is beyond the method's tolerance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct FarRay {
+    /// Its index.
+    pub(super) ray: usize,
+    /// Why it is so far off, if that is known.
+    pub(super) cause: Option<Cause>,
+}
+
+/// The rays of a scene beyond its tolerance.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct FarRays(Vec<FarRay>);
+
+impl FarRays {
+    /// The rays beyond the tolerance of the scene's method. Their errors are searched for thoroughly
+    /// first, and replaced by the smaller bounds that are found.
+    pub(super) fn find(
+        scene: &Scene,
+        truth: &Truth,
+        given: &[Trace],
+        errors: &mut [RayError],
+    ) -> Self {
+        let tolerance = tolerance(scene);
+        let is_far = |ray: &usize| !is_within(errors[*ray].backward, tolerance);
+        let candidates: Vec<usize> = (0..errors.len()).filter(is_far).collect();
+        let mut far = Self::default();
+        for rays in candidates.chunks(RAYS_AT_ONCE) {
+            if far.unexplained() >= MAX_UNEXPLAINED {
+                let unexplained = rays.iter().map(|ray| FarRay {
+                    ray: *ray,
+                    cause: None,
+                });
+                far.0.extend(unexplained);
+                continue;
+            }
+            let examined: Vec<_> = rays
+                .par_iter()
+                .map(|ray| examine(scene, truth, (*ray, &given[*ray]), errors[*ray].backward))
+                .collect();
+            for (ray, (backward, cause)) in rays.iter().zip(examined) {
+                errors[*ray].backward = backward;
+                if !is_within(backward, tolerance) {
+                    far.0.push(FarRay { ray: *ray, cause });
+                }
+            }
+        }
+        far
+    }
+
+    /// Number of rays.
+    pub(super) fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Number of rays that nothing explains.
+    pub(super) fn unexplained(&self) -> usize {
+        self.0.iter().filter(|ray| ray.cause.is_none()).count()
+    }
+
+    /// The ray with this index.
+    pub(super) fn get(&self, ray: usize) -> Option<&FarRay> {
+        self.0.iter().find(|far| far.ray == ray)
+    }
+}
+
+/// Whether an error is within a tolerance. NaN is not.
+fn is_within(backward: f64, tolerance: f64) -> bool {
+    backward <= tolerance
+}
+
+/// The backward error of the answer to a ray, searched for thoroughly, and why it is beyond the
+/// tolerance, if it is. `known` is an upper bound.
+fn examine(
+    scene: &Scene,
+    truth: &Truth,
+    (ray, given): (usize, &Trace),
+    known: f64,
+) -> (f64, Option<Cause>) {
+    let tolerance = tolerance(scene);
+    let bounds = Bounds::of_limit(tolerance, known);
+    let surroundings = truth.surroundings(ray, bounds);
+    let backward = surroundings.judge(given, bounds);
+    if is_within(backward, tolerance) {
+        return (backward, None);
+    }
+    let cause = Cause::of_roundings(scene, truth, &surroundings, (ray, given), backward);
+    let is_unanswerable =
+        || is_narrow(scene) && truth.error_without_hits(ray, given, bounds.enough) <= tolerance;
+    let cause = cause.or_else(|| is_unanswerable().then_some(Cause::NarrowRing));
+    (backward, cause)
+}

@@ -1,0 +1,16 @@
+//! What is drawn, and the geometry that it is drawn in: scenes and pure functions, without optics,
+//! GPU or window.
+//!
+//! Each module may use those before it in this list:
+//!
+//! * [`words`](mod@words): enumerations with a word for each variant.
+//! * [`numbers`]: numbers in words, as people read them.
+//! * [`random`]: random numbers from a seed.
+//! * [`geometry`]: Kerr and Schwarzschild, observers and geodesics, as pure functions in f64.
+//! * [`scene`]: the one description of what is drawn, with its fields, limits and presets.
+
+pub mod geometry;
+pub mod numbers;
+pub mod random;
+pub mod scene;
+pub mod words;

@@ -1,0 +1,271 @@
+//! A journey: a guided flight through keyframes in time, applied to a scene. Plain data and its
+//! interpolation.
+//!
+//! Every quantity has a track of its own through the keyframes that name it. A track is a monotone
+//! cubic (Fritsch & Carlson 1980), so positions and speeds are continuous, nothing overshoots, and
+//! the flight begins and ends at rest. Radii are interpolated in their logarithm. A quantity that no
+//! keyframe names keeps its value in the scene.
+
+mod caption;
+mod check;
+mod clock;
+mod error;
+mod format;
+mod keyframe;
+mod load;
+mod track;
+
+pub use caption::Caption;
+pub use check::Unflyable;
+pub use error::JourneyError;
+pub use load::load;
+pub use track::Track;
+
+use self::clock::Clock;
+use super::presets::Preset;
+use super::{Camera, ObserverKind, Scene};
+use crate::geometry::kerr::Kerr;
+use crate::geometry::sphere::wrap_degrees;
+
+/// The built-in journey, part of the program itself.
+pub const DEFAULT: &str = include_str!("../../../../assets/journeys/default.toml");
+
+/// A guided flight.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Journey {
+    /// One line that says where the flight leads.
+    pub title: String,
+    /// The built-in preset in which the window flies it. None: the scene that is shown.
+    pub preset: Option<&'static Preset>,
+    /// What to say about it on the way, in order of time.
+    pub captions: Vec<Caption>,
+    /// Seconds from the first keyframe to the last.
+    pub duration: f64,
+    /// The time of each keyframe, in seconds as in its text.
+    times: Vec<f64>,
+    tracks: Tracks,
+    /// The tracks for an observer that falls from rest at infinity.
+    tracks_in_rain: Tracks,
+    /// The kinds of observer, each with the time from which it holds.
+    kinds: Vec<(f64, ObserverKind)>,
+    /// What the keyframes say about the disk's clock.
+    clock: Clock,
+}
+
+/// The tracks of all quantities; none for a quantity that no keyframe names.
+#[derive(Clone, Debug, PartialEq)]
+struct Tracks {
+    /// The track of ln r.
+    radius: Option<Track>,
+    angles: [Option<Track>; ANGLES.len()],
+    field_of_view: Option<Track>,
+    velocity: [Option<Track>; 3],
+    disk_tilt: Option<Track>,
+    disk_node: Option<Track>,
+}
+
+/// An angle of the camera: its name in a keyframe, and its field.
+type Angle = (&'static str, fn(&mut Camera) -> &mut f64);
+
+const ANGLES: [Angle; 5] = [
+    ("theta_deg", |camera| &mut camera.theta_deg),
+    ("phi_deg", |camera| &mut camera.phi_deg),
+    ("yaw_deg", |camera| &mut camera.yaw_deg),
+    ("pitch_deg", |camera| &mut camera.pitch_deg),
+    ("roll_deg", |camera| &mut camera.roll_deg),
+];
+
+impl Journey {
+    /// The caption to show after `time` seconds, if any: the last that has appeared, for as long as
+    /// it stays.
+    #[must_use]
+    pub fn caption_at(&self, time: f64) -> Option<&Caption> {
+        let appeared = self
+            .captions
+            .partition_point(|caption| caption.time <= time);
+        let caption = &self.captions[appeared.checked_sub(1)?];
+        (time < caption.time + caption.seconds).then_some(caption)
+    }
+
+    /// Writes the camera, the observer, the disk's tilt and the rate of its clock after `time` seconds
+    /// into `scene`. Times before the first keyframe count as the first, times after the last as the
+    /// last. The scene is not checked. [`drive_clock`](Self::drive_clock) writes the disk's time.
+    ///
+    /// A circular orbit cannot leave its plane: unless the journey itself names an observer, `orbit`
+    /// becomes `static`, as when flying by hand.
+    ///
+    /// While the observer is `rain`, the keyframes give Kerr's ingoing azimuth, counted so that it
+    /// equals Boyer-Lindquist's where the fall begins. Boyer-Lindquist's own azimuth would wind
+    /// without end toward the horizon of a hole that spins.
+    pub fn apply(&self, time: f64, scene: &mut Scene) {
+        let kind = self
+            .kinds
+            .iter()
+            .rev()
+            .find(|(from, _)| *from <= time)
+            .or(self.kinds.first());
+        match kind {
+            Some((_, kind)) => scene.observer.kind = *kind,
+            None if scene.observer.kind == ObserverKind::Orbit => {
+                scene.observer.kind = ObserverKind::Static
+            }
+            None => {}
+        }
+        let rain = scene.observer.kind == ObserverKind::Rain;
+        let tracks = if rain {
+            &self.tracks_in_rain
+        } else {
+            &self.tracks
+        };
+        tracks.apply(time, scene);
+        if let Some(rate) = self.clock.rate_at(time) {
+            scene.disk.rate = rate;
+        }
+        if tracks.leads("phi_deg") {
+            let phi = scene.camera.phi_deg
+                - self
+                    .azimuth_lead(
+                        time,
+                        rain,
+                        Kerr {
+                            spin: scene.hole.spin,
+                        },
+                    )
+                    .to_degrees();
+            scene.camera.phi_deg = wrap_degrees(phi);
+        }
+    }
+
+    /// By how much Kerr's ingoing azimuth has grown beyond Boyer-Lindquist's in all periods of
+    /// `rain` up to `time`, in radians. Inside the horizon, where `camera.phi_deg` is the ingoing
+    /// azimuth, the lead counts as zero.
+    fn azimuth_lead(&self, time: f64, rain: bool, kerr: Kerr) -> f64 {
+        let Some(radius) = self
+            .tracks_in_rain
+            .radius
+            .as_ref()
+            .filter(|_| kerr.spin != 0.0)
+        else {
+            return 0.0;
+        };
+        let lead = |time: f64| {
+            let r = radius.at(time).exp();
+            if r > kerr.horizon() {
+                kerr.ingoing_azimuth_lead(r)
+            } else {
+                0.0
+            }
+        };
+        // The first named kind also holds before its keyframe.
+        let first = self
+            .kinds
+            .first()
+            .map_or(rain, |(_, kind)| *kind == ObserverKind::Rain);
+        let later = self
+            .kinds
+            .iter()
+            .skip(1)
+            .map(|(from, kind)| (*from, *kind == ObserverKind::Rain));
+        let starts: Vec<_> = std::iter::once((0.0, first)).chain(later).collect();
+        let ends = starts
+            .iter()
+            .skip(1)
+            .map(|(from, _)| *from)
+            .chain([f64::INFINITY]);
+        let times = starts
+            .iter()
+            .zip(ends)
+            .filter(|((from, rain), _)| *rain && *from <= time);
+        times
+            .map(|((from, _), end)| lead(time.min(end)) - lead(*from))
+            .sum()
+    }
+
+    /// Writes the time of a disk that moves into `next`, a scene of the time `to`, in seconds after
+    /// the beginning. `before` is the scene of the time `from`, with its camera and its
+    /// `disk.time`. Both have their cameras already. A keyframe that names `disk_time` sets the
+    /// clock, and what passed before does not count.
+    pub fn drive_clock(&self, [from, to]: [f64; 2], before: &Scene, next: &mut Scene) {
+        if !next.disk_moves() {
+            return;
+        }
+        let (start, time, r) = match self.clock.set_before(to) {
+            Some((set, time)) => {
+                let mut there = before.clone();
+                self.apply(set, &mut there);
+                (set, time, there.camera.r)
+            }
+            None => (from, before.disk.time, before.camera.r),
+        };
+        let moved = next.disk_time_lead(next.camera.r) - next.disk_time_lead(r);
+        next.disk.time = time + self.clock.passed(start, to, before.disk.rate) + moved;
+    }
+}
+
+impl Tracks {
+    /// Whether any keyframe names this angle.
+    fn leads(&self, name: &str) -> bool {
+        ANGLES
+            .iter()
+            .zip(&self.angles)
+            .any(|((angle, _), track)| *angle == name && track.is_some())
+    }
+
+    fn apply(&self, time: f64, scene: &mut Scene) {
+        if let Some(radius) = &self.radius {
+            scene.camera.r = radius.at(time).exp();
+        }
+        for ((name, field), track) in ANGLES.iter().zip(&self.angles) {
+            if let Some(track) = track {
+                let angle = track.at(time);
+                *field(&mut scene.camera) = if *name == "theta_deg" {
+                    angle
+                } else {
+                    wrap_degrees(angle)
+                };
+            }
+        }
+        if let Some(track) = &self.field_of_view {
+            scene.camera.fov_deg = track.at(time);
+        }
+        for (component, track) in scene.observer.velocity.iter_mut().zip(&self.velocity) {
+            if let Some(track) = track {
+                *component = track.at(time);
+            }
+        }
+        if let Some(track) = &self.disk_tilt {
+            scene.disk.tilt_deg = track.at(time);
+        }
+        if let Some(track) = &self.disk_node {
+            scene.disk.node_deg = wrap_degrees(track.at(time));
+        }
+    }
+}
+
+/// The camera at a share, from 0 to 1, of the way from one camera to another: at rest at both ends,
+/// in the logarithm of the radius, and along the shorter turn of each angle.
+#[must_use]
+pub fn between(from: &Camera, to: &Camera, share: f64) -> Camera {
+    let share = share.clamp(0.0, 1.0);
+    let gently = share * share * (3.0 - 2.0 * share);
+    let mix = |a: f64, b: f64| a + (b - a) * gently;
+    let (mut from, mut camera) = (*from, *to);
+    // At the end the camera is exactly `to`, without rounding.
+    if share < 1.0 {
+        camera.r = mix(from.r.ln(), to.r.ln()).exp();
+        camera.fov_deg = mix(from.fov_deg, to.fov_deg);
+        for (name, field) in ANGLES {
+            let (start, end) = (*field(&mut from), *field(&mut camera));
+            let turn = if name == "theta_deg" {
+                end - start
+            } else {
+                wrap_degrees(end - start)
+            };
+            *field(&mut camera) = start + turn * gently;
+        }
+        for field in [ANGLES[1].1, ANGLES[2].1, ANGLES[3].1, ANGLES[4].1] {
+            *field(&mut camera) = wrap_degrees(*field(&mut camera));
+        }
+    }
+    camera
+}

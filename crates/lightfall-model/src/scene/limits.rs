@@ -1,0 +1,214 @@
+//! The limits of a scene: each field inside its range, and the rules that tie one field to another.
+
+use std::ops::Bound::{self, Excluded, Included};
+
+use super::error::{Because, Refusal};
+use super::fields::{FIELDS, Field};
+use super::range::{Kind, Range, number};
+use super::tables::{EDGE, POLAR};
+use super::{Effects, HotSpotKind, Scene};
+use crate::geometry::kerr::Kerr;
+use crate::geometry::observer::{Limit, min_infall_radius};
+use crate::geometry::sphere::polar_sin_cos;
+
+impl Scene {
+    /// Checks every field against its range and against the fields it depends on.
+    ///
+    /// A circular orbit off the disk's plane passes: it can be loaded and then moved into the
+    /// plane. It is refused where the observer's matrix is made, and so it cannot be drawn.
+    ///
+    /// # Errors
+    /// The first field, in the order of the table, whose value is not allowed.
+    pub fn check(&self) -> Result<(), Refusal> {
+        for field in FIELDS {
+            let value = field.get(self);
+            field.check_kind(&value)?;
+            let (range, because) = self.range(field);
+            if value.number().is_some_and(|number| !range.contains(number)) {
+                return Err(Refusal {
+                    key: field.key,
+                    given: value.quoted(),
+                    allowed: field.allowed_in(range),
+                    because,
+                    blamed: None,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// The range that the other fields of this scene leave a field, and which of them narrow it.
+    /// Fields that are not numbers have no range of their own: [`Range::FINITE`].
+    pub fn range(&self, field: &Field) -> (Range, Option<Because>) {
+        let (Kind::Float(range) | Kind::Integer(range)) = field.kind else {
+            return (Range::FINITE, None);
+        };
+        match field.key {
+            "camera.r" => {
+                let (low, because) = self.min_camera_radius();
+                (Range { low, ..range }, Some(because))
+            }
+            "disk.inner" if EDGE.contains(self.disk.outer) => {
+                let high = Excluded(self.disk.outer);
+                let because = Because {
+                    keys: vec!["disk.outer"],
+                    reason: format!("disk.outer is {}", number(self.disk.outer)),
+                };
+                (Range { high, ..range }, Some(because))
+            }
+            "disk.outer" if self.disk.enabled => {
+                let low = Excluded(self.kerr().isco());
+                let reason = format!(
+                    "the innermost stable circular orbit at hole.spin = {}",
+                    number(self.hole.spin)
+                );
+                let because = Because {
+                    keys: vec!["hole.spin", "disk.enabled"],
+                    reason,
+                };
+                (Range { low, ..range }, Some(because))
+            }
+            "disk.tilt_deg" if self.hole.spin != 0.0 => {
+                let because = Because {
+                    keys: vec!["hole.spin"],
+                    reason: format!(
+                        "a thin disk around a hole that spins, here with hole.spin = {}, is steady in the equator only",
+                        number(self.hole.spin)
+                    ),
+                };
+                (Range::closed(0.0, 0.0), Some(because))
+            }
+            "hot_spot.r" if self.disk.enabled && self.hot_spot.kind != HotSpotKind::None => {
+                let (low, high) = (Included(self.inner_edge()), Included(self.disk.outer));
+                let because = Because {
+                    keys: vec![
+                        "disk.inner",
+                        "disk.outer",
+                        "disk.follow_isco",
+                        "disk.enabled",
+                        "hole.spin",
+                        "hot_spot.kind",
+                    ],
+                    reason: "between the edges of the disk".into(),
+                };
+                (Range { low, high }, Some(because))
+            }
+            "disk.period" if self.disk.period > 0.0 => {
+                let low = Included(MIN_PERIOD);
+                let because = Because {
+                    keys: Vec::new(),
+                    reason: "0 for a structure that never repeats".into(),
+                };
+                (Range { low, ..range }, Some(because))
+            }
+            "picture.grid_width" => grid_range("picture.width", self.picture.width),
+            "picture.grid_height" => grid_range("picture.height", self.picture.height),
+            _ => (range, None),
+        }
+    }
+
+    /// The disk's inner edge: `disk.inner`, or the innermost stable circular orbit where that lies
+    /// farther out or `disk.follow_isco` asks for it.
+    pub fn inner_edge(&self) -> f64 {
+        let isco = self.kerr().isco();
+        if self.disk.follow_isco {
+            isco
+        } else {
+            self.disk.inner.max(isco)
+        }
+    }
+
+    /// How near to the hole the camera may be: as near as its observer exists
+    /// ([`ObserverKind`](super::ObserverKind) knows where), and as near as motion leads.
+    fn min_camera_radius(&self) -> (Bound<f64>, Because) {
+        let (kerr, theta_deg) = (self.kerr(), self.camera.theta_deg);
+        let at_spin = format!("at hole.spin = {}", number(self.hole.spin));
+        let mut keys = vec!["hole.spin", "observer.kind"];
+        let limit = match self.observer.kind.properties().limit {
+            // Without spin there is no ergosphere, and without an angle its size is not known.
+            Limit::StaticLimit if self.hole.spin == 0.0 || !POLAR.contains(theta_deg) => {
+                Limit::Horizon
+            }
+            limit => limit,
+        };
+        let low = Excluded(limit.radius(kerr, polar_sin_cos(theta_deg.to_radians()).1));
+        let (low, reason) = match limit {
+            Limit::StaticLimit => {
+                keys.push("camera.theta_deg");
+                let reason = format!(
+                    "nothing is at rest in the ergosphere, which reaches this far {at_spin} and camera.theta_deg = {}; \
+                     observers zamo and rain go deeper",
+                    number(theta_deg)
+                );
+                (low, reason)
+            }
+            Limit::Horizon => {
+                let reason = format!("outside the horizon {at_spin}; observer rain goes on inside");
+                (low, reason)
+            }
+            Limit::PhotonOrbit => {
+                let reason = format!("outside the prograde photon orbit {at_spin}");
+                (low, reason)
+            }
+            Limit::InnerHorizon => match self.effects.missing_inside() {
+                missing if missing.is_empty() => {
+                    let reason = format!("nine tenths of the way between the horizons {at_spin}");
+                    (Included(min_infall_radius(kerr)), reason)
+                }
+                missing => {
+                    let reason = format!(
+                        "outside the horizon {at_spin}, where {} is false",
+                        missing.join(", ")
+                    );
+                    keys.extend(missing);
+                    (Excluded(kerr.horizon()), reason)
+                }
+            },
+        };
+        (low, Because { keys, reason })
+    }
+
+    /// The hole's geometry.
+    fn kerr(&self) -> Kerr {
+        Kerr {
+            spin: self.hole.spin,
+        }
+    }
+}
+
+/// The shortest period of a disk's structure, in r_s/c. Without a period no filament lives for less:
+/// the shortest orbit takes 6.3 r_s/c, and the shortest life is a quarter of an orbit.
+const MIN_PERIOD: f64 = 2.0;
+
+/// Largest number of pixels of the HDR picture that a presentation cell averages along each axis. It
+/// bounds the loops of pixelate.wgsl.
+pub const MAX_PIXELS_PER_CELL: u32 = 64;
+
+/// The range of a side of the presentation grid. A cell is at least one pixel of the HDR picture,
+/// so that the reduction averages and never invents.
+fn grid_range(key: &'static str, side: u32) -> (Range, Option<Because>) {
+    let min = f64::from(side.div_ceil(MAX_PIXELS_PER_CELL)).max(1.0);
+    let because = Because {
+        keys: vec![key],
+        reason: format!("{key} is {side}"),
+    };
+    (Range::closed(min, f64::from(side)), Some(because))
+}
+
+impl Effects {
+    /// The keys of the effects that are off and that only an observer outside the horizon can tell
+    /// apart from the others.
+    fn missing_inside(&self) -> Vec<&'static str> {
+        let needed = [
+            ("effects.lensing", self.lensing),
+            ("effects.doppler", self.doppler),
+            ("effects.gravitational_shift", self.gravitational_shift),
+            ("effects.aberration", self.aberration),
+        ];
+        needed
+            .into_iter()
+            .filter(|(_, on)| !on)
+            .map(|(key, _)| key)
+            .collect()
+    }
+}

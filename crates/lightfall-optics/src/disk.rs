@@ -1,0 +1,122 @@
+//! The thin disk: its inner edge, its flux and temperature, and the redshift of its light. The
+//! twins in WGSL are shaders/disk.wgsl and shaders/disk/emission.wgsl.
+
+mod newtonian;
+mod page_thorne;
+
+pub use newtonian::{NEWTONIAN_PEAK, newtonian_flux};
+pub use page_thorne::{PageThorne, TABLE_LEN};
+
+use lightfall_model::geometry::kerr::{CircularOrbit, Kerr};
+use lightfall_model::scene::{Disk, DiskModel, Scene};
+use std::f64::consts::TAU;
+
+/// The disk's inner edge, in r_s: `disk.inner`, or the innermost stable circular orbit where that
+/// lies farther out or `disk.follow_isco` asks for it.
+#[must_use]
+pub fn inner_edge(scene: &Scene) -> f64 {
+    scene.inner_edge()
+}
+
+/// How long an orbit at the disk's inner edge takes, in r_s/c of Boyer-Lindquist's time: that of a
+/// clock far away.
+#[must_use]
+pub fn inner_period(scene: &Scene) -> Option<f64> {
+    let kerr = Kerr {
+        spin: scene.hole.spin,
+    };
+    let orbit = kerr.circular_orbit(inner_edge(scene))?;
+    Some(TAU / orbit.angular_velocity)
+}
+
+/// The radial profile of a scene's disk.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Profile {
+    /// [`newtonian_flux`] of a disk with this inner edge, in r_s.
+    Newtonian(f64),
+    /// The flux of a relativistic disk around a Kerr hole.
+    PageThorne(PageThorne),
+}
+
+impl Profile {
+    /// The profile of the scene's model, spin and inner edge.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        let inner = inner_edge(scene);
+        match scene.disk.model {
+            DiskModel::Newtonian => Self::Newtonian(inner),
+            DiskModel::PageThorne => Self::PageThorne(PageThorne::new(scene.hole.spin, inner)),
+        }
+    }
+
+    /// Relative bolometric flux at radius `r`, in the frame of the matter; zero inside the inner
+    /// edge. Both profiles peak at [`NEWTONIAN_PEAK`].
+    #[must_use]
+    pub fn flux(&self, r: f64) -> f64 {
+        match self {
+            Self::Newtonian(inner) => newtonian_flux(r, *inner),
+            Self::PageThorne(disk) => disk.flux(r),
+        }
+    }
+}
+
+/// Inner edge for which the temperature scale and the brightness of a disk that keeps its accretion
+/// rate are given, in r_s: the innermost stable orbit without spin.
+const STANDARD_EDGE: f64 = 3.0;
+
+/// The scene's disk, with the temperature scale and the brightness for the flux of its profile.
+///
+/// A profile's peak has a fixed height. At a fixed accretion rate it is the flux far out that does
+/// not depend on the edge: F -> const/r^3, so that the profile (r_in/r)^3 (1 - ...) has to be
+/// multiplied by (3/r_in)^3, and by Page & Thorne's own flux per rate over the scaled one. T goes
+/// with the fourth root.
+#[must_use]
+pub fn lit(scene: &Scene) -> Disk {
+    let mut disk = scene.disk;
+    if disk.keep_accretion {
+        let per_peak = match Profile::new(scene) {
+            Profile::Newtonian(_) => 1.0,
+            Profile::PageThorne(profile) => 1.0 / profile.scale(),
+        };
+        let gain = per_peak * (STANDARD_EDGE / inner_edge(scene)).powi(3);
+        disk.temperature_k *= gain.powf(0.25);
+        disk.brightness *= gain;
+    }
+    disk
+}
+
+/// Temperature, in kelvin and in the frame of the matter, where the relative flux is `flux`: T =
+/// temperature_k F^(1/4), by the Stefan-Boltzmann law.
+#[must_use]
+pub fn temperature(disk: &Disk, flux: f64) -> f64 {
+    disk.temperature_k * flux.powf(0.25)
+}
+
+/// How much of the disk there is at radius `r`, from 0 to 1: emission and opacity fade together at
+/// both edges. The twin in WGSL is `disk_cover` in shaders/disk/emission.wgsl.
+#[must_use]
+pub fn cover(scene: &Scene, r: f64) -> f64 {
+    let (inner, disk) = (inner_edge(scene), &scene.disk);
+    let fade = |depth: f64, edge: f64| {
+        let share = (depth / (disk.edge_taper * edge).max(1e-6)).clamp(0.0, 1.0);
+        share * share * (3.0 - 2.0 * share)
+    };
+    fade(r - inner, inner) * fade(disk.outer - r, disk.outer)
+}
+
+/// Share of the light from behind that passes through the disk at radius `r`.
+#[must_use]
+pub fn transmission(scene: &Scene, r: f64) -> f64 {
+    1.0 - (1.0 - scene.disk.transmission) * cover(scene, r)
+}
+
+/// Observed over emitted frequency, g = 1 / (u^t (E - Omega L)), for light with the constants E =
+/// -p_t and L = p_phi per unit frequency for the camera. Bardeen, Press & Teukolsky 1972 section
+/// III, Cunningham 1975; equal to 1 / (E u^t (1 - Omega lambda)) with lambda = L/E.
+///
+/// The article's 1 + Omega L_n is the same number, since its L_n belongs to the backward ray and is
+/// -lambda.
+#[must_use]
+pub fn redshift(orbit: &CircularOrbit, energy: f64, angular_momentum: f64) -> f64 {
+    1.0 / (orbit.u_t * (energy - orbit.angular_velocity * angular_momentum))
+}

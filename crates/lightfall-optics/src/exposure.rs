@@ -1,0 +1,191 @@
+//! A light meter: chooses the exposure for the light that a scene's camera sees, with a few rays.
+//!
+//! The exposure makes the mean level of the screen over the disk a fixed one. Levels end at white,
+//! so a small part of the disk that is a thousand times as bright as the rest counts as white and
+//! leaves the rest visible. The sky counts a little, so that the exposure changes smoothly when the
+//! disk leaves the picture.
+
+use crate::limb::Limb;
+use crate::photometry::DISK_HDR_SCALE;
+use crate::reference::Reference;
+use crate::shift::Shift;
+use crate::trace::{Hit, Outcome};
+use crate::{disk, spectrum};
+use glam::{DVec2, DVec3};
+use lightfall_model::geometry::observer::{ObserverError, Photon};
+use lightfall_model::scene::{Effects, Scene, SkyMode};
+
+/// Rays over the picture.
+const RAYS: u32 = 320;
+/// The places of the rays in the picture are multiples of these numbers, less whole pictures: an
+/// even distribution without rows and columns (Roberts 2018, "The Unreasonable Effectiveness of
+/// Quasirandom Sequences"). So an edge passes the rays one by one.
+const RAY_SPACING: DVec2 = DVec2::new(0.754_877_666_246_692_7, 0.569_840_290_998_053_3);
+/// Mean level of the screen over the disk, from 0 for black to 1 for white.
+const TARGET_LEVEL: f64 = 0.56;
+/// Weight of a ray to the sky, where a ray to the disk has the weight one.
+const SKY_WEIGHT: f64 = 0.02;
+/// Temperature of the sky's light, in kelvin, and the exposure for a sky alone, unshifted.
+const SKY_TEMPERATURE: f64 = 6500.0;
+const SKY_EXPOSURE: f64 = 1.2;
+/// The exposures that the meter chooses. A longer one would turn the sky white.
+const RANGE: [f64; 2] = [-12.0, 7.0];
+/// Halvings of that range, and the fraction of a power of two that the result is rounded to.
+const HALVINGS: u32 = 16;
+const PARTS: f64 = 1000.0;
+
+/// How far the exposure of a scene without some effects may be from its own, in powers of two: no
+/// switch turns the picture black or white.
+const MAX_SWITCHED: f64 = 1.5;
+
+/// Light that the meter sees.
+struct Sample {
+    weight: f64,
+    /// The largest channel of the linear light.
+    light: f64,
+}
+
+/// The scene with the exposure that its light meter chooses, if the scene has automatic exposure
+/// and the meter sees any light; else the scene as it is.
+#[must_use]
+pub fn exposed(scene: &Scene) -> Scene {
+    let mut exposed = scene.clone();
+    if scene.picture.automatic_exposure
+        && let Ok(Some(metered)) = metered_exposure(scene)
+    {
+        exposed.picture.exposure_ev = metered;
+    }
+    exposed
+}
+
+/// The exposure, in powers of two, for the light that the scene's camera sees, with the scene's
+/// bias. It does not depend on the scene's own exposure. Effects that are switched off count as on,
+/// so that a switch shows what it changes; this moves the exposure by no more than 1.5 powers of
+/// two. `None` where the meter sees nothing shine, and in views whose colours are the same at every
+/// exposure.
+///
+/// # Errors
+/// If the scene's observer cannot exist.
+pub fn metered_exposure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
+    let metered = meter(scene)?;
+    Ok(metered.map(|exposure| exposure + scene.picture.exposure_bias))
+}
+
+/// The exposure without the scene's bias.
+fn meter(scene: &Scene) -> Result<Option<f64>, ObserverError> {
+    let own = measure(scene)?;
+    if scene.effects == Effects::default() {
+        return Ok(own);
+    }
+    let with_effects = measure(&Scene {
+        effects: Effects::default(),
+        ..scene.clone()
+    });
+    Ok(own
+        .zip(with_effects?)
+        .map(|(own, whole)| whole.clamp(own - MAX_SWITCHED, own + MAX_SWITCHED))
+        .or(own))
+}
+
+/// The exposure for the scene as it is.
+fn measure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
+    if !scene.view.shows_light() {
+        return Ok(None);
+    }
+    let samples = samples(scene)?;
+    let weight: f64 = samples.iter().map(|sample| sample.weight).sum();
+    if samples
+        .iter()
+        .all(|sample| sample.weight * sample.light <= 0.0)
+    {
+        return Ok(None);
+    }
+    let curve = scene.picture.tone_curve;
+    let mean_level = |exposure: f64| {
+        let scale = exposure.exp2();
+        let levels = samples
+            .iter()
+            .map(|sample| sample.weight * srgb(curve.level(scale * sample.light)));
+        levels.sum::<f64>() / weight
+    };
+    let [mut low, mut high] = RANGE;
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if mean_level(middle) < TARGET_LEVEL {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Ok(Some((0.5 * (low + high) * PARTS).round() / PARTS))
+}
+
+/// What the meter's rays see.
+fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
+    let reference = Reference::new(scene)?;
+    let (profile, shift) = (disk::Profile::new(scene), Shift::new(scene));
+    let lit = disk::lit(scene);
+    let axes = scene.camera.tetrad_from_camera();
+    let size = scene.picture.size().as_dvec2();
+    // Light of an unshifted sky that alone would ask for SKY_EXPOSURE.
+    let sky_light = linear(TARGET_LEVEL) / SKY_EXPOSURE.exp2() * scene.sky.brightness;
+    let beaming = |g: f64| {
+        if scene.effects.beaming {
+            g.powi(4)
+        } else {
+            1.0
+        }
+    };
+    let limb = Limb::new(scene);
+    let disk_light = |photon: &Photon, hit: Hit| {
+        let flux = profile.flux(hit.r);
+        let seen = spectrum::colour(hit.g * disk::temperature(&lit, flux));
+        let limb = limb.factor(photon, hit.r);
+        let scale = flux * beaming(hit.g) * limb * lit.brightness * DISK_HDR_SCALE;
+        DVec3::from(seen) * scale * disk::cover(scene, hit.r)
+    };
+    let mut samples = Vec::new();
+    let mut add = |weight: f64, light: f64| {
+        if weight > 0.0 && light.is_finite() {
+            let light = light.max(0.0);
+            samples.push(Sample { weight, light });
+        }
+    };
+    for i in 0..RAYS {
+        let pixel = (0.5 + f64::from(i) * RAY_SPACING).fract() * size;
+        let direction = axes * scene.camera.looking(pixel, size);
+        let trace = reference.trace(direction);
+        let photon = reference.photon(direction.normalize());
+        let (mut light, mut transmission, mut uncovered) = (DVec3::ZERO, 1.0, 1.0);
+        for hit in trace.hits.into_iter().flatten() {
+            light += transmission * disk_light(&photon, hit);
+            transmission *= disk::transmission(scene, hit.r);
+            uncovered *= 1.0 - disk::cover(scene, hit.r);
+        }
+        let covered = 1.0 - uncovered;
+        // Per covered share, so that a ray at the disk's edge sees the light next to the edge.
+        add(covered, light.max_element() / covered.max(1e-9));
+        if trace.outcome == Outcome::Sky && scene.sky.mode != SkyMode::Off {
+            let (r, n) = reference.camera();
+            let lambda = r * n.cross(photon.w).z / photon.energy;
+            let g = shift.of_sky(1.0 / photon.energy, lambda).abs();
+            let seen = DVec3::from(spectrum::colour(g * SKY_TEMPERATURE)).max_element();
+            add(SKY_WEIGHT * uncovered, sky_light * seen * beaming(g));
+        }
+    }
+    Ok(samples)
+}
+
+/// sRGB's level of a linear one.
+fn srgb(linear: f64) -> f64 {
+    if linear <= 0.003_130_8 {
+        12.92 * linear
+    } else {
+        1.055 * linear.powf(1.0 / 2.4) - 0.055
+    }
+}
+
+/// The linear level of sRGB's level.
+fn linear(level: f64) -> f64 {
+    ((level + 0.055) / 1.055).powf(2.4)
+}

@@ -1,0 +1,165 @@
+//! The diffuse light as a cube map, which is computed once and kept as an asset.
+
+use super::asset;
+use crate::cube_map::{FACES, face_and_place, face_column_row, solid_angle};
+use crate::stars::flux;
+use glam::DVec3;
+use half::f16;
+use std::sync::LazyLock;
+
+/// The finest level. This command makes it:
+/// `cargo run -p lightfall-galaxy --release -- assets/sky/milky_way.png`
+const ASSET: &[u8] = include_bytes!("../../../../assets/sky/milky_way.png");
+
+/// The diffuse light of the sky on J2000 axes, as a cube map with all its levels.
+///
+/// A texel is the light of two temperatures, [`MilkyWay::temperatures`]: their bolometric radiance,
+/// in linear light as [`crate::spectrum`] has it. Seen with the frequency ratio g, a texel
+/// [a, b] is the light a g^4 colour(g T_a) + b g^4 colour(g T_b).
+///
+/// It is the light of all stars. Those that are drawn one by one have to be left out: see
+/// [`fainter_share`](crate::stars::fainter_share).
+#[derive(Clone, Debug, PartialEq)]
+pub struct MilkyWay {
+    levels: Vec<Vec<[f32; 2]>>,
+}
+
+impl MilkyWay {
+    /// Texels along one side of a face of the finest level.
+    pub const SIZE: usize = asset::SIZE;
+
+    /// Number of levels. The last one has one texel a face.
+    pub const LEVELS: usize = Self::SIZE.ilog2() as usize + 1;
+
+    /// Cells a side of a face, in which faint stars are counted: the texels of a level.
+    pub const CELLS: usize = 64;
+
+    /// The Milky Way. It is decoded at the first call.
+    #[must_use]
+    pub fn built_in() -> &'static Self {
+        &MILKY_WAY
+    }
+
+    /// The temperatures of the two lights in kelvin, the bluer one first.
+    #[must_use]
+    pub fn temperatures() -> [f64; 2] {
+        asset::temperatures()
+    }
+
+    /// The texels of a level, 0 the finest, in WebGPU's order of faces.
+    ///
+    /// # Panics
+    /// There are [`MilkyWay::LEVELS`] levels.
+    #[must_use]
+    pub fn texels(&self, level: usize) -> &[[f32; 2]] {
+        &self.levels[level]
+    }
+
+    /// All texels as pairs of half floats, face by face, and each face level by level: what a
+    /// texture of the format `Rg16Float` takes in the order `LayerMajor`.
+    #[must_use]
+    pub fn half_floats(&self) -> Vec<[u16; 2]> {
+        let mut halves = Vec::with_capacity(self.levels.iter().map(Vec::len).sum());
+        for face in 0..FACES {
+            for texels in &self.levels {
+                let of_face = texels.len() / FACES;
+                let pairs = &texels[face * of_face..(face + 1) * of_face];
+                halves.extend(
+                    pairs
+                        .iter()
+                        .map(|pair| pair.map(|x| f16::from_f32(x).to_bits())),
+                );
+            }
+        }
+        halves
+    }
+
+    /// The two radiances from a J2000 direction, linear between the four texels around it on its
+    /// face.
+    #[must_use]
+    pub fn radiance(&self, direction: DVec3) -> [f64; 2] {
+        let (face, u, v) = face_and_place(direction);
+        let size = Self::SIZE as f64;
+        let split = |place: f64| {
+            let place = (place * size - 0.5).clamp(0.0, size - 1.0);
+            let low = (place as usize).min(Self::SIZE - 2);
+            (low, place - low as f64)
+        };
+        let ((column, right), (row, down)) = (split(u), split(v));
+        let texel = |column: usize, row: usize| -> [f64; 2] {
+            self.levels[0][(face * Self::SIZE + row) * Self::SIZE + column].map(f64::from)
+        };
+        std::array::from_fn(|i| {
+            let along =
+                |row| (1.0 - right) * texel(column, row)[i] + right * texel(column + 1, row)[i];
+            (1.0 - down) * along(row) + down * along(row + 1)
+        })
+    }
+
+    /// The brightness in V of two radiances, in stars of V = 0 per steradian.
+    #[must_use]
+    pub fn brightness(radiance: [f64; 2]) -> f64 {
+        let [blue, red] = star_fluxes();
+        radiance[0] / blue + radiance[1] / red
+    }
+
+    /// For each cell its brightness to `power` times its solid angle.
+    pub(crate) fn cell_light_to_power(&self, power: f64) -> Vec<f64> {
+        let level = (Self::SIZE / Self::CELLS).ilog2() as usize;
+        let [blue, red] = star_fluxes();
+        let weight = |(cell, light): (usize, &[f32; 2])| {
+            let (_, column, row) = face_column_row(Self::CELLS, cell);
+            let light = f64::from(light[0]) / blue + f64::from(light[1]) / red;
+            light.powf(power) * solid_angle(Self::CELLS, column, row)
+        };
+        self.levels[level].iter().enumerate().map(weight).collect()
+    }
+
+    /// From the brightness in V of the two lights of each texel, in stars of V = 0 per steradian.
+    fn new(texels: &[[f64; 2]]) -> Self {
+        let [blue, red] = star_fluxes();
+        let finest = texels
+            .iter()
+            .map(|light| [(light[0] * blue) as f32, (light[1] * red) as f32]);
+        let mut levels = vec![finest.collect::<Vec<_>>()];
+        for level in 1..Self::LEVELS {
+            levels.push(halved(&levels[level - 1], Self::SIZE >> (level - 1)));
+        }
+        Self { levels }
+    }
+}
+
+/// Bolometric flux of a star of V = 0 of each of the two temperatures.
+fn star_fluxes() -> [f64; 2] {
+    MilkyWay::temperatures().map(|temperature| flux(0.0, temperature))
+}
+
+/// The next coarser level of texels, `size` a side: means of 2x2, weighted with solid angles.
+fn halved(texels: &[[f32; 2]], size: usize) -> Vec<[f32; 2]> {
+    let half = size / 2;
+    let of_face = half * half;
+    let mut coarser = vec![[0.0; 2]; FACES * of_face];
+    for texel in 0..of_face {
+        let (_, column, row) = face_column_row(half, texel);
+        let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(right, down)| {
+            let (column, row) = (2 * column + right, 2 * row + down);
+            (row * size + column, solid_angle(size, column, row))
+        });
+        let all: f64 = four.iter().map(|(_, weight)| weight).sum();
+        for face in 0..FACES {
+            coarser[face * of_face + texel] = std::array::from_fn(|i| {
+                let light = |at: usize| f64::from(texels[face * size * size + at][i]);
+                let sum: f64 = four.iter().map(|(at, weight)| weight * light(*at)).sum();
+                (sum / all) as f32
+            });
+        }
+    }
+    coarser
+}
+
+/// See [`MilkyWay::built_in`].
+static MILKY_WAY: LazyLock<MilkyWay> = LazyLock::new(|| {
+    let texels =
+        asset::read(ASSET).expect("assets/sky/milky_way.png is compiled in and a test reads it");
+    MilkyWay::new(&texels)
+});

@@ -1,0 +1,319 @@
+//! The reference method: traces rays in f64, for any spin.
+//!
+//! A ray ends at u = 0, which is infinity itself, or as soon as its capture is certain. There is
+//! neither an escape radius nor a margin at the horizon. Infinity and the crossings of the disk's
+//! plane are roots of the step's own series.
+//!
+//! A crossing within a step or at its end belongs to that step, never to the step that starts
+//! there. So no crossing counts twice, and a camera in the plane does not see the disk at its own
+//! place. A ray that lies in the plane has no isolated crossing and therefore no hit.
+
+use crate::camera_rays::{CameraRays, camera_in_disk_frame};
+use crate::shift::Shift;
+use crate::trace::{Hit, Outcome, Trace};
+use crate::{disk, straight};
+use glam::{DMat3, DVec3};
+use lightfall_model::geometry::kerr::Kerr;
+use lightfall_model::geometry::mino::{Constants, Expansion, State};
+use lightfall_model::geometry::observer::{ObserverError, Photon};
+use lightfall_model::geometry::sphere::wrap_angle;
+use lightfall_model::scene::Scene;
+
+/// Maximum number of steps of a ray. A ray within 1e-15 of the critical curve takes a few hundred.
+const MAX_STEPS: u32 = 10_000;
+
+/// The rays of a scene's camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reference {
+    hole_and_disk: HoleAndDisk,
+    camera_rays: CameraRays,
+    shift: Shift,
+    lensing: bool,
+    r: f64,
+    n: DVec3,
+    hole_from_disk: DMat3,
+}
+
+/// The hole and the disk, which rays can hit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HoleAndDisk {
+    /// The hole.
+    pub kerr: Kerr,
+    /// Inner and outer edge of the disk, in r_s; `None` without a disk.
+    pub annulus: Option<[f64; 2]>,
+}
+
+/// A step along a ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step<'a> {
+    /// The motion from the step's start on.
+    pub expansion: &'a Expansion,
+    /// The step's length in Mino time.
+    pub length: f64,
+    /// The Mino time of the hit that the trace has found in the step.
+    pub hit: Option<f64>,
+}
+
+impl Reference {
+    /// Prepares the rays of `scene`.
+    ///
+    /// # Errors
+    /// If the scene's observer does not exist.
+    pub fn new(scene: &Scene) -> Result<Self, ObserverError> {
+        let camera_rays = CameraRays::in_disk_frame(scene)?;
+        let annulus = scene
+            .disk
+            .enabled
+            .then(|| [disk::inner_edge(scene), scene.disk.outer]);
+        let hole_and_disk = HoleAndDisk {
+            kerr: Kerr {
+                spin: scene.hole.spin,
+            },
+            annulus,
+        };
+        let (shift, lensing) = (Shift::new(scene), scene.effects.lensing);
+        Ok(Self {
+            hole_and_disk,
+            camera_rays,
+            shift,
+            lensing,
+            r: scene.camera.r,
+            n: camera_in_disk_frame(scene),
+            hole_from_disk: scene.disk.hole_from_disk(),
+        })
+    }
+
+    /// Follows the ray that arrives from `direction`, given on the observer's axes and of any
+    /// length. For a direction that is zero or not finite the outcome is `Unfinished` and the
+    /// residual NaN. Delays are left out, but for those of straight rays, which cost nothing.
+    #[must_use]
+    pub fn trace(&self, direction: DVec3) -> Trace {
+        self.trace_by(direction, HoleAndDisk::trace)
+    }
+
+    /// As [`trace`](Self::trace), with the hits' delays if the camera is outside the horizon.
+    #[must_use]
+    pub fn trace_with_delays(&self, direction: DVec3) -> Trace {
+        let mut trace = self.trace_with_lags(direction);
+        // `Lag` compares in the same way, so that rounding cannot make the two disagree.
+        if 1.0 / self.r >= 1.0 / self.hole_and_disk.kerr.horizon() {
+            for hit in trace.hits.iter_mut().flatten() {
+                hit.delay = None;
+            }
+        }
+        trace
+    }
+
+    /// As [`trace`](Self::trace), with the hits' [lags](crate::delay::Lag) in place of
+    /// their delays, wherever the camera is. Outside the horizon both are the same.
+    #[must_use]
+    pub fn trace_with_lags(&self, direction: DVec3) -> Trace {
+        self.trace_by(direction, HoleAndDisk::trace_with_lags)
+    }
+
+    fn trace_by(
+        &self,
+        direction: DVec3,
+        lensed: impl Fn(&HoleAndDisk, &Constants, State) -> Trace,
+    ) -> Trace {
+        let Some(direction) = (direction / direction.abs().max_element()).try_normalize() else {
+            return Trace {
+                outcome: Outcome::Unfinished,
+                sky: None,
+                hits: [None; 2],
+                steps: 0,
+                residual: f64::NAN,
+            };
+        };
+        self.trace_photon_by(&self.photon(direction), lensed)
+    }
+
+    /// Follows the backward ray of a photon at the camera, as [`trace`](Self::trace) follows that of
+    /// a direction.
+    #[must_use]
+    pub fn trace_photon(&self, photon: &Photon) -> Trace {
+        self.trace_photon_by(photon, HoleAndDisk::trace)
+    }
+
+    fn trace_photon_by(
+        &self,
+        photon: &Photon,
+        lensed: impl Fn(&HoleAndDisk, &Constants, State) -> Trace,
+    ) -> Trace {
+        let HoleAndDisk { kerr, annulus } = self.hole_and_disk;
+        let (mut trace, lambda) = if self.lensing {
+            let (constants, start) = Constants::of_photon(kerr, photon, self.r, self.n);
+            (
+                lensed(&self.hole_and_disk, &constants, start),
+                constants.angular_momentum / constants.energy,
+            )
+        } else {
+            // Without frame dragging no shift depends on lambda.
+            (straight::trace(kerr, annulus, photon, self.r, self.n), 0.0)
+        };
+        for hit in trace.hits.iter_mut().flatten() {
+            hit.g = self.shift.of_disk(hit.g, hit.r, lambda);
+        }
+        trace.sky = trace.sky.map(|sky| self.hole_from_disk * sky);
+        trace
+    }
+
+    /// The photon that arrives from a unit direction, in the disk's frame.
+    #[must_use]
+    pub fn photon(&self, direction: DVec3) -> Photon {
+        self.camera_rays.photon(direction)
+    }
+
+    /// The unit direction, on the observer's axes, from which a photon in the disk's frame arrives. `None`
+    /// if the observer measures no frequency.
+    #[must_use]
+    pub fn direction_of(&self, photon: &Photon) -> Option<DVec3> {
+        self.camera_rays.matrix.direction_of(photon, self.n)
+    }
+
+    /// The hole and the disk.
+    #[must_use]
+    pub fn hole_and_disk(&self) -> HoleAndDisk {
+        self.hole_and_disk
+    }
+
+    /// The camera's place: its radius, in r_s, and its unit vector on the celestial sphere of the
+    /// disk's frame.
+    #[must_use]
+    pub fn camera(&self) -> (f64, DVec3) {
+        (self.r, self.n)
+    }
+
+    /// Whether light is bent.
+    #[must_use]
+    pub fn lensing(&self) -> bool {
+        self.lensing
+    }
+}
+
+impl HoleAndDisk {
+    /// Follows the backward ray with these constants from `start` to its end.
+    #[must_use]
+    pub fn trace(&self, constants: &Constants, start: State) -> Trace {
+        self.follow(constants, start, |_| {})
+    }
+
+    /// As [`trace`](Self::trace), and calls `visit` with every step.
+    pub fn follow(
+        &self,
+        constants: &Constants,
+        start: State,
+        mut visit: impl FnMut(&Step),
+    ) -> Trace {
+        let u_horizon = 1.0 / self.kerr.horizon();
+        // Hits lie between these values of u. Without a disk the interval is empty.
+        let [u_outer, u_inner] = self
+            .annulus
+            .map_or([0.0, 0.0], |[inner, outer]| [1.0 / outer, 1.0 / inner]);
+        let mut trace = Trace {
+            outcome: Outcome::Unfinished,
+            sky: None,
+            hits: [None; 2],
+            steps: 0,
+            residual: constants.residual(&start),
+        };
+        let mut state = start;
+        if constants.stays_inside(&state, u_horizon) {
+            return Trace {
+                outcome: Outcome::Captured,
+                ..trace
+            };
+        }
+        while trace.steps < MAX_STEPS {
+            let no_more_hits = state.u >= u_inner || trace.hits[1].is_some();
+            let inward = state.du > 0.0;
+            if inward
+                && (state.u >= u_horizon
+                    || no_more_hits && constants.cannot_turn_within(state.u, u_horizon))
+            {
+                return Trace {
+                    outcome: Outcome::Captured,
+                    ..trace
+                };
+            }
+            let expansion = constants.expand(&state);
+            let reach = constants.reach(&expansion);
+            let to_infinity = time_to_infinity(&expansion, reach);
+            let end_time = to_infinity.unwrap_or(reach);
+            let end = expansion.at(end_time);
+            if !(end_time > 0.0 && end.n.is_finite() && end.u.is_finite()) {
+                return trace;
+            }
+            trace.steps += 1;
+            trace.residual = trace.residual.max(constants.residual(&end));
+            let mut hit_time = None;
+            if let Some(time) = time_to_plane(&expansion, end.n.z, end_time) {
+                let crossing = expansion.at(time);
+                if crossing.u > u_outer && crossing.u < u_inner {
+                    let hit = self.hit(constants, &crossing);
+                    let free = trace.hits.iter_mut().find(|slot| slot.is_none());
+                    if let (Some(slot), Some(hit)) = (free, hit) {
+                        *slot = Some(hit);
+                        hit_time = Some(time);
+                    }
+                }
+            }
+            visit(&Step {
+                expansion: &expansion,
+                length: end_time,
+                hit: hit_time,
+            });
+            if to_infinity.is_some() {
+                // Light of negative energy cannot come from infinity.
+                if constants.energy <= 0.0 {
+                    return Trace {
+                        outcome: Outcome::Captured,
+                        ..trace
+                    };
+                }
+                let sky = DMat3::from_rotation_z(end.chi) * end.n;
+                return Trace {
+                    outcome: Outcome::Sky,
+                    sky: Some(sky.normalize()),
+                    ..trace
+                };
+            }
+            state = end;
+        }
+        trace
+    }
+
+    /// The hit at a crossing of the disk's plane; `None` where no circular orbit exists.
+    pub(super) fn hit(&self, constants: &Constants, crossing: &State) -> Option<Hit> {
+        let r = 1.0 / crossing.u;
+        let orbit = self.kerr.circular_orbit(r)?;
+        let lead = if constants.ingoing {
+            self.kerr.ingoing_azimuth_lead(r)
+        } else {
+            0.0
+        };
+        let azimuth = crossing.n.y.atan2(crossing.n.x) + crossing.chi - lead;
+        let g = disk::redshift(&orbit, constants.energy, constants.angular_momentum);
+        Some(Hit {
+            r,
+            phi: wrap_angle(azimuth),
+            g,
+            delay: None,
+        })
+    }
+}
+
+/// The Mino time within `reach` at which an outgoing ray is at u = 0, if it gets there. A step of
+/// at most one radian is too short to pass infinity and come back, which takes more than two
+/// radians.
+fn time_to_infinity(expansion: &Expansion, reach: f64) -> Option<f64> {
+    let outward = expansion.u.0[1] < 0.0;
+    (outward && expansion.u.at(reach).0 <= 0.0).then(|| expansion.u.root(reach))
+}
+
+/// The Mino time in (0, `end_time`] at which the ray crosses the disk's plane; `z_end` is n_z at
+/// the end.
+pub(super) fn time_to_plane(expansion: &Expansion, z_end: f64, end_time: f64) -> Option<f64> {
+    let z = expansion.n[2].0[0];
+    (z > 0.0 && z_end <= 0.0 || z < 0.0 && z_end >= 0.0).then(|| expansion.n[2].root(end_time))
+}

@@ -1,0 +1,61 @@
+//! The structure of the disk's light: a statistical model of turbulence that the rotation carries
+//! and shears. The twin in WGSL is shaders/disk/structure/waves.wgsl.
+//!
+//! The flux in the matter's frame is that of the smooth disk times exp(sigma f) over its mean. f is
+//! a random field of mean zero and variance one in x = ln r and phi, longer along trailing spirals
+//! than across them (Lee & Gammie 2021). It is a sum of shearing waves (Goldreich & Lynden-Bell
+//! 1965) in overlapping rings. Each wave moves with the exact angular velocity of circular orbits,
+//! dies before it winds up, and is born anew with another phase.
+//!
+//! With a period, each ring's waves live for a whole part of it, and the phases of their lives
+//! repeat after it.
+
+mod draw;
+mod field;
+mod model;
+mod random;
+mod rings;
+
+pub use draw::{Ring, Wave};
+pub use field::{Covariance, Field, MAX_CHANGE, Term};
+pub use model::{MAX_WAVES, Model, OCTAVES};
+pub use random::{GROUP_STRIDE, phase};
+pub use rings::{MAX_RINGS, Rings};
+
+use crate::disk::inner_edge;
+use lightfall_model::geometry::kerr::Kerr;
+use lightfall_model::scene::Scene;
+
+/// The structure of a scene's disk: everything that does not depend on time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Structure {
+    kerr: Kerr,
+    /// The model's numbers.
+    pub model: Model,
+    /// Where the rings are.
+    pub places: Rings,
+    /// The rings with their waves, from the innermost.
+    pub rings: Vec<Ring>,
+}
+
+impl Structure {
+    /// The structure of the scene's disk, with at most `limit` waves in each ring; `None` for a
+    /// smooth disk.
+    #[must_use]
+    pub fn new(scene: &Scene, limit: Option<u32>) -> Option<Self> {
+        let model = Model::new(&scene.disk, limit)?;
+        let kerr = Kerr {
+            spin: scene.hole.spin,
+        };
+        let places = Rings::new(inner_edge(scene), scene.disk.outer);
+        let rings = (0..places.count)
+            .map(|i| Ring::new(&model, i, places.centre(i), kerr))
+            .collect();
+        Some(Self {
+            kerr,
+            model,
+            places,
+            rings,
+        })
+    }
+}
