@@ -1,10 +1,10 @@
-// How two pictures of light differ, amplified. Both have the size of the HDR picture.
+// The difference of two pictures of light, amplified. Both have the size of the HDR picture.
 //
 // Needs: BINDING_DIFFERENCE, BINDING_DIFFERENCE_LEFT, BINDING_DIFFERENCE_RIGHT.
 // Gives: difference.
 
 struct Difference {
-    // What |left - right| is multiplied by.
+    // The factor of |left - right|.
     gain: f32,
 }
 

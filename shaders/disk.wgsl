@@ -1,4 +1,4 @@
-// The thin disk: where a ray crosses it, and how much the motion of its matter shifts the light.
+// The thin disk: where a ray crosses it, and how the motion of its matter shifts the light.
 //
 // Needs: Hit, MASS, MAX_HITS, Segment, TINY, Trace, disk_shift, scene.
 // Gives: HAS_DISK, add_hit, angular_velocity, crosses_plane, in_annulus, near_annulus,
@@ -9,8 +9,8 @@ const HAS_DISK: bool = true;
 // Bisections of the interval that contains a crossing.
 const BISECTIONS: u32 = 10u;
 
-// Hermite's cubic, which has the segment's positions and velocities at its ends, at a share t of
-// the segment's length.
+// Hermite's cubic through the segment's ends with the velocities there, at the share t of its
+// length.
 fn hermite(segment: Segment, t: f32) -> vec3<f32> {
     let s = 1.0 - t;
     return (s * s * (1.0 + 2.0 * t)) * segment.x0 + (t * t * (3.0 - 2.0 * t)) * segment.x1
@@ -18,8 +18,9 @@ fn hermite(segment: Segment, t: f32) -> vec3<f32> {
 }
 
 // Whether a step from the height z0 to z1 crosses the plane. A crossing belongs to the step that
-// contains it or ends at it, never to the step that starts at it. So no crossing counts twice, and
-// a camera in the plane does not see the disk at its own place. A ray in the plane has no crossing.
+// contains it or ends at it, never to the step that starts at it. So no crossing counts twice, a
+// camera in the plane does not see the disk at its own place, and a ray in the plane has no
+// crossing.
 fn crosses_plane(z0: f32, z1: f32) -> bool {
     return z0 != 0.0 && (z1 == 0.0 || (z0 > 0.0) != (z1 > 0.0));
 }
@@ -28,14 +29,14 @@ fn in_annulus(r: f32) -> bool {
     return r > scene.disk.inner && r < scene.disk.outer;
 }
 
-// Whether a crossing about here may turn out to be in the annulus. The cubic through a step of
-// kerr-schild is off by less than a thousandth of the radius; this is fifty times as much.
+// Whether a crossing near this radius may be in the annulus. The cubic through a step of
+// kerr-schild is wrong by less than a thousandth of the radius; the margin is fifty times that.
 fn near_annulus(r: f32) -> bool {
     return r > 0.95 * scene.disk.inner && r < 1.05 * scene.disk.outer;
 }
 
-// Where the segment crosses the plane, and at which share of its length; only meaningful if it
-// does.
+// The point where the segment crosses the plane, and its share of the length. Meaningless if
+// `crosses` is false.
 fn plane_crossing(segment: Segment, crosses: bool) -> vec4<f32> {
     let above = segment.x0.z > 0.0;
     var low = 0.0;
@@ -59,8 +60,8 @@ fn segment_delay(segment: Segment, share: f32) -> f32 {
     return segment.delay + segment.h * share * (rates.x + 0.5 * share * (rates.y - rates.x));
 }
 
-// Records the segment's crossing of the annulus, if it has one, for methods whose positions are r
-// n. shift_hits computes its g later.
+// Records the segment's crossing of the annulus, if any, for methods whose positions are r n.
+// shift_hits computes its g later.
 fn record_crossing(result: ptr<function, Trace>, segment: Segment) {
     let crosses = crosses_plane(segment.x0.z, segment.x1.z) && (*result).hit_count < MAX_HITS;
     let crossing = plane_crossing(segment, crosses);
@@ -107,13 +108,13 @@ fn whole_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
     return sqrt(max(root2, TINY)) / (orbit_stretch(y3) * slowing);
 }
 
-// The same without the shares that are switched off.
+// whole_redshift without the effects that are switched off.
 fn disk_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
     return disk_shift(whole_redshift(r, energy, lambda), r, lambda);
 }
 
 // Appends a crossing of the annulus; E is per unit frequency at the camera, lambda = L/E. Crossings
-// beyond the last that counts are dropped.
+// after MAX_HITS are dropped.
 fn add_hit(result: ptr<function, Trace>, position: vec3<f32>, energy: f32, lambda: f32, delay: f32) {
     let hit = Hit(position, disk_redshift(length(position), energy, lambda), delay);
     if (*result).hit_count == 0u {

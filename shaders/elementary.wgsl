@@ -36,7 +36,8 @@ fn angle_between(a: vec3<f32>, b: vec3<f32>) -> f32 {
 
 // (Sine, cosine) of an angle of up to some tens of radians. The error is at most 2e-7, in addition
 // to the angle's own rounding. The nearest multiple of pi/2 is subtracted in two parts, the first
-// of few digits; the rest goes into minimax polynomials on [-pi/4, pi/4] with errors below 4e-9.
+// with few digits (Cody & Waite 1980); minimax polynomials on [-pi/4, pi/4] follow, with errors
+// below 4e-9.
 fn sin_cos_precise(angle: f32) -> vec2<f32> {
     let turns = round(angle * 0.636619772);
     let x = (angle - turns * 1.5703125) - turns * 4.83826795e-4;
@@ -57,8 +58,8 @@ fn atanh_small(x: f32) -> f32 {
 }
 
 // Natural logarithm of a normal positive number, with a relative error of at most 3e-7. The
-// exponent's share is added in two parts, the first of few digits; the logarithm of the mantissa m,
-// between sqrt(1/2) and sqrt(2), is 2 atanh((m - 1)/(m + 1)).
+// exponent's share is added in two parts, the first with few digits; the logarithm of the mantissa
+// m, between sqrt(1/2) and sqrt(2), is 2 atanh((m - 1)/(m + 1)).
 fn log_precise(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let below_root = (bits & 0x7fffffu) < 0x3504f3u;
@@ -69,8 +70,7 @@ fn log_precise(x: f32) -> f32 {
 }
 
 // e^x for |x| <= 80, with a relative error of at most 2e-7 in addition to that of x. The nearest
-// multiple of ln 2 is subtracted in two parts, the first of few digits; the rest goes into the
-// series.
+// multiple of ln 2 is subtracted in two parts, the first with few digits; the series follows.
 fn exp_precise(x: f32) -> f32 {
     let doublings = round(x * 1.44269504);
     let y = (x - doublings * 0.693145752) - doublings * 1.42860677e-6;

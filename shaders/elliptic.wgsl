@@ -1,13 +1,13 @@
-// Elliptic functions for cubics of which one real root is known and the other two may be a
-// conjugate pair. The functions take the pair by its mean and the square of half its difference,
-// which are always real, so the same text serves either sign of D.
+// Elliptic functions for cubics with one known real root and a pair of roots that is real or
+// conjugate. A pair is given by its mean and the square of half its difference, which are always
+// real, so one function serves both cases.
 //
 // Needs: nothing.
 // Gives: LaurentSeries, carlson_rf_pair, laurent_series, weierstrass, weierstrass_of.
 
-// Maximum number of duplications: with the series below, enough for a relative error of 5e-7 down
-// to |D| = 1e-6. Elsewhere fewer are enough: the series is right to f32's rounding once its
-// arguments differ by less than an eighth of their mean.
+// Maximum number of duplications: enough for a relative error of 5e-7 down to |D| = 1e-6. The
+// series is accurate to f32's rounding once its arguments differ by less than an eighth of their
+// mean.
 const DUPLICATIONS: u32 = 3u;
 
 // Carlson's R_F(x, y, z) for x > 0, with y, z = mean +- sqrt(h2). If h2 < 0 they are conjugate, and
@@ -58,7 +58,7 @@ struct Weierstrass {
 
 // P(z; g2, g3) with g2 = 1/12, the value of every null orbit, for 0 <= z <= pi and orbits that stay
 // finite there: Laurent's series (DLMF section 23.9) at z/2, then one duplication (section
-// 23.10(ii)). Both are written in terms relative to the poles, so that nothing cancels.
+// 23.10(ii)). Both are written relative to the poles, so that nothing cancels.
 fn weierstrass(z: f32, g3: f32) -> Weierstrass {
     const C2: f32 = 1.0 / 240.0;
     const C4: f32 = 1.0 / 172800.0;
@@ -84,7 +84,7 @@ struct LaurentSeries {
     // The coefficients of z^4, z^6, ..., z^16 in z^2 P(z) - 1.
     low: vec4<f32>,
     high: vec3<f32>,
-    // 1/z where the series still has all its digits.
+    // 1/z up to which the series is accurate to rounding.
     reach: f32,
 }
 

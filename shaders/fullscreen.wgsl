@@ -1,5 +1,5 @@
-// A triangle that covers the whole target, at the far plane (reverse depth: z = 0). Where a depth
-// test is on, only pixels with nothing in front of them are drawn.
+// A triangle that covers the whole target, at the far plane (reverse depth: z = 0). With a depth
+// test, only pixels that nothing covers are drawn.
 //
 // Needs: nothing.
 // Gives: vertex.

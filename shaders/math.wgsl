@@ -6,8 +6,7 @@
 const PI: f32 = 3.14159265358979;
 const LOG10_2: f32 = 0.301029996;
 
-// The least value of a divisor or of a root's argument that must not vanish: far above f32's
-// subnormal numbers.
+// The smallest allowed divisor or argument of a root: far above f32's subnormal numbers.
 const TINY: f32 = 1e-30;
 
 fn safe_normalize(v: vec3<f32>) -> vec3<f32> {

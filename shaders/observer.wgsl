@@ -1,19 +1,19 @@
-// From a looking direction to the photon that arrives from it. The matrix in the uniform contains
-// everything about the observer; no other part depends on who looks.
+// The photon that arrives from a looking direction. The matrix in the uniform contains everything
+// about the observer.
 //
 // Needs: ABERRATION, Photon, scene.
 // Gives: photon_angular_momentum, photon_energy, photon_from.
 
-// For a fast observer almost all light comes from ahead, and the light from elsewhere is a small
-// difference of large numbers. So is the light from the sky for an observer in the ergosphere. But
-// every component is a smooth function about the direction of the smallest photons. Computed from
-// there, with |d| = 1 used for the component along it, the numbers keep their digits.
+// For a fast observer almost all light comes from ahead, and the momentum of light from elsewhere
+// is a small difference of large numbers; so is that of light from the sky in the ergosphere.
+// Expanded about the direction of the smallest photons, with |d| = 1 used for the component along
+// it, every component is accurate.
 fn photon_from(direction: vec3<f32>) -> Photon {
     let off = direction - scene.observer.expansion_centre;
     let one_off = vec4<f32>(1.0, off);
     let half = 0.5 * dot(off, off);
     let w = vec3<f32>(dot(scene.observer.w_x, one_off), dot(scene.observer.w_y, one_off), dot(scene.observer.w_z, one_off));
-    // The margin to the edge of the shadow is computed in the same way, from the shadow's center.
+    // The margin to the edge of the shadow is expanded about the shadow's center in the same way.
     let aside = direction - scene.shadow.center;
     let photon = Photon(
         dot(scene.observer.energy, one_off) + scene.observer.energy_curvature * half,
@@ -33,7 +33,7 @@ fn photon_from(direction: vec3<f32>) -> Photon {
     );
 }
 
-// E, kept away from zero: next to the horizon an observer can meet light that has none.
+// E, kept away from zero: next to the horizon an observer can meet light without energy.
 fn photon_energy(photon: Photon) -> f32 {
     return max(photon.energy, 1e-6);
 }

@@ -1,5 +1,5 @@
-// Rays in, traces out: for files of rays, tests and measurements, through the same parts that draw
-// the picture.
+// Traces an array of rays, for files of rays, tests and measurements, with the files that draw the
+// picture.
 //
 // Needs: BINDING_INPUT, BINDING_OUTPUT, Trace, WORKGROUP_SIZE, photon_from, trace.
 // Gives: rays.

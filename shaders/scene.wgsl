@@ -1,5 +1,5 @@
 // The uniform that describes the scene. The CPU computes every number in f64 and rounds it to f32
-// once (crates/lightfall-core/src/gpu/scene/), so that nothing is derived twice.
+// once (crates/lightfall-core/src/gpu/scene/).
 //
 // Units: G = c = 1 and r_s = 1, so M = 1/2. Frame: the hole's, right-handed, with z along the disk
 // normal. Photons are the physical, future-directed ones, per unit frequency at the camera:
@@ -24,8 +24,8 @@ struct Observer {
     w_z: vec4<f32>,
     // The curvatures of radial, w_x, w_y and w_z.
     curvature: vec4<f32>,
-    // The direction from which light arrives with the least energy or, where energies can be negative,
-    // the smallest photons arrive.
+    // The direction from which light of the least energy arrives or, where energies can be
+    // negative, the smallest photon.
     expansion_centre: vec3<f32>,
     energy_curvature: f32,
     // Without ABERRATION: the photon's frequency at the camera is dot(row, (1, d)), and the photon
@@ -37,12 +37,12 @@ struct Observer {
     u: f32,
     // 1/r_+ - 1/r: zero at the horizon, negative inside.
     u_to_horizon: f32,
-    // How far Kerr's ingoing azimuth is ahead of the observer's azimuth, less whole turns. Zero at
-    // and inside the horizon, where the observer's azimuth is the ingoing one.
+    // The lead of Kerr's ingoing azimuth over the observer's, less whole turns. Zero at and inside
+    // the horizon, where the observer's azimuth is the ingoing one.
     ingoing_azimuth_lead: f32,
-    // How far Kerr's ingoing time is ahead of the observer's time, and Kerr's outgoing time behind:
-    // the tortoise coordinate; without LENSING it is r. Zero at and inside the horizon, where the
-    // observer's time is the ingoing one.
+    // The lead of Kerr's ingoing time over the observer's, and the lag of the outgoing time: the
+    // tortoise coordinate; r without LENSING. Zero at and inside the horizon, where the observer's
+    // time is the ingoing one.
     time_lead: f32,
     // The observer with zero angular momentum (ZAMO) at the same place: its lapse, and its angular
     // velocity, which is zero without LENSING.
@@ -64,8 +64,8 @@ struct Hole {
     horizon_u_low: f32,
 }
 
-// What decides between sky and shadow around a hole without spin. The margin of a photon is
-// radial - c E, with c = radial/E at the edge of the shadow:
+// The edge of the shadow of a hole without spin. The margin of a photon is radial - c E, with c =
+// radial/E at the edge:
 //
 //   dot(margin, (1, off)) + curvature |off|^2/2,   off = d - center,
 //
@@ -78,7 +78,7 @@ struct Shadow {
     twice_critical_radial: f32,
     // 1/(1 - 1/r).
     inverse_lapse_squared: f32,
-    // 2/3 - 1/r: how much smaller the observer's 1/r is than the photon sphere's.
+    // 2/3 - 1/r: the photon sphere's u less the observer's.
     u_to_photon_sphere: f32,
 }
 
@@ -103,7 +103,7 @@ struct Sky {
     // Radius of the image of a star or line, in radians, and scale of a star's light in it.
     spot_radius: f32,
     star_brightness: f32,
-    // Which stars there are.
+    // The seed of the procedural stars.
     seed: u32,
 }
 
@@ -126,24 +126,24 @@ struct Picture {
     whole: vec2<f32>,
     origin: vec2<f32>,
     size: vec2<f32>,
-    // What the projection's part (shaders/projection/) depends on.
+    // The numbers of the projection (shaders/projection/).
     projection: vec2<f32>,
-    // Light of a mark that looks the same at every exposure.
+    // The light of marks, which look the same at every exposure.
     mark_brightness: f32,
-    // What light is multiplied by before it is shown.
+    // The factor of light before tone mapping.
     exposure: f32,
-    // Where a pixel's ray goes through it, in pixels from its middle.
+    // The place of the ray in its pixel, in pixels from the middle.
     offset: vec2<f32>,
-    // Width of what a ray stands for, in pixels, or in cells of the grid of refined pixels: less
-    // than one where a picture is the mean of several frames.
+    // Width of the area that a ray represents, in pixels, or in cells of a refined pixel's grid:
+    // less than one where a picture is the mean of several frames.
     footprint: f32,
     // Solid angle of a pixel in the middle of the picture, in steradians.
     middle_solid_angle: f32,
 }
 
-// WGSL asks that structs within a uniform begin at multiples of 16 bytes. Those that hold vectors of
-// three or four numbers do by themselves, and each other one stands before one of those or is the
-// first. Attributes would be lost on the way to a browser, where wgpu writes the shader anew.
+// Structs within a uniform must begin at multiples of 16 bytes. Those with vectors of three or four
+// numbers do, and each other one precedes such a struct or is the first. Attributes would be lost
+// in a browser, where wgpu writes the shader anew.
 struct Scene {
     hole: Hole,
     observer: Observer,

@@ -1,7 +1,7 @@
-// What potentials and motions do to light, separately, for pictures with one of them switched off.
-// crates/lightfall-core/src/optics/shift.rs does the same in f64 and says what each share means:
-// g = gravity * motion, where at each end of the ray gravity is that of the observer with zero
-// angular momentum (ZAMO), who measures the frequency E (1 - omega lambda) / N.
+// The shift of light by gravity and by motion, separately, for pictures with one of them switched
+// off. crates/lightfall-core/src/optics/shift.rs does the same in f64 and defines each part: g =
+// gravity * motion, where at each end of the ray gravity is that of the observer with zero angular
+// momentum (ZAMO), who measures the frequency E (1 - omega lambda) / N.
 //
 // Needs: BEAMING, DOPPLER, GRAVITATIONAL_SHIFT, LENSING, MASS, Photon, TINY,
 //     photon_angular_momentum, photon_energy, scene, square.
@@ -14,7 +14,7 @@ fn beaming_factor(g: f32) -> f32 {
     return select(1.0, g2 * g2, BEAMING);
 }
 
-// g without the shares that are switched off.
+// g without the parts that are switched off.
 fn split_shift(g: f32, gravity: f32) -> f32 {
     if DOPPLER && GRAVITATIONAL_SHIFT {
         return g;
@@ -40,8 +40,7 @@ fn straight_lambda(r: f32, moment_z: f32) -> f32 {
     return moment_z / r * (1.0 - a / b * inverse_omega) * sqrt(b / r) / lapse_and_dragging(r).x;
 }
 
-// The lambda that gives the shift of light from the disk at r: L/E, which is a constant of bent
-// rays.
+// The lambda for the shift of light from the disk at r: L/E, which is constant along bent rays.
 fn disk_lambda(photon: Photon, r: f32) -> f32 {
     let lambda = photon_angular_momentum(photon) / photon_energy(photon);
     if LENSING {
@@ -55,7 +54,7 @@ fn camera_gravity(lambda: f32) -> f32 {
     return (1.0 - scene.observer.zamo_angular_velocity * lambda) / scene.observer.zamo_lapse;
 }
 
-// The camera's over the source's frequency, for light from infinity.
+// The ratio of the camera's frequency to the source's, for light from infinity.
 fn sky_shift(photon: Photon) -> f32 {
     let energy = photon_energy(photon);
     return split_shift(1.0 / energy, camera_gravity(photon_angular_momentum(photon) / energy));

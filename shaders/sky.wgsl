@@ -1,6 +1,6 @@
-// The sky as the camera sees it. Sources at infinity have fixed directions in the hole's frame;
-// their light arrives shifted by g, the observed over the emitted frequency. Shifted thermal light
-// has Planck's spectrum at the temperature g T, and its intensity is beamed.
+// The light of the sky. Sources at infinity have fixed directions in the hole's frame; their light
+// arrives shifted by g, the observed over the emitted frequency. Shifted thermal light has Planck's
+// spectrum at the temperature g T, and its intensity is beamed.
 //
 // Needs: Footprint, REFERENCE_STAR, TINY, beaming_factor, scene, sky_background, thermal_colour.
 // Gives: MAX_SPOT_RADIUS, shifted_spot_radius, sky_light, spot_profile.
@@ -10,12 +10,12 @@
 const REFERENCE_TEMPERATURE: f32 = 8000.0;
 const REFERENCE_BRIGHTNESS: f32 = 4.0;
 const REFERENCE_RADIUS: f32 = 0.00436332;
-// Largest radius of the image of a star or line: the charts of stars leave this much room around
-// every star.
+// The largest radius of the image of a star or line: the charts of stars leave this much room
+// around every star.
 const MAX_SPOT_RADIUS: f32 = 0.008;
 
-// Radius on the sky of the image of a point or line. In the picture the radius is one and a half
-// pixels; a moving or deep observer sees the sky shrunk by g, so the same pixels span more of it.
+// Radius on the sky of the image of a point or line. In the picture it is one and a half pixels. A
+// moving or deep observer sees the sky shrunk by g, so the same pixels span more of it.
 fn shifted_spot_radius(g: f32) -> f32 {
     return clamp(scene.sky.spot_radius * g, TINY, MAX_SPOT_RADIUS);
 }
@@ -36,7 +36,7 @@ fn reference_star_light(direction: vec3<f32>, g: f32) -> vec3<f32> {
     return thermal_colour(REFERENCE_TEMPERATURE * g) * (REFERENCE_BRIGHTNESS * share);
 }
 
-// The footprint is how the direction differs from those of the neighbouring rays.
+// The footprint is the difference of the direction from those of neighbouring rays.
 fn sky_light(direction: vec3<f32>, shift: f32, footprint: Footprint) -> vec3<f32> {
     let g = min(shift, 1e6);
     var light = sky_background(direction, g, footprint);

@@ -1,6 +1,5 @@
-// Tracing alone, for timing: every pixel of the picture gives one vector, from a compute entry or
-// from a fragment entry. The vector depends on everything that a picture could use, so that no
-// compiler leaves any of it out.
+// Tracing alone, for timing: every pixel gives one vector, from a compute or a fragment entry. The
+// vector depends on everything that a picture could use, so that no compiler omits any of it.
 //
 // Needs: BINDING_OUTPUT, WORKGROUP_SIZE, photon_from, pixel_direction, scene, trace.
 // Gives: fragment, timed.

@@ -1,5 +1,4 @@
-// A picture's light without the picture, for timing: every pixel of the picture gives the light of
-// its ray, from a compute entry.
+// The light of a picture, for timing: every pixel gives the light of its ray, from a compute entry.
 //
 // Needs: BINDING_OUTPUT, WORKGROUP_SIZE, light_at, scene.
 // Gives: timed.

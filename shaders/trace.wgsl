@@ -1,5 +1,5 @@
-// The question and the answer of every tracing method: a photon at the camera, and the record of
-// what its ray meets. Each method defines `fn trace(photon: Photon) -> Trace`.
+// The input and the result of every tracing method: a photon at the camera, and the record of its
+// ray. Each method defines `fn trace(photon: Photon) -> Trace`.
 //
 // Needs: nothing.
 // Gives: Footprint, Footprints, Hit, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY,
@@ -19,8 +19,8 @@ struct Photon {
     shadow_margin: f32,
 }
 
-// How a ray ends: at infinity; at the horizon; nowhere, because the method gave up; or (in pictures
-// only) at the last crossing of the disk behind which light still matters.
+// The outcome of a ray: it ends at infinity; at the horizon; nowhere, because the method gave up;
+// or (in pictures only) at the last crossing of the disk through which light is visible.
 const OUTCOME_SKY: u32 = 0u;
 const OUTCOME_CAPTURED: u32 = 1u;
 const OUTCOME_UNFINISHED: u32 = 2u;
@@ -44,8 +44,8 @@ struct Hit {
     position: vec3<f32>,
     // Observed over emitted frequency.
     g: f32,
-    // How long before the camera's time, less scene.observer.time_lead, the light left the disk.
-    // That lead is most of a far camera's delay; the CPU adds it in f64. Zero without DELAY.
+    // The time from the emission to the camera, less scene.observer.time_lead, which is most of a
+    // far camera's delay and which the CPU adds in f64. Zero without DELAY.
     delay: f32,
 }
 

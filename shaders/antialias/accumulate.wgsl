@@ -1,4 +1,4 @@
-// ACCUMULATE: adds a frame to the sum of those before it, and shows the mean.
+// ACCUMULATE: adds a frame to the sum of earlier frames, and writes the mean.
 //
 // Needs: BINDING_ACCUMULATION, BINDING_ACCUMULATION_LIGHT, BINDING_ACCUMULATION_SUM.
 // Gives: accumulate.
@@ -10,7 +10,7 @@ struct Accumulation {
 
 @group(0) @binding(BINDING_ACCUMULATION) var<uniform> accumulation: Accumulation;
 @group(0) @binding(BINDING_ACCUMULATION_LIGHT) var light: texture_2d<f32>;
-// The sum of the frames before; anything for the first one.
+// The sum of earlier frames; undefined for the first frame.
 @group(0) @binding(BINDING_ACCUMULATION_SUM) var before: texture_2d<f32>;
 
 struct Sums {

@@ -1,4 +1,5 @@
-// What a ray met, as one small number that tells neighbouring pixels apart.
+// The class of a ray: its outcome and its number of hits in one number, by which the search for
+// edges compares neighbouring pixels.
 //
 // Needs: OUTCOME_CAPTURED.
 // Gives: NO_CLASS, is_class_captured, ray_class.
@@ -6,7 +7,7 @@
 // A pixel without a ray: the foreground covers it.
 const NO_CLASS: u32 = 0u;
 
-// An outcome and a number of hits: two bits each, and one more so that it differs from NO_CLASS.
+// Two bits for the outcome and two for the number of hits, plus one so that no ray has NO_CLASS.
 fn ray_class(outcome: u32, hit_count: u32) -> u32 {
     return 1u + outcome + 4u * hit_count;
 }

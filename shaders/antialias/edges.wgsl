@@ -1,51 +1,52 @@
-// EDGES: marks the pixels whose neighbourhood of 3x3 pixels differs in class, or across which
-// brightness bends. The list has no fixed order. Each of its pixels is refined alone, so the order
-// does not show.
+// EDGES: lists the pixels at edges: those whose neighbourhood of 3x3 pixels holds several classes,
+// or across which brightness has a large second difference. The list has no fixed order; each pixel
+// is refined alone, so the order does not show.
 //
 // Needs: BENT_PIXELS, BINDING_COLUMNS, BINDING_LIST, BINDING_TRAITS, BINDING_WORK, COARSE_PIXELS,
 //     NO_CLASS, SAMPLES, STRIP, Traits, WORKGROUP_SIZE, is_class_captured.
 // Gives: edges.
 
-// What one dispatch of REFINE has to do. The first three numbers are those of an indirect dispatch.
+// The work of one dispatch of REFINE. The first three numbers are the size of an indirect dispatch.
 struct Work {
     columns: atomic<u32>,
-    // As many workgroups a column as keep the number of columns within WebGPU's limit.
+    // Workgroups in a column: enough to keep the number of columns within WebGPU's limit.
     rows: u32,
     layers: u32,
     groups: atomic<u32>,
-    // Pixels that get 4 rays, from the list's middle; 16, from its beginning; and 64, from its end.
+    // Numbers of pixels that get 4 rays (listed from the middle on), 16 (from the start on) and 64
+    // (from the end backward).
     bent: atomic<u32>,
     coarse: atomic<u32>,
     fine: atomic<u32>,
 }
 
 @group(0) @binding(BINDING_TRAITS) var traits: Traits;
-// The first column of the picture that belongs to the scene, and the one behind its last: beyond a
-// comparison's divider is another scene.
+// The scene's columns of the picture: the first, and the one after the last. A comparison shows
+// another scene on the other side of its divider.
 @group(0) @binding(BINDING_COLUMNS) var<uniform> columns: vec2<u32>;
 @group(0) @binding(BINDING_WORK) var<storage, read_write> work: Work;
 @group(0) @binding(BINDING_LIST) var<storage, read_write> list: array<u32>;
 
-// Largest second differences of brightness across a pixel that need no refinement, and that need
-// only a few rays, in levels. The ray through a pixel's middle is wrong by a 24th of it where
-// brightness varies smoothly, and by up to half of it at an edge.
+// The largest second difference of brightness across a pixel, in levels, that needs no refinement,
+// and the largest that needs only 4 rays. The error of a single ray is a 24th of the second
+// difference where brightness varies smoothly, and up to half of it at an edge.
 const MAX_BEND: i32 = 40;
 const MAX_SOFT_BEND: i32 = 100;
 
-// Largest difference of brightness between classes that needs no refinement, in levels, but for the
-// edge of the shadow, where images of the disk too thin for a single ray may hide.
+// The largest difference of brightness between classes, in levels, that needs no refinement. The
+// shadow's edge is always refined: images of the disk there may be too thin for a single ray.
 const MAX_STEP: i32 = 5;
 
 // A pixel and its neighbours to the left and right.
 struct Row {
-    // Brightness, and -1 for a pixel without a class.
+    // Brightness, or -1 for a pixel without a class.
     brightness: vec3<i32>,
     // The middle pixel's class, and one bit for each class among the three.
     own_class: u32,
     classes: u32,
 }
 
-// The traits of a pixel. A pixel that the foreground covers in part has no class.
+// The traits of a pixel. A pixel that the foreground partly covers has no class.
 fn traits_at(at: vec2<u32>) -> vec2<u32> {
     var seen = textureLoad(traits, at, 0).xy;
     for (var i = 1u; i < SAMPLES; i++) {
@@ -54,7 +55,7 @@ fn traits_at(at: vec2<u32>) -> vec2<u32> {
     return seen;
 }
 
-// Pixels beyond the scene's border are those at it.
+// The scene's outermost pixels are repeated beyond its border.
 fn row_at(at: vec2<u32>) -> Row {
     let left = traits_at(vec2<u32>(max(at.x, columns.x + 1u) - 1u, at.y));
     let middle = traits_at(at);
@@ -110,7 +111,7 @@ fn add_group() {
     }
 }
 
-// `hard` tells an edge from brightness that only bends.
+// `hard`: whether the pixel lies at an edge, rather than where brightness only curves.
 fn mark(pixel: u32, classes: u32, hard: bool) {
     if passes_shadow(classes) {
         let place = atomicAdd(&work.fine, 1u);

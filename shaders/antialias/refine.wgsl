@@ -1,12 +1,12 @@
-// REFINE: traces a regular grid of rays through each marked pixel and writes the mean of their light.
-// A workgroup refines sixteen pixels with 4 rays each, four with 16, or one with 64.
+// REFINE: traces a regular grid of rays through each marked pixel and writes the mean of their
+// light. A workgroup refines sixteen pixels with 4 rays each, four with 16, or one with 64.
 //
 // Needs: BENT_PIXELS, BINDING_LIST, BINDING_PICTURE, BINDING_WORK, COARSE_PIXELS, WORKGROUP_SIZE,
 //     bounded_light, lane_below, lane_beside, light_along, own_lane, own_share, photon_from,
 //     pixel_direction, point_light, scene.
 // Gives: refine.
 
-// antialias/edges.wgsl says what these are.
+// As in antialias/edges.wgsl.
 struct Work {
     columns: u32,
     rows: u32,
@@ -39,7 +39,7 @@ fn refine(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     let count = select(select(work.coarse, work.fine, fine), work.bent, bent);
     let side = select(select(4u, 8u, fine), 2u, bent);
     let rays = side * side;
-    // Lanes without a pixel follow the last one, and write nothing: all lanes must meet at barriers.
+    // A lane without a pixel traces the last one and writes nothing: all lanes must reach barriers.
     let own_place = (index - first_group) * (WORKGROUP_SIZE / rays) + lane / rays;
     let place = min(own_place, max(count, 1u) - 1u);
     let length = arrayLength(&list);

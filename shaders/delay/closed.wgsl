@@ -1,21 +1,21 @@
-// The delay of the method closed. Hamilton and Jacobi's function does not change along a null ray,
-// so that E dt = L dphi + p_r dr. With s(u) = sqrt(1 - b^2 u^2 (1 - u)) = b |du/dphi| and the
-// tortoise coordinate r*(u),
+// The delay of the method closed. The Hamilton-Jacobi action is constant along a null ray, so E dt
+// = L dphi + p_r dr. With s(u) = sqrt(1 - b^2 u^2 (1 - u)) = b |du/dphi| and the tortoise
+// coordinate r*(u),
 //
 //   delay = b phi + sum over the legs of |r*(u_a) - r*(u_b)| - b^2 J(u_a, u_b),
 //   J(u_a, u_b) = integral of du/(1 + s(u)),   u_a < u_b,
 //
-// where a leg ends at the turning point u2. The integrand lies between 1/2 and 1, so that a few
-// nodes of Gauss and Legendre are enough; what grows near the critical curve is b phi. Derived.
+// where a leg ends at the turning point u2. The integrand lies between 1/2 and 1, so a few
+// Gauss-Legendre nodes suffice. Only b phi grows near the critical curve. Derived.
 //
 // Needs: DELAY_MORE_NODES, DELAY_NODES, DELAY_NODES_2, DELAY_WEIGHTS, DELAY_WEIGHTS_2, Nodes,
 //     Orbit, TINY, orbit_g3, orbit_root, scene, tortoise, weierstrass.
 // Gives: crossing_delay.
 
-// u of the photon sphere, about which s of rays next to the critical curve has a kink.
+// u of the photon sphere, where s of rays next to the critical curve has a kink.
 const PHOTON_SPHERE: f32 = 2.0 / 3.0;
-// Where a leg that ends at the photon sphere is divided, in the square root of the distance. With
-// three parts a camera at 0.1 r_s has delays right to 4e-4 r_s/c.
+// The square roots of the distance at which a leg that ends at the photon sphere is divided. With
+// three parts, the delays of a camera at 0.1 r_s are accurate to 4e-4 r_s/c.
 const DIVISIONS: vec2<f32> = vec2<f32>(0.1, 0.4);
 
 // The turning point u2, and the cubic's other roots: -k, and u2 + gap.
@@ -39,8 +39,8 @@ fn turning_terms(turn: Turn, b: f32, span: f32, x: Nodes) -> Nodes {
     return x / (1.0 + s);
 }
 
-// J from u_a to u_b, both on the same side of the turning point: with u = u2 - (u2 - u_a) x^2 the
-// root of s disappears.
+// J from u_a to u_b, both on the same side of the turning point: u = u2 - (u2 - u_a) x^2 removes
+// the root of s.
 fn turning_leg(turn: Turn, b: f32, u_a: f32, u_b: f32) -> f32 {
     let span = max(turn.u2 - u_a, TINY);
     let start = sqrt(clamp((turn.u2 - u_b) / span, 0.0, 1.0));
@@ -52,15 +52,15 @@ fn turning_leg(turn: Turn, b: f32, u_a: f32, u_b: f32) -> f32 {
     return 2.0 * span * width * sum;
 }
 
-// 1/(1 + s) for a ray that goes through. Next to the critical curve q - u^2 (1 - u) is a small
-// difference, which q = (1 + D) 4/27 avoids.
+// 1/(1 + s) of a ray that does not turn. q = (1 + D) 4/27 avoids the cancellation in q - u^2 (1 -
+// u) next to the critical curve.
 fn through_terms(orbit: Orbit, u: Nodes) -> Nodes {
     let off = u - PHOTON_SPHERE;
     let f = (4.0 / 27.0) * orbit.discriminant + off * off * (u + (1.0 / 3.0));
     return 1.0 / (1.0 + sqrt(max(f, Nodes(0.0))) / orbit.inverse_b);
 }
 
-// J of a ray that goes through, from u_a to u_b on one side of the photon sphere.
+// J of a ray that does not turn, from u_a to u_b on one side of the photon sphere.
 fn smooth_leg(orbit: Orbit, u_a: f32, u_b: f32) -> f32 {
     let width = u_b - u_a;
     var sum = dot(DELAY_WEIGHTS, through_terms(orbit, u_a + width * DELAY_NODES));
@@ -70,8 +70,8 @@ fn smooth_leg(orbit: Orbit, u_a: f32, u_b: f32) -> f32 {
     return width * sum;
 }
 
-// J from the photon sphere to a distance from it, where x goes from x_a to x_b in u = 2/3 +
-// distance x^2.
+// J over a part of the leg from the photon sphere to u = 2/3 + distance: from x_a to x_b, with u =
+// 2/3 + distance x^2.
 fn kinked_part(orbit: Orbit, distance: f32, x_a: f32, x_b: f32) -> f32 {
     let x = x_a + (x_b - x_a) * DELAY_NODES;
     var sum = dot(DELAY_WEIGHTS, x * through_terms(orbit, PHOTON_SPHERE + distance * x * x));
@@ -95,9 +95,9 @@ fn through_leg(orbit: Orbit, u_a: f32, u_b: f32) -> f32 {
     return smooth_leg(orbit, u_a, u_b);
 }
 
-// Whether the ray has turned between the camera and a place with u, at the angle phi. The three
-// points of the addition theorem for Weierstrass's function lie on one line (Whittaker & Watson
-// 1927 section 20.312), which gives the slope there from that at the camera:
+// Whether the ray has turned between the camera and u at the angle phi. The addition theorem for
+// Weierstrass's function (Whittaker & Watson 1927 section 20.312) gives the slope there from the
+// slope at the camera:
 //
 //   du/dphi = -du/dphi_0 - (u - u0) (P' - du/dphi_0/4)/(P - x0),   x0 = (u0 - 1/3)/4.
 fn has_turned(orbit: Orbit, phi: f32, u: f32) -> bool {

@@ -9,14 +9,14 @@
 //   delay = |r*(end) - r*(start)|
 //       + integral of [K' (1 + a^2 u^2)/(W + |u'|) - B + a^2 E n_z^2] dtau.
 //
-// In the step in which r turns |u'| has a kink, and the plain form holds, where u is never small.
-// Derived.
+// In the step in which r turns, |u'| has a kink, so the plain form is integrated; u is not small
+// there. Derived.
 //
 // Needs: Curve, DELAY_MORE_NODES, DELAY_NODES, DELAY_NODES_2, DELAY_WEIGHTS, DELAY_WEIGHTS_2,
 //     Motion, Nodes, Step, TINY, curve, horizon_factors, scene, square, tortoise, tortoise_sum.
 // Gives: crossing_delay, first_delay, step_delay.
 
-// The rate at some shares of a step of length h.
+// The rate at the shares t of a step of length h.
 fn rates_at(m: Motion, c: Curve, h: f32, turns: bool, t: Nodes) -> Nodes {
     let a2 = square(scene.hole.a);
     let v = c.c0.x + t * (c.c1.x + t * (c.c2.x + t * (c.c3.x + t * (c.c4.x + t * c.c5.x))));
@@ -41,18 +41,18 @@ fn delay_integral(m: Motion, c: Curve, h: f32, turns: bool, share: f32) -> f32 {
     return h * share * sum;
 }
 
-// r* with the sign that it has in the delay: positive where a leg that leads outward ends.
+// r* with its sign in the delay: positive at the end of an outgoing leg.
 fn signed_tortoise(m: Motion, v: f32, inward: bool) -> f32 {
     let value = tortoise(m.base + v, horizon_factors(m.base, v));
     return select(value, -value, inward);
 }
 
-// The delay at the start of a ray. It is counted from the camera's outgoing time.
+// The delay at the start of a ray, counted from the camera's outgoing time.
 fn first_delay(inward: bool) -> f32 {
     return select(-2.0 * scene.observer.time_lead, 0.0, inward);
 }
 
-// The delay that a whole step adds. In the step in which r turns a leg ends and another one begins.
+// The delay that a whole step adds. Where r turns, one leg ends and another one begins.
 fn step_delay(m: Motion, step: Step, h: f32) -> f32 {
     let inward = vec2<bool>(step.dy0.x > 0.0, step.dy1.x > 0.0);
     let turns = inward.x != inward.y;

@@ -1,10 +1,10 @@
-// What the disk hides.
+// The disk's coverage and transmission.
 //
 // Needs: scene.
 // Gives: disk_cover, disk_transmission.
 
-// How much of the disk there is at radius r: one, except in the fades at both edges. Emission and
-// opacity fade together, so that an edge is never darker than both the disk and what lies behind.
+// The disk's coverage at radius r: one, except where it fades at both edges. Emission and opacity
+// fade together, so that an edge is never darker than both the disk and what lies behind.
 fn disk_cover(r: f32) -> f32 {
     let inner = (r - scene.disk.inner) / max(scene.disk.inner_fade, 1e-6);
     let outer = (scene.disk.outer - r) / max(scene.disk.outer_fade, 1e-6);

@@ -1,4 +1,4 @@
-// No disk: no ray crosses anything and nothing shines.
+// No disk: no ray has a hit.
 //
 // Needs: Footprint, Footprints, Hit, Photon, Segment, Trace.
 // Gives: HAS_DISK, add_hit, crosses_plane, disk_cover, disk_light, disk_transmission,

@@ -1,6 +1,6 @@
-// The method closed: Schwarzschild's null geodesics in closed form, without steps, without a limit
-// to them, and without a radius that stands for infinity. closed_orbit.wgsl has the orbits; this
-// part finds what a ray meets. No constraint can drift: the record's steps and residuals are 0.
+// The method closed: Schwarzschild's null geodesics in closed form, without steps and without a
+// radius that stands for infinity. schwarzschild.wgsl has the orbits; this file finds the hits and
+// the outcome. There are no constraints to violate: the record's steps and residuals are 0.
 //
 // Needs: AZIMUTH, FOLLOW_BEYOND_HITS, HAS_DISK, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN,
 //     OUTCOME_SKY, Orbit, PI, Photon, SKY_DIRECTION, TINY, Trace, add_hit, angle_to_infinity,
@@ -8,14 +8,14 @@
 //     scene, sin_cos_precise, square, u_after.
 // Gives: trace.
 
-// Rays with a smaller |D| are treated alike; they are at most 1e-7 of the shadow's radius from the
-// critical curve.
+// Rays with a smaller |D| get this one; they are within 1e-7 of the shadow's radius of the critical
+// curve.
 const MIN_DISCRIMINANT: f32 = 1e-14;
 // Below this, near D = -1 where light is hardly bent, D is computed from b.
 const WEAK_DISCRIMINANT: f32 = -0.6;
-// Rays with a smaller impact parameter, in r_s, get this one; they are bent by even less.
+// Rays with a smaller impact parameter, in r_s, get this one.
 const MIN_IMPACT: f32 = 1e-8;
-// A ray with D > 0 passes the disk's range of radii, at most from u = 0 to 1/3, within the angle
+// A ray with D > 0 crosses the disk's range of radii, at most from u = 0 to 1/3, within the angle
 // DISK_ANGLE b: there u^2 (1 - u) <= 2/27 <= q/2, so that phi <= (1/3) sqrt(2/q) = (sqrt(2)/3) b.
 const DISK_ANGLE: f32 = 0.471404521;
 
@@ -25,7 +25,7 @@ struct Crossing {
     // Angle from the camera.
     angle: f32,
     direction: vec3<f32>,
-    // Whether it is known to lie behind the turning point.
+    // Whether it is known to lie after the turning point.
     on_way_out: bool,
 }
 
@@ -59,8 +59,8 @@ fn trace(photon: Photon) -> Trace {
     let tangent = -inverse_w * w;
     let scale = scene.observer.u * inverse_w;
     let inverse_b = energy * scale;
-    // (radial - c E) (radial + c E) = (1 - u) |w|^2 D keeps D's digits next to the critical curve;
-    // where light is hardly bent, D must agree with b.
+    // (radial - c E) (radial + c E) = (1 - u) |w|^2 D is accurate next to the critical curve; where
+    // light is hardly bent, D must agree with b.
     let other_margin = photon.shadow_margin + scene.shadow.twice_critical_radial * energy;
     let critical = photon.shadow_margin * other_margin * scene.shadow.inverse_lapse_squared * inverse_w * inverse_w;
     let d = select(6.75 * inverse_b * inverse_b - 1.0, critical, critical > WEAK_DISCRIMINANT);
@@ -94,9 +94,9 @@ fn trace(photon: Photon) -> Trace {
         let across = crossing_direction(n, tangent, side);
         let lambda = photon_angular_momentum(photon) / energy;
         let g3 = orbit_g3(orbit);
-        // The way from u = 0 to 1/3, or to an earlier turning point, is at most 2.1 rad long, and the
-        // ray crosses the plane every pi. So it crosses the annulus at most once on its way in and
-        // once on its way out: at the first and the last crossing of the plane.
+        // The ray sweeps at most 2.1 rad from u = 0 to 1/3, or to an earlier turning point, and
+        // crosses the plane every pi. So it crosses the annulus at most once on its way in and once
+        // on its way out: at the first and the last crossing of the plane.
         let last = floor((angle - crossing_angle) * (1.0 / PI));
         if last >= 0.0 && outside_inner_edge {
             let u = u_after(crossing_angle, orbit.u, orbit.slope, g3);

@@ -1,25 +1,26 @@
-// The method closed around a hole that spins: Kerr's null geodesics in closed form, with real
+// The method closed around a spinning hole: Kerr's null geodesics in closed form, with real
 // arithmetic, without steps and without a radius that stands for infinity. closed_kerr_radial.wgsl
 // has the motion in r, closed_kerr_polar.wgsl the motion in latitude and closed_kerr_azimuth.wgsl
-// the azimuth; this part finds what a ray meets. No constraint can drift: the record's steps and
-// residuals are 0.
+// the azimuth; this file finds the hits and the outcome. There are no constraints to violate: the
+// record's steps and residuals are 0.
 //
 // Needs: AZIMUTH, Anchor, Centre, DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, HAS_DISK, LaurentSeries,
 //     MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Photon, Radial, SKY_DIRECTION, TINY,
 //     TimeArguments, Trace, add_hit, anchor_at, anchor_at_centre, arc_after, camera_is_inside,
-//     course_from, crossing_delay, dragged_azimuth, empty_trace, leaves_slowly, mino_time, orbit_of, place_after,
-//     polar_of, potential, radial_of, radial_series, safe_normalize, scene, square, time_between,
-//     time_from_turn, time_leaving, u_after.
+//     crossing_delay, dragged_azimuth, empty_trace, is_slow_outgoing, kerr_ray, mino_time,
+//     place_after, polar_of, potential, radial_course, radial_of, radial_series, safe_normalize,
+//     scene, slow_outgoing_time, square, time_between, time_from_turn, u_after.
 // Gives: trace.
 
 // Maximum number of crossings of the plane that are examined: rays within f32's rounding of the
 // critical curve go round ten times.
 const MAX_CROSSINGS: u32 = 24u;
-// Where |u'| is below this share of E, the ray is so near to the critical orbit that a step of
-// Newton's method improves u from the time.
+// Where |u'| is below this share of E, the ray lingers near the critical orbit, and a step of
+// Newton's method on the time improves u.
 const SLOW_SHARE: f32 = 0.2;
 
-// The Mino times since the camera at which a ray reaches places, and the places from which u is computed.
+// The Mino times at which a ray reaches its centre and its end, and the places from which u is
+// computed.
 struct Schedule {
     // The turning point, or the place where the ray is slowest.
     centre: f32,
@@ -30,8 +31,8 @@ struct Schedule {
     at_end: vec2<f32>,
 }
 
-// u at the time t. From the nearest of the camera, the centre and the end, because errors grow on
-// the way.
+// u at the time t, computed from the nearest of camera, centre and end, because errors grow with
+// the time.
 fn u_at(m: Radial, series: LaurentSeries, s: Schedule, t: f32) -> f32 {
     let from_end = t + t > s.end;
     var since = select(t, s.end - t, from_end);
@@ -46,8 +47,8 @@ fn u_at(m: Radial, series: LaurentSeries, s: Schedule, t: f32) -> f32 {
 }
 
 // One step of Newton's method toward the u that the ray reaches at the time t. Where the ray is
-// slow, the time of a place is known better than the place at a time.
-fn improve(m: Radial, s: Schedule, centre: Centre, turns: bool, inward: bool, u: f32, t: f32) -> f32 {
+// slow, the time at a place is more accurate than the place at a time.
+fn newton_step_in_time(m: Radial, s: Schedule, centre: Centre, turns: bool, inward: bool, u: f32, t: f32) -> f32 {
     let speed = sqrt(potential(m, u));
     var arguments: TimeArguments;
     var target_time = t;
@@ -65,10 +66,10 @@ fn improve(m: Radial, s: Schedule, centre: Centre, turns: bool, inward: bool, u:
 fn trace(photon: Photon) -> Trace {
     var result = empty_trace();
     result.outcome = OUTCOME_CAPTURED;
-    let orbit = orbit_of(photon);
+    let orbit = kerr_ray(photon);
     let c = orbit.constants;
     if camera_is_inside() && c.horizon_w <= 0.0 {
-        // Light that comes from the horizon's other branch, through which nothing comes from
+        // The light comes through the horizon's other branch, through which nothing arrives from
         // outside.
         return result;
     }
@@ -77,14 +78,14 @@ fn trace(photon: Photon) -> Trace {
     let m = radial_of(c, slope);
     let inward = slope > 0.0;
     let outside_barrier = u_0 < m.barrier;
-    // Light of negative energy never was at infinity.
+    // Light of negative energy does not come from infinity.
     let escapes = m.energy > 0.0 && select(!inward, outside_barrier, m.has_barrier);
     let turns = m.has_barrier && inward == outside_barrier;
 
     // A ray that does not escape is followed to the disk's inner edge.
     let u_inner = 1.0 / scene.disk.inner;
     let u_end = select(u_inner, 0.0, escapes);
-    let course = course_from(m, c, slope, u_end);
+    let course = radial_course(m, c, slope, u_end);
     let centre = course.centre;
     let comes_from_disk = select(inward && u_0 < u_inner, centre.u < u_inner, turns);
     if !(escapes || HAS_DISK && comes_from_disk) {
@@ -109,10 +110,10 @@ fn trace(photon: Photon) -> Trace {
     }
     let centre_time = mino_time(m, to_centre);
     var end_time = mino_time(m, to_end) + select(0.0, centre_time, turns);
-    if leaves_slowly(m, slope) {
-        end_time = time_leaving(m, centre, vec2<f32>(u_end, speed_end));
+    if is_slow_outgoing(m, slope) {
+        end_time = slow_outgoing_time(m, centre, vec2<f32>(u_end, speed_end));
     }
-    // A centre at the camera or at the end is no third place to compute u from.
+    // A centre at the camera or at the end is not a third place to compute u from.
     let passes = !m.has_barrier && centre.u != u_0 && centre.u != u_end;
 
     if may_hit {
@@ -132,7 +133,7 @@ fn trace(photon: Photon) -> Trace {
             var u = u_at(m, series, schedule, t);
             let slow = m.base > 0.0 && potential(m, u) < square(SLOW_SHARE * m.energy);
             if slow {
-                u = improve(m, schedule, centre, turns, inward, u, t);
+                u = newton_step_in_time(m, schedule, centre, turns, inward, u, t);
             }
             if u * scene.disk.outer > 1.0 && u * scene.disk.inner < 1.0 {
                 let returned = turns && t > centre_time;

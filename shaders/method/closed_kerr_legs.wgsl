@@ -1,24 +1,24 @@
-// The integrals over the legs of a ray of the method closed around a hole that spins, which give the
+// Integrals over the legs of a ray of the method closed around a spinning hole. They give the
 // growth of chi by frame dragging,
 //
 //   d(u) = a (E - W/D)
 //
-// per Mino time. A leg begins or ends at the centre c of the ray's course: the turning point, or the
-// place where the ray is slowest. The difference
+// per Mino time. A leg begins or ends at the ray's centre c: the turning point, or the place where
+// the ray is slowest. The difference
 //
 //   d(u) - d(c) = -a (u - c) (W_+ (s - a^2 (v + v_c)) - B v v_c)/(D(u) D(c)),   v = u - 1/r_+,
 //
-// with s = r_+ - r_-, vanishes at the centre, so that its integral has no logarithm there.
+// with s = r_+ - r_-, vanishes at the centre, so its integral has no logarithm there.
 //
-// A leg is integrated by Gauss's and Legendre's rule over the distance y from the centre, or behind a
-// turning point over its root, which takes away the root of U. Where the integrand changes on a scale
-// that is much smaller than the leg (next to the critical curve, or next to the horizon), the leg is
-// divided in parts, each at most twice as long as its distance from the centre, and from the horizon if
-// the leg leads toward it. Derived.
+// A leg is integrated by Gauss-Legendre quadrature over the distance y from the centre or, from a
+// turning point, over its root, which removes the root of U. Where the integrand changes on a scale
+// much smaller than the leg (next to the critical curve or the horizon), the leg is divided into
+// parts, each at most twice as long as its distance from the centre, and from the horizon if the
+// leg leads toward it. Derived.
 //
-// Needs: Centre, Constants, TINY, scene, square.
-// Gives: Leg, LegPlaces, Regular, WEIGHTS, Way, dragging_along, is_divided, leg_between, parts_of_way,
-//     pass_at, regular_along, regular_at, regular_scale.
+// Needs: Centre, PhotonConstants, TINY, scene, square.
+// Gives: Leg, LegPlaces, Path, Regular, WEIGHTS, dragging_along, is_divided, leg_between,
+//     parts_of_path, pass_at, regular_along, regular_at, regular_scale.
 
 // The eight Gauss-Legendre nodes on [0, 1], and their weights on both sides of the middle.
 const LOW_NODES: vec4<f32> = vec4<f32>(0.0198550718, 0.101666761, 0.237233795, 0.408282679);
@@ -27,15 +27,16 @@ const WEIGHTS: vec4<f32> = vec4<f32>(0.0506142681, 0.111190517, 0.156853323, 0.1
 // Four nodes, and their weights.
 const FEW_NODES: vec4<f32> = vec4<f32>(0.0694318442, 0.330009478, 0.669990522, 0.930568156);
 const FEW_WEIGHTS: vec4<f32> = vec4<f32>(0.173927423, 0.326072577, 0.326072577, 0.173927423);
-// A smooth leg takes four nodes if its ends have at least this ratio: then the integrand's poles are at
-// least four times as far from its middle as its ends are, and four nodes leave a share of 1e-7.
+// A smooth leg takes four nodes if its ends have at least this ratio: then the integrand's poles
+// are at least four times as far from its middle as its ends are, and the error of four nodes is
+// 1e-7 of the integral.
 const MIN_SHORT_RATIO: f32 = 0.36;
 
-// A leg is divided if it is more than this many times as long as the scale on which the integrand
-// changes: behind a turning point, and next to a place that the ray passes.
+// A leg is divided if it is more than this many times as long as the scale of its integrand: from a
+// turning point, and from a place that the ray passes.
 const MAX_SMOOTH_TURN: f32 = 6.0;
 const MAX_SMOOTH_PASSAGE: f32 = 1.0;
-// f32 tells no more halvings of a leg apart.
+// f32 does not resolve more halvings of a leg.
 const MAX_PARTS: u32 = 20u;
 
 // A leg between two distances from its centre.
@@ -43,22 +44,22 @@ struct Leg {
     centre: Centre,
     low: f32,
     high: f32,
-    // How often the ray goes along it.
+    // How often the ray covers it.
     count: f32,
     // Whether its centre is a turning point.
     turns: bool,
-    // The smallest distance on which the integrand changes, apart from U itself.
+    // The smallest scale of the integrand, apart from that of U.
     scale: f32,
 }
 
-// The legs of the way from the camera to a place.
-struct Way {
+// The legs from the camera to a place.
+struct Path {
     first: Leg,
     second: Leg,
 }
 
-// Places on a leg: the distance from the centre, its change with the variable of the rule, and what U
-// grows by since the centre.
+// Places on a leg: the distance from the centre, its derivative by the variable of integration, and
+// the growth of U from the centre.
 struct LegPlaces {
     y: vec4<f32>,
     dy: vec4<f32>,
@@ -74,9 +75,9 @@ fn leg_between(centre: Centre, low: f32, high: f32, count: f32, scale: f32) -> L
     return Leg(centre, low, high, count, centre.c_0 <= 0.0, scale);
 }
 
-// Ratio of the leg's length to the scale on which its integrand changes. U itself changes where two of
-// its first terms are equally large.
-fn unevenness(leg: Leg) -> f32 {
+// Ratio of the leg's length to the scale of its integrand. The scale of U is the distance at which
+// two of its first terms are equal.
+fn length_over_scale(leg: Leg) -> f32 {
     let c = abs(leg.centre.c);
     let c_0 = leg.centre.c_0;
     var least = min(c_0 / max(c.x, TINY), sqrt(c_0 / max(c.y, TINY)));
@@ -86,8 +87,8 @@ fn unevenness(leg: Leg) -> f32 {
     return leg.high / max(min(leg.scale, least), TINY);
 }
 
-// Whether the unevenness is too large for an undivided leg, computed without divisions and roots.
-fn is_uneven(leg: Leg) -> bool {
+// Whether length_over_scale is too large for an undivided leg, without divisions and roots.
+fn is_too_long(leg: Leg) -> bool {
     let c = abs(leg.centre.c);
     let c_0 = leg.centre.c_0;
     let share = leg.high / select(MAX_SMOOTH_PASSAGE, MAX_SMOOTH_TURN, leg.turns);
@@ -106,16 +107,16 @@ fn ends_near_horizon(leg: Leg) -> bool {
 }
 
 fn is_leg_divided(leg: Leg) -> bool {
-    return leg.count > 0.0 && (is_uneven(leg) || ends_near_horizon(leg));
+    return leg.count > 0.0 && (is_too_long(leg) || ends_near_horizon(leg));
 }
 
-// If one leg is divided, so is the other, because dragging_along sums divided ways otherwise.
-fn is_divided(way: Way) -> bool {
-    return is_leg_divided(way.first) || is_leg_divided(way.second);
+// If one leg is divided, so is the other, because dragging_along sums divided paths in another path.
+fn is_divided(path: Path) -> bool {
+    return is_leg_divided(path.first) || is_leg_divided(path.second);
 }
 
-// The numbers of a leg's parts: those that grow away from the centre, and in the far half of a leg that
-// ends next to the horizon those that become shorter toward it.
+// The numbers of a leg's parts: those that grow away from the centre, and those that shrink toward
+// the horizon in the far half of a leg that ends next to it.
 struct Parts {
     near: u32,
     far: u32,
@@ -125,13 +126,13 @@ fn parts_of(leg: Leg) -> Parts {
     if !is_leg_divided(leg) {
         return Parts(select(0u, 1u, leg.count > 0.0), 0u);
     }
-    let doublings = log2(max(unevenness(leg), 1.0)) * select(1.0, 0.5, leg.turns);
+    let doublings = log2(max(length_over_scale(leg), 1.0)) * select(1.0, 0.5, leg.turns);
     let gap = max(-leg.centre.beyond - leg.high, TINY);
     let far = min(u32(ceil(log2(1.0 + 0.5 * leg.high / gap))), MAX_PARTS);
     return Parts(min(1u + u32(ceil(doublings)), MAX_PARTS), select(0u, far, ends_near_horizon(leg)));
 }
 
-// The places on a part of a leg between two distances.
+// The nodes on a part of a leg between two distances.
 fn places_on(leg: Leg, part_low: f32, part_high: f32, nodes: vec4<f32>) -> LegPlaces {
     let low = max(leg.low, part_low);
     let high = max(leg.low, part_high);
@@ -144,18 +145,18 @@ fn places_on(leg: Leg, part_low: f32, part_high: f32, nodes: vec4<f32>) -> LegPl
     return LegPlaces(y, dy, y * (c.x + y * (c.y + y * (c.z + y * c.w))));
 }
 
-// The parts of a divided way, whose integrals one loop sums, half of a part's nodes in each pass: one
-// loop, because it is rare work, and software renderers pay for every loop.
-struct WayParts {
+// The parts of a divided path. One loop sums their integrals, half of a part's nodes in each pass:
+// the work is rare, and software renderers pay for every loop.
+struct PathParts {
     first: Parts,
     second: Parts,
     passes: u32,
 }
 
-fn parts_of_way(way: Way) -> WayParts {
-    let first = parts_of(way.first);
-    let second = parts_of(way.second);
-    return WayParts(first, second, 2u * (first.near + first.far + second.near + second.far));
+fn parts_of_path(path: Path) -> PathParts {
+    let first = parts_of(path.first);
+    let second = parts_of(path.second);
+    return PathParts(first, second, 2u * (first.near + first.far + second.near + second.far));
 }
 
 struct Pass {
@@ -163,14 +164,14 @@ struct Pass {
     places: LegPlaces,
 }
 
-fn pass_at(way: Way, parts: WayParts, i: u32) -> Pass {
-    var leg = way.first;
+fn pass_at(path: Path, parts: PathParts, i: u32) -> Pass {
+    var leg = path.first;
     var own = parts.first;
     var part = i / 2u;
     if part >= own.near + own.far {
         part -= own.near + own.far;
         own = parts.second;
-        leg = way.second;
+        leg = path.second;
     }
     let nodes = select(HIGH_NODES, LOW_NODES, (i & 1u) == 0u);
     let middle = select(leg.high, 0.5 * leg.high, own.far > 0u);
@@ -181,7 +182,7 @@ fn pass_at(way: Way, parts: WayParts, i: u32) -> Pass {
         let low = select(max(pole - 2.0 * gap, middle), middle, part + 1u == own.far);
         return Pass(leg, places_on(leg, low, high, nodes));
     }
-    // Halvings of the rule's variable.
+    // Halvings of the variable of integration.
     let halvings = f32(part - own.far) * select(1.0, 2.0, leg.turns);
     let high = middle * exp2(-halvings);
     let next = high * select(0.5, 0.25, leg.turns);
@@ -189,8 +190,8 @@ fn pass_at(way: Way, parts: WayParts, i: u32) -> Pass {
     return Pass(leg, places_on(leg, low, high, nodes));
 }
 
-// d(u), at distances from the horizon too.
-fn dragging_at(c: Constants, u: vec4<f32>, beyond: vec4<f32>) -> vec4<f32> {
+// d(u); `beyond` is u - 1/r_+.
+fn dragging_at(c: PhotonConstants, u: vec4<f32>, beyond: vec4<f32>) -> vec4<f32> {
     let d = horizon_function(beyond);
     let w = c.horizon_w + c.drag * beyond * (2.0 * scene.hole.horizon_u + beyond);
     // E - W/D, and the same where both are nearly E.
@@ -199,7 +200,7 @@ fn dragging_at(c: Constants, u: vec4<f32>, beyond: vec4<f32>) -> vec4<f32> {
 }
 
 // The integral of d(u) - d(c) along a leg, times D(c)/a.
-fn smooth_dragging_sum(c: Constants, leg: Leg, nodes: vec4<f32>, weights: vec4<f32>) -> f32 {
+fn smooth_dragging_sum(c: PhotonConstants, leg: Leg, nodes: vec4<f32>, weights: vec4<f32>) -> f32 {
     let centre = leg.centre;
     let p = places_on(leg, leg.low, leg.high, nodes);
     let v = centre.beyond - centre.side * p.y;
@@ -210,7 +211,7 @@ fn smooth_dragging_sum(c: Constants, leg: Leg, nodes: vec4<f32>, weights: vec4<f
     return leg.count * centre.side * dot(weights, p.y * p.dy * change * inverseSqrt(speed2));
 }
 
-fn smooth_dragging(c: Constants, leg: Leg) -> f32 {
+fn smooth_dragging(c: PhotonConstants, leg: Leg) -> f32 {
     if leg.count == 0.0 {
         return 0.0;
     }
@@ -223,23 +224,23 @@ fn smooth_dragging(c: Constants, leg: Leg) -> f32 {
     return sum + smooth_dragging_sum(c, leg, HIGH_NODES, WEIGHTS);
 }
 
-// The integral of d(u) along a way that takes the time t and has an end at `end`. Next to the horizon of
-// a nearly extremal hole d(c) t may be much larger than the integral. There a divided way is summed
-// relative to the dragging at its end.
-fn dragging_along(c: Constants, way: Way, t: f32, end: f32) -> f32 {
-    let centre = way.first.centre;
+// The integral of d(u) along a path that takes the time t and has an end at `end`. Next to the
+// horizon of a nearly extremal hole d(c) t may be much larger than the integral, so a divided path
+// is summed relative to the dragging at its end.
+fn dragging_along(c: PhotonConstants, path: Path, t: f32, end: f32) -> f32 {
+    let centre = path.first.centre;
     let at_centre = dragging_at(c, vec4<f32>(centre.u), vec4<f32>(centre.beyond)).x;
-    if !is_divided(way) {
-        let sum = smooth_dragging(c, way.first) + smooth_dragging(c, way.second);
+    if !is_divided(path) {
+        let sum = smooth_dragging(c, path.first) + smooth_dragging(c, path.second);
         return at_centre * t + scene.hole.a / horizon_function(vec4<f32>(centre.beyond)).x * sum;
     }
     let end_beyond = (end - scene.hole.horizon_u) - scene.hole.horizon_u_low;
     let at_end = dragging_at(c, vec4<f32>(end), vec4<f32>(end_beyond)).x;
     let steady = select(at_centre, at_end, abs(at_end) < abs(at_centre));
     var sum = steady * t;
-    let parts = parts_of_way(way);
+    let parts = parts_of_path(path);
     for (var i = 0u; i < parts.passes; i++) {
-        let part = pass_at(way, parts, i);
+        let part = pass_at(path, parts, i);
         let place = part.leg.centre;
         let distance = place.side * part.places.y;
         let rate = dragging_at(c, place.u - distance, place.beyond - distance) - steady;
@@ -249,9 +250,9 @@ fn dragging_along(c: Constants, way: Way, t: f32, end: f32) -> f32 {
     return sum;
 }
 
-// The quantity K' (p + q u^2)/(W + |u'|) at the centre. With p = 0 and q = 1 it is (a E - d)/a, where d
-// is Kerr's ingoing dragging; with p = 1 and q = a^2 it is a part of the delay. It has no pole at the
-// horizon for light that comes in from outside.
+// The quantity K' (p + q u^2)/(W + |u'|) at the centre. With p = 0 and q = 1 it is (a E - d)/a,
+// where d is Kerr's ingoing dragging; with p = 1 and q = a^2 it is a part of the delay. It has no
+// pole at the horizon for infalling light.
 struct Regular {
     q: f32,
     // W + |u'|.
@@ -259,19 +260,19 @@ struct Regular {
     value: f32,
 }
 
-fn regular_at(c: Constants, centre: Centre, p: f32, q: f32) -> Regular {
+fn regular_at(c: PhotonConstants, centre: Centre, p: f32, q: f32) -> Regular {
     let w = c.horizon_w + c.drag * centre.beyond * (2.0 * scene.hole.horizon_u + centre.beyond);
     let sum = max(w + sqrt(centre.c_0), TINY);
     return Regular(q, sum, c.k_prime * (p + q * square(centre.u)) / sum);
 }
 
-// The distance on which the quantity changes next to the centre. Its pole is not nearer than this.
-fn regular_scale(c: Constants, centre: Centre, at: Regular) -> f32 {
+// The scale of the quantity next to the centre. Its pole is not nearer than this.
+fn regular_scale(c: PhotonConstants, centre: Centre, at: Regular) -> f32 {
     let pole = min(at.sum * at.sum / max(abs(centre.c.x), TINY), at.sum / max(abs(c.drag) * centre.u, TINY));
     return pole / MAX_SMOOTH_TURN;
 }
 
-fn regular_sum(c: Constants, leg: Leg, at: Regular, p: LegPlaces) -> f32 {
+fn regular_sum(c: PhotonConstants, leg: Leg, at: Regular, p: LegPlaces) -> f32 {
     let centre = leg.centre;
     let speed = sqrt(max(centre.c_0 + p.rise, vec4<f32>(TINY)));
     // The changes of u^2, and of W + |u'|, since the centre.
@@ -281,7 +282,7 @@ fn regular_sum(c: Constants, leg: Leg, at: Regular, p: LegPlaces) -> f32 {
     return leg.count * dot(WEIGHTS, p.dy * change);
 }
 
-fn smooth_regular(c: Constants, leg: Leg, at: Regular) -> f32 {
+fn smooth_regular(c: PhotonConstants, leg: Leg, at: Regular) -> f32 {
     if leg.count == 0.0 {
         return 0.0;
     }
@@ -289,15 +290,15 @@ fn smooth_regular(c: Constants, leg: Leg, at: Regular) -> f32 {
         + regular_sum(c, leg, at, places_on(leg, leg.low, leg.high, HIGH_NODES));
 }
 
-// The integral of the quantity less its value at the centre, along a way.
-fn regular_along(c: Constants, way: Way, at: Regular) -> f32 {
-    if !is_divided(way) {
-        return smooth_regular(c, way.first, at) + smooth_regular(c, way.second, at);
+// The integral of the quantity less its value at the centre, along a path.
+fn regular_along(c: PhotonConstants, path: Path, at: Regular) -> f32 {
+    if !is_divided(path) {
+        return smooth_regular(c, path.first, at) + smooth_regular(c, path.second, at);
     }
     var sum = 0.0;
-    let parts = parts_of_way(way);
+    let parts = parts_of_path(path);
     for (var i = 0u; i < parts.passes; i++) {
-        let part = pass_at(way, parts, i);
+        let part = pass_at(path, parts, i);
         sum += regular_sum(c, part.leg, at, part.places);
     }
     return sum;

@@ -1,16 +1,16 @@
-// The motion in latitude of the method closed around a hole that spins. The twin in f64,
-// crates/lightfall-core/src/geometry/kerr_orbit/polar.rs, gives the derivation: the ray moves along a
-// great circle by Jacobi's amplitude psi, and the circle turns about the axis by
+// The motion in latitude of the method closed around a spinning hole. The twin in f64,
+// crates/lightfall-core/src/geometry/kerr_orbit/polar.rs, gives the derivation: the ray moves along
+// a great circle by Jacobi's amplitude psi, and the circle turns about the axis by
 //
 //   -(L a^2 E^2/rho_1) integral of dtau/(rho + rho_1).
 //
-// psi and that integral are short series in the phase, because the modulus is small.
+// psi and this integral are short series in the phase, because the modulus is small.
 //
-// Needs: Constants, DELAY, DIAGNOSTICS, PI, TINY, atan2_precise, carlson_rf_pair, rotate_z,
+// Needs: DELAY, DIAGNOSTICS, PI, PhotonConstants, TINY, atan2_precise, carlson_rf_pair, rotate_z,
 //     sin_cos_precise, square.
 // Gives: arc_after, place_after, polar_of.
 
-// Rays with a larger a^2 E^2 m/K_+ run next to the axis and are stepped.
+// Rays with a larger a^2 E^2 m/K_+ pass next to the axis and are integrated by steps.
 const MAX_MODULUS: f32 = 0.25;
 const MAX_AXIAL_STEPS: u32 = 64u;
 const AXIAL_STEP: f32 = 0.2;
@@ -22,14 +22,13 @@ struct Polar {
     k_plus: f32,
     axial: f32,
     angular_momentum: f32,
-    // Whether the ray ever crosses the plane, when it does so first, and how long it takes from
-    // each crossing to the next.
+    // Whether the ray crosses the plane, the time of its first crossing, and the time between
+    // crossings.
     crosses: bool,
     first_crossing: f32,
     period: f32,
-    // Whether the ray runs along a great circle, and what it needs then: the circle's direction at
-    // the camera, rho_1, the phase's rate and its lead on psi at the camera, and sin and cos of
-    // 2 psi there.
+    // Whether the ray moves along a great circle; then the circle's direction at the camera, rho_1,
+    // the rate of the phase, its lead over psi at the camera, and sin and cos of 2 psi there.
     on_circle: bool,
     tangent: vec3<f32>,
     rho_axis: f32,
@@ -50,7 +49,7 @@ fn small_sin_cos(x: f32) -> vec2<f32> {
     return vec2<f32>(x * (1.0 - y * (1.0 / 6.0) * (1.0 - 0.05 * y)), 1.0 - 0.5 * y * (1.0 - y * (1.0 / 12.0)));
 }
 
-fn polar_of(n: vec3<f32>, dn: vec3<f32>, k: f32, angular_momentum: f32, c: Constants) -> Polar {
+fn polar_of(n: vec3<f32>, dn: vec3<f32>, k: f32, angular_momentum: f32, c: PhotonConstants) -> Polar {
     let z2 = n.z * n.z;
     let axial = c.axial;
     let k_0 = -c.stiffness;
@@ -74,7 +73,7 @@ fn polar_of(n: vec3<f32>, dn: vec3<f32>, k: f32, angular_momentum: f32, c: Const
     let height = abs(n.z);
     let fall = select(-dn.z, dn.z, n.z < 0.0);
     polar.on_circle = k_plus > 0.0 && tilt <= MAX_MODULUS * k_plus;
-    // Of rays that are not on a circle, these numbers are not used.
+    // These numbers are not used for rays off a circle.
     let circle = max(k_plus, TINY);
     polar.rho_axis = sqrt(circle + axial);
     let turned = angular_momentum * axial / (rho * polar.rho_axis * (rho + polar.rho_axis));
@@ -98,7 +97,7 @@ fn polar_of(n: vec3<f32>, dn: vec3<f32>, k: f32, angular_momentum: f32, c: Const
     let low = double.x * (0.5 + r2 * (0.1875 + 0.1171875 * r2)) + r * fourfold.x * (0.1875 + 0.078125 * r2);
     polar.lead = r * (low + r2 * high) / c_0;
     let to_plane = select(atan2_precise(height * rho, fall), PI, n.z == 0.0);
-    // At the plane the phase is psi.
+    // In the plane the phase is psi.
     polar.first_crossing = (to_plane - polar.lead) / polar.rate;
     polar.period = PI / polar.rate;
     if !polar.on_circle {
@@ -116,7 +115,7 @@ fn polar_of(n: vec3<f32>, dn: vec3<f32>, k: f32, angular_momentum: f32, c: Const
     return polar;
 }
 
-// How far the great circle has turned about the axis when the phase has grown by `grown`; sines are
+// The turn of the great circle about the axis after the phase has grown by `grown`. The sines are
 // those of 2 and 4 times the phase at both ends.
 fn circle_turn(p: Polar, grown: f32, sines_0: vec2<f32>, sines_1: vec2<f32>) -> f32 {
     let share = p.rate / (p.rho_axis + p.rate);
@@ -128,7 +127,7 @@ fn circle_turn(p: Polar, grown: f32, sines_0: vec2<f32>, sines_1: vec2<f32>) -> 
     return -p.angular_momentum * p.axial / (p.rho_axis * (p.rho_axis + p.rate) * p.rate) * sum;
 }
 
-// The integral of rho^2 = (dpsi/dtau)^2 when the phase has grown by `grown`.
+// The integral of rho^2 = (dpsi/dtau)^2 over the same growth.
 fn circle_height(p: Polar, grown: f32, sines_0: vec2<f32>, sines_1: vec2<f32>) -> f32 {
     // dpsi/dphase = 1 + c_2 cos 2 phase + c_4 cos 4 phase.
     let q2 = p.nome * p.nome;
@@ -169,7 +168,7 @@ fn step_along_axis(p: Polar, t: f32) -> vec4<f32> {
         let first = vec2<f32>(n.z * n.z, 2.0 * n.z * dn.z);
         n += dn + ((14.0 / 336.0) * k1 + (100.0 / 336.0) * k2 + (54.0 / 336.0) * k3);
         dn += (14.0 / 336.0) * k1 + (125.0 / 336.0) * k2 + (162.0 / 336.0) * k3 + (35.0 / 336.0) * k4;
-        // Euler's and Maclaurin's rule.
+        // The Euler-Maclaurin rule.
         height2 += h * (0.5 * (first.x + n.z * n.z) + (first.y - 2.0 * n.z * dn.z) * (1.0 / 12.0));
     }
     return vec4<f32>(n, height2);
@@ -179,15 +178,15 @@ fn rotate_about_axis(n: vec3<f32>, angle: f32) -> vec3<f32> {
     return vec3<f32>(rotate_z(n.xy, sin_cos_precise(angle)), n.z);
 }
 
-// Where a ray is on the celestial sphere after some time.
+// A ray's place on the celestial sphere after some time.
 struct SpherePlace {
     n: vec3<f32>,
     // The integral of a^2 E^2 n_z^2 up to then.
     height2: f32,
 }
 
-// The place on the celestial sphere after the time t, where the radial motion has dragged the
-// azimuth by `dragging`.
+// The place on the celestial sphere after the time t, with the azimuth that the radial motion has
+// dragged.
 fn place_after(p: Polar, t: f32, dragging: f32) -> SpherePlace {
     if !p.on_circle {
         let along_axis = step_along_axis(p, t);
@@ -212,8 +211,8 @@ fn place_after(p: Polar, t: f32, dragging: f32) -> SpherePlace {
     return SpherePlace(rotate_about_axis(swept.y * p.n + swept.x * p.tangent, dragging + circle), height2);
 }
 
-// The arc that the ray has swept about the hole after the time t, as the method mino counts it: the
-// integral of |dn/dtau| = sqrt(K + a^2 E^2 n_z^2), whose root hardly changes on the way.
+// The arc that the ray has swept about the hole after the time t, as in the method mino: the
+// integral of |dn/dtau| = sqrt(K + a^2 E^2 n_z^2), whose root is nearly constant.
 fn arc_after(p: Polar, t: f32) -> f32 {
     return sqrt(max(t * (p.k * t + place_after(p, t, 0.0).height2), 0.0));
 }

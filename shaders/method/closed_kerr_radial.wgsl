@@ -1,4 +1,4 @@
-// The radial motion of the method closed around a hole that spins. The twin in f64 is
+// The radial motion of the method closed around a spinning hole. The twin in f64 is
 // crates/lightfall-core/src/geometry/kerr_orbit/radial.rs. With u = 1/r and Mino time tau,
 //
 //   u'^2 = U(u) = W^2 - K' u^2 D,   u'' = u p(u),   p = p_0 + p_1 u + p_2 u^2,
@@ -14,20 +14,22 @@
 //
 //   4 offset^3 - 2 alpha offset^2 + (alpha^2/4 - gamma b_0) offset + beta^2 b_0/16 = 0,
 //
-// and the pair alpha/12 - offset/2 +- sqrt(h2), 4 h2 = gamma b_0 + offset (alpha - 3 offset). All of
-// them keep their digits there. Derived.
+// and the pair alpha/12 - offset/2 +- sqrt(h2), 4 h2 = gamma b_0 + offset (alpha - 3 offset). All
+// of them are accurate there. Derived.
 //
-// Needs: Constants, LaurentSeries, TINY, carlson_rf_pair, laurent_series, scene, square,
+// Needs: LaurentSeries, PhotonConstants, TINY, carlson_rf_pair, laurent_series, scene, square,
 //     weierstrass_of.
 // Gives: Anchor, Centre, Radial, TimeArguments, anchor_at, anchor_at_centre, distance_from,
 //     mino_time, passing_centre, potential, radial_of, radial_series, stiffness_at_horizon,
 //     stiffness_slope_at_horizon, time_between, time_from_turn, turning_point, u_after.
 
-// The cubic's root is small below this share of |alpha|: there the cubic term changes it by a tenth.
+// The cubic's root counts as small below this share of |alpha|, where the cubic term changes it by
+// less than a tenth.
 const MAX_SMALL_ROOT: f32 = 0.05;
-// The largest pole in the arguments of R_F next to a turning point: its square is finite in f32.
+// The largest pole term in the arguments of R_F next to a turning point: its square is finite in
+// f32.
 const MAX_POLE: f32 = 1e18;
-// Rays with a smaller |b_0|/W^2 are treated alike.
+// Rays with a smaller |b_0|/W^2 get this one.
 const MIN_MARGIN: f32 = 2e-8;
 
 struct Radial {
@@ -49,8 +51,8 @@ struct Radial {
     barrier: f32,
 }
 
-// A turning point, or a point that a ray lingers at: U is dot(c, (y, y^2, y^3, y^4)) + c_0 at the
-// distance y, to smaller u where side is 1, to larger u where it is -1.
+// A turning point, or another point of expansion: U is c_0 + dot(c, (y, y^2, y^3, y^4)) at the
+// distance y toward smaller u (side 1) or larger u (side -1).
 struct Centre {
     u: f32,
     // u - 1/r_+.
@@ -63,14 +65,14 @@ struct Centre {
     pair: f32,
 }
 
-// The root of 4 x^3 - 2 alpha x^2 + (alpha^2/4 - gamma b_0) x + beta^2 b_0/16 on the side of zero that
-// b_0 asks for: what is left of Weierstrass's cubic at -alpha/6 + x. It is the one next to zero if there
-// are three on that side.
+// The root of Weierstrass's cubic at -alpha/6 + x, 4 x^3 - 2 alpha x^2 + (alpha^2/4 - gamma b_0) x
+// + beta^2 b_0/16, whose sign is opposite to that of b_0; of three such roots, the one next to
+// zero.
 //
-// The start is the root without the cubic term where it is small, or else the root about the inflection
-// at alpha/6: Cardano's where the cubic has one real root, and where it has three, with
-// z = +-m (1 + x), an approximation of 3 x^2 + x^3 = t to two per cent. Two steps of Newton's method
-// from there leave a relative error of 1e-7.
+// The start is the root without the cubic term where it is small, or else the root about the
+// inflection at alpha/6: Cardano's where the cubic has one real root, and where it has three, with
+// z = +-m (1 + x), an approximation of 3 x^2 + x^3 = t to two per cent. Two steps of Newton's
+// method from there leave a relative error of 1e-7.
 fn isolated_offset(alpha: f32, beta: f32, gamma: f32, b_0: f32) -> f32 {
     let side = select(1.0, -1.0, b_0 > 0.0);
     let bend = side * alpha;
@@ -102,17 +104,17 @@ fn isolated_offset(alpha: f32, beta: f32, gamma: f32, b_0: f32) -> f32 {
 }
 
 // q_0, where p is q_0 + q_1 v + p_2 v^2 at the distance v from the horizon.
-fn stiffness_at_horizon(c: Constants) -> f32 {
+fn stiffness_at_horizon(c: PhotonConstants) -> f32 {
     let fall = 0.5 * scene.hole.horizon_u * scene.hole.horizon_separation;
     return 2.0 * c.drag * c.horizon_w + c.k_prime * fall;
 }
 
 // q_1. By a^2 = r_+ r_-, 4 a^2/r_+ is 2 - 2 s.
-fn stiffness_slope_at_horizon(c: Constants) -> f32 {
+fn stiffness_slope_at_horizon(c: PhotonConstants) -> f32 {
     return c.k_prime * (2.0 * scene.hole.horizon_separation - 0.5) + 4.0 * square(c.drag) * scene.hole.horizon_u;
 }
 
-fn radial_of(c: Constants, slope: f32) -> Radial {
+fn radial_of(c: PhotonConstants, slope: f32) -> Radial {
     let energy = c.energy;
     let p = vec3<f32>(c.stiffness, 1.5 * c.k_prime, 2.0 * (square(c.drag) - square(scene.hole.a) * c.k_prime));
     var radial: Radial;
@@ -134,7 +136,7 @@ fn radial_of(c: Constants, slope: f32) -> Radial {
         var d = 1.0 - u + square(scene.hole.a * u);
         let q_1 = stiffness_slope_at_horizon(c);
         if q_1 > 0.0 && abs(v) < 0.25 * scene.hole.horizon_u {
-            // The same relative to the horizon. p_1^2 and 4 p_0 p_2 nearly cancel in a throat.
+            // The same about the horizon: p_1^2 and 4 p_0 p_2 nearly cancel in a throat.
             let q_0 = stiffness_at_horizon(c);
             root = sqrt(max(q_1 * q_1 - 4.0 * q_0 * p.z, 0.0));
             v = -2.0 * q_0 / (q_1 + root);
@@ -146,7 +148,7 @@ fn radial_of(c: Constants, slope: f32) -> Radial {
         var b_0 = w * w - c.k_prime * u * u * d;
         let alpha = u * root;
         let beta = (2.0 / 3.0) * (root + p.z * u);
-        // Where its terms are smaller there, b_0 comes from the camera.
+        // Next to the camera, its slope gives b_0 more accurately.
         let v_0 = -(scene.observer.u_to_horizon + v);
         let bent = v_0 * v_0 * (alpha + v_0 * (beta + 0.5 * v_0 * p.z));
         if slope * slope + abs(bent) < 0.25 * w * w {
@@ -155,7 +157,7 @@ fn radial_of(c: Constants, slope: f32) -> Radial {
         b_0 = select(max(b_0, least), min(b_0, -least), b_0 < 0.0);
         radial.has_barrier = v < 0.0 && b_0 < 0.0;
         radial.barrier = u;
-        // Where light is hardly bent the critical point at u = 0 is the better base.
+        // Where light is hardly bent, the critical point at u = 0 is the better base.
         if b_0 > -energy * energy || v_0 > 0.0 {
             radial.base = u;
             radial.base_beyond = v;
@@ -174,7 +176,7 @@ fn potential(m: Radial, u: f32) -> f32 {
     return max(m.b_0 + v * v * (m.alpha + v * (m.beta + v * m.gamma)), 0.0);
 }
 
-// The coefficients by which U grows from base + v to one side: `c` of a Centre.
+// The coefficients of U's growth from base + v to one side: `c` of a Centre.
 fn growth_from(m: Radial, v: f32, side: f32) -> vec4<f32> {
     return vec4<f32>(
         -side * v * (2.0 * m.alpha + v * (3.0 * m.beta + v * 4.0 * m.gamma)),
@@ -184,12 +186,12 @@ fn growth_from(m: Radial, v: f32, side: f32) -> vec4<f32> {
     );
 }
 
-// The turning point on the outer side of the barrier, or on the inner one: the roots s = 1/v of
-// b_0 s^4 + alpha s^2 + beta s + gamma, by Euler's solution.
+// The turning point on the outer or the inner side of the barrier, from the roots s = 1/v of b_0
+// s^4 + alpha s^2 + beta s + gamma by Euler's solution.
 fn turning_point(m: Radial, outer: bool) -> Centre {
     let mean = 0.25 * m.alpha - 0.5 * m.offset;
     let product = sqrt(max(mean * mean - m.h2, 0.0));
-    // About a barrier b_0 is negative, and there is a root on either side. About u = 0 it is positive, and
+    // About a barrier b_0 is negative, with a root on either side. About u = 0 it is positive, and
     // the root at u > 0 is the outer turning point.
     let share = 4.0 / max(abs(m.b_0), TINY);
     let sum = sqrt(2.0 * share * (abs(mean) + product));
@@ -211,7 +213,7 @@ fn passing_centre(m: Radial, u: f32, side: f32) -> Centre {
     return Centre(u, m.base_beyond + v, side, max(c_0, 0.0), growth_from(m, v, side), 0.0, 0.0);
 }
 
-// The distance of a place with u and u'^2 from a turning point. Close to it, u'^2 gives more digits.
+// The distance of a place with u and u'^2 from a turning point. Close to it, u'^2 is more precise.
 fn distance_from(centre: Centre, u: f32, speed2: f32) -> f32 {
     var y = max(centre.side * (centre.u - u), 0.0);
     if y < 0.25 * centre.u {
@@ -237,14 +239,14 @@ fn time_from_turn(centre: Centre, y: f32) -> TimeArguments {
     return TimeArguments(pole + centre.isolated, pole + centre.pair);
 }
 
-// Between two places (u, |u'|) without a turn between them, from the quartic's polarised form
-// F(x, y): P = (F(x, y) + |x'| |y'|)/(2 (x - y)^2). With x and y relative to the critical point and
-// C = alpha + beta (x + y)/2 + gamma x y, F is b_0 + x y C plus a term that P's root takes away. On
-// the two sides of the point that a ray lingers at, x y C and |x'| |y'| nearly cancel. There
+// Between two places (u, |u'|) without a turn between them, from the quartic's polarised form F(x,
+// y): P = (F(x, y) + |x'| |y'|)/(2 (x - y)^2). With x and y relative to the critical point and C =
+// alpha + beta (x + y)/2 + gamma x y, F is b_0 + x y C plus a term that P's root takes away. On
+// opposite sides of the critical point, x y C and |x'| |y'| nearly cancel. There
 //
 //   (|x'| |y'|)^2 - (x y C)^2 = b_0 (x'^2 + y'^2 - b_0) + (x y (x - y))^2 (alpha gamma - beta^2/4)
 //
-// takes the place of their sum.
+// replaces their sum.
 fn time_between(m: Radial, x: vec2<f32>, y: vec2<f32>) -> TimeArguments {
     let speeds = x.y * y.y;
     let width2 = max(square(x.x - y.x), TINY);

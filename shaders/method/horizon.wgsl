@@ -1,4 +1,4 @@
-// The horizons' factors of D, and how far Kerr's ingoing azimuth lags behind Boyer-Lindquist's.
+// The horizons' factors of D, and the lag of Kerr's ingoing azimuth behind Boyer-Lindquist's.
 //
 // Needs: TINY, atanh_small, log_precise, scene.
 // Gives: azimuth_lag, horizon_factors, horizon_factors_at.
@@ -11,7 +11,7 @@ fn horizon_factors(base: f32, v: f32) -> vec2<f32> {
     return vec2<f32>(max(outer, TINY), inner);
 }
 
-// The same at u, with the digits that u has next to the horizon.
+// The same at u, expanded about the horizon next to it.
 fn horizon_factors_at(u: f32) -> vec2<f32> {
     let u_horizon = scene.hole.horizon_u;
     let about_horizon = u > 0.5 * u_horizon;
@@ -23,7 +23,7 @@ fn horizon_factors_at(u: f32) -> vec2<f32> {
 //
 //   a / (r_+ - r_-) |ln(p_1 q_2 / (p_2 q_1))|,   |p_1 q_2 - p_2 q_1| = (r_+ - r_-) distance,
 //
-// which as an inverse hyperbolic tangent keeps its digits, however close the two horizons are.
+// computed as an inverse hyperbolic tangent, which is accurate however close the two horizons are.
 fn azimuth_lag(p: vec2<f32>, q: vec2<f32>, distance: f32) -> f32 {
     let products = vec2<f32>(p.x * q.y, q.x * p.y);
     let tangent = scene.hole.horizon_separation * distance / (products.x + products.y);

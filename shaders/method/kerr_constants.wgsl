@@ -1,15 +1,15 @@
-// The constants of a photon's motion around a hole, which the methods mino and closed share;
-// mino_motion.wgsl has the equations that they appear in.
+// The constants of a photon's motion, which the methods mino and closed share; mino_motion.wgsl has
+// the equations.
 //
 // Needs: NEAR_HORIZON, Photon, TINY, scene, square.
-// Gives: Constants, Orbit, begins_near_horizon, camera_is_inside, orbit_of.
+// Gives: KerrRay, PhotonConstants, begins_near_horizon, camera_is_inside, kerr_ray.
 
-// The weight of E^2 beside K in the scale. Radial rays, with K = 0, cover at most du = step/2 in a
-// step of the method mino.
+// The weight of E^2 beside K in the scale. Radial rays, with K = 0, cover at most du = step/2 in
+// one step of mino.
 const ENERGY_WEIGHT: f32 = 4.0;
 
-// Constants of the motion, scaled.
-struct Constants {
+// PhotonConstants of the motion, scaled.
+struct PhotonConstants {
     energy: f32,
     // B and K'.
     drag: f32,
@@ -21,20 +21,20 @@ struct Constants {
     horizon_w: f32,
 }
 
-// What is constant along a ray.
-struct Orbit {
-    constants: Constants,
+// A ray's constants, and its angular momentum vector at the camera.
+struct KerrRay {
+    constants: PhotonConstants,
     // The scaled w at the camera, its K, and its moment about the axis.
     w: vec3<f32>,
     k: f32,
     angular_momentum: f32,
     // L/E.
     lambda: f32,
-    // What the photon was multiplied by, so that K + ENERGY_WEIGHT E^2 is one.
+    // The factor of the photon that makes K + ENERGY_WEIGHT E^2 one.
     scale: f32,
 }
 
-// Whether the camera is so near to the horizon that rays begin about u = 1/r_+.
+// Whether the camera is so close to the horizon that rays start in the expansion about u = 1/r_+.
 fn begins_near_horizon() -> bool {
     return NEAR_HORIZON && scene.observer.u > 0.5 * scene.hole.horizon_u;
 }
@@ -43,7 +43,7 @@ fn camera_is_inside() -> bool {
     return NEAR_HORIZON && scene.observer.u_to_horizon <= 0.0;
 }
 
-fn orbit_of(photon: Photon) -> Orbit {
+fn kerr_ray(photon: Photon) -> KerrRay {
     let n = scene.observer.position_direction;
     let a = scene.hole.a;
     // K = |w|^2 - a^2 E^2 n_z^2, for w as a length.
@@ -67,8 +67,8 @@ fn orbit_of(photon: Photon) -> Orbit {
         let w_there = sqrt(square(scale * photon.radial) + k_prime * square(scene.observer.u) * d);
         horizon_w = w_there + drag * depth * (2.0 * u_horizon - depth);
     }
-    let constants = Constants(energy, drag, k_prime, 2.0 * energy * drag - k_prime, square(a * energy), horizon_w);
-    // Next to the horizon an observer can meet light that has no energy.
+    let constants = PhotonConstants(energy, drag, k_prime, 2.0 * energy * drag - k_prime, square(a * energy), horizon_w);
+    // Next to the horizon an observer can meet light without energy.
     let lambda = angular_momentum / select(energy, TINY, abs(energy) < TINY);
-    return Orbit(constants, w, dot(w, w) - square(a * energy * n.z), angular_momentum, lambda, scale);
+    return KerrRay(constants, w, dot(w, w) - square(a * energy * n.z), angular_momentum, lambda, scale);
 }

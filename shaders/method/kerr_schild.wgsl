@@ -1,5 +1,5 @@
 // The method kerr-schild: Kerr's null geodesics by Runge-Kutta in ingoing Kerr-Schild Cartesian
-// coordinates. It is the article's integrator, the baseline for measuring better methods.
+// coordinates. It is the article's integrator, and a baseline for the other methods.
 //
 // The metric is eta + f l l (Kerr 1963; Misner, Thorne & Wheeler 1973 box 33.2), with r the
 // Boyer-Lindquist radius and
@@ -14,7 +14,7 @@
 //
 // p_t and x p_y - y p_x are conserved. Rays that end at the horizon come from the past horizon,
 // where these coordinates are singular: momenta grow without bound and steps shrink, so many such
-// rays around fast holes stay unfinished.
+// rays around fast-spinning holes stay unfinished.
 //
 // Needs: DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, MAX_HITS, MAX_STEP_BUDGET, OUTCOME_CAPTURED,
 //     OUTCOME_HIDDEN, OUTCOME_SKY, Photon, Segment, TINY, Trace, add_hit, angle_between,
@@ -24,8 +24,8 @@
 
 // At this multiple of the horizon's radius an ingoing ray counts as captured.
 const CAPTURE_MARGIN: f32 = 1.015;
-// The step rule: shares of the radius, largest step in r_s, and a term that keeps it from dividing by
-// zero.
+// The step rule: shares of the radius, the largest step in r_s, and a term that prevents division
+// by zero.
 const RADIUS_SHARE: f32 = 0.16;
 const BENDING_SHARE: f32 = 0.12;
 const IMPACT_REGULARIZER: f32 = 0.01;
@@ -35,7 +35,7 @@ const DISPLACEMENT_SHARE: f32 = 0.10;
 const HORIZON_SHARE: f32 = 0.12;
 const MIN_HORIZON_DISTANCE: f32 = 0.002;
 const MIN_INWARD_SPEED: f32 = 0.01;
-// The step scale above which the last two shares no longer grow.
+// The step scale above which the last two shares do not grow.
 const BALANCED: f32 = 0.85;
 
 struct Canonical {
@@ -102,8 +102,8 @@ fn runge_kutta_step(state: Canonical, h: f32) -> Canonical {
 }
 
 // The step rule: shorter where light bends and on the way to the horizon, and never a large share
-// of the radius. Below the balanced setting the limits shrink, too, and the horizon's even more for
-// fast holes.
+// of the radius. Below the balanced setting the limits shrink too, and the horizon's even more for
+// fast-spinning holes.
 fn step_length(metric: Metric, x: vec3<f32>, v: vec3<f32>) -> f32 {
     let r = metric.r;
     let impact = length(cross(x, v));
@@ -149,7 +149,7 @@ fn backward_momentum(photon: Photon, n: vec3<f32>) -> vec3<f32> {
     return -(radial * n + (twisted + tilt * cross(n, twisted)) / (1.0 + tilt * tilt)) / energy;
 }
 
-// The violation of the null condition, as a share of its larger side.
+// The violation of the null condition, relative to its larger side.
 fn null_residual(metric: Metric, p: vec3<f32>) -> f32 {
     let s = dot(metric.l, p) - 1.0;
     return abs(dot(p, p) - 1.0 - metric.f * s * s) / max(dot(p, p), 1.0);
@@ -212,19 +212,20 @@ fn trace(photon: Photon) -> Trace {
         }
         let h = step_length(metric, state.x, v);
         let next = runge_kutta_step(state, h);
-        // Momenta that have overflowed are meaningless. Comparisons with NaN are false.
+        // Overflowed momenta are meaningless. Comparisons with NaN are false.
         if !(dot(next.x, next.x) < 1e20 && dot(next.p, next.p) < 1e20) {
             break;
         }
         let crosses = crosses_plane(state.x.z, next.x.z) && result.hit_count < MAX_HITS;
-        // A loop of one turn or none: drivers that execute both sides of a branch still skip a loop.
+        // A loop of one turn or none: drivers that execute both sides of a branch still skip a
+        // loop.
         let events = select(0u, 1u, crosses);
         for (var j = 0u; j < events; j++) {
             let next_v = velocity(metric_at(next.x), next.p);
             let segment = Segment(state.x, v, next.x, next_v, h, 0.0, vec2<f32>(0.0));
             let crossing = plane_crossing(segment, crosses);
-            // The cubic gives the share of the step. As in the original, the place and L_z are those
-            // of a shorter step from the same state.
+            // The cubic gives the share of the step; as in the original, a shorter step from the
+            // same state gives the place and L_z.
             if !near_annulus(metric_at(crossing.xyz).r) {
                 break;
             }

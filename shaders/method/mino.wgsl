@@ -1,43 +1,41 @@
 // The method mino: Kerr's null geodesics for any spin, stepped in Mino time on the celestial
-// sphere. mino_motion.wgsl has the equations and the step, mino_azimuth.wgsl the azimuth; this part
-// begins a ray, follows it and ends it.
+// sphere. mino_motion.wgsl has the equations and the step, mino_azimuth.wgsl the azimuth; this file
+// starts, follows and ends a ray.
 //
-// Needs: AZIMUTH, Angle, Constants, DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, HAS_DISK, MAX_HITS,
-//     Motion, NEAR_HORIZON, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Orbit, Photon,
+// Needs: AZIMUTH, Angle, DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, HAS_DISK, KerrRay, MAX_HITS,
+//     Motion, NEAR_HORIZON, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Photon, PhotonConstants,
 //     SKY_DIRECTION, SPINNING, Step, TINY, Trace, acceleration, add_angle, add_hit, angle_between,
 //     azimuth_gain, azimuth_lag_to_infinity, begins_near_horizon, camera_is_inside, cannot_turn,
 //     crosses_plane, crossing_delay, curve, curve_at, curve_slope, empty_trace, first_delay,
-//     in_annulus, motion_about, nystroem_step, orbit_of, quadratic, rotate_z, safe_normalize,
+//     in_annulus, kerr_ray, motion_about, nystroem_step, quadratic, rotate_z, safe_normalize,
 //     scene, sin_cos_precise, speed_squared, square, step_delay, wrap_angle.
 // Gives: trace.
 
-// More steps than a ray within f32's rounding of the critical curve takes at the shortest step.
+// More than a ray within f32's rounding of the critical curve takes at the shortest step.
 const MAX_STEPS: u32 = 1024u;
 // Rays with sqrt(K)/E below this may come near the critical curve, on which it is at most 3.5.
-// Their step is shorter, to keep the shadow's edge in its place.
+// Their step is shorter, for the accuracy of the shadow's edge.
 const FAR_IMPACT: f32 = 4.0;
-// Where U is below this share of W^2, a turning point is near and U is no longer a good measure of
-// u'.
+// Where U is below this share of W^2, a turning point is near and U is not a precise measure of u'.
 const TURNING_SHARE: f32 = 0.0625;
 
-// Where a ray is.
+// The state of a ray.
 struct Ray {
     motion: Motion,
-    // The state (v, n_z, n_x, n_y), the change that its slope would make over a step, and the
-    // change of that by the acceleration.
+    // (v, n_z, n_x, n_y), its slope times the step, and its acceleration times the step squared.
     y: vec4<f32>,
     dy: vec4<f32>,
     k: vec4<f32>,
-    // The azimuth's chi. While `ingoing` it is that of Kerr's ingoing azimuth.
+    // The azimuth's chi: that of Kerr's ingoing azimuth while `ingoing`.
     chi: Angle,
     ingoing: bool,
     // Angle swept about the hole.
     turn: f32,
-    // Delay, but for the share of the tortoise coordinate of the leg that has not ended.
+    // Delay, without the tortoise coordinate of the leg that has not ended.
     delay: f32,
 }
 
-// The end of a step: at u = 0 if the ray escapes, else after the whole step.
+// The end of a step: at u = 0 if the ray escapes, otherwise after the whole step.
 struct StepEnd {
     y: vec4<f32>,
     share: f32,
@@ -47,35 +45,35 @@ struct StepEnd {
 }
 
 // The step in Mino time.
-fn step_of(orbit: Orbit) -> f32 {
+fn step_of(orbit: KerrRay) -> f32 {
     let c = orbit.constants;
     let far = orbit.k > square(FAR_IMPACT * c.energy);
     let h = select(scene.quality.mino_critical_step, scene.quality.mino_step, far);
     if !camera_is_inside() {
         return h;
     }
-    // Deep inside, u changes by as much as itself within less than a radian. The step is a share of
-    // that time, as the growing terms of U give it.
+    // Deep inside, u grows by its own value in less than a radian. The step is a share of that
+    // time, estimated from the growing terms of U.
     let u = scene.observer.u;
     return h * inverseSqrt(max(1.0, u * (6.0 * c.k_prime + 8.0 * u * (square(c.drag) + square(scene.hole.a) * c.k_prime))));
 }
 
-fn ray_at_camera(photon: Photon, orbit: Orbit, h: f32) -> Ray {
+fn ray_at_camera(photon: Photon, orbit: KerrRay, h: f32) -> Ray {
     let n = scene.observer.position_direction;
     let near = begins_near_horizon();
     let motion = motion_about(select(0.0, scene.hole.horizon_u, near), orbit.constants);
     let y = vec4<f32>(select(scene.observer.u, -scene.observer.u_to_horizon, near), n.z, n.xy);
     let dy = h * vec4<f32>(orbit.scale * photon.radial, -orbit.w.z, -orbit.w.xy);
     let k = h * h * acceleration(motion, y);
-    // Kerr's ingoing azimuth has no pole along light that comes in from outside.
+    // Kerr's ingoing azimuth has no pole along infalling light.
     let ingoing = NEAR_HORIZON && photon.radial < 0.0;
     let chi = select(0.0, scene.observer.ingoing_azimuth_lead, ingoing);
     return Ray(motion, y, dy, k, Angle(0.0, chi), ingoing, 0.0, first_delay(photon.radial > 0.0));
 }
 
-// Changes the base of the radial variable when the ray comes near to the horizon or leaves it.
-// 1/r_+ has two parts, so that the distance to the horizon keeps its digits.
-fn change_base(ray: ptr<function, Ray>, constants: Constants) {
+// Changes the base of the radial variable when the ray approaches the horizon or leaves it. 1/r_+
+// has two parts, so that the distance to the horizon is exact.
+fn change_base(ray: ptr<function, Ray>, constants: PhotonConstants) {
     let u_horizon = scene.hole.horizon_u;
     let base = (*ray).motion.base;
     let v = (*ray).y.x;
@@ -88,7 +86,7 @@ fn change_base(ray: ptr<function, Ray>, constants: Constants) {
 }
 
 // Keeps the largest residuals of the constraints: u'^2 = U, |n| = 1, and L.
-fn record_residuals(result: ptr<function, Trace>, ray: Ray, orbit: Orbit, h: f32) {
+fn record_residuals(result: ptr<function, Trace>, ray: Ray, orbit: KerrRay, h: f32) {
     let w2 = square(quadratic(ray.motion.w, ray.y.x));
     let u2 = speed_squared(ray.motion, ray.y.x, w2);
     let radial = abs(square(ray.dy.x / h) - u2) / max(w2 + abs(w2 - u2), TINY);
@@ -98,8 +96,8 @@ fn record_residuals(result: ptr<function, Trace>, ray: Ray, orbit: Orbit, h: f32
     (*result).angular_momentum_drift = max((*result).angular_momentum_drift, axial);
 }
 
-// Whether the ray can only end in the hole. The test stands apart from what `trace` records about
-// it: a function that also writes the outcome makes NVIDIA's compiler slow the whole loop by 2 %.
+// Whether the ray can only end in the hole. The function does not write the outcome: if it did,
+// NVIDIA's compiler would slow the whole loop by 2 %.
 fn is_captured(ray: Ray, hit_count: u32) -> bool {
     let u = ray.motion.base + ray.y.x;
     let u_horizon = scene.hole.horizon_u;
@@ -114,7 +112,7 @@ fn may_hit(ray: Ray, hit_count: u32) -> bool {
     return HAS_DISK && hit_count < MAX_HITS && !beyond;
 }
 
-// u' from U, with the sign that it has, about the horizon and away from turning points.
+// Recomputes u' from U, with its sign, where the base is the horizon and no turning point is near.
 fn restore_radial_speed(ray: ptr<function, Ray>, h: f32) {
     if (SPINNING || NEAR_HORIZON) && (*ray).motion.base > 0.0 {
         let v = (*ray).y.x;
@@ -126,7 +124,7 @@ fn restore_radial_speed(ray: ptr<function, Ray>, h: f32) {
     }
 }
 
-// Where the step ends. An outgoing ray may reach u = 0 within it; u'' vanishes there, so Newton's
+// The end of a step. An outgoing ray may reach u = 0 within it; u'' vanishes there, so Newton's
 // method converges at once.
 fn end_of(step: Step, motion: Motion) -> StepEnd {
     let escapes = step.dy0.x < 0.0 && motion.base + step.y1.x <= 0.0;
@@ -150,7 +148,7 @@ fn record_plane_crossing(
     ray: Ray,
     step: Step,
     end: StepEnd,
-    orbit: Orbit,
+    orbit: KerrRay,
     h: f32,
     energy: f32,
 ) {
@@ -180,7 +178,7 @@ fn record_plane_crossing(
     add_hit(result, vec3<f32>(r * place, 0.0), energy, orbit.lambda, delay);
 }
 
-// Records a ray that has reached u = 0. Light of negative energy never was at infinity.
+// Records a ray that has reached u = 0. Light of negative energy does not come from infinity.
 fn record_escape(result: ptr<function, Trace>, ray: Ray, end: StepEnd, energy: f32) {
     let from_sky = energy > 0.0;
     (*result).outcome = select(OUTCOME_CAPTURED, OUTCOME_SKY, from_sky);
@@ -191,9 +189,9 @@ fn record_escape(result: ptr<function, Trace>, ray: Ray, end: StepEnd, energy: f
 
 fn trace(photon: Photon) -> Trace {
     var result = empty_trace();
-    let orbit = orbit_of(photon);
+    let orbit = kerr_ray(photon);
     if camera_is_inside() && orbit.constants.horizon_w <= 0.0 {
-        // Light that comes from the horizon's other branch, through which nothing comes from
+        // The light comes through the horizon's other branch, through which nothing arrives from
         // outside.
         result.outcome = OUTCOME_CAPTURED;
         return result;

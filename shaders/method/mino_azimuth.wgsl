@@ -33,8 +33,8 @@ fn azimuth_gain(m: Motion, c: Curve, h: f32, t: f32, v: f32, regular: bool, ingo
     return gain - azimuth_lag(horizon_factors(m.base, start), horizon_factors(m.base, v), abs(v - start));
 }
 
-// Away from the horizon and at a turning point the rate is smooth, and the four Gauss-Legendre
-// nodes are enough.
+// Away from the horizon and at a turning point the rate is smooth, and four Gauss-Legendre nodes
+// suffice.
 fn smooth_azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
     let outer = vec2<f32>(curve_at(c, NODE_1 * t).x, curve_at(c, NODE_4 * t).x);
     let inner = vec2<f32>(curve_at(c, NODE_2 * t).x, curve_at(c, NODE_3 * t).x);
@@ -53,9 +53,9 @@ fn dragging_sum(m: Motion, v: vec2<f32>) -> f32 {
 //
 //   chi' = a (E - K' u^2 / (W + |u'|)) - a |u'| / D.
 //
-// The first part is regular, as in Kerr's ingoing coordinates for light that comes in and in the
-// outgoing ones for light that leaves; this function integrates it. As long as the ray does not
-// turn, azimuth_lag integrates the second part.
+// The first part is the regular rate in Kerr's ingoing coordinates for infalling light, and in the
+// outgoing ones for outgoing light; this function integrates it. While the ray does not turn,
+// azimuth_lag integrates the second part.
 fn regular_azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
     var nodes = array<vec2<f32>, 4>(
         vec2<f32>(NODE_1, OUTER_WEIGHT),
@@ -74,7 +74,7 @@ fn regular_azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
     return scene.hole.a * h * t * sum;
 }
 
-// The same out to u = 0: how far Kerr's ingoing azimuth lags behind.
+// The lag of Kerr's ingoing azimuth, which vanishes at u = 0.
 fn azimuth_lag_to_infinity(m: Motion, v: f32) -> f32 {
     return azimuth_lag(horizon_factors(m.base, v), vec2<f32>(1.0), m.base + v);
 }
@@ -85,7 +85,7 @@ fn add_angle(angle: Angle, gain: f32) -> Angle {
     return Angle(angle.whole + sixteenths, sum - sixteenths);
 }
 
-// The angle within [-pi, pi]; 2 pi is subtracted in two parts, the first of few digits.
+// The angle within [-pi, pi]; 2 pi is subtracted in two parts, the first with few digits.
 fn wrap_angle(angle: Angle) -> f32 {
     let turns = round(angle.whole * 0.159154943);
     return (angle.whole - turns * 6.28125) + (angle.rest - turns * 1.93530718e-3);

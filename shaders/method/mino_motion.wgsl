@@ -8,26 +8,25 @@
 //   B = a (a E - L),   K' = Q + (L - a E)^2,   K = K' - 2 E B + a^2 E^2.
 //
 // U is Carter's (1968) R(r)/r^4 = ((E (r^2 + a^2) - a L)^2 - (r^2 - r + a^2) K')/r^4. In this form,
-// rather than as a polynomial, E, B and K' are the only constants. However they are rounded, they
-// are the constants of some ray nearby, and the circle on which a critical ray lingers stays in its
-// place. Next to the horizon of a fast hole W and D are differences of numbers near one. There the
-// radial variable is u - 1/r_+, D's root is exact, and u' is computed from U again at each step;
-// mino_azimuth.wgsl has the azimuth.
+// unlike in that of a polynomial, E, B and K' are the only constants: however they are rounded,
+// they are the constants of a nearby ray, and the radius of the critical orbit does not change.
+// Next to the horizon of a fast-spinning hole W and D cancel. There the radial variable is u -
+// 1/r_+, D's root is exact, and u' is recomputed from U at each step.
 //
 // The step is Nystroem's of fifth order (Nystroem 1925; Hairer, Norsett & Wanner 1993, section
-// II.14). It takes four accelerations, the first of which is the last one of the step before. Its
+// II.14). It takes four accelerations, the first of which is the last one of the previous step. Its
 // dense output is the quintic with the values, slopes and accelerations of both ends. The constants
-// are scaled such that the step in Mino time is an angle; docs/physics/steps.md says how the step
-// was chosen.
+// are scaled such that the step in Mino time is an angle; docs/physics/steps.md explains its
+// choice.
 //
-// Needs: Constants, scene, square.
+// Needs: PhotonConstants, scene, square.
 // Gives: Curve, Motion, Step, acceleration, cannot_turn, curve, curve_at, curve_slope,
 //     motion_about, nystroem_step, quadratic, speed_squared.
 
 // The motion about u = base, in the variable v = u - base.
 struct Motion {
     base: f32,
-    constants: Constants,
+    constants: PhotonConstants,
     // Coefficients of the polynomials W, D, S, and E D - W.
     w: vec3<f32>,
     d: vec3<f32>,
@@ -35,8 +34,8 @@ struct Motion {
     dragging: vec3<f32>,
 }
 
-// Both ends of a step: the state (v, n_z, n_x, n_y), the change that its slope would make over the
-// step, and the change of that by the acceleration there.
+// Both ends of a step: the state (v, n_z, n_x, n_y), its slope times the step, and its acceleration
+// times the step squared.
 struct Step {
     y0: vec4<f32>,
     dy0: vec4<f32>,
@@ -46,7 +45,7 @@ struct Step {
     k1: vec4<f32>,
 }
 
-// The state between both ends, as a polynomial in the share of the step.
+// The state within the step, as a polynomial in the share of the step.
 struct Curve {
     c0: vec4<f32>,
     c1: vec4<f32>,
@@ -56,7 +55,7 @@ struct Curve {
     c5: vec4<f32>,
 }
 
-fn motion_about(base: f32, c: Constants) -> Motion {
+fn motion_about(base: f32, c: PhotonConstants) -> Motion {
     let a2 = square(scene.hole.a);
     let w = vec3<f32>(select(c.energy, c.horizon_w, base > 0.0), 2.0 * c.drag * base, c.drag);
     // D's root at 1/r_+ is exact.
@@ -79,8 +78,7 @@ fn acceleration(m: Motion, y: vec4<f32>) -> vec4<f32> {
     return vec4<f32>((m.base + y.x) * u_acceleration_over_u(m, y.x), polar * y.y, (polar - m.constants.axial) * y.zw);
 }
 
-// A step from the state y, with the change dy that its slope would make over the step, and the
-// change k1 of that by the acceleration; h2 is the step squared.
+// A step from the state y with dy and k1 as in Step; h2 is the step squared.
 fn nystroem_step(m: Motion, h2: f32, y: vec4<f32>, dy: vec4<f32>, k1: vec4<f32>) -> Step {
     let k2 = h2 * acceleration(m, y + 0.2 * dy + 0.02 * k1);
     let k3 = h2 * acceleration(m, y + (2.0 / 3.0) * dy + ((7.0 / 27.0) * k2 - (1.0 / 27.0) * k1));
@@ -92,7 +90,8 @@ fn nystroem_step(m: Motion, h2: f32, y: vec4<f32>, dy: vec4<f32>, k1: vec4<f32>)
 
 // Compilers compute only those of the four components that are used.
 fn curve(s: Step) -> Curve {
-    // What the end adds to the parabola of the start: values, slopes, half the second derivatives.
+    // The deviations of the end from the parabola of the start: value, slope, half the second
+    // derivative.
     let r0 = (s.y1 - s.y0) - s.dy0 - 0.5 * s.k0;
     let r1 = (s.dy1 - s.dy0) - s.k0;
     let r2 = 0.5 * (s.k1 - s.k0);
@@ -113,9 +112,9 @@ fn speed_squared(m: Motion, v: f32, w2: f32) -> f32 {
     return w2 - m.constants.k_prime * square(m.base + v) * quadratic(m.d, v);
 }
 
-// Whether U is positive from v to v + width, so that no ray turns there. The answer may be no where
-// it is yes, but never yes where it is no: a polynomial is nowhere below the smallest of its
-// Bernstein coefficients (Farouki & Rajan 1987).
+// Whether U is certainly positive from v to v + width, so that no ray turns there. The test is
+// sufficient, not necessary: a polynomial is nowhere below its smallest Bernstein coefficient
+// (Farouki & Rajan 1987).
 fn cannot_turn(m: Motion, v: f32, width: f32) -> bool {
     let u = m.base + v;
     let u2 = speed_squared(m, v, square(quadratic(m.w, v)));

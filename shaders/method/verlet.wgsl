@@ -16,9 +16,9 @@
 // At this radius an ingoing ray counts as captured: no ray turns outward inside the photon sphere,
 // at 1.5.
 const CAPTURE_RADIUS: f32 = 1.015;
-// A bound of the loop that does not depend on the uniform.
+// A bound of the loop.
 const MAX_HALVINGS: u32 = 24u;
-// The step rule: shares of the radius, largest step in r_s, and a term that keeps it from dividing
+// The step rule: shares of the radius, the largest step in r_s, and a term that prevents division
 // by zero for radial rays.
 const RADIUS_SHARE: f32 = 0.16;
 const BENDING_SHARE: f32 = 0.12;
@@ -40,22 +40,21 @@ fn step_length(r: f32, v: vec3<f32>, impact: f32) -> f32 {
     return min(allowed, DISPLACEMENT_SHARE * r * inverseSqrt(max(dot(v, v), 1.0)));
 }
 
-// The violation of the null condition, as a share of its larger side.
+// The violation of the null condition, relative to its larger side.
 fn null_residual(x: vec3<f32>, v: vec3<f32>, l2: f32) -> f32 {
     let r2 = max(dot(x, x), TINY);
     let sum = square(dot(x, v)) / r2 + (1.0 - inverseSqrt(r2)) * l2 / r2;
     return abs(sum - 1.0) / max(sum, 1.0);
 }
 
-// What is constant along a ray: L, L^2 and |L|, per unit energy.
+// A ray's constants: L, L^2 and |L|, per unit energy.
 struct Impact {
     vector: vec3<f32>,
     l2: f32,
     length: f32,
 }
 
-// L from w rather than from x cross v, which would lose the small impact parameters of a far
-// camera.
+// L is computed from w, because x cross v cancels for the small impact parameters of a far camera.
 fn impact_of(photon: Photon, energy: f32) -> Impact {
     let vector = -scene.observer.r / energy * cross(scene.observer.position_direction, photon.w);
     let l2 = dot(vector, vector);
@@ -63,8 +62,8 @@ fn impact_of(photon: Photon, energy: f32) -> Impact {
 }
 
 // For an observer at rest, this is the article's mu e_r + (d - mu e_r) / sqrt(1 - 1/r): there
-// radial = -mu sqrt(1 - 1/r), w = -(d - mu e_r), E = sqrt(1 - 1/r). It is not normalized, because
-// its length carries the scale of the affine parameter.
+// radial = -mu sqrt(1 - 1/r), w = -(d - mu e_r), E = sqrt(1 - 1/r). Its length sets the scale of
+// the affine parameter, so it is not normalized.
 fn initial_velocity(photon: Photon, energy: f32) -> vec3<f32> {
     return (-photon.radial * scene.observer.position_direction - photon.w) / energy;
 }
@@ -115,7 +114,7 @@ fn trace(photon: Photon) -> Trace {
             break;
         }
 
-        // The step of velocity Verlet. It stands here because a function with a loop of its own
+        // The step of velocity Verlet. It is inline, because a function with a loop of its own
         // makes NVIDIA's compiler slow the whole trace by 2 %.
         var h = step_length(r, v, impact.length);
         let factor = acceleration_factor(impact.l2, inverse_r);

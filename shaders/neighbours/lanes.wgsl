@@ -1,5 +1,5 @@
-// How values differ between a ray and its neighbours, in a workgroup whose lanes trace the rays of
-// square grids: as derivatives of a fragment entry, each pair of neighbours has one difference.
+// Differences between a ray and its neighbours, in a workgroup whose lanes trace square grids of
+// rays. As with the derivatives of a fragment entry, each pair of neighbours has one difference.
 //
 // Needs: Footprint, WORKGROUP_SIZE, scene, square.
 // Gives: differences, lane_below, lane_beside, own_lane, own_share, ray_share.
@@ -13,9 +13,9 @@ var<private> own_share: f32;
 
 var<workgroup> lanes: array<vec3<f32>, WORKGROUP_SIZE>;
 
-// All lanes must call it, before any branch.
+// All lanes must call it before any branch.
 fn differences(value: vec3<f32>) -> Footprint {
-    // The lanes may still read the last values.
+    // Other lanes may still read the last values.
     workgroupBarrier();
     lanes[own_lane] = value;
     workgroupBarrier();

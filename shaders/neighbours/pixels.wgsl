@@ -1,9 +1,9 @@
-// How values differ between a pixel and its neighbours, in a fragment entry.
+// Differences between a pixel and its neighbours, in a fragment entry.
 //
 // Needs: Footprint, scene, square.
 // Gives: differences, ray_share.
 
-// All pixels must call it, before any branch.
+// All pixels must call it before any branch.
 fn differences(value: vec3<f32>) -> Footprint {
     return Footprint(dpdx(value) * scene.picture.footprint, dpdy(value) * scene.picture.footprint);
 }

@@ -1,8 +1,8 @@
-// The perspective projection: how a place in the picture becomes a direction and back, the solid angle
-// of a pixel, and what is in view. Places are in pixels from the upper left corner of the part of the
-// picture that is drawn, and directions are (right, up, forward) of the camera.
-// scene.picture.projection holds the tangents of half the field of view, horizontal and vertical. The
-// twin in f64 is crates/lightfall-core/src/scene/projection.rs.
+// The perspective projection: how a place in the picture becomes a direction and back, the solid
+// angle of a pixel, and what is in view. Places are in pixels from the upper left corner of the
+// part of the picture that is drawn, and directions are (right, up, forward) of the camera.
+// scene.picture.projection holds the tangents of half the field of view, horizontal and vertical.
+// The twin in f64 is crates/lightfall-core/src/scene/projection.rs.
 //
 // Needs: scene.
 // Gives: is_in_view, pixel_direction, pixel_solid_angle, project, ray_solid_angle, shown_place.
@@ -14,7 +14,7 @@ var<private> ray_solid_angle: f32;
 fn pixel_direction(place: vec2<f32>) -> vec3<f32> {
     let across = (place + scene.picture.origin) / scene.picture.whole * vec2<f32>(2.0, -2.0) + vec2<f32>(-1.0, 1.0);
     let direction = normalize(vec3<f32>(across * scene.picture.projection, 1.0));
-    // That of a pixel in the middle times the cube of the cosine of the angle off the axis.
+    // That of the middle pixel times the cube of the cosine of the angle off the axis.
     ray_solid_angle = scene.picture.middle_solid_angle * direction.z * direction.z * direction.z;
     return direction;
 }

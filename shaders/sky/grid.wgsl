@@ -11,8 +11,7 @@ const GRID_LINE: vec3<f32> = vec3<f32>(0.05, 0.10, 0.16);
 const GRID_STRONG_LINE: vec3<f32> = vec3<f32>(0.16, 0.28, 0.40);
 const GRID_EQUATOR: vec3<f32> = vec3<f32>(0.80, 0.30, 0.06);
 const GRID_PRIME_MERIDIAN: vec3<f32> = vec3<f32>(0.10, 0.70, 0.22);
-// Every third line is strong. The other meridians end at the last circle, so that they do not crowd
-// the poles.
+// Every third line is strong. The other meridians end at the last circle, to keep the poles clear.
 const GRID_STRONG: i32 = 3;
 const GRID_LAST_CIRCLE_SINE: f32 = 0.2588190;
 
@@ -23,10 +22,9 @@ fn line_colour(index: i32, coloured: i32, colour: vec3<f32>) -> vec3<f32> {
     return select(GRID_LINE, GRID_STRONG_LINE, index % GRID_STRONG == 0);
 }
 
-// Light of a family of parallel lines, per unit of the nearest line's light, and the share that is
-// their mean. Lines that a lens squeezes below the distance of neighbouring rays are as wide as that
-// distance, with as much light as before. Where neighbouring lines then overlap, only their mean is
-// left.
+// Light of a family of parallel lines, per unit of the nearest line's light, and the share of their
+// mean. Lines narrower than the distance between neighbouring rays are widened to it, with the same
+// total light. Where widened lines overlap, only their mean is drawn.
 fn lines(distance: f32, spacing: f32, radius: f32, footprint: f32) -> vec2<f32> {
     let width = max(radius, footprint);
     let widest = max(0.5 * spacing, TINY);
@@ -35,13 +33,13 @@ fn lines(distance: f32, spacing: f32, radius: f32, footprint: f32) -> vec2<f32> 
     return vec2<f32>(spot_profile(square(distance), drawn) * radius / drawn, mean);
 }
 
-// A line's share of a family of lines: the integral of its profile over their spacing.
+// The mean light of a family of lines: the integral of a line's profile over the spacing.
 fn mean_of_lines(spacing: f32, radius: f32) -> vec3<f32> {
     let colour = (2.0 * GRID_LINE + GRID_STRONG_LINE) / 3.0;
     return colour * min(32.0 / 35.0 * radius / max(spacing, TINY), 1.0);
 }
 
-// How far the sky moves along a direction from a ray to its neighbours.
+// The extent of a footprint along a direction.
 fn extent(footprint: Footprint, along: vec3<f32>) -> f32 {
     return length(vec2<f32>(dot(footprint.to_the_right, along), dot(footprint.downward, along)));
 }
@@ -50,7 +48,7 @@ fn sky_background(direction: vec3<f32>, g: f32, footprint: Footprint) -> vec3<f3
     let radius = shifted_spot_radius(g);
     let sine = length(direction.xy);
     let outward = vec2<f32>(direction.x, direction.y) / max(sine, TINY);
-    // Circles: differences of theta are distances on the sky. The poles are no circles.
+    // Circles: differences of theta are distances on the sky. There is no circle at the poles.
     let theta = atan2_precise(sine, direction.z);
     let circle = clamp(i32(round(theta / GRID_SPACING)), 1, 11);
     let across = extent(footprint, vec3<f32>(direction.z * outward, -sine));

@@ -1,13 +1,14 @@
-// The sky mode `procedural`: stars at pseudo-random places, the same for the same seed, looked up by
-// each pixel, and a faint band of unresolved ones. The images of stars are as large as pixels, and so
-// bending stretches them; the mode `stars` draws points.
+// The sky mode `procedural`: stars at pseudo-random places that depend on the seed, and a faint
+// band of unresolved ones. Each pixel looks its stars up. The images of stars have the size of
+// pixels, so lensing stretches them; the mode `stars` draws points.
 //
 // Three layers of stars overlap, each on the six gnomonic charts of a cube that is rotated against
 // the other two. A chart is divided into cells, and a cell holds at most one star, far enough from
 // the cell's edges that the whole image lies inside. So a pixel looks up one cell per layer, no
 // image is cut off, and the edges of the charts and the poles do not show.
 //
-// Needs: Footprint, MAX_SPOT_RADIUS, scene, shifted_spot_radius, spot_profile, square, thermal_colour.
+// Needs: Footprint, MAX_SPOT_RADIUS, scene, shifted_spot_radius, spot_profile, square,
+//     thermal_colour.
 // Gives: sky_background.
 
 const CELLS: f32 = 36.0;
@@ -26,8 +27,8 @@ const BAND_LIGHT: f32 = 0.03;
 const BAND_TEMPERATURE: f32 = 6500.0;
 const OFF_BAND: f32 = 0.55;
 
-// Three numbers from three, each of which depends on all: a permuted congruential generator
-// (Jarzynski & Olano 2020, "Hash Functions for GPU Rendering").
+// A hash of three numbers: a permuted congruential generator (Jarzynski & Olano 2020, "Hash
+// Functions for GPU Rendering").
 fn hash(key: vec3<u32>) -> vec3<u32> {
     var v = key * 1664525u + 1013904223u;
     for (var turn = 0u; turn < 2u; turn++) {
@@ -66,7 +67,7 @@ fn rotate_axis_to_z(d: vec3<f32>, axis: u32) -> vec3<f32> {
     return select(select(d.xyz, d.zxy, axis == 1u), d.yzx, axis == 0u);
 }
 
-// Light of one layer; `frame` turns its cube.
+// Light of one layer; `frame` rotates its cube.
 fn star_layer(direction: vec3<f32>, g: f32, frame: mat3x3<f32>, layer: u32) -> vec3<f32> {
     let rotated = frame * direction;
     let axis = largest_axis(rotated);
@@ -100,7 +101,7 @@ fn star_layer(direction: vec3<f32>, g: f32, frame: mat3x3<f32>, layer: u32) -> v
     let rank = (f32(bits.y >> 8u) + 0.5) / 16777216.0;
     let flux = min(MIN_STAR_FLUX * pow(rank, -2.0 / 3.0), MAX_STAR_FLUX);
     let temperature = MIN_TEMPERATURE * pow(MAX_TEMPERATURE_RATIO, square(chances.y));
-    // The same flux is spread over an image that is wider on the sky.
+    // The flux is spread over the image's area on the sky.
     let spread = square(scene.sky.spot_radius / radius) * scene.sky.star_brightness;
     return thermal_colour(temperature * g) * (flux * spread * spot_profile(distance2, radius));
 }

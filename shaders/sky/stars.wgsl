@@ -1,6 +1,6 @@
-// The sky mode `stars`: the light of the Milky Way. Stars that are bright enough are drawn as points
-// by passes of their own (shaders/stars/). This part draws the light of all others, so that no light
-// is drawn twice and none is lost.
+// The sky mode `stars`: the light of the Milky Way. Bright stars are drawn as points by passes of
+// their own (shaders/stars/). This file draws the light of all others, so that no light is drawn
+// twice or lost.
 //
 // Needs: BINDING_MILKY_WAY, BINDING_MILKY_WAY_SAMPLER, BINDING_STARLIGHT, FAINTER_SHARE, Footprint,
 //     LOG10_2, TINY, beaming_factor, ray_share, ray_solid_angle, thermal_colour.
@@ -10,7 +10,8 @@
 struct Starlight {
     // From the hole's frame to the equatorial frame (J2000).
     celestial_from_hole: mat3x3<f32>,
-    // The faintest magnitude of a point: of an image that has the star's own flux, and of any image.
+    // The faintest magnitude of a star drawn as a point, if its image has the star's own flux, and
+    // at any flux.
     magnitude_limit: f32,
     last_magnitude: f32,
     // Temperatures of the two components, in kelvin.
@@ -19,20 +20,19 @@ struct Starlight {
     texel: f32,
     // Linear light per unit of the sums of points.
     light_unit: f32,
-    // The squares whose light the sums hold: how many there are along the side of a pixel, and in a row.
+    // The squares in which light is summed: their number along the side of a pixel, and in a row.
     squares_per_pixel: f32,
     columns: u32,
 }
 
 @group(0) @binding(BINDING_STARLIGHT) var<uniform> starlight: Starlight;
-// Light per steradian of a bluer and of a redder component.
+// Light per steradian of a blue and of a red component.
 @group(0) @binding(BINDING_MILKY_WAY) var milky_way: texture_cube<f32>;
 @group(0) @binding(BINDING_MILKY_WAY_SAMPLER) var milky_way_sampler: sampler;
 
-// Most samples along a footprint. With four the error next to the shadow is a third of that with
-// one.
+// Maximum number of samples along a footprint. Four reduce the error next to the shadow to a third.
 const MAX_TAPS: f32 = 4.0;
-// Longest footprint, in radians: at the edge of the shadow a pixel can hold the whole sky.
+// The longest footprint, in radians: at the edge of the shadow a pixel can contain the whole sky.
 const MAX_FOOTPRINT: f32 = 1.0;
 
 // The principal axes of a footprint: the longer one, and the lengths of both.
@@ -67,8 +67,8 @@ fn faint_share(magnitude: f32) -> f32 {
     return 1.0 / (1.0 + exp(cubic));
 }
 
-// The light of both components in a direction, filtered along the footprint: as many samples as the
-// longer axis is longer than the other.
+// The light of both components in a direction, filtered along the footprint with as many samples as
+// the ratio of its axes.
 fn milky_way_light(direction: vec3<f32>, axes: Axes) -> vec2<f32> {
     let along = starlight.celestial_from_hole * axes.long;
     let middle = starlight.celestial_from_hole * direction;
@@ -84,7 +84,8 @@ fn milky_way_light(direction: vec3<f32>, axes: Axes) -> vec2<f32> {
 
 fn sky_background(direction: vec3<f32>, g: f32, footprint: Footprint) -> vec3<f32> {
     let axes = footprint_axes(footprint);
-    // The magnification of an image: the solid angle of the ray in the picture over that on the sky.
+    // The magnification of an image: the solid angle of the ray in the picture over that on the
+    // sky.
     let gain = ray_solid_angle * ray_share() / max(axes.lengths.x * axes.lengths.y, TINY) * beaming_factor(g);
     let faintest = starlight.magnitude_limit + 2.5 * LOG10_2 * log2(clamp(gain, 1e-12, 1e12));
     let share = faint_share(min(faintest, starlight.last_magnitude));

@@ -1,5 +1,5 @@
-// The sky behind a tilted disk. Rays are traced in the disk's frame, and the file of the sky's mode
-// knows directions of the hole's frame. That file is joined with its `sky_background` under the name
+// The sky behind a tilted disk. Rays are traced in the disk's frame; the file of the sky mode takes
+// directions in the hole's frame. That file is linked with its `sky_background` renamed to
 // `background_in_hole_frame` (crates/lightfall-core/src/gpu/shader/source.rs).
 //
 // Needs: BINDING_TILT, Footprint, background_in_hole_frame.

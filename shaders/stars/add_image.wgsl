@@ -1,12 +1,12 @@
-// The light of a star's image, and the list of images. Images arrive in the list in any order.
+// Computes the light of a star's image and adds the image to the list, which has no fixed order.
 //
 // Needs: BINDING_STAR_COUNT, BINDING_STAR_IMAGES, LUMINANCE, MAX_SHIFT, StarImage, WORKGROUP_SIZE,
 //     beaming_factor, is_in_view, photon_from, sky_shift, star_list, stars, thermal_colour,
 //     unpacked_flux, unpacked_temperature.
 // Gives: add_image.
 
-// How many images there are, also those that the list had no room for; and before it, the number of
-// workgroups that draws those in the list, as an indirect dispatch reads it.
+// The size of an indirect dispatch over the images in the list, and the number of images, including
+// those for which the list has no room.
 struct ImageCount {
     groups_x: atomic<u32>,
     groups_y: u32,
@@ -17,8 +17,8 @@ struct ImageCount {
 @group(0) @binding(BINDING_STAR_IMAGES) var<storage, read_write> star_images: array<StarImage>;
 @group(0) @binding(BINDING_STAR_COUNT) var<storage, read_write> image_count: ImageCount;
 
-// Adds the image that is seen in `direction` (right, up, forward), magnified by `magnification`,
-// unless it is outside the picture or too faint.
+// Adds the image seen in `direction` (right, up, forward), unless it is outside the picture or too
+// faint.
 fn add_image(star: u32, order: u32, direction: vec3<f32>, magnification: f32) {
     if !is_in_view(direction, 2.0 * stars.stretch) {
         return;

@@ -1,15 +1,17 @@
 // The sky in a cell as the bicubic polynomial through the 16 points of the mesh about it.
 //
 // Needs: Tangents, components_across, limited, mesh, mesh_points, newton_step.
-// Gives: Row, cubic_slopes, cubic_weights, jacobian_at, predicted, rows_about.
+// Gives: Row, cubic_slopes, cubic_weights, interpolated_image, jacobian_at, rows_about.
 
-// The misses of a star by the rays through a row of four points: both components across its direction.
+// The misses of a star by the rays through a row of four points: both components perpendicular to
+// its direction.
 struct Row {
     first: vec4<f32>,
     second: vec4<f32>,
 }
 
-// Weights of the values at -1, 0, 1 and 2 in the cubic polynomial through them (Lagrange's formula).
+// Weights of the values at -1, 0, 1 and 2 in the cubic polynomial through them (Lagrange's
+// formula).
 fn cubic_weights(x: f32) -> vec4<f32> {
     let offsets = vec4<f32>(x + 1.0, x, x - 1.0, x - 2.0);
     return offsets.yxxx * offsets.zzyy * offsets.wwwz * vec4<f32>(-1.0 / 6.0, 0.5, -0.5, 1.0 / 6.0);
@@ -61,26 +63,26 @@ fn jacobian_at(rows: array<Row, 4>, place: vec2<f32>) -> mat2x2<f32> {
     );
 }
 
-// A better place for the star by Newton's method.
+// One step of Newton's method toward the star's image.
 fn next_place(rows: array<Row, 4>, place: vec2<f32>) -> vec2<f32> {
     let missed = missed_at(rows, cubic_weights(place.x), cubic_weights(place.y));
     return place + limited(newton_step(jacobian_at(rows, place), missed), 1.0);
 }
 
-// Where the mesh has the image of a star, in cells from the cell's corner, and how far the last step
-// has gone.
-struct Prediction {
+// The interpolated place of a star's image, in cells from the cell's corner, and the length of the
+// last step.
+struct InterpolatedImage {
     place: vec2<f32>,
     last_step: f32,
 }
 
-// By so many steps of Newton's method from the middle of the cell.
-fn predicted(rows: array<Row, 4>, steps: u32) -> Prediction {
+// Newton's method from the middle of the cell.
+fn interpolated_image(rows: array<Row, 4>, steps: u32) -> InterpolatedImage {
     var place = vec2<f32>(0.5);
     var last = place;
     for (var i = 0u; i < steps; i++) {
         last = place;
         place = next_place(rows, place);
     }
-    return Prediction(place, distance(place, last));
+    return InterpolatedImage(place, distance(place, last));
 }

@@ -1,50 +1,48 @@
-// What a cell of the mesh sees: its part of the sky, whether the map to the sky folds or is smooth, and
-// the flux of the faintest star that counts there.
+// The sky of a cell of the mesh: its extent, whether the map from the picture to the sky folds or
+// is smooth there, and the flux of the faintest star that can be seen.
 //
 // Needs: Cell, MeshPoint, TINY, Triangle, mesh, mesh_place, mesh_points, pixel_solid_angle,
 //     safe_normalize, stars, triangles_of.
 // Gives: CellSky, MAX_INDEXED, depth_within, is_whole, sky_of.
 
-// Corners of cells that lie farther apart on the sky, or differ by more in the angle swept about the
-// hole, span the edge of the shadow or more than an order of images.
+// Cells whose corners lie farther apart on the sky, or differ by more in the angle swept about the
+// hole, span the edge of the shadow or several orders of images.
 const MAX_SPAN: f32 = 1.2;
-// How far outside a triangle a star may lie, as a share of the triangle, because the map from the
-// picture to the sky is not as flat as the triangle is: where the map is flat, for rounding; in smooth
-// cells; and in others.
+// The margin about a triangle, as a share of it, for stars that the curved map brings into the
+// cell: for rounding, where the map is flat; the largest in smooth cells; and the largest in
+// others.
 const MIN_MARGIN: f32 = 0.01;
 const MARGIN: f32 = 0.25;
 const MAX_MARGIN: f32 = 1.0;
 // Growth of the cell's outer radius per unit of margin.
 const REACH: f32 = 3.2;
-// Where neighbouring parts of the cell see the sky turned over, stars up to this far from the middle
-// count.
+// The reach of a cell in which the map folds, in radii of its sky.
 const FOLD_REACH: f32 = 1.15;
 // Largest ratio between the areas of a cell's corner triangles where the map does not fold.
 const MAX_AREA_RATIO: f32 = 2.0;
-// By how much, relative to its area, the sides of a cell that does not fold may differ, times its
-// diagonal: next to the Einstein ring cells become slivers that are thinner than they are bent.
+// The largest product of diagonal and difference of opposite sides, relative to the area, in a cell
+// that does not fold: next to the Einstein ring cells are slivers, thinner than they are bent.
 const MAX_BEND: f32 = 0.3;
-// Largest fourth difference of a smooth cell's sky, in cells of the picture. Of it, a 12th is the
-// error of the bicubic polynomial's slopes, and 0.023 that of its places: 5e-4 of the magnification and
-// 6e-4 pixels of 960x540.
+// The largest fourth difference of a smooth cell's sky, in cells of the picture. The error of the
+// bicubic polynomial's slopes is a 12th of it, that of its places 0.023 of it: 5e-4 of the
+// magnification and 6e-4 pixels of 960x540.
 const MAX_FOURTH: f32 = 6e-3;
-// The same of a cell whose sky the polynomial gives roughly, to a 40th of a cell.
+// The same in a cell where the polynomial is accurate to a 40th of a cell.
 const MAX_ROUGH_FOURTH: f32 = 1.0;
-// By how much the magnification within a cell may exceed that of its smallest corner triangle: in a
-// smooth cell, and in one that does not fold; there it also stays within a factor of that of the
-// largest. Where the map folds it has no bound next to the fold, and elsewhere in the cell one by the
-// largest. In random scenes with 190 000 images, none is found by eight times as much that is not found
-// by these.
+// Bounds of the magnification within a cell: relative to that of its smallest corner triangle in a
+// smooth cell, and in any cell that does not fold, where it is also bounded relative to the largest
+// triangle's; relative to the largest where the map folds, away from the fold itself. In random
+// scenes with 190 000 images, bounds eight times as large find no further image.
 const SMOOTH_SAFETY: f32 = 1.5;
 const SAFETY: f32 = 2.0;
 const BENT_SAFETY: f32 = 8.0;
 const FOLD_SAFETY: f32 = 4.0;
-// The radius of the sky, in radians, up to which the index is searched. Farther away from a cell's
-// middle, the faces' flat maps no longer bound its sky.
+// The largest reach, in radians, for which the index is searched. Farther from a cell's middle, the
+// faces' flat maps do not bound its sky.
 const MAX_INDEXED: f32 = 0.6;
 
-// Gives the place of a star in a triangle: x and y are dot(along, d), where d is the difference
-// between the place at which the star's direction meets the plane and the origin.
+// Gives the place of a star in a triangle: x and y are dot(along, d), where d leads from the origin
+// to the point at which the star's direction meets the plane.
 struct Solver {
     origin: vec3<f32>,
     normal: vec3<f32>,
@@ -54,27 +52,27 @@ struct Solver {
     along_y: vec3<f32>,
 }
 
-// What a cell sees.
+// The sky of a cell.
 struct CellSky {
     triangles: array<Solver, 2>,
-    // Whether the map from the picture to the sky folds in it, so that stars have several images or
-    // none; and whether it may.
+    // Whether the map from the picture to the sky folds, so that stars have several images or none;
+    // and whether it may fold.
     is_caustic: bool,
     may_fold: bool,
-    // Whether the points of the mesh give that map as precisely as rays would.
+    // Whether the mesh interpolates that map as precisely as rays.
     is_smooth: bool,
-    // Whether they give it at least roughly.
+    // Whether it does so roughly.
     is_bent: bool,
-    // How far outside a triangle a star may lie, as a share of the triangle.
+    // The margin about a triangle, as a share of it.
     margin: f32,
     middle: vec3<f32>,
-    // Distance of the farthest star that counts from the middle.
+    // The largest distance of a star from the middle.
     reach: f32,
-    // Where the map folds: the direction across the sky's longer side, and how far a star may be that
-    // way from the middle.
+    // Where the map folds: the direction across the longer side of the sky, and the largest
+    // distance from the middle in that direction.
     across: vec3<f32>,
     width: f32,
-    // Luminous flux of the faintest star that can be bright enough there.
+    // Luminous flux of the faintest star that can be seen.
     least_flux: f32,
 }
 
@@ -90,7 +88,7 @@ fn solver_of(triangle: Triangle) -> Solver {
     );
 }
 
-// How far within a triangle a star lies: its least barycentric coordinate.
+// The depth of a star within a triangle: its smallest barycentric coordinate.
 fn depth_within(solver: Solver, star: vec3<f32>, is_above: bool) -> f32 {
     let slope = dot(star, solver.normal);
     let offset = star * (solver.distance / select(slope, TINY, abs(slope) < TINY)) - solver.origin;
@@ -99,7 +97,7 @@ fn depth_within(solver: Solver, star: vec3<f32>, is_above: bool) -> f32 {
     return select(min(min(1.0 - y, y - x), x), min(min(1.0 - x, x - y), y), is_above);
 }
 
-// Whether all corners see the sky, and parts of it that belong together.
+// Whether all corners see the sky, in one image of it.
 fn is_whole(cell: Cell) -> bool {
     let turns = vec4<f32>(cell.corners[0].turn, cell.corners[1].turn, cell.corners[2].turn, cell.corners[3].turn);
     let gains = vec4<f32>(cell.corners[0].gain, cell.corners[1].gain, cell.corners[2].gain, cell.corners[3].gain);
@@ -115,34 +113,34 @@ fn signed_area(middle: vec3<f32>, side: vec3<f32>, next_side: vec3<f32>) -> f32 
     return dot(middle, cross(side, next_side));
 }
 
-// How a cell's sky bends: its largest second difference across its longer side, in radians; and its
-// largest second and fourth differences in cells of the picture.
+// The curvature of a cell's map to the sky: its largest second difference across the sky's longer
+// side, in radians, and its largest second and fourth differences in cells of the picture.
 struct Bending {
     angle: f32,
     second: f32,
     fourth: f32,
 }
 
-// Stands for a difference that takes points which see no sky, or another part of it.
+// Stands for a difference that would need points which see no sky, or another image of it.
 const UNKNOWN: f32 = 1e9;
 
-// A difference of directions in cells of the picture: the larger component.
+// The larger component of a difference of directions, in cells of the picture.
 fn in_cells(solver: Solver, difference: vec3<f32>) -> f32 {
     return max(abs(dot(solver.along_x, difference)), abs(dot(solver.along_y, difference)));
 }
 
-// Whether a point sees a part of the sky that belongs to a corner's.
+// Whether a point sees the sky in the same image as a corner.
 fn belongs(point: MeshPoint, corner: MeshPoint) -> bool {
     return point.gain >= 0.0 && abs(point.turn - corner.turn) < MAX_SPAN;
 }
 
-// From the rows and columns of the mesh through the cell's corners, and two points beyond the corners
-// each way: the cell must not be at the rim of the mesh.
+// Computed from the rows and columns of the mesh through the cell's corners, with two points beyond
+// each corner: the cell must not be at the rim of the mesh.
 fn bending_of(cell: Cell, number: vec2<u32>, solver: Solver, across: vec3<f32>) -> Bending {
     let columns = mesh.points.x;
     let first = number.y * columns + number.x;
     let corner = cell.corners[0];
-    // The corners of the 16 points about the cell, which lie on none of the four lines.
+    // The corners of the 16 points about the cell, which are not on the four lines.
     let diagonal = belongs(mesh_points[first - columns - 1u], corner)
         && belongs(mesh_points[first - columns + 2u], corner)
         && belongs(mesh_points[first + 2u * columns - 1u], corner)
@@ -214,8 +212,8 @@ fn sky_of(cell: Cell, number: vec2<u32>) -> CellSky {
         width = max(width, abs(dot(corners[i] - middle, across)));
     }
     let bending = bending_of(cell, number, solvers[0], across);
-    // Between its corners the map differs from a triangle by up to an eighth of the second differences
-    // along both axes, and a quarter of that along one and the other. Twice as much is safe.
+    // Between the corners the map differs from a triangle by up to an eighth of the second
+    // differences along both axes, and a quarter of the mixed one. The margin is twice that.
     let margin = MIN_MARGIN + 0.5 * bending.second + 0.5 * in_cells(solvers[0], right - left);
     let folds = largest > MAX_AREA_RATIO * smallest || bend > MAX_BEND * smallest;
     let is_smooth = !is_caustic && !folds && margin < MARGIN && bending.fourth < MAX_FOURTH;

@@ -6,14 +6,14 @@
 //     log_precise, sin_cos_precise, stars.
 // Gives: frame_image.
 
-// A star whose angle from the outward direction is below this has its limit for zero.
+// A star at a smaller angle from the outward direction has the magnification of one at zero.
 const OVERHEAD: f32 = 3e-3;
 
-// For each interval y and dy at its start, and both at its end: y is the logarithm of the angle from
-// the edge of the shadow, dy its growth over the interval at the rate there.
+// For each interval, y and dy at its start and at its end: y is the logarithm of the angle from the
+// edge of the shadow, dy its slope times the interval.
 @group(0) @binding(BINDING_STAR_TABLE) var<uniform> star_table: array<vec4<f32>, STAR_INTERVALS>;
 
-// Inverse hyperbolic sine, with an error of at most 2e-7 and 3e-7 of itself.
+// Inverse hyperbolic sine, with an error of at most 2e-7 plus 3e-7 of its value.
 fn asinh_precise(x: f32) -> f32 {
     let size = abs(x);
     let value = log_precise(size + sqrt(size * size + 1.0));
@@ -54,12 +54,12 @@ fn frame_image(star: vec3<f32>, order: u32) -> vec4<f32> {
     let y = ends.x + x * (ends.y + x * (bend + x * twist));
     let rate = ends.y + x * (2.0 * bend + x * 3.0 * twist);
     let off_edge = exp_precise(y);
-    // How much off_edge shrinks per angle about the hole.
+    // The decrease of off_edge per angle about the hole.
     let width2 = stars.table_width * stars.table_width + beyond * beyond;
     let slope = -off_edge * rate * stars.table_density * inverseSqrt(width2);
 
     let seen = sin_cos_precise(stars.shadow_half_angle + off_edge);
-    // A star overhead is on a caustic, too, but for its image of order 0.
+    // A star overhead is on a caustic too, except for its image of order 0.
     let from_caustic = select(nearest, behind, order == 0u);
     let tangential = select(seen.x * inverse_sine(from_caustic, sine), slope, order == 0u && overhead < OVERHEAD);
     let across = select(vec2<f32>(1.0, 0.0), star.yz / max(sine, 1e-30), sine > 0.0);

@@ -1,20 +1,21 @@
-// Finds the images of candidates in smooth cells without tracing rays: the sky in such a cell is
-// the bicubic polynomial through the 16 points of the mesh about it.
+// Finds the images of candidates in smooth cells without rays, from the bicubic polynomial through
+// the 16 points of the mesh about the cell.
 //
-// Two neighbouring cells have the same curve along their common side, because it depends on the points
-// along that side alone. An image next to a side belongs to the cell on whose side of this curve it
-// lies, so that one cell accepts it, however both have rounded its place.
+// Two neighbouring cells have the same curve along their common side, because it depends only on
+// the points along that side. An image next to a side belongs to the cell on its side of this
+// curve, so exactly one cell accepts it, however the cells round its place.
 //
-// Needs: PI, Row, SMOOTH, TINY, WORKGROUP_SIZE, add_image, candidate_at, candidate_number,
-//     cubic_slopes, cubic_weights, jacobian_at, mesh, mesh_place, mesh_points, pixel_direction,
-//     pixel_solid_angle, predicted, rows_about, shown_place, star_list, tangents_at.
+// Needs: PI, Row, SMOOTH, TINY, WORKGROUP_SIZE, add_image, candidate_at, candidate_count,
+//     cubic_slopes, cubic_weights, interpolated_image, jacobian_at, mesh, mesh_place, mesh_points,
+//     pixel_direction, pixel_solid_angle, rows_about, shown_place, star_list, tangents_at.
 // Gives: interpolate.
 
-// Newton's method doubles its digits in each step: from a quarter of a cell, three reach f32's.
+// Newton's method doubles the digits in each step: from a quarter of a cell, three steps reach
+// f32's precision.
 const STEPS: u32 = 4u;
-// Within this distance of a side, in cells, the curve along it decides.
+// Distance from a side, in cells, within which the curve along it decides.
 const NEAR_SIDE: f32 = 1e-3;
-// Along a side the curve is replaced by its tangents at this many points.
+// Along a side, the curve is replaced by its tangents at this many points.
 const SIDE_GRID: f32 = 16.0;
 
 // The left or the right side of the cell, as a row.
@@ -30,8 +31,8 @@ fn column_of(rows: array<Row, 4>, is_right: bool) -> Row {
     return Row(select(left.first, right.first, is_right), select(left.second, right.second, is_right));
 }
 
-// The cross product, as a number, of the direction of the curve at a place on it and of the star's
-// miss there. Its sign tells on which side of the curve the star lies.
+// The cross product of the curve's direction at a place on it and the star's miss there. Its sign
+// tells on which side of the curve the star lies.
 fn side_of_star(curve: Row, place: f32) -> f32 {
     let anchor = round(place * SIDE_GRID) / SIDE_GRID;
     let weights = cubic_weights(anchor);
@@ -54,8 +55,8 @@ fn is_within(rows: array<Row, 4>, place: vec2<f32>, orientation: f32) -> bool {
     return x_within && y_within;
 }
 
-// The angle swept about the hole: it serves to count half-turns, so straight lines between the corners
-// will do.
+// The angle swept about the hole, interpolated linearly between the corners, which suffices to
+// count half-turns.
 fn turn_at(number: vec2<u32>, place: vec2<f32>) -> f32 {
     let corner = number.y * mesh.points.x + number.x;
     let below = corner + mesh.points.x;
@@ -66,7 +67,7 @@ fn turn_at(number: vec2<u32>, place: vec2<f32>) -> f32 {
 // One invocation for each candidate.
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn interpolate(@builtin(global_invocation_id) id: vec3<u32>) {
-    if id.x >= candidate_number(SMOOTH) {
+    if id.x >= candidate_count(SMOOTH) {
         return;
     }
     let candidate = candidate_at(SMOOTH, id.x);
@@ -75,7 +76,7 @@ fn interpolate(@builtin(global_invocation_id) id: vec3<u32>) {
     let direction = star_list[star].direction;
     let tangents = tangents_at(direction);
     let rows = rows_about(number, direction, tangents);
-    let place = predicted(rows, STEPS).place;
+    let place = interpolated_image(rows, STEPS).place;
     let along = jacobian_at(rows, place);
     let area = along[0].x * along[1].y - along[0].y * along[1].x;
     let at = mesh_place(vec2<f32>(number) + place);

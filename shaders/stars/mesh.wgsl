@@ -1,5 +1,5 @@
-// The rays of the mesh: where each comes from. The disk is left out, because stars behind it are
-// dimmed later, and `turn` ends at a disk.
+// Traces the rays of the mesh. The disk is left out, because `turn` ends at a disk; stars behind it
+// are dimmed later.
 //
 // Needs: BINDING_MESH_POINTS, MAX_SHIFT, MeshPoint, OUTCOME_SKY, WORKGROUP_SIZE, beaming_factor,
 //     in_list, mesh, mesh_place, photon_from, pixel_direction, sky_shift, trace.

@@ -1,4 +1,4 @@
-// The cells of the mesh: how each maps the picture to the sky, as two flat triangles.
+// The cells of the mesh, each of which maps the picture to the sky by two flat triangles.
 //
 // Needs: BINDING_MESH_POINTS, MeshPoint, mesh.
 // Gives: Cell, Triangle, cell_at, mesh_points, triangles_of.
@@ -28,7 +28,7 @@ fn cell_at(cell: vec2<u32>) -> Cell {
     ));
 }
 
-// The triangles of a cell: that above the diagonal from (0, 0) to (1, 1), and that below it.
+// The triangles of a cell above and below the diagonal from (0, 0) to (1, 1).
 fn triangles_of(cell: Cell) -> array<Triangle, 2> {
     let first = cell.corners[0].sky;
     let right = cell.corners[1].sky;

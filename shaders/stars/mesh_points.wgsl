@@ -1,5 +1,5 @@
-// The mesh of rays through the picture by which the images of stars are found where no inversion
-// gives them. crates/lightfall-core/src/gpu/stars/mesh.rs has the same structs.
+// The mesh of rays through the picture, by which the images of stars are found without an
+// inversion. crates/lightfall-core/src/gpu/stars/mesh.rs has the same structs.
 //
 // Needs: BINDING_STAR_MESH.
 // Gives: MeshPoint, cell_number, in_list, mesh, mesh_cells, mesh_place.
@@ -9,9 +9,10 @@ struct StarMesh {
     origin: vec2<f32>,
     // Points in a row, and rows.
     points: vec2<u32>,
-    // Rows that take directions of the hole's frame to those of the list of stars; between them, the
-    // distance between neighbouring points and how far from an image the rays go that measure its
-    // magnification, in pixels of the picture, and how many candidates fit in their list.
+    // Rows of the rotation from the hole's frame to that of the list of stars; between them, in
+    // pixels of the picture, the distance between neighbouring points and the distance from an
+    // image of the rays that measure its magnification, and the capacity of each list of
+    // candidates.
     list_x: vec3<f32>,
     spacing: f32,
     list_y: vec3<f32>,
@@ -20,14 +21,14 @@ struct StarMesh {
     capacity: u32,
 }
 
-// What the ray through a point of the mesh has met.
+// The result of the ray through a point of the mesh.
 struct MeshPoint {
     // Unit vector toward the source, in the frame of the list of stars.
     sky: vec3<f32>,
     // Angle swept about the hole.
     turn: f32,
-    // By how much motion and potentials multiply the flux of a star there, or -1 where the sky is
-    // not seen.
+    // The factor by which motion and gravity multiply the flux of a star there, or -1 where the ray
+    // does not reach the sky.
     gain: f32,
 }
 

@@ -1,4 +1,4 @@
-// Finds the images of stars one by one, by a function that gives the image of a star and an order.
+// Finds the images of each star by inversion: a function gives the star's image of each order.
 //
 // Needs: STAR_ORDERS, WORKGROUP_SIZE, add_image, frame_image, safe_normalize, star_list, stars.
 // Gives: solve.
@@ -11,7 +11,7 @@ fn solve(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) 
         return;
     }
     let direction = star_list[star].direction;
-    // Seen from the nearer of the two directions on the line through the camera and the hole.
+    // Relative to the nearer direction on the line through the camera and the hole.
     let outward = -dot(direction, stars.behind);
     let side = select(1.0, -1.0, outward > 0.0);
     let off = vec4<f32>(direction - side * stars.behind, side);

@@ -1,6 +1,6 @@
-// Draws the images of stars: adds the light of each to the squares about it, which are single pixels
-// but in very large pictures. Sums are whole numbers, so they do not depend on the order in which the
-// images are added.
+// Draws the images of stars: adds the light of each to the squares about it, which are single
+// pixels except in very large pictures. Sums are whole numbers, so the order of additions does not
+// matter.
 //
 // Needs: BINDING_STAR_COUNT, BINDING_STAR_IMAGES, BINDING_STAR_SUMS, StarImage, WORKGROUP_SIZE,
 //     pixel_solid_angle, project, scene, shown_place, stars, thermal_colour.
@@ -40,8 +40,8 @@ fn splat(@builtin(global_invocation_id) id: vec3<u32>) {
     let side = f32(max(stars.sums_side, 1u));
     let place = project(image.direction) / side;
     let stretch = max(stars.stretch / side, 1.0);
-    // The squares whose middles are within the profile, on each axis, and the sum of their weights:
-    // divided by it, they add up to one wherever the image lies.
+    // The squares whose middles are within the profile, on each axis, and the sum of their weights,
+    // by which they are normalised wherever the image lies.
     let first = ceil(place - (2.0 * stretch + 0.5));
     let width = min(u32(ceil(4.0 * stretch)), MAX_WIDTH);
     var sums = vec2<f32>(0.0);

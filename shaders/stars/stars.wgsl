@@ -1,29 +1,29 @@
-// The images of stars: what the kernels that find them and the kernel that draws them share.
-// crates/lightfall-core/src/gpu/stars/ has the same structs and says in which order the kernels run.
+// The structs that the kernels which find and draw the images of stars share.
+// crates/lightfall-core/src/gpu/stars/ has the same structs and the order of the kernels.
 //
 // Needs: BINDING_STARS.
 // Gives: MAX_SHIFT, StarImage, stars.
 
-// Largest shift that counts; the picture's sky has the same limit.
+// The largest shift; the picture's sky has the same limit.
 const MAX_SHIFT: f32 = 1e6;
 
 struct Stars {
-    // The list's frame: the unit vector straight behind the hole, and rows that give how far a star
-    // lies from it toward growing theta and toward growing phi, dot(row, (star - behind, 1)), or
-    // from the opposite direction, dot(row, (star + behind, -1)). So these components keep their
-    // digits next to the line through the camera and the hole.
+    // In the list's frame: the unit vector straight behind the hole, and rows for the components of
+    // a star toward growing theta and phi relative to it, dot(row, (star - behind, 1)), or to the
+    // opposite direction, dot(row, (star + behind, -1)). These components are accurate next to the
+    // line through the camera and the hole.
     behind: vec3<f32>,
     shadow_half_angle: f32,
     along_theta: vec4<f32>,
     along_phi: vec4<f32>,
-    // Rows that take (1, d), d being a direction of the observer in whose frame images are found
-    // (outward, toward growing theta, toward growing phi), to the camera's frequency and to that
-    // times the camera's direction.
+    // Rows that take (1, d), where d is a direction (outward, toward growing theta, toward growing
+    // phi) of the observer in whose frame images are found, to the camera's frequency and to the
+    // frequency times the camera's direction.
     frequency: vec4<f32>,
     right: vec4<f32>,
     up: vec4<f32>,
     forward: vec4<f32>,
-    // How many of the list's stars may have an image of each order that is bright enough.
+    // The numbers of stars that may have a bright enough image of each order.
     counts: vec4<u32>,
     // The table over psi = pi + width sinh(t): its width, its first t, and its intervals per t.
     table_width: f32,
@@ -31,12 +31,12 @@ struct Stars {
     table_density: f32,
     // The smallest luminous flux of an image, at the star's own temperature.
     flux_limit: f32,
-    // How many images fit in the list.
+    // The capacity of the list of images.
     capacity: u32,
-    // By how much an image on the picture is stretched, and the units of its sums per linear light.
+    // The width of an image relative to one pixel's, and the units of the sums per linear light.
     stretch: f32,
     unit: f32,
-    // The side of the squares whose light is added up, in pixels.
+    // The side of the squares in which light is summed, in pixels.
     sums_side: u32,
 }
 

@@ -1,10 +1,10 @@
-// The light of the point sources in each pixel, which the star passes have added up.
+// The light of point sources on each pixel, as the star passes have summed it.
 //
 // Needs: BINDING_STAR_SUMS, starlight.
 // Gives: point_light.
 
-// Three numbers a square, which is a pixel but in very large pictures: red, green and blue, in units of
-// starlight.light_unit.
+// Red, green and blue of each square in units of starlight.light_unit. A square is a pixel, except
+// in very large pictures.
 @group(0) @binding(BINDING_STAR_SUMS) var<storage, read> star_sums: array<u32>;
 
 // Light of the point sources whose images fall on a pixel. It is added to the pixel once, after its

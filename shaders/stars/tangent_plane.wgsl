@@ -1,9 +1,9 @@
-// The plane that touches the sky at a star, and steps in the picture that lead to the star.
+// The tangent plane of the sky at a star, and steps in the picture toward the star's image.
 //
 // Needs: TINY, safe_normalize.
 // Gives: Tangents, components_across, limited, newton_step, tangents_at.
 
-// Two unit vectors across a star's direction, as columns.
+// Two unit vectors perpendicular to a star's direction.
 struct Tangents {
     first: vec3<f32>,
     second: vec3<f32>,
@@ -17,7 +17,7 @@ fn tangents_at(star: vec3<f32>) -> Tangents {
     return Tangents(first, cross(star, first));
 }
 
-// The components of a small difference of directions across the star.
+// The components of a small difference of directions in the tangent plane.
 fn components_across(tangents: Tangents, difference: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(dot(difference, tangents.first), dot(difference, tangents.second));
 }

@@ -11,7 +11,7 @@ const SKY_CLASSES = array<vec3<f32>, 3>(vec3(0.00, 0.02, 0.16), vec3(0.02, 0.20,
 const CAPTURED_CLASSES = array<vec3<f32>, 3>(vec3(0.06, 0.02, 0.00), vec3(0.60, 0.15, 0.00), vec3(1.00, 0.65, 0.05));
 const UNFINISHED_CLASSES = array<vec3<f32>, 3>(vec3(1.00, 0.00, 1.00), vec3(1.00, 0.30, 1.00), vec3(1.00, 0.60, 1.00));
 
-// Uses selections because a computed index into a constant array costs every ray a copy of it.
+// Selections, because a computed index into a constant array copies the array for every ray.
 fn colour_by_crossings(colours: array<vec3<f32>, 3>, count: u32) -> vec3<f32> {
     return select(select(colours[0], colours[1], count == 1u), colours[2], count == 2u);
 }

@@ -5,14 +5,14 @@
 //     hit_footprints, mark, scene, sky_light, sky_shift, trace.
 // Gives: light_along, seen_along.
 
-// Where there is at least half of the disk, a crossing counts for the class. The middle of a fade is
-// one edge; its two ends would be two.
+// A crossing counts for the class where the disk's coverage is larger than this: the middle of a
+// fade is one edge, its two ends would be two.
 const MIN_COVER: f32 = 0.5;
-// The least share of light from behind the crossings that count that is worth to tell apart.
+// The smallest share of light from behind the counted crossings that matters for the class.
 const MIN_VISIBLE: f32 = 0.02;
 
-// The light along a ray; and how the ray ends and how often it meets the disk, as far as that is
-// visible: by these the search for edges tells neighbouring pixels apart.
+// The light along a ray, and its visible outcome and hits, by which the search for edges compares
+// neighbouring pixels.
 struct Seen {
     light: vec4<f32>,
     outcome: u32,
@@ -21,10 +21,10 @@ struct Seen {
 
 // The disk shines at each of the first two crossings and lets a share of the light from behind
 // through. Alpha is the share of the ray that ends at a source, disk or sky: zero in the shadow,
-// where bloom must add nothing (pixelate.wgsl).
+// where bloom must add nothing (presentation.wgsl).
 fn seen_along(photon: Photon) -> Seen {
     let ray = trace(photon);
-    // Before any branch: neighbouring rays must call it together.
+    // Before any branch, because neighbouring rays must call these together.
     let footprints = hit_footprints(ray);
     let sky_footprint = differences(ray.sky);
     var light = vec3<f32>(0.0);
@@ -34,8 +34,8 @@ fn seen_along(photon: Photon) -> Seen {
     var visible = 1.0;
     var hit = ray.hits[0];
     var footprint = footprints.first;
-    // A loop, so that drivers that execute both sides of a branch compute a light that nothing
-    // hides only once for most pixels.
+    // A loop, so that drivers which execute both sides of a branch compute the light of one hit
+    // only for most pixels.
     for (var i = 0u; i < min(ray.hit_count, MAX_HITS); i++) {
         let r = length(hit.position);
         let cover = disk_cover(r);

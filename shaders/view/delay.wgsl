@@ -1,7 +1,6 @@
-// The view `delay`: how long the light of the first crossing of the disk was under way, less the
-// time that light from next to the hole takes to the camera. From pale yellow for light of the near
-// side through red to deep blue for light that went around the hole. A new band begins every 2
-// r_s/c: its edge is a line of equal delay, and what happens along it at one time is seen at once.
+// The view `delay`: the travel time of light from the first crossing of the disk, less the camera's
+// time_lead. From pale yellow for light of the near side through red to deep blue for light that
+// has gone around the hole. A new band begins every 2 r_s/c; its edge is a line of equal delay.
 //
 // Needs: MAGENTA, OUTCOME_UNFINISHED, Photon, from_oklab, mark, trace.
 // Gives: light_along.

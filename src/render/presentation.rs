@@ -78,7 +78,7 @@ pub(super) fn plugin(app: &mut App) {
         app,
         &SHADER,
         Presentation::shader(),
-        "lightfall/pixelate.wgsl",
+        "lightfall/presentation.wgsl",
     );
     app.init_resource::<ShownCells>()
         .add_plugins(ExtractResourcePlugin::<ShownCells>::default());

@@ -93,9 +93,12 @@ fn the_cost_report_follows_from_the_scene() {
     assert_eq!(line(&spinning, "edges"), "one ray a pixel");
 
     let kernels = line(&spinning, "star kernels");
-    assert!(kernels.starts_with("trace_mesh, propose, "), "{kernels}");
-    assert!(kernels.ends_with("hide, splat"), "{kernels}");
-    assert!(line(&spinning, "star files").contains("stars/polish.wgsl"));
+    assert!(
+        kernels.starts_with("trace_mesh, find_candidates, "),
+        "{kernels}"
+    );
+    assert!(kernels.ends_with("dim, splat"), "{kernels}");
+    assert!(line(&spinning, "star files").contains("stars/refine_image.wgsl"));
     assert_eq!(line(&ring, "star kernels"), "solve, splat");
     let grid = needs_of("2", &["sky.mode=\"grid\""]);
     for topic in ["stars", "star kernels", "star files"] {

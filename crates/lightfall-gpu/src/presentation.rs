@@ -7,10 +7,10 @@ use encase::ShaderType;
 use glam::{UVec2, Vec2};
 use lightfall_model::scene::MAX_PIXELS_PER_CELL;
 
-/// Mirror of `Presentation` in shaders/pixelate.wgsl.
+/// Mirror of `Presentation` in shaders/presentation.wgsl.
 #[expect(
     missing_docs,
-    reason = "shaders/pixelate.wgsl says what each field means"
+    reason = "shaders/presentation.wgsl says what each field means"
 )]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct Presentation {

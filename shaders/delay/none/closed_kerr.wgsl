@@ -1,12 +1,12 @@
-// No delay for the method closed around a hole that spins.
+// No delay for the method closed around a spinning hole.
 //
-// Needs: Constants, Course, Radial.
+// Needs: PhotonConstants, Radial, RadialCourse.
 // Gives: crossing_delay.
 
 fn crossing_delay(
     m: Radial,
-    c: Constants,
-    course: Course,
+    c: PhotonConstants,
+    course: RadialCourse,
     inward: bool,
     u: f32,
     returned: bool,

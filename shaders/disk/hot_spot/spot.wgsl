@@ -1,4 +1,4 @@
-// A hot spot in the disk, which goes around with the matter.
+// A hot spot in the disk, which orbits with the matter.
 // crates/lightfall-core/src/optics/hot_spot.rs does the same in f64.
 //
 // Needs: BINDING_HOT_SPOT, Hit, PI, SHEARED_SPOT, angular_velocity, atan2_precise, log_precise,
@@ -6,16 +6,15 @@
 // Gives: hot_spot_factor.
 
 struct HotSpot {
-    // One over the radius of its middle, and that place's angular velocity.
+    // One over the radius of its middle, and the angular velocity there.
     inverse_r: f32,
     angular_velocity: f32,
-    // Where its middle is when a clock that is scene.observer.time_lead behind the camera's says
-    // now, in (-pi, pi], and how long after hot_spot.time that is. Where the second number has
-    // lost its digits, it no longer matters.
+    // The azimuth of its middle at the disk's time less scene.observer.time_lead, in (-pi, pi], and
+    // the time from hot_spot.time to then. The elapsed time matters only where it is precise.
     azimuth: f32,
     elapsed: f32,
-    // Standard deviation, as a share of the radius; what it adds to the flux; and one over the
-    // standard deviation in time, zero if it always shines.
+    // Standard deviation, as a share of the radius; the flux that it adds, relative to the disk's;
+    // and one over the standard deviation in time, zero if it always shines.
     size: f32,
     strength: f32,
     inverse_duration: f32,
@@ -25,15 +24,16 @@ struct HotSpot {
 
 @group(0) @binding(BINDING_HOT_SPOT) var<uniform> hot_spot: HotSpot;
 
-// The angle less whole turns, which are subtracted in two parts, the first of few digits.
+// The angle less whole turns. 2 pi is subtracted in two parts, the first with few digits, so that
+// nothing is rounded (Cody & Waite 1980).
 fn less_whole_turns(angle: f32) -> f32 {
     let turns = round(angle / (2.0 * PI));
     return (angle - turns * 6.28125) - turns * 1.93530718e-3;
 }
 
 // The sum of exp(-psi^2 / (2 v)) over all turns of psi, which is in [-pi, pi]. The sum over turns
-// and the sum over waves (Poisson's formula) are equal; each of them needs few terms where the
-// other one needs many. What is left out is below 3e-6 of the sum.
+// and the sum over waves (Poisson's formula) are equal; each needs few terms where the other needs
+// many. The omitted terms are below 3e-6 of the sum.
 fn gaussian_on_circle(psi: f32, v: f32) -> f32 {
     let turns = vec3<f32>(psi - 2.0 * PI, psi, psi + 2.0 * PI);
     let over_turns = dot(exp(-0.5 / v * turns * turns), vec3<f32>(1.0));
@@ -43,7 +43,7 @@ fn gaussian_on_circle(psi: f32, v: f32) -> f32 {
     return select(over_waves, over_turns, v < 3.0);
 }
 
-// The factor by which the flux exceeds that of the disk alone.
+// The ratio of the flux to that of the disk alone.
 fn hot_spot_factor(hit: Hit) -> f32 {
     let r = length(hit.position);
     let x = log_precise(r * hot_spot.inverse_r);
@@ -53,8 +53,8 @@ fn hot_spot_factor(hit: Hit) -> f32 {
         + hot_spot.angular_velocity * hit.delay;
     var v = square(hot_spot.size);
     if SHEARED_SPOT {
-        // Every orbit goes around at its own rate. Orbits closer than the finest structure are
-        // mixed, and the rates of these differ by the second number.
+        // Matter at each radius orbits at its own rate. The spot is blurred over the finest
+        // structure, across which the rates differ by `shear`.
         let omega = angular_velocity(r);
         let shear = 1.5 * omega * (1.0 - scene.hole.a * omega) * hot_spot.finest;
         psi -= (omega - hot_spot.angular_velocity) * since;

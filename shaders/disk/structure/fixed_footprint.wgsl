@@ -1,5 +1,5 @@
-// The footprints of a pixel on the disk in a compute entry, which knows no neighbouring pixels: a
-// hundredth of the radius, for timing only.
+// Footprints of a fixed size, a hundredth of the radius, for timing in a compute entry, where a
+// pixel has no neighbours.
 //
 // Needs: Footprint, Footprints, Trace.
 // Gives: hit_footprints.

@@ -1,11 +1,12 @@
-// Structure of the disk's light: shearing waves in rings, which the rotation carries.
-// crates/lightfall-core/src/optics/structure does the same in f64 and says why.
+// Structure of the disk's light: shearing waves in rings that rotate with the matter.
+// crates/lightfall-core/src/optics/structure does the same in f64 and explains the model.
 //
 // Needs: BINDING_STRUCTURE, Footprint, Hit, MASS, MAX_DPHI, MAX_DX, MAX_GROUPS, MAX_RINGS, PI,
 //     REPEATS, atan2_precise, log_precise, scene.
 // Gives: structure_factor.
 
-// One wave of each of four octaves: their crests around the disk, and their radians per unit of ln r.
+// One wave of each of four octaves: their azimuthal wave numbers, and the radial ones in radians
+// per unit of ln r.
 struct Group {
     m: vec4<f32>,
     k: vec4<f32>,
@@ -34,12 +35,13 @@ struct Ring {
     // 1/T and T/(2 pi), where T is the life of its waves.
     lives_per_time: f32,
     life_over_turn: f32,
-    // The rest of the lives that its clock has counted, beyond the whole ones.
+    // The fraction of the present life that has passed on its clock.
     lives: f32,
-    // Where each octave's phases of this whole number of lives are in the list of phases; of the number
-    // 0 where the structure repeats.
+    // The place of each octave's phases of this life in the list of phases; of life 0 where the
+    // structure repeats.
     phase_places: vec4<u32>,
-    // Where the structure repeats: the number of this life in its period, and how many a period has.
+    // Where the structure repeats: the number of this life in the period, and the lives of a
+    // period.
     number: f32,
     cycle: f32,
 }
@@ -49,7 +51,7 @@ struct Ring {
 // Distance between the places of an octave's neighbouring waves in the list of phases.
 const GROUP_STRIDE: u32 = 0x9e3779b9u;
 
-// When a group's waves are born, in groups.
+// The births of a group's waves, in units of the time between groups.
 const BIRTHS: vec4<f32> = vec4<f32>(0.0, 0.25, 0.5, 0.75);
 
 // cos(pi s) for |s| <= 1/2; the error is at most 8e-6. Twice its square less one is cos(2 pi s),
@@ -59,8 +61,9 @@ fn cos_half_turns(s: vec4<f32>) -> vec4<f32> {
     return (0.25 - y) * (3.99996873 + y * (1.21780146 * y - 3.73545675));
 }
 
-// Random phases in turns, from -1/2 to 1/2: the hash `phase` of optics/structure/random.rs. Its upper
-// bits become the fraction of a number from 1 to 2, which graphics cards do faster than a conversion.
+// Random phases in turns, from -1/2 to 1/2: the hash `phase` of optics/structure/random.rs. Its
+// upper bits become the fraction of a number from 1 to 2, which graphics cards do faster than a
+// conversion.
 fn phases_at(places: vec4<u32>) -> vec4<f32> {
     var z = places;
     z = (z ^ (z >> vec4<u32>(16u))) * 0x7feb352du;
@@ -69,8 +72,8 @@ fn phases_at(places: vec4<u32>) -> vec4<f32> {
     return bitcast<vec4<f32>>((z >> vec4<u32>(9u)) ^ vec4<u32>(0x3fc00000u)) - 1.5;
 }
 
-// The number of a life in the list of phases; `whole` is that of lives after the ring's present one. The
-// half keeps the quotient away from whole numbers, so that its rounding does not matter.
+// The number of a life in the list of phases; `whole` counts lives from the ring's present one. The
+// half keeps the quotient away from whole numbers, where rounding would matter.
 fn life_number(ring: Ring, whole: f32) -> u32 {
     var number = whole;
     if REPEATS {
@@ -83,9 +86,9 @@ fn life_number(ring: Ring, whole: f32) -> u32 {
 // The factor by which the structure multiplies the flux. The mean over all phases is one.
 //
 // The filter's exponents are in powers of two: covariance is P log2(e)/2, where P = J J^T/12 is the
-// covariance of the footprint in (ln r, phi). The differences are those of positions, since those
-// of azimuths jump by a turn. A neighbour farther away than MAX_DX in ln r or MAX_DPHI in radians
-// belongs to another image of the disk or has no hit, and says nothing about the footprint.
+// covariance of the footprint in (ln r, phi). Differences are taken of positions, because those of
+// azimuths jump by a turn. A neighbour farther away than MAX_DX in ln r or MAX_DPHI in radians
+// belongs to another image of the disk or has no hit, and is ignored.
 fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
     let p = hit.position.xy;
     let r2 = max(dot(p, p), MASS * MASS);
@@ -107,7 +110,7 @@ fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
     let omega = y3 / (MASS * stretch);
     let shear = 1.5 * omega / stretch;
 
-    // A place has one ring, or two where they overlap.
+    // One ring contributes, or two where they overlap.
     let place = clamp((x - structure.start) * structure.rings_per_ln_r, 0.0, structure.last_ring);
     let inner = floor(place);
     // The share of the outer ring, s in the weights cos(pi s/2) and sin(pi s/2).

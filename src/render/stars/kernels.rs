@@ -118,7 +118,7 @@ pub(super) fn add_shaders(app: &mut App) {
     for projection in Projection::ALL {
         let propose = handle(PROPOSE_SHADERS, projection);
         let text = propose_shader(projection);
-        add_shader(app, &propose, text, "lightfall/propose.wgsl");
+        add_shader(app, &propose, text, "lightfall/find_candidates.wgsl");
         let splat = handle(SPLAT_SHADERS, projection);
         let text = splat_shader(projection);
         add_shader(app, &splat, text, "lightfall/splat.wgsl");

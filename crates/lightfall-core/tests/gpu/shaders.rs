@@ -41,7 +41,7 @@ fn naga_accepts_the_search_for_edges() {
 
 #[test]
 fn naga_accepts_the_drawing_of_stars() {
-    let propose: &[&str] = &["propose", "propose_wide", "predict"];
+    let propose: &[&str] = &["find_candidates", "find_wide_candidates", "test_candidates"];
     for (shader, entries) in [
         (propose_shader(Projection::Perspective), propose),
         (splat_shader(Projection::Perspective), &["splat"]),

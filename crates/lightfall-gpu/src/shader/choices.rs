@@ -46,7 +46,7 @@ impl Variant {
         let way = if self.throat {
             "delay/closed_kerr_throat.wgsl"
         } else {
-            "delay/closed_kerr_course.wgsl"
+            "delay/closed_kerr_radial.wgsl"
         };
         [file("method", tracer), file(delay, tracer), way.into()]
     }

@@ -20,9 +20,9 @@ pub enum Entry {
     StarMesh,
     /// The images of candidates where the mesh alone gives them: entry point `interpolate`.
     StarInterpolation,
-    /// The images of the other candidates, by rays: entry point `polish`.
+    /// The images of the other candidates, by rays: entry point `refine_image`.
     StarPolish,
-    /// How much of each image the disk lets through: entry point `hide`.
+    /// How much of each image the disk lets through: entry point `dim`.
     HiddenStars,
 }
 
@@ -39,8 +39,8 @@ impl Entry {
             Self::Stars => &["solve"],
             Self::StarMesh => &["trace_mesh"],
             Self::StarInterpolation => &["interpolate"],
-            Self::StarPolish => &["polish"],
-            Self::HiddenStars => &["hide"],
+            Self::StarPolish => &["refine_image"],
+            Self::HiddenStars => &["dim"],
         }
     }
 }

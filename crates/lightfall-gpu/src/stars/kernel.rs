@@ -99,12 +99,12 @@ impl Kernel {
         match self {
             Self::Solve => "solve",
             Self::TraceMesh => "trace_mesh",
-            Self::Propose => "propose",
-            Self::ProposeWide => "propose_wide",
-            Self::Predict => "predict",
+            Self::Propose => "find_candidates",
+            Self::ProposeWide => "find_wide_candidates",
+            Self::Predict => "test_candidates",
             Self::Interpolate => "interpolate",
-            Self::Polish => "polish",
-            Self::Hide => "hide",
+            Self::Polish => "refine_image",
+            Self::Hide => "dim",
             Self::Splat => "splat",
         }
     }

@@ -97,12 +97,12 @@ pub fn mesh_points_size(layout: &MeshLayout) -> u64 {
     u64::from(layout.point_count()) * <GpuMeshPoint as encase::ShaderSize>::SHADER_SIZE.get()
 }
 
-/// The workgroups of `propose_wide`, which share the parts of wide cells: some ten thousands
+/// The workgroups of `find_wide_candidates`, which share the parts of wide cells: some ten thousands
 /// in most pictures. More are faster on a graphics card, and slower on a software renderer, where a
 /// workgroup costs time even if it finds nothing to do.
 pub(super) const WIDE_GROUPS: u32 = 256;
 
-/// The workgroups of `predict`, which share the candidates in bent cells.
+/// The workgroups of `test_candidates`, which share the candidates in bent cells.
 pub(super) const PREDICT_GROUPS: u32 = 64;
 
 /// The lists in `CANDIDATES`, which shaders/stars/candidates.wgsl names.

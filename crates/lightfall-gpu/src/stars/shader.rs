@@ -20,8 +20,8 @@ pub fn splat_shader(projection: Projection) -> ShaderText {
     ShaderText::new(prelude, &["splat"], vec![projection_file(projection)])
 }
 
-/// The shader that looks for the stars in each cell of the mesh: entry points `propose`,
-/// `propose_wide` and `predict`. It is the same for all scenes with the same projection.
+/// The shader that looks for the stars in each cell of the mesh: entry points `find_candidates`,
+/// `find_wide_candidates` and `test_candidates`. It is the same for all scenes with the same projection.
 #[must_use]
 pub fn propose_shader(projection: Projection) -> ShaderText {
     let mut prelude = String::new();
@@ -32,11 +32,11 @@ pub fn propose_shader(projection: Projection) -> ShaderText {
         ("FIRST_INDEX_SIDE", index::FIRST_SIDE),
         ("MESH_RIM", MESH_RIM),
         ("WIDE_GROUPS", WIDE_GROUPS),
-        ("PREDICT_GROUPS", PREDICT_GROUPS),
+        ("TEST_GROUPS", PREDICT_GROUPS),
     ] {
         add_constant(&mut prelude, name, "u32", format!("{value}u"));
     }
-    let entries = ["propose", "propose_wide", "predict"];
+    let entries = ["find_candidates", "find_wide_candidates", "test_candidates"];
     ShaderText::new(prelude, &entries, vec![projection_file(projection)])
 }
 

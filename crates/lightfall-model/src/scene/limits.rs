@@ -181,7 +181,7 @@ impl Scene {
 const MIN_PERIOD: f64 = 2.0;
 
 /// Largest number of pixels of the HDR picture that a presentation cell averages along each axis. It
-/// bounds the loops of pixelate.wgsl.
+/// bounds the loops of presentation.wgsl.
 pub const MAX_PIXELS_PER_CELL: u32 = 64;
 
 /// The range of a side of the presentation grid. A cell is at least one pixel of the HDR picture,

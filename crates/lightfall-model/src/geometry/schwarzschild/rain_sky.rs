@@ -65,7 +65,7 @@ impl RainSky {
     /// The discriminant D of the orbit is -(cos(alpha) - cos(alpha_e)) (radial + c E) (1 + c v) /
     /// ((1 - u) sin^2(alpha)), which keeps its digits however small `off_edge` is
     /// ([`ShadowEdge`](super::ShadowEdge)). Then psi is one R_F for a ray that moves outward, and
-    /// two for one that turns (shaders/method/closed_orbit.wgsl has the forms).
+    /// two for one that turns (shaders/method/schwarzschild.wgsl has the forms).
     #[must_use]
     pub fn angle_to_infinity(&self, off_edge: f64) -> f64 {
         let theta = self.shadow_half_angle + off_edge;

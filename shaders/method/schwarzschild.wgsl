@@ -6,14 +6,13 @@
 //
 //   (du/dphi)^2 = f(u) = q - u^2 + u^3,   q = 1/b^2,
 //
-// and everything depends on D = b_c^2 q - 1, b_c^2 = 27/4: where D > 0 the ray goes through, where
-// D < 0 it turns. For every D the cubic has one root -k < 0, k^2 (1 + k) = q; the others are
-// (1 + k)/2 +- sqrt(v)/2 with
+// and everything depends on D = b_c^2 q - 1, b_c^2 = 27/4: rays with D < 0 turn, rays with D > 0 do
+// not. For every D the cubic has one root -k < 0, k^2 (1 + k) = q; the others are (1 + k)/2 +-
+// sqrt(v)/2 with
 //
 //   v = (1 + k)(1 - 3 k) = -4 D (1 + k) / (2 + 3 k)^2,
 //
-// a conjugate pair where D > 0. Computed from D, v keeps its digits next to the critical curve.
-// Derived.
+// a conjugate pair where D > 0. Computed from D, v is accurate next to the critical curve. Derived.
 //
 // Needs: TINY, carlson_rf_pair, scene, square, weierstrass.
 // Gives: Orbit, angle_to_infinity, orbit_g3, orbit_root, u_after.
@@ -40,8 +39,8 @@ fn orbit_root(inverse_b: f32, q: f32) -> f32 {
     return (k * k * (2.0 * k + 1.0) + q) / (k * (3.0 * k + 2.0));
 }
 
-// The angle phi at which the backward ray is at infinity, for rays that escape. Each section of the
-// orbit is one R_F (DLMF 19.29.4):
+// The angle phi from the camera to infinity of a ray that escapes. Each section of the orbit is one
+// R_F (DLMF 19.29.4):
 //
 //   outward from u0:  2 u0 R_F(X, Y +- u0^2 sqrt(v)/2),
 //                     X = k ((u0 + k) sqrt(1 + k) + |du/dphi|)^2 / (u0 + k),
@@ -91,8 +90,8 @@ fn orbit_g3(orbit: Orbit) -> f32 {
 //
 //   u = u0 + (-P' du/dphi + f'(u0) (P - x0)/2 + f(u0)/4) / (2 (P - x0)^2)
 //
-// It depends on the angle only and not on the place's position on its orbit, and it holds through
-// turning points and for either sign of D. So a crossing costs no elliptic integral and no modulus.
+// It holds through turning points and for either sign of D, so a crossing costs no elliptic
+// integral.
 fn u_after(phi: f32, u0: f32, slope: f32, g3: f32) -> f32 {
     let p = weierstrass(phi, g3);
     let phi2 = phi * phi;

@@ -1,32 +1,33 @@
-// Looks for the stars that may have an image in each cell of the mesh.
+// Finds the candidates of each cell of the mesh.
 //
-// The cells of an index over the sky list their stars, in layers by brightness: a cell of the mesh
-// searches those that its own sky touches, down to the layer whose stars are too faint. Cells that see
-// more sky than MAX_NARROW are left to a second kernel, which divides the sky of each into parts. There,
-// cells that see much of the sky and show only bright stars search the list of all stars instead, until
-// the first that is too faint.
+// An index divides the sky into cells that list their stars, in layers by brightness. A cell of the
+// mesh searches the index cells that its own sky touches, down to the layer whose stars are too
+// faint. Cells whose sky is wider than MAX_NARROW are left to a second kernel, which divides each
+// into parts. There, cells that see much of the sky but only its bright stars search the list of
+// all stars instead, up to the first that is too faint.
 //
 // Needs: BENT, BINDING_STAR_INDEX, CellSky, FIRST_INDEX_SIDE, FROM_MIDDLE, INDEX_LAYERS,
 //     MAX_INDEXED, MESH_RIM, SMOOTH, WIDE, WIDE_GROUPS, WORKGROUP_SIZE, add_candidate, add_rough,
 //     candidate_counts, candidates, cell_at, cell_number, depth_within, is_whole, mesh, mesh_cells,
 //     sky_of, square, star_list, stars, unpacked_flux.
-// Gives: propose, propose_wide.
+// Gives: find_candidates, find_wide_candidates.
 
-// The part of the sky, in radians, that one invocation searches.
+// The largest reach, in radians, that one invocation searches.
 const MAX_NARROW: f32 = 0.015;
 // The parts into which a wide cell's sky is divided.
 const PARTS: u32 = 8u;
-// The part of the sky, in radians, from which on cells that show bright stars alone search the list.
+// The reach, in radians, from which on cells that show bright stars alone search the list.
 const MIN_LISTED: f32 = 0.14;
-// Least component, along a face's axis, of a direction on that face: 1/sqrt(3), rounded down.
+// The smallest component, along a face's axis, of a direction on that face: 1/sqrt(3), rounded
+// down.
 const FACE_EDGE: f32 = 0.577;
 
-// For each layer, and in it for each cell, where the stars begin, and at last where they end, in pairs
-// of numbers; and then, as pairs, the places of the stars on their face, from 0 to 1, and their numbers.
+// For each cell of each layer, the start of its stars, and at last the end, counted in pairs of
+// numbers; then a pair for each star: its place on its face, from 0 to 1, and its number.
 @group(0) @binding(BINDING_STAR_INDEX) var<storage, read> star_index: array<u32>;
 
-// The list's star becomes a candidate if it may have an image in this cell that is bright enough.
-fn propose_star(sky: CellSky, cell: u32, star: u32) {
+// Adds a star as a candidate if it may have an image in this cell that is bright enough.
+fn consider_star(sky: CellSky, cell: u32, star: u32) {
     let direction = star_list[star].direction;
     let from_middle = direction - sky.middle;
     if dot(from_middle, from_middle) > square(sky.reach) || unpacked_flux(star_list[star].light) < sky.least_flux {
@@ -48,26 +49,27 @@ fn propose_star(sky: CellSky, cell: u32, star: u32) {
     }
 }
 
-// The number of stars that count.
+// The number of stars.
 fn star_count() -> u32 {
     return min(stars.counts[0], arrayLength(&star_list));
 }
 
-// The part of one side of a face that a sky covers, from -1 to 1: `across` is its middle's component
-// along that side, `nearest` and `farthest` the least and the largest component along the face's axis.
+// The range of one coordinate of a face, from -1 to 1, that a cell's sky covers: `across` is its
+// middle's component along that coordinate, `nearest` and `farthest` bound the component along the
+// face's axis.
 fn covered(across: f32, radius: f32, nearest: f32, farthest: f32) -> vec2<f32> {
     let low = across - radius;
     let high = across + radius;
     return vec2<f32>(low / select(nearest, farthest, low > 0.0), high / select(farthest, nearest, high > 0.0));
 }
 
-// The cells of a layer along a side of a face, from the first to the one after the last.
+// The range of index cells along a side of a face, from the first to the one after the last.
 fn touched_cells(part: vec2<f32>, side: u32) -> vec2<u32> {
     let places = floor(0.5 * f32(side) * (part + 1.0)) + vec2<f32>(0.0, 1.0);
     return vec2<u32>(clamp(places, vec2<f32>(0.0), vec2<f32>(f32(side))));
 }
 
-// The cells of a layer along a side of a face, and all of them.
+// The number of a layer's cells along a side of a face, and in all.
 fn layer_side(layer: u32) -> u32 {
     return FIRST_INDEX_SIDE << layer;
 }
@@ -76,7 +78,7 @@ fn layer_cells(layer: u32) -> u32 {
     return 6u * layer_side(layer) * layer_side(layer);
 }
 
-// The layers of the index that have stars as bright as this.
+// The number of layers with stars as bright as this.
 fn layer_count(least_flux: f32) -> u32 {
     var first = 0u;
     for (var layer = 0u; layer < INDEX_LAYERS; layer++) {
@@ -89,9 +91,9 @@ fn layer_count(least_flux: f32) -> u32 {
     return INDEX_LAYERS;
 }
 
-// The stars of one of several parts of the sky that a cell sees: every so many rows of the index.
-fn propose_from_index(sky: CellSky, cell: u32, part: u32, parts: u32) {
-    // A little more than the radius, for rounding.
+// Searches one of several parts of a cell's sky, of interleaved rows of the index.
+fn search_index(sky: CellSky, cell: u32, part: u32, parts: u32) {
+    // A little more than the reach, for rounding.
     let radius = sky.reach + 1e-4;
     let layers = layer_count(sky.least_flux);
     for (var face = 0u; face < 6u; face++) {
@@ -104,7 +106,7 @@ fn propose_from_index(sky: CellSky, cell: u32, part: u32, parts: u32) {
         let nearest = max(along - radius, FACE_EDGE);
         let part_x = covered(turned.y, radius, nearest, along + radius);
         let part_y = covered(turned.z, radius, nearest, along + radius);
-        // Where the numbers of the layer begin.
+        // The start of the layer's numbers.
         var layer_start = 0u;
         for (var layer = 0u; layer < layers; layer++) {
             let side = layer_side(layer);
@@ -121,7 +123,7 @@ fn propose_from_index(sky: CellSky, cell: u32, part: u32, parts: u32) {
                     }
                     let star = star_index[2u * i + 1u];
                     if star < star_count() {
-                        propose_star(sky, cell, star);
+                        consider_star(sky, cell, star);
                     }
                 }
             }
@@ -130,28 +132,28 @@ fn propose_from_index(sky: CellSky, cell: u32, part: u32, parts: u32) {
     }
 }
 
-// The same from the list of all stars, from the brightest on.
-fn propose_from_list(sky: CellSky, cell: u32, part: u32) {
+// Searches the list of all stars, from the brightest on.
+fn search_list(sky: CellSky, cell: u32, part: u32) {
     for (var star = part; star < star_count(); star += PARTS) {
         if unpacked_flux(star_list[star].light) < sky.least_flux {
             break;
         }
-        propose_star(sky, cell, star);
+        consider_star(sky, cell, star);
     }
 }
 
 // One invocation for each cell. Wide ones are listed.
 @compute @workgroup_size(WORKGROUP_SIZE)
-fn propose(@builtin(global_invocation_id) id: vec3<u32>) {
+fn find_candidates(@builtin(global_invocation_id) id: vec3<u32>) {
     let cells = mesh_cells();
     let number = cell_number(id.x);
-    // Cells at the rim of the mesh, beyond the picture, only serve their neighbours.
+    // Cells at the rim of the mesh, beyond the picture, serve only their neighbours.
     if any(number < vec2<u32>(MESH_RIM)) || any(number + MESH_RIM >= cells) || !is_whole(cell_at(number)) {
         return;
     }
     let sky = sky_of(cell_at(number), number);
     if sky.reach < MAX_NARROW {
-        propose_from_index(sky, id.x, 0u, 1u);
+        search_index(sky, id.x, 0u, 1u);
     } else {
         for (var part = 0u; part < PARTS; part++) {
             add_candidate(WIDE, id.x, part, 0u);
@@ -159,19 +161,18 @@ fn propose(@builtin(global_invocation_id) id: vec3<u32>) {
     }
 }
 
-// One invocation for each part of a wide cell's stars. Cells that see most search the list of all
-// stars.
+// One invocation for each part of a wide cell.
 @compute @workgroup_size(WORKGROUP_SIZE)
-fn propose_wide(@builtin(global_invocation_id) id: vec3<u32>) {
+fn find_wide_candidates(@builtin(global_invocation_id) id: vec3<u32>) {
     let count = min(atomicLoad(&candidate_counts.lists[WIDE].candidates), mesh.capacity);
     for (var i = id.x; i < count; i += WIDE_GROUPS * WORKGROUP_SIZE) {
         let task = candidates[WIDE * mesh.capacity + i];
         let number = cell_number(task.x);
         let sky = sky_of(cell_at(number), number);
         if sky.reach < MIN_LISTED || sky.reach < MAX_INDEXED && layer_count(sky.least_flux) > 1u {
-            propose_from_index(sky, task.x, task.y, PARTS);
+            search_index(sky, task.x, task.y, PARTS);
         } else {
-            propose_from_list(sky, task.x, task.y);
+            search_list(sky, task.x, task.y);
         }
     }
 }

@@ -1,28 +1,28 @@
-// The candidates that `propose` has listed, for the kernels that find their images.
+// The lists of candidates, for the kernels that find their images.
 //
 // Needs: BINDING_CANDIDATES, BINDING_CANDIDATE_COUNT, CANDIDATE_LISTS, Candidate, RANKS, ROUGH,
 //     mesh, unpacked_candidate.
-// Gives: candidate_at, candidate_number, first_rank_left_out.
+// Gives: candidate_at, candidate_count, first_dropped_rank.
 
 @group(0) @binding(BINDING_CANDIDATES) var<storage, read> candidates: array<vec2<u32>>;
 // As `CandidateCounts` in add_candidate.wgsl: the last number of a list counts its candidates.
-struct ProposedCounts {
+struct CandidateCounts {
     lists: array<vec4<u32>, CANDIDATE_LISTS>,
     rough: array<u32, RANKS>,
-    // How many rough candidates rays follow at most.
+    // Maximum number of rough candidates that rays follow.
     max_traced: u32,
 }
 
-@group(0) @binding(BINDING_CANDIDATE_COUNT) var<storage, read> candidate_counts: ProposedCounts;
+@group(0) @binding(BINDING_CANDIDATE_COUNT) var<storage, read> candidate_counts: CandidateCounts;
 
-// How many candidates a list has.
-fn candidate_number(list: u32) -> u32 {
+// The number of candidates in a list.
+fn candidate_count(list: u32) -> u32 {
     return min(candidate_counts.lists[list].w, min(mesh.capacity, arrayLength(&candidates) / CANDIDATE_LISTS));
 }
 
-// The rank of the first stars whose rough candidates would be too many; brighter ones count. It depends
-// on how many candidates there are and not on their order.
-fn first_rank_left_out() -> u32 {
+// The rank from which on rough candidates are dropped because there are too many. It depends on
+// their number, not on their order.
+fn first_dropped_rank() -> u32 {
     if candidate_counts.lists[ROUGH].w <= candidate_counts.max_traced {
         return RANKS;
     }

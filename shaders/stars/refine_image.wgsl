@@ -1,51 +1,50 @@
-// Finds the image of each candidate by following rays: Broyden's method from the cell's own linear map
+// Finds the image of each rough candidate by rays: Broyden's method from the cell's linear map
 // (Broyden 1965, "A class of methods for solving nonlinear simultaneous equations"), then five rays
 // for the last step and the magnification.
 //
-// Only the cell in which an image lies accepts it, so no image is found twice. Two cells that find the
-// same image round differently, and must agree next to their common side: so the last step begins at
-// the nearest point of a grid, and its rays depend on nothing else. Points of the grid lie on the
-// sides. Along a side its points are farther apart than elsewhere, so that rounding seldom decides
-// which one is the nearest.
+// Only the cell that contains an image accepts it, so no image is found twice. Two cells that find
+// the same image next to their common side must agree in spite of rounding: the last step begins at
+// the nearest point of a grid, and its rays depend on nothing else. The grid includes the sides;
+// along a side its points are farther apart, so that rounding seldom decides which one is nearest.
 //
-// Needs: Cell, FROM_MESH, FROM_MIDDLE, MAX_STARTS, OUTCOME_SKY, PI, PREDICTION_STEPS, ROUGH, TINY,
-//     Tangents, WORKGROUP_SIZE, add_image, candidate_at, candidate_number, cell_at,
-//     components_across, first_rank_left_out, in_list, jacobian_at, limited, mesh, mesh_place,
-//     newton_step, photon_from, pixel_direction, predicted, rank_of, rows_about, safe_normalize,
-//     shown_place, star_list, tangents_at, trace, triangles_of.
-// Gives: polish.
+// Needs: Cell, FROM_MESH, FROM_MIDDLE, INTERPOLATION_STEPS, MAX_STARTS, OUTCOME_SKY, PI, ROUGH,
+//     TINY, Tangents, WORKGROUP_SIZE, add_image, candidate_at, candidate_count, cell_at,
+//     components_across, first_dropped_rank, in_list, interpolated_image, jacobian_at, limited,
+//     mesh, mesh_place, newton_step, photon_from, pixel_direction, rank_of, rows_about,
+//     safe_normalize, shown_place, star_list, tangents_at, trace, triangles_of.
+// Gives: refine_image.
 
 // Maximum number of rays from one start, before the last five.
 const MAX_RAYS: u32 = 10u;
 const LAST_RAYS: u32 = 5u;
-// Lengths in cells: the longest step; the step after which the place is good enough; that after
-// MAX_RAYS; the longest last step; and how far apart two images of a star in a cell must be.
+// Lengths in cells: the longest step; the step at which a search has converged, and at which it is
+// accepted after MAX_RAYS; the longest last step; and the smallest distance between two images of a
+// star in a cell.
 const LONGEST_STEP: f32 = 2.0;
 const CLOSE: f32 = 5e-4;
 const LEAST_CLOSE: f32 = 0.05;
 const LONGEST_LAST_STEP: f32 = 0.05;
 const APART: f32 = 0.03;
-// How far outside its cell a search may go where the map folds.
+// Distance to which a search may leave its cell where the map folds.
 const FOLD_PATIENCE: f32 = 3.0;
-// Points of the grid along the side of a cell; and the same for images that lie less than NEAR_SIDE
-// from a side.
+// Points of the grid along the side of a cell, and for images less than NEAR_SIDE from a side.
 const GRID: f32 = 4096.0;
 const SIDE_GRID: f32 = 16.0;
 const NEAR_SIDE: f32 = 1e-3;
-// How far a ray may miss a star, in radians, where nothing more precise is known.
+// A miss, in radians, at which a search has converged in any case.
 const ROUNDING: f32 = 3e-7;
-// Least width on the sky, in radians, of what the rays about an image enclose: what is narrower is
-// lost in their rounding. It limits the magnification, next to a caustic, to some thousands.
+// The smallest width on the sky, in radians, of the area that the rays about an image enclose:
+// rounding hides a smaller one. It limits the magnification next to a caustic to some thousands.
 const MIN_WIDTH: f32 = 4e-7;
 
 // A search for an image from one start. Places are in cells of the mesh.
 struct Search {
-    // Where the next ray goes, and where the last one that saw the sky went.
+    // The place of the next ray, and of the last ray that reached the sky.
     place: vec2<f32>,
     last: vec2<f32>,
-    // By how much that one missed the star.
+    // The miss of the star by that last ray.
     missed: vec2<f32>,
-    // How `missed` changes along x and y.
+    // The derivatives of `missed` along x and y.
     jacobian: mat2x2<f32>,
     rays: u32,
     state: u32,
@@ -55,10 +54,10 @@ const SEARCHING: u32 = 0u;
 const FOUND: u32 = 1u;
 const FAILED: u32 = 2u;
 
-// A search for an image of which the mesh tells nearly where it is.
+// A search that starts at the interpolated place.
 fn search_from_mesh(number: vec2<u32>, star: vec3<f32>, tangents: Tangents) -> Search {
     let rows = rows_about(number, star, tangents);
-    let local = predicted(rows, PREDICTION_STEPS).place;
+    let local = interpolated_image(rows, INTERPOLATION_STEPS).place;
     let place = vec2<f32>(number) + local;
     return Search(place, place, vec2<f32>(0.0), jacobian_at(rows, local), 0u, SEARCHING);
 }
@@ -72,21 +71,22 @@ fn search_from(start: u32, cell: Cell, number: vec2<u32>, star: vec3<f32>, tange
     let along_x = components_across(tangents, triangle.along_x);
     let along_y = components_across(tangents, triangle.along_y);
     let jacobian = mat2x2<f32>(along_x, along_y);
-    // From within the cell: where the map folds, a triangle is no measure of how far outside a star is.
+    // The start is within the cell: where the map folds, a triangle does not tell how far outside a
+    // star is.
     let by_triangle = newton_step(jacobian, components_across(tangents, triangle.origin - star));
     let local = select(vec2<f32>(0.5), clamp(by_triangle, vec2<f32>(0.0), vec2<f32>(1.0)), start < 2u);
     let place = vec2<f32>(number) + local;
     return Search(place, place, vec2<f32>(0.0), jacobian, 0u, SEARCHING);
 }
 
-// How far a place is from a cell, along the axis on which it is farther.
+// The distance of a place from a cell, along the axis on which it is farther.
 fn distance_outside(place: vec2<f32>, number: vec2<u32>) -> f32 {
     let off = abs(place - vec2<f32>(number) - 0.5) - 0.5;
     return max(0.0, max(off.x, off.y));
 }
 
-// Takes what the ray through `place` has met, and says where the next one goes. The search ends when
-// the image is farther outside the cell than twice the step, or than `patience`, in cells.
+// Takes the result of the ray through `place`, and chooses the next one. The search fails when the
+// image is farther outside the cell than twice the step and than `patience`, in cells.
 fn continue_search(
     search: ptr<function, Search>,
     number: vec2<u32>,
@@ -114,21 +114,21 @@ fn continue_search(
     (*search).place += step;
     let size = length(step);
     let close = size < CLOSE || length(missed) < ROUNDING || done && size < LEAST_CLOSE;
-    // Another cell finds what is clearly outside of this one.
+    // Other cells find images that are clearly outside of this one.
     let elsewhere = distance_outside((*search).place, number) > select(max(2.0 * size, patience), 2.0 * size, close) + CLOSE;
     (*search).state = select(select(SEARCHING, FOUND, close), FAILED, elsewhere || done && !close || !(size < 1e6));
 }
 
-// The rays about an image: one through the middle, and one on each side, where the sky is seen.
+// The rays about an image: one through the middle, and those on each side that reach the sky.
 struct Cross {
     middle: vec2<f32>,
-    // What the ray through the middle has met, and where it looked.
+    // The result and the direction of the ray through the middle.
     missed: vec2<f32>,
     turn: f32,
     sky: vec3<f32>,
     looking: vec3<f32>,
-    // The change of the sky and of the looking direction from the left to the right and from above to
-    // below, and the lengths of these, in cells.
+    // The changes of the sky and of the looking direction from left to right and from top to
+    // bottom, and the distances, in cells.
     sky_x: vec3<f32>,
     sky_y: vec3<f32>,
     looking_x: vec3<f32>,
@@ -148,7 +148,7 @@ fn anchor_of(place: vec2<f32>) -> vec2<f32> {
     return round(place * grid) / grid;
 }
 
-// Adds the image within a cross, if the cell contains it.
+// Adds the image that a cross has measured, if the cell contains it.
 fn add_found(measured: Cross, number: vec2<u32>, star: u32, tangents: Tangents) {
     let lengths = measured.lengths;
     if !(min(lengths.x, lengths.y) > 0.0) {
@@ -174,25 +174,25 @@ fn add_found(measured: Cross, number: vec2<u32>, star: u32, tangents: Tangents) 
 
 // One invocation for each candidate.
 @compute @workgroup_size(WORKGROUP_SIZE)
-fn polish(@builtin(global_invocation_id) id: vec3<u32>) {
-    if id.x >= candidate_number(ROUGH) {
+fn refine_image(@builtin(global_invocation_id) id: vec3<u32>) {
+    if id.x >= candidate_count(ROUGH) {
         return;
     }
     let candidate = candidate_at(ROUGH, id.x);
     let number = candidate.cell;
     let star = candidate.star;
     let starts = candidate.starts;
-    if rank_of(star) >= first_rank_left_out() {
+    if rank_of(star) >= first_dropped_rank() {
         return;
     }
     let direction = star_list[star].direction;
     let tangents = tangents_at(direction);
     let cell = cell_at(number);
     let half_step = mesh.half_step / mesh.spacing;
-    // Where the map folds, the first steps go astray.
+    // Where the map folds, the first steps may lead far astray.
     let patience = select(0.0, FOLD_PATIENCE, (starts & FROM_MIDDLE) != 0u);
 
-    // Where the searches from earlier starts have ended.
+    // The results of the searches from earlier starts.
     var found = vec4<f32>(-1e6);
     for (var start = 0u; start < MAX_STARTS; start++) {
         if (starts & (1u << start)) == 0u {
@@ -200,7 +200,7 @@ fn polish(@builtin(global_invocation_id) id: vec3<u32>) {
         }
         var search = search_from(start, cell, number, direction, tangents);
         var measured = cross_about(search.place);
-        // Which ray of the cross comes next: that through the middle, right, left, below or above.
+        // The next ray of the cross: through the middle, right, left, below or above.
         var arm = 0u;
         // One loop for all rays, so that the shader contains the tracer once.
         for (var i = 0u; i < MAX_RAYS + LAST_RAYS && search.state != FAILED && arm < LAST_RAYS; i++) {

@@ -1,19 +1,19 @@
-// Dims the images of stars that lie behind the disk, by tracing a ray for each. This is a kernel of its
-// own because few stars have an image in the picture: in a kernel over all stars, invocations without
-// an image would wait for a neighbour's ray.
+// Dims the images of stars behind the disk, with a ray for each image. It is a kernel of its own
+// because few stars have an image in the picture: in a kernel over all stars, most invocations
+// would wait for a neighbour's ray.
 //
 // Needs: BINDING_STAR_COUNT, BINDING_STAR_IMAGES, StarImage, WORKGROUP_SIZE, disk_transmission,
 //     photon_from, stars, trace.
-// Gives: hide.
+// Gives: dim.
 
 @group(0) @binding(BINDING_STAR_IMAGES) var<storage, read_write> star_images: array<StarImage>;
 // As in add_image.wgsl; the last number counts the images.
 @group(0) @binding(BINDING_STAR_COUNT) var<storage, read> image_count: vec4<u32>;
 
-// One invocation for each image. The ray of an image is known to end at the star, even where, next to
-// the shadow's edge, rounding would make the traced ray end elsewhere.
+// One invocation for each image. The outcome of its ray is ignored: next to the shadow's edge,
+// rounding may end it elsewhere than at the star.
 @compute @workgroup_size(WORKGROUP_SIZE)
-fn hide(@builtin(global_invocation_id) id: vec3<u32>) {
+fn dim(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= min(image_count.w, min(stars.capacity, arrayLength(&star_images))) {
         return;
     }

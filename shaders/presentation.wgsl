@@ -26,16 +26,16 @@ struct Presentation {
 @group(0) @binding(BINDING_PRESENTATION) var<uniform> presentation: Presentation;
 @group(0) @binding(BINDING_PRESENTATION_SOURCE) var source: texture_2d<f32>;
 
-// Light, with black in place of what is not a number. The bits say what that is, since a compiler
-// may assume that it does not occur.
+// Light, with black in place of NaN. NaN is recognised by its bits, because a compiler may assume
+// that it does not occur.
 fn number_or_black(light: vec3<f32>) -> vec3<f32> {
     let size = bitcast<vec3<u32>>(light) & vec3<u32>(0x7fffffffu);
     return select(light, vec3<f32>(0.0), size > vec3<u32>(0x7f800000u));
 }
 
-// Light of a pixel of the picture. Bevy's tone curve by luminance divides by it, and makes black
-// 0/0, which would blacken every cell that has one black pixel. Alpha takes the light away that
-// bloom has added in the shadow, where alpha is zero.
+// Light of a pixel of the picture. Bevy's tone curve divides by the luminance: black becomes NaN,
+// which would blacken every cell that contains a black pixel. Alpha, zero in the shadow, removes
+// the light that bloom has added there.
 fn light_of(pixel: vec2<u32>) -> vec3<f32> {
     let texel = textureLoad(source, pixel, 0);
     return select(1.0, texel.a, presentation.bloom != 0u) * number_or_black(texel.rgb);
@@ -59,8 +59,8 @@ fn bayer(cell: vec2<u32>) -> f32 {
     return f32(((q.x & 1u) << 3u) | ((q.y & 1u) << 2u) | (q.x & 2u) | ((q.y & 2u) >> 1u));
 }
 
-// Mean of the linear light on a cell; a pixel that the cell covers in part counts by that part. The
-// scene's limits keep the number of pixels that a cell touches within the bound of the loops.
+// Mean of the linear light on a cell; pixels that the cell partly covers count by that part. The
+// scene's limits keep the pixels of a cell within the bound of the loops.
 fn cell_mean(cell: vec2<u32>) -> vec3<f32> {
     let pixels_per_cell = vec2<f32>(presentation.picture) / vec2<f32>(presentation.grid);
     let low = vec2<f32>(cell) * pixels_per_cell;
@@ -110,9 +110,9 @@ fn cell_light(cell: vec2<u32>) -> vec3<f32> {
     return cell_mean(cell);
 }
 
-// Rounds perceptual channel values to the levels. The dither is the same in every frame, so that a
-// still picture stands still. It fades below the first level above black: there it would show a
-// faint glow as a lattice of single cells.
+// Rounds perceptual channel values to the levels. The dither is the same in every frame, so a still
+// picture does not flicker. It fades below the first level above black, where it would turn a faint
+// glow into a lattice of single cells.
 fn quantize(linear: vec3<f32>, cell: vec2<u32>) -> vec3<f32> {
     let top = max(presentation.levels - 1.0, 1.0);
     let level = srgb_encode(linear) * top;
@@ -128,7 +128,7 @@ fn pixelate(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     return vec4<f32>(quantize(cell_light(cell), cell), 1.0);
 }
 
-// Position in the image, 0 to 1 in each direction, of an output pixel; the bars lie outside.
+// Position of an output pixel in the image, 0 to 1 in each direction; the bars lie outside.
 fn image_position(position: vec4<f32>) -> vec2<f32> {
     return (position.xy - presentation.offset) / max(presentation.extent, vec2<f32>(1.0));
 }
@@ -148,15 +148,15 @@ fn expand(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     return vec4<f32>(textureLoad(source, cell, 0).rgb, 1.0);
 }
 
-// Noise between 0 and 1, without either, the same in every frame: interleaved gradient noise, whose
-// mean over a few neighbouring pixels is nearly 1/2 (Jimenez 2014, "Next Generation Post Processing
-// in Call of Duty: Advanced Warfare").
+// Noise strictly between 0 and 1, the same in every frame: interleaved gradient noise, whose mean
+// over a few neighbouring pixels is nearly 1/2 (Jimenez 2014, "Next Generation Post Processing in
+// Call of Duty: Advanced Warfare").
 fn noise(place: vec2<f32>) -> f32 {
     return mix(0.001, 0.999, fract(52.9829189 * fract(dot(place, vec2<f32>(0.06711056, 0.00583715)))));
 }
 
-// Rounds perceptual channel values to 8 bits with noise, which keeps their mean: a smooth gradient
-// shows no bands. Black and white stay what they are.
+// Rounds perceptual channel values to 8 bits with noise, which preserves their mean, so that smooth
+// gradients show no bands. Black and white do not change.
 fn to_eight_bits(encoded: vec3<f32>, place: vec2<f32>) -> vec3<f32> {
     return min(floor(encoded * 255.0 + noise(place)), vec3<f32>(255.0)) / 255.0;
 }

@@ -1,25 +1,26 @@
-// Rays of the method closed that leave slowly from next to the horizon of a nearly extremal hole. Such
-// a ray has no critical point, and U falls from E^2 at infinity to a thousandth of it at the camera. U
-// about u = 0 is a difference of large numbers there. So the camera, where U is known from the ray's own
-// slope, takes the place of the critical point, with the coefficients that follow from the horizon.
+// Slow outgoing rays of the method closed, which start next to the horizon of a nearly extremal
+// hole. U has no critical point then, and is as small as a thousandth of E^2 at the camera, where
+// its expansion about u = 0 cancels. So U is expanded about the camera, where the ray's own slope
+// gives it, with coefficients from the expansion about the horizon.
 //
-// Needs: Centre, Constants, Radial, TINY, begins_near_horizon, carlson_rf_pair, scene, square,
-//     stiffness_at_horizon, stiffness_slope_at_horizon.
-// Gives: camera_centre, leaves_slowly, time_leaving.
+// Needs: Centre, PhotonConstants, Radial, TINY, begins_near_horizon, carlson_rf_pair, scene,
+//     square, stiffness_at_horizon, stiffness_slope_at_horizon.
+// Gives: camera_centre, is_slow_outgoing, slow_outgoing_time.
 
-// The largest u'^2 of a slow ray at the camera, as a share of u'^2 at infinity. At this share U about
-// u = 0 has lost two binary digits.
+// The largest u'^2 of a slow ray at the camera, as a share of u'^2 at infinity. At this share the
+// expansion about u = 0 has lost two binary digits.
 const MAX_SLOW_SHARE: f32 = 0.25;
 
-// Whether a ray without a critical point goes outward from a camera next to the horizon much slower than
-// at infinity.
-fn leaves_slowly(m: Radial, slope: f32) -> bool {
+// Whether a ray without a critical point moves outward from a camera next to the horizon, much
+// slower than at infinity.
+fn is_slow_outgoing(m: Radial, slope: f32) -> bool {
     return begins_near_horizon() && m.base == 0.0 && !m.has_barrier
         && slope < 0.0 && square(slope) < MAX_SLOW_SHARE * square(m.energy);
 }
 
-// The camera as the centre of a leg on its outer side. U's coefficients are those about the horizon.
-fn camera_centre(m: Radial, c: Constants, slope: f32) -> Centre {
+// The camera as the centre of a leg on its outer side. U's coefficients are those about the
+// horizon.
+fn camera_centre(m: Radial, c: PhotonConstants, slope: f32) -> Centre {
     let u = scene.observer.u;
     let v = -scene.observer.u_to_horizon;
     let q_1 = stiffness_slope_at_horizon(c);
@@ -35,13 +36,13 @@ fn camera_centre(m: Radial, c: Constants, slope: f32) -> Centre {
 }
 
 // The Mino time from the camera, as a centre, to a place (u, |u'|) farther out. U has a linear term
-// b_1 about the camera. With it the cubic for `offset` is
+// b_1 about the camera. With it, the cubic for `offset` is
 //
 //   4 offset^3 - 2 alpha offset^2 + (alpha^2/4 - gamma b_0 + beta b_1/4) offset
 //     + (beta^2 b_0 + gamma b_1^2 - alpha beta b_1)/16 = 0,
 //
-// and 4 h2 has the term -beta b_1/4. The root about u = 0, which is the same one, is the start.
-fn time_leaving(m: Radial, camera: Centre, place: vec2<f32>) -> f32 {
+// and 4 h2 has the term -beta b_1/4. The root of the expansion about u = 0 is the start.
+fn slow_outgoing_time(m: Radial, camera: Centre, place: vec2<f32>) -> f32 {
     let c = camera.c;
     let b_0 = camera.c_0;
     // By the distance outward b_1 is -c.x, and beta is -c.z.
