@@ -97,7 +97,7 @@ fn angular_velocity(r: f32) -> f32 {
 // E is per unit frequency at the camera. The article's 1 + Omega L_n is the same: its L_n belongs
 // to the backward ray and is -lambda. The root's argument is computed as (1 - y)^2 (1 + 2 y) - 2 (1
 // - chi) y^3, which keeps its digits for chi -> 1, r -> M
-// (crates/lightfall-core/src/geometry/kerr.rs does the same).
+// (geometry/kerr.rs does the same).
 fn whole_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
     let outside = max(r, MASS);
     let y = sqrt(MASS / outside);

@@ -1,5 +1,5 @@
 // The uniform that describes the scene. The CPU computes every number in f64 and rounds it to f32
-// once (crates/lightfall-core/src/gpu/scene/).
+// once (gpu/scene/).
 //
 // Units: G = c = 1 and r_s = 1, so M = 1/2. Frame: the hole's, right-handed, with z along the disk
 // normal. Photons are the physical, future-directed ones, per unit frequency at the camera:

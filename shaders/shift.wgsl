@@ -1,5 +1,5 @@
 // The shift of light by gravity and by motion, separately, for pictures with one of them switched
-// off. crates/lightfall-core/src/optics/shift.rs does the same in f64 and defines each part: g =
+// off. optics/shift.rs does the same in f64 and defines each part: g =
 // gravity * motion, where at each end of the ray gravity is that of the observer with zero angular
 // momentum (ZAMO), who measures the frequency E (1 - omega lambda) / N.
 //

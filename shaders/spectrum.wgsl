@@ -1,5 +1,5 @@
 // The colour of thermal light, from a table of integrals over Planck's spectrum and the CIE 1931
-// observer (crates/lightfall-core/src/optics/spectrum.rs). Entries are equidistant in ln T; each
+// observer (optics/spectrum.rs). Entries are equidistant in ln T; each
 // holds the colour divided by its brightest channel, and the logarithm of that channel.
 //
 // Needs: BINDING_SPECTRUM, SPECTRUM_LEN, SPECTRUM_LN_RANGE, SPECTRUM_MAX_TEMPERATURE,

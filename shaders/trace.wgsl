@@ -6,7 +6,7 @@
 //     OUTCOME_UNFINISHED, Photon, Segment, Trace, empty_trace.
 
 // A photon where it meets the camera, per unit frequency at the camera;
-// crates/lightfall-core/src/geometry/observer.rs has the same numbers.
+// geometry/observer.rs has the same numbers.
 struct Photon {
     // E = -p_t.
     energy: f32,

@@ -1,5 +1,5 @@
 // The equations of motion of the method mino, and one step along them;
-// crates/lightfall-core/src/geometry/mino.rs is the f64 twin and gives the sources. With u = 1/r,
+// geometry/mino.rs is the f64 twin and gives the sources. With u = 1/r,
 // the unit vector n of azimuth psi, and phi = psi + chi, along the backward ray (2 M = 1):
 //
 //   u'^2 = U(u) = W^2 - K' u^2 D,   W = E + B u^2,   D = 1 - u + a^2 u^2 = (1 - r_+ u)(1 - r_- u),

@@ -1,5 +1,5 @@
 // The orbits of the method closed: Schwarzschild's null geodesics in closed form. The twin in f64
-// is crates/lightfall-core/src/geometry/schwarzschild.rs.
+// is geometry/schwarzschild.rs.
 //
 // In its plane an orbit obeys, with u = 1/r and phi the angle from the camera (Darwin 1959; r_s =
 // 1),

@@ -1,6 +1,6 @@
 // Straight rays, for scenes without lensing: flat space, in which the hole is a black ball.
-// crates/lightfall-core/src/optics/straight.rs does the same in f64. The photons are those of flat
-// space too (crates/lightfall-core/src/optics/camera_rays.rs).
+// optics/straight.rs does the same in f64. The photons are those of flat
+// space too (optics/camera_rays.rs).
 //
 // Needs: DELAY, OUTCOME_CAPTURED, OUTCOME_SKY, Photon, Trace, add_hit, angle_between, empty_trace,
 //     photon_energy, safe_normalize, scene, square, straight_lambda.

@@ -6,7 +6,7 @@
 //     LOG10_2, TINY, beaming_factor, ray_share, ray_solid_angle, thermal_colour.
 // Gives: sky_background, starlight.
 
-// Mirror of `GpuStarlight` in crates/lightfall-core/src/gpu/starlight.rs.
+// Mirror of `GpuStarlight` in gpu/starlight.rs.
 struct Starlight {
     // From the hole's frame to the equatorial frame (J2000).
     celestial_from_hole: mat3x3<f32>,
@@ -60,7 +60,7 @@ fn footprint_axes(footprint: Footprint) -> Axes {
 }
 
 // The share of all starlight that comes from stars fainter than a magnitude
-// (crates/lightfall-core/src/optics/stars/counts.rs).
+// (optics/stars/counts.rs).
 fn faint_share(magnitude: f32) -> f32 {
     let x = clamp(magnitude - 11.0, -13.0, 14.0);
     let cubic = FAINTER_SHARE.x + x * (FAINTER_SHARE.y + x * (FAINTER_SHARE.z + x * FAINTER_SHARE.w));

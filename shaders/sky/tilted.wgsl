@@ -1,11 +1,11 @@
 // The sky behind a tilted disk. Rays are traced in the disk's frame; the file of the sky mode takes
 // directions in the hole's frame. That file is linked with its `sky_background` renamed to
-// `background_in_hole_frame` (crates/lightfall-core/src/gpu/shader/source.rs).
+// `background_in_hole_frame` (gpu/shader/choices.rs).
 //
 // Needs: BINDING_TILT, Footprint, background_in_hole_frame.
 // Gives: sky_background.
 
-// Mirror of `GpuTilt` in crates/lightfall-core/src/gpu/scene/tilt.rs.
+// Mirror of `GpuTilt` in gpu/scene/tilt.rs.
 struct Tilt {
     // From the disk's frame to the hole's.
     hole_from_disk: mat3x3<f32>,

@@ -1,6 +1,6 @@
 // The images of stars around a hole without spin, by the table of
-// crates/lightfall-core/src/optics/stars/images/table.rs, in the frame of the observer `rain`. The
-// twin in f64 is crates/lightfall-core/src/optics/stars/images/inversion.rs.
+// optics/stars/images/table.rs, in the frame of the observer `rain`. The
+// twin in f64 is optics/stars/images/inversion.rs.
 //
 // Needs: BINDING_STAR_TABLE, MIN_SOURCE_RADIUS, PI, STAR_INTERVALS, atan2_precise, exp_precise,
 //     log_precise, sin_cos_precise, stars.

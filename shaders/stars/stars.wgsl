@@ -1,5 +1,5 @@
 // The structs that the kernels which find and draw the images of stars share.
-// crates/lightfall-core/src/gpu/stars/ has the same structs and the order of the kernels.
+// gpu/stars/ has the same structs and the order of the kernels.
 //
 // Needs: BINDING_STARS.
 // Gives: MAX_SHIFT, StarImage, stars.

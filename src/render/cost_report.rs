@@ -4,7 +4,7 @@
 use crate::render::chain::{Chain, EMPTY_PASSES, WrittenTexture};
 use crate::render::resting_frames::FRAMES_AT_REST;
 use crate::render::wave_limit::WaveLimit;
-use lightfall_core::gpu::stars::{Kernel, sums_size};
+use lightfall_core::gpu::stars::{StarKernel, sums_size};
 use lightfall_core::gpu::{Entry, Variant};
 use lightfall_core::numbers::four_digits;
 use lightfall_core::optics::stars::{Depth, MAX_MAGNITUDE};
@@ -170,14 +170,14 @@ fn stars(scene: &Scene, chain: Chain) -> Vec<String> {
 
 /// The kernels of the star pass, in the order in which they run.
 fn star_kernels(scene: &Scene, chain: Chain) -> Vec<String> {
-    let kernels = Kernel::of(scene).filter(|_| chain.stars);
+    let kernels = StarKernel::of(scene).filter(|_| chain.stars);
     kernels.map(|kernel| kernel.entry_point().into()).collect()
 }
 
 /// The shader files that these kernels have and the picture's shader does not.
 fn star_files(scene: &Scene, chain: Chain) -> Vec<String> {
     let picture = Variant::picture(scene).files();
-    let kernels = Kernel::of(scene).filter(|_| chain.stars);
+    let kernels = StarKernel::of(scene).filter(|_| chain.stars);
     let files: BTreeSet<_> = kernels.flat_map(|kernel| kernel.files(scene)).collect();
     let own = files.into_iter();
     own.filter(|file| !picture.contains(&&**file)).collect()

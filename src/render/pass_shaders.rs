@@ -1,7 +1,7 @@
 //! The shaders of the passes that draw a scene, by the names of the passes.
 
 use crate::render::chain::Chain;
-use lightfall_core::gpu::stars::Kernel;
+use lightfall_core::gpu::stars::StarKernel;
 use lightfall_core::gpu::{
     Accumulation, Difference, EdgeTraits, Presentation, ShaderText, Variant,
 };
@@ -51,7 +51,7 @@ pub fn pass_shaders(scene: &Scene) -> Vec<PassShader> {
     }
     if chain.stars {
         shaders.extend(
-            Kernel::of(scene).map(|kernel| {
+            StarKernel::of(scene).map(|kernel| {
                 PassShader::new("stars", &[kernel.entry_point()], kernel.text(scene))
             }),
         );

@@ -1,7 +1,7 @@
 //! The f64 reference for rays given by directions of the camera.
 
 use glam::{DMat3, DVec3};
-use lightfall_model::geometry::mino::Constants;
+use lightfall_model::geometry::mino::PhotonConstants;
 use lightfall_model::geometry::observer::{ObserverError, Photon};
 use lightfall_model::geometry::sphere::angle_between;
 use lightfall_model::scene::Scene;
@@ -38,7 +38,7 @@ impl CameraTracer {
         change(&mut photon);
         let (r, n) = self.reference.camera();
         let kerr = self.reference.hole_and_disk().kerr;
-        let (constants, start) = Constants::of_photon(kerr, &photon, r, n);
+        let (constants, start) = PhotonConstants::of_photon(kerr, &photon, r, n);
         let radial2 = constants.potential(start.u);
         photon.radial = radial2.sqrt().copysign(photon.radial);
         (radial2 >= 0.0).then_some(photon)

@@ -20,7 +20,7 @@
 use super::answer::{hits, is_same_class};
 use glam::DVec3;
 use lightfall_model::geometry::kerr::Kerr;
-use lightfall_model::geometry::mino::Constants;
+use lightfall_model::geometry::mino::PhotonConstants;
 use lightfall_model::geometry::quadrature::integral_on_scale;
 use lightfall_model::geometry::sphere::wrap_angle;
 use lightfall_optics::reference::Reference;
@@ -52,7 +52,7 @@ pub struct TimedRay {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Motion {
     kerr: Kerr,
-    constants: Constants,
+    constants: PhotonConstants,
     /// The sign of u' at each hit.
     inward: [f64; 2],
 }
@@ -141,7 +141,7 @@ impl Motion {
         let hole = reference.hole_and_disk();
         let photon = reference.photon(direction);
         let (r, n) = reference.camera();
-        let (constants, start) = Constants::of_photon(hole.kerr, &photon, r, n);
+        let (constants, start) = PhotonConstants::of_photon(hole.kerr, &photon, r, n);
         let (mut inward, mut found) = ([0.0; 2], 0);
         hole.follow(&constants, start, |step| {
             if let (Some(slot), Some(time)) = (inward.get_mut(found), step.hit) {

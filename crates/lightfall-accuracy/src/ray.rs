@@ -1,6 +1,6 @@
 //! One ray of the scene's camera.
 
-use super::edge::Edge;
+use super::search::edge::Edge;
 use glam::{DVec3, Vec3};
 
 /// One ray of a sample.

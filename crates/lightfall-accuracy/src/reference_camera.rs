@@ -1,8 +1,8 @@
 //! The reference behind a scene's camera, together with the shadow's edge on its sky.
 
 use super::camera_tracer::CameraTracer;
-use super::edge::{Edge, Shadow};
 use super::ray::Ray;
+use super::search::edge::{Edge, Shadow};
 use glam::DVec3;
 use lightfall_model::geometry::observer::{ObserverError, Photon};
 use lightfall_model::scene::Scene;

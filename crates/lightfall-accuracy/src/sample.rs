@@ -1,9 +1,9 @@
 //! Samples of rays: spread over the picture, spread over the sky, or close to the edge of the
 //! shadow.
 
-use super::edge::Edge;
 use super::ray::Ray;
 use super::reference_camera::ReferenceCamera;
+use super::search::edge::Edge;
 use glam::{DVec2, DVec3};
 use lightfall_model::scene::Scene;
 use rayon::prelude::*;

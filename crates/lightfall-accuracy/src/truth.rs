@@ -1,12 +1,12 @@
 //! The reference's answers to a set of rays, and a method's answers judged by them.
 
 use super::answer::{greater, is_complete, is_same_class};
-use super::backward::backward_error;
-use super::class::class_backward_error;
 use super::ray::Ray;
 use super::reference_camera::ReferenceCamera;
-use super::surroundings::Surroundings;
-use super::turns::Bounds;
+use super::search::backward::backward_error;
+use super::search::class::class_backward_error;
+use super::search::thorough::ThoroughSearch;
+use super::search::turns::TurnBounds;
 use lightfall_model::geometry::observer::{ObserverError, Photon};
 use lightfall_model::geometry::sphere::angle_between;
 use lightfall_model::scene::Scene;
@@ -82,7 +82,7 @@ impl Truth {
     }
 
     /// As [`Truth::judge`], but an error beyond `limit` radians is searched for again by
-    /// [`Truth::surroundings`]: next to the edge of the shadow the usual search overstates a few.
+    /// [`Truth::thorough_search`]: next to the edge of the shadow the usual search overstates a few.
     ///
     /// # Panics
     /// There are not as many answers as rays.
@@ -94,8 +94,8 @@ impl Truth {
         judged
             .filter(|(_, (error, given))| !is_within(error) && is_complete(given))
             .for_each(|(ray, (error, given))| {
-                let bounds = Bounds::of_limit(limit, error.backward);
-                error.backward = self.surroundings(ray, bounds).judge(given, bounds);
+                let bounds = TurnBounds::for_limit(limit, error.backward);
+                error.backward = self.thorough_search(ray, bounds).judge(given, bounds);
             });
         errors
     }
@@ -103,8 +103,8 @@ impl Truth {
     /// The reference's answers around the ray of index `ray`, for a search that is a hundred times
     /// slower than [`Truth::judge`]. Next to the edge of the shadow it finds smaller turns.
     #[must_use]
-    pub fn surroundings(&self, ray: usize, bounds: Bounds) -> Surroundings<'_> {
-        Surroundings::new(&self.camera, &self.rays[ray], &self.traces[ray], bounds)
+    pub fn thorough_search(&self, ray: usize, bounds: TurnBounds) -> ThoroughSearch<'_> {
+        ThoroughSearch::new(&self.camera, &self.rays[ray], &self.traces[ray], bounds)
     }
 
     /// The backward error, in radians, of an answer to the ray of index `ray`. A bound below

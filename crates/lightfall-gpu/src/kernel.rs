@@ -30,12 +30,12 @@ pub fn table_bytes(table: &[[f32; 4]]) -> Vec<u8> {
 /// (binding [`OUTPUT`](bindings::OUTPUT)), one element per invocation, in workgroups of
 /// [`WORKGROUP_SIZE`](bindings::WORKGROUP_SIZE). The other bindings are uniforms.
 #[derive(Debug)]
-pub struct Kernel {
+pub struct ArrayKernel {
     pipeline: wgpu::ComputePipeline,
     uniforms: Vec<(u32, Buffer)>,
 }
 
-impl Kernel {
+impl ArrayKernel {
     /// Compiles the entry point `entry` of a WGSL text. `uniforms` lists the bindings of its
     /// uniforms with their bytes.
     ///

@@ -4,7 +4,7 @@ use super::bindings;
 use super::device::Gpu;
 use super::error::GpuError;
 use super::inputs::Inputs;
-use super::kernel::{Kernel, uniform};
+use super::kernel::{ArrayKernel, uniform};
 use super::scene::{GpuScene, time_lead};
 use super::shader::Variant;
 use encase::ShaderType;
@@ -65,7 +65,7 @@ pub fn records(gpu: &Gpu, scene: &Scene, directions: &[DVec3]) -> Result<Vec<Gpu
 
 /// The compiled variant of a scene, for rays in the directions of its camera.
 #[derive(Debug)]
-pub struct RayKernel(Kernel);
+pub struct RayKernel(ArrayKernel);
 
 impl RayKernel {
     /// Compiles the scene's variant.
@@ -84,7 +84,7 @@ impl RayKernel {
         let source = variant.source();
         let mut uniforms = Inputs::new(scene).declared_in(&source);
         uniforms.push((bindings::SCENE, uniform(&GpuScene::for_rays(scene)?)));
-        Ok(Self(Kernel::new(gpu, &source, "rays", &uniforms)?))
+        Ok(Self(ArrayKernel::new(gpu, &source, "rays", &uniforms)?))
     }
 
     /// Traces rays through a scene of this variant. Directions are unit vectors (right, up,

@@ -14,7 +14,7 @@
 use crate::reference::{HoleAndDisk, Step};
 use crate::trace::Trace;
 use lightfall_model::geometry::kerr::Kerr;
-use lightfall_model::geometry::mino::{Constants, Expansion, State};
+use lightfall_model::geometry::mino::{PhotonConstants, PhotonSeries, PhotonState};
 use lightfall_model::geometry::quadrature::integral_on_scale;
 
 /// The lag of the places along a backward ray, summed step by step: the camera's time less the
@@ -24,7 +24,7 @@ use lightfall_model::geometry::quadrature::integral_on_scale;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lag<'a> {
     kerr: Kerr,
-    constants: &'a Constants,
+    constants: &'a PhotonConstants,
     /// r* where the first leg starts, until the first step says whether that leg leads outward.
     /// Inside the horizon it is zero: the ingoing time there contains it.
     start: f64,
@@ -35,7 +35,7 @@ pub struct Lag<'a> {
 impl HoleAndDisk {
     /// As [`trace`](Self::trace), with the hits' [lags](Lag) in place of their delays.
     #[must_use]
-    pub fn trace_with_lags(&self, constants: &Constants, start: State) -> Trace {
+    pub fn trace_with_lags(&self, constants: &PhotonConstants, start: PhotonState) -> Trace {
         let mut lag = Lag::new(self.kerr, constants, &start);
         let (mut lags, mut found) = ([None; 2], 0);
         let mut trace = self.follow(constants, start, |step| {
@@ -57,7 +57,7 @@ impl HoleAndDisk {
 impl<'a> Lag<'a> {
     /// Begins at the camera.
     #[must_use]
-    pub fn new(kerr: Kerr, constants: &'a Constants, start: &State) -> Self {
+    pub fn new(kerr: Kerr, constants: &'a PhotonConstants, start: &PhotonState) -> Self {
         let outside = start.u < 1.0 / kerr.horizon();
         Self {
             kerr,
@@ -111,14 +111,14 @@ impl<'a> Lag<'a> {
         }
     }
 
-    fn tortoise(&self, expansion: &Expansion, time: f64) -> f64 {
+    fn tortoise(&self, expansion: &PhotonSeries, time: f64) -> f64 {
         self.kerr.ingoing_time_lead(1.0 / expansion.u.at(time).0)
     }
 
     /// The integral over a part of a leg, to 1e-12 r_s/c or a relative 1e-12: it vanishes along the
     /// principal null directions.
-    fn integral(&self, expansion: &Expansion, outward: f64, [from, to]: [f64; 2]) -> f64 {
-        let Constants {
+    fn integral(&self, expansion: &PhotonSeries, outward: f64, [from, to]: [f64; 2]) -> f64 {
+        let PhotonConstants {
             a,
             energy,
             angular_momentum,

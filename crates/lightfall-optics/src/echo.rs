@@ -19,7 +19,7 @@ use crate::shift::{RestFrame, Shift};
 use crate::trace::{Hit, Outcome};
 use glam::{DMat3, DVec2, DVec3};
 use lightfall_model::geometry::kerr::Kerr;
-use lightfall_model::geometry::mino::Constants;
+use lightfall_model::geometry::mino::PhotonConstants;
 use lightfall_model::geometry::observer::{
     ObserverError, ObserverKind, ObserverMatrix, Photon, observer_matrix,
 };
@@ -193,7 +193,7 @@ impl Search {
 
     /// A ray's crossing number `order` of the disk's plane, with the delay if asked for.
     fn crossing(&self, photon: &Photon, order: u32, delayed: bool) -> Crossing {
-        let (constants, start) = Constants::of_photon(self.hole.kerr, photon, self.r, self.n);
+        let (constants, start) = PhotonConstants::of_photon(self.hole.kerr, photon, self.r, self.n);
         let mut lag = Lag::new(self.hole.kerr, &constants, &start);
         let (mut count, mut found) = (0, None);
         let trace = self.hole.follow(&constants, start, |step| {

@@ -8,7 +8,7 @@ use crate::reference::{HoleAndDisk, Reference, Step};
 use crate::trace::{Outcome, Trace};
 use glam::{DMat3, DVec3};
 use lightfall_model::geometry::kerr::Kerr;
-use lightfall_model::geometry::mino::{Constants, State};
+use lightfall_model::geometry::mino::{PhotonConstants, PhotonState};
 use lightfall_model::geometry::observer::Photon;
 use lightfall_model::geometry::quadrature::integral;
 use std::f64::consts::PI;
@@ -87,7 +87,7 @@ fn lensed_path(
     max_r: f64,
 ) -> Path {
     let HoleAndDisk { kerr, .. } = hole_and_disk;
-    let (constants, start) = Constants::of_photon(kerr, photon, r, n);
+    let (constants, start) = PhotonConstants::of_photon(kerr, photon, r, n);
     let mut path = Path {
         points: Vec::new(),
         closest_r: r,
@@ -115,8 +115,8 @@ fn lensed_path(
 /// Points along a ray to its end. The trace may end earlier, as soon as its outcome is certain.
 fn points(
     hole_and_disk: HoleAndDisk,
-    constants: &Constants,
-    start: State,
+    constants: &PhotonConstants,
+    start: PhotonState,
     max_r: f64,
 ) -> Vec<DVec3> {
     let u_end = (1.0 - HORIZON_MARGIN) / hole_and_disk.kerr.horizon();
@@ -127,7 +127,7 @@ fn points(
     let u_horizon = 1.0 / hole_and_disk.kerr.horizon();
     let stays_inside = constants.stays_inside(&start, u_horizon);
     let min_u = 1.0 / max_r;
-    let point = |state: &State| DMat3::from_rotation_z(state.chi) * state.n / state.u;
+    let point = |state: &PhotonState| DMat3::from_rotation_z(state.chi) * state.n / state.u;
     let mut points = vec![point(&start)];
     let mut state = start;
     while points.len() < MAX_POINTS {
@@ -189,7 +189,7 @@ fn straight_path(kerr: Kerr, photon: &Photon, r: f64, n: DVec3, trace: &Trace, m
     }
 }
 
-fn invariants(constants: &Constants) -> Invariants {
+fn invariants(constants: &PhotonConstants) -> Invariants {
     let energy = constants.energy;
     Invariants {
         impact_parameter: constants.k.max(0.0).sqrt() / energy,
@@ -199,7 +199,7 @@ fn invariants(constants: &Constants) -> Invariants {
 }
 
 /// |n'|, the angle swept per Mino time.
-fn angle_rate(constants: &Constants, state: &State) -> f64 {
+fn angle_rate(constants: &PhotonConstants, state: &PhotonState) -> f64 {
     (constants.k + (constants.a * constants.energy * state.n.z).powi(2))
         .max(0.0)
         .sqrt()

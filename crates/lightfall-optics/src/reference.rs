@@ -14,7 +14,7 @@ use crate::trace::{Hit, Outcome, Trace};
 use crate::{disk, straight};
 use glam::{DMat3, DVec3};
 use lightfall_model::geometry::kerr::Kerr;
-use lightfall_model::geometry::mino::{Constants, Expansion, State};
+use lightfall_model::geometry::mino::{PhotonConstants, PhotonSeries, PhotonState};
 use lightfall_model::geometry::observer::{ObserverError, Photon};
 use lightfall_model::geometry::sphere::wrap_angle;
 use lightfall_model::scene::Scene;
@@ -47,7 +47,7 @@ pub struct HoleAndDisk {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step<'a> {
     /// The motion from the step's start on.
-    pub expansion: &'a Expansion,
+    pub expansion: &'a PhotonSeries,
     /// The step's length in Mino time.
     pub length: f64,
     /// The Mino time of the hit that the trace has found in the step.
@@ -114,7 +114,7 @@ impl Reference {
     fn trace_by(
         &self,
         direction: DVec3,
-        lensed: impl Fn(&HoleAndDisk, &Constants, State) -> Trace,
+        lensed: impl Fn(&HoleAndDisk, &PhotonConstants, PhotonState) -> Trace,
     ) -> Trace {
         let Some(direction) = (direction / direction.abs().max_element()).try_normalize() else {
             return Trace {
@@ -138,11 +138,11 @@ impl Reference {
     fn trace_photon_by(
         &self,
         photon: &Photon,
-        lensed: impl Fn(&HoleAndDisk, &Constants, State) -> Trace,
+        lensed: impl Fn(&HoleAndDisk, &PhotonConstants, PhotonState) -> Trace,
     ) -> Trace {
         let HoleAndDisk { kerr, annulus } = self.hole_and_disk;
         let (mut trace, lambda) = if self.lensing {
-            let (constants, start) = Constants::of_photon(kerr, photon, self.r, self.n);
+            let (constants, start) = PhotonConstants::of_photon(kerr, photon, self.r, self.n);
             (
                 lensed(&self.hole_and_disk, &constants, start),
                 constants.angular_momentum / constants.energy,
@@ -194,15 +194,15 @@ impl Reference {
 impl HoleAndDisk {
     /// Follows the backward ray with these constants from `start` to its end.
     #[must_use]
-    pub fn trace(&self, constants: &Constants, start: State) -> Trace {
+    pub fn trace(&self, constants: &PhotonConstants, start: PhotonState) -> Trace {
         self.follow(constants, start, |_| {})
     }
 
     /// As [`trace`](Self::trace), and calls `visit` with every step.
     pub fn follow(
         &self,
-        constants: &Constants,
-        start: State,
+        constants: &PhotonConstants,
+        start: PhotonState,
         mut visit: impl FnMut(&Step),
     ) -> Trace {
         let u_horizon = 1.0 / self.kerr.horizon();
@@ -284,7 +284,7 @@ impl HoleAndDisk {
     }
 
     /// The hit at a crossing of the disk's plane; `None` where no circular orbit exists.
-    pub(super) fn hit(&self, constants: &Constants, crossing: &State) -> Option<Hit> {
+    pub(super) fn hit(&self, constants: &PhotonConstants, crossing: &PhotonState) -> Option<Hit> {
         let r = 1.0 / crossing.u;
         let orbit = self.kerr.circular_orbit(r)?;
         let lead = if constants.ingoing {
@@ -306,14 +306,14 @@ impl HoleAndDisk {
 /// The Mino time within `reach` at which an outgoing ray is at u = 0, if it gets there. A step of
 /// at most one radian is too short to pass infinity and come back, which takes more than two
 /// radians.
-fn time_to_infinity(expansion: &Expansion, reach: f64) -> Option<f64> {
+fn time_to_infinity(expansion: &PhotonSeries, reach: f64) -> Option<f64> {
     let outward = expansion.u.0[1] < 0.0;
     (outward && expansion.u.at(reach).0 <= 0.0).then(|| expansion.u.root(reach))
 }
 
 /// The Mino time in (0, `end_time`] at which the ray crosses the disk's plane; `z_end` is n_z at
 /// the end.
-pub(super) fn time_to_plane(expansion: &Expansion, z_end: f64, end_time: f64) -> Option<f64> {
+pub(super) fn time_to_plane(expansion: &PhotonSeries, z_end: f64, end_time: f64) -> Option<f64> {
     let z = expansion.n[2].0[0];
     (z > 0.0 && z_end <= 0.0 || z < 0.0 && z_end >= 0.0).then(|| expansion.n[2].root(end_time))
 }

@@ -14,7 +14,7 @@ use lightfall_model::geometry::observer::min_infall_radius;
 use lightfall_model::geometry::observer::{ObserverError, observer_matrix};
 use lightfall_model::geometry::sphere::{celestial_frame, wrap_degrees};
 use lightfall_model::geometry::tetrad::{four_velocity, rotation_between, velocity_in_rain};
-use lightfall_model::geometry::timelike::{Geodesic, Limit, State};
+use lightfall_model::geometry::timelike::{Geodesic, Limit, ParticleState};
 use lightfall_model::scene::{Camera, MAX_RADIUS, ObserverKind, Scene};
 use std::f64::consts::TAU;
 
@@ -231,7 +231,7 @@ impl Worldline {
 impl FreeFall {
     /// Writes the present place and motion to `scene`.
     fn write(&mut self, kerr: Kerr, scene: &mut Scene) {
-        let State { u, n, chi, .. } = self.geodesic.state;
+        let ParticleState { u, n, chi, .. } = self.geodesic.state;
         let r = 1.0 / u;
         let theta = n.truncate().length().atan2(n.z);
         // On the axis every azimuth is right, and the last one leaves the axes unchanged.

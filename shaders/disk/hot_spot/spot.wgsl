@@ -1,5 +1,5 @@
 // A hot spot in the disk, which orbits with the matter.
-// crates/lightfall-core/src/optics/hot_spot.rs does the same in f64.
+// optics/hot_spot.rs does the same in f64.
 //
 // Needs: BINDING_HOT_SPOT, Hit, PI, SHEARED_SPOT, angular_velocity, atan2_precise, log_precise,
 //     scene, sin_cos_precise, square.

@@ -1,5 +1,5 @@
 // Limb darkening of an electron-scattering atmosphere (Chandrasekhar 1960, table XXIV), which is
-// three times as bright from above as from the side. crates/lightfall-core/src/optics/limb.rs does
+// three times as bright from above as from the side. optics/limb.rs does
 // the same in f64.
 //
 // Needs: DOPPLER, GRAVITATIONAL_SHIFT, Hit, LENSING, Photon, disk_lambda, lapse_and_dragging,

@@ -1,5 +1,5 @@
 // Structure of the disk's light: shearing waves in rings that rotate with the matter.
-// crates/lightfall-core/src/optics/structure does the same in f64 and explains the model.
+// optics/structure does the same in f64 and explains the model.
 //
 // Needs: BINDING_STRUCTURE, Footprint, Hit, MASS, MAX_DPHI, MAX_DX, MAX_GROUPS, MAX_RINGS, PI,
 //     REPEATS, atan2_precise, log_precise, scene.

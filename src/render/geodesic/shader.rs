@@ -9,7 +9,7 @@ use crate::render::live_shaders::LiveShaders;
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResource;
 use lightfall_core::gpu::Variant;
-use lightfall_core::gpu::stars::Kernel;
+use lightfall_core::gpu::stars::StarKernel;
 use lightfall_core::scene::{Projection, Scene, SkyMode};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -63,8 +63,8 @@ pub(super) struct JoinedShader {
 
 impl JoinedShader {
     /// The kernel of stars that it is, if it is one.
-    pub(super) fn star_kernel(&self) -> Option<Kernel> {
-        Kernel::with_entry(self.variant.entry)
+    pub(super) fn star_kernel(&self) -> Option<StarKernel> {
+        StarKernel::with_entry(self.variant.entry)
     }
 
     /// How it takes a pixel to a direction and back.

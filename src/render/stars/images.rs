@@ -12,7 +12,7 @@ use lightfall_core::gpu::bindings::{
 };
 use lightfall_core::gpu::kernel::table_bytes;
 use lightfall_core::gpu::stars::{
-    CANDIDATE_COUNT_SIZE, COUNT_SIZE, EMPTY_COUNT, GpuStarMesh, GpuStars, Kernel, TABLE_SIZE,
+    CANDIDATE_COUNT_SIZE, COUNT_SIZE, EMPTY_COUNT, GpuStarMesh, GpuStars, StarKernel, TABLE_SIZE,
     candidates_size, empty_candidate_count, images_size, mesh_layout, mesh_points_size,
     solve_workgroups, sums_size, table_rows,
 };
@@ -47,13 +47,13 @@ struct Drawn {
     mesh: Option<MeshLayout>,
     /// The buffers that the kernels write.
     buffers: Vec<(u32, Buffer)>,
-    /// The bindings of the kernels, in the order of [`Kernel::ALL`].
-    bind_groups: [Option<BindGroup>; Kernel::ALL.len()],
+    /// The bindings of the kernels, in the order of [`StarKernel::ALL`].
+    bind_groups: [Option<BindGroup>; StarKernel::ALL.len()],
 }
 
 /// A scene's stars whose passes can run.
 pub(super) struct ReadyStars<'a> {
-    kernels: Vec<(Kernel, &'a ComputePipeline)>,
+    kernels: Vec<(StarKernel, &'a ComputePipeline)>,
     drawn: &'a Drawn,
     /// How many candidates rays follow at most.
     max_traced: u32,
@@ -206,9 +206,9 @@ impl SceneStars {
             size,
             mesh,
             buffers: buffers.collect(),
-            bind_groups: [const { None }; Kernel::ALL.len()],
+            bind_groups: [const { None }; StarKernel::ALL.len()],
         };
-        for kernel in Kernel::ALL {
+        for kernel in StarKernel::ALL {
             // Kernels that the scene does not run have no buffers.
             let bindings = kernel.reads().iter().chain(kernel.writes());
             let entries: Option<Vec<_>> = bindings

@@ -6,28 +6,28 @@ use bevy::asset::uuid::Uuid;
 use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
-use lightfall_core::gpu::stars::{Kernel, propose_shader, splat_shader};
+use lightfall_core::gpu::stars::{StarKernel, candidate_shader, splat_shader};
 use lightfall_core::scene::Projection;
 use std::marker::PhantomData;
 
 /// The first of the shaders of each kind, which have consecutive numbers, one for each projection.
-const PROPOSE_SHADERS: u128 = 0x5a1de0c4_3c8e_4d0b_8a4e_b0a6f3a7d911;
+const CANDIDATE_SHADERS: u128 = 0x5a1de0c4_3c8e_4d0b_8a4e_b0a6f3a7d911;
 const SPLAT_SHADERS: u128 = 0x0f3b6c55_7a10_4a5e_9d3c_51d7a6f0c2b8;
 
 /// The layouts and pipelines of the kernels, and the lists of stars.
 #[derive(Resource)]
 pub(in crate::render) struct StarPass {
-    layouts: [BindGroupLayoutDescriptor; Kernel::ALL.len()],
+    layouts: [BindGroupLayoutDescriptor; StarKernel::ALL.len()],
     /// The pipelines queued so far.
-    pipelines: HashMap<(Kernel, AssetId<Shader>), CachedComputePipelineId>,
+    pipelines: HashMap<(StarKernel, AssetId<Shader>), CachedComputePipelineId>,
     pub(super) lists: StarLists,
 }
 
-/// The pipelines of a scene's stars, in the order of [`Kernel::ALL`]; `None` where the scene has no
+/// The pipelines of a scene's stars, in the order of [`StarKernel::ALL`]; `None` where the scene has no
 /// use for a kernel.
 #[derive(Clone, Copy)]
 pub(in crate::render) struct StarPipelines {
-    ids: [Option<CachedComputePipelineId>; Kernel::ALL.len()],
+    ids: [Option<CachedComputePipelineId>; StarKernel::ALL.len()],
     /// How often their shaders have been reloaded.
     pub(super) reloads: u32,
 }
@@ -35,7 +35,7 @@ pub(in crate::render) struct StarPipelines {
 impl Default for StarPass {
     fn default() -> Self {
         Self {
-            layouts: Kernel::ALL.map(|kernel| {
+            layouts: StarKernel::ALL.map(|kernel| {
                 BindGroupLayoutDescriptor::new(kernel.entry_point(), &kernel.layout())
             }),
             pipelines: HashMap::default(),
@@ -46,7 +46,7 @@ impl Default for StarPass {
 
 impl StarPass {
     /// The layout of a kernel's bindings.
-    pub(super) fn layout(&self, kernel: Kernel) -> &BindGroupLayoutDescriptor {
+    pub(super) fn layout(&self, kernel: StarKernel) -> &BindGroupLayoutDescriptor {
         &self.layouts[kernel as usize]
     }
 
@@ -54,23 +54,23 @@ impl StarPass {
     /// with this projection.
     pub(in crate::render) fn pipelines<'a>(
         &mut self,
-        shaders: impl Iterator<Item = (Kernel, &'a Handle<Shader>)> + Clone,
+        shaders: impl Iterator<Item = (StarKernel, &'a Handle<Shader>)> + Clone,
         projection: Projection,
         reloads: u32,
         cache: &PipelineCache,
     ) -> StarPipelines {
         let by_mesh = shaders
             .clone()
-            .any(|(kernel, _)| kernel == Kernel::TraceMesh);
-        let proposing = by_mesh.then_some(Kernel::PROPOSING);
-        let proposing = proposing.into_iter().flatten();
-        let mut pipelines = [None; Kernel::ALL.len()];
-        let [propose, splat] =
-            [PROPOSE_SHADERS, SPLAT_SHADERS].map(|first| handle(first, projection));
+            .any(|(kernel, _)| kernel == StarKernel::TraceMesh);
+        let finding = by_mesh.then_some(StarKernel::FINDING_CANDIDATES);
+        let finding = finding.into_iter().flatten();
+        let mut pipelines = [None; StarKernel::ALL.len()];
+        let [candidates, splat] =
+            [CANDIDATE_SHADERS, SPLAT_SHADERS].map(|first| handle(first, projection));
         let all = shaders
             .map(|(kernel, shader)| (kernel, shader.clone()))
-            .chain(proposing.map(|kernel| (kernel, propose.clone())))
-            .chain([(Kernel::Splat, splat)]);
+            .chain(finding.map(|kernel| (kernel, candidates.clone())))
+            .chain([(StarKernel::Splat, splat)]);
         for (kernel, shader) in all {
             let layout = &self.layouts[kernel as usize];
             let id = *self
@@ -96,8 +96,8 @@ impl StarPass {
 
 impl StarPipelines {
     /// The kernels and their pipelines, in the order in which they run.
-    pub(super) fn kernels(self) -> impl Iterator<Item = (Kernel, CachedComputePipelineId)> {
-        let pairs = Kernel::ALL.into_iter().zip(self.ids);
+    pub(super) fn kernels(self) -> impl Iterator<Item = (StarKernel, CachedComputePipelineId)> {
+        let pairs = StarKernel::ALL.into_iter().zip(self.ids);
         pairs.filter_map(|(kernel, id)| Some((kernel, id?)))
     }
 
@@ -116,9 +116,9 @@ fn handle(first: u128, projection: Projection) -> Handle<Shader> {
 /// Adds the shaders that are the same for all scenes with the same projection.
 pub(super) fn add_shaders(app: &mut App) {
     for projection in Projection::ALL {
-        let propose = handle(PROPOSE_SHADERS, projection);
-        let text = propose_shader(projection);
-        add_shader(app, &propose, text, "lightfall/find_candidates.wgsl");
+        let candidates = handle(CANDIDATE_SHADERS, projection);
+        let text = candidate_shader(projection);
+        add_shader(app, &candidates, text, "lightfall/find_candidates.wgsl");
         let splat = handle(SPLAT_SHADERS, projection);
         let text = splat_shader(projection);
         add_shader(app, &splat, text, "lightfall/splat.wgsl");

@@ -3,7 +3,7 @@
 use crate::{bare_hole, gpu};
 use glam::{DMat3, DVec3, UVec2, Vec4};
 use lightfall_core::geometry::observer::observer_matrix;
-use lightfall_core::gpu::kernel::{Kernel, uniform};
+use lightfall_core::gpu::kernel::{ArrayKernel, uniform};
 use lightfall_core::gpu::{GpuScene, Variant, bindings};
 use lightfall_core::scene::{Camera, Frame, ObserverKind, Scene};
 
@@ -84,7 +84,7 @@ fn photons(scene: &Scene, frame: &Frame, places: &[(f32, f32)]) -> Vec<[Vec4; 2]
                }
            }";
     let numbers = GpuScene::new(scene, frame).unwrap();
-    let kernel = Kernel::new(
+    let kernel = ArrayKernel::new(
         gpu,
         &source,
         "photons_of",

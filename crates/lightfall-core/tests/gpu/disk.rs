@@ -4,7 +4,7 @@ use crate::light::light_from;
 use crate::{ALONG, bare_hole, edge_on, gpu, median, pixel_directions, quantile};
 use glam::{DVec3, Vec4};
 use lightfall_core::geometry::kerr::Kerr;
-use lightfall_core::gpu::kernel::{Kernel, uniform};
+use lightfall_core::gpu::kernel::{ArrayKernel, uniform};
 use lightfall_core::gpu::{GpuDisk, GpuScene, Variant, bindings, rays};
 use lightfall_core::optics::disk::{NEWTONIAN_PEAK, PageThorne, Profile, TABLE_LEN, cover};
 use lightfall_core::optics::reference::Reference;
@@ -235,7 +235,7 @@ fn the_shader_finds_the_flux_that_the_cpu_finds() {
             ..GpuScene::default()
         };
         tables.push((bindings::SCENE, uniform(&numbers)));
-        let kernel = Kernel::new(gpu, &source, "fluxes_at", &tables).unwrap();
+        let kernel = ArrayKernel::new(gpu, &source, "fluxes_at", &tables).unwrap();
         // Radii from inside the edge to far outside.
         let radii: Vec<f32> = (0..4000)
             .map(|i| (inner * (0.002 * f64::from(i) - 0.1).exp()) as f32)

@@ -4,11 +4,11 @@ use crate::gpu;
 use glam::{Vec2, Vec4};
 use lightfall_core::gpu::Gpu;
 use lightfall_core::gpu::bindings::{INPUT, OUTPUT};
-use lightfall_core::gpu::kernel::Kernel;
+use lightfall_core::gpu::kernel::ArrayKernel;
 
 /// A kernel that evaluates a WGSL expression of `given`, with the types of `given` and of the
 /// answer.
-fn of_each(gpu: &Gpu, expression: &str, [given, answer]: [&str; 2]) -> Kernel {
+fn of_each(gpu: &Gpu, expression: &str, [given, answer]: [&str; 2]) -> ArrayKernel {
     let elementary = include_str!("../../../../shaders/elementary.wgsl");
     let source = format!(
         "const PI: f32 = 3.14159265358979; const TINY: f32 = 1e-30;
@@ -22,7 +22,7 @@ fn of_each(gpu: &Gpu, expression: &str, [given, answer]: [&str; 2]) -> Kernel {
              }}
          }}"
     );
-    Kernel::new(gpu, &source, "of_each", &[]).unwrap()
+    ArrayKernel::new(gpu, &source, "of_each", &[]).unwrap()
 }
 
 #[test]

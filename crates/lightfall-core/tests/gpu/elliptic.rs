@@ -4,7 +4,7 @@ use crate::gpu;
 use glam::{Vec2, Vec4};
 use lightfall_core::geometry::elliptic::carlson_rf;
 use lightfall_core::gpu::bindings::{INPUT, OUTPUT};
-use lightfall_core::gpu::kernel::Kernel;
+use lightfall_core::gpu::kernel::ArrayKernel;
 
 /// The functions, with an entry point that maps each `vec4` `v` to the `vec2` `expression`.
 fn kernel(expression: &str) -> String {
@@ -26,7 +26,7 @@ fn kernel(expression: &str) -> String {
 #[ignore = "needs a graphics adapter"]
 fn the_symmetric_integral_agrees_with_the_one_in_f64_for_a_real_pair() {
     let gpu = gpu();
-    let kernel = Kernel::new(
+    let kernel = ArrayKernel::new(
         gpu,
         &kernel("vec2<f32>(carlson_rf_pair(v.x, v.y, v.z), 0.0)"),
         "apply",
@@ -67,7 +67,7 @@ fn the_symmetric_integral_agrees_with_the_one_in_f64_for_a_real_pair() {
 #[ignore = "needs a graphics adapter"]
 fn the_symmetric_integral_agrees_with_a_quadrature_for_a_conjugate_pair() {
     let gpu = gpu();
-    let kernel = Kernel::new(
+    let kernel = ArrayKernel::new(
         gpu,
         &kernel("vec2<f32>(carlson_rf_pair(v.x, v.y, v.z), 0.0)"),
         "apply",
@@ -127,7 +127,7 @@ fn weierstrass(z: f64, g3: f64) -> [f64; 2] {
 fn the_weierstrass_function_agrees_with_its_whole_series_up_to_pi() {
     let gpu = gpu();
     let source = kernel("vec2<f32>(weierstrass(v.x, v.y).even, weierstrass(v.x, v.y).odd)");
-    let kernel = Kernel::new(gpu, &source, "apply", &[]).unwrap();
+    let kernel = ArrayKernel::new(gpu, &source, "apply", &[]).unwrap();
     // g3 = 1/216 - 1/(16 b^2), from b infinite to b = 0.5.
     let given: Vec<Vec4> = (0..4096_u32)
         .map(|i| {

@@ -4,7 +4,7 @@ use crate::gpu;
 use crate::random::Random;
 use crate::random_scene::random_scene;
 use glam::{UVec2, Vec4};
-use lightfall_core::gpu::kernel::{Kernel, uniform};
+use lightfall_core::gpu::kernel::{ArrayKernel, uniform};
 use lightfall_core::gpu::{Entry, GpuScene, GpuStarlight, Inputs, Variant, bindings};
 use lightfall_core::optics::stars::{Depth, MAX_MAGNITUDE};
 use lightfall_core::scene::{Frame, Scene, SkyMode};
@@ -14,7 +14,7 @@ const SCENES: usize = 60;
 /// The pixels of a picture fill whole workgroups.
 const SIZE: UVec2 = UVec2::new(96, 54);
 
-/// WGSL for a [`Kernel`]: the light of pixels. Four rays in a row are those of 2 x 2 pixels, so
+/// WGSL for a [`ArrayKernel`]: the light of pixels. Four rays in a row are those of 2 x 2 pixels, so
 /// that each has the neighbours by which its footprints are measured, as in a picture.
 pub(crate) const LIGHT: &str = "
     @group(0) @binding(BINDING_INPUT) var<storage, read> pixels: array<vec4<f32>>;
@@ -28,7 +28,7 @@ pub(crate) const LIGHT: &str = "
         light_of_pixels[id.x] = light_along(photon_from(pixel_direction(pixels[id.x].xy + 0.5)));
     }";
 
-/// How the sky mode `stars` reads the map of the Milky Way, which a [`Kernel`] cannot bind; and what
+/// How the sky mode `stars` reads the map of the Milky Way, which a [`ArrayKernel`] cannot bind; and what
 /// takes its place: a light that is finite where the place and the level are. Pictures of the
 /// program have the map itself.
 pub(crate) const MAP: &str = "textureSampleLevel(milky_way, milky_way_sampler, place, level).rg";
@@ -63,7 +63,7 @@ fn light(scene: &Scene) -> Vec<Vec4> {
     let given: Vec<Vec4> = pixels()
         .map(|pixel| pixel.as_vec2().extend(0.0).extend(0.0))
         .collect();
-    let kernel = Kernel::new(gpu(), &source, "pixel_light", &uniforms).unwrap();
+    let kernel = ArrayKernel::new(gpu(), &source, "pixel_light", &uniforms).unwrap();
     kernel.run(gpu(), &given).unwrap()
 }
 

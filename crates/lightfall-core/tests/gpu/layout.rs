@@ -3,7 +3,7 @@
 use encase::ShaderType;
 use lightfall_core::gpu::rays::{GpuHit, GpuTrace};
 use lightfall_core::gpu::stars::{
-    GpuMeshPoint, GpuStarImage, GpuStarMesh, GpuStars, propose_shader,
+    GpuMeshPoint, GpuStarImage, GpuStarMesh, GpuStars, candidate_shader,
 };
 use lightfall_core::gpu::{
     Accumulation, Difference, GpuDisk, GpuHole, GpuHotSpot, GpuObserver, GpuPicture, GpuQuality,
@@ -134,7 +134,7 @@ fn rust_and_wgsl_lay_out_the_images_of_stars_alike() {
     let module = naga::front::wgsl::parse_str(&source).unwrap();
     assert_same_layout!(&module, GpuStars = "Stars", GpuStarImage = "StarImage");
     let module =
-        naga::front::wgsl::parse_str(&propose_shader(Projection::Perspective).source()).unwrap();
+        naga::front::wgsl::parse_str(&candidate_shader(Projection::Perspective).source()).unwrap();
     assert_same_layout!(
         &module,
         GpuStarMesh = "StarMesh",

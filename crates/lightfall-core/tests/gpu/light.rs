@@ -2,7 +2,7 @@
 
 use glam::Vec4;
 use lightfall_core::gpu::Gpu;
-use lightfall_core::gpu::kernel::Kernel;
+use lightfall_core::gpu::kernel::ArrayKernel;
 
 /// The value of a WGSL expression, a `vec4<f32>`, for each `vec4<f32>` called `given` in it.
 /// `uniforms` are the bytes of the shader's uniforms, by binding.
@@ -22,7 +22,7 @@ pub fn light_from(
             }
         }";
     let source = shader.to_owned() + &entry.replace("EXPRESSION", expression);
-    let kernel = Kernel::new(gpu, &source, "light_from", uniforms).unwrap();
+    let kernel = ArrayKernel::new(gpu, &source, "light_from", uniforms).unwrap();
     kernel
         .run(gpu, &given.into_iter().collect::<Vec<_>>())
         .unwrap()

@@ -1,7 +1,7 @@
 //! The header of every WGSL file: the names that it needs from other files or from the constants in
 //! front of them, and the names that it gives to others.
 
-use lightfall_core::gpu::stars::{propose_shader, splat_shader};
+use lightfall_core::gpu::stars::{candidate_shader, splat_shader};
 use lightfall_core::gpu::{
     Accumulation, Difference, EdgeTraits, Presentation, ShaderText, Variant,
 };
@@ -131,7 +131,7 @@ fn joined_texts() -> Vec<ShaderText> {
         Difference::shader(),
         Accumulation::shader(),
         splat_shader(Projection::Perspective),
-        propose_shader(Projection::Perspective),
+        candidate_shader(Projection::Perspective),
     ]);
     texts.extend([1, 4].map(|samples| EdgeTraits { samples }.shader()));
     texts

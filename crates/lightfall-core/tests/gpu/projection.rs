@@ -8,7 +8,7 @@ use crate::stars::light::flux_of_images;
 use crate::{all_around, bare_hole, gpu, median, quantile};
 use glam::swizzles::Vec3Swizzles;
 use glam::{DMat3, DVec2, DVec3, UVec2, Vec3, Vec4};
-use lightfall_core::gpu::kernel::{Kernel, uniform};
+use lightfall_core::gpu::kernel::{ArrayKernel, uniform};
 use lightfall_core::gpu::stars::{GpuStarImage, PackedStars, StarLight, StarRun};
 use lightfall_core::gpu::{Entry, GpuScene, GpuStarlight, Inputs, ShaderFiles, Variant, bindings};
 use lightfall_core::optics::reference::Reference;
@@ -151,7 +151,7 @@ fn the_diffuse_light_of_an_even_sky_is_even_in_another_projection() {
         let source = variant.text().linked_from(files).source() + LIGHT;
         assert_eq!(source.matches(MAP).count(), 1);
         let source = source.replace(MAP, "vec2<f32>(1.0)");
-        let kernel = Kernel::new(gpu(), &source, "pixel_light", &uniforms).unwrap();
+        let kernel = ArrayKernel::new(gpu(), &source, "pixel_light", &uniforms).unwrap();
         kernel.run(gpu(), &given).unwrap()
     };
     let perspective = light(ShaderFiles::built_in());

@@ -2,7 +2,7 @@
 
 use crate::edge_on;
 use glam::UVec2;
-use lightfall_core::gpu::kernel::Kernel;
+use lightfall_core::gpu::kernel::ArrayKernel;
 use lightfall_core::gpu::timing::{Stage, Stopwatch};
 use lightfall_core::gpu::{GpuError, GpuScene};
 use lightfall_core::scene::{Method, ObserverKind, Scene};
@@ -72,7 +72,7 @@ fn a_shader_that_does_not_compile_is_an_error_and_no_panic() {
 #[ignore = "needs a graphics adapter"]
 fn a_pipeline_that_the_device_refuses_is_not_called_a_shader_that_does_not_compile() {
     let text = "@compute @workgroup_size(64) fn there() {}";
-    let error = Kernel::new(crate::gpu(), text, "missing", &[]).unwrap_err();
+    let error = ArrayKernel::new(crate::gpu(), text, "missing", &[]).unwrap_err();
     assert!(matches!(error, GpuError::Invalid(_)), "{error}");
 }
 

@@ -1,6 +1,6 @@
 //! The text of every shader, without a GPU.
 
-use lightfall_core::gpu::stars::{propose_shader, splat_shader};
+use lightfall_core::gpu::stars::{candidate_shader, splat_shader};
 use lightfall_core::gpu::{
     Accumulation, Difference, EdgeTraits, Entry, Presentation, ShaderText, Variant,
 };
@@ -43,7 +43,7 @@ fn naga_accepts_the_search_for_edges() {
 fn naga_accepts_the_drawing_of_stars() {
     let propose: &[&str] = &["find_candidates", "find_wide_candidates", "test_candidates"];
     for (shader, entries) in [
-        (propose_shader(Projection::Perspective), propose),
+        (candidate_shader(Projection::Perspective), propose),
         (splat_shader(Projection::Perspective), &["splat"]),
     ] {
         if let Err(message) = validate(&shader, entries) {
@@ -184,7 +184,7 @@ fn a_shader_contains_only_the_parts_that_its_scene_needs() {
         assert_eq!(source.contains("fn hermite"), variant.disk, "{variant:?}");
         let light = matches!(variant.view, View::Colour | View::Unfinished);
         let stars = matches!(variant.entry, Entry::Stars | Entry::StarInterpolation);
-        let lights_stars = stars || variant.entry == Entry::StarPolish;
+        let lights_stars = stars || variant.entry == Entry::StarRefinement;
         let spectrum = lights_stars || pictures && light && (variant.disk || sky);
         assert_eq!(
             source.contains("var<uniform> spectrum"),

@@ -2,7 +2,7 @@
 
 use crate::gpu;
 use glam::Vec4;
-use lightfall_core::gpu::kernel::{Kernel, uniform};
+use lightfall_core::gpu::kernel::{ArrayKernel, uniform};
 use lightfall_core::gpu::{Variant, bindings};
 use lightfall_core::optics::spectrum::{
     TABLE_LEN, TABLE_MAX_TEMPERATURE, TABLE_MIN_TEMPERATURE, sample, table,
@@ -23,7 +23,7 @@ fn the_shader_finds_the_colour_that_the_cpu_finds() {
            }";
     let entries = table();
     let rows: [Vec4; TABLE_LEN] = std::array::from_fn(|i| Vec4::from_array(entries[i]));
-    let kernel = Kernel::new(
+    let kernel = ArrayKernel::new(
         gpu,
         &source,
         "colours_of",

@@ -3,7 +3,7 @@
 use crate::gpu;
 use encase::ShaderType;
 use glam::{DVec2, Vec2};
-use lightfall_core::gpu::kernel::{Kernel, uniform};
+use lightfall_core::gpu::kernel::{ArrayKernel, uniform};
 use lightfall_core::gpu::{GpuScene, GpuStructure, Variant, bindings};
 use lightfall_core::optics::structure::{Covariance, Structure};
 use lightfall_core::scene::{DiskStructure, Scene};
@@ -53,7 +53,7 @@ fn factors(scene: &Scene, limit: Option<u32>, places: &[Place]) -> Vec<f32> {
                    factors[id.x] = structure_factor(hit, footprint);
                }
            }";
-    let kernel = Kernel::new(gpu(), &source, "factors_at", &uniforms).unwrap();
+    let kernel = ArrayKernel::new(gpu(), &source, "factors_at", &uniforms).unwrap();
     kernel.run(gpu(), places).unwrap()
 }
 

@@ -1,7 +1,7 @@
 //! The order of uniforms in the layouts of the picture and of the kernels of stars. A fault of Mesa
 //! 22.3's software renderer restricts it (src/gpu/bindings.rs).
 
-use lightfall_core::gpu::stars::Kernel;
+use lightfall_core::gpu::stars::StarKernel;
 use lightfall_core::gpu::{Entry, Variant};
 use lightfall_core::scene::Scene;
 use naga::{AddressSpace, TypeInner};
@@ -60,11 +60,11 @@ fn uniforms_of_the_picture_are_tables_where_old_lavapipe_writes_elsewhere() {
 #[test]
 fn uniforms_of_every_kernel_of_stars_are_tables_where_old_lavapipe_writes_elsewhere() {
     let scene = Scene::default();
-    let all: BTreeMap<u32, bool> = Kernel::ALL
+    let all: BTreeMap<u32, bool> = StarKernel::ALL
         .into_iter()
         .flat_map(|kernel| uniforms(&kernel.source(&scene)))
         .collect();
-    for kernel in Kernel::ALL {
+    for kernel in StarKernel::ALL {
         let layout = kernel
             .reads()
             .iter()

@@ -1,7 +1,7 @@
 //! The backward error against known errors: for answers that belong to rays rotated by a known
 //! angle, the measure must find this angle.
 
-mod surroundings;
+mod thorough_search;
 
 use glam::{DQuat, DVec3};
 use lightfall_core::accuracy::{

@@ -6,7 +6,7 @@ mod tabulated;
 use crate::random::Random;
 use glam::{DVec2, DVec3};
 use lightfall_core::geometry::kerr::Kerr;
-use lightfall_core::geometry::mino::{Constants, State};
+use lightfall_core::geometry::mino::{PhotonConstants, PhotonState};
 use lightfall_core::geometry::quadrature::gauss_legendre;
 use lightfall_core::geometry::schwarzschild::CRITICAL_IMPACT;
 use lightfall_core::geometry::schwarzschild::delay::{Way, lag};
@@ -37,8 +37,8 @@ fn through_pixel(scene: &Scene, pixel: [f64; 2]) -> Trace {
 
 /// A ray without spin and with E = 1 from the radius `r`, which sweeps the angle `to_plane` until
 /// it crosses the disk's plane.
-fn flat_ray(r: f64, b: f64, inward: bool, to_plane: f64) -> (Constants, State) {
-    let constants = Constants {
+fn flat_ray(r: f64, b: f64, inward: bool, to_plane: f64) -> (PhotonConstants, PhotonState) {
+    let constants = PhotonConstants {
         a: 0.0,
         energy: 1.0,
         angular_momentum: 0.0,
@@ -47,7 +47,7 @@ fn flat_ray(r: f64, b: f64, inward: bool, to_plane: f64) -> (Constants, State) {
     };
     let (sin, cos) = to_plane.sin_cos();
     let speed = constants.potential(1.0 / r).max(0.0).sqrt();
-    let start = State {
+    let start = PhotonState {
         u: 1.0 / r,
         du: if inward { speed } else { -speed },
         n: DVec3::new(cos, 0.0, -sin),
@@ -137,7 +137,12 @@ fn random_scene(random: &mut Random, spin: f64) -> Scene {
 
 /// dt/dtau = (r^2 + a^2)(E (r^2 + a^2) - a L)/Delta + a L - a^2 E sin^2 theta, as Carter has it.
 /// For light that falls in the same with (r^2 + a^2)/Delta dr/dtau added gives Kerr's ingoing time.
-fn carters_rate(kerr: Kerr, constants: &Constants, state: &State, ingoing: bool) -> f64 {
+fn carters_rate(
+    kerr: Kerr,
+    constants: &PhotonConstants,
+    state: &PhotonState,
+    ingoing: bool,
+) -> f64 {
     let (a, r) = (kerr.a(), 1.0 / state.u);
     let wide = r * r + a * a;
     let (energy, momentum) = (constants.energy, constants.angular_momentum);
@@ -163,7 +168,7 @@ fn delays_of_random_rays_with_spin_are_the_integral_of_carters_equation() {
                 let aim = DVec3::NEG_X + random.between(0.0, 1.5) * random.direction();
                 let direction = aim.normalize();
                 let photon = reference.photon(direction);
-                let (constants, start) = Constants::of_photon(hole.kerr, &photon, r, n);
+                let (constants, start) = PhotonConstants::of_photon(hole.kerr, &photon, r, n);
                 let (mut sum, mut expected) = (0.0, vec![]);
                 hole.follow(&constants, start, |step| {
                     let over = |end: f64| {
@@ -220,7 +225,7 @@ fn lags_of_random_rays_inside_a_spinning_hole_are_the_integral_of_carters_equati
             for _ in 0..60 {
                 let direction = random.direction();
                 let photon = reference.photon(direction);
-                let (constants, start) = Constants::of_photon(kerr, &photon, r, n);
+                let (constants, start) = PhotonConstants::of_photon(kerr, &photon, r, n);
                 let (mut sum, mut expected) = (0.0, vec![]);
                 hole.follow(&constants, start, |step| {
                     let part = |from: f64, to: f64| {
@@ -307,7 +312,7 @@ fn delays_add_up_along_a_random_ray() {
             for _ in 0..100 {
                 let aim = DVec3::NEG_X + random.between(0.0, 12.0 / r) * random.direction();
                 let photon = reference.photon(aim.normalize());
-                let (constants, start) = Constants::of_photon(hole.kerr, &photon, r, n);
+                let (constants, start) = PhotonConstants::of_photon(hole.kerr, &photon, r, n);
                 let mut places = vec![];
                 hole.follow(&constants, start, |step| {
                     places.extend(step.hit.map(|hit| step.expansion.at(hit)));
@@ -352,14 +357,14 @@ fn along_the_principal_null_directions_the_time_is_the_tortoise_coordinates() {
         let (sin, z) = (f64::sqrt(sin2), f64::sqrt(1.0 - sin2));
         // Q = -(L - a E)^2, so that K = L^2 - (L - a E)^2, and |n'|^2 = K + a^2 z^2 = a^2 sin^2.
         let momentum = a * sin2;
-        let constants = Constants {
+        let constants = PhotonConstants {
             a,
             energy: 1.0,
             angular_momentum: momentum,
             k: momentum.powi(2) - (momentum - a).powi(2),
             ingoing: false,
         };
-        let start = State {
+        let start = PhotonState {
             u: if outward > 0.0 { 0.25 } else { 1.0 / r },
             du: -outward
                 * constants

@@ -3,7 +3,7 @@
 use crate::assert_close;
 use glam::DVec3;
 use lightfall_core::geometry::kerr::Kerr;
-use lightfall_core::geometry::mino::Constants;
+use lightfall_core::geometry::mino::PhotonConstants;
 use lightfall_core::geometry::schwarzschild::shadow_half_angle_static;
 use lightfall_core::geometry::sphere::angle_between;
 use lightfall_core::optics::guides::{
@@ -114,7 +114,7 @@ fn the_images_of_the_innermost_stable_orbit_are_where_its_light_arrives() {
             assert!(curve.len() >= 64, "{landmark:?}: {} points", curve.len());
             for point in curve {
                 let photon = reference.photon(*point);
-                let (constants, start) = Constants::of_photon(kerr, &photon, r, n);
+                let (constants, start) = PhotonConstants::of_photon(kerr, &photon, r, n);
                 let hits = ring.trace(&constants, start).hits;
                 let near = |hit: &Hit| (hit.r - radius).abs() < 1e-6 * radius;
                 assert!(

@@ -8,6 +8,7 @@
 
 mod accuracy;
 mod apparent_hole;
+mod closed_kerr;
 mod delay;
 mod delay_error;
 mod disk;
@@ -21,7 +22,6 @@ mod guides;
 mod hot_spot;
 mod inside;
 mod kerr;
-mod kerr_orbit;
 mod kerr_schild;
 mod limb;
 mod milky_way;

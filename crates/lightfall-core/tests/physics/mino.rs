@@ -4,7 +4,7 @@ use crate::schwarzschild::{DEFLECTION, RINGS, rounding_of_b};
 use crate::{assert_close, bisect};
 use glam::DVec3;
 use lightfall_core::geometry::kerr::Kerr;
-use lightfall_core::geometry::mino::Constants;
+use lightfall_core::geometry::mino::PhotonConstants;
 use lightfall_core::geometry::schwarzschild::deflection;
 use lightfall_core::optics::reference::HoleAndDisk;
 use lightfall_core::optics::trace::{Outcome, Trace};
@@ -13,7 +13,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// The ray at screen coordinates alpha, beta (r_s) of an observer at u and theta, phi = 0.
 fn trace(spin: f64, screen: [f64; 2], u: f64, theta: f64, annulus: Option<[f64; 2]>) -> Trace {
     let kerr = Kerr { spin };
-    let (constants, start) = Constants::of_screen(kerr, screen, u, [theta, 0.0], true);
+    let (constants, start) = PhotonConstants::of_screen(kerr, screen, u, [theta, 0.0], true);
     HoleAndDisk { kerr, annulus }.trace(&constants, start)
 }
 

@@ -4,7 +4,7 @@ use crate::assert_close;
 use crate::random::Random;
 use glam::{DMat3, DVec3, Vec3, Vec4};
 use lightfall_core::geometry::kerr::Kerr;
-use lightfall_core::geometry::mino::Constants;
+use lightfall_core::geometry::mino::PhotonConstants;
 use lightfall_core::geometry::observer::{
     ExpandedMatrix, ObserverError, ObserverMatrix, Photon, observer_matrix,
 };
@@ -137,7 +137,7 @@ fn photons_of_every_observer_are_null_at_the_poles_and_inside_the_horizon_too() 
         ] {
             let [n, ..] = celestial_frame(theta, 0.7);
             let photon = matrix.photon(direction);
-            let (constants, start) = Constants::of_photon(Kerr { spin }, &photon, r, n);
+            let (constants, start) = PhotonConstants::of_photon(Kerr { spin }, &photon, r, n);
             let residual = constants.residual(&start);
             assert!(
                 residual < 3e-13,

@@ -11,7 +11,7 @@ use lightfall_core::geometry::schwarzschild::{
 use lightfall_core::geometry::sphere::{angle_between, celestial_frame};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::stars::Catalogue;
-use lightfall_core::optics::stars::images::polish::{Polish, Tangents};
+use lightfall_core::optics::stars::images::refine_image::{ImageRefiner, Tangents};
 use lightfall_core::optics::stars::images::{
     Inversion, MIN_SOURCE_RADIUS, MeshLayout, RayMesh, StarImage, named_images,
 };
@@ -164,7 +164,7 @@ fn polished_images_are_where_an_independent_tracer_finds_them() {
         let axes = scene.camera.tetrad_from_camera();
         let reference = Reference::new(&scene).unwrap();
         let sky = |place: DVec2| reference.trace(axes * place.extend(1.0)).sky;
-        let polish = Polish {
+        let refiner = ImageRefiner {
             max_step: 0.02,
             max_rays: 40,
             half_step: 1e-5,
@@ -179,7 +179,7 @@ fn polished_images_are_where_an_independent_tracer_finds_them() {
             (at(guess + step) - at(guess - step)) / (2.0 * step.length())
         };
         let jacobian = DMat2::from_cols(rate(DVec2::X * 1e-5), rate(DVec2::Y * 1e-5));
-        let found = polish
+        let found = refiner
             .image(&sky, toward(star), guess, jacobian)
             .unwrap_or_else(|| panic!("no image at {direction}"));
         let polished = (axes * found.place.extend(1.0)).normalize();

@@ -1,7 +1,7 @@
 //! Weierstrass's elliptic function, from identities.
 
 use crate::random::Random;
-use lightfall_core::geometry::kerr_orbit::weierstrass;
+use lightfall_core::geometry::elliptic::weierstrass;
 
 /// P'^2 = 4 P^3 - g2 P - g3, and the homogeneity of P: two independent identities.
 #[test]

@@ -21,9 +21,9 @@ pub enum Entry {
     /// The images of candidates where the mesh alone gives them: entry point `interpolate`.
     StarInterpolation,
     /// The images of the other candidates, by rays: entry point `refine_image`.
-    StarPolish,
+    StarRefinement,
     /// How much of each image the disk lets through: entry point `dim`.
-    HiddenStars,
+    StarDimming,
 }
 
 impl Entry {
@@ -39,8 +39,8 @@ impl Entry {
             Self::Stars => &["solve"],
             Self::StarMesh => &["trace_mesh"],
             Self::StarInterpolation => &["interpolate"],
-            Self::StarPolish => &["refine_image"],
-            Self::HiddenStars => &["dim"],
+            Self::StarRefinement => &["refine_image"],
+            Self::StarDimming => &["dim"],
         }
     }
 }

@@ -274,11 +274,11 @@ impl Variant {
     /// Whether it takes part in finding the images of stars.
     pub fn finds_stars(self) -> bool {
         let follows_no_rays = matches!(self.entry, Entry::Stars | Entry::StarInterpolation);
-        self.seeks_stars() || follows_no_rays || self.entry == Entry::HiddenStars
+        self.seeks_stars() || follows_no_rays || self.entry == Entry::StarDimming
     }
 
     /// Whether it follows rays to the images of stars.
     fn seeks_stars(self) -> bool {
-        matches!(self.entry, Entry::StarMesh | Entry::StarPolish)
+        matches!(self.entry, Entry::StarMesh | Entry::StarRefinement)
     }
 }

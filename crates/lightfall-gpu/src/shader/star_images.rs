@@ -18,7 +18,7 @@ impl Variant {
             spinning: false,
             near_horizon: false,
             disk: false,
-            ..Self::hidden_stars(scene)
+            ..Self::star_dimming(scene)
         }
     }
 
@@ -27,7 +27,7 @@ impl Variant {
         Self {
             entry: Entry::StarMesh,
             disk: false,
-            ..Self::hidden_stars(scene)
+            ..Self::star_dimming(scene)
         }
     }
 
@@ -40,9 +40,9 @@ impl Variant {
     }
 
     /// The shader that finds the images of the other candidates by following rays.
-    pub fn star_polish(scene: &Scene) -> Self {
+    pub fn star_refinement(scene: &Scene) -> Self {
         Self {
-            entry: Entry::StarPolish,
+            entry: Entry::StarRefinement,
             ..Self::star_mesh(scene)
         }
     }
@@ -64,21 +64,21 @@ impl Variant {
             vec![
                 Self::star_mesh(scene),
                 Self::star_interpolation(scene),
-                Self::star_polish(scene),
+                Self::star_refinement(scene),
             ]
         } else {
             vec![Self::stars(scene)]
         };
         if scene.disk.enabled {
-            kernels.push(Self::hidden_stars(scene));
+            kernels.push(Self::star_dimming(scene));
         }
         kernels
     }
 
     /// The shader that dims the images of stars behind the scene's disk.
-    pub fn hidden_stars(scene: &Scene) -> Self {
+    pub fn star_dimming(scene: &Scene) -> Self {
         Self {
-            entry: Entry::HiddenStars,
+            entry: Entry::StarDimming,
             effects: scene.effects,
             max_hits: 2,
             follow_beyond_hits: true,

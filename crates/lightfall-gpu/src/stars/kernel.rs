@@ -1,8 +1,8 @@
 //! The kernels of stars: what each binds, in the order in which they run.
 
 use super::COUNT_SIZE;
-use super::mesh::{PREDICT_GROUPS, WIDE_GROUPS};
-use super::shader::{propose_shader, splat_shader};
+use super::mesh::{TEST_GROUPS, WIDE_GROUPS};
+use super::shader::{candidate_shader, splat_shader};
 use crate::bindings::{
     ALL, CANDIDATE_COUNT, CANDIDATES, MESH_POINTS, SCENE, SPECTRUM, STAR_COUNT, STAR_IMAGES,
     STAR_INDEX, STAR_LIST, STAR_MESH, STAR_SUMS, STAR_TABLE, STARS, WORKGROUP_SIZE,
@@ -21,43 +21,47 @@ const WRITTEN: BindingType = BindingType::Buffer {
 
 /// A kernel of stars.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kernel {
+pub enum StarKernel {
     /// Finds images by inversion.
     Solve,
     /// Traces the mesh.
     TraceMesh,
     /// Looks for the stars in each cell of the mesh.
-    Propose,
+    FindCandidates,
     /// Looks for the stars in cells that see much of the sky.
-    ProposeWide,
+    FindWideCandidates,
     /// Looks which candidates in bent cells have their image there.
-    Predict,
+    TestCandidates,
     /// Finds the images of candidates in smooth cells.
     Interpolate,
     /// Finds those of the other candidates by rays.
-    Polish,
+    RefineImage,
     /// Dims images behind the disk.
-    Hide,
+    Dim,
     /// Draws images.
     Splat,
 }
 
-impl Kernel {
+impl StarKernel {
     /// All kernels, in the order in which they run.
     pub const ALL: [Self; 9] = [
         Self::Solve,
         Self::TraceMesh,
-        Self::Propose,
-        Self::ProposeWide,
-        Self::Predict,
+        Self::FindCandidates,
+        Self::FindWideCandidates,
+        Self::TestCandidates,
         Self::Interpolate,
-        Self::Polish,
-        Self::Hide,
+        Self::RefineImage,
+        Self::Dim,
         Self::Splat,
     ];
 
     /// The kernels that look for the stars in cells of the mesh, by one shader.
-    pub const PROPOSING: [Self; 3] = [Self::Propose, Self::ProposeWide, Self::Predict];
+    pub const FINDING_CANDIDATES: [Self; 3] = [
+        Self::FindCandidates,
+        Self::FindWideCandidates,
+        Self::TestCandidates,
+    ];
 
     /// The kernels that draw the scene's stars.
     pub fn of(scene: &Scene) -> impl Iterator<Item = Self> {
@@ -70,12 +74,12 @@ impl Kernel {
         Self::ALL.into_iter().filter(move |kernel| match kernel {
             Self::Solve => !by_mesh,
             Self::TraceMesh
-            | Self::Propose
-            | Self::ProposeWide
-            | Self::Predict
+            | Self::FindCandidates
+            | Self::FindWideCandidates
+            | Self::TestCandidates
             | Self::Interpolate
-            | Self::Polish => by_mesh,
-            Self::Hide => has_disk,
+            | Self::RefineImage => by_mesh,
+            Self::Dim => has_disk,
             Self::Splat => true,
         })
     }
@@ -87,8 +91,8 @@ impl Kernel {
             Entry::Stars => Some(Self::Solve),
             Entry::StarMesh => Some(Self::TraceMesh),
             Entry::StarInterpolation => Some(Self::Interpolate),
-            Entry::StarPolish => Some(Self::Polish),
-            Entry::HiddenStars => Some(Self::Hide),
+            Entry::StarRefinement => Some(Self::RefineImage),
+            Entry::StarDimming => Some(Self::Dim),
             _ => None,
         }
     }
@@ -99,12 +103,12 @@ impl Kernel {
         match self {
             Self::Solve => "solve",
             Self::TraceMesh => "trace_mesh",
-            Self::Propose => "find_candidates",
-            Self::ProposeWide => "find_wide_candidates",
-            Self::Predict => "test_candidates",
+            Self::FindCandidates => "find_candidates",
+            Self::FindWideCandidates => "find_wide_candidates",
+            Self::TestCandidates => "test_candidates",
             Self::Interpolate => "interpolate",
-            Self::Polish => "refine_image",
-            Self::Hide => "dim",
+            Self::RefineImage => "refine_image",
+            Self::Dim => "dim",
             Self::Splat => "splat",
         }
     }
@@ -127,12 +131,12 @@ impl Kernel {
         match self {
             Self::Solve => Variant::stars(scene).text(),
             Self::TraceMesh => Variant::star_mesh(scene).text(),
-            Self::Propose | Self::ProposeWide | Self::Predict => {
-                propose_shader(scene.camera.projection())
+            Self::FindCandidates | Self::FindWideCandidates | Self::TestCandidates => {
+                candidate_shader(scene.camera.projection())
             }
             Self::Interpolate => Variant::star_interpolation(scene).text(),
-            Self::Polish => Variant::star_polish(scene).text(),
-            Self::Hide => Variant::hidden_stars(scene).text(),
+            Self::RefineImage => Variant::star_refinement(scene).text(),
+            Self::Dim => Variant::star_dimming(scene).text(),
             Self::Splat => splat_shader(scene.camera.projection()),
         }
     }
@@ -143,11 +147,11 @@ impl Kernel {
         match self {
             Self::Solve => &[SCENE, SPECTRUM, STARS, STAR_TABLE, STAR_LIST],
             Self::TraceMesh => &[SCENE, STAR_MESH],
-            Self::Propose | Self::ProposeWide => {
+            Self::FindCandidates | Self::FindWideCandidates => {
                 &[SCENE, STARS, STAR_MESH, STAR_LIST, STAR_INDEX, MESH_POINTS]
             }
-            Self::Predict => &[SCENE, STARS, STAR_MESH, STAR_LIST, MESH_POINTS],
-            Self::Interpolate | Self::Polish => &[
+            Self::TestCandidates => &[SCENE, STARS, STAR_MESH, STAR_LIST, MESH_POINTS],
+            Self::Interpolate | Self::RefineImage => &[
                 SCENE,
                 SPECTRUM,
                 STARS,
@@ -157,7 +161,7 @@ impl Kernel {
                 CANDIDATES,
                 CANDIDATE_COUNT,
             ],
-            Self::Hide => &[SCENE, STARS, STAR_COUNT],
+            Self::Dim => &[SCENE, STARS, STAR_COUNT],
             Self::Splat => &[SCENE, SPECTRUM, STARS, STAR_IMAGES, STAR_COUNT],
         }
     }
@@ -166,10 +170,12 @@ impl Kernel {
     #[must_use]
     pub fn writes(self) -> &'static [u32] {
         match self {
-            Self::Solve | Self::Interpolate | Self::Polish => &[STAR_IMAGES, STAR_COUNT],
+            Self::Solve | Self::Interpolate | Self::RefineImage => &[STAR_IMAGES, STAR_COUNT],
             Self::TraceMesh => &[MESH_POINTS],
-            Self::Propose | Self::ProposeWide | Self::Predict => &[CANDIDATES, CANDIDATE_COUNT],
-            Self::Hide => &[STAR_IMAGES],
+            Self::FindCandidates | Self::FindWideCandidates | Self::TestCandidates => {
+                &[CANDIDATES, CANDIDATE_COUNT]
+            }
+            Self::Dim => &[STAR_IMAGES],
             Self::Splat => &[STAR_SUMS],
         }
     }
@@ -190,8 +196,8 @@ impl Kernel {
     pub fn mesh_workgroups(self, layout: &MeshLayout) -> u32 {
         match self {
             Self::TraceMesh => layout.point_count().div_ceil(WORKGROUP_SIZE),
-            Self::ProposeWide => WIDE_GROUPS,
-            Self::Predict => PREDICT_GROUPS,
+            Self::FindWideCandidates => WIDE_GROUPS,
+            Self::TestCandidates => TEST_GROUPS,
             _ => layout.cell_count().div_ceil(WORKGROUP_SIZE),
         }
     }
@@ -202,11 +208,13 @@ impl Kernel {
     pub fn indirect(self) -> Option<(u32, u64)> {
         match self {
             Self::Interpolate => Some((CANDIDATE_COUNT, 0)),
-            Self::Polish => Some((CANDIDATE_COUNT, COUNT_SIZE)),
-            Self::Hide | Self::Splat => Some((STAR_COUNT, 0)),
-            Self::Solve | Self::TraceMesh | Self::Propose | Self::ProposeWide | Self::Predict => {
-                None
-            }
+            Self::RefineImage => Some((CANDIDATE_COUNT, COUNT_SIZE)),
+            Self::Dim | Self::Splat => Some((STAR_COUNT, 0)),
+            Self::Solve
+            | Self::TraceMesh
+            | Self::FindCandidates
+            | Self::FindWideCandidates
+            | Self::TestCandidates => None,
         }
     }
 }

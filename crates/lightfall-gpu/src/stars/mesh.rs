@@ -103,7 +103,7 @@ pub fn mesh_points_size(layout: &MeshLayout) -> u64 {
 pub(super) const WIDE_GROUPS: u32 = 256;
 
 /// The workgroups of `test_candidates`, which share the candidates in bent cells.
-pub(super) const PREDICT_GROUPS: u32 = 64;
+pub(super) const TEST_GROUPS: u32 = 64;
 
 /// The lists in `CANDIDATES`, which shaders/stars/candidates.wgsl names.
 pub(super) const CANDIDATE_LISTS: usize = 4;

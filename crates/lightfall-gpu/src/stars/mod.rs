@@ -3,7 +3,7 @@
 //!
 //! # How the kernels run
 //!
-//! All bindings are in group 0, with the numbers of [`bindings`](super::bindings). [`Kernel`] has the
+//! All bindings are in group 0, with the numbers of [`bindings`](super::bindings). [`StarKernel`] has the
 //! kernels in their order, with what each binds.
 //!
 //! 1. Before every run the pass writes [`EMPTY_COUNT`] to the buffer `STAR_COUNT` and clears
@@ -14,17 +14,17 @@
 //!    Where [`Variant::uses_star_mesh`](super::Variant::uses_star_mesh) says so, others take its
 //!    place:
 //!    * `trace_mesh` ([`Variant::star_mesh`](super::Variant::star_mesh)) reads `SCENE` and
-//!      `STAR_MESH` and writes `MESH_POINTS`. It takes [`Kernel::mesh_workgroups`] workgroups.
-//!    * `propose`, `propose_wide` and `predict` ([`propose_shader`]) read `SCENE`, `STARS`,
+//!      `STAR_MESH` and writes `MESH_POINTS`. It takes [`StarKernel::mesh_workgroups`] workgroups.
+//!    * `propose`, `propose_wide` and `predict` ([`candidate_shader`]) read `SCENE`, `STARS`,
 //!      `STAR_LIST`, `STAR_MESH` and `MESH_POINTS`, the first two also `STAR_INDEX`, and write
 //!      `CANDIDATES` and `CANDIDATE_COUNT`, to which the pass has written [`empty_candidate_count`].
-//!      They take [`Kernel::mesh_workgroups`] workgroups.
+//!      They take [`StarKernel::mesh_workgroups`] workgroups.
 //!    * `interpolate` ([`Variant::star_interpolation`](super::Variant::star_interpolation)) and
-//!      `polish` ([`Variant::star_polish`](super::Variant::star_polish)) read `SCENE`, `SPECTRUM`,
+//!      `polish` ([`Variant::star_refinement`](super::Variant::star_refinement)) read `SCENE`, `SPECTRUM`,
 //!      `STARS`, `STAR_LIST`, `STAR_MESH`, `MESH_POINTS`, `CANDIDATES` and `CANDIDATE_COUNT`, and
 //!      write `STAR_IMAGES` and `STAR_COUNT`. They are dispatched indirectly from the first and the
 //!      second [`COUNT_SIZE`] bytes of `CANDIDATE_COUNT`.
-//! 3. Where there is a disk, `hide` ([`Variant::hidden_stars`](super::Variant::hidden_stars)) reads
+//! 3. Where there is a disk, `hide` ([`Variant::star_dimming`](super::Variant::star_dimming)) reads
 //!    `SCENE`, `STARS` and `STAR_COUNT`, and dims the images in `STAR_IMAGES`. It is dispatched
 //!    indirectly from the start of `STAR_COUNT`.
 //! 4. `splat` ([`splat_shader`]) reads `SCENE`, `SPECTRUM`, `STARS`, `STAR_IMAGES` and `STAR_COUNT`,
@@ -63,7 +63,7 @@ mod shader;
 mod sums;
 
 pub use index::index_bytes;
-pub use kernel::Kernel;
+pub use kernel::StarKernel;
 pub use list::{MAX_CANDIDATES, MAX_IMAGES, PackedStars, UnpackedStar};
 pub use mesh::{
     CANDIDATE_COUNT_SIZE, GpuMeshPoint, GpuStarMesh, MAX_TRACED, candidates_size,
@@ -71,7 +71,7 @@ pub use mesh::{
 };
 pub use numbers::{GpuStarImage, GpuStars, light_unit, table_rows};
 pub use run::{StarLight, StarRun};
-pub use shader::{propose_shader, splat_shader};
+pub use shader::{candidate_shader, splat_shader};
 pub use sums::{sums_side, sums_size};
 
 pub(super) use shader::add_star_constants;

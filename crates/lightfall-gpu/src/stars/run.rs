@@ -1,6 +1,6 @@
 //! The kernels of stars without a picture, for tests and measurements.
 
-use super::kernel::Kernel;
+use super::kernel::StarKernel;
 use super::list::PackedStars;
 use super::numbers::{GpuStarImage, GpuStars, table_rows};
 use super::{
@@ -42,7 +42,7 @@ pub struct StarLight {
 #[derive(Debug)]
 pub struct StarRun {
     /// In the order in which they run.
-    kernels: Vec<(Kernel, ComputePipeline)>,
+    kernels: Vec<(StarKernel, ComputePipeline)>,
     buffers: Vec<(u32, Buffer)>,
     numbers: GpuStars,
     stars: u32,
@@ -69,7 +69,7 @@ impl StarRun {
         }
         let inversion = Inversion::new(scene)?;
         let numbers = GpuStars::new(scene, &inversion, list, hole_from_list, depth);
-        let mut run = Self::create(gpu, scene, list, numbers, Kernel::of(scene))?;
+        let mut run = Self::create(gpu, scene, list, numbers, StarKernel::of(scene))?;
         if let Some(rows) = table_rows(&inversion) {
             let bytes = table_bytes(&rows);
             gpu.validated(|| run.add_bytes(gpu, bindings::STAR_TABLE, &bytes, UNIFORM))?;
@@ -91,7 +91,7 @@ impl StarRun {
     ) -> Result<Self, GpuError> {
         let numbers = GpuStars::for_mesh(scene, list, depth);
         let mesh = GpuStarMesh::new(scene, &layout, list, hole_from_list);
-        let kernels = Kernel::finding_images(scene, true);
+        let kernels = StarKernel::finding_images(scene, true);
         let mut run = Self::create(gpu, scene, list, numbers, kernels)?;
         run.mesh = Some(layout);
         gpu.validated(|| {
@@ -110,7 +110,7 @@ impl StarRun {
         scene: &Scene,
         list: &PackedStars,
         numbers: GpuStars,
-        kernels: impl Iterator<Item = Kernel>,
+        kernels: impl Iterator<Item = StarKernel>,
     ) -> Result<Self, GpuError> {
         let size = scene.picture.size();
         let scene_numbers = GpuScene::new(scene, &Frame::of(scene))?;
@@ -267,7 +267,7 @@ impl StarRun {
         &found.expect("every binding of a kernel has a buffer").1
     }
 
-    fn bind(&self, gpu: &Gpu, kernel: Kernel, pipeline: &ComputePipeline) -> wgpu::BindGroup {
+    fn bind(&self, gpu: &Gpu, kernel: StarKernel, pipeline: &ComputePipeline) -> wgpu::BindGroup {
         let bindings = kernel.reads().iter().chain(kernel.writes());
         // Only with lensing there is a table.
         let has_buffer = |binding: &u32| self.buffers.iter().any(|(at, _)| at == binding);

@@ -2,7 +2,7 @@
 
 use super::index;
 use super::list::{FLUX_BIAS, TEMPERATURE_STEPS};
-use super::mesh::{CANDIDATE_LISTS, MESH_RIM, PREDICT_GROUPS, RANKS, WIDE_GROUPS};
+use super::mesh::{CANDIDATE_LISTS, MESH_RIM, RANKS, TEST_GROUPS, WIDE_GROUPS};
 use crate::shader::spectrum_constants::add_spectrum_constants;
 use crate::shader::text::add_constant;
 use crate::shader::{ShaderText, projection_file};
@@ -23,7 +23,7 @@ pub fn splat_shader(projection: Projection) -> ShaderText {
 /// The shader that looks for the stars in each cell of the mesh: entry points `find_candidates`,
 /// `find_wide_candidates` and `test_candidates`. It is the same for all scenes with the same projection.
 #[must_use]
-pub fn propose_shader(projection: Projection) -> ShaderText {
+pub fn candidate_shader(projection: Projection) -> ShaderText {
     let mut prelude = String::new();
     add_spectrum_constants(&mut prelude);
     add_star_constants(&mut prelude);
@@ -32,7 +32,7 @@ pub fn propose_shader(projection: Projection) -> ShaderText {
         ("FIRST_INDEX_SIDE", index::FIRST_SIDE),
         ("MESH_RIM", MESH_RIM),
         ("WIDE_GROUPS", WIDE_GROUPS),
-        ("TEST_GROUPS", PREDICT_GROUPS),
+        ("TEST_GROUPS", TEST_GROUPS),
     ] {
         add_constant(&mut prelude, name, "u32", format!("{value}u"));
     }

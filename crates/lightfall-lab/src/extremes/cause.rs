@@ -2,7 +2,7 @@
 //! only, and some answers change much when one of these numbers changes by a rounding.
 
 use glam::DVec3;
-use lightfall_accuracy::{Bounds, Surroundings, Truth, is_same_class};
+use lightfall_accuracy::{ThoroughSearch, Truth, TurnBounds, is_same_class};
 use lightfall_model::geometry::observer::Photon;
 use lightfall_model::geometry::sphere::celestial_frame;
 use lightfall_model::scene::Scene;
@@ -60,7 +60,7 @@ impl Cause {
     pub(super) fn of_roundings(
         scene: &Scene,
         truth: &Truth,
-        surroundings: &Surroundings,
+        thorough: &ThoroughSearch,
         (ray, given): (usize, &Trace),
         error: f64,
     ) -> Option<Self> {
@@ -71,27 +71,35 @@ impl Cause {
         // Where the class decides, the turn counts: most roundings leave a captured ray captured, whose
         // answer tells nothing of them.
         let crosses = !is_same_class(&truth.traces[ray], given);
-        let enough = NEGLIGIBLE * error;
+        let target = NEGLIGIBLE * error;
         let turn = |rounded: &Rounded| rounded.turn.filter(|_| crosses);
-        let known = |rounded: Rounded| {
-            let search = || truth.error_of(ray, &rounded.answer, enough);
-            let known = turn(&rounded).unwrap_or_else(search);
-            (rounded, known)
+        let with_effect = |rounded: Rounded| {
+            let search = || truth.error_of(ray, &rounded.answer, target);
+            let effect = turn(&rounded).unwrap_or_else(search);
+            (rounded, effect)
         };
         let numbers: Vec<Rounded> = fields(scene, truth, ray)
             .chain(constants(scene, truth, ray))
             .collect();
-        let mut effects: Vec<(Rounded, f64)> = numbers.into_par_iter().map(known).collect();
+        let mut effects: Vec<(Rounded, f64)> = numbers.into_par_iter().map(with_effect).collect();
         effects.sort_by(|(_, a), (_, b)| b.total_cmp(a));
         let mut inputs: Vec<&'static str> = Vec::new();
         let mut sum = 0.0;
-        for (rounded, known) in effects {
+        for (rounded, upper_bound) in effects {
             // A number is rounded up or down.
             if inputs.contains(&rounded.input) {
                 continue;
             }
             // The usual search may overstate an effect as it may overstate an error.
-            let search = || surroundings.judge(&rounded.answer, Bounds { enough, known });
+            let search = || {
+                thorough.judge(
+                    &rounded.answer,
+                    TurnBounds {
+                        target,
+                        upper_bound,
+                    },
+                )
+            };
             let effect = turn(&rounded).unwrap_or_else(search);
             if effect.is_finite() {
                 inputs.push(rounded.input);

@@ -2,7 +2,7 @@
 
 use super::cause::Cause;
 use super::narrow_ring::is_narrow;
-use lightfall_accuracy::{Bounds, RayError, Truth, tolerance};
+use lightfall_accuracy::{RayError, Truth, TurnBounds, tolerance};
 use lightfall_model::scene::Scene;
 use lightfall_optics::trace::Trace;
 use rayon::prelude::*;
@@ -83,23 +83,23 @@ fn is_within(backward: f64, tolerance: f64) -> bool {
 }
 
 /// The backward error of the answer to a ray, searched for thoroughly, and why it is beyond the
-/// tolerance, if it is. `known` is an upper bound.
+/// tolerance, if it is.
 fn examine(
     scene: &Scene,
     truth: &Truth,
     (ray, given): (usize, &Trace),
-    known: f64,
+    upper_bound: f64,
 ) -> (f64, Option<Cause>) {
     let tolerance = tolerance(scene);
-    let bounds = Bounds::of_limit(tolerance, known);
-    let surroundings = truth.surroundings(ray, bounds);
-    let backward = surroundings.judge(given, bounds);
+    let bounds = TurnBounds::for_limit(tolerance, upper_bound);
+    let search = truth.thorough_search(ray, bounds);
+    let backward = search.judge(given, bounds);
     if is_within(backward, tolerance) {
         return (backward, None);
     }
-    let cause = Cause::of_roundings(scene, truth, &surroundings, (ray, given), backward);
+    let cause = Cause::of_roundings(scene, truth, &search, (ray, given), backward);
     let is_unanswerable =
-        || is_narrow(scene) && truth.error_without_hits(ray, given, bounds.enough) <= tolerance;
+        || is_narrow(scene) && truth.error_without_hits(ray, given, bounds.target) <= tolerance;
     let cause = cause.or_else(|| is_unanswerable().then_some(Cause::NarrowRing));
     (backward, cause)
 }

@@ -32,5 +32,5 @@
 mod motion;
 mod series;
 
-pub use motion::{Constants, State};
-pub use series::Expansion;
+pub use motion::{PhotonConstants, PhotonState};
+pub use series::PhotonSeries;

@@ -22,4 +22,4 @@ mod motion;
 mod series;
 
 pub use geodesic::{Geodesic, Limit};
-pub use motion::{Constants, State};
+pub use motion::{ParticleConstants, ParticleState};

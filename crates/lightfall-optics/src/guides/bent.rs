@@ -7,7 +7,7 @@ use crate::reference::{HoleAndDisk, time_to_plane};
 use crate::trace::{Outcome, Trace};
 use glam::DVec3;
 use lightfall_model::geometry::kerr::Kerr;
-use lightfall_model::geometry::mino::Constants;
+use lightfall_model::geometry::mino::PhotonConstants;
 use lightfall_model::geometry::observer::ObserverError;
 use lightfall_model::scene::Scene;
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -113,9 +113,9 @@ fn follow(
     sky: &Sky,
     hole: &HoleAndDisk,
     direction: DVec3,
-    mut visit: impl FnMut(&lightfall_model::geometry::mino::Expansion, f64),
+    mut visit: impl FnMut(&lightfall_model::geometry::mino::PhotonSeries, f64),
 ) -> Trace {
     let photon = sky.frame.photon(direction);
-    let (constants, start) = Constants::of_photon(hole.kerr, &photon, sky.r, sky.n);
+    let (constants, start) = PhotonConstants::of_photon(hole.kerr, &photon, sky.r, sky.n);
     hole.follow(&constants, start, |step| visit(step.expansion, step.length))
 }

@@ -8,7 +8,7 @@ use glam::{DMat2, DMat3, DVec2, DVec3};
 use lightfall_core::gpu::stars::{GpuStarImage, PackedStars, StarRun, mesh_layout};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::stars::images::MeshLayout;
-use lightfall_core::optics::stars::images::polish::{Polish, Tangents};
+use lightfall_core::optics::stars::images::refine_image::{ImageRefiner, Tangents};
 use lightfall_core::optics::stars::{Depth, Star, luminance};
 use lightfall_core::scene::promises::{
     STAR_FLUX_SPINNING, STAR_LIGHT_MISSED, STAR_PLACE_SPINNING_PX,
@@ -336,7 +336,7 @@ fn images_of_random_stars_are_those_that_the_reference_polishes() {
     let reference = Reference::new(&scene).unwrap();
     let axes = scene.camera.tetrad_from_camera();
     let sky = |place: DVec2| reference.trace(axes * place.extend(1.0)).sky;
-    let polish = Polish {
+    let refiner = ImageRefiner {
         max_step: 0.01,
         max_rays: 30,
         half_step: 1e-5,
@@ -358,7 +358,7 @@ fn images_of_random_stars_are_those_that_the_reference_polishes() {
             continue;
         };
         let jacobian = DMat2::from_cols(x, y);
-        let Some(truth) = polish.image(&sky, direction, guess, jacobian) else {
+        let Some(truth) = refiner.image(&sky, direction, guess, jacobian) else {
             panic!("no image at {guess}");
         };
         let place = scene

@@ -11,7 +11,7 @@ const HORIZON_PROXIMITY: f64 = 1e-9;
 
 /// A ray's constants of the motion, per unit frequency for the camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Constants {
+pub struct PhotonConstants {
     /// a, in r_s.
     pub a: f64,
     /// E = -p_t.
@@ -26,7 +26,7 @@ pub struct Constants {
 
 /// Position and velocity of a backward ray. Derivatives are with respect to Mino time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State {
+pub struct PhotonState {
     /// u = 1/r.
     pub u: f64,
     /// u'.
@@ -39,14 +39,14 @@ pub struct State {
     pub chi: f64,
 }
 
-impl Constants {
+impl PhotonConstants {
     /// The constants, and the start of the backward ray, of a photon at a camera with radius `r`
     /// (r_s) and place `n` on the celestial sphere.
     ///
     /// L = r (n x w)_z and K = r^2 |w|^2 - a^2 E^2 n_z^2. Going backward, n' = -r w and u' =
     /// -(1/r)' = Sigma p^r / r^2.
     #[must_use]
-    pub fn of_photon(kerr: Kerr, photon: &Photon, r: f64, n: DVec3) -> (Self, State) {
+    pub fn of_photon(kerr: Kerr, photon: &Photon, r: f64, n: DVec3) -> (Self, PhotonState) {
         let (a, energy) = (kerr.a(), photon.energy);
         let w = r * photon.w;
         let (inside, near) = (
@@ -69,7 +69,7 @@ impl Constants {
         };
         (
             constants,
-            State {
+            PhotonState {
                 u: 1.0 / r,
                 du: photon.radial,
                 n,
@@ -94,7 +94,7 @@ impl Constants {
         u: f64,
         [theta, phi]: [f64; 2],
         inward: bool,
-    ) -> (Self, State) {
+    ) -> (Self, PhotonState) {
         let [n, theta_hat, phi_hat] = celestial_frame(theta, phi);
         let (a, sin) = (kerr.a(), polar_sin_cos(theta).0);
         let k = alpha * alpha + beta * beta - (a * n.z).powi(2);
@@ -109,7 +109,7 @@ impl Constants {
         let du = if inward { speed } else { -speed };
         (
             constants,
-            State {
+            PhotonState {
                 u,
                 du,
                 n,
@@ -195,13 +195,13 @@ impl Constants {
     /// Whether a backward ray at a place inside the horizon stays inside. Light inside comes from
     /// the outside only if it fell in through the outer horizon.
     #[must_use]
-    pub fn stays_inside(&self, state: &State, u_horizon: f64) -> bool {
+    pub fn stays_inside(&self, state: &PhotonState, u_horizon: f64) -> bool {
         state.u >= u_horizon && (state.du >= 0.0 || self.ingoing_energy(u_horizon) <= 0.0)
     }
 
     /// The largest relative violation of the constraints on u'^2, |n'|^2, (n x n')_z and |n|.
     #[must_use]
-    pub fn residual(&self, s: &State) -> f64 {
+    pub fn residual(&self, s: &PhotonState) -> f64 {
         let terms: f64 = self
             .potential_coefficients()
             .iter()

@@ -1,12 +1,12 @@
 //! The motion of a null geodesic as power series in Mino time.
 
-use super::motion::{Constants, State};
+use super::motion::{PhotonConstants, PhotonState};
 use crate::geometry::taylor::{ORDER, Taylor, product_coefficient, reach_of_term};
 use glam::DVec3;
 
 /// The motion as power series in the Mino time since the state it was expanded about.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Expansion {
+pub struct PhotonSeries {
     /// u.
     pub u: Taylor,
     /// The components of n.
@@ -15,10 +15,10 @@ pub struct Expansion {
     pub chi: Taylor,
 }
 
-impl Constants {
+impl PhotonConstants {
     /// The power series of the motion from `start` on.
     #[must_use]
-    pub fn expand(&self, start: &State) -> Expansion {
+    pub fn expand(&self, start: &PhotonState) -> PhotonSeries {
         let [_, _, quadratic, cubic, quartic] = self.potential_coefficients();
         let (ae2, al) = (
             (self.a * self.energy).powi(2),
@@ -66,7 +66,7 @@ impl Constants {
                 chi[k + 1] = dchi[k] / f64::from(order + 1);
             }
         }
-        Expansion {
+        PhotonSeries {
             u: Taylor(u),
             n: n.map(Taylor),
             chi: Taylor(chi),
@@ -79,9 +79,9 @@ impl Constants {
     /// q <= K + a^2 E^2, Sturm's comparison theorem implies that n_z vanishes at most once in a
     /// step.
     #[must_use]
-    pub fn reach(&self, expansion: &Expansion) -> f64 {
+    pub fn reach(&self, expansion: &PhotonSeries) -> f64 {
         let mut reach = 1.0 / (self.k + (1.0 + self.a.powi(2)) * self.energy.powi(2)).sqrt();
-        let Expansion {
+        let PhotonSeries {
             u: Taylor(u),
             n,
             chi: Taylor(chi),
@@ -100,13 +100,13 @@ impl Constants {
     }
 }
 
-impl Expansion {
+impl PhotonSeries {
     /// The state after the Mino time `t`.
     #[must_use]
-    pub fn at(&self, t: f64) -> State {
+    pub fn at(&self, t: f64) -> PhotonState {
         let (u, du) = self.u.at(t);
         let [(x, dx), (y, dy), (z, dz)] = [self.n[0].at(t), self.n[1].at(t), self.n[2].at(t)];
-        State {
+        PhotonState {
             u,
             du,
             n: DVec3::new(x, y, z),

@@ -1,6 +1,6 @@
 //! A freely falling particle, advanced by its proper time.
 
-use super::motion::{Constants, State, kappa};
+use super::motion::{ParticleConstants, ParticleState, kappa};
 use crate::geometry::kerr::Kerr;
 use crate::geometry::observer::Photon;
 use crate::geometry::taylor::Taylor;
@@ -13,10 +13,10 @@ const MAX_STEPS: u32 = 100_000;
 /// A freely falling particle of unit mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Geodesic {
-    /// Constants of the motion.
-    pub constants: Constants,
+    /// ParticleConstants of the motion.
+    pub constants: ParticleConstants,
     /// Present position and velocity.
-    pub state: State,
+    pub state: ParticleState,
 }
 
 /// Why an advance ended early.
@@ -41,7 +41,7 @@ impl Geodesic {
         let (a, energy, w) = (kerr.a(), velocity.energy, r * velocity.w);
         let k = w.length_squared() + kappa(a, energy) * n.z * n.z;
         let (proper_time, ingoing_time) = (0.0, 0.0);
-        let state = State {
+        let state = ParticleState {
             u: 1.0 / r,
             du: -velocity.radial,
             n,
@@ -51,7 +51,7 @@ impl Geodesic {
             ingoing_time,
         };
         Self {
-            constants: Constants {
+            constants: ParticleConstants {
                 a,
                 energy,
                 angular_momentum: n.x * w.y - n.y * w.x,
@@ -64,7 +64,7 @@ impl Geodesic {
     /// The four-velocity, in the form of the first column of an observer's matrix at the place n.
     #[must_use]
     pub fn velocity(&self) -> Photon {
-        let State { u, du, dn, .. } = self.state;
+        let ParticleState { u, du, dn, .. } = self.state;
         Photon {
             energy: self.constants.energy,
             radial: -du,
@@ -72,7 +72,7 @@ impl Geodesic {
         }
     }
 
-    /// See [`Constants::residual`].
+    /// See [`ParticleConstants::residual`].
     #[must_use]
     pub fn residual(&self) -> f64 {
         self.constants.residual(&self.state)
@@ -83,7 +83,7 @@ impl Geodesic {
     pub fn advance(&mut self, proper_time: f64, [inner, outer]: [f64; 2]) -> Option<Limit> {
         let end_time = self.state.proper_time + proper_time;
         for _ in 0..MAX_STEPS {
-            let State {
+            let ParticleState {
                 u, du, proper_time, ..
             } = self.state;
             if u >= 1.0 / inner && du >= 0.0 {

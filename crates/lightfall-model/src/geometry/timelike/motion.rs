@@ -4,7 +4,7 @@ use glam::DVec3;
 
 /// A particle's constants of the motion, per unit rest mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Constants {
+pub struct ParticleConstants {
     /// a, in r_s.
     pub a: f64,
     /// E = -u_t.
@@ -17,7 +17,7 @@ pub struct Constants {
 
 /// Position, velocity and clocks of a particle. Derivatives are with respect to Mino time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State {
+pub struct ParticleState {
     /// u = 1/r.
     pub u: f64,
     /// u'.
@@ -34,11 +34,11 @@ pub struct State {
     pub ingoing_time: f64,
 }
 
-impl Constants {
+impl ParticleConstants {
     /// The largest relative violation of the constraints on u'^2, |n'|^2 and (n x n')_z.
     #[must_use]
-    pub fn residual(&self, state: &State) -> f64 {
-        let State { u, du, n, dn, .. } = *state;
+    pub fn residual(&self, state: &ParticleState) -> f64 {
+        let ParticleState { u, du, n, dn, .. } = *state;
         let k_prime = self.k_prime();
         let (w, d) = (
             self.energy + self.b() * u * u,

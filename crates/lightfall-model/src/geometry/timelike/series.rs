@@ -1,11 +1,11 @@
 //! The motion of a freely falling particle as power series in Mino time.
 
-use super::motion::{Constants, State};
+use super::motion::{ParticleConstants, ParticleState};
 use crate::geometry::taylor::{ORDER, Taylor, product_coefficient, reach_of_term};
 use glam::DVec3;
 
 /// The motion as power series in the Mino time since the state it was expanded about.
-pub(super) struct Expansion {
+pub(super) struct ParticleSeries {
     pub(super) u: Taylor,
     n: [Taylor; 3],
     chi: Taylor,
@@ -13,11 +13,11 @@ pub(super) struct Expansion {
     ingoing_time: Taylor,
 }
 
-impl Constants {
+impl ParticleConstants {
     /// The power series of the motion from `start` on.
-    pub(super) fn expand(&self, start: &State) -> Expansion {
+    pub(super) fn expand(&self, start: &ParticleState) -> ParticleSeries {
         const ZERO: [f64; ORDER + 1] = [0.0; ORDER + 1];
-        let State {
+        let ParticleState {
             u: u0,
             du,
             n: n0,
@@ -82,7 +82,7 @@ impl Constants {
             v[k + 1] = (product_coefficient(&r2, &f, k) + a2 * f[k] + axial_rate) / derivative;
         }
         let [chi, proper_time, ingoing_time] = [chi, tau, v].map(Taylor);
-        Expansion {
+        ParticleSeries {
             u: Taylor(u),
             n: n.map(Taylor),
             chi,
@@ -92,10 +92,10 @@ impl Constants {
     }
 
     /// The length of a step in Mino time: how far the expansion is accurate.
-    pub(super) fn reach(&self, expansion: &Expansion) -> f64 {
+    pub(super) fn reach(&self, expansion: &ParticleSeries) -> f64 {
         // At most a radian on the sphere.
         let mut reach = 1.0 / (self.k.abs() + self.kappa().abs()).sqrt();
-        let Expansion {
+        let ParticleSeries {
             u: Taylor(u),
             n,
             chi: Taylor(chi),
@@ -119,14 +119,14 @@ impl Constants {
     }
 }
 
-impl Expansion {
+impl ParticleSeries {
     /// The state after the Mino time `t`.
-    pub(super) fn at(&self, t: f64) -> State {
+    pub(super) fn at(&self, t: f64) -> ParticleState {
         let (u, du) = self.u.at(t);
         let [(x, dx), (y, dy), (z, dz)] = [self.n[0].at(t), self.n[1].at(t), self.n[2].at(t)];
         let [chi, proper_time, ingoing_time] =
             [&self.chi, &self.proper_time, &self.ingoing_time].map(|series| series.at(t).0);
-        State {
+        ParticleState {
             u,
             du,
             n: DVec3::new(x, y, z),

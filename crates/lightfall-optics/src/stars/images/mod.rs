@@ -9,14 +9,14 @@
 //! * Without spin the images are found by inverting a table ([`table`]).
 //! * Without lensing there is one image, and mu is due to aberration alone: mu = g^-2.
 //! * With spin, and for every other tracer, an image is polished with the tracer itself
-//!   ([`polish`]).
+//!   ([`refine_image`]).
 
 mod caustic;
 mod inversion;
 mod mesh_layout;
 mod named;
-pub mod polish;
 mod ray_mesh;
+pub mod refine_image;
 pub mod table;
 
 pub use caustic::{MIN_SOURCE_RADIUS, inverse_sine};

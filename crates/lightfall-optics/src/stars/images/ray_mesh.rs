@@ -3,7 +3,7 @@
 
 use super::StarImage;
 use super::mesh_layout::MeshLayout;
-use super::polish::{Polish, Tangents};
+use super::refine_image::{ImageRefiner, Tangents};
 use crate::path::Path;
 use crate::reference::Reference;
 use crate::shift::Shift;
@@ -91,11 +91,11 @@ impl RayMesh {
         let spacing = self.layout.spacing;
         let first = self.layout.place(cell);
         let tangents = Tangents::at(star);
-        // The sky at unit distance is what `Polish` knows: x to the right, y up.
+        // The sky at unit distance is what `ImageRefiner` knows: x to the right, y up.
         let pixel = self.camera.pixel_angle(self.size);
         let scale = DVec2::new(pixel, -pixel);
         let sky = |place: DVec2| self.sky(place / scale + 0.5 * self.size);
-        let polish = Polish {
+        let refine_image = ImageRefiner {
             max_step: 2.0 * spacing * pixel,
             max_rays: 20,
             half_step: 1e-4,
@@ -105,7 +105,7 @@ impl RayMesh {
             let guess = (first + spacing * start - 0.5 * self.size) * scale;
             let rate = |along: DVec3, scale: f64| tangents.components(along) / (spacing * scale);
             let jacobian = DMat2::from_cols(rate(along_x, scale.x), rate(along_y, scale.y));
-            let Some(image) = polish.image(&sky, star, guess, jacobian) else {
+            let Some(image) = refine_image.image(&sky, star, guess, jacobian) else {
                 continue;
             };
             let place = image.place / scale + 0.5 * self.size;

@@ -3,9 +3,9 @@
 use crate::random::Random;
 use glam::DVec3;
 use lightfall_core::accuracy::Quantiles;
+use lightfall_core::geometry::closed_kerr::ClosedRay;
 use lightfall_core::geometry::kerr::Kerr;
-use lightfall_core::geometry::kerr_orbit::KerrOrbit;
-use lightfall_core::geometry::mino::{Constants, State};
+use lightfall_core::geometry::mino::{PhotonConstants, PhotonState};
 use lightfall_core::geometry::schwarzschild::CRITICAL_IMPACT;
 use lightfall_core::optics::reference::{HoleAndDisk, Reference};
 use lightfall_core::optics::trace::Trace;
@@ -32,11 +32,11 @@ impl Camera {
         }
     }
 
-    fn orbit(&self, direction: DVec3) -> KerrOrbit {
+    fn orbit(&self, direction: DVec3) -> ClosedRay {
         let (r, n) = self.reference.camera();
         let photon = self.reference.photon(direction);
-        let (constants, start) = Constants::of_photon(self.kerr, &photon, r, n);
-        KerrOrbit::new(self.kerr, &constants, start)
+        let (constants, start) = PhotonConstants::of_photon(self.kerr, &photon, r, n);
+        ClosedRay::new(self.kerr, &constants, start)
     }
 }
 
@@ -250,7 +250,7 @@ fn crossings_of_the_plane_by_random_rays_are_those_of_the_reference() {
 fn rays_that_failed_once_are_those_of_the_reference() {
     for [spin, energy, l, k, u, du, x, y, z, dx, dy, dz] in HARD_RAYS {
         let kerr = Kerr { spin };
-        let constants = Constants {
+        let constants = PhotonConstants {
             a: kerr.a(),
             energy,
             angular_momentum: l,
@@ -258,7 +258,7 @@ fn rays_that_failed_once_are_those_of_the_reference() {
             ingoing: false,
         };
         let (n, dn) = (DVec3::new(x, y, z), DVec3::new(dx, dy, dz));
-        let start = State {
+        let start = PhotonState {
             u,
             du,
             n,
@@ -270,7 +270,7 @@ fn rays_that_failed_once_are_those_of_the_reference() {
             annulus: None,
         };
         let truth = scene.trace(&constants, start).sky.unwrap();
-        let given = KerrOrbit::new(kerr, &constants, start).sky().unwrap();
+        let given = ClosedRay::new(kerr, &constants, start).sky().unwrap();
         let error = (truth - given).length();
         println!("{error:.1e}");
         assert!(error < 1e-11, "{energy} {l} {k}: {error:e}");

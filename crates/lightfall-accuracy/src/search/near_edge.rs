@@ -3,7 +3,7 @@
 use super::chart::{Chart, DIFFERENCE};
 use super::newton::{MIN_DAMPING, NO_DAMPING, along_first_axis, newton};
 use super::part::{Part, miss_on_chart};
-use super::reference_camera::ReferenceCamera;
+use crate::reference_camera::ReferenceCamera;
 use glam::{DVec2, DVec3};
 use lightfall_model::geometry::sphere::wrap_angle;
 use lightfall_optics::trace::Trace;

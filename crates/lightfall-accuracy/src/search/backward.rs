@@ -1,13 +1,13 @@
 //! The backward error: the smallest turn t of a ray for which the reference's answer differs from
 //! the method's by at most t.
 
-use super::answer::greater;
 use super::chart::Chart;
 use super::near_edge::turn_near_edge;
 use super::newton::{MIN_DAMPING, newton};
 use super::part::{Part, miss_on_chart};
-use super::ray::Ray;
-use super::reference_camera::ReferenceCamera;
+use crate::answer::greater;
+use crate::ray::Ray;
+use crate::reference_camera::ReferenceCamera;
 use glam::{DVec2, DVec3};
 use lightfall_optics::trace::Trace;
 
@@ -27,7 +27,7 @@ pub(super) const PLANE_SCALES: [f64; 3] = [1.0, 1e-2, 1e-4];
 ///
 /// For a part that is off by less than `precision` the forward error, which bounds the turn, takes
 /// the place of a search.
-pub(super) fn backward_error(
+pub(crate) fn backward_error(
     camera: &ReferenceCamera,
     ray: &Ray,
     truth: &Trace,

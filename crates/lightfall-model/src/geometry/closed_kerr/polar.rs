@@ -16,7 +16,7 @@
 //! modulus is small for all light that does not run next to the axis. Derived.
 
 use crate::geometry::elliptic::carlson_rf;
-use crate::geometry::mino::{Constants, State};
+use crate::geometry::mino::{PhotonConstants, PhotonState};
 use crate::geometry::quadrature::integral;
 use glam::{DMat3, DVec3};
 
@@ -61,7 +61,7 @@ struct Circle {
 impl Polar {
     /// The motion of a ray from its start.
     #[must_use]
-    pub fn new(c: &Constants, start: &State) -> Self {
+    pub fn new(c: &PhotonConstants, start: &PhotonState) -> Self {
         let axial = (c.a * c.energy).powi(2);
         let (n, dn) = (start.n, start.dn);
         let z2 = n.z * n.z;

@@ -3,7 +3,7 @@
 
 use super::{answers_to_turned_rays, scene};
 use glam::DVec3;
-use lightfall_core::accuracy::{Bounds, EDGE_DISTANCES, Ray, Truth, rays_near_edge};
+use lightfall_core::accuracy::{EDGE_DISTANCES, Ray, Truth, TurnBounds, rays_near_edge};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::{Outcome, Trace};
 use lightfall_core::scene::{Method, ObserverKind, Scene};
@@ -23,9 +23,9 @@ fn both_searches_find_known_rotations_across_a_tiny_shadow() {
     // rounding of its f64 directions, 1e-16 rad, is magnified by the inverse of the distance to the
     // edge, down to 1e-10 rad.
     let limit = 5e-7;
-    let bounds = Bounds {
-        enough: 0.5 * limit,
-        known: f64::INFINITY,
+    let bounds = TurnBounds {
+        target: 0.5 * limit,
+        upper_bound: f64::INFINITY,
     };
     for angle in [1e-8, 3e-8, 1e-7, 2e-7] {
         let given = answers_to_turned_rays(&scene, &truth, angle);
@@ -33,7 +33,7 @@ fn both_searches_find_known_rotations_across_a_tiny_shadow() {
             assert!(error.backward <= limit, "ray {i}, {angle:e}: {error:?}");
             // The thorough search is slow, and must not need the usual one's result.
             if i % 40 == 0 {
-                let found = truth.surroundings(i, bounds).judge(&given[i], bounds);
+                let found = truth.thorough_search(i, bounds).judge(&given[i], bounds);
                 assert!(found <= limit, "ray {i}, {angle:e}: {found:e}, {error:?}");
             }
         }
@@ -61,11 +61,11 @@ fn the_thorough_search_explains_an_answer_without_sky_and_hits() {
             continue;
         }
         explained += 1;
-        let bounds = Bounds {
-            enough: usual / 4.0,
-            known: f64::INFINITY,
+        let bounds = TurnBounds {
+            target: usual / 4.0,
+            upper_bound: f64::INFINITY,
         };
-        let found = truth.surroundings(i, bounds).judge(&given, bounds);
+        let found = truth.thorough_search(i, bounds).judge(&given, bounds);
         // The turns of the grid's rows lie a factor of two apart.
         let limit = 2.0 * usual;
         assert!(found <= limit, "ray {i}: {found:e}, usually {usual:e}");
@@ -157,9 +157,9 @@ fn the_thorough_search_follows_the_sky_to_a_ring_too_narrow_for_its_grid() {
         let truth = Truth::of(&scene, vec![Ray::toward(ray)]).expect("an observer that exists");
         assert_eq!(truth.traces[0].hits, [None; 2], "the ray passes the ring");
         // The thorough search must not need the usual one's result.
-        let bounds = Bounds::of_limit(limit, f64::INFINITY);
-        let found = truth.surroundings(0, bounds).judge(&given, bounds);
-        assert!(found <= bounds.enough, "{found}");
+        let bounds = TurnBounds::for_limit(limit, f64::INFINITY);
+        let found = truth.thorough_search(0, bounds).judge(&given, bounds);
+        assert!(found <= bounds.target, "{found}");
     }
 }
 

@@ -1,8 +1,8 @@
 //! Coordinates of the rays around one ray.
 
 use super::edge::Edge;
-use super::ray::Ray;
-use super::reference_camera::ReferenceCamera;
+use crate::ray::Ray;
+use crate::reference_camera::ReferenceCamera;
 use glam::{DVec2, DVec3};
 use lightfall_model::geometry::sphere::{angle_between, wrap_angle};
 use lightfall_optics::trace::Trace;

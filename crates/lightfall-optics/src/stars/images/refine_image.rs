@@ -10,7 +10,7 @@ const TOLERANCE: f64 = 1e-12;
 
 /// Where the image of a star lies, and how much it is magnified.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PolishedImage {
+pub struct RefinedImage {
     /// Its place in the picture, at unit distance.
     pub place: DVec2,
     /// The solid angle at the camera over the solid angle on the sky.
@@ -21,7 +21,7 @@ pub struct PolishedImage {
 
 /// How an image is polished.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Polish {
+pub struct ImageRefiner {
     /// Maximum length of a step, at unit distance.
     pub max_step: f64,
     /// Maximum number of rays before the magnification is measured.
@@ -30,7 +30,7 @@ pub struct Polish {
     pub half_step: f64,
 }
 
-impl Polish {
+impl ImageRefiner {
     /// The image of the star in the unit direction `star`, from the guess `place` and a guess of
     /// the Jacobian there: the star's tangent coordinates by the place's. `sky` is the tracer: the
     /// unit vector toward the source of a place's light, or `None` where no light of the sky
@@ -42,13 +42,13 @@ impl Polish {
         star: DVec3,
         place: DVec2,
         jacobian: DMat2,
-    ) -> Option<PolishedImage> {
+    ) -> Option<RefinedImage> {
         let tangents = Tangents::at(star);
         let (mut place, mut jacobian) = (place, jacobian);
         let mut missed = tangents.missed(sky(place)?)?;
         for rays in 1..=self.max_rays {
             if missed.length() < TOLERANCE {
-                return Some(PolishedImage {
+                return Some(RefinedImage {
                     place,
                     magnification: self.magnification(sky, place)?,
                     rays,

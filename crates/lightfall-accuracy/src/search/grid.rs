@@ -1,12 +1,12 @@
 //! A grid of the reference's answers to the rays on one side of the shadow's edge, and the searches that
 //! start from its places.
 
-use super::answer::{greater, is_same_class};
 use super::chart::Chart;
 use super::newton::{NO_DAMPING, newton};
 use super::part::{Part, bound_of_whole, miss_on_chart};
-use super::reference_camera::ReferenceCamera;
-use super::turns::{Bounds, Explained, Turns};
+use super::turns::{Explained, TurnBounds, Turns};
+use crate::answer::{greater, is_same_class};
+use crate::reference_camera::ReferenceCamera;
 use glam::{DVec2, DVec3};
 use lightfall_optics::trace::Trace;
 use rayon::prelude::*;
@@ -47,9 +47,9 @@ struct Place {
 }
 
 impl<'a> Grid<'a> {
-    /// Traces the rays of the grid, with turns from a small share of `bounds.enough` up to
-    /// `bounds.known`.
-    pub(super) fn new(camera: &'a ReferenceCamera, chart: Chart, bounds: Bounds) -> Self {
+    /// Traces the rays of the grid, with turns from a small share of `bounds.target` up to
+    /// `bounds.upper_bound`.
+    pub(super) fn new(camera: &'a ReferenceCamera, chart: Chart, bounds: TurnBounds) -> Self {
         let rows = places(&chart, bounds);
         let answer = |place: DVec2| Place {
             place,
@@ -70,7 +70,7 @@ impl<'a> Grid<'a> {
         &self,
         given: &Trace,
         part: Part,
-        enough: f64,
+        target: f64,
         mut least: Explained,
     ) -> Explained {
         let chart = &self.chart;
@@ -88,7 +88,7 @@ impl<'a> Grid<'a> {
         };
         let starts = self.nearest_starts(part, least.part);
         for starts in starts.chunks(STARTS_AT_ONCE) {
-            if least.is_enough(enough) {
+            if least.is_within(target) {
                 break;
             }
             let found = starts.par_iter().map(from);
@@ -140,8 +140,8 @@ impl<'a> Grid<'a> {
     }
 
     /// The places from which Newton's method is started for a part, the nearest first.
-    pub(super) fn nearest_starts(&self, part: Part, known: f64) -> Vec<DVec2> {
-        let mut starts = self.starts(part, known);
+    pub(super) fn nearest_starts(&self, part: Part, upper_bound: f64) -> Vec<DVec2> {
+        let mut starts = self.starts(part, upper_bound);
         starts.sort_by(|a, b| self.chart.turn(*a).total_cmp(&self.chart.turn(*b)));
         starts.truncate(MAX_STARTS);
         starts
@@ -149,9 +149,9 @@ impl<'a> Grid<'a> {
 
     /// The places at which the miss of a part is locally least along its row, with turns below the
     /// known one.
-    fn starts(&self, part: Part, known: f64) -> Vec<DVec2> {
+    fn starts(&self, part: Part, upper_bound: f64) -> Vec<DVec2> {
         let miss = |place: &Place| {
-            let miss = (place.turn < known)
+            let miss = (place.turn < upper_bound)
                 .then(|| part.miss(&place.trace))
                 .flatten();
             (place.place, miss.map_or(f64::INFINITY, DVec2::length))
@@ -170,12 +170,18 @@ impl<'a> Grid<'a> {
 }
 
 /// The places of the grid on a chart, row by row.
-fn places(chart: &Chart, Bounds { enough, known }: Bounds) -> Vec<Vec<DVec2>> {
-    let reach = known.min(MAX_SHARE * chart.radius());
+fn places(
+    chart: &Chart,
+    TurnBounds {
+        target,
+        upper_bound,
+    }: TurnBounds,
+) -> Vec<Vec<DVec2>> {
+    let reach = upper_bound.min(MAX_SHARE * chart.radius());
     let columns = columns((reach / chart.scale).ln_1p());
     let halved = std::iter::successors(Some(reach), |turn| Some(0.5 * turn));
     let turns = halved
-        .take_while(|turn| *turn > MIN_TURN * enough)
+        .take_while(|turn| *turn > MIN_TURN * target)
         .take(MAX_ROWS);
     let row = |turn: f64| {
         let place = |x: &f64| DVec2::new(*x, turn / chart.scale);

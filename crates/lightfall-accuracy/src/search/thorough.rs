@@ -2,21 +2,21 @@
 //! thousands of rays, so it is for the few rays whose error is still too large after the usual
 //! search.
 
-use super::answer::{is_complete, is_same_class};
 use super::backward::explaining_turn;
 use super::chart::Chart;
 use super::class::ClassSearch;
 use super::grid::Grid;
 use super::part::Part;
-use super::ray::Ray;
-use super::reference_camera::ReferenceCamera;
-use super::turns::{Bounds, Explained, Turns};
+use super::turns::{Explained, TurnBounds, Turns};
+use crate::answer::{is_complete, is_same_class};
+use crate::ray::Ray;
+use crate::reference_camera::ReferenceCamera;
 use glam::DVec2;
 use lightfall_optics::trace::Trace;
 
 /// The answers of the reference to the rays around one ray, on a grid over both sides of the shadow's
 /// edge.
-pub struct Surroundings<'a> {
+pub struct ThoroughSearch<'a> {
     camera: &'a ReferenceCamera,
     ray: Ray,
     /// The true answer to the ray.
@@ -25,13 +25,13 @@ pub struct Surroundings<'a> {
     grids: Vec<Grid<'a>>,
 }
 
-impl<'a> Surroundings<'a> {
-    /// Traces a grid of rays with turns between `bounds.enough` and `bounds.known`.
-    pub(super) fn new(
+impl<'a> ThoroughSearch<'a> {
+    /// Traces a grid of rays with turns between `bounds.target` and `bounds.upper_bound`.
+    pub(crate) fn new(
         camera: &'a ReferenceCamera,
         ray: &Ray,
         truth: &Trace,
-        bounds: Bounds,
+        bounds: TurnBounds,
     ) -> Self {
         let ray = camera.with_edge(ray);
         let grid = |chart: Chart| Grid::new(camera, chart, bounds);
@@ -43,15 +43,15 @@ impl<'a> Surroundings<'a> {
         }
     }
 
-    /// The backward error, in radians, of an answer to the ray, as [`Truth::judge`](super::Truth::judge)
+    /// The backward error, in radians, of an answer to the ray, as [`Truth::judge`](crate::Truth::judge)
     /// defines it, but no more than the known bound.
     #[must_use]
-    pub fn judge(&self, given: &Trace, bounds: Bounds) -> f64 {
+    pub fn judge(&self, given: &Trace, bounds: TurnBounds) -> f64 {
         if !is_complete(given) {
             return f64::INFINITY;
         }
         let class = (!is_same_class(&self.truth, given))
-            .then(|| ClassSearch::new(self.camera, &self.ray, given, bounds.enough));
+            .then(|| ClassSearch::new(self.camera, &self.ray, given, bounds.target));
         let mut turns = Turns::default();
         let mut whole = f64::INFINITY;
         for part in Part::all(given) {
@@ -64,25 +64,25 @@ impl<'a> Surroundings<'a> {
             let on_grid = self.grids.iter().map(|grid| grid.turn_to_class(given));
             turns.class = on_grid.fold(class.turn(), f64::min);
             whole = whole.min(class.whole());
-            if turns.largest().min(whole) > bounds.enough {
-                let known = turns.largest().min(bounds.known);
-                turns = self.follow_sky(given, bounds.enough, known, turns);
+            if turns.largest().min(whole) > bounds.target {
+                let upper_bound = turns.largest().min(bounds.upper_bound);
+                turns = self.follow_sky(given, bounds.target, upper_bound, turns);
             }
         }
         // One ray that explains the whole answer is as good as one for each part.
-        turns.largest().min(whole).min(bounds.known)
+        turns.largest().min(whole).min(bounds.upper_bound)
     }
 
     /// The turns that explain an answer with a sky, with hits on a ring so narrow that no ray of the grid
-    /// meets it. The rays that explain the sky lead to those that meet the ring. `known` bounds the search,
+    /// meets it. The rays that explain the sky lead to those that meet the ring. `upper_bound` bounds the search,
     /// and `turns` are known already.
-    fn follow_sky(&self, given: &Trace, enough: f64, known: f64, mut turns: Turns) -> Turns {
+    fn follow_sky(&self, given: &Trace, target: f64, upper_bound: f64, mut turns: Turns) -> Turns {
         let Some(sky) = given.sky.filter(|_| given.hits.iter().any(Option::is_some)) else {
             return turns;
         };
         for grid in &self.grids {
-            for start in grid.nearest_starts(Part::Sky(sky), known) {
-                if turns.largest() > enough {
+            for start in grid.nearest_starts(Part::Sky(sky), upper_bound) {
+                if turns.largest() > target {
                     turns = turns.min(grid.turns_along_sky(given, sky, start));
                 }
             }
@@ -97,25 +97,28 @@ impl<'a> Surroundings<'a> {
         given: &Trace,
         part: Part,
         class: Option<&ClassSearch>,
-        Bounds { enough, known }: Bounds,
+        TurnBounds {
+            target,
+            upper_bound,
+        }: TurnBounds,
     ) -> Explained {
         let forward = part.miss(&self.truth).map_or(f64::INFINITY, DVec2::length);
-        if forward <= enough {
+        if forward <= target {
             return Explained {
                 part: forward,
                 whole: f64::INFINITY,
             };
         }
         let usual = match class {
-            Some(class) => class.turn_to_part(part, enough),
-            None => explaining_turn(self.camera, &self.ray, (part, forward), enough),
+            Some(class) => class.turn_to_part(part, target),
+            None => explaining_turn(self.camera, &self.ray, (part, forward), target),
         };
         let mut least = Explained {
-            part: usual.min(known),
+            part: usual.min(upper_bound),
             whole: f64::INFINITY,
         };
         for grid in &self.grids {
-            least = grid.explain(given, part, enough, least);
+            least = grid.explain(given, part, target, least);
         }
         least
     }

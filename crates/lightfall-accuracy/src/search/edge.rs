@@ -1,6 +1,6 @@
 //! The edge of the shadow: rays close to it are the hardest to trace.
 
-use super::camera_tracer::CameraTracer;
+use crate::camera_tracer::CameraTracer;
 use glam::DVec3;
 use lightfall_model::geometry::observer::Photon;
 use lightfall_model::geometry::sphere::{angle_between, celestial_frame};
@@ -28,7 +28,7 @@ pub struct Shadow {
 
 impl Shadow {
     /// The shadow of a scene. `None` without lensing, or if no edge separates opposite directions.
-    pub(super) fn of(scene: &Scene, tracer: &CameraTracer) -> Option<Self> {
+    pub(crate) fn of(scene: &Scene, tracer: &CameraTracer) -> Option<Self> {
         if !scene.effects.lensing {
             return None;
         }
@@ -72,7 +72,7 @@ impl Shadow {
     }
 
     /// The edge around a position angle.
-    pub(super) fn edge(&self, tracer: &CameraTracer, position_angle: f64) -> Edge {
+    pub(crate) fn edge(&self, tracer: &CameraTracer, position_angle: f64) -> Edge {
         let whole = [-46.0, 46.0];
         let t = self.bisected(tracer, position_angle, whole);
         let neighbour = |side: f64| {
@@ -97,7 +97,7 @@ impl Shadow {
     }
 
     /// The edge on the great circle from the centre through a direction.
-    pub(super) fn edge_toward(&self, tracer: &CameraTracer, direction: DVec3) -> Edge {
+    pub(crate) fn edge_toward(&self, tracer: &CameraTracer, direction: DVec3) -> Edge {
         let (u, v) = self.centre.any_orthonormal_pair();
         self.edge(tracer, direction.dot(v).atan2(direction.dot(u)))
     }
@@ -127,9 +127,9 @@ fn angle(t: f64) -> f64 {
 
 /// The edge of the shadow near one position angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Edge {
+pub(crate) struct Edge {
     /// The shadow's centre.
-    pub(super) centre: DVec3,
+    pub(crate) centre: DVec3,
     /// The direction of position angle zero, perpendicular to the centre.
     along: DVec3,
     /// Angle of the edge from the centre in radians, as coefficients of a polynomial in the
@@ -139,18 +139,18 @@ pub(super) struct Edge {
 
 impl Edge {
     /// Angle of the edge from the centre at position angle zero, in radians.
-    pub(super) fn middle(&self) -> f64 {
+    pub(crate) fn middle(&self) -> f64 {
         self.angle[0]
     }
 
     /// Angle of the edge from the centre at a position angle, in radians.
-    pub(super) fn at(&self, position_angle: f64) -> f64 {
+    pub(crate) fn at(&self, position_angle: f64) -> f64 {
         let [here, slope, curvature] = self.angle;
         here + position_angle * (slope + position_angle * curvature)
     }
 
     /// Position angle of a direction, and its angle beyond the edge, in radians.
-    pub(super) fn place(&self, direction: DVec3) -> [f64; 2] {
+    pub(crate) fn place(&self, direction: DVec3) -> [f64; 2] {
         let across = self.centre.cross(self.along);
         let position_angle = direction.dot(across).atan2(direction.dot(self.along));
         [
@@ -160,7 +160,7 @@ impl Edge {
     }
 
     /// The direction at a position angle and an angle `beyond` the edge.
-    pub(super) fn direction(&self, position_angle: f64, beyond: f64) -> DVec3 {
+    pub(crate) fn direction(&self, position_angle: f64, beyond: f64) -> DVec3 {
         let angle = self.at(position_angle) + beyond;
         let (sin, cos) = position_angle.sin_cos();
         angle.cos() * self.centre

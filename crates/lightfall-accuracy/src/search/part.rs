@@ -1,8 +1,8 @@
 //! The parts of an answer that a turn of the ray has to explain: its sky direction and its hits.
 
-use super::answer::is_same_class;
 use super::chart::Chart;
-use super::reference_camera::ReferenceCamera;
+use crate::answer::is_same_class;
+use crate::reference_camera::ReferenceCamera;
 use glam::{DVec2, DVec3};
 use lightfall_model::geometry::sphere::{angle_between, wrap_angle};
 use lightfall_optics::trace::{Hit, Trace};

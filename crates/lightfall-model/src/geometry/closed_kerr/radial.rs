@@ -9,9 +9,9 @@
 //! has no linear term, and everything follows from these four numbers: how far the critical curve is
 //! (b_0 alone is small next to it), a root e of Weierstrass's cubic, and the turning points.
 
-use crate::geometry::elliptic::carlson_rf_pair;
+use crate::geometry::elliptic::{carlson_rf_pair, weierstrass};
 use crate::geometry::kerr::Kerr;
-use crate::geometry::mino::Constants;
+use crate::geometry::mino::PhotonConstants;
 
 /// Number of Newton's steps that take the cubic's root to its last digit.
 const NEWTON_STEPS: u32 = 80;
@@ -36,9 +36,9 @@ pub struct Radial {
     beta: f64,
     gamma: f64,
     /// The isolated root of the cubic is -alpha/6 + offset, and the other two are alpha/12 -
-    /// offset/2 +- sqrt(half_gap_squared).
+    /// offset/2 +- sqrt(h2).
     offset: f64,
-    half_gap_squared: f64,
+    h2: f64,
     /// u of the critical point, if it is outside the horizon and U is negative there: no light with
     /// these constants passes it.
     pub barrier: Option<f64>,
@@ -61,7 +61,7 @@ pub struct Centre {
 impl Radial {
     /// The motion of a ray with these constants, which starts with `u` and `du`.
     #[must_use]
-    pub fn new(kerr: Kerr, c: &Constants, [u_start, du]: [f64; 2]) -> Self {
+    pub fn new(kerr: Kerr, c: &PhotonConstants, [u_start, du]: [f64; 2]) -> Self {
         let (a, energy, k_prime) = (c.a, c.energy, c.k_prime());
         let drag = a * (a * energy - c.angular_momentum);
         let p = [
@@ -82,7 +82,7 @@ impl Radial {
             beta: k_prime,
             gamma: 0.5 * p[2],
             offset: 0.0,
-            half_gap_squared: 0.0,
+            h2: 0.0,
             barrier: None,
         };
         let root2 = p[1] * p[1] - 4.0 * p[0] * p[2];
@@ -111,7 +111,7 @@ impl Radial {
         }
         radial.offset = radial.isolated_offset();
         let e = radial.offset;
-        radial.half_gap_squared = 0.25 * (radial.gamma * radial.b_0 + e * (radial.alpha - 3.0 * e));
+        radial.h2 = 0.25 * (radial.gamma * radial.b_0 + e * (radial.alpha - 3.0 * e));
         radial
     }
 
@@ -152,7 +152,7 @@ impl Radial {
     #[must_use]
     pub fn turning_point(&self) -> Centre {
         let mean = 0.25 * self.alpha - 0.5 * self.offset;
-        let product = (mean * mean - self.half_gap_squared).max(0.0).sqrt();
+        let product = (mean * mean - self.h2).max(0.0).sqrt();
         // The roots s = 1/v of b_0 s^4 + alpha s^2 + beta s + gamma by Euler's solution.
         let sum = (8.0 / self.b_0.abs() * (mean.abs() + product)).sqrt();
         let third = (-4.0 * self.offset / self.b_0)
@@ -195,11 +195,7 @@ impl Radial {
     #[must_use]
     pub fn time_from_turn(&self, centre: &Centre, y: f64) -> f64 {
         let pole = centre.c[1] / (4.0 * y);
-        carlson_rf_pair(
-            pole + centre.isolated,
-            pole + centre.pair,
-            self.half_gap_squared,
-        )
+        carlson_rf_pair(pole + centre.isolated, pole + centre.pair, self.h2)
     }
 
     /// The Mino time between two places (u, |u'|) without a turn between them: R_F of P less the
@@ -211,7 +207,7 @@ impl Radial {
     ///
     /// (|x'| |y'|)^2 - (x y C)^2 = b_0 (x'^2 + y'^2 - b_0) + (x y (x - y))^2 (alpha gamma - beta^2/4).
     #[must_use]
-    pub fn direct_time(&self, [x, dx]: [f64; 2], [y, dy]: [f64; 2]) -> f64 {
+    pub fn time_between(&self, [x, dx]: [f64; 2], [y, dy]: [f64; 2]) -> f64 {
         let (v_x, v_y, width2) = (x - self.base, y - self.base, (x - y) * (x - y));
         let product = v_x * v_y;
         if product < 0.0 {
@@ -224,7 +220,7 @@ impl Radial {
             let below = dx * dy - product * middle;
             let pair = 0.5 * self.offset + 0.5 * (self.b_0 + above / below) / width2;
             let isolated = pair + 0.25 * self.alpha - 1.5 * self.offset;
-            return carlson_rf_pair(isolated, pair, self.half_gap_squared);
+            return carlson_rf_pair(isolated, pair, self.h2);
         }
         let polarised = 0.5 * self.p[2] * (x * y).powi(2)
             + 0.5 * self.k_prime * x * y * (x + y)
@@ -232,7 +228,7 @@ impl Radial {
             + self.energy * self.energy;
         let p = (polarised + dx * dy) / (2.0 * width2);
         let e = self.offset - self.alpha / 6.0;
-        carlson_rf_pair(p - e, p + 0.5 * e, self.half_gap_squared)
+        carlson_rf_pair(p - e, p + 0.5 * e, self.h2)
     }
 
     /// u at the Mino time `t` after a place with u and u', through turning points: Biermann's and
@@ -241,7 +237,7 @@ impl Radial {
     pub fn u_after(&self, t: f64, [u, du]: [f64; 2]) -> f64 {
         let v = u - self.base;
         let mean = self.alpha / 12.0 - 0.5 * self.offset;
-        let [above, dp] = super::weierstrass::weierstrass(t, mean, self.half_gap_squared);
+        let [above, dp] = weierstrass(t, mean, self.h2);
         // Next to the critical curve U''/24 is close to the pair's mean.
         let x = above - 0.5 * self.offset - v * (0.25 * self.beta + 0.5 * self.gamma * v);
         let f = du * du;

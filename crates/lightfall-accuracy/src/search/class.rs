@@ -1,14 +1,14 @@
 //! The backward error of an answer of the wrong class: one with another outcome or another number
 //! of hits.
 
-use super::answer::{greater, is_same_class};
 use super::backward::{PLANE_SCALES, turn_in_plane};
 use super::chart::Chart;
 use super::near_edge::turn_near_edge;
 use super::newton::{NO_DAMPING, newton};
 use super::part::{Part, bound_of_whole, miss_on_chart};
-use super::ray::Ray;
-use super::reference_camera::ReferenceCamera;
+use crate::answer::{greater, is_same_class};
+use crate::ray::Ray;
+use crate::reference_camera::ReferenceCamera;
 use glam::{DVec2, DVec3};
 use lightfall_model::geometry::sphere::angle_between;
 use lightfall_optics::trace::Trace;
@@ -33,7 +33,7 @@ const HEIGHT_STEP: f64 = 0.01;
 /// The backward error, in radians, of an answer of the wrong class: the largest of the turn to the
 /// nearest ray of its class and of the turns that explain its parts. Infinite if there is no ray of
 /// its class within 0.3 rad.
-pub(super) fn class_backward_error(
+pub(crate) fn class_backward_error(
     camera: &ReferenceCamera,
     ray: &Ray,
     given: &Trace,

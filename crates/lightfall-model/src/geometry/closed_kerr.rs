@@ -9,14 +9,12 @@
 
 mod polar;
 mod radial;
-mod weierstrass;
 
 pub use polar::Polar;
 pub use radial::{Centre, Radial};
-pub use weierstrass::weierstrass;
 
 use crate::geometry::kerr::Kerr;
-use crate::geometry::mino::{Constants, State};
+use crate::geometry::mino::{PhotonConstants, PhotonState};
 use crate::geometry::quadrature::integral_on_scale;
 use glam::{DMat3, DVec3};
 
@@ -30,18 +28,18 @@ struct Leg {
 
 /// A backward ray in closed form.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct KerrOrbit {
-    start: State,
+pub struct ClosedRay {
+    start: PhotonState,
     /// The motion in u.
     pub radial: Radial,
     /// The motion in latitude.
     pub polar: Polar,
 }
 
-impl KerrOrbit {
+impl ClosedRay {
     /// The ray with these constants from `start` on.
     #[must_use]
-    pub fn new(kerr: Kerr, constants: &Constants, start: State) -> Self {
+    pub fn new(kerr: Kerr, constants: &PhotonConstants, start: PhotonState) -> Self {
         Self {
             start,
             radial: Radial::new(kerr, constants, [start.u, start.du]),
@@ -62,7 +60,10 @@ impl KerrOrbit {
     #[must_use]
     pub fn time_to_infinity(&self) -> f64 {
         let (u, du) = (self.start.u, self.start.du);
-        let direct = || self.radial.direct_time([u, -du], [0.0, self.radial.energy]);
+        let direct = || {
+            self.radial
+                .time_between([u, -du], [0.0, self.radial.energy])
+        };
         if self.radial.barrier.is_none() {
             return direct();
         }

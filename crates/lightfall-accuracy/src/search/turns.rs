@@ -1,25 +1,25 @@
 //! The bounds of the thorough search for the turns that explain an answer, and its results.
 
-use super::answer::greater;
 use super::part::Part;
+use crate::answer::greater;
 
 /// The bounds of the search for a turn, in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
+pub struct TurnBounds {
     /// A turn below this ends the search.
-    pub enough: f64,
+    pub target: f64,
     /// An upper bound of the turn.
-    pub known: f64,
+    pub upper_bound: f64,
 }
 
-impl Bounds {
+impl TurnBounds {
     /// The bounds of a search that decides whether an error exceeds a limit. It goes on to half of the
     /// limit, so that an error near the limit is stated as it is.
     #[must_use]
-    pub fn of_limit(limit: f64, known: f64) -> Self {
+    pub fn for_limit(limit: f64, upper_bound: f64) -> Self {
         Self {
-            enough: 0.5 * limit,
-            known,
+            target: 0.5 * limit,
+            upper_bound,
         }
     }
 }
@@ -72,7 +72,7 @@ impl Explained {
     }
 
     /// Whether no further search is needed.
-    pub(super) fn is_enough(self, enough: f64) -> bool {
-        self.part.min(self.whole) <= enough
+    pub(super) fn is_within(self, target: f64) -> bool {
+        self.part.min(self.whole) <= target
     }
 }
