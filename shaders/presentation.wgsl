@@ -1,7 +1,7 @@
 // From the tone-mapped picture to the screen: as cells, by area reduction, quantization with an
 // ordered dither, and expansion; or without cells, by scaling and rounding to 8 bits with noise.
 // The CPU fills the uniform and decides where the picture lies on the output
-// (src/render/presentation.rs).
+// (render/presentation.rs).
 //
 // Needs: BINDING_PRESENTATION, BINDING_PRESENTATION_SOURCE, MAX_PIXELS_TOUCHED.
 // Gives: expand, fit, pixelate.

@@ -50,9 +50,6 @@ pub use ui::panel::{
     sections::{SECTIONS, Shown},
 };
 
-use crate::log::{quiet_log, say};
-use crate::render::recovery::DeviceFailure;
-use crate::render::{LightfallRenderPlugin, LiveShaders, StarCatalogue, render_plugin};
 use bevy::app::PluginGroupBuilder;
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
@@ -62,6 +59,9 @@ use lightfall_core::gpu::Drawable;
 use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
+use lightfall_platform::log::{quiet_log, say};
+use lightfall_render::recovery::DeviceFailure;
+use lightfall_render::{LightfallRenderPlugin, LiveShaders, StarCatalogue, render_plugin};
 use session::adapter::AdapterChoice;
 use state::preferences::Preferences;
 use state::title::Title;

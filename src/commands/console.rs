@@ -4,7 +4,7 @@
 //! double click gives it a console of its own. The window program closes that console at once, and
 //! every other one vanishes with the program, so what is written there is not read by anybody.
 
-use crate::log::say;
+use lightfall_platform::log::say;
 use std::io::IsTerminal;
 use std::sync::OnceLock;
 #[cfg(windows)]

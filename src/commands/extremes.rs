@@ -6,7 +6,6 @@ use super::output::{create_report_folder, print, write_report, write_tables};
 use super::progress::Progress;
 use super::scene::device;
 use super::stop::Stop;
-use crate::log::say;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::numbers::counted;
 use lightfall_core::scene::Method;
@@ -15,6 +14,7 @@ use lightfall_lab::extremes::{
     Cell, CellDelays, Hunt, HuntRow, WorstRay, cells, delays_table, delays_work, grid, hunt_text,
     markdown, matrix_work, measure_delays, measure_matrix,
 };
+use lightfall_platform::log::say;
 
 /// Number of scenes that a hunt lists even if their worst rays are within the tolerance.
 const MIN_LISTED: usize = 10;

@@ -5,16 +5,17 @@ use super::console::close_own_console;
 use super::render::write_still;
 use super::scene::{drawable, journey, scene, stars};
 use super::stop::Stop;
+use crate::app;
 use crate::app::Start;
-use crate::log::say;
-use crate::picture::HeadlessOptions;
-use crate::storage::file_safe_name;
-use crate::{app, picture};
 use lightfall_core::gpu::ShaderFiles;
 use lightfall_core::optics::exposure::exposed;
 use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::Scene;
 use lightfall_core::scene::journey::Journey;
+use lightfall_picture as picture;
+use lightfall_picture::HeadlessOptions;
+use lightfall_platform::log::say;
+use lightfall_platform::storage::file_safe_name;
 use std::path::{Path, PathBuf};
 
 /// Flies.

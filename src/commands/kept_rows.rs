@@ -1,11 +1,11 @@
 //! The rows of a report that takes minutes, kept while it is measured: a run that is stopped leaves
 //! them in a file, and the same run goes on after them.
 
-use crate::log::say;
-use crate::storage;
 use lightfall_lab::circumstances::Circumstances;
 use lightfall_lab::export::csv;
 use lightfall_lab::import::Report;
+use lightfall_platform::log::say;
+use lightfall_platform::storage;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};

@@ -1,8 +1,8 @@
 //! Results of commands: on standard output, and as files in a folder of reports.
 
 use super::stop::Stop;
-use crate::storage;
 use lightfall_core::accuracy::rays::is_closed_pipe;
+use lightfall_platform::storage;
 use std::io::{self, Write};
 use std::path::Path;
 

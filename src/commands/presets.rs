@@ -3,10 +3,10 @@
 use super::cli::{PresetsCommand, assignments};
 use super::output::print_to;
 use super::stop::Stop;
-use crate::render::cost_report;
-use crate::storage;
 use lightfall_core::gpu::{GpuError, GpuScene};
 use lightfall_core::scene::presets::PRESETS;
+use lightfall_platform::storage;
+use lightfall_render::cost_report;
 use std::ffi::OsStr;
 use std::io::Write;
 use std::path::Path;

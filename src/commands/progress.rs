@@ -1,7 +1,7 @@
 //! Progress of long commands: how long they will take, and how much is done.
 
-use crate::log::say;
 use indicatif::{ProgressBar, ProgressStyle};
+use lightfall_platform::log::say;
 use std::io::IsTerminal;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::time::{Duration, Instant};

@@ -6,19 +6,19 @@ use super::output::print;
 use super::progress::{LongWork, progress};
 use super::scene::{device, drawable, journey, scene, stars};
 use super::stop::Stop;
-use crate::log::say;
-use crate::picture;
-use crate::picture::{
-    Animation, Channels, Format, Frames, HeadlessOptions, Linear, PassTime, PictureError,
-    PixelRays, Sequence, Still, Studio,
-};
-use crate::render::{fit, resized};
-use crate::storage;
 use glam::UVec2;
 use indicatif::ProgressBar;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Picture, Scene, SkyMode};
 use lightfall_lab::export::csv;
+use lightfall_picture as picture;
+use lightfall_picture::{
+    Animation, Channels, Format, Frames, HeadlessOptions, Linear, PassTime, PictureError,
+    PixelRays, Sequence, Still, Studio,
+};
+use lightfall_platform::log::say;
+use lightfall_platform::storage;
+use lightfall_render::{fit, resized};
 use std::ops::Range;
 use std::path::{Path, PathBuf, absolute};
 

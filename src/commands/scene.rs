@@ -2,13 +2,13 @@
 
 use super::cli::SceneArgs;
 use super::stop::Stop;
-use crate::log::say;
-use crate::storage;
 use lightfall_core::gpu;
 use lightfall_core::gpu::{AdapterName, Drawable, Gpu};
 use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::journey::Journey;
 use lightfall_core::scene::{Scene, presets};
+use lightfall_platform::log::say;
+use lightfall_platform::storage;
 use std::path::Path;
 
 /// The scene that the options describe.

@@ -1,7 +1,7 @@
 //! Why a command stops before it is done.
 
-use crate::storage::SourceError;
 use lightfall_core::gpu::GpuError;
+use lightfall_platform::storage::SourceError;
 use std::error::Error;
 use std::fmt::{Display, Formatter};
 

@@ -4,9 +4,9 @@ use super::linear::{program, small};
 use glam::UVec2;
 use image::codecs::png::PngDecoder;
 use image::{AnimationDecoder, Frame, ImageDecoder, Rgba, metadata::LoopCount};
-use lightfall::picture::render;
-use lightfall::render::resized;
 use lightfall_core::scene::{DiskStructure, Scene};
+use lightfall_picture::render;
+use lightfall_render::resized;
 use std::fs::File;
 use std::io::BufReader;
 

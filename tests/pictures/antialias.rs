@@ -2,10 +2,10 @@
 
 use super::{pixel, plain, preset, smooth};
 use glam::{DVec2, DVec3, UVec2};
-use lightfall::picture::{HeadlessOptions, Studio, brightness, render};
 use lightfall_core::geometry::schwarzschild::shadow_half_angle_static;
 use lightfall_core::scene::{Scene, SkyMode};
 use lightfall_lab::bench::{PictureError, PictureSetting, measured_part};
+use lightfall_picture::{HeadlessOptions, Studio, brightness, render};
 use std::f64::consts::TAU;
 
 /// Frames of a truth in these tests. Its own error, by that of 64 frames and the rate 1/N of

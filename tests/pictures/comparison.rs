@@ -2,11 +2,11 @@
 
 use super::{preset, without_spin};
 use glam::UVec2;
-use lightfall::picture::{HeadlessOptions, PassTime, Studio, render};
-use lightfall::render::{Captured, Chain, ComparedScene, ComparisonLayout, ComparisonMode};
-use lightfall::render::{EMPTY_PASSES, Pinned};
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Method, Scene, SkyMode, View};
+use lightfall_picture::{HeadlessOptions, PassTime, Studio, render};
+use lightfall_render::{Captured, Chain, ComparedScene, ComparisonLayout, ComparisonMode};
+use lightfall_render::{EMPTY_PASSES, Pinned};
 
 const SIZE: UVec2 = UVec2::new(320, 180);
 const MIDDLE: ComparisonMode = ComparisonMode::SideBySide { divider: 0.5 };

@@ -3,8 +3,8 @@
 
 use super::preset;
 use glam::UVec2;
-use lightfall::picture::{HeadlessOptions, Still, Studio};
 use lightfall_core::scene::Scene;
+use lightfall_picture::{HeadlessOptions, Still, Studio};
 
 /// Cells of the picture, each one pixel of the output and 2 x 2 pixels of the light.
 const CELLS: UVec2 = UVec2::new(160, 90);

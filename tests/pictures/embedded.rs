@@ -1,8 +1,8 @@
 //! The preset inside a picture.
 
 use super::linear::{Linear, program, small};
-use lightfall::storage::read_scene;
 use lightfall_core::optics::exposure::exposed;
+use lightfall_platform::storage::read_scene;
 use std::fs;
 
 #[test]

@@ -4,8 +4,8 @@
 use super::random::Random;
 use super::random_scene::random_scene;
 use exr::prelude::f16;
-use lightfall::picture::{Channels, HeadlessOptions, PixelRays, Samples, Studio};
 use lightfall_core::scene::{Scene, SkyMode};
+use lightfall_picture::{Channels, HeadlessOptions, PixelRays, Samples, Studio};
 use std::collections::HashMap;
 
 /// Random scenes, each with shaders of its own to compile.

@@ -2,12 +2,12 @@
 
 use super::{luminance, pixel, plain, preset, smooth};
 use glam::{DVec2, UVec2};
-use lightfall::picture::{HeadlessOptions, Still, Studio, render};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::optics::worldline::Worldline;
 use lightfall_core::scene::presets::PRESETS;
 use lightfall_core::scene::{Method, ObserverKind, Scene, SkyMode, ToneCurve};
+use lightfall_picture::{HeadlessOptions, Still, Studio, render};
 
 /// The scene at an eighth of its size, without cells.
 fn eighth(mut scene: Scene) -> (Scene, UVec2) {

@@ -3,10 +3,10 @@
 use super::{pixel, plain, preset};
 use exr::prelude::{AttributeValue, FlatSamples, read_first_flat_layer_from_file};
 use glam::{DVec2, DVec3, UVec2};
-use lightfall::picture::{CHANNELS, render};
 use lightfall_core::accuracy::{Ray, Truth};
 use lightfall_core::optics::trace::{Hit, Outcome, Trace};
 use lightfall_core::scene::{DiskModel, DiskStructure, Scene};
+use lightfall_picture::{CHANNELS, render};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;

@@ -25,10 +25,10 @@ mod stars;
 mod tilt;
 
 use glam::{DVec2, UVec2};
-use lightfall::picture::{Still, check_path, render, write_png};
 use lightfall_core::scene::{
     DiskStructure, LimbDarkening, Method, Scene, SkyMode, ToneCurve, View, presets,
 };
+use lightfall_picture::{Still, check_path, render, write_png};
 
 fn preset(number: usize) -> Scene {
     presets::find(&number.to_string())

@@ -3,9 +3,9 @@
 
 use super::preset;
 use glam::UVec2;
-use lightfall::picture::{PassTime, Studio, render};
-use lightfall::render::{Chain, EMPTY_PASSES};
 use lightfall_core::scene::{DiskModel, Method, ObserverKind, Scene, SkyMode, View};
+use lightfall_picture::{PassTime, Studio, render};
+use lightfall_render::{Chain, EMPTY_PASSES};
 
 const SIZE: UVec2 = UVec2::new(320, 180);
 

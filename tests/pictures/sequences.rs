@@ -2,9 +2,9 @@
 
 use super::linear::{Linear, program, small};
 use glam::UVec2;
-use lightfall::picture::{Frames, Sequence, render};
-use lightfall::render::resized;
 use lightfall_core::scene::{DiskStructure, journey};
+use lightfall_picture::{Frames, Sequence, render};
+use lightfall_render::resized;
 use std::fs;
 use std::path::Path;
 

@@ -1,8 +1,8 @@
 //! Stars as points: where they show, and when their passes run.
 
 use super::preset;
-use lightfall::picture::{HeadlessOptions, Studio, render};
 use lightfall_core::scene::{Method, Scene, SkyMode};
+use lightfall_picture::{HeadlessOptions, Studio, render};
 
 /// A small picture of a preset at a fixed exposure.
 fn small(number: usize) -> Scene {

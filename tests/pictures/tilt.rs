@@ -3,8 +3,8 @@
 
 use super::moved_camera::Twin;
 use super::plain;
-use lightfall::picture::render;
 use lightfall_core::scene::{Method, Scene, SkyMode, presets};
+use lightfall_picture::render;
 
 /// A small picture of the article's preset by this method, with a tilted disk.
 fn tilted(method: Method, mode: SkyMode) -> Scene {

@@ -1,7 +1,7 @@
 //! The cost of a scene, as `presets show --needs` prints it.
 
-use lightfall::render::cost_report;
 use lightfall_core::scene::presets;
+use lightfall_render::cost_report;
 
 /// The line of an answer that begins with this name.
 fn line<'a>(answer: &'a str, name: &str) -> &'a str {

@@ -1,7 +1,7 @@
 //! What is left of a run that ends by a fault of the program itself.
 
-use lightfall::storage::{note_adapter, note_log, note_scene, report_panics};
 use lightfall_core::scene::Scene;
+use lightfall_platform::storage::{note_adapter, note_log, note_scene, report_panics};
 use std::path::Path;
 use std::process::Command;
 

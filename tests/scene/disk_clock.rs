@@ -4,13 +4,13 @@ use lightfall::app::{
     DiskClock, FlightStep, FreeFall, History, JourneyPlayer, differences, disk_rate_words,
     stepped_rate,
 };
-use lightfall::picture::{Frames, Sequence};
-use lightfall::render::{Pinned, WaveLimit};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::numbers::duration_in_words;
 use lightfall_core::optics::readout::si::{HoleMass, MASSES};
 use lightfall_core::scene::journey::{self, Journey};
 use lightfall_core::scene::{DiskStructure, HotSpotKind, ObserverKind, Scene};
+use lightfall_picture::{Frames, Sequence};
+use lightfall_render::{Pinned, WaveLimit};
 use std::path::Path;
 use std::time::Duration;
 use wgpu::DeviceType;

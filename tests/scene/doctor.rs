@@ -2,9 +2,9 @@
 
 use crate::adapter::gpu;
 use lightfall::commands::doctor::{SELF_TEST_PRESETS, ShaderCheck, StatedErrors, measure_errors};
-use lightfall::render::pass_shaders;
 use lightfall_core::scene::presets::{self, PRESETS, Preset};
 use lightfall_core::scene::{Method, Scene};
+use lightfall_render::pass_shaders;
 use std::collections::BTreeSet;
 
 /// The article's methods do not keep to the errors that are stated for the solved methods.

@@ -1,6 +1,6 @@
 //! File names made from the names of scenes.
 
-use lightfall::storage::file_safe_name;
+use lightfall_platform::storage::file_safe_name;
 
 #[test]
 fn a_file_name_keeps_letters_digits_and_hyphens() {

@@ -1,6 +1,6 @@
 //! The background thread behind the error map, the inspector, the clipboard and screenshots.
 
-use lightfall::worker::Worker;
+use lightfall_platform::worker::Worker;
 use std::sync::mpsc::channel;
 use std::time::Duration;
 
@@ -70,10 +70,12 @@ fn the_latest_answer_drops_those_before_it() {
 #[test]
 fn the_thread_ends_when_the_worker_is_dropped() {
     let (alive, ended) = channel::<()>();
-    let worker = Worker::serving_all(move |(), answers: &lightfall::worker::Answers<()>| {
-        let _ = &alive;
-        answers.send(());
-    });
+    let worker = Worker::serving_all(
+        move |(), answers: &lightfall_platform::worker::Answers<()>| {
+            let _ = &alive;
+            answers.send(());
+        },
+    );
     worker.ask(());
     drop(worker);
     // The sender lives as long as the thread's closure.

@@ -5,8 +5,8 @@ use crate::shot::Shot;
 use crate::x_keys::x_keys;
 use crate::{PLAIN, STATUS_BAR, TITLE, WINDOW, changed, place, unfold_texts};
 use lightfall::app::control_named;
-use lightfall::storage::embedded_preset;
 use lightfall_core::scene::load;
+use lightfall_platform::storage::embedded_preset;
 
 /// Width of the panel on the right, with some room.
 const PANEL: usize = 420;

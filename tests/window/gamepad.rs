@@ -10,7 +10,7 @@ use bevy::input::gamepad::{
 };
 use bevy::prelude::*;
 use lightfall::app::{FramePacing, JourneyPlayer};
-use lightfall::render::CurrentScene;
+use lightfall_render::CurrentScene;
 use std::time::{Duration, Instant};
 
 /// What a key has the pad do: which part of it is pushed for a second, so long after the key.

@@ -17,8 +17,8 @@ use bevy::time::TimeUpdateStrategy;
 use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiFullOutput, EguiPostUpdateSet, egui};
 use lightfall::app::FreeFall;
-use lightfall::render::{CurrentScene, Progress};
 use lightfall_core::gpu::Drawable;
+use lightfall_render::{CurrentScene, Progress};
 use std::path::PathBuf;
 use std::time::Duration;
 

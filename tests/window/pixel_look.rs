@@ -4,8 +4,8 @@
 use crate::desktop::Desktop;
 use crate::shot::Shot;
 use bevy::math::UVec2;
-use lightfall::render::{fit, letterbox};
 use lightfall_core::scene::Picture;
+use lightfall_render::{fit, letterbox};
 use std::time::Duration;
 
 /// The part of the window that nothing is written on.

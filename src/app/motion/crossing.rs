@@ -4,8 +4,8 @@ use super::free_fall::FreeFall;
 use super::journey_player::JourneyPlayer;
 use super::steering::is_inside;
 use crate::app::state::notice::Notice;
-use crate::render::CurrentScene;
 use bevy::prelude::*;
+use lightfall_render::CurrentScene;
 
 /// Announces the crossing of the horizon. `was_inside` is None before the first frame.
 pub(crate) fn announce_crossing(

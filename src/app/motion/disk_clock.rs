@@ -23,11 +23,11 @@ use crate::app::controls::control::AppCommand;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
-use crate::render::{ComparedScene, CurrentScene};
 use bevy::prelude::*;
 use lightfall_core::numbers::{duration_in_words, four_digits};
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::scene::{Frame, Scene};
+use lightfall_render::{ComparedScene, CurrentScene};
 
 /// One press changes the rate by this factor, within a range of r_s/c per second.
 const RATE_STEP: f64 = 2.0;

@@ -4,11 +4,11 @@
 use super::facing::Facing;
 use super::free_fall::{FreeFall, advance_free_fall};
 use crate::app::controls::control::AppCommand;
-use crate::render::CurrentScene;
 use bevy::prelude::*;
 use glam::{DMat3, DQuat, DVec3};
 use lightfall_core::optics::apparent_hole::ApparentHole;
 use lightfall_core::scene::Scene;
+use lightfall_render::CurrentScene;
 
 /// Where the edge of a shadow that just outgrows the picture crosses it: this share of the way from
 /// the middle to the picture's edge.

@@ -3,11 +3,11 @@
 use crate::app::controls::control::AppCommand;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
-use crate::render::CurrentScene;
 use bevy::prelude::*;
 use glam::{DMat3, DQuat, DVec3};
 use lightfall_core::optics::apparent_hole::ApparentHole;
 use lightfall_core::scene::Scene;
+use lightfall_render::CurrentScene;
 
 /// Seconds that a turn takes.
 const TURN_SECONDS: f64 = 0.6;

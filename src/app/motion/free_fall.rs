@@ -15,7 +15,6 @@ use crate::app::state::last_pose::LastPose;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
-use crate::render::CurrentScene;
 use bevy::prelude::*;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::observer::ObserverError;
@@ -25,6 +24,7 @@ use lightfall_core::numbers::{four_digits, steady_digits, three_digits, with_sho
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::worldline::Worldline;
 use lightfall_core::scene::Scene;
+use lightfall_render::CurrentScene;
 
 /// Proper time that passes in a second, divided by r^(3/2), the time scale of a fall from r. So a
 /// fall takes about as long from anywhere, and one orbit takes a minute and a half.

@@ -10,10 +10,10 @@ use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::toast::Toast;
-use crate::render::CurrentScene;
 use bevy::prelude::*;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::scene::Scene;
+use lightfall_render::CurrentScene;
 
 /// Seconds by which one press goes ahead or back.
 const SKIP: f64 = 5.0;

@@ -7,12 +7,12 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::state::history::History;
 use crate::app::state::toast::Toast;
-use crate::render::CurrentScene;
 use bevy::prelude::*;
 use glam::DVec2;
 use lightfall_core::geometry::sphere::wrap_degrees;
 use lightfall_core::gpu::{Drawable, Undrawable};
 use lightfall_core::scene::{ObserverKind, Scene};
+use lightfall_render::CurrentScene;
 
 /// The smallest angle from the axis, in degrees: nearer to a pole no direction is level.
 const MIN_AXIS_ANGLE_DEG: f64 = 1.0;

@@ -6,8 +6,8 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::state::paused::Paused;
 use crate::app::state::toast::Toast;
-use crate::render::CurrentScene;
 use bevy::prelude::*;
+use lightfall_render::CurrentScene;
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(Update, (apply_pause_command, end_pause));

@@ -5,7 +5,6 @@ use super::crossing::announce_crossing;
 use super::facing::{Facing, start_facing, turn_camera};
 use super::orbit_camera::{OrbitCamera, OrbitStep, orbited, switch_orbit_camera};
 use super::steering::{Barrier, MIN_RADIUS, Steered, Steering, steered};
-use crate::IN_BROWSER;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{AppCommand, FlightInput};
 use crate::app::input::held::HeldControls;
@@ -15,7 +14,6 @@ use crate::app::state::overlays::Overlays;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::resolution::Resolution;
 use crate::app::state::toast::Toast;
-use crate::render::CurrentScene;
 use bevy::ecs::system::SystemParam;
 use bevy::input::mouse::{AccumulatedMouseMotion, AccumulatedMouseScroll, MouseScrollUnit};
 use bevy::math::{DVec2, DVec3};
@@ -23,6 +21,8 @@ use bevy::prelude::*;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow};
 use lightfall_core::gpu::Undrawable;
 use lightfall_core::scene::{ObserverKind, Scene};
+use lightfall_platform::IN_BROWSER;
+use lightfall_render::CurrentScene;
 
 /// What the mouse has set.
 #[derive(Resource)]
@@ -166,7 +166,7 @@ pub(crate) fn grab_mouse(
 /// telling the page of the key.
 #[cfg(target_arch = "wasm32")]
 fn follow_pointer_lock(pilot: &mut Pilot, cursor: &CursorOptions) {
-    let locked = crate::browser::pointer_is_locked();
+    let locked = lightfall_platform::browser::pointer_is_locked();
     if pilot.was_locked && !locked && cursor.grab_mode == CursorGrabMode::Locked {
         pilot.free_look = false;
     }

@@ -4,12 +4,12 @@
 
 use crate::app::state::preferences::Preferences;
 use crate::app::state::toast::Toast;
-use crate::render::Progress;
-use crate::storage::{exists, remove, settings_file, write_atomically};
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
 use lightfall_core::gpu;
 use lightfall_core::gpu::AdapterName;
+use lightfall_platform::storage::{exists, remove, settings_file, write_atomically};
+use lightfall_render::Progress;
 use std::path::PathBuf;
 
 /// The use of the settings' adapter in this run.

@@ -6,10 +6,10 @@ use crate::app::session::frame_pacing::FramePacing;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::resolution::Resolution;
 use crate::app::state::settings::Automatic;
-use crate::render::{CurrentScene, ShownCells};
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
 use lightfall_core::scene::Frame;
+use lightfall_render::{CurrentScene, ShownCells};
 use wgpu::DeviceType;
 
 /// The coarsest picture, as a share of each side.

@@ -1,12 +1,12 @@
 //! The window's pixels as the picture's canvas: the picture gets the window's shape, and without
 //! cells it is traced as finely as the window shows and the adapter can afford.
 
-use crate::IN_BROWSER;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::resolution::{Canvas, Resolution};
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
 use bevy::window::PrimaryWindow;
+use lightfall_platform::IN_BROWSER;
 use wgpu::DeviceType;
 
 /// Most pixels of a picture without cells on an adapter that shares the processor's memory: those

@@ -3,9 +3,9 @@
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::state::toast::Toast;
-use crate::render::{Comparison, ComparisonMode, CurrentScene, Pinned};
 use bevy::prelude::*;
 use lightfall_core::scene::View;
+use lightfall_render::{Comparison, ComparisonMode, CurrentScene, Pinned};
 
 /// What a difference is multiplied by: each press of its key takes the next number.
 pub(crate) const GAINS: [u32; 5] = [1, 4, 16, 64, 256];

@@ -1,10 +1,10 @@
 //! Keeps the drawn scene for the report of a crash.
 
-use crate::render::CurrentScene;
-use crate::storage::{note_adapter, note_scene};
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
 use lightfall_core::gpu::AdapterName;
+use lightfall_platform::storage::{note_adapter, note_scene};
+use lightfall_render::CurrentScene;
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(Startup, note_used_adapter).add_systems(

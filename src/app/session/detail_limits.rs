@@ -2,9 +2,9 @@
 //! can draw.
 
 use crate::app::session::canvas::assumed_kind;
-use crate::render::{StarLimit, WaveLimit};
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
+use lightfall_render::{StarLimit, WaveLimit};
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(

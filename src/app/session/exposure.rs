@@ -4,10 +4,10 @@
 
 use crate::app::state::preferences::Preferences;
 use crate::app::state::resolution::Resolution;
-use crate::render::CurrentScene;
 use bevy::prelude::*;
 use lightfall_core::optics::exposure::metered_exposure;
 use lightfall_core::scene::{Frame, Scene};
+use lightfall_render::CurrentScene;
 
 /// Seconds in which the difference from the metered exposure shrinks to 1/e. After a second nothing
 /// is left even of the largest difference, and a smaller one looks like an eye adapting.

@@ -1,17 +1,17 @@
 //! How often a new frame is drawn: as often as the monitor shows one while something moves, and a
 //! few times a second while nothing does.
 
-use crate::IN_BROWSER;
 use crate::app::input::gamepad::Pads;
 use crate::app::input::typing::Typing;
 use crate::app::state::preferences::Preferences;
-use crate::render::{Comparison, CurrentScene, Progress};
 use bevy::platform::time::Instant;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy::winit::{UpdateMode, WinitSettings};
 use bevy_egui::{EguiContext, EguiInput, EguiPreUpdateSet, egui};
 use lightfall_core::scene::{Picture, Scene};
+use lightfall_platform::IN_BROWSER;
+use lightfall_render::{Comparison, CurrentScene, Progress};
 use std::time::Duration;
 
 /// The scene counts as moving for this long after its last change.

@@ -1,10 +1,10 @@
 //! The page around the window in a browser: its loading screen goes when the first picture is drawn,
 //! and it says why the window has ended.
 
-use crate::browser::{State, report, show_state};
-use crate::render::Progress;
-use crate::render::recovery::DeviceFailure;
 use bevy::prelude::*;
+use lightfall_platform::browser::{State, report, show_state};
+use lightfall_render::Progress;
+use lightfall_render::recovery::DeviceFailure;
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(Last, (end_loading, report_end));

@@ -1,11 +1,11 @@
 //! Ending the program. What has to be kept is written when the program ends, whatever ends it.
 
-use crate::IN_BROWSER;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{AppCommand, FlightInput};
 use crate::app::input::held::HeldControls;
 use crate::app::state::toast::Toast;
 use bevy::prelude::*;
+use lightfall_platform::IN_BROWSER;
 use std::time::Duration;
 
 /// A pilot who has flown down for longer than this with the key of the same modifier probably means

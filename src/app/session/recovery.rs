@@ -2,13 +2,13 @@
 //! and reports the loss to the user.
 
 use crate::app::state::toast::Toast;
-use crate::render::recovery;
-use crate::render::recovery::DeviceLosses;
 use bevy::prelude::*;
 use bevy::render::render_resource::SpecializedRenderPipelines;
 use bevy::render::{GpuResourceAppExt, RenderApp};
 use bevy_egui::render::EguiPipeline;
 use bevy_egui::render::systems::{EguiRenderData, EguiTransforms};
+use lightfall_render::recovery;
+use lightfall_render::recovery::DeviceLosses;
 
 pub(crate) struct RecoveryPlugin;
 

@@ -3,9 +3,9 @@
 use crate::app::session::canvas::assumed_kind;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::settings::Automatic;
-use crate::render::RestingFrames;
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
+use lightfall_render::RestingFrames;
 use wgpu::DeviceType;
 
 pub(crate) fn plugin(app: &mut App) {

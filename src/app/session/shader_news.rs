@@ -1,9 +1,9 @@
 //! Says what has become of an edit of the shaders' files while the program runs.
 
 use crate::app::state::toast::Toast;
-use crate::log::say;
-use crate::render::{LiveShaders, ShaderNews};
 use bevy::prelude::*;
+use lightfall_platform::log::say;
+use lightfall_render::{LiveShaders, ShaderNews};
 use std::time::Duration;
 
 /// How long a fault stays, unless it is mended or something else is said.

@@ -1,15 +1,15 @@
 //! The window: its title, its size at the start, and the whole screen.
 
-use crate::IN_BROWSER;
 use crate::app::controls::control::AppCommand;
 use crate::app::state::toast::Toast;
-use crate::render::CurrentScene;
 use bevy::prelude::*;
 use bevy::window::{
     Monitor, MonitorSelection, PresentMode, PrimaryMonitor, PrimaryWindow, WindowMode,
     WindowResolution,
 };
 use lightfall_core::scene::Scene;
+use lightfall_platform::IN_BROWSER;
+use lightfall_render::CurrentScene;
 
 /// Three output pixels for each cell of the default grid. This fits a common laptop's screen.
 const SIZE: [u32; 2] = [1440, 810];

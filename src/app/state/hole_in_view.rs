@@ -1,11 +1,11 @@
 //! Where the hole is on the screen, and how much of the picture it darkens: computed once for every
 //! scene, for the arrow and the sentence that keep a player from getting lost.
 
-use crate::render::CurrentScene;
 use bevy::prelude::*;
 use glam::DVec3;
 use lightfall_core::optics::apparent_hole::{ApparentHole, dark_share};
 use lightfall_core::scene::Scene;
+use lightfall_render::CurrentScene;
 
 /// The share of the picture, from 0 to 1, that has to be dark for the hole to fill the view.
 const FILLS_VIEW: f64 = 0.94;

@@ -3,8 +3,8 @@
 use super::settings::Settings;
 use super::toast::Toast;
 use crate::app::controls::bindings::{Bindings, PadBindings};
-use crate::storage::settings_file;
 use bevy::prelude::*;
+use lightfall_platform::storage::settings_file;
 use std::path::PathBuf;
 use std::time::Duration;
 

@@ -2,10 +2,10 @@
 //! one while something moves. The scene's own resolution is kept here, so that nothing is lost.
 
 use super::settings::PictureShape;
-use crate::render::{fit, letterbox, resized};
 use bevy::prelude::*;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Frame, MAX_PICTURE_SIDE, MAX_PIXELS_PER_CELL, Picture, Scene};
+use lightfall_render::{fit, letterbox, resized};
 
 /// The window that the picture is drawn for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,11 +7,11 @@ use super::title::Title;
 use super::toast::Toast;
 use crate::app::controls::refusal::{checked_change, undrawable};
 use crate::app::controls::statement::change_words;
-use crate::render::CurrentScene;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Picture, Scene};
+use lightfall_render::CurrentScene;
 
 /// The scene, and the way to change it so that the change can be undone.
 #[derive(SystemParam)]

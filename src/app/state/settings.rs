@@ -2,9 +2,9 @@
 
 use super::settings_fault::{SettingsFault, Unused};
 use crate::app::controls::bindings::{Bindings, PadBindings};
-use crate::storage;
 use lightfall_core::gpu::AdapterName;
 use lightfall_core::optics::readout::si::MASSES;
+use lightfall_platform::storage;
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

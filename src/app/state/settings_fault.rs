@@ -1,6 +1,6 @@
 //! Why a settings file is not used, and what becomes of it.
 
-use crate::storage::{exists, rename};
+use lightfall_platform::storage::{exists, rename};
 use std::path::Path;
 use thiserror::Error;
 

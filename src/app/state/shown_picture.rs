@@ -1,9 +1,9 @@
 //! The scenes whose picture is on the screen. A scene that needs a new shader is drawn only once the
 //! shader is compiled, and until then no legend and no label may speak of it.
 
-use crate::render::{ComparedScene, CurrentScene, Progress};
 use bevy::prelude::*;
 use lightfall_core::scene::Scene;
+use lightfall_render::{ComparedScene, CurrentScene, Progress};
 
 /// What the picture on the screen shows.
 #[derive(Resource, Default)]

@@ -5,13 +5,13 @@
 use crate::app::state::hole_in_view::{HoleInView, SeenHole};
 use crate::app::state::overlays::Overlays;
 use crate::app::ui::guides::Placement;
-use crate::render::{CurrentScene, letterbox};
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy_egui::egui::{self, Align2, Color32, FontId, Pos2, Rect, Stroke, Vec2};
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass};
 use lightfall_core::numbers::four_digits;
 use lightfall_core::scene::Scene;
+use lightfall_render::{CurrentScene, letterbox};
 
 /// Free room between the arrow and the sides, and the top and the bottom, of the picture, in points.
 /// The arrow moves on an ellipse, which stays clear of the corners.

@@ -7,9 +7,9 @@ use crate::app::state::hole_in_view::HoleInView;
 use crate::app::state::menu::Menu;
 use crate::app::state::notice::Notice;
 use crate::app::state::overlays::Overlays;
-use crate::render::CurrentScene;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use lightfall_render::CurrentScene;
 
 /// Sizes of the two lines, in points.
 const TITLE_SIZE: f32 = 28.0;

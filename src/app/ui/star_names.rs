@@ -5,14 +5,14 @@ use crate::app::controls::control::AppCommand;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::toast::Toast;
 use crate::app::ui::guides::Placement;
-use crate::render::{CurrentScene, StarCatalogue, letterbox};
-use crate::worker::Worker;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy_egui::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, Vec2, vec2};
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_core::optics::stars::images::{NamedImage, named_images};
 use lightfall_core::scene::{Camera, Scene, SkyMode};
+use lightfall_platform::worker::Worker;
+use lightfall_render::{CurrentScene, StarCatalogue, letterbox};
 
 /// How many stars have their names shown.
 const MAX_NAMES: usize = 50;

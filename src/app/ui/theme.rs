@@ -1,11 +1,11 @@
 //! Where the user interface is drawn, and its colours and size.
 
 use crate::app::state::preferences::Preferences;
-use crate::render::ScreenCamera;
 use bevy::prelude::*;
 use bevy_egui::{
     EguiContexts, EguiGlobalSettings, EguiPrimaryContextPass, PrimaryEguiContext, egui,
 };
+use lightfall_render::ScreenCamera;
 
 /// The one colour that marks what is chosen: the light of the disk.
 pub(crate) const ACCENT: egui::Color32 = egui::Color32::from_rgb(255, 178, 92);

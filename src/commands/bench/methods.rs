@@ -6,8 +6,6 @@ use crate::commands::kept_rows::KeptRows;
 use crate::commands::output::{print, write_report, write_tables};
 use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
-use crate::log::say;
-use crate::picture;
 use glam::UVec2;
 use lightfall_core::gpu::Gpu;
 use lightfall_core::scene::{Method, Scene};
@@ -16,6 +14,8 @@ use lightfall_lab::bench::{
 };
 use lightfall_lab::circumstances::Circumstances;
 use lightfall_lab::export::{csv, json};
+use lightfall_picture as picture;
+use lightfall_platform::log::say;
 
 /// Number of frames that a whole frame's time is the median of.
 const TIMED_FRAMES: usize = 9;

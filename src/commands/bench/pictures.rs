@@ -4,13 +4,13 @@ use super::row_report::RowReport;
 use crate::commands::circumstances::circumstances_of;
 use crate::commands::cli::{BenchArgs, EntryArg};
 use crate::commands::stop::Stop;
-use crate::picture::{self, HeadlessOptions, PictureError as Failure, Studio};
 use glam::UVec2;
 use lightfall_core::gpu::Gpu;
 use lightfall_lab::bench::{
     BenchScene, PICTURE_SETTINGS, PictureError, PictureMeasurement, PictureSetting, Plan,
     TRUE_SAMPLES, measured_part, pictures_table, with_smooth_disk,
 };
+use lightfall_picture::{self as picture, HeadlessOptions, PictureError as Failure, Studio};
 
 /// The passes that a picture's sampling decides.
 const SAMPLING_PASSES: [&str; 4] = ["geodesic", "edges", "refine", "accumulate"];

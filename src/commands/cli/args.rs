@@ -1,10 +1,10 @@
 //! The arguments of flying, of `lightfall render`, `trace` and `presets`, and of scenes.
 
 use super::size::size;
-use crate::picture::{CHANNELS, Channels, Frames, frame_rate};
 use clap::{Args, Subcommand, ValueEnum};
 use glam::UVec2;
 use lightfall_core::scene::{ArticleQuality, Field, Override, SceneError, field};
+use lightfall_picture::{CHANNELS, Channels, Frames, frame_rate};
 use std::ffi::OsString;
 use std::path::PathBuf;
 

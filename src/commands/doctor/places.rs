@@ -2,8 +2,10 @@
 //! changes nothing.
 
 use crate::app::{Settings, SettingsFault};
-use crate::storage::{check_folder_writable, pictures_folder, presets_folder, settings_file};
 use lightfall_core::gpu::AdapterName;
+use lightfall_platform::storage::{
+    check_folder_writable, pictures_folder, presets_folder, settings_file,
+};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 

@@ -1,8 +1,8 @@
 //! The shaders: whether naga, which checks them before a driver sees them, accepts every one that the
 //! passes of scenes run.
 
-use crate::render::{PassShader, pass_shaders};
 use lightfall_core::scene::Scene;
+use lightfall_render::{PassShader, pass_shaders};
 use serde::Serialize;
 use std::collections::HashSet;
 

@@ -18,7 +18,7 @@ const TOP: [&str; 9] = [
     ".github",
 ];
 /// The sources of crates and modules, by the name that a path in the documents may begin with.
-const SOURCES: [(&str, &str); 7] = [
+const SOURCES: [(&str, &str); 10] = [
     ("geometry", "crates/lightfall-model/src/geometry"),
     ("scene", "crates/lightfall-model/src/scene"),
     ("optics", "crates/lightfall-optics/src"),
@@ -26,6 +26,9 @@ const SOURCES: [(&str, &str); 7] = [
     ("accuracy", "crates/lightfall-accuracy/src"),
     ("lab", "crates/lightfall-lab/src"),
     ("galaxy", "crates/lightfall-galaxy/src"),
+    ("platform", "crates/lightfall-platform/src"),
+    ("render", "crates/lightfall-render/src"),
+    ("picture", "crates/lightfall-picture/src"),
 ];
 
 #[test]

@@ -24,7 +24,7 @@ pub use measurement::Measurement;
 pub use pareto::{AutoMargin, Ranking, auto_margin, is_on_front};
 pub use pictures::{
     PICTURE_SETTINGS, PictureError, PictureMeasurement, PictureSetting, TRUE_SAMPLES,
-    measured_part, pictures_table, shown_brightness, with_smooth_disk,
+    measured_part, pictures_table, with_smooth_disk,
 };
 pub use plan::{Plan, Step};
 pub use plot::plot;

@@ -122,18 +122,6 @@ pub fn measured_part([width, height]: [u32; 2]) -> [u32; 4] {
     [(width - side) / 2, (height - side) / 2, side, side]
 }
 
-/// The brightness that a screen shows at an exposure, without the tone curve: sRGB's encoding of the
-/// luminance of linear light (IEC 61966-2-1), at most 1. shaders/antialias/geodesic.wgsl does the
-/// same.
-#[must_use]
-pub fn shown_brightness([r, g, b]: [f64; 3], exposure_ev: f64) -> f64 {
-    let luminance = (0.2126 * r + 0.7152 * g + 0.0722 * b) * exposure_ev.exp2();
-    match luminance.clamp(0.0, 1.0) {
-        dark if dark < 0.003_130_8 => 12.92 * dark,
-        light => 1.055 * light.powf(1.0 / 2.4) - 0.055,
-    }
-}
-
 /// A picture's error and time.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct PictureMeasurement {

@@ -1,7 +1,7 @@
 //! The browser's clipboard, which answers some frames later.
 
-use crate::browser;
 use bevy::prelude::Resource;
+use lightfall_platform::browser;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Mutex, PoisonError};
 

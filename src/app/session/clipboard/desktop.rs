@@ -1,8 +1,8 @@
 //! The desktop's clipboard. A thread of its own serves it, because the program has to hold a copied
 //! text until another one replaces it, and a text to paste comes only when its owner hands it over.
 
-use crate::worker::Worker;
 use bevy::prelude::Resource;
+use lightfall_platform::worker::Worker;
 
 enum Order {
     Copy(String),

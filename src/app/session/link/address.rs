@@ -4,10 +4,10 @@
 use crate::app::session::clipboard::Clipboard;
 use crate::app::session::frame_pacing::FramePacing;
 use crate::app::state::resolution::Resolution;
-use crate::browser;
-use crate::render::CurrentScene;
 use bevy::prelude::*;
 use lightfall_core::scene::{Changes, Scene};
+use lightfall_platform::browser;
+use lightfall_render::CurrentScene;
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(PostUpdate, show_address);

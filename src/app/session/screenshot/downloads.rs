@@ -5,12 +5,12 @@ use super::pixels::{SAVED, pixels};
 use crate::app::controls::control::AppCommand;
 use crate::app::state::resolution::Resolution;
 use crate::app::state::toast::Toast;
-use crate::browser;
-use crate::render::CurrentScene;
-use crate::storage::{encoded_png, file_safe_name};
 use bevy::prelude::*;
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use bevy_egui::{EguiPostUpdateSet, EguiRenderOutput};
+use lightfall_platform::browser;
+use lightfall_platform::storage::{encoded_png, file_safe_name};
+use lightfall_render::CurrentScene;
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(

@@ -1,10 +1,10 @@
 //! Where directions of the camera's sky lie in the window, and lines through them.
 
 use super::style::Style;
-use crate::render::Letterbox;
 use bevy_egui::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
 use glam::{DMat3, DVec2, DVec3};
 use lightfall_core::scene::{Camera, Scene};
+use lightfall_render::Letterbox;
 
 /// Directions whose places are farther from the picture's middle than this many times its size are not
 /// drawn: they are outside every picture.

@@ -12,15 +12,15 @@ use crate::app::session::comparison::next_gain;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::shown_picture::ShownPicture;
 use crate::app::state::title::Title;
-use crate::render::{
-    ComparedScene, Comparison, ComparisonLayout, ComparisonMode, CurrentScene, letterbox,
-};
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use divider::show_divider;
 use egui::{Align2, Color32, Pos2, Rect, pos2, vec2};
 use lightfall_core::scene::Scene;
+use lightfall_render::{
+    ComparedScene, Comparison, ComparisonLayout, ComparisonMode, CurrentScene, letterbox,
+};
 
 /// The divider stays this far from the picture's edges, as a share of its width, so that the mouse
 /// finds it.

@@ -3,10 +3,10 @@
 use super::board::{Board, MARGIN, TEXT, WARNING, free_room};
 use super::title::{TitleBox, show_title};
 use crate::app::state::overlays::Overlays;
-use crate::render::{ComparedScene, ComparisonLayout, CurrentScene};
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_core::scene::Effects;
+use lightfall_render::{ComparedScene, ComparisonLayout, CurrentScene};
 
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show_physics_off.after(show_title));

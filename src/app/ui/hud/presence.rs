@@ -5,11 +5,11 @@ use crate::app::motion::free_fall::FreeFall;
 use crate::app::motion::journey_player::JourneyPlayer;
 use crate::app::session::frame_pacing::FramePacing;
 use crate::app::state::preferences::Preferences;
-use crate::render::Progress;
 use bevy::input::mouse::MouseWheel;
 use bevy::prelude::*;
 use bevy_egui::EguiPreUpdateSet;
 use bevy_egui::egui;
+use lightfall_render::Progress;
 use std::time::Duration;
 
 /// How long they stay after the last input or motion.

@@ -12,11 +12,11 @@ use crate::app::motion::orbit_camera::OrbitCamera;
 use crate::app::motion::pilot::{GEAR, Pilot};
 use crate::app::state::overlays::Overlays;
 use crate::app::state::paused::Paused;
-use crate::render::CurrentScene;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_core::numbers::{spin_digits, steady_digits};
 use lightfall_core::scene::{ObserverKind, Scene};
+use lightfall_render::CurrentScene;
 
 /// Room between two columns and between two lines, in points.
 const GAP: [f32; 2] = [18.0, 3.0];

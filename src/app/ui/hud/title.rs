@@ -4,9 +4,9 @@ use super::board::{BRIGHT, Board, QUIET, free_room};
 use super::presence::{Presence, keep_fading};
 use crate::app::state::overlays::Overlays;
 use crate::app::state::title::Title;
-use crate::render::Progress;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use lightfall_render::Progress;
 use std::time::Duration;
 
 /// How long it is shown, fades included.

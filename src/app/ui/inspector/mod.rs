@@ -13,7 +13,6 @@ use crate::app::session::clipboard::Clipboard;
 use crate::app::state::overlays::{INSPECTOR_WIDTH, Overlays, Side};
 use crate::app::state::toast::Toast;
 use crate::app::ui::dock::docked;
-use crate::render::{ComparedScene, ComparisonLayout, CurrentScene, letterbox};
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
@@ -23,6 +22,7 @@ use glam::DVec2;
 use lightfall_core::accuracy::Ray;
 use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::scene::{Picture, Scene};
+use lightfall_render::{ComparedScene, ComparisonLayout, CurrentScene, letterbox};
 use ray_worker::{GpuState, InspectedRays, RayJob, RayWorker};
 
 /// The fans to choose from: rays per side.

@@ -1,7 +1,6 @@
 //! The thread that traces inspected rays again: first with the f64 reference, which answers at
 //! once, then on a background GPU device. No frame waits for it.
 
-use crate::worker::{Answers, Worker};
 use glam::DVec2;
 use lightfall_core::accuracy::Ray;
 use lightfall_core::accuracy::inspection::Inspected;
@@ -9,6 +8,7 @@ use lightfall_core::gpu::rays::RayKernel;
 use lightfall_core::gpu::{GpuError, with_background_device};
 use lightfall_core::optics::trace::Trace;
 use lightfall_core::scene::Scene;
+use lightfall_platform::worker::{Answers, Worker};
 
 /// The thread.
 pub(super) type RayWorker = Worker<RayJob, RayAnswer>;

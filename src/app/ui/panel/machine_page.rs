@@ -1,11 +1,9 @@
 //! The page about the machine: how fast it draws, what the passes cost, which adapter draws, and
 //! what the scene compiles.
 
-use crate::IN_BROWSER;
 use crate::app::session::adapter::AdapterChoice;
 use crate::app::session::frame_pacing::FramePacing;
 use crate::app::state::scene_editor::SceneEditor;
-use crate::render::{Chain, WaveLimit, cost_rows};
 use bevy::diagnostic::DiagnosticsStore;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
@@ -15,6 +13,8 @@ use bevy_egui::egui;
 use lightfall_core::gpu;
 use lightfall_core::gpu::{AdapterName, Listed, Variant};
 use lightfall_core::scene::{Disk, Method, Picture, Scene, View};
+use lightfall_platform::IN_BROWSER;
+use lightfall_render::{Chain, WaveLimit, cost_rows};
 use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 use web_time::Instant;

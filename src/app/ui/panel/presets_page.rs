@@ -2,19 +2,19 @@
 //! file or picture that is dropped on the window is loaded too.
 
 use super::file_dialog::{FileDialog, Picked};
-use crate::IN_BROWSER;
 use crate::app::session::clipboard::Clipboard;
 use crate::app::session::link::copy_link;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::ui::theme::{ACCENT, WEAK_TEXT};
-use crate::storage::{
-    create_parent_folder, exists, file_safe_name, preset_files, presets_folder, read_scene,
-    write_atomically,
-};
 use bevy::prelude::*;
 use bevy::window::FileDragAndDrop;
 use bevy_egui::egui;
 use lightfall_core::scene::{Scene, presets};
+use lightfall_platform::IN_BROWSER;
+use lightfall_platform::storage::{
+    create_parent_folder, exists, file_safe_name, preset_files, presets_folder, read_scene,
+    write_atomically,
+};
 use std::path::{Path, PathBuf};
 
 /// What the page remembers.

@@ -8,10 +8,10 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::state::paused::Paused;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::ui::theme::{ACCENT, WEAK_TEXT};
-use crate::render::letterbox;
 use bevy::math::UVec2;
 use bevy_egui::egui;
 use lightfall_core::scene::{ArticleQuality, FIELDS, Field, Picture, Range, Scene, Value, field};
+use lightfall_render::letterbox;
 use std::ops::Bound::Included;
 
 /// Width of a row's label and of the button that resets it, in points.

@@ -2,7 +2,6 @@
 //! buttons.
 
 use super::switch::switch;
-use crate::IN_BROWSER;
 use crate::app::controls::bindings::{Bindable, BindingTable, Bindings, PadBindings};
 use crate::app::controls::control::{Control, Group};
 use crate::app::controls::table::CONTROLS;
@@ -11,10 +10,11 @@ use crate::app::state::rebinding::Rebinding;
 use crate::app::state::settings::{
     Automatic, FRAME_RATES, MOUSE_SENSITIVITIES, PictureShape, Settings, UI_SCALES,
 };
-#[cfg(not(target_arch = "wasm32"))]
-use crate::storage::{pictures_folder, settings_file};
 use bevy::prelude::*;
 use bevy_egui::egui;
+use lightfall_platform::IN_BROWSER;
+#[cfg(not(target_arch = "wasm32"))]
+use lightfall_platform::storage::{pictures_folder, settings_file};
 
 /// The control whose own key may be [`CANCEL`].
 const ESCAPE: &str = "fly.escape";

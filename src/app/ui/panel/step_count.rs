@@ -4,11 +4,11 @@
 use crate::app::session::frame_pacing::FramePacing;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::scene_editor::SceneEditor;
-use crate::worker::Worker;
 use bevy::prelude::*;
 use lightfall_core::accuracy::steps::StepCount;
 use lightfall_core::gpu::with_background_device;
 use lightfall_core::scene::Scene;
+use lightfall_platform::worker::Worker;
 
 /// The thread that counts, and its last answer.
 #[derive(Resource)]

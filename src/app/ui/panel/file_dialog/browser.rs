@@ -1,8 +1,8 @@
 //! The browser's file dialog. It hands over a file's contents, not its path.
 
 use super::picked::Picked;
-use crate::browser::pick_file;
-use crate::storage::scene_of_file;
+use lightfall_platform::browser::pick_file;
+use lightfall_platform::storage::scene_of_file;
 use std::path::PathBuf;
 
 /// Opens the dialog, and hands over what comes of it.

@@ -1,7 +1,7 @@
 //! The desktop's file dialog. A thread of its own waits for it, so that the window goes on.
 
 use super::picked::Picked;
-use crate::storage::{presets_folder, read_scene};
+use lightfall_platform::storage::{presets_folder, read_scene};
 use std::time::{Duration, Instant};
 
 /// A dialog that is gone sooner than this was never shown: nobody cancels so quickly.

@@ -1,0 +1,119 @@
+//! Picture files.
+
+use lightfall_platform::storage::{WriteError, check_writable, encoded_png, write_atomically};
+use std::path::{Path, PathBuf};
+
+/// Why a picture could not be drawn or written. Each message is one sentence.
+#[derive(Debug, thiserror::Error)]
+pub enum PictureError {
+    /// The extension of the file's name is not that of a format that the program writes.
+    #[error("{path}: {}; allowed are .png, .apng and .exr", extension_fault(.extension))]
+    Extension {
+        /// The file.
+        path: PathBuf,
+        /// Its extension, without the dot.
+        extension: String,
+    },
+    /// The folder or file cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    /// The picture could not be encoded.
+    #[error("{path}: the picture could not be encoded: {reason}")]
+    Encode {
+        /// The file.
+        path: PathBuf,
+        /// The encoder's message.
+        reason: String,
+    },
+    /// The device cannot draw a picture this large.
+    #[error("{field} = {width}x{height}: this device draws pictures of 1 to {limit} pixels a side")]
+    Size {
+        /// Name of the size in the message.
+        field: &'static str,
+        /// The requested width, in pixels.
+        width: u32,
+        /// The requested height, in pixels.
+        height: u32,
+        /// The maximum of both, in pixels.
+        limit: u32,
+    },
+    /// The chain of passes failed.
+    #[error("the picture could not be drawn: {0}")]
+    Draw(String),
+    /// The user interrupted the program.
+    #[error("interrupted; every picture that was written is complete")]
+    Interrupted,
+}
+
+/// What is wrong with the extension of a file's name.
+fn extension_fault(extension: &str) -> String {
+    if extension.is_empty() {
+        return "the name has no extension that says which picture format to write".into();
+    }
+    format!("unknown picture format {extension:?}")
+}
+
+/// The format of a picture file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// What a window would show, in 8 bits per channel.
+    Png,
+    /// The same, with all frames of a sequence in one file.
+    Apng,
+    /// Linear light, and the data of rays.
+    Exr,
+}
+
+impl Format {
+    /// The format of the file at `path`, which its extension decides.
+    ///
+    /// # Errors
+    /// The extension is unknown.
+    pub fn of(path: &Path) -> Result<Self, PictureError> {
+        let extension = path
+            .extension()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        match extension.to_ascii_lowercase().as_str() {
+            "png" => Ok(Self::Png),
+            "apng" => Ok(Self::Apng),
+            "exr" => Ok(Self::Exr),
+            _ => Err(PictureError::Extension {
+                path: path.into(),
+                extension,
+            }),
+        }
+    }
+}
+
+/// Checks that a picture can be written to `path`, before any work is done for it, and returns its
+/// format.
+///
+/// # Errors
+/// The extension is unknown, the file is a folder, or its folder does not exist or cannot be
+/// written.
+pub fn check_path(path: &Path) -> Result<Format, PictureError> {
+    let format = Format::of(path)?;
+    check_writable(path)?;
+    Ok(format)
+}
+
+/// Writes 8-bit RGB rows, the top one first, as a PNG that holds the preset that drew them. The
+/// file appears under its name only when it is complete.
+///
+/// # Errors
+/// The encoding failed, or the file cannot be written.
+pub fn write_png(
+    path: &Path,
+    width: u32,
+    height: u32,
+    rgb: &[u8],
+    preset: &str,
+) -> Result<(), PictureError> {
+    let bytes = encoded_png(width, height, rgb, preset).map_err(|error| PictureError::Encode {
+        path: path.into(),
+        reason: error.to_string(),
+    })?;
+    Ok(write_atomically(path, &bytes)?)
+}

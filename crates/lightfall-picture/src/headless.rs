@@ -1,0 +1,181 @@
+//! The chain of passes as a Bevy app without a window.
+
+use super::PictureError;
+use bevy::app::PluginsState;
+use bevy::asset::RenderAssetUsages;
+use bevy::camera::RenderTarget;
+use bevy::log::LogPlugin;
+use bevy::prelude::*;
+use bevy::render::diagnostic::RenderDiagnosticsPlugin;
+use bevy::render::pipelined_rendering::PipelinedRenderingPlugin;
+use bevy::render::render_resource::{PollType, TextureFormat, TextureUsages};
+use bevy::render::renderer::RenderDevice;
+use bevy::window::ExitCondition;
+use bevy::winit::WinitPlugin;
+use lightfall_core::gpu::{Drawable, driver_advice};
+use lightfall_core::optics::stars::Catalogue;
+use lightfall_core::scene::{MAX_PICTURE_SIDE, Scene};
+use lightfall_platform::log::quiet_log;
+use lightfall_render::{
+    AwaitErrorMap, Capture, DrawRequest, LightfallRenderPlugin, StarCatalogue, is_drawn,
+    render_plugin,
+};
+use std::env::consts::OS;
+
+/// Maximum number of frames to wait for a picture, or for the next frame of one that is a mean. Compiling every pipeline takes a few frames.
+pub(super) const MAX_UPDATES: usize = 600;
+
+/// Bevy's exit status after Ctrl+C.
+const INTERRUPTED: u8 = 130;
+
+/// What a [`Studio`](super::Studio) does in addition to drawing.
+#[derive(Clone, Copy, Debug)]
+pub struct HeadlessOptions {
+    /// Measure the GPU time of each pass.
+    pub timed: bool,
+    /// Keep the linear light and the depth of each picture.
+    pub light: bool,
+    /// Draw these stars.
+    pub stars: &'static Catalogue,
+}
+
+impl Default for HeadlessOptions {
+    fn default() -> Self {
+        Self {
+            timed: false,
+            light: false,
+            stars: Catalogue::built_in(),
+        }
+    }
+}
+
+/// The image that the last pass writes.
+#[derive(Resource)]
+pub(super) struct Output(pub(super) Handle<Image>);
+
+/// An app that is ready to draw a first scene, with an output of `size` pixels.
+///
+/// # Errors
+/// The size is too large, or the scene cannot be drawn.
+pub(super) fn headless(
+    scene: &Scene,
+    size: UVec2,
+    options: HeadlessOptions,
+) -> Result<App, PictureError> {
+    let mut app = App::new();
+    app.add_plugins(
+        DefaultPlugins
+            .set(WindowPlugin {
+                primary_window: None,
+                exit_condition: ExitCondition::DontExit,
+                ..default()
+            })
+            .set(render_plugin(true))
+            .build()
+            .disable::<LogPlugin>()
+            .disable::<WinitPlugin>()
+            .disable::<PipelinedRenderingPlugin>(),
+    );
+    // A process has only one log, and the window program may have begun it.
+    static LOG: std::sync::Once = std::sync::Once::new();
+    LOG.call_once(|| {
+        if !bevy::log::tracing::dispatcher::has_been_set() {
+            app.add_plugins(quiet_log());
+        }
+    });
+    if options.timed {
+        app.add_plugins(RenderDiagnosticsPlugin);
+    }
+    while app.plugins_state() == PluginsState::Adding {
+        bevy::tasks::tick_global_task_pools_on_main_thread();
+    }
+    check_size("size", size)?;
+    let picture = scene.picture.size();
+    check_size("picture", picture)?;
+    let scene = drawable(scene)?;
+    let mut image = Image::new_target_texture(size.x, size.y, TextureFormat::Rgba8UnormSrgb, None);
+    image.asset_usage = RenderAssetUsages::RENDER_WORLD;
+    image.texture_descriptor.usage |= TextureUsages::COPY_SRC;
+    let output = app.world_mut().resource_mut::<Assets<Image>>().add(image);
+    if options.light {
+        app.init_resource::<Capture>();
+    }
+    app.insert_resource(Output(output.clone()))
+        .insert_resource(AwaitErrorMap(true))
+        .insert_resource(StarCatalogue(options.stars))
+        .add_plugins(LightfallRenderPlugin {
+            scene,
+            target: RenderTarget::Image(output.into()),
+        });
+    app.finish();
+    app.cleanup();
+    Ok(app)
+}
+
+/// The checked scene, with the exposure that its light meter chooses where it is automatic.
+///
+/// # Errors
+/// The scene cannot be drawn.
+pub(super) fn drawable(scene: &Scene) -> Result<Drawable, PictureError> {
+    Drawable::new(scene.clone())
+        .map(Drawable::exposed)
+        .map_err(|reason| PictureError::Draw(reason.to_string()))
+}
+
+/// Checks that a picture of this size can be drawn. `field` names the size in the error.
+///
+/// # Errors
+/// A side is zero, or longer than the passes can draw on every device.
+pub fn check_size(field: &'static str, size: UVec2) -> Result<(), PictureError> {
+    let limit = MAX_PICTURE_SIDE;
+    if size.min_element() == 0 || size.max_element() > limit {
+        return Err(PictureError::Size {
+            field,
+            width: size.x,
+            height: size.y,
+            limit,
+        });
+    }
+    Ok(())
+}
+
+/// Draws a frame and waits until the device is done.
+pub(super) fn update(app: &mut App) -> Result<(), PictureError> {
+    app.update();
+    match app.should_exit() {
+        None | Some(AppExit::Success) => {}
+        Some(AppExit::Error(code)) if code.get() == INTERRUPTED => {
+            return Err(PictureError::Interrupted);
+        }
+        Some(AppExit::Error(_)) => {
+            return Err(PictureError::Draw(format!(
+                "the graphics device reported an error, which the log names: {}, or choose another adapter with --gpu",
+                driver_advice::with_old_driver(OS)
+            )));
+        }
+    }
+    if let Some(device) = app.world().get_resource::<RenderDevice>() {
+        let waited = device.poll(PollType::Wait {
+            submission_index: None,
+            timeout: None,
+        });
+        waited.map_err(|error| PictureError::Draw(error.to_string()))?;
+    }
+    Ok(())
+}
+
+/// Draws frames until the scene is completely drawn.
+pub(super) fn warm_up(app: &mut App) -> Result<(), PictureError> {
+    let frames = |app: &App| app.world().resource::<DrawRequest>().drawn_frames();
+    let (mut waited, mut drawn) = (0, 0);
+    while waited < MAX_UPDATES {
+        update(app)?;
+        if is_drawn(app).map_err(PictureError::Draw)? {
+            return Ok(());
+        }
+        // Every frame of a mean may take as long as a picture of one.
+        waited = if frames(app) == drawn { waited + 1 } else { 0 };
+        drawn = frames(app);
+    }
+    Err(PictureError::Draw("its passes did not become ready".into()))
+}

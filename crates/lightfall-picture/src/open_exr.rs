@@ -1,0 +1,158 @@
+//! Pictures of linear light as OpenEXR files, with the data of their rays in
+//! [`CHANNELS`](super::CHANNELS).
+
+use super::file::PictureError;
+use super::{Channels, Samples};
+use exr::meta::attribute::Chromaticities;
+use exr::prelude::*;
+use lightfall_core::scene::Scene;
+use lightfall_platform::storage::{PRESET_KEY, write_atomically};
+use lightfall_render::Captured;
+use std::io::Cursor;
+use std::path::Path;
+
+/// The meaning of the light's own channels.
+const LIGHT: &str =
+    "R, G, B: linear light with the primaries of Rec. 709, before exposure, bloom and tone mapping; white paper is 1
+A: 1 everywhere, because dark things hide what is behind them
+";
+
+/// A picture of linear light.
+#[derive(Clone, Debug)]
+pub struct Linear<'a> {
+    /// The scene it shows.
+    pub scene: &'a Scene,
+    /// Its light.
+    pub light: Captured,
+    /// The channels of its rays.
+    pub channels: &'a Channels,
+    /// The numbers of those channels.
+    pub samples: Vec<Samples>,
+    /// The revision of the program, if it is known.
+    pub commit: Option<&'a str>,
+    /// Frames per second, if the picture is part of a sequence.
+    pub fps: Option<f64>,
+}
+
+/// Writes an EXR picture: half floats for light, floats and integers for the rest, with lossless
+/// compression. The file appears under its name only when it is complete.
+///
+/// # Errors
+/// The encoding failed, or the file cannot be written.
+pub fn write_exr(path: &Path, picture: Linear) -> std::result::Result<(), PictureError> {
+    let size = Vec2(picture.light.size.x as usize, picture.light.size.y as usize);
+    let attributes = attributes(&picture);
+    let image = Image {
+        attributes: ImageAttributes {
+            chromaticities: Some(rec_709()),
+            ..ImageAttributes::with_size(size)
+        },
+        layer_data: Layer {
+            size,
+            attributes,
+            encoding: Encoding {
+                compression: Compression::ZIP16,
+                blocks: Blocks::ScanLines,
+                line_order: LineOrder::Increasing,
+            },
+            channel_data: channels(picture),
+        },
+    };
+    // The file is encoded in memory and written at once, so that an interruption leaves no partial
+    // file.
+    let mut bytes = Vec::new();
+    image
+        .write()
+        .to_buffered(Cursor::new(&mut bytes))
+        .map_err(|error| PictureError::Encode {
+            path: path.into(),
+            reason: error.to_string(),
+        })?;
+    Ok(write_atomically(path, &bytes)?)
+}
+
+fn channels(picture: Linear) -> AnyChannels<FlatSamples> {
+    let light = ["R", "G", "B", "A"]
+        .into_iter()
+        .enumerate()
+        .map(|(i, name)| {
+            let value = |pixel: &[u16; 4]| {
+                if name == "A" {
+                    f16::ONE
+                } else {
+                    f16::from_bits(pixel[i])
+                }
+            };
+            AnyChannel::new(
+                name,
+                FlatSamples::F16(picture.light.rgba.iter().map(value).collect()),
+            )
+        });
+    let rest = picture
+        .channels
+        .list()
+        .iter()
+        .zip(picture.samples)
+        .map(|(channel, samples)| {
+            let samples = match samples {
+                Samples::Numbers(numbers) => FlatSamples::F32(numbers),
+                Samples::Counts(counts) => FlatSamples::U32(counts),
+            };
+            AnyChannel::new(channel.name, samples)
+        });
+    AnyChannels::sort(light.chain(rest).collect())
+}
+
+fn attributes(picture: &Linear) -> LayerAttributes {
+    let version = env!("CARGO_PKG_VERSION");
+    let units = picture
+        .channels
+        .list()
+        .iter()
+        .map(|channel| format!("{}: {}\n", channel.name, channel.about));
+    let texts = [
+        (PRESET_KEY, Some(picture.scene.to_preset())),
+        ("lightfall.version", Some(version.to_owned())),
+        ("lightfall.commit", picture.commit.map(str::to_owned)),
+        ("lightfall.method", Some(method(picture.scene).to_owned())),
+        (
+            "lightfall.units",
+            Some(LIGHT.to_owned() + &units.collect::<String>()),
+        ),
+    ];
+    LayerAttributes {
+        software_name: Some(text(&format!("lightfall {version}"))),
+        frames_per_second: picture.fps.map(|fps| ((fps * 1000.0).round() as i32, 1000)),
+        other: texts
+            .into_iter()
+            .filter_map(|(name, value)| {
+                Some((Text::from(name), AttributeValue::Text(text(&value?))))
+            })
+            .collect(),
+        ..LayerAttributes::default()
+    }
+}
+
+/// A header text in UTF-8, which readers expect. The crate's own conversion accepts Latin-1 only.
+fn text(text: &str) -> Text {
+    Text::from_slice_unchecked(text.as_bytes())
+}
+
+/// The method that traced the light, with `auto` resolved.
+fn method(scene: &Scene) -> &'static str {
+    if scene.effects.lensing {
+        scene.method.resolved().word()
+    } else {
+        "straight lines, without lensing"
+    }
+}
+
+/// The primaries of Rec. 709 and sRGB with white D65 (Rec. ITU-R BT.709, item 1.4).
+fn rec_709() -> Chromaticities {
+    Chromaticities {
+        red: Vec2(0.64, 0.33),
+        green: Vec2(0.30, 0.60),
+        blue: Vec2(0.15, 0.06),
+        white: Vec2(0.3127, 0.3290),
+    }
+}

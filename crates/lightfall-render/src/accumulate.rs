@@ -1,0 +1,172 @@
+//! The mean of several frames, each with its rays at other places within their pixels: a pass that
+//! adds the light of a frame to the sum of those before it, and writes the mean to the picture.
+//!
+//! The sums are kept in two textures, of which each frame reads one and writes the other. So a frame
+//! that is drawn twice is added once.
+
+use crate::camera_markers::SceneCamera;
+use crate::draw_request::DrawRequest;
+use crate::full_screen_pass::{FullScreenPass, Stage, attachment};
+use crate::geodesic::GeodesicPass;
+use crate::live_shaders::add_shader;
+use crate::refine::refine_edges;
+use bevy::asset::uuid_handle;
+use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
+use bevy::image::ToExtents;
+use bevy::prelude::*;
+use bevy::render::render_resource::*;
+use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
+use bevy::render::view::ViewTarget;
+use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
+use lightfall_core::gpu::Accumulation;
+
+const SHADER: Handle<Shader> = uuid_handle!("0f3f2f4e-93a8-4a52-8b93-2f7d6f1c0a35");
+
+/// The entry point, which writes the picture and the sum.
+const STAGE: Stage = (
+    "accumulate",
+    [
+        Some(TextureFormat::Rgba16Float),
+        Some(TextureFormat::Rgba32Float),
+    ],
+);
+
+/// The pass's resources on the GPU.
+#[derive(Resource)]
+pub(super) struct AccumulatePass {
+    full_screen: FullScreenPass<Accumulation>,
+    /// `None` while frames are shown as they are.
+    sums: Option<Sums>,
+    /// Whether this frame has been added.
+    added: bool,
+}
+
+/// The sums after an even and after an odd frame.
+struct Sums {
+    size: UVec2,
+    after: [TextureView; 2],
+}
+
+impl AccumulatePass {
+    /// Whether this frame has been added to the mean.
+    pub(super) fn has_added(&self) -> bool {
+        self.added
+    }
+}
+
+pub(super) fn plugin(app: &mut App) {
+    add_shader(
+        app,
+        &SHADER,
+        Accumulation::shader(),
+        "lightfall/accumulate.wgsl",
+    );
+    let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
+        return;
+    };
+    render_app
+        .add_systems(RenderStartup, create_accumulate_pass)
+        .add_systems(
+            Render,
+            prepare_accumulate_pass.in_set(RenderSystems::PrepareResources),
+        )
+        .add_systems(
+            Core3d,
+            accumulate_frame
+                .in_set(Core3dSystems::MainPass)
+                .after(refine_edges),
+        );
+}
+
+fn create_accumulate_pass(mut commands: Commands) {
+    commands.insert_resource(AccumulatePass {
+        full_screen: FullScreenPass::new("accumulation layout", SHADER, 2),
+        sums: None,
+        added: false,
+    });
+}
+
+/// Creates what a mean needs, and drops the sums where a frame is shown as it is.
+fn prepare_accumulate_pass(
+    request: Option<Res<DrawRequest>>,
+    pass: Option<ResMut<AccumulatePass>>,
+    cache: Res<PipelineCache>,
+    device: Res<RenderDevice>,
+    queue: Res<RenderQueue>,
+) {
+    let (Some(request), Some(mut pass)) = (request, pass) else {
+        return;
+    };
+    let AccumulatePass {
+        full_screen,
+        sums,
+        added,
+    } = &mut *pass;
+    *added = false;
+    let Some(frame) = request.averaged_frame() else {
+        *sums = None;
+        return;
+    };
+    full_screen.queue(STAGE, &cache);
+    full_screen.write(Accumulation { frame }, &device, &queue);
+    let size = request.picture_size();
+    if sums.as_ref().is_none_or(|sums| sums.size != size) {
+        *sums = Some(Sums {
+            size,
+            after: ["sum of even frames", "sum of odd frames"]
+                .map(|label| create_sum(&device, label, size)),
+        });
+    }
+}
+
+fn create_sum(device: &RenderDevice, label: &'static str, size: UVec2) -> TextureView {
+    let texture = device.create_texture(&TextureDescriptor {
+        label: Some(label),
+        size: size.to_extents(),
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: TextureDimension::D2,
+        format: TextureFormat::Rgba32Float,
+        usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    });
+    texture.create_view(&default())
+}
+
+/// Adds the frame to the mean, and shows it.
+pub(super) fn accumulate_frame(
+    view: ViewQuery<&ViewTarget, With<SceneCamera>>,
+    request: Option<Res<DrawRequest>>,
+    geodesic: Option<Res<GeodesicPass>>,
+    pass: Option<ResMut<AccumulatePass>>,
+    cache: Res<PipelineCache>,
+    mut context: RenderContext,
+) {
+    let target = view.into_inner();
+    let (Some(request), Some(geodesic), Some(mut pass)) = (request, geodesic, pass) else {
+        return;
+    };
+    let Extent3d { width, height, .. } = target.main_texture().size();
+    let sums = pass.sums.as_ref();
+    let (true, Some(frame), Some(sums)) = (
+        geodesic.has_drawn_scene(),
+        request.averaged_frame(),
+        sums.filter(|sums| sums.size == UVec2::new(width, height)),
+    ) else {
+        return;
+    };
+    // The picture's two textures change places only if the pass draws.
+    if pass.full_screen.pipeline(STAGE, &cache).is_none() {
+        return;
+    }
+    let after = &sums.after[frame as usize % 2];
+    let before = &sums.after[(frame as usize + 1) % 2];
+    let picture = target.post_process_write();
+    pass.added = pass.full_screen.draw(
+        &mut context,
+        &cache,
+        STAGE,
+        &[picture.source, before],
+        &[attachment(picture.destination), attachment(after)],
+    );
+}

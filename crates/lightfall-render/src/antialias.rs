@@ -1,0 +1,258 @@
+//! What the search for edges and their refinement (refine.rs) need on the GPU: the pipelines, the
+//! second target of the geodesic pass, and the lists of marked pixels.
+
+use crate::chain::Chain;
+use crate::comparison::ComparedScene;
+use crate::current_scene::CurrentScene;
+use crate::live_shaders::add_shader;
+use bevy::asset::uuid_handle;
+use bevy::image::ToExtents;
+use bevy::platform::collections::HashMap;
+use bevy::prelude::*;
+use bevy::render::render_resource::binding_types::*;
+use bevy::render::render_resource::*;
+use bevy::render::renderer::RenderDevice;
+use bevy::render::view::ViewTarget;
+use bevy::render::{RenderApp, RenderStartup};
+use lightfall_core::gpu::bindings::{COLUMNS, LIST, PICTURE, TRAITS, WORK};
+use lightfall_core::gpu::{EdgeTraits, Edges};
+
+/// The format of what the search for edges compares: two small whole numbers.
+pub(super) const TRAITS_FORMAT: TextureFormat = TextureFormat::Rg8Uint;
+
+/// The shaders of the search, for one sample a pixel and for four.
+const SHADERS: [(u32, Handle<Shader>); 2] = [
+    (1, uuid_handle!("5d0e1c7c-54f5-4d43-9a51-0a2c0b5f4c11")),
+    (4, uuid_handle!("c1b6a2f7-1c3e-4c58-8f0e-7d8f5d1a9b64")),
+];
+
+/// Size of the uniform that holds a scene's columns, in bytes.
+const COLUMNS_SIZE: u64 = 8;
+
+/// The passes' resources on the GPU.
+#[derive(Resource)]
+pub(super) struct AntialiasPass {
+    /// What REFINE binds in addition to what the picture's shader binds.
+    pub(super) layout: BindGroupLayoutDescriptor,
+    /// The pipelines queued so far: of EDGES by samples, of REFINE by shader.
+    edges: HashMap<u32, CachedComputePipelineId>,
+    refine: HashMap<AssetId<Shader>, CachedComputePipelineId>,
+    /// `None` while no edges are looked for.
+    pub(super) targets: Option<Targets>,
+}
+
+/// What exists while edges are looked for in pictures of one size.
+pub(super) struct Targets {
+    pub(super) size: UVec2,
+    pub(super) samples: u32,
+    pub(super) traits: TextureView,
+    /// One for each scene of the picture.
+    pub(super) marks: Vec<Marks>,
+}
+
+/// The pixels of a scene that EDGES has marked.
+pub(super) struct Marks {
+    pub(super) columns: Buffer,
+    pub(super) work: Buffer,
+    pub(super) list: Buffer,
+}
+
+impl AntialiasPass {
+    /// Whether the pipeline of the search exists.
+    pub(super) fn finds_edges(&self, cache: &PipelineCache) -> bool {
+        self.edges_pipeline(cache).is_some()
+    }
+
+    /// The pipeline of the search, once it exists.
+    pub(super) fn edges_pipeline<'a>(
+        &self,
+        cache: &'a PipelineCache,
+    ) -> Option<&'a ComputePipeline> {
+        let targets = self.targets.as_ref()?;
+        cache.get_compute_pipeline(*self.edges.get(&targets.samples)?)
+    }
+
+    /// The pipeline that refines with this shader; `scene` is what the picture's shader binds.
+    pub(super) fn refinement(
+        &mut self,
+        scene: &BindGroupLayoutDescriptor,
+        shader: &Handle<Shader>,
+        cache: &PipelineCache,
+    ) -> CachedComputePipelineId {
+        let layout = &self.layout;
+        *self.refine.entry(shader.id()).or_insert_with(|| {
+            cache.queue_compute_pipeline(ComputePipelineDescriptor {
+                label: Some("refine".into()),
+                layout: vec![scene.clone(), layout.clone()],
+                shader: shader.clone(),
+                entry_point: Some("refine".into()),
+                ..default()
+            })
+        })
+    }
+
+    /// The second target of a geodesic pass that draws to `target`, if it has the same size and
+    /// samples.
+    pub(super) fn attachment(&self, target: &ViewTarget) -> Option<RenderPassColorAttachment<'_>> {
+        let targets = self.targets.as_ref()?;
+        targets
+            .fits(target)
+            .then_some(())
+            .map(|()| RenderPassColorAttachment {
+                view: &targets.traits,
+                depth_slice: None,
+                resolve_target: None,
+                ops: Operations {
+                    // No class: what the foreground covers stays so.
+                    load: LoadOp::Clear(default()),
+                    store: StoreOp::Store,
+                },
+            })
+    }
+}
+
+impl Targets {
+    fn new(device: &RenderDevice, size: UVec2, samples: u32, scenes: usize) -> Self {
+        let traits = device.create_texture(&TextureDescriptor {
+            label: Some("classes"),
+            size: size.to_extents(),
+            mip_level_count: 1,
+            sample_count: samples,
+            dimension: TextureDimension::D2,
+            format: TRAITS_FORMAT,
+            usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
+            view_formats: &[],
+        });
+        let buffer = |label, size, usage| {
+            device.create_buffer(&BufferDescriptor {
+                label: Some(label),
+                size,
+                usage,
+                mapped_at_creation: false,
+            })
+        };
+        let marks = || Marks {
+            columns: buffer(
+                "columns of a scene",
+                COLUMNS_SIZE,
+                BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+            ),
+            work: buffer(
+                "work of the refinement",
+                Edges::WORK_SIZE,
+                BufferUsages::STORAGE | BufferUsages::INDIRECT | BufferUsages::COPY_DST,
+            ),
+            list: buffer(
+                "marked pixels",
+                Edges { size }.list_size(),
+                BufferUsages::STORAGE,
+            ),
+        };
+        Self {
+            size,
+            samples,
+            traits: traits.create_view(&default()),
+            marks: std::iter::repeat_with(marks).take(scenes).collect(),
+        }
+    }
+
+    /// Whether these are the targets of a picture that is drawn to `target`.
+    pub(super) fn fits(&self, target: &ViewTarget) -> bool {
+        let Extent3d { width, height, .. } = target.main_texture().size();
+        let several = target.sampled_main_texture().is_some();
+        self.size == UVec2::new(width, height) && (self.samples > 1) == several
+    }
+}
+
+pub(super) fn plugin(app: &mut App) {
+    for (samples, handle) in SHADERS {
+        let text = EdgeTraits { samples }.shader();
+        add_shader(app, &handle, text, "lightfall/edges.wgsl");
+    }
+    let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
+        return;
+    };
+    render_app.add_systems(RenderStartup, create_antialias_pass);
+}
+
+fn create_antialias_pass(mut commands: Commands) {
+    let layout = BindGroupLayoutDescriptor::new(
+        "refinement layout",
+        &BindGroupLayoutEntries::with_indices(
+            ShaderStages::COMPUTE,
+            (
+                (WORK, storage_buffer_read_only_sized(false, None)),
+                (LIST, storage_buffer_read_only_sized(false, None)),
+                (
+                    PICTURE,
+                    texture_storage_2d(TextureFormat::Rgba16Float, StorageTextureAccess::WriteOnly),
+                ),
+            ),
+        ),
+    );
+    commands.insert_resource(AntialiasPass {
+        layout,
+        edges: HashMap::default(),
+        refine: HashMap::default(),
+        targets: None,
+    });
+}
+
+/// What EDGES binds.
+pub(super) fn edges_layout(samples: u32) -> BindGroupLayoutDescriptor {
+    let traits = if samples > 1 {
+        texture_2d_multisampled(TextureSampleType::Uint)
+    } else {
+        texture_2d(TextureSampleType::Uint)
+    };
+    BindGroupLayoutDescriptor::new(
+        "edges layout",
+        &BindGroupLayoutEntries::with_indices(
+            ShaderStages::COMPUTE,
+            (
+                (TRAITS, traits),
+                (
+                    COLUMNS,
+                    uniform_buffer_sized(false, BufferSize::new(COLUMNS_SIZE)),
+                ),
+                (WORK, storage_buffer_sized(false, None)),
+                (LIST, storage_buffer_sized(false, None)),
+            ),
+        ),
+    )
+}
+
+/// Creates what the search for edges needs, and drops it where edges are not refined.
+pub(super) fn prepare_antialias(
+    scene: Res<CurrentScene>,
+    compared: Res<ComparedScene>,
+    pass: Option<ResMut<AntialiasPass>>,
+    cache: Res<PipelineCache>,
+    device: Res<RenderDevice>,
+) {
+    let Some(mut pass) = pass else { return };
+    let chain = Chain::of(&scene).comparing(&compared);
+    if !chain.antialias {
+        pass.targets = None;
+        return;
+    }
+    let (size, samples) = (chain.picture, chain.samples);
+    let scenes = 1 + usize::from(compared.drawn().is_some());
+    let fits = |targets: &Targets| {
+        (targets.size, targets.samples, targets.marks.len()) == (size, samples, scenes)
+    };
+    if !pass.targets.as_ref().is_some_and(fits) {
+        pass.targets = Some(Targets::new(&device, size, samples, scenes));
+    }
+    for (_, shader) in SHADERS.into_iter().filter(|(of, _)| *of == samples) {
+        pass.edges.entry(samples).or_insert_with(|| {
+            cache.queue_compute_pipeline(ComputePipelineDescriptor {
+                label: Some("edges".into()),
+                layout: vec![edges_layout(samples)],
+                shader,
+                entry_point: Some("edges".into()),
+                ..default()
+            })
+        });
+    }
+}

@@ -1,0 +1,231 @@
+//! The passes and textures that a scene needs. Both the passes themselves and the reports take them
+//! from here.
+
+use crate::comparison::ComparedScene;
+use bevy::math::UVec2;
+use lightfall_core::scene::{Scene, SkyMode};
+
+/// Rows of bloom's largest level: half the default picture's height. A finer level would take most
+/// of the time and change nothing that the presentation grid can show (docs/PASSES.md).
+const BLOOM_ROWS: u32 = 256;
+
+/// Largest width of a bloom texture, in pixels.
+const MAX_BLOOM_WIDTH: u32 = 8192;
+
+/// Smallest number of bloom rows with a visible effect.
+const MIN_BLOOM_ROWS: u32 = 8;
+
+/// Bevy's own passes that run in every chain, on some devices at least, and do nothing but clear.
+pub const EMPTY_PASSES: [&str; 3] = [
+    "bin_unpacking",
+    "early_mesh_preprocessing",
+    "main_transparent_pass_2d",
+];
+
+/// The parts of the chain that depend on the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Chain {
+    /// Size of the HDR picture.
+    pub picture: UVec2,
+    /// Whether there is a foreground, with its lamps.
+    pub probe: bool,
+    /// Samples per pixel of the foreground: one, or four where its edges are smoothed.
+    pub samples: u32,
+    /// Whether stars are drawn as points.
+    pub stars: bool,
+    /// Whether edges are found and refined.
+    pub antialias: bool,
+    /// Whether all of the picture shows light, rather than colours that have a meaning and must not
+    /// be averaged.
+    pub shows_light: bool,
+    /// How many frames are averaged, one at least.
+    pub frames: u32,
+    /// Rows of bloom's largest level; `None` without bloom, as in views whose colours have a
+    /// meaning.
+    pub bloom: Option<u32>,
+    /// Size of the presentation grid; `None` where it is bypassed.
+    pub cells: Option<UVec2>,
+    /// Whether the picture shows the difference of two scenes.
+    pub difference: bool,
+}
+
+/// A texture that a chain writes to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WrittenTexture {
+    /// Name of its content.
+    pub name: &'static str,
+    /// Size of its largest level, in pixels.
+    pub size: UVec2,
+    /// WebGPU's name of its format.
+    pub format: &'static str,
+    /// Number of mip levels.
+    pub levels: u32,
+}
+
+impl Chain {
+    /// The chain that draws the scene.
+    pub fn of(scene: &Scene) -> Self {
+        let picture = scene.picture.size();
+        // A wide picture has fewer rows, so that the bloom texture does not exceed its largest
+        // width.
+        let rows_of_max_width =
+            u64::from(MAX_BLOOM_WIDTH) * u64::from(picture.y) / u64::from(picture.x.max(1));
+        // A small picture has fewer rows, too: bloom is never finer than half the picture's rows.
+        let rows = u64::from(BLOOM_ROWS)
+            .min(rows_of_max_width)
+            .min(u64::from(picture.y.div_ceil(2))) as u32;
+        Self {
+            picture,
+            probe: scene.probe.enabled,
+            samples: if scene.probe.enabled && scene.probe.antialias {
+                4
+            } else {
+                1
+            },
+            stars: scene.sky.mode == SkyMode::Stars && scene.view.shows_light(),
+            antialias: scene.picture.antialias && scene.view.shows_light(),
+            shows_light: scene.view.shows_light(),
+            frames: if scene.view.shows_light() {
+                scene.picture.samples
+            } else {
+                1
+            },
+            bloom: (scene.picture.bloom > 0.0
+                && rows >= MIN_BLOOM_ROWS
+                && scene.view.shows_light())
+            .then_some(rows),
+            cells: (!scene.picture.bypass).then_some(scene.picture.grid()),
+            difference: false,
+        }
+    }
+
+    /// The chain that also draws a compared scene. Two scenes side by side need no more passes than
+    /// one. A difference has neither bloom, which would spread it, nor smooth edges: what is
+    /// compared are single rays, and it covers the foreground.
+    #[must_use]
+    pub fn comparing(self, compared: &ComparedScene) -> Self {
+        let pinned = compared.drawn().map(|(scene, _)| Self::of(scene));
+        let stars = self.stars || pinned.is_some_and(|pinned| pinned.stars);
+        if !compared.is_difference() {
+            return Self {
+                stars,
+                antialias: self.antialias || pinned.is_some_and(|pinned| pinned.antialias),
+                shows_light: self.shows_light && pinned.is_none_or(|pinned| pinned.shows_light),
+                frames: self
+                    .frames
+                    .min(pinned.map_or(u32::MAX, |pinned| pinned.frames)),
+                ..self
+            };
+        }
+        Self {
+            samples: 1,
+            stars,
+            antialias: false,
+            shows_light: false,
+            frames: 1,
+            bloom: None,
+            difference: true,
+            ..self
+        }
+    }
+
+    /// Names of the passes in their order, as in `render --timings`.
+    pub fn passes(&self) -> Vec<&'static str> {
+        let stars: &[_] = if self.stars { &["stars"] } else { &[] };
+        let lamps: &[_] = if self.probe { &["clustering"] } else { &[] };
+        let bloom: &[_] = if self.bloom.is_some() {
+            &["bloom"]
+        } else {
+            &[]
+        };
+        let cells: &[_] = if self.cells.is_some() {
+            &["pixelate"]
+        } else {
+            &[]
+        };
+        let edges: &[_] = if self.antialias {
+            &["edges", "refine"]
+        } else {
+            &[]
+        };
+        let mean: &[_] = if self.frames > 1 {
+            &["accumulate"]
+        } else {
+            &[]
+        };
+        let difference: &[_] = if self.difference {
+            &["geodesic_pinned", "difference"]
+        } else {
+            &[]
+        };
+        let scene_camera = [
+            stars,
+            lamps,
+            &["main_opaque_pass_3d", "geodesic"],
+            difference,
+            edges,
+            mean,
+            bloom,
+            &["tonemapping"],
+        ]
+        .concat();
+        [&scene_camera, cells, self.idle_passes()].concat()
+    }
+
+    /// Names of the passes that also run while nothing changes: they show the last picture.
+    pub fn idle_passes(&self) -> &'static [&'static str] {
+        if self.cells.is_some() {
+            &["expand", "upscaling"]
+        } else {
+            &["fit", "upscaling"]
+        }
+    }
+
+    /// The textures that pass data from one pass to the next.
+    pub fn textures(&self) -> Vec<WrittenTexture> {
+        let of_picture = |name, format| WrittenTexture {
+            name,
+            size: self.picture,
+            format,
+            levels: 1,
+        };
+        let mut textures = vec![
+            of_picture("HDR picture", "rgba16float"),
+            of_picture("tone-mapped picture", "rgba16float"),
+            of_picture("depth", "depth32float"),
+        ];
+        if self.difference {
+            textures.push(of_picture("light of the scene", "rgba16float"));
+            textures.push(of_picture("light of the pinned scene", "rgba16float"));
+        }
+        if self.samples > 1 {
+            textures.push(of_picture("HDR picture of four samples", "rgba16float"));
+        }
+        if self.antialias {
+            textures.push(of_picture("classes", "rg8uint"));
+        }
+        if self.frames > 1 {
+            textures.push(of_picture("sum of frames", "rgba32float"));
+            textures.push(of_picture("sum of one frame less", "rgba32float"));
+        }
+        textures.extend(self.bloom.map(|rows| {
+            WrittenTexture {
+                name: "bloom",
+                // Bevy sizes its bloom texture this way.
+                size: (self.picture.as_vec2() * (rows as f32 / self.picture.y as f32))
+                    .round()
+                    .as_uvec2()
+                    .max(UVec2::ONE),
+                format: "rg11b10ufloat",
+                levels: rows.ilog2().max(2) - 1,
+            }
+        }));
+        textures.extend(self.cells.map(|size| WrittenTexture {
+            name: "cells",
+            size,
+            format: "rgba8unorm-srgb",
+            levels: 1,
+        }));
+        textures
+    }
+}

@@ -1,0 +1,97 @@
+//! The comparison: pinned settings are drawn beside those of the current scene, or against them.
+//! Both scenes have the camera, probe and picture of the current one, so that they differ only in
+//! what is compared.
+
+mod compared_scene;
+mod difference;
+mod pinned;
+
+pub use compared_scene::{ComparedScene, ComparisonLayout};
+pub(super) use difference::{DifferencePass, draw_difference, prepare_difference};
+pub use pinned::Pinned;
+
+use crate::current_scene::CurrentScene;
+use bevy::prelude::*;
+use bevy::render::extract_resource::ExtractResourcePlugin;
+use lightfall_core::scene::Picture;
+
+/// The pinned settings and how they are compared. `None` while nothing is compared.
+#[derive(Resource, Clone, Debug, Default)]
+pub struct Comparison(pub Option<(Pinned, ComparisonMode)>);
+
+/// How two scenes are compared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ComparisonMode {
+    /// The pinned scene is drawn left of a divider, the current one right of it.
+    SideBySide {
+        /// Place of the divider, as a share of the picture's width.
+        divider: f32,
+    },
+    /// The absolute difference of the two scenes' light is drawn.
+    Difference {
+        /// What the difference is multiplied by.
+        gain: u32,
+    },
+}
+
+impl ComparisonMode {
+    fn layout(self, picture: &Picture) -> ComparisonLayout {
+        match self {
+            Self::SideBySide { divider } => ComparisonLayout::SideBySide {
+                columns: columns_left_of(divider, picture),
+            },
+            Self::Difference { gain } => ComparisonLayout::Difference { gain: gain as f32 },
+        }
+    }
+}
+
+/// The number of the picture's columns left of a divider. Where the picture is shown in cells, the
+/// divider lies between two cells, so that no cell mixes the two scenes.
+fn columns_left_of(divider: f32, picture: &Picture) -> u32 {
+    let steps = if picture.bypass {
+        picture.width
+    } else {
+        picture.grid_width
+    };
+    let share = (f64::from(divider) * f64::from(steps)).round() / f64::from(steps.max(1));
+    let columns = (share * f64::from(picture.width)).round();
+    // A number that is not finite becomes zero.
+    (columns as u32).min(picture.width)
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<Comparison>()
+        .init_resource::<ComparedScene>()
+        .add_plugins(ExtractResourcePlugin::<ComparedScene>::default());
+    difference::plugin(app);
+}
+
+/// Gives the pinned scene the camera, probe and picture of the current one.
+pub(super) fn follow_current_scene(
+    scene: Res<CurrentScene>,
+    mut comparison: ResMut<Comparison>,
+    mut compared: ResMut<ComparedScene>,
+) {
+    // What the pinned scene takes over is no change of the comparison.
+    let next = match &mut comparison.bypass_change_detection().0 {
+        None => ComparedScene::None,
+        Some((pinned, mode)) => {
+            pinned.follow(&scene);
+            match pinned.drawable() {
+                Ok(drawable)
+                    if matches!(mode, ComparisonMode::Difference { .. })
+                        && drawable.view != scene.view =>
+                {
+                    ComparedScene::Undrawable(
+                        "a difference needs the same view on both sides".into(),
+                    )
+                }
+                Ok(drawable) => {
+                    ComparedScene::Drawn(Box::new((drawable, mode.layout(&scene.picture))))
+                }
+                Err(reason) => ComparedScene::Undrawable(reason),
+            }
+        }
+    };
+    compared.set_if_neq(next);
+}

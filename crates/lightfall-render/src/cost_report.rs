@@ -1,0 +1,256 @@
+//! The cost report: what the GPU compiles, runs and allocates for a scene. It is derived only from
+//! the shader variant and the chain that draw the scene.
+
+use crate::chain::{Chain, EMPTY_PASSES, WrittenTexture};
+use crate::resting_frames::FRAMES_AT_REST;
+use crate::wave_limit::WaveLimit;
+use lightfall_core::gpu::stars::{StarKernel, sums_size};
+use lightfall_core::gpu::{Entry, Variant};
+use lightfall_core::numbers::four_digits;
+use lightfall_core::optics::stars::{Depth, MAX_MAGNITUDE};
+use lightfall_core::scene::{HotSpotKind, LimbDarkening, Scene};
+use std::collections::BTreeSet;
+use wgpu::DeviceType;
+
+/// The cost report of the scene as text: its name, then one line per topic.
+pub fn cost_report(scene: &Scene) -> String {
+    let rows = cost_rows(scene, WaveLimit::default());
+    let lines = rows
+        .iter()
+        .map(|(topic, items)| format!("{topic:16} {items}\n"));
+    format!("{}: {}\n", scene.name, scene.title) + &lines.collect::<String>()
+}
+
+/// The cost report of the scene as rows: a topic, and what belongs to it. The rows depend on the
+/// scene's method, its view, its disk without the clock, its [`Variant`] and its [`Chain`], and on
+/// how many waves are drawn, and on nothing else.
+pub fn cost_rows(scene: &Scene, limit: WaveLimit) -> Vec<(&'static str, String)> {
+    let variant = Variant::picture(scene);
+    let chain = Chain::of(scene);
+    let (set, unset): (Vec<_>, Vec<_>) = variant.flags().into_iter().partition(|(_, set)| *set);
+    let names = |flags: Vec<(&'static str, bool)>| {
+        flags.into_iter().map(|(name, _)| name).collect::<Vec<_>>()
+    };
+    let full = chain_with_everything(&chain);
+    let textures = chain.textures();
+    let absent = full
+        .textures()
+        .into_iter()
+        .filter(|absent| textures.iter().all(|texture| texture.name != absent.name));
+    let passes = chain.passes();
+    let mut rows = Vec::new();
+    let mut row = |topic: &'static str, items: &[String]| {
+        let items = if items.is_empty() {
+            "none".into()
+        } else {
+            items.join(", ")
+        };
+        rows.push((topic, items));
+    };
+    let cells = chain.cells.map_or("no cells".into(), |grid| {
+        format!("{}x{} cells", grid.x, grid.y)
+    });
+    let size = chain.picture;
+    row("picture", &[format!("{}x{} pixels", size.x, size.y), cells]);
+    let own = |names: Vec<&str>| names.into_iter().map(str::to_owned).collect::<Vec<_>>();
+    row(
+        "method",
+        &[format!(
+            "{} (asked for: {})",
+            traced_by(scene),
+            scene.method.word()
+        )],
+    );
+    row(
+        "disk crossings",
+        &[if variant.disk {
+            variant.max_hits.to_string()
+        } else {
+            "none".into()
+        }],
+    );
+    row("edges", &[edges(&chain).into()]);
+    row("frames averaged", &[frames(&chain)]);
+    row("disk's light", &lights(scene, variant, limit));
+    row("disk's clock", &[clock(scene)]);
+    row("stars", &stars(scene, chain));
+    row("star kernels", &star_kernels(scene, chain));
+    row("star files", &star_files(scene, chain));
+    row("flags set", &own(names(set)));
+    row("flags not set", &own(names(unset)));
+    row("shader files", &own(variant.files()));
+    row("files left out", &own(unused_files(variant)));
+    row("passes", &own(passes.clone()));
+    row(
+        "passes left out",
+        &own(full
+            .passes()
+            .into_iter()
+            .filter(|pass| !passes.contains(pass))
+            .collect()),
+    );
+    row("passes, empty", &own(EMPTY_PASSES.to_vec()));
+    row("while idle", &own(chain.idle_passes().to_vec()));
+    let written = |texture: &WrittenTexture| {
+        let levels = if texture.levels > 1 {
+            format!(", {} levels", texture.levels)
+        } else {
+            String::new()
+        };
+        format!(
+            "{} {}x{} {}{levels}",
+            texture.name, texture.size.x, texture.size.y, texture.format
+        )
+    };
+    row(
+        "textures",
+        &textures.iter().map(written).collect::<Vec<_>>(),
+    );
+    row(
+        "not allocated",
+        &own(absent.map(|texture| texture.name).collect()),
+    );
+    rows
+}
+
+/// The parts of the disk's light beside its flux.
+fn lights(scene: &Scene, variant: Variant, limit: WaveLimit) -> Vec<String> {
+    let mut lights = Vec::new();
+    if variant.structure {
+        let (waves, drawn) = (scene.disk.waves, limit.drawn(scene.disk.waves));
+        let fewer = match limit {
+            WaveLimit(None) => {
+                let least = WaveLimit::of_window(DeviceType::Cpu).drawn(waves);
+                if least < waves {
+                    format!(" ({least} in a window on a software renderer)")
+                } else {
+                    String::new()
+                }
+            }
+            _ if drawn < waves => {
+                format!(" of {waves}, the most in a window on a software renderer")
+            }
+            _ => String::new(),
+        };
+        lights.push(format!(
+            "structure {} of {drawn} waves a ring{fewer}",
+            scene.disk.structure.word()
+        ));
+    }
+    if variant.hot_spot != HotSpotKind::None {
+        lights.push(format!("hot spot, {}", variant.hot_spot.word()));
+    }
+    if variant.limb != LimbDarkening::None {
+        lights.push(format!("limb darkening, {}", variant.limb.word()));
+    }
+    if variant.delay_nodes > 0 {
+        lights.push(format!(
+            "delay of the light by {} nodes a stretch",
+            variant.delay_nodes
+        ));
+    }
+    lights
+}
+
+/// How deep the point stars go, and what they take.
+fn stars(scene: &Scene, chain: Chain) -> Vec<String> {
+    let Some(depth) = Depth::new(scene, MAX_MAGNITUDE)
+        .ok()
+        .filter(|_| chain.stars)
+    else {
+        return Vec::new();
+    };
+    let sums = sums_size(chain.picture) as f64 / 1e6;
+    vec![
+        format!("points down to V = {:.1}", depth.limit),
+        format!("of stars down to V = {:.1}", depth.last),
+        format!("{sums:.1} MB of sums"),
+    ]
+}
+
+/// The kernels of the star pass, in the order in which they run.
+fn star_kernels(scene: &Scene, chain: Chain) -> Vec<String> {
+    let kernels = StarKernel::of(scene).filter(|_| chain.stars);
+    kernels.map(|kernel| kernel.entry_point().into()).collect()
+}
+
+/// The shader files that these kernels have and the picture's shader does not.
+fn star_files(scene: &Scene, chain: Chain) -> Vec<String> {
+    let picture = Variant::picture(scene).files();
+    let kernels = StarKernel::of(scene).filter(|_| chain.stars);
+    let files: BTreeSet<_> = kernels.flat_map(|kernel| kernel.files(scene)).collect();
+    let own = files.into_iter();
+    own.filter(|file| !picture.contains(&&**file)).collect()
+}
+
+/// How edges are drawn.
+fn edges(chain: &Chain) -> &'static str {
+    if chain.antialias {
+        "4 or 16 rays in each pixel where they pass, 64 where the shadow's edge does"
+    } else {
+        "one ray a pixel"
+    }
+}
+
+/// How many frames are averaged.
+fn frames(chain: &Chain) -> String {
+    let frames = chain.frames;
+    if chain.shows_light && frames < FRAMES_AT_REST {
+        format!("{frames} ({FRAMES_AT_REST} in a window at rest on a graphics card)")
+    } else {
+        frames.to_string()
+    }
+}
+
+/// What the disk's clock makes the window draw.
+fn clock(scene: &Scene) -> String {
+    if !scene.disk_moves() {
+        return "nothing moves: a still picture is kept".into();
+    }
+    if !scene.shows_disk_motion() {
+        return "stands still in this view: a still picture is kept".into();
+    }
+    if scene.disk.rate == 0.0 {
+        return "stands still: a still picture is kept".into();
+    }
+    format!(
+        "{} r_s/c per second: a window draws every frame while it runs; / pauses it",
+        four_digits(scene.disk.rate)
+    )
+}
+
+/// Shader files that pictures of other scenes use and this one does not.
+fn unused_files(variant: Variant) -> Vec<&'static str> {
+    let all: BTreeSet<_> = Variant::all()
+        .into_iter()
+        .filter(|other| other.entry == Entry::Picture)
+        .flat_map(Variant::files)
+        .collect();
+    let used = variant.files();
+    all.into_iter()
+        .filter(|file| !used.contains(file))
+        .collect()
+}
+
+/// The chain of the same picture size with every optional part, presented in cells.
+fn chain_with_everything(chain: &Chain) -> Chain {
+    let mut scene = Scene::default();
+    scene.probe.enabled = true;
+    scene.picture.bypass = false;
+    scene.picture.bloom = 1.0;
+    scene.picture.antialias = true;
+    scene.picture.samples = 2;
+    Chain {
+        picture: chain.picture,
+        ..Chain::of(&scene)
+    }
+}
+
+/// The word of the method that traces the scene; without lensing, what takes its place.
+fn traced_by(scene: &Scene) -> &'static str {
+    if scene.effects.lensing {
+        scene.method.resolved().word()
+    } else {
+        "straight"
+    }
+}

@@ -1,0 +1,153 @@
+//! Draws the scenes: a full-screen triangle at the far plane, or one over a texture of its own.
+
+use super::pass::GeodesicPass;
+use super::pipeline::{Destination, Traits};
+use super::side::Side;
+use crate::antialias::AntialiasPass;
+use crate::camera_markers::SceneCamera;
+use crate::comparison::{ComparisonLayout, DifferencePass};
+use crate::full_screen_pass::{attachment, run_full_screen_pass};
+use bevy::prelude::*;
+use bevy::render::diagnostic::RecordDiagnostics;
+use bevy::render::render_phase::TrackedRenderPass;
+use bevy::render::render_resource::*;
+use bevy::render::renderer::{RenderContext, ViewQuery};
+use bevy::render::view::{ViewDepthTexture, ViewTarget};
+use lightfall_core::gpu::bands;
+
+pub(super) fn draw_geodesic_pass(
+    view: ViewQuery<(&ViewTarget, &ViewDepthTexture), With<SceneCamera>>,
+    pass: Option<ResMut<GeodesicPass>>,
+    (difference, antialias): (Option<Res<DifferencePass>>, Option<Res<AntialiasPass>>),
+    cache: Res<PipelineCache>,
+    mut context: RenderContext,
+) {
+    let Some(mut pass) = pass else { return };
+    let (target, depth) = view.into_inner();
+    let drawn = match (pass.destination, &pass.pinned) {
+        (Destination::Light, Some((pinned, _))) => {
+            let lights = difference.as_ref().and_then(|pass| pass.lights());
+            lights.is_some_and(|lights| {
+                draw_light(
+                    &mut context,
+                    &cache,
+                    "geodesic",
+                    &pass.current,
+                    (&lights.current, lights.size),
+                ) && draw_light(
+                    &mut context,
+                    &cache,
+                    "geodesic_pinned",
+                    pinned,
+                    (&lights.pinned, lights.size),
+                )
+            })
+        }
+        (Destination::Light, None) | (Destination::Compute(_), _) => false,
+        // A pipeline for another number of samples waits until the target has as many.
+        (Destination::Picture { samples, .. }, _)
+            if (samples > 1) != target.sampled_main_texture().is_some() =>
+        {
+            false
+        }
+        (Destination::Picture { traits, .. }, _) => {
+            let second = antialias.as_ref().and_then(|pass| pass.attachment(target));
+            // So does a pipeline with a second target.
+            (traits == Traits::Absent || second.is_some())
+                && draw_picture(
+                    &mut context,
+                    &cache,
+                    &pass,
+                    (target, second.filter(|_| traits != Traits::Absent)),
+                    depth,
+                )
+        }
+    };
+    pass.drawn = drawn;
+}
+
+/// Draws the current scene to the picture, and the pinned one left of the divider. Returns whether
+/// all is drawn.
+fn draw_picture(
+    context: &mut RenderContext,
+    cache: &PipelineCache,
+    pass: &GeodesicPass,
+    (target, second): (&ViewTarget, Option<RenderPassColorAttachment>),
+    depth: &ViewDepthTexture,
+) -> bool {
+    let Some(current) = pass.current.ready(cache) else {
+        return false;
+    };
+    let pinned = match &pass.pinned {
+        Some((side, ComparisonLayout::SideBySide { .. })) => {
+            let Some(ready) = side.ready(cache) else {
+                return false;
+            };
+            Some(ready)
+        }
+        _ => None,
+    };
+    let size = target.main_texture().size();
+    let diagnostics = context.diagnostic_recorder();
+    let diagnostics = diagnostics.as_deref();
+    let attachments: Vec<_> = [Some(target.get_color_attachment())]
+        .into_iter()
+        .chain(second.map(Some))
+        .collect();
+    let mut render_pass = context.begin_tracked_render_pass(RenderPassDescriptor {
+        label: Some("geodesic"),
+        color_attachments: &attachments,
+        depth_stencil_attachment: Some(depth.get_attachment(StoreOp::Store)),
+        timestamp_writes: None,
+        occlusion_query_set: None,
+        multiview_mask: None,
+    });
+    let span = diagnostics.pass_span(&mut render_pass, "geodesic");
+    let [left, right] = pass.columns(size.width);
+    let pinned = pinned.map(|ready| (ready, left));
+    for ((pipeline, bind_group, most), columns) in pinned.into_iter().chain([(current, right)]) {
+        if columns.is_empty() {
+            continue;
+        }
+        // Not a scissor rectangle: some drivers let its edge cut through the samples of a pixel.
+        let (left, width) = (columns.start as f32, columns.len() as f32);
+        render_pass.set_viewport(left, 0.0, width, size.height as f32, 0.0, 1.0);
+        render_pass.set_render_pipeline(pipeline);
+        render_pass.set_bind_group(0, bind_group, &[]);
+        draw_in_bands(&mut render_pass, UVec2::new(size.width, size.height), most);
+    }
+    span.end(&mut render_pass);
+    true
+}
+
+/// Draws one scene to a texture of its own. Returns whether it is drawn.
+fn draw_light(
+    context: &mut RenderContext,
+    cache: &PipelineCache,
+    name: &'static str,
+    side: &Side,
+    (texture, size): (&TextureView, UVec2),
+) -> bool {
+    let Some((pipeline, bind_group, most)) = side.ready(cache) else {
+        return false;
+    };
+    run_full_screen_pass(
+        context,
+        name,
+        &[attachment(texture)],
+        pipeline,
+        bind_group,
+        |render_pass| {
+            draw_in_bands(render_pass, size, most);
+        },
+    );
+    true
+}
+
+/// Draws the triangle band by band on a target of this size, with at most `most` pixels a band.
+fn draw_in_bands(render_pass: &mut TrackedRenderPass, size: UVec2, most: u32) {
+    for (top, rows) in bands(size.x, size.y, most) {
+        render_pass.set_scissor_rect(0, top, size.x, rows);
+        render_pass.draw(0..3, 0..1);
+    }
+}

@@ -1,0 +1,82 @@
+//! What the geodesic pass has on the GPU: the scenes that it draws, and how far they are drawn.
+
+use super::pipeline::Destination;
+use super::side::{Shared, Side};
+use crate::comparison::{ComparedScene, ComparisonLayout};
+use crate::stars::SceneStars;
+use bevy::prelude::*;
+use bevy::render::render_resource::*;
+use bevy::render::renderer::{RenderDevice, RenderQueue};
+use lightfall_core::gpu::Drawable;
+use std::ops::Range;
+
+/// The pass's resources on the GPU.
+#[derive(Resource)]
+pub(crate) struct GeodesicPass {
+    pub(super) shared: Shared,
+    pub(super) current: Side,
+    /// The pinned scene, and where the two are drawn; `None` while nothing is compared.
+    pub(super) pinned: Option<(Side, ComparisonLayout)>,
+    /// What the pipelines of the written scenes draw to.
+    pub(super) destination: Destination,
+    /// Whether a scene has changed since it was written.
+    pub(super) changed: bool,
+    /// Whether this frame has drawn the written scenes.
+    pub(super) drawn: bool,
+}
+
+impl GeodesicPass {
+    /// Whether this frame has drawn the present scenes.
+    pub(crate) fn has_drawn_scene(&self) -> bool {
+        self.drawn && !self.changed
+    }
+
+    /// The columns of a picture of this width that show the pinned scene and the current one.
+    pub(super) fn columns(&self, width: u32) -> [Range<u32>; 2] {
+        let divider = match self.pinned {
+            Some((_, ComparisonLayout::SideBySide { columns })) => columns.min(width),
+            _ => 0,
+        };
+        [0..divider, divider..width]
+    }
+
+    /// The stars of the scenes.
+    pub(crate) fn scene_stars(&self) -> impl Iterator<Item = &SceneStars> {
+        let pinned = self.pinned.as_ref().map(|(side, _)| side);
+        let sides = pinned.into_iter().chain([&self.current]);
+        sides.filter_map(Side::stars)
+    }
+
+    /// Goes on to another one of the frames that are averaged.
+    pub(super) fn set_frame(
+        &mut self,
+        scene: &Drawable,
+        compared: &ComparedScene,
+        frame: (u32, u32),
+        device: &RenderDevice,
+        queue: &RenderQueue,
+    ) {
+        self.current.set_frame(scene, frame, device, queue);
+        if let (Some((side, _)), Some((scene, _))) = (&mut self.pinned, compared.drawn()) {
+            side.set_frame(scene, frame, device, queue);
+        }
+    }
+
+    /// What refines the scenes that this frame has drawn, and the columns of each.
+    pub(crate) fn refinements<'a>(
+        &'a self,
+        cache: &'a PipelineCache,
+        width: u32,
+    ) -> impl Iterator<Item = (&'a ComputePipeline, &'a BindGroup, Range<u32>)> {
+        let [left, right] = self.columns(width);
+        let pinned = self.pinned.as_ref().map(|(side, _)| (side, left));
+        pinned
+            .into_iter()
+            .chain([(&self.current, right)])
+            .filter(move |(_, columns)| self.drawn && !columns.is_empty())
+            .filter_map(|(side, columns)| {
+                let (pipeline, bind_group) = side.refinement(cache)?;
+                Some((pipeline, bind_group, columns))
+            })
+    }
+}

@@ -1,0 +1,224 @@
+//! What one scene has on the GPU: its numbers, its inputs and its bindings. A comparison has two.
+
+use super::inputs::InputBuffers;
+use super::queue::SidePipelines;
+use super::sky::sky_texture;
+use crate::star_catalogue::StarCatalogue;
+use crate::star_limit::StarLimit;
+use crate::stars::{SceneStars, StarPass, StarWriter};
+use crate::wave_limit::WaveLimit;
+use bevy::render::render_resource::*;
+use bevy::render::renderer::{RenderDevice, RenderQueue};
+use lightfall_core::gpu::bindings::{
+    self, MILKY_WAY, MILKY_WAY_SAMPLER, SCENE, SPECTRUM, STAR_SUMS, STARLIGHT,
+};
+use lightfall_core::gpu::{
+    Drawable, ErrorMap, GpuPicture, GpuScene, Inputs, SkyTexture, max_pixels_of_call,
+};
+use lightfall_core::scene::{Frame, SkyMode};
+
+/// The numbers of a scene, and the pipelines that draw them.
+#[derive(Default)]
+pub(super) struct Side {
+    uniform: UniformBuffer<GpuScene>,
+    inputs: InputBuffers,
+    /// The stars; `None` where the sky has no real ones.
+    stars: Option<SceneStars>,
+    bind_group: Option<BindGroup>,
+    pipelines: Option<SidePipelines>,
+    /// Most pixels that one call draws.
+    max_pixels_of_call: u32,
+}
+
+/// What writing a scene takes.
+pub(super) struct SideWriter<'a> {
+    pub(super) shared: &'a mut Shared,
+    pub(super) layout: &'a BindGroupLayoutDescriptor,
+    pub(super) errors: &'a ErrorMap,
+    /// The most waves of the disk's structure that are drawn.
+    pub(super) waves: WaveLimit,
+    pub(super) stars: &'a mut StarPass,
+    pub(super) catalogue: StarCatalogue,
+    /// The faintest stars that are drawn as points, in V.
+    pub(super) star_limit: StarLimit,
+    /// The number of the frame, and of all frames that are averaged.
+    pub(super) frame: (u32, u32),
+    pub(super) cache: &'a PipelineCache,
+    pub(super) device: &'a RenderDevice,
+    pub(super) queue: &'a RenderQueue,
+}
+
+/// What both sides bind, and what they bind in place of inputs that a scene does not need.
+pub(super) struct Shared {
+    /// The Milky Way, from the first scene on that shows it.
+    milky_way: Option<TextureView>,
+    sampler: Sampler,
+    no_milky_way: TextureView,
+    /// A uniform or a storage array that no shader reads.
+    no_input: Buffer,
+}
+
+impl Shared {
+    pub(super) fn new(device: &RenderDevice, queue: &RenderQueue) -> Self {
+        Self {
+            milky_way: None,
+            sampler: device.create_sampler(&SkyTexture::sampler()),
+            no_milky_way: sky_texture(device, queue, false),
+            no_input: device.create_buffer(&BufferDescriptor {
+                label: Some("no input"),
+                size: size_of::<[u32; 4]>() as u64,
+                usage: BufferUsages::UNIFORM | BufferUsages::STORAGE,
+                mapped_at_creation: false,
+            }),
+        }
+    }
+}
+
+impl Side {
+    /// Writes a scene, which these pipelines draw, as one of several frames that are averaged.
+    pub(super) fn write(
+        &mut self,
+        scene: &Drawable,
+        pipelines: SidePipelines,
+        writer: &mut SideWriter,
+    ) {
+        let (device, queue) = (writer.device, writer.queue);
+        let mut numbers = scene.numbers().clone();
+        numbers.picture = picture_of_sample(scene, writer.frame);
+        self.uniform.set(numbers);
+        self.uniform.write_buffer(device, queue);
+        let inputs = Inputs {
+            scene,
+            max_waves: writer.waves.0,
+            errors: Some(writer.errors),
+        };
+        let new_inputs = self.inputs.write(inputs.of_picture(), device, queue);
+        self.pipelines = Some(pipelines);
+        self.max_pixels_of_call = max_pixels_of_call(scene);
+        let new_stars = self.write_stars(scene, pipelines, writer);
+        if new_inputs || new_stars || self.bind_group.is_none() {
+            self.bind_group = self.bind(writer);
+        }
+    }
+
+    /// Writes the scene's stars. Returns whether other buffers than before are to be bound.
+    fn write_stars(
+        &mut self,
+        scene: &Drawable,
+        pipelines: SidePipelines,
+        writer: &mut SideWriter,
+    ) -> bool {
+        let shows_stars = scene.sky.mode == SkyMode::Stars && scene.view.shows_light();
+        let (true, Some(spectrum)) = (shows_stars, self.inputs.buffer(SPECTRUM)) else {
+            return self.stars.take().is_some();
+        };
+        let SideWriter {
+            shared,
+            stars: pass,
+            catalogue,
+            star_limit,
+            cache,
+            device,
+            queue,
+            ..
+        } = writer;
+        let new_texture = shared.milky_way.is_none();
+        shared
+            .milky_way
+            .get_or_insert_with(|| sky_texture(device, queue, true));
+        let new_stars = self.stars.is_none();
+        let stars = self.stars.get_or_insert_with(|| SceneStars::new(device));
+        let new_buffers = stars.write(
+            scene,
+            &self.uniform,
+            pipelines.stars,
+            StarWriter {
+                pass,
+                catalogue,
+                star_limit: *star_limit,
+                spectrum,
+                cache,
+                device,
+                queue,
+            },
+        );
+        new_texture || new_stars || new_buffers
+    }
+
+    fn bind(&self, writer: &SideWriter) -> Option<BindGroup> {
+        let shared = &*writer.shared;
+        let stars = self.stars.as_ref();
+        let milky_way = shared.milky_way.as_ref().filter(|_| stars.is_some());
+        let no_input = &shared.no_input;
+        let sums = stars.and_then(SceneStars::sums).unwrap_or(no_input);
+        let rows = bindings::ALL.iter().filter(|row| row.in_picture);
+        let entries = rows.map(|row| {
+            let resource = match row.number {
+                SCENE => self.uniform.binding()?,
+                STARLIGHT => match stars {
+                    Some(stars) => stars.starlight()?,
+                    None => no_input.as_entire_binding(),
+                },
+                MILKY_WAY => milky_way.unwrap_or(&shared.no_milky_way).into_binding(),
+                MILKY_WAY_SAMPLER => shared.sampler.into_binding(),
+                STAR_SUMS => sums.as_entire_binding(),
+                input => self
+                    .inputs
+                    .buffer(input)
+                    .unwrap_or(no_input)
+                    .as_entire_binding(),
+            };
+            let binding = row.number;
+            Some(BindGroupEntry { binding, resource })
+        });
+        Some(writer.device.create_bind_group(
+            "geodesic bindings",
+            &writer.cache.get_bind_group_layout(writer.layout),
+            &entries.collect::<Option<Vec<_>>>()?,
+        ))
+    }
+
+    /// The scene's stars.
+    pub(super) fn stars(&self) -> Option<&SceneStars> {
+        self.stars.as_ref()
+    }
+
+    /// Goes on to another one of the frames that are averaged.
+    pub(super) fn set_frame(
+        &mut self,
+        scene: &Drawable,
+        frame: (u32, u32),
+        device: &RenderDevice,
+        queue: &RenderQueue,
+    ) {
+        let picture = picture_of_sample(scene, frame);
+        if self.uniform.get().picture != picture {
+            self.uniform.get_mut().picture = picture;
+            self.uniform.write_buffer(device, queue);
+        }
+    }
+
+    /// The pipeline and the bindings to draw with, and the most pixels of one call, once a scene has
+    /// been written.
+    pub(super) fn ready<'a>(
+        &'a self,
+        cache: &'a PipelineCache,
+    ) -> Option<(&'a RenderPipeline, &'a BindGroup, u32)> {
+        let pipeline = cache.get_render_pipeline(self.pipelines?.picture)?;
+        Some((pipeline, self.bind_group.as_ref()?, self.max_pixels_of_call))
+    }
+
+    /// The pipeline and the bindings that refine its edges, where there is anything to refine.
+    pub(super) fn refinement<'a>(
+        &'a self,
+        cache: &'a PipelineCache,
+    ) -> Option<(&'a ComputePipeline, &'a BindGroup)> {
+        let pipeline = cache.get_compute_pipeline(self.pipelines?.refine?)?;
+        Some((pipeline, self.bind_group.as_ref()?))
+    }
+}
+
+/// The picture's numbers for one of several frames that are averaged.
+fn picture_of_sample(scene: &Drawable, (sample, samples): (u32, u32)) -> GpuPicture {
+    GpuPicture::new(scene, &Frame::of(scene).with_sample(sample, samples))
+}

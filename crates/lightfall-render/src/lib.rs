@@ -1,0 +1,115 @@
+//! The passes that turn a [`Scene`](lightfall_core::scene::Scene) into pixels. The window, stills
+//! and tests all run this chain.
+//!
+//! ```text
+//! scene camera (Core3d, picture size, Rgba16Float, no output; redraw.rs: idle unless changed)
+//!   probe.rs         main_opaque_pass_3d     the foreground craft, with depth
+//!   geodesic.rs      GEODESIC                traced light where the depth is zero
+//!   comparison.rs    (DIFFERENCE)            two scenes' light, only while they are compared so
+//!                    main_transparent_pass_3d
+//!   refine.rs        (EDGES -> REFINE)       more rays where edges pass, unless switched off
+//!   accumulate.rs    (ACCUMULATE)            the mean of several frames, where it is asked for
+//!   capture.rs       (copy)                  light and depth, only for pictures of linear light
+//!   scene_camera.rs  bloom -> tonemapping    Bevy's own
+//! screen camera (Core2d, window or still)
+//!   presentation.rs  PIXELATE                area reduction, quantization, Bayer pattern
+//!                    EXPAND                  nearest expansion, letterbox (or FIT, when bypassed)
+//!                    egui, output            Bevy's own
+//! ```
+//!
+//! error_map.rs computes what the view `error` shows, on a background thread.
+
+mod accumulate;
+mod antialias;
+mod camera_markers;
+mod capture;
+mod chain;
+mod comparison;
+mod cost_report;
+mod current_scene;
+mod device;
+mod draw_request;
+mod error_map;
+mod full_screen_pass;
+mod geodesic;
+mod live_shaders;
+mod pass_shaders;
+mod presentation;
+mod probe;
+mod progress;
+pub mod recovery;
+mod redraw;
+mod refine;
+mod resting_frames;
+mod scene_camera;
+mod shader_reload;
+mod star_catalogue;
+mod star_limit;
+mod stars;
+mod wave_limit;
+
+pub use camera_markers::{SceneCamera, ScreenCamera};
+pub use capture::{Capture, Captured, ROW_ALIGNMENT};
+pub use chain::{Chain, EMPTY_PASSES, WrittenTexture};
+pub use comparison::{ComparedScene, Comparison, ComparisonLayout, ComparisonMode, Pinned};
+pub use cost_report::{cost_report, cost_rows};
+pub use current_scene::CurrentScene;
+pub use device::render_plugin;
+pub use draw_request::AlwaysDraw;
+pub use draw_request::DrawRequest;
+pub use error_map::AwaitErrorMap;
+pub use live_shaders::{LiveShaders, ShaderNews};
+pub use pass_shaders::{PassShader, pass_shaders};
+pub use presentation::{Letterbox, ShownCells, fit, letterbox, resized};
+pub use progress::Progress;
+pub use redraw::is_drawn;
+pub use resting_frames::RestingFrames;
+pub use scene_camera::NEAR_PLANE;
+pub use star_catalogue::StarCatalogue;
+pub use star_limit::StarLimit;
+pub use wave_limit::WaveLimit;
+
+use bevy::camera::RenderTarget;
+use bevy::prelude::*;
+use bevy::render::extract_resource::ExtractResourcePlugin;
+use lightfall_core::gpu::Drawable;
+
+/// The whole chain, drawing [`CurrentScene`] to a window or an image.
+pub struct LightfallRenderPlugin {
+    /// The first scene to draw.
+    pub scene: Drawable,
+    /// Where the last pass writes.
+    pub target: RenderTarget,
+}
+
+impl Plugin for LightfallRenderPlugin {
+    fn build(&self, app: &mut App) {
+        app.insert_resource(CurrentScene(self.scene.clone()))
+            .insert_resource(ClearColor(Color::BLACK))
+            .init_resource::<StarCatalogue>()
+            .init_resource::<StarLimit>()
+            .init_resource::<WaveLimit>()
+            .init_resource::<RestingFrames>()
+            .add_plugins(ExtractResourcePlugin::<WaveLimit>::default())
+            .add_plugins(ExtractResourcePlugin::<CurrentScene>::default())
+            .add_plugins(comparison::plugin)
+            .add_plugins((
+                scene_camera::SceneCameraPlugin {
+                    target: self.target.clone(),
+                },
+                probe::plugin,
+            ))
+            .add_plugins((
+                geodesic::plugin,
+                antialias::plugin,
+                stars::plugin,
+                refine::plugin,
+                accumulate::plugin,
+                error_map::plugin,
+                capture::plugin,
+                redraw::plugin,
+                presentation::plugin,
+                shader_reload::plugin,
+            ));
+    }
+}

@@ -1,0 +1,257 @@
+//! The presentation: reduces the tone-mapped picture to a grid of cells, quantizes them, and
+//! expands them to the output.
+
+mod fit;
+mod letterbox;
+mod stages;
+
+pub use fit::{fit, resized};
+pub use letterbox::{Letterbox, letterbox};
+
+use crate::camera_markers::{SceneCamera, ScreenCamera};
+use crate::chain::Chain;
+use crate::current_scene::CurrentScene;
+use crate::full_screen_pass::{FullScreenPass, attachment};
+use crate::live_shaders::add_shader;
+use bevy::asset::uuid_handle;
+use bevy::core_pipeline::core_2d::main_transparent_pass_2d;
+use bevy::core_pipeline::schedule::{Core2d, Core2dSystems};
+use bevy::prelude::*;
+use bevy::render::camera::ExtractedCamera;
+use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
+use bevy::render::render_resource::*;
+use bevy::render::renderer::{RenderContext, RenderDevice, RenderQueue, ViewQuery};
+use bevy::render::view::{ExtractedView, ViewTarget};
+use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
+use lightfall_core::gpu::Presentation;
+use lightfall_core::scene::Picture;
+use stages::{PIXELATE, create_grid, expand_to, fit_to};
+
+/// The shader of all stages.
+const SHADER: Handle<Shader> = uuid_handle!("6f0f7c0e-5b7d-4c0c-9a55-0f3f1c1d7a11");
+
+/// As many levels as eight bits tell apart.
+const EXACT_LEVELS: u32 = 256;
+
+/// The presentation grid and the settings it was filled with.
+struct Cells {
+    view: TextureView,
+    settings: CellSettings,
+    /// Whether the cells show the scene camera's last picture.
+    filled: bool,
+}
+
+/// What cells are filled with besides the picture.
+#[derive(Clone, Copy, PartialEq)]
+struct CellSettings {
+    grid: UVec2,
+    levels: f32,
+    dither: u32,
+}
+
+/// What the scene camera's last picture shows. A new scene's picture may not be drawn yet.
+#[derive(Clone, Copy, Default)]
+struct LastPicture {
+    /// Whether it shows light, rather than colours that have a meaning.
+    shows_light: bool,
+    /// Whether bloom is added to it.
+    bloom: bool,
+}
+
+/// The grid of cells that is shown in place of the scene's own. A window keeps its cells while it
+/// draws fewer pixels than there are cells, and they then show the picture interpolated.
+#[derive(Resource, Clone, Copy, Debug, Default, PartialEq, Eq, ExtractResource)]
+pub struct ShownCells(pub Option<UVec2>);
+
+#[derive(Resource)]
+struct PresentationPass {
+    full_screen: FullScreenPass<Presentation>,
+    /// The cells, which last as long as the picture; `None` when they are bypassed.
+    cells: Option<Cells>,
+    /// Format of the screen camera's main texture.
+    output: TextureFormat,
+    last_picture: LastPicture,
+}
+
+pub(super) fn plugin(app: &mut App) {
+    add_shader(
+        app,
+        &SHADER,
+        Presentation::shader(),
+        "lightfall/presentation.wgsl",
+    );
+    app.init_resource::<ShownCells>()
+        .add_plugins(ExtractResourcePlugin::<ShownCells>::default());
+    let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
+        return;
+    };
+    render_app
+        .add_systems(RenderStartup, create_presentation_pass)
+        .add_systems(
+            Render,
+            prepare_presentation_pass.in_set(RenderSystems::PrepareResources),
+        )
+        .add_systems(
+            Core2d,
+            (draw_cells, draw_output)
+                .chain()
+                .in_set(Core2dSystems::MainPass)
+                .after(main_transparent_pass_2d),
+        );
+}
+
+fn create_presentation_pass(mut commands: Commands) {
+    commands.insert_resource(PresentationPass {
+        full_screen: FullScreenPass::new("presentation layout", SHADER, 1),
+        cells: None,
+        output: TextureFormat::Rgba8UnormSrgb,
+        last_picture: LastPicture::default(),
+    });
+}
+
+/// Writes the uniform, and creates the cells and pipelines that the settings need.
+fn prepare_presentation_pass(
+    scene: Res<CurrentScene>,
+    shown: Res<ShownCells>,
+    screen: Query<(&ExtractedCamera, &ExtractedView), With<ScreenCamera>>,
+    scene_camera: Query<(&ViewTarget, Has<ExtractedCamera>), With<SceneCamera>>,
+    pass: Option<ResMut<PresentationPass>>,
+    cache: Res<PipelineCache>,
+    device: Res<RenderDevice>,
+    queue: Res<RenderQueue>,
+) {
+    let (Some(mut pass), Ok((camera, view)), Ok((source, active))) =
+        (pass, screen.single(), scene_camera.single())
+    else {
+        return;
+    };
+    let Some(output) = camera
+        .physical_target_size
+        .filter(|size| size.min_element() > 0)
+    else {
+        return;
+    };
+    // While a new scene is not drawn yet, the last picture is shown, whose size may be another.
+    let size = source.main_texture().size();
+    let grid = shown.0.unwrap_or(scene.picture.grid());
+    let picture = Picture {
+        width: size.width,
+        height: size.height,
+        grid_width: grid.x,
+        grid_height: grid.y,
+        ..scene.picture
+    };
+    let Letterbox { offset, extent } = letterbox(&picture, output);
+    if active {
+        pass.last_picture = LastPicture {
+            shows_light: scene.view.shows_light(),
+            bloom: Chain::of(&scene).bloom.is_some(),
+        };
+    }
+    let LastPicture { shows_light, bloom } = pass.last_picture;
+    // A view's colours have meanings, so they are shown as they are.
+    let (levels, dither) = if shows_light {
+        (picture.levels, picture.dither)
+    } else {
+        (EXACT_LEVELS, false)
+    };
+    let uniform = Presentation {
+        picture: picture.size(),
+        grid,
+        offset,
+        extent,
+        levels: levels as f32,
+        dither: u32::from(dither),
+        bloom: u32::from(bloom),
+    };
+    pass.output = view.target_format;
+    let cells = pass.cells.take();
+    pass.cells = Chain::of(&scene).cells.map(|_| {
+        let settings = CellSettings {
+            grid,
+            levels: uniform.levels,
+            dither: uniform.dither,
+        };
+        match cells {
+            Some(cells) if cells.settings == settings => Cells {
+                filled: cells.filled && !active,
+                ..cells
+            },
+            Some(cells) if cells.settings.grid == grid => Cells {
+                settings,
+                filled: false,
+                ..cells
+            },
+            _ => Cells {
+                view: create_grid(&device, grid),
+                settings,
+                filled: false,
+            },
+        }
+    });
+    let output = pass.output;
+    let pass = &mut pass.full_screen;
+    pass.write(uniform, &device, &queue);
+    if picture.bypass {
+        pass.queue(fit_to(output), &cache);
+    } else {
+        pass.queue(PIXELATE, &cache);
+        pass.queue(expand_to(output), &cache);
+    }
+}
+
+/// Reduces the picture to cells, unless they are already filled with it.
+fn draw_cells(
+    _screen: ViewQuery<&ViewTarget, With<ScreenCamera>>,
+    scene_camera: Query<&ViewTarget, With<SceneCamera>>,
+    pass: Option<ResMut<PresentationPass>>,
+    cache: Res<PipelineCache>,
+    mut context: RenderContext,
+) {
+    let (Some(mut pass), Ok(source)) = (pass, scene_camera.single()) else {
+        return;
+    };
+    let Some(Cells {
+        view,
+        filled: false,
+        ..
+    }) = &pass.cells
+    else {
+        return;
+    };
+    let filled = pass.full_screen.draw(
+        &mut context,
+        &cache,
+        PIXELATE,
+        &[source.main_texture_view()],
+        &[attachment(view)],
+    );
+    if let Some(cells) = &mut pass.cells {
+        cells.filled = filled;
+    }
+}
+
+/// Draws the cells to the output, or the picture itself when the cells are bypassed.
+fn draw_output(
+    screen: ViewQuery<&ViewTarget, With<ScreenCamera>>,
+    scene_camera: Query<&ViewTarget, With<SceneCamera>>,
+    pass: Option<Res<PresentationPass>>,
+    cache: Res<PipelineCache>,
+    mut context: RenderContext,
+) {
+    let screen = screen.into_inner();
+    let (Some(pass), Ok(picture)) = (pass, scene_camera.single()) else {
+        return;
+    };
+    let (stage, source) = match &pass.cells {
+        Some(cells) => (expand_to(pass.output), &cells.view),
+        None => (fit_to(pass.output), picture.main_texture_view()),
+    };
+    pass.full_screen.draw(
+        &mut context,
+        &cache,
+        stage,
+        &[source],
+        &[attachment(screen.main_texture_view())],
+    );
+}

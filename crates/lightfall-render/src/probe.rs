@@ -1,0 +1,260 @@
+//! The foreground probe: a small craft of metal, ceramic and dark coating, lit by the disk and the
+//! stars. It is drawn in ordinary perspective, neither lensed nor hidden by the hole, and the
+//! geodesic pass does not draw over it.
+
+use crate::camera_markers::SceneCamera;
+use crate::chain::Chain;
+use crate::current_scene::CurrentScene;
+use bevy::light::GlobalAmbientLight;
+use bevy::pbr::ExtractedClusterConfig;
+use bevy::prelude::*;
+use bevy::render::{Render, RenderApp, RenderSystems};
+use lightfall_core::optics::photometry::DiskRing;
+use std::f32::consts::{FRAC_PI_2, TAU};
+
+/// Marks the craft.
+#[derive(Component)]
+struct Probe;
+
+/// Marks one of the lamps that approximate the disk's light.
+#[derive(Component)]
+struct DiskLamp {
+    /// Its ring, from 0 to [`RINGS`] - 1.
+    ring: usize,
+    /// Its place on the ring, from 0 to [`LAMPS`] - 1.
+    place: usize,
+}
+
+/// Number of rings of lamps.
+const RINGS: usize = 3;
+/// Number of lamps on a ring.
+const LAMPS: usize = 6;
+
+/// Ambient light of the stars, in the units of traced light. It is a good deal brighter than the
+/// real stars' light, so that the shape of the dark side is visible.
+const STARLIGHT: f32 = 0.12;
+
+/// Range of a lamp, in r_s.
+const LAMP_RANGE: f32 = 1e4;
+
+pub(super) fn plugin(app: &mut App) {
+    app.insert_resource(GlobalAmbientLight {
+        color: Color::srgb(0.8, 0.88, 1.0),
+        brightness: STARLIGHT,
+        ..default()
+    })
+    .add_systems(
+        PostUpdate,
+        (spawn_or_despawn_probe, place_probe, light_lamps)
+            .chain()
+            .run_if(resource_changed::<CurrentScene>)
+            .before(TransformSystems::Propagate),
+    );
+    let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
+        return;
+    };
+    render_app.add_systems(
+        Render,
+        skip_lamp_clustering
+            .after(RenderSystems::ExtractCommands)
+            .before(RenderSystems::CreateViews),
+    );
+}
+
+/// Keeps Bevy from sorting lamps into the camera's clusters where there is no foreground to light.
+fn skip_lamp_clustering(
+    mut commands: Commands,
+    scene: Res<CurrentScene>,
+    cameras: Query<Entity, (With<SceneCamera>, With<ExtractedClusterConfig>)>,
+) {
+    if !Chain::of(&scene).probe {
+        cameras.iter().for_each(|camera| {
+            commands.entity(camera).remove::<ExtractedClusterConfig>();
+        });
+    }
+}
+
+/// Spawns the craft and its lamps when the scene has a probe, and despawns them when it has none.
+fn spawn_or_despawn_probe(
+    mut commands: Commands,
+    scene: Res<CurrentScene>,
+    parts: Query<Entity, Or<(With<Probe>, With<DiskLamp>)>>,
+    mut meshes: ResMut<Assets<Mesh>>,
+    mut materials: ResMut<Assets<StandardMaterial>>,
+) {
+    let wanted = Chain::of(&scene).probe;
+    if wanted != parts.is_empty() {
+        return;
+    }
+    if !wanted {
+        parts
+            .iter()
+            .for_each(|part| commands.entity(part).despawn());
+        return;
+    }
+    commands
+        .spawn((Probe, Transform::default(), Visibility::default()))
+        .with_children(|probe| {
+            for (mesh, material, transform) in craft(&mut materials) {
+                probe.spawn((
+                    Mesh3d(meshes.add(mesh)),
+                    MeshMaterial3d(material),
+                    transform,
+                ));
+            }
+        });
+    for (ring, place) in (0..RINGS).flat_map(|ring| (0..LAMPS).map(move |place| (ring, place))) {
+        commands.spawn((
+            DiskLamp { ring, place },
+            PointLight::default(),
+            Transform::default(),
+        ));
+    }
+}
+
+/// The parts of a craft about one unit long: x points away from the hole, y along the long axis.
+fn craft(
+    materials: &mut Assets<StandardMaterial>,
+) -> Vec<(Mesh, Handle<StandardMaterial>, Transform)> {
+    let metal = materials.add(StandardMaterial {
+        base_color: Color::srgb(0.78, 0.77, 0.74),
+        metallic: 1.0,
+        perceptual_roughness: 0.38,
+        ..default()
+    });
+    let ceramic = materials.add(StandardMaterial {
+        base_color: Color::srgb(0.86, 0.84, 0.8),
+        perceptual_roughness: 0.75,
+        double_sided: true,
+        cull_mode: None,
+        ..default()
+    });
+    let coating = materials.add(StandardMaterial {
+        base_color: Color::srgb(0.03, 0.035, 0.06),
+        metallic: 0.3,
+        perceptual_roughness: 0.3,
+        ..default()
+    });
+    let lamp = materials.add(StandardMaterial {
+        base_color: Color::BLACK,
+        emissive: LinearRgba::rgb(3.0, 0.7, 0.25),
+        ..default()
+    });
+    let at = Transform::from_xyz;
+    let mut parts: Vec<(Mesh, _, _)> = vec![
+        (
+            Cylinder::new(0.13, 0.5).mesh().resolution(8).into(),
+            metal.clone(),
+            at(0.0, 0.0, 0.0),
+        ),
+        (
+            ConicalFrustum {
+                radius_top: 0.07,
+                radius_bottom: 0.13,
+                height: 0.12,
+            }
+            .into(),
+            ceramic.clone(),
+            at(0.0, 0.31, 0.0),
+        ),
+        (
+            ConicalFrustum {
+                radius_top: 0.24,
+                radius_bottom: 0.05,
+                height: 0.1,
+            }
+            .into(),
+            ceramic,
+            at(0.0, 0.45, 0.0),
+        ),
+        (
+            Cylinder::new(0.012, 0.2).into(),
+            metal.clone(),
+            at(0.0, 0.55, 0.0),
+        ),
+        (
+            ConicalFrustum {
+                radius_top: 0.06,
+                radius_bottom: 0.1,
+                height: 0.12,
+            }
+            .into(),
+            metal.clone(),
+            at(0.0, -0.31, 0.0),
+        ),
+        (Sphere::new(0.022).into(), lamp.clone(), at(0.0, 0.66, 0.0)),
+        (Sphere::new(0.018).into(), lamp, at(0.135, -0.12, 0.0)),
+    ];
+    for side in [-1.0, 1.0] {
+        let boom = at(0.0, 0.0, 0.2 * side).with_rotation(Quat::from_rotation_x(FRAC_PI_2));
+        parts.push((Cylinder::new(0.015, 0.16).into(), metal.clone(), boom));
+        parts.push((
+            Cuboid::new(0.012, 0.3, 0.42).into(),
+            coating.clone(),
+            at(0.0, 0.0, 0.49 * side),
+        ));
+        parts.push((
+            Cuboid::new(0.02, 0.012, 0.42).into(),
+            metal.clone(),
+            at(0.0, 0.0, 0.49 * side),
+        ));
+    }
+    parts
+}
+
+/// Places the craft and its lamps relative to the camera, which stays at the origin. The difference
+/// is taken in f64.
+fn place_probe(
+    scene: Res<CurrentScene>,
+    mut craft: Query<&mut Transform, (With<Probe>, Without<DiskLamp>)>,
+    mut lamps: Query<(&DiskLamp, &mut Transform), Without<Probe>>,
+) {
+    let camera = scene.camera.direction() * scene.camera.r;
+    for mut transform in &mut craft {
+        let here = lightfall_core::scene::Camera {
+            r: scene.probe.r,
+            theta_deg: scene.probe.theta_deg,
+            phi_deg: scene.probe.phi_deg,
+            ..scene.camera
+        };
+        let [outward, south, east] = [
+            here.tetrad().x_axis,
+            here.tetrad().y_axis,
+            here.tetrad().z_axis,
+        ];
+        let upright = Quat::from_mat3(&Mat3::from_cols(
+            outward.as_vec3(),
+            -south.as_vec3(),
+            -east.as_vec3(),
+        ));
+        // Rotated a little, so that light falls on several of its faces.
+        let rotation = upright * Quat::from_euler(EulerRot::YZX, 0.7, 0.35, 0.25);
+        *transform = Transform {
+            translation: (here.direction() * here.r - camera).as_vec3(),
+            rotation,
+            scale: Vec3::splat(scene.probe.size as f32),
+        };
+    }
+    let hole_from_disk = scene.disk.hole_from_disk().as_mat3();
+    for (DiskLamp { ring, place }, mut transform) in &mut lamps {
+        // Every second ring is rotated by half a gap.
+        let angle = TAU * (*place as f32 + 0.5 * (*ring % 2) as f32) / LAMPS as f32;
+        let radius = DiskRing::new(&scene, *ring, RINGS).radius;
+        let on_ring = Vec3::new(angle.cos(), angle.sin(), 0.0) * radius as f32;
+        transform.translation = hole_from_disk * on_ring - camera.as_vec3();
+    }
+}
+
+/// Gives the lamps the disk's light: every lamp of a ring has the same share of its power. They
+/// approximate the disk, whose exact light is the traced one. They stay on when the disk is hidden,
+/// so that the craft looks the same with and without it.
+fn light_lamps(scene: Res<CurrentScene>, mut lamps: Query<(&DiskLamp, &mut PointLight)>) {
+    for (DiskLamp { ring, .. }, mut lamp) in &mut lamps {
+        let light = DiskRing::new(&scene, *ring, RINGS).light(&scene);
+        let colour = light.colour.as_vec3().max(Vec3::ZERO);
+        lamp.color = Color::linear_rgb(colour.x, colour.y, colour.z);
+        // A point light spreads its intensity over the whole sphere.
+        lamp.intensity = light.power as f32 / LAMPS as f32;
+        lamp.range = LAMP_RANGE;
+    }
+}

@@ -1,0 +1,136 @@
+//! The passes that smooth edges: EDGES marks the pixels whose neighbours show something else, and
+//! REFINE traces more rays through them and writes the mean of their light to the picture. Nothing
+//! waits for the CPU: the number of marked pixels stays on the GPU.
+//!
+//! Of two scenes side by side, each has marks of its own, and neither looks across the divider.
+
+use crate::antialias::{AntialiasPass, edges_layout};
+use crate::camera_markers::SceneCamera;
+use crate::draw_request::DrawRequest;
+use crate::geodesic::GeodesicPass;
+use bevy::core_pipeline::core_3d::main_transparent_pass_3d;
+use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
+use bevy::prelude::*;
+use bevy::render::RenderApp;
+use bevy::render::diagnostic::RecordDiagnostics;
+use bevy::render::render_resource::*;
+use bevy::render::renderer::{RenderContext, RenderQueue, ViewQuery};
+use bevy::render::view::ViewTarget;
+use lightfall_core::gpu::Edges;
+use lightfall_core::gpu::bindings::{COLUMNS, LIST, PICTURE, TRAITS, WORK};
+
+pub(super) fn plugin(app: &mut App) {
+    if let Some(render_app) = app.get_sub_app_mut(RenderApp) {
+        render_app.add_systems(
+            Core3d,
+            refine_edges
+                .in_set(Core3dSystems::MainPass)
+                .after(main_transparent_pass_3d),
+        );
+    }
+}
+
+/// Finds and refines the edges of the picture that this frame has drawn.
+pub(super) fn refine_edges(
+    view: ViewQuery<&ViewTarget, With<SceneCamera>>,
+    geodesic: Option<Res<GeodesicPass>>,
+    (pass, request): (Option<Res<AntialiasPass>>, Option<Res<DrawRequest>>),
+    cache: Res<PipelineCache>,
+    queue: Res<RenderQueue>,
+    mut context: RenderContext,
+) {
+    let target = view.into_inner();
+    let (Some(geodesic), Some(pass)) = (geodesic, pass) else {
+        return;
+    };
+    let (Some(targets), Some(edges)) = (
+        pass.targets.as_ref().filter(|targets| targets.fits(target)),
+        pass.edges_pipeline(&cache),
+    ) else {
+        return;
+    };
+    if request
+        .as_ref()
+        .is_some_and(|request| !request.refines_edges())
+    {
+        return;
+    }
+    // All frames of a mean refine the pixels that the first one has marked. Marks that depended on
+    // each frame's own rays would make the mean wrong: bright rays would be refined, dark ones not.
+    let searches = request
+        .as_ref()
+        .and_then(|request| request.averaged_frame())
+        .is_none_or(|frame| frame == 0);
+    let search = Edges { size: targets.size };
+    let refinements: Vec<_> = geodesic
+        .refinements(&cache, targets.size.x)
+        .zip(&targets.marks)
+        .map(|(refinement, marks)| {
+            let (_, _, columns) = &refinement;
+            if searches {
+                let ends = [columns.start, columns.end].map(u32::to_le_bytes).concat();
+                queue.write_buffer(&marks.columns, 0, &ends);
+                queue.write_buffer(&marks.work, 0, &search.no_work());
+            }
+            (refinement, marks)
+        })
+        .collect();
+    if refinements.is_empty() {
+        return;
+    }
+    let edges_layout = cache.get_bind_group_layout(&edges_layout(targets.samples));
+    let refine_layout = cache.get_bind_group_layout(&pass.layout);
+    let device = context.render_device().clone();
+    let diagnostics = context.diagnostic_recorder();
+    let diagnostics = diagnostics.as_deref();
+    let mut compute_pass = |name: &'static str, dispatch: &mut dyn FnMut(&mut ComputePass)| {
+        let mut compute_pass =
+            context
+                .command_encoder()
+                .begin_compute_pass(&ComputePassDescriptor {
+                    label: Some(name),
+                    timestamp_writes: None,
+                });
+        let span = diagnostics.pass_span(&mut compute_pass, name);
+        dispatch(&mut compute_pass);
+        span.end(&mut compute_pass);
+    };
+    let mut find_edges = |compute_pass: &mut ComputePass| {
+        compute_pass.set_pipeline(edges);
+        for ((_, _, columns), marks) in &refinements {
+            let bindings = device.create_bind_group(
+                "edges bindings",
+                &edges_layout,
+                &BindGroupEntries::with_indices((
+                    (TRAITS, &targets.traits),
+                    (COLUMNS, marks.columns.as_entire_binding()),
+                    (WORK, marks.work.as_entire_binding()),
+                    (LIST, marks.list.as_entire_binding()),
+                )),
+            );
+            compute_pass.set_bind_group(0, &bindings, &[]);
+            let groups = search.groups(columns.len() as u32);
+            compute_pass.dispatch_workgroups(groups.x, groups.y, 1);
+        }
+    };
+    if searches {
+        compute_pass("edges", &mut find_edges);
+    }
+    compute_pass("refine", &mut |compute_pass| {
+        for ((pipeline, scene, _), marks) in &refinements {
+            let bindings = device.create_bind_group(
+                "refinement bindings",
+                &refine_layout,
+                &BindGroupEntries::with_indices((
+                    (WORK, marks.work.as_entire_binding()),
+                    (LIST, marks.list.as_entire_binding()),
+                    (PICTURE, target.main_texture_view()),
+                )),
+            );
+            compute_pass.set_pipeline(pipeline);
+            compute_pass.set_bind_group(0, *scene, &[]);
+            compute_pass.set_bind_group(1, &bindings, &[]);
+            compute_pass.dispatch_workgroups_indirect(&marks.work, 0);
+        }
+    });
+}

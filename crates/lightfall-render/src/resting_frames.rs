@@ -1,0 +1,58 @@
+//! How many frames a picture that rests is the mean of, beside what the scene asks for.
+
+use crate::chain::Chain;
+use bevy::prelude::*;
+
+/// Frames that a window's picture is the mean of while it rests. With edges refined in each of them,
+/// more can hardly be told apart.
+pub(super) const FRAMES_AT_REST: u32 = 16;
+
+/// How many frames are averaged while a picture rests. The scene's own number counts where it is
+/// larger.
+#[derive(Resource, Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RestingFrames {
+    /// The least number of frames.
+    pub least: u32,
+    /// Whether one frame is shown before the first that is averaged, so that a picture that changes
+    /// in every frame never pays for a mean.
+    pub first_alone: bool,
+    /// Whether that frame is drawn without refined edges: on an adapter that takes long for them.
+    pub first_rough: bool,
+}
+
+impl Default for RestingFrames {
+    /// As many frames as the scene asks for, from the first on: for pictures without a window.
+    fn default() -> Self {
+        Self {
+            least: 1,
+            first_alone: false,
+            first_rough: false,
+        }
+    }
+}
+
+impl RestingFrames {
+    /// Those of a window, which averages frames at rest or not, on a software renderer or not.
+    #[must_use]
+    pub fn of_window(averages: bool, software: bool) -> Self {
+        Self {
+            least: if averages { FRAMES_AT_REST } else { 1 },
+            first_alone: true,
+            first_rough: software,
+        }
+    }
+
+    /// Whether a frame that counts for no mean comes first, where `frames` of a chain's are averaged.
+    pub(super) fn has_first(self, chain: &Chain, frames: u32) -> bool {
+        self.first_alone && (frames > 1 || self.first_rough && chain.antialias)
+    }
+
+    /// The number of frames of a chain's picture.
+    pub(super) fn of(self, chain: &Chain) -> u32 {
+        if chain.shows_light {
+            chain.frames.max(self.least)
+        } else {
+            1
+        }
+    }
+}

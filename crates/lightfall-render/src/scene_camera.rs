@@ -1,0 +1,216 @@
+//! The two cameras: the scene camera draws the scene at the HDR picture's size, and the screen
+//! camera shows the picture.
+
+use crate::camera_markers::{SceneCamera, ScreenCamera};
+use crate::capture::Capture;
+use crate::chain::Chain;
+use crate::comparison::{ComparedScene, follow_current_scene};
+use crate::current_scene::CurrentScene;
+use bevy::camera::{
+    CameraMainTextureUsages, CameraOutputMode, CameraUpdateSystems, ClearColorConfig, Exposure,
+    Hdr, RenderTarget,
+};
+use bevy::core_pipeline::tonemapping::{DebandDither, Tonemapping};
+use bevy::light::cluster::ClusterConfig;
+use bevy::post_process::bloom::Bloom;
+use bevy::prelude::*;
+use bevy::render::extract_component::ExtractComponentPlugin;
+use bevy::render::render_resource::TextureUsages;
+use bevy::render::view::{ColorGrading, ColorGradingGlobal, Msaa};
+use lightfall_core::scene::{Scene, ToneCurve};
+
+/// Distance of the near plane from the scene camera, in r_s.
+pub const NEAR_PLANE: f32 = 1e-3;
+
+/// The exposure value at which Bevy's photometric scale is one, so that lamps and traced light have
+/// the same unit.
+const UNIT_EV100: f32 = -0.263_034_4;
+
+/// Spawns the two cameras and applies the scene's settings to the scene camera.
+pub struct SceneCameraPlugin {
+    /// Where the screen camera writes.
+    pub target: RenderTarget,
+}
+
+#[derive(Resource, Clone)]
+struct ScreenTarget(RenderTarget);
+
+impl Plugin for SceneCameraPlugin {
+    fn build(&self, app: &mut App) {
+        app.add_plugins((
+            ExtractComponentPlugin::<SceneCamera>::default(),
+            ExtractComponentPlugin::<ScreenCamera>::default(),
+        ))
+        .insert_resource(ScreenTarget(self.target.clone()))
+        .add_systems(Startup, spawn_cameras)
+        .add_systems(
+            PostUpdate,
+            // Before Bevy computes transforms and projections, or the foreground would lag the
+            // traced light by a frame.
+            apply_scene_to_camera
+                .run_if(
+                    resource_changed::<CurrentScene>.or_eager(resource_changed::<ComparedScene>),
+                )
+                .after(follow_current_scene)
+                .before(TransformSystems::Propagate)
+                .before(CameraUpdateSystems),
+        );
+    }
+}
+
+fn spawn_cameras(
+    mut commands: Commands,
+    target: Res<ScreenTarget>,
+    scene: Res<CurrentScene>,
+    capture: Option<Res<Capture>>,
+) {
+    let copy_usage = if capture.is_some() {
+        TextureUsages::COPY_SRC
+    } else {
+        TextureUsages::empty()
+    };
+    // The scene camera has no output of its own: the screen camera's passes read its picture. It is
+    // not cleared, since the probe and the geodesic pass together cover every pixel.
+    commands.spawn((
+        SceneCamera,
+        Camera3d {
+            depth_texture_usages: (TextureUsages::RENDER_ATTACHMENT | copy_usage).into(),
+            ..default()
+        },
+        Camera {
+            order: -1,
+            clear_color: ClearColorConfig::None,
+            output_mode: CameraOutputMode::Skip,
+            ..default()
+        },
+        RenderTarget::None {
+            size: scene.picture.size(),
+        },
+        Hdr,
+        Msaa::Off,
+        Tonemapping::KhronosPbrNeutral,
+        DebandDither::Disabled,
+        Exposure { ev100: UNIT_EV100 },
+        // Every lamp lights the whole foreground.
+        ClusterConfig::Single,
+    ));
+    commands.spawn((
+        ScreenCamera,
+        Camera2d,
+        Camera {
+            order: 0,
+            clear_color: ClearColorConfig::None,
+            ..default()
+        },
+        target.0.clone(),
+        Msaa::Off,
+        Tonemapping::None,
+        DebandDither::Disabled,
+    ));
+}
+
+/// Sets the scene camera's size, projection, direction, exposure and bloom.
+fn apply_scene_to_camera(
+    mut commands: Commands,
+    scene: Res<CurrentScene>,
+    compared: Res<ComparedScene>,
+    camera: Single<
+        (
+            Entity,
+            &mut RenderTarget,
+            &mut Transform,
+            &mut Projection,
+            &mut ColorGrading,
+            &mut Tonemapping,
+            &mut Msaa,
+            &mut CameraMainTextureUsages,
+        ),
+        With<SceneCamera>,
+    >,
+) {
+    let (
+        entity,
+        mut target,
+        mut transform,
+        mut projection,
+        mut grading,
+        mut tonemapping,
+        mut msaa,
+        mut usages,
+    ) = camera.into_inner();
+    let chain = Chain::of(&scene).comparing(&compared);
+    let samples = if chain.samples > 1 {
+        Msaa::Sample4
+    } else {
+        Msaa::Off
+    };
+    if *msaa != samples {
+        *msaa = samples;
+    }
+    let needed = if chain.antialias {
+        // Refined pixels are stored by a compute pass.
+        CameraMainTextureUsages::default().with(TextureUsages::STORAGE_BINDING)
+    } else {
+        CameraMainTextureUsages::default()
+    };
+    if usages.0 != needed.0 {
+        *usages = needed;
+    }
+    let size = chain.picture;
+    if !matches!(*target, RenderTarget::None { size: old } if old == size) {
+        *target = RenderTarget::None { size };
+    }
+    // Bevy's meshes are drawn in perspective, whatever the scene's projection is.
+    *projection = Projection::Perspective(PerspectiveProjection {
+        fov: scene.camera.fov_deg.to_radians() as f32,
+        aspect_ratio: size.x as f32 / size.y as f32,
+        near: NEAR_PLANE,
+        ..default()
+    });
+    // The camera stays at the origin, and the probe is placed relative to it in f64, so that it
+    // does not jitter far from the hole.
+    let world_from_camera = scene.camera.tetrad() * scene.camera.tetrad_from_camera();
+    let [right, up, forward] = [
+        world_from_camera.x_axis,
+        world_from_camera.y_axis,
+        world_from_camera.z_axis,
+    ];
+    transform.rotation = Quat::from_mat3(&Mat3::from_cols(
+        right.as_vec3(),
+        up.as_vec3(),
+        -forward.as_vec3(),
+    ));
+    *grading = ColorGrading {
+        global: ColorGradingGlobal {
+            exposure: scene.picture.exposure_ev as f32,
+            ..default()
+        },
+        ..default()
+    };
+    let curve = tonemapping_of(&scene);
+    if *tonemapping != curve {
+        *tonemapping = curve;
+    }
+    if let Some(rows) = chain.bloom {
+        commands.entity(entity).insert(Bloom {
+            intensity: scene.picture.bloom as f32,
+            max_mip_dimension: rows,
+            ..Bloom::NATURAL
+        });
+    } else {
+        commands.entity(entity).remove::<Bloom>();
+    }
+}
+
+/// Bevy's name of the scene's tone curve. The marks of a view have the colours of its legend.
+fn tonemapping_of(scene: &Scene) -> Tonemapping {
+    if !scene.view.shows_light() {
+        return Tonemapping::KhronosPbrNeutral;
+    }
+    match scene.picture.tone_curve {
+        ToneCurve::Neutral => Tonemapping::KhronosPbrNeutral,
+        ToneCurve::Soft => Tonemapping::SomewhatBoringDisplayTransform,
+        ToneCurve::Aces => Tonemapping::AcesFitted,
+        ToneCurve::Reinhard => Tonemapping::ReinhardLuminance,
+    }
+}

@@ -1,0 +1,314 @@
+//! What one scene's star passes have on the GPU: numbers, images and sums. A comparison has two.
+
+use super::kernels::{StarPass, StarPipelines};
+use super::list::GpuStarList;
+use crate::star_limit::StarLimit;
+use bevy::prelude::*;
+use bevy::render::render_resource::*;
+use bevy::render::renderer::{RenderDevice, RenderQueue};
+use lightfall_core::gpu::bindings::{
+    CANDIDATE_COUNT, CANDIDATES, MESH_POINTS, SCENE, SPECTRUM, STAR_COUNT, STAR_IMAGES, STAR_INDEX,
+    STAR_LIST, STAR_MESH, STAR_SUMS, STAR_TABLE, STARS,
+};
+use lightfall_core::gpu::kernel::table_bytes;
+use lightfall_core::gpu::stars::{
+    CANDIDATE_COUNT_SIZE, COUNT_SIZE, EMPTY_COUNT, GpuStarMesh, GpuStars, StarKernel, TABLE_SIZE,
+    candidates_size, empty_candidate_count, images_size, mesh_layout, mesh_points_size,
+    solve_workgroups, sums_size, table_rows,
+};
+use lightfall_core::gpu::{Drawable, GpuScene, GpuStarlight, Variant};
+use lightfall_core::optics::stars::images::{Inversion, MeshLayout};
+use lightfall_core::optics::stars::{Catalogue, Depth, hole_from_celestial};
+use lightfall_core::scene::Scene;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// The stars of one scene.
+pub(crate) struct SceneStars {
+    /// The scene that was written last, without what changes no image, the limit of its stars, and
+    /// how often the kernels' shaders had been reloaded.
+    written: Option<(Scene, StarLimit, u32)>,
+    numbers: UniformBuffer<GpuStars>,
+    /// Written where images are found by a mesh.
+    mesh: UniformBuffer<GpuStarMesh>,
+    starlight: UniformBuffer<GpuStarlight>,
+    table: Buffer,
+    /// The list of stars and the buffers that depend on its length or the picture's size.
+    drawn: Option<Drawn>,
+    pipelines: Option<StarPipelines>,
+    /// Whether the sums belong to an earlier scene.
+    changed: AtomicBool,
+}
+
+struct Drawn {
+    list: Arc<GpuStarList>,
+    size: UVec2,
+    /// Unless images are found by inversion.
+    mesh: Option<MeshLayout>,
+    /// The buffers that the kernels write.
+    buffers: Vec<(u32, Buffer)>,
+    /// The bindings of the kernels, in the order of [`StarKernel::ALL`].
+    bind_groups: [Option<BindGroup>; StarKernel::ALL.len()],
+}
+
+/// A scene's stars whose passes can run.
+pub(super) struct ReadyStars<'a> {
+    kernels: Vec<(StarKernel, &'a ComputePipeline)>,
+    drawn: &'a Drawn,
+    /// How many candidates rays follow at most.
+    max_traced: u32,
+}
+
+impl SceneStars {
+    pub(crate) fn new(device: &RenderDevice) -> Self {
+        Self {
+            written: None,
+            numbers: UniformBuffer::from(GpuStars::default()),
+            mesh: UniformBuffer::from(GpuStarMesh::default()),
+            starlight: UniformBuffer::from(GpuStarlight::default()),
+            table: device.create_buffer(&BufferDescriptor {
+                label: Some("table of images"),
+                size: TABLE_SIZE,
+                usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            }),
+            drawn: None,
+            pipelines: None,
+            changed: AtomicBool::new(false),
+        }
+    }
+}
+
+/// What writing a scene's stars takes.
+pub(crate) struct StarWriter<'a> {
+    pub(crate) pass: &'a mut StarPass,
+    pub(crate) catalogue: &'a Catalogue,
+    /// The faintest stars that the device draws, in V.
+    pub(crate) star_limit: StarLimit,
+    pub(crate) spectrum: &'a Buffer,
+    pub(crate) cache: &'a PipelineCache,
+    pub(crate) device: &'a RenderDevice,
+    pub(crate) queue: &'a RenderQueue,
+}
+
+impl SceneStars {
+    /// Writes a scene, whose numbers are in the uniform `numbers`. Returns whether a buffer that the
+    /// picture's shader binds is new.
+    pub(crate) fn write(
+        &mut self,
+        scene: &Drawable,
+        numbers: &UniformBuffer<GpuScene>,
+        pipelines: Option<StarPipelines>,
+        writer: StarWriter,
+    ) -> bool {
+        let (device, queue) = (writer.device, writer.queue);
+        self.pipelines = pipelines;
+        let reloads = pipelines.map_or(0, |pipelines| pipelines.reloads);
+        let wanted = (scene.for_stars(), writer.star_limit, reloads);
+        if self.written.as_ref() == Some(&wanted) {
+            return false;
+        }
+        // A scene that can be drawn has an observer, and so has a depth.
+        let Ok(depth) = Depth::new(scene, writer.star_limit.faintest) else {
+            return self.draw_nothing(scene, Depth::NO_POINTS, device, queue);
+        };
+        let lists = &mut writer.pass.lists;
+        let list = lists.get(writer.catalogue, scene.sky.seed, depth.last, device);
+        // Pixels may be so large that no star stands out, and a catalogue may have none. No binding
+        // may be empty.
+        if list.stars.is_empty() {
+            return self.draw_nothing(scene, depth, device, queue);
+        }
+        let sky = &scene.sky;
+        let turn = hole_from_celestial(sky.ra_deg, sky.dec_deg, sky.roll_deg);
+        let mesh = Variant::uses_star_mesh(scene).then(|| mesh_layout(scene, MeshLayout::CELLS));
+        if let Some(layout) = &mesh {
+            self.numbers
+                .set(GpuStars::for_mesh(scene, &list.stars, depth));
+            self.mesh
+                .set(GpuStarMesh::new(scene, layout, &list.stars, turn));
+            self.mesh.write_buffer(device, queue);
+        } else {
+            let Ok(inversion) = Inversion::new(scene) else {
+                return self.draw_nothing(scene, Depth::NO_POINTS, device, queue);
+            };
+            self.numbers
+                .set(GpuStars::new(scene, &inversion, &list.stars, turn, depth));
+            if let Some(rows) = table_rows(&inversion) {
+                queue.write_buffer(&self.table, 0, &table_bytes(&rows));
+            }
+        }
+        self.numbers.write_buffer(device, queue);
+        self.starlight.set(GpuStarlight::new(scene, depth));
+        self.starlight.write_buffer(device, queue);
+        self.written = Some(wanted);
+        self.changed.store(true, Ordering::Relaxed);
+        let size = scene.picture.size();
+        let fits = |drawn: &Drawn| {
+            drawn.size == size && drawn.mesh == mesh && Arc::ptr_eq(&drawn.list, &list)
+        };
+        if self.drawn.as_ref().is_some_and(fits) {
+            return false;
+        }
+        self.drawn = Some(self.create(list, size, mesh, numbers, &writer));
+        true
+    }
+
+    /// Draws no points; the diffuse sky has the light of stars beyond `depth`. Returns whether sums
+    /// were bound before.
+    fn draw_nothing(
+        &mut self,
+        scene: &Drawable,
+        depth: Depth,
+        device: &RenderDevice,
+        queue: &RenderQueue,
+    ) -> bool {
+        self.starlight.set(GpuStarlight::new(scene, depth));
+        self.starlight.write_buffer(device, queue);
+        // The scene that was written last has lost its sums.
+        self.written = None;
+        self.drawn.take().is_some()
+    }
+
+    /// The buffers and bindings for a list and a size.
+    fn create(
+        &self,
+        list: Arc<GpuStarList>,
+        size: UVec2,
+        mesh: Option<MeshLayout>,
+        numbers: &UniformBuffer<GpuScene>,
+        writer: &StarWriter,
+    ) -> Drawn {
+        let device = writer.device;
+        let mut sizes = vec![
+            (STAR_IMAGES, images_size(&list.stars)),
+            (STAR_COUNT, COUNT_SIZE),
+            (STAR_SUMS, sums_size(size)),
+        ];
+        if let Some(layout) = &mesh {
+            sizes.extend([
+                (MESH_POINTS, mesh_points_size(layout)),
+                (CANDIDATES, candidates_size(&list.stars)),
+                (CANDIDATE_COUNT, CANDIDATE_COUNT_SIZE),
+            ]);
+        }
+        let buffers = sizes.into_iter().map(|(binding, size)| {
+            let buffer = device.create_buffer(&BufferDescriptor {
+                label: Some("stars"),
+                size,
+                usage: BufferUsages::STORAGE | BufferUsages::INDIRECT | BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            });
+            (binding, buffer)
+        });
+        let mut drawn = Drawn {
+            list,
+            size,
+            mesh,
+            buffers: buffers.collect(),
+            bind_groups: [const { None }; StarKernel::ALL.len()],
+        };
+        for kernel in StarKernel::ALL {
+            // Kernels that the scene does not run have no buffers.
+            let bindings = kernel.reads().iter().chain(kernel.writes());
+            let entries: Option<Vec<_>> = bindings
+                .map(|binding| {
+                    let resource = match *binding {
+                        SCENE => numbers.binding()?,
+                        SPECTRUM => writer.spectrum.as_entire_binding(),
+                        STARS => self.numbers.binding()?,
+                        STAR_TABLE => self.table.as_entire_binding(),
+                        STAR_MESH => drawn.mesh.and(self.mesh.binding())?,
+                        STAR_LIST => drawn.list.buffer.as_entire_binding(),
+                        STAR_INDEX => drawn.list.index(device).as_entire_binding(),
+                        _ => drawn.buffer(*binding)?.as_entire_binding(),
+                    };
+                    let binding = *binding;
+                    Some(BindGroupEntry { binding, resource })
+                })
+                .collect();
+            let layout = writer
+                .cache
+                .get_bind_group_layout(writer.pass.layout(kernel));
+            drawn.bind_groups[kernel as usize] = entries
+                .map(|entries| device.create_bind_group(kernel.entry_point(), &layout, &entries));
+        }
+        drawn
+    }
+
+    /// The numbers of the sky, once a scene has been written.
+    pub(crate) fn starlight(&self) -> Option<BindingResource<'_>> {
+        self.starlight.binding()
+    }
+
+    /// The light of the points in each pixel, once a scene has been written.
+    pub(crate) fn sums(&self) -> Option<&Buffer> {
+        self.drawn.as_ref()?.buffer(STAR_SUMS)
+    }
+
+    /// Whether the sums belong to an earlier scene. They count as those of this one from now on.
+    pub(super) fn take_changed(&self) -> bool {
+        self.changed.swap(false, Ordering::Relaxed)
+    }
+
+    /// The passes, once they can run.
+    pub(super) fn ready<'a>(&'a self, cache: &'a PipelineCache) -> Option<ReadyStars<'a>> {
+        let kernels = self.pipelines?.kernels();
+        Some(ReadyStars {
+            kernels: kernels
+                .map(|(kernel, id)| Some((kernel, cache.get_compute_pipeline(id)?)))
+                .collect::<Option<_>>()?,
+            drawn: self.drawn.as_ref()?,
+            max_traced: self.written.as_ref()?.1.traced,
+        })
+    }
+}
+
+impl Drawn {
+    /// A buffer that the kernels write.
+    fn buffer(&self, binding: u32) -> Option<&Buffer> {
+        let found = self.buffers.iter().find(|(at, _)| *at == binding);
+        found.map(|(_, buffer)| buffer)
+    }
+}
+
+impl ReadyStars<'_> {
+    /// Empties the lists and the sums.
+    pub(super) fn clear(&self, encoder: &mut CommandEncoder, queue: &RenderQueue) {
+        let none: Vec<u8> = EMPTY_COUNT.iter().flat_map(|n| n.to_le_bytes()).collect();
+        for (binding, buffer) in &self.drawn.buffers {
+            match *binding {
+                STAR_COUNT => queue.write_buffer(buffer, 0, &none),
+                CANDIDATE_COUNT => {
+                    queue.write_buffer(buffer, 0, &empty_candidate_count(self.max_traced));
+                }
+                STAR_SUMS => encoder.clear_buffer(buffer, 0, None),
+                _ => {}
+            }
+        }
+    }
+
+    /// Finds the images, dims those behind the disk, and draws them.
+    pub(super) fn dispatch(&self, pass: &mut ComputePass) {
+        for (kernel, pipeline) in &self.kernels {
+            let Some(bind_group) = &self.drawn.bind_groups[*kernel as usize] else {
+                continue;
+            };
+            pass.set_pipeline(pipeline);
+            pass.set_bind_group(0, bind_group, &[]);
+            let indirect = kernel
+                .indirect()
+                .and_then(|(at, start)| Some((self.drawn.buffer(at)?, start)));
+            match (indirect, kernel, &self.drawn.mesh) {
+                (Some((count, start)), ..) => pass.dispatch_workgroups_indirect(count, start),
+                (None, kernel, Some(layout)) => {
+                    pass.dispatch_workgroups(kernel.mesh_workgroups(layout), 1, 1);
+                }
+                (None, _, None) => {
+                    let [x, y] = solve_workgroups(self.drawn.list.stars.len());
+                    pass.dispatch_workgroups(x, y, 1);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! The kernels of stars: their layouts and pipelines.
+
+use super::list::StarLists;
+use crate::live_shaders::add_shader;
+use bevy::asset::uuid::Uuid;
+use bevy::platform::collections::HashMap;
+use bevy::prelude::*;
+use bevy::render::render_resource::*;
+use lightfall_core::gpu::stars::{StarKernel, candidate_shader, splat_shader};
+use lightfall_core::scene::Projection;
+use std::marker::PhantomData;
+
+/// The first of the shaders of each kind, which have consecutive numbers, one for each projection.
+const CANDIDATE_SHADERS: u128 = 0x5a1de0c4_3c8e_4d0b_8a4e_b0a6f3a7d911;
+const SPLAT_SHADERS: u128 = 0x0f3b6c55_7a10_4a5e_9d3c_51d7a6f0c2b8;
+
+/// The layouts and pipelines of the kernels, and the lists of stars.
+#[derive(Resource)]
+pub(crate) struct StarPass {
+    layouts: [BindGroupLayoutDescriptor; StarKernel::ALL.len()],
+    /// The pipelines queued so far.
+    pipelines: HashMap<(StarKernel, AssetId<Shader>), CachedComputePipelineId>,
+    pub(super) lists: StarLists,
+}
+
+/// The pipelines of a scene's stars, in the order of [`StarKernel::ALL`]; `None` where the scene has no
+/// use for a kernel.
+#[derive(Clone, Copy)]
+pub(crate) struct StarPipelines {
+    ids: [Option<CachedComputePipelineId>; StarKernel::ALL.len()],
+    /// How often their shaders have been reloaded.
+    pub(super) reloads: u32,
+}
+
+impl Default for StarPass {
+    fn default() -> Self {
+        Self {
+            layouts: StarKernel::ALL.map(|kernel| {
+                BindGroupLayoutDescriptor::new(kernel.entry_point(), &kernel.layout())
+            }),
+            pipelines: HashMap::default(),
+            lists: StarLists::default(),
+        }
+    }
+}
+
+impl StarPass {
+    /// The layout of a kernel's bindings.
+    pub(super) fn layout(&self, kernel: StarKernel) -> &BindGroupLayoutDescriptor {
+        &self.layouts[kernel as usize]
+    }
+
+    /// The pipelines with these shaders of kernels, and with those that are the same for all scenes
+    /// with this projection.
+    pub(crate) fn pipelines<'a>(
+        &mut self,
+        shaders: impl Iterator<Item = (StarKernel, &'a Handle<Shader>)> + Clone,
+        projection: Projection,
+        reloads: u32,
+        cache: &PipelineCache,
+    ) -> StarPipelines {
+        let by_mesh = shaders
+            .clone()
+            .any(|(kernel, _)| kernel == StarKernel::TraceMesh);
+        let finding = by_mesh.then_some(StarKernel::FINDING_CANDIDATES);
+        let finding = finding.into_iter().flatten();
+        let mut pipelines = [None; StarKernel::ALL.len()];
+        let [candidates, splat] =
+            [CANDIDATE_SHADERS, SPLAT_SHADERS].map(|first| handle(first, projection));
+        let all = shaders
+            .map(|(kernel, shader)| (kernel, shader.clone()))
+            .chain(finding.map(|kernel| (kernel, candidates.clone())))
+            .chain([(StarKernel::Splat, splat)]);
+        for (kernel, shader) in all {
+            let layout = &self.layouts[kernel as usize];
+            let id = *self
+                .pipelines
+                .entry((kernel, shader.id()))
+                .or_insert_with(|| {
+                    cache.queue_compute_pipeline(ComputePipelineDescriptor {
+                        label: Some(kernel.entry_point().into()),
+                        layout: vec![layout.clone()],
+                        shader,
+                        entry_point: Some(kernel.entry_point().into()),
+                        ..default()
+                    })
+                });
+            pipelines[kernel as usize] = Some(id);
+        }
+        StarPipelines {
+            ids: pipelines,
+            reloads,
+        }
+    }
+}
+
+impl StarPipelines {
+    /// The kernels and their pipelines, in the order in which they run.
+    pub(super) fn kernels(self) -> impl Iterator<Item = (StarKernel, CachedComputePipelineId)> {
+        let pairs = StarKernel::ALL.into_iter().zip(self.ids);
+        pairs.filter_map(|(kernel, id)| Some((kernel, id?)))
+    }
+
+    /// Whether all of them exist.
+    pub(crate) fn are_ready(self, cache: &PipelineCache) -> bool {
+        self.kernels()
+            .all(|(_, id)| cache.get_compute_pipeline(id).is_some())
+    }
+}
+
+/// The shader of one kind for a projection.
+fn handle(first: u128, projection: Projection) -> Handle<Shader> {
+    Handle::Uuid(Uuid::from_u128(first + projection as u128), PhantomData)
+}
+
+/// Adds the shaders that are the same for all scenes with the same projection.
+pub(super) fn add_shaders(app: &mut App) {
+    for projection in Projection::ALL {
+        let candidates = handle(CANDIDATE_SHADERS, projection);
+        let text = candidate_shader(projection);
+        add_shader(app, &candidates, text, "lightfall/find_candidates.wgsl");
+        let splat = handle(SPLAT_SHADERS, projection);
+        let text = splat_shader(projection);
+        add_shader(app, &splat, text, "lightfall/splat.wgsl");
+    }
+}
