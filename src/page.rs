@@ -1,11 +1,13 @@
 //! The program in a browser. The page's address takes the place of the command line: `preset` names
 //! a preset, and every other parameter sets a field, as in `?preset=8&hole.spin=0.7`.
 
+use crate::app;
 use crate::app::Start;
-use crate::{app, browser, storage};
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::presets::{DEFAULT, PRESETS};
 use lightfall_core::scene::{Override, Scene, field};
+use lightfall_platform::{browser, storage};
+use lightfall_platform::{browser, storage};
 
 /// What messages call the address.
 const ADDRESS: &str = "the page's address";

@@ -113,7 +113,8 @@ impl ShaderText {
         self.parts.iter().map(|part| (&*part.file, &*part.text))
     }
 
-    /// Why it cannot be linked.
+    /// Why it cannot be linked. In a browser no shader changes, so that none has a fault.
+    #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn link_fault(&self) -> Option<&ShaderFault> {
         self.fault.as_ref()
     }
