@@ -7,7 +7,6 @@ use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::presets::{DEFAULT, PRESETS};
 use lightfall_core::scene::{Override, Scene, field};
 use lightfall_platform::{browser, storage};
-use lightfall_platform::{browser, storage};
 
 /// What messages call the address.
 const ADDRESS: &str = "the page's address";
