@@ -1,5 +1,5 @@
 // The motion in latitude of the method closed around a spinning hole. The twin in f64,
-// geometry/closed_kerr/polar.rs, gives the derivation: the ray moves along
+// crates/lightfall-core/tests/physics/closed_kerr/polar.rs, gives the derivation: the ray moves along
 // a great circle by Jacobi's amplitude psi, and the circle turns about the axis by
 //
 //   -(L a^2 E^2/rho_1) integral of dtau/(rho + rho_1).

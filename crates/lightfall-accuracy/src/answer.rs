@@ -1,9 +1,9 @@
-//! Comparisons between answers, and whether an answer is complete.
+//! Comparisons of answers.
 
 use glam::DVec3;
 use lightfall_optics::trace::{Outcome, Trace};
 
-/// Whether every number of an answer is finite.
+/// Whether all numbers of an answer are finite.
 pub(super) fn all_finite(trace: &Trace) -> bool {
     let hits = trace
         .hits
@@ -13,7 +13,7 @@ pub(super) fn all_finite(trace: &Trace) -> bool {
     hits && trace.sky.is_none_or(DVec3::is_finite) && trace.residual.is_finite()
 }
 
-/// Whether an answer is finished and every number of it is finite.
+/// Whether an answer is finished and all its numbers are finite.
 pub(super) fn is_complete(trace: &Trace) -> bool {
     trace.outcome != Outcome::Unfinished && all_finite(trace)
 }

@@ -31,8 +31,8 @@ impl CameraTracer {
         self.reference.trace(self.tetrad_from_camera * direction)
     }
 
-    /// The photon that arrives from a direction, changed by `change`. The photon remains null: its
-    /// radial momentum follows from the rest. `None` if no photon has the rest.
+    /// The photon that arrives from a direction, changed by `change`. Its radial momentum follows
+    /// from the other constants, so that it remains null; `None` if it cannot be.
     fn changed_photon(&self, direction: DVec3, change: impl Fn(&mut Photon)) -> Option<Photon> {
         let mut photon = self.reference.photon(self.tetrad_from_camera * direction);
         change(&mut photon);
@@ -44,8 +44,9 @@ impl CameraTracer {
         (radial2 >= 0.0).then_some(photon)
     }
 
-    /// The reference's answer if the ray's photon is changed by `change`, and the angle between the ray
-    /// and the one whose photon has the changed constants, in radians. `None` if no photon has them.
+    /// The reference's answer to a ray whose photon is changed by `change`, and the angle in
+    /// radians between this ray and the one that has the changed photon. `None` if there is no such
+    /// photon.
     pub(super) fn trace_changed(
         &self,
         direction: DVec3,

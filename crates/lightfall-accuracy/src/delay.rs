@@ -1,21 +1,21 @@
-//! The error of a hit's delay, and the share of it that follows from the place of the hit.
+//! The error of a hit's delay, and the part of it that follows from the error of the hit's place.
 //!
-//! A tiny turn of a ray next to the critical curve moves its hit, and the delay with it: the delay
-//! is then right for the place that the method has found, and differs from the reference's at
-//! another place. How the delay depends on the place follows from Hamilton and Jacobi. The action
-//! of light is zero along every ray, so it stays zero when the event of emission moves while the
-//! event of arrival stays: p_t dt + p_r dr + p_theta dtheta + p_phi dphi = 0, where p is the
-//! photon's momentum at the emission. Hits lie in the disk's plane, so dtheta = 0, and with p_t = -E
-//! and p_phi = L the emission is later by (p_r dr + L dphi)/E. The delay grows by the opposite.
+//! A tiny turn of a ray next to the critical curve moves its hit and changes the delay: the delay
+//! may be right for the place that the method has found, and yet differ from the reference's at
+//! another place. The dependence follows from Hamilton and Jacobi. The action of light is zero
+//! along every ray, so it stays zero when the event of emission moves while the event of arrival
+//! stays: p_t dt + p_r dr + p_theta dtheta + p_phi dphi = 0, where p is the photon's momentum at
+//! the emission. Hits lie in the disk's plane, so dtheta = 0, and with p_t = -E and p_phi = L the
+//! emission is later by (p_r dr + L dphi)/E. The delay shrinks by this.
 //!
 //! Along a backward ray in Mino time u' = u^2 Delta p_r, so p_r = u' r^2/Delta.
 //!
-//! Places that are far apart are joined by the hits of the rays between them. Where a ray's own
-//! error moves its hit far, which is next to the critical curve, these rays have almost the same
-//! constants of motion: u'^2 = U(u) there is that of the reference's ray, and the delay grows by
-//! -(integral of p_r dr + L dphi)/E. These rays may lead round the hole from one place to the other,
-//! so dphi is known up to whole turns, of which the number that leaves least is taken. This fails,
-//! and leaves a difference, where r turns between the two places.
+//! A ray's own error moves its hit far only next to the critical curve, where the rays between the
+//! two places have almost the same constants of motion. Their u'^2 = U(u) is that of the
+//! reference's ray, and the delay grows by -(integral of p_r dr + L dphi)/E. These rays may wind
+//! round the hole between the places, so dphi is known up to whole turns; the number that leaves
+//! the smallest error is taken. Where r turns between the two places this fails, and an error
+//! remains.
 
 use super::answer::{hits, is_same_class};
 use glam::DVec3;
@@ -27,18 +27,18 @@ use lightfall_optics::reference::Reference;
 use lightfall_optics::trace::{Hit, Trace};
 use std::f64::consts::TAU;
 
-/// Places that are no farther apart than this share of the radius are the same one: the error of
-/// the constants and of the turning points is of second order there, and 0.003^2 is 1e-5.
+/// Places closer together than this share of the radius count as the same: the errors of the
+/// constants and of the turning points are of second order, and 0.003^2 is 1e-5.
 const SAME_PLACE: f64 = 0.003;
 
 /// The relative uncertainty of a hit's radius in f32: eight units in the last place.
 const LAST_DIGITS: f64 = 1e-6;
 
 /// Whole turns are counted only if one changes the delay by at least this much, in r_s/c: a hundred
-/// times the errors that matter, so that a wrong delay rarely fits by chance.
+/// times the errors that matter, so that a wrong delay rarely matches by chance.
 const LEAST_TURN: f64 = 1.0;
 
-/// The reference's answer to a ray, with the delays of its hits and how they depend on the place.
+/// The reference's answer to a ray, with the delays of its hits and their dependence on the place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimedRay {
     /// The answer. The delays are [lags](lightfall_optics::delay::Lag), which a camera inside the
@@ -48,7 +48,7 @@ pub struct TimedRay {
     motion: Option<Motion>,
 }
 
-/// What decides how the delay depends on the place.
+/// The numbers that give the dependence of the delay on the place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Motion {
     kerr: Kerr,
@@ -60,13 +60,13 @@ struct Motion {
 /// The error of the delay of one hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DelayError {
-    /// The hit as the method has it.
+    /// The method's hit.
     pub found: Hit,
-    /// The hit as the reference has it.
+    /// The reference's hit.
     pub truth: Hit,
     /// The method's delay less the reference's, in r_s/c.
     pub plain: f64,
-    /// The method's delay less that of the place that it has found, in r_s/c.
+    /// The method's delay less the right delay of the method's place, in r_s/c.
     pub at_place: f64,
 }
 
@@ -80,8 +80,8 @@ impl TimedRay {
         Self { trace, motion }
     }
 
-    /// The errors of a method's delays, hit by hit. `None` if outcome or number of hits differ, so
-    /// that there is nothing to compare. Hits without a delay are left out.
+    /// The errors of a method's delays, hit by hit. `None` if outcome or number of hits differ.
+    /// Hits without a delay are left out.
     #[must_use]
     pub fn errors(&self, found: &Trace) -> Option<Vec<DelayError>> {
         let error = |i: usize| self.error(i, found.hits[i]?, self.trace.hits[i]?);
@@ -109,7 +109,7 @@ impl TimedRay {
 }
 
 impl DelayError {
-    /// How far apart the two places are: in the radius, in r_s, and in the azimuth.
+    /// The difference of the two places: in the radius, in r_s, and in the azimuth.
     #[must_use]
     pub fn moved(&self) -> [f64; 2] {
         [
@@ -118,9 +118,9 @@ impl DelayError {
         ]
     }
 
-    /// The time, in r_s/c, that light takes along the radius across the place's uncertainty in f32: the
-    /// error of the radius, but at most a millionth of the radius. Next to the horizon of a nearly
-    /// extremal hole this time is thousands of times the distance.
+    /// The time, in r_s/c, that light takes along the radius across the place's uncertainty in f32:
+    /// the error of the radius, but at most a millionth of the radius. Next to the horizon of a
+    /// nearly extremal hole this time is thousands of times the distance.
     #[must_use]
     pub fn light_time_of_rounding(&self, kerr: Kerr) -> f64 {
         let r = self.truth.r;

@@ -8,7 +8,7 @@ use lightfall_gpu::{Gpu, GpuError};
 use lightfall_model::scene::Scene;
 use lightfall_optics::trace::Outcome;
 
-/// Precision of the errors, in pixels. The view shows no difference between smaller errors.
+/// Precision of the errors, in pixels: the view does not distinguish smaller ones.
 const PRECISION_PX: f64 = 1e-4;
 
 /// The backward errors of the GPU's answers to the rays through the centres of a grid of cells

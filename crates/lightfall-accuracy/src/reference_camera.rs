@@ -1,4 +1,4 @@
-//! The reference behind a scene's camera, together with the shadow's edge on its sky.
+//! The reference for the rays of a scene's camera, and the shadow's edge on its sky.
 
 use super::camera_tracer::CameraTracer;
 use super::ray::Ray;
@@ -9,29 +9,29 @@ use lightfall_model::scene::Scene;
 use lightfall_optics::reference::Reference;
 use lightfall_optics::trace::{Hit, Trace};
 
-/// The edges of the wider disk: the inner one as a share of the disk's own, above the crossings of orbits
-/// about the hole where the disk is far, and the outer one in r_s, at infinity for f64.
+/// The edges of the wider disk: the inner one as a share of the disk's own, outside the crossings
+/// of orbits about the hole where the disk is far; the outer one in r_s, beyond f64's precision.
 const WIDER_INNER: f64 = 1.0 / 3.0;
 const WIDER_OUTER: f64 = 1e12;
 
-/// The reference behind the scene's camera. Directions are (right, up, forward).
+/// The reference for the rays of a scene's camera. Directions are (right, up, forward).
 pub(super) struct ReferenceCamera {
     tracer: CameraTracer,
-    /// The same without a disk, for the outcome alone: a capture is then certain much earlier.
+    /// The same without a disk, for the outcome alone, because a capture is certain much earlier.
     without_disk: CameraTracer,
-    /// The same with a ring that is wider than the disk, for where light crosses the plane next to it.
+    /// The same with a wider disk, for crossings of the plane next to the disk.
     wider_disk: CameraTracer,
     /// The shadow on the camera's sky, if it has an edge.
     shadow: Option<Shadow>,
     /// Whether the hole spins, so that orbits do not lie in planes.
     pub(super) is_spinning: bool,
     /// Scale of turns that matter, in radians: a thousandth of the picture's half height, but no
-    /// less than f32 can tell apart.
+    /// less than f32 resolves.
     pub(super) scale: f64,
 }
 
 impl ReferenceCamera {
-    /// The reference behind a scene's camera.
+    /// The reference for the rays of a scene's camera.
     ///
     /// # Errors
     /// If the scene's observer cannot exist.
@@ -54,7 +54,7 @@ impl ReferenceCamera {
         })
     }
 
-    /// The same ray with the shadow's edge on its side, if there is one.
+    /// The ray with the shadow's edge at its position angle, if there is one.
     pub(super) fn with_edge(&self, ray: &Ray) -> Ray {
         let edge = ray.edge.or_else(|| {
             self.shadow
@@ -68,21 +68,19 @@ impl ReferenceCamera {
         self.tracer.trace(direction)
     }
 
-    /// The hit nearest to the radius `r` that the ray would have if the disk reached from a third of its inner
-    /// radius to infinity.
+    /// The ray's crossing of the wider disk that is nearest to the radius `r`.
     pub(super) fn crossing_near(&self, direction: DVec3, r: f64) -> Option<Hit> {
         let crossings = self.wider_disk.trace(direction).hits.into_iter().flatten();
         let distance = |hit: &Hit| (1.0 - r / hit.r).abs();
         crossings.min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
-    /// What another scene's reference answers to the ray that arrives from the same direction.
+    /// The answer of another scene's reference to the ray from the same direction.
     pub(super) fn trace_by(&self, other: &Reference, direction: DVec3) -> Trace {
         other.trace(self.tracer.tetrad_from_camera * direction)
     }
 
-    /// The reference's answer if the ray's photon is changed by `change`, and the angle between the ray
-    /// and the one whose photon has the changed constants, in radians. `None` if no photon has them.
+    /// As [`CameraTracer::trace_changed`].
     pub(super) fn trace_changed(
         &self,
         direction: DVec3,

@@ -16,7 +16,7 @@ pub const EDGE_DISTANCES: [f64; 2] = [1e-6, 0.3];
 const RAYS_PER_POSITION_ANGLE: usize = 8;
 
 /// Steps of the R2 sequence, inverse powers of the plastic number (Roberts 2018): its points are
-/// spread evenly but form no lattice.
+/// spread evenly without forming a lattice.
 const PLASTIC: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_2];
 
 /// The golden ratio minus one.
@@ -33,8 +33,8 @@ pub fn rays_over_picture(scene: &Scene, count: usize) -> Vec<Ray> {
     (0..count).map(ray).collect()
 }
 
-/// `count` rays: half of them spread over the scene's picture, half close to the shadow's edge at the
-/// usual distances. Only the first half if there is no shadow.
+/// `count` rays: half of them spread over the scene's picture, half close to the shadow's edge at
+/// the usual distances. Only the first half if there is no shadow.
 #[must_use]
 pub fn rays_over_picture_and_near_edge(scene: &Scene, count: usize) -> Vec<Ray> {
     let mut rays = rays_over_picture(scene, count - count / 2);

@@ -4,9 +4,9 @@ use lightfall_model::scene::{AccuracySetting, Scene};
 
 /// The largest backward error that the scene's method is allowed for any ray, in radians.
 ///
-/// The solved methods are held to what f32 leaves of a direction, and mino at least to its own
-/// setting in pixels of the scene's picture. The article's methods are held to a pixel of the
-/// article's pictures, 960x540 at 60 degrees.
+/// The closed forms are held to f32's precision of a direction, and mino also to its setting in
+/// pixels of the scene's picture. The article's methods are held to a pixel of the article's
+/// pictures, 960x540 at 60 degrees.
 #[must_use]
 pub fn tolerance(scene: &Scene) -> f64 {
     let most = scene.method.backward_max(scene.hole.spin);

@@ -1,4 +1,4 @@
-//! The reference's answers to a set of rays, and a method's answers judged by them.
+//! The reference's answers to a set of rays, and the errors of a method's answers.
 
 use super::answer::{greater, is_complete, is_same_class};
 use super::ray::Ray;
@@ -23,7 +23,7 @@ pub struct Truth {
     pub traces: Vec<Trace>,
 }
 
-/// What is wrong with one answer.
+/// The errors of one answer.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RayError {
     /// Angle between the sky directions, in radians, where both answers are the sky.
@@ -81,8 +81,8 @@ impl Truth {
             .collect()
     }
 
-    /// As [`Truth::judge`], but an error beyond `limit` radians is searched for again by
-    /// [`Truth::thorough_search`]: next to the edge of the shadow the usual search overstates a few.
+    /// As [`Truth::judge`], but with a [`Truth::thorough_search`] for errors beyond `limit`
+    /// radians, some of which the usual search overstates next to the edge of the shadow.
     ///
     /// # Panics
     /// There are not as many answers as rays.
@@ -100,8 +100,8 @@ impl Truth {
         errors
     }
 
-    /// The reference's answers around the ray of index `ray`, for a search that is a hundred times
-    /// slower than [`Truth::judge`]. Next to the edge of the shadow it finds smaller turns.
+    /// A search around the ray of index `ray` that is a hundred times slower than [`Truth::judge`],
+    /// and finds smaller turns next to the edge of the shadow.
     #[must_use]
     pub fn thorough_search(&self, ray: usize, bounds: TurnBounds) -> ThoroughSearch<'_> {
         ThoroughSearch::new(&self.camera, &self.rays[ray], &self.traces[ray], bounds)
@@ -115,7 +115,7 @@ impl Truth {
     }
 
     /// The backward error, in radians, of the outcome and the sky of an answer to the ray of index
-    /// `ray`, whatever the light meets on its way. Infinite for another outcome.
+    /// `ray`, without its hits. Infinite for another outcome.
     #[must_use]
     pub fn error_without_hits(&self, ray: usize, given: &Trace, precision: f64) -> f64 {
         let truth = &self.traces[ray];
@@ -135,9 +135,9 @@ impl Truth {
         self.camera.trace_by(other, self.rays[ray].direction())
     }
 
-    /// The reference's answer to the ray of index `ray` if its photon is changed by `change`, and the
-    /// angle between the ray and the one whose photon has the changed constants, in radians. `None` if no
-    /// photon has them.
+    /// The reference's answer to the ray of index `ray` with its photon changed by `change`, and
+    /// the angle in radians between this ray and the one that has the changed photon. `None` if
+    /// there is no such photon.
     #[must_use]
     pub fn trace_changed(&self, ray: usize, change: impl Fn(&mut Photon)) -> Option<(Trace, f64)> {
         self.camera

@@ -4,10 +4,7 @@ use super::shader::ShaderText;
 use encase::ShaderType;
 
 /// Mirror of `Accumulation` in shaders/antialias/accumulate.wgsl.
-#[expect(
-    missing_docs,
-    reason = "shaders/antialias/accumulate.wgsl says what each field means"
-)]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct Accumulation {
     pub frame: u32,

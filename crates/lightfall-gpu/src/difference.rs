@@ -4,10 +4,7 @@ use super::shader::ShaderText;
 use encase::ShaderType;
 
 /// Mirror of `Difference` in shaders/difference.wgsl.
-#[expect(
-    missing_docs,
-    reason = "shaders/difference.wgsl says what each field means"
-)]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct Difference {
     pub gain: f32,

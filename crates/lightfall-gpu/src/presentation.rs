@@ -8,10 +8,7 @@ use glam::{UVec2, Vec2};
 use lightfall_model::scene::MAX_PIXELS_PER_CELL;
 
 /// Mirror of `Presentation` in shaders/presentation.wgsl.
-#[expect(
-    missing_docs,
-    reason = "shaders/presentation.wgsl says what each field means"
-)]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct Presentation {
     pub picture: UVec2,

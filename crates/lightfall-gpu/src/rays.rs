@@ -18,7 +18,7 @@ use std::f64::consts::{PI, TAU};
 const MAX_RAYS: usize = 1 << 15;
 
 /// One crossing of the annulus, as shaders/trace.wgsl lays it out.
-#[expect(missing_docs, reason = "shaders/trace.wgsl says what each field means")]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
 pub struct GpuHit {
     pub position: Vec3,
@@ -27,7 +27,7 @@ pub struct GpuHit {
 }
 
 /// The trace of a ray, as shaders/trace.wgsl lays it out.
-#[expect(missing_docs, reason = "shaders/trace.wgsl says what each field means")]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
 pub struct GpuTrace {
     pub sky: Vec3,

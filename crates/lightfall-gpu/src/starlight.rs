@@ -10,10 +10,7 @@ use lightfall_optics::milky_way::MilkyWay;
 use lightfall_optics::stars::{Depth, FAINTER_SHARE, hole_from_celestial};
 
 /// Mirror of `Starlight` in shaders/sky/stars.wgsl.
-#[expect(
-    missing_docs,
-    reason = "shaders/sky/stars.wgsl says what each field means"
-)]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
 pub struct GpuStarlight {
     pub celestial_from_hole: Mat3,

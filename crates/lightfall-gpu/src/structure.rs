@@ -13,10 +13,7 @@ use std::f64::consts::TAU;
 const MAX_GROUPS: usize = MAX_WAVES / OCTAVES;
 
 /// Mirror of `Structure` in shaders/disk/structure/waves.wgsl.
-#[expect(
-    missing_docs,
-    reason = "shaders/disk/structure/waves.wgsl says what each field means"
-)]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, PartialEq)]
 pub struct GpuStructure {
     pub start: f32,
@@ -31,10 +28,7 @@ pub struct GpuStructure {
 }
 
 /// Mirror of `Group` in shaders/disk/structure/waves.wgsl.
-#[expect(
-    missing_docs,
-    reason = "shaders/disk/structure/waves.wgsl says what each field means"
-)]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
 pub struct GpuGroup {
     pub m: Vec4,
@@ -42,10 +36,7 @@ pub struct GpuGroup {
 }
 
 /// Mirror of `Ring` in shaders/disk/structure/waves.wgsl.
-#[expect(
-    missing_docs,
-    reason = "shaders/disk/structure/waves.wgsl says what each field means"
-)]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
 pub struct GpuRing {
     pub centre: f32,

@@ -11,22 +11,21 @@ use crate::reference_camera::ReferenceCamera;
 use glam::{DVec2, DVec3};
 use lightfall_optics::trace::Trace;
 
-/// The edge of the shadow is searched for if the backward error found without it is larger than
-/// `MIN_WORTH`, and the forward error is larger than `AMPLIFIED` times that or the backward error
-/// is larger than `LARGE`. `MIN_WORTH` and `LARGE` are in radians.
+/// The search goes on at the edge of the shadow if the backward error found so far is larger than
+/// `MIN_WORTH` and, in addition, larger than `LARGE` or smaller than the forward error by the
+/// factor `AMPLIFIED`. `MIN_WORTH` and `LARGE` are in radians.
 const MIN_WORTH: f64 = 1e-6;
 const AMPLIFIED: f64 = 30.0;
 const LARGE: f64 = 0.01;
-/// Scales of the search in the plane across the ray, as shares of the camera's own. For a camera next
-/// to the disk's plane, hits move by their radius within millionths of a radian, so the search is
-/// repeated on finer scales if it found no small turn.
+/// Scales of the search in the tangent plane, as shares of the camera's own. For a camera next to
+/// the disk's plane, hits move by their radius within millionths of a radian, so a search that
+/// finds no small turn is repeated on finer scales.
 pub(super) const PLANE_SCALES: [f64; 3] = [1.0, 1e-2, 1e-4];
 
 /// The backward error, in radians, of an answer of the right class: the largest of the turns that
 /// explain its parts.
 ///
-/// For a part that is off by less than `precision` the forward error, which bounds the turn, takes
-/// the place of a search.
+/// A forward error below `precision` bounds a part's turn without a search.
 pub(crate) fn backward_error(
     camera: &ReferenceCamera,
     ray: &Ray,
@@ -51,11 +50,11 @@ pub(crate) fn backward_error(
 /// most this angle. Infinite if no ray nearby has this part at all.
 ///
 /// This is the mixed forward-backward error (Higham 2002, section 1.5): nearly the right answer to
-/// nearly the right question. Behind the hole there are points onto which whole rings of rays are
-/// focused, and near them no turn explains the last digit of an answer. Elsewhere the angle is that
-/// of the turn that explains the answer, within a factor of two. Every place that is tried gives an
-/// upper bound, so a failing search can only overstate the error. A bound below `precision` ends
-/// the search. `forward` is the part's miss of the true answer.
+/// nearly the right question. Behind the hole whole rings of rays are focused onto points, and near
+/// these no turn explains the last digit of an answer. Elsewhere the angle is within a factor of
+/// two of the turn that explains the answer. Every ray that is tried gives an upper bound, so a
+/// failing search can only overstate the error. A bound below `precision` ends the search.
+/// `forward` is the part's miss by the true answer.
 pub(super) fn explaining_turn(
     camera: &ReferenceCamera,
     ray: &Ray,
@@ -72,8 +71,7 @@ pub(super) fn explaining_turn(
             least = least.min(in_plane(share));
         }
     }
-    // Finding an edge is expensive. It is worth the time only where a small turn leads to a distant
-    // answer, as near an edge.
+    // Finding the edge is expensive, and helps only where a small turn changes the answer much.
     let amplified = least > MIN_WORTH && (forward > AMPLIFIED * least || least > LARGE);
     let ray = if amplified && least > precision {
         camera.with_edge(ray)
@@ -88,9 +86,9 @@ pub(super) fn explaining_turn(
     }
 }
 
-/// The bound that Newton's method finds from the direction `from` on, in the plane across the ray, with
-/// finite differences on a scale in radians. `visit` is called with the direction and the answer at
-/// each place that is tried.
+/// The bound that Newton's method finds in the tangent plane, starting at the direction `from`,
+/// with finite differences on a scale in radians. `visit` is called with each direction and its
+/// answer.
 pub(super) fn turn_in_plane(
     camera: &ReferenceCamera,
     ray: &Ray,

@@ -1,4 +1,4 @@
-//! Coordinates of the rays around one ray.
+//! Coordinates for the rays around one ray.
 
 use super::edge::Edge;
 use crate::ray::Ray;
@@ -7,23 +7,23 @@ use glam::{DVec2, DVec3};
 use lightfall_model::geometry::sphere::{angle_between, wrap_angle};
 use lightfall_optics::trace::Trace;
 
-/// Finite differences are taken over this share of a chart's unit. The derivative is then accurate
-/// to this share, and the reference's twelve digits leave enough digits of the difference.
+/// The step of finite differences, as a share of a chart's unit. The derivative is accurate to this
+/// share; the reference's twelve digits leave enough digits of the difference.
 pub(super) const DIFFERENCE: f64 = 1e-4;
 /// The minimum difference along an edge, as a share of its radius.
 const ALONG_EDGE: f64 = 1e-5;
-/// The line toward an edge: smallest and largest step and the length, all in e-folds of the
+/// The line toward an edge: the smallest and the largest step and the length, in e-folds of the
 /// distance to the edge, and the maximum number of steps.
 const MIN_STEP: f64 = 1e-4;
 const MAX_STEP: f64 = 0.2;
 const MAX_RADIUS: f64 = 12.0;
 const MAX_SCANNED: u32 = 300;
 
-/// The rays around one ray, by two coordinates that are zero at that ray.
+/// Two coordinates for the rays around one ray, which has the coordinates zero.
 ///
 /// Near the edge of the shadow the deflection grows with the logarithm of the distance to the edge
-/// (Darwin 1959). There the first coordinate is this logarithm, so that answers are nearly linear
-/// in both coordinates and Newton's method converges.
+/// (Darwin 1959). There the first coordinate is this logarithm, so answers are nearly linear in
+/// both coordinates, and Newton's method converges.
 pub(super) struct Chart {
     direction: DVec3,
     kind: Kind,
@@ -103,8 +103,8 @@ impl Chart {
         }
     }
 
-    /// The coordinates of a direction, which is less than a right angle from the ray. `None` for a
-    /// direction on the other side of the edge, or on it.
+    /// The coordinates of a direction less than a right angle from the ray. `None` on the edge and
+    /// on its other side.
     pub(super) fn place_of(&self, direction: DVec3) -> Option<DVec2> {
         match &self.kind {
             Kind::Plane([u, v]) => {
@@ -130,9 +130,9 @@ impl Chart {
         }
     }
 
-    /// The steps of finite differences in the two coordinates: a small share of the unit, but along
-    /// an edge at least a small share of its radius. Close to the edge a smaller step would only
-    /// measure the reference's rounding across the edge.
+    /// The steps of finite differences in the two coordinates: a small share of the unit and, along
+    /// an edge, at least a small share of its radius: close to the edge a smaller step would
+    /// measure only the reference's rounding.
     pub(super) fn differences(&self) -> DVec2 {
         match self.kind {
             Kind::Plane(_) => DVec2::splat(DIFFERENCE),
@@ -153,9 +153,9 @@ impl Chart {
         angle_between(self.direction, direction)
     }
 
-    /// The rays along the line toward the edge (`side` -1) or away from it (1), up to a turn of
-    /// `max_turn`, by their first coordinates. The steps are chosen such that `moved` of two
-    /// neighbours is about `step_size`.
+    /// Traces rays along the line toward the edge (`side` -1) or away from it (1), up to a turn of
+    /// `max_turn`, and returns their first coordinates and answers. Steps are chosen such that
+    /// `moved` of two neighbours is about `step_size`.
     pub(super) fn line(
         &self,
         camera: &ReferenceCamera,

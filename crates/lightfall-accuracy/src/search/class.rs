@@ -15,19 +15,19 @@ use lightfall_optics::trace::Trace;
 use std::cell::{Cell, OnceCell};
 use std::f64::consts::{PI, TAU};
 
-/// The directions of the search lie on rings about the ray: their number on each ring, the factor
-/// between the radii, and the smallest and largest radius in radians.
+/// The search tries directions on rings about the ray: the number of directions on each ring, the
+/// factor between the radii, and the smallest and the largest radius in radians.
 const SPOKES: u32 = 8;
 const RING_FACTOR: f64 = 3.0;
 const MIN_RING_DISTANCE: f64 = 1e-10;
 const MAX_RING_DISTANCE: f64 = 0.3;
 const BISECTIONS: u32 = 8;
-/// The factor between the turns that are tried along the edge.
+/// The factor between successive turns along the edge.
 const ALONG_FACTOR: f64 = 1.2;
-/// Change of the sky's height over the disk's plane in one step along the line toward the edge, as a share
-/// of the greatest height on the line: small enough to find the narrow image of a thin disk. The azimuth
-/// does not decide whether a ray meets the disk, and it changes by hundreds of radians per step next to
-/// nearly extremal holes.
+/// Change of the sky's height over the disk's plane in one step along the line toward the edge, as
+/// a share of the greatest height on the line: small enough to find the narrow image of a thin
+/// disk. The azimuth, which changes by hundreds of radians per step next to nearly extremal holes,
+/// does not decide whether a ray meets the disk.
 const HEIGHT_STEP: f64 = 0.01;
 
 /// The backward error, in radians, of an answer of the wrong class: the largest of the turn to the
@@ -44,22 +44,24 @@ pub(crate) fn class_backward_error(
     search.bound(parts.fold(0.0, greater))
 }
 
-/// The search around a ray for an answer of another class than that of the ray's own.
+/// The search for rays of the class of an answer, around a ray of another class.
 pub(super) struct ClassSearch<'a> {
     camera: &'a ReferenceCamera,
     ray: Ray,
-    /// Both sides of the shadow's edge, if there is one: the answer may belong to either. They are
-    /// found when they are needed, because finding an edge is expensive.
+    /// The charts of both sides of the shadow's edge, if there is one: the answer may belong to
+    /// either. They are computed when needed, because finding an edge is expensive.
     charts: OnceCell<Vec<Chart>>,
     nearest: Nearest<'a>,
 }
 
 impl<'a> ClassSearch<'a> {
-    /// Searches for the nearest ray of the class of an answer. A turn below `precision` ends the search.
+    /// Searches for the nearest ray of the class of an answer. A turn below `precision` ends the
+    /// search.
     ///
-    /// The search tries rings of directions and then bisects toward the ray, which is accurate to about
-    /// a third. If that finds nothing within `precision`, it goes along the line through the shadow's
-    /// edge, where the images of the disk are, on both sides of the edge, and along the edge.
+    /// The search tries rings of directions and then bisects toward the ray, which is accurate to
+    /// about a third. If it finds nothing within `precision`, it follows the line through the
+    /// shadow's edge, where the images of the disk are, on both sides of the edge, and then the
+    /// edge itself.
     pub(super) fn new(
         camera: &'a ReferenceCamera,
         ray: &Ray,
@@ -94,8 +96,7 @@ impl<'a> ClassSearch<'a> {
             .get_or_init(|| Chart::both_sides(&self.camera.with_edge(&self.ray)).collect())
     }
 
-    /// The bound of the answer's error, given the largest of the turns that explain its parts. The search
-    /// for the parts has tried further rays of the class.
+    /// The bound of the answer's error, given the largest of the turns that explain its parts.
     pub(super) fn bound(&self, parts: f64) -> f64 {
         greater(parts, self.turn()).min(self.whole())
     }
@@ -110,8 +111,8 @@ impl<'a> ClassSearch<'a> {
         self.nearest.whole.get()
     }
 
-    /// The smallest turn found that explains a part of the answer. The search starts at the nearest ray
-    /// of the class, and goes on toward the shadow's edge if the turn is not below `precision`.
+    /// The smallest turn found that explains a part of the answer. The search starts at the nearest
+    /// ray of the class, and goes on toward the shadow's edge if the turn is not below `precision`.
     pub(super) fn turn_to_part(&self, part: Part, precision: f64) -> f64 {
         let visit = |direction: DVec3, trace: &Trace| self.nearest.visit(direction, trace);
         let from = self.nearest.place.get().direction;
@@ -139,7 +140,7 @@ impl<'a> ClassSearch<'a> {
     }
 }
 
-/// The nearest ray that was found with an answer of the same class.
+/// The nearest ray found whose answer has the class of the given one.
 struct Nearest<'a> {
     /// The ray that is turned.
     ray: DVec3,
@@ -149,7 +150,7 @@ struct Nearest<'a> {
     whole: Cell<f64>,
 }
 
-/// A turned ray. The turn is infinite if none was found, and the direction is then that of the ray.
+/// A turned ray. If none was found, the turn is infinite and the direction is that of the ray.
 #[derive(Clone, Copy)]
 struct Turned {
     turn: f64,
@@ -166,7 +167,7 @@ impl<'a> Nearest<'a> {
         is_same_class(trace, self.given)
     }
 
-    /// Considers another ray.
+    /// Compares another ray.
     fn visit(&self, direction: DVec3, trace: &Trace) {
         let turn = angle_between(self.ray, direction);
         if turn < self.turn() && self.is_same(trace) {
@@ -220,13 +221,13 @@ impl<'a> Nearest<'a> {
     }
 }
 
-/// Tries the rays at the ray's own distance from the edge, along the edge to one side, until one is seen
-/// or is farther than the nearest. Next to the edge the images of a ring are arcs that are much narrower
-/// than the step between two spokes.
+/// Tries rays along the edge to one side, at the ray's own distance from the edge, until one of the
+/// class is found or the turn exceeds that of the nearest. Next to the edge the images of a ring
+/// are arcs much narrower than the step between two spokes.
 fn along_edge(camera: &ReferenceCamera, chart: &Chart, side: f64, nearest: &Nearest) {
     let known = nearest.turn();
     let reach = known.min(MAX_RING_DISTANCE);
-    // Beyond half a turn about the centre the line comes back.
+    // Beyond half a turn about the centre the line returns.
     let farthest = PI * chart.radius() / chart.scale;
     let mut place = DVec2::new(0.0, side);
     while nearest.turn() == known && place.y.abs() < farthest && chart.turn(place) < reach {
@@ -236,8 +237,8 @@ fn along_edge(camera: &ReferenceCamera, chart: &Chart, side: f64, nearest: &Near
     }
 }
 
-/// The change of the sky's height over the disk's plane between two answers, as a share of the greatest
-/// height so far; 0 if one of them has no sky.
+/// The change of the sky's height over the disk's plane between two answers, as a share of the
+/// greatest height so far; 0 if one of them has no sky.
 fn risen(before: &Trace, after: &Trace, highest: &Cell<f64>) -> f64 {
     let Some((before, after)) = before.sky.zip(after.sky) else {
         return 0.0;

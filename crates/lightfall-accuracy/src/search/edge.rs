@@ -11,18 +11,15 @@ use std::f64::consts::TAU;
 
 /// Maximum number of bisections of the logarithm of the edge's angle: enough for all digits of f64.
 const BISECTIONS: u32 = 64;
-/// Distance, in radians of position angle, over which the slope and the curvature of the edge are
-/// measured.
+/// Distance, in radians of position angle, for the finite differences of the edge.
 const NEIGHBOURHOOD: f64 = 2e-3;
 
-/// The shadow on the observer's sky: everything inside an edge about a centre, or everything
-/// outside it.
+/// The shadow on the observer's sky: the inside of an edge about a centre, or the outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shadow {
     /// A direction, (right, up, forward) of the camera.
     pub centre: DVec3,
-    /// Whether rays at the centre are captured, so that the shadow surrounds the centre. Otherwise
-    /// the sky surrounds it.
+    /// Whether the centre lies in the shadow; otherwise it lies in the sky.
     pub captured: bool,
 }
 
@@ -96,7 +93,7 @@ impl Shadow {
         }
     }
 
-    /// The edge on the great circle from the centre through a direction.
+    /// The edge around the position angle of a direction.
     pub(crate) fn edge_toward(&self, tracer: &CameraTracer, direction: DVec3) -> Edge {
         let (u, v) = self.centre.any_orthonormal_pair();
         self.edge(tracer, direction.dot(v).atan2(direction.dot(u)))

@@ -1,5 +1,5 @@
-//! A grid of the reference's answers to the rays on one side of the shadow's edge, and the searches that
-//! start from its places.
+//! A grid of the reference's answers to rays on one side of the shadow's edge, and the searches
+//! that start from its places.
 
 use super::chart::Chart;
 use super::newton::{NO_DAMPING, newton};
@@ -13,22 +13,23 @@ use rayon::prelude::*;
 use std::cell::Cell;
 
 /// The grid's columns: from `MIN_COLUMN` e-folds of the distance to the edge on, in steps of
-/// `COLUMN_STEP`. One e-fold bends the light by about a radian more, so Newton's method converges
-/// from the nearest column. On either side of the ray the step is halved `HALVINGS` times.
+/// `COLUMN_STEP`. One e-fold bends the light by about another radian, so Newton's method converges
+/// from the nearest column. Toward the ray the step is halved up to `HALVINGS` times.
 const MIN_COLUMN: f64 = -12.0;
 const COLUMN_STEP: f64 = 0.25;
 const HALVINGS: i32 = 6;
-/// The rows along the edge: each halves the turn of the one before, until it is `MIN_TURN` times the
-/// turn that is enough. There are at most `MAX_ROWS` rows on each side of the ray.
+/// The rows along the edge: each halves the turn of the previous one, down to `MIN_TURN` times the
+/// target. At most `MAX_ROWS` rows on each side of the ray.
 const MIN_TURN: f64 = 2e-3;
 const MAX_ROWS: usize = 24;
-/// The greatest turn of the grid as a share of the shadow's radius: the edge's polynomial describes
-/// the edge this far.
+/// The greatest turn of the grid as a share of the shadow's radius, within which the edge's
+/// polynomial describes the edge.
 const MAX_SHARE: f64 = 0.3;
-/// Misses from which Newton's method is started, in radians or, for the radius of a hit, relative.
+/// The largest miss from which Newton's method is started, in radians or, for the radius of a hit,
+/// relative.
 const MAX_MISS: f64 = 1.0;
-/// Maximum number of places on a chart from which Newton's method is started, the nearest first, and
-/// the number of those that are tried side by side.
+/// Maximum number of places from which Newton's method is started, the nearest first, and the
+/// number of those tried in parallel.
 const MAX_STARTS: usize = 1024;
 const STARTS_AT_ONCE: usize = 16;
 
@@ -47,8 +48,8 @@ struct Place {
 }
 
 impl<'a> Grid<'a> {
-    /// Traces the rays of the grid, with turns from a small share of `bounds.target` up to
-    /// `bounds.upper_bound`.
+    /// Traces the rays of the grid, with turns from a small share of the target up to the upper
+    /// bound.
     pub(super) fn new(camera: &'a ReferenceCamera, chart: Chart, bounds: TurnBounds) -> Self {
         let rows = places(&chart, bounds);
         let answer = |place: DVec2| Place {
@@ -65,7 +66,7 @@ impl<'a> Grid<'a> {
         }
     }
 
-    /// Runs Newton's method from places of the grid until a turn is small enough.
+    /// Runs Newton's method from places of the grid until a turn is below `target`.
     pub(super) fn explain(
         &self,
         given: &Trace,
@@ -97,8 +98,8 @@ impl<'a> Grid<'a> {
         least
     }
 
-    /// The turns that explain an answer, searched along the rays that explain its sky. Newton's method
-    /// looks for these rays from `start`.
+    /// The turns that explain an answer, searched from the ray that explains its sky. Newton's
+    /// method finds this ray from `start`.
     pub(super) fn turns_along_sky(&self, given: &Trace, sky: DVec3, start: DVec2) -> Turns {
         let chart = &self.chart;
         let nearest = Cell::new((f64::INFINITY, chart.at(start)));
@@ -148,7 +149,7 @@ impl<'a> Grid<'a> {
     }
 
     /// The places at which the miss of a part is locally least along its row, with turns below the
-    /// known one.
+    /// upper bound.
     fn starts(&self, part: Part, upper_bound: f64) -> Vec<DVec2> {
         let miss = |place: &Place| {
             let miss = (place.turn < upper_bound)

@@ -9,14 +9,14 @@ use lightfall_model::geometry::sphere::wrap_angle;
 use lightfall_optics::trace::Trace;
 use std::f64::consts::TAU;
 
-/// If the turn is within `NEAR` times the distance to the edge, the plane is as good a chart as the
-/// edge's own. Beyond `FAR` times that distance a found explanation may not be the smallest.
+/// For turns within `NEAR` times the distance to the edge, the plane is as good a chart as the
+/// edge's own. A turn beyond `FAR` times that distance may not be the smallest.
 const NEAR: f64 = 0.1;
 const FAR: f64 = 3.0;
 /// Change of an answer's height in one step along the line toward the edge.
 const HEIGHT_STEP: f64 = 0.1;
-/// A part converges toward the edge if its heights at this many of the last places of the line, which
-/// lie some steps apart, differ by less than this.
+/// A part converges toward the edge if its heights at this many last places of the line differ by
+/// less than this.
 const CONVERGED_PLACES: usize = 5;
 const CONVERGED_HEIGHT: f64 = 0.5 * HEIGHT_STEP;
 /// Number of bisections of such a step.
@@ -29,13 +29,12 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Maximum number of places of the right height that are searched, the nearest first.
 const MAX_PLACES: usize = 4;
 /// Where the azimuth changes faster than this, in radians per e-fold of the distance to the edge,
-/// every azimuth occurs close to each place of the right height.
+/// every azimuth occurs close to any place of the right height.
 const FAST_AZIMUTH: f64 = 2.0 * TAU;
 
 /// The smallest angle found such that some rotation of the ray by at most that angle leaves a miss
-/// of at most that angle, searched on the edge's own chart. `least` is the bound that is known
-/// already. A bound below `precision` ends the search. `visit` is called with the direction and the
-/// answer at each place that is tried.
+/// of at most that angle, searched on the edge's own chart. `least` is the bound known so far. A
+/// bound below `precision` ends the search. `visit` is called with each direction and its answer.
 pub(super) fn turn_near_edge(
     camera: &ReferenceCamera,
     chart: &Chart,
@@ -50,7 +49,7 @@ pub(super) fn turn_near_edge(
     if least > precision.max(FAR * chart.scale) {
         least = least.min(newton(chart, &at, along_first_axis(&at, 0.0), NO_DAMPING));
     }
-    // Where the azimuth changes fast, rays with the same answer are close to any ray.
+    // Where the azimuth changes fast, every ray has rays with the same answer close by.
     let near = if rate(camera, chart, part, 0.0).is_some_and(|[_, rate]| rate.abs() > FAST_AZIMUTH)
     {
         NEAR * NEAR
@@ -60,15 +59,14 @@ pub(super) fn turn_near_edge(
     if least < precision.max(near * chart.scale) {
         return least;
     }
-    // The answer may belong to a ray with another number of turns about the hole. Those rays lie in
-    // a row toward the edge and away from it.
+    // The answer may belong to a ray with another number of turns about the hole. Such rays lie
+    // along the line toward the edge and away from it.
     let [toward, away] = [-1.0, 1.0].map(|side| line(camera, chart, part, side, least));
     let [inward, outward] = [&toward, &away].map(|line| heights(camera, chart, part, line));
     // Each e-fold of the distance to the edge adds an equal part of an orbit, without end. About a
-    // spinning hole such an orbit fills the whole range of latitudes in which it moves. So if rays
-    // pass an answer above and below, or meet the ring only now and then, others come arbitrarily close
-    // to the answer, and the distance to the edge bounds its error. A hit in front of the orbit
-    // converges instead.
+    // spinning hole such an orbit fills its whole range of latitudes. So if rays pass an answer
+    // above and below, or meet the ring only now and then, others come arbitrarily close to it, and
+    // the distance to the edge bounds its error. A hit in front of the orbit converges instead.
     let is_behind_orbit = matches!(part, Part::Sky(_)) || !converges(&toward);
     let is_missing =
         matches!(part, Part::Hit(..)) && toward.iter().any(|(_, height)| height.is_none());
@@ -121,7 +119,7 @@ fn converges(inward: &[(f64, Option<f64>)]) -> bool {
     })
 }
 
-/// The differences in height on a line, with the places where the height turns back.
+/// The differences in height on a line, with those at its extrema.
 fn heights(
     camera: &ReferenceCamera,
     chart: &Chart,
@@ -137,15 +135,15 @@ fn heights(
     })
 }
 
-/// The same line with the places between its steps where the height turns back just before it is
-/// right, or just after. At the ends of the orbit's range of latitudes a right height lies between
-/// two steps that are both on one side of it. `height` gives the height between the steps.
+/// The line with the extrema of the height next to the right height added. At the ends of the
+/// orbit's range of latitudes the right height may lie between two steps on the same side of it.
+/// `height` gives the height between the steps.
 fn with_summits(line: &[[f64; 2]], height: impl Fn(f64) -> Option<f64>) -> Vec<[f64; 2]> {
     let mut summits: Vec<[f64; 2]> = line
         .windows(3)
         .filter(|three| is_nearest(three) && three[1][1].abs() < HEIGHT_STEP)
         .filter_map(|three| {
-            // Golden-section search for the height that goes farthest to the other side.
+            // Golden-section search for the extremum toward the right height.
             let toward = -three[1][1].signum();
             let beyond = |x: f64| height(x).map_or(f64::NEG_INFINITY, |height| toward * height);
             let (mut low, mut high) = (three[0][0], three[2][0]);
@@ -166,7 +164,8 @@ fn with_summits(line: &[[f64; 2]], height: impl Fn(f64) -> Option<f64>) -> Vec<[
     summits
 }
 
-/// Whether the middle one of three steps is the nearest to the right height, which is not passed.
+/// Whether the middle one of three steps is the nearest to the right height, and all are on one
+/// side of it.
 fn is_nearest(three: &[[f64; 2]]) -> bool {
     let [before, here, after] = [three[0][1], three[1][1], three[2][1]];
     here.abs() <= before.abs()
@@ -180,8 +179,8 @@ fn brackets_zero(line: &[[f64; 2]]) -> bool {
     line.iter().any(|[_, height]| *height > 0.0) && line.iter().any(|[_, height]| *height < 0.0)
 }
 
-/// The steps of a line in which the height is right somewhere, by their two ends; and the places
-/// where it is locally closest to right, as steps of length zero.
+/// The steps of a line that contain a place of the right height, by their two ends; and the places
+/// where the height is locally closest to it, as steps of length zero.
 fn places(line: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let right = line
         .windows(2)
@@ -191,7 +190,7 @@ fn places(line: &[[f64; 2]]) -> Vec<[f64; 2]> {
     right.chain(nearest.map(|three| [three[1][0]; 2])).collect()
 }
 
-/// The first coordinates near a place of the right height at which the azimuth is right as well.
+/// The first coordinates near a place of the right height at which the azimuth is right too.
 fn starts(camera: &ReferenceCamera, chart: &Chart, part: Part, [from, to]: [f64; 2]) -> Vec<f64> {
     let at = |x: f64| camera.trace(chart.at(DVec2::new(x, 0.0)));
     let mut bracket = [from, to];

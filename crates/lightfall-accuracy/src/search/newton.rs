@@ -1,4 +1,4 @@
-//! Newton's method on a chart, for the place whose ray explains an answer.
+//! Newton's method on a chart for the ray that explains an answer.
 //!
 //! `at` is the miss as a function of the place; it is `None` where the ray has no such part.
 
@@ -9,12 +9,12 @@ use glam::{DMat2, DVec2};
 const MAX_STEPS: u32 = 24;
 /// Newton's method has converged when a step is shorter than this share of the place's distance.
 const CONVERGED: f64 = 1e-6;
-/// Maximum number of times that a step to a place without a miss is halved.
+/// Maximum number of halvings of a step to a place without a miss.
 const MAX_HALVINGS: i32 = 8;
 /// The minimum damping of a step, as a logarithm. Where rays are focused onto one point, no turn
-/// explains the last digits of an answer, and a step without damping goes far astray.
+/// explains the last digits of an answer, and an undamped step leads far astray.
 pub(super) const MIN_DAMPING: f64 = -30.0;
-/// Logarithm of a negligible damping, which a step along an edge needs.
+/// Logarithm of a negligible damping, for steps along an edge.
 pub(super) const NO_DAMPING: f64 = -70.0;
 
 /// The place on the chart's first axis with the smallest miss, searched from a place on it by the
@@ -43,8 +43,8 @@ pub(super) fn along_first_axis(at: &impl Fn(DVec2) -> Option<DVec2>, start: f64)
     place
 }
 
-/// The place one step away and the miss there. The step is halved until the miss exists: an answer
-/// may lie close to the end of an image of the disk, and a full step would pass the end.
+/// The place one step away and the miss there. The step is halved until the miss exists, because a
+/// full step may pass the end of an image of the disk.
 fn advance(
     at: &impl Fn(DVec2) -> Option<DVec2>,
     place: DVec2,
@@ -55,8 +55,8 @@ fn advance(
         .find_map(|next| at(next).map(|left| (next, left)))
 }
 
-/// Newton's method for the place nearest to the ray that explains an answer. Returns the smallest
-/// bound of the backward error that was met on the way.
+/// Newton's method for the nearest ray that explains an answer. Returns the smallest bound of the
+/// backward error on the way.
 pub(super) fn newton(
     chart: &Chart,
     at: &impl Fn(DVec2) -> Option<DVec2>,
@@ -92,8 +92,7 @@ pub(super) fn newton(
     least
 }
 
-/// The place nearest to the ray at which the miss, taken as linear, is no greater than the turn to
-/// that place.
+/// The place nearest to the ray at which the linearised miss is no greater than the turn.
 fn smallest(
     chart: &Chart,
     place: DVec2,
@@ -103,8 +102,8 @@ fn smallest(
 ) -> Option<DVec2> {
     let aim = jacobian * place - left;
     // The columns are scaled to length one first: near an edge, a turn across it changes the answer
-    // so much more than a turn along it that the square of the ratio is beyond f64's precision. A
-    // turn in some direction may even change nothing.
+    // so much more than a turn along it that the squared ratio exceeds f64's precision. A turn in
+    // some direction may even change nothing.
     let lengths =
         DVec2::new(jacobian.x_axis.length(), jacobian.y_axis.length()).max(DVec2::splat(1e-100));
     let unit = jacobian * DMat2::from_diagonal(1.0 / lengths);

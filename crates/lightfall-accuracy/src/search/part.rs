@@ -28,9 +28,8 @@ impl Part {
     }
 
     /// The difference of another answer from this part, in two components: of a direction, in the
-    /// stereographic projection from its opposite, which is as long as the angle where that is small
-    /// and grows without end toward the opposite; of a hit, relative in 1/r, which unlike r is smooth
-    /// up to infinity, and in the azimuth. `None` if the other answer has no such part, or if the
+    /// stereographic projection about it; of a hit, in 1/r (relative), which unlike r is smooth up
+    /// to infinity, and in the azimuth. `None` if the other answer has no such part, or if the
     /// difference is not finite.
     pub(super) fn miss(&self, found: &Trace) -> Option<DVec2> {
         let miss = match self {
@@ -52,8 +51,8 @@ impl Part {
         Some(DVec2::new(1.0 - wanted.r / found.r, azimuth)).filter(|miss| miss.is_finite())
     }
 
-    /// The component of that difference that is not azimuth. Near a fast hole neighbouring rays
-    /// differ much less in this component than in the azimuth.
+    /// The difference in the sky's height over the disk's plane, or in the hit's 1/r. Next to a
+    /// fast-spinning hole it changes much more slowly than the azimuth.
     pub(super) fn height(&self, found: &Trace) -> Option<f64> {
         match self {
             Self::Sky(wanted) => found.sky.map(|found| found.z - wanted.z),
@@ -72,8 +71,8 @@ impl Part {
     }
 }
 
-/// The bound of an answer's error that one ray gives, whose answer is `found`: the largest of the turn to
-/// that ray and of the misses of all parts. Infinite if the answers differ in class.
+/// The bound of an answer's error by one ray: the largest of the turn to that ray, whose answer is
+/// `found`, and of the misses of all parts. Infinite if the answers differ in class.
 pub(super) fn bound_of_whole(given: &Trace, turn: f64, found: &Trace) -> f64 {
     if !is_same_class(given, found) {
         return f64::INFINITY;
@@ -82,8 +81,8 @@ pub(super) fn bound_of_whole(given: &Trace, turn: f64, found: &Trace) -> f64 {
     Part::all(given).map(miss).fold(turn, f64::max)
 }
 
-/// The miss of a part as a function of the place on a chart. `visit` is called with the direction and
-/// the answer at each place.
+/// The miss of a part as a function of the place on a chart. `visit` is called with each direction
+/// and its answer.
 pub(super) fn miss_on_chart(
     camera: &ReferenceCamera,
     chart: &Chart,

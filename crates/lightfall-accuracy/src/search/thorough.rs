@@ -1,6 +1,5 @@
-//! The thorough search for the turn that explains an answer near the edge of the shadow. It follows
-//! thousands of rays, so it is for the few rays whose error is still too large after the usual
-//! search.
+//! A thorough search for the turn that explains an answer near the edge of the shadow. It traces
+//! thousands of rays, so it is for the few rays whose error is too large after the usual search.
 
 use super::backward::explaining_turn;
 use super::chart::Chart;
@@ -14,7 +13,7 @@ use crate::reference_camera::ReferenceCamera;
 use glam::DVec2;
 use lightfall_optics::trace::Trace;
 
-/// The answers of the reference to the rays around one ray, on a grid over both sides of the shadow's
+/// A search around one ray, from a grid of the reference's answers on both sides of the shadow's
 /// edge.
 pub struct ThoroughSearch<'a> {
     camera: &'a ReferenceCamera,
@@ -26,7 +25,7 @@ pub struct ThoroughSearch<'a> {
 }
 
 impl<'a> ThoroughSearch<'a> {
-    /// Traces a grid of rays with turns between `bounds.target` and `bounds.upper_bound`.
+    /// Traces the grids.
     pub(crate) fn new(
         camera: &'a ReferenceCamera,
         ray: &Ray,
@@ -43,8 +42,8 @@ impl<'a> ThoroughSearch<'a> {
         }
     }
 
-    /// The backward error, in radians, of an answer to the ray, as [`Truth::judge`](crate::Truth::judge)
-    /// defines it, but no more than the known bound.
+    /// The backward error, in radians, of an answer to the ray, as
+    /// [`Truth::judge`](crate::Truth::judge) defines it, but no more than the known bound.
     #[must_use]
     pub fn judge(&self, given: &Trace, bounds: TurnBounds) -> f64 {
         if !is_complete(given) {
@@ -69,13 +68,13 @@ impl<'a> ThoroughSearch<'a> {
                 turns = self.follow_sky(given, bounds.target, upper_bound, turns);
             }
         }
-        // One ray that explains the whole answer is as good as one for each part.
+        // A single ray may explain the whole answer better than one ray for each part.
         turns.largest().min(whole).min(bounds.upper_bound)
     }
 
-    /// The turns that explain an answer with a sky, with hits on a ring so narrow that no ray of the grid
-    /// meets it. The rays that explain the sky lead to those that meet the ring. `upper_bound` bounds the search,
-    /// and `turns` are known already.
+    /// The turns that explain an answer with a sky, with hits on a ring so narrow that no ray of
+    /// the grid meets it. The rays that explain the sky lead to those that meet the ring.
+    /// `upper_bound` bounds the search, and `turns` are known already.
     fn follow_sky(&self, given: &Trace, target: f64, upper_bound: f64, mut turns: Turns) -> Turns {
         let Some(sky) = given.sky.filter(|_| given.hits.iter().any(Option::is_some)) else {
             return turns;
@@ -90,8 +89,8 @@ impl<'a> ThoroughSearch<'a> {
         turns
     }
 
-    /// Searches for the ray that explains a part of an answer. The class of the answer is searched for
-    /// if it is another than that of the ray.
+    /// Searches for the ray that explains a part of an answer. `class` is the search for rays of
+    /// the answer's class, if that is not the ray's own.
     fn explain(
         &self,
         given: &Trace,

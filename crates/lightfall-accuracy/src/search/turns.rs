@@ -1,4 +1,4 @@
-//! The bounds of the thorough search for the turns that explain an answer, and its results.
+//! Bounds and results of the thorough search.
 
 use super::part::Part;
 use crate::answer::greater;
@@ -13,8 +13,8 @@ pub struct TurnBounds {
 }
 
 impl TurnBounds {
-    /// The bounds of a search that decides whether an error exceeds a limit. It goes on to half of the
-    /// limit, so that an error near the limit is stated as it is.
+    /// The bounds of a search that decides whether an error exceeds a limit. The target is half of
+    /// the limit, so that an error near the limit is exact.
     #[must_use]
     pub fn for_limit(limit: f64, upper_bound: f64) -> Self {
         Self {
@@ -55,8 +55,8 @@ impl Turns {
     }
 }
 
-/// The result of a search for a part: the smallest turn that explains the part, and the smallest bound
-/// of the whole answer's error that a single ray gives.
+/// The result of the search for a part: the smallest turn that explains it, and the smallest bound
+/// of the whole answer's error by a single ray.
 #[derive(Clone, Copy)]
 pub(super) struct Explained {
     pub(super) part: f64,

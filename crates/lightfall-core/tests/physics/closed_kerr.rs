@@ -1,15 +1,20 @@
 //! Light around holes that spin in closed form, against the reference, which takes steps.
 
+mod polar;
+mod radial;
+mod ray;
+mod weierstrass;
+
 use crate::random::Random;
 use glam::DVec3;
 use lightfall_core::accuracy::Quantiles;
-use lightfall_core::geometry::closed_kerr::ClosedRay;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::mino::{PhotonConstants, PhotonState};
 use lightfall_core::geometry::schwarzschild::CRITICAL_IMPACT;
 use lightfall_core::optics::reference::{HoleAndDisk, Reference};
 use lightfall_core::optics::trace::Trace;
 use lightfall_core::scene::{ObserverKind, Scene};
+use ray::ClosedRay;
 
 /// The reference of a camera with zero angular momentum, without a disk, and its rays in closed
 /// form.

@@ -40,12 +40,12 @@ mod shadow_edge;
 mod spectrum;
 mod star_catalogues;
 mod star_images;
+mod starlight;
 mod stars;
 mod structure;
 mod structure_period;
 mod tilted_disk;
 mod timelike;
-mod weierstrass;
 
 /// Asserts that `found` equals `expected` within the relative tolerance `relative`.
 #[track_caller]

@@ -3,6 +3,7 @@
 
 use crate::assert_close;
 use crate::random::Random;
+use crate::starlight::{fainter_share, total_light};
 use glam::DVec3;
 use half::f16;
 use lightfall_core::optics::cube_map::{
@@ -10,8 +11,7 @@ use lightfall_core::optics::cube_map::{
 };
 use lightfall_core::optics::milky_way::MilkyWay;
 use lightfall_core::optics::stars::{
-    Catalogue, StarList, ZERO_MAGNITUDE_FLUX, celestial_direction, fainter_share,
-    galactic_from_celestial, total_light,
+    Catalogue, StarList, ZERO_MAGNITUDE_FLUX, celestial_direction, galactic_from_celestial,
 };
 use lightfall_galaxy::light_from;
 use std::f64::consts::PI;

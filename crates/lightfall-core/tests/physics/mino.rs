@@ -4,16 +4,39 @@ use crate::schwarzschild::{DEFLECTION, RINGS, rounding_of_b};
 use crate::{assert_close, bisect};
 use glam::DVec3;
 use lightfall_core::geometry::kerr::Kerr;
-use lightfall_core::geometry::mino::PhotonConstants;
+use lightfall_core::geometry::mino::{PhotonConstants, PhotonState};
 use lightfall_core::geometry::schwarzschild::deflection;
+use lightfall_core::geometry::sphere::{celestial_frame, polar_sin_cos};
 use lightfall_core::optics::reference::HoleAndDisk;
 use lightfall_core::optics::trace::{Outcome, Trace};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The ray at screen coordinates alpha, beta (r_s) of an observer at u and theta, phi = 0.
-fn trace(spin: f64, screen: [f64; 2], u: f64, theta: f64, annulus: Option<[f64; 2]>) -> Trace {
+/// The ray toward the hole at Bardeen's screen coordinates alpha, beta (r_s; alpha toward growing
+/// phi, beta toward decreasing theta) of an observer at u and theta, phi = 0. p_phi / sin(theta) =
+/// -alpha and p_theta = beta, so K = alpha^2 + beta^2 - a^2 cos^2(theta) (Bardeen 1973).
+fn trace(
+    spin: f64,
+    [alpha, beta]: [f64; 2],
+    u: f64,
+    theta: f64,
+    annulus: Option<[f64; 2]>,
+) -> Trace {
     let kerr = Kerr { spin };
-    let (constants, start) = PhotonConstants::of_screen(kerr, screen, u, [theta, 0.0], true);
+    let [n, theta_hat, phi_hat] = celestial_frame(theta, 0.0);
+    let constants = PhotonConstants {
+        a: kerr.a(),
+        energy: 1.0,
+        angular_momentum: -alpha * polar_sin_cos(theta).0,
+        k: alpha * alpha + beta * beta - (kerr.a() * n.z).powi(2),
+        ingoing: false,
+    };
+    let start = PhotonState {
+        u,
+        du: constants.potential(u).max(0.0).sqrt(),
+        n,
+        dn: alpha * phi_hat - beta * theta_hat,
+        chi: 0.0,
+    };
     HoleAndDisk { kerr, annulus }.trace(&constants, start)
 }
 

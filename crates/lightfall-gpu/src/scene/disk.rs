@@ -6,7 +6,7 @@ use lightfall_optics::disk::{inner_edge, lit};
 use lightfall_optics::photometry::DISK_HDR_SCALE;
 
 /// Mirror of `Disk` in shaders/scene.wgsl.
-#[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct GpuDisk {
     pub inner: f32,

@@ -4,7 +4,7 @@ use encase::ShaderType;
 use lightfall_model::geometry::kerr::Kerr;
 
 /// Mirror of `Hole` in shaders/scene.wgsl.
-#[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct GpuHole {
     pub a: f32,

@@ -6,10 +6,7 @@ use lightfall_model::scene::Scene;
 use lightfall_optics::hot_spot::{FINEST_SHEARED, HotSpot};
 
 /// Mirror of `HotSpot` in shaders/disk/hot_spot/spot.wgsl.
-#[expect(
-    missing_docs,
-    reason = "shaders/disk/hot_spot/spot.wgsl says what each field means"
-)]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct GpuHotSpot {
     pub inverse_r: f32,

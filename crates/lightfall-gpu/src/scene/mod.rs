@@ -30,7 +30,7 @@ use lightfall_model::scene::{Frame, Scene, View};
 use lightfall_optics::camera_rays::CameraRays;
 
 /// A scene in the GPU's numbers.
-#[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct GpuScene {
     pub hole: GpuHole,

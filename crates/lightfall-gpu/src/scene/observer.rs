@@ -10,7 +10,7 @@ use lightfall_optics::camera_rays::{CameraRays, camera_in_disk_frame};
 use lightfall_optics::shift::Shift;
 
 /// Mirror of `Observer` in shaders/scene.wgsl.
-#[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct GpuObserver {
     pub energy: Vec4,

@@ -9,7 +9,7 @@ use lightfall_optics::pixel_samples::pixel_offset;
 pub const MARK_BRIGHTNESS: f64 = 0.7;
 
 /// Mirror of `Picture` in shaders/scene.wgsl.
-#[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct GpuPicture {
     pub whole: Vec2,

@@ -5,7 +5,7 @@ use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::scene::{Quality, Scene};
 
 /// Mirror of `Quality` in shaders/scene.wgsl.
-#[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct GpuQuality {
     pub step_scale: f32,

@@ -12,7 +12,7 @@ use lightfall_optics::camera_rays::CameraRays;
 const NEXT_TO_HORIZON: f64 = 1e-8;
 
 /// Mirror of `Shadow` in shaders/scene.wgsl.
-#[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct GpuShadow {
     pub margin: Vec4,

@@ -13,7 +13,7 @@ const SPOT_PIXELS: f64 = 1.5;
 const SPOT_HEIGHT: f64 = 540.0;
 
 /// Mirror of `Sky` in shaders/scene.wgsl.
-#[expect(missing_docs, reason = "shaders/scene.wgsl says what each field means")]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct GpuSky {
     pub reference_star: Vec3,

@@ -5,10 +5,7 @@ use glam::Mat3;
 use lightfall_model::scene::Scene;
 
 /// Mirror of `Tilt` in shaders/sky/tilted.wgsl.
-#[expect(
-    missing_docs,
-    reason = "shaders/sky/tilted.wgsl says what each field means"
-)]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
 pub struct GpuTilt {
     pub hole_from_disk: Mat3,

@@ -24,10 +24,7 @@ const HALF_STEPS: [f64; 2] = [3e-5, 6.1e-4];
 pub const MAX_TRACED: u32 = 1 << 17;
 
 /// Mirror of `StarMesh` in shaders/stars/mesh_points.wgsl.
-#[expect(
-    missing_docs,
-    reason = "shaders/stars/mesh_points.wgsl says what each field means"
-)]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct GpuStarMesh {
     pub origin: Vec2,
@@ -41,10 +38,7 @@ pub struct GpuStarMesh {
 }
 
 /// Mirror of `MeshPoint` in shaders/stars/mesh_points.wgsl.
-#[expect(
-    missing_docs,
-    reason = "shaders/stars/mesh_points.wgsl says what each field means"
-)]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
 pub struct GpuMeshPoint {
     pub sky: Vec3,

@@ -3,54 +3,22 @@
 //!
 //! # How the kernels run
 //!
-//! All bindings are in group 0, with the numbers of [`bindings`](super::bindings). [`StarKernel`] has the
-//! kernels in their order, with what each binds.
+//! [`StarKernel`] lists the kernels in their order, with the bindings and the number of workgroups of
+//! each. Before every run the pass writes [`EMPTY_COUNT`] to the buffer `STAR_COUNT`, clears
+//! `STAR_SUMS` and, where a mesh is used, writes [`empty_candidate_count`] to `CANDIDATE_COUNT`.
 //!
-//! 1. Before every run the pass writes [`EMPTY_COUNT`] to the buffer `STAR_COUNT` and clears
-//!    `STAR_SUMS`.
-//! 2. `solve` ([`Variant::stars`](super::Variant::stars)) reads `SCENE`, `SPECTRUM`, `STARS`,
-//!    `STAR_LIST` and, with lensing, `STAR_TABLE`, and writes `STAR_IMAGES` and `STAR_COUNT`. It
-//!    takes [`solve_workgroups`] workgroups.
-//!    Where [`Variant::uses_star_mesh`](super::Variant::uses_star_mesh) says so, others take its
-//!    place:
-//!    * `trace_mesh` ([`Variant::star_mesh`](super::Variant::star_mesh)) reads `SCENE` and
-//!      `STAR_MESH` and writes `MESH_POINTS`. It takes [`StarKernel::mesh_workgroups`] workgroups.
-//!    * `propose`, `propose_wide` and `predict` ([`candidate_shader`]) read `SCENE`, `STARS`,
-//!      `STAR_LIST`, `STAR_MESH` and `MESH_POINTS`, the first two also `STAR_INDEX`, and write
-//!      `CANDIDATES` and `CANDIDATE_COUNT`, to which the pass has written [`empty_candidate_count`].
-//!      They take [`StarKernel::mesh_workgroups`] workgroups.
-//!    * `interpolate` ([`Variant::star_interpolation`](super::Variant::star_interpolation)) and
-//!      `polish` ([`Variant::star_refinement`](super::Variant::star_refinement)) read `SCENE`, `SPECTRUM`,
-//!      `STARS`, `STAR_LIST`, `STAR_MESH`, `MESH_POINTS`, `CANDIDATES` and `CANDIDATE_COUNT`, and
-//!      write `STAR_IMAGES` and `STAR_COUNT`. They are dispatched indirectly from the first and the
-//!      second [`COUNT_SIZE`] bytes of `CANDIDATE_COUNT`.
-//! 3. Where there is a disk, `hide` ([`Variant::star_dimming`](super::Variant::star_dimming)) reads
-//!    `SCENE`, `STARS` and `STAR_COUNT`, and dims the images in `STAR_IMAGES`. It is dispatched
-//!    indirectly from the start of `STAR_COUNT`.
-//! 4. `splat` ([`splat_shader`]) reads `SCENE`, `SPECTRUM`, `STARS`, `STAR_IMAGES` and `STAR_COUNT`,
-//!    and writes `STAR_SUMS`. It is dispatched in the same way.
-//!
-//! The light of the stars on the square (x, y) of [`sums_side`] pixels each way, in linear light before
-//! exposure, is then the three numbers from 3 (y columns + x) on in `STAR_SUMS`, divided by
-//! [`GpuStars::unit`]. Because the
-//! numbers are whole, they do not depend on the order of the additions.
-//!
-//! | buffer | usage | size | contents change with |
-//! |---|---|---|---|
-//! | `STARS` | uniform | [`GpuStars::SIZE`] | the scene |
-//! | `STAR_TABLE` | uniform | [`TABLE_SIZE`] | the camera's radius |
-//! | `STAR_LIST` | storage | [`PackedStars::bytes`] | the catalogue and how deep it goes |
-//! | `STAR_MESH` | uniform | [`GpuStarMesh::SIZE`] | the scene |
-//! | `MESH_POINTS` | storage | [`mesh_points_size`] | every run |
-//! | `STAR_INDEX` | storage | [`index_bytes`] | the list |
-//! | `CANDIDATES` | storage | [`candidates_size`] | every run |
-//! | `CANDIDATE_COUNT` | storage, indirect | [`CANDIDATE_COUNT_SIZE`] | every run |
-//! | `STAR_IMAGES` | storage | [`images_size`] | every run |
-//! | `STAR_COUNT` | storage, indirect | [`COUNT_SIZE`] | every run |
-//! | `STAR_SUMS` | storage | [`sums_size`] | every run |
+//! 1. The images are found by inversion: `solve`, with [`solve_workgroups`] workgroups. Where
+//!    [`Variant::uses_star_mesh`](super::Variant::uses_star_mesh), a mesh of rays finds them instead:
+//!    `trace_mesh` traces it, `find_candidates`, `find_wide_candidates` and `test_candidates` list the
+//!    stars that may have an image in each cell, and `interpolate` and `refine_image` find the images.
+//! 2. `dim` dims the images behind the disk, if there is one.
+//! 3. `splat` adds the light of the images to `STAR_SUMS`. The light on the square (x, y) of
+//!    [`sums_side`] pixels each way, linear and before exposure, is the three numbers from
+//!    3 (y columns + x) on, divided by [`GpuStars::unit`]. They are whole numbers, so the order of the
+//!    additions does not matter.
 //!
 //! The list of images depends on the scene's hole, camera, observer, effects, disk and sky and on
-//! the picture's size; the sums depend on the exposure as well, through their unit. It holds
+//! the picture's size; the sums depend on the exposure as well, through their unit. The list holds
 //! directions, not pixels, so that every projection can draw it.
 
 mod index;

@@ -20,10 +20,7 @@ const UNITS_PER_WHITE: f64 = 262_144.0;
 const GAIN_MARGIN: f64 = 2.0;
 
 /// Mirror of `Stars` in shaders/stars/stars.wgsl.
-#[expect(
-    missing_docs,
-    reason = "shaders/stars/stars.wgsl says what each field means"
-)]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Debug, Default, PartialEq)]
 pub struct GpuStars {
     pub behind: Vec3,
@@ -46,10 +43,7 @@ pub struct GpuStars {
 }
 
 /// Mirror of `StarImage` in shaders/stars/stars.wgsl.
-#[expect(
-    missing_docs,
-    reason = "shaders/stars/stars.wgsl says what each field means"
-)]
+#[expect(missing_docs, reason = "the shader says what each field means")]
 #[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
 pub struct GpuStarImage {
     pub direction: Vec3,

@@ -1,18 +1,11 @@
-//! Carlson's symmetric elliptic integral of the first kind, and Weierstrass's elliptic function. The
-//! twin in WGSL is shaders/elliptic.wgsl.
-
-/// Arguments below this, in units of the invariants' own scale, are left to the series. Each
-/// duplication costs digits.
-const SERIES_REACH: f64 = 0.8;
-/// Terms of Laurent's series.
-const TERMS: usize = 20;
+//! Carlson's symmetric elliptic integral of the first kind. The twin in WGSL is shaders/elliptic.wgsl.
 
 /// R_F(x, y, z) = (1/2) integral from 0 to infinity of dt / sqrt((t + x)(t + y)(t + z)), for
 /// finite arguments that are not negative and of which at most one is zero; otherwise NaN.
 ///
 /// Carlson's duplication theorem (DLMF 19.26.18) reduces the spread of the arguments, then the
 /// series of DLMF 19.36.1 gives the value. Its first omitted term is of eighth order in the spread,
-/// which sets the bound on the spread. The twin in WGSL is shaders/elliptic.wgsl.
+/// which sets the bound on the spread.
 #[must_use]
 pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
     let zeros = [x, y, z].into_iter().filter(|&v| v == 0.0).count();
@@ -45,8 +38,7 @@ pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
 /// conjugate pair, whose mean may be negative, where `h2` < 0.
 ///
 /// The duplication of [`carlson_rf`] in terms of the pair's mean and product: with p = sqrt(mean^2 -
-/// h2), lambda = sqrt(2 x (mean + p)) + p, and h2 is divided by 16. The twin in WGSL is
-/// `carlson_rf_pair` in shaders/elliptic.wgsl.
+/// h2), lambda = sqrt(2 x (mean + p)) + p, and h2 is divided by 16.
 #[must_use]
 pub fn carlson_rf_pair(x: f64, mean: f64, h2: f64) -> f64 {
     let (mut x, mut mean, mut h2) = (x, mean, h2);
@@ -75,41 +67,4 @@ pub fn carlson_rf_pair(x: f64, mean: f64, h2: f64) -> f64 {
         (x, mean, h2) = (0.25 * (x + lambda), 0.25 * (mean + lambda), h2 / 16.0);
     }
     f64::NAN
-}
-
-/// P(z) - m and P'(z) for z > 0, where the cubic's roots are -2 m and m +- sqrt(h2).
-///
-/// Laurent's series (DLMF 23.9.2 to 23.9.5) at z/2^k, then k duplications. If the pair is close, P
-/// approaches m with growing z. So the duplication has x = P - m in place of P: with a = x^2 - h2
-/// and g = x + 3 m, P'^2 = 4 a g and
-///
-/// x(2 z) = a/(4 g) + h2 g/a,   P'(2 z) = (1/2) P'(z) (2 x g - a) (1/(4 g^2) - h2/a^2).
-///
-/// This is P(2 z) - e = ((P - e)^2 - (e - e') (e - e''))^2/P'^2 for a root e of the pair. Derived.
-#[must_use]
-pub fn weierstrass(z: f64, m: f64, h2: f64) -> [f64; 2] {
-    let (g2, g3) = (12.0 * m * m + 4.0 * h2, -8.0 * m * (m * m - h2));
-    let scale = g2.abs().sqrt().sqrt().max(g3.abs().cbrt().sqrt());
-    let doublings = (z * scale / SERIES_REACH).log2().ceil().max(0.0) as i32;
-    let z = z / 2.0_f64.powi(doublings);
-    let mut c = [0.0; TERMS];
-    (c[2], c[3]) = (g2 / 20.0, g3 / 28.0);
-    for k in 4..TERMS {
-        let sum: f64 = (2..=k - 2).map(|j| c[j] * c[k - j]).sum();
-        let order = k as f64;
-        c[k] = 3.0 * sum / ((2.0 * order + 1.0) * (order - 3.0));
-    }
-    let z2 = z * z;
-    let (mut x, mut slope) = (1.0 / z2 - m, -2.0 / (z2 * z));
-    for (k, c) in c.iter().enumerate().skip(2) {
-        let power = z2.powi(k as i32 - 1);
-        x += c * power;
-        slope += (2.0 * k as f64 - 2.0) * c * power / z;
-    }
-    for _ in 0..doublings {
-        let (a, g) = (x * x - h2, x + 3.0 * m);
-        slope *= 0.5 * (2.0 * x * g - a) * (0.25 / (g * g) - h2 / (a * a));
-        x = 0.25 * a / g + h2 * g / a;
-    }
-    [x, slope]
 }

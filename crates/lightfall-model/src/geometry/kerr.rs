@@ -105,19 +105,6 @@ impl Kerr {
         MASS * (1.0 + 2.0 * third.sqrt() * (cosine.min(1.0).acos() / 3.0).cos())
     }
 
-    /// L/E of the prograde equatorial photon orbit: 6M cos((1/3) arccos(-chi)) - a. Derived from
-    /// Bardeen, Press & Teukolsky 1972 eq. 2.18.
-    #[must_use]
-    pub fn critical_impact_prograde(self) -> f64 {
-        6.0 * MASS * ((-self.spin).acos() / 3.0).cos() - self.a()
-    }
-
-    /// L/E of the retrograde equatorial photon orbit (negative).
-    #[must_use]
-    pub fn critical_impact_retrograde(self) -> f64 {
-        -Kerr { spin: -self.spin }.critical_impact_prograde()
-    }
-
     /// The innermost stable circular orbit of matter that rotates with the disk. Bardeen, Press &
     /// Teukolsky 1972 eq. 2.21, with p = (1 + chi)^(1/3), q = (1 - chi)^(1/3):
     ///

@@ -5,7 +5,6 @@
 //! a place on the celestial sphere is the unit vector n = (sin theta cos phi, sin theta sin phi,
 //! cos theta).
 
-pub mod closed_kerr;
 pub mod elliptic;
 pub mod kerr;
 pub mod mino;

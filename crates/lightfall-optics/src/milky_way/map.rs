@@ -17,8 +17,8 @@ const ASSET: &[u8] = include_bytes!("../../../../assets/sky/milky_way.png");
 /// in linear light as [`crate::spectrum`] has it. Seen with the frequency ratio g, a texel
 /// [a, b] is the light a g^4 colour(g T_a) + b g^4 colour(g T_b).
 ///
-/// It is the light of all stars. Those that are drawn one by one have to be left out: see
-/// [`fainter_share`](crate::stars::fainter_share).
+/// It is the light of all stars. The share of those that are drawn as points is taken out by
+/// [`FAINTER_SHARE`](crate::stars::FAINTER_SHARE).
 #[derive(Clone, Debug, PartialEq)]
 pub struct MilkyWay {
     levels: Vec<Vec<[f32; 2]>>,

@@ -14,9 +14,7 @@ mod list;
 mod photometry;
 
 pub use catalogue::{Catalogue, CatalogueError, MAX_NAME_CHARS, MAX_STARS, NamedStar};
-pub use counts::{
-    FAINTER_SHARE, fainter_share, fitted_fainter_share, number_brighter, total_light,
-};
+pub use counts::{FAINTER_SHARE, number_brighter};
 pub use depth::Depth;
 pub use faint::FIRST_MAGNITUDE;
 pub use frame::{celestial_direction, galactic_from_celestial, hole_from_celestial};

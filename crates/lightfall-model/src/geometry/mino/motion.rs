@@ -2,7 +2,6 @@
 
 use crate::geometry::kerr::Kerr;
 use crate::geometry::observer::Photon;
-use crate::geometry::sphere::{celestial_frame, polar_sin_cos};
 use glam::DVec3;
 
 /// Backward rays that start outward within this distance of the horizon, as a share of its radius,
@@ -75,46 +74,6 @@ impl PhotonConstants {
                 n,
                 dn: -w,
                 chi,
-            },
-        )
-    }
-
-    /// The constants, and the start of the backward ray, of the photon with E = 1 and Bardeen's
-    /// screen coordinates alpha, beta (r_s; alpha toward growing phi, beta toward decreasing theta)
-    /// at u = 1/r (zero at infinity) and (`theta`, `phi`), outside the horizon. The ray starts
-    /// toward the hole if `inward`. Where U(u) is negative there is no such photon, and u' is zero.
-    ///
-    /// p_phi / sin(theta) = -alpha and p_theta = beta, so lambda = -alpha sin(theta) and
-    /// eta = (alpha^2 - a^2) cos^2(theta) + beta^2 (Bardeen 1973). With alpha and beta instead of
-    /// lambda and eta, the velocity in theta is not the square root of a difference.
-    #[must_use]
-    pub fn of_screen(
-        kerr: Kerr,
-        [alpha, beta]: [f64; 2],
-        u: f64,
-        [theta, phi]: [f64; 2],
-        inward: bool,
-    ) -> (Self, PhotonState) {
-        let [n, theta_hat, phi_hat] = celestial_frame(theta, phi);
-        let (a, sin) = (kerr.a(), polar_sin_cos(theta).0);
-        let k = alpha * alpha + beta * beta - (a * n.z).powi(2);
-        let constants = Self {
-            a,
-            energy: 1.0,
-            angular_momentum: -alpha * sin,
-            k,
-            ingoing: false,
-        };
-        let speed = constants.potential(u).max(0.0).sqrt();
-        let du = if inward { speed } else { -speed };
-        (
-            constants,
-            PhotonState {
-                u,
-                du,
-                n,
-                dn: alpha * phi_hat - beta * theta_hat,
-                chi: 0.0,
             },
         )
     }

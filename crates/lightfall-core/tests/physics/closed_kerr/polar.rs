@@ -15,10 +15,10 @@
 //! psi is Jacobi's amplitude, whose series in the nome converges within a few terms, because the
 //! modulus is small for all light that does not run next to the axis. Derived.
 
-use crate::geometry::elliptic::carlson_rf;
-use crate::geometry::mino::{PhotonConstants, PhotonState};
-use crate::geometry::quadrature::integral;
 use glam::{DMat3, DVec3};
+use lightfall_core::geometry::elliptic::carlson_rf;
+use lightfall_core::geometry::mino::{PhotonConstants, PhotonState};
+use lightfall_core::geometry::quadrature::integral;
 
 /// Rays with a larger a^2 E^2 m/K_+ run next to the axis: their impact parameter is at most about
 /// a.
@@ -30,7 +30,7 @@ const AXIAL_STEP: f64 = 0.002;
 
 /// The motion in latitude of one ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Polar {
+pub(super) struct Polar {
     n: DVec3,
     dn: DVec3,
     /// K, a^2 E^2 and L.
@@ -60,8 +60,7 @@ struct Circle {
 
 impl Polar {
     /// The motion of a ray from its start.
-    #[must_use]
-    pub fn new(c: &PhotonConstants, start: &PhotonState) -> Self {
+    pub(super) fn new(c: &PhotonConstants, start: &PhotonState) -> Self {
         let axial = (c.a * c.energy).powi(2);
         let (n, dn) = (start.n, start.dn);
         let z2 = n.z * n.z;
@@ -139,8 +138,7 @@ impl Polar {
 
     /// The Mino times of the first crossing of the plane and from each crossing to the next; `None`
     /// for a ray that never crosses it.
-    #[must_use]
-    pub fn crossing_times(&self) -> Option<[f64; 2]> {
+    pub(super) fn crossing_times(&self) -> Option<[f64; 2]> {
         let (z, dz) = (self.n.z.abs(), self.dn.z);
         if self.k_plus <= 0.0 || z == 0.0 && dz == 0.0 {
             return None;
@@ -165,8 +163,7 @@ impl Polar {
 
     /// The place on the celestial sphere after the Mino time `t`, but for the dragging of the radial
     /// motion.
-    #[must_use]
-    pub fn at(&self, t: f64) -> DVec3 {
+    pub(super) fn at(&self, t: f64) -> DVec3 {
         let Some(circle) = self.circle else {
             return self.step_to(t);
         };

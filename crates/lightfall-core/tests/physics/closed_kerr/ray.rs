@@ -1,22 +1,18 @@
 //! Null geodesics of Kerr in closed form, with real arithmetic, for cameras outside the horizon.
 //!
 //! In Mino time the motions in u = 1/r and in latitude are independent (see
-//! [`mino`](crate::geometry::mino)), and the right-hand side of each is a quartic. [`Radial`] gives
+//! `geometry::mino`), and the right-hand side of each is a quartic. [`Radial`] gives
 //! the time at which the ray is at infinity as one or two of Carlson's R_F, and u at any time by
 //! Weierstrass's function; [`Polar`] gives the place on the sphere. The dragging of the azimuth by
 //! the radial motion is the one integral that is left. Its value at the turning point, or at the
 //! point that the ray lingers at, is taken out, so that it does not grow next to the critical curve.
 
-mod polar;
-mod radial;
-
-pub use polar::Polar;
-pub use radial::{Centre, Radial};
-
-use crate::geometry::kerr::Kerr;
-use crate::geometry::mino::{PhotonConstants, PhotonState};
-use crate::geometry::quadrature::integral_on_scale;
+use super::polar::Polar;
+use super::radial::{Centre, Radial};
 use glam::{DMat3, DVec3};
+use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::geometry::mino::{PhotonConstants, PhotonState};
+use lightfall_core::geometry::quadrature::integral_on_scale;
 
 /// A leg of a ray: the stretch between two square roots of the distance from a centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,18 +24,17 @@ struct Leg {
 
 /// A backward ray in closed form.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ClosedRay {
+pub(super) struct ClosedRay {
     start: PhotonState,
     /// The motion in u.
-    pub radial: Radial,
+    pub(super) radial: Radial,
     /// The motion in latitude.
-    pub polar: Polar,
+    pub(super) polar: Polar,
 }
 
 impl ClosedRay {
     /// The ray with these constants from `start` on.
-    #[must_use]
-    pub fn new(kerr: Kerr, constants: &PhotonConstants, start: PhotonState) -> Self {
+    pub(super) fn new(kerr: Kerr, constants: &PhotonConstants, start: PhotonState) -> Self {
         Self {
             start,
             radial: Radial::new(kerr, constants, [start.u, start.du]),
@@ -48,8 +43,7 @@ impl ClosedRay {
     }
 
     /// Whether the ray reaches infinity, for a camera outside the horizon.
-    #[must_use]
-    pub fn escapes(&self) -> bool {
+    pub(super) fn escapes(&self) -> bool {
         match self.radial.barrier {
             Some(top) => self.start.u < top,
             None => self.start.du < 0.0,
@@ -57,8 +51,7 @@ impl ClosedRay {
     }
 
     /// The Mino time to infinity, of a ray that escapes.
-    #[must_use]
-    pub fn time_to_infinity(&self) -> f64 {
+    pub(super) fn time_to_infinity(&self) -> f64 {
         let (u, du) = (self.start.u, self.start.du);
         let direct = || {
             self.radial
@@ -138,8 +131,7 @@ impl ClosedRay {
     }
 
     /// The unit vector toward the place at infinity that the ray comes from.
-    #[must_use]
-    pub fn sky(&self) -> Option<DVec3> {
+    pub(super) fn sky(&self) -> Option<DVec3> {
         if !self.escapes() || self.radial.energy <= 0.0 {
             return None;
         }
@@ -149,8 +141,7 @@ impl ClosedRay {
     }
 
     /// u at the ray's crossing of the plane number `index`, on the way to infinity.
-    #[must_use]
-    pub fn crossing(&self, index: u32) -> Option<f64> {
+    pub(super) fn crossing(&self, index: u32) -> Option<f64> {
         let [first, period] = self.polar.crossing_times()?;
         let (t, end) = (first + f64::from(index) * period, self.time_to_infinity());
         (t < end).then(|| {

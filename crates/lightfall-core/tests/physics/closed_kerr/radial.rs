@@ -9,20 +9,21 @@
 //! has no linear term, and everything follows from these four numbers: how far the critical curve is
 //! (b_0 alone is small next to it), a root e of Weierstrass's cubic, and the turning points.
 
-use crate::geometry::elliptic::{carlson_rf_pair, weierstrass};
-use crate::geometry::kerr::Kerr;
-use crate::geometry::mino::PhotonConstants;
+use super::weierstrass::weierstrass;
+use lightfall_core::geometry::elliptic::carlson_rf_pair;
+use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::geometry::mino::PhotonConstants;
 
 /// Number of Newton's steps that take the cubic's root to its last digit.
 const NEWTON_STEPS: u32 = 80;
 
 /// The constants of the radial motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Radial {
+pub(super) struct Radial {
     /// E.
-    pub energy: f64,
+    pub(super) energy: f64,
     /// The coefficients of p.
-    pub p: [f64; 3],
+    pub(super) p: [f64; 3],
     /// r_+ and r_-.
     horizons: [f64; 2],
     /// a, L and K'.
@@ -30,7 +31,7 @@ pub struct Radial {
     angular_momentum: f64,
     k_prime: f64,
     /// The critical point about which the numbers below are.
-    pub base: f64,
+    pub(super) base: f64,
     b_0: f64,
     alpha: f64,
     beta: f64,
@@ -41,18 +42,18 @@ pub struct Radial {
     h2: f64,
     /// u of the critical point, if it is outside the horizon and U is negative there: no light with
     /// these constants passes it.
-    pub barrier: Option<f64>,
+    pub(super) barrier: Option<f64>,
 }
 
 /// A turning point, or another point from which a leg of the ray is measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Centre {
+pub(super) struct Centre {
     /// u there.
-    pub u: f64,
+    pub(super) u: f64,
     /// 1 where the leg leads to smaller u, -1 where it leads to larger u.
-    pub side: f64,
+    pub(super) side: f64,
     /// U is the sum of c_k y^k, y the distance from the centre.
-    pub c: [f64; 5],
+    pub(super) c: [f64; 5],
     /// What the two kinds of arguments of R_F are for y -> infinity.
     isolated: f64,
     pair: f64,
@@ -60,8 +61,7 @@ pub struct Centre {
 
 impl Radial {
     /// The motion of a ray with these constants, which starts with `u` and `du`.
-    #[must_use]
-    pub fn new(kerr: Kerr, c: &PhotonConstants, [u_start, du]: [f64; 2]) -> Self {
+    pub(super) fn new(kerr: Kerr, c: &PhotonConstants, [u_start, du]: [f64; 2]) -> Self {
         let (a, energy, k_prime) = (c.a, c.energy, c.k_prime());
         let drag = a * (a * energy - c.angular_momentum);
         let p = [
@@ -149,8 +149,7 @@ impl Radial {
     }
 
     /// The outer side of the barrier, where light from outside turns.
-    #[must_use]
-    pub fn turning_point(&self) -> Centre {
+    pub(super) fn turning_point(&self) -> Centre {
         let mean = 0.25 * self.alpha - 0.5 * self.offset;
         let product = (mean * mean - self.h2).max(0.0).sqrt();
         // The roots s = 1/v of b_0 s^4 + alpha s^2 + beta s + gamma by Euler's solution.
@@ -180,8 +179,7 @@ impl Radial {
 
     /// The critical point as the centre of a leg that leads to smaller u (`side` 1) or to larger u
     /// (-1).
-    #[must_use]
-    pub fn critical_point(&self, side: f64) -> Centre {
+    pub(super) fn critical_point(&self, side: f64) -> Centre {
         Centre {
             u: self.base,
             side,
@@ -192,8 +190,7 @@ impl Radial {
     }
 
     /// The Mino time from a turning point to the distance `y` from it.
-    #[must_use]
-    pub fn time_from_turn(&self, centre: &Centre, y: f64) -> f64 {
+    pub(super) fn time_from_turn(&self, centre: &Centre, y: f64) -> f64 {
         let pole = centre.c[1] / (4.0 * y);
         carlson_rf_pair(pole + centre.isolated, pole + centre.pair, self.h2)
     }
@@ -206,8 +203,7 @@ impl Radial {
     /// x y, it follows without one from
     ///
     /// (|x'| |y'|)^2 - (x y C)^2 = b_0 (x'^2 + y'^2 - b_0) + (x y (x - y))^2 (alpha gamma - beta^2/4).
-    #[must_use]
-    pub fn time_between(&self, [x, dx]: [f64; 2], [y, dy]: [f64; 2]) -> f64 {
+    pub(super) fn time_between(&self, [x, dx]: [f64; 2], [y, dy]: [f64; 2]) -> f64 {
         let (v_x, v_y, width2) = (x - self.base, y - self.base, (x - y) * (x - y));
         let product = v_x * v_y;
         if product < 0.0 {
@@ -233,8 +229,7 @@ impl Radial {
 
     /// u at the Mino time `t` after a place with u and u', through turning points: Biermann's and
     /// Weierstrass's solution (Whittaker & Watson 1927 section 20.6).
-    #[must_use]
-    pub fn u_after(&self, t: f64, [u, du]: [f64; 2]) -> f64 {
+    pub(super) fn u_after(&self, t: f64, [u, du]: [f64; 2]) -> f64 {
         let v = u - self.base;
         let mean = self.alpha / 12.0 - 0.5 * self.offset;
         let [above, dp] = weierstrass(t, mean, self.h2);
@@ -247,8 +242,7 @@ impl Radial {
     }
 
     /// The dragging of the azimuth per Mino time: -a u (E - a L u)/D.
-    #[must_use]
-    pub fn dragging(&self, u: f64) -> f64 {
+    pub(super) fn dragging(&self, u: f64) -> f64 {
         -self.a * u * (self.energy - self.a * self.angular_momentum * u) / self.denominator(u)
     }
 
@@ -261,8 +255,7 @@ impl Radial {
 
 impl Centre {
     /// dtau/dx at u = centre - side x^2.
-    #[must_use]
-    pub fn weight(&self, x: f64) -> f64 {
+    pub(super) fn weight(&self, x: f64) -> f64 {
         let y = x * x;
         let [c0, c1, c2, c3, c4] = self.c;
         2.0 / (c0 / y + c1 + y * (c2 + y * (c3 + y * c4))).sqrt()
