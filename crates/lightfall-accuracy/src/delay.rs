@@ -72,7 +72,6 @@ pub struct DelayError {
 
 impl TimedRay {
     /// Follows the ray that arrives from `direction`, given on the observer's axes.
-    #[must_use]
     pub fn of(reference: &Reference, direction: DVec3) -> Self {
         let trace = reference.trace_with_lags(direction);
         let motion = (reference.lensing() && hits(&trace) > 0)
@@ -82,13 +81,11 @@ impl TimedRay {
 
     /// The errors of a method's delays, hit by hit. `None` if outcome or number of hits differ.
     /// Hits without a delay are left out.
-    #[must_use]
     pub fn errors(&self, found: &Trace) -> Option<Vec<DelayError>> {
         let error = |i: usize| self.error(i, found.hits[i]?, self.trace.hits[i]?);
         is_same_class(found, &self.trace).then(|| (0..found.hits.len()).filter_map(error).collect())
     }
 
-    /// The error of the delay of hit number `hit`.
     fn error(&self, hit: usize, found: Hit, truth: Hit) -> Option<DelayError> {
         let plain = found.delay? - truth.delay?;
         let mut error = DelayError {
@@ -110,7 +107,6 @@ impl TimedRay {
 
 impl DelayError {
     /// The difference of the two places: in the radius, in r_s, and in the azimuth.
-    #[must_use]
     pub fn moved(&self) -> [f64; 2] {
         [
             self.found.r - self.truth.r,
@@ -121,7 +117,6 @@ impl DelayError {
     /// The time, in r_s/c, that light takes along the radius across the place's uncertainty in f32:
     /// the error of the radius, but at most a millionth of the radius. Next to the horizon of a
     /// nearly extremal hole this time is thousands of times the distance.
-    #[must_use]
     pub fn light_time_of_rounding(&self, kerr: Kerr) -> f64 {
         let r = self.truth.r;
         let rounding = self.moved()[0].abs().min(LAST_DIGITS * r);
@@ -129,7 +124,6 @@ impl DelayError {
     }
 
     /// Whether both places are the same, to 0.003 of the radius.
-    #[must_use]
     pub fn same_place(&self) -> bool {
         let [dr, dphi] = self.moved();
         dr.hypot(self.truth.r * dphi) <= SAME_PLACE * self.truth.r

@@ -222,14 +222,12 @@ fn largest_delay_difference(one: &Trace, other: &Trace) -> Option<f64> {
 
 impl Inspection {
     /// As JSON.
-    #[must_use]
     pub fn to_json(&self) -> String {
         serde_json::to_string_pretty(self).expect("numbers and words only")
     }
 
     /// As lines `name = value`. The names of records begin with `cpu.` and `gpu.`. Missing values
     /// are left out.
-    #[must_use]
     pub fn to_text(&self) -> String {
         let value = serde_json::to_value(self).expect("numbers and words only");
         let mut text = String::new();

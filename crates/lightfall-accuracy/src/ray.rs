@@ -15,7 +15,6 @@ pub struct Ray {
 
 impl Ray {
     /// The ray closest to a direction (right, up, forward) of the camera.
-    #[must_use]
     pub fn toward(direction: DVec3) -> Self {
         Self {
             given: direction.normalize_or_zero().as_vec3(),
@@ -24,20 +23,17 @@ impl Ray {
     }
 
     /// Its direction in f32, as the shaders get it.
-    #[must_use]
     pub fn given(&self) -> Vec3 {
         self.given
     }
 
     /// Its direction as a unit vector in f64.
-    #[must_use]
     pub fn direction(&self) -> DVec3 {
         self.given.as_dvec3().normalize_or_zero()
     }
 
     /// Angle from the shadow's edge, in radians, positive away from the shadow's centre. `None` if
     /// the sample did not look for the edge.
-    #[must_use]
     pub fn distance_to_edge(&self) -> Option<f64> {
         self.edge.map(|edge| edge.place(self.direction())[1])
     }

@@ -27,61 +27,41 @@ const MAX_LINE_BYTES: u64 = 4096;
 
 /// Why a line does not give a ray.
 #[derive(Debug, Error)]
+#[expect(missing_docs, reason = "the messages say what the fields are")]
 pub enum RaysError {
     /// The line does not have three values.
     #[error(
         "{name}: line {line}: \"{given}\" is refused: a ray has three values, er,etheta,ephi, and here are {count}"
     )]
     Columns {
-        /// The file.
         name: String,
-        /// Line, from 1.
         line: u64,
-        /// The text.
         given: String,
-        /// The number of its values.
         count: usize,
     },
     /// A value is not a finite number.
     #[error("{name}: line {line}: {column} = \"{given}\" is refused: it must be a finite number")]
     Number {
-        /// The file.
         name: String,
-        /// Line, from 1.
         line: u64,
-        /// The column.
         column: &'static str,
-        /// The text.
         given: String,
     },
     /// All three values are zero.
     #[error(
         "{name}: line {line}: 0,0,0 is refused: it has no direction, and a ray may have any length but zero"
     )]
-    Zero {
-        /// The file.
-        name: String,
-        /// Line, from 1.
-        line: u64,
-    },
+    Zero { name: String, line: u64 },
     /// The line is longer than any ray.
     #[error(
         "{name}: line {line} is longer than {MAX_LINE_BYTES} bytes; a ray is a line er,etheta,ephi"
     )]
-    TooLong {
-        /// The file.
-        name: String,
-        /// Line, from 1.
-        line: u64,
-    },
+    TooLong { name: String, line: u64 },
     /// The file cannot be read any further.
     #[error("{name}: line {line} cannot be read: {error}")]
     Read {
-        /// The file.
         name: String,
-        /// Line, from 1.
         line: u64,
-        /// The operating system's reason.
         error: io::Error,
     },
 }

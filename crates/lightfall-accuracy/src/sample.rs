@@ -19,11 +19,9 @@ const RAYS_PER_POSITION_ANGLE: usize = 8;
 /// spread evenly without forming a lattice.
 const PLASTIC: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_2];
 
-/// The golden ratio minus one.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// `count` rays spread evenly over the scene's picture.
-#[must_use]
 pub fn rays_over_picture(scene: &Scene, count: usize) -> Vec<Ray> {
     let size = scene.picture.size().as_dvec2();
     let ray = |i: usize| {
@@ -35,7 +33,6 @@ pub fn rays_over_picture(scene: &Scene, count: usize) -> Vec<Ray> {
 
 /// `count` rays: half of them spread over the scene's picture, half close to the shadow's edge at
 /// the usual distances. Only the first half if there is no shadow.
-#[must_use]
 pub fn rays_over_picture_and_near_edge(scene: &Scene, count: usize) -> Vec<Ray> {
     let mut rays = rays_over_picture(scene, count - count / 2);
     rays.extend(rays_near_edge(scene, count / 2, EDGE_DISTANCES));
@@ -43,7 +40,6 @@ pub fn rays_over_picture_and_near_edge(scene: &Scene, count: usize) -> Vec<Ray> 
 }
 
 /// `count` rays spread evenly over the whole sky, on a Fibonacci spiral.
-#[must_use]
 pub fn rays_over_sky(count: usize) -> Vec<Ray> {
     let ray = |i: usize| {
         let z = 1.0 - (2 * i + 1) as f64 / count as f64;

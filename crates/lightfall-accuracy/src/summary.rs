@@ -73,13 +73,11 @@ impl ErrorSummary {
     ///
     /// # Panics
     /// There are not as many answers as rays.
-    #[must_use]
     pub fn of(truth: &Truth, given: &[Trace]) -> Self {
         Self::of_errors(truth, given, &truth.judge(given))
     }
 
     /// The same, with the errors that [`Truth::judge`] has found.
-    #[must_use]
     pub fn of_errors(truth: &Truth, given: &[Trace], errors: &[RayError]) -> Self {
         let mut confusion = [[0; 3]; 2];
         for (truth, given) in truth.traces.iter().zip(given) {
@@ -118,7 +116,6 @@ impl ErrorSummary {
     }
 
     /// Number of rays that the method gave up.
-    #[must_use]
     pub fn unfinished(&self) -> usize {
         self.confusion[0][2] + self.confusion[1][2]
     }

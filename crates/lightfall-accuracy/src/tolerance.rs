@@ -7,7 +7,6 @@ use lightfall_model::scene::{AccuracySetting, Scene};
 /// The closed forms are held to f32's precision of a direction, and mino also to its setting in
 /// pixels of the scene's picture. The article's methods are held to a pixel of the article's
 /// pictures, 960x540 at 60 degrees.
-#[must_use]
 pub fn tolerance(scene: &Scene) -> f64 {
     let most = scene.method.backward_max(scene.hole.spin);
     match scene.method.properties().setting {

@@ -61,7 +61,6 @@ impl Truth {
     ///
     /// # Panics
     /// There are not as many answers as rays.
-    #[must_use]
     pub fn judge(&self, given: &[Trace]) -> Vec<RayError> {
         self.judge_to_precision(0.0, given)
     }
@@ -71,7 +70,6 @@ impl Truth {
     ///
     /// # Panics
     /// There are not as many answers as rays.
-    #[must_use]
     pub fn judge_to_precision(&self, precision: f64, given: &[Trace]) -> Vec<RayError> {
         assert_eq!(given.len(), self.rays.len(), "one answer per ray");
         let known = self.rays.par_iter().zip(&self.traces);
@@ -86,7 +84,6 @@ impl Truth {
     ///
     /// # Panics
     /// There are not as many answers as rays.
-    #[must_use]
     pub fn judge_to_limit(&self, limit: f64, given: &[Trace]) -> Vec<RayError> {
         let mut errors = self.judge(given);
         let judged = errors.par_iter_mut().zip(given).enumerate();
@@ -102,21 +99,18 @@ impl Truth {
 
     /// A search around the ray of index `ray` that is a hundred times slower than [`Truth::judge`],
     /// and finds smaller turns next to the edge of the shadow.
-    #[must_use]
     pub fn thorough_search(&self, ray: usize, bounds: TurnBounds) -> ThoroughSearch<'_> {
         ThoroughSearch::new(&self.camera, &self.rays[ray], &self.traces[ray], bounds)
     }
 
     /// The backward error, in radians, of an answer to the ray of index `ray`. A bound below
     /// `precision` ends the search.
-    #[must_use]
     pub fn error_of(&self, ray: usize, given: &Trace, precision: f64) -> f64 {
         self.backward(&self.rays[ray], &self.traces[ray], given, precision)
     }
 
     /// The backward error, in radians, of the outcome and the sky of an answer to the ray of index
     /// `ray`, without its hits. Infinite for another outcome.
-    #[must_use]
     pub fn error_without_hits(&self, ray: usize, given: &Trace, precision: f64) -> f64 {
         let truth = &self.traces[ray];
         if given.outcome != truth.outcome {
@@ -130,7 +124,6 @@ impl Truth {
     }
 
     /// The answer of another scene's reference to the ray of index `ray`.
-    #[must_use]
     pub fn trace_by(&self, ray: usize, other: &Reference) -> Trace {
         self.camera.trace_by(other, self.rays[ray].direction())
     }
@@ -138,7 +131,6 @@ impl Truth {
     /// The reference's answer to the ray of index `ray` with its photon changed by `change`, and
     /// the angle in radians between this ray and the one that has the changed photon. `None` if
     /// there is no such photon.
-    #[must_use]
     pub fn trace_changed(&self, ray: usize, change: impl Fn(&mut Photon)) -> Option<(Trace, f64)> {
         self.camera
             .trace_changed(self.rays[ray].direction(), change)

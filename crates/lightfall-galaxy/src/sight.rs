@@ -34,7 +34,6 @@ const FINEST_ANGLE: f64 = 0.006;
 ///
 /// I = integral of j 10^(-0.4 A) ds, with the stars' light j per volume and the extinction A of the
 /// dust before them.
-#[must_use]
 pub fn light_from(direction: DVec3) -> [f64; 2] {
     let mut light = [0.0; 2];
     let (mut distance, mut extinction) = (0.0, 0.0);

@@ -37,7 +37,6 @@ pub fn write(texels: &[[u8; 2]]) -> Result<Vec<u8>, EncodingError> {
 
 /// The two bytes of a texel, by its number: the logarithm of the brightness, and the share of the
 /// bluer light, of the mean light over the texel.
-#[must_use]
 pub fn texel(number: usize) -> [u8; 2] {
     let turn = galactic_from_celestial();
     let (face, column, row) = face_column_row(SIZE, number);

@@ -12,7 +12,6 @@ pub struct Accumulation {
 
 impl Accumulation {
     /// The shader: entry points `vertex` and `accumulate`.
-    #[must_use]
     pub fn shader() -> ShaderText {
         ShaderText::new(String::new(), &["vertex", "accumulate"], Vec::new())
     }

@@ -22,7 +22,6 @@ pub struct AdapterName {
 
 impl AdapterName {
     /// The name of an adapter.
-    #[must_use]
     pub fn of(info: &AdapterInfo) -> Self {
         Self {
             name: info.name.clone(),
@@ -68,17 +67,16 @@ impl Display for Listed {
 /// are opened in many places.
 static PREFERRED: Mutex<Option<AdapterName>> = Mutex::new(None);
 
-/// From now on, devices are opened on this adapter if it exists and the environment names no other
-/// one.
+/// Makes devices open on this adapter if it exists and the environment names no other one.
 pub fn prefer(adapter: Option<AdapterName>) {
     replace_chosen(None);
     *PREFERRED.lock().unwrap_or_else(PoisonError::into_inner) = adapter;
 }
 
-/// What is used in place of a chosen adapter that gave no device.
+/// The adapter that replaces a chosen one without a device.
 static REPLACEMENT: Mutex<Option<AdapterName>> = Mutex::new(None);
 
-/// The adapter that is used in place of the chosen one, if that one gave no device.
+/// The adapter that replaces the chosen one, if that gave no device.
 pub(super) fn replacement() -> Option<AdapterName> {
     REPLACEMENT
         .lock()
@@ -86,13 +84,12 @@ pub(super) fn replacement() -> Option<AdapterName> {
         .clone()
 }
 
-/// From now on the chosen adapter is tried again, or this one is used in its place.
+/// Sets the adapter that replaces the chosen one; `None` tries the chosen one again.
 pub(super) fn replace_chosen(name: Option<AdapterName>) {
     *REPLACEMENT.lock().unwrap_or_else(PoisonError::into_inner) = name;
 }
 
 /// The environment variable that chooses the adapter, if one is set.
-#[must_use]
 pub fn named_by_environment() -> Option<&'static str> {
     let is_set = |variable: &&str| env::var(variable).is_ok_and(|value| !value.is_empty());
     [
@@ -118,7 +115,7 @@ fn backends_named() -> Option<String> {
         .filter(|names| !names.is_empty())
 }
 
-/// Why there is no adapter: there is no driver at all, or none for the interface that the
+/// The error if there is no adapter: no driver at all, or none for the interface that the
 /// environment names.
 fn no_adapter() -> GpuError {
     let others = Instance::enabled_backend_features().difference(backends() | Backends::NOOP);
@@ -146,7 +143,6 @@ pub(super) async fn every_adapter() -> Vec<Adapter> {
 
 /// The choice for code that opens a device by itself, as Bevy does: the backends, and the name of
 /// the preferred adapter if it exists, or of the one that replaces an adapter without a device.
-#[must_use]
 pub fn chosen() -> (Backends, Option<String>) {
     let preferred =
         preferred().filter(|preferred| adapters().iter().any(|listed| listed.name == *preferred));
@@ -228,7 +224,6 @@ pub fn check_adapter() -> Result<(), GpuError> {
 
 /// Every adapter that can be chosen. If several have the same name and interface, only the first is
 /// listed, which is the one that would be used.
-#[must_use]
 pub fn adapters() -> Vec<Listed> {
     let mut listed: Vec<Listed> = Vec::new();
     for adapter in adapters_of(backends()) {
@@ -252,7 +247,6 @@ pub fn adapters() -> Vec<Listed> {
 }
 
 /// The kind of an adapter in one word.
-#[must_use]
 pub fn kind(kind: DeviceType) -> &'static str {
     match kind {
         DeviceType::Cpu => "software",

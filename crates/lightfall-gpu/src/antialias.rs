@@ -1,11 +1,11 @@
-//! The shader that finds the pixels where edges pass, and the sizes of what it and REFINE share.
+//! The shader EDGES, which finds the pixels at edges, and the sizes that it shares with REFINE.
 
 use super::bindings;
 use super::shader::ShaderText;
 use super::shader::text::add_constant;
 use glam::UVec2;
 
-/// Pixels that one workgroup of REFINE refines, where each gets 4 rays and where each gets 16.
+/// Pixels that one workgroup of REFINE refines with 4 rays each, and with 16 each.
 const BENT_PIXELS: u32 = 16;
 const COARSE_PIXELS: u32 = 4;
 
@@ -18,7 +18,8 @@ const STRIP: u32 = 16;
 /// Largest number of workgroups along one axis of a dispatch, which WebGPU guarantees.
 const MAX_GROUPS: u32 = 65_535;
 
-/// The texture of what the search for edges compares: a ray's class, and the brightness of its light.
+/// The texture that the search for edges compares: each ray's class, and the brightness of its
+/// light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct EdgeTraits {
     /// Samples per pixel, as many as the picture has.
@@ -34,7 +35,6 @@ pub struct Edges {
 
 impl EdgeTraits {
     /// The shader: entry point `edges`.
-    #[must_use]
     pub fn shader(self) -> ShaderText {
         let kind = if self.samples > 1 {
             "texture_multisampled_2d"
@@ -54,9 +54,8 @@ impl Edges {
     /// Size of the buffer `Work` of shaders/antialias/edges.wgsl, in bytes.
     pub const WORK_SIZE: u64 = 28;
 
-    /// Its bytes before the search: no column of workgroups, and as many in each as keep their
-    /// number within WebGPU's limit, even if every pixel has a workgroup of its own.
-    #[must_use]
+    /// Its bytes before the search: no column of workgroups, and columns long enough to keep their
+    /// number within WebGPU's limit even if every pixel has a workgroup of its own.
     pub fn no_work(self) -> Vec<u8> {
         let rows = (self.size.x * self.size.y).div_ceil(MAX_GROUPS).max(1);
         [0, rows, 1, 0, 0, 0, 0]
@@ -65,17 +64,15 @@ impl Edges {
             .collect()
     }
 
-    /// Size of the list of marked pixels, in bytes. All of them may be: with 16 rays in the first
-    /// half of the list, with 4 or 64 in the second. Of pictures with more than 16 million pixels not
-    /// all fit into a binding of every device; those that find no room keep the light of one ray.
-    #[must_use]
+    /// Size of the list of marked pixels, in bytes. All pixels may be marked: for 16 rays in the
+    /// first half of the list, for 4 or 64 in the second. In pictures with more than 16 million
+    /// pixels, those that do not fit into WebGPU's smallest binding keep the light of one ray.
     pub fn list_size(self) -> u64 {
         let all = 8 * u64::from(self.size.x) * u64::from(self.size.y);
         all.min(MAX_LIST_SIZE)
     }
 
     /// Workgroups of EDGES for this many columns of the picture.
-    #[must_use]
     pub fn groups(self, columns: u32) -> UVec2 {
         UVec2::new(
             columns.div_ceil(bindings::WORKGROUP_SIZE),

@@ -1,6 +1,6 @@
-//! What shaders bind. Every row of a list below is a constant: its value is the row's place in the
-//! list, which is the number of the binding. Shaders know it by the same name after `BINDING_`, as
-//! a constant in front of each text that declares the binding.
+//! The bindings of shaders. Every row of a list below is a constant whose value, the row's place in
+//! the list, is the number of the binding. Texts that declare the binding begin with the same
+//! constant, named with the prefix `BINDING_`.
 
 use std::collections::HashSet;
 use wgpu::{
@@ -80,7 +80,7 @@ bindings! {
     HOT_SPOT: UNIFORM, picture;
     /// The uniform `Stars`: what the kernels of point stars share.
     STARS: UNIFORM;
-    /// The uniform `StarMesh`: the mesh by which images are found without an inversion.
+    /// The uniform `StarMesh`: the mesh that finds images without an inversion.
     STAR_MESH: UNIFORM;
     /// The table of thermal colours, a uniform.
     SPECTRUM: UNIFORM, picture;
@@ -90,7 +90,7 @@ bindings! {
     STARLIGHT: UNIFORM, picture;
     /// The table of the disk model `page-thorne`, a uniform.
     PAGE_THORNE: UNIFORM, picture;
-    /// The table by which the images of stars are found, a uniform.
+    /// The table of the inversion that finds images of stars, a uniform.
     STAR_TABLE: UNIFORM;
     /// The grid of the view `error`, a uniform.
     ERROR_MAP: UNIFORM, picture;
@@ -110,13 +110,13 @@ bindings! {
     STAR_COUNT: STORAGE;
     /// The light of the images on each pixel, a storage array.
     STAR_SUMS: STORAGE, picture;
-    /// What the rays of the mesh have met, a storage array.
+    /// The results of the rays of the mesh, a storage array.
     MESH_POINTS: STORAGE;
-    /// Where on the sky the stars of the list are, a storage array.
+    /// The index of the stars over the sky, a storage array.
     STAR_INDEX: STORAGE;
     /// The stars that may have an image in a cell of the mesh, a storage array.
     CANDIDATES: STORAGE;
-    /// The number of candidates and of workgroups that polish them, in storage.
+    /// The number of candidates and of workgroups that find their images, in storage.
     CANDIDATE_COUNT: STORAGE;
 }
 
@@ -150,7 +150,7 @@ numbers! { ACCUMULATION_NUMBERS:
 // The bindings of REFINE are in group 1: in group 0 it binds what the picture's shader does. EDGES
 // has a group of its own.
 numbers! { ANTIALIAS_NUMBERS:
-    /// What REFINE has to do, which EDGES writes.
+    /// The work of REFINE, which EDGES writes.
     WORK,
     /// The list of pixels to refine.
     LIST,
@@ -181,8 +181,8 @@ pub(super) fn is_constant(name: &str) -> bool {
     all_constants().any(|(constant, _)| constant == name)
 }
 
-/// The constants in front of a shader that is joined from these texts: the bindings that they
-/// declare, and what an entry needs that a test or a measurement adds at the end.
+/// The constants in front of a shader that is linked from these texts: the bindings that they
+/// declare, and those of an entry that a test or a measurement appends.
 pub(super) fn constants<'a>(
     texts: impl Iterator<Item = &'a str>,
 ) -> impl Iterator<Item = (&'static str, u32)> {
@@ -200,7 +200,6 @@ impl Binding {
     }
 
     /// Its entry in a layout.
-    #[must_use]
     pub fn layout_entry(&self, visibility: ShaderStages) -> BindGroupLayoutEntry {
         BindGroupLayoutEntry {
             binding: self.number,
@@ -213,7 +212,6 @@ impl Binding {
 
 /// The layout of the picture's shaders. They share one, so that each uniform has the same place in
 /// all of them.
-#[must_use]
 pub fn picture_layout() -> Vec<BindGroupLayoutEntry> {
     let stages = ShaderStages::FRAGMENT | ShaderStages::COMPUTE;
     let rows = ALL.iter().filter(|row| row.in_picture);

@@ -1,14 +1,13 @@
-//! How much of a picture one draw call traces. A driver ends a device that does not respond for some
-//! seconds, and between two calls every device does.
+//! The size of a draw call. A driver resets a device that does not respond for some seconds;
+//! between two calls every device responds.
 
 use lightfall_model::scene::Scene;
 
-/// Most pixels that one draw call traces: a full HD picture.
+/// Maximum number of pixels of a draw call: a full HD picture.
 const MAX_PIXELS: u32 = 1920 * 1080;
 
-/// Most pixels of a scene that one draw call traces. Where rays may take more steps than the
-/// article's, a call has fewer of them, so that it never takes more steps.
-#[must_use]
+/// Maximum number of pixels of a scene in one draw call, which is smaller where rays may take more
+/// steps than the article's.
 pub fn max_pixels_of_call(scene: &Scene) -> u32 {
     (f64::from(MAX_PIXELS) / scene.budget_ratio()) as u32
 }

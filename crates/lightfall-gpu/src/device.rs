@@ -53,8 +53,8 @@ impl Gpu {
         })
     }
 
-    /// Compiles a shader without the run-time checks that Bevy omits too, so that tests and
-    /// measurements run the same code as pictures.
+    /// Compiles a shader without run-time checks, as Bevy does, so that tests and measurements run
+    /// the same code as pictures.
     ///
     /// # Errors
     /// [`GpuError::Shader`] with the compiler's message.

@@ -12,7 +12,6 @@ pub struct Difference {
 
 impl Difference {
     /// The shader: entry points `vertex` and `difference`.
-    #[must_use]
     pub fn shader() -> ShaderText {
         ShaderText::new(String::new(), &["vertex", "difference"], Vec::new())
     }

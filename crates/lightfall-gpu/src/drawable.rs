@@ -69,13 +69,11 @@ impl Drawable {
     }
 
     /// The scene.
-    #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
     /// The scene's numbers for the GPU, for its own frame or the one that it is shown in.
-    #[must_use]
     pub fn numbers(&self) -> &GpuScene {
         &self.numbers
     }
@@ -100,7 +98,6 @@ impl Drawable {
     }
 
     /// The scene, for changes that are checked again.
-    #[must_use]
     pub fn into_scene(self) -> Scene {
         self.scene
     }

@@ -2,7 +2,6 @@
 
 /// What is missing where no adapter is found, and what to do. `os` is a name as in
 /// [`std::env::consts::OS`].
-#[must_use]
 pub fn without_adapter(os: &str) -> &'static str {
     match os {
         "windows" => {
@@ -22,7 +21,6 @@ pub fn without_adapter(os: &str) -> &'static str {
 }
 
 /// What to do where an adapter cannot be used or fails. `os` is as in [`without_adapter`].
-#[must_use]
 pub fn with_old_driver(os: &str) -> &'static str {
     match os {
         "windows" => "install the newest driver from the maker of the graphics card",

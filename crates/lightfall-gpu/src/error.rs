@@ -9,6 +9,7 @@ use thiserror::Error;
 
 /// Why the GPU cannot do what was asked. Each message is one sentence.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[expect(missing_docs, reason = "the messages say what the fields are")]
 pub enum GpuError {
     /// No graphics driver offers an adapter.
     #[error("{}", driver_advice::without_adapter(OS))]
@@ -18,9 +19,7 @@ pub enum GpuError {
         "--backend {given} (or WGPU_BACKEND) is refused: the adapters of this machine use {}", .available.join(" or ")
     )]
     UnknownBackend {
-        /// The requested interface.
         given: String,
-        /// The interfaces that the adapters use.
         available: Vec<&'static str>,
     },
     /// There are adapters, but none of them has the requested name.
@@ -28,20 +27,12 @@ pub enum GpuError {
         "--gpu {given} (or WGPU_ADAPTER_NAME) is refused: it must be part of the name of one of these adapters, which \
          --list-gpus lists: {}", .names.join("; ")
     )]
-    UnknownAdapter {
-        /// The requested name.
-        given: String,
-        /// The names of the adapters.
-        names: Vec<String>,
-    },
+    UnknownAdapter { given: String, names: Vec<String> },
     /// There are adapters, but none of them has what the passes need and gives a device.
     #[error(
         "no graphics adapter can be used: {}; {}", .failures.join("; "), driver_advice::with_old_driver(OS)
     )]
-    NoDevice {
-        /// The adapters, each with its reason.
-        failures: Vec<String>,
-    },
+    NoDevice { failures: Vec<String> },
     /// The adapter provides no device, or the device failed: it is of no further use.
     #[error("the graphics device failed: {0}")]
     Device(String),
@@ -62,11 +53,8 @@ pub enum GpuError {
         "{what} need a buffer of {bytes} bytes, and this device allows {limit}: ask for fewer pixels"
     )]
     TooLarge {
-        /// What the buffer is for, in the plural.
         what: &'static str,
-        /// Its size, in bytes.
         bytes: u64,
-        /// The largest size that the device allows, in bytes.
         limit: u64,
     },
     /// A shader does not compile. The message names the file and line if they are known.
@@ -92,10 +80,7 @@ pub enum GpuError {
         Method::list("and", |method| !method.inside),
         Method::list("and", |method| method.inside && method.on_gpu)
     )]
-    Inside {
-        /// The camera's radius, in r_s.
-        r: f64,
-    },
+    Inside { r: f64 },
     /// The method does not run on the GPU.
     #[error(
         "method = \"{}\" is refused: it runs on the CPU only, with `trace --device cpu`, so here it must be {}",
@@ -110,7 +95,6 @@ pub enum GpuError {
 
 impl GpuError {
     /// Whether the device failed. Every other error leaves the device as useful as before.
-    #[must_use]
     pub fn is_device_failure(&self) -> bool {
         matches!(self, Self::Device(_))
     }

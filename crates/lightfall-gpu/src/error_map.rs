@@ -4,11 +4,10 @@
 /// Columns and rows of the grid; a multiple of four cells.
 pub const ERROR_MAP_SIZE: [u32; 2] = [64, 36];
 
-/// The number of cells.
 const CELLS: usize = (ERROR_MAP_SIZE[0] * ERROR_MAP_SIZE[1]) as usize;
 
 /// Values of cells without an error in pixels: the error is not known yet, nothing is seen, or no
-/// rotation of the ray explains its answer.
+/// turn of the ray explains its answer.
 const UNKNOWN: f32 = -1.0;
 const UNSEEN: f32 = -2.0;
 const UNEXPLAINED: f32 = 1e30;
@@ -25,9 +24,8 @@ impl Default for ErrorMap {
 }
 
 impl ErrorMap {
-    /// The grid of these errors in pixels, `None` where nothing is seen. The errors of further cells
-    /// are not known.
-    #[must_use]
+    /// The grid of these errors in pixels, `None` where nothing is seen. The errors of further
+    /// cells are not known.
     pub fn new(errors: &[Option<f64>]) -> Self {
         let known = errors.iter().map(|error| match error {
             // The minimum with NaN is the other number, so NaN counts as unexplained, too.
@@ -43,7 +41,6 @@ impl ErrorMap {
     }
 
     /// The bytes of the uniform.
-    #[must_use]
     pub fn bytes(&self) -> Vec<u8> {
         self.0
             .iter()

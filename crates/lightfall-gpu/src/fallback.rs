@@ -1,5 +1,5 @@
-//! The adapter that is used when the chosen one cannot be: some systems list adapters that give no
-//! device, such as a Direct3D 12 without a shader compiler, or whose driver is too old.
+//! The replacement of a chosen adapter that cannot be used: some systems list adapters that give no
+//! device, such as Direct3D 12 without a shader compiler, or whose driver is too old.
 
 use super::adapter::{AdapterName, adapter, every_adapter, named_by_environment, replace_chosen};
 use super::error::GpuError;
@@ -10,7 +10,8 @@ use wgpu::{Adapter, Device, DeviceDescriptor, DeviceType, Features, Queue};
 pub(super) type Opened = (Adapter, Device, Queue);
 
 /// Opens a device of the chosen adapter or, unless the environment names one, of the next one that
-/// has what the passes need and gives a device. Also returns why each adapter before it was not used.
+/// has what the passes need and gives a device. Also returns why each adapter before it was not
+/// used.
 ///
 /// # Errors
 /// There is no adapter, or none can be used.
@@ -78,8 +79,8 @@ pub struct WorkingAdapter {
 
 /// Finds the adapter that is used: the chosen one or, if it cannot be, the next one that can.
 ///
-/// The device that this opens has every feature and the limits of its adapter, as Bevy's device has,
-/// so that a driver that refuses one refuses both.
+/// The device that this opens has every feature and the limits of its adapter, as Bevy's device
+/// has, so that a driver that refuses one refuses both.
 ///
 /// # Errors
 /// There is no adapter, or none can be used.

@@ -14,7 +14,7 @@ use std::sync::LazyLock;
 /// The table of thermal colours, which is the same for all scenes.
 static SPECTRUM_TABLE: LazyLock<Vec<u8>> = LazyLock::new(|| table_bytes(&spectrum::table()));
 
-/// What the contents depend on.
+/// The values that determine the contents.
 #[derive(Clone, Copy, Debug)]
 pub struct Inputs<'a> {
     /// The scene.
@@ -27,8 +27,7 @@ pub struct Inputs<'a> {
 }
 
 impl<'a> Inputs<'a> {
-    /// What follows from the scene alone.
-    #[must_use]
+    /// The inputs that follow from the scene alone.
     pub fn new(scene: &'a Scene) -> Self {
         Self {
             scene,
@@ -37,14 +36,12 @@ impl<'a> Inputs<'a> {
         }
     }
 
-    /// The uniforms of the picture's layout that the scene has a use for, by their bindings.
-    #[must_use]
+    /// The uniforms of the picture's layout that the scene uses, by their bindings.
     pub fn of_picture(&self) -> Vec<(u32, Vec<u8>)> {
         self.of_rows(|row| row.in_picture)
     }
 
     /// The uniforms that a shader's text declares, by their bindings.
-    #[must_use]
     pub fn declared_in(&self, text: &str) -> Vec<(u32, Vec<u8>)> {
         self.of_rows(|row| row.is_declared_in(text))
     }
@@ -55,8 +52,8 @@ impl<'a> Inputs<'a> {
             .collect()
     }
 
-    /// The bytes of a uniform; `None` where the scene has no use for it. The scene's own numbers
-    /// and those of point stars change at other times, so their writers fill them.
+    /// The bytes of a uniform; `None` if the scene does not use it. The scene's own numbers and
+    /// those of point stars change at other times and have writers of their own.
     fn contents(&self, binding: u32) -> Option<Vec<u8>> {
         let scene = self.scene;
         match binding {

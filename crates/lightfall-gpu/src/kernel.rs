@@ -1,5 +1,5 @@
-//! Compute shaders that map one array to another: rays to traces, and arguments to results in tests
-//! of shader functions.
+//! Compute shaders that map one array to another: rays to traces, or arguments of a shader function
+//! to results.
 
 use super::bindings;
 use super::buffer::{buffer_from_bytes, empty_buffer};
@@ -72,7 +72,7 @@ impl ArrayKernel {
         })
     }
 
-    /// Replaces the bytes of a uniform by as many others.
+    /// Replaces the bytes of a uniform.
     pub fn write_uniform(&self, gpu: &Gpu, binding: u32, bytes: &[u8]) {
         for (_, buffer) in self.uniforms.iter().filter(|(at, _)| *at == binding) {
             gpu.queue.write_buffer(buffer, 0, bytes);

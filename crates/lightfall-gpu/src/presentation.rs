@@ -1,4 +1,4 @@
-//! The presentation's shader and its uniform: how the tone-mapped picture becomes cells on the
+//! The presentation's shader and its uniform, which turn the tone-mapped picture into cells on the
 //! screen.
 
 use super::shader::ShaderText;
@@ -22,7 +22,6 @@ pub struct Presentation {
 
 impl Presentation {
     /// The shader of all stages: entry points `vertex`, `pixelate`, `expand` and `fit`.
-    #[must_use]
     pub fn shader() -> ShaderText {
         let mut prelude = String::new();
         // A cell touches one pixel more than it is wide if its edges lie within pixels.

@@ -1,4 +1,4 @@
-//! Rays in, traces out: the compute entry that runs the same WGSL as the picture.
+//! Traces arrays of rays by a compute entry that runs the same WGSL as the picture.
 
 use super::bindings;
 use super::device::Gpu;
@@ -76,7 +76,7 @@ impl RayKernel {
         Self::of_variant(gpu, Variant::rays(scene), scene)
     }
 
-    /// Compiles a variant that differs from the scene's own.
+    /// Compiles another variant than the scene's own.
     ///
     /// # Errors
     /// As [`RayKernel::new`].
@@ -148,9 +148,8 @@ fn traces(scene: &Scene, records: &[GpuTrace]) -> Vec<Trace> {
 }
 
 impl GpuTrace {
-    /// The record in f64, in the disk's frame. `time_lead` is the part of the delays that the GPU leaves out; `None` for
-    /// a camera that has no delays to state.
-    #[must_use]
+    /// The record in f64, in the disk's frame. `time_lead` is the part of the delays that the GPU
+    /// leaves out; `None` for a camera that has no delays to state.
     pub fn trace(&self, time_lead: Option<f64>) -> Trace {
         let outcome = match self.outcome {
             0 => Outcome::Sky,

@@ -1,5 +1,5 @@
-//! What the passes need from an adapter. One with an old driver may offer less: opening a device on
-//! it, or a pass, would fail with words that say nothing to a user.
+//! The requirements of the passes. An adapter with an old driver may not meet them, and would fail
+//! with a message that tells a user nothing.
 
 use wgpu::{
     Adapter, DownlevelFlags, Limits, TextureFormat, TextureFormatFeatureFlags,
@@ -16,20 +16,19 @@ const USES_OF_LIGHT: TextureUsages = TextureUsages::RENDER_ATTACHMENT
 const WORK_WITH_LIGHT: TextureFormatFeatureFlags =
     TextureFormatFeatureFlags::FILTERABLE.union(TextureFormatFeatureFlags::BLENDABLE);
 
-/// What an adapter offers of the things that the passes need.
+/// The abilities of an adapter that the passes need.
 #[derive(Clone, Debug)]
 pub struct Abilities {
     /// Its limits.
     pub limits: Limits,
-    /// What it has beyond the smallest set of features.
+    /// Its features beyond the smallest set.
     pub flags: DownlevelFlags,
-    /// What can be done with textures of linear light.
+    /// Its abilities with textures of linear light.
     pub light: TextureFormatFeatures,
 }
 
 impl Abilities {
     /// What an adapter offers.
-    #[must_use]
     pub fn of(adapter: &Adapter) -> Self {
         Self {
             limits: adapter.limits(),
@@ -38,9 +37,7 @@ impl Abilities {
         }
     }
 
-    /// What the passes need and the adapter lacks, each as a clause. Empty for an adapter that can
-    /// be used.
-    #[must_use]
+    /// The requirements that the adapter does not meet, each as a clause. Empty if it can be used.
     pub fn missing(&self) -> Vec<String> {
         let mut missing = Vec::new();
         // The passes rely on the limits that WebGPU guarantees everywhere.

@@ -18,7 +18,6 @@ pub struct SkyTexture;
 impl SkyTexture {
     /// The texture. Where no scene shows the Milky Way, a texture of one texel a face takes its
     /// place.
-    #[must_use]
     pub fn descriptor(shown: bool) -> TextureDescriptor<'static> {
         let side = if shown { MilkyWay::SIZE as u32 } else { 1 };
         TextureDescriptor {
@@ -38,7 +37,6 @@ impl SkyTexture {
     }
 
     /// The view of the texture as a cube.
-    #[must_use]
     pub fn view() -> TextureViewDescriptor<'static> {
         TextureViewDescriptor {
             label: Some("Milky Way"),
@@ -48,7 +46,6 @@ impl SkyTexture {
     }
 
     /// The sampler, linear between texels and between levels.
-    #[must_use]
     pub fn sampler() -> SamplerDescriptor<'static> {
         SamplerDescriptor {
             label: Some("Milky Way"),
@@ -60,7 +57,6 @@ impl SkyTexture {
     }
 
     /// The texture's bytes, as its descriptor for the same `shown` asks for them.
-    #[must_use]
     pub fn bytes(shown: bool) -> Vec<u8> {
         if !shown {
             return vec![0; 6 * 4];

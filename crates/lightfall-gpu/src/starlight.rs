@@ -25,7 +25,6 @@ pub struct GpuStarlight {
 
 impl GpuStarlight {
     /// The numbers of a scene whose points are as deep as `depth`.
-    #[must_use]
     pub fn new(scene: &Scene, depth: Depth) -> Self {
         let sky = &scene.sky;
         let hole_from_celestial = hole_from_celestial(sky.ra_deg, sky.dec_deg, sky.roll_deg);
@@ -45,7 +44,6 @@ impl GpuStarlight {
     }
 }
 
-/// The constants of the shader.
 pub(super) fn constants() -> String {
     let mut text = String::new();
     let [a, b, c, d] = FAINTER_SHARE;

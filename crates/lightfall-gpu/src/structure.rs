@@ -69,7 +69,6 @@ impl GpuStructure {
     /// `None` for a smooth disk.
     ///
     /// The clock is that of the GPU's delays: `disk.time` less the time that they leave out.
-    #[must_use]
     pub fn new(scene: &Scene, limit: Option<u32>) -> Option<Self> {
         let structure = Structure::new(scene, limit)?;
         let clock = scene.disk.time - time_lead(scene).unwrap_or(0.0);
@@ -96,7 +95,6 @@ impl GpuStructure {
         Some(numbers)
     }
 
-    /// The constants of the shader.
     pub(super) fn constants() -> [(&'static str, &'static str, String); 4] {
         let [max_dx, max_dphi] = MAX_CHANGE;
         [

@@ -1,5 +1,5 @@
-//! How long the GPU takes to trace a picture's rays, and nothing else: the variant that draws the
-//! picture, but with one vector per pixel as its output instead of light.
+//! The time in which the GPU traces a picture's rays: the variant that draws the picture, with one
+//! vector per pixel as its output in place of light.
 
 mod timestamps;
 mod work;
@@ -22,18 +22,16 @@ use work::{Work, compute, fragment};
 /// Maximum number of workgroups along one axis of a dispatch. Every device allows more.
 const MAX_COLUMNS: u32 = 1 << 15;
 
-/// Bytes of one output vector.
 const VECTOR_BYTES: u64 = 16;
 
-/// Duration of the warm-up, as a multiple of [`Effort::max_time`]: a GPU needs a while to raise its
-/// clock under load.
+/// Duration of the warm-up, as a multiple of [`Effort::max_time`]: a GPU raises its clock only
+/// after a while under load.
 const WARM_UP: u32 = 2;
 
 /// Minimum duration of a sample. A sample has as many runs as fit into it, so that the cost of
 /// submitting them matters little.
 const MIN_SAMPLE: Duration = Duration::from_millis(10);
 
-/// Maximum number of runs of a sample.
 const MAX_RUNS_PER_SAMPLE: f64 = 50.0;
 
 /// Maximum number of samples. More do not improve a median.
@@ -45,7 +43,7 @@ const MAX_OVERTIME: u32 = 8;
 /// The pipeline stage that traces the rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Stage {
-    /// A compute shader. It compares methods fairly, also on devices with few graphics units.
+    /// A compute shader, which compares methods fairly on devices with few graphics units too.
     #[default]
     Compute,
     /// A fragment shader, as in the picture.
@@ -63,7 +61,6 @@ pub enum Clock {
 
 impl Clock {
     /// The clock's name in reports.
-    #[must_use]
     pub fn word(self) -> &'static str {
         match self {
             Self::Timestamps => "timestamps",
@@ -178,8 +175,8 @@ impl Stopwatch {
         })
     }
 
-    /// The same for the light of a picture's pixels, with everything that shines: as a compute
-    /// entry, in which the disk's structure has a pixel's footprint of fixed size.
+    /// The same for the light of a picture's pixels, by a compute entry, in which a pixel's
+    /// footprint on the disk has a fixed size.
     ///
     /// # Errors
     /// As [`Stopwatch::new`].
@@ -217,7 +214,7 @@ impl Stopwatch {
             || began.elapsed() < effort.max_time && samples.len() < MAX_SAMPLES
         {
             samples.push(self.sample(gpu, runs)?);
-            // One run of a slow method on a slow device may take longer than everything else.
+            // One run of a slow method on a slow device may take longer than all planned samples.
             if began.elapsed() > MAX_OVERTIME * effort.max_time {
                 break;
             }

@@ -50,7 +50,6 @@ impl Circumstances {
     }
 
     /// What was measured and on what, for the caption of a plot.
-    #[must_use]
     pub fn about(&self) -> String {
         format!("{}, {}", self.size, self.adapter)
     }
@@ -64,7 +63,6 @@ impl Circumstances {
 }
 
 /// The day, as in 2026-02-28, of a time since the beginning of 1970, in universal time.
-#[must_use]
 pub fn date(since_1970: Duration) -> String {
     // Days are counted from 1 March of the year 0: a leap day then ends a year, and 153 days are
     // five months (Hinnant, "chrono-compatible low-level date algorithms", civil_from_days).

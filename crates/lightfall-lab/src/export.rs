@@ -6,7 +6,6 @@ use serde::Serialize;
 use std::fmt::Write;
 
 /// A report as CSV: the circumstances in lines that begin with `#`, a header, and one line per row.
-#[must_use]
 pub fn csv(circumstances: &Circumstances, rows: &[impl Serialize]) -> String {
     let mut text = String::new();
     for (name, value) in circumstances.lines() {
@@ -56,7 +55,6 @@ fn flatten(key: &str, value: &serde_json::Value, fields: &mut Vec<(String, Strin
 }
 
 /// A report as JSON. Infinite values and NaN become null.
-#[must_use]
 pub fn json(circumstances: &Circumstances, rows: &[impl Serialize]) -> String {
     let whole = serde_json::json!({ "circumstances": circumstances, "rows": rows });
     serde_json::to_string_pretty(&whole).unwrap_or_default() + "\n"

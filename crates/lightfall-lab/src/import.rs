@@ -32,14 +32,12 @@ impl Head {
     }
 
     /// The value with this name, if the report has one.
-    #[must_use]
     pub fn get(&self, name: &str) -> Option<&str> {
         self.0.get(name).map(String::as_str)
     }
 
     /// In what the report's conditions differ from these, in words. `None` if they are the same, so
     /// that its rows belong to a run under these.
-    #[must_use]
     pub fn difference(&self, circumstances: &Circumstances) -> Option<String> {
         circumstances.conditions().find_map(|(name, here)| {
             let there = self.get(name).unwrap_or("unknown");
@@ -48,7 +46,6 @@ impl Head {
     }
 
     /// The time of a run that only traces straight lines, in milliseconds, if the report has it.
-    #[must_use]
     pub fn floor_ms(&self) -> Option<f64> {
         let number = self.get("floor_ms")?.split(' ').next()?;
         number.parse().ok()

@@ -6,7 +6,6 @@ use lightfall_model::scene::{Method, Scene};
 /// closed form. Stepping methods are often wrong near the critical curve, and finding the turn that
 /// explains an error traces many more reference rays. The numbers are rounded measurements, which
 /// only decide how evenly a progress bar moves.
-#[must_use]
 pub fn ray_work(scene: &Scene) -> f64 {
     let by_method = match scene.method {
         Method::Verlet | Method::KerrSchild => 2.5,

@@ -1,7 +1,6 @@
 //! Numbers as text, for people.
 
 /// A number to two or three significant digits. NaN, which stands for a missing value, is empty.
-#[must_use]
 pub fn short_number(number: f64) -> String {
     match number {
         _ if number.is_nan() => String::new(),
@@ -16,14 +15,12 @@ pub fn short_number(number: f64) -> String {
 }
 
 /// A number of things, e.g. `1 ray` or `2 rays`.
-#[must_use]
 pub fn counted(number: usize, thing: &str) -> String {
     let plural = if number == 1 { "" } else { "s" };
     format!("{number} {thing}{plural}")
 }
 
 /// How many times as large one measured number is as another: to two significant digits, or whole.
-#[must_use]
 pub fn ratio(ratio: f64) -> String {
     let digits = match ratio {
         _ if ratio < 1.0 => 2,
@@ -38,7 +35,6 @@ const DIGITS: i32 = 4;
 
 /// A number with at most four significant digits, without zeros at its end, e.g. `20`, `1.12` or
 /// `0.3257`. For sentences.
-#[must_use]
 pub fn four_digits(number: f64) -> String {
     if number == 0.0 {
         "0".into()
@@ -51,7 +47,6 @@ pub fn four_digits(number: f64) -> String {
 
 /// A spin with at most four significant digits, or with all of them where it would be rounded to
 /// one, which no hole has.
-#[must_use]
 pub fn spin_digits(spin: f64) -> String {
     let digits = four_digits(spin);
     if digits.trim_start_matches('-') == "1" {
@@ -62,7 +57,6 @@ pub fn spin_digits(spin: f64) -> String {
 }
 
 /// As [`four_digits`], with at most three, for numbers of which the size alone counts.
-#[must_use]
 pub fn three_digits(number: f64) -> String {
     if number == 0.0 || !number.is_finite() {
         return four_digits(number);
@@ -73,7 +67,6 @@ pub fn three_digits(number: f64) -> String {
 
 /// A time in the unit that gives it the shortest number, with at most three digits, e.g. `2.82
 /// minutes`. Years are Julian years.
-#[must_use]
 pub fn duration_in_words(seconds: f64) -> String {
     const UNITS: [(f64, &str); 6] = [
         (365.25 * 86_400.0, "years"),
@@ -92,7 +85,6 @@ pub fn duration_in_words(seconds: f64) -> String {
 
 /// A number with four digits, zeros included, e.g. `20.00` or `0.912`. For read-outs that change
 /// while they are read: their width stays the same.
-#[must_use]
 pub fn steady_digits(number: f64) -> String {
     let size = number.abs();
     if !(size == 0.0 || (1e-3..1e6).contains(&size)) {
@@ -115,7 +107,6 @@ pub fn steady_digits(number: f64) -> String {
 /// A text with its numbers rounded to four significant digits. A number after a word for a lower
 /// limit, such as `above`, is rounded up, and after one for an upper limit down, so that the
 /// rounded limit is still allowed. Words that only contain digits stay as they are.
-#[must_use]
 pub fn with_short_numbers(text: &str) -> String {
     let mut side = Side::Nearest;
     let words = text.split_inclusive(' ').map(|word| {

@@ -4,7 +4,6 @@
 const STEP: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// Random bits of a place: those that the generator gives after this many steps from zero.
-#[must_use]
 pub fn bits(place: u64) -> u64 {
     mixed(place.wrapping_mul(STEP))
 }
@@ -22,13 +21,11 @@ pub struct Random(u64);
 
 impl Random {
     /// The sequence of a seed.
-    #[must_use]
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }
 
     /// The sequence that serves one purpose, begun at a random place of the generator's period.
-    #[must_use]
     pub fn of_purpose(purpose: u64) -> Self {
         Self(bits(purpose).wrapping_mul(STEP))
     }

@@ -63,19 +63,16 @@ macro_rules! words {
             ),+];
 
             /// How the variant is spelt and explained.
-            #[must_use]
             pub const fn choice(self) -> $crate::words::Choice {
                 Self::CHOICES[self as usize]
             }
 
             /// The variant's word, as presets, the command line and messages write it.
-            #[must_use]
             pub const fn word(self) -> &'static str {
                 self.choice().word
             }
 
             /// The variant with this word.
-            #[must_use]
             pub fn from_word(word: &str) -> Option<Self> {
                 Self::ALL.into_iter().find(|variant| variant.word() == word)
             }
@@ -108,7 +105,6 @@ macro_rules! words {
 }
 
 /// A doc comment as help. Documentation has a full stop, and a help text has none.
-#[must_use]
 pub const fn without_full_stop(doc: &'static str) -> &'static str {
     let text = doc.trim_ascii();
     match text.as_bytes() {

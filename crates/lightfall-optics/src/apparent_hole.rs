@@ -1,5 +1,5 @@
-//! Where the hole appears to a scene's camera, and how much of the picture it fills: what the
-//! window has to know so that nobody gets lost. Cheap enough for every frame.
+//! The hole as a scene's camera sees it: its direction, its size and its share of the picture. The
+//! window uses them to keep users from getting lost; they are cheap enough for every frame.
 
 use crate::camera_rays::CameraRays;
 use crate::readout::shadow;
@@ -12,7 +12,7 @@ use lightfall_model::geometry::observer::{ObserverError, observer_matrix};
 use lightfall_model::geometry::tetrad::{four_velocity, rotation_between, velocity_in_rain};
 use lightfall_model::scene::{ObserverKind, Scene};
 
-/// Rays across and down the picture that measure how much of it is dark.
+/// Rays across and down the picture that measure its dark share.
 const RAYS: [u32; 2] = [16, 9];
 
 /// The hole as a scene's camera sees it, with the scene's effects.
@@ -61,8 +61,8 @@ impl ApparentHole {
     }
 
     /// The black ball of a picture without lensing. For the ZAMO it is a circle about the inward
-    /// direction, with radial = cos(radius) energy / lapse on its edge. This is linear in (1, d), so
-    /// the ball is a circle for every observer: the edge of the cap where a + B.d > 0.
+    /// direction, with radial = cos(radius) energy / lapse on its edge. This is linear in (1, d),
+    /// so the ball is a circle for every observer: the edge of the cap where a + B.d > 0.
     fn without_lensing(kerr: Kerr, rays: &CameraRays, r: f64, theta: f64) -> Self {
         let sine = (kerr.horizon() / r).min(1.0);
         let cosine = ((1.0 - sine) * (1.0 + sine)).sqrt();
@@ -77,14 +77,12 @@ impl ApparentHole {
     }
 
     /// The direction toward the middle of the hole on the camera's own axes (right, up, forward).
-    #[must_use]
     pub fn from_camera(&self, scene: &Scene) -> DVec3 {
         scene.camera.tetrad_from_camera().transpose() * self.direction
     }
 
     /// Whether any part of the black disc is in the picture, to the accuracy of a twentieth of the
     /// picture's width.
-    #[must_use]
     pub fn is_in_picture(&self, scene: &Scene) -> bool {
         let middle = self.from_camera(scene);
         let middle_is_in = scene.camera.shows(middle, scene.picture.size().as_dvec2());

@@ -3,8 +3,8 @@
 //!
 //! Rays are traced in the disk's frame, in which the disk's plane is z = 0. Without tilt it is the
 //! hole's frame. Only disks around holes without spin are tilted; their gravity is the same in both
-//! frames, so that no tracing method needs to know of the tilt. What a ray's trace says about the sky
-//! is turned back to the hole's frame.
+//! frames, so tracing methods do not depend on the tilt. Directions of the sky are turned back to
+//! the hole's frame.
 
 use crate::shift::RestFrame;
 use glam::{DVec3, DVec4};
@@ -15,7 +15,7 @@ use lightfall_model::geometry::observer::{
 use lightfall_model::geometry::sphere::celestial_frame;
 use lightfall_model::scene::{ObserverKind, Scene};
 
-/// The map from a looking direction to the photon that arrives from there.
+/// The map from a looking direction to the photon that arrives from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraRays {
     /// The observer's matrix. Without aberration it is the matrix of the zero-angular-momentum
@@ -106,7 +106,6 @@ impl CameraRays {
 
     /// The photon that arrives from the unit looking direction `direction`, given on the observer's
     /// axes, per unit frequency for the camera.
-    #[must_use]
     pub fn photon(&self, direction: DVec3) -> Photon {
         let Photon { energy, radial, w } = self.expanded.photon(direction);
         let frequency = DVec4::from_array(self.frequency).dot(DVec4::from((1.0, direction)));
@@ -118,12 +117,11 @@ impl CameraRays {
     }
 }
 
-/// Components of a unit vector below this, which is a few roundings, are zero in the disk's frame: a
-/// camera in a tilted disk's plane, or on its axis, is there exactly.
+/// Components of a unit vector below this, which is a few roundings, are zero in the disk's frame:
+/// a camera in a tilted disk's plane, or on its axis, is there exactly.
 const ROUNDING: f64 = 1e-15;
 
 /// The unit vector from the hole to the scene's camera, in the disk's frame.
-#[must_use]
 pub fn camera_in_disk_frame(scene: &Scene) -> DVec3 {
     let n = scene.camera.direction();
     if !scene.disk.is_tilted() {

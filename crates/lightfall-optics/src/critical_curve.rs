@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 /// it is an even function of the spin.
 pub const NEGLIGIBLE_SPIN: f64 = 1e-4;
 
-/// An observer nearer to the axis than this, in radians, is treated as one at this angle.
+/// An observer closer to the axis than this, in radians, is moved to this angle.
 const MIN_AXIS_ANGLE: f64 = 1e-6;
 
 /// The edge of the shadow for the observer `rain` at one place, as a closed curve of directions on
@@ -29,7 +29,6 @@ pub struct CriticalCurve {
 
 impl CriticalCurve {
     /// The curve for `rain` at (`r`, `theta`, `phi`) (r_s, radians).
-    #[must_use]
     pub fn new(kerr: Kerr, r: f64, theta: f64, phi: f64) -> Self {
         let theta = theta.clamp(MIN_AXIS_ANGLE, PI - MIN_AXIS_ANGLE);
         let mut curve = Self {
@@ -49,7 +48,6 @@ impl CriticalCurve {
     ///
     /// Without spin the curve is a circle. With spin, light leaves the spherical photon orbit at p
     /// outward or inward: R(r) = (r - p)^2 (r^2 + 2 r p - a^2 Q/p^2) has a double root there.
-    #[must_use]
     pub fn at(&self, angle: f64) -> DVec3 {
         let [r, theta, phi] = self.place;
         if self.kerr.spin.abs() < NEGLIGIBLE_SPIN {
@@ -79,7 +77,8 @@ impl CriticalCurve {
 
     /// The light of the spherical photon orbit at radius p, for M = E = 1 (Teo 2003):
     ///
-    /// lambda = (p^2 (3 - p) - a^2 (p + 1)) / (a (p - 1)),   Q = p^3 (4 a^2 - p (p - 3)^2) / (a^2 (p
+    /// lambda = (p^2 (3 - p) - a^2 (p + 1)) / (a (p - 1)),   Q = p^3 (4 a^2 - p (p - 3)^2) / (a^2
+    /// (p
     /// - 1)^2).
     fn orbit(&self, p: f64) -> PhotonOrbit {
         let (a, below) = (self.kerr.spin, p - 1.0);
@@ -96,11 +95,10 @@ impl CriticalCurve {
 
 /// The light of a spherical photon orbit, in units of M.
 struct PhotonOrbit {
-    /// L/E.
     lambda: f64,
     /// a^2 Q/p^2, which R(r) contains.
     radial_rest: f64,
-    /// Theta = p_theta^2 at the observer; negative where the light does not come by.
+    /// Theta = p_theta^2 at the observer; negative where the light does not pass.
     polar_speed2: f64,
 }
 

@@ -11,7 +11,6 @@ pub const FACES: usize = 6;
 ///
 /// # Panics
 /// There is no such face.
-#[must_use]
 pub fn place(face: usize, u: f64, v: f64) -> DVec3 {
     let (s, t) = (2.0 * u - 1.0, 2.0 * v - 1.0);
     match face {
@@ -26,7 +25,6 @@ pub fn place(face: usize, u: f64, v: f64) -> DVec3 {
 }
 
 /// The face that a direction points to, and the place there: the inverse of [`place`].
-#[must_use]
 pub fn face_and_place(direction: DVec3) -> (usize, f64, f64) {
     let size = direction.abs();
     let DVec3 { x, y, z } = direction;
@@ -51,7 +49,6 @@ pub fn face_and_place(direction: DVec3) -> (usize, f64, f64) {
 }
 
 /// The number of the texel that a direction points to, in a cube map of `size` texels a side.
-#[must_use]
 pub fn texel(size: usize, direction: DVec3) -> usize {
     let (face, u, v) = face_and_place(direction);
     let index = |place: f64| ((place * size as f64) as usize).min(size - 1);
@@ -59,14 +56,12 @@ pub fn texel(size: usize, direction: DVec3) -> usize {
 }
 
 /// Face, column and row of a texel by its number.
-#[must_use]
 pub fn face_column_row(size: usize, texel: usize) -> (usize, usize, usize) {
     (texel / (size * size), texel % size, texel / size % size)
 }
 
 /// The solid angle in steradians of the texel in `column` and `row` of a face of `size` texels a
 /// side. The part of a face between its middle and (x, y) has atan(x y / sqrt(x^2 + y^2 + 1)).
-#[must_use]
 pub fn solid_angle(size: usize, column: usize, row: usize) -> f64 {
     let edge = |index: usize| 2.0 * index as f64 / size as f64 - 1.0;
     let corner = |x: f64, y: f64| (x * y).atan2((x * x + y * y + 1.0).sqrt());

@@ -1,4 +1,4 @@
-//! How long the light of a hit was under way, in f64. The twin in WGSL is shaders/delay/mino.wgsl.
+//! The travel time of the light of a hit, in f64. The twin in WGSL is shaders/delay/mino.wgsl.
 //!
 //! Along a backward ray in Mino time, dt/dtau = (1/u^2 + a^2) W/D + a L - a^2 E (1 - n_z^2) with
 //! W = E + (a^2 E - a L) u^2 and D = 1 - u + a^2 u^2 (Carter 1968; Misner, Thorne & Wheeler 1973
@@ -25,16 +25,15 @@ use lightfall_model::geometry::quadrature::integral_on_scale;
 pub struct Lag<'a> {
     kerr: Kerr,
     constants: &'a PhotonConstants,
-    /// r* where the first leg starts, until the first step says whether that leg leads outward.
-    /// Inside the horizon it is zero: the ingoing time there contains it.
+    /// r* at the start of the first leg, until the first step tells whether that leg leads outward.
+    /// Zero inside the horizon, where the ingoing time contains it.
     start: f64,
-    /// What the steps so far contribute, without r* at the end of the present leg.
+    /// The sum over the steps so far, without r* at the end of the present leg.
     sum: f64,
 }
 
 impl HoleAndDisk {
     /// As [`trace`](Self::trace), with the hits' [lags](Lag) in place of their delays.
-    #[must_use]
     pub fn trace_with_lags(&self, constants: &PhotonConstants, start: PhotonState) -> Trace {
         let mut lag = Lag::new(self.kerr, constants, &start);
         let (mut lags, mut found) = ([None; 2], 0);
@@ -56,7 +55,6 @@ impl HoleAndDisk {
 
 impl<'a> Lag<'a> {
     /// Begins at the camera.
-    #[must_use]
     pub fn new(kerr: Kerr, constants: &'a PhotonConstants, start: &PhotonState) -> Self {
         let outside = start.u < 1.0 / kerr.horizon();
         Self {
@@ -78,7 +76,6 @@ impl<'a> Lag<'a> {
     }
 
     /// The lag after the Mino time `time` of the ray's next step.
-    #[must_use]
     pub fn at(&self, step: &Step, time: f64) -> f64 {
         let (sum, outward) = self.until(step, time);
         sum + outward * self.tortoise(step.expansion, time)

@@ -13,14 +13,12 @@ use std::f64::consts::TAU;
 
 /// The disk's inner edge, in r_s: `disk.inner`, or the innermost stable circular orbit where that
 /// lies farther out or `disk.follow_isco` asks for it.
-#[must_use]
 pub fn inner_edge(scene: &Scene) -> f64 {
     scene.inner_edge()
 }
 
-/// How long an orbit at the disk's inner edge takes, in r_s/c of Boyer-Lindquist's time: that of a
-/// clock far away.
-#[must_use]
+/// The period of an orbit at the disk's inner edge, in r_s/c of Boyer-Lindquist's time: that of a
+/// distant clock.
 pub fn inner_period(scene: &Scene) -> Option<f64> {
     let kerr = Kerr {
         spin: scene.hole.spin,
@@ -40,7 +38,6 @@ pub enum Profile {
 
 impl Profile {
     /// The profile of the scene's model, spin and inner edge.
-    #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let inner = inner_edge(scene);
         match scene.disk.model {
@@ -51,7 +48,6 @@ impl Profile {
 
     /// Relative bolometric flux at radius `r`, in the frame of the matter; zero inside the inner
     /// edge. Both profiles peak at [`NEWTONIAN_PEAK`].
-    #[must_use]
     pub fn flux(&self, r: f64) -> f64 {
         match self {
             Self::Newtonian(inner) => newtonian_flux(r, *inner),
@@ -66,11 +62,10 @@ const STANDARD_EDGE: f64 = 3.0;
 
 /// The scene's disk, with the temperature scale and the brightness for the flux of its profile.
 ///
-/// A profile's peak has a fixed height. At a fixed accretion rate it is the flux far out that does
-/// not depend on the edge: F -> const/r^3, so that the profile (r_in/r)^3 (1 - ...) has to be
-/// multiplied by (3/r_in)^3, and by Page & Thorne's own flux per rate over the scaled one. T goes
-/// with the fourth root.
-#[must_use]
+/// A profile's peak has a fixed height, but at a fixed accretion rate the flux far out, F ->
+/// const/r^3, does not depend on the edge. So the profile (r_in/r)^3 (1 - ...) is multiplied by
+/// (3/r_in)^3, and by Page & Thorne's own flux per rate over the scaled one. T goes with the fourth
+/// root.
 pub fn lit(scene: &Scene) -> Disk {
     let mut disk = scene.disk;
     if disk.keep_accretion {
@@ -87,14 +82,12 @@ pub fn lit(scene: &Scene) -> Disk {
 
 /// Temperature, in kelvin and in the frame of the matter, where the relative flux is `flux`: T =
 /// temperature_k F^(1/4), by the Stefan-Boltzmann law.
-#[must_use]
 pub fn temperature(disk: &Disk, flux: f64) -> f64 {
     disk.temperature_k * flux.powf(0.25)
 }
 
-/// How much of the disk there is at radius `r`, from 0 to 1: emission and opacity fade together at
-/// both edges. The twin in WGSL is `disk_cover` in shaders/disk/emission.wgsl.
-#[must_use]
+/// The disk's coverage at radius `r`, from 0 to 1: emission and opacity fade together at both
+/// edges. The twin in WGSL is `disk_cover` in shaders/disk/emission.wgsl.
 pub fn cover(scene: &Scene, r: f64) -> f64 {
     let (inner, disk) = (inner_edge(scene), &scene.disk);
     let fade = |depth: f64, edge: f64| {
@@ -105,7 +98,6 @@ pub fn cover(scene: &Scene, r: f64) -> f64 {
 }
 
 /// Share of the light from behind that passes through the disk at radius `r`.
-#[must_use]
 pub fn transmission(scene: &Scene, r: f64) -> f64 {
     1.0 - (1.0 - scene.disk.transmission) * cover(scene, r)
 }
@@ -116,7 +108,6 @@ pub fn transmission(scene: &Scene, r: f64) -> f64 {
 ///
 /// The article's 1 + Omega L_n is the same number, since its L_n belongs to the backward ray and is
 /// -lambda.
-#[must_use]
 pub fn redshift(orbit: &CircularOrbit, energy: f64, angular_momentum: f64) -> f64 {
     1.0 / (orbit.u_t * (energy - orbit.angular_velocity * angular_momentum))
 }

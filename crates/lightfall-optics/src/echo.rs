@@ -1,4 +1,5 @@
-//! The light echo: where a scene's camera sees the hot spot now, and when that light left it.
+//! The light echo: the images of the hot spot that a scene's camera sees now, and the times of
+//! their emission.
 //!
 //! Light goes around the hole, so the camera sees a spot again and again: directly, then by light
 //! that has swept more than a half-turn about the hole, then more than a whole turn, and so on.
@@ -7,9 +8,9 @@
 //! crossing.
 //!
 //! Two numbers give a ray: its angle from the direction of the hole, and the azimuth of the line in
-//! which its plane would meet the disk's plane if light were not dragged along. A larger angle
-//! moves the crossing outward, and another azimuth turns it about the axis. So two nested searches
-//! for a root find the ray, without a first guess and at any spin.
+//! which its plane would meet the disk's plane without frame dragging. A larger angle moves the
+//! crossing outward, and another azimuth turns it about the axis. So two nested root searches find
+//! the ray, without a first guess and at any spin.
 
 use crate::camera_rays::{CameraRays, camera_in_disk_frame};
 use crate::delay::Lag;
@@ -27,8 +28,8 @@ use lightfall_model::geometry::sphere::wrap_angle;
 use lightfall_model::scene::Scene;
 use std::f64::consts::PI;
 
-/// Number of images to find. Next to the shadow's edge each is e^pi = 23 times as thin as the one
-/// before.
+/// Number of images to find. Next to the shadow's edge each is e^pi = 23 times as thin as the
+/// previous one.
 pub const ORDERS: u32 = 3;
 
 /// Largest errors: of an azimuth, in radians, and of 1 - r_s/r.
@@ -37,13 +38,13 @@ const RADIUS_TOLERANCE: f64 = 1e-13;
 /// Step of the search for an azimuth, in radians. For a camera close to the disk's plane the
 /// crossing turns by up to ten times as much.
 const STEP: f64 = 0.2;
-/// Most steps for either root. Both take some ten of them.
+/// Maximum number of steps for either root. Both take about ten.
 const MAX_STEPS: u32 = 100;
 
 /// An image of the hot spot's middle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Image {
-    /// How many whole half-turns about the hole its light has swept.
+    /// The number of whole half-turns about the hole that its light has swept.
     pub order: u32,
     /// Where it is seen: a unit vector on the observer's axes.
     pub direction: DVec3,
@@ -59,9 +60,8 @@ pub struct Image {
 /// The images of the scene's hot spot at its `disk.time`, in the order of their numbers. An image
 /// that does not exist is left out. There are none at all if the scene has no spot, if the camera
 /// is in the disk's plane and would see the spot from its edge, or if it is at or inside the
-/// horizon. Whether a picture shows an image is not considered: something may lie in front of it,
-/// and pictures show two crossings of the disk only, of which an image of order 2 around a spinning
-/// hole may be the third.
+/// horizon. An image may not be visible: something may lie in front of it, and pictures show only
+/// two crossings of the disk, while an image of order 2 around a spinning hole may be the third.
 ///
 /// # Errors
 /// If the scene's observer cannot exist.
@@ -121,9 +121,9 @@ struct Search {
 
 /// Where a ray crosses the disk's plane.
 enum Crossing {
-    /// None, as the ray is captured before. It counts as inside the horizon.
+    /// The ray is captured first. This counts as inside the horizon.
     Captured,
-    /// None, as the ray escapes before. It counts as beyond infinity.
+    /// The ray escapes first. This counts as beyond infinity.
     Escaped,
     At(Hit),
     Unknown,
@@ -142,8 +142,8 @@ impl Search {
     /// The photon of an image, up to a factor.
     fn image(&self, order: u32) -> Option<Photon> {
         let photon = |node: f64| Some(self.photon(order, node, self.angle(order, node)?));
-        // By how much the crossing of the spot's orbit is ahead of the spot, as seen now. It grows
-        // with the node: the spot moves more slowly than light.
+        // The lead of the crossing of the spot's orbit over the spot, as seen now. It grows with
+        // the node, because the spot moves more slowly than light.
         let ahead = |node: f64| {
             let hit = self.crossing(&photon(node)?, order, true).hit()?;
             Some(wrap_angle(
@@ -167,8 +167,8 @@ impl Search {
     }
 
     /// The photon whose backward ray leaves at this angle from the direction of the hole, and would
-    /// cross the disk's plane at azimuth `node` if nothing were dragged along: on that side first,
-    /// and for an odd order on the other side.
+    /// cross the disk's plane at azimuth `node` without frame dragging: on that side first, and for
+    /// an odd order on the other side.
     fn photon(&self, order: u32, node: f64, angle: f64) -> Photon {
         let (sin_node, cos_node) = node.sin_cos();
         let toward = DVec3::new(cos_node, sin_node, 0.0).reject_from_normalized(self.n);
@@ -213,7 +213,7 @@ impl Search {
             }
         });
         match (found, trace.outcome) {
-            // Inside the photon orbit no matter can orbit, and the spot is farther out.
+            // No matter orbits inside the photon orbit; the spot is farther out.
             (Some((state, delay)), _) => match self.hole.hit(&constants, &state) {
                 Some(hit) => Crossing::At(Hit { delay, ..hit }),
                 None => Crossing::Captured,
@@ -224,7 +224,6 @@ impl Search {
         }
     }
 
-    /// L/E.
     fn lambda(&self, photon: &Photon) -> f64 {
         self.r * self.n.cross(photon.w).z / photon.energy
     }

@@ -1,9 +1,9 @@
 //! A light meter: chooses the exposure for the light that a scene's camera sees, with a few rays.
 //!
-//! The exposure makes the mean level of the screen over the disk a fixed one. Levels end at white,
-//! so a small part of the disk that is a thousand times as bright as the rest counts as white and
-//! leaves the rest visible. The sky counts a little, so that the exposure changes smoothly when the
-//! disk leaves the picture.
+//! The exposure makes the mean level of the screen over the disk a fixed one. Levels saturate at
+//! white, so a small part of the disk that is a thousand times brighter than the rest counts as
+//! white and leaves the rest visible. The sky counts a little, so that the exposure changes
+//! smoothly when the disk leaves the picture.
 
 use crate::limb::Limb;
 use crate::photometry::DISK_HDR_SCALE;
@@ -15,11 +15,10 @@ use glam::{DVec2, DVec3};
 use lightfall_model::geometry::observer::{ObserverError, Photon};
 use lightfall_model::scene::{Effects, Scene, SkyMode};
 
-/// Rays over the picture.
 const RAYS: u32 = 320;
 /// The places of the rays in the picture are multiples of these numbers, less whole pictures: an
 /// even distribution without rows and columns (Roberts 2018, "The Unreasonable Effectiveness of
-/// Quasirandom Sequences"). So an edge passes the rays one by one.
+/// Quasirandom Sequences"), so a moving edge passes the rays one by one.
 const RAY_SPACING: DVec2 = DVec2::new(0.754_877_666_246_692_7, 0.569_840_290_998_053_3);
 /// Mean level of the screen over the disk, from 0 for black to 1 for white.
 const TARGET_LEVEL: f64 = 0.56;
@@ -30,12 +29,12 @@ const SKY_TEMPERATURE: f64 = 6500.0;
 const SKY_EXPOSURE: f64 = 1.2;
 /// The exposures that the meter chooses. A longer one would turn the sky white.
 const RANGE: [f64; 2] = [-12.0, 7.0];
-/// Halvings of that range, and the fraction of a power of two that the result is rounded to.
+/// Halvings of that range, and the fraction of a power of two to which the result is rounded.
 const HALVINGS: u32 = 16;
 const PARTS: f64 = 1000.0;
 
-/// How far the exposure of a scene without some effects may be from its own, in powers of two: no
-/// switch turns the picture black or white.
+/// The largest change of the exposure by effects that are switched off, in powers of two: no switch
+/// turns the picture black or white.
 const MAX_SWITCHED: f64 = 1.5;
 
 /// Light that the meter sees.
@@ -47,7 +46,6 @@ struct Sample {
 
 /// The scene with the exposure that its light meter chooses, if the scene has automatic exposure
 /// and the meter sees any light; else the scene as it is.
-#[must_use]
 pub fn exposed(scene: &Scene) -> Scene {
     let mut exposed = scene.clone();
     if scene.picture.automatic_exposure
@@ -61,7 +59,7 @@ pub fn exposed(scene: &Scene) -> Scene {
 /// The exposure, in powers of two, for the light that the scene's camera sees, with the scene's
 /// bias. It does not depend on the scene's own exposure. Effects that are switched off count as on,
 /// so that a switch shows what it changes; this moves the exposure by no more than 1.5 powers of
-/// two. `None` where the meter sees nothing shine, and in views whose colours are the same at every
+/// two. `None` if the meter sees no light, and in views whose colours do not depend on the
 /// exposure.
 ///
 /// # Errors
@@ -87,7 +85,6 @@ fn meter(scene: &Scene) -> Result<Option<f64>, ObserverError> {
         .or(own))
 }
 
-/// The exposure for the scene as it is.
 fn measure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
     if !scene.view.shows_light() {
         return Ok(None);
@@ -127,7 +124,7 @@ fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
     let lit = disk::lit(scene);
     let axes = scene.camera.tetrad_from_camera();
     let size = scene.picture.size().as_dvec2();
-    // Light of an unshifted sky that alone would ask for SKY_EXPOSURE.
+    // Light of an unshifted sky that alone would give SKY_EXPOSURE.
     let sky_light = linear(TARGET_LEVEL) / SKY_EXPOSURE.exp2() * scene.sky.brightness;
     let beaming = |g: f64| {
         if scene.effects.beaming {

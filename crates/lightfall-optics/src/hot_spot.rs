@@ -1,5 +1,5 @@
-//! A hot spot in the disk: where it is at a time, and by how much it raises the flux. The twin in
-//! WGSL is shaders/disk/hot_spot/spot.wgsl.
+//! A hot spot in the disk: its place at a time, and its effect on the flux. The twin in WGSL is
+//! shaders/disk/hot_spot/spot.wgsl.
 
 use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::geometry::sphere::wrap_angle;
@@ -8,11 +8,10 @@ use std::f64::consts::{PI, TAU};
 
 /// The finest structure of a sheared spot, as a share of the radius.
 ///
-/// A sheared spot becomes an arc that winds up without end and gets ever thinner. In a real disk
-/// turbulence mixes the arc's windings once they are thin. Nor could a picture show them, or f32
-/// place them. So orbits within this share of the radius are mixed: the arc never gets thinner, its
-/// windings fade into each other, and after some ten orbits a ring is left, with the light that the
-/// spot spread along every orbit. The mean along each orbit stays what it was.
+/// A sheared spot becomes an arc that winds up and gets ever thinner. In a real disk turbulence
+/// mixes thin windings, and neither a picture nor f32 could resolve them. So orbits within this
+/// share of the radius are mixed: the arc gets no thinner, its windings fade into each other, and
+/// after some ten orbits a ring is left. The mean along each orbit does not change.
 pub const FINEST_SHEARED: f64 = 0.02;
 
 /// The scene's hot spot.
@@ -25,7 +24,6 @@ pub struct HotSpot {
 
 impl HotSpot {
     /// The scene's hot spot; `None` if it has none, or if no matter can orbit there.
-    #[must_use]
     pub fn new(scene: &Scene) -> Option<Self> {
         let kerr = Kerr {
             spin: scene.hole.spin,
@@ -42,33 +40,29 @@ impl HotSpot {
     }
 
     /// Radius of the spot's middle, in r_s.
-    #[must_use]
     pub fn r(&self) -> f64 {
         self.spot.r
     }
 
     /// Angular velocity of the spot's middle, in radians per r_s/c.
-    #[must_use]
     pub fn angular_velocity(&self) -> f64 {
         self.angular_velocity
     }
 
-    /// How long the spot's middle takes for one turn, in r_s/c.
-    #[must_use]
+    /// The period of the spot's middle, in r_s/c.
     pub fn period(&self) -> f64 {
         TAU / self.angular_velocity
     }
 
     /// Boyer-Lindquist azimuth of the spot's middle at the Boyer-Lindquist time `t` (r_s/c), in
     /// (-pi, pi].
-    #[must_use]
     pub fn azimuth(&self, t: f64) -> f64 {
         let turned = self.angular_velocity * (t - self.spot.time);
         wrap_angle(self.spot.phi_deg.to_radians() + turned)
     }
 
-    /// The factor by which the flux of matter at the place (`r`, `phi`) exceeds that of the disk
-    /// alone, at the time `t` (r_s/c):
+    /// The ratio of the flux of matter at (`r`, `phi`) to that of the disk alone, at the time `t`
+    /// (r_s/c):
     ///
     /// 1 + strength exp(-(t - t_s)^2 / (2 d^2)) exp(-x^2 / (2 w^2)) exp(-psi^2 / (2 w^2)),
     /// x = ln(r / r_s), psi = phi - phi_s - Omega (t - t_s) less whole turns,
@@ -76,7 +70,6 @@ impl HotSpot {
     /// with Omega of the spot's middle. A sheared spot has Omega(r) instead, averaged over orbits
     /// within [`FINEST_SHEARED`]: the last factor is then a Gaussian with the variance v = w^2 +
     /// (`FINEST_SHEARED` (t - t_s) dOmega/dx)^2 and the height w / sqrt(v), summed over all turns.
-    #[must_use]
     pub fn factor(&self, r: f64, phi: f64, t: f64) -> f64 {
         let scene::HotSpot { size, duration, .. } = self.spot;
         let since = t - self.spot.time;

@@ -1,5 +1,5 @@
-//! Limb darkening: how the brightness of the disk's surface depends on the angle at which the light
-//! leaves it. The twin in WGSL is shaders/disk/limb/electron_scattering.wgsl.
+//! Limb darkening: the brightness of the disk's surface as a function of the angle of emission. The
+//! twin in WGSL is shaders/disk/limb/electron_scattering.wgsl.
 
 use crate::camera_rays::camera_in_disk_frame;
 use crate::shift::{RestFrame, Shift};
@@ -10,13 +10,12 @@ use lightfall_model::geometry::observer::Photon;
 use lightfall_model::scene::{LimbDarkening, Scene};
 use std::f64::consts::FRAC_PI_2;
 
-/// Intensity over its mean, which is flux/pi, of an atmosphere that scatters light on electrons, as
-/// a function of the cosine `mu` of the angle between the light and the normal.
+/// Intensity of an electron-scattering atmosphere over its mean, flux/pi, as a function of the
+/// cosine `mu` of the angle between the light and the normal.
 ///
 /// It is a fit to Chandrasekhar 1960, table XXIV, within 0.25 % of the table. The usual fit,
-/// 0.41441 (1 + 2.06 mu), is off by up to 4.8 %, and by 1.6 % in the flux. Here the flux is exact:
-/// the integral of 2 mu times this from 0 to 1 is 0.41344 + (4/5) 0.1137 + (2/3) 0.7434 = 1.
-#[must_use]
+/// 0.41441 (1 + 2.06 mu), is wrong by up to 4.8 %, and by 1.6 % in the flux. Here the flux is
+/// exact: the integral of 2 mu times this from 0 to 1 is 0.41344 + (4/5) 0.1137 + (2/3) 0.7434 = 1.
 pub fn electron_scattering(mu: f64) -> f64 {
     0.413_44 + 0.1137 * mu.sqrt() + 0.7434 * mu
 }
@@ -34,7 +33,6 @@ pub struct Limb {
 
 impl Limb {
     /// The limb darkening of the scene's disk.
-    #[must_use]
     pub fn new(scene: &Scene) -> Self {
         Self {
             law: scene.disk.limb,
@@ -48,9 +46,8 @@ impl Limb {
         }
     }
 
-    /// The factor by which the intensity of light from the disk at `r` exceeds the mean of all
-    /// directions, `photon` being that light at the camera.
-    #[must_use]
+    /// The ratio of the intensity of light from the disk at `r`, which is `photon` at the camera,
+    /// to the mean of all directions.
     pub fn factor(&self, photon: &Photon, r: f64) -> f64 {
         match self.law {
             LimbDarkening::None => 1.0,
@@ -67,7 +64,6 @@ impl Limb {
     /// On straight rays sqrt(Q) is the light's momentum along the normal for the observer with zero
     /// angular momentum (ZAMO) at the camera. That of the ZAMO at the disk is larger by the ratio
     /// of their lapses, and the matter moves along the disk, which does not change it.
-    #[must_use]
     pub fn cosine(&self, photon: &Photon, r: f64) -> Option<f64> {
         let orbit = self.kerr.circular_orbit(r)?;
         let j = self.camera_r * self.n.cross(photon.w);

@@ -13,13 +13,11 @@ use lightfall_model::geometry::observer::Photon;
 use lightfall_model::geometry::quadrature::integral;
 use std::f64::consts::PI;
 
-/// Number of points drawn per step.
 const POINTS_PER_STEP: usize = 24;
 /// The path of a captured ray ends at this distance from the horizon, as a share of the horizon's
 /// radius, because azimuths diverge at the horizon.
 const HORIZON_MARGIN: f64 = 0.02;
-/// Maximum number of points of a path. The path of a ray that winds about the hole for ever is cut
-/// off.
+/// Maximum number of points of a path. The path of a ray that winds forever is cut off.
 const MAX_POINTS: usize = 4000;
 /// An angle that exceeds a whole number of half-turns by less than this, in radians, counts as that
 /// number exactly: a camera in the disk's plane sees the disk after whole half-turns, and rounding
@@ -30,8 +28,8 @@ const HALF_TURN_TOLERANCE: f64 = 1e-5;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
     /// Points along the backward ray, from the camera on, in r_s: r times the unit vector toward
-    /// Boyer-Lindquist theta, phi of the disk's frame. For a camera at or inside the horizon phi is Kerr's ingoing
-    /// azimuth.
+    /// Boyer-Lindquist theta, phi of the disk's frame. For a camera at or inside the horizon phi is
+    /// Kerr's ingoing azimuth.
     pub points: Vec<DVec3>,
     /// Smallest r of the ray, in r_s; the horizon's radius for a captured ray.
     pub closest_r: f64,
@@ -55,7 +53,6 @@ pub struct Invariants {
 impl Path {
     /// Traces the ray that arrives from the unit direction `direction`, given on the observer's
     /// axes, with its delays, and follows its path out to the radius `max_r` (r_s).
-    #[must_use]
     pub fn of(reference: &Reference, direction: DVec3, max_r: f64) -> (Trace, Self) {
         let trace = reference.trace_with_delays(direction);
         let photon = reference.photon(direction.normalize());
@@ -71,7 +68,6 @@ impl Path {
 
     /// Order of the image: the number of whole half-turns about the hole in the swept angle. `None`
     /// where nothing is seen.
-    #[must_use]
     pub fn order(&self, trace: &Trace) -> Option<u32> {
         let seen = trace.outcome == Outcome::Sky || trace.hits[0].is_some();
         seen.then(|| ((self.swept_angle - HALF_TURN_TOLERANCE) / PI).max(0.0) as u32)
@@ -112,7 +108,7 @@ fn lensed_path(
     path
 }
 
-/// Points along a ray to its end. The trace may end earlier, as soon as its outcome is certain.
+/// Points along a ray to its end. The trace may end earlier, when its outcome is certain.
 fn points(
     hole_and_disk: HoleAndDisk,
     constants: &PhotonConstants,
@@ -121,8 +117,8 @@ fn points(
 ) -> Vec<DVec3> {
     let u_end = (1.0 - HORIZON_MARGIN) / hole_and_disk.kerr.horizon();
     // A path that begins inside the horizon, or next to it, ends there only after it has been
-    // outside. Light that comes from the horizon's other branch was never outside, and its path
-    // ends at that branch.
+    // outside. Light through the horizon's other branch has not been outside, and its path ends at
+    // that branch.
     let mut outside = start.u < u_end;
     let u_horizon = 1.0 / hole_and_disk.kerr.horizon();
     let stays_inside = constants.stays_inside(&start, u_horizon);

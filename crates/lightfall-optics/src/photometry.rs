@@ -30,7 +30,6 @@ pub struct RingLight {
 impl DiskRing {
     /// Ring `index` of `count`, counted from the inner edge. The area is zero where the disk's
     /// outer edge lies inside its inner one.
-    #[must_use]
     pub fn new(scene: &Scene, index: usize, count: usize) -> Self {
         let inner = disk::inner_edge(scene);
         let edge =
@@ -45,7 +44,6 @@ impl DiskRing {
     /// The ring's light with the flux at its mean radius, without any shift.
     ///
     /// A Lambertian face of radiance B and area A emits the power pi B A.
-    #[must_use]
     pub fn light(&self, scene: &Scene) -> RingLight {
         let flux = disk::Profile::new(scene).flux(self.radius);
         let lit = disk::lit(scene);

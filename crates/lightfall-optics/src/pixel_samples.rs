@@ -1,7 +1,7 @@
-//! Where the rays of averaged frames go through their pixels: Sobol's sequence in two dimensions
-//! (1967), scrambled as Owen (1995) describes. Every run of 2^k places that begins at a multiple of
-//! 2^k has one place in each of 2^k boxes of equal area, whatever their shape, so a mean over it errs
-//! far less than one over random places.
+//! The places of the rays of averaged frames in their pixels: Sobol's sequence in two dimensions
+//! (1967), scrambled after Owen (1995). Every run of 2^k places that begins at a multiple of 2^k
+//! has one place in each of 2^k boxes of equal area, whatever their shape, so its mean is much more
+//! accurate than that over random places.
 
 use glam::DVec2;
 use lightfall_model::random::bits;
@@ -9,9 +9,8 @@ use lightfall_model::random::bits;
 /// The middle of a pixel, as a share of its side in units of 2^-32.
 const MIDDLE: u32 = 1 << 31;
 
-/// The place of the frame of this number within each pixel, from the pixel's middle, in pixels: from
-/// -1/2 to 1/2. That of frame 0 is the middle.
-#[must_use]
+/// The place of the frame of this number within each pixel, from the pixel's middle, in pixels:
+/// from -1/2 to 1/2. That of frame 0 is the middle.
 pub fn pixel_offset(frame: u32) -> DVec2 {
     let along = |axis: u64, place: fn(u32) -> u32| {
         // Flipping the same digits of every place keeps one place in each box.
@@ -26,8 +25,8 @@ fn van_der_corput(number: u32) -> u32 {
     number.reverse_bits()
 }
 
-/// The second axis: Sobol's sequence of the polynomial x + 1, whose direction numbers are the rows of
-/// Pascal's triangle modulo 2.
+/// The second axis: Sobol's sequence of the polynomial x + 1, whose direction numbers are the rows
+/// of Pascal's triangle modulo 2.
 fn sobol(number: u32) -> u32 {
     let mut direction = MIDDLE;
     let mut place = 0;

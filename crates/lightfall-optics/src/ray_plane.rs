@@ -2,7 +2,7 @@
 //! about the hole, the directions of the light at both ends, and the angle between them.
 //!
 //! Without spin every ray lies in a plane through the hole, the camera and the looking direction,
-//! and this is the ray in that plane. With spin it is no plane curve; r against the angle swept
+//! and this is the ray in that plane. With spin it is not a plane curve; r against the angle swept
 //! along it is then the curve unrolled into a plane.
 
 use crate::path::Path;
@@ -32,11 +32,11 @@ pub struct RayPlane {
     /// Polar angle of the source at infinity, in radians, counted along the path: more than a full
     /// turn for a ray that winds. `None` unless light from the sky arrives without a hit.
     pub source: Option<f64>,
-    /// The disk's hits: how many points of the path come before, and the place.
+    /// The disk's hits: the number of points of the path before each, and its place.
     pub hits: [Option<(usize, DVec2)>; 2],
-    /// Where the path is nearest to the hole between its ends. `None` if it is nearest at an end.
+    /// The point of the path nearest to the hole. `None` if that is an end.
     pub closest: Option<DVec2>,
-    /// Where the disk's plane cuts this one. `None` with spin.
+    /// The intersection with the disk's plane. `None` with spin.
     pub disk: Option<DiskSection>,
     /// The angle, in radians, by which gravity turns the light on its way from infinity to the
     /// camera: from the direction in which it comes in at infinity to the one in which the observer
@@ -59,7 +59,6 @@ pub enum DiskSection {
 impl RayPlane {
     /// The ray of `scene` that arrives from the unit direction `direction`, given on the observer's
     /// axes, with its trace and its path.
-    #[must_use]
     pub fn of(
         scene: &Scene,
         reference: &Reference,

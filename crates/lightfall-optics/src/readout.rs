@@ -57,8 +57,8 @@ pub struct Readout {
 pub struct HotSpotReadout {
     /// How long it takes for one turn, in r_s/c.
     pub period: f64,
-    /// How long the light of its images of order 0, 1 and 2 was under way, in r_s/c; `None` for an
-    /// image that is not known.
+    /// The delays of its images of order 0, 1 and 2, in r_s/c; `None` for an image that is not
+    /// known.
     pub delays: [Option<f64>; ORDERS as usize],
 }
 

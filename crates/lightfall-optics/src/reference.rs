@@ -85,17 +85,15 @@ impl Reference {
 
     /// Follows the ray that arrives from `direction`, given on the observer's axes and of any
     /// length. For a direction that is zero or not finite the outcome is `Unfinished` and the
-    /// residual NaN. Delays are left out, but for those of straight rays, which cost nothing.
-    #[must_use]
+    /// residual NaN. Only straight rays, where they cost nothing, have delays.
     pub fn trace(&self, direction: DVec3) -> Trace {
         self.trace_by(direction, HoleAndDisk::trace)
     }
 
     /// As [`trace`](Self::trace), with the hits' delays if the camera is outside the horizon.
-    #[must_use]
     pub fn trace_with_delays(&self, direction: DVec3) -> Trace {
         let mut trace = self.trace_with_lags(direction);
-        // `Lag` compares in the same way, so that rounding cannot make the two disagree.
+        // `Lag` makes the same comparison, so rounding cannot make the two disagree.
         if 1.0 / self.r >= 1.0 / self.hole_and_disk.kerr.horizon() {
             for hit in trace.hits.iter_mut().flatten() {
                 hit.delay = None;
@@ -106,7 +104,6 @@ impl Reference {
 
     /// As [`trace`](Self::trace), with the hits' [lags](crate::delay::Lag) in place of
     /// their delays, wherever the camera is. Outside the horizon both are the same.
-    #[must_use]
     pub fn trace_with_lags(&self, direction: DVec3) -> Trace {
         self.trace_by(direction, HoleAndDisk::trace_with_lags)
     }
@@ -128,9 +125,8 @@ impl Reference {
         self.trace_photon_by(&self.photon(direction), lensed)
     }
 
-    /// Follows the backward ray of a photon at the camera, as [`trace`](Self::trace) follows that of
-    /// a direction.
-    #[must_use]
+    /// Follows the backward ray of a photon at the camera, as [`trace`](Self::trace) follows that
+    /// of a direction.
     pub fn trace_photon(&self, photon: &Photon) -> Trace {
         self.trace_photon_by(photon, HoleAndDisk::trace)
     }
@@ -159,33 +155,28 @@ impl Reference {
     }
 
     /// The photon that arrives from a unit direction, in the disk's frame.
-    #[must_use]
     pub fn photon(&self, direction: DVec3) -> Photon {
         self.camera_rays.photon(direction)
     }
 
-    /// The unit direction, on the observer's axes, from which a photon in the disk's frame arrives. `None`
-    /// if the observer measures no frequency.
-    #[must_use]
+    /// The unit direction, on the observer's axes, from which a photon in the disk's frame arrives.
+    /// `None` if the observer measures no frequency.
     pub fn direction_of(&self, photon: &Photon) -> Option<DVec3> {
         self.camera_rays.matrix.direction_of(photon, self.n)
     }
 
     /// The hole and the disk.
-    #[must_use]
     pub fn hole_and_disk(&self) -> HoleAndDisk {
         self.hole_and_disk
     }
 
     /// The camera's place: its radius, in r_s, and its unit vector on the celestial sphere of the
     /// disk's frame.
-    #[must_use]
     pub fn camera(&self) -> (f64, DVec3) {
         (self.r, self.n)
     }
 
     /// Whether light is bent.
-    #[must_use]
     pub fn lensing(&self) -> bool {
         self.lensing
     }
@@ -193,7 +184,6 @@ impl Reference {
 
 impl HoleAndDisk {
     /// Follows the backward ray with these constants from `start` to its end.
-    #[must_use]
     pub fn trace(&self, constants: &PhotonConstants, start: PhotonState) -> Trace {
         self.follow(constants, start, |_| {})
     }

@@ -43,7 +43,6 @@ pub struct RestFrame {
 
 impl RestFrame {
     /// The frame at (`r`, `theta`) (r_s, radians).
-    #[must_use]
     pub fn at(kerr: Kerr, r: f64, theta: f64) -> Self {
         let (sin, cos) = polar_sin_cos(theta);
         let (sigma, area) = (kerr.sigma(r, cos), kerr.area(r, (sin, cos)));
@@ -68,7 +67,6 @@ impl RestFrame {
 
 impl Shift {
     /// The shifts of this scene's light.
-    #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let kerr = Kerr {
             spin: scene.hole.spin,
@@ -86,19 +84,16 @@ impl Shift {
     }
 
     /// The frame at the camera.
-    #[must_use]
     pub fn camera(&self) -> RestFrame {
         self.camera
     }
 
     /// Shift of light from infinity, where `g` = 1/E is the full shift.
-    #[must_use]
     pub fn of_sky(&self, g: f64, lambda: f64) -> f64 {
         self.active_part(g, (1.0 - self.camera.dragging * lambda) / self.camera.lapse)
     }
 
     /// Shift of light from the disk at `r`, where `g` is the full shift.
-    #[must_use]
     pub fn of_disk(&self, g: f64, r: f64, lambda: f64) -> f64 {
         let emitter = Self::frame(self.kerr, self.effects, r, FRAC_PI_2);
         let camera = (1.0 - self.camera.dragging * lambda) / self.camera.lapse;

@@ -34,7 +34,6 @@ const SECOND_RADIATION: f64 = 14_387_768.77;
 
 /// Spectral radiance of a black body, in arbitrary units, at `wavelength_nm` and `temperature`
 /// (kelvin): 1 / (lambda^5 (exp(c_2 / (lambda T)) - 1)), lambda in micrometres. Planck's law.
-#[must_use]
 pub fn planck(wavelength_nm: f64, temperature: f64) -> f64 {
     let micrometres = wavelength_nm / 1000.0;
     1.0 / (micrometres.powi(5) * (SECOND_RADIATION / (wavelength_nm * temperature)).exp_m1())
@@ -79,7 +78,6 @@ pub fn colour_matching() -> Result<[(f64, DVec3); WAVELENGTHS], String> {
 
 /// CIE XYZ of a black body of `temperature` (kelvin), summed over the 41 samples; in arbitrary
 /// units per unit of radiance at each wavelength.
-#[must_use]
 pub fn black_body_xyz(temperature: f64) -> DVec3 {
     MATCHING
         .iter()
@@ -89,12 +87,10 @@ pub fn black_body_xyz(temperature: f64) -> DVec3 {
 
 /// The matrix from XYZ to linear sRGB, with Rec. 709's primaries and white D65 at Y = 1. Derived
 /// from the chromaticities in ITU-R BT.709-6 table 1 items 1.3 and 1.4.
-#[must_use]
 pub fn rgb_from_xyz() -> DMat3 {
     *RGB_FROM_XYZ
 }
 
-/// See [`rgb_from_xyz`].
 static RGB_FROM_XYZ: LazyLock<DMat3> = LazyLock::new(|| {
     let xyz = |x: f64, y: f64| DVec3::new(x / y, 1.0, (1.0 - x - y) / y);
     let primaries = DMat3::from_cols(xyz(0.64, 0.33), xyz(0.30, 0.60), xyz(0.15, 0.06));
@@ -104,7 +100,6 @@ static RGB_FROM_XYZ: LazyLock<DMat3> = LazyLock::new(|| {
 
 /// Linear sRGB of a black body of `temperature` (kelvin), per unit of bolometric flux (sigma T^4),
 /// by direct summation.
-#[must_use]
 pub fn colour(temperature: f64) -> [f64; 3] {
     let per_flux = (WHITE_TEMPERATURE / temperature).powi(4) / black_body_xyz(WHITE_TEMPERATURE).y;
     (rgb_from_xyz() * black_body_xyz(temperature) * per_flux).to_array()
@@ -114,7 +109,6 @@ pub fn colour(temperature: f64) -> [f64; 3] {
 /// colour divided by its largest channel, and the natural logarithm of that channel. All four
 /// vary slowly enough for linear interpolation in ln T. The colour itself does not: it falls like
 /// exp(-c/T).
-#[must_use]
 pub fn table() -> Vec<[f32; 4]> {
     (0..TABLE_LEN)
         .map(|i| {
@@ -131,7 +125,6 @@ pub fn table() -> Vec<[f32; 4]> {
 
 /// The colour that the shader looks up in `table` for `temperature` (kelvin), in f64 and before
 /// clipping. A temperature outside the table is replaced by the first or last one in it.
-#[must_use]
 pub fn sample(table: &[[f32; 4]], temperature: f64) -> [f64; 3] {
     let share = (temperature.max(TABLE_MIN_TEMPERATURE) / TABLE_MIN_TEMPERATURE).ln()
         / (TABLE_MAX_TEMPERATURE / TABLE_MIN_TEMPERATURE).ln();

@@ -13,7 +13,6 @@ use std::f64::consts::FRAC_PI_2;
 /// Follows the straight backward ray of `photon`, which is one of
 /// [`CameraRays`](crate::camera_rays::CameraRays) without lensing, from radius `r` and the
 /// place `n` on the celestial sphere. `annulus` holds the disk's inner and outer edge.
-#[must_use]
 pub fn trace(kerr: Kerr, annulus: Option<[f64; 2]>, photon: &Photon, r: f64, n: DVec3) -> Trace {
     let start = r * n;
     let direction = (-photon.radial * n - photon.w).normalize();
@@ -65,7 +64,6 @@ pub fn trace(kerr: Kerr, annulus: Option<[f64; 2]>, photon: &Photon, r: f64, n: 
 ///
 /// For the ZAMO the matter's speed is (Omega - omega) W / N, and the cosine of the angle between
 /// its velocity and the light is -moment_z / r. Their product is Omega lambda.
-#[must_use]
 pub fn lambda(kerr: Kerr, orbit: &CircularOrbit, r: f64, moment_z: f64) -> f64 {
     let rest = RestFrame::at(kerr, r, FRAC_PI_2);
     let speed = (orbit.angular_velocity - rest.dragging) * rest.width / rest.lapse;

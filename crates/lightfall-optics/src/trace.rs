@@ -4,7 +4,8 @@
 use glam::DVec3;
 use serde::{Serialize, Serializer};
 
-/// Where a backward ray ends. Shaders and EXR pictures number the outcomes from 0, in this order.
+/// The outcome of a backward ray. Shaders and EXR pictures number the outcomes from 0, in this
+/// order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Outcome {
     /// The ray reaches infinity: its light comes from the sky.
@@ -20,7 +21,6 @@ impl Outcome {
     pub const ALL: [Self; 3] = [Self::Sky, Self::Captured, Self::Unfinished];
 
     /// The outcome's name in files and reports.
-    #[must_use]
     pub fn word(self) -> &'static str {
         match self {
             Self::Sky => "sky",
@@ -49,7 +49,7 @@ pub struct Hit {
     pub g: f64,
     /// Time between emission and arrival, in r_s/c: Boyer-Lindquist's, or without lensing that of
     /// flat space. `None` for a camera at or inside the horizon, which Boyer-Lindquist's time does
-    /// not reach, and where it was not asked for.
+    /// not reach, and if not requested.
     pub delay: Option<f64>,
 }
 

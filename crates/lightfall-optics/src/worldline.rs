@@ -35,7 +35,7 @@ enum Motion {
     /// A circular orbit, known in closed form.
     Circular {
         orbit: CircularOrbit,
-        /// Azimuth, kept within one revolution so that it does not lose digits with time.
+        /// Azimuth, within one revolution so that its precision does not decrease with time.
         phi: f64,
         proper_time: f64,
     },
@@ -47,9 +47,9 @@ struct FreeFall {
     geodesic: Geodesic,
     /// Whether the observer is `rain` itself, whose velocity is exactly zero.
     is_rain: bool,
-    /// Polar angle and azimuth psi of the axes that the camera's direction refers to.
+    /// Polar angle and azimuth psi of the axes of the camera's direction.
     axes: [f64; 2],
-    /// A rotation of the axes that the camera has not made yet.
+    /// A rotation of the axes not yet applied to the camera.
     pending_rotation: DMat3,
 }
 
@@ -151,7 +151,6 @@ impl Worldline {
     }
 
     /// Proper time since the release, in r_s.
-    #[must_use]
     pub fn proper_time(&self) -> f64 {
         match &self.motion {
             Motion::Circular { proper_time, .. } => *proper_time,
@@ -161,7 +160,6 @@ impl Worldline {
 
     /// Boyer-Lindquist time since the release, in r_s: the time on clocks far away. `None` unless
     /// both the release and the present place are outside the horizon.
-    #[must_use]
     pub fn coordinate_time(&self) -> Option<f64> {
         match &self.motion {
             Motion::Circular {
@@ -178,9 +176,8 @@ impl Worldline {
 
     /// The time of `disk.time` along the worldline, in r_s/c, from a start of its own: outside the
     /// horizon Boyer-Lindquist's t, and at and inside the horizon Kerr's ingoing time v = t + r*.
-    /// There t is infinite, while v is regular all along the worldline. The light that falls in
-    /// with the observer keeps v, so that what is seen goes on without a break.
-    #[must_use]
+    /// There t is infinite, while v is regular all along the worldline. Light that falls in with
+    /// the observer keeps v, so the picture continues without a break.
     pub fn clock(&self) -> f64 {
         match &self.motion {
             Motion::Circular {
@@ -200,7 +197,6 @@ impl Worldline {
 
     /// Ingoing time since the release, in r_s: Kerr's v minus r, which far away equals t and is
     /// regular at the horizon.
-    #[must_use]
     pub fn ingoing_time(&self) -> f64 {
         match &self.motion {
             Motion::Circular {
@@ -213,13 +209,11 @@ impl Worldline {
     }
 
     /// Whether the observer is on a circular orbit.
-    #[must_use]
     pub fn is_circular(&self) -> bool {
         matches!(self.motion, Motion::Circular { .. })
     }
 
     /// The observer's geodesic; `None` for a circular orbit, which is known in closed form.
-    #[must_use]
     pub fn geodesic(&self) -> Option<&Geodesic> {
         match &self.motion {
             Motion::Circular { .. } => None,

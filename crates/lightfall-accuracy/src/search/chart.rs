@@ -50,7 +50,6 @@ impl Chart {
         }
     }
 
-    /// The chart about a ray with an edge.
     pub(super) fn edge(ray: &Ray) -> Option<Self> {
         let direction = ray.direction();
         let edge = ray.edge?;

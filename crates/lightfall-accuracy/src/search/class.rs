@@ -106,7 +106,7 @@ impl<'a> ClassSearch<'a> {
         self.nearest.turn()
     }
 
-    /// The smallest error of the whole answer that one of the rays bounds.
+    /// The smallest bound of the whole answer's error by a single ray.
     pub(super) fn whole(&self) -> f64 {
         self.nearest.whole.get()
     }
@@ -146,7 +146,7 @@ struct Nearest<'a> {
     ray: DVec3,
     given: &'a Trace,
     place: Cell<Turned>,
-    /// The smallest error of the whole answer that one of the rays bounds.
+    /// The smallest bound of the whole answer's error by a single ray.
     whole: Cell<f64>,
 }
 
@@ -162,7 +162,6 @@ impl<'a> Nearest<'a> {
         self.place.get().turn
     }
 
-    /// Whether an answer is of the same class.
     fn is_same(&self, trace: &Trace) -> bool {
         is_same_class(trace, self.given)
     }
@@ -179,7 +178,6 @@ impl<'a> Nearest<'a> {
         }
     }
 
-    /// The nearest ray on rings about a ray.
     fn on_rings(camera: &ReferenceCamera, ray: DVec3, given: &'a Trace) -> Self {
         let nearest = Self {
             ray,

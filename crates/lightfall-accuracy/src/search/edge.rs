@@ -61,14 +61,12 @@ impl Shadow {
     }
 
     /// The direction at an angle from the centre and a position angle about it.
-    #[must_use]
     pub fn direction(&self, position_angle: f64, angle: f64) -> DVec3 {
         let (u, v) = self.centre.any_orthonormal_pair();
         let (sin, cos) = position_angle.sin_cos();
         angle.cos() * self.centre + angle.sin() * (cos * u + sin * v)
     }
 
-    /// The edge around a position angle.
     pub(crate) fn edge(&self, tracer: &CameraTracer, position_angle: f64) -> Edge {
         let whole = [-46.0, 46.0];
         let t = self.bisected(tracer, position_angle, whole);
@@ -125,7 +123,6 @@ fn angle(t: f64) -> f64 {
 /// The edge of the shadow near one position angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Edge {
-    /// The shadow's centre.
     pub(crate) centre: DVec3,
     /// The direction of position angle zero, perpendicular to the centre.
     along: DVec3,

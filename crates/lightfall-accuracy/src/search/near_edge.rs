@@ -24,7 +24,6 @@ const BISECTIONS: u32 = 30;
 /// Number of steps of a golden-section search between three such steps: it ends within 1e-5 of
 /// their width, so the height is right to 1e-10 of their heights.
 const SUMMIT_STEPS: u32 = 24;
-/// The golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Maximum number of places of the right height that are searched, the nearest first.
 const MAX_PLACES: usize = 4;

@@ -5,7 +5,6 @@
 use super::chart::{Chart, DIFFERENCE};
 use glam::{DMat2, DVec2};
 
-/// Maximum number of steps.
 const MAX_STEPS: u32 = 24;
 /// Newton's method has converged when a step is shorter than this share of the place's distance.
 const CONVERGED: f64 = 1e-6;

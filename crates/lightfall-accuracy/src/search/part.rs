@@ -17,7 +17,6 @@ pub(super) enum Part {
 }
 
 impl Part {
-    /// The parts of an answer.
     pub(super) fn all(given: &Trace) -> impl Iterator<Item = Self> {
         let hits = given
             .hits
@@ -60,7 +59,6 @@ impl Part {
         }
     }
 
-    /// The difference in azimuth.
     pub(super) fn azimuth(&self, found: &Trace) -> Option<f64> {
         match self {
             Self::Sky(wanted) => found

@@ -25,7 +25,6 @@ pub struct ThoroughSearch<'a> {
 }
 
 impl<'a> ThoroughSearch<'a> {
-    /// Traces the grids.
     pub(crate) fn new(
         camera: &'a ReferenceCamera,
         ray: &Ray,
@@ -43,8 +42,7 @@ impl<'a> ThoroughSearch<'a> {
     }
 
     /// The backward error, in radians, of an answer to the ray, as
-    /// [`Truth::judge`](crate::Truth::judge) defines it, but no more than the known bound.
-    #[must_use]
+    /// [`Truth::judge`](crate::Truth::judge) defines it, but at most the upper bound.
     pub fn judge(&self, given: &Trace, bounds: TurnBounds) -> f64 {
         if !is_complete(given) {
             return f64::INFINITY;
@@ -72,9 +70,9 @@ impl<'a> ThoroughSearch<'a> {
         turns.largest().min(whole).min(bounds.upper_bound)
     }
 
-    /// The turns that explain an answer with a sky, with hits on a ring so narrow that no ray of
-    /// the grid meets it. The rays that explain the sky lead to those that meet the ring.
-    /// `upper_bound` bounds the search, and `turns` are known already.
+    /// The turns that explain an answer with a sky and with hits on a ring so narrow that no ray of
+    /// the grid meets it: the rays that explain the sky lead to those that meet the ring. `turns`
+    /// are those found so far.
     fn follow_sky(&self, given: &Trace, target: f64, upper_bound: f64, mut turns: Turns) -> Turns {
         let Some(sky) = given.sky.filter(|_| given.hits.iter().any(Option::is_some)) else {
             return turns;

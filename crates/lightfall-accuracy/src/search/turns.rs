@@ -15,7 +15,6 @@ pub struct TurnBounds {
 impl TurnBounds {
     /// The bounds of a search that decides whether an error exceeds a limit. The target is half of
     /// the limit, so that an error near the limit is exact.
-    #[must_use]
     pub fn for_limit(limit: f64, upper_bound: f64) -> Self {
         Self {
             target: 0.5 * limit,

@@ -21,7 +21,6 @@ pub struct GpuHotSpot {
 
 impl GpuHotSpot {
     /// The scene's hot spot; zeros if it has none.
-    #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let Some(moving) = HotSpot::new(scene) else {
             return Self::default();

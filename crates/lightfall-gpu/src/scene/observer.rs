@@ -77,9 +77,9 @@ impl GpuObserver {
     }
 }
 
-/// How far Kerr's ingoing time is ahead of the camera's time, in r_s/c; without lensing the
-/// camera's distance from the centre of flat space. `None` at and inside the horizon, where the
-/// camera's time is the ingoing one.
+/// The lead of Kerr's ingoing time over the camera's time, in r_s/c; without lensing the camera's
+/// distance from the centre of flat space. `None` at and inside the horizon, where the camera's
+/// time is the ingoing one.
 pub(crate) fn time_lead(scene: &Scene) -> Option<f64> {
     let kerr = Kerr {
         spin: scene.hole.spin,

@@ -25,7 +25,6 @@ pub struct GpuPicture {
 
 impl GpuPicture {
     /// The numbers of a frame of the scene.
-    #[must_use]
     pub fn new(scene: &Scene, frame: &Frame) -> Self {
         let whole = frame.whole.max(UVec2::ONE).as_dvec2();
         let exposure = frame.exposure_ev.exp2();

@@ -1,4 +1,4 @@
-//! What decides between sky and shadow around a hole without spin.
+//! The shadow's part of the uniform: the edge of the shadow of a hole without spin.
 
 use crate::error::GpuError;
 use encase::ShaderType;
@@ -8,7 +8,7 @@ use lightfall_model::geometry::schwarzschild::ShadowEdge;
 use lightfall_model::scene::{ObserverKind, Scene};
 use lightfall_optics::camera_rays::CameraRays;
 
-/// An observer nearer to the horizon than this, in r_s, is taken to be this far outside it.
+/// An observer closer to the horizon than this, in r_s, is moved to this distance outside it.
 const NEXT_TO_HORIZON: f64 = 1e-8;
 
 /// Mirror of `Shadow` in shaders/scene.wgsl.
@@ -49,8 +49,8 @@ impl GpuShadow {
 
 /// The edge of the shadow, and 1/(1 - 1/r).
 ///
-/// Both have a limit on the horizon itself. There an observer in free fall is moved to
-/// [`NEXT_TO_HORIZON`] outside, which changes nothing that it sees by more than that.
+/// Both have a limit on the horizon itself: an observer in free fall there is moved to
+/// [`NEXT_TO_HORIZON`] outside, which changes what it sees by no more than that.
 fn edge(scene: &Scene, matrix: &ObserverMatrix) -> Result<(ShadowEdge, f64), GpuError> {
     let at = |r: f64, [energy, radial, ..]: [[f64; 4]; 5]| {
         (ShadowEdge::new(energy, radial, r), r / (r - 1.0))

@@ -13,7 +13,6 @@ pub struct GpuTilt {
 
 impl GpuTilt {
     /// The numbers of the scene's disk.
-    #[must_use]
     pub fn new(scene: &Scene) -> Self {
         Self {
             hole_from_disk: scene.disk.hole_from_disk().as_mat3(),

@@ -1,4 +1,4 @@
-//! What a variant chooses where several files give the same name.
+//! A variant's choices among files that give the same name.
 
 use super::link::Choice;
 use super::{Entry, Tracer, Variant};
@@ -35,7 +35,7 @@ impl Variant {
         }
     }
 
-    /// The file that gives `trace`, and those that give the delays which it asks for.
+    /// The file that gives `trace`, and those that give its delays.
     fn method_files(self) -> [String; 3] {
         let tracer = self.tracer.word();
         let delay = if self.delay_nodes > 0 {
@@ -51,8 +51,8 @@ impl Variant {
         [file("method", tracer), file(delay, tracer), way.into()]
     }
 
-    /// The file that gives `differences`, by which a footprint is measured. Only the entries of
-    /// pictures have neighbours.
+    /// The file that gives `differences`, which measure a footprint. Only the entries of pictures
+    /// have neighbours.
     fn neighbours_file(self) -> &'static str {
         let structure = self.structure && self.entry != Entry::TimedLight;
         let compared = structure || matches!(self.sky, SkyMode::Stars | SkyMode::Grid);
@@ -63,7 +63,7 @@ impl Variant {
         }
     }
 
-    /// The files that find the crossings of a disk and give its light.
+    /// The files of the disk's crossings and light.
     fn disk_files(self) -> Vec<String> {
         if !self.disk {
             return vec!["disk/none.wgsl".into()];
@@ -94,8 +94,8 @@ impl Variant {
         own.chain(named).collect()
     }
 
-    /// The files that give `sky_light` and `point_light`. Behind a tilted disk rays come in the
-    /// disk's frame: a file between the sky and its background turns their directions.
+    /// The files that give `sky_light` and `point_light`. Behind a tilted disk, a file between the
+    /// sky and its background turns directions from the disk's frame.
     fn sky_files(self) -> Vec<Choice> {
         let background = match self.sky {
             SkyMode::Off => {
@@ -117,11 +117,10 @@ impl Variant {
         choices
     }
 
-    /// The files that colour a ray. A view that traces rays gives
-    /// `fn light_along(photon: Photon) -> vec4<f32>`, and `view/traced.wgsl` calls it. Any other
-    /// gives `fn light_at(place: vec2<f32>) -> vec4<f32>`, where `place` is in pixels from the upper
-    /// left corner. Both return linear sRGB before exposure, and 1, or less in the shadow, where
-    /// bloom must add nothing.
+    /// The files that colour a ray. A view that traces rays gives `fn light_along(photon: Photon)
+    /// -> vec4<f32>`, and `view/traced.wgsl` calls it. Any other gives `fn light_at(place:
+    /// vec2<f32>) -> vec4<f32>`, where `place` is in pixels from the upper left corner. Both return
+    /// linear sRGB before exposure, and 1, or less in the shadow, where bloom must add nothing.
     fn view_files(self) -> Vec<String> {
         let view = match self.view {
             View::Unfinished => View::Colour,

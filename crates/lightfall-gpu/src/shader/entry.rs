@@ -5,7 +5,7 @@
 pub enum Entry {
     /// The light of a pixel: entry points `vertex` and `fragment`.
     Picture,
-    /// The light of the pixels where edges pass, each from many rays: entry point `refine`.
+    /// The light of the pixels at edges, each from many rays: entry point `refine`.
     Refine,
     /// Records of rays: entry point `rays`.
     Rays,
@@ -15,20 +15,18 @@ pub enum Entry {
     TimedLight,
     /// The images of stars, found by inversion: entry point `solve`.
     Stars,
-    /// The rays of the mesh by which images are found without an inversion: entry point
-    /// `trace_mesh`.
+    /// The rays of the mesh that finds images without an inversion: entry point `trace_mesh`.
     StarMesh,
-    /// The images of candidates where the mesh alone gives them: entry point `interpolate`.
+    /// The images of candidates in smooth cells, by interpolation: entry point `interpolate`.
     StarInterpolation,
     /// The images of the other candidates, by rays: entry point `refine_image`.
     StarRefinement,
-    /// How much of each image the disk lets through: entry point `dim`.
+    /// The dimming of images behind the disk: entry point `dim`.
     StarDimming,
 }
 
 impl Entry {
     /// The names of the shader's entry points, in their order.
-    #[must_use]
     pub fn points(self) -> &'static [&'static str] {
         match self {
             Self::Picture => &["vertex", "fragment"],

@@ -1,8 +1,8 @@
-//! What is wrong with a shader.
+//! Faults of shaders.
 
 use thiserror::Error;
 
-/// What is wrong with a shader's text, in one line that names the file below shaders/.
+/// A fault of a shader's text, in one line that names the file below shaders/.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("{file}:{line}: {reason}")]
 pub struct ShaderFault {
@@ -10,6 +10,6 @@ pub struct ShaderFault {
     pub file: String,
     /// The line in that file, counted from 1.
     pub line: usize,
-    /// What is wrong there.
+    /// The fault.
     pub reason: String,
 }

@@ -1,4 +1,4 @@
-//! The files that shaders are linked from, with what the header of each says.
+//! The files that shaders are linked from, with their headers.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 /// The name and the text of every file below shaders/ when the program was built.
 const BUILT_IN: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/shader_files.rs"));
 
-/// WGSL files, by the names that they need from each other and give to each other.
+/// WGSL files, with the names that each needs and gives.
 #[derive(Clone, Debug)]
 pub struct ShaderFiles {
     files: Vec<ShaderFile>,
@@ -24,7 +24,7 @@ pub(super) struct ShaderFile {
     /// Its path below the folder of shaders, with `/` between the words.
     pub name: Cow<'static, str>,
     pub text: Cow<'static, str>,
-    /// The names that it needs from other files or from the constants in front of them.
+    /// The names that it needs from other files or from the constants before them.
     pub needs: Vec<String>,
     /// The names that it gives to others.
     gives: Vec<String>,
@@ -32,7 +32,6 @@ pub(super) struct ShaderFile {
 
 impl ShaderFiles {
     /// The files as they were when the program was built.
-    #[must_use]
     pub fn built_in() -> &'static Self {
         static FILES: LazyLock<ShaderFiles> = LazyLock::new(|| {
             let files = BUILT_IN.iter();
@@ -106,7 +105,6 @@ fn header(text: &str, word: &str) -> Vec<String> {
     listed.map(str::to_owned).collect()
 }
 
-/// The names on a line of a header.
 fn names(line: &str) -> impl Iterator<Item = &str> {
     let between = |c: char| !c.is_ascii_alphanumeric() && c != '_';
     line.split(between).filter(|name| !name.is_empty())

@@ -4,12 +4,12 @@ use super::fault::ShaderFault;
 use super::files::{ShaderFile, ShaderFiles};
 use std::collections::HashSet;
 
-/// A file that a shader takes where several files give the same name.
+/// A file that a shader chooses among several that give the same name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Choice {
     /// Its name below shaders/. It is not joined if nothing needs it.
     pub file: String,
-    /// A function of the file that another file defines in its place, and its name instead.
+    /// A function of the file that is renamed, and its new name.
     pub renamed: Option<(&'static str, &'static str)>,
 }
 
@@ -22,7 +22,7 @@ impl Choice {
         }
     }
 
-    /// The same file with its function `own` called `other`, so that another file can define `own`
+    /// The file with its function `own` renamed to `other`, so that another file can define `own`
     /// and call it.
     pub(super) fn renaming(self, own: &'static str, other: &'static str) -> Self {
         Self {
@@ -32,14 +32,13 @@ impl Choice {
     }
 }
 
-/// The files of a shader: those that give its entry points, and those that give what these need,
-/// each after the files that it needs.
+/// The files of a shader: those that give its entry points, and the files that these need, each
+/// after those that it needs.
 ///
-/// A name that the constants in front of the files give comes from them. A name that one file gives
-/// comes from it. Of several files that give a name, the one counts that is among the choices, or
-/// that is there for another name.
+/// A constant before the files takes precedence over them. Of several files that give a name, the
+/// linker takes the one among the choices, or the one that is linked for another name.
 ///
-/// A name without such a file is a fault, and is left out.
+/// A name without such a file is a fault, and is skipped.
 pub(super) fn link<'a>(
     files: &'a ShaderFiles,
     entries: &[&str],
@@ -80,7 +79,7 @@ struct Linker<'a, 'b, F> {
 }
 
 impl<'a: 'b, 'b, F: Fn(&str) -> bool> Linker<'a, 'b, F> {
-    /// Links the file that gives a name which `needing` needs; an entry point is needed by no file.
+    /// Links the file that gives a name to `needing`, which is `None` for an entry point.
     fn add_giver_of(&mut self, name: &'b str, needing: Option<&'a ShaderFile>) {
         if (self.is_constant)(name) {
             return;
@@ -108,7 +107,7 @@ impl<'a: 'b, 'b, F: Fn(&str) -> bool> Linker<'a, 'b, F> {
         self.linked.push(file);
     }
 
-    /// The files that give a name as they are joined.
+    /// The files that give a name, after renaming.
     fn givers(&self, name: &str) -> impl Iterator<Item = &'a ShaderFile> {
         let own_name = |choice: &Choice| choice.renamed.filter(|(_, other)| *other == name);
         let own_name = self.choices.iter().find_map(own_name).map(|(own, _)| own);
@@ -130,7 +129,7 @@ impl<'a: 'b, 'b, F: Fn(&str) -> bool> Linker<'a, 'b, F> {
         self.seen.contains(&*file.name)
     }
 
-    /// Keeps the fault of a name that no file gives, or more than one.
+    /// Records the fault of a name that no file gives, or several.
     fn fail(&mut self, name: &str, needing: Option<&ShaderFile>) {
         let givers: Vec<&str> = self.givers(name).map(|file| &*file.name).collect();
         let reason = match &givers[..] {

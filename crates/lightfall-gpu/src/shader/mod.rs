@@ -30,19 +30,19 @@ use lightfall_model::scene::{
 use link::link;
 use text::declares;
 
-/// A shader: which files are linked, and which flags are set.
+/// A shader, as the choices that determine its files and flags.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Variant {
-    /// What it answers.
+    /// Its output.
     pub entry: Entry,
-    /// How its pixels become directions.
+    /// The projection of its pixels.
     pub projection: Projection,
-    /// How it traces.
+    /// Its tracing method.
     pub tracer: Tracer,
     /// Whether the hole spins.
     pub spinning: bool,
-    /// Whether rays of the methods mino and closed pass close to the horizon, where their azimuth
-    /// needs care, or begin inside.
+    /// Whether rays of the methods mino and closed pass so close to the horizon that their azimuth
+    /// needs the ingoing coordinates, or start inside.
     pub near_horizon: bool,
     /// Whether rays can meet a disk.
     pub disk: bool,
@@ -56,14 +56,14 @@ pub struct Variant {
     pub hot_spot: HotSpotKind,
     /// The disk's limb darkening; none where none is drawn.
     pub limb: LimbDarkening,
-    /// Nodes of the integral for the time between emission and arrival: 2, 3, 4 or 8, or 0 where
-    /// nothing asks for that time.
+    /// Nodes of the integral of the delay, or 0 if the delay is not used.
     pub delay_nodes: u32,
-    /// Whether the delays of the method closed need care in the throat of a nearly extremal hole.
+    /// Whether the delays of the method closed are computed for the throat of a nearly extremal
+    /// hole.
     pub throat: bool,
-    /// What lies at infinity; off where nothing is drawn.
+    /// The sky; off where none is drawn.
     pub sky: SkyMode,
-    /// Whether the sky is one that needs directions turned from the frame of a tilted disk.
+    /// Whether the sky needs directions turned from the frame of a tilted disk.
     pub turned_sky: bool,
     /// Whether the reference star is in the sky.
     pub reference_star: bool,
@@ -71,24 +71,22 @@ pub struct Variant {
     pub view: View,
     /// Which effects are on.
     pub effects: Effects,
-    /// How many crossings of the disk count: two, or one where the disk lets no noticeable light
-    /// through.
+    /// The number of crossings of the disk that are recorded: two, or one where the disk is opaque.
     pub max_hits: u32,
     /// Whether rays are followed beyond those crossings.
     pub follow_beyond_hits: bool,
-    /// Whether the picture's fragment also writes what the search for edges compares.
+    /// Whether the picture's fragment also writes the traits for the search for edges.
     pub antialias: bool,
 }
 
-/// The smallest share of light from behind the disk for which a ray is followed beyond crossings:
-/// half of an 8-bit level.
+/// The smallest transmission of the disk for which a ray is followed beyond crossings: half of an
+/// 8-bit level.
 const MIN_TRANSMISSION: f64 = 0.002;
 
-/// Whether rays that see something pass so close to the horizon of a spinning hole that their
-/// azimuth must be summed in coordinates that are regular there. Elsewhere the pole of the
-/// azimuth's rate is too far away to disturb four Gaussian nodes per step, or what it disturbs is
-/// too small a rotation of the ray as seen from the camera. Without spin only a camera inside is
-/// affected.
+/// Whether visible rays pass so close to the horizon of a spinning hole that their azimuth must be
+/// integrated in coordinates that are regular there. Elsewhere the pole of the azimuth's rate is
+/// too far away to disturb four Gaussian nodes per step, or its effect is too small as seen from
+/// the camera. Without spin only a camera inside is affected.
 ///
 /// A ray in closed form has a nearby pole only where the camera is next to the horizon.
 fn passes_near_horizon(tracer: Tracer, Scene { hole, camera, .. }: &Scene) -> bool {
@@ -103,9 +101,9 @@ fn passes_near_horizon(tracer: Tracer, Scene { hole, camera, .. }: &Scene) -> bo
     camera.r <= farthest * Kerr { spin: hole.spin }.horizon()
 }
 
-/// The smallest spin of a hole whose throat disturbs the delays of the method closed. At 0.9998 the two
-/// horizons are 0.02 r_s apart. At 0.999999 delays are off by up to 0.018 rad of the matter's turn without
-/// care, at 0.9999 by less than 1e-3 rad.
+/// The smallest spin of a hole whose throat disturbs the delays of the method closed. At 0.9998 the
+/// two horizons are 0.02 r_s apart. Outside of the throat's variant, delays are wrong by up to
+/// 0.018 rad of the matter's turn at 0.999999, and by less than 1e-3 rad at 0.9999.
 const MIN_THROAT_SPIN: f64 = 0.9998;
 
 /// Whether rays in closed form pass through the long throat of a nearly extremal hole.
@@ -119,7 +117,7 @@ impl Variant {
         let tracer = Tracer::of(scene);
         let marks = !scene.view.shows_light();
         let sky = if marks { SkyMode::Off } else { scene.sky.mode };
-        // The largest share of light from behind that passes anywhere: all of it at faded edges.
+        // The largest transmission: one where the edges fade.
         let transmission = if scene.disk.edge_taper > 0.0 {
             1.0
         } else {
@@ -174,7 +172,7 @@ impl Variant {
             follow_beyond_hits: marks
                 || !scene.disk.enabled
                 || transmission.powi(2) > MIN_TRANSMISSION,
-            // How many pixels one dispatch refines is not known before.
+            // The number of pixels that one dispatch refines is not known in advance.
             antialias: scene.picture.antialias && !marks && scene.budget_ratio() <= 1.0,
         }
     }
@@ -271,13 +269,13 @@ impl Variant {
         files.into_iter().map(|file| &*file.name).collect()
     }
 
-    /// Whether it takes part in finding the images of stars.
+    /// Whether it is a kernel of stars.
     pub fn finds_stars(self) -> bool {
         let follows_no_rays = matches!(self.entry, Entry::Stars | Entry::StarInterpolation);
         self.seeks_stars() || follows_no_rays || self.entry == Entry::StarDimming
     }
 
-    /// Whether it follows rays to the images of stars.
+    /// Whether it traces rays to the images of stars.
     fn seeks_stars(self) -> bool {
         matches!(self.entry, Entry::StarMesh | Entry::StarRefinement)
     }

@@ -1,5 +1,5 @@
-//! The constants in front of a variant: its flags, and the numbers that its parts must share with
-//! the CPU.
+//! The constants in front of a variant: its flags, and the numbers that its files share with the
+//! CPU.
 
 use super::spectrum_constants::add_spectrum_constants;
 use super::text::add_constant;
@@ -45,7 +45,7 @@ impl Variant {
         ]
     }
 
-    /// The flags, and the numbers that the parts must share with the CPU.
+    /// The flags, and the numbers that the files share with the CPU.
     pub(super) fn prelude(self) -> String {
         let mut text = String::new();
         for (name, value) in self.flags() {
@@ -92,8 +92,8 @@ impl Variant {
     }
 }
 
-/// The nodes and weights on [0, 1] of the rule by Gauss and Legendre: `DELAY_NODES` and
-/// `DELAY_WEIGHTS`, vectors of the type `Nodes`, and for more than four nodes a second pair.
+/// The nodes and weights of Gauss-Legendre quadrature on [0, 1]: `DELAY_NODES` and `DELAY_WEIGHTS`,
+/// vectors of the type `Nodes`, and for more than four nodes a second pair.
 fn delay_nodes(count: u32) -> String {
     let size = count.min(4) as usize;
     let rule = gauss_legendre(count as usize);

@@ -4,8 +4,8 @@ use super::{Entry, Tracer, Variant};
 use lightfall_model::scene::{Method, Scene};
 
 impl Variant {
-    /// The shader that finds the images of stars, which [`crate::stars`] describes. It is the
-    /// same for all scenes with the same effects.
+    /// The shader that finds the images of stars by inversion. It is the same for all scenes with
+    /// the same effects.
     pub fn stars(scene: &Scene) -> Self {
         let tracer = if scene.effects.lensing {
             Tracer::Method(Method::Closed)
@@ -22,7 +22,7 @@ impl Variant {
         }
     }
 
-    /// The shader that traces the mesh by which images of stars are found without an inversion.
+    /// The shader that traces the mesh for images of stars without an inversion.
     pub fn star_mesh(scene: &Scene) -> Self {
         Self {
             entry: Entry::StarMesh,
@@ -31,7 +31,7 @@ impl Variant {
         }
     }
 
-    /// The shader that finds the images of candidates where the mesh alone gives them.
+    /// The shader that finds the images of candidates in smooth cells by interpolation.
     pub fn star_interpolation(scene: &Scene) -> Self {
         Self {
             entry: Entry::StarInterpolation,
@@ -47,9 +47,8 @@ impl Variant {
         }
     }
 
-    /// Whether the images of the scene's stars are found by a mesh of rays. Rays in closed form
-    /// without spin and straight ones are inverted instead.
-    #[must_use]
+    /// Whether a mesh of rays finds the images of the scene's stars. Rays in closed form without
+    /// spin and straight ones are inverted instead.
     pub fn uses_star_mesh(scene: &Scene) -> bool {
         !matches!(
             Tracer::of(scene),
@@ -58,7 +57,6 @@ impl Variant {
     }
 
     /// The scene's shaders among those that find the images of stars, in their order.
-    #[must_use]
     pub fn star_kernels(scene: &Scene) -> Vec<Self> {
         let mut kernels = if Self::uses_star_mesh(scene) {
             vec![

@@ -39,7 +39,6 @@ pub struct ShaderText {
     entries: Vec<&'static str>,
     choices: Vec<Choice>,
     parts: Vec<Part>,
-    /// Why it cannot be linked.
     fault: Option<ShaderFault>,
 }
 
@@ -97,13 +96,11 @@ impl ShaderText {
     }
 
     /// The whole WGSL text.
-    #[must_use]
     pub fn source(&self) -> String {
         self.blocks().map(|(_, text)| text).collect()
     }
 
     /// The constants in front of the files.
-    #[must_use]
     pub fn prelude(&self) -> &str {
         &self.prelude
     }
@@ -121,7 +118,6 @@ impl ShaderText {
 
     /// The file that a line of the text comes from, and the line within that file; both lines are
     /// counted from 1.
-    #[must_use]
     pub fn locate(&self, line: usize) -> (&str, usize) {
         let mut first = 1;
         let mut place = (PRELUDE, line);

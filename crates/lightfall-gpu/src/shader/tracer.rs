@@ -2,7 +2,7 @@
 
 use lightfall_model::scene::{Method, Scene};
 
-/// What traces rays: a file of shaders/method.
+/// A file of shaders/method that traces rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Tracer {
     /// The file with the method's own name: that of `closed` is for holes without spin.
@@ -26,8 +26,8 @@ impl Tracer {
         }
     }
 
-    /// Nodes of the integral that gives the delay, where a picture asks for it: per leg of a ray in
-    /// closed form, per step of the method mino.
+    /// Nodes of the integral of the delay: per leg of a ray in closed form, per step of the method
+    /// mino.
     pub(super) fn delay_nodes(self) -> u32 {
         match self {
             Self::Method(Method::Mino) => 3,

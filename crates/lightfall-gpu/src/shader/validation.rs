@@ -1,5 +1,5 @@
-//! Whether a shader's text is valid WGSL, as naga finds it: wgpu asks naga the same before a driver
-//! sees the shader. It needs no GPU.
+//! Validation of a shader's text by naga, as wgpu validates it before a driver sees the shader. It
+//! needs no GPU.
 
 use super::{ShaderFault, ShaderText};
 use std::collections::BTreeMap;
@@ -9,8 +9,8 @@ use wgpu::naga::front::wgsl::parse_str;
 use wgpu::naga::valid::{Capabilities, ValidationFlags, Validator};
 use wgpu::naga::{AddressSpace, Module, SourceLocation};
 
-/// The address space and the size of what is bound, and the line of the text that declares it, by
-/// group and binding.
+/// The address space and the size of each bound variable, and the line that declares it, by group
+/// and binding.
 type Bound = BTreeMap<(u32, u32), (AddressSpace, u32, usize)>;
 
 impl ShaderText {
@@ -24,8 +24,8 @@ impl ShaderText {
         Ok(entries.map(|entry| entry.name).collect())
     }
 
-    /// Validates the text, and holds it against the text whose place it takes in a pipeline: it may
-    /// bind only what the other one binds, because the program fills the bindings.
+    /// Validates the text, and compares its bindings with those of the text that it replaces in a
+    /// pipeline: the program fills only these.
     ///
     /// # Errors
     /// The first fault.
@@ -64,7 +64,7 @@ impl ShaderText {
     fn fault(&self, place: Option<SourceLocation>, error: &(dyn Error + 'static)) -> ShaderFault {
         let line = place.map_or(1, |place| place.line_number as usize);
         let (file, line) = self.locate(line);
-        // naga says where something is invalid, and what is invalid as the cause of that.
+        // naga's error says where something is invalid; its sources say what.
         let steps = successors(Some(error), |error| (*error).source());
         ShaderFault {
             file: file.into(),

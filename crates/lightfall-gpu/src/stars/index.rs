@@ -1,13 +1,12 @@
-//! Where on the sky the list's stars are: the index by which a cell of the mesh finds its own.
+//! The index over the sky by which a cell of the mesh finds its stars.
 //!
-//! The stars are in layers by their brightness, because a cell that sees much of the sky shows only
-//! bright ones. Fainter layers have more stars and smaller cells.
+//! Stars are in layers by brightness, because a cell that sees much of the sky shows only bright
+//! ones. Fainter layers have more stars and smaller cells.
 
 use super::list::PackedStars;
 use glam::{UVec2, Vec2, Vec3};
 use std::ops::Range;
 
-/// Number of layers.
 pub(super) const LAYERS: u32 = 4;
 
 /// Cells of the brightest layer along a side of each of the cube's six faces. Each next layer has
@@ -34,11 +33,10 @@ fn stars_of(layer: u32, list: &PackedStars) -> Range<u32> {
     first.min(list.len())..last.min(list.len())
 }
 
-/// The contents of `STAR_INDEX`. First, layer by layer, where the stars of each cell begin, counted
-/// in pairs of numbers from the start of the buffer, and at last where they end; then for each star,
-/// cell by cell, its place on its face and its number. The cells of a layer are in the order of
-/// faces, rows and columns; `place_of` gives a star's.
-#[must_use]
+/// The contents of `STAR_INDEX`: layer by layer the start of each cell's stars, counted in pairs of
+/// numbers from the start of the buffer, and at last the end; then for each star, cell by cell, its
+/// place on its face and its number. The cells of a layer are in the order of faces, rows and
+/// columns.
 pub fn index_bytes(list: &PackedStars) -> Vec<u8> {
     let places: Vec<(u32, Vec2)> = list.directions().map(place_of).collect();
     let numbers: u32 = (0..LAYERS).map(|layer| cell_count(layer) + 1).sum();
@@ -53,7 +51,7 @@ pub fn index_bytes(list: &PackedStars) -> Vec<u8> {
             let cell = (place * side as f32).as_uvec2().min(UVec2::splat(side - 1));
             ((face * side + cell.y) * side + cell.x) as usize
         };
-        // Each cell's end, then moved back to its start as its stars are counted from the last one.
+        // Each cell's end, which moves back to its start as its stars are placed from the last one.
         let mut ends = vec![0; cell_count(layer) as usize + 1];
         for star in range.clone() {
             ends[cell_of(star)] += 1;
@@ -77,8 +75,9 @@ pub fn index_bytes(list: &PackedStars) -> Vec<u8> {
     words.flat_map(u32::to_le_bytes).collect()
 }
 
-/// The face of a direction and its place there, from 0 to 1: faces are those of +x, -x, +y, -y, +z and
-/// -z; on each, the other two components in cyclic order, divided by the largest one, give x and y.
+/// The face of a direction and its place there, from 0 to 1: faces are those of +x, -x, +y, -y, +z
+/// and -z; on each, the other two components in cyclic order, divided by the largest one, give x
+/// and y.
 fn place_of(direction: Vec3) -> (u32, Vec2) {
     let size = direction.abs();
     let axis = if size.x >= size.y && size.x >= size.z {

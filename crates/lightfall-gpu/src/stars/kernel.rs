@@ -1,4 +1,4 @@
-//! The kernels of stars: what each binds, in the order in which they run.
+//! The kernels of stars and their bindings, in the order in which they run.
 
 use super::COUNT_SIZE;
 use super::mesh::{TEST_GROUPS, WIDE_GROUPS};
@@ -26,11 +26,11 @@ pub enum StarKernel {
     Solve,
     /// Traces the mesh.
     TraceMesh,
-    /// Looks for the stars in each cell of the mesh.
+    /// Finds the candidates of each cell of the mesh.
     FindCandidates,
-    /// Looks for the stars in cells that see much of the sky.
+    /// Finds the candidates of cells that see much of the sky.
     FindWideCandidates,
-    /// Looks which candidates in bent cells have their image there.
+    /// Keeps the candidates in bent cells whose image may lie there.
     TestCandidates,
     /// Finds the images of candidates in smooth cells.
     Interpolate,
@@ -56,7 +56,7 @@ impl StarKernel {
         Self::Splat,
     ];
 
-    /// The kernels that look for the stars in cells of the mesh, by one shader.
+    /// The kernels that list candidates, which share one shader.
     pub const FINDING_CANDIDATES: [Self; 3] = [
         Self::FindCandidates,
         Self::FindWideCandidates,
@@ -68,7 +68,7 @@ impl StarKernel {
         Self::finding_images(scene, Variant::uses_star_mesh(scene))
     }
 
-    /// The same with images that are found by a mesh, or by inversion.
+    /// The kernels of a scene whose images a mesh finds, or an inversion.
     pub(super) fn finding_images(scene: &Scene, by_mesh: bool) -> impl Iterator<Item = Self> {
         let has_disk = scene.disk.enabled;
         Self::ALL.into_iter().filter(move |kernel| match kernel {
@@ -85,7 +85,6 @@ impl StarKernel {
     }
 
     /// The kernel with the entry point of a variant.
-    #[must_use]
     pub fn with_entry(entry: Entry) -> Option<Self> {
         match entry {
             Entry::Stars => Some(Self::Solve),
@@ -98,7 +97,6 @@ impl StarKernel {
     }
 
     /// The name of its entry point.
-    #[must_use]
     pub fn entry_point(self) -> &'static str {
         match self {
             Self::Solve => "solve",
@@ -114,7 +112,6 @@ impl StarKernel {
     }
 
     /// Its WGSL text.
-    #[must_use]
     pub fn source(self, scene: &Scene) -> String {
         self.text(scene).source()
     }
@@ -126,7 +123,6 @@ impl StarKernel {
     }
 
     /// Its WGSL text, by its parts.
-    #[must_use]
     pub fn text(self, scene: &Scene) -> ShaderText {
         match self {
             Self::Solve => Variant::stars(scene).text(),
@@ -142,7 +138,6 @@ impl StarKernel {
     }
 
     /// The bindings that it reads. Without lensing [`Self::Solve`] has no `STAR_TABLE`.
-    #[must_use]
     pub fn reads(self) -> &'static [u32] {
         match self {
             Self::Solve => &[SCENE, SPECTRUM, STARS, STAR_TABLE, STAR_LIST],
@@ -167,7 +162,6 @@ impl StarKernel {
     }
 
     /// The bindings that it writes.
-    #[must_use]
     pub fn writes(self) -> &'static [u32] {
         match self {
             Self::Solve | Self::Interpolate | Self::RefineImage => &[STAR_IMAGES, STAR_COUNT],
@@ -181,7 +175,6 @@ impl StarKernel {
     }
 
     /// The layout of its bindings.
-    #[must_use]
     pub fn layout(self) -> Vec<BindGroupLayoutEntry> {
         let entry = |binding: &u32| ALL[*binding as usize].layout_entry(ShaderStages::COMPUTE);
         let written = self.writes().iter().map(|binding| BindGroupLayoutEntry {
@@ -191,8 +184,7 @@ impl StarKernel {
         self.reads().iter().map(entry).chain(written).collect()
     }
 
-    /// The workgroups of a kernel that looks at the mesh.
-    #[must_use]
+    /// The workgroups of a kernel of the mesh.
     pub fn mesh_workgroups(self, layout: &MeshLayout) -> u32 {
         match self {
             Self::TraceMesh => layout.point_count().div_ceil(WORKGROUP_SIZE),
@@ -204,7 +196,6 @@ impl StarKernel {
 
     /// The binding from which its number of workgroups is read, and from which byte on, if it is
     /// dispatched indirectly.
-    #[must_use]
     pub fn indirect(self) -> Option<(u32, u64)> {
         match self {
             Self::Interpolate => Some((CANDIDATE_COUNT, 0)),

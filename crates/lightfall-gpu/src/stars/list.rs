@@ -5,7 +5,7 @@ use lightfall_optics::spectrum::{TABLE_MAX_TEMPERATURE, TABLE_MIN_TEMPERATURE};
 use lightfall_optics::stars::images::ORDERS;
 use lightfall_optics::stars::{Star, ZERO_MAGNITUDE_FLUX};
 
-/// Bits of the mantissa of a packed flux, which is so right to 1.2e-4.
+/// Bits of the mantissa of a packed flux, whose error is 1.2e-4.
 const MANTISSA_BITS: u32 = 12;
 /// Bits of f32's mantissa that a packed flux leaves out.
 const DROPPED_BITS: u32 = 23 - MANTISSA_BITS;
@@ -13,37 +13,35 @@ const DROPPED_BITS: u32 = 23 - MANTISSA_BITS;
 const FLUX_BITS: u32 = 6 + MANTISSA_BITS;
 /// Number of bits of a packed temperature.
 const TEMPERATURE_BITS: u32 = 32 - FLUX_BITS;
-/// What a packed flux adds to the upper bits of an f32: its smallest value is 2^-40, that of a star
+/// The offset of a packed flux from the upper bits of an f32: its smallest value is 2^-40, a star
 /// of V = 20.5.
 pub(super) const FLUX_BIAS: u32 = (127 - 40) << MANTISSA_BITS;
-/// Number of steps of a packed temperature, between the ends of the table of thermal colours. It is
-/// right to 2.4e-4.
+/// Number of steps of a packed temperature, between the ends of the table of thermal colours. Its
+/// error is 2.4e-4.
 pub(super) const TEMPERATURE_STEPS: u32 = (1 << TEMPERATURE_BITS) - 1;
 
 /// Maximum number of images in the list of images, which then takes 64 MiB.
 pub const MAX_IMAGES: u32 = 1 << 21;
 
-/// Candidates per star that there is room for in each list. From outside the horizon it is at most 3 in
-/// the longest list; a falling observer next to the horizon sees all stars several times, in cells each
+/// Capacity of each list of candidates, per star. Outside the horizon the longest list has at most
+/// 3 per star; a falling observer next to the horizon sees all stars several times, in cells each
 /// of which sees a large part of the sky.
 const CANDIDATES_PER_STAR: u32 = 14;
 
-/// Minimum number of candidates that there is room for: wide cells are listed with the candidates, in
-/// up to eight parts each.
+/// Minimum capacity of each list: one list has up to eight parts of each wide cell.
 const MIN_CANDIDATES: u32 = 1 << 18;
 
-/// Maximum number of candidates in each list: 64 MiB for all four.
+/// Maximum capacity of each list: 64 MiB for all four.
 pub const MAX_CANDIDATES: u32 = 1 << 21;
 
 /// Stars in the form that the kernels read, brightest first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PackedStars {
     bytes: Vec<u8>,
-    /// Luminous fluxes.
     fluxes: Vec<f32>,
 }
 
-/// A star as the kernels know it.
+/// A star of the list.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnpackedStar {
     /// Its unit direction.
@@ -56,7 +54,6 @@ pub struct UnpackedStar {
 
 impl PackedStars {
     /// Packs stars that are sorted by their magnitude.
-    #[must_use]
     pub fn new(stars: &[Star]) -> Self {
         let flux = |star: &Star| {
             (ZERO_MAGNITUDE_FLUX * 10_f64.powf(-0.4 * f64::from(star.magnitude))) as f32
@@ -74,19 +71,16 @@ impl PackedStars {
     }
 
     /// The contents of `STAR_LIST`.
-    #[must_use]
     pub fn bytes(&self) -> &[u8] {
         &self.bytes
     }
 
     /// Number of stars.
-    #[must_use]
     pub fn len(&self) -> u32 {
         self.fluxes.len() as u32
     }
 
     /// Whether there are no stars.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.fluxes.is_empty()
     }
@@ -100,30 +94,26 @@ impl PackedStars {
         })
     }
 
-    /// How many images the list of images has room for: all that these stars can have, up to
-    /// [`MAX_IMAGES`]. Further ones are not drawn.
-    #[must_use]
+    /// The capacity of the list of images: all that these stars can have, up to [`MAX_IMAGES`].
+    /// Further ones are not drawn.
     pub fn max_images(&self) -> u32 {
         self.len().saturating_mul(ORDERS).clamp(1, MAX_IMAGES)
     }
 
-    /// How many candidates each list has room for: more than these stars have in any picture, up to
-    /// [`MAX_CANDIDATES`]. Which ones of more would be polished is left to chance.
-    #[must_use]
+    /// The capacity of each list of candidates: more than these stars have in any picture, up to
+    /// [`MAX_CANDIDATES`]. Further ones are dropped in no fixed order.
     pub fn max_candidates(&self) -> u32 {
         let count = self.len().saturating_mul(CANDIDATES_PER_STAR);
         count.clamp(MIN_CANDIDATES, MAX_CANDIDATES)
     }
 
     /// How many stars have at least this luminous flux.
-    #[must_use]
     pub fn count_brighter(&self, luminous_flux: f64) -> u32 {
         let brighter = |flux: &f32| f64::from(*flux) >= luminous_flux;
         self.fluxes.partition_point(brighter) as u32
     }
 
     /// A star of the list, with the rounding of its packed form.
-    #[must_use]
     pub fn star(&self, index: u32) -> Option<UnpackedStar> {
         let bytes = self.bytes.chunks_exact(16).nth(index as usize)?;
         let word = |i: usize| {

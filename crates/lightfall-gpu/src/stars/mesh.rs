@@ -1,4 +1,4 @@
-//! Images of stars by a mesh of rays: its uniform, its lists and their sizes.
+//! The mesh of rays that finds images of stars: its uniform, its lists and their sizes.
 
 use super::list::PackedStars;
 use super::numbers::stretch;
@@ -8,19 +8,20 @@ use glam::{DMat3, UVec2, Vec2, Vec3};
 use lightfall_model::scene::Scene;
 use lightfall_optics::stars::images::MeshLayout;
 
-/// Cells at each side of the mesh that find no images, because their neighbours tell how the sky bends.
+/// Cells at each side of the mesh that find no images and only complete the differences of their
+/// neighbours.
 pub(super) const MESH_RIM: u32 = 2;
 
-/// How far from an image the rays go that measure its magnification: a share of the mesh's spacing.
-/// That is 0.35 pixels of 960x540.
+/// The distance from an image of the rays that measure its magnification, as a share of the mesh's
+/// spacing: 0.35 pixels of 960x540.
 const HALF_STEP: f64 = 0.0875;
 
-/// The limits of that distance in radians. Below, the rounding of directions counts for more than
-/// 0.5 %; above, the bending of the map from the picture to the sky would.
+/// The limits of that distance in radians. Below, the rounding of directions has an effect of more
+/// than 0.5 %; above, the curvature of the map from the picture to the sky would.
 const HALF_STEPS: [f64; 2] = [3e-5, 6.1e-4];
 
-/// Maximum number of candidates that rays follow: more than pictures from a few r_s away have. It keeps a
-/// frame next to the horizon from lasting seconds.
+/// Maximum number of candidates whose images rays find: more than in pictures from a few r_s away.
+/// It prevents frames next to the horizon that take seconds.
 pub const MAX_TRACED: u32 = 1 << 17;
 
 /// Mirror of `StarMesh` in shaders/stars/mesh_points.wgsl.
@@ -47,7 +48,6 @@ pub struct GpuMeshPoint {
 }
 
 /// The mesh of about `cells` cells for the scene's picture.
-#[must_use]
 pub fn mesh_layout(scene: &Scene, cells: f64) -> MeshLayout {
     let reach = 2.0 * stretch(scene);
     MeshLayout::new(scene.picture.size(), cells, reach).with_rim(MESH_RIM)
@@ -59,7 +59,6 @@ impl GpuStarMesh {
 
     /// The numbers for the scene and this mesh of its picture. `hole_from_list` turns the list's
     /// directions into the hole's frame.
-    #[must_use]
     pub fn new(
         scene: &Scene,
         layout: &MeshLayout,
@@ -69,7 +68,8 @@ impl GpuStarMesh {
         let pixel = scene.pixel_angle();
         let [shortest, longest] = HALF_STEPS;
         let angle = (HALF_STEP * layout.spacing * pixel).clamp(shortest, longest);
-        // Rays are traced in the disk's frame. The rows of the inverse of a rotation are its columns.
+        // Rays are traced in the disk's frame. The rows of the inverse of a rotation are its
+        // columns.
         let disk_from_list = scene.disk.hole_from_disk().transpose() * hole_from_list;
         let [list_x, list_y, list_z] = [0, 1, 2].map(|i| disk_from_list.col(i).as_vec3());
         Self {
@@ -86,14 +86,13 @@ impl GpuStarMesh {
 }
 
 /// The size of `MESH_POINTS` in bytes.
-#[must_use]
 pub fn mesh_points_size(layout: &MeshLayout) -> u64 {
     u64::from(layout.point_count()) * <GpuMeshPoint as encase::ShaderSize>::SHADER_SIZE.get()
 }
 
-/// The workgroups of `find_wide_candidates`, which share the parts of wide cells: some ten thousands
-/// in most pictures. More are faster on a graphics card, and slower on a software renderer, where a
-/// workgroup costs time even if it finds nothing to do.
+/// The workgroups of `find_wide_candidates`, which share the parts of wide cells: some ten
+/// thousands in most pictures. More are faster on a graphics card, and slower on a software
+/// renderer, where a workgroup costs time even if it finds nothing to do.
 pub(super) const WIDE_GROUPS: u32 = 256;
 
 /// The workgroups of `test_candidates`, which share the candidates in bent cells.
@@ -108,9 +107,8 @@ pub(super) const RANKS: usize = 128;
 /// The size of `CANDIDATE_COUNT` in bytes: lists, ranks and a number, filled up to whole 16 bytes.
 pub const CANDIDATE_COUNT_SIZE: u64 = CANDIDATE_LISTS as u64 * COUNT_SIZE + 4 * RANKS as u64 + 16;
 
-/// The contents of `CANDIDATE_COUNT` before a run in which rays follow at most `max_traced` candidates:
-/// empty lists, no candidate of any rank, and this number.
-#[must_use]
+/// The contents of `CANDIDATE_COUNT` before a run in which rays follow at most `max_traced`
+/// candidates: empty lists, no candidate of any rank, and this number.
 pub fn empty_candidate_count(max_traced: u32) -> Vec<u8> {
     let lists = EMPTY_COUNT.repeat(CANDIDATE_LISTS);
     let words = lists.into_iter().chain([0; RANKS]);
@@ -119,7 +117,6 @@ pub fn empty_candidate_count(max_traced: u32) -> Vec<u8> {
 }
 
 /// The size of `CANDIDATES` in bytes.
-#[must_use]
 pub fn candidates_size(list: &PackedStars) -> u64 {
     CANDIDATE_LISTS as u64 * 8 * u64::from(list.max_candidates())
 }

@@ -59,7 +59,6 @@ pub const COUNT_SIZE: u64 = 16;
 pub const TABLE_SIZE: u64 = 16 * INTERVALS as u64;
 
 /// The workgroups along x and y that give each of `count` stars its invocation of `solve`.
-#[must_use]
 pub fn solve_workgroups(count: u32) -> [u32; 2] {
     let groups = count.div_ceil(WORKGROUP_SIZE);
     let rows = groups.div_ceil(MAX_WORKGROUPS).max(1);
@@ -67,7 +66,6 @@ pub fn solve_workgroups(count: u32) -> [u32; 2] {
 }
 
 /// The size of `STAR_IMAGES` in bytes.
-#[must_use]
 pub fn images_size(list: &PackedStars) -> u64 {
     u64::from(list.max_images()) * GpuStarImage::SHADER_SIZE.get()
 }

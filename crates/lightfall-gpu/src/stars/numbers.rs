@@ -8,15 +8,15 @@ use lightfall_model::scene::Scene;
 use lightfall_optics::stars::images::{Inversion, ORDERS};
 use lightfall_optics::stars::{Depth, ZERO_MAGNITUDE_FLUX};
 
-/// Images of stars are one pixel fine in pictures of up to this height. In larger ones they are as
-/// large as here, so that a larger picture does not look emptier.
+/// Images of stars are one pixel wide in pictures of up to this height, and wider in proportion in
+/// larger ones, so that these do not look emptier.
 const FINE_HEIGHT: f64 = 1080.0;
 
-/// Units of the sums per linear light that is shown as white, at an exposure of a whole step: so a
-/// unit is at most a 65 536th of white at any exposure.
+/// Units of the sums per light that is shown as white, at an exposure of a whole step: a unit is at
+/// most a 65 536th of white at any exposure.
 const UNITS_PER_WHITE: f64 = 262_144.0;
 
-/// By how much a camera's sampled gain may fall short of its largest.
+/// The ratio of a camera's largest gain to the largest sampled one, at most.
 const GAIN_MARGIN: f64 = 2.0;
 
 /// Mirror of `Stars` in shaders/stars/stars.wgsl.
@@ -57,9 +57,7 @@ impl GpuStars {
     /// The uniform's size in bytes.
     pub const SIZE: u64 = <Self as encase::ShaderSize>::SHADER_SIZE.get();
 
-    /// The numbers for a scene whose images are found by a mesh. Images are drawn as far as `depth`
-    /// says.
-    #[must_use]
+    /// The numbers for a scene whose images are found by a mesh. Images are drawn down to `depth`.
     pub fn for_mesh(scene: &Scene, list: &PackedStars, depth: Depth) -> Self {
         let flux_limit = ZERO_MAGNITUDE_FLUX * 10_f64.powf(-0.4 * depth.limit);
         Self {
@@ -74,8 +72,7 @@ impl GpuStars {
     }
 
     /// The numbers for a scene and its [`Inversion`]. `hole_from_list` turns the list's directions
-    /// into the hole's frame. Images are drawn as far as `depth` says.
-    #[must_use]
+    /// into the hole's frame. Images are drawn down to `depth`.
     pub fn new(
         scene: &Scene,
         inversion: &Inversion,
@@ -123,23 +120,22 @@ impl GpuStars {
 
 /// Linear light per unit of the sums. It depends on the scene's exposure in large steps: a unit is
 /// invisible at any exposure, and a sum has room for the light of the brightest stars.
-#[must_use]
 pub fn light_unit(scene: &Scene) -> f64 {
     (-scene.stepped_exposure()).exp2() / UNITS_PER_WHITE
 }
 
-/// By how much an image is wider than one pixel.
+/// The width of an image relative to one pixel.
 pub(super) fn stretch(scene: &Scene) -> f64 {
     (f64::from(scene.picture.height) / FINE_HEIGHT).max(1.0)
 }
 
-/// How many stars there are down to the magnitude `last`.
+/// The number of stars down to the magnitude `last`.
 fn count_to(list: &PackedStars, last: f64) -> u32 {
     list.count_brighter(ZERO_MAGNITUDE_FLUX * 10_f64.powf(-0.4 * last))
 }
 
-/// How many stars may have an image of each order above the limit. All stars count for the first
-/// two orders, which may be next to a caustic.
+/// The numbers of stars that may have an image of each order above the limit. All stars count for
+/// the first two orders, whose images may be next to a caustic.
 fn counts(inversion: &Inversion, list: &PackedStars, flux_limit: f64, last: f64) -> UVec4 {
     let mut counts = [count_to(list, last); ORDERS as usize];
     for order in 2..ORDERS {
@@ -152,7 +148,6 @@ fn counts(inversion: &Inversion, list: &PackedStars, flux_limit: f64, last: f64)
 
 /// The contents of `STAR_TABLE` as shaders/stars/closed.wgsl states them; `None` along straight
 /// rays.
-#[must_use]
 pub fn table_rows(inversion: &Inversion) -> Option<Vec<[f32; 4]>> {
     let nodes = inversion.table()?.nodes();
     let rows = nodes

@@ -12,7 +12,6 @@ use lightfall_optics::stars::images::{MIN_SOURCE_RADIUS, ORDERS, table::INTERVAL
 
 /// The shader that adds the images to the sums: entry point `splat`. It is the same for all scenes
 /// with the same projection.
-#[must_use]
 pub fn splat_shader(projection: Projection) -> ShaderText {
     let mut prelude = String::new();
     add_spectrum_constants(&mut prelude);
@@ -22,7 +21,6 @@ pub fn splat_shader(projection: Projection) -> ShaderText {
 
 /// The shader that looks for the stars in each cell of the mesh: entry points `find_candidates`,
 /// `find_wide_candidates` and `test_candidates`. It is the same for all scenes with the same projection.
-#[must_use]
 pub fn candidate_shader(projection: Projection) -> ShaderText {
     let mut prelude = String::new();
     add_spectrum_constants(&mut prelude);

@@ -44,7 +44,6 @@ impl Timestamps {
         })
     }
 
-    /// For a compute pass that is to be timed.
     pub(super) fn compute_writes(&self) -> wgpu::ComputePassTimestampWrites<'_> {
         wgpu::ComputePassTimestampWrites {
             query_set: &self.queries,
@@ -53,7 +52,6 @@ impl Timestamps {
         }
     }
 
-    /// For a render pass that is to be timed.
     pub(super) fn render_writes(&self) -> wgpu::RenderPassTimestampWrites<'_> {
         wgpu::RenderPassTimestampWrites {
             query_set: &self.queries,

@@ -59,7 +59,6 @@ pub struct DelayMeasurement {
 impl DelayMeasurement {
     /// The time relative to that of tracing without delays, which is another of these rows. NaN if
     /// none of them has it.
-    #[must_use]
     pub fn time_over_none(&self, rows: &[Self]) -> f64 {
         let is_none = |none: &&Self| {
             none.nodes == 0 && (&none.scene, &none.method) == (&self.scene, &self.method)
@@ -70,7 +69,6 @@ impl DelayMeasurement {
 
     /// The errors of the delays (median, 99th percentile, maximum) in r_s/c, and of the turn of the
     /// matter (99th percentile, maximum) in radians.
-    #[must_use]
     pub fn errors(&self) -> [f64; 5] {
         [
             self.delay_p50,
@@ -100,7 +98,6 @@ impl Plan {
     }
 
     /// Number of rows of [`Plan::run_delays`].
-    #[must_use]
     pub fn delay_rows(&self) -> usize {
         let with_disk = self.scenes.iter().filter(|scene| scene.scene.disk.enabled);
         with_disk
@@ -239,7 +236,6 @@ fn delay_errors((expected, found): (&Trace, &Trace)) -> impl Iterator<Item = (f6
 }
 
 /// The rows as a Markdown table, with each time relative to tracing without delays.
-#[must_use]
 pub fn delay_table(rows: &[DelayMeasurement]) -> String {
     let mut text = String::from(
         "| scene | method | nodes | ms | over none | median error, r_s/c | 99 % | largest | turn of the matter, 99 %, rad | largest |\n\

@@ -20,7 +20,6 @@ pub struct AtEqualError {
 /// Compares the methods `fast` and `slow` in a scene. `floor` is the time of a run that only traces
 /// straight lines, in milliseconds. `None` if a method was not measured or the fast one reaches
 /// none of the slow one's errors.
-#[must_use]
 pub fn at_equal_error(
     rows: &[Measurement],
     scene: &str,

@@ -41,7 +41,6 @@ impl Plan {
     }
 
     /// Number of rows of [`Plan::run_light`].
-    #[must_use]
     pub fn light_rows(&self) -> usize {
         self.lit_scenes().count()
     }
@@ -113,7 +112,6 @@ impl Plan {
 }
 
 /// The rows as a Markdown table.
-#[must_use]
 pub fn light_table(rows: &[LightMeasurement]) -> String {
     let mut text = String::from(
         "| scene | method | smooth, ms | living, ms | ratio |\n|---|---|---|---|---|\n",

@@ -9,7 +9,6 @@ use std::fmt::Write;
 
 /// The report as a Markdown table, scene by scene. Rows on the Pareto front are bold, and `auto`'s
 /// row has a star.
-#[must_use]
 pub fn markdown(circumstances: &Circumstances, rows: &[Measurement]) -> String {
     let mut text = String::new();
     for (name, value) in circumstances.lines() {
@@ -66,7 +65,6 @@ const MAX_RATIO: f64 = 1e6;
 
 /// A range of ratios of times. It is empty if the floor is as high as the faster method's time: then
 /// nothing is left to compare.
-#[must_use]
 pub fn ratio_range([low, high]: [f64; 2]) -> String {
     match (ratio(low), ratio(high)) {
         _ if !high.is_finite() || high > MAX_RATIO => String::new(),

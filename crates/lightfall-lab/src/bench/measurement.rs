@@ -146,7 +146,6 @@ impl Measurement {
     }
 
     /// The method with its setting, as in tables.
-    #[must_use]
     pub fn label(&self) -> String {
         format!("{} {}", self.method, self.setting_label())
             .trim_end()

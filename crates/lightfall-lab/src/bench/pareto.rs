@@ -36,7 +36,6 @@ pub enum Ranking {
 
 impl AutoMargin {
     /// Whether no row of another method is as good as `auto` in both time and error.
-    #[must_use]
     pub fn holds(&self) -> bool {
         leads([self.faster, self.more_exact])
     }
@@ -47,7 +46,6 @@ fn leads([faster, more_exact]: [f64; 2]) -> bool {
 }
 
 /// `auto`'s margin in a scene. `None` if `auto`'s method was not measured.
-#[must_use]
 pub fn auto_margin(rows: &[Measurement], scene: &str) -> Option<AutoMargin> {
     let rows: Vec<_> = rows.iter().filter(|row| row.scene == scene).collect();
     let auto = *rows.iter().find(|row| row.auto)?;
@@ -102,7 +100,6 @@ fn moved(row: &Measurement, share: f64) -> f64 {
 }
 
 /// Whether no row of the same scene is both faster and more exact.
-#[must_use]
 pub fn is_on_front(rows: &[Measurement], row: &Measurement) -> bool {
     let better = |other: &Measurement| {
         other.scene == row.scene

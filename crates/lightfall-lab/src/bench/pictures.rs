@@ -12,7 +12,6 @@ pub const TRUE_SAMPLES: u32 = 1024;
 /// Width and height of the part of a picture 540 pixels high whose error is measured, about its
 /// middle, in pixels.
 const CROP_SIDE: u32 = 240;
-/// The height of that picture.
 const CROP_OF_HEIGHT: u32 = 540;
 
 /// How a picture is sampled.
@@ -37,7 +36,6 @@ pub const PICTURE_SETTINGS: [PictureSetting; 7] = [
 
 impl PictureSetting {
     /// A setting.
-    #[must_use]
     pub const fn new(antialias: bool, samples: u32) -> Self {
         Self { antialias, samples }
     }
@@ -47,7 +45,6 @@ impl PictureSetting {
 
     /// The scene with this setting and without what is no matter of rays through pixels: stars,
     /// bloom, and an exposure that depends on the picture.
-    #[must_use]
     pub fn of(self, scene: &Scene) -> Scene {
         let mut scene = scene.clone();
         scene.sky.mode = SkyMode::Off;
@@ -62,7 +59,6 @@ impl PictureSetting {
 
 /// The scene, and in front of it the same with a smooth disk, where its disk has structure: what is
 /// left of the error of refined edges is mostly that of the structure's filter.
-#[must_use]
 pub fn with_smooth_disk(bench_scene: &BenchScene) -> Vec<BenchScene> {
     let mut smooth = BenchScene {
         name: format!("{}-smooth", bench_scene.name),
@@ -93,7 +89,6 @@ pub struct PictureError {
 
 impl PictureError {
     /// The difference of the brightness of one part of two pictures; NaN where there is no pixel.
-    #[must_use]
     pub fn between(found: &[f64], truth: &[f64]) -> Self {
         let mut errors: Vec<f64> = found
             .iter()
@@ -116,7 +111,6 @@ impl PictureError {
 
 /// The part of a picture of this size whose error is measured: its left, top, width and height, in
 /// pixels.
-#[must_use]
 pub fn measured_part([width, height]: [u32; 2]) -> [u32; 4] {
     let side = (height * CROP_SIDE / CROP_OF_HEIGHT).clamp(1, width.min(height).max(1));
     [(width - side) / 2, (height - side) / 2, side, side]
@@ -155,7 +149,6 @@ impl PictureMeasurement {
 }
 
 /// The rows as a Markdown table.
-#[must_use]
 pub fn pictures_table(rows: &[PictureMeasurement]) -> String {
     let mut text = String::from(
         "| scene | rays | frames | ms | over one ray | rms error | 99 % | largest |\n\

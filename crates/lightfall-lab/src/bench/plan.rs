@@ -35,7 +35,6 @@ pub struct Plan {
 
 impl Plan {
     /// A thorough plan for all built-in scenes and methods, or a quick one.
-    #[must_use]
     pub fn new(quick: bool) -> Self {
         Self {
             scenes: scenes(),
@@ -56,7 +55,6 @@ impl Plan {
     }
 
     /// Number of rows of the report.
-    #[must_use]
     pub fn len(&self) -> usize {
         self.scenes
             .iter()
@@ -65,7 +63,6 @@ impl Plan {
     }
 
     /// Whether there is nothing to measure.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -84,7 +81,6 @@ impl Plan {
     }
 
     /// The work of measuring the rows of each scene that are not known, in the unit of [`ray_work`].
-    #[must_use]
     pub fn work(&self, known: &[Measurement]) -> Vec<f64> {
         let work = |scene: &BenchScene| {
             let left = self.rows_of(scene).into_iter();

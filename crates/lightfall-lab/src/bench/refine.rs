@@ -108,7 +108,6 @@ impl RefinementMeasurement {
     }
 
     /// The number that the series refines, for people.
-    #[must_use]
     pub fn label(&self) -> String {
         match self.study {
             Study::StepScale => three_digits(self.step_scale),
@@ -118,7 +117,6 @@ impl RefinementMeasurement {
         }
     }
 
-    /// Whether it measures this refinement in the scene of this name.
     fn is_of(&self, name: &str, refinement: &Refinement) -> bool {
         let scene = &refinement.scene;
         let quality = &scene.quality;
@@ -133,7 +131,6 @@ impl RefinementMeasurement {
 
 impl Plan {
     /// The methods of the plan that can be refined in a scene.
-    #[must_use]
     pub fn refinable(&self, scene: &Scene) -> Vec<Method> {
         let mut methods = methods_for(scene);
         methods.retain(|method| {
@@ -143,14 +140,12 @@ impl Plan {
         methods
     }
 
-    /// The refinements of each method of the plan in a scene.
     fn refinements(&self, scene: &Scene) -> Vec<Vec<Refinement>> {
         let methods = self.refinable(scene).into_iter();
         methods.map(|method| refinements(scene, method)).collect()
     }
 
     /// Number of rows of [`Plan::run_refinements`].
-    #[must_use]
     pub fn refinement_rows(&self) -> usize {
         let all = self.scenes.iter();
         all.flat_map(|scene| self.refinements(&scene.scene))
@@ -207,7 +202,6 @@ impl Plan {
 }
 
 /// The rows as a Markdown table.
-#[must_use]
 pub fn refinement_table(rows: &[RefinementMeasurement]) -> String {
     let mut text = String::from(
         "| scene | method | series | value | backward px, median | 99 % | sky rad, median | 99 % | hit r, median | 99 % | hit g, median | 99 % | wrong class | given up | steps |\n\

@@ -15,7 +15,6 @@ pub struct BenchScene {
 /// without those of straight rays, which every method traces alike.
 /// The opening preset comes without spin, so that every method can trace it, and once more as it
 /// is.
-#[must_use]
 pub fn scenes() -> Vec<BenchScene> {
     let measured = |preset: &presets::Preset, name: String, overrides: &[Override]| {
         let scene = preset.scene(overrides).ok()?;

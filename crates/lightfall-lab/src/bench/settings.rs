@@ -34,7 +34,6 @@ pub struct Setting {
 
 impl Setting {
     /// The method with its setting, as in tables.
-    #[must_use]
     pub fn label(&self) -> String {
         let quality = self.quality.map(ArticleQuality::word);
         let setting = setting_label(quality, self.key.map(|_| self.value));
@@ -51,7 +50,6 @@ pub(super) fn setting_label(quality: Option<&str>, value: Option<f64>) -> String
 }
 
 /// The methods that can trace a scene on the GPU.
-#[must_use]
 pub fn methods_for(scene: &Scene) -> Vec<Method> {
     let mut methods = Method::on_gpu();
     methods.retain(|method| scene.hole.spin == 0.0 || method.properties().spins);
@@ -60,7 +58,6 @@ pub fn methods_for(scene: &Scene) -> Vec<Method> {
 
 /// The settings of a method for a scene, few or many. Settings that make no difference are left
 /// out.
-#[must_use]
 pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
     let auto = Method::BEST;
     let subject = scene;

@@ -42,7 +42,6 @@ pub enum Cause {
     NarrowRing,
 }
 
-/// A number that is rounded.
 struct Rounded {
     /// Key of a field of the scene, or the name of a constant of the photon.
     input: &'static str,

@@ -22,7 +22,6 @@ pub struct Cell {
 }
 
 /// Every cell, with about `count` rays each.
-#[must_use]
 pub fn cells(count: usize) -> Vec<Cell> {
     let mut all = Vec::new();
     distances(&mut all, count);

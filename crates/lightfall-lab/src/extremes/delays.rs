@@ -88,7 +88,6 @@ pub fn measure_delays(
 }
 
 /// The work of measuring the delays of these methods in these cells, in any unit.
-#[must_use]
 pub fn delays_work(cells: &[Cell], methods: &[Method]) -> f64 {
     let work = |cell: &Cell| -> f64 {
         variations(&cell.scene, methods)
@@ -155,7 +154,6 @@ impl CellDelays {
 }
 
 /// The rows as a Markdown table, for people, with what its classes mean.
-#[must_use]
 pub fn delays_table(rows: &[CellDelays]) -> String {
     let mut text = String::from(
         "| cell | method | hits | delay max, r_s/c | turn max, rad | at the place found | over | place | far | unexplained | lost |\n\

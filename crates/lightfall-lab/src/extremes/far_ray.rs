@@ -15,7 +15,6 @@ const MAX_UNEXPLAINED: usize = 16;
 /// A ray whose error is beyond the method's tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct FarRay {
-    /// Its index.
     pub(super) ray: usize,
     /// Why it is so far off, if that is known.
     pub(super) cause: Option<Cause>,
@@ -61,7 +60,6 @@ impl FarRays {
         far
     }
 
-    /// Number of rays.
     pub(super) fn len(&self) -> usize {
         self.0.len()
     }
@@ -71,7 +69,6 @@ impl FarRays {
         self.0.iter().filter(|ray| ray.cause.is_none()).count()
     }
 
-    /// The ray with this index.
     pub(super) fn get(&self, ray: usize) -> Option<&FarRay> {
         self.0.iter().find(|far| far.ray == ray)
     }

@@ -10,7 +10,6 @@ const ANGLES: [f64; 5] = [0.0, 10.0, 60.0, 89.0, 90.0];
 const SCHWARZSCHILD_RADII: [f64; 9] = [1.02, 1.2, 1.5, 1.6, 3.0, 10.0, 20.0, 100.0, 1000.0];
 
 /// Every cell of the grid, with about `count` rays each, half of them near the shadow's edge.
-#[must_use]
 pub fn grid(count: usize) -> Vec<Cell> {
     let schwarzschild = SCHWARZSCHILD_RADII.map(|r| (0.0, r, 75.0));
     let at_radius = |spin: f64, r: f64| ANGLES.map(|theta| (spin, r, theta));

@@ -10,7 +10,6 @@ use lightfall_model::random::Random;
 use lightfall_model::scene::Scene;
 use rayon::prelude::*;
 
-/// Number of rays of one scene.
 const RAYS_PER_SCENE: usize = 2000;
 /// Distances of half of them from the shadow's edge, as shares of the shadow's radius: nearer than
 /// in the usual sample.
@@ -30,7 +29,6 @@ pub struct Hunt {
 
 impl Hunt {
     /// The number of scenes that are searched.
-    #[must_use]
     pub fn scenes(&self) -> usize {
         self.rays.div_ceil(RAYS_PER_SCENE)
     }

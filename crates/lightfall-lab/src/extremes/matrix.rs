@@ -52,7 +52,6 @@ fn variations(scene: &Scene, methods: &[Method]) -> Vec<Scene> {
 }
 
 /// The work of measuring these methods in these cells, in any unit.
-#[must_use]
 pub fn matrix_work(cells: &[Cell], methods: &[Method]) -> f64 {
     let work = |cell: &Cell| -> f64 {
         let scenes = variations(&cell.scene, methods);

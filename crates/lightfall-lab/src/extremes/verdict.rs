@@ -11,7 +11,6 @@ use lightfall_optics::trace::Trace;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 
-/// The name of mino at its tightest setting.
 const TIGHTEST: &str = "mino, tightest";
 
 /// The scene with method mino at its tightest setting.
@@ -140,7 +139,6 @@ impl Verdict {
     }
 
     /// The verdict in one to three words.
-    #[must_use]
     pub fn word(&self) -> &'static str {
         match self {
             _ if self.holds => "holds",
@@ -153,7 +151,6 @@ impl Verdict {
 }
 
 /// The matrix as a Markdown table, for people.
-#[must_use]
 pub fn markdown(verdicts: &[Verdict]) -> String {
     let mut text = String::from(
         "| cell | method | rays | unfinished | not a number | wrong class | backward p50 | p99 | max | bar | residual | steps | verdict \

@@ -65,7 +65,6 @@ impl WorstRay {
     }
 
     /// The command line that traces this ray again, by the method and by the reference.
-    #[must_use]
     pub fn command(&self) -> String {
         let DVec3 { x, y, z } = self.direction;
         let Scene {
@@ -94,7 +93,6 @@ impl WorstRay {
     }
 
     /// The ray as a row of a report.
-    #[must_use]
     pub fn row(&self) -> HuntRow {
         let Scene {
             hole,
@@ -119,7 +117,6 @@ impl WorstRay {
     }
 
     /// A sentence about this ray.
-    #[must_use]
     pub fn verdict(&self) -> String {
         let error = if self.backward.is_finite() {
             format!(
@@ -197,7 +194,6 @@ pub struct HuntRow {
 }
 
 /// The rows as lines for a shell: each traces a ray again, below a comment with its verdict.
-#[must_use]
 pub fn hunt_text(circumstances: &Circumstances, rows: &[HuntRow]) -> String {
     let mut text = String::new();
     for (name, value) in circumstances.lines() {

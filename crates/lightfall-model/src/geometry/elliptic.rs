@@ -1,4 +1,5 @@
-//! Carlson's symmetric elliptic integral of the first kind. The twin in WGSL is shaders/elliptic.wgsl.
+//! Carlson's symmetric elliptic integral of the first kind. The twin in WGSL is
+//! shaders/elliptic.wgsl.
 
 /// R_F(x, y, z) = (1/2) integral from 0 to infinity of dt / sqrt((t + x)(t + y)(t + z)), for
 /// finite arguments that are not negative and of which at most one is zero; otherwise NaN.
@@ -6,7 +7,6 @@
 /// Carlson's duplication theorem (DLMF 19.26.18) reduces the spread of the arguments, then the
 /// series of DLMF 19.36.1 gives the value. Its first omitted term is of eighth order in the spread,
 /// which sets the bound on the spread.
-#[must_use]
 pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
     let zeros = [x, y, z].into_iter().filter(|&v| v == 0.0).count();
     if [x, y, z].into_iter().any(|v| !v.is_finite() || v < 0.0) || zeros > 1 {
@@ -37,9 +37,8 @@ pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
 /// R_F(x, y, z) for x > 0, with y, z = mean +- sqrt(h2): two real arguments where `h2` >= 0, and a
 /// conjugate pair, whose mean may be negative, where `h2` < 0.
 ///
-/// The duplication of [`carlson_rf`] in terms of the pair's mean and product: with p = sqrt(mean^2 -
-/// h2), lambda = sqrt(2 x (mean + p)) + p, and h2 is divided by 16.
-#[must_use]
+/// The duplication of [`carlson_rf`] in terms of the pair's mean and product: h2 is divided by 16,
+/// and lambda = sqrt(2 x (mean + p)) + p, where p = sqrt(mean^2 - h2).
 pub fn carlson_rf_pair(x: f64, mean: f64, h2: f64) -> f64 {
     let (mut x, mut mean, mut h2) = (x, mean, h2);
     for _ in 0..600 {
@@ -57,7 +56,7 @@ pub fn carlson_rf_pair(x: f64, mean: f64, h2: f64) -> f64 {
             return series / centre.sqrt();
         }
         let p = (mean * mean - h2).max(0.0).sqrt();
-        // mean + p, without a small difference where the mean is negative.
+        // mean + p, without cancellation where the mean is negative.
         let sum = if mean < 0.0 {
             -h2 / (p - mean)
         } else {

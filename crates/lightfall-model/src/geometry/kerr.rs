@@ -13,47 +13,40 @@ pub struct Kerr {
 
 impl Kerr {
     /// a = chi M, in r_s.
-    #[must_use]
     pub fn a(self) -> f64 {
         self.spin * MASS
     }
 
     /// The outer horizon: r_+ = M (1 + sqrt(1 - chi^2)). Bardeen, Press & Teukolsky 1972, section
     /// II.
-    #[must_use]
     pub fn horizon(self) -> f64 {
         MASS * (1.0 + ((1.0 - self.spin) * (1.0 + self.spin)).sqrt())
     }
 
     /// The inner horizon, from r_+ r_- = a^2, which has no cancellation at small spin.
-    #[must_use]
     pub fn inner_horizon(self) -> f64 {
         self.a().powi(2) / self.horizon()
     }
 
     /// The static limit: r = M (1 + sqrt(1 - chi^2 cos^2 theta)), where -g_tt = 0. Bardeen, Press &
     /// Teukolsky 1972, section II.
-    #[must_use]
     pub fn static_limit(self, cos_theta: f64) -> f64 {
         let c = self.spin * cos_theta;
         MASS * (1.0 + ((1.0 - c) * (1.0 + c)).sqrt())
     }
 
     /// Delta = (r - r_+)(r - r_-), in r_s^2.
-    #[must_use]
     pub fn delta(self, r: f64) -> f64 {
         (r - self.horizon()) * (r - self.inner_horizon())
     }
 
     /// Sigma = r^2 + a^2 cos^2 theta, in r_s^2.
-    #[must_use]
     pub fn sigma(self, r: f64, cos_theta: f64) -> f64 {
         r * r + (self.a() * cos_theta).powi(2)
     }
 
     /// A = (r^2 + a^2)^2 - a^2 Delta sin^2 theta = Sigma (r^2 + a^2) + 2 M r a^2 sin^2 theta, in
     /// r_s^4. Bardeen, Press & Teukolsky 1972 eq. 2.5; the second form has no cancellation.
-    #[must_use]
     pub fn area(self, r: f64, (sin_theta, cos_theta): (f64, f64)) -> f64 {
         let a2 = self.a().powi(2);
         self.sigma(r, cos_theta) * (r * r + a2) + 2.0 * MASS * r * a2 * sin_theta * sin_theta
@@ -61,7 +54,6 @@ impl Kerr {
 
     /// Kerr's ingoing azimuth minus Boyer-Lindquist's: the integral of a/Delta dr, (a / (r_+ -
     /// r_-)) ln|(r - r_+) / (r - r_-)|, zero at infinity. Misner, Thorne & Wheeler 1973 box 33.2.
-    #[must_use]
     pub fn ingoing_azimuth_lead(self, r: f64) -> f64 {
         let (outer, inner) = (self.horizon(), self.inner_horizon());
         self.a() / (outer - inner) * ((r - outer) / (r - inner)).abs().ln()
@@ -70,7 +62,6 @@ impl Kerr {
     /// Kerr's ingoing time v minus Boyer-Lindquist's t: the integral of (r^2 + a^2)/Delta dr, r +
     /// (r_+ ln|r - r_+| - r_- ln|r - r_-|) / (r_+ - r_-) with 2M = 1. Misner, Thorne & Wheeler 1973
     /// box 33.2.
-    #[must_use]
     pub fn ingoing_time_lead(self, r: f64) -> f64 {
         let (outer, inner) = (self.horizon(), self.inner_horizon());
         // Without spin the inner horizon is at zero and its term vanishes.
@@ -84,13 +75,11 @@ impl Kerr {
 
     /// The prograde equatorial photon orbit: r = 2M (1 + cos((2/3) arccos(-chi))), written as a
     /// square. Bardeen, Press & Teukolsky 1972 eq. 2.18.
-    #[must_use]
     pub fn photon_orbit_prograde(self) -> f64 {
         4.0 * MASS * ((-self.spin).acos() / 3.0).cos().powi(2)
     }
 
     /// The retrograde equatorial photon orbit: the prograde one of the hole with the opposite spin.
-    #[must_use]
     pub fn photon_orbit_retrograde(self) -> f64 {
         Kerr { spin: -self.spin }.photon_orbit_prograde()
     }
@@ -98,7 +87,6 @@ impl Kerr {
     /// The photon orbit with L = 0, which passes over both poles: r = M (1 + 2 sqrt(1 - chi^2/3)
     /// cos((1/3) arccos((1 - chi^2) / (1 - chi^2/3)^(3/2)))). Derived by setting the angular
     /// momentum of the spherical photon orbits (Teo 2003) to zero.
-    #[must_use]
     pub fn photon_orbit_polar(self) -> f64 {
         let third = 1.0 - self.spin.powi(2) / 3.0;
         let cosine = (1.0 - self.spin) * (1.0 + self.spin) / third.powf(1.5);
@@ -114,7 +102,6 @@ impl Kerr {
     /// Since p^3 + q^3 = 2, 3 - Z1 = (p + q)(p - q)^2, which has no cancellation at small spin and
     /// gives s the sign of the spin. Since (3 + Z2)^2 - s^2 = (Z1 + Z2)^2, the difference can be
     /// written as a quotient for positive spin.
-    #[must_use]
     pub fn isco(self) -> f64 {
         let (p, q) = ((1.0 + self.spin).cbrt(), (1.0 - self.spin).cbrt());
         let z1 = 1.0 + p * q * (p + q);
@@ -130,7 +117,6 @@ impl Kerr {
 
     /// The prograde circular geodesic of radius `r` in the equatorial plane. `None` at and inside
     /// the photon orbit, where it is not timelike.
-    #[must_use]
     pub fn circular_orbit(self, r: f64) -> Option<CircularOrbit> {
         let (chi, y) = (self.spin, (MASS / r).sqrt());
         // 1 - 3 y^2 + 2 chi y^3, in a form without cancellation for chi -> 1, r -> M.

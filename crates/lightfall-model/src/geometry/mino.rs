@@ -19,9 +19,9 @@
 //!
 //! At and inside the horizon there is no Boyer-Lindquist azimuth. A camera there uses Kerr's
 //! ingoing azimuth, phi + integral of a dr / Delta, for which chi' = a E - a K' u^2 / (E + (a^2 E -
-//! a L) u^2 - u'). This is regular for light that falls in, and the same at infinity. It is also
-//! used for backward rays that leave from very close to the horizon, where the pole of
-//! Boyer-Lindquist's chi' would leave the series no radius of convergence.
+//! a L) u^2 - u'). It is regular for infalling light, and has the same value at infinity. Backward
+//! rays that start very close to the horizon use it too, because the pole of Boyer-Lindquist's chi'
+//! leaves the series almost no radius of convergence there.
 //!
 //! The method expands the motion in a Taylor series of high order about the start of every step, by
 //! recurrences on these right-hand sides. The equations are short, so a step costs little. The

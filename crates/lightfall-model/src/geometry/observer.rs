@@ -1,4 +1,5 @@
-//! Observers: which photon arrives from which direction, and where an observer can be.
+//! Observers: the photon that arrives at an observer from a direction, and the places where an
+//! observer can be.
 //!
 //! For every observer the answer is linear in (1, d), where d is the unit looking direction on the
 //! observer's own axes (outward, toward growing theta, toward growing phi): the photon that arrives
@@ -51,7 +52,6 @@ pub struct Photon {
 
 impl ObserverMatrix {
     /// The photon that arrives from the unit looking direction `direction`, on the observer's axes.
-    #[must_use]
     pub fn photon(&self, direction: DVec3) -> Photon {
         let row = |i: usize| {
             let [one, r, theta, phi] = self.rows[i];
@@ -64,10 +64,9 @@ impl ObserverMatrix {
         }
     }
 
-    /// The unit looking direction from which a photon arrives at the observer, whose unit vector on the
-    /// celestial sphere is `n`; the photon's frequency does not matter. `None` if the observer measures no
-    /// frequency.
-    #[must_use]
+    /// The unit looking direction from which a photon arrives at the observer, whose unit vector on
+    /// the celestial sphere is `n`; the photon's frequency does not matter. `None` if the observer
+    /// measures no frequency.
     pub fn direction_of(&self, photon: &Photon, n: DVec3) -> Option<DVec3> {
         let [energy, radial, x, y, z] = self.rows.map(DVec4::from_array);
         let (u, v) = n.any_orthonormal_pair();

@@ -32,14 +32,12 @@ struct Panel {
 
 /// The integral of a smooth function from `from` to `to`, with a relative error of about 1e-12: the
 /// interval is halved until the two halves agree with the whole.
-#[must_use]
 pub fn integral(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
     integral_on_scale(0.0, from, to, f)
 }
 
 /// As [`integral`], but the error may also be 1e-12 times `scale`: for functions that change sign,
 /// or that are nothing but rounding.
-#[must_use]
 pub fn integral_on_scale(scale: f64, from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
     let whole = seven_points(from, to, f);
     refined(scale, [from, to], whole, MAX_HALVINGS, f)
@@ -87,7 +85,6 @@ fn seven_points(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> Panel {
 /// Nodes and weights of the Gauss-Legendre rule with `count` points on [0, 1], in growing order of
 /// the nodes: the roots of Legendre's polynomial by Newton's method (Abramowitz & Stegun 1964
 /// 25.4.29).
-#[must_use]
 pub fn gauss_legendre(count: usize) -> Vec<(f64, f64)> {
     let node = |i: usize| {
         let mut x = -(PI * (i as f64 + 0.75) / (count as f64 + 0.5)).cos();

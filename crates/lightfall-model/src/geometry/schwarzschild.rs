@@ -1,5 +1,5 @@
-//! Closed forms for light around a hole without spin, which do not depend on any integrator. The
-//! twin in WGSL is shaders/method/closed.wgsl.
+//! Closed forms for light around a hole without spin. The twin in WGSL is
+//! shaders/method/closed.wgsl.
 //!
 //! The orbit obeys (du/dphi)^2 = 1/b^2 - u^2 + u^3 with u = 1/r (Darwin 1959; r_s = 1). Its kind
 //! depends on D = b_c^2/b^2 - 1, with b_c^2 = 27/4: an orbit with D > 0 plunges into the hole, and
@@ -16,7 +16,6 @@ use std::f64::consts::{FRAC_PI_3, PI};
 pub const CRITICAL_IMPACT: f64 = 2.598_076_211_353_316;
 
 /// D = (b_c - b)(b_c + b) / b^2 of a ray with impact parameter `b` (r_s).
-#[must_use]
 pub fn discriminant(b: f64) -> f64 {
     (CRITICAL_IMPACT - b) * (CRITICAL_IMPACT + b) / (b * b)
 }
@@ -55,7 +54,6 @@ impl ShadowEdge {
     /// Let the margin be a + B.d. Then B^2 - a^2 is the same for all observers at a place, and for
     /// the observer at rest it is (1 - u)(1 - C) = ((1 - u) b_c u)^2. So the sine of the edge's
     /// angular radius is (1 - u) b_c u/|B|, without cancellation however small it is.
-    #[must_use]
     pub fn new(energy: [f64; 4], radial: [f64; 4], r: f64) -> Self {
         let u = 1.0 / r;
         let c = CRITICAL_IMPACT * (2.0 / 3.0 - u) * (u + 1.0 / 3.0).sqrt();
@@ -78,10 +76,10 @@ impl ShadowEdge {
 /// The roots u1 < 0 < u2 <= 2/3 <= u3 of the cubic 1/b^2 - u^2 + u^3, of which u2 is the turning
 /// point of light from afar; u32 = u3 - u2 and u21 = u2 - u1.
 ///
-/// With eta = (2/3) arcsin(b_c/b) and eps = pi/3 - eta = (2/3) arcsin(sqrt(-D)), the roots have
-/// u3 - u2 = (2/sqrt 3) sin eps, u2 - u1 = (2/sqrt 3) sin eta, and u1,2 = (2/3) sin^2(eta/2) -+
-/// sin(eta)/sqrt 3: the cubic's trigonometric solution. The smaller of eta and eps is computed
-/// directly, so neither limit loses digits.
+/// With eta = (2/3) arcsin(b_c/b) and eps = pi/3 - eta = (2/3) arcsin(sqrt(-D)), the cubic's
+/// trigonometric solution gives u3 - u2 = (2/sqrt 3) sin eps, u2 - u1 = (2/sqrt 3) sin eta, and
+/// u1,2 = (2/3) sin^2(eta/2) -+ sin(eta)/sqrt 3. The smaller of eta and eps is computed directly, so
+/// both limits are accurate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Roots {
     u1: f64,
@@ -94,7 +92,6 @@ struct Roots {
 /// returns there. `None` if it is captured.
 ///
 /// It is 4 sqrt(u2) R_F(-u1 u32, u21 u32, u21 u3) - pi. Derived from Darwin 1959 and DLMF 19.29.4.
-#[must_use]
 pub fn deflection(b: f64) -> Option<f64> {
     let Roots { u1, u2, u32, u21 } = Roots::of(b.abs())?;
     Some(4.0 * u2.sqrt() * carlson_rf(-u1 * u32, u21 * u32, u21 * (u2 + u32)) - PI)
@@ -125,7 +122,6 @@ impl Roots {
 /// Angular radius of the shadow, in radians from the inward direction, for an observer at rest at
 /// `r` > 1: sin^2 = (27/4)(1 - 1/r)/r^2 (Synge 1966), with cos = (1 - 3/(2r)) sqrt(1 + 3/r) for the
 /// quadrant.
-#[must_use]
 pub fn shadow_half_angle_static(r: f64) -> f64 {
     let sine = CRITICAL_IMPACT / r * (1.0 - 1.0 / r).sqrt();
     let cosine = (1.0 - 1.5 / r) * (1.0 + 3.0 / r).sqrt();
@@ -139,7 +135,6 @@ pub fn shadow_half_angle_static(r: f64) -> f64 {
 /// Solving b = b_c gives cos(alpha) = (b_c^2 beta + r (r - 3/2) sqrt(1 + 3/r)) / (r^2 + b_c^2
 /// beta^2), where r - 3/2 without its absolute value chooses the right root on both sides of the
 /// photon sphere. Derived.
-#[must_use]
 pub fn shadow_half_angle_rain(r: f64) -> f64 {
     let beta = 1.0 / r.sqrt();
     let b2 = CRITICAL_IMPACT * CRITICAL_IMPACT;

@@ -13,7 +13,6 @@ pub struct Taylor(pub [f64; ORDER + 1]);
 
 impl Taylor {
     /// Value and derivative at `t`.
-    #[must_use]
     pub fn at(&self, t: f64) -> (f64, f64) {
         self.0.iter().rev().fold((0.0, 0.0), |(value, slope), &c| {
             (value * t + c, slope * t + value)
@@ -30,10 +29,8 @@ impl Taylor {
         Self(slopes)
     }
 
-    /// The root of the series between 0 and `end`, given that its values there differ in sign or
-    /// that it vanishes at `end`. Newton's method, with a bisection where a Newton step leaves the
-    /// bracket.
-    #[must_use]
+    /// The root of the series between 0 and `end`, where its values differ in sign or it vanishes
+    /// at `end`: Newton's method, with a bisection where a step leaves the bracket.
     pub fn root(&self, end: f64) -> f64 {
         let rising = self.0[0] < 0.0;
         let (mut low, mut high) = (0.0, end);
@@ -66,7 +63,6 @@ impl Taylor {
 
 /// The coefficient of t^k in the product of two series, of which at least the first k + 1
 /// coefficients are given.
-#[must_use]
 pub fn product_coefficient(left: &[f64], right: &[f64], k: usize) -> f64 {
     left[..=k]
         .iter()
@@ -76,7 +72,6 @@ pub fn product_coefficient(left: &[f64], right: &[f64], k: usize) -> f64 {
 }
 
 /// The t at which the term `coefficient` t^`power` is negligible relative to `scale`.
-#[must_use]
 pub fn reach_of_term(coefficient: f64, scale: f64, power: usize) -> f64 {
     if coefficient == 0.0 {
         f64::INFINITY

@@ -8,7 +8,6 @@ use glam::{DMat3, DMat4, DVec3, DVec4};
 
 /// The observer's four-velocity, in the form of a photon: the first column of its matrix holds
 /// -u_t, Sigma u^r / r^2 and so on.
-#[must_use]
 pub fn four_velocity(matrix: &ObserverMatrix) -> Photon {
     let [energy, radial, x, y, z] = matrix.rows.map(|row| row[0]);
     Photon {
@@ -27,7 +26,6 @@ pub fn four_velocity(matrix: &ObserverMatrix) -> Photon {
 /// vanishes at the horizon. It is computed from the other one instead: their product is the mass
 /// squared plus the square of the momentum across. So the result is regular at the horizon for
 /// everything that falls inward. Derived.
-#[must_use]
 pub fn rain_components(
     kerr: Kerr,
     r: f64,
@@ -62,7 +60,6 @@ pub fn rain_components(
 }
 
 /// The velocity relative to `rain`, in c on its axes, of a body with the four-velocity `u`.
-#[must_use]
 pub fn velocity_in_rain(kerr: Kerr, r: f64, theta: f64, phi: f64, u: &Photon) -> DVec3 {
     let (gamma, momentum) = rain_components(kerr, r, theta, phi, u, 1.0);
     momentum / gamma
@@ -70,7 +67,6 @@ pub fn velocity_in_rain(kerr: Kerr, r: f64, theta: f64, phi: f64, u: &Photon) ->
 
 /// The velocity of `observer` relative to `frame` at the same place, in c on the frame's axes. Not
 /// defined at the horizon.
-#[must_use]
 pub fn relative_velocity(
     observer: &ObserverMatrix,
     frame: &ObserverMatrix,
@@ -85,7 +81,6 @@ pub fn relative_velocity(
 
 /// The rotation that takes a direction on the axes of one observer to the axes of another with the
 /// same four-velocity.
-#[must_use]
 pub fn rotation_between(from: &ObserverMatrix, to: &ObserverMatrix, theta: f64, phi: f64) -> DMat3 {
     let lorentz = transformation(from, to, theta, phi);
     let axis = |column: DVec4| DVec3::new(column.y, column.z, column.w);
@@ -98,7 +93,6 @@ pub fn rotation_between(from: &ObserverMatrix, to: &ObserverMatrix, theta: f64, 
 /// The Lorentz transformation from (1, d) of one observer to (frequency, frequency times d) of
 /// another at the same place. Not defined at the horizon. The first column of a matrix is the observer's four-velocity and the
 /// other columns are minus its axes, so a four-velocity has the components (gamma, -gamma v).
-#[must_use]
 pub fn transformation(from: &ObserverMatrix, to: &ObserverMatrix, theta: f64, phi: f64) -> DMat4 {
     let [_, theta_hat, phi_hat] = celestial_frame(theta, phi);
     let square = |matrix: &ObserverMatrix| {

@@ -15,7 +15,6 @@ pub struct Changes {
 
 impl Changes {
     /// The changes that make this scene. [`Preset::scene`] makes it again from them.
-    #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let preset = find(&scene.name).unwrap_or(&PRESETS[DEFAULT - 1]);
         let mut fields = scene.differences(preset.plain_scene());

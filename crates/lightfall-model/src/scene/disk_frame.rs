@@ -6,7 +6,6 @@ use glam::{DMat3, DVec3};
 
 impl Disk {
     /// Whether the disk lies in another plane than the equator of the hole's frame.
-    #[must_use]
     pub fn is_tilted(&self) -> bool {
         self.tilt_deg != 0.0
     }
@@ -16,7 +15,6 @@ impl Disk {
     ///
     /// The node has the azimuth `node_deg` in both frames. So azimuths in the disk are counted on
     /// from the node, and without tilt both frames are the same, exactly and for every node.
-    #[must_use]
     pub fn hole_from_disk(&self) -> DMat3 {
         let (sin, cos) = sin_cos_deg(self.tilt_deg);
         let (node_sin, node_cos) = sin_cos_deg(self.node_deg);
@@ -29,7 +27,6 @@ impl Disk {
 impl Scene {
     /// How far the camera is above the disk's plane, as seen from the hole, in degrees; negative
     /// below it.
-    #[must_use]
     pub fn degrees_above_disk(&self) -> f64 {
         if !self.disk.is_tilted() {
             return 90.0 - self.camera.theta_deg;

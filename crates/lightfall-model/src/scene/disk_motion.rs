@@ -6,7 +6,6 @@ use crate::geometry::kerr::Kerr;
 
 impl Scene {
     /// Whether something moves in the scene, so that its picture depends on `disk.time`.
-    #[must_use]
     pub fn disk_moves(&self) -> bool {
         self.disk.enabled
             && (self.disk.structure != DiskStructure::None
@@ -15,7 +14,6 @@ impl Scene {
 
     /// Whether the picture shows that motion. Views of rays and of shifts show no light of the
     /// disk, and do not depend on `disk.time`.
-    #[must_use]
     pub fn shows_disk_motion(&self) -> bool {
         self.disk_moves() && self.view.shows_light()
     }
@@ -36,7 +34,6 @@ impl Scene {
     /// r*. Inside the photon orbit nearly all of the disk's light is on its way in, and keeps the
     /// ingoing time t + r*, which is also the camera's own time at and inside the horizon. Without
     /// lensing light keeps t - r.
-    #[must_use]
     pub fn disk_time_lead(&self, r: f64) -> f64 {
         let kerr = Kerr {
             spin: self.hole.spin,

@@ -34,7 +34,6 @@ impl Scene {
     }
 
     /// The fields in which `after` differs from this scene, each with its value here.
-    #[must_use]
     pub fn differences(&self, after: &Self) -> Vec<(&'static str, Value)> {
         let both = self.values().zip(after.values());
         both.filter(|((_, before), (_, after))| before != after)

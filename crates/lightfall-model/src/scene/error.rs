@@ -58,63 +58,43 @@ fn sentence(
 /// Why a preset and its overrides do not make a scene. `origin` is where the fault was written: a
 /// file, a preset or an option of the command line.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[expect(missing_docs, reason = "the messages say what the fields are")]
 pub enum SceneError {
     /// The text is not TOML.
     #[error("{origin}: line {line}, column {column}: {message}; the text is read as TOML")]
     Syntax {
-        /// Where it was written.
         origin: String,
-        /// Line, from 1.
         line: usize,
-        /// Column in characters, from 1.
         column: usize,
-        /// What the TOML reader says.
         message: String,
     },
     /// The preset was written for another version of the format.
     #[error(
         "{origin}: schema = {given} is another version of the preset format; this program reads schema 1"
     )]
-    Schema {
-        /// Where it was written.
-        origin: String,
-        /// The version.
-        given: String,
-    },
+    Schema { origin: String, given: String },
     /// No field has this name.
     #[error("{origin}: there is no field {key}; {hint}")]
     UnknownKey {
-        /// Where it was written.
         origin: String,
-        /// The name.
         key: String,
-        /// What was probably meant.
         hint: String,
     },
     /// A value was given to a table of fields.
     #[error("{origin}: {key} = {given} is refused: {key} is a table of fields, such as {example}")]
     NotAField {
-        /// Where it was written.
         origin: String,
-        /// The table.
         key: String,
-        /// What it was given.
         given: String,
-        /// One of its fields.
         example: &'static str,
     },
     /// An assignment without an equals sign.
     #[error("--set: {given} is not of the form KEY=VALUE, such as camera.r=20")]
-    NotAnAssignment {
-        /// What was given.
-        given: String,
-    },
+    NotAnAssignment { given: String },
     /// A value of the wrong type or out of range.
     #[error("{origin}: {refusal}")]
     Refused {
-        /// Where it was written.
         origin: String,
-        /// The value and what is allowed.
         refusal: Box<Refusal>,
     },
 }

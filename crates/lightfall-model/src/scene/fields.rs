@@ -49,7 +49,6 @@ const fn all_fields() -> [Field; FIELD_COUNT] {
 }
 
 /// The field with this key.
-#[must_use]
 pub fn field(key: &str) -> Option<&'static Field> {
     FIELDS.iter().find(|field| field.key == key)
 }

@@ -27,7 +27,6 @@ pub struct Frame {
 
 impl Frame {
     /// The frame that the scene itself describes: the whole picture in one sample.
-    #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let size = scene.picture.size();
         Self {
@@ -74,7 +73,6 @@ impl Frame {
     }
 
     /// The scene as this frame shows it: with its size, cells, exposure and time of the disk.
-    #[must_use]
     pub fn shown(&self, scene: &Scene) -> Scene {
         let mut shown = scene.clone();
         let picture = &mut shown.picture;

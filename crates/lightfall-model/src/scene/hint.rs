@@ -31,7 +31,6 @@ pub(super) fn hint(key: &str) -> String {
 
 /// The name that was probably meant: the one nearest to `given` by Levenshtein's distance, or the
 /// only one that begins with it. `None` if every name differs in more than a third of its letters.
-#[must_use]
 pub fn nearest_name(given: &str, names: &[String]) -> Option<String> {
     const MAX_LENGTH: usize = 60;
     if given.is_empty() || given.len() > MAX_LENGTH {

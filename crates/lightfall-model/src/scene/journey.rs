@@ -55,7 +55,6 @@ pub struct Journey {
 /// The tracks of all quantities; none for a quantity that no keyframe names.
 #[derive(Clone, Debug, PartialEq)]
 struct Tracks {
-    /// The track of ln r.
     radius: Option<Track>,
     angles: [Option<Track>; ANGLES.len()],
     field_of_view: Option<Track>,
@@ -78,7 +77,6 @@ const ANGLES: [Angle; 5] = [
 impl Journey {
     /// The caption to show after `time` seconds, if any: the last that has appeared, for as long as
     /// it stays.
-    #[must_use]
     pub fn caption_at(&self, time: f64) -> Option<&Caption> {
         let appeared = self
             .captions
@@ -244,7 +242,6 @@ impl Tracks {
 
 /// The camera at a share, from 0 to 1, of the way from one camera to another: at rest at both ends,
 /// in the logarithm of the radius, and along the shorter turn of each angle.
-#[must_use]
 pub fn between(from: &Camera, to: &Camera, share: f64) -> Camera {
     let share = share.clamp(0.0, 1.0);
     let gently = share * share * (3.0 - 2.0 * share);

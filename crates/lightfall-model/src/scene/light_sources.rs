@@ -61,13 +61,11 @@ crate::words! {
 impl SkyMode {
     /// Whether it stands still in the hole's frame, so that directions have to be turned to that
     /// frame behind a tilted disk. The stars have a frame of their own, the celestial one.
-    #[must_use]
     pub fn lies_in_hole_frame(self) -> bool {
         !matches!(self, Self::Stars | Self::Off)
     }
 
     /// Whether there are stars, of either kind.
-    #[must_use]
     pub fn has_stars(self) -> bool {
         matches!(self, Self::Stars | Self::Procedural)
     }

@@ -94,7 +94,6 @@ const KERR_SCHILD: MethodProperties = MethodProperties {
 
 impl Method {
     /// The method's properties: a new method is a new row.
-    #[must_use]
     pub const fn properties(self) -> MethodProperties {
         match self {
             Self::Auto | Self::Closed => CLOSED,
@@ -114,7 +113,6 @@ impl Method {
     }
 
     /// The methods that a shader traces by, those that answer every ray first.
-    #[must_use]
     pub fn on_gpu() -> Vec<Self> {
         let mut methods: Vec<Self> = Self::ALL
             .into_iter()
@@ -126,7 +124,6 @@ impl Method {
 
     /// The words of the methods with some property, for a sentence: "verlet, closed and mino", where
     /// `last` is "and".
-    #[must_use]
     pub fn list(last: &str, has: impl Fn(&MethodProperties) -> bool) -> String {
         let methods = Self::ALL.into_iter();
         let words: Vec<_> = methods
@@ -142,7 +139,6 @@ impl Method {
 
     /// The backward error that 99 of 100 rays around a hole of spin `chi` hold at the default setting, in
     /// radians; none where nothing is promised.
-    #[must_use]
     pub fn backward_p99(self, chi: f64) -> Option<f64> {
         let spins = self.resolved() == Self::Closed && chi != 0.0;
         self.properties().p99_without_spin.map(|p99| {
@@ -156,7 +152,6 @@ impl Method {
 
     /// The largest backward error of any ray around a hole of spin `chi`, in radians, if the method's
     /// own setting is not larger.
-    #[must_use]
     pub fn backward_max(self, chi: f64) -> f64 {
         if self.resolved() == Self::Closed && chi != 0.0 {
             promises::CLOSED_SPINNING_MAX + promises::CLOSED_LINGERING / (1.0 - chi * chi).sqrt()

@@ -62,7 +62,6 @@ static SCENES: LazyLock<Vec<Scene>> = LazyLock::new(|| {
 
 impl Preset {
     /// The preset's scene as it is written.
-    #[must_use]
     pub fn plain_scene(&self) -> &'static Scene {
         &SCENES[self.number - 1]
     }

@@ -19,13 +19,11 @@ crate::words! {
 
 impl Camera {
     /// How the picture shows directions.
-    #[must_use]
     pub fn projection(&self) -> Projection {
         Projection::Perspective
     }
 
     /// The direction that is seen at a place.
-    #[must_use]
     pub fn looking(&self, place: DVec2, size: DVec2) -> DVec3 {
         match self.projection() {
             Projection::Perspective => {
@@ -37,7 +35,6 @@ impl Camera {
 
     /// The place at which a direction is seen; `None` behind a perspective camera. The inverse of
     /// [`looking`](Self::looking).
-    #[must_use]
     pub fn pixel_of(&self, looking: DVec3, size: DVec2) -> Option<DVec2> {
         match self.projection() {
             Projection::Perspective => {
@@ -48,14 +45,12 @@ impl Camera {
     }
 
     /// Whether a direction is seen within the picture.
-    #[must_use]
     pub fn shows(&self, looking: DVec3, size: DVec2) -> bool {
         let place = self.pixel_of(looking, size);
         place.is_some_and(|place| place.cmpge(DVec2::ZERO).all() && place.cmplt(size).all())
     }
 
     /// The solid angle of the pixel with its middle at a place, in steradians.
-    #[must_use]
     pub fn solid_angle(&self, place: DVec2, size: DVec2) -> f64 {
         match self.projection() {
             Projection::Perspective => {
@@ -66,14 +61,12 @@ impl Camera {
     }
 
     /// The angle that a pixel in the middle of the picture covers, in radians.
-    #[must_use]
     pub fn pixel_angle(&self, size: DVec2) -> f64 {
         self.solid_angle(0.5 * size, size).sqrt()
     }
 
     /// The angles from the middle of the picture to the middles of its right and its upper edge, in
     /// radians.
-    #[must_use]
     pub fn half_angles(&self, size: DVec2) -> DVec2 {
         let angle_to = |place: DVec2| {
             let looking = self.looking(place, size);
@@ -86,7 +79,6 @@ impl Camera {
     }
 
     /// The field of view, in degrees, in which a pixel in the middle covers `factor` times the angle.
-    #[must_use]
     pub fn widened_fov_deg(&self, factor: f64) -> f64 {
         match self.projection() {
             Projection::Perspective => 2.0 * (self.half_height() * factor).atan().to_degrees(),
@@ -113,7 +105,6 @@ impl Camera {
 
 impl Scene {
     /// The angle that a pixel in the middle of the scene's picture covers, in radians.
-    #[must_use]
     pub fn pixel_angle(&self) -> f64 {
         self.camera.pixel_angle(self.picture.size().as_dvec2())
     }

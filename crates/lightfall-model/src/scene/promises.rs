@@ -58,7 +58,6 @@ pub struct Promise {
 }
 
 /// Every promise.
-#[must_use]
 pub fn promises() -> [Promise; 15] {
     let promise = |what, bound: f64, unit, tests| Promise {
         what,
@@ -154,7 +153,6 @@ pub fn promises() -> [Promise; 15] {
 }
 
 /// The promises as a Markdown table.
-#[must_use]
 pub fn table() -> String {
     let rows = promises()
         .map(|Promise { what, bound, tests }| format!("| {what} | {bound} | {tests} |\n"));

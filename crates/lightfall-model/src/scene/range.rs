@@ -32,7 +32,6 @@ impl Kind {
     }
 
     /// The range of a number; every finite number for the other kinds.
-    #[must_use]
     pub fn range(self) -> Range {
         match self {
             Self::Float(range) | Self::Integer(range) => range,

@@ -74,7 +74,6 @@ impl Scene {
     }
 
     /// The exposure, rounded to a multiple of `EXPOSURE_STEP`.
-    #[must_use]
     pub fn stepped_exposure(&self) -> f64 {
         EXPOSURE_STEP * (self.picture.exposure_ev / EXPOSURE_STEP).round()
     }
@@ -94,19 +93,16 @@ impl Scene {
 
 impl Picture {
     /// Width and height of the traced picture, in pixels.
-    #[must_use]
     pub fn size(&self) -> UVec2 {
         UVec2::new(self.width, self.height)
     }
 
     /// Width of the traced picture over its height.
-    #[must_use]
     pub fn aspect(&self) -> f64 {
         f64::from(self.width) / f64::from(self.height)
     }
 
     /// Columns and rows of the presentation grid.
-    #[must_use]
     pub fn grid(&self) -> UVec2 {
         UVec2::new(self.grid_width, self.grid_height)
     }

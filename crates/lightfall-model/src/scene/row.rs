@@ -50,7 +50,6 @@ impl<S> Row<S> {
     }
 
     /// The field's value in a scene.
-    #[must_use]
     pub fn get(&self, scene: &S) -> Value {
         (self.read)(scene)
     }
@@ -68,7 +67,6 @@ impl<S> Row<S> {
     }
 
     /// What the field takes, in words, e.g. `a number from 0 to 180 degrees`.
-    #[must_use]
     pub fn allowed(&self) -> String {
         self.allowed_in(self.kind.range())
     }

@@ -17,7 +17,6 @@ crate::words! {
 
 impl ArticleQuality {
     /// Its `quality.step_scale`.
-    #[must_use]
     pub const fn step_scale(self) -> f64 {
         match self {
             Self::Cheap => 1.55,
@@ -27,7 +26,6 @@ impl ArticleQuality {
     }
 
     /// Its `quality.max_steps`.
-    #[must_use]
     pub const fn max_steps(self) -> u32 {
         match self {
             Self::Cheap => 128,
@@ -49,7 +47,6 @@ impl Quality {
     }
 
     /// The article's quality that has these steps, if one has.
-    #[must_use]
     pub fn article(&self) -> Option<ArticleQuality> {
         ArticleQuality::ALL
             .into_iter()
@@ -61,7 +58,6 @@ impl Scene {
     /// The radius beyond which an outgoing ray of the article's methods counts as escaped:
     /// `quality.escape_radius`, but never less than the camera's radius and the disk's, or the
     /// article's own rule.
-    #[must_use]
     pub fn escape_radius(&self) -> f64 {
         let (camera, disk) = (self.camera.r, self.disk.outer);
         if self.quality.escape_radius > 0.0 {
@@ -74,7 +70,6 @@ impl Scene {
 
     /// The least step of the method's rule: `quality.min_step`, or the article's own. Zero for
     /// methods that have none.
-    #[must_use]
     pub fn min_step(&self) -> f64 {
         let own = self.method.resolved().properties().min_step;
         if own > 0.0 && self.quality.min_step > 0.0 {
@@ -86,7 +81,6 @@ impl Scene {
 
     /// How many times the article's budget of steps one ray may take; one for methods without such
     /// a budget.
-    #[must_use]
     pub fn budget_ratio(&self) -> f64 {
         let budgeted = self.effects.lensing
             && self.method.resolved().properties().setting == AccuracySetting::StepScale;

@@ -18,7 +18,6 @@ impl ToneCurve {
     /// Level from 0 to 1, linear, of white light: by Khronos PBR Neutral 2024, Stachowiak's display
     /// transform, the fitted curve of the Academy Color Encoding System, or Reinhard 2002 by
     /// luminance.
-    #[must_use]
     pub fn level(self, light: f64) -> f64 {
         match self {
             // Without the curve's offset, which takes up to 0.04 from the darkest channel.

@@ -24,7 +24,6 @@ pub enum Value {
 
 impl Value {
     /// The number of a float or an integer.
-    #[must_use]
     pub fn number(&self) -> Option<f64> {
         match self {
             Self::Float(number) => Some(*number),

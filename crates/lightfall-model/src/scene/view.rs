@@ -81,7 +81,6 @@ const RAYS: ViewProperties = ViewProperties {
 
 impl View {
     /// The view's properties: a new view is a new row.
-    #[must_use]
     pub const fn properties(self) -> ViewProperties {
         match self {
             Self::Colour => LIGHT,
@@ -197,7 +196,6 @@ impl View {
     }
 
     /// Whether the view shows the light of disk and sky, and not the colours of marks.
-    #[must_use]
     pub const fn shows_light(self) -> bool {
         matches!(self.properties().content, Content::Light)
     }

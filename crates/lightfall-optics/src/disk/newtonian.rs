@@ -1,5 +1,4 @@
-//! The flux of a Newtonian thin disk, which the relativistic one is compared with. The twin in WGSL
-//! is shaders/disk/newtonian.wgsl.
+//! The flux of a Newtonian thin disk. The twin in WGSL is shaders/disk/newtonian.wgsl.
 
 /// The largest value of [`newtonian_flux`], at r = (49/36) r_in: (36/49)^3 / 7.
 pub const NEWTONIAN_PEAK: f64 = 36.0 * 36.0 * 36.0 / (49.0 * 49.0 * 49.0 * 7.0);
@@ -8,7 +7,6 @@ pub const NEWTONIAN_PEAK: f64 = 36.0 * 36.0 * 36.0 / (49.0 * 49.0 * 49.0 * 7.0);
 /// inside the edge.
 ///
 /// F = (r_in/r)^3 (1 - sqrt(r_in/r)), Shakura & Sunyaev 1973 without torque at the inner edge.
-#[must_use]
 pub fn newtonian_flux(r: f64, inner: f64) -> f64 {
     let x = inner / r;
     if x < 1.0 {

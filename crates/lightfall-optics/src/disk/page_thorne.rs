@@ -35,7 +35,6 @@ impl PageThorne {
     /// the innermost stable circular orbit or beyond. The torque vanishes at the edge. Outside it
     /// the flux is positive: it is an integral of (E - Omega L) dL/dr from the edge outward, and
     /// both factors are positive beyond the innermost stable orbit.
-    #[must_use]
     pub fn new(spin: f64, inner: f64) -> Self {
         let third = spin.acos() / 3.0;
         let sixty = std::f64::consts::FRAC_PI_3;
@@ -60,7 +59,6 @@ impl PageThorne {
     /// Relative flux at radius `r`, without unit; zero inside the edge. Its peak is scaled to that
     /// of the Newtonian profile, (36/49)^3 / 7, so that the disk's temperature and brightness have
     /// the same meaning in both models.
-    #[must_use]
     pub fn flux(&self, r: f64) -> f64 {
         let depth = (r - self.inner) / (r * (1.0 + (self.inner / r).sqrt()));
         if depth > 0.0 {
@@ -70,14 +68,12 @@ impl PageThorne {
         }
     }
 
-    /// What the flux of this accretion rate was multiplied by to give it the Newtonian peak.
-    #[must_use]
+    /// The factor that gives the flux the Newtonian peak.
     pub fn scale(&self) -> f64 {
         self.scale
     }
 
     /// 4 pi F / Mdot at radius `r`, in 1/r_s^2.
-    #[must_use]
     pub fn flux_per_accretion_rate(&self, r: f64) -> f64 {
         1.5 / (MASS * self.x0.powi(3)).powi(2) * self.flux(r) / self.scale
     }
@@ -85,7 +81,6 @@ impl PageThorne {
     /// Radius of the largest flux, in r_s: the root of d ln F/dx = B'/B - 4/x - q'/q. B is the
     /// bracket, and the derivatives of its terms add up to x q B' = x^4 - 6 x^2 + 8 chi x - 3
     /// chi^2, which vanishes at the innermost stable orbit.
-    #[must_use]
     pub fn peak(&self) -> f64 {
         let rises = |x: f64| {
             let bracket = (x - self.x0) * self.mean_slope(x - self.x0);
@@ -143,7 +138,6 @@ impl PageThorne {
     /// The variable p = sqrt(1 - sqrt(r_in/r)) stretches the edge, where the flux around a fast
     /// hole rises steeply. The error is at most 2e-7 of the peak up to spin 0.998, 1e-6 up to
     /// 0.9999 and 2e-5 up to 1 - 1e-6.
-    #[must_use]
     pub fn table(&self) -> [[f32; 4]; TABLE_LEN] {
         std::array::from_fn(|i| {
             let value = |third: usize| {
@@ -162,7 +156,6 @@ impl PageThorne {
     }
 
     /// The flux that the shader computes from `table`, in f64.
-    #[must_use]
     pub fn sample(&self, table: &[[f32; 4]; TABLE_LEN], r: f64) -> f64 {
         let depth = (1.0 - (self.inner / r).sqrt()).max(0.0);
         let position = depth.sqrt() * TABLE_LEN as f64;

@@ -12,17 +12,16 @@ use lightfall_model::geometry::observer::ObserverError;
 use lightfall_model::scene::Scene;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// A camera nearer to the disk's plane than this, in radians, sees an orbit in the plane as from
-/// this height: from within the plane the near half of the orbit is a line without width.
+/// A camera closer to the disk's plane than this, in radians, sees an orbit in the plane as from
+/// this height: from within the plane the near half of the orbit is a line.
 const MIN_HEIGHT: f64 = 2e-3;
-/// Number of points on the edge of the shadow.
 const EDGE_POINTS: usize = 256;
 /// Number of points at which a step of a ray is compared with the ergosphere.
 const SAMPLES_PER_STEP: u32 = 12;
 /// Far outside every orbit that a guide shows, in r_s.
 const FAR: f64 = 1e9;
 
-/// The edge of the shadow: where light arrives that grazes the photon orbits.
+/// The edge of the shadow: the directions of light that grazes the photon orbits.
 pub(super) fn shadow_edge(scene: &Scene) -> Result<Vec<DVec3>, ObserverError> {
     let place = Place::of(scene);
     let sky = Sky::bent(scene, &place)?;
@@ -76,8 +75,8 @@ pub(super) fn orbit_image(
     Ok(outline(value).map(|curve| sky.curve_seen(curve)))
 }
 
-/// The outline of the ergosphere: the edge of the directions whose rays pass through it. Rays that
-/// end at the hole do. `None` without spin, and for a camera inside.
+/// The outline of the ergosphere: the edge of the directions whose rays pass through it. This
+/// includes rays that end at the hole. `None` without spin, and for a camera inside.
 pub(super) fn ergosphere(scene: &Scene) -> Result<Option<Vec<DVec3>>, ObserverError> {
     let sky = Sky::bent(scene, &Place::of(scene))?;
     let kerr = Kerr {

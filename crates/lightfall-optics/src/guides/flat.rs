@@ -8,7 +8,6 @@ use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::scene::Disk;
 use std::f64::consts::TAU;
 
-/// Number of points of a circle.
 const POINTS: usize = 192;
 /// Number of points at which a ray is compared with the ergosphere.
 const SAMPLES: u32 = 96;

@@ -1,9 +1,9 @@
 //! Guides: curves on a camera's sky that mark places around the hole, as a figure of a textbook
 //! would. They are exact for every observer that the scene can have.
 //!
-//! Most guides are traced through bent light: they are where the light of a place really arrives.
-//! The others are *flat*: where the place would be seen if light were not bent, for comparison.
-//! Without lensing all guides are flat, like the picture.
+//! Most guides are traced through bent light: they are at the directions from which the light of a
+//! place arrives. The others are *flat*, as the place would be seen without bending, for
+//! comparison. Without lensing all guides are flat, like the picture.
 
 mod bent;
 mod flat;
@@ -89,8 +89,8 @@ pub fn quick_guides(scene: &Scene) -> Result<Vec<Guide>, ObserverError> {
     Ok(guides)
 }
 
-/// The guides that are found by tracing rays, in some tens of milliseconds: the images of the
-/// innermost stable orbit, and the ergosphere. None without lensing.
+/// The guides that need traced rays, in some tens of milliseconds: the images of the innermost
+/// stable orbit, and the ergosphere. None without lensing.
 ///
 /// # Errors
 /// If the scene's observer does not exist.
@@ -121,7 +121,6 @@ pub fn traced_guides(scene: &Scene) -> Result<Vec<Guide>, ObserverError> {
 }
 
 /// The radii of the photon sphere, or with spin of its innermost and outermost shell, in r_s.
-#[must_use]
 pub fn photon_shells(kerr: Kerr) -> Vec<f64> {
     if kerr.spin == 0.0 {
         return vec![kerr.photon_orbit_prograde()];
@@ -133,7 +132,6 @@ pub fn photon_shells(kerr: Kerr) -> Vec<f64> {
 
 /// The directions, on the observer's axes, of the two ends of a bar of this length (r_s) across the
 /// hole's centre, toward growing phi, if light is not bent. `None` inside the horizon.
-#[must_use]
 pub fn bar_across_hole(scene: &Scene, length: f64) -> Option<[DVec3; 2]> {
     let sky = Sky::flat(scene).ok()?;
     let end = |half: f64| sky.seen(DVec3::new(-sky.r, 0.0, half).normalize());

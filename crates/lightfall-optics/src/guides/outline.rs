@@ -3,18 +3,18 @@
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// Number of evenly spread directions with which a curve begins; points are added between them
-/// where they lie far apart.
+/// Number of evenly spread directions of a new curve; points are added between neighbours that lie
+/// far apart.
 const FIRST_POINTS: usize = 64;
 /// Neighbours are at most this far apart, as a share of the curve's angular radius. A chord then
 /// misses the curve by less than a thousandth of that radius.
 const MAX_GAP: f64 = 0.08;
-/// How often the interval between two of the first points is halved at most.
+/// Maximum number of halvings of the interval between two of the first points.
 const MAX_HALVINGS: u32 = 7;
 /// Range of the logarithm of tan(rho/2), rho being the angle from the middle. It leaves out less
 /// than a nanoradian around the inward and the outward direction.
 const LOGS: [f64; 2] = [-22.0, 22.0];
-/// The first search begins this far from the neighbour's logarithm on both sides.
+/// The first bracket extends this far from the neighbour's logarithm on both sides.
 const FIRST_REACH: f64 = 0.02;
 /// The logarithm is found to this error.
 const TOLERANCE: f64 = 1e-9;
@@ -99,8 +99,8 @@ fn refine(
     );
 }
 
-/// Where a decreasing function of the logarithm changes its sign, by the regula falsi with the
-/// Illinois rule (Dowell & Jarratt 1971), which halves now and then because the function may jump.
+/// The root of a decreasing function of the logarithm, by the regula falsi with the Illinois rule
+/// (Dowell & Jarratt 1971) and occasional halvings, because the function may jump.
 fn root(value: impl Fn(f64) -> f64, near: Option<f64>) -> Option<f64> {
     let [mut low, mut high] = bracket(&value, near)?;
     let mut last_side = None;
@@ -141,8 +141,7 @@ struct Sample {
     value: f64,
 }
 
-/// Two places between which the function changes from positive to negative, as close to `near` as
-/// a few evaluations find them.
+/// Two places between which the function changes from positive to negative, close to `near`.
 fn bracket(value: &impl Fn(f64) -> f64, near: Option<f64>) -> Option<[Sample; 2]> {
     let sample = |at: f64| Sample {
         at,

@@ -35,13 +35,11 @@ impl MilkyWay {
     pub const CELLS: usize = 64;
 
     /// The Milky Way. It is decoded at the first call.
-    #[must_use]
     pub fn built_in() -> &'static Self {
         &MILKY_WAY
     }
 
     /// The temperatures of the two lights in kelvin, the bluer one first.
-    #[must_use]
     pub fn temperatures() -> [f64; 2] {
         asset::temperatures()
     }
@@ -50,14 +48,12 @@ impl MilkyWay {
     ///
     /// # Panics
     /// There are [`MilkyWay::LEVELS`] levels.
-    #[must_use]
     pub fn texels(&self, level: usize) -> &[[f32; 2]] {
         &self.levels[level]
     }
 
     /// All texels as pairs of half floats, face by face, and each face level by level: what a
     /// texture of the format `Rg16Float` takes in the order `LayerMajor`.
-    #[must_use]
     pub fn half_floats(&self) -> Vec<[u16; 2]> {
         let mut halves = Vec::with_capacity(self.levels.iter().map(Vec::len).sum());
         for face in 0..FACES {
@@ -76,7 +72,6 @@ impl MilkyWay {
 
     /// The two radiances from a J2000 direction, linear between the four texels around it on its
     /// face.
-    #[must_use]
     pub fn radiance(&self, direction: DVec3) -> [f64; 2] {
         let (face, u, v) = face_and_place(direction);
         let size = Self::SIZE as f64;
@@ -97,7 +92,6 @@ impl MilkyWay {
     }
 
     /// The brightness in V of two radiances, in stars of V = 0 per steradian.
-    #[must_use]
     pub fn brightness(radiance: [f64; 2]) -> f64 {
         let [blue, red] = star_fluxes();
         radiance[0] / blue + radiance[1] / red

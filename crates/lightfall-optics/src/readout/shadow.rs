@@ -27,13 +27,11 @@ pub struct Shadow {
 /// The angular radius, in radians, of the hole's shadow for the observer with this matrix at (`r`,
 /// `theta`, `phi`) (r_s, radians). Without spin the shadow is a circle for every observer; with
 /// spin this is the radius of the circle with the same solid angle.
-#[must_use]
 pub fn shadow_radius(kerr: Kerr, matrix: &ObserverMatrix, r: f64, theta: f64, phi: f64) -> f64 {
     shadow(kerr, matrix, r, theta, phi).radius
 }
 
 /// The hole's shadow for the observer with this matrix at (`r`, `theta`, `phi`) (r_s, radians).
-#[must_use]
 pub fn shadow(kerr: Kerr, matrix: &ObserverMatrix, r: f64, theta: f64, phi: f64) -> Shadow {
     let velocity = velocity_in_rain(kerr, r, theta, phi, &four_velocity(matrix));
     if kerr.spin.abs() < NEGLIGIBLE_SPIN {

@@ -37,7 +37,6 @@ pub const MASSES: [HoleMass; 3] = [
 
 impl HoleMass {
     /// The mass of so many suns, with the name of the hole that has it, or as `this hole`.
-    #[must_use]
     pub fn of_suns(suns: f64) -> Self {
         let known = MASSES.into_iter().find(|mass| mass.suns == suns);
         known.unwrap_or(Self {
@@ -47,19 +46,16 @@ impl HoleMass {
     }
 
     /// r_s = 2 G M / c^2, in m.
-    #[must_use]
     pub fn metres(self) -> f64 {
         2.0 * SOLAR_GM * self.suns / (LIGHT_SPEED * LIGHT_SPEED)
     }
 
     /// r_s / c, in s.
-    #[must_use]
     pub fn seconds(self) -> f64 {
         self.metres() / LIGHT_SPEED
     }
 
     /// An acceleration of one c^2/r_s, in g.
-    #[must_use]
     pub fn gees(self) -> f64 {
         LIGHT_SPEED * LIGHT_SPEED / self.metres() / STANDARD_GRAVITY
     }
@@ -78,7 +74,6 @@ pub struct SiReadout {
 
 impl Readout {
     /// The read-outs for a hole of this mass.
-    #[must_use]
     pub fn in_si(&self, mass: HoleMass) -> SiReadout {
         SiReadout {
             r_km: self.r * mass.metres() / 1000.0,

@@ -13,7 +13,6 @@ use lightfall_model::scene::ObserverKind;
 /// So the acceleration of each is the gradient of a potential: ln sqrt(f) with f = 1 - 2 M r/Sigma,
 /// and ln N with N^2 = Sigma Delta/A. Misner, Thorne & Wheeler 1973 exercise 23.1 in Schwarzschild;
 /// Thorne & MacDonald 1982 for ln N. `orbit` and `rain` fall freely.
-#[must_use]
 pub fn held_acceleration(kerr: Kerr, kind: ObserverKind, r: f64, theta: f64) -> f64 {
     let (sin, cos) = polar_sin_cos(theta);
     let a2 = kerr.a().powi(2);
@@ -50,7 +49,6 @@ pub fn held_acceleration(kerr: Kerr, kind: ObserverKind, r: f64, theta: f64) -> 
 /// for an electric field (Landau & Lifshitz, Classical Theory of Fields, section 25). So the
 /// stretching is the larger eigenvalue of a two by two matrix. Without spin gamma^2 = 1 + L^2/r^2
 /// and the stretching is (M/r^3)(2 + 3 L^2/r^2), in agreement with Marck 1983.
-#[must_use]
 pub fn tide(kerr: Kerr, r: f64, n: DVec3, u: &Photon) -> f64 {
     let (a, sigma) = (kerr.a(), kerr.sigma(r, n.z));
     // The part of the momentum across e: r w minus a E sin(theta) phi_hat.

@@ -35,7 +35,6 @@ pub struct Catalogue {
 impl Catalogue {
     /// The stars of the Bright Star Catalogue, complete to about V = 6. It is read at the first
     /// call.
-    #[must_use]
     pub fn built_in() -> &'static Self {
         &BRIGHT_STARS
     }
@@ -108,26 +107,22 @@ impl Catalogue {
     }
 
     /// The stars, brightest first.
-    #[must_use]
     pub fn stars(&self) -> &[Star] {
         &self.stars
     }
 
     /// The stars that have a name, brightest first.
-    #[must_use]
     pub fn names(&self) -> &[NamedStar] {
         &self.names
     }
 
     /// The number of stars that are brighter than `magnitude` or as bright.
-    #[must_use]
     pub fn count(&self, magnitude: f64) -> usize {
         self.stars
             .partition_point(|star| star.magnitude <= magnitude as f32)
     }
 }
 
-/// One line of the file.
 struct Row<'a> {
     origin: &'a str,
     text: &'a [u8],
@@ -249,13 +244,11 @@ impl Row<'_> {
     }
 }
 
-/// A finite number.
 fn number(text: &[u8]) -> Option<f64> {
     let number: f64 = std::str::from_utf8(text).ok()?.parse().ok()?;
     number.is_finite().then_some(number)
 }
 
-/// See [`Catalogue::built_in`].
 static BRIGHT_STARS: LazyLock<Catalogue> = LazyLock::new(|| {
     Catalogue::from_csv("stars.csv", BUILT_IN.as_bytes())
         .expect("assets/sky/stars.csv is compiled in and a test reads it")

@@ -6,7 +6,6 @@
 /// An empirical fit (Oesper 2020, "Counting Stars", cosmicreflections.skythisweek.info). It has
 /// 5042 stars brighter than 6, where the Bright Star Catalogue has 5022, and 25 400 brighter than
 /// 7.5, where Tycho has 26 500.
-#[must_use]
 pub fn number_brighter(magnitude: f64) -> f64 {
     let v = magnitude;
     10_f64.powf(0.795 + v * (0.484 + v * (0.0019 - 0.0003 * v)))

@@ -1,20 +1,20 @@
-//! How faint the stars are that a picture shows as points.
+//! The faintest stars that a picture shows as points.
 
 use super::list::MAX_MAGNITUDE;
 use crate::camera_rays::CameraRays;
 use lightfall_model::geometry::observer::ObserverError;
 use lightfall_model::scene::Scene;
 
-/// V of the faintest stars in a picture whose pixels have [`PIXEL_SOLID_ANGLE`]: the brightest pixel
-/// of such a star is a third of the diffuse background.
+/// V of the faintest stars in a picture whose pixels have [`PIXEL_SOLID_ANGLE`]: the brightest
+/// pixel of such a star is a third of the diffuse background.
 const FAINTEST: f64 = 8.0;
 
-/// Solid angle in steradians of a pixel in the middle of a picture of 960x540 pixels with a field of
-/// view of 50 degrees.
+/// Solid angle in steradians of a pixel in the middle of a picture of 960x540 pixels with a field
+/// of view of 50 degrees.
 const PIXEL_SOLID_ANGLE: f64 = 2.983e-6;
 
-/// Magnitudes by which an image may be brighter than motion and potentials make it: the lens
-/// magnifies few images more than this, except close to the Einstein ring.
+/// Largest magnification by the lens, in magnitudes, for which images are found: it magnifies few
+/// images more, except close to the Einstein ring.
 const LENS_ALLOWANCE: f64 = 0.5;
 
 /// Largest ratio of frequencies that counts.
@@ -25,7 +25,7 @@ const MAX_SHIFT: f64 = 1e3;
 pub struct Depth {
     /// The faintest image that is drawn as a point has the flux of a star of this magnitude.
     pub limit: f64,
-    /// The faintest star of which an image is drawn, however bright the image is.
+    /// The faintest star of which an image is drawn, at any magnification.
     pub last: f64,
 }
 
@@ -38,8 +38,8 @@ impl Depth {
 
     /// The depth of a scene's picture, on a device that draws stars down to `deepest`.
     ///
-    /// A pixel's background is proportional to its solid angle, and a star's light is not: so the
-    /// smaller the pixels, the fainter the stars that stand out.
+    /// A pixel's background is proportional to its solid angle and a star's light is not, so
+    /// fainter stars stand out on smaller pixels.
     ///
     /// # Errors
     /// The scene's observer does not exist.

@@ -12,8 +12,8 @@ use rayon::prelude::*;
 /// Stars are added beyond this V, to which catalogues of bright stars are complete.
 pub const FIRST_MAGNITUDE: f64 = 6.0;
 
-/// Stars are drawn in classes of a tenth of a magnitude. Each class has a sequence of random numbers
-/// of its own, so that a deeper list has the same bright stars.
+/// Stars are drawn in classes of a tenth of a magnitude. Each class has a sequence of random
+/// numbers of its own, so that a deeper list has the same bright stars.
 const CLASSES_PER_MAGNITUDE: f64 = 10.0;
 
 /// The stars' density over the sky is that of the diffuse light to this power at the first
@@ -50,8 +50,8 @@ pub(super) fn fainter_stars(catalogue: &Catalogue, seed: u32, faintest: f64) -> 
     stars
 }
 
-/// The numbers of stars to add in each class: what [`number_brighter`] grows by and the catalogue
-/// does not. A surplus in one class, which is chance, is set off against the next ones.
+/// The numbers of stars to add in each class: the growth of [`number_brighter`] less that of the
+/// catalogue. A surplus in one class, which is chance, is subtracted from the next ones.
 fn missing(catalogue: &Catalogue, faintest: f64) -> Vec<f64> {
     let lack = |magnitude: f64| number_brighter(magnitude) - catalogue.count(magnitude) as f64;
     let classes = ((faintest - FIRST_MAGNITUDE) * CLASSES_PER_MAGNITUDE).ceil();
@@ -98,7 +98,7 @@ impl Class {
         let per_star = weights.iter().sum::<f64>() / self.expected;
         let mut stars = Vec::with_capacity((1.1 * self.expected) as usize);
         let gap = |random: &mut Random| -(1.0 - random.unit()).ln() * per_star;
-        // How far the next star is behind the start of the cell.
+        // The distance of the next star from the start of the cell.
         let mut ahead = gap(&mut random);
         for (cell, weight) in weights.into_iter().enumerate() {
             while ahead < weight {

@@ -10,7 +10,6 @@ const LONGITUDE_OF_CELESTIAL_POLE: f64 = 122.931_92;
 
 /// The unit vector toward a right ascension and declination, or a galactic longitude and latitude on
 /// galactic axes; both in degrees.
-#[must_use]
 pub fn celestial_direction(ra_deg: f64, dec_deg: f64) -> DVec3 {
     let ((sin_ra, cos_ra), (sin_dec, cos_dec)) = (
         ra_deg.to_radians().sin_cos(),
@@ -21,7 +20,6 @@ pub fn celestial_direction(ra_deg: f64, dec_deg: f64) -> DVec3 {
 
 /// The rotation from J2000 to galactic axes: x toward the galactic centre, z toward the north
 /// galactic pole.
-#[must_use]
 pub fn galactic_from_celestial() -> DMat3 {
     let [ra, dec] = GALACTIC_POLE;
     let pole = celestial_direction(ra, dec);
@@ -39,7 +37,6 @@ pub fn galactic_from_celestial() -> DMat3 {
 /// the sky as from Earth, north up and east to the left. A positive roll turns the sky that it sees
 /// counterclockwise about this place. At a celestial pole, north is the direction away from
 /// `ra_deg` + 180 degrees (north pole) or toward `ra_deg` (south pole).
-#[must_use]
 pub fn hole_from_celestial(ra_deg: f64, dec_deg: f64, roll_deg: f64) -> DMat3 {
     let behind = celestial_direction(ra_deg, dec_deg);
     // The limits at constant right ascension, which exist at the poles too.

@@ -18,7 +18,6 @@ impl StarList {
     /// The stars of `catalogue` down to `faintest` V, and, beyond V = 6, those that it lacks, at
     /// places that `seed` decides. A list that goes deeper has the same stars and more. Beyond
     /// [`MAX_MAGNITUDE`] there are no stars.
-    #[must_use]
     pub fn new(catalogue: &Catalogue, seed: u32, faintest: f64) -> Self {
         let faintest = faintest.min(MAX_MAGNITUDE);
         let mut stars = catalogue.stars()[..catalogue.count(faintest)].to_vec();
@@ -28,13 +27,11 @@ impl StarList {
     }
 
     /// The stars, brightest first.
-    #[must_use]
     pub fn stars(&self) -> &[Star] {
         &self.stars
     }
 
     /// The V that the list goes to.
-    #[must_use]
     pub fn faintest(&self) -> f64 {
         self.faintest
     }

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 /// of a star of V = 6.5 at 0.04.
 pub const ZERO_MAGNITUDE_FLUX: f64 = 1.5e-4;
 
-/// Range of B-V that [`temperature_from_b_v`] was made for. Redder carbon stars count as the last.
+/// Range of B-V of [`temperature_from_b_v`]. Redder carbon stars count as the last.
 pub const MIN_B_V: f64 = -0.4;
 /// See [`MIN_B_V`].
 pub const MAX_B_V: f64 = 2.5;
@@ -36,13 +36,11 @@ pub struct Star {
 
 impl Star {
     /// See [`flux`].
-    #[must_use]
     pub fn flux(&self) -> f64 {
         flux(self.magnitude.into(), self.temperature.into())
     }
 
     /// See [`angular_radius`].
-    #[must_use]
     pub fn angular_radius(&self) -> f64 {
         angular_radius(self.magnitude.into(), self.temperature.into())
     }
@@ -51,7 +49,6 @@ impl Star {
 /// Temperature in kelvin of a star with the colour `b_v`, limited to [`MIN_B_V`] and [`MAX_B_V`]:
 /// T = 4600 K (1/(0.92 (B-V) + 1.7) + 1/(0.92 (B-V) + 0.62)); Ballesteros 2012, EPL 97, 34008,
 /// eq. 14.
-#[must_use]
 pub fn temperature_from_b_v(b_v: f64) -> f64 {
     let x = 0.92 * b_v.clamp(MIN_B_V, MAX_B_V);
     4600.0 * (1.0 / (x + 1.7) + 1.0 / (x + 0.62))
@@ -59,7 +56,6 @@ pub fn temperature_from_b_v(b_v: f64) -> f64 {
 
 /// Luminance Y of thermal light of `temperature` (kelvin) per unit of bolometric flux, as the
 /// shader's table of colours has it.
-#[must_use]
 pub fn luminance(temperature: f64) -> f64 {
     let (table, weights) = &*COLOURS;
     weights.dot(DVec3::from(spectrum::sample(table, temperature)))
@@ -74,7 +70,6 @@ static COLOURS: LazyLock<(Vec<[f32; 4]>, DVec3)> =
 ///
 /// V is taken for luminance: F = F_0 10^(-0.4 V) / Y(T). For black bodies the two differ by
 /// -0.09 mag at 2700 K, -0.02 at 5800 K and 0.007 at 18 000 K.
-#[must_use]
 pub fn flux(magnitude: f64, temperature: f64) -> f64 {
     ZERO_MAGNITUDE_FLUX * 10_f64.powf(-0.4 * magnitude) / luminance(temperature)
 }
@@ -82,7 +77,6 @@ pub fn flux(magnitude: f64, temperature: f64) -> f64 {
 /// Angular radius in radians of a star of `magnitude` V and `temperature` (kelvin), as seen from
 /// Earth: a black body's flux is proportional to T^4 times the radius squared, and the Sun gives
 /// the unit.
-#[must_use]
 pub fn angular_radius(magnitude: f64, temperature: f64) -> f64 {
     let flux_ratio = flux(magnitude, temperature) / flux(SUN_MAGNITUDE, SUN_TEMPERATURE);
     SUN_RADIUS * flux_ratio.sqrt() * (SUN_TEMPERATURE / temperature).powi(2)

@@ -26,7 +26,7 @@ pub struct Ring {
     pub cycle: Option<u32>,
     /// Share of a life by which its clock is ahead.
     offset: f64,
-    /// Where the phases of each octave begin in the list of phases.
+    /// The start of each octave's phases in the list of phases.
     keys: [u32; OCTAVES],
     /// The waves, in groups of one wave of each octave.
     pub groups: Vec<[Wave; OCTAVES]>,
@@ -93,22 +93,19 @@ impl Ring {
         }
     }
 
-    /// The lives that the ring's clock has counted at a time, as their whole number and the rest.
-    #[must_use]
+    /// The lives on the ring's clock at a time: their whole number and the rest.
     pub fn lives(&self, time: f64) -> (i64, f64) {
         let lives = time / self.life + self.offset;
         (lives.floor() as i64, lives - lives.floor())
     }
 
-    /// The number of a life, counted anew in every period.
-    #[must_use]
+    /// The number of a life within its period.
     pub fn number_in_cycle(&self, life: i64) -> i64 {
         self.cycle
             .map_or(life, |lives| life.rem_euclid(i64::from(lives)))
     }
 
     /// The places of the octaves' phases in the list of phases, in the ring's life of this number.
-    #[must_use]
     pub fn phase_places(&self, life: i64) -> [u32; OCTAVES] {
         self.keys.map(|key| key.wrapping_add(life as u32))
     }

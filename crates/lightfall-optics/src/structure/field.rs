@@ -24,9 +24,8 @@ pub const MAX_CHANGE: [f64; 2] = [0.9, 0.75];
 impl Covariance {
     /// The covariance of a square pixel whose place in (ln r, phi) changes by `right` and by `down`
     /// from one pixel to the next: J J^T/12, as a square has the variance 1/12 in either direction.
-    /// A neighbour farther away than [`MAX_CHANGE`] shows another image of the disk, and does not
-    /// count.
-    #[must_use]
+    /// A neighbour farther away than [`MAX_CHANGE`] shows another image of the disk, and is
+    /// ignored.
     pub fn of_pixel(right: [f64; 2], down: [f64; 2]) -> Self {
         let counted = |change: [f64; 2]| {
             let near = change[0].abs() < MAX_CHANGE[0] && change[1].abs() < MAX_CHANGE[1];
@@ -64,9 +63,7 @@ pub struct Field {
 impl Field {
     /// The factor of the flux for the contrast sigma: exp(sigma f) over its mean. For independent
     /// phases that mean is the product of I_0(sigma A), and ln I_0(z) = z^2/4 - z^4/64 + z^6/576 -
-    /// ... (Abramowitz & Stegun 1964 9.6.12). The filter changes A, so that the mean stays one
-    /// whatever it takes away.
-    #[must_use]
+    /// ... (Abramowitz & Stegun 1964 9.6.12). The filter changes A, so the mean stays one.
     pub fn factor(&self, sigma: f64) -> f64 {
         let sigma2 = sigma * sigma;
         let mean = sigma2 / 4.0 * (self.squares - sigma2 / 16.0 * self.fourth_powers);
@@ -77,14 +74,12 @@ impl Field {
 impl Structure {
     /// The factor by which the structure multiplies the flux at the radius `r` and the azimuth
     /// `phi` for light that leaves at `time`, averaged over a footprint.
-    #[must_use]
     pub fn factor(&self, r: f64, phi: f64, time: f64, footprint: Covariance) -> f64 {
         self.field(r, phi, time, footprint)
             .factor(self.model.contrast)
     }
 
     /// The field there.
-    #[must_use]
     pub fn field(&self, r: f64, phi: f64, time: f64, footprint: Covariance) -> Field {
         let mut field = Field::default();
         for Term { amplitude, phase } in self.terms(r, phi, time, footprint) {
@@ -100,7 +95,6 @@ impl Structure {
     /// At the age t a wave has the phase m (phi - Omega(r) t) + k (x - x_ring) + a random phase,
     /// and therefore the radial wave number k - m Omega'(x) t. Its window sqrt(8/3) cos^2(pi
     /// t/life) has the mean square one. A Gaussian footprint multiplies it by exp(-q.P.q/2).
-    #[must_use]
     pub fn terms(&self, r: f64, phi: f64, time: f64, footprint: Covariance) -> Vec<Term> {
         let x = r.ln();
         let (omega, shear) = angular_velocity(self.kerr, r);

@@ -5,10 +5,9 @@
 //! a random field of mean zero and variance one in x = ln r and phi, longer along trailing spirals
 //! than across them (Lee & Gammie 2021). It is a sum of shearing waves (Goldreich & Lynden-Bell
 //! 1965) in overlapping rings. Each wave moves with the exact angular velocity of circular orbits,
-//! dies before it winds up, and is born anew with another phase.
+//! fades out before it winds up, and is reborn with another phase.
 //!
-//! With a period, each ring's waves live for a whole part of it, and the phases of their lives
-//! repeat after it.
+//! With a period, the lives of each ring's waves divide it, and their phases repeat after it.
 
 mod draw;
 mod field;
@@ -41,7 +40,6 @@ pub struct Structure {
 impl Structure {
     /// The structure of the scene's disk, with at most `limit` waves in each ring; `None` for a
     /// smooth disk.
-    #[must_use]
     pub fn new(scene: &Scene, limit: Option<u32>) -> Option<Self> {
         let model = Model::new(&scene.disk, limit)?;
         let kerr = Kerr {

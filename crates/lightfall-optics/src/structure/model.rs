@@ -32,7 +32,7 @@ pub struct Model {
     pub pitch: f64,
     /// Life of a wave, in orbits of its ring's centre.
     pub lifetime: f64,
-    /// Time after which everything repeats, in r_s/c; `None` if nothing ever does.
+    /// Period of the structure, in r_s/c; `None` if it does not repeat.
     pub period: Option<f64>,
     /// Number of waves in each octave of a ring.
     pub octave: usize,
@@ -44,7 +44,6 @@ impl Model {
     /// The model that the disk's fields describe, with at most `limit` waves in a ring; `None` for
     /// a smooth disk. `streaks` changes the numbers within the limits of their fields. The number
     /// of waves is rounded down to a multiple of the octaves' number.
-    #[must_use]
     pub fn new(disk: &Disk, limit: Option<u32>) -> Option<Self> {
         let waves = disk.waves.min(limit.unwrap_or(disk.waves));
         let octave = (waves / OCTAVES as u32).clamp(MIN_OCTAVE, (MAX_WAVES / OCTAVES) as u32);
@@ -75,7 +74,6 @@ impl Model {
     /// Amplitude of the waves of each octave. The spectrum is that of an exponential covariance
     /// (Matern's with nu = 1/2 in two dimensions): the share of an octave at the wave number q is
     /// q^2 (1 + q^2)^(-3/2). The mean squares of all waves add up to one.
-    #[must_use]
     pub fn amplitudes(&self) -> [f64; OCTAVES] {
         let shares: [f64; OCTAVES] = std::array::from_fn(|octave| {
             let q2 = wave_number(octave as f64 + 0.5).powi(2);

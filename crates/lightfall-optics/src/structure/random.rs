@@ -9,7 +9,6 @@ pub const GROUP_STRIDE: u32 = 0x9e37_79b9;
 /// The phase, in turns from -1/2 to 1/2, of the place `at` in the list of phases: the integer hash
 /// that Wellons found by search (lowbias32, 2018). Both languages compute it in 32 bits and keep the
 /// upper 23, so a wave has the same phase in both, however many lives it has lived.
-#[must_use]
 pub fn phase(at: u32) -> f64 {
     let mut z = at;
     z = (z ^ (z >> 16)).wrapping_mul(0x7feb_352d);

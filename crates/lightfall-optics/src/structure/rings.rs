@@ -22,7 +22,6 @@ pub struct Rings {
 
 impl Rings {
     /// The rings between two radii.
-    #[must_use]
     pub fn new(inner: f64, outer: f64) -> Self {
         let whole = (outer / inner).ln().max(1e-3);
         let count = (whole / WIDTH).round().clamp(1.0, MAX_RINGS as f64);
@@ -34,14 +33,12 @@ impl Rings {
     }
 
     /// ln r of the centre of a ring.
-    #[must_use]
     pub fn centre(&self, ring: usize) -> f64 {
         self.start + (ring as f64 + 0.5) * self.width
     }
 
     /// The weight of a ring at ln r = x. The squares of all weights add up to one everywhere, so
     /// that independent rings of variance one give the variance one.
-    #[must_use]
     pub fn weight(&self, ring: usize, x: f64) -> f64 {
         let place = ((x - self.start) / self.width - 0.5).clamp(0.0, (self.count - 1) as f64);
         let share = (2.0 * (place - ring as f64).abs() - 0.5).clamp(0.0, 1.0);

@@ -44,7 +44,6 @@ impl PhotonConstants {
     ///
     /// L = r (n x w)_z and K = r^2 |w|^2 - a^2 E^2 n_z^2. Going backward, n' = -r w and u' =
     /// -(1/r)' = Sigma p^r / r^2.
-    #[must_use]
     pub fn of_photon(kerr: Kerr, photon: &Photon, r: f64, n: DVec3) -> (Self, PhotonState) {
         let (a, energy) = (kerr.a(), photon.energy);
         let w = r * photon.w;
@@ -79,20 +78,17 @@ impl PhotonConstants {
     }
 
     /// Carter's Q = K - L^2, in r_s^2.
-    #[must_use]
     pub fn carter_q(&self) -> f64 {
         self.k - self.angular_momentum.powi(2)
     }
 
     /// K' = Q + (L - a E)^2, in r_s^2.
-    #[must_use]
     pub fn k_prime(&self) -> f64 {
         let ae = self.a * self.energy;
         self.k + ae * (ae - 2.0 * self.angular_momentum)
     }
 
     /// The coefficients of U, from u^0 to u^4.
-    #[must_use]
     pub fn potential_coefficients(&self) -> [f64; 5] {
         let ae = self.a * self.energy;
         [
@@ -105,7 +101,6 @@ impl PhotonConstants {
     }
 
     /// U(u) = u'^2.
-    #[must_use]
     pub fn potential(&self, u: f64) -> f64 {
         self.potential_coefficients()
             .iter()
@@ -116,7 +111,6 @@ impl PhotonConstants {
     /// Whether U is certainly positive throughout `[from, to]`, so that no ray turns there. The
     /// test is sufficient, not necessary: a polynomial is nowhere less than its smallest Bernstein
     /// coefficient (Farouki & Rajan 1987).
-    #[must_use]
     pub fn cannot_turn_within(&self, from: f64, to: f64) -> bool {
         let mut c = self.potential_coefficients();
         // The coefficients about `from`, by Horner's shift, then in units of the interval's width.
@@ -146,20 +140,17 @@ impl PhotonConstants {
 
     /// (E (r^2 + a^2) - a L) / r^2 at u = 1/r. At the outer horizon it is positive for every photon
     /// that crosses the horizon inward from the outside.
-    #[must_use]
     pub fn ingoing_energy(&self, u: f64) -> f64 {
         self.energy + self.a * (self.a * self.energy - self.angular_momentum) * u * u
     }
 
     /// Whether a backward ray at a place inside the horizon stays inside. Light inside comes from
     /// the outside only if it fell in through the outer horizon.
-    #[must_use]
     pub fn stays_inside(&self, state: &PhotonState, u_horizon: f64) -> bool {
         state.u >= u_horizon && (state.du >= 0.0 || self.ingoing_energy(u_horizon) <= 0.0)
     }
 
     /// The largest relative violation of the constraints on u'^2, |n'|^2, (n x n')_z and |n|.
-    #[must_use]
     pub fn residual(&self, s: &PhotonState) -> f64 {
         let terms: f64 = self
             .potential_coefficients()

@@ -4,7 +4,7 @@ use super::motion::{PhotonConstants, PhotonState};
 use crate::geometry::taylor::{ORDER, Taylor, product_coefficient, reach_of_term};
 use glam::DVec3;
 
-/// The motion as power series in the Mino time since the state it was expanded about.
+/// The motion as power series in the Mino time after a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhotonSeries {
     /// u.
@@ -17,7 +17,6 @@ pub struct PhotonSeries {
 
 impl PhotonConstants {
     /// The power series of the motion from `start` on.
-    #[must_use]
     pub fn expand(&self, start: &PhotonState) -> PhotonSeries {
         let [_, _, quadratic, cubic, quartic] = self.potential_coefficients();
         let (ae2, al) = (
@@ -73,12 +72,11 @@ impl PhotonConstants {
         }
     }
 
-    /// The length of a step in Mino time: how far the expansion is accurate.
+    /// The length of a step in Mino time, over which the series is accurate.
     ///
     /// The bound 1/sqrt(K + (1 + a^2) E^2) keeps a step below one radian. Since n_z'' = -q n_z with
     /// q <= K + a^2 E^2, Sturm's comparison theorem implies that n_z vanishes at most once in a
     /// step.
-    #[must_use]
     pub fn reach(&self, expansion: &PhotonSeries) -> f64 {
         let mut reach = 1.0 / (self.k + (1.0 + self.a.powi(2)) * self.energy.powi(2)).sqrt();
         let PhotonSeries {
@@ -102,7 +100,6 @@ impl PhotonConstants {
 
 impl PhotonSeries {
     /// The state after the Mino time `t`.
-    #[must_use]
     pub fn at(&self, t: f64) -> PhotonState {
         let (u, du) = self.u.at(t);
         let [(x, dx), (y, dy), (z, dz)] = [self.n[0].at(t), self.n[1].at(t), self.n[2].at(t)];

@@ -1,7 +1,7 @@
 //! An observer's matrix, expanded about one direction.
 //!
-//! A photon that is small compared with the matrix is a difference of large numbers. It keeps its
-//! digits if the matrix is expanded about the direction from which the smallest photons arrive.
+//! A photon that is small compared with the matrix is a difference of large numbers. It is accurate
+//! if the matrix is expanded about the direction from which the smallest photon arrives.
 
 use super::{ObserverMatrix, Photon};
 use glam::{DMat3, DVec3, DVec4, Vec4Swizzles};
@@ -20,7 +20,6 @@ pub struct ExpandedMatrix {
 
 impl ExpandedMatrix {
     /// Expands the matrix of an observer at radius `r` (r_s).
-    #[must_use]
     pub fn new(matrix: &ObserverMatrix, r: f64) -> Self {
         let rows = matrix.rows.map(DVec4::from_array);
         let centre = expansion_centre(rows, r).unwrap_or(DVec3::NEG_X);
@@ -32,7 +31,6 @@ impl ExpandedMatrix {
 
     /// The photon that arrives from the unit looking direction `direction`, as
     /// [`ObserverMatrix::photon`] gives it, to more digits.
-    #[must_use]
     pub fn photon(&self, direction: DVec3) -> Photon {
         let off = direction - self.centre;
         let [energy, radial, x, y, z] = self.rows.map(|(row, curvature)| {
@@ -46,9 +44,8 @@ impl ExpandedMatrix {
     }
 }
 
-/// The direction about which the rows of an observer's matrix are expanded, for an observer at `r`:
-/// that of the least energy or, where light can have negative energy, that of the smallest photon.
-/// `None` if all light has the same energy.
+/// The direction of expansion for an observer at `r`: that of the least energy or, where light can
+/// have negative energy, that of the smallest photon. `None` if all light has the same energy.
 fn expansion_centre(rows: [DVec4; 5], r: f64) -> Option<DVec3> {
     let [energy, _, w_x, w_y, w_z] = rows;
     let slope = energy.yzw();
@@ -70,9 +67,9 @@ fn expansion_centre(rows: [DVec4; 5], r: f64) -> Option<DVec3> {
     Some(least_on_sphere(square, linear))
 }
 
-/// The unit vector x at which x.A x + 2 b.x is least, for a symmetric A without negative eigenvalues:
-/// (A + m) x = -b, with the multiplier m at which |x| = 1 and A + m is positive definite (Conn, Gould
-/// & Toint 2000, section 7.2).
+/// The unit vector x at which x.A x + 2 b.x is least, for a symmetric A without negative
+/// eigenvalues: (A + m) x = -b, with the multiplier m at which |x| = 1 and A + m is positive
+/// definite (Conn, Gould & Toint 2000, section 7.2).
 fn least_on_sphere(a: DMat3, b: DVec3) -> DVec3 {
     let shifted = |m: f64| a + m * DMat3::IDENTITY;
     let solution = |m: f64| shifted(m).inverse() * -b;

@@ -10,8 +10,8 @@ use std::f64::consts::FRAC_PI_2;
 const IN_PLANE: f64 = 1e-9;
 
 crate::words! {
-    /// The frames of reference that have a name. Of those that exist off the equatorial plane, each
-    /// reaches nearer to the hole than the one before.
+    /// The kinds of observer. Of those that exist off the equatorial plane, each reaches closer to
+    /// the hole than the previous one.
     pub enum ObserverKind {
         /// Hovers at one place; not possible very near a spinning hole.
         Static = "static": "At rest",
@@ -24,7 +24,7 @@ crate::words! {
     }
 }
 
-/// What distinguishes an observer from the others.
+/// The properties of a kind of observer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ObserverProperties {
     /// How it moves, in two or three words.
@@ -35,7 +35,7 @@ pub struct ObserverProperties {
     pub falls_freely: bool,
     /// Whether it exists in the equatorial plane only.
     pub equatorial: bool,
-    /// The surface that bounds the places where it exists.
+    /// The surface outside which it exists.
     pub limit: Limit,
 }
 
@@ -54,7 +54,6 @@ pub enum Limit {
 
 impl Limit {
     /// The radius of the surface, in r_s, at a place whose angle from the axis has this cosine.
-    #[must_use]
     pub fn radius(self, kerr: Kerr, cos_theta: f64) -> f64 {
         match self {
             Self::StaticLimit => kerr.static_limit(cos_theta),
@@ -67,7 +66,6 @@ impl Limit {
 
 impl ObserverKind {
     /// The properties of this kind: a new kind is a new row.
-    #[must_use]
     pub const fn properties(self) -> ObserverProperties {
         match self {
             Self::Static => ObserverProperties {
@@ -136,11 +134,10 @@ impl ObserverKind {
     }
 }
 
-/// The smallest radius to which motion leads, in r_s: nine tenths of the way from the outer horizon
-/// to the inner one, which without spin is the centre. Further in, the tide grows without bound.
+/// The smallest radius that motion reaches, in r_s: nine tenths of the way from the outer horizon
+/// to the inner one, which without spin is the centre. Farther in, the tide grows without bound.
 /// With spin, the blueshift of matter that falls in with the hole's rotation grows too, as
 /// 1/|Delta|. The inner horizon of a real hole is not that of a vacuum (Poisson & Israel 1990).
-#[must_use]
 pub fn min_infall_radius(kerr: Kerr) -> f64 {
     0.9 * kerr.inner_horizon() + 0.1 * kerr.horizon()
 }

@@ -1,9 +1,9 @@
-//! How long light is under way around a hole without spin. The twin in WGSL is
+//! The travel time of light around a hole without spin. The twin in WGSL is
 //! shaders/delay/closed.wgsl.
 //!
-//! Hamilton and Jacobi's function does not change along a null ray, so that E dt = L dphi + p_r dr.
-//! With s(u) = sqrt(1 - b^2 u^2 (1 - u)) = b |du/dphi| and the tortoise coordinate r*(u) = 1/u +
-//! ln|1/u - 1|, the time is b phi plus, for each leg on which r does not turn,
+//! The Hamilton-Jacobi action is constant along a null ray, so E dt = L dphi + p_r dr. With s(u) =
+//! sqrt(1 - b^2 u^2 (1 - u)) = b |du/dphi| and the tortoise coordinate r*(u) = 1/u + ln|1/u - 1|,
+//! the time is b phi plus, for each leg on which r does not turn,
 //!
 //! |r*(u_a) - r*(u_b)| - b^2 J(u_a, u_b),   J(u_a, u_b) = integral of du/(1 + s(u)),   u_a < u_b.
 //!
@@ -13,10 +13,10 @@ use super::{CRITICAL_IMPACT, Roots};
 use crate::geometry::kerr::Kerr;
 use crate::geometry::quadrature::integral;
 
-/// u of the photon sphere, about which s(u) of rays next to the critical curve has a kink.
+/// u of the photon sphere, where s(u) of rays next to the critical curve has a kink.
 const PHOTON_SPHERE: f64 = 2.0 / 3.0;
 
-/// How a backward ray gets from the camera to a place.
+/// The radial direction of a backward ray from the camera to a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
     /// Inward.
@@ -35,7 +35,6 @@ pub enum Way {
 /// # Panics
 /// If `way` is [`Way::InAndOut`] and `b` is not larger than the critical one: such a ray does not
 /// turn.
-#[must_use]
 pub fn lag(b: f64, phi: f64, camera_u: f64, u: f64, way: Way) -> f64 {
     let tortoise = |u: f64| Kerr { spin: 0.0 }.ingoing_time_lead(1.0 / u);
     let lead = if camera_u < 1.0 {
@@ -59,7 +58,6 @@ pub fn lag(b: f64, phi: f64, camera_u: f64, u: f64, way: Way) -> f64 {
     b * phi + ends - b * b * length
 }
 
-/// J(from, to).
 fn leg(b: f64, from: f64, to: f64) -> f64 {
     if let Some(roots) = Roots::of(b) {
         return turning_leg(b, roots, from, to);
@@ -74,7 +72,7 @@ fn leg(b: f64, from: f64, to: f64) -> f64 {
     integral(from, middle, &f) + integral(middle, to, &f)
 }
 
-/// J(from, to) outside the turning point. With u = u2 - span x^2 the root of s disappears.
+/// J(from, to) outside the turning point. u = u2 - span x^2 removes the root of s.
 fn turning_leg(b: f64, Roots { u2, u32, u21, .. }: Roots, from: f64, to: f64) -> f64 {
     let span = u2 - from;
     let f = |x: f64| {

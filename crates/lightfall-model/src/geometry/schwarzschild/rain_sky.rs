@@ -1,6 +1,5 @@
-//! Where on the sky the observer `rain`, who falls from rest at infinity, sees which direction,
-//! around a hole without spin. This observer's frame is regular at the horizon, so that the same
-//! formulas serve every radius.
+//! The sky of the observer `rain`, who falls from rest at infinity, around a hole without spin.
+//! This observer's frame is regular at the horizon, so the same formulas hold at every radius.
 //!
 //! With v = sqrt(u), u = 1/r, a backward ray at the angle alpha from the outward direction has, per
 //! unit frequency, E = 1 + v cos(alpha), Sigma p^r / r^2 = -(v + cos(alpha)) and |w| = sin(alpha)
@@ -19,7 +18,6 @@ const MAX_STEPS: u32 = 40;
 /// The rays from the sky to `rain` at one radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RainSky {
-    /// 1/r.
     u: f64,
     /// The observer's speed, sqrt(u).
     speed: f64,
@@ -33,7 +31,6 @@ pub struct RainSky {
 
 impl RainSky {
     /// The rays to the observer at radius `r` > 0 (r_s).
-    #[must_use]
     pub fn new(r: f64) -> Self {
         let u = 1.0 / r;
         let speed = u.sqrt();
@@ -48,13 +45,11 @@ impl RainSky {
     }
 
     /// The angular radius of the shadow, in radians about the inward direction.
-    #[must_use]
     pub fn shadow_half_angle(&self) -> f64 {
         self.shadow_half_angle
     }
 
-    /// Where the sky ends, straight outward: the largest angle from the edge of the shadow.
-    #[must_use]
+    /// The largest angle from the edge of the shadow, straight outward.
     pub fn farthest(&self) -> f64 {
         PI - self.shadow_half_angle
     }
@@ -63,10 +58,9 @@ impl RainSky {
     /// [`farthest`](Self::farthest), on the other side of the outward direction, it is negative.
     ///
     /// The discriminant D of the orbit is -(cos(alpha) - cos(alpha_e)) (radial + c E) (1 + c v) /
-    /// ((1 - u) sin^2(alpha)), which keeps its digits however small `off_edge` is
+    /// ((1 - u) sin^2(alpha)), which is accurate however small `off_edge` is
     /// ([`ShadowEdge`](super::ShadowEdge)). Then psi is one R_F for a ray that moves outward, and
     /// two for one that turns (shaders/method/schwarzschild.wgsl has the forms).
-    #[must_use]
     pub fn angle_to_infinity(&self, off_edge: f64) -> f64 {
         let theta = self.shadow_half_angle + off_edge;
         if theta > PI {

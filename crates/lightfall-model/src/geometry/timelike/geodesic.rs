@@ -26,7 +26,7 @@ pub enum Limit {
     Inner,
     /// The particle reached the largest radius.
     Outer,
-    /// The series does not reach any farther. The particle stays at the last accurate place.
+    /// The series converges no farther. The particle stays at the last accurate place.
     Lost,
 }
 
@@ -36,7 +36,6 @@ impl Geodesic {
     /// clocks at zero. `chi` is its ingoing azimuth minus the azimuth of `n`.
     ///
     /// L = r (n x w)_z, K = r^2 |w|^2 + kappa n_z^2, n' = r w and u' = -(Sigma u^r)/r^2.
-    #[must_use]
     pub fn new(kerr: Kerr, velocity: &Photon, r: f64, n: DVec3, chi: f64) -> Self {
         let (a, energy, w) = (kerr.a(), velocity.energy, r * velocity.w);
         let k = w.length_squared() + kappa(a, energy) * n.z * n.z;
@@ -62,7 +61,6 @@ impl Geodesic {
     }
 
     /// The four-velocity, in the form of the first column of an observer's matrix at the place n.
-    #[must_use]
     pub fn velocity(&self) -> Photon {
         let ParticleState { u, du, dn, .. } = self.state;
         Photon {
@@ -73,7 +71,6 @@ impl Geodesic {
     }
 
     /// See [`ParticleConstants::residual`].
-    #[must_use]
     pub fn residual(&self) -> f64 {
         self.constants.residual(&self.state)
     }
@@ -117,8 +114,7 @@ impl Geodesic {
             {
                 return Some(Limit::Lost);
             }
-            // Rounding is removed from these ends. Otherwise one more step, of zero length, would
-            // follow.
+            // Rounding is removed from these ends, which would need another step of zero length.
             for radius in [inner, outer] {
                 if (end.u * radius - 1.0).abs() < 4.0 * f64::EPSILON {
                     end.u = 1.0 / radius;
@@ -134,7 +130,6 @@ impl Geodesic {
     }
 }
 
-/// The series minus a constant.
 fn minus_constant(mut series: Taylor, constant: f64) -> Taylor {
     series.0[0] -= constant;
     series

@@ -36,7 +36,6 @@ pub struct ParticleState {
 
 impl ParticleConstants {
     /// The largest relative violation of the constraints on u'^2, |n'|^2 and (n x n')_z.
-    #[must_use]
     pub fn residual(&self, state: &ParticleState) -> f64 {
         let ParticleState { u, du, n, dn, .. } = *state;
         let k_prime = self.k_prime();
@@ -67,13 +66,11 @@ impl ParticleConstants {
         self.a * (self.a * self.energy - self.angular_momentum)
     }
 
-    /// kappa = a^2 (1 - E^2).
     pub(super) fn kappa(&self) -> f64 {
         kappa(self.a, self.energy)
     }
 }
 
-/// kappa = a^2 (1 - E^2).
 pub(super) fn kappa(a: f64, energy: f64) -> f64 {
     a * a * (1.0 - energy) * (1.0 + energy)
 }

@@ -4,7 +4,7 @@ use super::motion::{ParticleConstants, ParticleState};
 use crate::geometry::taylor::{ORDER, Taylor, product_coefficient, reach_of_term};
 use glam::DVec3;
 
-/// The motion as power series in the Mino time since the state it was expanded about.
+/// The motion as power series in the Mino time after a state.
 pub(super) struct ParticleSeries {
     pub(super) u: Taylor,
     n: [Taylor; 3],
@@ -14,7 +14,6 @@ pub(super) struct ParticleSeries {
 }
 
 impl ParticleConstants {
-    /// The power series of the motion from `start` on.
     pub(super) fn expand(&self, start: &ParticleState) -> ParticleSeries {
         const ZERO: [f64; ORDER + 1] = [0.0; ORDER + 1];
         let ParticleState {
@@ -91,9 +90,9 @@ impl ParticleConstants {
         }
     }
 
-    /// The length of a step in Mino time: how far the expansion is accurate.
+    /// The length of a step in Mino time, over which the series is accurate.
     pub(super) fn reach(&self, expansion: &ParticleSeries) -> f64 {
-        // At most a radian on the sphere.
+        // At most one radian on the sphere.
         let mut reach = 1.0 / (self.k.abs() + self.kappa().abs()).sqrt();
         let ParticleSeries {
             u: Taylor(u),

@@ -78,7 +78,6 @@ impl Journey {
     }
 }
 
-/// A number with [`DIGITS`] digits.
 fn rounded(number: f64) -> f64 {
     let scale = 10.0_f64.powi(DIGITS - 1 - number.abs().log10().floor() as i32);
     (number * scale).round() / scale

@@ -7,6 +7,7 @@ use thiserror::Error;
 
 /// Why a text is not a journey. `origin` is its file; keyframes count from 1.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[expect(missing_docs, reason = "the messages say what the fields are")]
 pub enum JourneyError {
     /// The text is not TOML, or of another version.
     #[error(transparent)]
@@ -16,11 +17,8 @@ pub enum JourneyError {
         "{origin}: {key} = {given} is refused: a journey has schema = 1, title = \"...\", preset = \"...\", tables [[keyframe]] and tables [[caption]]"
     )]
     Top {
-        /// Where it was written.
         origin: String,
-        /// The key.
         key: String,
-        /// Its value.
         given: String,
     },
     /// A preset that is not one of the built-in ones.
@@ -28,32 +26,18 @@ pub enum JourneyError {
         "{origin}: preset = {given} is refused: it must be the name or the number of a built-in preset: {}",
         preset_names()
     )]
-    Preset {
-        /// Where it was written.
-        origin: String,
-        /// What was given.
-        given: String,
-    },
+    Preset { origin: String, given: String },
     /// Too few or too many keyframes.
     #[error(
         "{origin}: a journey has from 2 to {MAX_KEYFRAMES} tables [[keyframe]], and this one has {count}"
     )]
-    Count {
-        /// Where it was written.
-        origin: String,
-        /// How many there are.
-        count: usize,
-    },
+    Count { origin: String, count: usize },
     /// A keyframe without a time, or with one that is not after the time before.
     #[error("{origin}: keyframe {number}: time = {given} is refused: it must be {allowed}")]
     Time {
-        /// Where it was written.
         origin: String,
-        /// Which keyframe.
         number: usize,
-        /// What was given.
         given: String,
-        /// What it may be.
         allowed: String,
     },
     /// A keyframe with an unknown key.
@@ -63,59 +47,38 @@ pub enum JourneyError {
         names()
     )]
     UnknownKey {
-        /// Where it was written.
         origin: String,
-        /// Which keyframe.
         number: usize,
-        /// The name.
         key: String,
     },
     /// A value of the wrong type or out of range.
     #[error("{origin}: keyframe {number}: {key} = {given} is refused: it must be {allowed}")]
     Value {
-        /// Where it was written.
         origin: String,
-        /// Which keyframe.
         number: usize,
-        /// The name.
         key: &'static str,
-        /// What was given.
         given: String,
-        /// What it may be.
         allowed: String,
     },
     /// Too many captions.
     #[error(
         "{origin}: a journey has at most {MAX_CAPTIONS} tables [[caption]], and this one has {count}"
     )]
-    CaptionCount {
-        /// Where it was written.
-        origin: String,
-        /// How many there are.
-        count: usize,
-    },
+    CaptionCount { origin: String, count: usize },
     /// A caption with an unknown key.
     #[error("{origin}: caption {number}: there is no {key}; a caption has time, seconds and text")]
     CaptionKey {
-        /// Where it was written.
         origin: String,
-        /// Which caption; captions count from 1.
         number: usize,
-        /// The name.
         key: String,
     },
     /// A value of a caption that is missing, of the wrong type or out of range.
     #[error("{origin}: caption {number}: {key} = {given} is refused: it must be {allowed}")]
     Caption {
-        /// Where it was written.
         origin: String,
-        /// Which caption; captions count from 1.
         number: usize,
-        /// The name.
         key: &'static str,
-        /// What was given.
         given: String,
-        /// What it may be.
         allowed: String,
     },
 }

@@ -19,7 +19,6 @@ impl Track {
     ///
     /// The slope at an inner point is the harmonic mean of the slopes on both sides, weighted by
     /// their lengths, and zero where these differ in sign (Fritsch & Butland 1984).
-    #[must_use]
     pub fn through(points: &[(f64, f64)]) -> Option<Self> {
         let secant = |i: usize| (points[i + 1].1 - points[i].1) / (points[i + 1].0 - points[i].0);
         let slope = |i: usize| {
@@ -45,7 +44,6 @@ impl Track {
     }
 
     /// The value at a time.
-    #[must_use]
     pub fn at(&self, time: f64) -> f64 {
         let after = self.knots.partition_point(|knot| knot.time <= time);
         let Some(end) = self.knots.get(after) else {

@@ -5,17 +5,15 @@ use thiserror::Error;
 
 /// Why a text is not a catalogue of stars. `origin` is its file; lines count from 1.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[expect(missing_docs, reason = "the messages say what the fields are")]
 pub enum CatalogueError {
     /// The header lacks a column.
     #[error(
         "{origin}: line {line}: the header has no column {column}; it needs ra_deg, dec_deg and v_mag and may have b_v and name"
     )]
     Column {
-        /// The file.
         origin: String,
-        /// Line.
         line: u64,
-        /// The column.
         column: &'static str,
     },
     /// The fields of a line are separated by something else than commas.
@@ -23,52 +21,31 @@ pub enum CatalogueError {
         "{origin}: line {line}: its fields are separated by {separator}, and must be separated by commas"
     )]
     Separator {
-        /// The file.
         origin: String,
-        /// Line.
         line: u64,
-        /// What separates them, in words.
         separator: &'static str,
     },
     /// A field has a value that it cannot have.
     #[error("{origin}: line {line}: {column} = \"{given}\" is refused: it must be {allowed}")]
     Field {
-        /// The file.
         origin: String,
-        /// Line.
         line: u64,
-        /// The column.
         column: &'static str,
-        /// The text, shortened.
         given: String,
-        /// What it may be, in words.
         allowed: String,
     },
     /// There are more stars than a catalogue may have.
     #[error(
         "{origin}: line {line} is one star too many: a catalogue has at most {MAX_STARS} stars"
     )]
-    TooMany {
-        /// The file.
-        origin: String,
-        /// Line of the first star that is too many.
-        line: u64,
-    },
+    TooMany { origin: String, line: u64 },
     /// There is no star.
     #[error(
         "{origin} has no star; a star is a line {}, the last two of which may be left out",
         COLUMNS.join(",")
     )]
-    Empty {
-        /// The file.
-        origin: String,
-    },
+    Empty { origin: String },
     /// The text cannot be split into fields.
     #[error("{origin} cannot be read as CSV: {reason}")]
-    NotCsv {
-        /// The file.
-        origin: String,
-        /// What the CSV reader says.
-        reason: String,
-    },
+    NotCsv { origin: String, reason: String },
 }

@@ -1,4 +1,4 @@
-//! How bright a star's image becomes where the magnification of a point diverges.
+//! The brightness of a star's image where the magnification of a point diverges.
 
 /// The smallest angular radius of a star, in radians, that limits its magnification. Real stars are
 /// smaller, but directions in f32 are uncertain by a tenth of this.
@@ -9,7 +9,6 @@ pub const MIN_SOURCE_RADIUS: f64 = 1e-6;
 ///
 /// The average of 1/x over a disc whose middle is at x = beta is (4/(pi rho)) E(beta^2/rho^2)
 /// inside, an elliptic integral; these forms are within 3 % of it.
-#[must_use]
 pub fn inverse_sine(distance: f64, radius: f64) -> f64 {
     let x = distance / radius;
     if x < 1.0 {

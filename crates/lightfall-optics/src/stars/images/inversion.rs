@@ -19,8 +19,8 @@ use thiserror::Error;
 /// psi below this, in radians. They differ by psi^2 there.
 const OVERHEAD: f64 = 3e-3;
 
-/// The distance from a caustic at which [`Inversion::max_gain`] is measured, in radians: one star in
-/// a million is closer to one.
+/// The distance from a caustic at which [`Inversion::max_gain`] is measured, in radians: one star
+/// in a million is closer to one.
 const NEAR_CAUSTIC: f64 = 1e-3;
 
 /// Number of directions about the hole in which [`Inversion::max_gain`] is measured.
@@ -56,7 +56,7 @@ pub struct Inversion {
     beaming: bool,
 }
 
-/// How light gets from the sky to the observer in whose frame images are found.
+/// The rays from the sky to the observer in whose frame images are found.
 #[derive(Clone, Debug)]
 enum Lens {
     /// Bent by a hole without spin; the observer is `rain`.
@@ -99,8 +99,7 @@ impl Inversion {
         })
     }
 
-    /// The table by which images are found; `None` along straight rays.
-    #[must_use]
+    /// The table; `None` along straight rays.
     pub fn table(&self) -> Option<&ImageTable> {
         match &self.lens {
             Lens::Table(table) => Some(table),
@@ -111,16 +110,14 @@ impl Inversion {
     /// Takes (1, d) of the observer in whose frame images are found, d being on its axes (outward,
     /// toward growing theta, toward growing phi), to (frequency, frequency times d) of the camera,
     /// on the same axes.
-    #[must_use]
     pub fn camera_from_frame(&self) -> DMat4 {
         self.to_camera
     }
 
-    /// The largest gain of an image of this order, other than of the few stars within a thousandth of
-    /// a radian of a caustic. Zero if there are no such images.
+    /// The largest gain of an image of this order, other than of the few stars within a thousandth
+    /// of a radian of a caustic. Zero if there are no such images.
     ///
     /// The magnification is largest where an order begins or ends, next to the caustics.
-    #[must_use]
     pub fn max_gain(&self, order: u32) -> f64 {
         let star = |azimuth: u32, angle: f64| {
             let turn = TAU * f64::from(azimuth) / f64::from(AZIMUTHS);
@@ -136,7 +133,6 @@ impl Inversion {
     /// The star's image of this order, for a star in the unit direction `star` of the hole's frame;
     /// `None` if there is none. The magnification is that of a star with the radius
     /// [`MIN_SOURCE_RADIUS`].
-    #[must_use]
     pub fn image(&self, star: DVec3, order: u32) -> Option<StarImage> {
         let (direction, magnification) = match &self.lens {
             Lens::Table(table) => self.bent(table, star, order)?,
@@ -160,7 +156,7 @@ impl Inversion {
         })
     }
 
-    /// All images of a star, in the order of their orders.
+    /// All images of a star, by increasing order.
     pub fn images(&self, star: DVec3) -> impl Iterator<Item = StarImage> {
         (0..ORDERS).filter_map(move |order| self.image(star, order))
     }
@@ -200,7 +196,7 @@ impl Inversion {
         let tangential = if order == 0 && overhead < OVERHEAD {
             arrival.slope
         } else {
-            // A star overhead is on a caustic, too, but for its image of order 0.
+            // A star overhead is on a caustic too, except for its image of order 0.
             let from_caustic = if order == 0 {
                 behind
             } else {
@@ -213,8 +209,8 @@ impl Inversion {
     }
 }
 
-/// From (1, d) of the observer in whose frame images are found to the camera's (frequency, frequency
-/// times d).
+/// From (1, d) of the observer in whose frame images are found to the camera's (frequency,
+/// frequency times d).
 fn to_camera(scene: &Scene, rays: &CameraRays) -> Result<DMat4, ObserverError> {
     let (camera, observer) = (&scene.camera, &scene.observer);
     let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());

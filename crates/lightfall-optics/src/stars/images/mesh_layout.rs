@@ -1,10 +1,9 @@
-//! The mesh of rays through a picture by which the images of stars are found where there is no
-//! inversion.
+//! The mesh of rays through a picture that finds the images of stars without an inversion.
 
 use glam::{DVec2, UVec2};
 
-/// Points at equal distances along both axes of a picture, in pixels from its upper left corner. They
-/// cover the picture and a margin about it.
+/// Points at equal distances along both axes of a picture, in pixels from its upper left corner.
+/// They cover the picture and a margin about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshLayout {
     /// The place of the first point.
@@ -16,15 +15,14 @@ pub struct MeshLayout {
 }
 
 impl MeshLayout {
-    /// How many cells cover a picture: one every 4 pixels of 960x540. With a field of view of 50
-    /// degrees neighbours are 7e-3 radians apart, and from 20 r_s the cells find all images with more
-    /// than 0.03 times the star's flux. The number is the same for all pictures, because the images
-    /// depend on the field of view and not on the pixels in it; and so is the work.
+    /// The number of cells that cover a picture: one every 4 pixels of 960x540. With a field of
+    /// view of 50 degrees neighbours are 7e-3 radians apart, and from 20 r_s the cells find all
+    /// images with more than 0.03 times the star's flux. The number, and the work, is the same for
+    /// all pictures, because the images depend on the field of view and not on its pixels.
     pub const CELLS: f64 = 240.0 * 135.0;
 
-    /// The mesh of about `cells` square cells for a picture of `size` pixels, with as many more rows
-    /// and columns as reach `margin` pixels beyond its border.
-    #[must_use]
+    /// The mesh of about `cells` square cells for a picture of `size` pixels, with as many more
+    /// rows and columns as reach `margin` pixels beyond its border.
     pub fn new(size: UVec2, cells: f64, margin: f64) -> Self {
         let size = size.as_dvec2();
         let spacing = (size.x * size.y / cells).sqrt();
@@ -48,19 +46,16 @@ impl MeshLayout {
     }
 
     /// Number of points.
-    #[must_use]
     pub fn point_count(&self) -> u32 {
         self.points.element_product()
     }
 
     /// Number of cells.
-    #[must_use]
     pub fn cell_count(&self) -> u32 {
         (self.points - 1).element_product()
     }
 
     /// The place of a point, in pixels.
-    #[must_use]
     pub fn place(&self, point: UVec2) -> DVec2 {
         self.origin + self.spacing * point.as_dvec2()
     }

@@ -8,8 +8,8 @@ use crate::stars::{Catalogue, hole_from_celestial};
 use glam::DVec3;
 use lightfall_model::scene::Scene;
 
-/// Cells of the mesh by which images are found with spin: the spacing is four times that of the
-/// picture's own, which loses only images of less than a twentieth of the star's light.
+/// Cells of the mesh with spin: its spacing is four times that of the picture's own, which loses
+/// only images of less than a twentieth of the star's light.
 const CELLS: f64 = MeshLayout::CELLS / 16.0;
 
 /// An image of a star that has a name.
@@ -23,9 +23,9 @@ pub struct NamedImage {
     pub image: StarImage,
 }
 
-/// The images of the brightest `count` named stars that are not fainter than `faintest` V, brightest
-/// first. Around a hole with spin these are the images in the scene's picture; else they are those on
-/// the whole sky.
+/// The images of the brightest `count` named stars that are not fainter than `faintest` V,
+/// brightest first. Around a hole with spin these are the images in the scene's picture; else they
+/// are those on the whole sky.
 ///
 /// # Errors
 /// The scene's observer does not exist.

@@ -1,5 +1,5 @@
-//! The images of stars in a picture with spin, in f64: by a mesh of reference rays, from whose cells
-//! images are polished. The kernels in shaders/stars/ do the same with the picture's tracer.
+//! The images of stars in a picture with spin, in f64: by a mesh of reference rays, from whose
+//! cells images are polished. The kernels in shaders/stars/ do the same with the picture's tracer.
 
 use super::StarImage;
 use super::mesh_layout::MeshLayout;
@@ -14,11 +14,11 @@ use rayon::prelude::*;
 
 /// Cells whose corners lie farther apart on the sky span the edge of the shadow.
 const MAX_SPAN: f64 = 1.2;
-/// How far outside a triangle, as a share of it, a star is still looked for.
+/// The margin about a triangle in which a star is searched for, as a share of the triangle.
 const MARGIN: f64 = 0.25;
-/// By how much the corner triangles of a cell may differ where the map to the sky does not fold.
+/// Largest ratio of the areas of a cell's corner triangles where the map to the sky does not fold.
 const MAX_AREA_RATIO: f64 = 2.0;
-/// Where it folds, stars up to this share of the cell's radius are looked for from the middle.
+/// Where it folds, stars up to this share of the cell's radius are searched for from the middle.
 const FOLD_REACH: f64 = 1.3;
 
 /// The rays of a mesh through a scene's picture, without the disk.
@@ -30,7 +30,7 @@ pub struct RayMesh {
     beaming: bool,
     layout: MeshLayout,
     size: DVec2,
-    /// Where the rays come from, row by row; `None` where not from the sky.
+    /// The directions of the sky that the rays come from, row by row; `None` for other outcomes.
     skies: Vec<Option<DVec3>>,
 }
 
@@ -61,7 +61,7 @@ impl RayMesh {
         Ok(mesh)
     }
 
-    /// Where the light of a place in the picture comes from, in pixels.
+    /// The direction of the sky that the light of a place in the picture, in pixels, comes from.
     fn sky(&self, place: DVec2) -> Option<DVec3> {
         self.reference.trace(self.direction(place)).sky
     }
@@ -73,7 +73,6 @@ impl RayMesh {
 
     /// All images of the star in the unit direction `star` of the hole's frame, as the mesh finds
     /// them: those that are squeezed within a cell of the edge of the shadow are left out.
-    #[must_use]
     pub fn images(&self, star: DVec3) -> Vec<StarImage> {
         let columns = self.layout.points.x - 1;
         let cells = (0..self.layout.cell_count()).map(|i| UVec2::new(i % columns, i / columns));
@@ -122,7 +121,7 @@ impl RayMesh {
     }
 
     /// Where the rays through a cell's corners come from: at (0, 0), (1, 0), (0, 1) and (1, 1);
-    /// `None` unless all see the sky, and parts of it that belong together.
+    /// `None` unless all see the sky, in one image of it.
     fn corners(&self, cell: UVec2) -> Option<[DVec3; 4]> {
         let first = (cell.y * self.layout.points.x + cell.x) as usize;
         let below = first + self.layout.points.x as usize;
@@ -151,8 +150,8 @@ impl RayMesh {
     }
 }
 
-/// The places in a cell, in cells, from which an image is looked for, each with the derivatives of
-/// the sky along x and y.
+/// The starts of the search in a cell, in cells, each with the derivatives of the sky along x and
+/// y.
 fn starts(corners: &[DVec3; 4], star: DVec3) -> Vec<(DVec2, [DVec3; 2])> {
     let [first, right, down, last] = *corners;
     let middle = (first + right + down + last).normalize();

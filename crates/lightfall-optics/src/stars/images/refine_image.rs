@@ -8,7 +8,7 @@ use glam::{DMat2, DVec2, DVec3};
 /// An image is found where the ray misses the star by less than this, in radians.
 const TOLERANCE: f64 = 1e-12;
 
-/// Where the image of a star lies, and how much it is magnified.
+/// The place and the magnification of a star's image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RefinedImage {
     /// Its place in the picture, at unit distance.
@@ -35,7 +35,6 @@ impl ImageRefiner {
     /// the Jacobian there: the star's tangent coordinates by the place's. `sky` is the tracer: the
     /// unit vector toward the source of a place's light, or `None` where no light of the sky
     /// arrives. `None` if the method leaves the sky or does not converge.
-    #[must_use]
     pub fn image(
         &self,
         sky: &impl Fn(DVec2) -> Option<DVec3>,
@@ -68,7 +67,6 @@ impl ImageRefiner {
     }
 
     /// The solid angle at the camera over the solid angle on the sky, by central differences.
-    #[must_use]
     pub fn magnification(
         &self,
         sky: &impl Fn(DVec2) -> Option<DVec3>,
@@ -82,7 +80,7 @@ impl ImageRefiner {
     }
 }
 
-/// Two unit vectors across the direction to a star.
+/// Two unit vectors perpendicular to the direction of a star.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tangents {
     star: DVec3,
@@ -92,7 +90,6 @@ pub struct Tangents {
 
 impl Tangents {
     /// Those of the star in this unit direction.
-    #[must_use]
     pub fn at(star: DVec3) -> Self {
         let (first, second) = star.any_orthonormal_pair();
         Self {
@@ -102,14 +99,12 @@ impl Tangents {
         }
     }
 
-    /// The components of a vector across the direction to the star.
-    #[must_use]
+    /// The components of a vector along these.
     pub fn components(&self, vector: DVec3) -> DVec2 {
         DVec2::new(vector.dot(self.first), vector.dot(self.second))
     }
 
-    /// By how much a direction misses the star; `None` on the other half of the sky.
-    #[must_use]
+    /// The miss of the star by a direction; `None` on the other half of the sky.
     pub fn missed(&self, direction: DVec3) -> Option<DVec2> {
         (direction.dot(self.star) > 0.0).then(|| self.components(direction))
     }

@@ -17,12 +17,12 @@ const HALF_STEP: f64 = 3e-4;
 /// Maximum number of steps for a node. Three are enough.
 const MAX_STEPS: u32 = 30;
 
-/// y = ln(off_edge), where `off_edge` is the angle of a ray from the edge of the shadow in the frame
-/// of `rain`, as a function of psi.
+/// y = ln(off_edge), where `off_edge` is the angle of a ray from the edge of the shadow in the
+/// frame of `rain`, as a function of psi.
 ///
 /// The nodes are equidistant in t, psi = pi + w sinh(t). For a distant camera y bends at psi = pi,
 /// straight behind the hole, over the angle w = sqrt(8/r): twice the angular radius of the Einstein
-/// ring. So the nodes are as dense there as the function asks for.
+/// ring. So the nodes are densest there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImageTable {
     sky: RainSky,
@@ -33,18 +33,17 @@ pub struct ImageTable {
     nodes: Vec<[f64; 2]>,
 }
 
-/// A place in the table: where the ray with a given psi arrives.
+/// A place in the table: the arrival of the ray with a given psi.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arrival {
     /// Angle from the edge of the shadow, in radians.
     pub off_edge: f64,
-    /// How much that angle shrinks per growth of psi.
+    /// The decrease of that angle per psi.
     pub slope: f64,
 }
 
 impl ImageTable {
     /// The table for a camera at radius `r` > 0 (r_s).
-    #[must_use]
     pub fn new(r: f64) -> Self {
         let sky = RainSky::new(r);
         let width = (8.0 / r).sqrt();
@@ -78,9 +77,8 @@ impl ImageTable {
         }
     }
 
-    /// Where the ray arrives whose angle about the hole is pi + `beyond` (radians), within the
-    /// table's orders: Hermite's cubic.
-    #[must_use]
+    /// The arrival of the ray whose angle about the hole is pi + `beyond` (radians), within the
+    /// table's orders, by Hermite's cubic.
     pub fn arrival(&self, beyond: f64) -> Arrival {
         let place = ((beyond / self.width).asinh() - self.first) / self.spacing;
         let i = (place.max(0.0) as usize).min(INTERVALS - 1);
@@ -98,25 +96,21 @@ impl ImageTable {
     }
 
     /// The rays that the table inverts.
-    #[must_use]
     pub fn sky(&self) -> &RainSky {
         &self.sky
     }
 
     /// w, in radians.
-    #[must_use]
     pub fn width(&self) -> f64 {
         self.width
     }
 
     /// t at the first node, and its growth from node to node.
-    #[must_use]
     pub fn places(&self) -> [f64; 2] {
         [self.first, self.spacing]
     }
 
     /// y, and dy/dt times the spacing, at each of the nodes.
-    #[must_use]
     pub fn nodes(&self) -> &[[f64; 2]] {
         &self.nodes
     }
