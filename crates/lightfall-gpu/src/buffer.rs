@@ -1,7 +1,7 @@
-//! Buffers in the GPU's memory.
+//! Buffers in the GPU's memory, and compute pipelines that bind them.
 
 use super::device::Gpu;
-use wgpu::{Buffer, BufferUsages};
+use wgpu::{BindGroup, BindGroupLayout, Buffer, BufferUsages, ComputePipeline, ShaderModule};
 
 /// A buffer of `size` bytes that is not initialized.
 pub(super) fn empty_buffer(gpu: &Gpu, label: &str, size: u64, usage: BufferUsages) -> Buffer {
@@ -31,4 +31,36 @@ pub(super) fn buffer_from_bytes(
     );
     gpu.queue.write_buffer(&buffer, 0, contents);
     buffer
+}
+
+/// The pipeline of a compute entry, with the layout of its own bindings.
+pub(super) fn compute_pipeline(gpu: &Gpu, module: &ShaderModule, entry: &str) -> ComputePipeline {
+    gpu.device
+        .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(entry),
+            layout: None,
+            module,
+            entry_point: Some(entry),
+            compilation_options: Default::default(),
+            cache: None,
+        })
+}
+
+/// The bind group of whole buffers, by their bindings.
+pub(super) fn bind_group<'a>(
+    gpu: &Gpu,
+    layout: &BindGroupLayout,
+    buffers: impl Iterator<Item = (u32, &'a Buffer)>,
+) -> BindGroup {
+    let entries: Vec<_> = buffers
+        .map(|(binding, buffer)| wgpu::BindGroupEntry {
+            binding,
+            resource: buffer.as_entire_binding(),
+        })
+        .collect();
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: None,
+        layout,
+        entries: &entries,
+    })
 }

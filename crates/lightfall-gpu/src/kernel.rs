@@ -2,7 +2,7 @@
 //! to results.
 
 use super::bindings;
-use super::buffer::{buffer_from_bytes, empty_buffer};
+use super::buffer::{bind_group, buffer_from_bytes, compute_pipeline, empty_buffer};
 use super::device::Gpu;
 use super::error::GpuError;
 use super::read_back::read_back;
@@ -55,18 +55,8 @@ impl ArrayKernel {
                     buffer_from_bytes(gpu, "uniform", bytes, BufferUsages::UNIFORM),
                 )
             });
-            let pipeline = gpu
-                .device
-                .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                    label: Some(entry),
-                    layout: None,
-                    module: &module,
-                    entry_point: Some(entry),
-                    compilation_options: Default::default(),
-                    cache: None,
-                });
             Self {
-                pipeline,
+                pipeline: compute_pipeline(gpu, &module, entry),
                 uniforms: uniforms.collect(),
             }
         })
@@ -123,22 +113,12 @@ impl ArrayKernel {
             BufferUsages::COPY_DST | BufferUsages::MAP_READ,
         );
         let arrays = [(bindings::INPUT, &input), (bindings::OUTPUT, &output)];
-        let bindings = self
+        let uniforms = self
             .uniforms
             .iter()
-            .map(|(binding, buffer)| (*binding, buffer))
-            .chain(arrays);
-        let entries: Vec<_> = bindings
-            .map(|(binding, buffer)| wgpu::BindGroupEntry {
-                binding,
-                resource: buffer.as_entire_binding(),
-            })
-            .collect();
-        let bind_group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: None,
-            layout: &self.pipeline.get_bind_group_layout(0),
-            entries: &entries,
-        });
+            .map(|(binding, buffer)| (*binding, buffer));
+        let layout = self.pipeline.get_bind_group_layout(0);
+        let bind_group = bind_group(gpu, &layout, uniforms.chain(arrays));
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         {
             let mut pass = encoder.begin_compute_pass(&Default::default());

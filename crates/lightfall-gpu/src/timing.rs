@@ -5,7 +5,7 @@ mod timestamps;
 mod work;
 
 use super::bindings;
-use super::buffer::{buffer_from_bytes, empty_buffer};
+use super::buffer::{bind_group, buffer_from_bytes, empty_buffer};
 use super::device::Gpu;
 use super::error::GpuError;
 use super::inputs::Inputs;
@@ -148,23 +148,10 @@ impl Stopwatch {
                     (*binding, buffer)
                 })
                 .collect();
-            let mut entries = vec![wgpu::BindGroupEntry {
-                binding: bindings::SCENE,
-                resource: numbers.as_entire_binding(),
-            }];
-            entries.extend(output.as_ref().map(|output| wgpu::BindGroupEntry {
-                binding: bindings::OUTPUT,
-                resource: output.as_entire_binding(),
-            }));
-            entries.extend(tables.iter().map(|(binding, table)| wgpu::BindGroupEntry {
-                binding: *binding,
-                resource: table.as_entire_binding(),
-            }));
-            let bind_group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: None,
-                layout: &layout,
-                entries: &entries,
-            });
+            let tables = tables.iter().map(|(binding, table)| (*binding, table));
+            let output = output.iter().map(|output| (bindings::OUTPUT, output));
+            let bound = [(bindings::SCENE, &numbers)].into_iter().chain(output);
+            let bind_group = bind_group(gpu, &layout, bound.chain(tables));
             Self {
                 work,
                 size,

@@ -49,13 +49,13 @@ impl Circumstances {
         .filter_map(|(name, value)| Some((name, value?)))
     }
 
-    /// What was measured and on what, for the caption of a plot.
+    /// The measurement and the machine, for the caption of a plot.
     pub fn about(&self) -> String {
         format!("{}, {}", self.size, self.adapter)
     }
 
-    /// What a later run must have in common with this one so that it can go on where this one
-    /// stopped: everything but the day, and the floor, which is measured last.
+    /// The circumstances that a later run must share to continue this one: all but the day, and the
+    /// floor, which is measured last.
     pub fn conditions(&self) -> impl Iterator<Item = (&'static str, String)> {
         self.lines()
             .filter(|(name, _)| !matches!(*name, "date" | "floor_ms"))

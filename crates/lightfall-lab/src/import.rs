@@ -36,8 +36,8 @@ impl Head {
         self.0.get(name).map(String::as_str)
     }
 
-    /// In what the report's conditions differ from these, in words. `None` if they are the same, so
-    /// that its rows belong to a run under these.
+    /// The difference of the report's conditions from these, in words. `None` if they are the same,
+    /// so that its rows belong to the same run.
     pub fn difference(&self, circumstances: &Circumstances) -> Option<String> {
         circumstances.conditions().find_map(|(name, here)| {
             let there = self.get(name).unwrap_or("unknown");
@@ -119,7 +119,7 @@ pub(super) fn or_nan<'de, D: Deserializer<'de>>(field: D) -> Result<f64, D::Erro
     Ok(Option::deserialize(field)?.unwrap_or(f64::NAN))
 }
 
-/// Reads an error that has no bound where the report has none, because a ray was given up.
+/// Reads an error that is infinite where the report has none, because a ray was given up.
 pub(super) fn or_infinite<'de, D: Deserializer<'de>>(field: D) -> Result<f64, D::Error> {
     Ok(Option::deserialize(field)?.unwrap_or(f64::INFINITY))
 }

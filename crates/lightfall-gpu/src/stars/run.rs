@@ -9,7 +9,7 @@ use super::{
     solve_workgroups, sums_size,
 };
 use crate::bindings;
-use crate::buffer::{buffer_from_bytes, empty_buffer};
+use crate::buffer::{bind_group, buffer_from_bytes, compute_pipeline, empty_buffer};
 use crate::device::Gpu;
 use crate::error::GpuError;
 use crate::kernel::{table_bytes, uniform};
@@ -120,9 +120,9 @@ impl StarRun {
         });
         let modules = modules.collect::<Result<Vec<_>, GpuError>>()?;
         gpu.validated(|| {
-            let pipelines = modules
-                .iter()
-                .map(|(kernel, module)| (*kernel, pipeline(gpu, module, kernel.entry_point())));
+            let pipelines = modules.iter().map(|(kernel, module)| {
+                (*kernel, compute_pipeline(gpu, module, kernel.entry_point()))
+            });
             let mut run = Self {
                 kernels: pipelines.collect(),
                 buffers: Vec::new(),
@@ -157,7 +157,7 @@ impl StarRun {
             let entry = kernel.entry_point();
             let text = kernel.text(scene).linked_from(files);
             let module = gpu.shader(entry, &text.source())?;
-            *compiled = gpu.validated(|| pipeline(gpu, &module, entry))?;
+            *compiled = gpu.validated(|| compute_pipeline(gpu, &module, entry))?;
         }
         Ok(self)
     }
@@ -271,31 +271,11 @@ impl StarRun {
         let bindings = kernel.reads().iter().chain(kernel.writes());
         // Only with lensing there is a table.
         let has_buffer = |binding: &u32| self.buffers.iter().any(|(at, _)| at == binding);
-        let entries: Vec<_> = bindings
+        let buffers = bindings
             .filter(|binding| has_buffer(binding))
-            .map(|binding| wgpu::BindGroupEntry {
-                binding: *binding,
-                resource: self.buffer(*binding).as_entire_binding(),
-            })
-            .collect();
-        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: None,
-            layout: &pipeline.get_bind_group_layout(0),
-            entries: &entries,
-        })
+            .map(|binding| (*binding, self.buffer(*binding)));
+        bind_group(gpu, &pipeline.get_bind_group_layout(0), buffers)
     }
-}
-
-fn pipeline(gpu: &Gpu, module: &wgpu::ShaderModule, entry: &str) -> ComputePipeline {
-    gpu.device
-        .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: Some(entry),
-            layout: None,
-            module,
-            entry_point: Some(entry),
-            compilation_options: Default::default(),
-            cache: None,
-        })
 }
 
 fn words(bytes: &[u8]) -> Vec<u32> {

@@ -1,5 +1,6 @@
 //! The pipelines that are timed: a compute entry, or a fragment entry with a texture to draw into.
 
+use crate::buffer::compute_pipeline;
 use crate::device::Gpu;
 use glam::UVec2;
 
@@ -14,16 +15,7 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 
 /// The pipeline of the compute entry, with the layout of its bind group.
 pub(super) fn compute(gpu: &Gpu, module: &wgpu::ShaderModule) -> (Work, wgpu::BindGroupLayout) {
-    let pipeline = gpu
-        .device
-        .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: Some("timed"),
-            layout: None,
-            module,
-            entry_point: Some("timed"),
-            compilation_options: Default::default(),
-            cache: None,
-        });
+    let pipeline = compute_pipeline(gpu, module, "timed");
     let layout = pipeline.get_bind_group_layout(0);
     (Work::Compute(pipeline), layout)
 }

@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 const NODES: [u32; 5] = [0, 2, 3, 4, 8];
 
 /// The delays of one method with one number of nodes in one scene, in r_s/c. They are compared
-/// where the ray meets the disk as often as it should.
+/// where the number of hits is right.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct DelayMeasurement {
     /// Name of the scene.
@@ -48,7 +48,8 @@ pub struct DelayMeasurement {
     /// Its maximum.
     #[serde(deserialize_with = "or_nan")]
     pub delay_max: f64,
-    /// Error in radians of the angle by which the matter turns meanwhile: its 99th percentile.
+    /// Error in radians of the angle by which the matter turns during the delay: its 99th
+    /// percentile.
     #[serde(deserialize_with = "or_nan")]
     pub turn_p99: f64,
     /// Its maximum.
@@ -105,8 +106,8 @@ impl Plan {
             .sum()
     }
 
-    /// Measures the delays of the methods closed and mino, but for the known rows, which an earlier
-    /// run has measured. `done` is called after each row. Returns all rows.
+    /// Measures the delays of the methods closed and mino, except the known rows of an earlier run.
+    /// `done` is called after each new row. Returns all rows.
     ///
     /// # Errors
     /// A scene cannot be traced, the picture is too large for the device, or the device failed.
@@ -212,7 +213,7 @@ impl Plan {
     }
 }
 
-/// The numbers of nodes to measure with: a method whose nodes are fixed has none but its own.
+/// The numbers of nodes to measure: only its own for a method with a fixed number.
 fn counts_of_nodes(scene: &Scene) -> Vec<u32> {
     let own = Variant::rays(scene).delay_nodes;
     if own == 0 || NODES.contains(&own) {
@@ -222,8 +223,7 @@ fn counts_of_nodes(scene: &Scene) -> Vec<u32> {
     }
 }
 
-/// The radius of each hit and the error of its delay, for a ray that meets the disk as often as it
-/// should.
+/// The radius of each hit and the error of its delay, for a ray with the right number of hits.
 fn delay_errors((expected, found): (&Trace, &Trace)) -> impl Iterator<Item = (f64, f64)> {
     let alike = hits(expected) == hits(found);
     let pairs = expected.hits.into_iter().zip(found.hits);

@@ -1,4 +1,4 @@
-//! How much faster one method is than another at equal errors.
+//! The run times of two methods at equal errors.
 
 use super::measurement::Measurement;
 
@@ -38,7 +38,7 @@ pub fn at_equal_error(
         let exact = rows.iter().filter(|row| row.backward_p99 <= error);
         exact.map(|row| row.trace_ms).min_by(f64::total_cmp)
     };
-    // For each error the slow method, too, is given its fastest setting.
+    // For each error the slow method also gets its fastest setting.
     let pairs: Vec<(f64, f64)> = slow
         .iter()
         .filter_map(|row| quickest(&slow, row.backward_p99).zip(quickest(&fast, row.backward_p99)))

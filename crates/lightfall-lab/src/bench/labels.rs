@@ -1,4 +1,4 @@
-//! The positions of a plot's labels, chosen so that no label covers another one or a point.
+//! The positions of a plot's labels, none of which covers another one or a point.
 
 /// A rectangle in pixels: left, top, right, bottom.
 type Frame = [i32; 4];

@@ -1,4 +1,4 @@
-//! What a living disk costs: the run time of a picture's light with structure, limb darkening and
+//! The cost of a living disk: the run time of a picture's light with structure, limb darkening and
 //! the delay that structure needs, over that of the smooth disk.
 
 use super::plan::Plan;
@@ -45,9 +45,9 @@ impl Plan {
         self.lit_scenes().count()
     }
 
-    /// Times the light of every scene with a disk, under the procedural sky where it has real stars,
-    /// but for the known rows, which an earlier run has measured. `done` is called after each row.
-    /// Returns all rows.
+    /// Times the light of every scene with a disk, under the procedural sky where it has real
+    /// stars, except the known rows of an earlier run. `done` is called after each new row. Returns
+    /// all rows.
     ///
     /// # Errors
     /// A scene cannot be traced, the picture is too large for the device, or the device failed.

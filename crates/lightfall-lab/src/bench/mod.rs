@@ -1,5 +1,4 @@
-//! Error against run time: for each scene, method and setting, how long tracing takes and how wrong
-//! it is.
+//! Error against run time, for each scene, method and setting.
 
 mod delay;
 mod equal_error;

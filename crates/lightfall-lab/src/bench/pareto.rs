@@ -2,7 +2,7 @@
 
 use super::measurement::Measurement;
 
-/// How far `auto` is ahead of all other methods in a scene.
+/// The margin of `auto` over all other methods in a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AutoMargin {
     /// The scene.

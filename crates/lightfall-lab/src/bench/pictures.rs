@@ -43,8 +43,8 @@ impl PictureSetting {
     /// The setting of the truth.
     pub const TRUTH: Self = Self::new(false, TRUE_SAMPLES);
 
-    /// The scene with this setting and without what is no matter of rays through pixels: stars,
-    /// bloom, and an exposure that depends on the picture.
+    /// The scene with this setting, without the effects that do not depend on rays through pixels:
+    /// stars, bloom, and an exposure that depends on the picture.
     pub fn of(self, scene: &Scene) -> Scene {
         let mut scene = scene.clone();
         scene.sky.mode = SkyMode::Off;

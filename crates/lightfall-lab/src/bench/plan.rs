@@ -1,4 +1,4 @@
-//! What is measured, and how.
+//! The plan of a measurement.
 
 use super::measurement::Measurement;
 use super::scenes::{BenchScene, scenes};
@@ -13,7 +13,7 @@ use lightfall_model::scene::{Method, Scene};
 use lightfall_optics::trace::Trace;
 use std::time::Duration;
 
-/// What is measured, and how thoroughly.
+/// The scenes, methods and settings of a measurement, and its effort.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// The scenes.
@@ -67,8 +67,8 @@ impl Plan {
         self.len() == 0
     }
 
-    /// The part of the time that all methods share, in milliseconds: setting photons up and writing
-    /// results, measured with straight lines and no disk.
+    /// The time that all methods share, in milliseconds, for making photons and writing results:
+    /// measured with straight lines and no disk.
     ///
     /// # Errors
     /// The picture is too large for the device, or the device failed.
@@ -80,7 +80,8 @@ impl Plan {
         Ok(stopwatch.time(gpu, self.effort)?.median_ms)
     }
 
-    /// The work of measuring the rows of each scene that are not known, in the unit of [`ray_work`].
+    /// The work of measuring the rows of each scene that are not known, in the unit of
+    /// [`ray_work`].
     pub fn work(&self, known: &[Measurement]) -> Vec<f64> {
         let work = |scene: &BenchScene| {
             let left = self.rows_of(scene).into_iter();
@@ -99,8 +100,8 @@ impl Plan {
             .collect()
     }
 
-    /// Measures everything but the known rows, which an earlier run has measured. `done` is called
-    /// after each step. Returns all rows.
+    /// Measures everything except the known rows of an earlier run. `done` is called after each
+    /// step. Returns all rows.
     ///
     /// # Errors
     /// A scene cannot be traced, the picture is too large for the device, or the device failed.

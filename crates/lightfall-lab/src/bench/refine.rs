@@ -1,5 +1,5 @@
-//! How far the article's methods can be refined: their errors against shorter steps, larger budgets,
-//! a farther radius of escape and a smaller least step.
+//! The errors of the article's methods with shorter steps, larger budgets, a larger radius of
+//! escape and a smaller least step.
 
 use super::plan::Plan;
 use super::scenes::BenchScene;
@@ -153,8 +153,8 @@ impl Plan {
             .sum()
     }
 
-    /// Refines the article's methods, with the rays of [`Plan::run`], but for the known rows, which
-    /// an earlier run has measured. `done` is called after each row. Returns all rows.
+    /// Refines the article's methods, with the rays of [`Plan::run`], except the known rows of an
+    /// earlier run. `done` is called after each new row. Returns all rows.
     ///
     /// # Errors
     /// A scene cannot be traced, or the device failed.

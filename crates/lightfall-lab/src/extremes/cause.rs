@@ -1,5 +1,5 @@
-//! Why a ray's error is beyond the tolerance: the GPU knows the scene and the ray's photon in f32
-//! only, and some answers change much when one of these numbers changes by a rounding.
+//! The cause of an error beyond the tolerance: the GPU has the scene and the ray's photon in f32,
+//! and some answers change much when one of these numbers changes by a rounding.
 
 use glam::DVec3;
 use lightfall_accuracy::{ThoroughSearch, Truth, TurnBounds, is_same_class};
@@ -10,9 +10,9 @@ use lightfall_optics::reference::Reference;
 use lightfall_optics::trace::Trace;
 use rayon::prelude::*;
 
-/// The roundings of numbers explain errors up to this many times the sum of their effects, if the method
-/// takes no steps. Each constant of the photon is a sum of four products, which rounds the four products,
-/// three sums and an entry of the matrix.
+/// The roundings of numbers explain errors up to this many times the sum of their effects, if the
+/// method takes no steps. Each constant of the photon is a sum of four products, which rounds the
+/// four products, three sums and an entry of the matrix.
 const ROUNDINGS_BEFORE_STEPS: f64 = 8.0;
 
 /// Share of an error below which the effect of a rounding is not measured.
@@ -29,16 +29,17 @@ const SIDES: [f64; 2] = [-1.0, 1.0];
 pub enum Cause {
     /// The roundings of numbers to f32 explain the error.
     Roundings {
-        /// The number with the largest effect: key of a field of the scene, or the name of a constant of
-        /// the photon.
+        /// The number with the largest effect: key of a field of the scene, or the name of a
+        /// constant of the photon.
         input: &'static str,
-        /// How many other numbers are needed to explain the error.
+        /// The number of further inputs that are needed to explain the error.
         others: usize,
-        /// The sum of the backward errors, in radians, of the reference with each of these numbers changed
-        /// by half a unit in f32's last place.
+        /// The sum of the backward errors, in radians, of the reference with each of these numbers
+        /// changed by half a unit in f32's last place.
         backward: f64,
     },
-    /// The answer's sky is right, and f32 cannot tell whether the ray meets the ring: it is too narrow.
+    /// The answer's sky is right, and f32 cannot tell whether the ray meets the ring: it is too
+    /// narrow.
     NarrowRing,
 }
 
@@ -47,15 +48,15 @@ struct Rounded {
     input: &'static str,
     /// The reference's answer to the rounded number.
     answer: Trace,
-    /// The turn of the ray that leads to a photon with the rounded constant, in radians. A field of the scene
-    /// has no such turn.
+    /// The turn of the ray that leads to a photon with the rounded constant, in radians. A field of
+    /// the scene has no such turn.
     turn: Option<f64>,
 }
 
 impl Cause {
-    /// The numbers whose roundings explain the backward error of a method's answer `given` to a ray, the
-    /// one with the largest effect first. The GPU holds the scene's numbers in f32, and the constants of each
-    /// photon between the observer's matrix and the tracer.
+    /// The numbers whose roundings explain the backward error of a method's answer `given` to a
+    /// ray, the one with the largest effect first. The GPU holds the scene's numbers in f32, and
+    /// the constants of each photon between the observer's matrix and the tracer.
     pub(super) fn of_roundings(
         scene: &Scene,
         truth: &Truth,
@@ -67,8 +68,8 @@ impl Cause {
         if !error.is_finite() {
             return None;
         }
-        // Where the class decides, the turn counts: most roundings leave a captured ray captured, whose
-        // answer tells nothing of them.
+        // Where the class differs, the turn counts: most roundings leave a captured ray captured,
+        // with the same answer.
         let crosses = !is_same_class(&truth.traces[ray], given);
         let target = NEGLIGIBLE * error;
         let turn = |rounded: &Rounded| rounded.turn.filter(|_| crosses);
@@ -116,8 +117,9 @@ impl Cause {
     }
 }
 
-/// How many roundings of each number an answer has taken. A step rounds the place and the momentum of the
-/// ray once more, and the roundings of n steps add up like a random walk (Higham 2002, section 2.8).
+/// The effective number of roundings of each number. Each step rounds the place and the momentum of
+/// the ray once more, and the roundings of n steps add up like a random walk (Higham 2002, section
+/// 2.8).
 fn roundings(steps: u32) -> f64 {
     ROUNDINGS_BEFORE_STEPS + f64::from(steps).sqrt()
 }

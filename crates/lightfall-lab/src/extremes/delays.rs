@@ -1,5 +1,4 @@
-//! How wrong the delays of hits are in the hardest places, as the angle by which the disk's matter
-//! turns meanwhile.
+//! The errors of delays in the hardest places, as angles by which the disk's matter turns.
 
 use super::cells::Cell;
 use super::kernels::Kernels;
@@ -42,11 +41,10 @@ pub struct CellDelays {
     /// Number of hits where the matter turns by more than a thousandth of a radian in the
     /// difference. Each is counted once more in one of the next three classes.
     pub over: usize,
-    /// Those whose delay is right for the place that the method has found, to the same thousandth and to
-    /// what f32 leaves open of this place.
+    /// Those whose delay is right for the method's place, to the same thousandth and to f32's
+    /// rounding of this place.
     pub place: usize,
-    /// Those whose place is another one altogether, so far away that its delay is not known so
-    /// well.
+    /// Those whose place is so far away that its delay is not known as precisely.
     pub far: usize,
     /// The rest: their delay is wrong for the place.
     pub unexplained: usize,

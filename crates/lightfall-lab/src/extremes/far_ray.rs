@@ -7,8 +7,8 @@ use lightfall_model::scene::Scene;
 use lightfall_optics::trace::Trace;
 use rayon::prelude::*;
 
-/// Number of rays that are searched for thoroughly side by side, and the number of unexplained ones
-/// after which no more are: their method is wrong. The others count as unexplained.
+/// Number of rays that are searched thoroughly in parallel, and number of unexplained ones after
+/// which the search stops, because the method is wrong. The others count as unexplained.
 const RAYS_AT_ONCE: usize = 16;
 const MAX_UNEXPLAINED: usize = 16;
 
@@ -25,8 +25,8 @@ pub(super) struct FarRay {
 pub(super) struct FarRays(Vec<FarRay>);
 
 impl FarRays {
-    /// The rays beyond the tolerance of the scene's method. Their errors are searched for thoroughly
-    /// first, and replaced by the smaller bounds that are found.
+    /// The rays beyond the tolerance of the scene's method, after a thorough search has replaced
+    /// their errors by smaller bounds.
     pub(super) fn find(
         scene: &Scene,
         truth: &Truth,
@@ -79,8 +79,8 @@ fn is_within(backward: f64, tolerance: f64) -> bool {
     backward <= tolerance
 }
 
-/// The backward error of the answer to a ray, searched for thoroughly, and why it is beyond the
-/// tolerance, if it is.
+/// The backward error of the answer to a ray by a thorough search, and its cause if it is beyond
+/// the tolerance.
 fn examine(
     scene: &Scene,
     truth: &Truth,

@@ -1,4 +1,4 @@
-//! A random search, repeatable by its seed, for the ray that a method does worst.
+//! A random search, repeatable by its seed, for the ray with the largest error of a method.
 
 use super::kernels::Kernels;
 use super::random_scene::random_scene;
@@ -14,8 +14,8 @@ const RAYS_PER_SCENE: usize = 2000;
 /// Distances of half of them from the shadow's edge, as shares of the shadow's radius: nearer than
 /// in the usual sample.
 const HUNT_DISTANCES: [f64; 2] = [1e-7, 0.3];
-/// Number of scenes that are judged side by side. Most rays of a scene take much less time than its
-/// few hard ones, so scenes in turn would leave most of a large machine idle.
+/// Number of scenes that are judged in parallel. Most rays of a scene take much less time than its
+/// few hard ones, so judging scenes in turn would leave most of a large machine idle.
 const SCENES_AT_ONCE: usize = 16;
 
 /// A random search for the ray with the largest error.

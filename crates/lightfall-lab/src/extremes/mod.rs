@@ -1,5 +1,5 @@
-//! Where methods break: a matrix of the hardest places, in which each method is held to a stated
-//! tolerance, and a random search for what the matrix misses.
+//! The limits of methods: a matrix of the hardest places, in which each method is held to a stated
+//! tolerance, and a random search beyond the matrix.
 
 mod cause;
 mod cells;

@@ -1,4 +1,4 @@
-//! How a method does in a cell, and whether that is good enough.
+//! The errors of a method in a cell, and whether they are within its tolerance.
 
 use super::cells::Cell;
 use super::far_ray::FarRays;
@@ -83,8 +83,8 @@ pub struct Verdict {
     pub beyond: usize,
     /// Number of those rays whose error nothing explains.
     pub unexplained: usize,
-    /// Number of rays that meet a ring by the method or by the reference alone, where the ring is too
-    /// narrow for f32 to tell.
+    /// Number of rays that meet a ring by the method or by the reference alone, where the ring is
+    /// too narrow for f32 to tell.
     pub unanswerable: usize,
 }
 
