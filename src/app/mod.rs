@@ -24,7 +24,7 @@ pub use controls::refusal::checked_change;
 pub use controls::statement::{change_words, statement};
 pub use controls::table::{CONTROLS, control_named};
 pub use input::gamepad::{NO_GAMEPAD, deflection, squeeze};
-pub use motion::disk_clock::{DiskClock, disk_rate_words, stepped_rate};
+pub use motion::disk_clock::{disk_rate_words, stepped_rate};
 pub use motion::edge_view::{edge_distance, edge_in_view};
 pub use motion::facing::{Aim, aimed, between_axes, next_aim};
 pub use motion::flight_step::FlightStep;
@@ -37,6 +37,7 @@ pub use session::display::{display, prefers_dead_wayland};
 pub use session::frame_pacing::FramePacing;
 #[cfg(not(target_arch = "wasm32"))]
 pub use session::link::command_line;
+pub use state::disk_clock::DiskClock;
 pub use state::history::History;
 pub use state::menu::{Menu, MenuEntry};
 pub use state::resolution::{Canvas, Resolution};
@@ -63,6 +64,7 @@ use lightfall_platform::log::{quiet_log, say};
 use lightfall_render::recovery::DeviceFailure;
 use lightfall_render::{LightfallRenderPlugin, LiveShaders, StarCatalogue, render_plugin};
 use session::adapter::AdapterChoice;
+use state::light_meter::LightMeter;
 use state::preferences::Preferences;
 use state::title::Title;
 use state::toast::Toast;
@@ -175,7 +177,9 @@ pub fn program(start: Start) -> App {
     app.add_plugins(bevy_plugins(&scene))
         .add_plugins(EguiPlugin::default())
         .insert_resource(History::new(scene.scene().clone()))
-        .insert_resource(Resolution::new(&scene))
+        .init_resource::<Resolution>()
+        .insert_resource(LightMeter::at(scene.picture.exposure_ev))
+        .insert_resource(DiskClock::at(scene.disk.time))
         .insert_resource(title)
         .insert_resource(player)
         .insert_resource(adapter)
@@ -192,6 +196,7 @@ pub fn program(start: Start) -> App {
             state::paused::plugin,
             state::notice::plugin,
             state::hole_in_view::plugin,
+            state::scene_editor::plugin,
             state::shown_picture::plugin,
             state::preferences::plugin,
         ))

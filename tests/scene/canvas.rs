@@ -93,14 +93,14 @@ fn without_cells_the_picture_has_the_windows_pixels_or_as_many_as_are_allowed() 
 #[test]
 fn the_presets_own_shape_has_a_frame_and_its_own_cells() {
     let scene = Drawable::new(Scene::default()).unwrap();
-    let mut resolution = Resolution::new(&scene);
+    let mut resolution = Resolution::default();
     let size = UVec2::new(1366, 768);
     resolution.set_canvas(Canvas {
         size,
         shape: PictureShape::Preset,
         max_pixels: u64::MAX,
     });
-    let drawn = resolution.picture_at_rest(&scene.picture);
+    let drawn = resolution.at_rest(&scene.picture);
     assert_eq!(drawn, scene.picture);
     let Letterbox { offset, extent } = letterbox(&drawn, size);
     assert_eq!((offset.x, offset.y), (203.0, 114.0));
@@ -124,25 +124,25 @@ fn random_pictures_in_random_windows_can_be_drawn_and_keep_their_own_size() {
         }
         let own = Drawable::new(scene).unwrap();
         let longest = random.of(&[3, 100, 3000, 20_000]);
-        let mut resolution = Resolution::new(&own);
+        let mut resolution = Resolution::default();
         resolution.set_canvas(Canvas {
             size: UVec2::new(random.integer(1, longest), random.integer(1, longest)),
             shape: random.of(&[PictureShape::Window, PictureShape::Preset]),
             max_pixels: random.of(&[1, 400_000, u64::MAX]),
         });
         resolution.set_share(f64::from(random.integer(4, 16)) / 16.0);
-        let drawn = resolution.picture_at_rest(&own.picture);
+        let drawn = resolution.at_rest(&own.picture);
         let mut rest = own.scene().clone();
         rest.picture = drawn;
         assert!(Drawable::new(rest).is_ok(), "case {case}: {drawn:?}");
-        let drawn = resolution.adopt(&own);
+        let drawn = own.shown_in(&resolution.frame(&own));
         // The drawn scene has the sizes that are wanted: no size was refused.
         assert_eq!(
-            resolution.frame(&drawn),
+            resolution.frame(&own),
             Frame::of(&drawn),
             "case {case}: {resolution:?}"
         );
         assert_eq!(drawn.check(), Ok(()), "case {case}: {resolution:?}");
-        assert_eq!(resolution.full_scene(&drawn), *own.scene(), "case {case}");
+        assert_eq!(drawn.shown_in(&Frame::of(&own)), own, "case {case}");
     }
 }

@@ -4,7 +4,7 @@
 use crate::random::Random;
 use lightfall::app::Resolution;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::{MAX_PICTURE_SIDE, MAX_PIXELS_PER_CELL, Scene};
+use lightfall_core::scene::{Frame, MAX_PICTURE_SIDE, MAX_PIXELS_PER_CELL, Scene};
 
 /// A random size of a picture's side, and a number of cells that fits it; often the extremes.
 fn random_side(random: &mut Random) -> (u32, u32) {
@@ -24,11 +24,11 @@ fn every_share_of_random_pictures_can_be_drawn_and_leads_back_to_the_whole() {
         (picture.width, picture.grid_width) = random_side(&mut random);
         (picture.height, picture.grid_height) = random_side(&mut random);
         let full = Drawable::new(scene).unwrap();
-        let mut resolution = Resolution::new(&full);
+        let mut resolution = Resolution::default();
         for sixteenths in [4, random.integer(4, 15)] {
             let share = f64::from(sixteenths) / 16.0;
             resolution.set_share(share);
-            let drawn = resolution.adopt(&full);
+            let drawn = full.shown_in(&resolution.frame(&full));
             let given = format!("case {case}: {share} of {:?}", full.picture);
             // At least one pixel stays on each side.
             let wanted = [full.picture.width, full.picture.height]
@@ -38,9 +38,9 @@ fn every_share_of_random_pictures_can_be_drawn_and_leads_back_to_the_whole() {
                 wanted,
                 "{given}"
             );
-            assert_eq!(resolution.full_scene(&drawn), *full.scene(), "{given}");
+            assert_eq!(drawn.shown_in(&Frame::of(&full)), full, "{given}");
         }
         resolution.set_share(1.0);
-        assert_eq!(resolution.adopt(&full), full, "case {case}");
+        assert_eq!(resolution.frame(&full), Frame::of(&full), "case {case}");
     }
 }

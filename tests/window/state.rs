@@ -8,10 +8,10 @@ use bevy::prelude::*;
 use bevy::time::TimeUpdateStrategy;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow, WindowMode};
 use bevy_egui::{EguiFullOutput, EguiPostUpdateSet, egui};
-use lightfall::app::{FreeFall, JourneyPlayer, Menu};
+use lightfall::app::{DiskClock, FreeFall, JourneyPlayer, Menu};
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::{Scene, load};
-use lightfall_render::{Comparison, ComparisonMode, CurrentScene, Progress};
+use lightfall_render::{Comparison, ComparisonMode, CurrentScene, DrawnScene, Progress};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -123,7 +123,7 @@ fn collect_texts(shape: &egui::Shape, texts: &mut BTreeSet<String>) {
 
 fn write_state(
     frame: Res<FrameCount>,
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     outputs: Query<&EguiFullOutput>,
     (player, fall, progress): (Res<JourneyPlayer>, Res<FreeFall>, Res<Progress>),
     (menu, comparison): (Res<Menu>, Res<Comparison>),
@@ -165,9 +165,14 @@ fn state_file(home: &Path) -> PathBuf {
 }
 
 /// Keypad 0 shows the first scene again.
-fn show_first_scene(keys: Res<ButtonInput<KeyCode>>, mut scene: ResMut<CurrentScene>) {
+fn show_first_scene(
+    keys: Res<ButtonInput<KeyCode>>,
+    mut scene: ResMut<CurrentScene>,
+    mut clock: ResMut<DiskClock>,
+) {
     if keys.just_pressed(KeyCode::Numpad0) {
         scene.0 = Drawable::new(plain_scene()).unwrap();
+        clock.set(scene.disk.time);
     }
 }
 

@@ -17,8 +17,7 @@ use lightfall_core::optics::stars::Catalogue;
 use lightfall_core::scene::{MAX_PICTURE_SIDE, Scene};
 use lightfall_platform::log::quiet_log;
 use lightfall_render::{
-    AwaitErrorMap, Capture, DrawRequest, LightfallRenderPlugin, StarCatalogue, is_drawn,
-    render_plugin,
+    AwaitErrorMap, Capture, LightfallRenderPlugin, Progress, StarCatalogue, is_drawn, render_plugin,
 };
 use std::env::consts::OS;
 
@@ -166,16 +165,16 @@ pub(super) fn update(app: &mut App) -> Result<(), PictureError> {
 
 /// Draws frames until the scene is completely drawn.
 pub(super) fn warm_up(app: &mut App) -> Result<(), PictureError> {
-    let frames = |app: &App| app.world().resource::<DrawRequest>().drawn_frames();
-    let (mut waited, mut drawn) = (0, 0);
+    let (mut waited, mut progress) = (0, Progress::default());
     while waited < MAX_UPDATES {
         update(app)?;
         if is_drawn(app).map_err(PictureError::Draw)? {
             return Ok(());
         }
         // Every frame of a mean may take as long as a picture of one.
-        waited = if frames(app) == drawn { waited + 1 } else { 0 };
-        drawn = frames(app);
+        let now = *app.world().resource::<Progress>();
+        waited = if now == progress { waited + 1 } else { 0 };
+        progress = now;
     }
     Err(PictureError::Draw("its passes did not become ready".into()))
 }

@@ -5,10 +5,10 @@ use super::headless::{HeadlessOptions, MAX_UPDATES, Output, drawable, headless, 
 use bevy::prelude::*;
 use bevy::render::gpu_readback::{Readback, ReadbackComplete};
 use bevy::render::renderer::RenderDevice;
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Frame, Scene};
 use lightfall_render::{
-    Capture, Captured, Comparison, ComparisonMode, CurrentScene, NEAR_PLANE, Pinned, ROW_ALIGNMENT,
-    fit,
+    Capture, Captured, Comparison, ComparisonMode, CurrentFrame, CurrentScene, NEAR_PLANE, Pinned,
+    ROW_ALIGNMENT, fit,
 };
 
 /// A finished picture.
@@ -64,7 +64,10 @@ impl Studio {
     /// # Errors
     /// The scene cannot be drawn.
     pub fn show(&mut self, scene: &Scene) -> Result<(), PictureError> {
-        self.app.world_mut().resource_mut::<CurrentScene>().0 = drawable(scene)?;
+        let scene = drawable(scene)?;
+        let world = self.app.world_mut();
+        world.resource_mut::<CurrentFrame>().0 = Frame::of(&scene);
+        world.resource_mut::<CurrentScene>().0 = scene;
         Ok(())
     }
 

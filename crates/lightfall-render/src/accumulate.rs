@@ -7,8 +7,8 @@
 use crate::camera_markers::SceneCamera;
 use crate::draw_request::DrawRequest;
 use crate::full_screen_pass::{FullScreenPass, Stage, attachment};
-use crate::geodesic::GeodesicPass;
 use crate::live_shaders::add_shader;
+use crate::progress::DrawnFrame;
 use crate::refine::refine_edges;
 use bevy::asset::uuid_handle;
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
@@ -37,21 +37,12 @@ pub(super) struct AccumulatePass {
     full_screen: FullScreenPass<Accumulation>,
     /// `None` while frames are shown as they are.
     sums: Option<Sums>,
-    /// Whether this frame has been added.
-    added: bool,
 }
 
 /// The sums after an even and after an odd frame.
 struct Sums {
     size: UVec2,
     after: [TextureView; 2],
-}
-
-impl AccumulatePass {
-    /// Whether this frame has been added to the mean.
-    pub(super) fn has_added(&self) -> bool {
-        self.added
-    }
 }
 
 pub(super) fn plugin(app: &mut App) {
@@ -82,7 +73,6 @@ fn create_accumulate_pass(mut commands: Commands) {
     commands.insert_resource(AccumulatePass {
         full_screen: FullScreenPass::new("accumulation layout", SHADER, 2),
         sums: None,
-        added: false,
     });
 }
 
@@ -97,12 +87,7 @@ fn prepare_accumulate_pass(
     let (Some(request), Some(mut pass)) = (request, pass) else {
         return;
     };
-    let AccumulatePass {
-        full_screen,
-        sums,
-        added,
-    } = &mut *pass;
-    *added = false;
+    let AccumulatePass { full_screen, sums } = &mut *pass;
     let Some(frame) = request.averaged_frame() else {
         *sums = None;
         return;
@@ -137,19 +122,19 @@ fn create_sum(device: &RenderDevice, label: &'static str, size: UVec2) -> Textur
 pub(super) fn accumulate_frame(
     view: ViewQuery<&ViewTarget, With<SceneCamera>>,
     request: Option<Res<DrawRequest>>,
-    geodesic: Option<Res<GeodesicPass>>,
-    pass: Option<ResMut<AccumulatePass>>,
+    mut drawn: ResMut<DrawnFrame>,
+    pass: Option<Res<AccumulatePass>>,
     cache: Res<PipelineCache>,
     mut context: RenderContext,
 ) {
     let target = view.into_inner();
-    let (Some(request), Some(geodesic), Some(mut pass)) = (request, geodesic, pass) else {
+    let (Some(request), Some(pass)) = (request, pass) else {
         return;
     };
     let Extent3d { width, height, .. } = target.main_texture().size();
     let sums = pass.sums.as_ref();
     let (true, Some(frame), Some(sums)) = (
-        geodesic.has_drawn_scene(),
+        drawn.shows_scene(),
         request.averaged_frame(),
         sums.filter(|sums| sums.size == UVec2::new(width, height)),
     ) else {
@@ -162,7 +147,7 @@ pub(super) fn accumulate_frame(
     let after = &sums.after[frame as usize % 2];
     let before = &sums.after[(frame as usize + 1) % 2];
     let picture = target.post_process_write();
-    pass.added = pass.full_screen.draw(
+    drawn.is_added = pass.full_screen.draw(
         &mut context,
         &cache,
         STAGE,

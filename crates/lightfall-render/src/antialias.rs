@@ -3,7 +3,7 @@
 
 use crate::chain::Chain;
 use crate::comparison::ComparedScene;
-use crate::current_scene::CurrentScene;
+use crate::drawn_scene::DrawnScene;
 use crate::live_shaders::add_shader;
 use bevy::asset::uuid_handle;
 use bevy::image::ToExtents;
@@ -224,7 +224,7 @@ pub(super) fn edges_layout(samples: u32) -> BindGroupLayoutDescriptor {
 
 /// Creates what the search for edges needs, and drops it where edges are not refined.
 pub(super) fn prepare_antialias(
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     compared: Res<ComparedScene>,
     pass: Option<ResMut<AntialiasPass>>,
     cache: Res<PipelineCache>,

@@ -10,7 +10,7 @@ pub use compared_scene::{ComparedScene, ComparisonLayout};
 pub(super) use difference::{DifferencePass, draw_difference, prepare_difference};
 pub use pinned::Pinned;
 
-use crate::current_scene::CurrentScene;
+use crate::drawn_scene::DrawnScene;
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResourcePlugin;
 use lightfall_core::scene::Picture;
@@ -68,7 +68,7 @@ pub(super) fn plugin(app: &mut App) {
 
 /// Gives the pinned scene the camera, probe and picture of the current one.
 pub(super) fn follow_current_scene(
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     mut comparison: ResMut<Comparison>,
     mut compared: ResMut<ComparedScene>,
 ) {

@@ -3,22 +3,25 @@
 
 use crate::chain::Chain;
 use crate::comparison::{ComparedScene, ComparisonLayout};
-use crate::progress::Progress;
+use crate::progress::{Drawn, Progress, SharedDrawn};
 use crate::resting_frames::RestingFrames;
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResource;
-use lightfall_core::scene::Scene;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use lightfall_core::scene::{Frame, Scene};
+
+/// Extra frames that a foreground is drawn before its picture is kept. Meshes and materials reach
+/// the GPU some frames after they are made, the lamps' clusters are sized by what an earlier frame
+/// needed, and Bevy does not report when either is done.
+const FOREGROUND_FRAMES: u32 = 8;
 
 /// Whether the scene is drawn in every frame, changed or not: for measurements.
 #[derive(Resource, Clone, Copy, Default, ExtractResource)]
 pub struct AlwaysDraw(pub bool);
 
-/// The picture to draw. Every change makes a new request with a flag of its own, so that a late
-/// "drawn" cannot be taken for the answer to a newer request.
+/// The picture to draw. Every change makes a new request with a number of its own, so that a late
+/// frame cannot be taken for the answer to a newer request.
 #[derive(Resource, Clone, ExtractResource)]
-pub struct DrawRequest {
+pub(super) struct DrawRequest {
     pub(super) scene: Scene,
     /// The pinned scene that is compared with it.
     pub(super) compared: Option<(Scene, ComparisonLayout)>,
@@ -28,17 +31,14 @@ pub struct DrawRequest {
     first_alone: bool,
     /// Whether that frame is drawn without refined edges.
     first_rough: bool,
-    /// Whether a frame has drawn it, with or without refined edges. A foreground is drawn for some
-    /// frames more before the first one counts, and their edges are refined.
-    begun: Arc<AtomicBool>,
-    /// How many frames have drawn all of it; shared by the main and the render world.
-    drawn: Arc<AtomicU32>,
-    /// Whether a frame has drawn the scene at some time of the disk; shared by the requests that
-    /// differ in that time only. While the disk's clock runs, every frame has a request of its own,
-    /// of which none is known to be drawn before the next one comes.
-    shown: Arc<AtomicBool>,
-    /// Whether there is a picture, of this or an earlier request. All requests share it.
-    pub(super) has_picture: Arc<AtomicBool>,
+    /// How many frames draw the foreground before the first one that counts.
+    foreground_frames: u32,
+    number: u64,
+    /// The number of the first of the requests that differ in the disk's time only. While the
+    /// disk's clock runs, every frame has a request of its own, of which none is known to be drawn
+    /// before the next one comes.
+    look: u64,
+    drawn: SharedDrawn,
 }
 
 impl DrawRequest {
@@ -49,12 +49,12 @@ impl DrawRequest {
             frames,
             first_alone: resting.has_first(&chain, frames),
             first_rough: resting.first_rough,
+            foreground_frames: if chain.probe { FOREGROUND_FRAMES } else { 0 },
             scene: scene.without_presentation(),
             compared: compared.without_presentation(),
-            begun: default(),
+            number: 0,
+            look: 0,
             drawn: default(),
-            shown: default(),
-            has_picture: default(),
         }
     }
 
@@ -66,39 +66,50 @@ impl DrawRequest {
         resting: RestingFrames,
     ) -> Self {
         let next = Self::new(scene, compared, resting);
-        let shown = if next.scene.without_clock() == self.scene.without_clock() {
-            Arc::clone(&self.shown)
-        } else {
-            default()
-        };
+        let number = self.number + 1;
+        let same_look = next.scene.without_clock() == self.scene.without_clock();
         Self {
-            shown,
-            has_picture: Arc::clone(&self.has_picture),
+            number,
+            look: if same_look { self.look } else { number },
+            drawn: self.drawn.clone(),
             ..next
         }
     }
 
-    pub(super) fn mark_shown(&self) {
-        self.begun.store(true, Ordering::Release);
-        self.shown.store(true, Ordering::Release);
+    /// What is drawn of it.
+    fn drawn(&self) -> Drawn {
+        let drawn = *self.drawn.lock();
+        if drawn.request == self.number {
+            return drawn;
+        }
+        Drawn {
+            request: self.number,
+            look: drawn.look,
+            has_picture: drawn.has_picture,
+            ..Drawn::default()
+        }
     }
 
-    pub(super) fn count_frame(&self) {
-        self.mark_shown();
-        let drawn = self.drawn.load(Ordering::Acquire) + 1;
-        self.drawn
-            .store(drawn.min(self.all_frames()), Ordering::Release);
-        self.has_picture.store(true, Ordering::Release);
+    /// Counts a frame, which has drawn all of it or not.
+    pub(super) fn count_frame(&self, complete: bool) {
+        let mut drawn = self.drawn();
+        if !complete {
+            drawn.in_a_row = 0;
+        } else {
+            (drawn.begun, drawn.look) = (true, Some(self.look));
+            if drawn.in_a_row < self.foreground_frames {
+                drawn.in_a_row += 1;
+            } else {
+                drawn.frames = self.all_frames().min(drawn.frames + 1);
+                drawn.has_picture = true;
+            }
+        }
+        *self.drawn.lock() = drawn;
     }
 
     /// The number of frames until all is drawn.
     fn all_frames(&self) -> u32 {
         self.frames + u32::from(self.first_alone)
-    }
-
-    /// How many frames are averaged.
-    pub(super) fn averaged_frames(&self) -> u32 {
-        self.frames
     }
 
     /// Width and height of the picture, in pixels.
@@ -112,41 +123,46 @@ impl DrawRequest {
         if self.frames == 1 {
             return None;
         }
-        let next = self.drawn.load(Ordering::Acquire);
+        let next = self.drawn().frames;
         next.min(self.all_frames() - 1)
             .checked_sub(u32::from(self.first_alone))
     }
 
+    /// A frame of the picture as the sample that comes next.
+    pub(super) fn next_sample(&self, frame: Frame) -> Frame {
+        match self.averaged_frame() {
+            Some(sample) => frame.with_sample(sample, self.frames),
+            None => frame,
+        }
+    }
+
     /// Whether the edges of the next frame are refined.
     pub(super) fn refines_edges(&self) -> bool {
-        let is_first = self.first_alone && !self.begun.load(Ordering::Acquire);
+        let is_first = self.first_alone && !self.drawn().begun;
         !(is_first && self.first_rough)
     }
 
     /// How far it is drawn; `ready` says whether its shaders are compiled.
     pub(super) fn progress(&self, ready: bool) -> Progress {
-        let drawn = self.drawn_frames();
-        if drawn >= self.all_frames() {
+        let drawn = self.drawn();
+        if drawn.frames >= self.all_frames() {
             Progress::Done
         } else if !ready {
             Progress::Compiling
-        } else if self.shown.load(Ordering::Acquire) {
-            Progress::Averaging(drawn)
+        } else if drawn.look == Some(self.look) {
+            Progress::Averaging(drawn.frames)
         } else {
             Progress::Rough
         }
     }
 
-    /// How many frames have drawn all of it.
-    pub fn drawn_frames(&self) -> u32 {
-        self.drawn.load(Ordering::Acquire)
+    /// Whether there is a picture, of this or an earlier request.
+    pub(super) fn has_picture(&self) -> bool {
+        self.drawn().has_picture
     }
 
     /// Asks for the same picture again, because the one that was drawn is lost.
     pub(super) fn forget_picture(&self) {
-        self.begun.store(false, Ordering::Release);
-        self.drawn.store(0, Ordering::Release);
-        self.shown.store(false, Ordering::Release);
-        self.has_picture.store(false, Ordering::Release);
+        *self.drawn.lock() = Drawn::default();
     }
 }

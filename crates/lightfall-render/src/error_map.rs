@@ -4,7 +4,7 @@
 //! When the camera moves, the map of the last place stays on screen until the next one arrives. A
 //! still waits for its map.
 
-use crate::current_scene::CurrentScene;
+use crate::drawn_scene::DrawnScene;
 use bevy::prelude::*;
 use bevy::render::extract_resource::{ExtractResource, ExtractResourcePlugin};
 use lightfall_core::accuracy::picture_errors;
@@ -89,7 +89,7 @@ pub(super) fn plugin(app: &mut App) {
 
 /// Requests the error map of the present scene, and shows it when it arrives.
 pub(super) fn update_error_map(
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     wait: Res<AwaitErrorMap>,
     mut request: ResMut<ErrorMapRequest>,
     mut shown: ResMut<ShownErrorMap>,

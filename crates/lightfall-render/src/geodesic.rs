@@ -19,10 +19,11 @@ use crate::antialias::prepare_antialias;
 use crate::comparison::{
     ComparedScene, Comparison, draw_difference, follow_current_scene, prepare_difference,
 };
-use crate::current_scene::CurrentScene;
 use crate::draw_request::DrawRequest;
+use crate::drawn_scene::DrawnScene;
 use crate::error_map::ShownErrorMap;
 use crate::live_shaders::LiveShaders;
+use crate::progress::DrawnFrame;
 use crate::star_catalogue::StarCatalogue;
 use crate::star_limit::StarLimit;
 use crate::stars::StarPass;
@@ -36,6 +37,7 @@ use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use draw::draw_geodesic_pass;
+use lightfall_core::scene::Frame;
 use pipeline::Destination;
 use queue::{GeodesicPipelines, queue_pipelines};
 use side::{Shared, Side, SideWriter};
@@ -50,7 +52,7 @@ pub(super) fn plugin(app: &mut App) {
             (follow_current_scene, select_geodesic_shaders)
                 .chain()
                 .run_if(
-                    resource_changed::<CurrentScene>
+                    resource_changed::<DrawnScene>
                         .or_eager(resource_changed::<Comparison>)
                         .or_eager(resource_changed::<LiveShaders>),
                 )
@@ -94,17 +96,17 @@ fn create_geodesic_pass(
         pinned: None,
         destination: Destination::Light,
         changed: true,
-        drawn: false,
     });
 }
 
 /// Writes changed scenes once their pipelines exist.
 fn write_scenes(
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     compared: Res<ComparedScene>,
     (If(shaders), If(pipelines)): (If<Res<GeodesicShaders>>, If<Res<GeodesicPipelines>>),
     errors: Res<ShownErrorMap>,
     (waves, request): (Res<WaveLimit>, Option<Res<DrawRequest>>),
+    mut drawn: ResMut<DrawnFrame>,
     (catalogue, star_limit): (Res<StarCatalogue>, Res<StarLimit>),
     (If(mut pass), If(mut stars)): (If<ResMut<GeodesicPass>>, If<ResMut<StarPass>>),
     cache: Res<PipelineCache>,
@@ -118,13 +120,11 @@ fn write_scenes(
         || compared.is_changed()
         || waves.is_changed()
         || star_limit.is_changed();
-    pass.drawn = false;
-    // The number of the frame, and of all frames that are averaged.
-    let frame = request
-        .and_then(|request| Some((request.averaged_frame()?, request.averaged_frames())))
-        .unwrap_or((0, 1));
+    let frame = Frame::of(&scene);
+    let frame = request.map_or(frame, |request| request.next_sample(frame));
     if !pass.changed {
-        pass.set_frame(&scene, &compared, frame, &device, &queue);
+        drawn.is_present = true;
+        pass.set_frame(&scene, &compared, &frame, &device, &queue);
         return;
     }
     // Until all pipelines exist, the scenes and the pipelines of the last picture stay.
@@ -139,7 +139,7 @@ fn write_scenes(
         stars: &mut stars,
         catalogue: *catalogue,
         star_limit: *star_limit,
-        frame,
+        frame: &frame,
         cache: &cache,
         device: &device,
         queue: &queue,
@@ -153,5 +153,6 @@ fn write_scenes(
         }
         _ => None,
     };
-    (pass.changed, pass.destination) = (false, shaders.current.picture.destination);
+    pass.destination = shaders.current.picture.destination;
+    (pass.changed, drawn.is_present) = (false, true);
 }

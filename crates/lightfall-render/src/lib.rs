@@ -26,9 +26,9 @@ mod capture;
 mod chain;
 mod comparison;
 mod cost_report;
-mod current_scene;
 mod device;
 mod draw_request;
+mod drawn_scene;
 mod error_map;
 mod full_screen_pass;
 mod geodesic;
@@ -53,10 +53,9 @@ pub use capture::{Capture, Captured, ROW_ALIGNMENT};
 pub use chain::{Chain, EMPTY_PASSES, WrittenTexture};
 pub use comparison::{ComparedScene, Comparison, ComparisonLayout, ComparisonMode, Pinned};
 pub use cost_report::{cost_report, cost_rows};
-pub use current_scene::CurrentScene;
 pub use device::render_plugin;
 pub use draw_request::AlwaysDraw;
-pub use draw_request::DrawRequest;
+pub use drawn_scene::{CurrentFrame, CurrentScene, DrawnScene, FrameScene, draw_scene_in_frame};
 pub use error_map::AwaitErrorMap;
 pub use live_shaders::{LiveShaders, ShaderNews};
 pub use pass_shaders::{PassShader, pass_shaders};
@@ -74,7 +73,7 @@ use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResourcePlugin;
 use lightfall_core::gpu::Drawable;
 
-/// The whole chain, drawing [`CurrentScene`] to a window or an image.
+/// The whole chain, drawing [`CurrentScene`] in its [`CurrentFrame`] to a window or an image.
 pub struct LightfallRenderPlugin {
     /// The first scene to draw.
     pub scene: Drawable,
@@ -84,14 +83,13 @@ pub struct LightfallRenderPlugin {
 
 impl Plugin for LightfallRenderPlugin {
     fn build(&self, app: &mut App) {
-        app.insert_resource(CurrentScene(self.scene.clone()))
-            .insert_resource(ClearColor(Color::BLACK))
+        drawn_scene::insert(app, self.scene.clone());
+        app.insert_resource(ClearColor(Color::BLACK))
             .init_resource::<StarCatalogue>()
             .init_resource::<StarLimit>()
             .init_resource::<WaveLimit>()
             .init_resource::<RestingFrames>()
             .add_plugins(ExtractResourcePlugin::<WaveLimit>::default())
-            .add_plugins(ExtractResourcePlugin::<CurrentScene>::default())
             .add_plugins(comparison::plugin)
             .add_plugins((
                 scene_camera::SceneCameraPlugin {

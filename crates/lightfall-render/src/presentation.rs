@@ -10,7 +10,7 @@ pub use letterbox::{Letterbox, letterbox};
 
 use crate::camera_markers::{SceneCamera, ScreenCamera};
 use crate::chain::Chain;
-use crate::current_scene::CurrentScene;
+use crate::drawn_scene::DrawnScene;
 use crate::full_screen_pass::{FullScreenPass, attachment};
 use crate::live_shaders::add_shader;
 use bevy::asset::uuid_handle;
@@ -111,7 +111,7 @@ fn create_presentation_pass(mut commands: Commands) {
 
 /// Writes the uniform, and creates the cells and pipelines that the settings need.
 fn prepare_presentation_pass(
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     shown: Res<ShownCells>,
     screen: Query<(&ExtractedCamera, &ExtractedView), With<ScreenCamera>>,
     scene_camera: Query<(&ViewTarget, Has<ExtractedCamera>), With<SceneCamera>>,

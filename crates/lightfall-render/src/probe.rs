@@ -4,7 +4,7 @@
 
 use crate::camera_markers::SceneCamera;
 use crate::chain::Chain;
-use crate::current_scene::CurrentScene;
+use crate::drawn_scene::DrawnScene;
 use bevy::light::GlobalAmbientLight;
 use bevy::pbr::ExtractedClusterConfig;
 use bevy::prelude::*;
@@ -47,7 +47,7 @@ pub(super) fn plugin(app: &mut App) {
         PostUpdate,
         (spawn_or_despawn_probe, place_probe, light_lamps)
             .chain()
-            .run_if(resource_changed::<CurrentScene>)
+            .run_if(resource_changed::<DrawnScene>)
             .before(TransformSystems::Propagate),
     );
     let Some(render_app) = app.get_sub_app_mut(RenderApp) else {
@@ -64,7 +64,7 @@ pub(super) fn plugin(app: &mut App) {
 /// Keeps Bevy from sorting lamps into the camera's clusters where there is no foreground to light.
 fn skip_lamp_clustering(
     mut commands: Commands,
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     cameras: Query<Entity, (With<SceneCamera>, With<ExtractedClusterConfig>)>,
 ) {
     if !Chain::of(&scene).probe {
@@ -77,7 +77,7 @@ fn skip_lamp_clustering(
 /// Spawns the craft and its lamps when the scene has a probe, and despawns them when it has none.
 fn spawn_or_despawn_probe(
     mut commands: Commands,
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     parts: Query<Entity, Or<(With<Probe>, With<DiskLamp>)>>,
     mut meshes: ResMut<Assets<Mesh>>,
     mut materials: ResMut<Assets<StandardMaterial>>,
@@ -205,7 +205,7 @@ fn craft(
 /// Places the craft and its lamps relative to the camera, which stays at the origin. The difference
 /// is taken in f64.
 fn place_probe(
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     mut craft: Query<&mut Transform, (With<Probe>, Without<DiskLamp>)>,
     mut lamps: Query<(&DiskLamp, &mut Transform), Without<Probe>>,
 ) {
@@ -248,7 +248,7 @@ fn place_probe(
 /// Gives the lamps the disk's light: every lamp of a ring has the same share of its power. They
 /// approximate the disk, whose exact light is the traced one. They stay on when the disk is hidden,
 /// so that the craft looks the same with and without it.
-fn light_lamps(scene: Res<CurrentScene>, mut lamps: Query<(&DiskLamp, &mut PointLight)>) {
+fn light_lamps(scene: Res<DrawnScene>, mut lamps: Query<(&DiskLamp, &mut PointLight)>) {
     for (DiskLamp { ring, .. }, mut lamp) in &mut lamps {
         let light = DiskRing::new(&scene, *ring, RINGS).light(&scene);
         let colour = light.colour.as_vec3().max(Vec3::ZERO);

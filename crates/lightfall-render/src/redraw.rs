@@ -3,23 +3,21 @@
 //! foreground, no geodesics, no bloom, no tone mapping.
 //!
 //! The main world holds the request ([`DrawRequest`]) and wakes the camera in the same frame as a
-//! change. The render world marks the request as drawn once a frame has drawn all of it. While the
-//! shader of a new request compiles, the camera stays idle, so the last picture stays complete.
+//! change. The render world counts the frames that have drawn all of it. While the shader of a new
+//! request compiles, the camera stays idle, so the last picture stays complete.
 //!
 //! A request may ask for the mean of several frames (accumulate.rs). The camera then stays awake
 //! until all of them are drawn. A change begins with the first frame again, so nothing is averaged
 //! while the camera moves or the disk's clock runs.
 
-use crate::accumulate::AccumulatePass;
 use crate::camera_markers::SceneCamera;
-use crate::chain::Chain;
 use crate::comparison::ComparedScene;
-use crate::current_scene::CurrentScene;
 use crate::draw_request::{AlwaysDraw, DrawRequest};
+use crate::drawn_scene::DrawnScene;
 use crate::error_map::{ErrorMapRequest, ShownErrorMap, update_error_map};
-use crate::geodesic::{GeodesicPass, GeodesicShaders, select_geodesic_shaders};
+use crate::geodesic::{GeodesicShaders, select_geodesic_shaders};
 use crate::live_shaders::LiveShaders;
-use crate::progress::Progress;
+use crate::progress::{DrawnFrame, Progress};
 use crate::resting_frames::RestingFrames;
 use bevy::camera::CameraUpdateSystems;
 use bevy::prelude::*;
@@ -29,17 +27,11 @@ use bevy::render::render_resource::{CachedPipelineState, PipelineCache};
 use bevy::render::{Render, RenderApp, RenderStartup, RenderSystems};
 use bevy::shader::ShaderCacheError;
 use lightfall_core::scene::View;
-use std::sync::atomic::Ordering;
-
-/// Extra frames that a foreground is drawn before its picture is kept. Meshes and materials reach
-/// the GPU some frames after they are made, the lamps' clusters are sized by what an earlier frame
-/// needed, and Bevy does not report when either is done.
-const FOREGROUND_FRAMES: u32 = 8;
 
 pub(super) fn plugin(app: &mut App) {
     let world = app.world();
     let request = DrawRequest::new(
-        world.resource::<CurrentScene>(),
+        world.resource::<DrawnScene>(),
         world.resource::<ComparedScene>(),
         world.resource::<RestingFrames>().to_owned(),
     );
@@ -61,8 +53,9 @@ pub(super) fn plugin(app: &mut App) {
         return;
     };
     render_app
+        .init_resource::<DrawnFrame>()
         .add_systems(RenderStartup, forget_lost_picture)
-        .add_systems(Render, mark_request_drawn.in_set(RenderSystems::Cleanup));
+        .add_systems(Render, count_frame.in_set(RenderSystems::Cleanup));
 }
 
 /// The startup of a new device: the picture of the device before it is lost.
@@ -75,7 +68,7 @@ fn forget_lost_picture(request: Option<Res<DrawRequest>>) {
 /// Makes a new request when the picture changes, activates the scene camera while a request is not
 /// drawn yet, and states the progress.
 fn wake_scene_camera(
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     compared: Res<ComparedScene>,
     shaders: Res<GeodesicShaders>,
     errors: Res<ShownErrorMap>,
@@ -94,47 +87,31 @@ fn wake_scene_camera(
     }
     // Before the first picture of a device the camera draws without the geodesic pass, so that Bevy compiles
     // the pipelines of the other passes at the same time.
-    let has_picture = request.has_picture.load(Ordering::Acquire);
     progress.set_if_neq(request.progress(shaders.are_ready()));
-    let waits = *progress == Progress::Compiling && has_picture;
+    let waits = *progress == Progress::Compiling && request.has_picture();
     let active = always.0 || *progress != Progress::Done && !waits;
     if camera.is_active != active {
         camera.is_active = active;
     }
 }
 
-/// Counts the frame for the request when this frame has drawn all of it.
-fn mark_request_drawn(
+/// Counts the frame for the request, and leaves nothing drawn for the next one.
+fn count_frame(
     request: Option<Res<DrawRequest>>,
-    (pass, mean): (Option<Res<GeodesicPass>>, Option<Res<AccumulatePass>>),
+    mut frame: ResMut<DrawnFrame>,
     camera: Query<(), (With<SceneCamera>, With<ExtractedCamera>)>,
     cache: Res<PipelineCache>,
-    mut frames_left: Local<u32>,
 ) {
-    let (Some(request), Some(pass), Some(mean)) = (request, pass, mean) else {
+    let frame = std::mem::take(&mut *frame);
+    let Some(request) = request else {
         return;
-    };
-    let extra_frames = if Chain::of(&request.scene).probe {
-        FOREGROUND_FRAMES
-    } else {
-        0
     };
     // A pass whose pipeline is still compiling is skipped.
     let complete = !camera.is_empty()
-        && pass.has_drawn_scene()
-        && (request.averaged_frame().is_none() || mean.has_added())
+        && frame.shows_scene()
+        && (request.averaged_frame().is_none() || frame.is_added)
         && cache.waiting_pipelines().next().is_none();
-    if !complete || request.is_changed() {
-        *frames_left = extra_frames;
-    }
-    if complete {
-        request.mark_shown();
-    }
-    if complete && *frames_left == 0 {
-        request.count_frame();
-    } else if complete {
-        *frames_left -= 1;
-    }
+    request.count_frame(complete);
 }
 
 /// Whether all of the present scene has been drawn. To be asked after an update.
@@ -158,7 +135,7 @@ pub fn is_drawn(app: &App) -> Result<bool, String> {
     }
     let world = app.world();
     let (Some(scene), Some(error_map), Some(request)) = (
-        world.get_resource::<CurrentScene>(),
+        world.get_resource::<DrawnScene>(),
         world.get_resource::<ErrorMapRequest>(),
         world.get_resource::<DrawRequest>(),
     ) else {

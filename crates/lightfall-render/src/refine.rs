@@ -8,6 +8,7 @@ use crate::antialias::{AntialiasPass, edges_layout};
 use crate::camera_markers::SceneCamera;
 use crate::draw_request::DrawRequest;
 use crate::geodesic::GeodesicPass;
+use crate::progress::DrawnFrame;
 use bevy::core_pipeline::core_3d::main_transparent_pass_3d;
 use bevy::core_pipeline::schedule::{Core3d, Core3dSystems};
 use bevy::prelude::*;
@@ -35,6 +36,7 @@ pub(super) fn refine_edges(
     view: ViewQuery<&ViewTarget, With<SceneCamera>>,
     geodesic: Option<Res<GeodesicPass>>,
     (pass, request): (Option<Res<AntialiasPass>>, Option<Res<DrawRequest>>),
+    drawn: Res<DrawnFrame>,
     cache: Res<PipelineCache>,
     queue: Res<RenderQueue>,
     mut context: RenderContext,
@@ -49,18 +51,12 @@ pub(super) fn refine_edges(
     ) else {
         return;
     };
-    if request
-        .as_ref()
-        .is_some_and(|request| !request.refines_edges())
-    {
+    let Some(request) = request.filter(|request| drawn.is_drawn && request.refines_edges()) else {
         return;
-    }
+    };
     // All frames of a mean refine the pixels that the first one has marked. Marks that depended on
     // each frame's own rays would make the mean wrong: bright rays would be refined, dark ones not.
-    let searches = request
-        .as_ref()
-        .and_then(|request| request.averaged_frame())
-        .is_none_or(|frame| frame == 0);
+    let searches = request.averaged_frame().is_none_or(|frame| frame == 0);
     let search = Edges { size: targets.size };
     let refinements: Vec<_> = geodesic
         .refinements(&cache, targets.size.x)

@@ -5,7 +5,7 @@ use crate::camera_markers::{SceneCamera, ScreenCamera};
 use crate::capture::Capture;
 use crate::chain::Chain;
 use crate::comparison::{ComparedScene, follow_current_scene};
-use crate::current_scene::CurrentScene;
+use crate::drawn_scene::DrawnScene;
 use bevy::camera::{
     CameraMainTextureUsages, CameraOutputMode, CameraUpdateSystems, ClearColorConfig, Exposure,
     Hdr, RenderTarget,
@@ -48,9 +48,7 @@ impl Plugin for SceneCameraPlugin {
             // Before Bevy computes transforms and projections, or the foreground would lag the
             // traced light by a frame.
             apply_scene_to_camera
-                .run_if(
-                    resource_changed::<CurrentScene>.or_eager(resource_changed::<ComparedScene>),
-                )
+                .run_if(resource_changed::<DrawnScene>.or_eager(resource_changed::<ComparedScene>))
                 .after(follow_current_scene)
                 .before(TransformSystems::Propagate)
                 .before(CameraUpdateSystems),
@@ -61,7 +59,7 @@ impl Plugin for SceneCameraPlugin {
 fn spawn_cameras(
     mut commands: Commands,
     target: Res<ScreenTarget>,
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     capture: Option<Res<Capture>>,
 ) {
     let copy_usage = if capture.is_some() {
@@ -112,7 +110,7 @@ fn spawn_cameras(
 /// Sets the scene camera's size, projection, direction, exposure and bloom.
 fn apply_scene_to_camera(
     mut commands: Commands,
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     compared: Res<ComparedScene>,
     camera: Single<
         (

@@ -4,7 +4,7 @@
 //! `disk.time` is the time at the camera, so the clock depends on how the camera moves:
 //!
 //! * An observer that falls or orbits has clocks of its own. Its worldline says how much coordinate
-//!   time goes by, and the fall writes it to the scene.
+//!   time goes by, and the fall sets the clock.
 //! * A journey drives the clock itself, by the same rule as for numbered pictures.
 //! * A hand moves the camera faster than light, and no observer sees what such a camera would. The
 //!   picture then keeps the stage that the disk is seen at: the clock is set forward by the change of
@@ -13,20 +13,20 @@
 //! Views of rays and of shifts do not depend on the time. There the clock stands still, so that the
 //! window can rest. What the clock does is no edit of the scene: it cannot be undone.
 
-use super::MAX_FRAME_SECONDS;
 use super::free_fall::{FreeFall, advance_free_fall, keys_are_the_clocks};
 use super::journey::advance_journey;
 use super::journey_player::JourneyPlayer;
 use super::pilot::steer_camera;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
+use crate::app::state::disk_clock::DiskClock;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
 use lightfall_core::numbers::{duration_in_words, four_digits};
 use lightfall_core::optics::readout::si::HoleMass;
-use lightfall_core::scene::{Frame, Scene};
+use lightfall_core::scene::Scene;
 use lightfall_render::{ComparedScene, CurrentScene};
 
 /// One press changes the rate by this factor, within a range of r_s/c per second.
@@ -43,52 +43,6 @@ pub fn stepped_rate(rate: f64, presses: i32) -> f64 {
         return if presses > 0 { slowest } else { 0.0 };
     }
     (rate * RATE_STEP.powi(presses)).clamp(slowest.min(rate), fastest.max(rate))
-}
-
-/// The disk's clock, and what it has seen last.
-#[derive(Resource, Clone, Debug, Default)]
-pub struct DiskClock {
-    last: Option<Reading>,
-}
-
-/// The scene as the clock has left it.
-#[derive(Clone, Debug)]
-struct Reading {
-    name: String,
-    time: f64,
-    r: f64,
-}
-
-impl DiskClock {
-    /// The scene's `disk.time` after `seconds` more; what exceeds the longest frame does not count.
-    /// Where the camera has been moved since the last call, the disk is seen at the same stage as
-    /// before. A time that something else has set is kept, and a scene that was loaded begins at
-    /// its own.
-    pub fn advance(&mut self, seconds: f64, scene: &Scene) -> f64 {
-        let mut time = scene.disk.time;
-        if let Some(last) = &self.last
-            && (last.time, &last.name) == (time, &scene.name)
-            && last.r != scene.camera.r
-        {
-            time += scene.disk_time_lead(scene.camera.r) - scene.disk_time_lead(last.r);
-        }
-        time += scene.disk.rate * seconds.min(MAX_FRAME_SECONDS);
-        self.note(scene, time);
-        time
-    }
-
-    /// Notes that something else drives the clock.
-    pub fn follow(&mut self, scene: &Scene) {
-        self.note(scene, scene.disk.time);
-    }
-
-    fn note(&mut self, scene: &Scene, time: f64) {
-        self.last = Some(Reading {
-            name: scene.name.clone(),
-            time,
-            r: scene.camera.r,
-        });
-    }
 }
 
 /// What a second of the window is for the disk of a hole of this mass, e.g. `Disk's clock: 4 r_s/c
@@ -124,7 +78,7 @@ pub(crate) fn status(scene: &Scene, flies: bool, paused: bool, bindings: &Bindin
 }
 
 pub(crate) fn plugin(app: &mut App) {
-    app.init_resource::<DiskClock>().add_systems(
+    app.add_systems(
         Update,
         (
             change_rate,
@@ -144,9 +98,11 @@ fn run_disk_clock(
     free_fall: Res<FreeFall>,
     player: Res<JourneyPlayer>,
     compared: Res<ComparedScene>,
+    scene: Res<CurrentScene>,
     mut clock: ResMut<DiskClock>,
-    mut scene: ResMut<CurrentScene>,
 ) {
+    let mut scene = scene.scene().clone();
+    scene.disk.time = clock.time();
     // Both sides of a comparison have the same clock.
     let pinned = compared.drawn().map(|(pinned, _)| pinned.scene());
     let either = |has: fn(&Scene) -> bool| has(&scene) || pinned.is_some_and(has);
@@ -157,20 +113,11 @@ fn run_disk_clock(
     }
     let runs = !paused.0 && either(Scene::shows_disk_motion);
     let seconds = if runs { time.delta_secs_f64() } else { 0.0 };
-    let disk_time = clock.advance(seconds, &scene);
-    if disk_time == scene.disk.time {
-        return;
-    }
-    let frame = Frame {
-        disk_time,
-        ..Frame::of(&scene)
-    };
-    match frame.shown(&scene).check() {
-        Ok(()) => scene.show_in(&frame),
-        Err(reason) => {
-            clock.follow(&scene);
-            error_once!("the disk's clock cannot go on: {reason}");
-        }
+    let mut next = scene.clone();
+    next.disk.time = clock.advance(seconds, &scene);
+    if let Err(reason) = next.check() {
+        clock.follow(&scene);
+        error_once!("the disk's clock cannot go on: {reason}");
     }
 }
 

@@ -4,11 +4,11 @@
 use super::facing::Facing;
 use super::free_fall::{FreeFall, advance_free_fall};
 use crate::app::controls::control::AppCommand;
+use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
 use glam::{DMat3, DQuat, DVec3};
 use lightfall_core::optics::apparent_hole::ApparentHole;
 use lightfall_core::scene::Scene;
-use lightfall_render::CurrentScene;
 
 /// Where the edge of a shadow that just outgrows the picture crosses it: this share of the way from
 /// the middle to the picture's edge.
@@ -72,7 +72,7 @@ fn keep_edge_in_view(
     free_fall: Res<FreeFall>,
     facing: Res<Facing>,
     mut commands: MessageReader<AppCommand>,
-    mut scene: ResMut<CurrentScene>,
+    mut editor: SceneEditor,
     mut view: Local<EdgeView>,
 ) {
     let faces = commands.read().any(|command| *command == AppCommand::Face);
@@ -80,18 +80,19 @@ fn keep_edge_in_view(
         *view = EdgeView::default();
         return;
     }
+    let scene = editor.drawn_scene();
     let angles = scene.camera.angles();
     let turned = view.left_at.is_some_and(|left| left != angles) && !facing.has_left(&scene);
     view.released |= faces || turned;
     view.left_at = Some(angles);
-    if view.released || facing.is_turning() || !scene.is_changed() {
+    if view.released || facing.is_turning() || !editor.has_changed() {
         return;
     }
     let max_turn = MAX_TURN_RATE * time.delta_secs_f64();
     let Some(axes) = edge_in_view(&scene, view.was_turned, max_turn) else {
         return;
     };
-    scene.turn(axes);
+    editor.turn(axes);
     view.was_turned = true;
-    view.left_at = Some(scene.camera.angles());
+    view.left_at = Some(editor.scene().camera.angles());
 }

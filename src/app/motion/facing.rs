@@ -2,6 +2,7 @@
 
 use crate::app::controls::control::AppCommand;
 use crate::app::state::preferences::Preferences;
+use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::toast::Toast;
 use bevy::prelude::*;
 use glam::{DMat3, DQuat, DVec3};
@@ -131,8 +132,12 @@ pub(crate) fn turn_camera(
     time: Res<Time>,
     preferences: Res<Preferences>,
     mut facing: ResMut<Facing>,
-    mut scene: ResMut<CurrentScene>,
+    mut editor: SceneEditor,
 ) {
+    if !facing.is_turning() {
+        return;
+    }
+    let scene = editor.scene();
     let is_left = facing.has_left(&scene);
     let Some(turn) = &mut facing.turn else {
         return;
@@ -148,9 +153,9 @@ pub(crate) fn turn_camera(
     } else {
         turn.seconds / TURN_SECONDS
     };
-    scene.turn(between_axes(turn.from, to, share));
+    editor.turn(between_axes(turn.from, to, share));
     if share >= 1.0 {
         facing.turn = None;
     }
-    facing.left_at = Some(scene.camera.angles());
+    facing.left_at = Some(editor.scene().camera.angles());
 }

@@ -1,20 +1,19 @@
 //! The observer's own motion: once let go, the observer falls or orbits, in its own proper time,
 //! and the camera with it.
 
-use super::MAX_FRAME_SECONDS;
 use super::facing::{Aim, Facing};
 use super::flight_step::FlightStep;
 use super::journey_player::JourneyPlayer;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::controls::refusal::no_observer;
+use crate::app::state::MAX_FRAME_SECONDS;
 use crate::app::state::end_card::EndCard;
-use crate::app::state::history::History;
 use crate::app::state::hole_in_view::HoleInView;
 use crate::app::state::last_pose::LastPose;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
-use crate::app::state::toast::Toast;
+use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::observer::ObserverError;
@@ -24,7 +23,6 @@ use lightfall_core::numbers::{four_digits, steady_digits, three_digits, with_sho
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::optics::worldline::Worldline;
 use lightfall_core::scene::Scene;
-use lightfall_render::CurrentScene;
 
 /// Proper time that passes in a second, divided by r^(3/2), the time scale of a fall from r. So a
 /// fall takes about as long from anywhere, and one orbit takes a minute and a half.
@@ -253,17 +251,15 @@ fn apply_free_fall_commands(
     mut commands: MessageReader<AppCommand>,
     mut free_fall: ResMut<FreeFall>,
     player: Res<JourneyPlayer>,
-    scene: Res<CurrentScene>,
-    time: Res<Time<Real>>,
-    mut history: ResMut<History>,
+    mut editor: SceneEditor,
     bindings: Res<Bindings>,
     preferences: Res<Preferences>,
-    mut toast: ResMut<Toast>,
     mut paused: ResMut<Paused>,
     (mut end_card, mut facing): (ResMut<EndCard>, ResMut<Facing>),
     hole: Res<HoleInView>,
 ) {
     for command in commands.read() {
+        let scene = editor.drawn_scene();
         match command {
             // These move the camera by themselves.
             AppCommand::OrbitCamera | AppCommand::Journey | AppCommand::RestartJourney
@@ -273,25 +269,26 @@ fn apply_free_fall_commands(
             }
             AppCommand::LetGo if free_fall.is_moving() => {
                 free_fall.stop();
-                toast.say(format!("Held at r {} r_s", four_digits(scene.camera.r)));
+                editor.say(format!("Held at r {} r_s", four_digits(scene.camera.r)));
             }
             AppCommand::LetGo => {
                 paused.0 = false;
                 end_card.close();
                 match free_fall.start(&scene) {
                     Ok(()) => {
-                        history.note_departure(&scene, time.elapsed());
-                        toast.say(released(&free_fall, &bindings));
+                        editor.note_departure();
+                        let mut said = released(&free_fall, &bindings);
                         // The way in shows what the observer falls into.
                         if free_fall.is_fall() && hole.0.is_some_and(|hole| !hole.in_picture) {
                             facing.start(Aim::Hole, &scene);
-                            toast.add(&format!(
-                                "facing the hole, {} looks outward",
+                            said.push_str(&format!(
+                                " · facing the hole, {} looks outward",
                                 bindings.label("fly.face")
                             ));
                         }
+                        editor.say(said);
                     }
-                    Err(error) => toast.say(no_observer(&error, &scene)),
+                    Err(error) => editor.say(no_observer(&error, &scene)),
                 }
             }
             AppCommand::FasterTime | AppCommand::SlowerTime
@@ -305,7 +302,7 @@ fn apply_free_fall_commands(
         }
         if matches!(command, AppCommand::FasterTime | AppCommand::SlowerTime) {
             let suns = preferences.settings.hole_mass_suns;
-            toast.say(free_fall.rate_words(scene.camera.r, suns));
+            editor.say(free_fall.rate_words(scene.camera.r, suns));
         }
     }
 }
@@ -323,10 +320,9 @@ fn released(free_fall: &FreeFall, bindings: &Bindings) -> String {
 pub(super) fn advance_free_fall(
     time: Res<Time>,
     mut free_fall: ResMut<FreeFall>,
-    mut scene: ResMut<CurrentScene>,
+    mut editor: SceneEditor,
     bindings: Res<Bindings>,
     paused: Res<Paused>,
-    mut toast: ResMut<Toast>,
     mut end_card: ResMut<EndCard>,
 ) {
     if !free_fall.is_moving() {
@@ -334,22 +330,19 @@ pub(super) fn advance_free_fall(
     }
     // A paused fall still notices that something else moves the camera.
     let seconds = if paused.0 { 0.0 } else { time.delta_secs_f64() };
-    match free_fall.advance(seconds, &scene) {
-        FlightStep::Idle => toast.say(format!(
+    match free_fall.advance(seconds, &editor.drawn_scene()) {
+        FlightStep::Idle => editor.say(format!(
             "You are flying by hand: {} lets go again",
             bindings.label("motion.let_go")
         )),
-        FlightStep::Moved(next) => {
-            // A paused fall rests, and a picture at rest is kept.
-            scene.set_if_neq(CurrentScene(*next));
-        }
+        FlightStep::Moved(next) => editor.fly(&next),
         FlightStep::Ended(next) => {
-            scene.0 = *next;
+            editor.fly(&next);
             let again = ("scene.undo", "back to where you let go");
-            end_card.show("The fall ends here", &free_fall.ending(&scene), again, None);
+            end_card.show("The fall ends here", &free_fall.ending(&next), again, None);
             free_fall.stop();
         }
-        FlightStep::Refused(reason) => toast.say(format!(
+        FlightStep::Refused(reason) => editor.say(format!(
             "The fall cannot go on: {}",
             with_short_numbers(&reason)
         )),

@@ -5,15 +5,12 @@ use super::journey_player::JourneyPlayer;
 use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::AppCommand;
 use crate::app::state::end_card::EndCard;
-use crate::app::state::history::History;
 use crate::app::state::paused::Paused;
 use crate::app::state::preferences::Preferences;
 use crate::app::state::scene_editor::SceneEditor;
-use crate::app::state::toast::Toast;
 use bevy::prelude::*;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::scene::Scene;
-use lightfall_render::CurrentScene;
 
 /// Seconds by which one press goes ahead or back.
 const SKIP: f64 = 5.0;
@@ -73,12 +70,12 @@ fn apply_journey_commands(
         if restarts {
             player.restart();
         } else {
-            player.start(editor.drawn_scene());
+            player.start(&editor.scene());
         }
         paused.0 = false;
         end_card.close();
         // A journey that cannot be flown to its end is flown as far as possible.
-        if let Err(fault) = player.check(editor.drawn_scene()) {
+        if let Err(fault) = player.check(&editor.scene()) {
             editor.say(format!(
                 "This journey cannot be flown to its end here: {fault}"
             ));
@@ -98,12 +95,10 @@ fn how_to_go_on(bindings: &Bindings, anew: bool) -> String {
 pub(super) fn advance_journey(
     time: Res<Time>,
     mut player: ResMut<JourneyPlayer>,
-    mut scene: ResMut<CurrentScene>,
+    mut editor: SceneEditor,
     preferences: Res<Preferences>,
-    history: Res<History>,
     bindings: Res<Bindings>,
     paused: Res<Paused>,
-    mut toast: ResMut<Toast>,
     mut end_card: ResMut<EndCard>,
 ) {
     if !player.is_playing() {
@@ -112,27 +107,24 @@ pub(super) fn advance_journey(
     let calm = preferences.settings.reduced_motion;
     // A paused journey still notices that something else moves the camera, and follows a skip.
     let seconds = if paused.0 { 0.0 } else { time.delta_secs_f64() };
-    match player.advance(seconds, &scene, calm) {
-        FlightStep::Idle => toast.say(format!(
+    match player.advance(seconds, &editor.drawn_scene(), calm) {
+        FlightStep::Idle => editor.say(format!(
             "You are flying by hand. The journey waits at {}: {}",
             player.progress(),
-            how_to_go_on(&bindings, player.begins_anew(history.loaded()))
+            how_to_go_on(&bindings, player.begins_anew(editor.loaded()))
         )),
-        FlightStep::Moved(next) => {
-            // A paused journey rests, and a picture at rest is kept.
-            scene.set_if_neq(CurrentScene(*next));
-        }
+        FlightStep::Moved(next) => editor.fly(&next),
         FlightStep::Ended(next) => {
-            scene.0 = *next;
+            editor.fly(&next);
             let again = ("journey.again", "fly it again");
             let horizon = Kerr {
-                spin: scene.hole.spin,
+                spin: next.hole.spin,
             }
             .horizon();
-            let fall = (scene.camera.r > horizon).then_some(("motion.let_go", "let go and fall"));
-            end_card.show("The journey ends here", &ending(&scene), again, fall);
+            let fall = (next.camera.r > horizon).then_some(("motion.let_go", "let go and fall"));
+            end_card.show("The journey ends here", &ending(&next), again, fall);
         }
-        FlightStep::Refused(reason) => toast.say(format!("The journey cannot go on: {reason}")),
+        FlightStep::Refused(reason) => editor.say(format!("The journey cannot go on: {reason}")),
     }
 }
 

@@ -1,8 +1,8 @@
 //! A journey and how far it has been flown: it starts, stops, starts again, and ends when something
 //! else moves the camera.
 
-use super::MAX_FRAME_SECONDS;
 use super::flight_step::FlightStep;
+use crate::app::state::MAX_FRAME_SECONDS;
 use crate::app::state::last_pose::LastPose;
 use bevy::prelude::Resource;
 use lightfall_core::gpu::Drawable;

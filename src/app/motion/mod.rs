@@ -14,7 +14,3 @@ pub(crate) mod pause;
 pub(crate) mod pilot;
 pub(crate) mod steering;
 pub(crate) mod zoom;
-
-/// Maximum time, in seconds, by which one frame moves the camera on. A slower frame moves it no
-/// farther, so that the camera stays steerable on slow machines.
-pub(crate) const MAX_FRAME_SECONDS: f64 = 0.25;

@@ -1,6 +1,5 @@
 //! Flying by hand: keys, mouse and gamepad move and turn the camera, freely or around the hole.
 
-use super::MAX_FRAME_SECONDS;
 use super::crossing::announce_crossing;
 use super::facing::{Facing, start_facing, turn_camera};
 use super::orbit_camera::{OrbitCamera, OrbitStep, orbited, switch_orbit_camera};
@@ -9,20 +8,17 @@ use crate::app::controls::bindings::Bindings;
 use crate::app::controls::control::{AppCommand, FlightInput};
 use crate::app::input::held::HeldControls;
 use crate::app::input::pointer::{locate_pointer, pointer_over_picture};
-use crate::app::state::history::History;
+use crate::app::state::MAX_FRAME_SECONDS;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::preferences::Preferences;
-use crate::app::state::resolution::Resolution;
+use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::toast::Toast;
-use bevy::ecs::system::SystemParam;
 use bevy::input::mouse::{AccumulatedMouseMotion, AccumulatedMouseScroll, MouseScrollUnit};
 use bevy::math::{DVec2, DVec3};
 use bevy::prelude::*;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow};
-use lightfall_core::gpu::Undrawable;
 use lightfall_core::scene::{ObserverKind, Scene};
 use lightfall_platform::IN_BROWSER;
-use lightfall_render::CurrentScene;
 
 /// What the mouse has set.
 #[derive(Resource)]
@@ -251,32 +247,22 @@ impl Hand {
     }
 }
 
-/// What a flight by hand writes besides the scene.
-#[derive(SystemParam)]
-pub(super) struct Log<'w> {
-    history: ResMut<'w, History>,
-    resolution: Res<'w, Resolution>,
-    toast: ResMut<'w, Toast>,
-    bindings: Res<'w, Bindings>,
-    clock: Res<'w, Time<Real>>,
-}
-
 pub(super) fn steer_camera(
     held: HeldControls,
     buttons: Res<ButtonInput<MouseButton>>,
     motion: Res<AccumulatedMouseMotion>,
     time: Res<Time>,
-    preferences: Res<Preferences>,
+    (preferences, bindings): (Res<Preferences>, Res<Bindings>),
     orbit: Res<OrbitCamera>,
     mut pilot: ResMut<Pilot>,
     mut facing: ResMut<Facing>,
-    mut scene: ResMut<CurrentScene>,
-    mut log: Log,
+    mut editor: SceneEditor,
 ) {
     let seconds = time.delta_secs_f64().min(MAX_FRAME_SECONDS);
     let motion = motion.delta.as_dvec2();
     let hand = Hand::of(&held, &preferences, &pilot, &buttons, motion);
     let notches = std::mem::take(&mut pilot.orbit_notches);
+    let scene = editor.drawn_scene();
     let (flown, moves) = if orbit.is_on() {
         let Some(step) = hand.orbit_step(notches, seconds) else {
             return;
@@ -295,55 +281,44 @@ pub(super) fn steer_camera(
         }
         (steered(&scene, &steering), steering.thrust != DVec3::ZERO)
     };
-    log.write(&scene, &flown, moves);
-    if let Ok(Steered { scene: next, .. }) = flown {
-        scene.0 = next;
+    let flown = match flown {
+        Ok(flown) => flown,
+        Err(reason) => {
+            editor.say(format!("The camera cannot fly there: {reason}"));
+            return;
+        }
+    };
+    if moves && flown.stopped_by != Some(Barrier::Horizon) {
+        editor.note_departure_by_hand();
+    }
+    editor.fly(&flown.scene);
+    for words in news(&scene, &flown, &bindings).into_iter().flatten() {
+        editor.say(words);
     }
 }
 
-impl Log<'_> {
-    /// Notes where a flight began, and says what happened to the observer and what stopped the
-    /// camera.
-    fn write(&mut self, before: &CurrentScene, flown: &Result<Steered, Undrawable>, moves: bool) {
-        let Steered {
-            scene: after,
-            replaced,
-            stopped_by,
-        } = match flown {
-            Ok(steered) => steered,
-            Err(reason) => {
-                self.toast
-                    .say(format!("The camera cannot fly there: {reason}"));
-                return;
-            }
-        };
-        if moves && *stopped_by != Some(Barrier::Horizon) {
-            let full = self.resolution.full_scene(before);
-            self.history
-                .note_departure_by_hand(&full, self.clock.elapsed());
+/// What happened to the observer in a frame of flying by hand, and what stopped the camera.
+fn news(before: &Scene, flown: &Steered, bindings: &Bindings) -> [Option<String>; 2] {
+    let [back, fall] = ["scene.undo", "motion.let_go"].map(|id| bindings.label(id));
+    let [was, is] = [before, flown.scene.scene()].map(|scene| scene.observer.kind);
+    let observer = if was == ObserverKind::Orbit && is != ObserverKind::Orbit {
+        let motion = is.properties().motion;
+        Some(format!(
+            "Thrust ends the orbit: {motion} now; {back} returns"
+        ))
+    } else {
+        let replaced = flown.replaced.map(observer_change);
+        replaced.map(|change| format!("{change}; {back} returns"))
+    };
+    let barrier = flown.stopped_by.map(|barrier| match barrier {
+        Barrier::MinRadius => {
+            format!("Hand flight goes no nearer than {MIN_RADIUS} r_s: {fall} lets go and falls in")
         }
-        let [back, fall] = ["scene.undo", "motion.let_go"].map(|id| self.bindings.label(id));
-        let left_orbit = before.observer.kind == ObserverKind::Orbit
-            && after.observer.kind != ObserverKind::Orbit;
-        if left_orbit {
-            self.toast.say(format!(
-                "Thrust ends the orbit: {} now; {back} returns",
-                after.observer.kind.properties().motion
-            ));
-        } else if let Some(kinds) = replaced {
-            self.toast
-                .say(format!("{}; {back} returns", observer_change(*kinds)));
+        Barrier::Horizon => {
+            format!("Inside the horizon every way leads inward: {fall} falls on, {back} returns")
         }
-        match stopped_by {
-            Some(Barrier::MinRadius) => self.toast.say(format!(
-                "Hand flight goes no nearer than {MIN_RADIUS} r_s: {fall} lets go and falls in"
-            )),
-            Some(Barrier::Horizon) => self.toast.say(format!(
-                "Inside the horizon every way leads inward: {fall} falls on, {back} returns"
-            )),
-            None => {}
-        }
-    }
+    });
+    [observer, barrier]
 }
 
 /// Says that another observer has taken the place of one that cannot exist.

@@ -1,8 +1,8 @@
 //! The keys that make the field of view narrower and wider while they are held.
 
-use super::MAX_FRAME_SECONDS;
 use crate::app::controls::control::FlightInput;
 use crate::app::input::held::HeldControls;
+use crate::app::state::MAX_FRAME_SECONDS;
 use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
 use lightfall_core::scene::Camera;

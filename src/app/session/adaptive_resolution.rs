@@ -8,7 +8,6 @@ use crate::app::state::resolution::Resolution;
 use crate::app::state::settings::Automatic;
 use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
-use lightfall_core::scene::Frame;
 use lightfall_render::{CurrentScene, ShownCells};
 use wgpu::DeviceType;
 
@@ -33,7 +32,6 @@ struct Measurement {
 }
 
 pub(crate) fn plugin(app: &mut App) {
-    // Before PostUpdate prepares the picture, so that no frame is drawn with the size of the last.
     app.add_systems(Update, adapt_resolution.after(measure_canvas));
 }
 
@@ -43,11 +41,12 @@ fn adapt_resolution(
     preferences: Res<Preferences>,
     adapter: Option<Res<RenderAdapterInfo>>,
     mut resolution: ResMut<Resolution>,
-    mut scene: ResMut<CurrentScene>,
+    scene: Res<CurrentScene>,
     mut cells: ResMut<ShownCells>,
     mut measurement: Local<Measurement>,
 ) {
     let settings = &preferences.settings;
+    let fineness = resolution.fineness(&scene.picture);
     let is_slow = || {
         adapter.is_some_and(|info| {
             matches!(
@@ -59,11 +58,11 @@ fn adapt_resolution(
     let wanted = match settings.automatic_resolution {
         Automatic::On => true,
         Automatic::Off => false,
-        Automatic::Auto => is_slow() || resolution.is_finer_than_the_scene(&scene.picture),
+        Automatic::Auto => is_slow() || fineness > 1.0,
     };
     let adapts = wanted && pacing.running;
     // A first movement begins with as many pixels as the scene asks for.
-    let first_share = round_share(resolution.share_of_own_size(&scene.picture));
+    let first_share = round_share(fineness.sqrt().recip());
     let mut share = measurement.share.unwrap_or(first_share);
     // The first frames of a movement still wait for the full picture.
     if adapts && pacing.frames > 1 {
@@ -81,14 +80,8 @@ fn adapt_resolution(
         (measurement.frames, measurement.seconds) = (0, 0.0);
     }
     resolution.set_share(if adapts { share } else { 1.0 });
-    let frame = resolution.frame(&scene);
-    if frame != Frame::of(&scene) {
-        scene.show_in(&frame);
-    }
     // The cells do not get coarser with the picture.
-    cells.set_if_neq(ShownCells(Some(
-        resolution.picture_at_rest(&scene.picture).grid(),
-    )));
+    cells.set_if_neq(ShownCells(Some(resolution.at_rest(&scene.picture).grid())));
 }
 
 /// The next share of each side, where frames last `slowness` times as long as wanted. The time of

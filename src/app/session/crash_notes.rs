@@ -4,12 +4,12 @@ use bevy::prelude::*;
 use bevy::render::renderer::RenderAdapterInfo;
 use lightfall_core::gpu::AdapterName;
 use lightfall_platform::storage::{note_adapter, note_scene};
-use lightfall_render::CurrentScene;
+use lightfall_render::DrawnScene;
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(Startup, note_used_adapter).add_systems(
         Last,
-        note_drawn_scene.run_if(resource_changed::<CurrentScene>),
+        note_drawn_scene.run_if(resource_changed::<DrawnScene>),
     );
 }
 
@@ -19,6 +19,6 @@ fn note_used_adapter(adapter: Option<Res<RenderAdapterInfo>>) {
     }
 }
 
-fn note_drawn_scene(scene: Res<CurrentScene>) {
+fn note_drawn_scene(scene: Res<DrawnScene>) {
     note_scene(&scene);
 }

@@ -11,7 +11,7 @@ use bevy::winit::{UpdateMode, WinitSettings};
 use bevy_egui::{EguiContext, EguiInput, EguiPreUpdateSet, egui};
 use lightfall_core::scene::{Picture, Scene};
 use lightfall_platform::IN_BROWSER;
-use lightfall_render::{Comparison, CurrentScene, Progress};
+use lightfall_render::{Comparison, DrawnScene, Progress};
 use std::time::Duration;
 
 /// The scene counts as moving for this long after its last change.
@@ -75,7 +75,7 @@ fn drop_repeated_modifiers(mut contexts: Query<(&mut EguiContext, &mut EguiInput
 /// Records changes of the scene and the input that keeps the program awake.
 fn watch_activity(
     time: Res<Time<Real>>,
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     comparison: Res<Comparison>,
     keys: Res<ButtonInput<KeyCode>>,
     buttons: Res<ButtonInput<MouseButton>>,

@@ -2,7 +2,7 @@
 
 use bevy::prelude::Resource;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::Scene;
+use lightfall_core::scene::{Scene, Value};
 use std::collections::VecDeque;
 use std::time::Duration;
 
@@ -34,24 +34,13 @@ struct Change {
 /// What a change was, and with it what undoing it restores.
 #[derive(Clone, Debug)]
 enum ChangeKind {
-    /// Fields were set; the scene after it. Only the fields that differ are restored, so that what
-    /// was flown since is kept.
-    Edit(Box<Scene>),
+    /// Fields were set; the values before. Only these are restored, so that what was flown since is
+    /// kept, and so are the exposure and the time that go on by themselves.
+    Edit(Vec<(&'static str, Value)>),
     /// A flight, whose end is not known yet. Where the camera was and how it moved is restored.
     Departure { by_hand: bool },
     /// A flight that began in another scene. The whole scene is restored.
     DepartureElsewhere,
-}
-
-/// Whether two scenes are the same, apart from an exposure that the light meter has chosen and a
-/// time to which the disk's clock has gone on.
-fn same_but_driven(a: &Scene, b: &Scene) -> bool {
-    let mut a = a.clone();
-    if a.picture.automatic_exposure && b.picture.automatic_exposure {
-        a.picture.exposure_ev = b.picture.exposure_ev;
-    }
-    a.disk.time = b.disk.time;
-    a == *b
 }
 
 impl History {
@@ -72,31 +61,28 @@ impl History {
 
     /// Notes a change made at the time `at`, counted from any fixed start.
     pub fn note(&mut self, before: &Scene, after: &Scene, at: Duration) {
-        if before == after {
+        let mut fields = before.differences(after);
+        if fields.is_empty() {
             return;
         }
-        let keys = |a: &Scene, b: &Scene| {
-            a.differences(b)
-                .into_iter()
-                .map(|(key, _)| key)
-                .collect::<Vec<_>>()
-        };
+        // The light meter takes the place of an exposure by hand, which undoing restores.
+        if !before.picture.automatic_exposure && after.picture.automatic_exposure {
+            let exposure = Value::Float(before.picture.exposure_ev);
+            fields.push(("picture.exposure_ev", exposure));
+        }
         if let Some(last) = self.past.back_mut()
             && at.saturating_sub(last.at) < MERGE_TIME
             && last.loaded == self.loaded
-            && let ChangeKind::Edit(middle) = &last.kind
-            && same_but_driven(middle, before)
-            && keys(&last.before, middle) == keys(before, after)
+            && let ChangeKind::Edit(edited) = &last.kind
+            && edited
+                .iter()
+                .map(|(key, _)| key)
+                .eq(fields.iter().map(|(key, _)| key))
         {
-            let mut after = after.clone();
-            // What the clock did between the two is no part of the change.
-            if before.disk.time == after.disk.time {
-                after.disk.time = last.before.disk.time;
-            }
-            (last.kind, last.at) = (ChangeKind::Edit(Box::new(after)), at);
+            last.at = at;
             return;
         }
-        self.push(before, ChangeKind::Edit(Box::new(after.clone())), at);
+        self.push(before, ChangeKind::Edit(fields), at);
     }
 
     /// Notes that a flight is about to lead the camera away.
@@ -155,15 +141,8 @@ impl History {
             ..
         } = self.past.pop_back()?;
         let undone = match &kind {
-            ChangeKind::Edit(after) => now
-                .with(before.differences(after))
-                .map(|mut undone| {
-                    // Since it was switched on, the light meter has set the exposure.
-                    if after.picture.automatic_exposure && !undone.picture.automatic_exposure {
-                        undone.picture.exposure_ev = before.picture.exposure_ev;
-                    }
-                    undone
-                })
+            ChangeKind::Edit(fields) => now
+                .with(fields.iter().cloned())
                 .map_err(|refusal| refusal.to_string()),
             ChangeKind::DepartureElsewhere => Ok(before.clone()),
             ChangeKind::Departure { .. } => {

@@ -5,7 +5,7 @@ use bevy::prelude::*;
 use glam::DVec3;
 use lightfall_core::optics::apparent_hole::{ApparentHole, dark_share};
 use lightfall_core::scene::Scene;
-use lightfall_render::CurrentScene;
+use lightfall_render::DrawnScene;
 
 /// The share of the picture, from 0 to 1, that has to be dark for the hole to fill the view.
 const FILLS_VIEW: f64 = 0.94;
@@ -46,15 +46,13 @@ impl SeenHole {
 }
 
 pub(crate) fn plugin(app: &mut App) {
-    app.init_resource::<HoleInView>().add_systems(
-        PostUpdate,
-        find_hole.run_if(resource_changed::<CurrentScene>),
-    );
+    app.init_resource::<HoleInView>()
+        .add_systems(PostUpdate, find_hole.run_if(resource_changed::<DrawnScene>));
 }
 
 /// Only where rays have changed: the light of a disk that moves changes in every frame.
 fn find_hole(
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     mut hole: ResMut<HoleInView>,
     mut found_for: Local<Option<Scene>>,
 ) {

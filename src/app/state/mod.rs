@@ -2,10 +2,12 @@
 //! settings, which overlays are open, and messages to the user. Nothing here reads a device, and
 //! nothing draws.
 
+pub(crate) mod disk_clock;
 pub(crate) mod end_card;
 pub(crate) mod history;
 pub(crate) mod hole_in_view;
 pub(crate) mod last_pose;
+pub(crate) mod light_meter;
 pub(crate) mod menu;
 pub(crate) mod notice;
 pub(crate) mod overlays;
@@ -19,3 +21,8 @@ pub(crate) mod settings_fault;
 pub(crate) mod shown_picture;
 pub(crate) mod title;
 pub(crate) mod toast;
+
+/// Maximum time, in seconds, that counts for one frame. A slower frame moves the camera and the disk
+/// no farther, so that the camera stays steerable on slow machines, and nothing moves while the
+/// machine sleeps.
+pub(crate) const MAX_FRAME_SECONDS: f64 = 0.25;

@@ -1,7 +1,9 @@
-//! The scene's door: every change of the scene that can be undone goes through here, whether a key,
-//! the panel or a file asks for it.
+//! The one place that writes the scene and its frame: for keys, the panel and files, whose changes
+//! can be undone, and for flights.
 
+use super::disk_clock::DiskClock;
 use super::history::History;
+use super::light_meter::LightMeter;
 use super::resolution::Resolution;
 use super::title::Title;
 use super::toast::Toast;
@@ -9,45 +11,66 @@ use crate::app::controls::refusal::{checked_change, undrawable};
 use crate::app::controls::statement::change_words;
 use bevy::ecs::system::SystemParam;
 use bevy::prelude::*;
+use glam::DMat3;
 use lightfall_core::gpu::Drawable;
-use lightfall_core::scene::{Picture, Scene};
-use lightfall_render::CurrentScene;
+use lightfall_core::scene::{Frame, Picture, Scene};
+use lightfall_render::{CurrentFrame, CurrentScene, FrameScene, draw_scene_in_frame};
 
-/// The scene, and the way to change it so that the change can be undone.
+/// The scene, what drives its frame, and the way to change both.
 #[derive(SystemParam)]
 pub(crate) struct SceneEditor<'w> {
     scene: ResMut<'w, CurrentScene>,
-    resolution: ResMut<'w, Resolution>,
+    resolution: Res<'w, Resolution>,
+    meter: ResMut<'w, LightMeter>,
+    clock: ResMut<'w, DiskClock>,
     history: ResMut<'w, History>,
     toast: ResMut<'w, Toast>,
     title: ResMut<'w, Title>,
     time: Res<'w, Time<Real>>,
 }
 
+pub(crate) fn plugin(app: &mut App) {
+    app.add_systems(FrameScene, write_frame.before(draw_scene_in_frame));
+}
+
+/// Writes the frame, once everything has happened that drives it.
+fn write_frame(editor: SceneEditor, mut frame: ResMut<CurrentFrame>) {
+    frame.set_if_neq(CurrentFrame(editor.frame()));
+}
+
 impl SceneEditor<'_> {
-    /// The scene at its own resolution.
+    /// The scene as it is now, at its own size: changes begin with it, and files hold it.
     pub(crate) fn scene(&self) -> Scene {
-        self.resolution.full_scene(&self.scene)
+        let mut scene = self.scene.scene().clone();
+        scene.picture.exposure_ev = self.meter.exposure_of(&scene);
+        scene.disk.time = self.clock.time();
+        scene
     }
 
-    /// The scene that a picture file of what the window shows holds, and the scene that is drawn for
-    /// it.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(crate) fn scene_and_drawing(&self) -> [Scene; 2] {
-        [
-            self.resolution.scene_in_window(&self.scene),
-            self.resolution.drawn_for_file(&self.scene),
-        ]
+    /// The scene as it is drawn now: flights begin with it.
+    pub(crate) fn drawn_scene(&self) -> Drawable {
+        self.scene.shown_in(&self.frame())
     }
 
-    /// The scene at the resolution that is drawn now.
-    pub(crate) fn drawn_scene(&self) -> &Scene {
-        &self.scene
+    fn frame(&self) -> Frame {
+        self.resolution.frame(&self.scene())
+    }
+
+    /// The scene that a picture file of what the window shows holds.
+    pub(crate) fn scene_in_window(&self) -> Scene {
+        let mut scene = self.scene();
+        scene.picture = self.resolution.in_window(&scene.picture);
+        scene
     }
 
     /// The picture as it is drawn while nothing moves.
     pub(crate) fn picture_at_rest(&self) -> Picture {
-        self.resolution.picture_at_rest(&self.scene.picture)
+        self.resolution.at_rest(&self.scene().picture)
+    }
+
+    /// Whether the scene has changed since the last run of the system.
+    pub(crate) fn has_changed(&self) -> bool {
+        self.scene.is_changed()
     }
 
     /// Whether the picture is shown in cells.
@@ -118,6 +141,37 @@ impl SceneEditor<'_> {
         self.toast.clear();
     }
 
+    /// Notes that the observer is about to be let go, which can be undone.
+    pub(crate) fn note_departure(&mut self) {
+        let before = self.scene();
+        self.history.note_departure(&before, self.time.elapsed());
+    }
+
+    /// Notes that the hand is about to lead the camera away, which can be undone.
+    pub(crate) fn note_departure_by_hand(&mut self) {
+        let before = self.scene();
+        self.history
+            .note_departure_by_hand(&before, self.time.elapsed());
+    }
+
+    /// Shows the scene to which a flight has led the one that was drawn.
+    pub(crate) fn fly(&mut self, flown: &Drawable) {
+        self.clock.set(flown.disk.time);
+        let flown = flown.shown_in(&Frame::of(&self.scene));
+        // A paused flight rests, and a picture at rest is kept.
+        self.scene.set_if_neq(CurrentScene(flown));
+    }
+
+    /// Turns the camera at its place to these axes (right, up, forward) on the observer's axes.
+    pub(crate) fn turn(&mut self, axes: DMat3) {
+        let mut turned = self.drawn_scene().into_scene();
+        turned.camera.set_orientation(axes);
+        match Drawable::new(turned) {
+            Ok(turned) => self.fly(&turned),
+            Err(reason) => self.toast.say(format!("The camera cannot turn: {reason}")),
+        }
+    }
+
     /// Returns every field to what was loaded, except the pixel look.
     pub(crate) fn reset(&mut self) -> bool {
         let loaded = self.in_this_look(self.loaded().clone());
@@ -150,14 +204,16 @@ impl SceneEditor<'_> {
     }
 
     /// Keeps the toast for at least this long, unless another one takes its place.
-    #[cfg(not(target_arch = "wasm32"))]
     pub(crate) fn keep_saying_for(&mut self, duration: std::time::Duration) {
         self.toast.keep_for(duration);
     }
 
     /// Shows a changed scene, metered at once where its exposure is automatic.
     fn put(&mut self, changed: Drawable) {
-        self.scene.0 = self.resolution.adopt(&changed.exposed());
+        let chosen = changed.exposed();
+        self.meter.set(chosen.picture.exposure_ev);
+        self.clock.set(chosen.disk.time);
+        self.scene.0 = chosen;
         self.toast.clear();
     }
 

@@ -3,7 +3,7 @@
 
 use bevy::prelude::*;
 use lightfall_core::scene::Scene;
-use lightfall_render::{ComparedScene, CurrentScene, Progress};
+use lightfall_render::{ComparedScene, DrawnScene, Progress};
 
 /// What the picture on the screen shows.
 #[derive(Resource, Default)]
@@ -20,7 +20,7 @@ pub(crate) fn plugin(app: &mut App) {
 
 /// Before the renderer has started there are no shaders, and no picture.
 fn note_shown_picture(
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     compared: Res<ComparedScene>,
     progress: Res<Progress>,
     mut shown: ResMut<ShownPicture>,

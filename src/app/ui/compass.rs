@@ -11,7 +11,7 @@ use bevy_egui::egui::{self, Align2, Color32, FontId, Pos2, Rect, Stroke, Vec2};
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass};
 use lightfall_core::numbers::four_digits;
 use lightfall_core::scene::Scene;
-use lightfall_render::{CurrentScene, letterbox};
+use lightfall_render::{DrawnScene, letterbox};
 
 /// Free room between the arrow and the sides, and the top and the bottom, of the picture, in points.
 /// The arrow moves on an ellipse, which stays clear of the corners.
@@ -39,7 +39,7 @@ pub(crate) fn plugin(app: &mut App) {
 
 fn show_compass(
     mut contexts: EguiContexts,
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     hole: Res<HoleInView>,
     overlays: Res<Overlays>,
     window: Single<&Window, With<PrimaryWindow>>,

@@ -12,7 +12,7 @@ use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_core::optics::stars::images::{NamedImage, named_images};
 use lightfall_core::scene::{Camera, Scene, SkyMode};
 use lightfall_platform::worker::Worker;
-use lightfall_render::{CurrentScene, StarCatalogue, letterbox};
+use lightfall_render::{DrawnScene, StarCatalogue, letterbox};
 
 /// How many stars have their names shown.
 const MAX_NAMES: usize = 50;
@@ -65,7 +65,7 @@ fn switch_star_names(
     mut commands: MessageReader<AppCommand>,
     mut overlays: ResMut<Overlays>,
     mut toast: ResMut<Toast>,
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
 ) {
     let presses = commands
         .read()
@@ -117,7 +117,7 @@ fn sky_of(scene: &Scene) -> Scene {
 }
 
 fn find_images(
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     overlays: Res<Overlays>,
     stars: Res<StarCatalogue>,
     mut names: ResMut<StarNames>,
@@ -138,7 +138,7 @@ fn find_images(
 fn show_star_names(
     mut contexts: EguiContexts,
     window: Single<&Window, With<PrimaryWindow>>,
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     overlays: Res<Overlays>,
     names: Res<StarNames>,
 ) -> Result {

@@ -7,6 +7,7 @@ use crate::antialias::AntialiasPass;
 use crate::camera_markers::SceneCamera;
 use crate::comparison::{ComparisonLayout, DifferencePass};
 use crate::full_screen_pass::{attachment, run_full_screen_pass};
+use crate::progress::DrawnFrame;
 use bevy::prelude::*;
 use bevy::render::diagnostic::RecordDiagnostics;
 use bevy::render::render_phase::TrackedRenderPass;
@@ -17,14 +18,15 @@ use lightfall_core::gpu::bands;
 
 pub(super) fn draw_geodesic_pass(
     view: ViewQuery<(&ViewTarget, &ViewDepthTexture), With<SceneCamera>>,
-    pass: Option<ResMut<GeodesicPass>>,
+    pass: Option<Res<GeodesicPass>>,
+    mut frame: ResMut<DrawnFrame>,
     (difference, antialias): (Option<Res<DifferencePass>>, Option<Res<AntialiasPass>>),
     cache: Res<PipelineCache>,
     mut context: RenderContext,
 ) {
-    let Some(mut pass) = pass else { return };
+    let Some(pass) = pass else { return };
     let (target, depth) = view.into_inner();
-    let drawn = match (pass.destination, &pass.pinned) {
+    frame.is_drawn = match (pass.destination, &pass.pinned) {
         (Destination::Light, Some((pinned, _))) => {
             let lights = difference.as_ref().and_then(|pass| pass.lights());
             lights.is_some_and(|lights| {
@@ -63,7 +65,6 @@ pub(super) fn draw_geodesic_pass(
                 )
         }
     };
-    pass.drawn = drawn;
 }
 
 /// Draws the current scene to the picture, and the pinned one left of the divider. Returns whether

@@ -8,6 +8,7 @@ use bevy::prelude::*;
 use bevy::render::render_resource::*;
 use bevy::render::renderer::{RenderDevice, RenderQueue};
 use lightfall_core::gpu::Drawable;
+use lightfall_core::scene::Frame;
 use std::ops::Range;
 
 /// The pass's resources on the GPU.
@@ -21,16 +22,9 @@ pub(crate) struct GeodesicPass {
     pub(super) destination: Destination,
     /// Whether a scene has changed since it was written.
     pub(super) changed: bool,
-    /// Whether this frame has drawn the written scenes.
-    pub(super) drawn: bool,
 }
 
 impl GeodesicPass {
-    /// Whether this frame has drawn the present scenes.
-    pub(crate) fn has_drawn_scene(&self) -> bool {
-        self.drawn && !self.changed
-    }
-
     /// The columns of a picture of this width that show the pinned scene and the current one.
     pub(super) fn columns(&self, width: u32) -> [Range<u32>; 2] {
         let divider = match self.pinned {
@@ -52,7 +46,7 @@ impl GeodesicPass {
         &mut self,
         scene: &Drawable,
         compared: &ComparedScene,
-        frame: (u32, u32),
+        frame: &Frame,
         device: &RenderDevice,
         queue: &RenderQueue,
     ) {
@@ -62,7 +56,7 @@ impl GeodesicPass {
         }
     }
 
-    /// What refines the scenes that this frame has drawn, and the columns of each.
+    /// What refines the scenes, and the columns of each.
     pub(crate) fn refinements<'a>(
         &'a self,
         cache: &'a PipelineCache,
@@ -73,7 +67,7 @@ impl GeodesicPass {
         pinned
             .into_iter()
             .chain([(&self.current, right)])
-            .filter(move |(_, columns)| self.drawn && !columns.is_empty())
+            .filter(|(_, columns)| !columns.is_empty())
             .filter_map(|(side, columns)| {
                 let (pipeline, bind_group) = side.refinement(cache)?;
                 Some((pipeline, bind_group, columns))

@@ -4,7 +4,7 @@
 use super::pipeline::{Destination, Traits};
 use crate::chain::Chain;
 use crate::comparison::ComparedScene;
-use crate::current_scene::CurrentScene;
+use crate::drawn_scene::DrawnScene;
 use crate::live_shaders::LiveShaders;
 use bevy::prelude::*;
 use bevy::render::extract_resource::ExtractResource;
@@ -95,7 +95,7 @@ const NAME: &str = "lightfall/geodesic.wgsl";
 /// Selects the shaders of the current scene and of the pinned one.
 pub(crate) fn select_geodesic_shaders(
     mut commands: Commands,
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     compared: Res<ComparedScene>,
     mut joined: ResMut<JoinedShaders>,
     mut shaders: ResMut<Assets<Shader>>,

@@ -41,8 +41,8 @@ pub(super) struct SideWriter<'a> {
     pub(super) catalogue: StarCatalogue,
     /// The faintest stars that are drawn as points, in V.
     pub(super) star_limit: StarLimit,
-    /// The number of the frame, and of all frames that are averaged.
-    pub(super) frame: (u32, u32),
+    /// The frame, as one of those that are averaged.
+    pub(super) frame: &'a Frame,
     pub(super) cache: &'a PipelineCache,
     pub(super) device: &'a RenderDevice,
     pub(super) queue: &'a RenderQueue,
@@ -75,7 +75,7 @@ impl Shared {
 }
 
 impl Side {
-    /// Writes a scene, which these pipelines draw, as one of several frames that are averaged.
+    /// Writes a scene, which these pipelines draw.
     pub(super) fn write(
         &mut self,
         scene: &Drawable,
@@ -84,7 +84,7 @@ impl Side {
     ) {
         let (device, queue) = (writer.device, writer.queue);
         let mut numbers = scene.numbers().clone();
-        numbers.picture = picture_of_sample(scene, writer.frame);
+        numbers.picture = GpuPicture::new(scene, writer.frame);
         self.uniform.set(numbers);
         self.uniform.write_buffer(device, queue);
         let inputs = Inputs {
@@ -187,11 +187,11 @@ impl Side {
     pub(super) fn set_frame(
         &mut self,
         scene: &Drawable,
-        frame: (u32, u32),
+        frame: &Frame,
         device: &RenderDevice,
         queue: &RenderQueue,
     ) {
-        let picture = picture_of_sample(scene, frame);
+        let picture = GpuPicture::new(scene, frame);
         if self.uniform.get().picture != picture {
             self.uniform.get_mut().picture = picture;
             self.uniform.write_buffer(device, queue);
@@ -216,9 +216,4 @@ impl Side {
         let pipeline = cache.get_compute_pipeline(self.pipelines?.refine?)?;
         Some((pipeline, self.bind_group.as_ref()?))
     }
-}
-
-/// The picture's numbers for one of several frames that are averaged.
-fn picture_of_sample(scene: &Drawable, (sample, samples): (u32, u32)) -> GpuPicture {
-    GpuPicture::new(scene, &Frame::of(scene).with_sample(sample, samples))
 }

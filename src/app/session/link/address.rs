@@ -3,11 +3,10 @@
 
 use crate::app::session::clipboard::Clipboard;
 use crate::app::session::frame_pacing::FramePacing;
-use crate::app::state::resolution::Resolution;
+use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
 use lightfall_core::scene::{Changes, Scene};
 use lightfall_platform::browser;
-use lightfall_render::CurrentScene;
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(PostUpdate, show_address);
@@ -41,17 +40,16 @@ fn address(scene: &Scene) -> Result<String, String> {
 /// in a short time.
 fn show_address(
     pacing: Res<FramePacing>,
-    scene: Res<CurrentScene>,
-    resolution: Res<Resolution>,
+    editor: SceneEditor,
     mut is_late: Local<bool>,
     mut shown: Local<Option<Scene>>,
 ) {
-    *is_late |= scene.is_changed();
+    *is_late |= editor.has_changed();
     if pacing.moving || !*is_late {
         return;
     }
     *is_late = false;
-    let scene = resolution.full_scene(&scene);
+    let scene = editor.scene();
     // A disk whose clock runs would change the address in every frame.
     if shown.as_ref().map(Scene::without_clock) != Some(scene.without_clock()) {
         if let Err(reason) = address(&scene).and_then(|address| browser::replace_address(&address))

@@ -3,14 +3,12 @@
 
 use super::pixels::{SAVED, pixels};
 use crate::app::controls::control::AppCommand;
-use crate::app::state::resolution::Resolution;
-use crate::app::state::toast::Toast;
+use crate::app::state::scene_editor::SceneEditor;
 use bevy::prelude::*;
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use bevy_egui::{EguiPostUpdateSet, EguiRenderOutput};
 use lightfall_platform::browser;
 use lightfall_platform::storage::{encoded_png, file_safe_name};
-use lightfall_render::CurrentScene;
 
 pub(crate) fn plugin(app: &mut App) {
     app.add_systems(
@@ -40,13 +38,8 @@ fn capture_window(
     }
 }
 
-fn download_picture(
-    captured: On<ScreenshotCaptured>,
-    scene: Res<CurrentScene>,
-    resolution: Res<Resolution>,
-    mut toast: ResMut<Toast>,
-) {
-    let scene = resolution.scene_in_window(&scene);
+fn download_picture(captured: On<ScreenshotCaptured>, mut editor: SceneEditor) {
+    let scene = editor.scene_in_window();
     let name = format!("lightfall-{}.png", file_safe_name(&scene.name));
     let download = || {
         let (size, rgb) = pixels(captured.image.clone())?;
@@ -55,6 +48,6 @@ fn download_picture(
         browser::download(&name, &png)?;
         Ok(format!("Downloaded {name}, {} x {} pixels", size.x, size.y))
     };
-    toast.say(download().unwrap_or_else(|reason: String| format!("Nothing is saved: {reason}")));
-    toast.keep_for(SAVED);
+    editor.say(download().unwrap_or_else(|reason: String| format!("Nothing is saved: {reason}")));
+    editor.keep_saying_for(SAVED);
 }

@@ -2,7 +2,6 @@
 
 use super::pixels::{SAVED, pixels};
 use crate::app::controls::control::AppCommand;
-use crate::app::state::resolution::Resolution;
 use crate::app::state::scene_editor::SceneEditor;
 use crate::app::state::toast::Toast;
 use bevy::prelude::*;
@@ -12,7 +11,7 @@ use lightfall_picture as picture;
 use lightfall_picture::{HeadlessOptions, Still};
 use lightfall_platform::storage::{file_safe_name, pictures_folder};
 use lightfall_platform::worker::Worker;
-use lightfall_render::{CurrentScene, StarCatalogue};
+use lightfall_render::StarCatalogue;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -55,7 +54,17 @@ fn save_picture(
         .read()
         .any(|command| *command == AppCommand::Screenshot)
     {
-        let scenes = Box::new(editor.scene_and_drawing());
+        let scene = editor.scene_in_window();
+        // In cells the file has those of the window, and without them its full size.
+        let drawn = if editor.shows_cells() {
+            Scene {
+                picture: editor.picture_at_rest(),
+                ..scene.clone()
+            }
+        } else {
+            picture::filled(&scene)
+        };
+        let scenes = Box::new([scene, drawn]);
         writer.0.ask(Order::Picture(scenes, *stars));
         editor.say("Saving the picture");
         editor.keep_saying_for(MAX_SAVING);
@@ -75,14 +84,13 @@ fn save_window(mut asked: MessageReader<AppCommand>, mut commands: Commands) {
 
 fn write_window(
     captured: On<ScreenshotCaptured>,
-    scene: Res<CurrentScene>,
-    resolution: Res<Resolution>,
+    editor: SceneEditor,
     writer: Res<ScreenshotWriter>,
 ) {
-    let scene = Box::new(resolution.scene_in_window(&scene));
+    let (scene, image) = (editor.scene_in_window(), captured.image.clone());
     writer
         .0
-        .ask(Order::Window(scene, Box::new(captured.image.clone())));
+        .ask(Order::Window(Box::new(scene), Box::new(image)));
 }
 
 fn report_screenshot(writer: Res<ScreenshotWriter>, mut toast: ResMut<Toast>) {

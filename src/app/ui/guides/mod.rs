@@ -21,7 +21,7 @@ use lightfall_core::optics::guides::{Guide, Landmark, quick_guides, traced_guide
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::scene::{Scene, View};
 use lightfall_platform::worker::Worker;
-use lightfall_render::{ComparedScene, ComparisonLayout, CurrentScene, letterbox};
+use lightfall_render::{ComparedScene, ComparisonLayout, DrawnScene, letterbox};
 pub(in crate::app::ui) use place::Placement;
 use place::draw_line;
 use style::{Style, label};
@@ -115,7 +115,7 @@ fn sky_of(scene: &Scene) -> Scene {
     sky
 }
 
-fn trace_guides(scene: Res<CurrentScene>, mut guides: ResMut<Guides>) {
+fn trace_guides(scene: Res<DrawnScene>, mut guides: ResMut<Guides>) {
     if let Some(answer) = guides.worker.latest_answer() {
         guides.traced = Some(answer);
     }
@@ -133,7 +133,7 @@ fn trace_guides(scene: Res<CurrentScene>, mut guides: ResMut<Guides>) {
 fn show_guides(
     mut contexts: EguiContexts,
     window: Single<&Window, With<PrimaryWindow>>,
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     overlays: Res<Overlays>,
     preferences: Res<Preferences>,
     (guides, compared): (Res<Guides>, Res<ComparedScene>),

@@ -19,7 +19,7 @@ use divider::show_divider;
 use egui::{Align2, Color32, Pos2, Rect, pos2, vec2};
 use lightfall_core::scene::Scene;
 use lightfall_render::{
-    ComparedScene, Comparison, ComparisonLayout, ComparisonMode, CurrentScene, letterbox,
+    ComparedScene, Comparison, ComparisonLayout, ComparisonMode, DrawnScene, letterbox,
 };
 
 /// The divider stays this far from the picture's edges, as a share of its width, so that the mouse
@@ -41,7 +41,7 @@ pub(super) fn plugin(app: &mut App) {
 fn show_comparison(
     mut contexts: EguiContexts,
     window: Single<&Window, With<PrimaryWindow>>,
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     compared: Res<ComparedScene>,
     bindings: Res<Bindings>,
     (overlays, title, shown): (Res<Overlays>, Res<Title>, Res<ShownPicture>),

@@ -16,7 +16,7 @@ use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_core::numbers::{spin_digits, steady_digits};
 use lightfall_core::scene::{ObserverKind, Scene};
-use lightfall_render::CurrentScene;
+use lightfall_render::DrawnScene;
 
 /// Room between two columns and between two lines, in points.
 const GAP: [f32; 2] = [18.0, 3.0];
@@ -115,7 +115,7 @@ fn journey(player: &JourneyPlayer, paused: bool, bindings: &Bindings) -> String 
 
 fn show_read_outs(
     mut contexts: EguiContexts,
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     pilot: Res<Pilot>,
     held: HeldControls,
     free_fall: Res<FreeFall>,

@@ -22,7 +22,7 @@ use glam::DVec2;
 use lightfall_core::accuracy::Ray;
 use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::scene::{Picture, Scene};
-use lightfall_render::{ComparedScene, ComparisonLayout, CurrentScene, letterbox};
+use lightfall_render::{ComparedScene, ComparisonLayout, DrawnScene, letterbox};
 use ray_worker::{GpuState, InspectedRays, RayJob, RayWorker};
 
 /// The fans to choose from: rays per side.
@@ -102,7 +102,7 @@ fn inspect_clicked_pixel(
     buttons: Res<ButtonInput<MouseButton>>,
     window: Single<&Window, With<PrimaryWindow>>,
     overlays: Res<Overlays>,
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     compared: Res<ComparedScene>,
     mut inspector: ResMut<Inspector>,
 ) {
@@ -120,7 +120,7 @@ fn inspect_clicked_pixel(
 }
 
 /// The scene that a pixel shows: the pinned one left of a comparison's divider.
-fn scene_at<'a>(pixel: DVec2, scene: &'a CurrentScene, compared: &'a ComparedScene) -> &'a Scene {
+fn scene_at<'a>(pixel: DVec2, scene: &'a DrawnScene, compared: &'a ComparedScene) -> &'a Scene {
     match compared.drawn() {
         Some((pinned, ComparisonLayout::SideBySide { columns }))
             if pixel.x < f64::from(columns) =>
@@ -168,7 +168,7 @@ fn receive_rays(mut inspector: ResMut<Inspector>, mut toast: ResMut<Toast>) {
 fn show_inspector(
     mut contexts: EguiContexts,
     window: Single<&Window, With<PrimaryWindow>>,
-    (scene, compared): (Res<CurrentScene>, Res<ComparedScene>),
+    (scene, compared): (Res<DrawnScene>, Res<ComparedScene>),
     clipboard: Res<Clipboard>,
     mut overlays: ResMut<Overlays>,
     mut inspector: ResMut<Inspector>,

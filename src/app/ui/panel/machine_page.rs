@@ -123,7 +123,7 @@ impl MachinePage {
         egui::CollapsingHeader::new("What this scene compiles and allocates").show_unindented(
             ui,
             |ui| {
-                for (topic, items) in self.costs.rows(drawn, *machine.waves) {
+                for (topic, items) in self.costs.rows(&drawn, *machine.waves) {
                     ui.horizontal_top(|ui| {
                         let left = egui::Layout::left_to_right(egui::Align::Min);
                         ui.allocate_ui_with_layout(egui::vec2(TOPIC_WIDTH, 18.0), left, |ui| {

@@ -139,7 +139,7 @@ fn show_panel(
                 Page::Presets => presets.show(ui, &mut editor, &clipboard),
                 Page::Readouts => {
                     let settings = &mut preferences.settings;
-                    readouts.show(ui, editor.drawn_scene(), &free_fall, &bindings, settings);
+                    readouts.show(ui, &editor.drawn_scene(), &free_fall, &bindings, settings);
                 }
                 Page::Machine => {
                     let chosen = &mut preferences.settings.adapter;

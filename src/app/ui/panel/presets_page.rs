@@ -218,7 +218,7 @@ impl PresetsPage {
 }
 
 fn show_built_in(ui: &mut egui::Ui, editor: &mut SceneEditor) {
-    let name = editor.drawn_scene().name.clone();
+    let name = editor.scene().name;
     for preset in presets::PRESETS {
         let scene = preset.plain_scene();
         let number = preset.number.to_string();

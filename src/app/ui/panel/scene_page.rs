@@ -71,8 +71,8 @@ pub(super) fn show(
                         pause_button(ui, bindings, paused);
                     }
                     if field.key == FIELD_WITH_CELLS {
-                        let drawn = &editor.drawn_scene().picture;
-                        ui.weak(drawn_in_words(drawn, window, bindings));
+                        let drawn = editor.drawn_scene().picture;
+                        ui.weak(drawn_in_words(&drawn, window, bindings));
                     }
                 }
                 ui.add_space(6.0);

@@ -1,0 +1,81 @@
+//! The light meter, which chooses the exposure of scenes with automatic exposure.
+
+use super::MAX_FRAME_SECONDS;
+use bevy::prelude::Resource;
+use lightfall_core::optics::exposure::metered_exposure;
+use lightfall_core::scene::Scene;
+
+/// Seconds in which the difference from the metered exposure shrinks to 1/e. After a second nothing
+/// is left even of the largest difference, and a smaller one looks like an eye adapting.
+const FOLLOW_SECONDS: f64 = 0.2;
+/// Seconds between two measurements.
+const METER_INTERVAL: f64 = 0.1;
+/// A smaller difference, in powers of two, shows nowhere and is closed at once: the exposure of a
+/// picture at rest is the meter's own, whatever came before.
+const TOLERANCE: f64 = 0.02;
+
+/// The exposure that the light meter has chosen, its last measurement, and the scene that it
+/// measured.
+#[derive(Resource, Default)]
+pub(crate) struct LightMeter {
+    exposure_ev: f64,
+    /// Seconds since the last measurement.
+    age: f64,
+    /// The scene that was measured, without its exposure.
+    scene: Option<Scene>,
+    /// The exposure that suits the scene. `None` if the meter sees no light.
+    wanted: Option<f64>,
+}
+
+impl LightMeter {
+    /// A meter that has chosen this exposure.
+    pub(crate) fn at(exposure_ev: f64) -> Self {
+        Self {
+            exposure_ev,
+            ..Self::default()
+        }
+    }
+
+    /// The exposure in which a scene is shown: the meter's, or its own.
+    pub(crate) fn exposure_of(&self, scene: &Scene) -> f64 {
+        if scene.picture.automatic_exposure {
+            self.exposure_ev
+        } else {
+            scene.picture.exposure_ev
+        }
+    }
+
+    /// Chooses an exposure, from which it goes on.
+    pub(crate) fn set(&mut self, exposure_ev: f64) {
+        self.exposure_ev = exposure_ev;
+    }
+
+    /// Forgets what it has measured.
+    pub(crate) fn forget(&mut self) {
+        *self = Self::at(self.exposure_ev);
+    }
+
+    /// Comes nearer to the exposure that suits a scene, for `seconds`.
+    pub(crate) fn follow(&mut self, scene: &Scene, seconds: f64) {
+        self.age += seconds;
+        if self.age > METER_INTERVAL {
+            // The light meter does not see what moves in the disk.
+            let mut metered = scene.without_presentation().without_clock();
+            metered.picture.exposure_ev = 0.0;
+            if self.scene.as_ref() != Some(&metered) {
+                self.wanted = metered_exposure(scene).ok().flatten();
+                (self.scene, self.age) = (Some(metered), 0.0);
+            }
+        }
+        let Some(wanted) = self.wanted else {
+            return;
+        };
+        let missing = wanted - self.exposure_ev;
+        if missing.abs() <= TOLERANCE {
+            self.exposure_ev = wanted;
+        } else {
+            let share = 1.0 - (-seconds.min(MAX_FRAME_SECONDS) / FOLLOW_SECONDS).exp();
+            self.exposure_ev += share * missing;
+        }
+    }
+}
