@@ -21,6 +21,7 @@ pub use controls::control::{Action, Control, Group, Modifier};
 pub use controls::edits::edited;
 pub use controls::key_feedback::remark;
 pub use controls::refusal::checked_change;
+pub use controls::sections::{SECTIONS, Shown};
 pub use controls::statement::{change_words, statement};
 pub use controls::table::{CONTROLS, control_named};
 pub use input::gamepad::{NO_GAMEPAD, deflection, squeeze};
@@ -46,10 +47,7 @@ pub use state::settings_fault::SettingsFault;
 pub use state::toast::reading_time;
 pub use ui::help::help_rows;
 pub use ui::hud::{ReadOut, differences, physics_off, read_outs};
-pub use ui::panel::{
-    idle::why_idle,
-    sections::{SECTIONS, Shown},
-};
+pub use ui::panel::idle::why_idle;
 
 use bevy::app::PluginGroupBuilder;
 use bevy::camera::RenderTarget;

@@ -40,7 +40,7 @@ fn every_field_has_one_row_with_a_label_of_its_own() {
         assert_ne!(
             listed.contains(field.key),
             FIXED.contains(&field.key),
-            "{} needs a row in src/app/ui/panel/sections.rs",
+            "{} needs a row in src/app/controls/sections.rs",
             field.key
         );
     }

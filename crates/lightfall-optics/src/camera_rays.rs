@@ -8,7 +8,6 @@
 
 use crate::shift::RestFrame;
 use glam::{DVec3, DVec4};
-use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::geometry::observer::{
     ExpandedMatrix, ObserverError, ObserverMatrix, Photon, observer_matrix,
 };
@@ -39,9 +38,7 @@ impl CameraRays {
     /// whose absence is defined only outside.
     pub fn new(scene: &Scene) -> Result<Self, ObserverError> {
         let (camera, observer, effects) = (&scene.camera, &scene.observer, scene.effects);
-        let kerr = Kerr {
-            spin: scene.hole.spin,
-        };
+        let kerr = scene.kerr();
         let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
         let matrix_of =
             |kind, velocity| observer_matrix(kerr.spin, kind, velocity, camera.r, theta, phi);

@@ -7,7 +7,7 @@ mod page_thorne;
 pub use newtonian::{NEWTONIAN_PEAK, newtonian_flux};
 pub use page_thorne::{PageThorne, TABLE_LEN};
 
-use lightfall_model::geometry::kerr::{CircularOrbit, Kerr};
+use lightfall_model::geometry::kerr::CircularOrbit;
 use lightfall_model::scene::{Disk, DiskModel, Scene};
 use std::f64::consts::TAU;
 
@@ -20,9 +20,7 @@ pub fn inner_edge(scene: &Scene) -> f64 {
 /// The period of an orbit at the disk's inner edge, in r_s/c of Boyer-Lindquist's time: that of a
 /// distant clock.
 pub fn inner_period(scene: &Scene) -> Option<f64> {
-    let kerr = Kerr {
-        spin: scene.hole.spin,
-    };
+    let kerr = scene.kerr();
     let orbit = kerr.circular_orbit(inner_edge(scene))?;
     Some(TAU / orbit.angular_velocity)
 }

@@ -19,7 +19,6 @@ use crate::reference::{HoleAndDisk, Reference, time_to_plane};
 use crate::shift::{RestFrame, Shift};
 use crate::trace::{Hit, Outcome};
 use glam::{DMat3, DVec2, DVec3};
-use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::geometry::mino::PhotonConstants;
 use lightfall_model::geometry::observer::{
     ObserverError, ObserverKind, ObserverMatrix, Photon, observer_matrix,
@@ -67,9 +66,7 @@ pub struct Image {
 /// If the scene's observer cannot exist.
 pub fn echo(scene: &Scene) -> Result<Vec<Image>, ObserverError> {
     let rays = CameraRays::in_disk_frame(scene)?;
-    let kerr = Kerr {
-        spin: scene.hole.spin,
-    };
+    let kerr = scene.kerr();
     let (r, n) = (scene.camera.r, camera_in_disk_frame(scene));
     let spot = match HotSpot::new(scene) {
         Some(spot) if r > kerr.horizon() && n.z != 0.0 => spot,
@@ -247,9 +244,7 @@ fn straight_image(
     }
     let toward = way / delay;
     let lapse = RestFrame::at(
-        Kerr {
-            spin: scene.hole.spin,
-        },
+        scene.kerr(),
         scene.camera.r,
         scene.camera.theta_deg.to_radians(),
     )

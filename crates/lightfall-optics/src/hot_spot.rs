@@ -25,9 +25,7 @@ pub struct HotSpot {
 impl HotSpot {
     /// The scene's hot spot; `None` if it has none, or if no matter can orbit there.
     pub fn new(scene: &Scene) -> Option<Self> {
-        let kerr = Kerr {
-            spin: scene.hole.spin,
-        };
+        let kerr = scene.kerr();
         let there = scene.disk.enabled && scene.hot_spot.kind != HotSpotKind::None;
         let orbit = there
             .then(|| kerr.circular_orbit(scene.hot_spot.r))

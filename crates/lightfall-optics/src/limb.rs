@@ -36,9 +36,7 @@ impl Limb {
     pub fn new(scene: &Scene) -> Self {
         Self {
             law: scene.disk.limb,
-            kerr: Kerr {
-                spin: scene.hole.spin,
-            },
+            kerr: scene.kerr(),
             lensing: scene.effects.lensing,
             camera_lapse: Shift::new(scene).camera().lapse,
             camera_r: scene.camera.r,

@@ -17,7 +17,6 @@ use crate::hot_spot::HotSpot;
 use crate::reference::Reference;
 use crate::shift::{RestFrame, Shift};
 use crate::trace::Outcome;
-use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::geometry::observer::{ObserverError, observer_matrix};
 use lightfall_model::geometry::tetrad::{four_velocity, relative_velocity};
 use lightfall_model::scene::{ObserverKind, Scene};
@@ -81,9 +80,7 @@ impl Readout {
     /// If the scene's observer does not exist.
     pub fn new(scene: &Scene) -> Result<Self, ObserverError> {
         let (camera, observer) = (&scene.camera, &scene.observer);
-        let kerr = Kerr {
-            spin: scene.hole.spin,
-        };
+        let kerr = scene.kerr();
         let (r, theta, phi) = (
             camera.r,
             camera.theta_deg.to_radians(),
@@ -151,11 +148,7 @@ fn light_ahead(scene: &Scene) -> Result<Option<LightAhead>, ObserverError> {
     let lambda = scene.camera.r * scene.camera.direction().cross(photon.w).z / photon.energy;
     scene.effects.doppler = false;
     let gravity = Shift::new(&scene);
-    let outside = scene.camera.r
-        > Kerr {
-            spin: scene.hole.spin,
-        }
-        .horizon();
+    let outside = scene.camera.r > scene.kerr().horizon();
     Ok(match (trace.hits[0], trace.outcome) {
         (Some(hit), _) => Some(LightAhead {
             from_disk: true,

@@ -66,9 +66,7 @@ impl Reference {
             .enabled
             .then(|| [disk::inner_edge(scene), scene.disk.outer]);
         let hole_and_disk = HoleAndDisk {
-            kerr: Kerr {
-                spin: scene.hole.spin,
-            },
+            kerr: scene.kerr(),
             annulus,
         };
         let (shift, lensing) = (Shift::new(scene), scene.effects.lensing);

@@ -68,9 +68,7 @@ impl RestFrame {
 impl Shift {
     /// The shifts of this scene's light.
     pub fn new(scene: &Scene) -> Self {
-        let kerr = Kerr {
-            spin: scene.hole.spin,
-        };
+        let kerr = scene.kerr();
         let theta = scene.camera.theta_deg.to_radians();
         Self {
             kerr,

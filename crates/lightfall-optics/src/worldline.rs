@@ -60,9 +60,7 @@ impl Worldline {
     /// If the scene's observer does not exist.
     pub fn start(scene: &Scene) -> Result<Self, ObserverError> {
         let (camera, observer) = (&scene.camera, &scene.observer);
-        let kerr = Kerr {
-            spin: scene.hole.spin,
-        };
+        let kerr = scene.kerr();
         let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
         let matrix_of =
             |kind, velocity| observer_matrix(scene.hole.spin, kind, velocity, camera.r, theta, phi);

@@ -86,6 +86,50 @@ impl<Question: Send + 'static, Answer: Send + 'static> Worker<Question, Answer> 
     }
 }
 
+/// A background thread with one question at a time. It is asked again when the question changes, and
+/// its newest answer is kept.
+pub struct Follower<Question, Answer> {
+    worker: Worker<Question, (Question, Answer)>,
+    asked: Option<Question>,
+    newest: Option<(Question, Answer)>,
+}
+
+impl<Question: Clone + PartialEq + Send + 'static, Answer: Send + 'static>
+    Follower<Question, Answer>
+{
+    /// Starts a thread that answers with this function.
+    pub fn new(answer: impl Fn(&Question) -> Answer + Send + 'static) -> Self {
+        Self {
+            worker: Worker::serving_latest(move |question, answers| {
+                let answer = answer(&question);
+                answers.send((question, answer));
+            }),
+            asked: None,
+            newest: None,
+        }
+    }
+
+    /// Takes in a new answer, and asks the question unless it is the one asked last.
+    pub fn follow(&mut self, question: Question) {
+        self.newest = self.worker.latest_answer().or(self.newest.take());
+        if self.asked.as_ref() != Some(&question) {
+            self.worker.ask(question.clone());
+            self.asked = Some(question);
+        }
+    }
+
+    /// The newest answer, after its question.
+    pub fn newest(&self) -> Option<&(Question, Answer)> {
+        self.newest.as_ref()
+    }
+
+    /// The answer to the question asked last. `None` while it is awaited.
+    pub fn answer(&self) -> Option<&Answer> {
+        let (question, answer) = self.newest.as_ref()?;
+        (self.asked.as_ref() == Some(question)).then_some(answer)
+    }
+}
+
 /// The thread, which runs by itself.
 #[cfg(not(target_arch = "wasm32"))]
 struct Thread;

@@ -5,7 +5,6 @@ use super::control::Control;
 use super::edits::ALL_LEVELS;
 use super::refusal::no_observer;
 use super::table::control_named;
-use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::numbers::four_digits;
 use lightfall_core::optics::camera_rays::CameraRays;
 use lightfall_core::optics::disk::inner_edge;
@@ -80,10 +79,7 @@ pub fn remark(
 /// The kinds of observer that the key skipped because they cannot exist here, with the reasons.
 fn skipped_observers(before: &Scene, after: &Scene) -> Option<String> {
     let (from, to) = (before.observer.kind, after.observer.kind);
-    let horizon = Kerr {
-        spin: after.hole.spin,
-    }
-    .horizon();
+    let horizon = after.kerr().horizon();
     if from == to && after.camera.r < horizon {
         return Some("inside the horizon every observer falls".into());
     }

@@ -8,5 +8,6 @@ pub(crate) mod edits;
 pub(crate) mod key_feedback;
 pub(crate) mod keys;
 pub(crate) mod refusal;
+pub(crate) mod sections;
 pub(crate) mod statement;
 pub(crate) mod table;

@@ -1,12 +1,13 @@
-//! What a control says when it has changed the scene: the state that it has led to.
+//! What a control says after it has changed the scene: the new state.
 
 use super::control::{Action, Control};
 use super::edits::ALL_LEVELS;
+use super::sections::field_in_words;
 use lightfall_core::numbers::{four_digits, spin_digits};
 use lightfall_core::scene::{Camera, Picture, Scene};
 
-/// The state that a control has led to, in a few words, e.g. `Doppler shift: off`. None for controls
-/// that edit no scene: a preset's title says which one it is.
+/// The state after a control was used, in a few words, such as `Doppler shift: off`. None for controls
+/// that do not edit the scene. A control that loads a preset is one of these: the scene's title shows.
 #[must_use]
 pub fn statement(control: &Control, after: &Scene) -> Option<String> {
     let Action::Edit(edit) = control.action else {
@@ -56,7 +57,7 @@ pub(super) fn pixel_look(scene: &Scene) -> String {
     switched("Pixel look", !scene.picture.bypass)
 }
 
-/// The scene's exposure, and who chooses it.
+/// The scene's exposure, and whether it is automatic.
 #[must_use]
 pub fn exposure_in_words(scene: &Scene) -> String {
     let Picture {
@@ -71,7 +72,8 @@ pub fn exposure_in_words(scene: &Scene) -> String {
     }
 }
 
-/// The scene with the other one's exposure, if the light meter chose both: it is no change.
+/// The scene with the other one's exposure if both are automatic, so that the exposure is not counted
+/// as a change.
 fn metered_as(other: &Scene, scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     if scene.picture.automatic_exposure && other.picture.automatic_exposure {
@@ -80,8 +82,8 @@ fn metered_as(other: &Scene, scene: &Scene) -> Scene {
     scene
 }
 
-/// What differs between two scenes, in a few words, e.g. `spin`, or `the flight` where only the
-/// camera and how it moves differ.
+/// What differs between two scenes, in a few words, such as `spin`, or `the flight` if only the camera
+/// and its motion differ.
 #[must_use]
 pub fn change_words(before: &Scene, after: &Scene) -> String {
     let keys: Vec<&str> = metered_as(after, before)
@@ -93,49 +95,15 @@ pub fn change_words(before: &Scene, after: &Scene) -> String {
     match keys.as_slice() {
         [] => "nothing that shows".into(),
         _ if before.name != after.name => format!("preset {}", before.name),
-        ["observer.kind"] => "observer".into(),
+        ["observer.kind"] => field_in_words("observer.kind"),
         ["picture.exposure_ev", "picture.automatic_exposure"] => "exposure".into(),
         keys if keys.iter().all(flown) => "the flight".into(),
-        [key] => field_words(key),
-        [key, others @ ..] => format!("{} and {} more", field_words(key), others.len()),
+        [key] => field_in_words(key),
+        [key, others @ ..] => format!("{} and {} more", field_in_words(key), others.len()),
     }
 }
 
-/// A field in words.
-fn field_words(key: &str) -> String {
-    let (table, field) = key.rsplit_once('.').unwrap_or(("", key));
-    match (table, field) {
-        (_, "enabled" | "mode") => table.into(),
-        (_, "follow_isco") => "disk from the innermost stable orbit".into(),
-        (_, "bypass") => "pixel look".into(),
-        (_, "levels") => "tones".into(),
-        ("picture", "antialias") => "smooth edges".into(),
-        (_, "samples") => "frames averaged".into(),
-        (_, "edge_taper") => "soft edges of the disk".into(),
-        (_, "exposure_ev" | "automatic_exposure") => "exposure".into(),
-        ("disk", "limb") => "limb darkening".into(),
-        ("disk", "structure") => "structure of the disk".into(),
-        ("disk", "scale") => "width of the disk's filaments".into(),
-        ("disk", "aspect") => "length of the disk's filaments".into(),
-        ("disk", "pitch_deg") => "tilt of the disk's filaments".into(),
-        ("disk", "lifetime") => "lifetime of the disk's filaments".into(),
-        ("disk", "period") => "period of the disk's structure".into(),
-        ("disk", "tilt_deg") => "tilt of the disk".into(),
-        ("disk", "node_deg") => "azimuth of the disk's node".into(),
-        ("disk", "time") => "disk's clock".into(),
-        ("disk", "rate") => "rate of the disk's clock".into(),
-        ("hot_spot", "kind") => "hot spot".into(),
-        ("hot_spot", "r") => "radius of the hot spot".into(),
-        ("hot_spot", "phi_deg") => "azimuth of the hot spot".into(),
-        ("hot_spot", _) => format!("{} of the hot spot", field.replace('_', " ")),
-        (_, "doppler") => "Doppler shift".into(),
-        (_, "antialias") => "smooth edges of the probe".into(),
-        ("disk" | "sky" | "probe", _) => format!("{} of the {table}", field.replace('_', " ")),
-        _ => field.replace('_', " "),
-    }
-}
-
-/// The text with a capital at its beginning.
+/// The text with a capital first letter.
 fn capitalised(text: &str) -> String {
     let mut characters = text.chars();
     characters
@@ -144,8 +112,8 @@ fn capitalised(text: &str) -> String {
         .unwrap_or_default()
 }
 
-/// Where the probe is, as seen from the camera. The probe is drawn without lensing, so straight
-/// lines of flat space decide.
+/// The place of the probe as seen from the camera, along a straight line, because the probe is drawn
+/// without lensing.
 fn probe_place(scene: &Scene) -> String {
     let (camera, probe) = (&scene.camera, &scene.probe);
     let place = Camera {
@@ -159,17 +127,15 @@ fn probe_place(scene: &Scene) -> String {
     let looking = axes.transpose() * way;
     let [right, up, forward] = looking.to_array();
     let seen = camera.shows(looking, scene.picture.size().as_dvec2());
+    if seen {
+        return "in view".into();
+    }
     let side = match (right.abs() > up.abs(), right > 0.0, up > 0.0) {
-        _ if seen => "in view",
         _ if forward < 0.0 && -forward > right.abs().max(up.abs()) => "behind you",
         (true, true, _) => "to the right, out of view",
         (true, false, _) => "to the left, out of view",
         (false, _, true) => "above you, out of view",
         (false, _, false) => "below you, out of view",
     };
-    if seen {
-        side.into()
-    } else {
-        format!("{side}, at r {} r_s", four_digits(probe.r))
-    }
+    format!("{side}, at r {} r_s", four_digits(probe.r))
 }

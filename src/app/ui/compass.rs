@@ -1,6 +1,6 @@
-//! The arrow at the edge of the picture that points to the hole while it is out of view, and to the
-//! sky while the hole fills the view; and a ring around a hole too small to be seen, unless nothing
-//! of it is drawn: without lensing and disk the stars look as they do from Earth.
+//! The compass: an arrow at the edge of the picture that points to the hole while it is out of view,
+//! and to the sky while the hole fills the view. A hole too small to be seen gets a ring, unless there
+//! is neither lensing nor a disk to be seen.
 
 use crate::app::state::hole_in_view::{HoleInView, SeenHole};
 use crate::app::state::overlays::Overlays;
@@ -13,20 +13,20 @@ use lightfall_core::numbers::four_digits;
 use lightfall_core::scene::Scene;
 use lightfall_render::{DrawnScene, letterbox};
 
-/// Free room between the arrow and the sides, and the top and the bottom, of the picture, in points.
+/// Free room between the arrow and the picture's edges, in points: left and right, and top and bottom.
 /// The arrow moves on an ellipse, which stays clear of the corners.
 const ROOM: [f32; 2] = [60.0, 130.0];
 /// Half the length of the arrow's two strokes, in points.
 const ARROW: f32 = 9.0;
 /// Distance from the arrow to the middle of its label, in points: across and down.
 const LABEL_DISTANCE: [f32; 2] = [58.0, 28.0];
-/// A hole and disk with a smaller radius than this, in points, get a ring: among stars they are easy
-/// to overlook.
+/// Maximum radius in points of a hole with its disk that gets a ring. Smaller ones are easy to overlook
+/// among stars.
 const SMALL_RADIUS: f32 = 36.0;
-/// Smallest radius of the ring, and its distance from the hole and disk, in points.
+/// Minimum radius of the ring, and its distance from the hole and disk, in points.
 const MIN_RING: f32 = 14.0;
 const RING_DISTANCE: f32 = 6.0;
-/// A target whose distance from the line straight behind has a smaller sine than this is behind.
+/// Sine of the angle from straight back within which a target counts as behind the camera.
 const BEHIND: f64 = 0.2;
 /// Size of the label, in points.
 const TEXT_SIZE: f32 = 14.0;
@@ -56,8 +56,7 @@ fn show_compass(
     if hole.fills_view {
         draw_arrow(&painter, free, -hole.direction, "sky");
     } else if !hole.in_picture {
-        let distance = format!("hole  {} r_s", four_digits(scene.camera.r));
-        draw_arrow(&painter, free, hole.direction, &distance);
+        draw_arrow(&painter, free, hole.direction, &hole_label(&scene));
     } else if scene.effects.lensing || scene.disk.enabled {
         let pixels = context.pixels_per_point();
         draw_ring(&painter, &scene, &hole, window.physical_size(), pixels);
@@ -65,17 +64,18 @@ fn show_compass(
     Ok(())
 }
 
-/// An arrow toward a target with this direction on the camera's axes.
+/// Draws an arrow toward a target with this direction on the camera's axes.
 fn draw_arrow(painter: &egui::Painter, free: Rect, target: glam::DVec3, name: &str) {
     let aside = glam::DVec2::new(target.x, -target.y);
     let behind = target.z < 0.0 && aside.length() < BEHIND;
-    // Straight behind no side is nearer than another: the arrow points down.
+    // No side is nearer to a target straight behind, so the arrow points down.
+    let down = glam::DVec2::Y;
     let toward = if behind {
-        Vec2::DOWN
+        down
     } else {
-        let toward = aside.normalize_or(glam::DVec2::Y).as_vec2();
-        egui::vec2(toward.x, toward.y)
+        aside.normalize_or(down)
     };
+    let toward = egui::vec2(toward.x as f32, toward.y as f32);
     let axes = (0.5 * free.size() - Vec2::from(ROOM)).max(Vec2::ZERO);
     let tip = free.center() + toward * axes;
     let back = -toward * ARROW;
@@ -85,15 +85,12 @@ fn draw_arrow(painter: &egui::Painter, free: Rect, target: glam::DVec3, name: &s
             painter.line_segment([tip, tip + back + wing], stroke);
         }
     }
-    let text = if behind {
-        format!("{name}, behind you")
-    } else {
-        name.to_owned()
-    };
-    draw_label(painter, tip - toward * Vec2::from(LABEL_DISTANCE), &text);
+    let behind = if behind { ", behind you" } else { "" };
+    let place = tip - toward * Vec2::from(LABEL_DISTANCE);
+    draw_label(painter, place, format!("{name}{behind}"));
 }
 
-/// A ring around a hole and a disk that are too small on the screen to be found.
+/// Draws a ring around a hole and a disk that are too small on the screen to be found.
 fn draw_ring(
     painter: &egui::Painter,
     scene: &Scene,
@@ -121,13 +118,21 @@ fn draw_ring(
     let ring = (radius + RING_DISTANCE).max(MIN_RING);
     painter.circle_stroke(place, ring, Stroke::new(4.0, DARK));
     painter.circle_stroke(place, ring, Stroke::new(1.5, BRIGHT));
-    let text = format!("hole  {} r_s", four_digits(scene.camera.r));
-    draw_label(painter, place + egui::vec2(0.0, ring + MIN_RING), &text);
+    draw_label(
+        painter,
+        place + egui::vec2(0.0, ring + MIN_RING),
+        hole_label(scene),
+    );
 }
 
-/// A line of text on a dark ground.
-fn draw_label(painter: &egui::Painter, middle: Pos2, text: &str) {
-    let galley = painter.layout_no_wrap(text.into(), FontId::proportional(TEXT_SIZE), BRIGHT);
+/// The label of the hole, with its distance.
+fn hole_label(scene: &Scene) -> String {
+    format!("hole  {} r_s", four_digits(scene.camera.r))
+}
+
+/// Draws a line of text on a dark ground.
+fn draw_label(painter: &egui::Painter, middle: Pos2, text: String) {
+    let galley = painter.layout_no_wrap(text, FontId::proportional(TEXT_SIZE), BRIGHT);
     let rect = Align2::CENTER_CENTER.anchor_size(middle, galley.size());
     painter.rect_filled(rect.expand2(egui::vec2(8.0, 4.0)), 6.0, DARK);
     painter.galley(rect.min, galley, BRIGHT);

@@ -1,12 +1,13 @@
-//! The two panels at the sides of the window, and the help: opening and closing them, and drawing a
-//! panel's frame.
+//! Opens and closes what is drawn over the picture, and draws the frames of the two side panels.
 
 use crate::app::controls::control::AppCommand;
 use crate::app::input::pointer::locate_pointer;
 use crate::app::state::overlays::{Overlays, Side};
 use crate::app::state::toast::Toast;
+use crate::app::ui::star_names::has_stars;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, egui};
+use lightfall_render::CurrentScene;
 
 /// Room inside a panel, in points.
 const MARGIN: f32 = 8.0;
@@ -24,35 +25,48 @@ pub(crate) fn apply_overlay_commands(
     mut commands: MessageReader<AppCommand>,
     mut overlays: ResMut<Overlays>,
     mut toast: ResMut<Toast>,
+    scene: Res<CurrentScene>,
 ) {
     for command in commands.read() {
-        match command {
-            AppCommand::Hide => overlays.hidden = !overlays.hidden,
+        let (is_open, [open, closed]) = match command {
+            AppCommand::Hide => {
+                overlays.hidden = !overlays.hidden;
+                continue;
+            }
             AppCommand::Help => {
                 overlays.toggle_help();
-                if !overlays.help {
-                    toast.say("Help: closed");
-                }
+                // An open help needs no words.
+                (overlays.help, ["", "Help: closed"])
             }
             AppCommand::Panel => {
                 overlays.toggle_side(Side::Right);
-                toast.say(opened("Panel", overlays.panel));
+                (overlays.panel, ["Panel: open", "Panel: closed"])
             }
             AppCommand::Inspector => {
                 overlays.toggle_side(Side::Left);
-                toast.say(if overlays.inspector {
-                    "Ray inspector: click a pixel"
-                } else {
-                    "Ray inspector: closed"
-                });
+                let open = "Ray inspector: click a pixel";
+                (overlays.inspector, [open, "Ray inspector: closed"])
             }
-            _ => {}
+            AppCommand::Guides => {
+                overlays.toggle_guides();
+                (overlays.guides, ["Guides: on", "Guides: off"])
+            }
+            AppCommand::StarNames => {
+                overlays.toggle_star_names();
+                let on = if has_stars(&scene) {
+                    "Star names: on"
+                } else {
+                    "Star names: on, but the sky shows no real stars"
+                };
+                (overlays.star_names, [on, "Star names: off"])
+            }
+            _ => continue,
+        };
+        let says = if is_open { open } else { closed };
+        if !says.is_empty() {
+            toast.say(says);
         }
     }
-}
-
-fn opened(what: &str, open: bool) -> String {
-    format!("{what}: {}", if open { "open" } else { "closed" })
 }
 
 fn divide_window_width(mut contexts: EguiContexts, mut overlays: ResMut<Overlays>) {
@@ -61,8 +75,8 @@ fn divide_window_width(mut contexts: EguiContexts, mut overlays: ResMut<Overlays
     }
 }
 
-/// Shows a panel as high as the window. It is an egui area of its own, so that the mouse over it
-/// does nothing to the picture.
+/// Shows a side panel as high as the window. It is an egui area of its own, so that the mouse over it
+/// does not act on the picture.
 pub(crate) fn docked(
     context: &egui::Context,
     name: &'static str,

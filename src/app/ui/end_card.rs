@@ -27,21 +27,20 @@ fn show_end_card(
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
-    // The keys of a control, and its buttons where there is a gamepad.
+    // The keys of a control and, with a gamepad, its buttons.
     let inputs = |id: &str| {
-        let keys = if id == "preset.next" {
-            let [first, last] = ["preset.1", "preset.9"].map(|id| bindings.label(id));
-            format!("{first} to {last}")
-        } else {
-            bindings.label(id)
+        let keys = match id {
+            "preset.next" => ["preset.1", "preset.9"]
+                .map(|id| bindings.label(id))
+                .join(" to "),
+            _ => bindings.label(id),
         };
-        let buttons = match pads.is_empty() {
-            true => String::new(),
-            false => pad_bindings.label(id),
-        };
-        let both = [keys, buttons];
-        let named: Vec<_> = both.into_iter().filter(|name| !name.is_empty()).collect();
-        named.join(" or ")
+        let buttons = pad_bindings.label(id);
+        match (pads.is_empty() || buttons.is_empty(), keys.is_empty()) {
+            (true, _) => keys,
+            (false, true) => buttons,
+            (false, false) => format!("{keys} or {buttons}"),
+        }
     };
     egui::Area::new("end card".into())
         .anchor(egui::Align2::CENTER_CENTER, [0.0, 0.0])

@@ -1,6 +1,6 @@
-//! The help: a list of all controls, made from the control table.
+//! The help: a list of every control, made from the table of controls.
 
-use crate::app::controls::bindings::{Bindings, PadBindings};
+use crate::app::controls::bindings::{Bindable, BindingTable, Bindings, PadBindings};
 use crate::app::controls::control::{Control, Group};
 use crate::app::input::gamepad::Pads;
 use crate::app::state::overlays::Overlays;
@@ -13,7 +13,7 @@ const MOUSE: [[&str; 2]; 2] = [["right mouse", "look around"], ["wheel", "speed"
 /// What a gamepad's sticks do. Its buttons are bound to controls.
 const STICKS: [[&str; 2]; 2] = [["left stick", "fly"], ["right stick", "look around"]];
 
-/// How the headings are arranged in columns: the first arrangement that fits the window is used.
+/// Arrangements of the headings in columns. The first one that fits the window is used.
 const COLUMNS: [&[&[Group]]; 4] = [
     &[
         &[Group::Flight],
@@ -32,7 +32,7 @@ const COLUMNS: [&[&[Group]]; 4] = [
     ],
     &[&Group::ALL],
 ];
-/// The same with room for the gamepad's table under the last column.
+/// The same, with room for the gamepad's table below the last column.
 const COLUMNS_WITH_GAMEPAD: [&[&[Group]]; 4] = [
     &[
         &[Group::Flight],
@@ -55,12 +55,12 @@ const COLUMNS_WITH_GAMEPAD: [&[&[Group]]; 4] = [
 const COLUMN_WIDTH: f32 = 320.0;
 /// Width of the keys in a column, in points.
 const KEYS_WIDTH: f32 = 104.0;
-/// Headings of the groups: the colour of the disk's light.
+/// Colour of the groups' headings: that of the disk's light.
 const HEADING: egui::Color32 = egui::Color32::from_rgb(255, 200, 130);
-/// What the unit of length means, said where a beginner looks for words.
+/// The meaning of the unit of length, for beginners.
 pub(crate) const RADIUS_UNIT: &str =
     "r_s: the Schwarzschild radius, the radius of the horizon without spin.";
-/// Room that is left free around the help, in points.
+/// Free room around the help, in points.
 const MARGIN: f32 = 24.0;
 /// Height of the title above the list and of the line below it, in points.
 const TITLE_HEIGHT: f32 = 92.0;
@@ -69,61 +69,45 @@ pub(crate) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show_help);
 }
 
-/// The rows under one heading: keys, and what they do. Neighbouring controls with the same words
-/// share a row.
+/// The rows below one heading: keys, and what they do.
 #[must_use]
 pub fn help_rows(bindings: &Bindings, group: Group) -> Vec<[String; 2]> {
-    let controls: Vec<&Control> = bindings
-        .iter()
-        .map(|(control, _)| control)
-        .filter(|control| control.group == group)
-        .collect();
-    let entries = controls
-        .chunk_by(|a, b| a.description == b.description)
-        .map(|entry| {
-            let names: Vec<_> = entry
-                .iter()
-                .map(|control| bindings.label_of(control))
-                .filter(|n| !n.is_empty())
-                .collect();
-            let numbers = names.len() > 2
-                && names
-                    .iter()
-                    .all(|name| name.len() == 1 && name.parse::<u8>().is_ok());
-            let keys = match (numbers, names.as_slice()) {
-                (true, [first, .., last]) => format!("{first} to {last}"),
-                _ => names.join(" "),
-            };
-            [keys, entry[0].description.to_owned()]
-        });
-    let mouse = MOUSE
-        .iter()
-        .filter(|_| group == Group::Flight)
-        .map(|row| row.map(str::to_owned));
-    entries.chain(mouse).collect()
+    let mut rows = rows(bindings, |control, _| control.group == group);
+    if group == Group::Flight {
+        rows.extend(MOUSE.map(|row| row.map(str::to_owned)));
+    }
+    rows
 }
 
 /// The rows of a gamepad: its sticks, and the controls that are bound to buttons.
 fn pad_rows(buttons: &PadBindings) -> Vec<[String; 2]> {
-    let bound: Vec<&Control> = buttons
+    let mut all = STICKS.map(|row| row.map(str::to_owned)).to_vec();
+    all.extend(rows(buttons, |_, own| !own.is_empty()));
+    all
+}
+
+/// The names of the listed controls' inputs, and what they do. Neighbouring controls with the same
+/// description share a row.
+fn rows<B: Bindable>(
+    bindings: &BindingTable<B>,
+    is_listed: impl Fn(&Control, &[B]) -> bool,
+) -> Vec<[String; 2]> {
+    let listed = bindings
         .iter()
-        .filter(|(_, own)| !own.is_empty())
-        .map(|(control, _)| control)
-        .collect();
-    let entries = bound
-        .chunk_by(|a, b| a.description == b.description)
-        .map(|entry| {
-            let names: Vec<_> = entry
-                .iter()
-                .map(|control| buttons.label_of(control))
-                .collect();
-            [names.join(" "), entry[0].description.to_owned()]
-        });
-    STICKS
-        .iter()
-        .map(|row| row.map(str::to_owned))
-        .chain(entries)
-        .collect()
+        .filter(|(control, own)| is_listed(control, own));
+    let controls: Vec<&Control> = listed.map(|(control, _)| control).collect();
+    let rows = controls.chunk_by(|a, b| a.description == b.description);
+    rows.map(|row| {
+        let names = row.iter().map(|control| bindings.label_of(control));
+        let names: Vec<_> = names.filter(|name| !name.is_empty()).collect();
+        let is_digit = |name: &String| name.len() == 1 && name.parse::<u8>().is_ok();
+        let inputs = match names.as_slice() {
+            [first, _, .., last] if names.iter().all(is_digit) => format!("{first} to {last}"),
+            _ => names.join(" "),
+        };
+        [inputs, row[0].description.to_owned()]
+    })
+    .collect()
 }
 
 fn show_help(

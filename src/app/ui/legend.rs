@@ -48,13 +48,9 @@ fn show_legend(
                         let (rect, _) =
                             ui.allocate_exact_size(egui::vec2(22.0, 12.0), egui::Sense::hover());
                         let edge = egui::Stroke::new(1.0, egui::Color32::from_gray(90));
-                        ui.painter().rect(
-                            rect,
-                            1.0,
-                            as_shown((*colour).into()),
-                            edge,
-                            egui::StrokeKind::Inside,
-                        );
+                        let fill = as_shown((*colour).into());
+                        ui.painter()
+                            .rect(rect, 1.0, fill, edge, egui::StrokeKind::Inside);
                         ui.label(egui::RichText::new(*meaning).size(13.0));
                     });
                 }
@@ -66,27 +62,27 @@ fn show_legend(
     Ok(())
 }
 
-/// Why a view has nothing to show with the scene's method.
+/// Why the scene's view has nothing to show.
 fn why_empty(scene: &Scene) -> Option<&'static str> {
     let method = scene.method.resolved().properties();
-    let straight = !scene.effects.lensing;
+    let steps = scene.effects.lensing && method.steps;
     match scene.view {
-        View::Unfinished if straight || method.answers_every_ray => {
+        View::Unfinished if !scene.effects.lensing || method.answers_every_ray => {
             Some("This method finishes every ray.")
         }
-        View::Residual if straight || !method.steps => {
+        View::Residual if !steps => {
             Some("This method solves for rays instead of stepping along them: it has no residual.")
         }
-        View::Delay if !scene.disk.enabled => Some("The disk is off: no light to time."),
-        View::Steps if straight || !method.steps => {
+        View::Steps if !steps => {
             Some("This method solves for rays instead of stepping along them: no ray takes a step.")
         }
+        View::Delay if !scene.disk.enabled => Some("The disk is off: no light to time."),
         _ => None,
     }
 }
 
-/// The colour of a mark on the screen: its light, a little darker than white, tone-mapped like the
-/// picture (Khronos PBR neutral; no mark is bright enough to reach the shoulder of the curve).
+/// The colour of a mark on the screen: its light, a little darker than white, tone-mapped as in the
+/// picture. The curve is Khronos PBR neutral, whose shoulder no mark reaches.
 fn as_shown(colour: Vec3) -> egui::Color32 {
     let light = lightfall_core::gpu::MARK_BRIGHTNESS as f32 * colour;
     let least = light.min_element();

@@ -1,4 +1,4 @@
-//! Draws the large lines over the picture: a notice, or why the picture is black and what to do.
+//! Draws the large lines over the picture: a notice, or why the picture is black and which keys help.
 
 use crate::app::controls::bindings::Bindings;
 use crate::app::motion::steering::is_inside;
@@ -14,7 +14,7 @@ use lightfall_render::CurrentScene;
 /// Sizes of the two lines, in points.
 const TITLE_SIZE: f32 = 28.0;
 const TEXT_SIZE: f32 = 15.0;
-/// Where a notice stands, as a share of the window's height: above the hole.
+/// Height of a notice from the top, as a share of the window's height: above the hole.
 const NOTICE_HEIGHT: f32 = 0.2;
 
 pub(crate) fn plugin(app: &mut App) {
@@ -50,14 +50,15 @@ fn show_notice(
 fn way_out(inside: bool, bindings: &Bindings) -> String {
     let [face, away, undo] =
         ["fly.face", "fly.backward", "scene.undo"].map(|id| bindings.label(id));
-    if inside {
-        format!("{face} faces outward  ·  {undo} returns")
+    let away = if inside {
+        String::new()
     } else {
-        format!("{face} faces outward  ·  {away} backs away  ·  {undo} returns")
-    }
+        format!("{away} backs away  ·  ")
+    };
+    format!("{face} faces outward  ·  {away}{undo} returns")
 }
 
-/// Two centred lines, at this distance from the middle of the window in points.
+/// Draws two centred lines, at this distance in points from the middle of the window.
 fn draw(context: &egui::Context, from_middle: [f32; 2], title: &str, text: &str) {
     egui::Area::new("notice".into())
         .anchor(egui::Align2::CENTER_CENTER, from_middle)

@@ -2,8 +2,8 @@
 
 use lightfall_core::numbers::four_digits;
 
-/// A number with four decimals at most, or with its first eight digits where four decimals would
-/// hide it. For values that are set.
+/// A value that the user sets, with at most four decimals, or with its first eight digits if four
+/// decimals would hide them.
 pub(crate) fn four_decimals(number: f64) -> String {
     let number = eight_digits(number);
     let size = number.abs();
@@ -26,8 +26,7 @@ pub(crate) fn eight_digits(number: f64) -> f64 {
 /// Words for the size of a number.
 const SIZES: [(f64, &str); 3] = [(1e12, "trillion"), (1e9, "billion"), (1e6, "million")];
 
-/// A number with four digits at most and a word for its size, such as `25.4 million`. For values
-/// that are computed.
+/// A computed value with at most four digits and a word for its size, such as `25.4 million`.
 pub(crate) fn in_words(number: f64) -> String {
     let size = SIZES.into_iter().find(|(size, _)| number.abs() >= *size);
     match size {
@@ -45,8 +44,21 @@ pub(crate) fn from_words(text: &str) -> Option<f64> {
     Some(number * size.map_or(1.0, |(size, _)| size))
 }
 
+/// The longest of 1, 2, 5, 10, ... and of 0.5, 0.2, 0.1, ... that is at most `longest`, for a scale
+/// bar. `None` if `longest` is far from every length of a scene.
+pub(crate) fn round_length(longest: f64) -> Option<f64> {
+    if !(1e-12..1e12).contains(&longest) {
+        return None;
+    }
+    let power = longest.log10().floor();
+    let digits = longest / 10_f64.powf(power);
+    let digit = [5, 2].into_iter().find(|digit| f64::from(*digit) <= digits);
+    // Parsed from decimal digits, so that no digit of a binary fraction follows them.
+    format!("{}e{power}", digit.unwrap_or(1)).parse().ok()
+}
+
 /// Decimal digits without the zeros at their end.
-fn trimmed(digits: String) -> String {
+pub(crate) fn trimmed(digits: String) -> String {
     if digits.contains('.') {
         digits.trim_end_matches('0').trim_end_matches('.').into()
     } else {

@@ -1,4 +1,5 @@
-//! The photo mode: nothing is drawn over the picture, and journeys, falls and the disk stand still.
+//! The photo mode: nothing is drawn over the picture, and journeys, falls and the disk's clock are
+//! paused.
 
 use crate::app::controls::bindings::Bindings;
 use crate::app::state::overlays::Overlays;
@@ -6,7 +7,7 @@ use crate::app::state::paused::Paused;
 use crate::app::state::toast::Toast;
 use bevy::prelude::*;
 
-/// The controls that matter in the photo mode, with what they do, in two lines.
+/// The most useful controls in the photo mode and what they do, in two lines.
 const KEYS: [&[(&[&str], &str)]; 2] = [
     &[
         (&["fly.orbit"], "goes around the hole"),
@@ -29,7 +30,7 @@ pub(crate) fn plugin(app: &mut App) {
     );
 }
 
-/// Pauses what moves when the photo mode begins, and lets it go on as before when it ends.
+/// Pauses all motion when the photo mode begins, and restores the state before when it ends.
 fn apply_photo_mode(
     overlays: Res<Overlays>,
     bindings: Res<Bindings>,
@@ -52,15 +53,12 @@ fn apply_photo_mode(
     }
 }
 
-/// What the photo mode says when it begins.
+/// The message at the beginning of the photo mode.
 fn keys_in_words(bindings: &Bindings) -> String {
     let lines = KEYS.map(|line| {
         let entries = line.iter().filter_map(|(ids, does)| {
-            let keys: Vec<_> = ids
-                .iter()
-                .map(|id| bindings.first_label(id))
-                .filter(|key| !key.is_empty())
-                .collect();
+            let keys = ids.iter().map(|id| bindings.first_label(id));
+            let keys: Vec<_> = keys.filter(|key| !key.is_empty()).collect();
             (!keys.is_empty()).then(|| format!("{} {does}", keys.join(" ")))
         });
         entries.collect::<Vec<_>>().join(" · ")

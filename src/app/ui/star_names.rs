@@ -1,9 +1,7 @@
-//! The names of bright stars over the picture: every image of a star has the star's name, and an
-//! image that the hole makes has its order and magnification as well.
+//! The names of bright stars over the picture. Every image of a star has the star's name; an image
+//! that the hole makes also has its order and magnification.
 
-use crate::app::controls::control::AppCommand;
 use crate::app::state::overlays::Overlays;
-use crate::app::state::toast::Toast;
 use crate::app::ui::guides::Placement;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
@@ -11,12 +9,12 @@ use bevy_egui::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, Vec2
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use lightfall_core::optics::stars::images::{NamedImage, named_images};
 use lightfall_core::scene::{Camera, Scene, SkyMode};
-use lightfall_platform::worker::Worker;
+use lightfall_platform::worker::Follower;
 use lightfall_render::{DrawnScene, StarCatalogue, letterbox};
 
-/// How many stars have their names shown.
+/// Largest number of stars with names.
 const MAX_NAMES: usize = 50;
-/// Images fainter than this have no name.
+/// Magnitude of the faintest image that has a name.
 const FAINTEST: f64 = 7.0;
 
 const SIZE: f32 = 12.0;
@@ -26,67 +24,33 @@ const DISTANCE: f32 = 9.0;
 const COLOUR: Color32 = Color32::from_rgb(170, 200, 255);
 const SHADE: Color32 = Color32::from_black_alpha(215);
 
-/// The images found, and the thread that looks for them.
+/// The thread that finds the images of stars in a scene, as [`sky_of`] gives it.
 #[derive(Resource)]
-struct StarNames {
-    worker: Worker<(Scene, StarCatalogue), Found>,
-    asked: Option<Scene>,
-    found: Option<Found>,
-}
+struct StarNames(Follower<Scene, Vec<NamedImage>>);
 
-/// Images of stars, and the scene that they belong to, as [`sky_of`] gives it.
-struct Found {
-    sky: Scene,
-    images: Vec<NamedImage>,
-}
-
-impl Default for StarNames {
-    fn default() -> Self {
-        let worker = Worker::serving_latest(|(sky, stars): (Scene, StarCatalogue), answers| {
-            // A scene that is drawn has an observer, and so has images.
-            let images = named_images(&sky, &stars, MAX_NAMES, FAINTEST).unwrap_or_default();
-            answers.send(Found { sky, images });
-        });
-        Self {
-            worker,
-            asked: None,
-            found: None,
-        }
+impl FromWorld for StarNames {
+    fn from_world(world: &mut World) -> Self {
+        let stars = *world.resource::<StarCatalogue>();
+        // A drawn scene has an observer, and so has images.
+        Self(Follower::new(move |sky| {
+            named_images(sky, &stars, MAX_NAMES, FAINTEST).unwrap_or_default()
+        }))
     }
 }
 
 pub(crate) fn plugin(app: &mut App) {
     app.init_resource::<StarNames>()
-        .add_systems(Update, (switch_star_names, find_images).chain())
+        .add_systems(Update, find_images)
         .add_systems(EguiPrimaryContextPass, show_star_names);
 }
 
-fn switch_star_names(
-    mut commands: MessageReader<AppCommand>,
-    mut overlays: ResMut<Overlays>,
-    mut toast: ResMut<Toast>,
-    scene: Res<DrawnScene>,
-) {
-    let presses = commands
-        .read()
-        .filter(|command| **command == AppCommand::StarNames);
-    for _ in presses {
-        overlays.toggle_star_names();
-        toast.say(match (overlays.star_names, has_stars(&scene)) {
-            (true, true) => "Star names: on",
-            (true, false) => "Star names: on, but the sky shows no real stars",
-            (false, _) => "Star names: off",
-        });
-    }
-}
-
 /// Whether the picture shows stars of the catalogue.
-fn has_stars(scene: &Scene) -> bool {
+pub(super) fn has_stars(scene: &Scene) -> bool {
     scene.sky.mode == SkyMode::Stars && scene.view.shows_light()
 }
 
-/// A scene with only what decides where images of stars are on the observer's sky. With spin it is
-/// the picture that images are looked for in.
+/// A scene with only the fields that decide where images of stars are on the observer's sky. With
+/// spin these include the picture, because images are searched for within it.
 fn sky_of(scene: &Scene) -> Scene {
     let mut sky = Scene {
         hole: scene.hole,
@@ -100,38 +64,19 @@ fn sky_of(scene: &Scene) -> Scene {
         sky.picture.width = scene.picture.width;
         sky.picture.height = scene.picture.height;
     } else {
-        let Camera {
-            r,
-            theta_deg,
-            phi_deg,
-            ..
-        } = scene.camera;
         sky.camera = Camera {
-            r,
-            theta_deg,
-            phi_deg,
+            r: scene.camera.r,
+            theta_deg: scene.camera.theta_deg,
+            phi_deg: scene.camera.phi_deg,
             ..Camera::default()
         };
     }
     sky
 }
 
-fn find_images(
-    scene: Res<DrawnScene>,
-    overlays: Res<Overlays>,
-    stars: Res<StarCatalogue>,
-    mut names: ResMut<StarNames>,
-) {
-    if !overlays.shows_star_names() || !has_stars(&scene) {
-        return;
-    }
-    if let Some(found) = names.worker.latest_answer() {
-        names.found = Some(found);
-    }
-    let sky = sky_of(&scene);
-    if names.asked.as_ref() != Some(&sky) {
-        names.worker.ask((sky.clone(), *stars));
-        names.asked = Some(sky);
+fn find_images(scene: Res<DrawnScene>, overlays: Res<Overlays>, mut names: ResMut<StarNames>) {
+    if overlays.shows_star_names() && has_stars(&scene) {
+        names.0.follow(sky_of(&scene));
     }
 }
 
@@ -143,10 +88,10 @@ fn show_star_names(
     names: Res<StarNames>,
 ) -> Result {
     // Names of an earlier place of the camera would point at nothing.
-    let found = names.found.as_ref().filter(|found| {
-        overlays.shows_star_names() && has_stars(&scene) && found.sky == sky_of(&scene)
+    let found = names.0.newest().filter(|(sky, _)| {
+        overlays.shows_star_names() && has_stars(&scene) && *sky == sky_of(&scene)
     });
-    let Some(found) = found else {
+    let Some((_, images)) = found else {
         return Ok(());
     };
     let context = contexts.ctx_mut()?;
@@ -159,13 +104,13 @@ fn show_star_names(
         .order(egui::Order::Background)
         .show(context, |ui| {
             let painter = ui.painter().with_clip_rect(placement.picture);
-            draw(&painter, &found.images, &placement);
+            draw(&painter, images, &placement);
         });
     Ok(())
 }
 
 /// Draws a ring around each image and its name beside it, the brightest first. An image whose name
-/// would cover another one is left out: next to the shadow, rings alone would only be clutter.
+/// would cover another name is left out: many rings without names next to the shadow would be clutter.
 fn draw(painter: &Painter, images: &[NamedImage], placement: &Placement) {
     let mut taken: Vec<Rect> = Vec::new();
     for image in images {
@@ -200,8 +145,8 @@ fn free_place(at: Pos2, size: Vec2, picture: Rect, taken: &[Rect]) -> Option<Rec
         })
 }
 
-/// The star's name; of an image of higher order, or of one that is not as bright as the star, its
-/// order and magnification too.
+/// The star's name. An image of higher order, or one that is not as bright as the star, also has its
+/// order and magnification.
 fn words(named: &NamedImage) -> String {
     let image = &named.image;
     if image.order == 0 && (0.95..1.05).contains(&image.magnification) {

@@ -1,4 +1,4 @@
-//! Where the user interface is drawn, and its colours and size.
+//! The user interface's colours, fonts and size, and the camera that draws it.
 
 use crate::app::state::preferences::Preferences;
 use bevy::prelude::*;
@@ -7,15 +7,15 @@ use bevy_egui::{
 };
 use lightfall_render::ScreenCamera;
 
-/// The one colour that marks what is chosen: the light of the disk.
+/// The colour of everything chosen: that of the disk's light.
 pub(crate) const ACCENT: egui::Color32 = egui::Color32::from_rgb(255, 178, 92);
 /// Colour of texts.
 pub(crate) const TEXT: egui::Color32 = egui::Color32::from_gray(222);
-/// Colour of texts that matter less, still at 7:1 on the panel.
+/// Colour of less important texts. Its contrast on the panel is 7:1.
 pub(crate) const WEAK_TEXT: egui::Color32 = egui::Color32::from_gray(160);
 /// Colour of panels.
 pub(crate) const PANEL_FILL: egui::Color32 = egui::Color32::from_rgb(13, 13, 17);
-/// Colour of fields in which something can be typed.
+/// Colour of text fields.
 const FIELD_FILL: egui::Color32 = egui::Color32::from_rgb(24, 24, 30);
 /// Sizes of the texts that appear over the picture, in points.
 const LETTER_SIZES: [f32; 6] = [12.5, 13.0, 13.5, 15.0, 16.0, 20.0];
@@ -43,8 +43,8 @@ fn attach_to_screen(mut commands: Commands, screens: Query<Entity, Added<ScreenC
     }
 }
 
-/// egui's own fonts, without their table of substitutions. The proportional one would draw two
-/// hyphens as one dash, and so show options of the command line as nobody can type them.
+/// egui's own fonts without their tables of substitutions. The proportional font would draw the two
+/// hyphens of an option of the command line as one dash.
 fn fonts() -> egui::FontDefinitions {
     let mut fonts = egui::FontDefinitions::default();
     for data in fonts.font_data.values_mut() {
@@ -55,9 +55,9 @@ fn fonts() -> egui::FontDefinitions {
     fonts
 }
 
-/// An OpenType font in which the table with this tag cannot be found. The font's directory begins
-/// with twelve bytes, of which the fifth and the sixth count its tables, and has sixteen bytes for
-/// each table, of which the first four are its tag.
+/// An OpenType font without the table with this tag. The font begins with a header of twelve bytes, of
+/// which the fifth and the sixth are the number of tables. Then come sixteen bytes for each table, of
+/// which the first four are its tag.
 fn without_table(font: &[u8], tag: [u8; 4]) -> Vec<u8> {
     let mut font = font.to_vec();
     let count = font
@@ -66,14 +66,14 @@ fn without_table(font: &[u8], tag: [u8; 4]) -> Vec<u8> {
     let entries = font.get_mut(12..).unwrap_or_default();
     for entry in entries.chunks_exact_mut(16).take(count.into()) {
         if entry[..4] == tag {
-            // Readers skip tables that they do not know.
+            // Readers skip tables with unknown tags.
             entry[..4].copy_from_slice(b"none");
         }
     }
     font
 }
 
-/// Sets colours in which text is legible on any picture, and the size that the settings want.
+/// Sets the colours, the fonts, and the size of the settings.
 fn apply_theme(
     mut contexts: EguiContexts,
     preferences: Res<Preferences>,
@@ -98,12 +98,11 @@ fn apply_theme(
     Ok(())
 }
 
-/// Lays out every usual letter in the sizes of the texts over the picture. A letter that appears for
-/// the first time is missing in its first frame, because its image reaches the adapter one frame
-/// late.
+/// Lays out every usual letter in the sizes of the texts over the picture. Otherwise a letter would be
+/// missing in its first frame, because its image reaches the adapter one frame late.
 fn prepare_letters(mut contexts: EguiContexts, mut prepared: Local<[f32; 2]>) -> Result {
     let context = contexts.ctx_mut()?;
-    // New fonts and a new scale empty the store of letters, from the next frame on.
+    // New fonts and a new scale clear the cache of letters in the next frame.
     let scale = context.pixels_per_point();
     if *prepared == [scale; 2] {
         return Ok(());
@@ -112,7 +111,7 @@ fn prepare_letters(mut contexts: EguiContexts, mut prepared: Local<[f32; 2]>) ->
     let letters: String = (' '..='~').chain("·–−×°…".chars()).collect();
     context.fonts_mut(|fonts| {
         for size in LETTER_SIZES {
-            // A letter has an image for each quarter of a pixel at which it may stand.
+            // A letter has one image for each quarter of a pixel of its position.
             for quarter in 0..4 {
                 let offset = 0.25 * quarter as f32 / scale;
                 let format = egui::TextFormat::simple(egui::FontId::proportional(size), TEXT);

@@ -65,9 +65,7 @@ impl GpuScene {
         frame: &Frame,
         tetrad_from_direction: DMat3,
     ) -> Result<Self, GpuError> {
-        let kerr = Kerr {
-            spin: scene.hole.spin,
-        };
+        let kerr = scene.kerr();
         check_method(scene, kerr)?;
         let rays = CameraRays::in_disk_frame(scene)?;
         let mut numbers = Self {
@@ -83,9 +81,7 @@ impl GpuScene {
 
     /// Writes the numbers that depend on the frame, too.
     pub(super) fn set_frame(&mut self, scene: &Scene, frame: &Frame) {
-        let kerr = Kerr {
-            spin: scene.hole.spin,
-        };
+        let kerr = scene.kerr();
         let whole = frame.whole.max(UVec2::ONE).as_dvec2();
         self.sky = GpuSky::new(scene, whole);
         self.quality = GpuQuality::new(scene, kerr, scene.camera.pixel_angle(whole));

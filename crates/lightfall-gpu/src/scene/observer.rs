@@ -81,9 +81,7 @@ impl GpuObserver {
 /// distance from the centre of flat space. `None` at and inside the horizon, where the camera's
 /// time is the ingoing one.
 pub(crate) fn time_lead(scene: &Scene) -> Option<f64> {
-    let kerr = Kerr {
-        spin: scene.hole.spin,
-    };
+    let kerr = scene.kerr();
     let r = scene.camera.r;
     match scene.effects.lensing {
         false => Some(r),

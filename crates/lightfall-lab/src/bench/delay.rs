@@ -8,7 +8,6 @@ use lightfall_accuracy::{Quantiles, Ray, hits, rays_over_picture};
 use lightfall_gpu::rays::RayKernel;
 use lightfall_gpu::timing::Stopwatch;
 use lightfall_gpu::{Gpu, GpuError, Variant};
-use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::scene::{Method, Scene};
 use lightfall_optics::reference::Reference;
 use lightfall_optics::trace::{Hit, Trace};
@@ -186,9 +185,7 @@ impl Plan {
             let found = kernel.trace_camera_rays(gpu, scene, given)?;
             errors = truth.iter().zip(&found).flat_map(delay_errors).collect();
         }
-        let kerr = Kerr {
-            spin: scene.hole.spin,
-        };
+        let kerr = scene.kerr();
         let turn = |(r, error): &(f64, f64)| {
             let orbit = kerr.circular_orbit(*r);
             orbit.map_or(f64::NAN, |orbit| orbit.angular_velocity * error)

@@ -113,9 +113,7 @@ impl CellDelays {
             method: method.word().into(),
             ..Self::default()
         };
-        let kerr = Kerr {
-            spin: cell.scene.hole.spin,
-        };
+        let kerr = cell.scene.kerr();
         for (truth, found) in truth.iter().zip(found) {
             match truth.errors(found) {
                 Some(errors) => errors.iter().for_each(|error| row.add(kerr, error)),

@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 use lightfall_gpu::GpuScene;
-use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::random::Random;
 use lightfall_model::scene::{Method, ObserverKind, Scene};
 
@@ -16,10 +15,7 @@ pub(super) fn random_scene(random: &mut Random) -> Scene {
             _ => (1.0 - random.log_between(1e-6, 0.5)) * if random.one_in(2) { -1.0 } else { 1.0 },
         };
         scene.method = Method::BEST;
-        let horizon = Kerr {
-            spin: scene.hole.spin,
-        }
-        .horizon();
+        let horizon = scene.kerr().horizon();
         scene.camera.r = horizon * (1.0 + random.log_between(1e-4, 1e6));
         scene.camera.theta_deg = match random.unit() {
             share if share < 0.1 => 90.0,

@@ -2,7 +2,6 @@
 //! is moved from place to place.
 
 use super::{DiskStructure, HotSpotKind, Scene};
-use crate::geometry::kerr::Kerr;
 
 impl Scene {
     /// Whether something moves in the scene, so that its picture depends on `disk.time`.
@@ -35,9 +34,7 @@ impl Scene {
     /// ingoing time t + r*, which is also the camera's own time at and inside the horizon. Without
     /// lensing light keeps t - r.
     pub fn disk_time_lead(&self, r: f64) -> f64 {
-        let kerr = Kerr {
-            spin: self.hole.spin,
-        };
+        let kerr = self.kerr();
         if !self.effects.lensing {
             return r;
         }

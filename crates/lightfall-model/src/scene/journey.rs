@@ -120,16 +120,8 @@ impl Journey {
             scene.disk.rate = rate;
         }
         if tracks.leads("phi_deg") {
-            let phi = scene.camera.phi_deg
-                - self
-                    .azimuth_lead(
-                        time,
-                        rain,
-                        Kerr {
-                            spin: scene.hole.spin,
-                        },
-                    )
-                    .to_degrees();
+            let phi =
+                scene.camera.phi_deg - self.azimuth_lead(time, rain, scene.kerr()).to_degrees();
             scene.camera.phi_deg = wrap_degrees(phi);
         }
     }

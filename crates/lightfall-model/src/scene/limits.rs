@@ -168,8 +168,9 @@ impl Scene {
         (low, Because { keys, reason })
     }
 
-    /// The hole's geometry.
-    fn kerr(&self) -> Kerr {
+    /// The geometry of the scene's hole.
+    #[must_use]
+    pub fn kerr(&self) -> Kerr {
         Kerr {
             spin: self.hole.spin,
         }

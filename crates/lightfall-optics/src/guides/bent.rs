@@ -6,7 +6,6 @@ use crate::critical_curve::CriticalCurve;
 use crate::reference::{HoleAndDisk, time_to_plane};
 use crate::trace::{Outcome, Trace};
 use glam::DVec3;
-use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::geometry::mino::PhotonConstants;
 use lightfall_model::geometry::observer::ObserverError;
 use lightfall_model::scene::Scene;
@@ -25,9 +24,7 @@ const FAR: f64 = 1e9;
 pub(super) fn shadow_edge(scene: &Scene) -> Result<Vec<DVec3>, ObserverError> {
     let place = Place::of(scene);
     let sky = Sky::bent(scene, &place)?;
-    let kerr = Kerr {
-        spin: scene.hole.spin,
-    };
+    let kerr = scene.kerr();
     let curve = CriticalCurve::new(kerr, sky.r, place.theta, place.phi);
     let angle = |i: usize| TAU * (i as f64 + 0.5) / EDGE_POINTS as f64;
     Ok(sky.curve_seen((0..EDGE_POINTS).map(|i| curve.at(angle(i)))))
@@ -48,9 +45,7 @@ pub(super) fn orbit_image(
     };
     let sky = Sky::bent(scene, &place)?;
     let hole = HoleAndDisk {
-        kerr: Kerr {
-            spin: scene.hole.spin,
-        },
+        kerr: scene.kerr(),
         // Rays are followed at least to this radius.
         annulus: Some([radius, FAR]),
     };
@@ -79,9 +74,7 @@ pub(super) fn orbit_image(
 /// includes rays that end at the hole. `None` without spin, and for a camera inside.
 pub(super) fn ergosphere(scene: &Scene) -> Result<Option<Vec<DVec3>>, ObserverError> {
     let sky = Sky::bent(scene, &Place::of(scene))?;
-    let kerr = Kerr {
-        spin: scene.hole.spin,
-    };
+    let kerr = scene.kerr();
     if kerr.spin == 0.0 || sky.r <= kerr.static_limit(sky.n.z) {
         return Ok(None);
     }

@@ -50,9 +50,7 @@ pub struct Guide {
 /// # Errors
 /// If the scene's observer does not exist.
 pub fn quick_guides(scene: &Scene) -> Result<Vec<Guide>, ObserverError> {
-    let kerr = Kerr {
-        spin: scene.hole.spin,
-    };
+    let kerr = scene.kerr();
     let mut guides = Vec::new();
     let mut add = |landmark, flat, curves: Vec<Vec<DVec3>>| {
         if curves.iter().any(|curve| !curve.is_empty()) {
@@ -98,10 +96,7 @@ pub fn traced_guides(scene: &Scene) -> Result<Vec<Guide>, ObserverError> {
     if !scene.effects.lensing {
         return Ok(Vec::new());
     }
-    let radius = Kerr {
-        spin: scene.hole.spin,
-    }
-    .isco();
+    let radius = scene.kerr().isco();
     let found = [
         (Landmark::StableOrbit, bent::orbit_image(scene, radius, 1)?),
         (

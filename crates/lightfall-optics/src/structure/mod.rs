@@ -42,9 +42,7 @@ impl Structure {
     /// smooth disk.
     pub fn new(scene: &Scene, limit: Option<u32>) -> Option<Self> {
         let model = Model::new(&scene.disk, limit)?;
-        let kerr = Kerr {
-            spin: scene.hole.spin,
-        };
+        let kerr = scene.kerr();
         let places = Rings::new(inner_edge(scene), scene.disk.outer);
         let rings = (0..places.count)
             .map(|i| Ring::new(&model, i, places.centre(i), kerr))

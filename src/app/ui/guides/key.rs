@@ -1,8 +1,9 @@
-//! The key to the guides: what each line means, which are traced through bent light, and the scale.
+//! The key to the guides: the meaning of each line, whether it is traced through bent light, and a
+//! scale bar.
 
 use super::place::Placement;
 use super::style::{Style, label, meaning};
-use crate::app::ui::number::in_words;
+use crate::app::ui::number::{in_words, round_length};
 use bevy_egui::egui::{self, Color32, RichText, Shape, Stroke, pos2, vec2};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, bar_across_hole};
@@ -13,7 +14,7 @@ use lightfall_core::scene::Scene;
 pub(super) const KEY: &str = "key to the guides";
 const SIZE: f32 = 12.5;
 const WIDTH: f32 = 292.0;
-/// Longest scale bar, in points.
+/// Maximum length of the scale bar, in points.
 const LONGEST_BAR: f64 = 200.0;
 /// Room at the edge of the window, in points.
 const MARGIN: f32 = 8.0;
@@ -22,13 +23,13 @@ const WEAK: Color32 = Color32::from_gray(198);
 
 /// What the key says about the guides as a whole.
 pub(super) struct Tracing {
-    /// Some of them are still traced.
+    /// Whether some of them are still being traced.
     pub(super) waiting: bool,
-    /// They belong to the right side of a comparison only.
+    /// Whether they belong to the right side of a comparison only.
     pub(super) right_side: bool,
 }
 
-/// Shows the key below `top` at the right edge of the free part of the window. Returns its place.
+/// Shows the key with its upper right corner at this place. Returns its box.
 pub(super) fn show_key(
     context: &egui::Context,
     scene: &Scene,
@@ -38,9 +39,7 @@ pub(super) fn show_key(
     [right, top]: [f32; 2],
     tracing: Tracing,
 ) -> egui::Rect {
-    let kerr = Kerr {
-        spin: scene.hole.spin,
-    };
+    let kerr = scene.kerr();
     let area = egui::Area::new(KEY.into())
         .fixed_pos([right - WIDTH - 2.0 * MARGIN, top])
         .interactable(false)
@@ -65,25 +64,22 @@ pub(super) fn show_key(
                 heading(ui, "Traced through bent light");
                 traced.iter().for_each(|guide| row(ui, guide, kerr));
                 if tracing.waiting {
-                    ui.label(RichText::new("tracing…").size(SIZE).color(WEAK));
+                    note(ui, "tracing…");
                 }
             }
             if !flat.is_empty() {
-                heading(
-                    ui,
-                    if scene.effects.lensing {
-                        "Flat: where it would be without bending"
-                    } else {
-                        "Lensing is off: every line is flat"
-                    },
-                );
+                let title = if scene.effects.lensing {
+                    "Flat: where it would be without bending"
+                } else {
+                    "Lensing is off: every line is flat"
+                };
+                heading(ui, title);
                 flat.iter().for_each(|guide| row(ui, guide, kerr));
             }
             if scene.effects.lensing {
-                note(
-                    ui,
-                    "Every line of sight inside the shadow, traced back, ends at the horizon.",
-                );
+                let shadow =
+                    "Every line of sight inside the shadow, traced back, ends at the horizon.";
+                note(ui, shadow);
             }
             scale_bar(ui, scene, placement, mass);
         });
@@ -93,7 +89,7 @@ pub(super) fn show_key(
 
 fn heading(ui: &mut egui::Ui, text: &str) {
     ui.add_space(3.0);
-    ui.label(RichText::new(text).size(SIZE).color(WEAK));
+    note(ui, text);
 }
 
 fn note(ui: &mut egui::Ui, text: &str) {
@@ -124,9 +120,9 @@ fn row(ui: &mut egui::Ui, guide: &Guide, kerr: Kerr) {
     });
 }
 
-/// A bar as long as a round length at the hole's distance.
+/// Shows a bar that is as long as a round length at the hole's distance.
 fn scale_bar(ui: &mut egui::Ui, scene: &Scene, placement: &Placement, mass: HoleMass) {
-    // So short that the picture's perspective does not matter.
+    // Short enough for the picture's perspective not to matter.
     let short = 1e-3 * scene.camera.r;
     let Some([left, right]) = bar_across_hole(scene, short) else {
         return;
@@ -157,19 +153,4 @@ fn scale_bar(ui: &mut egui::Ui, scene: &Scene, placement: &Placement, mass: Hole
         in_words(mass.suns)
     );
     ui.label(RichText::new(text).size(SIZE).color(TEXT));
-}
-
-/// The longest of 1, 2, 5, 10, ... and of 0.5, 0.2, 0.1, ... that is at most `longest`.
-fn round_length(longest: f64) -> Option<f64> {
-    if !(1e-12..1e12).contains(&longest) {
-        return None;
-    }
-    let power = longest.log10().floor();
-    let digits = longest / 10_f64.powf(power);
-    let digit = [5.0, 2.0]
-        .into_iter()
-        .find(|digit| *digit <= digits)
-        .unwrap_or(1.0);
-    // Read from decimal digits, so that it is written with no more of them.
-    format!("{digit}e{power}").parse().ok()
 }

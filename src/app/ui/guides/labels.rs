@@ -1,4 +1,4 @@
-//! The labels of the guides: a column of names beside the hole, each joined to its line.
+//! The labels of the guides: columns of names beside the hole, each joined to its line.
 
 use bevy_egui::egui::{
     self, Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Stroke, Vec2, pos2, vec2,
@@ -11,7 +11,7 @@ pub(super) struct Label {
     pub(super) colour: Color32,
     /// The visible points of its line.
     pub(super) points: Vec<Pos2>,
-    /// The direction from the middle of the figure in which it is joined to its line.
+    /// The direction from the figure's middle to the point of the line that it is joined to.
     pub(super) toward: Vec2,
 }
 
@@ -22,10 +22,10 @@ const GAP: f32 = 5.0;
 /// Distance of the column from the figure, and from the edge of the free part of the picture.
 const DISTANCE: f32 = 34.0;
 const MARGIN: f32 = 12.0;
-/// Opacity of the box behind a text, which keeps it legible on any picture.
+/// Colour of the box behind a text, on which the text is legible over any picture.
 const BOX: Color32 = Color32::from_black_alpha(240);
 
-/// A label with the place where it is joined to its line.
+/// A label with the point of the line that it is joined to.
 struct Anchored {
     galley: Arc<Galley>,
     colour: Color32,
@@ -39,8 +39,8 @@ impl Anchored {
     }
 }
 
-/// Draws the labels within `free`, beside the figure that their lines make. Those whose lines lie
-/// outside `free` are left out, and no label covers one of the boxes `taken`.
+/// Draws the labels within `free`, beside the figure that their lines make, and below the boxes
+/// `taken`. A label whose line lies outside `free` is left out.
 pub(super) fn draw_labels(painter: &Painter, mut labels: Vec<Label>, free: Rect, taken: &[Rect]) {
     let mut figure = Rect::NOTHING;
     for point in labels.iter().flat_map(|label| &label.points) {
@@ -60,7 +60,7 @@ pub(super) fn draw_labels(painter: &Painter, mut labels: Vec<Label>, free: Rect,
             .collect();
         Column::new(anchored, figure, free, right)
     };
-    // All on the left where a box covers a part of the right column's place.
+    // If a box covers a part of the right column's place, all labels go to the left.
     let column = column_of(&labels, true);
     if taken.iter().any(|taken| taken.intersects(column.wanted())) {
         for label in &mut labels {
@@ -74,7 +74,8 @@ pub(super) fn draw_labels(painter: &Painter, mut labels: Vec<Label>, free: Rect,
     }
 }
 
-/// The point of a label's line that lies most nearly in the label's direction.
+/// The label joined to the point of its line that is nearest to the label's direction. None if no
+/// point is within `free`.
 fn anchor(painter: &Painter, label: &Label, figure: Rect, free: Rect) -> Option<Anchored> {
     let inner = free.shrink(MARGIN);
     let agreement = |point: &&Pos2| (**point - figure.center()).normalized().dot(label.toward);
@@ -120,7 +121,7 @@ impl Column {
         }
     }
 
-    /// Where the labels are before they make room for each other.
+    /// The place of all labels before they make room for each other.
     fn wanted(&self) -> Rect {
         let mut wanted = Rect::NOTHING;
         for index in 0..self.labels.len() {
@@ -129,7 +130,7 @@ impl Column {
         wanted
     }
 
-    /// The box of a label. Labels end at the side of the figure.
+    /// The box of a label, whose edge toward the figure is aligned with the others.
     fn place(&self, index: usize) -> Rect {
         let label = &self.labels[index];
         let size = label.size();
@@ -152,7 +153,7 @@ impl Column {
             label.top = label.top.max(lowest);
             lowest = label.top + label.size().y + GAP;
         }
-        // Back up where the column leaves the picture.
+        // A column that would leave the picture moves up.
         let mut bottom = free.bottom() - MARGIN;
         for label in self.labels.iter_mut().rev() {
             label.top = label.top.min(bottom - label.size().y);

@@ -6,10 +6,8 @@ mod labels;
 mod place;
 mod style;
 
-use crate::app::controls::control::AppCommand;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::preferences::Preferences;
-use crate::app::state::toast::Toast;
 use crate::app::ui::legend::LEGEND;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
@@ -20,86 +18,43 @@ use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, Landmark, quick_guides, traced_guides};
 use lightfall_core::optics::readout::si::HoleMass;
 use lightfall_core::scene::{Scene, View};
-use lightfall_platform::worker::Worker;
+use lightfall_platform::worker::Follower;
 use lightfall_render::{ComparedScene, ComparisonLayout, DrawnScene, letterbox};
 pub(in crate::app::ui) use place::Placement;
 use place::draw_line;
 use style::{Style, label};
 
-/// Opacity of the guides that belong to an earlier place of the camera.
+/// Opacity of the slow guides while they belong to an earlier place of the camera.
 const STALE: f32 = 0.3;
 /// Room for the read-outs at the bottom, in points.
 const READ_OUT_HEIGHT: f32 = 104.0;
 /// Room at the edge of the window, in points.
 const MARGIN: f32 = 12.0;
 
-/// The guides, and the thread that traces the slow ones.
+/// The guides, each kind after the scene that it belongs to, as [`sky_of`] gives it.
 #[derive(Resource)]
 struct Guides {
-    worker: Worker<Scene, Traced>,
-    /// What was asked last.
-    asked: Option<Scene>,
-    /// The thread's last answer.
-    traced: Option<Traced>,
-    /// The quick guides, and what they belong to.
-    quick: Option<Traced>,
-}
-
-/// Guides, and the scene that they belong to, as [`sky_of`] gives it.
-struct Traced {
-    sky: Scene,
-    guides: Vec<Guide>,
-}
-
-impl Default for Guides {
-    fn default() -> Self {
-        let worker = Worker::serving_latest(|sky: Scene, answers| {
-            // A scene that is drawn has an observer, and so has guides.
-            let guides = traced_guides(&sky).unwrap_or_default();
-            answers.send(Traced { sky, guides });
-        });
-        Self {
-            worker,
-            asked: None,
-            traced: None,
-            quick: None,
-        }
-    }
+    quick: Option<(Scene, Vec<Guide>)>,
+    /// The thread that traces the slow guides.
+    slow: Follower<Scene, Vec<Guide>>,
 }
 
 pub(crate) fn plugin(app: &mut App) {
-    app.init_resource::<Guides>()
+    let guides = Guides {
+        quick: None,
+        // A drawn scene has an observer, and so has guides.
+        slow: Follower::new(|sky| traced_guides(sky).unwrap_or_default()),
+    };
+    app.insert_resource(guides)
         .add_systems(
             Update,
-            (
-                switch_guides,
-                trace_guides.run_if(|overlays: Res<Overlays>| overlays.shows_guides()),
-            )
-                .chain(),
+            trace_guides.run_if(|overlays: Res<Overlays>| overlays.shows_guides()),
         )
         .add_systems(EguiPrimaryContextPass, show_guides);
 }
 
-fn switch_guides(
-    mut commands: MessageReader<AppCommand>,
-    mut overlays: ResMut<Overlays>,
-    mut toast: ResMut<Toast>,
-) {
-    let presses = commands
-        .read()
-        .filter(|command| **command == AppCommand::Guides);
-    for _ in presses {
-        overlays.toggle_guides();
-        toast.say(if overlays.guides {
-            "Guides: on"
-        } else {
-            "Guides: off"
-        });
-    }
-}
-
-/// A scene with only what decides where guides are on the observer's sky. Around the axis
-/// everything is the same at every azimuth, but for a tilted disk.
+/// A scene with only the fields that decide where guides are on the observer's sky. Without a tilted
+/// disk, everything is the same at every azimuth.
 fn sky_of(scene: &Scene) -> Scene {
     let mut sky = Scene {
         hole: scene.hole,
@@ -116,17 +71,11 @@ fn sky_of(scene: &Scene) -> Scene {
 }
 
 fn trace_guides(scene: Res<DrawnScene>, mut guides: ResMut<Guides>) {
-    if let Some(answer) = guides.worker.latest_answer() {
-        guides.traced = Some(answer);
-    }
     let sky = sky_of(&scene);
-    if guides.asked.as_ref() != Some(&sky) {
-        guides.worker.ask(sky.clone());
-        guides.asked = Some(sky.clone());
-    }
-    if guides.quick.as_ref().is_none_or(|quick| quick.sky != sky) {
+    guides.slow.follow(sky.clone());
+    if guides.quick.as_ref().is_none_or(|(quick, _)| *quick != sky) {
         let found = quick_guides(&sky).unwrap_or_default();
-        guides.quick = Some(Traced { sky, guides: found });
+        guides.quick = Some((sky, found));
     }
 }
 
@@ -138,7 +87,7 @@ fn show_guides(
     preferences: Res<Preferences>,
     (guides, compared): (Res<Guides>, Res<ComparedScene>),
 ) -> Result {
-    let Some(quick) = guides.quick.as_ref().filter(|_| overlays.shows_guides()) else {
+    let Some((sky, quick)) = guides.quick.as_ref().filter(|_| overlays.shows_guides()) else {
         return Ok(());
     };
     let context = contexts.ctx_mut()?;
@@ -150,14 +99,11 @@ fn show_guides(
         screen.y_range(),
     );
     // In a comparison the guides belong to the present scene, which is on the right side.
-    let divider = match &*compared {
-        ComparedScene::Drawn(drawn) => match drawn.1 {
-            ComparisonLayout::SideBySide { columns } => {
-                let share = columns as f32 / scene.picture.width.max(1) as f32;
-                Some(placement.picture.left() + share * placement.picture.width())
-            }
-            ComparisonLayout::Difference { .. } => None,
-        },
+    let divider = match compared.drawn() {
+        Some((_, ComparisonLayout::SideBySide { columns })) => {
+            let share = columns as f32 / scene.picture.width.max(1) as f32;
+            Some(placement.picture.left() + share * placement.picture.width())
+        }
         _ => None,
     };
     let mut visible = placement.picture.intersect(room);
@@ -165,22 +111,17 @@ fn show_guides(
     if !visible.is_positive() {
         return Ok(());
     }
-    // The traced guides count as waiting until they belong to the present sky.
-    let waiting = guides
-        .traced
-        .as_ref()
-        .is_none_or(|traced| traced.sky != quick.sky);
-    let traced = guides
-        .traced
-        .as_ref()
-        .filter(|traced| traced.sky.effects == quick.sky.effects);
-    let slow = traced.map_or(&[][..], |traced| &traced.guides);
+    let traced = guides.slow.newest();
+    let waiting = traced.is_none_or(|(traced, _)| traced != sky);
+    let slow = traced
+        .filter(|(traced, _)| traced.effects == sky.effects)
+        .map_or(&[][..], |(_, guides)| guides);
 
     let legend = context
         .memory(|memory| memory.area_rect(LEGEND))
         .filter(|_| scene.view != View::Colour);
     let top = legend.map_or(room.top(), |legend| legend.bottom());
-    let known: Vec<Guide> = quick.guides.iter().chain(slow).cloned().collect();
+    let known: Vec<Guide> = quick.iter().chain(slow).cloned().collect();
     let key = show_key(
         context,
         &scene,
@@ -204,15 +145,13 @@ fn show_guides(
     );
     let taken: Vec<_> = legend.into_iter().chain([key]).collect();
     let figure = Figure {
-        kerr: Kerr {
-            spin: scene.hole.spin,
-        },
+        kerr: scene.kerr(),
         placement,
-        quick: &quick.guides,
+        quick,
         slow,
         slow_strength: if waiting { STALE } else { 1.0 },
     };
-    // An area of its own, so that the lines lie below every box.
+    // The lines have an area of their own, below every box.
     egui::Area::new("guides".into())
         .fixed_pos(visible.min)
         .interactable(false)
@@ -242,8 +181,8 @@ struct Figure<'a> {
 }
 
 impl Figure<'_> {
-    /// Draws the lines, and returns the labels of those that belong to the present sky. Flat
-    /// guides come first: the traced ones lie over them.
+    /// Draws the lines, and returns the labels of the guides that belong to the present sky. Flat
+    /// guides are drawn first, below the traced ones.
     fn draw(&self, painter: &egui::Painter) -> Vec<Label> {
         let (flat, bent): (Vec<_>, Vec<_>) = self.quick.iter().partition(|guide| guide.flat);
         let lines = flat
@@ -274,8 +213,8 @@ impl Figure<'_> {
     }
 }
 
-/// The direction from the middle of the hole in which a guide's label is joined to it, so that
-/// labels are in the order in which their lines are met.
+/// The direction from the middle of the hole to the point of a guide's line that its label is joined
+/// to. These directions put the labels in the order of their lines.
 fn toward(landmark: Landmark) -> egui::Vec2 {
     let degrees: f32 = match landmark {
         Landmark::StableOrbit => -55.0,

@@ -6,10 +6,10 @@ use glam::{DMat3, DVec2, DVec3};
 use lightfall_core::scene::{Camera, Scene};
 use lightfall_render::Letterbox;
 
-/// Directions whose places are farther from the picture's middle than this many times its size are not
-/// drawn: they are outside every picture.
+/// Directions whose places are more than this many picture sizes from the picture's middle are not
+/// drawn.
 const FARTHEST: f64 = 20.0;
-/// A line is drawn this far beyond the picture, in points, so that its ends do not show.
+/// Distance in points by which lines go on beyond the picture, so that their ends do not show.
 const BEYOND: f32 = 40.0;
 /// Width of the dark edge of a line on both sides, in points, and its opacity.
 const HALO: f32 = 1.4;
@@ -36,13 +36,13 @@ impl Placement {
         }
     }
 
-    /// The place of a direction on the observer's axes. None far outside the picture and where no
+    /// The place of a direction on the observer's axes. None if it is far outside the picture, or if no
     /// picture shows it.
     pub(in crate::app::ui) fn of(&self, direction: DVec3) -> Option<Pos2> {
         self.of_looking(self.camera_from_observer * direction)
     }
 
-    /// The same of a direction (right, up, forward) of the camera.
+    /// As [`of`](Self::of), for a direction on the camera's axes (right, up, forward).
     pub(in crate::app::ui) fn of_looking(&self, looking: DVec3) -> Option<Pos2> {
         let share = self.camera.pixel_of(looking, self.size)? / self.size;
         let is_near = (share - 0.5).abs().max_element() < FARTHEST;
@@ -74,8 +74,8 @@ impl Placement {
     }
 }
 
-/// Draws a line with a dark edge, which shows on bright and on dark pictures. `strength` is its
-/// opacity.
+/// Draws a line with a dark edge, so that it is visible on bright and on dark pictures. `strength` is
+/// its opacity.
 pub(super) fn draw_line(painter: &Painter, line: &[Pos2], style: Style, strength: f32) {
     let dark = Color32::from_black_alpha((f32::from(HALO_ALPHA) * strength) as u8);
     let strokes = [

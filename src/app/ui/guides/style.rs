@@ -1,10 +1,11 @@
-//! How each guide looks, and what it is called.
+//! The look, the name and the meaning of each guide.
 
+use crate::app::ui::number::trimmed;
 use bevy_egui::egui::Color32;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::guides::{Guide, Landmark, photon_shells};
 
-/// How a guide is drawn.
+/// The look of a guide's line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Style {
     pub(super) colour: Color32,
@@ -59,7 +60,7 @@ pub(super) fn label(guide: &Guide, kerr: Kerr) -> String {
     }
 }
 
-/// What a guide marks, in a line of the legend.
+/// What a guide marks, in a line of the key.
 pub(super) fn meaning(guide: &Guide, kerr: Kerr) -> String {
     let shells: Vec<String> = photon_shells(kerr).into_iter().map(length).collect();
     let circling = match &shells[..] {
@@ -69,10 +70,8 @@ pub(super) fn meaning(guide: &Guide, kerr: Kerr) -> String {
     match guide.landmark {
         Landmark::ShadowEdge => format!("the photon ring: light that grazed the {circling}"),
         Landmark::StableOrbit => {
-            format!(
-                "no stable circular orbit inside {} r_s",
-                length(kerr.isco())
-            )
+            let isco = length(kerr.isco());
+            format!("no stable circular orbit inside {isco} r_s")
         }
         Landmark::StableOrbitAgain => "by light that went on around the hole".into(),
         Landmark::Ergosphere => "nothing inside it can stand still".into(),
@@ -83,6 +82,5 @@ pub(super) fn meaning(guide: &Guide, kerr: Kerr) -> String {
 
 /// A radius with up to three decimals.
 fn length(radius: f64) -> String {
-    let digits = format!("{radius:.3}");
-    digits.trim_end_matches('0').trim_end_matches('.').into()
+    trimmed(format!("{radius:.3}"))
 }

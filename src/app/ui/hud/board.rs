@@ -1,4 +1,4 @@
-//! A board: some texts in a dark box, on which they can be read over any picture.
+//! A board: texts in a dark box, in which they are legible over any picture.
 
 use crate::app::state::overlays::Overlays;
 use bevy_egui::egui;
@@ -7,21 +7,21 @@ use std::sync::Arc;
 
 /// Room between the boards and the window's edges, in points.
 pub(super) const MARGIN: f32 = 12.0;
-/// Height of the read-outs with three lines, above which the toast and messages are shown.
+/// Height of the read-outs with three lines. The toast and the captions are above them.
 pub(super) const BOTTOM_ROW: f32 = 76.0;
-/// Free width, in points, below which only the most important messages are shown.
+/// Minimum free width in points for the read-outs and the key hints.
 pub(super) const MIN_WIDTH: f32 = 240.0;
 /// Size of the text, in points.
 pub(super) const TEXT: f32 = 13.5;
 
-/// The boxes are blended in linear light. Over pure white a box of this opacity has a luminance of
-/// 0.06, on which every colour below has a contrast of more than 4.5:1 (WCAG 2.2, 1.4.3).
+/// Colour of the box. It is blended in linear light, so that over pure white it has a luminance of 0.06,
+/// on which every colour below has a contrast of more than 4.5:1 (WCAG 2.2, 1.4.3).
 const BOX: Color32 = Color32::from_black_alpha(240);
-/// What is read first.
+/// Colour of the most important texts.
 pub(super) const BRIGHT: Color32 = Color32::from_gray(238);
-/// Labels and key hints.
+/// Colour of labels and key hints.
 pub(super) const QUIET: Color32 = Color32::from_gray(198);
-/// What the user should not overlook.
+/// Colour of warnings.
 pub(super) const WARNING: Color32 = Color32::from_rgb(255, 190, 90);
 
 /// Room between a board's texts and its edge, in points.
@@ -36,7 +36,7 @@ pub(super) struct Board {
 }
 
 impl Board {
-    /// An empty board. `strength` is how much of it is to be seen, from 0 to 1.
+    /// An empty board. `strength` is its opacity, from 0 to 1.
     pub(super) fn new(context: &egui::Context, name: &'static str, strength: f32) -> Self {
         Self::in_order(context, name, strength, egui::Order::Background)
     }
@@ -76,20 +76,16 @@ impl Board {
 
     /// Puts a text below the others.
     pub(super) fn add_line(&mut self, text: Arc<Galley>, gap: f32) {
-        let below = if self.texts.is_empty() {
-            0.0
-        } else {
-            self.size.y + gap
-        };
-        self.put(Vec2::new(0.0, below), text);
+        let gap = if self.texts.is_empty() { 0.0 } else { gap };
+        self.put(Vec2::new(0.0, self.size.y + gap), text);
     }
 
-    /// Makes the board at least so wide, so that it keeps its width while its texts change.
+    /// Makes the board at least this wide, so that it keeps its width while its texts change.
     pub(super) fn widen(&mut self, width: f32) {
         self.size.x = self.size.x.max(width);
     }
 
-    /// Paints the board, with this point of its box at this place. Returns the box.
+    /// Paints the board with its corner or edge `anchor` at the place `at`. Returns its box.
     pub(super) fn paint(self, anchor: Align2, at: Pos2) -> Rect {
         let place = anchor.anchor_size(at, self.size + 2.0 * PADDING);
         // Whole pixels keep the letters sharp.

@@ -1,4 +1,4 @@
-//! The comparison of two scenes: the words at the upper end of the divider, which say what differs.
+//! The comparison of two scenes: the divider, and the labels at its upper end, which say what differs.
 
 mod divider;
 mod words;
@@ -12,22 +12,22 @@ use crate::app::session::comparison::next_gain;
 use crate::app::state::overlays::Overlays;
 use crate::app::state::shown_picture::ShownPicture;
 use crate::app::state::title::Title;
+use crate::app::ui::legend::LEGEND;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use divider::show_divider;
-use egui::{Align2, Color32, Pos2, Rect, pos2, vec2};
-use lightfall_core::scene::Scene;
+use egui::{Align2, Color32, Rect, pos2, vec2};
 use lightfall_render::{
     ComparedScene, Comparison, ComparisonLayout, ComparisonMode, DrawnScene, letterbox,
 };
 
-/// The divider stays this far from the picture's edges, as a share of its width, so that the mouse
-/// finds it.
+/// Minimum distance of the divider from the picture's edges, as a share of its width, so that the mouse
+/// can take hold of it.
 const MIN_SHARE: f32 = 0.01;
 /// Room between the labels and the divider, in points.
 const GAP: f32 = 10.0;
-/// The most settings that a label lists.
+/// Largest number of settings in a label.
 const MAX_SETTINGS: usize = 4;
 /// Height of the scene's title in the corner, in points.
 const TITLE_HEIGHT: f32 = 76.0;
@@ -68,6 +68,7 @@ fn show_comparison(
         room: room.with_min_y(room.top() + above),
     };
     let key = |id| bindings.label(id);
+    let sides = shown_sides(&shown);
     match &*compared {
         ComparedScene::None => {}
         ComparedScene::Undrawable(reason) => labels.show_centred(&[
@@ -86,28 +87,20 @@ fn show_comparison(
                     let divider = share.clamp(MIN_SHARE, 1.0 - MIN_SHARE);
                     drag_to(divider, &mut comparison);
                 }
-                match shown_sides(&shown) {
-                    Some([left, right]) => {
-                        labels.show("left side", &left, x - GAP, Align2::RIGHT_TOP);
-                        labels.show("right side", &right, x + GAP, Align2::LEFT_TOP);
-                    }
-                    None => labels.show_centred(&[
-                        ("Both sides are the same", BRIGHT),
-                        (
-                            &format!(
-                                "Change something, for example {} (lensing): it shows on the right",
-                                key("light.lensing")
-                            ),
-                            QUIET,
-                        ),
-                    ]),
+                if let Some([left, right]) = sides {
+                    labels.show("left side", &left, x - GAP, Align2::RIGHT_TOP);
+                    labels.show("right side", &right, x + GAP, Align2::LEFT_TOP);
+                } else {
+                    let hint = format!(
+                        "Change something, for example {} (lensing): it shows on the right",
+                        key("light.lensing")
+                    );
+                    labels.show_centred(&[("Both sides are the same", BRIGHT), (&hint, QUIET)]);
                 }
             }
             ComparisonLayout::Difference { gain } => {
-                let what = match shown_sides(&shown) {
-                    Some([left, right]) => {
-                        format!("{}  |  {}", left.join(", "), right.join(", "))
-                    }
+                let what = match sides {
+                    Some(sides) => sides.map(|side| side.join(", ")).join("  |  "),
                     None => format!(
                         "Black, because nothing differs. Change something, for example {} (lensing)",
                         key("light.lensing")
@@ -130,7 +123,8 @@ fn show_comparison(
     Ok(())
 }
 
-/// Puts the divider at a share of the picture's width. A divider that is held still is no change.
+/// Puts the divider at a share of the picture's width. A divider that is held still does not count as
+/// a change.
 fn drag_to(divider: f32, comparison: &mut ResMut<Comparison>) {
     let dragged = ComparisonMode::SideBySide { divider };
     let moves = matches!(&comparison.0, Some((_, mode)) if *mode != dragged);
@@ -139,30 +133,20 @@ fn drag_to(divider: f32, comparison: &mut ResMut<Comparison>) {
     }
 }
 
-/// What distinguishes the sides of the picture on the screen; `None` if nothing does.
+/// The settings in which each side of the picture on the screen differs from the other. `None` if the
+/// sides are the same.
 fn shown_sides(shown: &ShownPicture) -> Option<[Vec<String>; 2]> {
-    sides(shown.pinned.as_ref()?, &shown.scene)
-}
-
-/// What distinguishes each side from the other; `None` if nothing does.
-fn sides(pinned: &Scene, current: &Scene) -> Option<[Vec<String>; 2]> {
-    let all = differences(pinned, current);
-    if all.is_empty() {
-        return None;
-    }
+    let all = differences(shown.pinned.as_ref()?, &shown.scene);
     let more = all.len().saturating_sub(MAX_SETTINGS);
     let side = |place: usize| {
         let first = all.iter().take(MAX_SETTINGS);
-        let mut settings: Vec<String> = first.map(|both| both[place].clone()).collect();
-        if more > 0 {
-            settings.push(format!("and {more} more"));
-        }
-        settings
+        let more = (more > 0).then(|| format!("and {more} more"));
+        first.map(|both| both[place].clone()).chain(more).collect()
     };
-    Some([side(0), side(1)])
+    (!all.is_empty()).then(|| [0, 1].map(side))
 }
 
-/// Where the labels go.
+/// The labels' surroundings.
 struct Labels<'a> {
     context: &'a egui::Context,
     /// Between the panels and below the other texts at the top.
@@ -170,44 +154,35 @@ struct Labels<'a> {
 }
 
 impl Labels<'_> {
-    /// The label of a side. It is left out where the side is too narrow for it.
+    /// Shows the label of a side, unless the side is too narrow for it.
     fn show(&self, name: &'static str, settings: &[String], x: f32, anchor: Align2) {
         let mut board = Board::new(self.context, name, 1.0);
-        let width = settings
-            .iter()
-            .map(|setting| board.width_of(setting, TEXT))
-            .fold(0.0, f32::max);
-        // A board has some room inside its edges.
-        let width = width + 2.0 * GAP;
-        let left = if anchor == Align2::RIGHT_TOP {
-            x - width
-        } else {
-            x
-        };
-        if left < self.room.left() || left + width > self.room.right() {
-            return;
-        }
         for setting in settings {
             board.add_line(board.text(setting, TEXT, BRIGHT, f32::INFINITY), 2.0);
         }
-        let beside = Rect::from_min_size(pos2(left, self.room.top()), vec2(width, 1.0));
-        board.paint(anchor, pos2(x, self.below_legend(beside)));
+        let widths = settings.iter().map(|setting| board.width_of(setting, TEXT));
+        // A board has some room inside its edges.
+        let width = widths.fold(0.0, f32::max) + 2.0 * GAP;
+        let label = anchor.anchor_size(pos2(x, self.room.top()), vec2(width, 1.0));
+        if self.room.x_range().contains(label.left()) && self.room.x_range().contains(label.right())
+        {
+            board.paint(anchor, pos2(x, self.below_legend(label)));
+        }
     }
 
-    /// A label in the middle of the upper edge.
+    /// Shows a label in the middle of the upper edge.
     fn show_centred(&self, lines: &[(&str, Color32)]) {
         let mut board = Board::new(self.context, "comparison", 1.0);
         let width = (self.room.width() - 2.0 * GAP).max(1.0);
         for (line, colour) in lines {
             board.add_line(board.text(line, TEXT, *colour, width), 2.0);
         }
-        let place: Pos2 = self.room.center_top();
-        board.paint(Align2::CENTER_TOP, place);
+        board.paint(Align2::CENTER_TOP, self.room.center_top());
     }
 
-    /// The height at which a label of this width is clear of the legend of a view.
+    /// The height at which a label does not cover the legend of a view.
     fn below_legend(&self, label: Rect) -> f32 {
-        let legend = self.context.memory(|memory| memory.area_rect("legend"));
+        let legend = self.context.memory(|memory| memory.area_rect(LEGEND));
         let covers = |legend: &Rect| legend.x_range().intersects(label.x_range());
         match legend.filter(covers) {
             Some(legend) if legend.bottom() > label.top() => legend.bottom() + GAP,

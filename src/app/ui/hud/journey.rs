@@ -1,4 +1,4 @@
-//! Shows a journey's title, its captions and its progress.
+//! Shows the title, the captions and the progress of a journey.
 
 use super::board::{BOTTOM_ROW, BRIGHT, Board, MARGIN, WARNING, free_room};
 use super::presence::keep_fading;
@@ -17,7 +17,7 @@ const TITLE: f32 = 32.0;
 const TOAST: f32 = 44.0;
 /// Largest width of the words, in points.
 const MAX_WIDTH: f32 = 860.0;
-/// Seconds in which words fade in, and fade out.
+/// Seconds in which words fade in and fade out.
 const FADE: f64 = 0.4;
 /// Height of the progress bar, in points.
 const BAR: f32 = 4.0;
@@ -38,12 +38,8 @@ fn show_journey(
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
-    show_words(
-        context,
-        &player,
-        &overlays,
-        preferences.settings.reduced_motion,
-    );
+    let reduced_motion = preferences.settings.reduced_motion;
+    show_words(context, &player, &overlays, reduced_motion);
     show_progress(context, player.share() as f32);
     if paused.0 {
         show_pause(context, free_room(context, &overlays).center_top());
@@ -69,19 +65,18 @@ fn show_words(
     let room = free_room(context, overlays);
     let width = (room.width() - 2.0 * MARGIN).clamp(1.0, MAX_WIDTH);
     let mut board = Board::new(context, "journey", strength);
-    if words.is_title {
-        board.add_line(board.text(words.text, TITLE, BRIGHT, width), 0.0);
+    let (size, anchor, y) = if words.is_title {
         let top = room.top() + 0.12 * room.height();
-        board.paint(egui::Align2::CENTER_TOP, egui::pos2(room.center().x, top));
+        (TITLE, egui::Align2::CENTER_TOP, top)
     } else {
-        board.add_line(board.text(words.text, CAPTION, BRIGHT, width), 0.0);
         let bottom = (room.bottom() - BOTTOM_ROW - TOAST).max(room.center().y);
-        let place = egui::pos2(room.center().x, bottom);
-        board.paint(egui::Align2::CENTER_BOTTOM, place);
-    }
+        (CAPTION, egui::Align2::CENTER_BOTTOM, bottom)
+    };
+    board.add_line(board.text(words.text, size, BRIGHT, width), 0.0);
+    board.paint(anchor, egui::pos2(room.center().x, y));
 }
 
-/// A bar along the lower edge of the window: how much of the journey has been flown.
+/// Shows a bar along the lower edge of the window: the share of the journey that has been flown.
 fn show_progress(context: &egui::Context, share: f32) {
     let layer = egui::LayerId::new(egui::Order::Background, "journey progress".into());
     let painter = context.layer_painter(layer);
@@ -92,7 +87,7 @@ fn show_progress(context: &egui::Context, share: f32) {
     painter.rect_filled(bar, 0.0, FLOWN);
 }
 
-/// Two upright bars below the middle of the upper edge.
+/// Shows two upright bars below the middle of the upper edge.
 fn show_pause(context: &egui::Context, top: egui::Pos2) {
     let layer = egui::LayerId::new(egui::Order::Background, "pause".into());
     let painter = context.layer_painter(layer);

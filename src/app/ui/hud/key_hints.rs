@@ -1,5 +1,5 @@
-//! The most important keys, in the lower right corner: a few at first, until the user has used some
-//! of them, and afterwards only the key of the help, while the mouse moves.
+//! The most important keys, in the lower right corner. At first these are the keys that a newcomer
+//! needs. Once some have been used, only the key of the help appears, while the mouse moves.
 
 use super::board::{BRIGHT, Board, MARGIN, MIN_WIDTH, QUIET, TEXT, free_room};
 use super::presence::{Presence, keep_fading};
@@ -16,16 +16,16 @@ use bevy::prelude::*;
 use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use std::collections::BTreeSet;
 
-/// After so many different controls the keys are no longer named.
+/// Number of different controls after which the user counts as experienced.
 const ENOUGH_CONTROLS: usize = 8;
-/// After so many seconds of flying by hand, too.
+/// Seconds of flying by hand after which the user counts as experienced.
 const ENOUGH_FLIGHT: f32 = 60.0;
 
 /// Room between two keys, and between a key and what it does, in points.
 const GAP: f32 = 12.0;
 const SPACE: f32 = 4.0;
 
-/// What a newcomer has tried since the keys were last named anew.
+/// What a newcomer has tried so far.
 #[derive(Resource, Default)]
 struct Tried {
     controls: BTreeSet<&'static str>,
@@ -39,7 +39,7 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(EguiPrimaryContextPass, show_key_hints);
 }
 
-/// Stops naming the keys once they have been used.
+/// Hides the newcomer's keys once they have been used.
 fn watch_use(
     time: Res<Time<Real>>,
     keys: Res<ButtonInput<KeyCode>>,
@@ -67,7 +67,7 @@ fn watch_use(
     }
 }
 
-/// Names the keys again once the help has been asked for.
+/// Shows the newcomer's keys again after the help was asked for.
 fn name_keys_again(
     mut commands: MessageReader<AppCommand>,
     mut tried: ResMut<Tried>,
@@ -79,45 +79,38 @@ fn name_keys_again(
     }
 }
 
-/// A key as it is bound, and what it does.
-struct KeyHint {
-    key: String,
-    does: &'static str,
-    /// Where the room is narrow, the hints of the lowest rank are left out first.
-    rank: u8,
-}
+/// A hint: the controls, the text between their keys, what they do, and a rank. If there is not enough
+/// room, the hints of the lowest rank are left out first.
+type Hint = (&'static [&'static str], &'static str, &'static str, u8);
 
-/// Keys that are named together: the controls, what stands between their keys, what they do, and
-/// the rank of the hint.
-type Row = (&'static [&'static str], &'static str, &'static str, u8);
-
-/// The keys that a newcomer needs, besides the mouse.
-const NEWCOMERS_KEYS: &[Row] = &[
+/// The keys that a newcomer needs.
+const NEWCOMERS_KEYS: &[Hint] = &[
     (
         &["fly.forward", "fly.left", "fly.backward", "fly.right"],
         "",
         "fly",
         5,
     ),
+    (&[MOUSE], "", "drag to look", 0),
     (&["preset.1", "preset.9"], "–", "places", 1),
     (&["motion.let_go"], "", "fall", 2),
     (&["journey.fly"], "", "journey", 3),
     (&["picture.bypass"], "", "pixel look", 6),
     (&["fly.escape"], "", "menu", 4),
-    (&["window.help"], "", "all keys", 7),
+    ALL_KEYS,
 ];
 
 /// The keys that matter during a journey.
-const JOURNEY_KEYS: &[Row] = &[
+const JOURNEY_KEYS: &[Hint] = &[
     (&["motion.pause"], "", "pause", 3),
     (&["journey.back", "journey.ahead"], " · ", "back, ahead", 1),
     (&["journey.fly"], "", "stop", 2),
     (&["scene.undo"], "", "back to the start", 0),
-    (&["window.help"], "", "all keys", 4),
+    ALL_KEYS,
 ];
 
 /// The keys that matter during a fall.
-const FALL_KEYS: &[Row] = &[
+const FALL_KEYS: &[Hint] = &[
     (&["motion.pause"], "", "pause", 3),
     (
         &["motion.slower", "motion.faster"],
@@ -127,33 +120,14 @@ const FALL_KEYS: &[Row] = &[
     ),
     (&["fly.face"], "", "face", 0),
     (&["scene.undo"], "", "back", 1),
-    (&["window.help"], "", "all keys", 4),
+    ALL_KEYS,
 ];
 
-/// The hints of these rows, with the keys as they are bound.
-fn hints(rows: &[Row], bindings: &Bindings) -> Vec<KeyHint> {
-    let hint = |&(ids, between, does, rank): &Row| {
-        let keys: Vec<_> = ids.iter().map(|id| bindings.first_label(id)).collect();
-        KeyHint {
-            key: keys.join(between),
-            does,
-            rank,
-        }
-    };
-    rows.iter().map(hint).collect()
-}
+/// The key of the help.
+const ALL_KEYS: Hint = (&["window.help"], "", "all keys", 7);
 
-/// The keys that a newcomer needs. The mouse comes after the keys that fly.
-fn newcomers_keys(bindings: &Bindings) -> Vec<KeyHint> {
-    let mut keys = hints(NEWCOMERS_KEYS, bindings);
-    let mouse = KeyHint {
-        key: "right mouse button".into(),
-        does: "drag to look",
-        rank: 0,
-    };
-    keys.insert(1, mouse);
-    keys
-}
+/// The mouse, among the names of controls. It cannot be bound.
+const MOUSE: &str = "right mouse button";
 
 fn show_key_hints(
     mut contexts: EguiContexts,
@@ -177,36 +151,40 @@ fn show_key_hints(
     }
     keep_fading(context, strength);
     let free = room.width() - beside.0 - 3.0 * MARGIN;
-    let mut keys = if player.is_playing() {
-        hints(JOURNEY_KEYS, &bindings)
+    let mut hints = if player.is_playing() {
+        JOURNEY_KEYS.to_vec()
     } else if free_fall.is_moving() {
-        hints(FALL_KEYS, &bindings)
+        FALL_KEYS.to_vec()
+    } else if named {
+        NEWCOMERS_KEYS.to_vec()
     } else {
-        newcomers_keys(&bindings)
+        vec![ALL_KEYS]
     };
-    if !named && !player.is_playing() && !free_fall.is_moving() {
-        keys.drain(..keys.len() - 1);
-    }
-    while !keys.is_empty() {
+    while !hints.is_empty() {
         let mut board = Board::new(context, "key hints", strength);
-        if put_keys(&mut board, &keys) <= free {
+        if put_hints(&mut board, &hints, &bindings) <= free {
             board.paint(egui::Align2::RIGHT_BOTTOM, room.right_bottom());
             break;
         }
-        let lowest = keys.iter().map(|hint| hint.rank).min();
-        keys.retain(|hint| Some(hint.rank) != lowest);
+        let lowest = hints.iter().map(|(.., rank)| *rank).min();
+        hints.retain(|(.., rank)| Some(*rank) != lowest);
     }
     Ok(())
 }
 
-/// Puts keys and what they do into a line. Returns its width.
-fn put_keys(board: &mut Board, keys: &[KeyHint]) -> f32 {
+/// Puts hints into a line. Returns its width.
+fn put_hints(board: &mut Board, hints: &[Hint], bindings: &Bindings) -> f32 {
+    let key = |id: &&str| match *id {
+        MOUSE => MOUSE.to_owned(),
+        id => bindings.first_label(id),
+    };
     let mut right = 0.0;
-    for (place, KeyHint { key, does, .. }) in keys.iter().enumerate() {
+    for (place, (ids, between, does, _)) in hints.iter().enumerate() {
         if place > 0 {
             right += GAP;
         }
-        for (text, colour) in [(key.as_str(), BRIGHT), (*does, QUIET)] {
+        let keys = ids.iter().map(key).collect::<Vec<_>>().join(between);
+        for (text, colour) in [(keys.as_str(), BRIGHT), (does, QUIET)] {
             let text = board.text(text, TEXT, colour, f32::INFINITY);
             let width = text.size().x;
             board.put(egui::vec2(right, 0.0), text);

@@ -1,9 +1,9 @@
-//! The head-up display: what lies over the picture's edges while nothing else is open.
+//! The head-up display: texts over the picture's edges.
 //!
-//! Each part has its place: the title of a scene in the upper left corner, what is switched off in
-//! the physics at the top, the read-outs in the lower left corner, the keys in the lower right one,
-//! the toast at the bottom, a journey's captions above it, and the words of a comparison beside its
-//! divider. The read-outs and the keys go away while nothing happens.
+//! Each part has its place: the title of a scene in the upper left corner, the physics that is switched
+//! off at the top, the read-outs in the lower left corner, the keys in the lower right corner, the
+//! toast at the bottom, a journey's captions above it, and a comparison's labels beside its divider.
+//! The read-outs and the keys disappear while nothing happens.
 
 mod board;
 mod comparison;

@@ -1,4 +1,4 @@
-//! The line at the top that stays while some of the physics is switched off.
+//! The line at the top that is shown while some of the physics is switched off.
 
 use super::board::{Board, MARGIN, TEXT, WARNING, free_room};
 use super::title::{TitleBox, show_title};
@@ -12,7 +12,8 @@ pub(super) fn plugin(app: &mut App) {
     app.add_systems(EguiPrimaryContextPass, show_physics_off.after(show_title));
 }
 
-/// Names what is switched off, e.g. `Physics off: Doppler shift, beaming`. None while all is on.
+/// Names the effects that are switched off, as in `Physics off: Doppler shift, beaming`. None if all are
+/// on.
 #[must_use]
 pub fn physics_off(effects: Effects) -> Option<String> {
     let off: Vec<&str> = [
@@ -39,10 +40,9 @@ fn show_physics_off(
     let Some(mut line) = physics_off(scene.effects).filter(|_| !overlays.hidden) else {
         return Ok(());
     };
-    // Beside a picture with other physics, the present scene is the right one.
-    if let ComparedScene::Drawn(drawn) = &*compared
-        && matches!(drawn.1, ComparisonLayout::SideBySide { .. })
-        && drawn.0.effects != scene.effects
+    // In a comparison of different physics, the present scene is on the right side.
+    if let Some((pinned, ComparisonLayout::SideBySide { .. })) = compared.drawn()
+        && pinned.effects != scene.effects
     {
         line = line.replacen("Physics off", "Right side off", 1);
     }
@@ -50,7 +50,7 @@ fn show_physics_off(
     let room = free_room(context, &overlays);
     let mut board = Board::new(context, "physics off", 1.0);
     board.add_line(board.text(&line, TEXT, WARNING, room.width().max(1.0)), 0.0);
-    // In the middle, or below a title that reaches as far.
+    // In the middle, or below a title that would overlap it.
     let middle = room.center().x - 0.5 * board.width_of(&line, TEXT) - MARGIN;
     if title.0.right() < middle {
         board.paint(egui::Align2::CENTER_TOP, room.center_top());

@@ -1,4 +1,4 @@
-//! When the read-outs and the keys are shown: while something happens, and for some seconds after.
+//! The visibility of the read-outs and the keys: while something happens, and for some seconds after.
 
 use crate::app::input::gamepad::Pads;
 use crate::app::motion::free_fall::FreeFall;
@@ -12,14 +12,14 @@ use bevy_egui::egui;
 use lightfall_render::Progress;
 use std::time::Duration;
 
-/// How long they stay after the last input or motion.
+/// How long the read-outs stay after the last input or motion.
 const STAY: Duration = Duration::from_secs(6);
-/// How long the mouse counts as moving.
+/// How long the mouse counts as moving after its last motion.
 const MOUSE_STAY: Duration = Duration::from_secs(3);
-/// How long they take to fade away.
+/// Duration of fading.
 const FADE: Duration = Duration::from_millis(400);
 
-/// How much of the read-outs and the keys is shown.
+/// The opacity of the read-outs and the keys.
 #[derive(Resource, Default)]
 pub(super) struct Presence {
     /// When something last happened, as a time since the start.
@@ -31,18 +31,18 @@ pub(super) struct Presence {
 }
 
 impl Presence {
-    /// How much of the read-outs is shown, from 0 to 1.
+    /// Opacity of the read-outs, from 0 to 1.
     pub(super) fn of_read_outs(&self) -> f32 {
         self.left(self.active + STAY)
     }
 
-    /// How much of what follows the mouse is shown, from 0 to 1.
+    /// Opacity of texts that appear while the mouse moves, from 0 to 1.
     pub(super) fn of_mouse(&self) -> f32 {
         self.mouse
             .map_or(0.0, |moved| self.left(moved + MOUSE_STAY))
     }
 
-    /// How much is left of something that fades from the time `end` on.
+    /// Opacity of something that begins to fade at the time `end`.
     pub(super) fn left(&self, end: Duration) -> f32 {
         let late = self.now.saturating_sub(end).as_secs_f32();
         if self.reduced_motion && late > 0.0 {
@@ -52,8 +52,8 @@ impl Presence {
         }
     }
 
-    /// How much is there of something that came this long ago. It begins at one half, so that it can
-    /// be read in its first frame.
+    /// Opacity of something that appeared this long ago. It begins at one half, so that its first frame
+    /// is legible.
     pub(super) fn grown(&self, age: Duration) -> f32 {
         if self.reduced_motion {
             1.0

@@ -1,4 +1,4 @@
-//! The read-outs: where the camera is, how it moves, and how fast it flies.
+//! The read-outs: the camera's place, its motion, and its flying speed.
 
 use super::board::{BRIGHT, Board, MIN_WIDTH, QUIET, TEXT, free_room};
 use super::presence::{Presence, keep_fading};
@@ -21,17 +21,17 @@ use lightfall_render::DrawnScene;
 /// Room between two columns and between two lines, in points.
 const GAP: [f32; 2] = [18.0, 3.0];
 
-/// Label of the factor of the hand's speed.
+/// Label of the factor of the flying speed.
 const SPEED: &str = "flying speed";
 
 /// One read-out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadOut {
-    /// What is read, e.g. `azimuth`. Empty where the value says it.
+    /// The quantity, such as `azimuth`. Empty if the value says it.
     pub label: &'static str,
-    /// What it is, e.g. `0.0°`.
+    /// Its value, such as `0.0°`.
     pub value: String,
-    /// The widest value that is usual: the column keeps this width while its numbers change.
+    /// The widest usual value. The column keeps this width while its numbers change.
     pub widest: &'static str,
 }
 
@@ -50,27 +50,23 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(EguiPrimaryContextPass, show_read_outs);
 }
 
-/// Width of the board, margin included, that the keys beside it leave free.
+/// Width of the board, which the keys beside it leave free.
 #[derive(Resource, Default)]
 pub(super) struct ReadOutsWidth(pub(super) f32);
 
-/// The read-outs of a scene in two lines: its place, and its motion. `speed` is the factor of the
-/// flight's speed.
+/// The read-outs of a scene in two lines: place and motion. `speed` is the factor of the flying speed.
 #[must_use]
 pub fn read_outs(scene: &Scene, speed: f64) -> [Vec<ReadOut>; 2] {
     let camera = &scene.camera;
     let degrees = |angle: f64| format!("{angle:.1}°");
+    let height = height(scene.degrees_above_disk());
     let mut place = vec![
         ReadOut::new("r", format!("{} r_s", steady_digits(camera.r)), "00000 r_s"),
-        ReadOut::new(
-            "",
-            height(scene.degrees_above_disk()),
-            "00.0° above the disk",
-        ),
+        ReadOut::new("", height, "00.0° above the disk"),
         ReadOut::new("theta", degrees(camera.theta_deg), "000.0°"),
         ReadOut::new("azimuth", degrees(camera.phi_deg), "−000.0°"),
     ];
-    // Rolling is rare, and what stays level needs no number.
+    // Most cameras do not roll.
     if camera.roll_deg.abs() >= 0.05 {
         place.push(ReadOut::new("roll", degrees(camera.roll_deg), "−000.0°"));
     }
@@ -89,7 +85,7 @@ pub fn read_outs(scene: &Scene, speed: f64) -> [Vec<ReadOut>; 2] {
     [place, motion]
 }
 
-/// How far a place is above or below the disk's plane, as seen from the hole.
+/// The angle above the disk's plane in words, as seen from the hole.
 fn height(above: f64) -> String {
     match above {
         _ if above.abs() < 0.05 => "in the disk's plane".into(),
@@ -98,8 +94,7 @@ fn height(above: f64) -> String {
     }
 }
 
-/// How far a journey has been flown, and how to go on with it and to end it. Empty while there is
-/// none.
+/// The progress of a journey, and the keys that go on with it and end it. Empty without a journey.
 fn journey(player: &JourneyPlayer, paused: bool, bindings: &Bindings) -> String {
     if !player.is_playing() {
         return String::new();
@@ -127,12 +122,11 @@ fn show_read_outs(
 ) -> Result {
     let context = contexts.ctx_mut()?;
     let room = free_room(context, &overlays);
+    let mut strength = presence.of_read_outs();
     // A mode that changes what the keys do is always named.
-    let strength = if orbit.is_on() {
-        1.0
-    } else {
-        presence.of_read_outs()
-    };
+    if orbit.is_on() {
+        strength = 1.0;
+    }
     width.0 = 0.0;
     if overlays.hidden || strength <= 0.0 || room.width() < MIN_WIDTH {
         return Ok(());
@@ -149,7 +143,7 @@ fn show_read_outs(
         }
         _ => {}
     }
-    // It is the hand's, and no speed of the observer.
+    // The flying speed is not a speed of the observer.
     motion.retain(|read_out| !moves || read_out.label != SPEED);
     let mut board = Board::new(context, "read-outs", strength);
     put_columns(&mut board, &lines, room.width());
@@ -169,17 +163,14 @@ fn show_read_outs(
     Ok(())
 }
 
-/// Puts lines of read-outs in columns that are aligned. Where a line has no room for all of its
-/// read-outs, the last ones are left out.
+/// Puts lines of read-outs in aligned columns. If there is not enough room, the last columns are left
+/// out.
 fn put_columns(board: &mut Board, lines: &[Vec<ReadOut>], room: f32) {
     let count = lines.iter().map(Vec::len).max().unwrap_or(0);
     let space = board.width_of("n", TEXT);
-    let label_width = |board: &Board, label: &str| {
-        if label.is_empty() {
-            0.0
-        } else {
-            board.width_of(label, TEXT) + space
-        }
+    let label_width = |board: &Board, label: &str| match label {
+        "" => 0.0,
+        _ => board.width_of(label, TEXT) + space,
     };
     let row = board.text("0", TEXT, BRIGHT, f32::INFINITY).size().y + GAP[1];
     let mut left = 0.0;

@@ -1,4 +1,4 @@
-//! Shows a scene's name and its one line for some seconds after it was chosen.
+//! Shows the name and the title of a scene for some seconds after it was chosen.
 
 use super::board::{BRIGHT, Board, QUIET, free_room};
 use super::presence::{Presence, keep_fading};
@@ -18,7 +18,7 @@ const LINE: f32 = 15.0;
 /// Largest width of the line, in points.
 const MAX_WIDTH: f32 = 520.0;
 
-/// Where the title is, in points: nowhere while none is shown.
+/// The box of the title, in points. It is empty while no title is shown.
 #[derive(Resource)]
 pub(super) struct TitleBox(pub(super) egui::Rect);
 

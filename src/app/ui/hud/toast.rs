@@ -27,14 +27,12 @@ fn show_toast(
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
-    let reduced = preferences.settings.reduced_motion;
-    let strength = if reduced {
-        toast.strength().ceil()
-    } else {
-        toast.strength()
-    };
+    let mut strength = toast.strength();
+    if preferences.settings.reduced_motion {
+        strength = strength.ceil();
+    }
     keep_fading(context, strength);
-    // Between the panels, or over them where they leave too little room.
+    // The toast is between the panels, or over them if they leave too little room.
     let mut room = free_room(context, &overlays);
     let mut order = egui::Order::Background;
     if room.width() < MIN_WIDTH {
@@ -45,9 +43,7 @@ fn show_toast(
     let width = (room.width() - 2.0 * MARGIN).clamp(1.0, MAX_WIDTH);
     board.add_line(board.text(toast.text(), TEXT, BRIGHT, width), 0.0);
     let bottom = (room.bottom() - BOTTOM_ROW).max(room.center().y);
-    board.paint(
-        egui::Align2::CENTER_BOTTOM,
-        egui::pos2(room.center().x, bottom),
-    );
+    let place = egui::pos2(room.center().x, bottom);
+    board.paint(egui::Align2::CENTER_BOTTOM, place);
     Ok(())
 }

@@ -1,20 +1,19 @@
-//! The drawing of light paths: each in its own plane, or the hole and its surroundings seen from the
-//! side, from the top, or from any direction.
+//! The drawing of light paths: each in its own plane, or all around the hole, seen from the side, from
+//! the top, or from any direction.
 
 use super::colours::{CAMERA, DISK, ERGOSPHERE, HORIZON, ISCO, PHOTON_ORBITS, path_colour};
 use super::plane_figure;
 use super::projection::Projection;
-use crate::app::ui::number::four_decimals;
-use bevy_egui::egui::{self, Color32, Pos2, Rect, Stroke};
+use crate::app::ui::number::{four_decimals, round_length};
+use bevy_egui::egui::{self, Color32, Rect, Stroke};
 use glam::{DMat3, DVec3};
 use lightfall_core::accuracy::inspection::Inspected;
-use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::camera_rays::camera_in_disk_frame;
 use lightfall_core::optics::disk;
 use lightfall_core::scene::Scene;
 use std::f64::consts::{PI, TAU};
 
-/// What is drawn, and from which direction.
+/// What is drawn, and the direction from which it is seen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Viewpoint {
     /// Each ray in its own plane, the camera to the left.
@@ -73,7 +72,7 @@ pub(super) fn legend(viewpoint: Viewpoint, scene: &Scene) -> Vec<(Color32, &'sta
 }
 
 impl Sketch {
-    /// Draws on `size` points of the panel, and lets the mouse turn and zoom the drawing.
+    /// Draws on an area of this size in points, where the mouse turns and zooms the drawing.
     pub(super) fn show(
         &mut self,
         ui: &mut egui::Ui,
@@ -82,7 +81,7 @@ impl Sketch {
         size: egui::Vec2,
     ) {
         let plane = self.viewpoint == Viewpoint::Plane;
-        // The plane is not turned: there the mouse only zooms.
+        // In the plane the mouse only zooms.
         let sense = if plane {
             egui::Sense::hover()
         } else {
@@ -110,26 +109,19 @@ impl Sketch {
             self.turn[0] += f64::from(drag.x) * 0.01;
             self.turn[1] = (self.turn[1] + f64::from(drag.y) * 0.01).clamp(-PI / 2.0, PI / 2.0);
         }
-        let horizon = Kerr {
-            spin: scene.hole.spin,
-        }
-        .horizon();
+        let horizon = scene.kerr().horizon();
         let projection = Projection {
+            painter: painter.clone(),
             axes: self.axes(scene),
             centre: rect.center(),
             points_per_length: f64::from(0.5 * rect.size().min_elem()) / half_width,
             horizon,
             inside: scene.camera.r < horizon,
         };
-        draw_hole(&painter, &projection, scene);
-        for inspected in rays.iter().skip(1).chain(rays.first()) {
-            draw_path(
-                &painter,
-                &projection,
-                inspected,
-                rays.first()
-                    .is_some_and(|first| std::ptr::eq(first, inspected)),
-            );
+        draw_hole(&projection, scene);
+        // The first ray lies over the others.
+        for (i, ray) in rays.iter().enumerate().rev() {
+            draw_path(&projection, ray, i == 0);
         }
         let camera = projection.point(camera_in_disk_frame(scene) * scene.camera.r);
         painter.circle_filled(camera, 3.5, CAMERA);
@@ -164,7 +156,7 @@ impl Sketch {
     }
 }
 
-/// A half width that shows the camera, or only the hole's surroundings where the camera is far away.
+/// A half width that shows the camera, or only the hole's surroundings if the camera is far away.
 fn fitting_half_width(scene: &Scene) -> f64 {
     const FAR: f64 = 60.0;
     if scene.camera.r > FAR {
@@ -181,10 +173,8 @@ fn circle(radius: f64) -> impl Iterator<Item = DVec3> {
     })
 }
 
-fn draw_hole(painter: &egui::Painter, projection: &Projection, scene: &Scene) {
-    let kerr = Kerr {
-        spin: scene.hole.spin,
-    };
+fn draw_hole(projection: &Projection, scene: &Scene) {
+    let kerr = scene.kerr();
     let radius = (projection.horizon * projection.points_per_length) as f32;
     let thin = |colour: Color32| Stroke::new(1.0, colour);
     let fill = if projection.inside {
@@ -192,39 +182,26 @@ fn draw_hole(painter: &egui::Painter, projection: &Projection, scene: &Scene) {
     } else {
         Color32::BLACK
     };
+    let painter = &projection.painter;
     painter.circle(projection.centre, radius, fill, thin(HORIZON));
     if scene.disk.enabled {
         let (inner, outer) = (disk::inner_edge(scene), scene.disk.outer);
         let rings = 14;
         for ring in 0..=rings {
-            let edge = ring == 0 || ring == rings;
-            let colour = if edge {
-                DISK
-            } else {
-                DISK.gamma_multiply(0.28)
-            };
+            let is_edge = ring == 0 || ring == rings;
+            let opacity = if is_edge { 1.0 } else { 0.28 };
             let r = inner + (outer - inner) * f64::from(ring) / f64::from(rings);
-            projection.line(painter, circle(r), thin(colour));
+            projection.line(circle(r), thin(DISK.gamma_multiply(opacity)));
         }
     }
-    projection.line(painter, circle(kerr.isco()), thin(ISCO));
-    projection.line(
-        painter,
-        circle(kerr.photon_orbit_prograde()),
-        thin(PHOTON_ORBITS),
-    );
-    projection.line(
-        painter,
-        circle(kerr.photon_orbit_retrograde()),
-        thin(PHOTON_ORBITS),
-    );
+    projection.line(circle(kerr.isco()), thin(ISCO));
+    for r in [kerr.photon_orbit_prograde(), kerr.photon_orbit_retrograde()] {
+        projection.line(circle(r), thin(PHOTON_ORBITS));
+    }
     if scene.hole.spin != 0.0 {
         // The static limit: its equator, and its outline from this viewpoint.
-        projection.line(
-            painter,
-            circle(kerr.static_limit(0.0)),
-            thin(ERGOSPHERE.gamma_multiply(0.7)),
-        );
+        let equator = circle(kerr.static_limit(0.0));
+        projection.line(equator, thin(ERGOSPHERE.gamma_multiply(0.7)));
         let toward = projection.axes.transpose() * DVec3::Z;
         let across = projection.axes.transpose() * DVec3::X;
         let upright = if toward.z.abs() > 0.999 {
@@ -232,31 +209,27 @@ fn draw_hole(painter: &egui::Painter, projection: &Projection, scene: &Scene) {
         } else {
             (DVec3::Z - toward * toward.z).normalize()
         };
-        let outline = (0..=SEGMENTS).map(|i| {
-            let (sin, cos) = (TAU * i as f64 / SEGMENTS as f64).sin_cos();
-            let direction = (across * sin + upright * cos).normalize_or_zero();
+        let outline = circle(1.0).map(|place| {
+            let direction = (across * place.y + upright * place.x).normalize_or_zero();
             direction * kerr.static_limit(direction.z)
         });
-        projection.line(painter, outline, thin(ERGOSPHERE));
+        projection.line(outline, thin(ERGOSPHERE));
     }
 }
 
-fn draw_path(painter: &egui::Painter, projection: &Projection, inspected: &Inspected, first: bool) {
+fn draw_path(projection: &Projection, inspected: &Inspected, first: bool) {
     let colour = path_colour(inspected);
-    let stroke = if first {
-        Stroke::new(2.0, colour)
+    let (stroke, radius) = if first {
+        (Stroke::new(2.0, colour), 3.0)
     } else {
-        Stroke::new(1.0, colour.gamma_multiply(0.6))
+        (Stroke::new(1.0, colour.gamma_multiply(0.6)), 1.5)
     };
-    projection.line(painter, inspected.path.points.iter().copied(), stroke);
+    projection.line(inspected.path.points.iter().copied(), stroke);
     for hit in inspected.trace.hits.iter().flatten() {
         let place = DVec3::new(hit.r * hit.phi.cos(), hit.r * hit.phi.sin(), 0.0);
         if !projection.hidden(place) {
-            painter.circle_filled(
-                projection.point(place),
-                if first { 3.0 } else { 1.5 },
-                colour,
-            );
+            let point = projection.point(place);
+            projection.painter.circle_filled(point, radius, colour);
         }
     }
 }
@@ -264,25 +237,18 @@ fn draw_path(painter: &egui::Painter, projection: &Projection, inspected: &Inspe
 /// Draws a bar of a round length.
 fn draw_scale(painter: &egui::Painter, rect: Rect, points_per_length: f64) {
     let wanted = 0.25 * f64::from(rect.width()) / points_per_length;
-    let decade = 10.0_f64.powf(wanted.log10().floor());
-    let length = [5.0, 2.0, 1.0]
-        .into_iter()
-        .map(|step| step * decade)
-        .find(|length| *length <= wanted)
-        .unwrap_or(decade);
-    let (left, y) = (rect.left() + 10.0, rect.bottom() - 10.0);
-    let right = left + (length * points_per_length) as f32;
-    painter.line_segment(
-        [Pos2::new(left, y), Pos2::new(right, y)],
-        Stroke::new(1.5, Color32::from_gray(200)),
-    );
-    let text = format!("{} r_s", four_decimals(length));
-    let font = egui::FontId::proportional(12.0);
+    let Some(length) = round_length(wanted) else {
+        return;
+    };
+    let start = rect.left_bottom() + egui::vec2(10.0, -10.0);
+    let end = start + egui::vec2((length * points_per_length) as f32, 0.0);
+    let colour = Color32::from_gray(200);
+    painter.line_segment([start, end], Stroke::new(1.5, colour));
     painter.text(
-        Pos2::new(left, y - 3.0),
+        start - egui::vec2(0.0, 3.0),
         egui::Align2::LEFT_BOTTOM,
-        text,
-        font,
-        Color32::from_gray(200),
+        format!("{} r_s", four_decimals(length)),
+        egui::FontId::proportional(12.0),
+        colour,
     );
 }

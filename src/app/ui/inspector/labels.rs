@@ -1,11 +1,11 @@
-//! Labels in a drawing, placed where they cover neither each other nor what is drawn.
+//! Labels in a drawing, placed so that they cover neither each other nor the drawing.
 
 use bevy_egui::egui::{self, Color32, Pos2, Rect, Stroke, Vec2};
 
 const SIZE: f32 = 12.5;
 /// Distances from its place at which a label may stand, in points.
 const DISTANCES: [f32; 4] = [9.0, 22.0, 40.0, 64.0];
-/// From this distance on a thin line leads from the label to its place.
+/// Distance in points beyond which a thin line joins the label to its place.
 const LEADER: f32 = 20.0;
 /// Directions from its place in which a label may stand.
 const DIRECTIONS: [Vec2; 8] = [
@@ -23,7 +23,7 @@ const DIRECTIONS: [Vec2; 8] = [
 pub(super) struct Labels {
     bounds: Rect,
     taken: Vec<Rect>,
-    /// Points of what is drawn, to be left free.
+    /// Points of the drawing that labels leave free.
     drawn: Vec<Pos2>,
 }
 
@@ -55,7 +55,7 @@ impl Labels {
         self.avoid((0..=PARTS).map(|i| from.lerp(to, i as f32 / PARTS as f32)));
     }
 
-    /// Writes a label next to a place. A place outside the drawing has no label.
+    /// Writes a label next to a place, unless the place is outside the drawing.
     pub(super) fn write(
         &mut self,
         painter: &egui::Painter,
@@ -70,22 +70,15 @@ impl Labels {
         let galley = painter.layout_no_wrap(text.to_owned(), font, colour);
         let size = galley.size() + egui::vec2(8.0, 4.0);
         let candidates = DISTANCES.into_iter().flat_map(|distance| {
-            DIRECTIONS
-                .into_iter()
-                .map(move |direction| (distance, direction))
-        });
-        let best = candidates
-            .map(|(distance, direction)| {
+            DIRECTIONS.map(|direction| {
                 // The nearest point of the box lies at the distance from the place.
-                let reach = 0.5 * size * egui::vec2(direction.x.signum(), direction.y.signum());
-                let side = egui::vec2(
-                    if direction.x == 0.0 { 0.0 } else { reach.x },
-                    if direction.y == 0.0 { 0.0 } else { reach.y },
-                );
+                let sign = |x: f32| if x == 0.0 { 0.0 } else { x.signum() };
+                let side = 0.5 * size * egui::vec2(sign(direction.x), sign(direction.y));
                 let rect = Rect::from_center_size(place + distance * direction + side, size);
                 (self.cost(rect) + 0.4 * distance, distance, rect)
             })
-            .min_by(|a, b| a.0.total_cmp(&b.0));
+        });
+        let best = candidates.min_by(|a, b| a.0.total_cmp(&b.0));
         let Some((_, distance, rect)) = best else {
             return;
         };
@@ -98,26 +91,14 @@ impl Labels {
         self.taken.push(rect);
     }
 
-    /// How bad a box is: the area that other labels or the edge take, and what is drawn below it.
+    /// How bad a box is: its area over other labels or beyond the edge, and the number of drawn points
+    /// below it.
     fn cost(&self, rect: Rect) -> f32 {
-        let area = |other: Rect| {
-            if other.is_positive() {
-                other.area()
-            } else {
-                0.0
-            }
-        };
-        let covered: f32 = self
-            .taken
-            .iter()
-            .map(|other| area(rect.expand(2.0).intersect(*other)))
-            .sum();
+        let area = |other: Rect| other.width().max(0.0) * other.height().max(0.0);
+        let room = rect.expand(2.0);
+        let taken = self.taken.iter().map(|other| area(room.intersect(*other)));
         let outside = rect.area() - area(rect.intersect(self.bounds));
-        let below = self
-            .drawn
-            .iter()
-            .filter(|point| rect.contains(**point))
-            .count();
-        covered + outside + 6.0 * below as f32
+        let below = self.drawn.iter().filter(|point| rect.contains(**point));
+        taken.sum::<f32>() + outside + 6.0 * below.count() as f32
     }
 }

@@ -1,4 +1,5 @@
-//! The ray inspector: the light of a clicked pixel is traced again, listed in numbers and drawn.
+//! The ray inspector: it traces the light of a clicked pixel again, lists its numbers and draws its
+//! path.
 
 mod colours;
 mod drawing;
@@ -27,8 +28,16 @@ use ray_worker::{GpuState, InspectedRays, RayJob, RayWorker};
 
 /// The fans to choose from: rays per side.
 const FANS: [u32; 3] = [1, 3, 5];
-/// Least height of the drawing, as a share of what it and everything below it have together.
+/// Minimum height of the drawing, as a share of the room for it and everything below it.
 const MIN_DRAWING_SHARE: f32 = 0.52;
+
+/// The viewpoints to choose from, with their names.
+const VIEWPOINTS: [(Viewpoint, &str); 4] = [
+    (Viewpoint::Plane, "Ray's plane"),
+    (Viewpoint::Side, "Side"),
+    (Viewpoint::Top, "Top"),
+    (Viewpoint::Orbit, "3-D"),
+];
 
 /// What the inspector remembers, and the thread that traces for it.
 #[derive(Resource)]
@@ -39,7 +48,7 @@ struct Inspector {
     fan: u32,
     /// Pixels between the rays of the fan.
     spacing: f64,
-    /// The scene that was clicked last, and the pixel.
+    /// The scene and the pixel of the last click.
     asked: Option<(Scene, DVec2)>,
     answer: Option<InspectedRays>,
     /// Height of everything below the drawing as shown last, in points.
@@ -145,10 +154,8 @@ impl Inspector {
         offsets.sort_by_key(|offset| *offset != DVec2::ZERO);
         let ray = |offset: DVec2| {
             let place = *pixel + self.spacing * offset;
-            (
-                Ray::toward(scene.camera.looking(place, size(&scene.picture))),
-                place.to_array(),
-            )
+            let looking = scene.camera.looking(place, size(&scene.picture));
+            (Ray::toward(looking), place.to_array())
         };
         self.worker.ask(RayJob {
             scene: scene.clone(),
@@ -179,7 +186,7 @@ fn show_inspector(
     }
     let context = contexts.ctx_mut()?;
     let inspector = &mut *inspector;
-    // What the pixel of the last answer shows now.
+    // The scene that the pixel of the last answer shows now.
     let pixel = inspector.answer.as_ref().and_then(InspectedRays::pixel);
     let scene = scene_at(pixel.unwrap_or_default(), &scene, &compared);
     mark_rays(context, inspector, scene, &window);
@@ -222,19 +229,14 @@ fn show_inspector(
         });
         heading(ui, first, seen, scene, gpu);
         ui.horizontal(|ui| {
-            for (viewpoint, name) in [
-                (Viewpoint::Plane, "Ray's plane"),
-                (Viewpoint::Side, "Side"),
-                (Viewpoint::Top, "Top"),
-                (Viewpoint::Orbit, "3-D"),
-            ] {
+            for (viewpoint, name) in VIEWPOINTS {
                 ui.selectable_value(&mut sketch.viewpoint, viewpoint, name);
             }
             if ui.button("Fit").clicked() {
                 sketch.half_width = None;
             }
         });
-        // The numbers take what they need, up to their share, and the drawing everything else.
+        // The numbers take the room that they need, up to their share, and the drawing the rest.
         let room = ui.available_height();
         let below = text_height.min((1.0 - MIN_DRAWING_SHARE) * room);
         let height = (room - below).max(60.0);
@@ -269,21 +271,18 @@ fn show_inspector(
 /// Says which pixel of which picture was clicked.
 fn heading(ui: &mut egui::Ui, first: &Inspected, seen: &Scene, now: &Scene, gpu: &GpuState) {
     let [x, y] = first.numbers.pixel.unwrap_or_default().map(f64::floor);
-    let earlier = if seen == now {
-        ""
-    } else {
-        ", of an earlier picture"
-    };
-    let asked = if *gpu == GpuState::Waiting {
-        ", waiting for the GPU"
-    } else {
-        ""
-    };
-    let method = seen.method.resolved().word();
-    ui.label(format!(
-        "Pixel {x}, {y} of {} x {}, by {method}{earlier}{asked}",
-        seen.picture.width, seen.picture.height
-    ));
+    let (picture, method) = (&seen.picture, seen.method.resolved().word());
+    let mut text = format!(
+        "Pixel {x}, {y} of {} x {}, by {method}",
+        picture.width, picture.height
+    );
+    if seen != now {
+        text += ", of an earlier picture";
+    }
+    if *gpu == GpuState::Waiting {
+        text += ", waiting for the GPU";
+    }
+    ui.label(text);
 }
 
 fn choose_fan(ui: &mut egui::Ui, inspector: &mut Inspector) {
@@ -305,34 +304,25 @@ fn choose_fan(ui: &mut egui::Ui, inspector: &mut Inspector) {
     }
 }
 
-/// Marks the rays on the picture, as long as it is the picture that was clicked.
+/// Marks the rays on the picture, unless the picture has changed since the click.
 fn mark_rays(context: &egui::Context, inspector: &Inspector, scene: &Scene, window: &Window) {
-    let Some(answer) = inspector
-        .answer
-        .as_ref()
-        .filter(|answer| answer.scene.without_clock() == scene.without_clock())
-    else {
+    let is_shown = |answer: &&InspectedRays| answer.scene.without_clock() == scene.without_clock();
+    let Some(answer) = inspector.answer.as_ref().filter(is_shown) else {
         return;
     };
-    let painter = context.layer_painter(egui::LayerId::new(
-        egui::Order::Background,
-        "inspected".into(),
-    ));
+    let layer = egui::LayerId::new(egui::Order::Background, "inspected".into());
+    let painter = context.layer_painter(layer);
     let points = context.pixels_per_point();
     for (i, inspected) in answer.rays.iter().enumerate() {
         let pixel = DVec2::from_array(inspected.numbers.pixel.unwrap_or_default());
         let place = place_of(&scene.picture, pixel, window.physical_size()) / points;
         let centre = egui::pos2(place.x, place.y);
         let (radius, width) = if i == 0 { (7.0, 2.0) } else { (3.0, 1.0) };
-        painter.circle_stroke(
-            centre,
-            radius + 1.0,
-            egui::Stroke::new(width, egui::Color32::BLACK),
-        );
-        painter.circle_stroke(
-            centre,
-            radius,
-            egui::Stroke::new(width, path_colour(inspected)),
-        );
+        for (radius, colour) in [
+            (radius + 1.0, egui::Color32::BLACK),
+            (radius, path_colour(inspected)),
+        ] {
+            painter.circle_stroke(centre, radius, egui::Stroke::new(width, colour));
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! The numbers of an inspected ray, in few enough digits to read. Copying gives all digits.
+//! The numbers of an inspected ray, rounded for reading. A copy of them has all digits.
 
 use super::ray_worker::GpuState;
 use bevy_egui::egui;
@@ -7,10 +7,10 @@ use lightfall_core::numbers::{four_digits, short_number};
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::scene::Scene;
 
-/// The row that answers how true the picture is at this pixel.
-const OFF_BY: &str = "GPU error";
+/// The row that says how accurate the picture is at this pixel.
+const GPU_ERROR: &str = "GPU error";
 
-/// Its row needs a word more: light from the sky sweeps a half-turn even without gravity.
+/// A row with a help, because light from the sky sweeps a half-turn even without gravity.
 const HALF_TURNS: &str = "half-turns";
 const ABOUT_HALF_TURNS: &str = "The angle that the ray sweeps about the hole, in half-turns. The \
     order of the image counts the whole ones. A straight ray that comes from the sky and passes the \
@@ -35,75 +35,50 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, scene: &Scene, gpu: 
             };
             let cpu = &numbers.cpu;
             row("shows", Some(outcome(cpu, opaque).into()));
-            // How true the picture is comes first.
             match gpu {
-                GpuState::Waiting => row(OFF_BY, Some("waiting for the GPU".into())),
-                GpuState::Failed(reason) => row(OFF_BY, Some(reason.clone())),
+                GpuState::Waiting => row(GPU_ERROR, Some("waiting for the GPU".into())),
+                GpuState::Failed(reason) => row(GPU_ERROR, Some(reason.clone())),
                 GpuState::Done => {}
             }
             if let Some(difference) = numbers.difference {
                 differences(&mut row, &difference, numbers, opaque);
             }
-            let turned = match numbers.order {
-                Some(order) => format!("{:.3}, order {order}", numbers.half_turns),
-                None => format!("{:.3}", numbers.half_turns),
-            };
+            let mut turned = format!("{:.3}", numbers.half_turns);
+            if let Some(order) = numbers.order {
+                turned += &format!(", order {order}");
+            }
             row(HALF_TURNS, Some(turned));
-            row(
-                "deflection",
-                numbers
-                    .deflection
-                    .map(|angle| format!("{}°", four_digits(angle.to_degrees()))),
-            );
+            let deflection = numbers.deflection.map(f64::to_degrees).map(four_digits);
+            row("deflection", deflection.map(|angle| format!("{angle}°")));
             let closest = if cpu.outcome == Outcome::Captured {
                 "none: comes from the horizon".into()
             } else {
-                format!("{} r_s", four_digits(numbers.closest_r))
+                measured(numbers.closest_r, "r_s")
             };
-            let behind = opaque && cpu.hit1_r.is_some();
-            row(
-                if behind {
-                    "closest, without disk"
-                } else {
-                    "closest approach"
-                },
-                Some(closest),
-            );
+            let approach = if opaque && cpu.hit1_r.is_some() {
+                "closest, without disk"
+            } else {
+                "closest approach"
+            };
+            row(approach, Some(closest));
             // Inside the horizon the energy at infinity of some light is negative. b, L/E and E have
             // the same sign.
-            let backward = numbers.impact_parameter.is_some_and(|b| b < 0.0);
-            row(
-                if backward {
-                    "b, of energy E < 0"
-                } else {
-                    "impact parameter b"
-                },
-                numbers
-                    .impact_parameter
-                    .map(|b| format!("{} r_s", four_digits(b))),
-            );
+            let impact = if numbers.impact_parameter.is_some_and(|b| b < 0.0) {
+                "b, of energy E < 0"
+            } else {
+                "impact parameter b"
+            };
+            row(impact, numbers.impact_parameter.map(|b| measured(b, "r_s")));
             row(
                 "lambda = L/E",
-                numbers
-                    .lambda
-                    .map(|lambda| format!("{} r_s", four_digits(lambda))),
+                numbers.lambda.map(|lambda| measured(lambda, "r_s")),
             );
-            row(
-                "eta = Q/E²",
-                numbers.eta.map(|eta| format!("{} r_s²", four_digits(eta))),
-            );
-            let sky = [cpu.sky_x, cpu.sky_y, cpu.sky_z]
-                .into_iter()
-                .collect::<Option<Vec<_>>>();
-            row(
-                "sky direction",
-                sky.map(|sky| {
-                    sky.iter()
-                        .map(|x| format!("{x:.3}"))
-                        .collect::<Vec<_>>()
-                        .join(" ")
-                }),
-            );
+            row("eta = Q/E²", numbers.eta.map(|eta| measured(eta, "r_s²")));
+            let sky = match [cpu.sky_x, cpu.sky_y, cpu.sky_z] {
+                [Some(x), Some(y), Some(z)] => Some(format!("{x:.3} {y:.3} {z:.3}")),
+                _ => None,
+            };
+            row("sky direction", sky);
             let hits = [
                 (
                     "first",
@@ -133,7 +108,7 @@ pub(super) fn show(ui: &mut egui::Ui, numbers: &Inspection, scene: &Scene, gpu: 
                 row("   redshift", light);
                 row(
                     "   emitted",
-                    delay.map(|delay| format!("{} r_s/c earlier", four_digits(delay))),
+                    delay.map(|delay| measured(delay, "r_s/c earlier")),
                 );
             }
             row("reference", Some(work(cpu)));
@@ -148,36 +123,30 @@ fn differences(
     opaque: bool,
 ) {
     if !difference.same_class {
-        row(
-            "GPU says",
-            numbers.gpu.as_ref().map(|gpu| outcome(gpu, opaque).into()),
-        );
+        let gpu = numbers.gpu.as_ref();
+        row("GPU says", gpu.map(|gpu| outcome(gpu, opaque).into()));
     }
     let backward = difference.backward.zip(difference.backward_px);
-    row(
-        OFF_BY,
-        backward.map(|(turn, pixels)| format!("{} rad = {} px", size(turn), short_number(pixels))),
-    );
-    row(
-        "GPU error, sky",
-        difference.sky.map(|angle| format!("{} rad", size(angle))),
-    );
-    row(
-        "GPU error, disk r, g",
-        difference
-            .hit_r
-            .zip(difference.hit_g)
-            .map(|(r, g)| format!("{}, {}", size(r), size(g))),
-    );
-    row(
-        "GPU error, emitted",
-        difference
-            .hit_t
-            .map(|delay| format!("{} r_s/c", size(delay))),
-    );
+    let backward =
+        backward.map(|(turn, pixels)| format!("{} rad = {} px", size(turn), short_number(pixels)));
+    row(GPU_ERROR, backward);
+    let sky = difference.sky.map(|angle| format!("{} rad", size(angle)));
+    row("GPU error, sky", sky);
+    let hit = difference.hit_r.zip(difference.hit_g);
+    let hit = hit.map(|(r, g)| format!("{}, {}", size(r), size(g)));
+    row("GPU error, disk r, g", hit);
+    let delay = difference
+        .hit_t
+        .map(|delay| format!("{} r_s/c", size(delay)));
+    row("GPU error, emitted", delay);
 }
 
-/// The size of an error.
+/// A number with its unit.
+fn measured(number: f64, unit: &str) -> String {
+    format!("{} {unit}", four_digits(number))
+}
+
+/// An error with two digits.
 fn size(error: f64) -> String {
     if error == 0.0 {
         "0".into()

@@ -5,6 +5,7 @@ use glam::{DMat3, DVec3};
 
 /// From places around the hole to places on the screen.
 pub(super) struct Projection {
+    pub(super) painter: egui::Painter,
     /// Rows: right, up, toward the viewer.
     pub(super) axes: DMat3,
     pub(super) centre: Pos2,
@@ -15,12 +16,8 @@ pub(super) struct Projection {
 }
 
 impl Projection {
-    fn to_view(&self, place: DVec3) -> DVec3 {
-        self.axes * place
-    }
-
     pub(super) fn point(&self, place: DVec3) -> Pos2 {
-        let seen = self.to_view(place);
+        let seen = self.axes * place;
         let far = |length: f64| (length * self.points_per_length).clamp(-1e5, 1e5) as f32;
         Pos2::new(self.centre.x + far(seen.x), self.centre.y - far(seen.y))
     }
@@ -30,27 +27,22 @@ impl Projection {
         if self.inside {
             return false;
         }
-        let seen = self.to_view(place);
+        let seen = self.axes * place;
         seen.z < 0.0 && seen.x.hypot(seen.y) < self.horizon
     }
 
     /// Draws a line through places, without the parts that the hole covers.
-    pub(super) fn line(
-        &self,
-        painter: &egui::Painter,
-        places: impl Iterator<Item = DVec3>,
-        stroke: Stroke,
-    ) {
+    pub(super) fn line(&self, places: impl Iterator<Item = DVec3>, stroke: Stroke) {
         let mut run = Vec::new();
         for place in places {
             if self.hidden(place) {
-                painter.line(std::mem::take(&mut run), stroke);
+                self.painter.line(std::mem::take(&mut run), stroke);
             } else {
                 run.push(self.point(place));
             }
         }
         if run.len() > 1 {
-            painter.line(run, stroke);
+            self.painter.line(run, stroke);
         }
     }
 }

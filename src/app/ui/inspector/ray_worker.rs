@@ -1,5 +1,5 @@
-//! The thread that traces inspected rays again: first with the f64 reference, which answers at
-//! once, then on a background GPU device. No frame waits for it.
+//! The thread that traces inspected rays again, so that no frame waits for it: first with the f64
+//! reference, which answers at once, then on a background GPU device.
 
 use glam::DVec2;
 use lightfall_core::accuracy::Ray;
@@ -13,7 +13,7 @@ use lightfall_platform::worker::{Answers, Worker};
 /// The thread.
 pub(super) type RayWorker = Worker<RayJob, RayAnswer>;
 
-/// What the thread answers: the rays so far, or what could not be done.
+/// An answer of the thread: the rays so far, or what failed.
 pub(super) type RayAnswer = Result<InspectedRays, String>;
 
 /// Rays to inspect. The first is the one that was clicked, the others are the fan around it.
@@ -24,12 +24,12 @@ pub(super) struct RayJob {
     pub(super) rays: Vec<(Ray, [f64; 2])>,
 }
 
-/// What is known of a job so far.
+/// The rays of a job, as far as they are traced.
 pub(super) struct InspectedRays {
     pub(super) scene: Scene,
     /// The rays, in the order of the job.
     pub(super) rays: Vec<Inspected>,
-    /// What the GPU has answered.
+    /// The state of the GPU's answer for the first ray.
     pub(super) gpu: GpuState,
 }
 
@@ -41,7 +41,7 @@ impl InspectedRays {
     }
 }
 
-/// What the GPU has answered.
+/// The state of the GPU's answer.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum GpuState {
     Waiting,
@@ -58,7 +58,7 @@ pub(super) fn start() -> RayWorker {
     })
 }
 
-/// How far out a path is drawn, in r_s.
+/// Radius at which the drawing of a path ends, in r_s.
 fn path_end(scene: &Scene) -> f64 {
     3.0 * scene.camera.r + 60.0
 }

@@ -19,14 +19,8 @@ impl MenuActions<'_> {
     /// Does what an entry says.
     pub(super) fn choose(&mut self, entry: MenuEntry) {
         let command = match entry {
-            MenuEntry::Places => {
-                self.menu.show_places();
-                return;
-            }
-            MenuEntry::Back => {
-                self.menu.go_back();
-                return;
-            }
+            MenuEntry::Places => return self.menu.show_places(),
+            MenuEntry::Back => return self.menu.go_back(),
             MenuEntry::Place(place) => {
                 if let Some(preset) = PRESETS.get(place) {
                     self.editor.load("", Ok(preset.plain_scene().clone()));

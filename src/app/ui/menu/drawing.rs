@@ -1,4 +1,4 @@
-//! How the menu looks, and the mouse in it.
+//! Draws the menu, and lets the mouse operate it.
 
 use super::actions::MenuActions;
 use crate::app::controls::bindings::Bindings;
@@ -13,14 +13,14 @@ use lightfall_core::scene::presets::PRESETS;
 /// Width of the first list and of the list of places, in points.
 const WIDTH: f32 = 300.0;
 const PLACES_WIDTH: f32 = 640.0;
-/// Height of an entry where there is room, and the least, in points.
+/// Usual and minimum height of an entry, in points.
 const ENTRY_HEIGHT: f32 = 34.0;
 const MIN_ENTRY_HEIGHT: f32 = 24.0;
 /// Room around the entries, and height of the title and of the line below them, in points.
 const PADDING: f32 = 14.0;
 const TITLE_HEIGHT: f32 = 38.0;
 const HINT_HEIGHT: f32 = 28.0;
-/// The picture behind the menu is darkened by this.
+/// Colour that darkens the picture behind the menu.
 const SHADE: Color32 = Color32::from_black_alpha(130);
 
 pub(super) fn show_menu(
@@ -39,13 +39,13 @@ pub(super) fn show_menu(
         .fixed_pos(screen.min)
         .constrain(false)
         .show(context, |ui| {
-            // The shade takes every click that is meant for nothing in the menu.
+            // The shade takes every click beside the menu.
             ui.painter().rect_filled(screen, 0.0, SHADE);
             ui.allocate_rect(screen, Sense::click_and_drag());
-            let width = if actions.menu.shows_places() {
-                PLACES_WIDTH
+            let (title, width) = if actions.menu.shows_places() {
+                ("Places", PLACES_WIDTH)
             } else {
-                WIDTH
+                ("Lightfall", WIDTH)
             };
             let entries = actions.menu.entries();
             let height =
@@ -55,7 +55,7 @@ pub(super) fn show_menu(
             ui.painter()
                 .rect_filled(frame, 10.0, Color32::from_rgb(12, 12, 16));
             let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(frame.shrink(PADDING)));
-            clicked = show_entries(&mut inside, &mut actions.menu, &entries, &bindings);
+            clicked = show_entries(&mut inside, title, &mut actions.menu, &entries, &bindings);
         });
     if let Some(entry) = clicked {
         actions.choose(entry);
@@ -66,17 +66,13 @@ pub(super) fn show_menu(
 /// Shows the title, the entries and a line about the keys. Returns the entry that was clicked.
 fn show_entries(
     ui: &mut egui::Ui,
+    title: &str,
     menu: &mut Menu,
     entries: &[MenuEntry],
     bindings: &Bindings,
 ) -> Option<MenuEntry> {
     let mut clicked = None;
     ui.spacing_mut().item_spacing.y = 0.0;
-    let title = if menu.shows_places() {
-        "Places"
-    } else {
-        "Lightfall"
-    };
     ui.label(egui::RichText::new(title).size(20.0).color(ACCENT));
     ui.add_space(10.0);
     let room = ui.available_height() - HINT_HEIGHT;
@@ -100,11 +96,8 @@ fn show_entries(
             }
         });
     ui.add_space(10.0);
-    ui.label(
-        egui::RichText::new("Up, Down and Enter choose")
-            .size(12.5)
-            .color(WEAK_TEXT),
-    );
+    let hint = egui::RichText::new("Up, Down and Enter choose");
+    ui.label(hint.size(12.5).color(WEAK_TEXT));
     clicked
 }
 

@@ -1,4 +1,4 @@
-//! What Esc does: it ends or closes the uppermost thing, and opens the menu where there is none.
+//! The effect of Esc: it ends or closes what is uppermost, or opens the menu if nothing is open.
 
 use crate::app::controls::control::AppCommand;
 use crate::app::motion::pilot::Pilot;
@@ -7,8 +7,8 @@ use crate::app::state::menu::Menu;
 use crate::app::state::overlays::Overlays;
 use bevy::prelude::*;
 
-/// Frees the mouse; or ends the photo mode; or closes the help, the card at the end of a flight, or
-/// a panel; or opens the menu.
+/// Frees the mouse, or ends the photo mode, or closes the help, the card at the end of a flight or a
+/// panel, or opens the menu.
 pub(super) fn apply_escape(
     mut commands: MessageReader<AppCommand>,
     mut pilot: ResMut<Pilot>,
@@ -16,13 +16,10 @@ pub(super) fn apply_escape(
     end_card: Res<EndCard>,
     mut menu: ResMut<Menu>,
 ) {
-    // Any key closes the card before this system runs.
+    // Any key has closed the card before this system runs.
     let closed_card = end_card.is_changed() && !end_card.is_open() && !end_card.is_added();
-    let presses = commands
-        .read()
-        .filter(|command| **command == AppCommand::Escape)
-        .count();
-    if presses == 0 || closed_card || menu.is_open() {
+    let presses = commands.read().filter(|it| **it == AppCommand::Escape);
+    if presses.count() == 0 || closed_card || menu.is_open() {
         return;
     }
     if pilot.free_look {

@@ -1,5 +1,5 @@
-//! The menu in the middle of the window. Esc or a gamepad's button opens it; mouse, keyboard and
-//! gamepad use it.
+//! The menu in the middle of the window. Esc or a gamepad's button opens it. Mouse, keyboard and
+//! gamepad operate it.
 
 mod actions;
 mod drawing;

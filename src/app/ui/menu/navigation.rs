@@ -7,9 +7,9 @@ use bevy::input::keyboard::KeyboardInput;
 use bevy::prelude::*;
 use bevy::window::PrimaryWindow;
 
-/// The stick selects the next entry when it is pushed farther than this.
+/// Deflection beyond which the stick selects the next entry.
 const STICK_PUSHED: f32 = 0.6;
-/// The stick is back in the middle below this.
+/// Deflection below which the stick counts as back in the middle.
 const STICK_BACK: f32 = 0.3;
 
 const UP: [KeyCode; 2] = [KeyCode::ArrowUp, KeyCode::KeyW];
@@ -17,8 +17,8 @@ const DOWN: [KeyCode; 2] = [KeyCode::ArrowDown, KeyCode::KeyS];
 const CHOOSE: [KeyCode; 3] = [KeyCode::Enter, KeyCode::NumpadEnter, KeyCode::Space];
 const BACK: [KeyCode; 3] = [KeyCode::Escape, KeyCode::ArrowLeft, KeyCode::Backspace];
 
-/// Moves the selection, chooses it, or goes back. Each press counts, in its order, however many come
-/// in one slow frame.
+/// Moves the selection, chooses it, or goes back. Every press counts, in order, even if several come in
+/// one slow frame.
 pub(super) fn navigate(
     mut inputs: MessageReader<KeyboardInput>,
     pads: Query<&Gamepad>,

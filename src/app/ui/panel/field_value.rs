@@ -1,9 +1,9 @@
-//! The value of a field on the panel: a switch, a list of words, a text, or a number with a slider
+//! The value of a field on the panel: a switch, a list of choices, a text, or a number with a slider
 //! and a text field.
 
 use super::number_field::{Typed, number_field};
-use super::sections::Shown;
 use super::switch::switch;
+use crate::app::controls::sections::Shown;
 use bevy_egui::egui;
 use lightfall_core::scene::{Field, Kind, Method, Range, Value};
 use lightfall_core::words::Choice;
@@ -13,7 +13,7 @@ use std::ops::Bound::{Excluded, Included, Unbounded};
 const NUMBER_WIDTH: f32 = 92.0;
 /// Share of an open range that a slider stays away from its ends.
 const OPEN_END_MARGIN: f64 = 1e-4;
-/// What the three components of a velocity point to.
+/// The directions of the three components of a velocity.
 const COMPONENTS: [&str; 3] = [
     "Outward, away from the hole",
     "Down, toward the plane of the disk and beyond",
@@ -23,7 +23,7 @@ const COMPONENTS: [&str; 3] = [
 /// Shows a field's value in the rest of a row. Returns its new value if it was changed.
 ///
 /// # Errors
-/// What was typed is no number.
+/// The typed text is not a number.
 pub(super) fn show_value(
     ui: &mut egui::Ui,
     field: &Field,
@@ -74,16 +74,11 @@ fn show_choices(
         .selected_text(shown.map_or(word, |choice| choice.name))
         .width(ui.available_width())
         .show_ui(ui, |ui| {
-            for Choice {
-                word,
-                name,
-                meaning,
-            } in choices
-            {
+            for choice in choices {
                 // The reference cannot draw a picture.
-                if (key, *word) != ("method", Method::Reference.word()) {
-                    ui.selectable_value(&mut chosen, word, *name)
-                        .on_hover_text(format!("{meaning} ({word})"));
+                if (key, choice.word) != ("method", Method::Reference.word()) {
+                    ui.selectable_value(&mut chosen, choice.word, choice.name)
+                        .on_hover_text(format!("{} ({})", choice.meaning, choice.word));
                 }
             }
         });
@@ -110,8 +105,8 @@ fn show_velocity(
 }
 
 /// Shows a number with a slider, as wide as the row allows, and a text field. Returns its new value
-/// if it was changed. A number that the field does not allow can be typed, and is then refused with
-/// a reason.
+/// if it was changed. The text field also takes numbers that the field does not allow, so that the
+/// refusal can give the reason.
 fn show_number(
     ui: &mut egui::Ui,
     field: &Field,
@@ -120,12 +115,9 @@ fn show_number(
     range: Range,
     whole: bool,
 ) -> Option<Typed> {
-    let turned = |angle: f64| {
-        if shown == Shown::AboveEquator {
-            90.0 - angle
-        } else {
-            angle
-        }
+    let turned = |angle: f64| match shown {
+        Shown::AboveEquator => 90.0 - angle,
+        _ => angle,
     };
     let mut number = turned(value);
     let mut slid = false;
@@ -156,8 +148,8 @@ fn show_number(
 /// The ends of a field's slider: the useful values among those that the field allows.
 fn slider_ends(shown: Shown, range: Range) -> Option<(f64, f64)> {
     let (low, high) = match shown {
+        Shown::AboveEquator => return Some((-90.0, 90.0)),
         Shown::Linear(low, high) | Shown::Logarithmic(low, high) => (low, high),
-        Shown::AboveEquator => (-90.0, 90.0),
         Shown::Plain | Shown::Inverted => (f64::NEG_INFINITY, f64::INFINITY),
     };
     let inside = |end, sign: f64| match end {
@@ -165,13 +157,9 @@ fn slider_ends(shown: Shown, range: Range) -> Option<(f64, f64)> {
         Included(end) => end,
         Excluded(end) => end + sign * OPEN_END_MARGIN * f64::abs(end).max(1.0),
     };
-    let (low, high) = if shown == Shown::AboveEquator {
-        (low, high)
-    } else {
-        (
-            low.max(inside(range.low, 1.0)),
-            high.min(inside(range.high, -1.0)),
-        )
-    };
+    let (low, high) = (
+        low.max(inside(range.low, 1.0)),
+        high.min(inside(range.high, -1.0)),
+    );
     (low.is_finite() && high.is_finite() && low < high).then_some((low, high))
 }

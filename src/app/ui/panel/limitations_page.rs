@@ -1,4 +1,4 @@
-//! The page that says what is exact, what is statistics, what is approximate and what is art.
+//! The page that says which parts of the picture are exact, statistical, approximate or art.
 
 use crate::app::controls::bindings::Bindings;
 use bevy_egui::egui;
@@ -6,7 +6,7 @@ use lightfall_core::scene::promises::{
     CLOSED_MAX, CLOSED_SPINNING_P99, MINO_DELAY, STAR_FLUX_SPINNING,
 };
 
-/// What is exact, with the errors that the program promises.
+/// The exact parts, with the errors that the program promises.
 fn exact() -> [String; 8] {
     [
         format!(
@@ -75,16 +75,11 @@ pub(super) fn show(ui: &mut egui::Ui, bindings: &Bindings) {
     list(ui, "Statistics", &STATISTICS);
     list(ui, "Approximate", &approximate);
     list(ui, "Art", &art);
-    let effects = [
-        "light.lensing",
-        "light.doppler",
-        "light.beaming",
-        "light.gravitational_shift",
-    ]
-    .map(key);
+    let effects = ["lensing", "doppler", "beaming", "gravitational_shift"];
+    let keys = effects.map(|effect| bindings.label(&format!("light.{effect}")));
     ui.weak(format!(
         "Effects that are switched off ({}) break the physics on purpose.",
-        effects.join(", ")
+        keys.join(", ")
     ));
 }
 

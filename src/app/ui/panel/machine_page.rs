@@ -1,5 +1,5 @@
-//! The page about the machine: how fast it draws, what the passes cost, which adapter draws, and
-//! what the scene compiles.
+//! The page about the machine: its speed, the graphics adapter, the time of each pass, and what the
+//! scene compiles.
 
 use crate::app::session::adapter::AdapterChoice;
 use crate::app::session::frame_pacing::FramePacing;
@@ -21,7 +21,7 @@ use web_time::Instant;
 
 /// A pass that has not run for this long is not listed.
 const STALE: Duration = Duration::from_secs(2);
-/// Maximum time that counts for one frame, in seconds: a machine that slept drew nothing meanwhile.
+/// Maximum duration of a frame that counts, in seconds. A longer one means that the machine slept.
 const MAX_FRAME_SECONDS: f64 = 2.0;
 /// Weight of the newest frame in the mean.
 const NEWEST_WEIGHT: f64 = 0.1;
@@ -36,7 +36,7 @@ pub(super) struct MachinePage {
     adapters: Option<Arc<OnceLock<Vec<Listed>>>>,
 }
 
-/// The rows of the scene's cost report, and what they were made for.
+/// The rows of the scene's cost report, and what they depend on.
 #[derive(Default)]
 struct CostReport {
     rows: Vec<(&'static str, String)>,
@@ -81,11 +81,8 @@ impl Machine<'_> {
             .diagnostics
             .iter()
             .filter_map(|diagnostic| {
-                let name = diagnostic
-                    .path()
-                    .as_str()
-                    .strip_prefix("render/")?
-                    .strip_suffix("/elapsed_gpu")?;
+                let path = diagnostic.path().as_str();
+                let name = path.strip_prefix("render/")?.strip_suffix("/elapsed_gpu")?;
                 let fresh = now.duration_since(diagnostic.measurement()?.time) < STALE;
                 Some((name, diagnostic.smoothed().filter(|_| fresh)?))
             })
@@ -120,21 +117,19 @@ impl MachinePage {
         ui.add_space(8.0);
         egui::CollapsingHeader::new("GPU time of each pass")
             .show_unindented(ui, |ui| passes(ui, machine));
-        egui::CollapsingHeader::new("What this scene compiles and allocates").show_unindented(
-            ui,
-            |ui| {
-                for (topic, items) in self.costs.rows(&drawn, *machine.waves) {
-                    ui.horizontal_top(|ui| {
-                        let left = egui::Layout::left_to_right(egui::Align::Min);
-                        ui.allocate_ui_with_layout(egui::vec2(TOPIC_WIDTH, 18.0), left, |ui| {
-                            ui.set_min_width(TOPIC_WIDTH);
-                            ui.weak(*topic);
-                        });
-                        ui.add(egui::Label::new(items).wrap());
+        let costs = egui::CollapsingHeader::new("What this scene compiles and allocates");
+        costs.show_unindented(ui, |ui| {
+            for (topic, items) in self.costs.rows(&drawn, *machine.waves) {
+                ui.horizontal_top(|ui| {
+                    let left = egui::Layout::left_to_right(egui::Align::Min);
+                    ui.allocate_ui_with_layout(egui::vec2(TOPIC_WIDTH, 18.0), left, |ui| {
+                        ui.set_min_width(TOPIC_WIDTH);
+                        ui.weak(*topic);
                     });
-                }
-            },
-        );
+                    ui.add(egui::Label::new(items).wrap());
+                });
+            }
+        });
     }
 
     /// Chooses the adapter for the next start.
@@ -159,23 +154,18 @@ impl MachinePage {
         ui.weak("From the next start on:");
         ui.radio_value(chosen, None, "the best one");
         let listed = list.get().map_or(&[][..], Vec::as_slice);
-        for Listed {
-            name, kind, driver, ..
-        } in listed
-        {
-            let mark = if present.as_ref() == Some(name) {
-                ", in use now"
-            } else {
-                ""
-            };
+        for adapter in listed {
+            let name = &adapter.name;
+            let in_use = present.as_ref() == Some(name);
+            let mark = if in_use { ", in use now" } else { "" };
             ui.radio_value(chosen, Some(name.clone()), format!("{name}{mark}"))
-                .on_hover_text(format!("{kind}, {driver}"));
+                .on_hover_text(format!("{}, {}", adapter.kind, adapter.driver));
         }
-        if let Some(missing) = chosen
-            .clone()
-            .filter(|name| list.get().is_some() && listed.iter().all(|it| it.name != *name))
-        {
-            ui.radio_value(chosen, Some(missing.clone()), format!("{missing}, missing"));
+        let is_missing =
+            |name: &AdapterName| list.get().is_some() && listed.iter().all(|it| it.name != *name);
+        if let Some(missing) = chosen.clone().filter(is_missing) {
+            let text = format!("{missing}, missing");
+            ui.radio_value(chosen, Some(missing), text);
         }
         if let Some(variable) = gpu::named_by_environment() {
             ui.weak(format!(
@@ -190,36 +180,24 @@ impl MachinePage {
 fn speed(ui: &mut egui::Ui, machine: &Machine, drawn: &Picture, at_rest: &Picture) {
     ui.strong("Speed");
     let milliseconds = 1e3 * machine.frame_time.0;
-    let resting = if machine.pacing.resting {
-        ": fewer, because nothing moves"
-    } else {
-        ""
-    };
-    ui.label(
-        egui::RichText::new(format!(
-            "{:.0} frames per second",
-            1e3 / milliseconds.max(1e-3)
-        ))
-        .size(20.0),
-    );
-    ui.label(format!("{milliseconds:.1} ms per frame{resting}"));
-    let coarser = if drawn.size() == at_rest.size() {
-        String::new()
-    } else {
-        format!(", {} x {} at rest", at_rest.width, at_rest.height)
-    };
-    let cells = if at_rest.bypass {
-        String::new()
-    } else {
-        format!(
+    let rate = format!("{:.0} frames per second", 1e3 / milliseconds.max(1e-3));
+    ui.label(egui::RichText::new(rate).size(20.0));
+    let mut frame = format!("{milliseconds:.1} ms per frame");
+    if machine.pacing.resting {
+        frame += ": fewer, because nothing moves";
+    }
+    ui.label(frame);
+    let mut pixels = format!("{} x {} pixels drawn", drawn.width, drawn.height);
+    if drawn.size() != at_rest.size() {
+        pixels += &format!(", {} x {} at rest", at_rest.width, at_rest.height);
+    }
+    if !at_rest.bypass {
+        pixels += &format!(
             ", in {} x {} cells",
             at_rest.grid_width, at_rest.grid_height
-        )
-    };
-    ui.label(format!(
-        "{} x {} pixels drawn{coarser}{cells}",
-        drawn.width, drawn.height
-    ));
+        );
+    }
+    ui.label(pixels);
 }
 
 fn passes(ui: &mut egui::Ui, machine: &Machine) {
@@ -241,7 +219,7 @@ fn passes(ui: &mut egui::Ui, machine: &Machine) {
 }
 
 impl CostReport {
-    /// The rows for a scene, made again only where what they depend on has changed.
+    /// The rows for a scene. They are made again only when something that they depend on has changed.
     fn rows(&mut self, scene: &Scene, limit: WaveLimit) -> &[(&'static str, String)] {
         let disk = scene.without_clock().disk;
         let (variant, chain) = (Variant::picture(scene), Chain::of(scene));

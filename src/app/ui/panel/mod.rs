@@ -1,5 +1,5 @@
-//! The panel at the right: every field of the scene, presets, read-outs, the machine, what the
-//! picture leaves out, and the settings.
+//! The panel at the right: every field of the scene, presets, read-outs, the machine, the limits of
+//! the picture, and the settings.
 
 mod field_value;
 mod file_dialog;
@@ -10,7 +10,6 @@ mod number_field;
 mod presets_page;
 mod readouts_page;
 mod scene_page;
-pub(crate) mod sections;
 mod settings_page;
 mod step_count;
 mod switch;
@@ -77,10 +76,7 @@ fn open_settings(
     mut overlays: ResMut<Overlays>,
     mut panel: ResMut<Panel>,
 ) {
-    if commands
-        .read()
-        .any(|command| *command == AppCommand::Settings)
-    {
+    if commands.read().any(|it| *it == AppCommand::Settings) {
         overlays.open_panel();
         panel.page = Page::Settings;
     }

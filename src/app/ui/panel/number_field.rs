@@ -1,7 +1,7 @@
-//! A text field for a number. At rest it shows the number rounded and with its unit; while it is
-//! edited it shows every digit that was typed.
+//! A text field for a number. At rest it shows the number rounded and with its unit, and while it is
+//! edited with every digit.
 
-use crate::app::ui::number::{eight_digits, four_decimals};
+use crate::app::ui::number::{eight_digits, four_decimals, trimmed};
 use bevy_egui::egui;
 
 /// A number that was typed, or what is wrong with the text.
@@ -53,11 +53,11 @@ fn select_all(ui: &egui::Ui, id: egui::Id, length: usize) {
     state.store(ui.ctx(), id);
 }
 
-/// The most digits of a number that counts as typed. One with more is computed.
+/// Largest number of digits of a typed number. A number with more digits was computed.
 const TYPED_DIGITS: usize = 12;
 
-/// A number with every digit that it was typed with, or a computed one with eight digits. The
-/// rounding of the last of its sixteen digits is left out.
+/// A typed number with all its digits, or a computed number with eight digits. A difference in the
+/// last of sixteen digits is rounding, and is left out.
 fn all_digits(value: f64) -> String {
     let mantissa = format!("{value:e}");
     let digits = mantissa.split('e').next().unwrap_or_default();
@@ -66,10 +66,9 @@ fn all_digits(value: f64) -> String {
     if count > TYPED_DIGITS && (rounded - value).abs() > 4.0 * f64::EPSILON * value.abs() {
         return format!("{}", eight_digits(value));
     }
-    let short = format!("{value:.12}");
-    let short = short.trim_end_matches('0').trim_end_matches('.');
+    let short = trimmed(format!("{value:.12}"));
     match short.parse::<f64>() {
-        Ok(number) if (number - value).abs() <= 4.0 * f64::EPSILON * value.abs() => short.into(),
+        Ok(number) if (number - value).abs() <= 4.0 * f64::EPSILON * value.abs() => short,
         _ => format!("{value}"),
     }
 }
@@ -77,34 +76,22 @@ fn all_digits(value: f64) -> String {
 /// The number in a text, with or without its unit, with a point or a comma.
 fn parsed(text: &str, unit: &str) -> Typed {
     let text = text.trim();
-    let number = text
-        .strip_suffix(suffix(unit).trim())
-        .unwrap_or(text)
-        .trim()
-        .replace(',', ".");
-    match number.parse::<f64>() {
+    let suffix = suffix(unit);
+    let number = text.strip_suffix(suffix.trim()).unwrap_or(text);
+    match number.trim().replace(',', ".").parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         _ => Err(format!("\"{text}\" is not a number.")),
     }
 }
 
 /// A unit as it follows a number on the panel.
-pub(super) fn suffix(unit: &str) -> &str {
+fn suffix(unit: &str) -> String {
     match unit {
-        "" => "",
-        "degrees" => "°",
-        "r_s" => " r_s",
-        "K" => " K",
-        "c" => " c",
-        "pixels" => " px",
-        "cells" => " cells",
-        "powers of two" => " EV",
-        "steps" => " steps",
-        "r_s/c" => " r_s/c",
-        "orbits" => " orbits",
-        "waves" => " waves",
-        "levels" => " tones",
-        "frames" => " frames",
-        other => other,
+        "" => String::new(),
+        "degrees" => "°".into(),
+        "pixels" => " px".into(),
+        "powers of two" => " EV".into(),
+        "levels" => " tones".into(),
+        other => format!(" {other}"),
     }
 }

@@ -1,5 +1,5 @@
 //! The page of presets: the built-in ones, the user's own, saving, and loading from a file. A preset
-//! file or picture that is dropped on the window is loaded too.
+//! file or picture dropped on the window is loaded, too.
 
 use super::file_dialog::{FileDialog, Picked};
 use crate::app::session::clipboard::Clipboard;
@@ -15,19 +15,22 @@ use lightfall_platform::storage::{
     create_parent_folder, exists, file_safe_name, preset_files, presets_folder, read_scene,
     write_atomically,
 };
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
+
+/// Largest number of letters of a preset's name.
+const MAX_NAME_LETTERS: usize = 60;
 
 /// What the page remembers.
 #[derive(Default)]
 pub(super) struct PresetsPage {
-    /// The user's preset that is open, and the loaded scene that it gave. Once another scene is
-    /// loaded, the preset is no longer open.
+    /// The user's preset that is open, and its scene as it was loaded.
     own: Option<(PathBuf, Scene)>,
     /// The name to save under.
     name: String,
     /// The file to load.
     path: String,
-    /// The file that the user is asked about: whether it is to be replaced.
+    /// The existing file that the user is asked whether to replace.
     replace: Option<PathBuf>,
     /// What was saved or read last, or what went wrong.
     report: String,
@@ -43,13 +46,8 @@ impl PresetsPage {
         editor: &mut SceneEditor,
         clipboard: &Clipboard,
     ) {
-        if self
-            .own
-            .as_ref()
-            .is_some_and(|(_, loaded)| loaded != editor.loaded())
-        {
-            self.own = None;
-        }
+        // Loading another scene closes the preset.
+        self.own.take_if(|(_, loaded)| loaded != editor.loaded());
         heading(ui, "Built in");
         show_built_in(ui, editor);
         ui.add_space(10.0);
@@ -78,13 +76,12 @@ impl PresetsPage {
     /// The fields that open a preset or a picture.
     fn show_opening(&mut self, ui: &mut egui::Ui, editor: &mut SceneEditor) {
         ui.horizontal(|ui| {
-            // A page knows no paths.
+            // A page in a browser has no paths.
             if !IN_BROWSER {
-                ui.add(
-                    egui::TextEdit::singleline(&mut self.path)
-                        .hint_text("Path of a preset or picture")
-                        .desired_width(ui.available_width() - 150.0),
-                );
+                let path = egui::TextEdit::singleline(&mut self.path)
+                    .hint_text("Path of a preset or picture")
+                    .desired_width(ui.available_width() - 150.0);
+                ui.add(path);
                 let given = !self.path.trim().is_empty();
                 if ui.add_enabled(given, egui::Button::new("Open")).clicked() {
                     self.open(editor, &PathBuf::from(self.path.trim()));
@@ -105,14 +102,12 @@ impl PresetsPage {
             }
             Some(Picked::Nothing) | None => {}
         }
-        note(
-            ui,
-            if IN_BROWSER {
-                "A preset, or a picture that Lightfall saved."
-            } else {
-                "Or drop a preset, or a picture that Lightfall saved, on the window."
-            },
-        );
+        let hint = if IN_BROWSER {
+            "A preset, or a picture that Lightfall saved."
+        } else {
+            "Or drop a preset, or a picture that Lightfall saved, on the window."
+        };
+        note(ui, hint);
     }
 
     /// The list of the user's presets.
@@ -125,17 +120,16 @@ impl PresetsPage {
             note(ui, "None yet.");
         }
         for file in files {
-            let name = file.file_stem().unwrap_or_default().to_string_lossy();
             let is_open = self.own.as_ref().is_some_and(|(own, _)| *own == file);
-            if entry(ui, is_open, &name, "").clicked() {
+            if entry(ui, is_open, &stem(&file), "").clicked() {
                 self.open(editor, &file);
             }
         }
     }
 
-    /// The field that saves. What it says or asks has a line of its own that is always there, so
-    /// that nothing moves under the mouse. The question is answered at the other end of the line
-    /// than where `Save` is.
+    /// The field that saves. The line below it, for reports and the question, is always there, so that
+    /// nothing moves under the mouse. The answers to the question are far from `Save`, so that a double
+    /// click does not give one.
     fn show_saving(&mut self, ui: &mut egui::Ui, editor: &mut SceneEditor, folder: &Path) {
         let safe_name = file_safe_name(self.name.trim());
         let file = folder.join(format!("{safe_name}.toml"));
@@ -183,10 +177,8 @@ impl PresetsPage {
         (self.replace, self.report) = (None, String::new());
         if editor.load("", scene) {
             self.own = Some((file.to_owned(), editor.loaded().clone()));
-            let folder = presets_folder();
-            if file.parent() == folder.as_deref() {
-                let name = file.file_stem().unwrap_or_default();
-                self.name = name.to_string_lossy().into_owned();
+            if file.parent() == presets_folder().as_deref() {
+                self.name = stem(file).into_owned();
             }
         }
     }
@@ -194,14 +186,7 @@ impl PresetsPage {
     fn save(&mut self, editor: &mut SceneEditor, file: &Path) {
         self.replace = None;
         let mut scene = editor.scene();
-        // As long as a file-safe name may be.
-        scene.name = file
-            .file_stem()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .chars()
-            .take(60)
-            .collect();
+        scene.name = stem(file).chars().take(MAX_NAME_LETTERS).collect();
         let written = create_parent_folder(file)
             .and_then(|()| write_atomically(file, scene.to_preset().as_bytes()));
         match written {
@@ -217,50 +202,38 @@ impl PresetsPage {
     }
 }
 
+/// The name of a file without its extension.
+fn stem(file: &Path) -> Cow<'_, str> {
+    file.file_stem().unwrap_or_default().to_string_lossy()
+}
+
 fn show_built_in(ui: &mut egui::Ui, editor: &mut SceneEditor) {
     let name = editor.scene().name;
     for preset in presets::PRESETS {
         let scene = preset.plain_scene();
         let number = preset.number.to_string();
-        if entry(ui, name == preset.name, &scene.title, &number)
-            .on_hover_text(format!("{}: lightfall --preset {number}", preset.name))
-            .clicked()
-        {
+        let command = format!("{}: lightfall --preset {number}", preset.name);
+        let entry = entry(ui, name == preset.name, &scene.title, &number);
+        if entry.on_hover_text(command).clicked() {
             editor.load("", Ok(scene.clone()));
         }
     }
 }
 
-/// A line of a list, as wide as the page, with a key before it.
+/// A line of a list, as wide as the page, after its key.
 fn entry(ui: &mut egui::Ui, selected: bool, text: &str, key: &str) -> egui::Response {
-    let line = if key.is_empty() {
-        text.to_owned()
-    } else {
-        format!("{key}   {text}")
-    };
-    let width = ui.available_width();
-    ui.scope(|ui| {
-        ui.set_min_width(width);
-        let left = egui::Layout::top_down_justified(egui::Align::Min);
-        ui.with_layout(left, |ui| {
-            ui.add(egui::Button::selectable(selected, line).truncate())
-        })
-        .inner
-    })
-    .inner
+    let line = format!("{key}   {text}");
+    let button = egui::Button::selectable(selected, line.trim_start()).truncate();
+    let left = egui::Layout::top_down_justified(egui::Align::Min);
+    ui.with_layout(left, |ui| ui.add(button)).inner
 }
 
-/// The button that copies what leads others to the present scene.
+/// The button that copies the address or the command line of the present scene.
 fn show_sharing(ui: &mut egui::Ui, editor: &mut SceneEditor, clipboard: &Clipboard) {
-    let what = if IN_BROWSER {
-        "Copy link"
+    let (what, hint) = if IN_BROWSER {
+        ("Copy link", "The address of this page with this scene")
     } else {
-        "Copy command"
-    };
-    let hint = if IN_BROWSER {
-        "The address of this page with this scene"
-    } else {
-        "The command line that opens this scene"
+        ("Copy command", "The command line that opens this scene")
     };
     if ui.button(what).on_hover_text(hint).clicked() {
         let said = copy_link(&editor.scene(), clipboard);
@@ -279,7 +252,7 @@ fn note(ui: &mut egui::Ui, text: &str) {
 /// The scene of a preset file or of a picture.
 ///
 /// # Errors
-/// The file cannot be read or is wrong; one sentence.
+/// One sentence: the file cannot be read or is wrong.
 fn read_preset(file: &Path) -> Result<Scene, String> {
     read_scene(file, &[]).map_err(|error| error.to_string())
 }

@@ -1,5 +1,5 @@
-//! The page of read-outs: what the observer would measure, in units of the hole and, for a hole of
-//! a chosen mass, in SI units.
+//! The page of read-outs: what the observer would measure, in units of the hole and, for a chosen
+//! mass, in SI units.
 
 use crate::app::controls::bindings::Bindings;
 use crate::app::motion::free_fall::FreeFall;
@@ -15,7 +15,7 @@ use lightfall_core::scene::{ObserverKind, Scene};
 use std::time::Duration;
 use web_time::Instant;
 
-/// Time between two read-outs of a moving observer, long enough to read them.
+/// Minimum time between two read-outs of a moving observer, long enough to read them.
 const MIN_AGE: Duration = Duration::from_millis(150);
 
 /// Widths of the names and of the values, in points.
@@ -29,23 +29,16 @@ pub(super) struct ReadoutsPage {
 }
 
 impl ReadoutsPage {
+    /// The read-out of a scene, or the last one if it is not old enough to be replaced.
     fn readout(&mut self, scene: &Scene) -> &Result<Readout, String> {
         let needed = scene.for_readouts();
-        let stale = self
-            .last
-            .as_ref()
-            .is_none_or(|(seen, made, _)| *seen != needed && made.elapsed() > MIN_AGE);
-        if stale {
-            self.last = None;
-        }
-        let fresh = || {
-            (
-                needed,
-                Instant::now(),
-                Readout::new(scene).map_err(|error| error.to_string()),
-            )
-        };
-        &self.last.get_or_insert_with(fresh).2
+        self.last
+            .take_if(|(seen, made, _)| *seen != needed && made.elapsed() > MIN_AGE);
+        let (_, _, readout) = self.last.get_or_insert_with(|| {
+            let readout = Readout::new(scene).map_err(|error| error.to_string());
+            (needed, Instant::now(), readout)
+        });
+        readout
     }
 
     pub(super) fn show(
@@ -74,90 +67,78 @@ impl ReadoutsPage {
     }
 }
 
+/// A number with its unit.
+fn measured(number: f64, unit: &str) -> String {
+    format!("{} {unit}", in_words(number))
+}
+
 fn tables(ui: &mut egui::Ui, readout: &Readout, kind: ObserverKind, mass: HoleMass) {
     let si = readout.in_si(mass);
     let none = || "not defined here".to_owned();
-    let speed =
-        |speed: Option<f64>| speed.map_or_else(none, |speed| format!("{} c", in_words(speed)));
+    let speed = |speed: Option<f64>| speed.map_or_else(none, |speed| measured(speed, "c"));
     let [theta, phi] = readout.angles_deg;
     table(
         ui,
         "Place",
         &[
-            ("Distance", format!("{} r_s", in_words(readout.r))),
-            ("", format!("{} km", in_words(si.r_km))),
+            ("Distance", measured(readout.r, "r_s")),
+            ("", measured(si.r_km, "km")),
             ("Above the equator", format!("{:.3}°", 90.0 - theta)),
             ("Around the hole", format!("{phi:.3}°")),
         ],
     );
-    let kind = kind.properties().motion_in_full;
+    let past_zamo = "Speed past one of zero angular momentum";
+    let clock = readout.time_dilation.map_or_else(none, in_words);
     table(
         ui,
         "Observer",
         &[
-            ("Motion", kind.into()),
+            ("Motion", kind.properties().motion_in_full.into()),
             ("Speed past a hovering one", speed(readout.speed_for_static)),
-            (
-                "Speed past one of zero angular momentum",
-                speed(readout.speed_for_zamo),
-            ),
-            (
-                "Your clock, per far-away second",
-                readout.time_dilation.map_or_else(none, in_words),
-            ),
+            (past_zamo, speed(readout.speed_for_zamo)),
+            ("Your clock, per far-away second", clock),
             (
                 "Acceleration felt",
-                format!("{} c²/r_s", in_words(readout.acceleration)),
+                measured(readout.acceleration, "c²/r_s"),
             ),
-            ("", format!("{} g", in_words(si.acceleration_g))),
-            ("Tide", format!("{} c²/r_s²", in_words(readout.tide))),
-            ("", format!("{} g per metre", in_words(si.tide_g_per_metre))),
+            ("", measured(si.acceleration_g, "g")),
+            ("Tide", measured(readout.tide, "c²/r_s²")),
+            ("", measured(si.tide_g_per_metre, "g per metre")),
         ],
     );
-    let ahead = readout.ahead.map(|light| {
-        [
-            (
-                "Comes from",
-                if light.from_disk {
-                    "the disk".to_owned()
-                } else {
-                    "the sky".into()
-                },
-            ),
-            ("Shift g", in_words(light.shift)),
-            (
-                "Part of gravity",
-                light.gravitational_shift.map_or_else(none, in_words),
-            ),
-        ]
-    });
-    let dark = [(
-        "Comes from",
-        "none: the shadow lies straight ahead".to_owned(),
-    )];
-    table(
-        ui,
-        "Light from straight ahead",
-        ahead.as_ref().map_or(&dark[..], |rows| &rows[..]),
-    );
+    let ahead = match readout.ahead {
+        Some(light) => {
+            let from = if light.from_disk {
+                "the disk"
+            } else {
+                "the sky"
+            };
+            let gravity = light.gravitational_shift.map_or_else(none, in_words);
+            vec![
+                ("Comes from", from.to_owned()),
+                ("Shift g", in_words(light.shift)),
+                ("Part of gravity", gravity),
+            ]
+        }
+        None => vec![("Comes from", "none: the shadow lies straight ahead".into())],
+    };
+    table(ui, "Light from straight ahead", &ahead);
+    let shadow = readout.shadow_radius.to_degrees();
     table(
         ui,
         "The hole",
         &[
-            (
-                "Radius of the shadow",
-                format!("{:.4}°", readout.shadow_radius.to_degrees()),
-            ),
-            ("r_s", format!("{} km", in_words(mass.metres() / 1000.0))),
-            ("r_s / c", format!("{} s", in_words(mass.seconds()))),
+            ("Radius of the shadow", format!("{shadow:.4}°")),
+            ("r_s", measured(mass.metres() / 1000.0, "km")),
+            ("r_s / c", measured(mass.seconds(), "s")),
         ],
     );
 }
 
-/// How long the hot spot takes for a turn, how long the light of its direct image was under way,
-/// and by how much the light of each further image is older than that of the one before.
+/// The period of the hot spot's orbit, the travel time of the light of its direct image, and the delay
+/// of each further image after the one before.
 fn echo(ui: &mut egui::Ui, spot: &HotSpotReadout, mass: HoleMass) {
-    let both = |time: f64| format!("{} r_s/c = {}", in_words(time), in_minutes(time, mass));
+    let both = |time: f64| format!("{} = {}", measured(time, "r_s/c"), in_minutes(time, mass));
     let known = |time: Option<f64>| time.map_or_else(|| "not known here".into(), both);
     let [direct, once, twice] = spot.delays;
     let later = |first: Option<f64>, second: Option<f64>| {
@@ -175,13 +156,13 @@ fn echo(ui: &mut egui::Ui, spot: &HotSpotReadout, mass: HoleMass) {
     );
 }
 
-/// A time in r_s/c as minutes, or as seconds where it is short.
+/// A time in r_s/c as minutes, or as seconds if it is short.
 fn in_minutes(time: f64, mass: HoleMass) -> String {
     let seconds = time * mass.seconds();
     if seconds >= 60.0 {
-        format!("{} min", in_words(seconds / 60.0))
+        measured(seconds / 60.0, "min")
     } else {
-        format!("{} s", in_words(seconds))
+        measured(seconds, "s")
     }
 }
 
@@ -194,11 +175,8 @@ fn clocks(ui: &mut egui::Ui, free_fall: &FreeFall, bindings: &Bindings, mass: Ho
         return;
     };
     let both = |time: f64| {
-        format!(
-            "{} r_s/c = {} s",
-            in_words(time),
-            in_words(time * mass.seconds())
-        )
+        let seconds = measured(time * mass.seconds(), "s");
+        format!("{} = {seconds}", measured(time, "r_s/c"))
     };
     let far = match worldline.coordinate_time() {
         Some(far) => ("Far time", both(far)),
@@ -211,37 +189,24 @@ fn clocks(ui: &mut egui::Ui, free_fall: &FreeFall, bindings: &Bindings, mass: Ho
     );
 }
 
-/// The disk's clock, and how long an orbit at its inner edge takes.
+/// The disk's clock, and the period of an orbit at its inner edge.
 fn disk(ui: &mut egui::Ui, scene: &Scene, mass: HoleMass) {
     if !scene.disk.enabled {
         return;
     }
     let in_seconds = |time: f64| duration_in_words(time * mass.seconds());
+    let (time, rate) = (scene.disk.time, scene.disk.rate);
     let mut rows = Vec::new();
     if scene.disk_moves() {
-        let rate = scene.disk.rate;
-        rows.extend([
-            (
-                "Time at the camera",
-                format!("{:.1} r_s/c", scene.disk.time),
-            ),
-            ("One second here", format!("{} r_s/c", in_words(rate))),
-            ("", format!("{} for {}", in_seconds(rate), mass.name)),
-        ]);
+        rows.push(("Time at the camera", format!("{time:.1} r_s/c")));
+        rows.push(("One second here", measured(rate, "r_s/c")));
+        rows.push(("", format!("{} for {}", in_seconds(rate), mass.name)));
     }
     if let Some(period) = inner_period(scene) {
-        rows.extend([
-            (
-                "Orbit at the inner edge",
-                format!("{} r_s/c", in_words(period)),
-            ),
-            ("", in_seconds(period)),
-        ]);
-        if scene.disk_moves() && scene.disk.rate > 0.0 {
-            rows.push((
-                "On the screen",
-                format!("{} s", in_words(period / scene.disk.rate)),
-            ));
+        rows.push(("Orbit at the inner edge", measured(period, "r_s/c")));
+        rows.push(("", in_seconds(period)));
+        if scene.disk_moves() && rate > 0.0 {
+            rows.push(("On the screen", measured(period / rate, "s")));
         }
     }
     table(ui, "The disk", &rows);
@@ -265,7 +230,7 @@ fn table(ui: &mut egui::Ui, title: &str, rows: &[(&str, String)]) {
     ui.add_space(8.0);
 }
 
-/// A text of a table, in as many lines as it needs.
+/// A text in a table, wrapped at this width.
 fn cell(ui: &mut egui::Ui, width: f32, text: egui::RichText) -> egui::Response {
     ui.vertical(|ui| {
         ui.set_width(width);

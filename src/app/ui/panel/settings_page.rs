@@ -1,5 +1,5 @@
-//! The page of settings, which outlast the program: size of texts, motion, frame rate, keys and
-//! buttons.
+//! The page of settings, which are kept when the program ends: size of texts, motion, frame rate,
+//! keys and buttons.
 
 use super::switch::switch;
 use crate::app::controls::bindings::{Bindable, BindingTable, Bindings, PadBindings};
@@ -16,9 +16,9 @@ use lightfall_platform::IN_BROWSER;
 #[cfg(not(target_arch = "wasm32"))]
 use lightfall_platform::storage::{pictures_folder, settings_file};
 
-/// The control whose own key may be [`CANCEL`].
+/// The only control that [`CANCEL`] can be bound to.
 const ESCAPE: &str = "fly.escape";
-/// The key that binds nothing and leaves a control as it is.
+/// The key that keeps the old binding of a control.
 const CANCEL: &str = "Esc";
 
 pub(super) fn show(
@@ -34,8 +34,8 @@ pub(super) fn show(
     ui.separator();
     ui.horizontal(|ui| {
         ui.strong("Keys");
-        if ui
-            .button("Reset keys")
+        let reset = ui.button("Reset keys");
+        if reset
             .on_hover_text("Every key and button as it was at first")
             .clicked()
         {
@@ -50,22 +50,12 @@ pub(super) fn show(
         ui.weak(reason);
     }
     bind_pressed(bindings, rebinding, keys.get_just_pressed());
-    bind_pressed(
-        pad_bindings,
-        rebinding,
-        pads.iter().flat_map(Gamepad::get_just_pressed),
-    );
+    let buttons = pads.iter().flat_map(Gamepad::get_just_pressed);
+    bind_pressed(pad_bindings, rebinding, buttons);
+    let buttons = Some(&**pad_bindings).filter(|_| !pads.is_empty());
     for group in Group::ALL {
-        egui::CollapsingHeader::new(group.title()).show(ui, |ui| {
-            key_table(
-                ui,
-                group,
-                bindings,
-                pad_bindings,
-                rebinding,
-                !pads.is_empty(),
-            );
-        });
+        egui::CollapsingHeader::new(group.title())
+            .show(ui, |ui| key_table(ui, group, bindings, buttons, rebinding));
     }
     ui.separator();
     for line in places() {
@@ -89,16 +79,35 @@ fn places() -> [&'static str; 2] {
     ]
 }
 
-fn choose_automatic(ui: &mut egui::Ui, setting: &mut Automatic) {
+/// The choices of a setting that can be automatic.
+const AUTOMATIC: [(Automatic, &str); 3] = [
+    (Automatic::Auto, "Auto"),
+    (Automatic::On, "On"),
+    (Automatic::Off, "Off"),
+];
+/// The choices of the picture's shape.
+const SHAPES: [(PictureShape, &str); 2] = [
+    (PictureShape::Window, "Window"),
+    (PictureShape::Preset, "Preset"),
+];
+
+/// Shows choices side by side.
+fn choose<T: Copy + PartialEq, const N: usize>(
+    ui: &mut egui::Ui,
+    setting: &mut T,
+    choices: [(T, &str); N],
+) {
     ui.horizontal(|ui| {
-        for (value, text) in [
-            (Automatic::Auto, "Auto"),
-            (Automatic::On, "On"),
-            (Automatic::Off, "Off"),
-        ] {
+        for (value, text) in choices {
             ui.selectable_value(setting, value, text);
         }
     });
+}
+
+/// Shows a slider for frames per second.
+fn frame_rate(ui: &mut egui::Ui, setting: &mut f64, highest: f64) {
+    let slider = egui::Slider::new(setting, FRAME_RATES[0]..=highest);
+    ui.add(slider.integer().suffix(" /s"));
 }
 
 fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
@@ -125,25 +134,13 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
             ui.label("Picture shape").on_hover_text(
                 "The picture fills the window, or it has the preset's own shape with a black frame around it",
             );
-            ui.horizontal(|ui| {
-                for (value, text) in [
-                    (PictureShape::Window, "Window"),
-                    (PictureShape::Preset, "Preset"),
-                ] {
-                    ui.selectable_value(&mut settings.picture_shape, value, text);
-                }
-            });
+            choose(ui, &mut settings.picture_shape, SHAPES);
             ui.end_row();
             ui.label("Mouse sensitivity")
                 .on_hover_text("How far the mouse turns the camera, and moves the orbit camera");
-            ui.add(
-                egui::Slider::new(
-                    &mut settings.mouse_sensitivity,
-                    MOUSE_SENSITIVITIES[0]..=MOUSE_SENSITIVITIES[1],
-                )
-                .logarithmic(true)
-                .fixed_decimals(2),
-            );
+            let [low, high] = MOUSE_SENSITIVITIES;
+            let slider = egui::Slider::new(&mut settings.mouse_sensitivity, low..=high);
+            ui.add(slider.logarithmic(true).fixed_decimals(2));
             ui.end_row();
             ui.label("Invert Y")
                 .on_hover_text("Look down when the mouse or the right stick moves up");
@@ -153,20 +150,16 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
                 "While nothing moves, the picture becomes the mean of 16 frames, whose rays go through other places of each \
                  pixel. Auto: on with a graphics card",
             );
-            choose_automatic(ui, &mut settings.average_at_rest);
+            choose(ui, &mut settings.average_at_rest, AUTOMATIC);
             ui.end_row();
             ui.label("Lower resolution while moving").on_hover_text(
                 "While something moves, the picture is drawn with as many pixels as the target frame rate allows. A picture at \
                  rest is drawn in full. Auto: on for software and integrated graphics, and without the pixel look",
             );
-            choose_automatic(ui, &mut settings.automatic_resolution);
+            choose(ui, &mut settings.automatic_resolution, AUTOMATIC);
             ui.end_row();
             ui.label("Frame rate while moving");
-            ui.add(
-                egui::Slider::new(&mut settings.frame_rate, FRAME_RATES[0]..=120.0)
-                    .integer()
-                    .suffix(" /s"),
-            );
+            frame_rate(ui, &mut settings.frame_rate, 120.0);
             ui.end_row();
             if !IN_BROWSER {
                 ui.label("Frame limit");
@@ -176,7 +169,8 @@ fn comfort(ui: &mut egui::Ui, settings: &mut Settings) {
         });
 }
 
-/// The size takes effect when the slider is let go, so that it does not move under the mouse.
+/// A slider for the size. The size takes effect when the slider is released, so that the slider does
+/// not move under the mouse.
 fn ui_scale(ui: &mut egui::Ui, settings: &mut Settings) {
     let id = egui::Id::new("scale being dragged");
     let dragged = ui.data(|data| data.get_temp(id));
@@ -199,72 +193,58 @@ fn frame_rate_limit(ui: &mut egui::Ui, settings: &mut Settings) {
             settings.most_frames = if limited { 60.0 } else { 0.0 };
         }
         if limited {
-            ui.add(
-                egui::Slider::new(&mut settings.most_frames, FRAME_RATES[0]..=FRAME_RATES[1])
-                    .integer()
-                    .suffix(" /s"),
-            );
+            frame_rate(ui, &mut settings.most_frames, FRAME_RATES[1]);
         } else {
             ui.weak("as the monitor");
         }
     });
 }
 
-/// The controls of a group with their keys, which wait for a new one when clicked.
+/// The controls of a group with their keys and, where there is a gamepad, their buttons. A control
+/// whose key is clicked waits for a new one.
 fn key_table(
     ui: &mut egui::Ui,
     group: Group,
     bindings: &Bindings,
-    pad_bindings: &PadBindings,
+    pad_bindings: Option<&PadBindings>,
     rebinding: &mut Rebinding,
-    with_buttons: bool,
 ) {
-    egui::Grid::new(group.title())
-        .spacing([12.0, 4.0])
-        .show(ui, |ui| {
-            for (control, _) in bindings
-                .iter()
-                .filter(|(control, _)| control.group == group)
-            {
-                let words = bindings.label_of(control);
-                let waits = rebinding.control() == Some(control.id);
-                let text = match words.as_str() {
-                    _ if waits => "press a key",
-                    "" => "none",
-                    words => words,
-                };
-                if ui
-                    .add_sized([110.0, 20.0], egui::Button::selectable(waits, text))
-                    .clicked()
-                {
-                    rebinding.start(control.id);
-                }
-                if with_buttons {
-                    ui.weak(pad_bindings.label_of(control));
-                }
-                ui.add(egui::Label::new(description(control)).truncate())
-                    .on_hover_text(format!("{} in the settings file", control.id));
-                ui.end_row();
+    let grid = egui::Grid::new(group.title()).spacing([12.0, 4.0]);
+    grid.show(ui, |ui| {
+        for control in CONTROLS.iter().filter(|control| control.group == group) {
+            let keys = bindings.label_of(control);
+            let waits = rebinding.control() == Some(control.id);
+            let text = match keys.as_str() {
+                _ if waits => "press a key",
+                "" => "none",
+                keys => keys,
+            };
+            let button = egui::Button::selectable(waits, text);
+            if ui.add_sized([110.0, 20.0], button).clicked() {
+                rebinding.start(control.id);
             }
-        });
+            if let Some(pad_bindings) = pad_bindings {
+                ui.weak(pad_bindings.label_of(control));
+            }
+            ui.add(egui::Label::new(description(control)).truncate())
+                .on_hover_text(format!("{} in the settings file", control.id));
+            ui.end_row();
+        }
+    });
 }
 
-/// What a control does. Where several share the words, the last part of its name tells which one
-/// it is.
+/// What a control does. If several controls have the same description, the last part of the
+/// control's name follows.
 fn description(control: &Control) -> String {
     let words = control.description;
-    let shared = CONTROLS
-        .iter()
-        .filter(|other| other.description == words)
-        .count()
-        > 1;
+    let same = CONTROLS.iter().filter(|other| other.description == words);
     match control.id.rsplit_once('.') {
-        Some((_, part)) if shared => format!("{words} ({})", part.replace('_', " ")),
+        Some((_, part)) if same.count() > 1 => format!("{words} ({})", part.replace('_', " ")),
         _ => words.into(),
     }
 }
 
-/// While a control waits, binds it to the first of the inputs that were just pressed.
+/// Binds the control that waits, if one does, to the first of these inputs.
 fn bind_pressed<'a, B: Bindable>(
     bindings: &mut ResMut<BindingTable<B>>,
     rebinding: &mut Rebinding,

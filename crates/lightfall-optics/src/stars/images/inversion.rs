@@ -7,7 +7,6 @@ use super::table::{ImageTable, ORDERS};
 use crate::camera_rays::CameraRays;
 use crate::shift::Shift;
 use glam::{DMat3, DMat4, DVec3, DVec4};
-use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::geometry::observer::{ObserverError, ObserverKind, boost, observer_matrix};
 use lightfall_model::geometry::sphere::angle_between;
 use lightfall_model::geometry::tetrad::transformation;
@@ -80,9 +79,7 @@ impl Inversion {
             }
             Lens::Table(Box::new(ImageTable::new(camera.r)))
         } else {
-            let kerr = Kerr {
-                spin: scene.hole.spin,
-            };
+            let kerr = scene.kerr();
             Lens::Straight {
                 ball: (kerr.horizon() / camera.r).min(1.0).asin(),
             }

@@ -12,8 +12,8 @@ const LINE: Color32 = Color32::from_gray(240);
 const EDGE: Color32 = Color32::from_black_alpha(150);
 const ARROW: Color32 = Color32::from_gray(40);
 
-/// Draws the divider, and returns where the mouse drags it: along its whole line, or at its handle
-/// only, where the line must leave the picture's pixels to clicks.
+/// Draws the divider, and returns the place that the mouse drags it to. The mouse takes hold of the
+/// whole line, or only of its handle if the pixels below the line are for clicks.
 pub(super) fn show_divider(
     context: &egui::Context,
     x: f32,
@@ -44,8 +44,8 @@ pub(super) fn show_divider(
     dragged
 }
 
-/// Draws the line and its handle. They have a layer of their own, below the boards, so that the
-/// line crosses no text.
+/// Draws the line and its handle in a layer of their own, below the boards, so that the line crosses no
+/// text.
 fn draw(context: &egui::Context, x: f32, y: Rangef, held: bool) {
     let area = egui::Area::new("divider line".into())
         .fixed_pos([x, y.min])

@@ -1,33 +1,21 @@
-//! In what two scenes differ, in a player's words.
+//! The differences between two scenes in words.
 
-use crate::app::ui::panel::sections::SECTIONS;
+use crate::app::controls::sections::field_in_words;
 use lightfall_core::numbers::four_digits;
-use lightfall_core::scene::{FIELDS, Method, ObserverKind, Scene, Value};
+use lightfall_core::scene::{FIELDS, Method, Scene, Value};
 
-/// Names of fields whose label on the panel does not suit a sentence. Other fields have their label.
-const NAMES: [(&str, &str); 5] = [
-    ("hole.spin", "spin"),
-    ("observer.kind", "observer"),
-    ("effects.lensing", "lensing"),
-    ("disk.enabled", "disk"),
-    ("sky.mode", "sky"),
-];
-
-/// Groups whose fields need no group name in front of them.
-const OBVIOUS_GROUPS: [&str; 3] = ["effects", "quality", "observer"];
-
-/// Groups that both sides of a comparison share.
-const SHARED_GROUPS: [&str; 3] = ["camera", "probe", "picture"];
+/// Tables that both sides of a comparison share.
+const SHARED_TABLES: [&str; 3] = ["camera", "probe", "picture"];
 
 /// Fields that both sides share, or that say nothing about the picture.
 const SHARED_FIELDS: [&str; 3] = ["schema", "title", "disk.time"];
 
-/// The settings in which two compared scenes differ, each as it is in the first and in the second.
+/// The settings in which two compared scenes differ, each as in the first and as in the second.
 #[must_use]
 pub fn differences(a: &Scene, b: &Scene) -> Vec<[String; 2]> {
     let compared = FIELDS.iter().filter(|field| {
-        let group = field.key.split('.').next().unwrap_or_default();
-        !SHARED_GROUPS.contains(&group) && !SHARED_FIELDS.contains(&field.key)
+        let table = field.key.split('.').next().unwrap_or_default();
+        !SHARED_TABLES.contains(&table) && !SHARED_FIELDS.contains(&field.key)
     });
     compared
         .filter(|field| field.get(a) != field.get(b))
@@ -39,7 +27,7 @@ pub fn differences(a: &Scene, b: &Scene) -> Vec<[String; 2]> {
 fn setting(key: &str, unit: &str, value: &Value, scene: &Scene) -> String {
     let value = match (key, value) {
         ("name", _) => return scene.name.clone(),
-        ("observer.kind", _) => motion(scene.observer.kind).into(),
+        ("observer.kind", _) => scene.observer.kind.properties().motion.into(),
         ("method", _) if scene.method == Method::Auto => {
             format!("auto ({})", Method::BEST.word())
         }
@@ -54,28 +42,5 @@ fn setting(key: &str, unit: &str, value: &Value, scene: &Scene) -> String {
             format!("{number} {unit}").trim_end().to_owned()
         }
     };
-    format!("{} {value}", name(key))
-}
-
-/// How an observer moves.
-fn motion(kind: ObserverKind) -> &'static str {
-    kind.properties().motion
-}
-
-fn name(key: &str) -> String {
-    if let Some((_, name)) = NAMES.iter().find(|(known, _)| *known == key) {
-        return (*name).into();
-    }
-    let (group, field) = key.split_once('.').unwrap_or(("", key));
-    let mut rows = SECTIONS.iter().flat_map(|section| section.rows);
-    let field = match rows.find(|row| row.key == key) {
-        Some(row) if row.label.starts_with("Doppler") => row.label.into(),
-        Some(row) => row.label.to_lowercase(),
-        None => field.replace('_', " "),
-    };
-    if group.is_empty() || OBVIOUS_GROUPS.contains(&group) {
-        field
-    } else {
-        format!("{group} {field}")
-    }
+    format!("{} {value}", field_in_words(key))
 }
