@@ -7,6 +7,7 @@ use super::scene::{drawable, journey, scene, stars};
 use super::stop::Stop;
 use crate::app;
 use crate::app::Start;
+use bevy::app::App;
 use lightfall_core::gpu::ShaderFiles;
 use lightfall_core::optics::exposure::exposed;
 use lightfall_core::optics::stars::Catalogue;
@@ -18,8 +19,8 @@ use lightfall_platform::log::say;
 use lightfall_platform::storage::file_safe_name;
 use std::path::{Path, PathBuf};
 
-/// Flies.
-pub(super) fn fly(args: &FlyArgs) -> Result<(), Stop> {
+/// Flies, with an addition to the window program.
+pub(super) fn fly(args: &FlyArgs, addition: impl FnOnce(&mut App)) -> Result<(), Stop> {
     let scene = scene(&args.scene)?;
     let stars = stars(&args.scene)?;
     let drawable = drawable(&scene)?;
@@ -40,7 +41,9 @@ pub(super) fn fly(args: &FlyArgs) -> Result<(), Stop> {
         shaders: args.shaders.clone().or(start.shaders),
         ..start
     };
-    app::fly(start).map_err(Stop::failed)
+    let mut program = app::program(start);
+    addition(&mut program);
+    app::run(program).map_err(Stop::failed)
 }
 
 /// Without a display: draws the scene, or the first moment of the journey, to a new PNG file in the

@@ -24,6 +24,6 @@ mod trace;
 pub use console::StandardError;
 pub use presets::presets;
 pub use progress::in_words;
-pub use run::run;
+pub use run::{run, run_with};
 pub use scene::{journey, scene};
 pub use stop::Stop;

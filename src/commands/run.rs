@@ -12,6 +12,7 @@ use super::render::render;
 use super::stop::Stop;
 use super::trace::trace;
 use crate::app;
+use bevy::app::App;
 use lightfall_platform::storage;
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -19,6 +20,11 @@ use std::process::ExitCode;
 
 /// Runs the program.
 pub fn run() -> ExitCode {
+    run_with(|_| ())
+}
+
+/// Runs the program, with an addition to that of the window: tests watch it by one.
+pub fn run_with(addition: impl FnOnce(&mut App)) -> ExitCode {
     silence_driver();
     storage::report_panics(console::report);
     let command = match cli::read_all(std::env::args_os()) {
@@ -37,7 +43,7 @@ pub fn run() -> ExitCode {
         }
     };
     // The report of a panic is its sentence. A panic that reaches this far leaves nothing half done.
-    let done = catch_unwind(AssertUnwindSafe(|| execute(command)));
+    let done = catch_unwind(AssertUnwindSafe(|| execute(command, addition)));
     match done {
         Ok(Ok(())) => ExitCode::SUCCESS,
         Ok(Err(stop)) => {
@@ -49,9 +55,9 @@ pub fn run() -> ExitCode {
 }
 
 /// Does what the command line asks for.
-fn execute(command: Command) -> Result<(), Stop> {
+fn execute(command: Command, addition: impl FnOnce(&mut App)) -> Result<(), Stop> {
     match command {
-        Command::Fly(args) => fly(&args),
+        Command::Fly(args) => fly(&args, addition),
         Command::ListGpus => list_adapters(),
         Command::Render(args) => render(&args),
         Command::Trace(args) => trace(&args),

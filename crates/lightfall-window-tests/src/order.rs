@@ -1,0 +1,33 @@
+//! What a test asks of the watched program and no user can.
+
+use serde::{Deserialize, Serialize};
+
+/// An order.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub enum Order {
+    /// Show the scene of this preset, a TOML text.
+    Show(String),
+    /// Let so many seconds pass in every frame, however long it takes: how far a held key moves the
+    /// camera then depends on the number of frames alone.
+    Step(f64),
+    /// Destroy the graphics device.
+    LoseDevice,
+    /// Connect a gamepad, or disconnect it.
+    Connect(bool),
+    /// Push a part of the gamepad this far.
+    Push(Pad, f32),
+    /// Keep the window's picture, and compare the frames after the key for more light with it.
+    KeepPicture,
+}
+
+/// A part of the gamepad.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[expect(missing_docs, reason = "the names are Bevy's")]
+pub enum Pad {
+    LeftStickY,
+    RightStickX,
+    South,
+    DPadRight,
+    Start,
+    RightTrigger,
+}

@@ -1,0 +1,63 @@
+//! Obeys the orders that arrive on standard input.
+
+use bevy::prelude::*;
+use bevy::time::TimeUpdateStrategy;
+use lightfall_core::gpu::Drawable;
+use lightfall_core::scene::load;
+use lightfall_render::CurrentScene;
+use std::sync::Mutex;
+use std::sync::mpsc::{Receiver, channel};
+use std::time::Duration;
+use watched::Order;
+
+/// The lines that have arrived.
+#[derive(Resource)]
+struct Lines(Mutex<Receiver<String>>);
+
+/// The orders of this frame, and the number of those before.
+#[derive(Resource, Default)]
+pub struct Orders {
+    /// Those of this frame.
+    pub new: Vec<Order>,
+    /// The number of all so far.
+    pub count: u32,
+}
+
+pub fn plugin(app: &mut App) {
+    let (sender, receiver) = channel();
+    std::thread::spawn(move || {
+        for line in std::io::stdin().lines().map_while(Result::ok) {
+            if sender.send(line).is_err() {
+                break;
+            }
+        }
+    });
+    app.insert_resource(Lines(Mutex::new(receiver)))
+        .init_resource::<Orders>()
+        .add_systems(First, receive_orders)
+        .add_systems(Update, show_scene);
+}
+
+fn receive_orders(lines: Res<Lines>, mut orders: ResMut<Orders>, mut commands: Commands) {
+    let lines = lines.0.lock().expect("no other system panicked");
+    orders.new = lines
+        .try_iter()
+        .map(|line| serde_json::from_str(&line).expect("a line is an order"))
+        .collect();
+    orders.count += orders.new.len() as u32;
+    for order in &orders.new {
+        if let Order::Step(seconds) = order {
+            let step = Duration::from_secs_f64(*seconds);
+            commands.insert_resource(TimeUpdateStrategy::ManualDuration(step));
+        }
+    }
+}
+
+fn show_scene(orders: Res<Orders>, mut scene: ResMut<CurrentScene>) {
+    for order in &orders.new {
+        if let Order::Show(preset) = order {
+            let shown = load("the order", preset, &[]).expect("an order holds a preset");
+            scene.0 = Drawable::new(shown).expect("an order's scene can be drawn");
+        }
+    }
+}

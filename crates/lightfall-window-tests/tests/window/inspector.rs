@@ -1,0 +1,116 @@
+//! The ray inspector in the window: what it copies is what the reference and the GPU answer.
+
+use crate::WINDOW;
+use crate::desktop::Desktop;
+use crate::shot::Shot;
+use glam::DVec2;
+use lightfall_core::accuracy::Ray;
+use lightfall_core::accuracy::inspection::Inspected;
+use lightfall_core::scene::presets;
+use watched::State;
+
+/// Width of the inspector's panel, with some room.
+const INSPECTOR: usize = 420;
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn a_click_shows_and_copies_the_ray_of_that_pixel() {
+    let desktop = Desktop::open(&["--preset", "2", "--spin", "0.7"]);
+    let start = desktop.first_picture();
+    desktop.press("i");
+    let shows = |shot: &Shot, other: &Shot| shot.changed(other, 0..INSPECTOR, 0..400);
+    let empty = desktop.settled("inspector", |shot| shows(shot, &start) > 0.3);
+    let scene = presets::find("2").unwrap().scene(&[]).unwrap();
+    let mut scene = scene;
+    scene.hole.spin = 0.7;
+    for (x, y) in [(720, 180), (760, 400), (1000, 440), (1300, 60)] {
+        desktop.click_at([x, y]);
+        desktop.settled("numbers", |shot| shows(shot, &empty) > 0.02);
+        let json = copied(&desktop);
+        // Three pixels of the window are two of the picture.
+        let pixel = (DVec2::new(f64::from(x), f64::from(y)) * (960.0 / 1440.0)).floor() + 0.5;
+        assert_eq!(json["pixel"], serde_json::json!([pixel.x, pixel.y]));
+        let ray = Ray::toward(scene.camera.looking(pixel, DVec2::new(960.0, 540.0)));
+        let direction = scene.camera.tetrad_from_camera() * ray.direction();
+        let expected = Inspected::new(&scene, direction, Some(pixel.to_array()), 120.0)
+            .unwrap()
+            .numbers;
+        let expected = serde_json::to_value(&expected).unwrap();
+        for field in [
+            "cpu",
+            "impact_parameter",
+            "lambda",
+            "eta",
+            "closest_r",
+            "half_turns",
+            "order",
+            "hit1_delay",
+        ] {
+            same(field, &json[field], &expected[field]);
+        }
+        assert_eq!(json["difference"]["same_class"], true, "{json}");
+        assert_eq!(json["gpu"]["outcome"], json["cpu"]["outcome"]);
+        // The error that method mino states.
+        assert!(
+            json["difference"]["backward"].as_f64().unwrap() < 1e-5,
+            "{json}"
+        );
+    }
+}
+
+#[test]
+#[ignore = "needs a graphics adapter, Xvfb and xdotool"]
+fn the_wheel_over_a_panel_that_has_just_opened_belongs_to_the_panel() {
+    let desktop = Desktop::open(&["--preset", "2"]);
+    let start = desktop.first_picture();
+    let inspector = |a: &Shot, b: &Shot| a.changed(b, 0..INSPECTOR, 0..WINDOW.1);
+    // Within the inspector to be. The mouse brings the read-outs, the speed of flight among them.
+    desktop.point(200, 300);
+    let shown = desktop.wait_for("the speed", |state| speed(state).is_some());
+    desktop.press("i");
+    let before = desktop.settled("inspector", |shot| inspector(shot, &start) > 0.3);
+    desktop.press("i");
+    desktop.settled("no inspector", |shot| inspector(shot, &before) > 0.3);
+    desktop.press("i");
+    (0..3).for_each(|_| desktop.wheel());
+    // The wheel zooms the drawing if it is there by then.
+    desktop.settled("inspector again", |shot| inspector(shot, &start) > 0.3);
+    desktop.point(202, 300);
+    let now = desktop.wait_for("the speed", |state| speed(state).is_some());
+    assert_eq!(speed(&now), speed(&shown));
+}
+
+/// The read-out of the flying speed, while it is shown.
+fn speed(state: &State) -> Option<&str> {
+    let is_factor = |words: &&str| words.len() > "×".len() && words.ends_with('×');
+    state.texts.iter().map(|text| &*text.words).find(is_factor)
+}
+
+/// The JSON that is copied once the GPU has answered.
+fn copied(desktop: &Desktop) -> serde_json::Value {
+    let json = || {
+        let text = desktop.clipboard().unwrap_or_default();
+        serde_json::from_str::<serde_json::Value>(&text).unwrap_or_default()
+    };
+    desktop.wait("the GPU's answer", || {
+        desktop.click("Copy JSON");
+        !json()["gpu"].is_null()
+    });
+    json()
+}
+
+/// Whether two values are the same, numbers but for the last place, which a JSON reader may miss.
+fn same(field: &str, a: &serde_json::Value, b: &serde_json::Value) {
+    match (a.as_f64(), b.as_f64()) {
+        (Some(x), Some(y)) => assert!(
+            (x - y).abs() <= 4.0 * f64::EPSILON * y.abs(),
+            "{field}: {x} and not {y}"
+        ),
+        _ if a.is_object() => {
+            for (name, value) in a.as_object().unwrap() {
+                same(name, value, &b[name]);
+            }
+        }
+        _ => assert_eq!(a, b, "{field}"),
+    }
+}
