@@ -101,7 +101,8 @@ fn hot_spot_flares_at_its_time_and_is_seen_from_inside_the_horizon() {
     assert!(largest_error(&scene) < 3e-3);
     scene.disk.time = 1e9;
     let faded = found(&scene, &pixel_directions(&scene, 32, 18));
-    assert!(faded.into_iter().flatten().all(|factor| factor == 1.0));
+    let factors: Vec<_> = faded.into_iter().flatten().collect();
+    assert!(factors.len() > 50 && factors.iter().all(|factor| *factor == 1.0));
     (scene.disk.time, scene.hot_spot.duration) = (3.0, 0.0);
     (scene.observer.kind, scene.camera.r, scene.camera.fov_deg) = (ObserverKind::Rain, 1.2, 120.0);
     (scene.camera.yaw_deg, scene.camera.pitch_deg) = (180.0, -40.0);
@@ -139,9 +140,12 @@ fn hot_spot_that_is_rigid_looks_the_same_a_turn_later() {
     for turns in [1.0, 1e5] {
         scene.disk.time = 12.0 + turns * period;
         let later = found(&scene, &directions);
+        let mut compared = 0;
         for (now, later) in now.iter().flatten().zip(later.iter().flatten()) {
             // The azimuth is reduced in f64 and rounded to f32, 2e-7 rad, and the spot is 8 high.
             assert!((now - later).abs() < 1e-5, "{turns}: {now} {later}");
+            compared += 1;
         }
+        assert!(compared > 200, "{compared} crossings of the disk");
     }
 }

@@ -181,11 +181,14 @@ fn a_camera_in_a_tilted_disks_plane_sees_no_disk_where_it_is() {
         let mut scene = tilted(tilt_deg, node_deg);
         (scene.camera.theta_deg, scene.camera.phi_deg) = (theta_deg, phi_deg);
         let reference = Reference::new(&scene).unwrap();
+        let mut hits = 0;
         for direction in all_around(300) {
             for hit in reference.trace(direction).hits.into_iter().flatten() {
                 assert!((hit.r - scene.camera.r).abs() > 1e-9, "{scene:?}: {hit:?}");
+                hits += 1;
             }
         }
+        assert!(hits > 3, "{hits} hits");
     }
 }
 

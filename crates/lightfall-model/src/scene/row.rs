@@ -62,7 +62,7 @@ impl<S> Row<S> {
     pub fn set(&self, scene: &mut S, value: Value) -> Result<(), Refusal> {
         self.check_kind(&value)?;
         let fits = (self.write)(scene, value);
-        debug_assert!(fits, "{} has another type than its row says", self.key);
+        assert!(fits, "{} has another type than its row says", self.key);
         Ok(())
     }
 
