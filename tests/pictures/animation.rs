@@ -1,11 +1,11 @@
 //! Animated pictures, read back by another decoder.
 
+use super::Drawer;
 use super::linear::{program, small};
 use glam::UVec2;
 use image::codecs::png::PngDecoder;
 use image::{AnimationDecoder, Frame, ImageDecoder, Rgba, metadata::LoopCount};
 use lightfall_core::scene::{DiskStructure, Scene};
-use lightfall_picture::render;
 use lightfall_render::resized;
 use std::fs::File;
 use std::io::BufReader;
@@ -22,11 +22,11 @@ fn repeating() -> Scene {
 }
 
 /// The pixels of the still at the time of a frame.
-fn still(scene: &Scene, frame: u32) -> Vec<u8> {
+fn still(drawer: &mut Drawer, scene: &Scene, frame: u32) -> Vec<u8> {
     let mut then = scene.clone();
     then.picture = resized(&then.picture, SIZE);
     then.disk.time += then.disk.rate * f64::from(frame) / 20.0;
-    render(&then, SIZE).unwrap().rgb
+    drawer.draw(&then, SIZE).rgb
 }
 
 fn rgb(frame: &Frame) -> Vec<u8> {
@@ -52,9 +52,13 @@ fn an_animation_repeats_for_ever_and_shows_the_still_of_every_frames_time() {
     assert!(matches!(animation.loop_count(), LoopCount::Infinite));
     let frames = animation.into_frames().collect_frames().unwrap();
     assert_eq!(frames.len(), 6);
+    let mut drawer = Drawer::default();
     for (number, frame) in (0..).zip(&frames) {
         assert_eq!(frame.delay().numer_denom_ms(), (50, 1), "frame {number}");
-        assert!(rgb(frame) == still(&scene, number), "frame {number}");
+        assert!(
+            rgb(frame) == still(&mut drawer, &scene, number),
+            "frame {number}"
+        );
     }
     // A viewer that knows no animations shows the first frame.
     let file = folder.path().join("disk.png");
@@ -67,7 +71,8 @@ fn an_animation_repeats_for_ever_and_shows_the_still_of_every_frames_time() {
 #[ignore = "needs a graphics adapter"]
 fn the_frame_after_the_last_one_of_a_period_is_the_first() {
     let scene = repeating();
-    let [first, half, again] = [0, 3, 6].map(|frame| still(&scene, frame));
+    let mut drawer = Drawer::default();
+    let [first, half, again] = [0, 3, 6].map(|frame| still(&mut drawer, &scene, frame));
     let unlike = |other: &[u8]| {
         let differ = first.iter().zip(other).filter(|(a, b)| a != b).count();
         differ as f64 / first.len() as f64

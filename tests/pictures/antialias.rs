@@ -1,6 +1,6 @@
 //! Smooth edges and means of frames, against pictures of many single rays.
 
-use super::{pixel, plain, preset, smooth};
+use super::{Drawer, pixel, plain, preset, smooth};
 use glam::{DVec2, DVec3, UVec2};
 use lightfall_core::geometry::schwarzschild::shadow_half_angle_static;
 use lightfall_core::scene::{Scene, SkyMode};
@@ -153,10 +153,11 @@ fn a_mean_has_the_same_bytes_in_every_run_and_begins_anew_after_a_change() {
 fn what_the_foreground_covers_even_in_part_is_not_refined() {
     let (mut scene, size) = plain(preset(6));
     scene.probe.antialias = true;
-    let picture = |antialias: bool, probe: bool| {
+    let mut drawer = Drawer::default();
+    let mut picture = |antialias: bool, probe: bool| {
         let mut scene = scene.clone();
         (scene.picture.antialias, scene.probe.enabled) = (antialias, probe);
-        render(&scene, size).unwrap()
+        drawer.draw(&scene, size)
     };
     let (refined, single) = (picture(true, true), picture(false, true));
     let without = [picture(true, false), picture(false, false)];

@@ -28,7 +28,7 @@ use glam::{DVec2, UVec2};
 use lightfall_core::scene::{
     DiskStructure, LimbDarkening, Method, Scene, SkyMode, ToneCurve, View, presets,
 };
-use lightfall_picture::{Still, check_path, render, write_png};
+use lightfall_picture::{Still, Studio, check_path, render, write_png};
 
 fn preset(number: usize) -> Scene {
     presets::find(&number.to_string())
@@ -77,6 +77,25 @@ fn mean_light(still: &Still) -> f64 {
         level => ((level + 0.055) / 1.055).powf(2.4),
     };
     still.rgb.iter().map(linear).sum::<f64>() / still.rgb.len() as f64
+}
+
+/// Draws pictures one after another by chains of passes that it keeps, one for each size: the tests
+/// of redraw.rs hold such a chain to what a new one draws.
+#[derive(Default)]
+struct Drawer(Vec<(UVec2, Studio)>);
+
+impl Drawer {
+    fn draw(&mut self, scene: &Scene, size: UVec2) -> Still {
+        let kept = self.0.iter().position(|(of, _)| *of == size);
+        let at = kept.unwrap_or_else(|| {
+            self.0.push((size, Studio::open(scene, size).unwrap()));
+            self.0.len() - 1
+        });
+        let studio = &mut self.0[at].1;
+        studio.show(scene).unwrap();
+        studio.settle().unwrap();
+        studio.picture().unwrap()
+    }
 }
 
 /// The scene shown pixel by pixel at its preset's exposure: no cells, no bloom, output as large as
@@ -208,14 +227,15 @@ fn the_same_scene_gives_the_same_bytes() {
 #[ignore = "needs a graphics adapter"]
 fn hiding_the_disk_leaves_the_probe_alone_and_changes_what_is_around_it() {
     let (mut scene, size) = plain(preset(6));
-    let with_disk = render(&scene, size).unwrap();
+    let mut drawer = Drawer::default();
+    let with_disk = drawer.draw(&scene, size);
     scene.disk.enabled = false;
-    let without_disk = render(&scene, size).unwrap();
+    let without_disk = drawer.draw(&scene, size);
     // Where the craft is: what taking it away changes, in either picture.
     scene.probe.enabled = false;
-    let without_both = render(&scene, size).unwrap();
+    let without_both = drawer.draw(&scene, size);
     scene.disk.enabled = true;
-    let without_probe = render(&scene, size).unwrap();
+    let without_probe = drawer.draw(&scene, size);
     let (mut craft, mut around) = (0, 0);
     for y in 0..size.y {
         for x in 0..size.x {
@@ -241,6 +261,7 @@ fn fractional_cells_average_the_light_that_falls_on_them() {
     // a cell or not. Procedural stars have pixels without any light beside them. The sky is so
     // bright that its mean is more than a level above black, which is dithered in steps, and so dim
     // that no star is brighter than white, where light is lost.
+    let mut drawer = Drawer::default();
     let disk = preset(3);
     let stars = ToneCurve::ALL.into_iter().flat_map(|curve| {
         [SkyMode::Stars, SkyMode::Procedural].map(|mode| {
@@ -258,7 +279,7 @@ fn fractional_cells_average_the_light_that_falls_on_them() {
         let mut of_grid = |width: u32, height: u32| {
             scene.picture.grid_width = width;
             scene.picture.grid_height = height;
-            mean_light(&render(&scene, UVec2::new(width, height)).unwrap())
+            mean_light(&drawer.draw(&scene, UVec2::new(width, height)))
         };
         let whole = of_grid(480, 270);
         let fractional = of_grid(437, 251);

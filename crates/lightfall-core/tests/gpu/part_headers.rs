@@ -187,24 +187,6 @@ fn every_part_states_what_it_needs_and_what_it_gives() {
 }
 
 #[test]
-fn every_shader_has_one_part_that_gives_what_another_part_needs() {
-    for text in joined_texts() {
-        let constants = Part::new(text.prelude()).declared;
-        for (file, part) in text.files() {
-            for name in header(part, "Needs").expect("every file has a header") {
-                let givers: Vec<&str> = text
-                    .files()
-                    .filter(|(_, other)| header(other, "Gives").unwrap().contains(&name))
-                    .map(|(other, _)| other)
-                    .collect();
-                let count = givers.len() + usize::from(constants.contains(&name));
-                assert_eq!(count, 1, "{file} needs {name}, which {givers:?} give");
-            }
-        }
-    }
-}
-
-#[test]
 fn every_file_is_in_a_shader() {
     let texts = joined_texts();
     let used: BTreeSet<&str> = texts
@@ -228,27 +210,4 @@ fn every_file_is_in_a_shader() {
     }
     files.retain(|file| !used.contains(file.as_str()));
     assert!(files.is_empty(), "no shader needs {files:?}");
-}
-
-#[test]
-fn names_are_found_outside_of_comments_and_members() {
-    let part = Part::new(
-        "// a comment of unused\n@vertex\nfn entry(x: f32) -> f32 {\n    return x + a.member * scale(B[2u]); // c\n}\n\
-         const LIMIT: u32 = 3u;\nalias Pair = vec2<f32>;\n@group(0) @binding(SLOT) var<uniform> table: array<f32, LEN>;\nstruct S {\n}\n",
-    );
-    let set = |names: &[&str]| names.iter().map(|name| name.to_string()).collect::<Names>();
-    assert_eq!(
-        part.declared,
-        set(&["entry", "LIMIT", "Pair", "table", "S"])
-    );
-    assert_eq!(part.entry_points, set(&["entry"]));
-    let others = set(&["a", "scale", "B", "SLOT", "LEN"]);
-    assert_eq!(
-        part.mentioned
-            .intersection(&others)
-            .cloned()
-            .collect::<Names>(),
-        others
-    );
-    assert!(!part.mentioned.contains("member") && !part.mentioned.contains("unused"));
 }

@@ -12,7 +12,18 @@ use std::collections::{HashMap, HashSet};
 
 #[test]
 fn naga_accepts_every_variant() {
-    let failures: Vec<String> = Variant::all()
+    // naga checks what is behind a flag whatever the flag's value is: one of the texts that differ in
+    // such values alone is enough.
+    let without_values = |source: String| {
+        source
+            .replace(": bool = true;", ": bool;")
+            .replace(": bool = false;", ": bool;")
+    };
+    let mut seen = HashSet::new();
+    let mut variants = Variant::all();
+    variants.retain(|variant| seen.insert(without_values(variant.source())));
+    assert!(variants.len() > 100, "{} variants", variants.len());
+    let failures: Vec<String> = variants
         .into_iter()
         .filter_map(|variant| {
             let message = validate(&variant.text(), variant.entry.points()).err()?;

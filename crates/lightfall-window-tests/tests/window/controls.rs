@@ -19,38 +19,25 @@ fn x_name(id: &str) -> String {
 #[test]
 #[ignore = "needs a graphics adapter, Xvfb and xdotool"]
 fn a_switch_changes_the_picture_and_pressed_again_restores_it() {
-    // A scene in which each of them shows: the disk does not begin at the innermost stable orbit,
-    // the probe is in view.
-    let scene = [
-        "--preset",
-        "probe",
-        "--set",
-        "disk.inner=4.5",
-        "--set",
-        "observer.velocity=0,0.1,0.3",
-    ];
+    // The probe is in view and the observer moves, so that each of them shows.
+    let scene = ["--preset", "probe", "--set", "observer.velocity=0,0.1,0.3"];
     let desktop = Desktop::open_small(&scene);
     let start = desktop.first_picture();
     // One of each kind: keys.rs presses all of them and reads the scene, and the tests of pictures
     // hold the passes to every change of it.
-    for (id, times) in [
-        ("scene.disk", 2),
-        ("scene.sky_mode", 4),
-        ("scene.probe", 2),
-        ("scene.spin", 2),
-        ("light.doppler", 2),
-        ("view.classes", 2),
-        ("picture.bloom", 2),
-        ("picture.bypass", 2),
-        ("picture.antialias", 2),
-        ("picture.levels", 2),
+    for id in [
+        "scene.probe",
+        "scene.spin",
+        "light.doppler",
+        "view.classes",
+        "picture.bloom",
+        "picture.antialias",
+        "picture.levels",
     ] {
         let key = x_name(id);
         desktop.press(&key);
         desktop.settled(id, |shot| changed(shot, &start) > 1e-4);
-        for _ in 1..times {
-            desktop.press(&key);
-        }
+        desktop.press(&key);
         desktop.settled(&format!("{id} again"), |shot| changed(shot, &start) == 0.0);
     }
     // Brighter, and undone.

@@ -140,8 +140,9 @@ fn keys_do_what_the_help_says_and_never_close_the_window() {
     desktop.settled("Esc frees the mouse", |shot| changed(shot, &turned) < 1e-3);
     assert!(desktop.running(), "Esc closed the program");
 
+    // Presets far away, around a spinning hole and falling; keys.rs loads all of them.
     let mut moves = false;
-    for number in 1..=9 {
+    for number in [1, 8, 9] {
         desktop.press(&number.to_string());
         let preset = presets::find(&number.to_string()).unwrap();
         let scene = preset.scene(&[]).unwrap();
