@@ -48,6 +48,7 @@ mod refusals;
 mod requirements;
 mod shader_files;
 mod shaders;
+mod shadow;
 mod sky;
 mod spectrum;
 mod stars;

@@ -2,6 +2,7 @@
 //! above f32's rounding, so the tolerances describe the method: the tests fail if it gets worse,
 //! and some if it gets better.
 
+use crate::shadow::{outcomes, shadow_half_angle};
 use crate::{bare_hole, direction_off_centre, edge_on, gpu, median, pixel_directions, quantile};
 use glam::DVec3;
 use lightfall_core::geometry::schwarzschild::{
@@ -12,35 +13,6 @@ use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::{Outcome, Trace};
 use lightfall_core::scene::{MAX_STEP_BUDGET, Method, ObserverKind, Scene};
 use std::f64::consts::PI;
-
-/// The outcomes along rays at these angles from the hole's centre.
-fn outcomes(gpu: &Gpu, scene: &Scene, angles: &[f64]) -> Vec<Outcome> {
-    let directions: Vec<DVec3> = angles
-        .iter()
-        .map(|angle| direction_off_centre(*angle))
-        .collect();
-    rays::trace(gpu, scene, &directions)
-        .unwrap()
-        .iter()
-        .map(|trace| trace.outcome)
-        .collect()
-}
-
-/// The angle at which rays begin to reach the sky, to 1e-9 rad.
-fn shadow_half_angle(gpu: &Gpu, scene: &Scene) -> f64 {
-    const PARTS: usize = 256;
-    let (mut low, mut high) = (0.0, PI);
-    for _ in 0..4 {
-        let part = (high - low) / PARTS as f64;
-        let angles: Vec<f64> = (0..=PARTS).map(|i| low + part * i as f64).collect();
-        let first = outcomes(gpu, scene, &angles)
-            .iter()
-            .position(|outcome| *outcome == Outcome::Sky)
-            .unwrap();
-        (low, high) = (angles[first.saturating_sub(1)], angles[first]);
-    }
-    (low + high) / 2.0
-}
 
 /// A bare hole with an affine budget that no ray from `r` uses up.
 fn without_budget(r: f64) -> Scene {
