@@ -2,6 +2,7 @@
 
 use bevy::prelude::*;
 use bevy::time::TimeUpdateStrategy;
+use lightfall::app::DiskClock;
 use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::load;
 use lightfall_render::CurrentScene;
@@ -53,11 +54,16 @@ fn receive_orders(lines: Res<Lines>, mut orders: ResMut<Orders>, mut commands: C
     }
 }
 
-fn show_scene(orders: Res<Orders>, mut scene: ResMut<CurrentScene>) {
+fn show_scene(
+    orders: Res<Orders>,
+    mut scene: ResMut<CurrentScene>,
+    mut clock: ResMut<DiskClock>,
+) {
     for order in &orders.new {
         if let Order::Show(preset) = order {
             let shown = load("the order", preset, &[]).expect("an order holds a preset");
             scene.0 = Drawable::new(shown).expect("an order's scene can be drawn");
+            clock.set(scene.disk.time);
         }
     }
 }

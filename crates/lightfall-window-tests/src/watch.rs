@@ -9,7 +9,7 @@ use bevy::prelude::*;
 use bevy::window::{CursorGrabMode, CursorOptions, PrimaryWindow, WindowMode};
 use bevy_egui::{EguiContext, EguiFullOutput, EguiPostUpdateSet};
 use lightfall::app::{FramePacing, FreeFall, JourneyPlayer, Menu};
-use lightfall_render::{Comparison, ComparisonMode, CurrentScene, Progress};
+use lightfall_render::{Comparison, ComparisonMode, DrawnScene, Progress};
 use std::path::PathBuf;
 use watched::{State, fields_of};
 
@@ -28,7 +28,7 @@ pub fn add(app: &mut App, file: PathBuf) {
 
 fn write_state(
     (frame, file): (Res<FrameCount>, Res<StateFile>),
-    scene: Res<CurrentScene>,
+    scene: Res<DrawnScene>,
     mut egui: Query<(&mut EguiContext, &EguiFullOutput)>,
     (orders, answers, kept): (Res<Orders>, Res<Answers>, Res<KeptPicture>),
     (player, fall): (Res<JourneyPlayer>, Res<FreeFall>),
