@@ -43,6 +43,12 @@ pub(super) fn stars(args: &SceneArgs) -> Result<&'static Catalogue, Stop> {
         None => Ok(Catalogue::built_in()),
         Some(file) => {
             let catalogue = storage::read_stars(file).map_err(Stop::refused)?;
+            for remark in catalogue.remarks() {
+                say(format_args!(
+                    "lightfall: --stars {}: {remark}",
+                    file.display()
+                ));
+            }
             Ok(Box::leak(Box::new(catalogue)))
         }
     }

@@ -10,10 +10,11 @@ use lightfall_core::gpu;
 use lightfall_core::gpu::GpuScene;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::Trace;
+use lightfall_core::text::decode;
 use lightfall_platform::storage;
 use rayon::prelude::*;
 use std::fs::File;
-use std::io::{self, BufReader, BufWriter, Read};
+use std::io::{self, BufWriter, Read};
 use std::path::Path;
 
 /// Reads the rays, traces them, and writes the traces to standard output.
@@ -38,6 +39,9 @@ pub(super) fn trace(args: &TraceArgs) -> Result<(), Stop> {
     output_result(write_traces(&traces))
 }
 
+/// Maximum size of a file of rays, in bytes.
+const MAX_BYTES: u64 = 1 << 30;
+
 /// The rays of a file, or of standard input for `-`.
 fn read_rays(file: &Path) -> Result<Vec<DVec3>, Stop> {
     let (input, name): (Box<dyn Read>, String) = if file.as_os_str() == "-" {
@@ -48,7 +52,18 @@ fn read_rays(file: &Path) -> Result<Vec<DVec3>, Stop> {
             .map_err(|error| Stop::refused(format!("{name}: cannot be read: {error}")))?;
         (Box::new(file), name)
     };
-    let directions = RayReader::new(BufReader::new(input), &name)
+    let mut bytes = Vec::new();
+    input
+        .take(MAX_BYTES + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|error| Stop::refused(format!("{name}: cannot be read: {error}")))?;
+    if bytes.len() as u64 > MAX_BYTES {
+        return Err(Stop::refused(format!(
+            "{name}: is longer than {MAX_BYTES} bytes"
+        )));
+    }
+    let text = decode(bytes).map_err(|error| Stop::refused(format!("{name}: {error}")))?;
+    let directions = RayReader::new(text.as_bytes(), &name)
         .collect::<Result<Vec<_>, _>>()
         .map_err(Stop::refused)?;
     if directions.is_empty() {

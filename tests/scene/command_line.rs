@@ -331,7 +331,9 @@ fn a_preset_file_that_cannot_be_read_is_named() {
     fs::write(&path, [b'#', 0xff, b'\n']).unwrap();
     assert_eq!(
         fault(&of_preset(&path)),
-        named("is not UTF-8 text; presets and journeys are short TOML texts")
+        named(
+            "is not UTF-8 text: line 1 has the byte 0xFF, as in Windows-1252 or Latin-1; save it as UTF-8, in PowerShell with `Get-Content OLD | Set-Content -Encoding utf8 NEW`; presets and journeys are short TOML texts"
+        )
     );
     fs::write(&path, vec![b'#'; (1 << 20) + 1]).unwrap();
     assert_eq!(

@@ -78,6 +78,18 @@ fn the_error_about_a_wrong_line_names_its_number() {
             "er,etheta,ephi\n1,0,0,0",
             format!("line 2: \"1,0,0,0\" {columns} 4"),
         ),
+        (
+            "0;-0,1;1",
+            format!(
+                "line 1: \"0;-0,1;1\" {columns} 2; write commas between the values, and points in decimals"
+            ),
+        ),
+        (
+            "0\n-0.1\n1",
+            format!(
+                "line 1: \"0\" {columns} 1; PowerShell splits an unquoted 0,-0.1,1 into lines: put it in quotes"
+            ),
+        ),
         ("1,0,0,", format!("line 1: \"1,0,0,\" {columns} 4")),
         (
             "1,x,0",

@@ -31,13 +31,15 @@ const MAX_LINE_BYTES: u64 = 4096;
 pub enum RaysError {
     /// The line does not have three values.
     #[error(
-        "{name}: line {line}: \"{given}\" is refused: a ray has three values, er,etheta,ephi, and here are {count}"
+        "{name}: line {line}: \"{given}\" is refused: a ray has three values, er,etheta,ephi, and here are {count}{hint}"
     )]
     Columns {
         name: String,
         line: u64,
         given: String,
         count: usize,
+        /// What has probably gone wrong; begins with a semicolon unless it is empty.
+        hint: &'static str,
     },
     /// A value is not a finite number.
     #[error("{name}: line {line}: {column} = \"{given}\" is refused: it must be a finite number")]
@@ -147,6 +149,7 @@ impl<R: BufRead> RayReader<R> {
                 line,
                 given: shortened(text),
                 count: values.len(),
+                hint: hint(text),
             });
         }
         let mut ray = DVec3::ZERO;
@@ -181,6 +184,17 @@ impl<R: BufRead> Iterator for RayReader<R> {
         let next = self.next_ray().transpose();
         self.ended = !matches!(next, Some(Ok(_)));
         next
+    }
+}
+
+/// What has probably gone wrong with a line that does not have three values.
+fn hint(text: &str) -> &'static str {
+    if text.contains(';') {
+        "; write commas between the values, and points in decimals"
+    } else if unquoted(text).parse::<f64>().is_ok() {
+        "; PowerShell splits an unquoted 0,-0.1,1 into lines: put it in quotes"
+    } else {
+        ""
     }
 }
 

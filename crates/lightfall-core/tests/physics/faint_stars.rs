@@ -69,7 +69,7 @@ fn a_catalogue_that_goes_deeper_is_not_doubled() {
             format!("{},{},{magnitude}\n", i % 360, i % 90)
         })
         .collect();
-    let catalogue = Catalogue::from_csv("test", text.as_bytes()).unwrap();
+    let catalogue = Catalogue::from_csv("test", &text).unwrap();
     let list = StarList::new(&catalogue, 1, 9.0);
     let own = catalogue.stars().len() as f64;
     let all = number_brighter(9.0) - number_brighter(6.0);

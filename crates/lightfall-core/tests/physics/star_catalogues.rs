@@ -7,13 +7,14 @@ use lightfall_core::optics::stars::{
 };
 
 fn read(text: &str) -> Result<Catalogue, CatalogueError> {
-    Catalogue::from_csv("my.csv", text.as_bytes())
+    Catalogue::from_csv("my.csv", text)
 }
 
 #[test]
 fn stars_are_read_with_and_without_a_header() {
     let plain = "10,20,3.5,0.5,Alpha\n# a comment\n\n 30 , -40 , 1.25 \n";
-    let header = "\u{feff}# two stars\nname,hr,V_MAG,dec_deg,ra_deg,b_v\nAlpha,1,3.5,20,10,0.5\n,2,1.25,-40,30,\n";
+    let header =
+        "# two stars\nname,hr,V_MAG,dec_deg,ra_deg,b_v\nAlpha,1,3.5,20,10,0.5\n,2,1.25,-40,30,\n";
     for text in [plain, header] {
         let catalogue = read(text).unwrap();
         let [first, second] = catalogue.stars() else {
@@ -68,15 +69,15 @@ fn a_refusal_names_the_line_the_column_what_was_given_and_what_is_allowed() {
         ),
         (
             "ra,dec_deg,v_mag\n1,2,3\n",
-            "my.csv: line 1: the header has no column ra_deg; it needs ra_deg, dec_deg and v_mag and may have b_v and name",
+            "my.csv: line 1: the header has no column ra_deg; it needs ra_deg or ra_hours, dec_deg and v_mag, and may have b_v and name",
         ),
         (
-            "# mine\nra_deg;dec_deg;v_mag\n1;2;3\n",
-            "my.csv: line 2: its fields are separated by semicolons, and must be separated by commas",
+            "# mine\nra,dec,mag\n1,2,3\n",
+            "my.csv: line 2: the header \"ra,dec,mag\" is not known; call the columns ra_deg or ra_hours, dec_deg, v_mag, b_v and name (the headers of the HYG database and of Gaia's archive are read as they are)",
         ),
         (
-            "1\t2\t3\n",
-            "my.csv: line 1: its fields are separated by tabs, and must be separated by commas",
+            "ra_hours,dec_deg,v_mag\n25,2,3\n",
+            "my.csv: line 2: ra_hours = \"25\" is refused: it must be a number from 0 to 24",
         ),
         (
             "# nothing\n",
@@ -89,6 +90,95 @@ fn a_refusal_names_the_line_the_column_what_was_given_and_what_is_allowed() {
             "for {text:?}"
         );
     }
+}
+
+/// Semicolons with decimal commas, as spreadsheets write them where the comma is the decimal sign,
+/// and tabs.
+#[test]
+fn other_separators_and_decimal_commas_give_the_same_stars() {
+    let expected = read("83.822,-5.391,4.3,-0.1,Sword\n30,-40,1.25\n").unwrap();
+    for text in [
+        "83,822;-5,391;4,3;-0,1;Sword\n30;-40;1,25\n",
+        "83,822;-5,391;4,3;-0,1\n",
+        "ra_deg;dec_deg;v_mag;b_v;name\r\n83,822;-5,391;4,3;-0,1;Sword\r\n30;-40;1,25;;\r\n",
+        "83.822\t-5.391\t4.3\t-0.1\tSword\n30\t-40\t1.25\n",
+        "\"83,822\",\"-5,391\",\"4,3\",\"-0,1\",Sword\n30,-40,\"1,25\"\n",
+        "ra_hours,dec_deg,v_mag,b_v,name\n5.588133333333333,-5.391,4.3,-0.1,Sword\n2,-40,1.25\n",
+    ] {
+        let catalogue = read(text).unwrap();
+        let stars = catalogue.stars();
+        assert_eq!(stars.last(), expected.stars().last(), "for {text:?}");
+        assert!(stars.len() == 1 || catalogue == expected, "for {text:?}");
+    }
+}
+
+/// Lines of the HYG database, versions 4.1 and 1, and of AT-HYG.
+#[test]
+fn the_columns_of_the_hyg_database_are_read_in_hours_and_without_the_sun() {
+    let of = |header: &str, sun: &str, sirius: &str| {
+        let catalogue = read(&format!("{header}\n{sun}\n{sirius}\n")).unwrap();
+        let [star] = catalogue.stars() else {
+            panic!("one star in {header}");
+        };
+        let direction = celestial_direction(101.287_155, -16.716_116).as_vec3();
+        assert!(star.direction.distance(direction) < 1e-6);
+        assert_eq!(star.magnitude, -1.44);
+        assert_eq!(star.temperature, temperature_from_b_v(0.009) as f32);
+        assert_eq!(catalogue.names()[0].name, "Sirius");
+        assert!(catalogue.remarks()[0].contains("HYG"));
+        assert_eq!(catalogue.remarks().len(), 1);
+    };
+    of(
+        "\"id\",\"hip\",\"hd\",\"hr\",\"gl\",\"bf\",\"proper\",\"ra\",\"dec\",\"dist\",\"mag\",\"absmag\",\"spect\",\"ci\"",
+        "0,,,,\"\",\"\",\"Sol\",0.000000,0.000000,0.0000,-26.700,4.850,\"G2V\",0.656",
+        "32263,32349,48915,2491,\"Gl 244A\",\"9Alp CMa\",\"Sirius\",6.752477,-16.716116,2.6371,-1.440,1.454,\"A0m...\",0.009",
+    );
+    of(
+        "StarID,HIP,HD,HR,Gliese,BayerFlamsteed,ProperName,RA,Dec,Distance,Mag,AbsMag,Spectrum,ColorIndex",
+        "0,,,,,,Sol,0,0,0.000004848,-26.73,4.85,G2V,0.656",
+        "32263,32349,48915,2491,Gl 244A,9Alp CMa,Sirius,6.752477,-16.716116,2.6371,-1.44,1.454,A0m,0.009",
+    );
+    of(
+        "id,tyc,gaia,hyg,hip,proper,ra,dec,pos_src,dist,mag,absmag,ci,mag_src",
+        "1,,,0,,Sol,0.0,0.0,OTHER,0.0,-26.7,4.85,0.656,HYG",
+        "2,5949-2777-1,,32263,32349,Sirius,6.752477,-16.716116,T,2.6371,-1.44,1.454,0.009,HIP",
+    );
+}
+
+/// The columns of Gaia's archive, and of its bulk files, which write `null`.
+#[test]
+fn the_columns_of_gaia_are_read_with_its_magnitudes_and_colours() {
+    let catalogue = read(
+        "# %ECSV 1.0\nsolution_id,source_id,ra,dec,parallax,phot_g_mean_mag,bp_rp\n\
+         1,10,10.5,-20.25,1.0,8.0,0.82\n1,11,200.0,30.0,null,9.0,null\n1,12,30.0,40.0,2.0,null,null\n",
+    )
+    .unwrap();
+    let [first, second] = catalogue.stars() else {
+        panic!("two stars");
+    };
+    // The Sun: V - G is 0.15, and its temperature 5772 K; the relation holds to 61 K.
+    assert!((first.magnitude - 8.152).abs() < 0.001, "{first:?}");
+    assert!((first.temperature - 5772.0).abs() < 2.0 * 61.0, "{first:?}");
+    assert_eq!(second.temperature, first.temperature);
+    assert_eq!(first.direction, celestial_direction(10.5, -20.25).as_vec3());
+    assert_eq!(
+        catalogue.remarks()[1],
+        "1 of 3 lines are left out, because they have no phot_g_mean_mag"
+    );
+}
+
+#[test]
+fn right_ascensions_that_are_probably_hours_are_remarked_on() {
+    let hours = "5.5,-5,1\n23.9,80,2\n";
+    assert!(read(hours).unwrap().remarks()[0].contains("ra_hours"));
+    for text in [
+        "5.5,-5,1\n24,80,2\n",
+        "5.5,-5,1\n",
+        &format!("ra_hours,dec_deg,v_mag\n{hours}"),
+    ] {
+        assert_eq!(read(text).unwrap().remarks(), [""; 0], "for {text:?}");
+    }
+    assert_eq!(Catalogue::built_in().remarks(), [""; 0]);
 }
 
 #[test]
@@ -120,7 +210,7 @@ fn random_bytes_are_read_or_refused() {
             }
             text.push(b'\n');
         }
-        match Catalogue::from_csv("garbled", &text) {
+        match Catalogue::from_csv("garbled", &String::from_utf8_lossy(&text)) {
             Ok(catalogue) => {
                 accepted += 1;
                 for star in catalogue.stars() {

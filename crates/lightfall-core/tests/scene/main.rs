@@ -17,4 +17,5 @@ mod presets;
 #[path = "../physics/random.rs"]
 mod random;
 mod step_policy;
+mod text;
 mod words;

@@ -17,6 +17,12 @@ pub const MAX_B_V: f64 = 2.5;
 /// B-V of a star like the Sun, for stars whose colour is not known.
 pub const SOLAR_B_V: f64 = 0.65;
 
+/// Gaia's BP-RP of a star like the Sun (Casagrande and VandenBerg 2018, MNRAS 479, L102).
+pub const SOLAR_BP_RP: f64 = 0.82;
+
+/// The range of BP-RP in which [`v_from_gaia`] holds.
+pub const BP_RP: [f64; 2] = [-0.5, 5.0];
+
 /// The Sun from one astronomical unit: V, temperature in kelvin and angular radius in radians. The
 /// last two follow from the nominal values of IAU 2015 resolution B3; V is known to 0.02.
 const SUN_MAGNITUDE: f64 = -26.74;
@@ -52,6 +58,24 @@ impl Star {
 pub fn temperature_from_b_v(b_v: f64) -> f64 {
     let x = 0.92 * b_v.clamp(MIN_B_V, MAX_B_V);
     4600.0 * (1.0 / (x + 1.7) + 1.0 / (x + 0.62))
+}
+
+/// Temperature in kelvin of a star with Gaia's colour BP-RP: 5040 K / (0.4929 + 0.5092 x - 0.0353
+/// x^2); Mucciarelli, Bellazzini and Massari 2021, A&A 653, A90, table 1, for dwarfs of solar
+/// metallicity and BP-RP from 0.39 to 1.50. The polynomial is continued to [`BP_RP`], and colours
+/// beyond it count as its ends.
+#[must_use]
+pub fn temperature_from_bp_rp(bp_rp: f64) -> f64 {
+    let x = bp_rp.clamp(BP_RP[0], BP_RP[1]);
+    5040.0 / (0.4929 + 0.5092 * x - 0.0353 * x * x)
+}
+
+/// Johnson's V from Gaia's G and BP-RP, to 0.03 magnitudes: Riello et al. 2021, A&A 649, A3, table
+/// C.2, for BP-RP within [`BP_RP`].
+#[must_use]
+pub fn v_from_gaia(g: f64, bp_rp: f64) -> f64 {
+    let x = bp_rp.clamp(BP_RP[0], BP_RP[1]);
+    g + 0.02704 - 0.01424 * x + 0.2156 * x * x - 0.01426 * x.powi(3)
 }
 
 /// Luminance Y of thermal light of `temperature` (kelvin) per unit of bolometric flux, as the

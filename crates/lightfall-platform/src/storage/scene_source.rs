@@ -7,6 +7,7 @@ use lightfall_core::gpu::Drawable;
 use lightfall_core::scene::journey;
 use lightfall_core::scene::journey::{Journey, JourneyError, Unflyable};
 use lightfall_core::scene::{Override, Scene, SceneError, load, nearest_name, presets};
+use lightfall_core::text::{NotText, decode};
 use std::ffi::OsStr;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -58,10 +59,12 @@ pub enum SourceError {
         path: PathBuf,
     },
     /// The file is not text.
-    #[error("{}: is not UTF-8 text; presets and journeys are short TOML texts", path.display())]
+    #[error("{}: {fault}; presets and journeys are short TOML texts", path.display())]
     NotText {
         /// The file.
         path: PathBuf,
+        /// What it is instead.
+        fault: NotText,
     },
     /// The file is a picture without a preset in it.
     #[error(
@@ -172,7 +175,10 @@ fn text_of(path: &Path, bytes: Vec<u8>) -> Result<String, SourceError> {
     if bytes.len() as u64 > MAX_PRESET_BYTES {
         return Err(SourceError::TooLong { path: path.into() });
     }
-    String::from_utf8(bytes).map_err(|_| SourceError::NotText { path: path.into() })
+    decode(bytes).map_err(|fault| SourceError::NotText {
+        path: path.into(),
+        fault,
+    })
 }
 
 /// The preset that was probably meant, or all presets.

@@ -2,6 +2,7 @@
 
 use super::files::read;
 use lightfall_core::optics::stars::{Catalogue, CatalogueError};
+use lightfall_core::text::{NotText, decode};
 use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -26,7 +27,15 @@ pub enum StarFileError {
         /// The file.
         path: PathBuf,
     },
-    /// The file is no catalogue.
+    /// The file is not text.
+    #[error("--stars {}: {fault}", path.display())]
+    NotText {
+        /// The file.
+        path: PathBuf,
+        /// What it is instead.
+        fault: NotText,
+    },
+    /// The file is not a catalogue.
     #[error("--stars {0}")]
     Catalogue(#[from] CatalogueError),
 }
@@ -34,7 +43,7 @@ pub enum StarFileError {
 /// The catalogue of a CSV file.
 ///
 /// # Errors
-/// The file cannot be read, or is no catalogue.
+/// The file cannot be read, or is not a catalogue.
 pub fn read_stars(path: &Path) -> Result<Catalogue, StarFileError> {
     let bytes = read(path, MAX_STAR_FILE_BYTES).map_err(|error| StarFileError::Unreadable {
         path: path.into(),
@@ -43,5 +52,9 @@ pub fn read_stars(path: &Path) -> Result<Catalogue, StarFileError> {
     if bytes.len() as u64 > MAX_STAR_FILE_BYTES {
         return Err(StarFileError::TooLong { path: path.into() });
     }
-    Ok(Catalogue::from_csv(&path.display().to_string(), &bytes)?)
+    let text = decode(bytes).map_err(|fault| StarFileError::NotText {
+        path: path.into(),
+        fault,
+    })?;
+    Ok(Catalogue::from_csv(&path.display().to_string(), &text)?)
 }

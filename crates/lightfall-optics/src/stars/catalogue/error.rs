@@ -9,21 +9,21 @@ use thiserror::Error;
 pub enum CatalogueError {
     /// The header lacks a column.
     #[error(
-        "{origin}: line {line}: the header has no column {column}; it needs ra_deg, dec_deg and v_mag and may have b_v and name"
+        "{origin}: line {line}: the header has no column {column}; it needs ra_deg or ra_hours, dec_deg and v_mag, and may have b_v and name"
     )]
     Column {
         origin: String,
         line: u64,
         column: &'static str,
     },
-    /// The fields of a line are separated by something else than commas.
+    /// The header has no name that tells the units of its columns.
     #[error(
-        "{origin}: line {line}: its fields are separated by {separator}, and must be separated by commas"
+        "{origin}: line {line}: the header \"{given}\" is not known; call the columns ra_deg or ra_hours, dec_deg, v_mag, b_v and name (the headers of the HYG database and of Gaia's archive are read as they are)"
     )]
-    Separator {
+    Header {
         origin: String,
         line: u64,
-        separator: &'static str,
+        given: String,
     },
     /// A field has a value that it cannot have.
     #[error("{origin}: line {line}: {column} = \"{given}\" is refused: it must be {allowed}")]
@@ -48,4 +48,9 @@ pub enum CatalogueError {
     /// The text cannot be split into fields.
     #[error("{origin} cannot be read as CSV: {reason}")]
     NotCsv { origin: String, reason: String },
+}
+
+/// A text, shortened for an error message.
+pub(super) fn shortened(text: &str) -> String {
+    text.chars().take(40).flat_map(char::escape_debug).collect()
 }

@@ -16,18 +16,19 @@ pub use disk::{
 
 pub use write_error::WriteError;
 
+use lightfall_core::text::decode;
 use std::io;
 use std::path::Path;
 
 /// Reads a text of at most `max_bytes`.
 ///
 /// # Errors
-/// The file does not exist, cannot be read, is longer, or is not UTF-8.
+/// The file does not exist, cannot be read, is longer, or is not text.
 pub fn read_text(path: &Path, max_bytes: u64) -> io::Result<String> {
     let bytes = read(path, max_bytes)?;
     if bytes.len() as u64 > max_bytes {
         let fault = format!("it is longer than {max_bytes} bytes");
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, fault));
     }
-    String::from_utf8(bytes).map_err(|_| io::ErrorKind::InvalidData.into())
+    decode(bytes).map_err(|fault| io::Error::new(io::ErrorKind::InvalidData, format!("it {fault}")))
 }

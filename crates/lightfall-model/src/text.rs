@@ -1,0 +1,104 @@
+//! Text that other programs wrote, decoded.
+
+use thiserror::Error;
+
+/// Why bytes are not a text that can be read. Each message continues a sentence that begins with
+/// the name of the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum NotText {
+    /// Every other byte is zero, and no byte order mark says which.
+    #[error(
+        "is UTF-16 text without a byte order mark; save it as UTF-8, in PowerShell with `Get-Content -Encoding Unicode OLD | Set-Content -Encoding utf8 NEW`"
+    )]
+    Utf16WithoutMark,
+    /// UTF-16 with half a character.
+    #[error(
+        "is UTF-16 text with a broken character; save it as UTF-8, in PowerShell with `Get-Content OLD | Set-Content -Encoding utf8 NEW`"
+    )]
+    BrokenUtf16,
+    /// UTF-32, by its byte order mark.
+    #[error(
+        "is UTF-32 text; save it as UTF-8, in PowerShell with `Get-Content OLD | Set-Content -Encoding utf8 NEW`"
+    )]
+    Utf32,
+    /// A byte above 127 that is not UTF-8, as the encodings of one byte per character have them.
+    #[error(
+        "is not UTF-8 text: line {line} has the byte 0x{byte:02X}, as in Windows-1252 or Latin-1; save it as UTF-8, in PowerShell with `Get-Content OLD | Set-Content -Encoding utf8 NEW`"
+    )]
+    OneByteEncoding {
+        /// Line of the byte, from 1.
+        line: usize,
+        /// The first byte that is not UTF-8.
+        byte: u8,
+    },
+    /// Zeros, as programs and compressed files have them.
+    #[error("is not text: line {line} has a zero byte")]
+    Binary {
+        /// Line of the first zero, from 1.
+        line: usize,
+    },
+}
+
+/// Decodes a text: UTF-8 with or without a byte order mark, or UTF-16 with one, as Windows
+/// PowerShell writes it.
+///
+/// # Errors
+/// The bytes are in another encoding, or are not text.
+pub fn decode(bytes: Vec<u8>) -> Result<String, NotText> {
+    let text = match bytes.as_slice() {
+        [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] => return Err(NotText::Utf32),
+        [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes)?,
+        [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes)?,
+        _ => utf8(bytes)?,
+    };
+    match text.find('\0') {
+        Some(_) if looks_like_utf16(text.as_bytes()) => Err(NotText::Utf16WithoutMark),
+        Some(at) => Err(NotText::Binary {
+            line: line_of(text.as_bytes(), at),
+        }),
+        None => Ok(text),
+    }
+}
+
+fn utf8(mut bytes: Vec<u8>) -> Result<String, NotText> {
+    const MARK: &[u8] = b"\xef\xbb\xbf";
+    if bytes.starts_with(MARK) {
+        bytes.drain(..MARK.len());
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let (at, bytes) = (error.utf8_error().valid_up_to(), error.as_bytes());
+        if looks_like_utf16(bytes) {
+            NotText::Utf16WithoutMark
+        } else if let Some(zero) = bytes.iter().position(|byte| *byte == 0) {
+            let line = line_of(bytes, zero);
+            NotText::Binary { line }
+        } else {
+            let line = line_of(bytes, at);
+            NotText::OneByteEncoding {
+                line,
+                byte: bytes[at],
+            }
+        }
+    })
+}
+
+fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, NotText> {
+    let (pairs, rest) = bytes.as_chunks();
+    let units: Vec<u16> = pairs.iter().map(|pair| unit(*pair)).collect();
+    let text = String::from_utf16(&units).map_err(|_| NotText::BrokenUtf16)?;
+    rest.is_empty().then_some(text).ok_or(NotText::BrokenUtf16)
+}
+
+/// Whether most bytes at even places, or at odd places, are zero: ASCII characters as UTF-16.
+fn looks_like_utf16(bytes: &[u8]) -> bool {
+    let (pairs, _) = bytes.as_chunks::<2>();
+    [0, 1].into_iter().any(|place| {
+        let zeros = pairs.iter().filter(|pair| pair[place] == 0).count();
+        let others = pairs.iter().filter(|pair| pair[1 - place] == 0).count();
+        2 * zeros > pairs.len() && others == 0
+    })
+}
+
+fn line_of(bytes: &[u8], at: usize) -> usize {
+    1 + bytes[..at].iter().filter(|byte| **byte == b'\n').count()
+}
