@@ -13,8 +13,8 @@ use lightfall_core::scene::{Picture, Scene, SkyMode};
 use lightfall_lab::export::csv;
 use lightfall_picture as picture;
 use lightfall_picture::{
-    Animation, Channels, Format, Frames, HeadlessOptions, Linear, PassTime, PictureError,
-    PixelRays, Sequence, Still, Studio,
+    Animation, ChannelNames, Channels, Format, Frames, HeadlessOptions, Linear, PassTime,
+    PictureError, PixelRays, Sequence, Still, Studio,
 };
 use lightfall_platform::log::say;
 use lightfall_platform::storage;
@@ -76,6 +76,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), Stop> {
         studio: Studio::with_options(&first_scene, size, options).map_err(stop_drawing)?,
         format,
         channels: args.aov.clone().unwrap_or_default(),
+        names: ChannelNames::from_word(&args.aov_names).unwrap_or_default(),
         rays: None,
         animation: None,
         frames: pictures.numbers().len() as u32,
@@ -274,6 +275,7 @@ struct PictureWriter {
     studio: Studio,
     format: Format,
     channels: Channels,
+    names: ChannelNames,
     /// Opened for the first picture that needs it.
     rays: Option<PixelRays>,
     /// Begun with the first frame.
@@ -339,6 +341,7 @@ impl PictureWriter {
             light,
             channels: &self.channels,
             samples,
+            names: self.names,
             commit: commit.as_deref(),
             fps: self.fps,
         };

@@ -5,7 +5,7 @@ use super::random::Random;
 use super::random_scene::random_scene;
 use exr::prelude::f16;
 use lightfall_core::scene::{Scene, SkyMode};
-use lightfall_picture::{Channels, HeadlessOptions, PixelRays, Samples, Studio};
+use lightfall_picture::{Channels, HeadlessOptions, PixelRays, Studio};
 use std::collections::HashMap;
 
 /// Random scenes, each with shaders of its own to compile.
@@ -62,10 +62,10 @@ fn no_pixel_of_random_pictures_is_infinite_or_not_a_number() {
         }
         let depth = studio.depth().unwrap();
         let samples = rays.sample(&scene, &channels, &depth).unwrap();
-        let named: HashMap<&str, Samples> = channels
+        let named: HashMap<&str, Vec<f32>> = channels
             .list()
             .iter()
-            .map(|channel| channel.name)
+            .map(|channel| channel.old_name)
             .zip(samples)
             .collect();
         for pixel in 0..light.rgba.len() {
@@ -81,11 +81,8 @@ fn no_pixel_of_random_pictures_is_infinite_or_not_a_number() {
 /// What is wrong with a pixel's data. A missing value is NaN: the sky of a ray that does not reach it,
 /// every number of a hit that a ray does not have, and its time at or inside the horizon. The depth is
 /// infinite without a foreground.
-fn data_fault(named: &HashMap<&str, Samples>, pixel: usize) -> Option<String> {
-    let number = |name: &str| match &named[name] {
-        Samples::Numbers(numbers) => f64::from(numbers[pixel]),
-        Samples::Counts(counts) => f64::from(counts[pixel]),
-    };
+fn data_fault(named: &HashMap<&str, Vec<f32>>, pixel: usize) -> Option<String> {
+    let number = |name: &str| f64::from(named[name][pixel]);
     for name in named.keys() {
         let value = number(name);
         if value.is_infinite() && *name != "depth" {

@@ -80,7 +80,7 @@ fn a_journey_of_ones_own_is_drawn_as_linear_light_to_its_end_and_beyond() {
         [0, 1, 2, 3].map(|number| Linear::read(&folder.path().join(format!("in-000{number}.exr"))));
     let area = |linear: &Linear| {
         linear
-            .values("hit1.r")
+            .values("hit1_radius.Y")
             .iter()
             .filter(|r| !r.is_nan())
             .count()
@@ -95,7 +95,7 @@ fn a_journey_of_ones_own_is_drawn_as_linear_light_to_its_end_and_beyond() {
         "beyond the end is the end"
     );
     assert!(
-        frames[1].texts["lightfall.preset"].contains("r = 24.49"),
+        frames[1].preset().contains("r = 24.49"),
         "half way in the radius's logarithm"
     );
 
@@ -109,7 +109,7 @@ fn a_journey_of_ones_own_is_drawn_as_linear_light_to_its_end_and_beyond() {
     let moving = [2, 3].map(|number| Linear::read(&folder.path().join(format!("on-{number}.exr"))));
     assert!(moving[0].light() != moving[1].light(), "the disk stops");
     let radii = |linear: &Linear| {
-        let radii = linear.values("hit1.r");
+        let radii = linear.values("hit1_radius.Y");
         radii.into_iter().map(f64::to_bits).collect::<Vec<_>>()
     };
     for frame in &moving {

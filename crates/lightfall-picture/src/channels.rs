@@ -12,11 +12,33 @@ use std::str::FromStr;
 /// A channel: one number per pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Channel {
-    /// Its name in the file. The part before a dot is its group.
+    /// Its name in the file: the layer, a dot, and the component. Each layer is one scalar, or a
+    /// vector with the components X, Y and Z, because other programs read nothing else.
     pub name: &'static str,
+    /// Its name in files of version 0.1. The part before a dot is its group.
+    pub old_name: &'static str,
     /// What it means, with its unit.
     pub about: &'static str,
     value: Value,
+}
+
+impl Channel {
+    /// Whether version 0.1 wrote integers.
+    #[must_use]
+    pub fn was_count(&self) -> bool {
+        matches!(self.value, Value::Count(_))
+    }
+
+    /// Whether a word of `--aov` means this channel: `all`, its name, its layer, its old name, or
+    /// the group of its old name.
+    fn is_meant(&self, word: &str) -> bool {
+        let before_dot = |name: &'static str| name.split_once('.').map(|(before, _)| before);
+        word == "all"
+            || [self.name, self.old_name].contains(&word)
+            || [self.name, self.old_name]
+                .map(before_dot)
+                .contains(&Some(word))
+    }
 }
 
 /// The source of a channel's numbers.
@@ -52,10 +74,11 @@ impl TracedRay<'_> {
 }
 
 macro_rules! channels {
-    ($($name:literal $kind:ident $value:expr, $about:literal;)*) => {
-        [$(Channel { name: $name, about: $about, value: Value::$kind($value) },)*
+    ($($name:literal $old:literal $kind:ident $value:expr, $about:literal;)*) => {
+        [$(Channel { name: $name, old_name: $old, about: $about, value: Value::$kind($value) },)*
          Channel {
-             name: "depth",
+             name: "depth.Z",
+             old_name: "depth",
              about: "distance of the foreground probe from the camera's plane at the pixel's centre, in r_s; infinite without a probe",
              value: Value::Depth,
          }]
@@ -64,28 +87,28 @@ macro_rules! channels {
 
 /// Every channel in addition to R, G, B and A.
 pub const CHANNELS: [Channel; 17] = channels![
-    "sky.x" Number |seen| seen.trace.sky.map(|sky| sky.x),
+    "sky_direction.X" "sky.x" Number |seen| seen.trace.sky.map(|sky| sky.x),
         "x of the unit vector toward the source at infinity, in the hole's frame with the camera at azimuth camera.phi_deg";
-    "sky.y" Number |seen| seen.trace.sky.map(|sky| sky.y), "y of the unit vector toward the source at infinity";
-    "sky.z" Number |seen| seen.trace.sky.map(|sky| sky.z),
+    "sky_direction.Y" "sky.y" Number |seen| seen.trace.sky.map(|sky| sky.y), "y of the unit vector toward the source at infinity";
+    "sky_direction.Z" "sky.z" Number |seen| seen.trace.sky.map(|sky| sky.z),
         "z of the unit vector toward the source at infinity, along the normal of a disk that is not tilted";
-    "hit1.r" Number |seen| seen.hit(0, |hit| hit.r),
+    "hit1_radius.Y" "hit1.r" Number |seen| seen.hit(0, |hit| hit.r),
         "radius of the first crossing of the disk along the backward ray, in r_s";
-    "hit1.phi" Number |seen| seen.hit(0, |hit| hit.phi), "azimuth of the first crossing in the disk, in radians, in (-pi, pi]";
-    "hit1.g" Number |seen| seen.hit(0, |hit| hit.g), "observed over emitted frequency of light from the first crossing";
-    "hit1.T" Number |seen| seen.temperature(0),
+    "hit1_azimuth.Y" "hit1.phi" Number |seen| seen.hit(0, |hit| hit.phi), "azimuth of the first crossing in the disk, in radians, in (-pi, pi]";
+    "hit1_shift.Y" "hit1.g" Number |seen| seen.hit(0, |hit| hit.g), "observed over emitted frequency of light from the first crossing";
+    "hit1_temperature.Y" "hit1.T" Number |seen| seen.temperature(0),
         "temperature of the matter at the first crossing, in its own frame, in kelvin, without structure and hot spot; the observer sees g T";
-    "hit1.t" Number |seen| seen.delay(0),
+    "hit1_delay.Y" "hit1.t" Number |seen| seen.delay(0),
         "time from the emission at the first crossing to its arrival, in r_s/c; missing for a camera at or inside the horizon";
-    "hit2.r" Number |seen| seen.hit(1, |hit| hit.r), "radius of the second crossing of the disk, in r_s";
-    "hit2.phi" Number |seen| seen.hit(1, |hit| hit.phi), "azimuth of the second crossing in the disk, in radians, in (-pi, pi]";
-    "hit2.g" Number |seen| seen.hit(1, |hit| hit.g), "observed over emitted frequency of light from the second crossing";
-    "hit2.T" Number |seen| seen.temperature(1),
+    "hit2_radius.Y" "hit2.r" Number |seen| seen.hit(1, |hit| hit.r), "radius of the second crossing of the disk, in r_s";
+    "hit2_azimuth.Y" "hit2.phi" Number |seen| seen.hit(1, |hit| hit.phi), "azimuth of the second crossing in the disk, in radians, in (-pi, pi]";
+    "hit2_shift.Y" "hit2.g" Number |seen| seen.hit(1, |hit| hit.g), "observed over emitted frequency of light from the second crossing";
+    "hit2_temperature.Y" "hit2.T" Number |seen| seen.temperature(1),
         "temperature of the matter at the second crossing, in its own frame, in kelvin, without structure and hot spot";
-    "hit2.t" Number |seen| seen.delay(1), "time from the emission at the second crossing to its arrival, in r_s/c";
-    "outcome" Count |trace| trace.outcome as u32, "outcome of the backward ray: 0 sky, 1 captured, 2 unfinished";
-    "steps" Count |trace| trace.steps, "number of steps of the method; zero in closed form";
-    "residual" Number |seen| Some(seen.trace.residual),
+    "hit2_delay.Y" "hit2.t" Number |seen| seen.delay(1), "time from the emission at the second crossing to its arrival, in r_s/c";
+    "outcome.Y" "outcome" Count |trace| trace.outcome as u32, "outcome of the backward ray: 0 sky, 1 captured, 2 unfinished";
+    "steps.Y" "steps" Count |trace| trace.steps, "number of steps of the method; zero in closed form";
+    "residual.Y" "residual" Number |seen| Some(seen.trace.residual),
         "largest normalized residual of the null constraint along the ray; zero in closed form";
 ];
 
@@ -112,21 +135,13 @@ impl Channels {
 impl FromStr for Channels {
     type Err = String;
 
-    /// Reads a list such as `hit1,outcome`: names of channels or groups, or `all`, separated by
-    /// commas.
+    /// Reads a list such as `hit1,outcome`: names of channels, layers or groups, or `all`, separated
+    /// by commas.
     fn from_str(text: &str) -> Result<Self, String> {
         let names: Vec<&str> = text.split(',').map(str::trim).collect();
-        let is_meant = |name: &str, channel: &Channel| {
-            name == "all"
-                || name == channel.name
-                || channel
-                    .name
-                    .split_once('.')
-                    .is_some_and(|(group, _)| group == name)
-        };
         match names
             .iter()
-            .find(|name| !CHANNELS.iter().any(|channel| is_meant(name, channel)))
+            .find(|name| !CHANNELS.iter().any(|channel| channel.is_meant(name)))
         {
             Some(unknown) => {
                 let all = CHANNELS.map(|channel| channel.name).join(", ");
@@ -137,20 +152,11 @@ impl FromStr for Channels {
             None => Ok(Self(
                 CHANNELS
                     .into_iter()
-                    .filter(|channel| names.iter().any(|name| is_meant(name, channel)))
+                    .filter(|channel| names.iter().any(|name| channel.is_meant(name)))
                     .collect(),
             )),
         }
     }
-}
-
-/// The numbers of a channel, in rows from the top.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Samples {
-    /// Missing values are NaN.
-    Numbers(Vec<f32>),
-    /// Integers.
-    Counts(Vec<u32>),
 }
 
 /// Maximum number of rays that are traced at once, which limits the memory of their traces.
@@ -176,8 +182,8 @@ impl PixelRays {
         })
     }
 
-    /// The channels' numbers for the scene's picture, from the ray through each pixel's centre,
-    /// regardless of the foreground. `depth` is the depth of the foreground, one number per pixel.
+    /// The channels' numbers for the scene's picture, in rows from the top, from the ray through
+    /// each pixel's centre, regardless of the foreground. Missing values are NaN. `depth` is the depth of the foreground, one number per pixel.
     ///
     /// # Errors
     /// The GPU cannot trace the scene, or the device failed.
@@ -186,13 +192,9 @@ impl PixelRays {
         scene: &Scene,
         channels: &Channels,
         depth: &[f32],
-    ) -> Result<Vec<Samples>, GpuError> {
+    ) -> Result<Vec<Vec<f32>>, GpuError> {
         let pixels = scene.picture.width as usize * scene.picture.height as usize;
-        let mut samples: Vec<Samples> = channels
-            .list()
-            .iter()
-            .map(|channel| empty(channel, pixels))
-            .collect();
+        let mut samples = vec![Vec::with_capacity(pixels); channels.list().len()];
         let traced = channels
             .list()
             .iter()
@@ -213,18 +215,14 @@ impl PixelRays {
                 })
             };
             for (channel, samples) in channels.list().iter().zip(&mut samples) {
-                match (channel.value, samples) {
-                    (Value::Number(number), Samples::Numbers(numbers)) => {
-                        numbers
-                            .extend(seen().map(|seen| {
-                                number(&seen).map_or(f32::NAN, |number| number as f32)
-                            }));
+                match channel.value {
+                    Value::Number(number) => samples.extend(
+                        seen().map(|seen| number(&seen).map_or(f32::NAN, |number| number as f32)),
+                    ),
+                    Value::Count(count) => {
+                        samples.extend(traces.iter().map(|trace| count(trace) as f32));
                     }
-                    (Value::Count(count), Samples::Counts(counts)) => {
-                        counts.extend(traces.iter().map(count))
-                    }
-                    (_, Samples::Numbers(numbers)) => numbers.extend(&depth[batch.clone()]),
-                    (_, Samples::Counts(_)) => {}
+                    Value::Depth => samples.extend(&depth[batch.clone()]),
                 }
             }
         }
@@ -252,12 +250,5 @@ impl PixelRays {
         let traces = kernel.trace_camera_rays(&self.gpu, scene, &rays);
         self.kernel = Some((variant, kernel));
         traces
-    }
-}
-
-fn empty(channel: &Channel, pixels: usize) -> Samples {
-    match channel.value {
-        Value::Count(_) => Samples::Counts(Vec::with_capacity(pixels)),
-        Value::Number(_) | Value::Depth => Samples::Numbers(Vec::with_capacity(pixels)),
     }
 }

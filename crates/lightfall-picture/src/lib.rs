@@ -4,6 +4,7 @@
 mod animation;
 mod brightness;
 mod channels;
+mod exr_header;
 mod file;
 mod headless;
 mod open_exr;
@@ -13,10 +14,10 @@ mod still;
 
 pub use animation::Animation;
 pub use brightness::brightness;
-pub use channels::{CHANNELS, Channel, Channels, PixelRays, Samples};
+pub use channels::{CHANNELS, Channel, Channels, PixelRays};
 pub use file::{Format, PictureError, check_path, write_png};
 pub use headless::{HeadlessOptions, check_size};
-pub use open_exr::{Linear, write_exr};
+pub use open_exr::{ChannelNames, Linear, write_exr};
 pub use pass_time::{PassTime, render_timed};
 pub use sequence::{Frames, Sequence, frame_rate};
 pub use still::{Still, Studio, filled, render, render_with};

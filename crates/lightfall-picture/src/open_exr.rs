@@ -2,20 +2,47 @@
 //! [`CHANNELS`](super::CHANNELS).
 
 use super::file::PictureError;
-use super::{Channels, Samples};
+use super::{Channel, Channels, exr_header};
 use exr::meta::attribute::Chromaticities;
 use exr::prelude::*;
 use lightfall_core::scene::Scene;
-use lightfall_platform::storage::{PRESET_KEY, write_atomically};
+use lightfall_core::words;
+use lightfall_platform::storage::{preset_pieces, write_atomically};
 use lightfall_render::Captured;
 use std::io::Cursor;
 use std::path::Path;
 
 /// The meaning of the light's own channels.
-const LIGHT: &str =
-    "R, G, B: linear light with the primaries of Rec. 709, before exposure, bloom and tone mapping; white paper is 1
-A: 1 everywhere, because dark things hide what is behind them
-";
+const LIGHT: [(&str, &str); 2] = [
+    (
+        "RGB",
+        "linear light with the primaries of Rec. 709, before exposure, bloom and tone mapping; white paper is 1",
+    ),
+    (
+        "A",
+        "1 everywhere, because dark things hide what is behind them",
+    ),
+];
+
+words! {
+    /// The names of the channels in an EXR file.
+    pub enum ChannelNames {
+        /// One scalar or vector per layer, as in `hit1_radius.Y`.
+        Layers = "layers",
+        /// Those of version 0.1, as in `hit1.r`, which Blender and Krita do not read.
+        Version01 = "0.1",
+    }
+}
+
+impl ChannelNames {
+    /// The name of a channel in the file.
+    fn of(self, channel: &Channel) -> &'static str {
+        match self {
+            Self::Layers => channel.name,
+            Self::Version01 => channel.old_name,
+        }
+    }
+}
 
 /// A picture of linear light.
 #[derive(Clone, Debug)]
@@ -27,15 +54,17 @@ pub struct Linear<'a> {
     /// The channels of its rays.
     pub channels: &'a Channels,
     /// The numbers of those channels.
-    pub samples: Vec<Samples>,
+    pub samples: Vec<Vec<f32>>,
+    /// The channels' names in the file.
+    pub names: ChannelNames,
     /// The revision of the program, if it is known.
     pub commit: Option<&'a str>,
     /// Frames per second, if the picture is part of a sequence.
     pub fps: Option<f64>,
 }
 
-/// Writes an EXR picture: half floats for light, floats and integers for the rest, with lossless
-/// compression. The file appears under its name only when it is complete.
+/// Writes an EXR picture: half floats for light, floats for the rest, with lossless compression. The
+/// same picture gives the same bytes. The file appears under its name only when it is complete.
 ///
 /// # Errors
 /// The encoding failed, or the file cannot be written.
@@ -58,16 +87,20 @@ pub fn write_exr(path: &Path, picture: Linear) -> std::result::Result<(), Pictur
             channel_data: channels(picture),
         },
     };
+    let fault = |reason: String| PictureError::Encode {
+        path: path.into(),
+        reason,
+    };
     // The file is encoded in memory and written at once, so that an interruption leaves no partial
     // file.
     let mut bytes = Vec::new();
     image
         .write()
         .to_buffered(Cursor::new(&mut bytes))
-        .map_err(|error| PictureError::Encode {
-            path: path.into(),
-            reason: error.to_string(),
-        })?;
+        .map_err(|error| fault(error.to_string()))?;
+    // The encoder keeps attributes in a hash map, so their order would differ in every run.
+    exr_header::sort_attributes(&mut bytes)
+        .ok_or_else(|| fault("its header cannot be read".into()))?;
     Ok(write_atomically(path, &bytes)?)
 }
 
@@ -94,11 +127,13 @@ fn channels(picture: Linear) -> AnyChannels<FlatSamples> {
         .iter()
         .zip(picture.samples)
         .map(|(channel, samples)| {
-            let samples = match samples {
-                Samples::Numbers(numbers) => FlatSamples::F32(numbers),
-                Samples::Counts(counts) => FlatSamples::U32(counts),
+            let name = picture.names.of(channel);
+            let samples = if picture.names == ChannelNames::Version01 && channel.was_count() {
+                FlatSamples::U32(samples.into_iter().map(|count| count as u32).collect())
+            } else {
+                FlatSamples::F32(samples)
             };
-            AnyChannel::new(channel.name, samples)
+            AnyChannel::new(name, samples)
         });
     AnyChannels::sort(light.chain(rest).collect())
 }
@@ -109,25 +144,36 @@ fn attributes(picture: &Linear) -> LayerAttributes {
         .channels
         .list()
         .iter()
-        .map(|channel| format!("{}: {}\n", channel.name, channel.about));
-    let texts = [
-        (PRESET_KEY, Some(picture.scene.to_preset())),
-        ("lightfall.version", Some(version.to_owned())),
-        ("lightfall.commit", picture.commit.map(str::to_owned)),
-        ("lightfall.method", Some(method(picture.scene).to_owned())),
-        (
-            "lightfall.units",
-            Some(LIGHT.to_owned() + &units.collect::<String>()),
-        ),
+        .map(|channel| (picture.names.of(channel), channel.about));
+    let mut texts = vec![
+        ("lightfall.version".to_owned(), version.to_owned()),
+        ("lightfall.method".into(), method(picture.scene).to_owned()),
     ];
+    texts.extend(
+        picture
+            .commit
+            .map(|commit| ("lightfall.commit".into(), commit.into())),
+    );
+    texts.extend(preset_pieces(&picture.scene.to_preset()));
+    texts.extend(
+        LIGHT
+            .into_iter()
+            .chain(units)
+            .map(|(name, about)| (format!("lightfall.unit.{name}"), about.to_owned())),
+    );
+    // The version of the channels' names.
+    let names = AttributeValue::I32(match picture.names {
+        ChannelNames::Layers => 2,
+        ChannelNames::Version01 => 1,
+    });
     LayerAttributes {
         software_name: Some(text(&format!("lightfall {version}"))),
         frames_per_second: picture.fps.map(|fps| ((fps * 1000.0).round() as i32, 1000)),
         other: texts
             .into_iter()
-            .filter_map(|(name, value)| {
-                Some((Text::from(name), AttributeValue::Text(text(&value?))))
-            })
+            .map(|(name, value)| (name, AttributeValue::Text(text(&value))))
+            .chain([("lightfall.channels".to_owned(), names)])
+            .map(|(name, value)| (Text::from(name.as_str()), value))
             .collect(),
         ..LayerAttributes::default()
     }

@@ -54,11 +54,7 @@ fn receive_orders(lines: Res<Lines>, mut orders: ResMut<Orders>, mut commands: C
     }
 }
 
-fn show_scene(
-    orders: Res<Orders>,
-    mut scene: ResMut<CurrentScene>,
-    mut clock: ResMut<DiskClock>,
-) {
+fn show_scene(orders: Res<Orders>, mut scene: ResMut<CurrentScene>, mut clock: ResMut<DiskClock>) {
     for order in &orders.new {
         if let Order::Show(preset) = order {
             let shown = load("the order", preset, &[]).expect("an order holds a preset");

@@ -4,7 +4,7 @@ use super::size::size;
 use clap::{Args, Subcommand, ValueEnum};
 use glam::UVec2;
 use lightfall_core::scene::{ArticleQuality, Field, Override, SceneError, field};
-use lightfall_picture::{CHANNELS, Channels, Frames, frame_rate};
+use lightfall_picture::{CHANNELS, ChannelNames, Channels, Frames, frame_rate};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -101,6 +101,10 @@ pub struct RenderArgs {
     /// single channels, see below
     #[arg(long, value_name = "LIST")]
     pub aov: Option<Channels>,
+    /// Names of the channels in the file: layers, or those of version 0.1, such as hit1.r
+    #[arg(long, value_name = "layers|0.1", requires = "aov", default_value = ChannelNames::Layers.word(),
+          value_parser = ChannelNames::WORDS)]
+    pub aov_names: String,
     /// Draw a journey as numbered pictures: frame k shows it k/N seconds after its start, from
     /// frame A to frame B inclusive. Frames after the end show the end. The clock of a disk that
     /// moves runs by disk.rate a second, from disk.time in frame 0
@@ -126,11 +130,11 @@ pub struct RenderArgs {
 /// The text below the help of `lightfall render`.
 fn about_pictures() -> String {
     let channels = CHANNELS
-        .map(|channel| format!("  {:9} {}\n", channel.name, channel.about))
+        .map(|channel| format!("  {:20} {}\n", channel.name, channel.about))
         .concat();
     format!(
         "Channels (--aov) of the ray through each pixel's centre, regardless of the foreground. Missing values are NaN. Groups \
-         are sky, hit1 and hit2:\n{channels}\n\
+         are sky, hit1 and hit2, and the names of version 0.1 mean the same channels:\n{channels}\n\
          Names of a sequence: the last run of # is replaced by the frame's number with as many digits, as in fall-####.png; fall.png \
          gives fall-0000.png, fall-0001.png and so on. Frames have the scene's exposure; where that is automatic, each frame is \
          metered. At the end, a command line that makes a video is printed.\n\n\

@@ -21,13 +21,19 @@ fn render_reads_channels_timings_and_frames() {
     assert_eq!(
         names,
         [
-            "sky.z", "hit1.r", "hit1.phi", "hit1.g", "hit1.T", "hit1.t", "steps"
+            "sky_direction.Z",
+            "hit1_radius.Y",
+            "hit1_azimuth.Y",
+            "hit1_shift.Y",
+            "hit1_temperature.Y",
+            "hit1_delay.Y",
+            "steps.Y"
         ]
     );
     for list in ["foo", "sky,", "SKY", "hit3", "hit1.", "."] {
         let error = refuse(&format!("lightfall render -o a.exr --aov={list}")).to_string();
         assert!(
-            error.contains("there is no channel") && error.contains("hit2.phi"),
+            error.contains("there is no channel") && error.contains("hit2_azimuth.Y"),
             "{error}"
         );
     }

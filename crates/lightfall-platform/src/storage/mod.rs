@@ -10,7 +10,7 @@ mod scene_source;
 mod star_file;
 
 pub use crash_report::{note_adapter, note_log, note_scene, report_panics};
-pub use embedded_preset::{PRESET_KEY, embedded_preset, encoded_png, is_picture};
+pub use embedded_preset::{PRESET_KEY, embedded_preset, encoded_png, is_picture, preset_pieces};
 pub use file_name::file_safe_name;
 pub use files::{
     WriteError, create_parent_folder, exists, read_text, remove, rename, write_atomically,
