@@ -2,7 +2,7 @@
 
 use super::bindings;
 use super::shader::ShaderText;
-use super::shader::text::add_constant;
+use super::shader::text::add_u32;
 use glam::UVec2;
 
 /// Pixels that one workgroup of REFINE refines with 4 rays each, and with 16 each.
@@ -14,9 +14,6 @@ const MAX_LIST_SIZE: u64 = 128 << 20;
 
 /// Rows of the picture that one invocation of EDGES reads.
 const STRIP: u32 = 16;
-
-/// Largest number of workgroups along one axis of a dispatch, which WebGPU guarantees.
-const MAX_GROUPS: u32 = 65_535;
 
 /// The texture that the search for edges compares: each ray's class, and the brightness of its
 /// light.
@@ -41,11 +38,10 @@ impl EdgeTraits {
         } else {
             "texture_2d"
         };
-        let mut prelude = format!("alias Traits = {kind}<u32>;\n") + &constants();
-        let numbers = [("SAMPLES", self.samples), ("STRIP", STRIP)];
-        for (name, value) in numbers {
-            add_constant(&mut prelude, name, "u32", format!("{value}u"));
-        }
+        let mut prelude = format!("alias Traits = {kind}<u32>;\n");
+        add_sizes(&mut prelude);
+        add_u32(&mut prelude, "SAMPLES", self.samples);
+        add_u32(&mut prelude, "STRIP", STRIP);
         ShaderText::new(prelude, &["edges"], Vec::new())
     }
 }
@@ -57,7 +53,9 @@ impl Edges {
     /// Its bytes before the search: no column of workgroups, and columns long enough to keep their
     /// number within WebGPU's limit even if every pixel has a workgroup of its own.
     pub fn no_work(self) -> Vec<u8> {
-        let rows = (self.size.x * self.size.y).div_ceil(MAX_GROUPS).max(1);
+        let rows = (self.size.x * self.size.y)
+            .div_ceil(bindings::MAX_WORKGROUPS)
+            .max(1);
         [0, rows, 1, 0, 0, 0, 0]
             .into_iter()
             .flat_map(u32::to_le_bytes)
@@ -81,15 +79,8 @@ impl Edges {
     }
 }
 
-/// The constants that EDGES and REFINE share.
-pub(super) fn constants() -> String {
-    let mut text = String::new();
-    let sizes = [
-        ("BENT_PIXELS", BENT_PIXELS),
-        ("COARSE_PIXELS", COARSE_PIXELS),
-    ];
-    for (name, value) in sizes {
-        add_constant(&mut text, name, "u32", format!("{value}u"));
-    }
-    text
+/// Appends the sizes that EDGES and REFINE share.
+pub(super) fn add_sizes(prelude: &mut String) {
+    add_u32(prelude, "BENT_PIXELS", BENT_PIXELS);
+    add_u32(prelude, "COARSE_PIXELS", COARSE_PIXELS);
 }

@@ -2,7 +2,7 @@
 //! screen.
 
 use super::shader::ShaderText;
-use super::shader::text::add_constant;
+use super::shader::text::add_u32;
 use encase::ShaderType;
 use glam::{UVec2, Vec2};
 use lightfall_model::scene::MAX_PIXELS_PER_CELL;
@@ -25,13 +25,8 @@ impl Presentation {
     pub fn shader() -> ShaderText {
         let mut prelude = String::new();
         // A cell touches one pixel more than it is wide if its edges lie within pixels.
-        let touched = MAX_PIXELS_PER_CELL + 1;
-        add_constant(
-            &mut prelude,
-            "MAX_PIXELS_TOUCHED",
-            "u32",
-            format!("{touched}u"),
-        );
+        // A cell touches one pixel more than it is wide if its edges lie within pixels.
+        add_u32(&mut prelude, "MAX_PIXELS_TOUCHED", MAX_PIXELS_PER_CELL + 1);
         let entries = ["vertex", "pixelate", "expand", "fit"];
         ShaderText::new(prelude, &entries, Vec::new())
     }

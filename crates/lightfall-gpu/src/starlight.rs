@@ -44,10 +44,9 @@ impl GpuStarlight {
     }
 }
 
-pub(super) fn constants() -> String {
-    let mut text = String::new();
+/// Appends the constant that the shader shares.
+pub(super) fn add_constants(prelude: &mut String) {
     let [a, b, c, d] = FAINTER_SHARE;
     let cubic = format!("vec4<f32>({a:?}, {b:?}, {c:?}, {d:?})");
-    add_constant(&mut text, "FAINTER_SHARE", "vec4<f32>", cubic);
-    text
+    add_constant(prelude, "FAINTER_SHARE", "vec4<f32>", cubic);
 }

@@ -1,6 +1,7 @@
 //! The uniform of the disk's structure: its rings and waves, at the clock of a scene.
 
 use super::scene::time_lead;
+use super::shader::text::{add_f32, add_u32};
 use encase::ShaderType;
 use glam::{UVec4, Vec4};
 use lightfall_model::scene::Scene;
@@ -48,22 +49,6 @@ pub struct GpuRing {
     pub cycle: f32,
 }
 
-impl Default for GpuStructure {
-    fn default() -> Self {
-        Self {
-            start: 0.0,
-            rings_per_ln_r: 0.0,
-            last_ring: 0.0,
-            contrast: 0.0,
-            group_count: 0,
-            group_share: 0.0,
-            amplitudes: Vec4::ZERO,
-            rings: [GpuRing::default(); MAX_RINGS],
-            groups: [GpuGroup::default(); MAX_RINGS * MAX_GROUPS],
-        }
-    }
-}
-
 impl GpuStructure {
     /// The structure of the scene's disk at its clock, with at most `limit` waves in each ring;
     /// `None` for a smooth disk.
@@ -72,37 +57,35 @@ impl GpuStructure {
     pub fn new(scene: &Scene, limit: Option<u32>) -> Option<Self> {
         let structure = Structure::new(scene, limit)?;
         let clock = scene.disk.time - time_lead(scene).unwrap_or(0.0);
-        let places = structure.places;
-        let mut numbers = Self {
+        let mut rings = [GpuRing::default(); MAX_RINGS];
+        let mut groups = [GpuGroup::default(); MAX_RINGS * MAX_GROUPS];
+        for (i, ring) in structure.rings.iter().enumerate() {
+            rings[i] = GpuRing::new(ring, clock);
+            for (group, waves) in groups[i * MAX_GROUPS..].iter_mut().zip(&ring.groups) {
+                *group = GpuGroup::new(waves);
+            }
+        }
+        let (places, model) = (structure.places, structure.model);
+        Some(Self {
             start: places.centre(0) as f32,
             rings_per_ln_r: (1.0 / places.width) as f32,
             last_ring: (places.count - 1) as f32,
-            contrast: structure.model.contrast as f32,
-            group_count: structure.model.octave as u32,
-            group_share: (1.0 / structure.model.octave as f64) as f32,
-            amplitudes: Vec4::from_array(structure.model.amplitudes().map(|a| a as f32)),
-            ..Self::default()
-        };
-        for (i, ring) in structure.rings.iter().enumerate() {
-            numbers.rings[i] = GpuRing::new(ring, clock);
-            for (slot, waves) in numbers.groups[i * MAX_GROUPS..]
-                .iter_mut()
-                .zip(&ring.groups)
-            {
-                *slot = GpuGroup::new(waves);
-            }
-        }
-        Some(numbers)
+            contrast: model.contrast as f32,
+            group_count: model.octave as u32,
+            group_share: (1.0 / model.octave as f64) as f32,
+            amplitudes: Vec4::from_array(model.amplitudes().map(|a| a as f32)),
+            rings,
+            groups,
+        })
     }
 
-    pub(super) fn constants() -> [(&'static str, &'static str, String); 4] {
+    /// Appends the constants that the shader shares.
+    pub(super) fn add_constants(prelude: &mut String) {
         let [max_dx, max_dphi] = MAX_CHANGE;
-        [
-            ("MAX_RINGS", "u32", format!("{MAX_RINGS}u")),
-            ("MAX_GROUPS", "u32", format!("{MAX_GROUPS}u")),
-            ("MAX_DX", "f32", format!("{max_dx:?}")),
-            ("MAX_DPHI", "f32", format!("{max_dphi:?}")),
-        ]
+        add_u32(prelude, "MAX_RINGS", MAX_RINGS as u32);
+        add_u32(prelude, "MAX_GROUPS", MAX_GROUPS as u32);
+        add_f32(prelude, "MAX_DX", max_dx);
+        add_f32(prelude, "MAX_DPHI", max_dphi);
     }
 }
 

@@ -4,8 +4,8 @@
 use crate::chain::{Chain, EMPTY_PASSES, WrittenTexture};
 use crate::resting_frames::FRAMES_AT_REST;
 use crate::wave_limit::WaveLimit;
+use lightfall_core::gpu::Variant;
 use lightfall_core::gpu::stars::{StarKernel, sums_size};
-use lightfall_core::gpu::{Entry, Variant};
 use lightfall_core::numbers::four_digits;
 use lightfall_core::optics::stars::{Depth, MAX_MAGNITUDE};
 use lightfall_core::scene::{HotSpotKind, LimbDarkening, Scene};
@@ -221,15 +221,10 @@ fn clock(scene: &Scene) -> String {
 
 /// Shader files that pictures of other scenes use and this one does not.
 fn unused_files(variant: Variant) -> Vec<&'static str> {
-    let all: BTreeSet<_> = Variant::all()
-        .into_iter()
-        .filter(|other| other.entry == Entry::Picture)
-        .flat_map(Variant::files)
-        .collect();
     let used = variant.files();
-    all.into_iter()
-        .filter(|file| !used.contains(file))
-        .collect()
+    let mut files = Variant::files_of_all_pictures();
+    files.retain(|file| !used.contains(file));
+    files.into_iter().collect()
 }
 
 /// The chain of the same picture size with every optional part, presented in cells.

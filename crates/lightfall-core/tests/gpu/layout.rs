@@ -54,13 +54,14 @@ fn rust_fields(printed: &str) -> Vec<(String, Option<String>)> {
 
 /// Asserts that a Rust struct and the WGSL struct of this name are laid out alike. The structs
 /// within them are compared by name: `GpuHole` of Rust is `Hole` of WGSL.
-fn assert_same_layout<T: ShaderType + Default + std::fmt::Debug>(
+fn assert_same_layout<T: ShaderType + std::fmt::Debug>(
     module: &Module,
+    value: &T,
     name: &str,
     offsets: &[u64],
 ) {
     let (members, size) = wgsl_struct(module, name);
-    let fields = rust_fields(&format!("{:#?}", T::default()));
+    let fields = rust_fields(&format!("{value:#?}"));
     assert_eq!(fields.len(), offsets.len(), "{name}");
     let ours: Vec<Member> = fields
         .into_iter()
@@ -76,7 +77,12 @@ fn assert_same_layout<T: ShaderType + Default + std::fmt::Debug>(
 
 macro_rules! assert_same_layout {
     ($module:expr, $($rust:ident = $wgsl:literal),+ $(,)?) => {
-        $(assert_same_layout::<$rust>($module, $wgsl, &<$rust>::METADATA.extra.offsets);)+
+        $(assert_same_layout(
+            $module,
+            &<$rust>::default(),
+            $wgsl,
+            &<$rust>::METADATA.extra.offsets,
+        );)+
     };
 }
 
@@ -116,7 +122,10 @@ fn rust_and_wgsl_lay_out_the_disks_structure_alike() {
     scene.disk.structure = DiskStructure::Turbulent;
     let source = Variant::picture(&scene).source();
     let module = naga::front::wgsl::parse_str(&source).unwrap();
-    assert_same_layout!(&module, GpuStructure = "Structure", GpuRing = "Ring");
+    let structure = GpuStructure::new(&scene, None).unwrap();
+    let offsets = GpuStructure::METADATA.extra.offsets;
+    assert_same_layout(&module, &structure, "Structure", &offsets);
+    assert_same_layout!(&module, GpuRing = "Ring");
 }
 
 #[test]

@@ -55,6 +55,7 @@ mod stars;
 mod structure;
 mod tilted_disk;
 mod uniforms;
+mod variants;
 mod verlet;
 mod views;
 

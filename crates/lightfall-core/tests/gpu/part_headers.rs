@@ -1,6 +1,7 @@
 //! The header of every WGSL file: the names that it needs from other files or from the constants in
 //! front of them, and the names that it gives to others.
 
+use crate::variants::every_variant;
 use lightfall_core::gpu::stars::{candidate_shader, splat_shader};
 use lightfall_core::gpu::{
     Accumulation, Difference, EdgeTraits, Presentation, ShaderText, Variant,
@@ -122,7 +123,7 @@ fn expected(word: &str, names: &Names) -> String {
 /// Every set of files that is joined, once.
 fn joined_texts() -> Vec<ShaderText> {
     let mut seen = BTreeSet::new();
-    let variants = Variant::all()
+    let variants = every_variant()
         .into_iter()
         .filter(|variant| seen.insert(variant.files()));
     let mut texts: Vec<ShaderText> = variants.map(Variant::text).collect();

@@ -5,11 +5,12 @@ use crate::finite_light::{LIGHT, MAP};
 use crate::light::light_from;
 use crate::shader_files::Folder;
 use crate::stars::light::flux_of_images;
+use crate::stars::run::{StarLight, StarRun};
 use crate::{all_around, bare_hole, gpu, median, quantile};
 use glam::swizzles::Vec3Swizzles;
 use glam::{DMat3, DVec2, DVec3, UVec2, Vec3, Vec4};
 use lightfall_core::gpu::kernel::{ArrayKernel, uniform};
-use lightfall_core::gpu::stars::{GpuStarImage, PackedStars, StarLight, StarRun};
+use lightfall_core::gpu::stars::{GpuStarImage, PackedStars};
 use lightfall_core::gpu::{Entry, GpuScene, GpuStarlight, Inputs, ShaderFiles, Variant, bindings};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::stars::images::Inversion;
@@ -225,9 +226,8 @@ fn way(from: DVec2, to: DVec2, size: DVec2) -> DVec2 {
 
 fn light_of(scene: &Scene, stars: &[Star], name: &str) -> StarLight {
     let list = PackedStars::new(stars);
-    let run = StarRun::new(gpu(), scene, &list, DMat3::IDENTITY, DEPTH).unwrap();
-    let run = run.linked_from(gpu(), scene, &equirectangular(name));
-    run.unwrap().run(gpu()).unwrap()
+    let run = StarRun::new(gpu(), scene, &list, DMat3::IDENTITY, DEPTH);
+    run.linked_from(&equirectangular(name)).run()
 }
 
 /// The cubic B-spline keeps the centre of an image's light. The bars are a fiftieth of a pixel for the

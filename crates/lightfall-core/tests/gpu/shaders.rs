@@ -1,5 +1,6 @@
 //! The text of every shader, without a GPU.
 
+use crate::variants::every_variant;
 use lightfall_core::gpu::stars::{candidate_shader, splat_shader};
 use lightfall_core::gpu::{
     Accumulation, Difference, EdgeTraits, Entry, Presentation, ShaderText, Variant,
@@ -8,7 +9,7 @@ use lightfall_core::scene::{
     ARTICLE_MAX_STEPS, DiskModel, DiskStructure, HotSpotKind, LimbDarkening, Method, Projection,
     Scene, SkyMode, View,
 };
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 #[test]
 fn naga_accepts_every_variant() {
@@ -20,7 +21,7 @@ fn naga_accepts_every_variant() {
             .replace(": bool = false;", ": bool;")
     };
     let mut seen = HashSet::new();
-    let mut variants = Variant::all();
+    let mut variants = every_variant();
     variants.retain(|variant| seen.insert(without_values(variant.source())));
     assert!(variants.len() > 100, "{} variants", variants.len());
     let failures: Vec<String> = variants
@@ -31,6 +32,14 @@ fn naga_accepts_every_variant() {
         })
         .collect();
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn the_files_of_all_pictures_are_those_of_every_variant_that_draws_one() {
+    let mut variants = every_variant();
+    variants.retain(|variant| variant.entry == Entry::Picture);
+    let files: BTreeSet<_> = variants.into_iter().flat_map(Variant::files).collect();
+    assert_eq!(Variant::files_of_all_pictures(), files);
 }
 
 #[test]
@@ -117,7 +126,7 @@ fn a_fault_is_one_line_with_its_file_and_its_line_there() {
 
 #[test]
 fn no_variant_needs_a_preprocessor() {
-    for variant in Variant::all() {
+    for variant in every_variant() {
         let text = variant.text();
         let source = text.source();
         let line = source
@@ -139,7 +148,7 @@ fn a_line_of_a_variant_is_found_in_its_file() {
     let mut files: HashMap<String, Option<Vec<String>>> = HashMap::new();
     let mut seen = HashSet::new();
     // One variant of those with the same files is enough.
-    for variant in Variant::all() {
+    for variant in every_variant() {
         if !seen.insert(variant.files()) {
             continue;
         }
@@ -185,7 +194,7 @@ fn edges_are_refined_only_with_the_articles_budget_of_steps() {
 
 #[test]
 fn a_shader_contains_only_the_parts_that_its_scene_needs() {
-    for variant in Variant::all() {
+    for variant in every_variant() {
         let source = variant.source();
         let pictures = matches!(
             variant.entry,
@@ -359,7 +368,7 @@ fn only_delays_around_a_nearly_extremal_hole_go_through_its_throat() {
 /// wgpu writes shaders anew for browsers, and leaves these attributes out.
 #[test]
 fn no_layout_depends_on_attributes() {
-    for variant in Variant::all() {
+    for variant in every_variant() {
         let source = variant.source();
         for attribute in ["@align", "@size"] {
             assert!(!source.contains(attribute), "{attribute} in {variant:?}");

@@ -6,10 +6,11 @@ pub(crate) mod light;
 mod magnification;
 mod many;
 mod mesh;
+pub(crate) mod run;
 
 use crate::gpu;
 use glam::{DMat3, DVec2};
-use lightfall_core::gpu::stars::{GpuStarImage, PackedStars, StarLight, StarRun};
+use lightfall_core::gpu::stars::{GpuStarImage, PackedStars};
 use lightfall_core::optics::disk;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::stars::images::{Inversion, StarImage};
@@ -17,6 +18,7 @@ use lightfall_core::optics::stars::{
     Catalogue, Depth, ZERO_MAGNITUDE_FLUX, hole_from_celestial, luminance,
 };
 use lightfall_core::scene::{Scene, presets};
+use run::{StarLight, StarRun};
 use std::collections::HashMap;
 
 /// The limit of the catalogue.
@@ -42,9 +44,7 @@ fn preset(number: usize) -> Scene {
 
 fn star_light(scene: &Scene) -> StarLight {
     let (list, turn) = bright_stars();
-    let gpu = gpu();
-    let run = StarRun::new(gpu, scene, &list, turn, DEPTH).unwrap();
-    run.run(gpu).unwrap()
+    StarRun::new(gpu(), scene, &list, turn, DEPTH).run()
 }
 
 /// An image in f64: its place in pixels, its luminous flux and its flux without the disk, its flux

@@ -1,6 +1,7 @@
 //! The order of uniforms in the layouts of the picture and of the kernels of stars. A fault of Mesa
 //! 22.3's software renderer restricts it (src/gpu/bindings.rs).
 
+use crate::variants::every_variant;
 use lightfall_core::gpu::stars::StarKernel;
 use lightfall_core::gpu::{Entry, Variant};
 use lightfall_core::scene::Scene;
@@ -43,7 +44,7 @@ fn uniforms_of_the_picture_are_tables_where_old_lavapipe_writes_elsewhere() {
         lines.map(String::from).collect()
     };
     // Thousands of variants declare the same uniforms.
-    let different: HashMap<Vec<String>, String> = Variant::all()
+    let different: HashMap<Vec<String>, String> = every_variant()
         .into_iter()
         .filter(of_picture)
         .map(|variant| variant.source())

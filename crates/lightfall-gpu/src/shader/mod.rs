@@ -1,12 +1,12 @@
 //! WGSL files linked into variants: a shader's text contains only what its scene needs. `const`
 //! flags decide the rest; compilers drop what is behind a flag that is not set.
 
-mod all;
 mod choices;
 mod entry;
 mod fault;
 mod files;
 mod link;
+mod picture_files;
 mod prelude;
 pub(super) mod spectrum_constants;
 mod star_images;

@@ -2,7 +2,7 @@
 //! CPU.
 
 use super::spectrum_constants::add_spectrum_constants;
-use super::text::add_constant;
+use super::text::{add_constant, add_u32};
 use super::{Entry, Variant};
 use crate::antialias;
 use crate::error_map::ErrorMap;
@@ -52,33 +52,24 @@ impl Variant {
             add_constant(&mut text, name, "bool", value);
         }
         if self.entry == Entry::Refine {
-            text.push_str(&antialias::constants());
+            antialias::add_sizes(&mut text);
         }
         if self.sky == SkyMode::Stars {
-            text.push_str(&starlight::constants());
+            starlight::add_constants(&mut text);
         }
         if !self.view.properties().traces {
-            for (name, kind, value) in ErrorMap::constants() {
-                add_constant(&mut text, name, kind, value);
-            }
+            ErrorMap::add_constants(&mut text);
         }
-        let bounds = [
-            ("MAX_HITS", self.max_hits),
-            ("PAGE_THORNE_LEN", disk::TABLE_LEN as u32),
-            ("MAX_STEP_BUDGET", MAX_STEP_BUDGET),
-        ];
-        for (name, value) in bounds {
-            add_constant(&mut text, name, "u32", format!("{value}u"));
-        }
+        add_u32(&mut text, "MAX_HITS", self.max_hits);
+        add_u32(&mut text, "PAGE_THORNE_LEN", disk::TABLE_LEN as u32);
+        add_u32(&mut text, "MAX_STEP_BUDGET", MAX_STEP_BUDGET);
         add_spectrum_constants(&mut text);
         if self.finds_stars() {
             add_star_constants(&mut text);
         }
         if self.structure {
             add_constant(&mut text, "REPEATS", "bool", self.repeats);
-            for (name, kind, value) in GpuStructure::constants() {
-                add_constant(&mut text, name, kind, value);
-            }
+            GpuStructure::add_constants(&mut text);
         }
         if self.delay_nodes > 0 && !self.tracer.has_own_nodes() {
             text.push_str(&delay_nodes(self.delay_nodes));
@@ -105,19 +96,10 @@ fn delay_nodes(count: u32) -> String {
     let (nodes, weights): (Vec<f64>, Vec<f64>) = rule.into_iter().unzip();
     let last = nodes.len() - size;
     for (suffix, from) in [("", 0), ("_2", last)] {
-        let range = from..from + size;
-        add_constant(
-            &mut text,
-            &format!("DELAY_NODES{suffix}"),
-            "Nodes",
-            vector(&nodes[range.clone()]),
-        );
-        add_constant(
-            &mut text,
-            &format!("DELAY_WEIGHTS{suffix}"),
-            "Nodes",
-            vector(&weights[range]),
-        );
+        for (name, values) in [("DELAY_NODES", &nodes), ("DELAY_WEIGHTS", &weights)] {
+            let vector = vector(&values[from..from + size]);
+            add_constant(&mut text, &format!("{name}{suffix}"), "Nodes", vector);
+        }
     }
     add_constant(&mut text, "DELAY_MORE_NODES", "bool", last > 0);
     text

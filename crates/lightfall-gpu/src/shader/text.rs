@@ -71,7 +71,7 @@ impl ShaderText {
         let parts: Vec<Part> = files.into_iter().map(part).collect();
         let mut prelude = self.constants.clone();
         for (name, number) in bindings::constants(parts.iter().map(|part| &*part.text)) {
-            add_constant(&mut prelude, name, "u32", format!("{number}u"));
+            add_u32(&mut prelude, name, number);
         }
         Self {
             prelude,
@@ -145,6 +145,16 @@ pub(super) fn declares(constants: &str, name: &str) -> bool {
         let rest = rest.strip_prefix(name);
         rest.is_some_and(|rest| rest.starts_with([':', ' ']))
     })
+}
+
+/// Appends a whole number to a prelude.
+pub(crate) fn add_u32(prelude: &mut String, name: &str, value: u32) {
+    add_constant(prelude, name, "u32", format!("{value}u"));
+}
+
+/// Appends a floating-point number to a prelude.
+pub(crate) fn add_f32(prelude: &mut String, name: &str, value: f64) {
+    add_constant(prelude, name, "f32", format!("{value:?}"));
 }
 
 /// Appends a WGSL constant to a prelude.

@@ -28,7 +28,7 @@ impl Tracer {
 
     /// Nodes of the integral of the delay: per leg of a ray in closed form, per step of the method
     /// mino.
-    pub(super) fn delay_nodes(self) -> u32 {
+    pub fn delay_nodes(self) -> u32 {
         match self {
             Self::Method(Method::Mino) => 3,
             Self::ClosedKerr => 24,

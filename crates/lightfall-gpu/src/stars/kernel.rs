@@ -69,31 +69,20 @@ impl StarKernel {
     }
 
     /// The kernels of a scene whose images a mesh finds, or an inversion.
-    pub(super) fn finding_images(scene: &Scene, by_mesh: bool) -> impl Iterator<Item = Self> {
+    pub fn finding_images(scene: &Scene, by_mesh: bool) -> impl Iterator<Item = Self> {
         let has_disk = scene.disk.enabled;
         Self::ALL.into_iter().filter(move |kernel| match kernel {
             Self::Solve => !by_mesh,
-            Self::TraceMesh
-            | Self::FindCandidates
-            | Self::FindWideCandidates
-            | Self::TestCandidates
-            | Self::Interpolate
-            | Self::RefineImage => by_mesh,
             Self::Dim => has_disk,
             Self::Splat => true,
+            _ => by_mesh,
         })
     }
 
     /// The kernel with the entry point of a variant.
     pub fn with_entry(entry: Entry) -> Option<Self> {
-        match entry {
-            Entry::Stars => Some(Self::Solve),
-            Entry::StarMesh => Some(Self::TraceMesh),
-            Entry::StarInterpolation => Some(Self::Interpolate),
-            Entry::StarRefinement => Some(Self::RefineImage),
-            Entry::StarDimming => Some(Self::Dim),
-            _ => None,
-        }
+        let mut kernels = Self::ALL.into_iter();
+        kernels.find(|kernel| entry.points() == [kernel.entry_point()])
     }
 
     /// The name of its entry point.
@@ -201,11 +190,7 @@ impl StarKernel {
             Self::Interpolate => Some((CANDIDATE_COUNT, 0)),
             Self::RefineImage => Some((CANDIDATE_COUNT, COUNT_SIZE)),
             Self::Dim | Self::Splat => Some((STAR_COUNT, 0)),
-            Self::Solve
-            | Self::TraceMesh
-            | Self::FindCandidates
-            | Self::FindWideCandidates
-            | Self::TestCandidates => None,
+            _ => None,
         }
     }
 }

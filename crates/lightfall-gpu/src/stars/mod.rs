@@ -26,7 +26,6 @@ mod kernel;
 mod list;
 mod mesh;
 mod numbers;
-mod run;
 mod shader;
 mod sums;
 
@@ -38,7 +37,6 @@ pub use mesh::{
     empty_candidate_count, mesh_layout, mesh_points_size,
 };
 pub use numbers::{GpuStarImage, GpuStars, light_unit, table_rows};
-pub use run::{StarLight, StarRun};
 pub use shader::{candidate_shader, splat_shader};
 pub use sums::{sums_side, sums_size};
 

@@ -4,7 +4,7 @@ use super::index;
 use super::list::{FLUX_BIAS, TEMPERATURE_STEPS};
 use super::mesh::{CANDIDATE_LISTS, MESH_RIM, RANKS, TEST_GROUPS, WIDE_GROUPS};
 use crate::shader::spectrum_constants::add_spectrum_constants;
-use crate::shader::text::add_constant;
+use crate::shader::text::{add_constant, add_f32, add_u32};
 use crate::shader::{ShaderText, projection_file};
 use lightfall_model::scene::Projection;
 use lightfall_optics::spectrum::rgb_from_xyz;
@@ -25,35 +25,24 @@ pub fn candidate_shader(projection: Projection) -> ShaderText {
     let mut prelude = String::new();
     add_spectrum_constants(&mut prelude);
     add_star_constants(&mut prelude);
-    for (name, value) in [
-        ("INDEX_LAYERS", index::LAYERS),
-        ("FIRST_INDEX_SIDE", index::FIRST_SIDE),
-        ("MESH_RIM", MESH_RIM),
-        ("WIDE_GROUPS", WIDE_GROUPS),
-        ("TEST_GROUPS", TEST_GROUPS),
-    ] {
-        add_constant(&mut prelude, name, "u32", format!("{value}u"));
-    }
+    add_u32(&mut prelude, "INDEX_LAYERS", index::LAYERS);
+    add_u32(&mut prelude, "FIRST_INDEX_SIDE", index::FIRST_SIDE);
+    add_u32(&mut prelude, "MESH_RIM", MESH_RIM);
+    add_u32(&mut prelude, "WIDE_GROUPS", WIDE_GROUPS);
+    add_u32(&mut prelude, "TEST_GROUPS", TEST_GROUPS);
     let entries = ["find_candidates", "find_wide_candidates", "test_candidates"];
     ShaderText::new(prelude, &entries, vec![projection_file(projection)])
 }
 
 /// Appends the constants of the kernels.
 pub(crate) fn add_star_constants(prelude: &mut String) {
-    let numbers = [
-        ("STAR_ORDERS", ORDERS),
-        ("STAR_INTERVALS", INTERVALS as u32),
-        ("STAR_FLUX_BIAS", FLUX_BIAS),
-        ("CANDIDATE_LISTS", CANDIDATE_LISTS as u32),
-        ("RANKS", RANKS as u32),
-    ];
-    for (name, value) in numbers {
-        add_constant(prelude, name, "u32", format!("{value}u"));
-    }
-    let steps = format!("{:?}", f64::from(TEMPERATURE_STEPS));
-    add_constant(prelude, "STAR_TEMPERATURE_STEPS", "f32", steps);
-    let radius = format!("{MIN_SOURCE_RADIUS:?}");
-    add_constant(prelude, "MIN_SOURCE_RADIUS", "f32", radius);
+    add_u32(prelude, "STAR_ORDERS", ORDERS);
+    add_u32(prelude, "STAR_INTERVALS", INTERVALS as u32);
+    add_u32(prelude, "STAR_FLUX_BIAS", FLUX_BIAS);
+    add_u32(prelude, "CANDIDATE_LISTS", CANDIDATE_LISTS as u32);
+    add_u32(prelude, "RANKS", RANKS as u32);
+    add_f32(prelude, "STAR_TEMPERATURE_STEPS", TEMPERATURE_STEPS.into());
+    add_f32(prelude, "MIN_SOURCE_RADIUS", MIN_SOURCE_RADIUS);
     // The share of each primary in the luminance Y.
     let [r, g, b] = rgb_from_xyz().inverse().row(1).to_array();
     let luminance = format!("vec3<f32>({r:?}, {g:?}, {b:?})");

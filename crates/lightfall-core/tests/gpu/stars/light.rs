@@ -1,11 +1,12 @@
 //! The light that images of stars add to the picture.
 
+use super::run::{StarLight, StarRun};
 use super::{DEPTH, bright_stars, place_of, preset, star_light, truths};
 use crate::gpu;
 use crate::random::Random;
 use crate::random_scene::random_scene;
 use glam::{DVec2, DVec3};
-use lightfall_core::gpu::stars::{GpuStarImage, PackedStars, StarLight, StarRun, sums_side};
+use lightfall_core::gpu::stars::{GpuStarImage, PackedStars, sums_side};
 use lightfall_core::optics::spectrum;
 use lightfall_core::optics::stars::images::Inversion;
 use lightfall_core::optics::stars::{Catalogue, Star};
@@ -57,9 +58,7 @@ fn stars_within(scene: &Scene) -> Vec<Star> {
 
 fn light_of(scene: &Scene, stars: &[Star]) -> StarLight {
     let (_, turn) = bright_stars();
-    let gpu = gpu();
-    let run = StarRun::new(gpu, scene, &PackedStars::new(stars), turn, DEPTH).unwrap();
-    run.run(gpu).unwrap()
+    StarRun::new(gpu(), scene, &PackedStars::new(stars), turn, DEPTH).run()
 }
 
 fn relative(found: f64, expected: f64) -> f64 {

@@ -1,10 +1,11 @@
 //! What the sum of all magnifications must be.
 
 use super::place_of;
+use super::run::StarRun;
 use crate::gpu;
 use crate::random::Random;
 use glam::{DMat3, DVec2, DVec3, IVec2, UVec2};
-use lightfall_core::gpu::stars::{GpuStarImage, PackedStars, StarRun};
+use lightfall_core::gpu::stars::{GpuStarImage, PackedStars};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::stars::{Depth, Star, luminance};
 use lightfall_core::scene::{Method, Scene};
@@ -33,8 +34,8 @@ fn star_at(direction: DVec3) -> Star {
 /// The images of stars whose directions are those of the hole's frame.
 fn images(scene: &Scene, stars: &[Star]) -> Vec<GpuStarImage> {
     let list = PackedStars::new(stars);
-    let run = StarRun::new(gpu(), scene, &list, DMat3::IDENTITY, DEPTH).unwrap();
-    run.run(gpu()).unwrap().images
+    let run = StarRun::new(gpu(), scene, &list, DMat3::IDENTITY, DEPTH);
+    run.run().images
 }
 
 /// A part of the picture of which the reference tracer knows how much sky it shows.

@@ -1,9 +1,10 @@
 //! Many stars: what a whole list shows that some bright stars cannot.
 
 use super::preset;
+use super::run::StarRun;
 use crate::gpu;
 use glam::DMat3;
-use lightfall_core::gpu::stars::{GpuStarImage, PackedStars, StarRun, mesh_layout};
+use lightfall_core::gpu::stars::{GpuStarImage, PackedStars, mesh_layout};
 use lightfall_core::optics::stars::images::MeshLayout;
 use lightfall_core::optics::stars::{Catalogue, Depth, Star, StarList};
 use lightfall_core::scene::promises::STAR_LIGHT_MISSED_FALLING;
@@ -33,8 +34,8 @@ fn falling(spin: f64, r: f64) -> Scene {
 fn images(scene: &Scene, stars: &[Star], cells: f64) -> Vec<GpuStarImage> {
     let list = PackedStars::new(stars);
     let layout = mesh_layout(scene, cells);
-    let run = StarRun::with_mesh(gpu(), scene, &list, DMat3::IDENTITY, DEPTH, layout).unwrap();
-    run.run(gpu()).unwrap().images
+    let run = StarRun::with_mesh(gpu(), scene, &list, DMat3::IDENTITY, DEPTH, layout);
+    run.run().images
 }
 
 fn flux(images: &[GpuStarImage]) -> f64 {

@@ -1,11 +1,12 @@
 //! Images that are found by a mesh of rays: against tables in f64, against the inversion, and against
 //! a finer mesh.
 
+use super::run::StarRun;
 use super::{DEPTH, bright_stars, limit_flux, place_of};
 use crate::random::Random;
 use crate::{gpu, quantile};
 use glam::{DMat2, DMat3, DVec2, DVec3};
-use lightfall_core::gpu::stars::{GpuStarImage, PackedStars, StarRun, mesh_layout};
+use lightfall_core::gpu::stars::{GpuStarImage, PackedStars, mesh_layout};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::stars::images::MeshLayout;
 use lightfall_core::optics::stars::images::refine_image::{ImageRefiner, Tangents};
@@ -86,11 +87,10 @@ fn star_at(direction: DVec3) -> Star {
 /// The images of these stars, whose directions are those of the hole's frame, in a picture that the
 /// mesh covers.
 fn images(scene: &Scene, stars: &[Star], depth: Depth) -> Vec<GpuStarImage> {
-    let gpu = gpu();
     let list = PackedStars::new(stars);
     let layout = mesh_layout(scene, MeshLayout::CELLS);
-    let run = StarRun::with_mesh(gpu, scene, &list, DMat3::IDENTITY, depth, layout).unwrap();
-    run.run(gpu).unwrap().images
+    let run = StarRun::with_mesh(gpu(), scene, &list, DMat3::IDENTITY, depth, layout);
+    run.run().images
 }
 
 /// The directions and magnifications were computed in f64 by a tracer that agrees with an independent
@@ -180,15 +180,14 @@ fn relative_flux(image: &GpuStarImage, other: &GpuStarImage) -> f64 {
 #[ignore = "needs a graphics adapter"]
 fn a_mesh_finds_the_images_that_the_inversion_finds() {
     let (list, turn) = bright_stars();
-    let gpu = gpu();
     let mut without_spin = around(0.0);
     without_spin.method = Method::Closed;
-    let truth = StarRun::new(gpu, &without_spin, &list, turn, DEPTH).unwrap();
-    let truth = truth.run(gpu).unwrap().images;
+    let truth = StarRun::new(gpu(), &without_spin, &list, turn, DEPTH);
+    let truth = truth.run().images;
     let by_mesh = |scene: &Scene| {
         let layout = mesh_layout(scene, MeshLayout::CELLS);
-        let run = StarRun::with_mesh(gpu, scene, &list, turn, DEPTH, layout).unwrap();
-        run.run(gpu).unwrap().images
+        let run = StarRun::with_mesh(gpu(), scene, &list, turn, DEPTH, layout);
+        run.run().images
     };
     for (name, scene) in [("mino", around(0.0)), ("spin 1e-6", around(1e-6))] {
         let found = by_mesh(&scene);
@@ -268,15 +267,14 @@ const THOUSANDTH: Depth = Depth {
 #[test]
 #[ignore = "needs a graphics adapter"]
 fn a_mesh_finds_the_images_of_random_stars_that_a_mesh_four_times_as_fine_finds() {
-    let gpu = gpu();
     let scene = around(0.9);
     let stars = random_stars(&scene, 1000);
     let list = PackedStars::new(&stars);
     let found_by = |cells: f64| {
         let layout = mesh_layout(&scene, cells);
         let turn = DMat3::IDENTITY;
-        let run = StarRun::with_mesh(gpu, &scene, &list, turn, THOUSANDTH, layout).unwrap();
-        run.run(gpu).unwrap().images
+        let run = StarRun::with_mesh(gpu(), &scene, &list, turn, THOUSANDTH, layout);
+        run.run().images
     };
     let found = found_by(MeshLayout::CELLS);
     let truth = found_by(16.0 * MeshLayout::CELLS);
@@ -428,8 +426,8 @@ fn a_random_image_on_the_side_of_two_cells_is_there_once() {
 fn every_tracer_that_has_no_inversion_finds_images() {
     let (list, turn) = bright_stars();
     let found = |scene: &Scene| {
-        let run = StarRun::new(gpu(), scene, &list, turn, DEPTH).unwrap();
-        run.run(gpu()).unwrap().images
+        let run = StarRun::new(gpu(), scene, &list, turn, DEPTH);
+        run.run().images
     };
     for spin in [0.0, 0.9] {
         let mut scene = around(spin);
