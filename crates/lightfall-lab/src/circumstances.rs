@@ -30,7 +30,7 @@ pub struct Circumstances {
 
 impl Circumstances {
     /// Name and value of each.
-    pub fn lines(&self) -> impl Iterator<Item = (&'static str, String)> {
+    fn lines(&self) -> impl Iterator<Item = (&'static str, String)> {
         let floor = self
             .floor_ms
             .map(|floor| format!("{} (straight lines without a disk)", short_number(floor)));
@@ -49,6 +49,14 @@ impl Circumstances {
         .filter_map(|(name, value)| Some((name, value?)))
     }
 
+    /// The circumstances as lines that begin with this mark.
+    pub(super) fn marked(&self, mark: char) -> String {
+        let lines = self.lines();
+        lines
+            .map(|(name, value)| format!("{mark} {name}: {value}\n"))
+            .collect()
+    }
+
     /// The measurement and the machine, for the caption of a plot.
     pub fn about(&self) -> String {
         format!("{}, {}", self.size, self.adapter)
@@ -56,7 +64,7 @@ impl Circumstances {
 
     /// The circumstances that a later run must share to continue this one: all but the day, and the
     /// floor, which is measured last.
-    pub fn conditions(&self) -> impl Iterator<Item = (&'static str, String)> {
+    pub(super) fn conditions(&self) -> impl Iterator<Item = (&'static str, String)> {
         self.lines()
             .filter(|(name, _)| !matches!(*name, "date" | "floor_ms"))
     }

@@ -3,14 +3,9 @@
 use super::circumstances::Circumstances;
 use lightfall_optics::trace::Outcome;
 use serde::Serialize;
-use std::fmt::Write;
 
 /// A report as CSV: the circumstances in lines that begin with `#`, a header, and one line per row.
 pub fn csv(circumstances: &Circumstances, rows: &[impl Serialize]) -> String {
-    let mut text = String::new();
-    for (name, value) in circumstances.lines() {
-        writeln!(text, "# {name}: {value}").expect("writing to a string cannot fail");
-    }
     let mut writer = csv::Writer::from_writer(Vec::new());
     let flat = rows
         .iter()
@@ -29,7 +24,7 @@ pub fn csv(circumstances: &Circumstances, rows: &[impl Serialize]) -> String {
             .write_record(fields.iter().map(|(_, value)| value))
             .expect("writing to a vector cannot fail");
     }
-    text + &String::from_utf8_lossy(&writer.into_inner().unwrap_or_default())
+    circumstances.marked('#') + &String::from_utf8_lossy(&writer.into_inner().unwrap_or_default())
 }
 
 /// A field's name and value as text. A list, which has one element per outcome, becomes several

@@ -5,4 +5,5 @@ pub mod circumstances;
 pub mod export;
 pub mod extremes;
 pub mod import;
+pub mod table;
 pub mod work;

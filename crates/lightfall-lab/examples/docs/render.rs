@@ -4,22 +4,13 @@ pub use lightfall_model::numbers::{ratio, short_number as short};
 
 /// A whole number, with its thousands set apart from 10 000 on.
 pub fn count(number: usize) -> String {
+    let digits = number.to_string();
     if number < 10_000 {
-        return number.to_string();
+        return digits;
     }
-    let (thousands, rest) = (number / 1000, number % 1000);
-    format!("{} {rest:03}", count_of_thousands(thousands))
-}
-
-fn count_of_thousands(thousands: usize) -> String {
-    match thousands {
-        0..1000 => thousands.to_string(),
-        _ => format!(
-            "{} {:03}",
-            count_of_thousands(thousands / 1000),
-            thousands % 1000
-        ),
-    }
+    let groups = digits.as_bytes().rchunks(3).rev();
+    let groups: Vec<_> = groups.map(String::from_utf8_lossy).collect();
+    groups.join(" ")
 }
 
 /// The largest of some numbers.
@@ -37,10 +28,5 @@ pub fn median(numbers: impl IntoIterator<Item = f64>) -> f64 {
 
 /// A Markdown table with this head: its columns, separated by `|`.
 pub fn table(head: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
-    let rule = "|---".repeat(head.split('|').count());
-    let mut text = format!("| {head} |\n{rule}|\n");
-    for row in rows {
-        text += &format!("| {} |\n", row.join(" | "));
-    }
-    text
+    lightfall_lab::table::table(head, rows.into_iter().map(|row| row.join(" | ")))
 }

@@ -3,6 +3,7 @@
 use super::plan::Plan;
 use super::scenes::BenchScene;
 use crate::import::or_nan;
+use crate::table::table;
 use glam::Vec3;
 use lightfall_accuracy::{Quantiles, Ray, hits, rays_over_picture};
 use lightfall_gpu::rays::RayKernel;
@@ -234,25 +235,25 @@ fn delay_errors((expected, found): (&Trace, &Trace)) -> impl Iterator<Item = (f6
 
 /// The rows as a Markdown table, with each time relative to tracing without delays.
 pub fn delay_table(rows: &[DelayMeasurement]) -> String {
-    let mut text = String::from(
-        "| scene | method | nodes | ms | over none | median error, r_s/c | 99 % | largest | turn of the matter, 99 %, rad | largest |\n\
-         |---|---|---|---|---|---|---|---|---|---|\n",
-    );
-    for row in rows {
-        let over = row.time_over_none(rows);
+    let cells = |row: &DelayMeasurement| {
         let errors = row.errors().map(|error| match row.nodes {
             0 => String::new(),
             _ => format!("{error:.1e}"),
         });
-        let own = if row.own { " (own)" } else { "" };
-        text += &format!(
-            "| {} | {} | {}{own} | {:.4} | {over:.3} | {} |\n",
+        format!(
+            "{} | {} | {}{} | {:.4} | {:.3} | {}",
             row.scene,
             row.method,
             row.nodes,
+            if row.own { " (own)" } else { "" },
             row.trace_ms,
+            row.time_over_none(rows),
             errors.join(" | ")
-        );
-    }
-    text
+        )
+    };
+    table(
+        "scene | method | nodes | ms | over none | median error, r_s/c | 99 % | largest | \
+         turn of the matter, 99 %, rad | largest",
+        rows.iter().map(cells),
+    )
 }

@@ -4,6 +4,7 @@
 use super::plan::Plan;
 use super::scenes::BenchScene;
 use super::settings::methods_for;
+use crate::table::table;
 use lightfall_gpu::timing::{Stopwatch, Timing};
 use lightfall_gpu::{Gpu, GpuError};
 use lightfall_model::scene::{DiskStructure, HotSpotKind, LimbDarkening, Method, Scene, SkyMode};
@@ -113,14 +114,14 @@ impl Plan {
 
 /// The rows as a Markdown table.
 pub fn light_table(rows: &[LightMeasurement]) -> String {
-    let mut text = String::from(
-        "| scene | method | smooth, ms | living, ms | ratio |\n|---|---|---|---|---|\n",
-    );
-    for row in rows {
-        text += &format!(
-            "| {} | {} | {:.4} | {:.4} | {:.2} |\n",
+    let cells = |row: &LightMeasurement| {
+        format!(
+            "{} | {} | {:.4} | {:.4} | {:.2}",
             row.scene, row.method, row.smooth_ms, row.living_ms, row.ratio
-        );
-    }
-    text
+        )
+    };
+    table(
+        "scene | method | smooth, ms | living, ms | ratio",
+        rows.iter().map(cells),
+    )
 }

@@ -4,34 +4,16 @@ use super::equal_error::at_equal_error;
 use super::measurement::Measurement;
 use super::pareto::is_on_front;
 use crate::circumstances::Circumstances;
+use crate::table::table;
 use lightfall_model::numbers::{ratio, short_number};
-use std::fmt::Write;
 
 /// The report as a Markdown table, scene by scene. Rows on the Pareto front are bold, and `auto`'s
 /// row has a star.
 pub fn markdown(circumstances: &Circumstances, rows: &[Measurement]) -> String {
-    let mut text = String::new();
-    for (name, value) in circumstances.lines() {
-        writeln!(text, "* {name}: {value}").expect("writing to a string cannot fail");
-    }
-    let rays = rows.first().map_or(0, |row| row.rays);
-    writeln!(
-        text,
-        "\nTimes are medians; from 10 % to 90 % of them lie within +-, in ms. Errors are backward errors of {rays} rays in \
-         each scene, half over its picture and half next to the shadow's edge: median (p50) and 99th percentile, in pixels \
-         of the scene's own picture and in rad. Wrong class counts rays that end at the hole, the disk or the sky by \
-         mistake. Steps are the mean per ray. The number after a method is its quality.step_scale or \
-         quality.max_error_px; cheap, balanced and high are the article's settings, with its budgets of 128, 256 and 768 \
-         steps, and all others have the scene's own. * is the method of auto; no row beats a bold one in both time and error."
-    )
-    .expect("writing to a string cannot fail");
-    text += "\n| scene | method | trace ms | +- | frame ms | backward px p50 | p99 | rad p99 | sky rad p50 | wrong class | unfinished | steps |\n";
-    text += "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
-    for row in rows {
+    let cells = |row: &Measurement| {
         let mark = if is_on_front(rows, row) { "**" } else { "" };
-        writeln!(
-            text,
-            "| {} | {mark}{}{mark}{} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {:.0} |",
+        format!(
+            "{} | {mark}{}{mark}{} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {:.0}",
             row.scene,
             row.label(),
             if row.auto { " *" } else { "" },
@@ -46,9 +28,22 @@ pub fn markdown(circumstances: &Circumstances, rows: &[Measurement]) -> String {
             row.unfinished,
             row.steps_mean,
         )
-        .expect("writing to a string cannot fail");
-    }
-    text + &equal_errors(circumstances, rows)
+    };
+    let rays = rows.first().map_or(0, |row| row.rays);
+    let notes = format!(
+        "\nTimes are medians; from 10 % to 90 % of them lie within +-, in ms. Errors are backward errors of {rays} rays in \
+         each scene, half over its picture and half next to the shadow's edge: median (p50) and 99th percentile, in pixels \
+         of the scene's own picture and in rad. Wrong class counts rays that end at the hole, the disk or the sky by \
+         mistake. Steps are the mean per ray. The number after a method is its quality.step_scale or \
+         quality.max_error_px; cheap, balanced and high are the article's settings, with its budgets of 128, 256 and 768 \
+         steps, and all others have the scene's own. * is the method of auto; no row beats a bold one in both time and error.\n\n"
+    );
+    let table = table(
+        "scene | method | trace ms | +- | frame ms | backward px p50 | p99 | rad p99 | sky rad p50 | \
+         wrong class | unfinished | steps",
+        rows.iter().map(cells),
+    );
+    circumstances.marked('*') + &notes + &table + &equal_errors(circumstances, rows)
 }
 
 /// Half of a spread, or nothing for a single measurement.
@@ -77,36 +72,32 @@ pub fn ratio_range([low, high]: [f64; 2]) -> String {
 fn equal_errors(circumstances: &Circumstances, rows: &[Measurement]) -> String {
     let mut scenes: Vec<&str> = rows.iter().map(|row| row.scene.as_str()).collect();
     scenes.dedup();
-    let mut text = String::new();
-    for (fast, slow) in [
+    let pairs = [
         ("closed", "mino"),
         ("closed", "verlet"),
         ("closed", "kerr-schild"),
         ("mino", "kerr-schild"),
-    ] {
+    ];
+    let mut compared = Vec::new();
+    for (fast, slow) in pairs {
         for scene in &scenes {
-            let Some(found) = at_equal_error(rows, scene, fast, slow, circumstances.floor_ms)
-            else {
-                continue;
-            };
-            let [fastest, slowest] = found.best;
-            writeln!(
-                text,
-                "| {scene} | {fast}, {slow} | {} | {} | {} | {} |",
-                ratio_range(found.ratio),
-                found.net_ratio.map(ratio_range).unwrap_or_default(),
-                short_number(slowest),
-                short_number(fastest)
-            )
-            .expect("writing to a string cannot fail");
+            if let Some(found) = at_equal_error(rows, scene, fast, slow, circumstances.floor_ms) {
+                let [fastest, slowest] = found.best;
+                compared.push(format!(
+                    "{scene} | {fast}, {slow} | {} | {} | {} | {}",
+                    ratio_range(found.ratio),
+                    found.net_ratio.map(ratio_range).unwrap_or_default(),
+                    short_number(slowest),
+                    short_number(fastest)
+                ));
+            }
         }
     }
-    if text.is_empty() {
-        return text;
+    if compared.is_empty() {
+        return String::new();
     }
-    "\nAt equal 99th percentile, at each level that the slower method reaches with some setting:\n\n\
-     | scene | methods | times as fast | without the floor | best level of the slower, rad | of the faster |\n\
-     |---|---|---|---|---|---|\n"
-        .to_owned()
-        + &text
+    let title = "\nAt equal 99th percentile, at each level that the slower method reaches with some setting:\n\n";
+    let head = "scene | methods | times as fast | without the floor | best level of the slower, rad | \
+                of the faster";
+    title.to_owned() + &table(head, compared)
 }

@@ -2,6 +2,7 @@
 //! frames, and refined edges.
 
 use super::scenes::BenchScene;
+use crate::table::table;
 use lightfall_model::scene::{DiskStructure, LimbDarkening, Scene, SkyMode};
 use serde::{Deserialize, Serialize};
 
@@ -137,35 +138,21 @@ pub struct PictureMeasurement {
     pub max: f64,
 }
 
-impl PictureMeasurement {
-    /// What a pixel gets, for people.
-    fn rays(&self) -> &'static str {
-        if self.antialias {
+/// The rows as a Markdown table.
+pub fn pictures_table(rows: &[PictureMeasurement]) -> String {
+    let cells = |row: &PictureMeasurement| {
+        let rays = if row.antialias {
             "edges refined"
         } else {
             "single rays"
-        }
-    }
-}
-
-/// The rows as a Markdown table.
-pub fn pictures_table(rows: &[PictureMeasurement]) -> String {
-    let mut text = String::from(
-        "| scene | rays | frames | ms | over one ray | rms error | 99 % | largest |\n\
-         |---|---|---|---|---|---|---|---|\n",
-    );
-    for row in rows {
-        text += &format!(
-            "| {} | {} | {} | {:.2} | {:.2} | {:.4} | {:.4} | {:.3} |\n",
-            row.scene,
-            row.rays(),
-            row.samples,
-            row.picture_ms,
-            row.over_one,
-            row.rms,
-            row.p99,
-            row.max
-        );
-    }
-    text
+        };
+        format!(
+            "{} | {rays} | {} | {:.2} | {:.2} | {:.4} | {:.4} | {:.3}",
+            row.scene, row.samples, row.picture_ms, row.over_one, row.rms, row.p99, row.max
+        )
+    };
+    table(
+        "scene | rays | frames | ms | over one ray | rms error | 99 % | largest",
+        rows.iter().map(cells),
+    )
 }

@@ -6,6 +6,7 @@ use super::scenes::BenchScene;
 use super::settings::methods_for;
 use super::studies::{Refinement, Study, refinements};
 use crate::import::{or_infinite, or_nan};
+use crate::table::table;
 use lightfall_accuracy::{ErrorSummary, Ray, Truth, rays_over_picture_and_near_edge};
 use lightfall_gpu::rays::RayKernel;
 use lightfall_gpu::{Gpu, GpuError};
@@ -203,11 +204,7 @@ impl Plan {
 
 /// The rows as a Markdown table.
 pub fn refinement_table(rows: &[RefinementMeasurement]) -> String {
-    let mut text = String::from(
-        "| scene | method | series | value | backward px, median | 99 % | sky rad, median | 99 % | hit r, median | 99 % | hit g, median | 99 % | wrong class | given up | steps |\n\
-         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
-    );
-    for row in rows {
+    let cells = |row: &RefinementMeasurement| {
         let errors = [
             row.backward_p50_px,
             row.backward_p99_px,
@@ -218,8 +215,8 @@ pub fn refinement_table(rows: &[RefinementMeasurement]) -> String {
             row.hit_g_p50,
             row.hit_g_p99,
         ];
-        text += &format!(
-            "| {} | {} | {} | {} | {} | {} | {} | {:.0} |\n",
+        format!(
+            "{} | {} | {} | {} | {} | {} | {} | {:.0}",
             row.scene,
             row.method,
             row.study.word(),
@@ -228,7 +225,11 @@ pub fn refinement_table(rows: &[RefinementMeasurement]) -> String {
             row.misclassified,
             row.unfinished,
             row.steps_mean
-        );
-    }
-    text
+        )
+    };
+    table(
+        "scene | method | series | value | backward px, median | 99 % | sky rad, median | 99 % | \
+         hit r, median | 99 % | hit g, median | 99 % | wrong class | given up | steps",
+        rows.iter().map(cells),
+    )
 }

@@ -5,6 +5,7 @@ use super::kernels::Kernels;
 use super::matrix::work_of;
 use crate::bench::methods_for;
 use crate::import::or_nan;
+use crate::table::grouped_table;
 use lightfall_accuracy::{DelayError, TimedRay, greater};
 use lightfall_gpu::{Gpu, GpuError};
 use lightfall_model::geometry::kerr::Kerr;
@@ -15,7 +16,6 @@ use lightfall_optics::reference::Reference;
 use lightfall_optics::trace::Trace;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use std::fmt::Write;
 
 /// The delays of a method in a cell, compared with the reference's.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
@@ -151,21 +151,10 @@ impl CellDelays {
 
 /// The rows as a Markdown table, for people, with what its classes mean.
 pub fn delays_table(rows: &[CellDelays]) -> String {
-    let mut text = String::from(
-        "| cell | method | hits | delay max, r_s/c | turn max, rad | at the place found | over | place | far | unexplained | lost |\n\
-         |---|---|---|---|---|---|---|---|---|---|---|\n",
-    );
-    let mut group = "";
-    for row in rows {
-        if row.group != group {
-            group = &row.group;
-            writeln!(text, "| **{group}** | | | | | | | | | | |")
-                .expect("writing to a string cannot fail");
-        }
+    let cells = |row: &CellDelays| {
         let errors = [row.delay_max, row.turn_max, row.turn_at_place_max].map(short_number);
-        writeln!(
-            text,
-            "| {} | {} | {} | {} | {} | {} | {} | {} | {} |",
+        format!(
+            "{} | {} | {} | {} | {} | {} | {} | {} | {}",
             row.cell,
             row.method,
             row.hits,
@@ -176,9 +165,12 @@ pub fn delays_table(rows: &[CellDelays]) -> String {
             row.unexplained,
             row.lost,
         )
-        .expect("writing to a string cannot fail");
-    }
-    text + NOTES
+    };
+    grouped_table(
+        "cell | method | hits | delay max, r_s/c | turn max, rad | at the place found | over | place | \
+         far | unexplained | lost",
+        rows.iter().map(|row| (&*row.group, cells(row))),
+    ) + NOTES
 }
 
 /// What the columns of the table mean.

@@ -19,13 +19,12 @@ pub fn grid(count: usize) -> Vec<Cell> {
     let cell = |(spin, r, theta): (f64, f64, f64)| {
         let mut scene = base_scene(spin, r);
         scene.camera.theta_deg = theta;
-        let rays = sky_and_edge_rays(&scene, count);
-        Cell {
-            group: "grid",
-            name: format!("chi {spin}, {r} r_s, {theta} degrees"),
+        Cell::new(
+            "grid",
+            format!("{r} r_s, {theta} degrees"),
             scene,
-            rays,
-        }
+            |scene| sky_and_edge_rays(scene, count),
+        )
     };
     schwarzschild.into_iter().chain(kerr).map(cell).collect()
 }

@@ -4,12 +4,12 @@ use super::cells::Cell;
 use super::far_ray::FarRays;
 use super::narrow_ring::count_unanswerable;
 use crate::import::{or_infinite, or_nan};
+use crate::table::grouped_table;
 use lightfall_accuracy::{ErrorSummary, RayError, Truth, tolerance};
 use lightfall_model::numbers::short_number;
 use lightfall_model::scene::{Method, Quality, Scene};
 use lightfall_optics::trace::Trace;
 use serde::{Deserialize, Serialize};
-use std::fmt::Write;
 
 const TIGHTEST: &str = "mino, tightest";
 
@@ -152,24 +152,9 @@ impl Verdict {
 
 /// The matrix as a Markdown table, for people.
 pub fn markdown(verdicts: &[Verdict]) -> String {
-    let mut text = String::from(
-        "| cell | method | rays | unfinished | not a number | wrong class | backward p50 | p99 | max | bar | residual | steps | verdict \
-         | hits | hit r p50 | p99 | hit g p50 | p99 | beyond | unexplained | unanswerable |\n\
-         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
-    );
-    let mut group = "";
-    for verdict in verdicts {
-        if verdict.group != group {
-            group = &verdict.group;
-            writeln!(
-                text,
-                "| **{group}** | | | | | | | | | | | | | | | | | | | | |"
-            )
-            .expect("writing to a string cannot fail");
-        }
-        writeln!(
-            text,
-            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
+    let row = |verdict: &Verdict| {
+        format!(
+            "{} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {}",
             verdict.cell,
             verdict.method,
             verdict.rays,
@@ -192,7 +177,13 @@ pub fn markdown(verdicts: &[Verdict]) -> String {
             verdict.unexplained,
             verdict.unanswerable,
         )
-        .expect("writing to a string cannot fail");
-    }
-    text
+    };
+    grouped_table(
+        "cell | method | rays | unfinished | not a number | wrong class | backward p50 | p99 | max | bar | \
+         residual | steps | verdict | hits | hit r p50 | p99 | hit g p50 | p99 | beyond | unexplained | \
+         unanswerable",
+        verdicts
+            .iter()
+            .map(|verdict| (&*verdict.group, row(verdict))),
+    )
 }

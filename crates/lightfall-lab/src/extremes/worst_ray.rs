@@ -12,7 +12,6 @@ use lightfall_model::scene::Scene;
 use lightfall_optics::trace::Trace;
 use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
-use std::fmt::Write;
 
 /// The ray of a scene with the largest error; among the unexplained rays, if there are any.
 #[derive(Clone, Debug, PartialEq)]
@@ -195,13 +194,8 @@ pub struct HuntRow {
 
 /// The rows as lines for a shell: each traces a ray again, below a comment with its verdict.
 pub fn hunt_text(circumstances: &Circumstances, rows: &[HuntRow]) -> String {
-    let mut text = String::new();
-    for (name, value) in circumstances.lines() {
-        writeln!(text, "# {name}: {value}").expect("writing to a string cannot fail");
-    }
-    for row in rows {
-        writeln!(text, "# {}\n{}", row.verdict, row.command)
-            .expect("writing to a string cannot fail");
-    }
-    text
+    let lines = rows
+        .iter()
+        .map(|row| format!("# {}\n{}\n", row.verdict, row.command));
+    circumstances.marked('#') + &lines.collect::<String>()
 }
