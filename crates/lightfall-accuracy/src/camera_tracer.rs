@@ -31,30 +31,27 @@ impl CameraTracer {
         self.reference.trace(self.tetrad_from_camera * direction)
     }
 
-    /// The photon that arrives from a direction, changed by `change`. Its radial momentum follows
-    /// from the other constants, so that it remains null; `None` if it cannot be.
-    fn changed_photon(&self, direction: DVec3, change: impl Fn(&mut Photon)) -> Option<Photon> {
-        let mut photon = self.reference.photon(self.tetrad_from_camera * direction);
-        change(&mut photon);
-        let (r, n) = self.reference.camera();
-        let kerr = self.reference.hole_and_disk().kerr;
-        let (constants, start) = PhotonConstants::of_photon(kerr, &photon, r, n);
-        let radial2 = constants.potential(start.u);
-        photon.radial = radial2.sqrt().copysign(photon.radial);
-        (radial2 >= 0.0).then_some(photon)
-    }
-
-    /// The reference's answer to a ray whose photon is changed by `change`, and the angle in
-    /// radians between this ray and the one that has the changed photon. `None` if there is no such
-    /// photon.
+    /// The reference's answer to the ray from a direction, with its photon changed by `change`, and
+    /// the angle in radians between this ray and the one that has the changed photon. The radial
+    /// momentum follows from the other constants, so that the photon remains null; `None` if it
+    /// cannot be.
     pub(super) fn trace_changed(
         &self,
         direction: DVec3,
         change: impl Fn(&mut Photon),
     ) -> Option<(Trace, f64)> {
-        let photon = self.changed_photon(direction, change)?;
-        let changed = self.reference.direction_of(&photon)?;
-        let turn = angle_between(self.tetrad_from_camera * direction, changed);
+        let direction = self.tetrad_from_camera * direction;
+        let mut photon = self.reference.photon(direction);
+        change(&mut photon);
+        let (r, n) = self.reference.camera();
+        let kerr = self.reference.hole_and_disk().kerr;
+        let (constants, start) = PhotonConstants::of_photon(kerr, &photon, r, n);
+        let radial2 = constants.potential(start.u);
+        if radial2.is_nan() || radial2 < 0.0 {
+            return None;
+        }
+        photon.radial = radial2.sqrt().copysign(photon.radial);
+        let turn = angle_between(direction, self.reference.direction_of(&photon)?);
         Some((self.reference.trace_photon(&photon), turn))
     }
 }

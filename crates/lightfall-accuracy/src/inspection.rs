@@ -1,6 +1,7 @@
 //! Everything about one ray, as numbers that can be read, copied and compared: the contents of the
 //! ray inspector.
 
+use crate::rays::Record;
 use crate::{Ray, Truth, greater};
 use glam::DVec3;
 use lightfall_model::geometry::observer::ObserverError;
@@ -10,10 +11,10 @@ use lightfall_optics::disk::Profile;
 use lightfall_optics::path::Path;
 use lightfall_optics::ray_plane::RayPlane;
 use lightfall_optics::reference::Reference;
-use lightfall_optics::trace::{Hit, Outcome, Trace};
+use lightfall_optics::trace::{Hit, Trace};
 use serde::Serialize;
+use serde_json::Value;
 use std::f64::consts::PI;
-use std::fmt::Write;
 
 /// The numbers of one ray. Missing values are `None`; text leaves them out.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -78,52 +79,6 @@ pub struct Difference {
     pub backward: Option<f64>,
     /// The same as a multiple of the angle that a pixel in the picture's middle covers.
     pub backward_px: Option<f64>,
-}
-
-/// A trace in the fields of `lightfall trace`.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[expect(
-    missing_docs,
-    reason = "`lightfall trace --help` says what each field means"
-)]
-pub struct Record {
-    pub outcome: Outcome,
-    pub sky_x: Option<f64>,
-    pub sky_y: Option<f64>,
-    pub sky_z: Option<f64>,
-    pub hit1_r: Option<f64>,
-    pub hit1_phi: Option<f64>,
-    pub hit1_g: Option<f64>,
-    pub hit2_r: Option<f64>,
-    pub hit2_phi: Option<f64>,
-    pub hit2_g: Option<f64>,
-    pub steps: u32,
-    pub residual: f64,
-    pub hit1_t: Option<f64>,
-    pub hit2_t: Option<f64>,
-}
-
-impl From<&Trace> for Record {
-    fn from(trace: &Trace) -> Self {
-        let [first, second] = trace.hits;
-        let of = |hit: Option<Hit>, part: fn(Hit) -> f64| hit.map(part);
-        Self {
-            outcome: trace.outcome,
-            sky_x: trace.sky.map(|sky| sky.x),
-            sky_y: trace.sky.map(|sky| sky.y),
-            sky_z: trace.sky.map(|sky| sky.z),
-            hit1_r: of(first, |hit| hit.r),
-            hit1_phi: of(first, |hit| hit.phi),
-            hit1_g: of(first, |hit| hit.g),
-            hit2_r: of(second, |hit| hit.r),
-            hit2_phi: of(second, |hit| hit.phi),
-            hit2_g: of(second, |hit| hit.g),
-            steps: trace.steps,
-            residual: trace.residual,
-            hit1_t: first.and_then(|hit| hit.delay),
-            hit2_t: second.and_then(|hit| hit.delay),
-        }
-    }
 }
 
 /// A ray, inspected: its numbers and its path.
@@ -226,66 +181,29 @@ impl Inspection {
         serde_json::to_string_pretty(self).expect("numbers and words only")
     }
 
-    /// As lines `name = value`. The names of records begin with `cpu.` and `gpu.`. Missing values
-    /// are left out.
+    /// As lines `name = value`: the ray's own numbers, and the records of both answers, whose names
+    /// begin with `cpu.` and `gpu.`. Missing values are left out.
     pub fn to_text(&self) -> String {
         let value = serde_json::to_value(self).expect("numbers and words only");
+        let fields = value.as_object().into_iter().flatten();
+        let (records, numbers): (Vec<_>, Vec<_>) = fields.partition(|(_, value)| value.is_object());
         let mut text = String::new();
-        // The order of the fields, which a JSON object in memory does not keep.
-        for name in FIELDS {
-            line(&mut text, name, &value[*name]);
+        for (name, value) in numbers {
+            add_line(&mut text, name, value);
+        }
+        for (record, fields) in records {
+            for (name, value) in fields.as_object().into_iter().flatten() {
+                add_line(&mut text, &format!("{record}.{name}"), value);
+            }
         }
         text
     }
 }
 
-/// The fields of an inspection, in order.
-const FIELDS: &[&str] = &[
-    "scene",
-    "pixel",
-    "er",
-    "etheta",
-    "ephi",
-    "impact_parameter",
-    "lambda",
-    "eta",
-    "deflection",
-    "closest_r",
-    "half_turns",
-    "order",
-    "hit1_temperature_k",
-    "hit1_delay",
-    "hit2_temperature_k",
-    "hit2_delay",
-    "cpu",
-    "gpu",
-    "difference",
-];
-
-fn line(text: &mut String, name: &str, value: &serde_json::Value) {
+fn add_line(text: &mut String, name: &str, value: &Value) {
     match value {
-        serde_json::Value::Null => {}
-        serde_json::Value::Object(fields) => {
-            let known = super::rays::HEADER
-                .iter()
-                .copied()
-                .filter(|field| fields.contains_key(*field));
-            let others = fields
-                .keys()
-                .map(String::as_str)
-                .filter(|field| !super::rays::HEADER.contains(field));
-            let ordered: Vec<&str> = if fields.contains_key("outcome") {
-                known.collect()
-            } else {
-                others.collect()
-            };
-            for field in ordered {
-                line(text, &format!("{name}.{field}"), &fields[field]);
-            }
-        }
-        serde_json::Value::String(word) => {
-            writeln!(text, "{name} = {word}").expect("writing to a String cannot fail")
-        }
-        other => writeln!(text, "{name} = {other}").expect("writing to a String cannot fail"),
+        Value::Null => {}
+        Value::String(word) => *text += &format!("{name} = {word}\n"),
+        other => *text += &format!("{name} = {other}\n"),
     }
 }

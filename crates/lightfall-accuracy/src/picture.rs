@@ -2,7 +2,6 @@
 
 use super::ray::Ray;
 use super::truth::Truth;
-use glam::DVec2;
 use lightfall_gpu::rays::RayKernel;
 use lightfall_gpu::{Gpu, GpuError};
 use lightfall_model::scene::Scene;
@@ -26,14 +25,7 @@ pub fn picture_errors(
     scene: &Scene,
     grid: [u32; 2],
 ) -> Result<Vec<Option<f64>>, GpuError> {
-    let size = DVec2::new(f64::from(grid[0]), f64::from(grid[1]));
-    let picture = scene.picture.size().as_dvec2();
-    let places = (0..grid[1]).flat_map(|row| (0..grid[0]).map(move |column| [column, row]));
-    let rays = places.map(|[column, row]| {
-        let cell = DVec2::new(f64::from(column), f64::from(row)) + 0.5;
-        Ray::toward(scene.camera.looking(cell / size * picture, picture))
-    });
-    let truth = Truth::of(scene, rays.collect())?;
+    let truth = Truth::of(scene, Ray::over_grid(scene, grid))?;
     let directions: Vec<_> = truth.rays.iter().map(Ray::given).collect();
     let given = RayKernel::new(gpu, scene)?.trace_camera_rays(gpu, scene, &directions)?;
     let pixel = scene.pixel_angle();

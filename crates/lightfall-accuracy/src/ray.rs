@@ -1,7 +1,8 @@
 //! One ray of the scene's camera.
 
 use super::search::edge::Edge;
-use glam::{DVec3, Vec3};
+use glam::{DVec3, UVec2, Vec3};
+use lightfall_model::scene::Scene;
 
 /// One ray of a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +21,19 @@ impl Ray {
             given: direction.normalize_or_zero().as_vec3(),
             edge: None,
         }
+    }
+
+    /// The rays through the centres of a grid of cells (columns and rows) that divides the scene's
+    /// picture, row by row from the top.
+    pub(super) fn over_grid(scene: &Scene, [columns, rows]: [u32; 2]) -> Vec<Self> {
+        let picture = scene.picture.size().as_dvec2();
+        let cells = UVec2::new(columns, rows).as_dvec2();
+        let places = (0..rows).flat_map(|row| (0..columns).map(move |column| [column, row]));
+        let ray = |cell: [u32; 2]| {
+            let place = (UVec2::from(cell).as_dvec2() + 0.5) / cells * picture;
+            Self::toward(scene.camera.looking(place, picture))
+        };
+        places.map(ray).collect()
     }
 
     /// Its direction in f32, as the shaders get it.

@@ -8,9 +8,10 @@ use std::fmt::Debug;
 use std::io::{self, BufRead, Read, Write};
 
 use glam::DVec3;
+use serde::Serialize;
 use thiserror::Error;
 
-use lightfall_optics::trace::{Hit, Trace};
+use lightfall_optics::trace::{Hit, Outcome, Trace};
 
 /// The columns of a ray.
 const COLUMNS: [&str; 3] = ["er", "etheta", "ephi"];
@@ -27,45 +28,34 @@ const MAX_LINE_BYTES: u64 = 4096;
 
 /// Why a line does not give a ray.
 #[derive(Debug, Error)]
-#[expect(missing_docs, reason = "the messages say what the fields are")]
-pub enum RaysError {
-    /// The line does not have three values.
+#[error("{name}: line {line}{fault}")]
+pub struct RaysError {
+    name: String,
+    line: u64,
+    fault: Fault,
+}
+
+/// What is wrong with a line, as the end of a sentence.
+#[derive(Debug, Error)]
+enum Fault {
+    /// The line does not have three values. The hint says what has probably gone wrong; it begins
+    /// with a semicolon unless it is empty.
     #[error(
-        "{name}: line {line}: \"{given}\" is refused: a ray has three values, er,etheta,ephi, and here are {count}{hint}"
+        ": \"{given}\" is refused: a ray has three values, er,etheta,ephi, and here are {count}{hint}"
     )]
     Columns {
-        name: String,
-        line: u64,
         given: String,
         count: usize,
-        /// What has probably gone wrong; begins with a semicolon unless it is empty.
         hint: &'static str,
     },
-    /// A value is not a finite number.
-    #[error("{name}: line {line}: {column} = \"{given}\" is refused: it must be a finite number")]
-    Number {
-        name: String,
-        line: u64,
-        column: &'static str,
-        given: String,
-    },
-    /// All three values are zero.
-    #[error(
-        "{name}: line {line}: 0,0,0 is refused: it has no direction, and a ray may have any length but zero"
-    )]
-    Zero { name: String, line: u64 },
-    /// The line is longer than any ray.
-    #[error(
-        "{name}: line {line} is longer than {MAX_LINE_BYTES} bytes; a ray is a line er,etheta,ephi"
-    )]
-    TooLong { name: String, line: u64 },
-    /// The file cannot be read any further.
-    #[error("{name}: line {line} cannot be read: {error}")]
-    Read {
-        name: String,
-        line: u64,
-        error: io::Error,
-    },
+    #[error(": {column} = \"{given}\" is refused: it must be a finite number")]
+    Number { column: &'static str, given: String },
+    #[error(": 0,0,0 is refused: it has no direction, and a ray may have any length but zero")]
+    Zero,
+    #[error(" is longer than {MAX_LINE_BYTES} bytes; a ray is a line er,etheta,ephi")]
+    TooLong,
+    #[error(" cannot be read: {0}")]
+    Read(io::Error),
 }
 
 /// An iterator over the rays of a file, as unit vectors. It ends after the first error.
@@ -93,29 +83,18 @@ impl<R: BufRead> RayReader<R> {
     }
 
     /// The next line that is not blank, or `None` at the end.
-    fn next_line(&mut self) -> Result<Option<String>, RaysError> {
+    fn next_line(&mut self) -> Result<Option<String>, Fault> {
         let mut bytes = Vec::new();
         loop {
             self.line += 1;
             bytes.clear();
-            let read = self
-                .reader
-                .by_ref()
-                .take(MAX_LINE_BYTES)
-                .read_until(b'\n', &mut bytes);
-            let count = read.map_err(|error| RaysError::Read {
-                name: self.name.clone(),
-                line: self.line,
-                error,
-            })?;
+            let mut limited = self.reader.by_ref().take(MAX_LINE_BYTES);
+            let count = limited.read_until(b'\n', &mut bytes).map_err(Fault::Read)?;
             if count == 0 {
                 return Ok(None);
             }
             if count as u64 == MAX_LINE_BYTES && bytes.last() != Some(&b'\n') {
-                return Err(RaysError::TooLong {
-                    name: self.name.clone(),
-                    line: self.line,
-                });
+                return Err(Fault::TooLong);
             }
             let text = String::from_utf8_lossy(&bytes);
             // Spreadsheet programs write a byte order mark at the start.
@@ -130,47 +109,15 @@ impl<R: BufRead> RayReader<R> {
         }
     }
 
-    fn next_ray(&mut self) -> Result<Option<DVec3>, RaysError> {
+    fn next_ray(&mut self) -> Result<Option<DVec3>, Fault> {
         while let Some(text) = self.next_line()? {
             let values: Vec<&str> = text.split(',').map(unquoted).collect();
             if std::mem::take(&mut self.header_may_come) && values == COLUMNS {
                 continue;
             }
-            return self.ray(&text, &values).map(Some);
+            return ray(&text, &values).map(Some);
         }
         Ok(None)
-    }
-
-    fn ray(&self, text: &str, values: &[&str]) -> Result<DVec3, RaysError> {
-        let (name, line) = (|| self.name.clone(), self.line);
-        if values.len() != COLUMNS.len() {
-            return Err(RaysError::Columns {
-                name: name(),
-                line,
-                given: shortened(text),
-                count: values.len(),
-                hint: hint(text),
-            });
-        }
-        let mut ray = DVec3::ZERO;
-        for (i, (column, text)) in COLUMNS.into_iter().zip(values).enumerate() {
-            ray[i] = text
-                .parse()
-                .ok()
-                .filter(|number: &f64| number.is_finite())
-                .ok_or_else(|| RaysError::Number {
-                    name: name(),
-                    line,
-                    column,
-                    given: shortened(text),
-                })?;
-        }
-        // Dividing by the largest component first avoids overflow of large squares and underflow of
-        // small ones.
-        match ray.abs().max_element() {
-            0.0 => Err(RaysError::Zero { name: name(), line }),
-            largest => Ok((ray / largest).normalize()),
-        }
     }
 }
 
@@ -181,9 +128,39 @@ impl<R: BufRead> Iterator for RayReader<R> {
         if self.ended {
             return None;
         }
-        let next = self.next_ray().transpose();
+        let next = self.next_ray().map_err(|fault| RaysError {
+            name: self.name.clone(),
+            line: self.line,
+            fault,
+        });
+        let next = next.transpose();
         self.ended = !matches!(next, Some(Ok(_)));
         next
+    }
+}
+
+/// The unit vector of a line's values.
+fn ray(line: &str, values: &[&str]) -> Result<DVec3, Fault> {
+    if values.len() != COLUMNS.len() {
+        return Err(Fault::Columns {
+            given: shortened(line),
+            count: values.len(),
+            hint: hint(line),
+        });
+    }
+    let mut ray = DVec3::ZERO;
+    for (i, (column, text)) in COLUMNS.into_iter().zip(values).enumerate() {
+        let number = text.parse().ok().filter(|number: &f64| number.is_finite());
+        ray[i] = number.ok_or_else(|| Fault::Number {
+            column,
+            given: shortened(text),
+        })?;
+    }
+    // Dividing by the largest component first avoids overflow of large squares and underflow of
+    // small ones.
+    match ray.abs().max_element() {
+        0.0 => Err(Fault::Zero),
+        largest => Ok((ray / largest).normalize()),
     }
 }
 
@@ -212,6 +189,52 @@ fn unquoted(value: &str) -> &str {
         .unwrap_or(value)
 }
 
+/// A trace in the fields of `lightfall trace`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[expect(
+    missing_docs,
+    reason = "`lightfall trace --help` says what each field means"
+)]
+pub struct Record {
+    pub outcome: Outcome,
+    pub sky_x: Option<f64>,
+    pub sky_y: Option<f64>,
+    pub sky_z: Option<f64>,
+    pub hit1_r: Option<f64>,
+    pub hit1_phi: Option<f64>,
+    pub hit1_g: Option<f64>,
+    pub hit2_r: Option<f64>,
+    pub hit2_phi: Option<f64>,
+    pub hit2_g: Option<f64>,
+    pub steps: u32,
+    pub residual: f64,
+    pub hit1_t: Option<f64>,
+    pub hit2_t: Option<f64>,
+}
+
+impl From<&Trace> for Record {
+    fn from(trace: &Trace) -> Self {
+        let [first, second] = trace.hits;
+        let of = |hit: Option<Hit>, part: fn(Hit) -> f64| hit.map(part);
+        Self {
+            outcome: trace.outcome,
+            sky_x: trace.sky.map(|sky| sky.x),
+            sky_y: trace.sky.map(|sky| sky.y),
+            sky_z: trace.sky.map(|sky| sky.z),
+            hit1_r: of(first, |hit| hit.r),
+            hit1_phi: of(first, |hit| hit.phi),
+            hit1_g: of(first, |hit| hit.g),
+            hit2_r: of(second, |hit| hit.r),
+            hit2_phi: of(second, |hit| hit.phi),
+            hit2_g: of(second, |hit| hit.g),
+            steps: trace.steps,
+            residual: trace.residual,
+            hit1_t: first.and_then(|hit| hit.delay),
+            hit2_t: second.and_then(|hit| hit.delay),
+        }
+    }
+}
+
 /// Writes a header and traces as CSV.
 pub struct TraceWriter<W: Write> {
     csv: csv::Writer<W>,
@@ -233,27 +256,24 @@ impl<W: Write> TraceWriter<W> {
     /// # Errors
     /// The writer's error.
     pub fn write(&mut self, trace: &Trace) -> io::Result<()> {
-        let sky = trace.sky.map(|sky| sky.to_array());
-        let hits = trace.hits.map(|hit| hit.map(|hit| [hit.r, hit.phi, hit.g]));
-        let numbers = [sky, hits[0], hits[1]]
-            .map(|numbers| numbers.map_or_else(Default::default, |n| n.map(digits)));
-        let delay = |hit: Option<Hit>| {
-            hit.and_then(|hit| hit.delay)
-                .map_or_else(String::new, digits)
-        };
-        let last = [
-            digits(trace.steps),
-            digits(trace.residual),
-            delay(trace.hits[0]),
-            delay(trace.hits[1]),
+        let record = Record::from(trace);
+        let number = |number: Option<f64>| number.map_or_else(String::new, digits);
+        let fields = [
+            record.outcome.word().to_owned(),
+            number(record.sky_x),
+            number(record.sky_y),
+            number(record.sky_z),
+            number(record.hit1_r),
+            number(record.hit1_phi),
+            number(record.hit1_g),
+            number(record.hit2_r),
+            number(record.hit2_phi),
+            number(record.hit2_g),
+            digits(record.steps),
+            digits(record.residual),
+            number(record.hit1_t),
+            number(record.hit2_t),
         ];
-        let fields = [trace.outcome.word()].into_iter().chain(
-            numbers
-                .as_flattened()
-                .iter()
-                .chain(&last)
-                .map(String::as_str),
-        );
         self.csv.write_record(fields).map_err(io_error)
     }
 

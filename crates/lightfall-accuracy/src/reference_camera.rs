@@ -4,9 +4,8 @@ use super::camera_tracer::CameraTracer;
 use super::ray::Ray;
 use super::search::edge::{Edge, Shadow};
 use glam::DVec3;
-use lightfall_model::geometry::observer::{ObserverError, Photon};
+use lightfall_model::geometry::observer::ObserverError;
 use lightfall_model::scene::Scene;
-use lightfall_optics::reference::Reference;
 use lightfall_optics::trace::{Hit, Trace};
 
 /// The edges of the wider disk: the inner one as a share of the disk's own, outside the crossings
@@ -16,7 +15,7 @@ const WIDER_OUTER: f64 = 1e12;
 
 /// The reference for the rays of a scene's camera. Directions are (right, up, forward).
 pub(super) struct ReferenceCamera {
-    tracer: CameraTracer,
+    pub(super) tracer: CameraTracer,
     /// The same without a disk, for the outcome alone, because a capture is certain much earlier.
     without_disk: CameraTracer,
     /// The same with a wider disk, for crossings of the plane next to the disk.
@@ -73,20 +72,6 @@ impl ReferenceCamera {
         let crossings = self.wider_disk.trace(direction).hits.into_iter().flatten();
         let distance = |hit: &Hit| (1.0 - r / hit.r).abs();
         crossings.min_by(|a, b| distance(a).total_cmp(&distance(b)))
-    }
-
-    /// The answer of another scene's reference to the ray from the same direction.
-    pub(super) fn trace_by(&self, other: &Reference, direction: DVec3) -> Trace {
-        other.trace(self.tracer.tetrad_from_camera * direction)
-    }
-
-    /// As [`CameraTracer::trace_changed`].
-    pub(super) fn trace_changed(
-        &self,
-        direction: DVec3,
-        change: impl Fn(&mut Photon),
-    ) -> Option<(Trace, f64)> {
-        self.tracer.trace_changed(direction, change)
     }
 
     /// The shadow's edge around a position angle, where there is a shadow.

@@ -1,7 +1,6 @@
 //! The number of steps that a method takes for a picture: the cost of its accuracy setting.
 
 use crate::Ray;
-use glam::DVec2;
 use lightfall_gpu::rays::RayKernel;
 use lightfall_gpu::{Gpu, GpuError};
 use lightfall_model::scene::Scene;
@@ -26,14 +25,8 @@ impl StepCount {
     /// # Errors
     /// The GPU cannot trace the scene, or the device failed.
     pub fn of(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
-        let size = scene.picture.size().as_dvec2();
-        let [columns, rows] = GRID;
-        let places = (0..rows)
-            .flat_map(|y| (0..columns).map(move |x| DVec2::new(f64::from(x), f64::from(y)) + 0.5));
-        let cells = DVec2::new(f64::from(columns), f64::from(rows));
-        let rays: Vec<_> = places
-            .map(|place| Ray::toward(scene.camera.looking(place / cells * size, size)).given())
-            .collect();
+        let rays = Ray::over_grid(scene, GRID);
+        let rays: Vec<_> = rays.iter().map(Ray::given).collect();
         let steps: Vec<u32> = RayKernel::new(gpu, scene)?
             .trace_camera_rays(gpu, scene, &rays)?
             .iter()

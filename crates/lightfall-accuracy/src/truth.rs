@@ -11,7 +11,7 @@ use lightfall_model::geometry::observer::{ObserverError, Photon};
 use lightfall_model::geometry::sphere::angle_between;
 use lightfall_model::scene::Scene;
 use lightfall_optics::reference::Reference;
-use lightfall_optics::trace::Trace;
+use lightfall_optics::trace::{Hit, Trace};
 use rayon::prelude::*;
 
 /// Rays of a scene's camera and the reference's answers to them.
@@ -125,7 +125,8 @@ impl Truth {
 
     /// The answer of another scene's reference to the ray of index `ray`.
     pub fn trace_by(&self, ray: usize, other: &Reference) -> Trace {
-        self.camera.trace_by(other, self.rays[ray].direction())
+        let axes = self.camera.tracer.tetrad_from_camera;
+        other.trace(axes * self.rays[ray].direction())
     }
 
     /// The reference's answer to the ray of index `ray` with its photon changed by `change`, and
@@ -133,36 +134,23 @@ impl Truth {
     /// there is no such photon.
     pub fn trace_changed(&self, ray: usize, change: impl Fn(&mut Photon)) -> Option<(Trace, f64)> {
         self.camera
+            .tracer
             .trace_changed(self.rays[ray].direction(), change)
     }
 
     fn judge_ray(&self, ray: &Ray, truth: &Trace, given: &Trace, precision: f64) -> RayError {
-        let pairs = || {
-            truth
-                .hits
-                .iter()
-                .zip(&given.hits)
-                .filter_map(|(truth, given)| truth.zip(*given))
+        let largest_error = |part: fn(&Hit) -> f64| {
+            let pairs = truth.hits.iter().zip(&given.hits);
+            let errors = pairs.filter_map(|(truth, given)| {
+                Some((part(given.as_ref()?) / part(truth.as_ref()?) - 1.0).abs())
+            });
+            errors.reduce(greater)
         };
-        let largest = |of: fn((f64, f64)) -> f64, pairs: &mut dyn Iterator<Item = (f64, f64)>| {
-            pairs.map(of).fold(None, |max: Option<f64>, error| {
-                Some(max.map_or(error, |max| greater(max, error)))
-            })
-        };
-        let relative = |(truth, given): (f64, f64)| (given / truth - 1.0).abs();
+        let skies = truth.sky.zip(given.sky);
         RayError {
-            sky: truth
-                .sky
-                .zip(given.sky)
-                .map(|(truth, given)| angle_between(truth, given)),
-            hit_r: largest(
-                relative,
-                &mut pairs().map(|(truth, given)| (truth.r, given.r)),
-            ),
-            hit_g: largest(
-                relative,
-                &mut pairs().map(|(truth, given)| (truth.g, given.g)),
-            ),
+            sky: skies.map(|(truth, given)| angle_between(truth, given)),
+            hit_r: largest_error(|hit| hit.r),
+            hit_g: largest_error(|hit| hit.g),
             backward: self.backward(ray, truth, given, precision),
             misclassified: !is_same_class(truth, given),
         }

@@ -2,7 +2,8 @@
 
 use super::ray_worker::GpuState;
 use bevy_egui::egui;
-use lightfall_core::accuracy::inspection::{Difference, Inspection, Record};
+use lightfall_core::accuracy::inspection::{Difference, Inspection};
+use lightfall_core::accuracy::rays::Record;
 use lightfall_core::numbers::{four_digits, short_number};
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::scene::Scene;
