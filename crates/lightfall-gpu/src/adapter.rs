@@ -6,7 +6,7 @@ use super::requirements::Abilities;
 use serde::{Deserialize, Serialize};
 use std::env;
 use std::fmt::{Display, Formatter};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, Features, Instance, Limits};
 
 /// An adapter by its full name and its interface: on some systems one adapter has several
@@ -70,49 +70,48 @@ static PREFERRED: Mutex<Option<AdapterName>> = Mutex::new(None);
 /// Makes devices open on this adapter if it exists and the environment names no other one.
 pub fn prefer(adapter: Option<AdapterName>) {
     replace_chosen(None);
-    *PREFERRED.lock().unwrap_or_else(PoisonError::into_inner) = adapter;
+    *locked(&PREFERRED) = adapter;
 }
 
 /// The adapter that replaces a chosen one without a device.
 static REPLACEMENT: Mutex<Option<AdapterName>> = Mutex::new(None);
 
+fn locked(name: &Mutex<Option<AdapterName>>) -> MutexGuard<'_, Option<AdapterName>> {
+    name.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// The adapter that replaces the chosen one, if that gave no device.
-pub(super) fn replacement() -> Option<AdapterName> {
-    REPLACEMENT
-        .lock()
-        .unwrap_or_else(PoisonError::into_inner)
-        .clone()
+fn replacement() -> Option<AdapterName> {
+    locked(&REPLACEMENT).clone()
 }
 
 /// Sets the adapter that replaces the chosen one; `None` tries the chosen one again.
 pub(super) fn replace_chosen(name: Option<AdapterName>) {
-    *REPLACEMENT.lock().unwrap_or_else(PoisonError::into_inner) = name;
+    *locked(&REPLACEMENT) = name;
+}
+
+/// The value of an environment variable, unless it is empty.
+fn variable(name: &str) -> Option<String> {
+    env::var(name).ok().filter(|value| !value.is_empty())
 }
 
 /// The environment variable that chooses the adapter, if one is set.
 pub fn named_by_environment() -> Option<&'static str> {
-    let is_set = |variable: &&str| env::var(variable).is_ok_and(|value| !value.is_empty());
-    [
+    let variables = [
         "WGPU_ADAPTER_NAME",
         "WGPU_BACKEND",
         "WGPU_FORCE_FALLBACK_ADAPTER",
-    ]
-    .into_iter()
-    .find(is_set)
+    ];
+    let is_set = |name: &&str| variable(name).is_some();
+    variables.into_iter().find(is_set)
 }
 
 /// The backends that the program draws with: those of `WGPU_BACKEND`, else Vulkan, Metal and DX12.
 /// OpenGL is left out: it lacks features that the passes need, and its drivers print messages when
 /// they are queried.
 fn backends() -> Backends {
-    backends_named().map_or(Backends::PRIMARY, |names| Backends::from_comma_list(&names))
-}
-
-/// The value of `WGPU_BACKEND`, unless it is empty.
-fn backends_named() -> Option<String> {
-    env::var("WGPU_BACKEND")
-        .ok()
-        .filter(|names| !names.is_empty())
+    let named = variable("WGPU_BACKEND");
+    named.map_or(Backends::PRIMARY, |names| Backends::from_comma_list(&names))
 }
 
 /// The error if there is no adapter: no driver at all, or none for the interface that the
@@ -125,7 +124,7 @@ fn no_adapter() -> GpuError {
         .collect();
     available.sort_unstable();
     available.dedup();
-    match backends_named() {
+    match variable("WGPU_BACKEND") {
         Some(given) if !available.is_empty() => GpuError::UnknownBackend { given, available },
         _ => GpuError::NoAdapter,
     }
@@ -153,10 +152,7 @@ pub fn chosen() -> (Backends, Option<String>) {
 }
 
 fn preferred() -> Option<AdapterName> {
-    let preferred = PREFERRED
-        .lock()
-        .unwrap_or_else(PoisonError::into_inner)
-        .clone();
+    let preferred = locked(&PREFERRED).clone();
     preferred.filter(|_| named_by_environment().is_none())
 }
 
@@ -172,26 +168,17 @@ fn instance(backends: Backends) -> Instance {
 /// preferred one, else a software adapter if `WGPU_FORCE_FALLBACK_ADAPTER` is 1, else the fastest.
 pub(super) async fn adapter() -> Result<Adapter, GpuError> {
     let instance = instance(backends());
-    let name = env::var("WGPU_ADAPTER_NAME")
-        .ok()
-        .filter(|name| !name.is_empty());
-    if let Some(given) = name {
+    if let Some(given) = variable("WGPU_ADAPTER_NAME") {
         let wanted = given.to_lowercase();
         let adapters = instance.enumerate_adapters(backends()).await;
-        let names: Vec<String> = adapters
-            .iter()
-            .map(|adapter| adapter.get_info().name)
-            .collect();
-        let found = adapters
-            .into_iter()
-            .find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted));
-        return found.ok_or_else(|| {
-            if names.is_empty() {
-                no_adapter()
-            } else {
-                GpuError::UnknownAdapter { given, names }
-            }
-        });
+        let name = |adapter: &Adapter| adapter.get_info().name;
+        let names: Vec<String> = adapters.iter().map(name).collect();
+        let mut adapters = adapters.into_iter();
+        return match adapters.find(|adapter| name(adapter).to_lowercase().contains(&wanted)) {
+            Some(adapter) => Ok(adapter),
+            None if names.is_empty() => Err(no_adapter()),
+            None => Err(GpuError::UnknownAdapter { given, names }),
+        };
     }
     if let Some(wanted) = replacement().or_else(preferred) {
         let mut adapters = instance.enumerate_adapters(backends()).await.into_iter();
@@ -204,8 +191,8 @@ pub(super) async fn adapter() -> Result<Adapter, GpuError> {
     let options = wgpu::RequestAdapterOptions {
         power_preference: wgpu::PowerPreference::from_env()
             .unwrap_or(wgpu::PowerPreference::HighPerformance),
-        force_fallback_adapter: env::var("WGPU_FORCE_FALLBACK_ADAPTER")
-            .is_ok_and(|flag| flag == "1"),
+        force_fallback_adapter: variable("WGPU_FORCE_FALLBACK_ADAPTER")
+            .is_some_and(|flag| flag == "1"),
         compatible_surface: None,
     };
     instance

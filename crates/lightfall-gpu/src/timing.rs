@@ -127,31 +127,25 @@ impl Stopwatch {
         let tables = Inputs::new(scene).declared_in(&source);
         let module = gpu.shader("timed", &source)?;
         gpu.validated(|| {
-            let numbers =
-                buffer_from_bytes(gpu, "scene", &uniform(&numbers), BufferUsages::UNIFORM);
-            let (work, layout, output) = match stage {
-                Stage::Compute => {
-                    let output =
-                        empty_buffer(gpu, "traces", output_bytes(size), BufferUsages::STORAGE);
-                    let (work, layout) = compute(gpu, &module);
-                    (work, layout, Some(output))
-                }
-                Stage::Fragment => {
-                    let (work, layout) = fragment(gpu, &module, size);
-                    (work, layout, None)
-                }
-            };
-            let tables: Vec<(u32, Buffer)> = tables
-                .iter()
-                .map(|(binding, bytes)| {
-                    let buffer = buffer_from_bytes(gpu, "table", bytes, BufferUsages::UNIFORM);
-                    (*binding, buffer)
-                })
+            let uniform_of =
+                |label, bytes: &[u8]| buffer_from_bytes(gpu, label, bytes, BufferUsages::UNIFORM);
+            let numbers = uniform_of("scene", &uniform(&numbers));
+            let tables = tables.iter();
+            let mut buffers: Vec<(u32, Buffer)> = tables
+                .map(|(binding, bytes)| (*binding, uniform_of("table", bytes)))
                 .collect();
-            let tables = tables.iter().map(|(binding, table)| (*binding, table));
-            let output = output.iter().map(|output| (bindings::OUTPUT, output));
-            let bound = [(bindings::SCENE, &numbers)].into_iter().chain(output);
-            let bind_group = bind_group(gpu, &layout, bound.chain(tables));
+            let (work, layout) = match stage {
+                Stage::Compute => {
+                    let size = output_bytes(size);
+                    let output = empty_buffer(gpu, "traces", size, BufferUsages::STORAGE);
+                    buffers.push((bindings::OUTPUT, output));
+                    compute(gpu, &module)
+                }
+                Stage::Fragment => fragment(gpu, &module, size),
+            };
+            let buffers = buffers.iter().map(|(binding, buffer)| (*binding, buffer));
+            let bound = buffers.chain([(bindings::SCENE, &numbers)]);
+            let bind_group = bind_group(gpu, &layout, bound);
             Self {
                 work,
                 size,
@@ -178,14 +172,8 @@ impl Stopwatch {
     /// # Errors
     /// The GPU cannot trace the scene.
     pub fn set_scene(&self, gpu: &Gpu, scene: &Scene) -> Result<(), GpuError> {
-        gpu.queue.write_buffer(
-            &self.numbers,
-            0,
-            &uniform(&GpuScene::new(
-                scene,
-                &Frame::of(scene).with_whole(self.size),
-            )?),
-        );
+        let numbers = GpuScene::new(scene, &Frame::of(scene).with_whole(self.size))?;
+        gpu.queue.write_buffer(&self.numbers, 0, &uniform(&numbers));
         Ok(())
     }
 
