@@ -156,16 +156,6 @@ impl Stopwatch {
         })
     }
 
-    /// The same for the light of a picture's pixels, by a compute entry, in which a pixel's
-    /// footprint on the disk has a fixed size.
-    ///
-    /// # Errors
-    /// As [`Stopwatch::new`].
-    pub fn of_light(gpu: &Gpu, scene: &Scene, size: UVec2) -> Result<Self, GpuError> {
-        let variant = Variant::timed_light(scene);
-        Self::of_variant(gpu, variant, scene, size, Stage::Compute)
-    }
-
     /// Changes to the numbers of another scene of the same variant, such as one with another step
     /// scale.
     ///

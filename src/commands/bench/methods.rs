@@ -8,7 +8,7 @@ use crate::commands::progress::Progress;
 use crate::commands::stop::Stop;
 use glam::UVec2;
 use lightfall_core::gpu::Gpu;
-use lightfall_core::scene::{Method, Scene};
+use lightfall_core::scene::Method;
 use lightfall_lab::bench::{
     AutoMargin, BenchScene, Measurement, Plan, Ranking, auto_margin, markdown, plot,
 };
@@ -112,10 +112,7 @@ fn time_frames(
         let Some((bench_scene, method)) = bench_scene.zip(Method::from_word(&row.method)) else {
             continue;
         };
-        let scene = Scene {
-            method,
-            ..bench_scene.scene.clone()
-        };
+        let scene = bench_scene.scene.with_method(method);
         let size = UVec2::new(scene.picture.width, scene.picture.height);
         let (_, passes) =
             picture::render_timed(&scene, size, TIMED_FRAMES).map_err(Stop::failed)?;

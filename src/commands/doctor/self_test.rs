@@ -37,10 +37,7 @@ impl StatedErrors {
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let method = scene.method.resolved();
-        let max = tolerance(&Scene {
-            method,
-            ..scene.clone()
-        });
+        let max = tolerance(&scene.with_method(method));
         let p99 = method.backward_p99(scene.hole.spin).unwrap_or(max);
         Self { p99, max }
     }

@@ -6,6 +6,7 @@ use crate::light::light_from;
 use crate::shader_files::Folder;
 use crate::stars::light::flux_of_images;
 use crate::stars::run::{StarLight, StarRun};
+use crate::stars::star_of;
 use crate::{all_around, bare_hole, gpu, median, quantile};
 use glam::swizzles::Vec3Swizzles;
 use glam::{DMat3, DVec2, DVec3, UVec2, Vec3, Vec4};
@@ -296,7 +297,7 @@ fn check(scene: &Scene, name: &str, counts: impl Fn(&Truth) -> bool) {
 fn number_in(list: &PackedStars, stars: &[Star], star: u32) -> u32 {
     let direction = stars[star as usize].direction;
     let distance = |number: &u32| {
-        let other = list.star(*number).unwrap().direction;
+        let other = star_of(list, *number).direction;
         (other.distance(direction) * 1e6) as u64
     };
     (0..list.len()).min_by_key(distance).unwrap()

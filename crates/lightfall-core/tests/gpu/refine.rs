@@ -72,7 +72,8 @@ fn only_the_articles_methods_are_refined_and_only_where_they_can_trace() {
     let plan = plan(&Method::on_gpu());
     let refinable = |name: &str| {
         let found = plan.scenes.iter().find(|scene| scene.name == name);
-        plan.refinable(&found.unwrap().scene)
+        let methods = plan.refinable(&found.unwrap().scene);
+        methods.collect::<Vec<_>>()
     };
     assert_eq!(refinable("edge-on"), [Method::Verlet, Method::KerrSchild]);
     assert_eq!(refinable("edge-on-spinning"), [Method::KerrSchild]);

@@ -9,10 +9,11 @@ mod mesh;
 pub(crate) mod run;
 
 use crate::gpu;
-use glam::{DMat3, DVec2};
+use glam::{DMat3, DVec2, Vec3};
 use lightfall_core::gpu::stars::{GpuStarImage, PackedStars};
 use lightfall_core::optics::disk;
 use lightfall_core::optics::reference::Reference;
+use lightfall_core::optics::spectrum::{TABLE_MAX_TEMPERATURE, TABLE_MIN_TEMPERATURE};
 use lightfall_core::optics::stars::images::{Inversion, StarImage};
 use lightfall_core::optics::stars::{
     Catalogue, Depth, ZERO_MAGNITUDE_FLUX, hole_from_celestial, luminance,
@@ -42,6 +43,31 @@ fn preset(number: usize) -> Scene {
     scene
 }
 
+/// A star of the list, with the rounding of its packed form.
+pub(crate) struct UnpackedStar {
+    /// Its unit direction.
+    pub(crate) direction: Vec3,
+    /// Its luminous flux at its own temperature: linear light times steradians.
+    pub(crate) luminous_flux: f64,
+    /// Its temperature in kelvin.
+    pub(crate) temperature: f64,
+}
+
+/// A star of the list. Its last word holds the upper 18 bits of an f32, of whose exponents the least
+/// is that of 2^-40, and 14 bits of the logarithm of its temperature.
+pub(crate) fn star_of(list: &PackedStars, index: u32) -> UnpackedStar {
+    let (words, _) = list.bytes().as_chunks::<4>();
+    let word = |i: usize| u32::from_le_bytes(words[4 * index as usize + i]);
+    let flux = (word(3) >> 14) + (87 << 12);
+    let share = f64::from(word(3) & 0x3fff) / f64::from(0x3fff);
+    let range: f64 = TABLE_MAX_TEMPERATURE / TABLE_MIN_TEMPERATURE;
+    UnpackedStar {
+        direction: Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(word(i)))),
+        luminous_flux: f64::from(f32::from_bits(flux << 11)),
+        temperature: TABLE_MIN_TEMPERATURE * range.powf(share),
+    }
+}
+
 fn star_light(scene: &Scene) -> StarLight {
     let (list, turn) = bright_stars();
     StarRun::new(gpu(), scene, &list, turn, DEPTH).run()
@@ -65,7 +91,7 @@ fn truths(scene: &Scene, list: &PackedStars, turn: DMat3) -> HashMap<(u32, u32),
     let camera_from_tetrad = scene.camera.tetrad_from_camera().transpose();
     let mut truths = HashMap::new();
     for number in 0..list.len() {
-        let star = list.star(number).unwrap();
+        let star = star_of(list, number);
         let direction = (turn * star.direction.as_dvec3()).normalize();
         for image in inversion.images(direction) {
             let StarImage {

@@ -41,17 +41,6 @@ pub struct PackedStars {
     fluxes: Vec<f32>,
 }
 
-/// A star of the list.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct UnpackedStar {
-    /// Its unit direction.
-    pub direction: Vec3,
-    /// Its luminous flux at its own temperature: linear light times steradians.
-    pub luminous_flux: f64,
-    /// Its temperature in kelvin.
-    pub temperature: f64,
-}
-
 impl PackedStars {
     /// Packs stars that are sorted by their magnitude.
     pub fn new(stars: &[Star]) -> Self {
@@ -111,23 +100,6 @@ impl PackedStars {
     pub fn count_brighter(&self, luminous_flux: f64) -> u32 {
         let brighter = |flux: &f32| f64::from(*flux) >= luminous_flux;
         self.fluxes.partition_point(brighter) as u32
-    }
-
-    /// A star of the list, with the rounding of its packed form.
-    pub fn star(&self, index: u32) -> Option<UnpackedStar> {
-        let bytes = self.bytes.chunks_exact(16).nth(index as usize)?;
-        let word = |i: usize| {
-            let bytes = bytes[4 * i..4 * i + 4].try_into().unwrap_or_default();
-            u32::from_le_bytes(bytes)
-        };
-        let flux = (word(3) >> TEMPERATURE_BITS) + FLUX_BIAS;
-        let share = f64::from(word(3) & TEMPERATURE_STEPS) / f64::from(TEMPERATURE_STEPS);
-        let range: f64 = TABLE_MAX_TEMPERATURE / TABLE_MIN_TEMPERATURE;
-        Some(UnpackedStar {
-            direction: Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(word(i)))),
-            luminous_flux: f64::from(f32::from_bits(flux << DROPPED_BITS)),
-            temperature: TABLE_MIN_TEMPERATURE * range.powf(share),
-        })
     }
 }
 

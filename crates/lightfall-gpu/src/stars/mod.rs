@@ -31,7 +31,7 @@ mod sums;
 
 pub use index::index_bytes;
 pub use kernel::StarKernel;
-pub use list::{MAX_CANDIDATES, MAX_IMAGES, PackedStars, UnpackedStar};
+pub use list::{MAX_CANDIDATES, MAX_IMAGES, PackedStars};
 pub use mesh::{
     CANDIDATE_COUNT_SIZE, GpuMeshPoint, GpuStarMesh, MAX_TRACED, candidates_size,
     empty_candidate_count, mesh_layout, mesh_points_size,

@@ -80,20 +80,13 @@ fn others() -> Result<String, String> {
 /// Where each series of refinements begins and what it reaches.
 fn refine() -> Result<String, String> {
     let rows = measured::<RefinementMeasurement>("llvmpipe/refine")?.rows;
-    let mut series: Vec<Vec<&RefinementMeasurement>> = Vec::new();
-    for row in &rows {
-        let key = |row: &RefinementMeasurement| (row.scene.clone(), row.method.clone(), row.study);
-        match series.last_mut() {
-            Some(last) if key(last[0]) == key(row) => last.push(row),
-            _ => series.push(vec![row]),
-        }
-    }
-    let rows = series.iter().filter_map(|series| {
+    let key = |row: &RefinementMeasurement| (row.scene.clone(), row.method.clone(), row.study);
+    let series = rows.chunk_by(|a, b| key(a) == key(b));
+    let rows = series.filter_map(|series| {
         let first = series.first()?;
-        let is_better = |a: &&&RefinementMeasurement, b: &&&RefinementMeasurement| {
-            a.backward_p99.total_cmp(&b.backward_p99)
-        };
-        let best = series.iter().min_by(is_better)?;
+        let best = series
+            .iter()
+            .min_by(|a, b| a.backward_p99.total_cmp(&b.backward_p99))?;
         let last = series.last()?;
         let mut cells = vec![
             first.scene.clone(),

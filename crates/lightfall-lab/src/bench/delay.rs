@@ -2,6 +2,7 @@
 
 use super::plan::Plan;
 use super::scenes::BenchScene;
+use super::settings::able_methods;
 use crate::import::or_nan;
 use crate::table::table;
 use glam::Vec3;
@@ -9,7 +10,7 @@ use lightfall_accuracy::{Quantiles, Ray, hits, rays_over_picture};
 use lightfall_gpu::rays::RayKernel;
 use lightfall_gpu::timing::Stopwatch;
 use lightfall_gpu::{Gpu, GpuError, Variant};
-use lightfall_model::scene::{Method, Scene};
+use lightfall_model::scene::Scene;
 use lightfall_optics::reference::Reference;
 use lightfall_optics::trace::{Hit, Trace};
 use rayon::prelude::*;
@@ -84,18 +85,14 @@ impl DelayMeasurement {
 impl Plan {
     /// The methods of the plan that have delays, with their numbers of nodes, in a scene.
     fn delay_settings(&self, scene: &Scene) -> Vec<(Scene, u32)> {
-        let with_method = |method| Scene {
-            method,
-            ..scene.clone()
-        };
-        self.methods_with_delays(scene)
-            .map(with_method)
-            .flat_map(|scene| {
-                counts_of_nodes(&scene)
-                    .into_iter()
-                    .map(move |nodes| (scene.clone(), nodes))
-            })
-            .collect()
+        let methods = able_methods(scene, &self.methods)
+            .filter(|method| method.properties().answers_every_ray);
+        let settings = methods.flat_map(|method| {
+            let scene = scene.with_method(method);
+            let counts = counts_of_nodes(&scene).into_iter();
+            counts.map(move |nodes| (scene.clone(), nodes))
+        });
+        settings.collect()
     }
 
     /// Number of rows of [`Plan::run_delays`].
@@ -152,14 +149,6 @@ impl Plan {
             }
         }
         Ok(rows)
-    }
-
-    fn methods_with_delays(&self, scene: &Scene) -> impl Iterator<Item = Method> {
-        let spins = scene.hole.spin != 0.0;
-        let wanted = [Method::Closed, Method::Mino].into_iter();
-        let methods = self.methods.clone();
-        wanted
-            .filter(move |method| methods.contains(method) && (!spins || method.properties().spins))
     }
 
     fn delays(

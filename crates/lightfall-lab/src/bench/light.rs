@@ -3,10 +3,10 @@
 
 use super::plan::Plan;
 use super::scenes::BenchScene;
-use super::settings::methods_for;
+use super::settings::able_methods;
 use crate::table::table;
-use lightfall_gpu::timing::{Stopwatch, Timing};
-use lightfall_gpu::{Gpu, GpuError};
+use lightfall_gpu::timing::{Stage, Stopwatch, Timing};
+use lightfall_gpu::{Gpu, GpuError, Variant};
 use lightfall_model::scene::{DiskStructure, HotSpotKind, LimbDarkening, Method, Scene, SkyMode};
 use serde::{Deserialize, Serialize};
 
@@ -34,10 +34,8 @@ impl Plan {
     fn lit_scenes(&self) -> impl Iterator<Item = (&BenchScene, Method)> {
         let with_disk = self.scenes.iter().filter(|scene| scene.scene.disk.enabled);
         with_disk.flat_map(|bench_scene| {
-            let methods = methods_for(&bench_scene.scene).into_iter();
-            methods
-                .filter(|method| self.methods.contains(method))
-                .map(move |method| (bench_scene, method))
+            let methods = able_methods(&bench_scene.scene, &self.methods);
+            methods.map(move |method| (bench_scene, method))
         })
     }
 
@@ -80,10 +78,7 @@ impl Plan {
         bench_scene: &BenchScene,
         method: Method,
     ) -> Result<LightMeasurement, GpuError> {
-        let mut smooth = Scene {
-            method,
-            ..bench_scene.scene.clone()
-        };
+        let mut smooth = bench_scene.scene.with_method(method);
         // The article's stars are drawn by each ray; real ones need passes of their own.
         if smooth.sky.mode == SkyMode::Stars {
             smooth.sky.mode = SkyMode::Procedural;
@@ -97,7 +92,9 @@ impl Plan {
             living.disk.structure = DiskStructure::Turbulent;
         }
         let time = |scene: &Scene| -> Result<Timing, GpuError> {
-            Stopwatch::of_light(gpu, scene, self.size)?.time(gpu, self.effort)
+            let variant = Variant::timed_light(scene);
+            Stopwatch::of_variant(gpu, variant, scene, self.size, Stage::Compute)?
+                .time(gpu, self.effort)
         };
         let (smooth, living) = (time(&smooth)?, time(&living)?);
         Ok(LightMeasurement {

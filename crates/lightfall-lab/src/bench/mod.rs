@@ -29,5 +29,6 @@ pub use plan::{Plan, Step};
 pub use plot::plot;
 pub use refine::{RefinementMeasurement, refinement_table};
 pub use scenes::{BenchScene, scenes};
+pub(crate) use settings::able_methods;
 pub use settings::{Setting, methods_for, settings};
 pub use studies::Study;

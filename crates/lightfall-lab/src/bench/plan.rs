@@ -2,7 +2,7 @@
 
 use super::measurement::Measurement;
 use super::scenes::{BenchScene, scenes};
-use super::settings::{Setting, methods_for, settings};
+use super::settings::{Setting, able_methods, settings};
 use crate::work::ray_work;
 use glam::UVec2;
 use lightfall_accuracy::{Ray, Truth, rays_over_picture_and_near_edge};
@@ -92,11 +92,9 @@ impl Plan {
     }
 
     fn rows_of(&self, bench_scene: &BenchScene) -> Vec<Setting> {
-        let methods = methods_for(&bench_scene.scene)
-            .into_iter()
-            .filter(|method| self.methods.contains(method));
-        methods
-            .flat_map(|method| settings(&bench_scene.scene, method, self.few_settings))
+        let scene = &bench_scene.scene;
+        able_methods(scene, &self.methods)
+            .flat_map(|method| settings(scene, method, self.few_settings))
             .collect()
     }
 

@@ -3,7 +3,7 @@
 
 use super::plan::Plan;
 use super::scenes::BenchScene;
-use super::settings::methods_for;
+use super::settings::able_methods;
 use super::studies::{Refinement, Study, refinements};
 use crate::import::{or_infinite, or_nan};
 use crate::table::table;
@@ -132,17 +132,13 @@ impl RefinementMeasurement {
 
 impl Plan {
     /// The methods of the plan that can be refined in a scene.
-    pub fn refinable(&self, scene: &Scene) -> Vec<Method> {
-        let mut methods = methods_for(scene);
-        methods.retain(|method| {
-            self.methods.contains(method)
-                && method.properties().setting == AccuracySetting::StepScale
-        });
-        methods
+    pub fn refinable(&self, scene: &Scene) -> impl Iterator<Item = Method> {
+        able_methods(scene, &self.methods)
+            .filter(|method| method.properties().setting == AccuracySetting::StepScale)
     }
 
     fn refinements(&self, scene: &Scene) -> Vec<Vec<Refinement>> {
-        let methods = self.refinable(scene).into_iter();
+        let methods = self.refinable(scene);
         methods.map(|method| refinements(scene, method)).collect()
     }
 

@@ -1,6 +1,7 @@
 //! The scenes of the measurement.
 
-use lightfall_model::scene::{Method, Override, Scene, presets};
+use lightfall_model::scene::presets::{DEFAULT, PRESETS};
+use lightfall_model::scene::{Method, Scene};
 
 /// A scene to measure.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,26 +17,21 @@ pub struct BenchScene {
 /// The opening preset comes without spin, so that every method can trace it, and once more as it
 /// is.
 pub fn scenes() -> Vec<BenchScene> {
-    let measured = |preset: &presets::Preset, name: String, overrides: &[Override]| {
-        let scene = preset.scene(overrides).ok()?;
-        Some(BenchScene { name, scene })
+    let named = |name: &str, scene: &Scene| BenchScene {
+        name: name.into(),
+        scene: scene.clone(),
     };
-    let opening = &presets::PRESETS[presets::DEFAULT - 1];
-    let without_spin = [Override::new("--spin", "hole.spin", "0")];
-    presets::PRESETS
-        .iter()
-        .filter(|preset| {
-            let scene = preset.plain_scene();
-            scene.method == Method::Auto && scene.effects.lensing
-        })
-        .filter_map(|preset| {
-            let overrides: &[Override] = if preset == opening {
-                &without_spin
-            } else {
-                &[]
-            };
-            measured(preset, preset.name.into(), overrides)
-        })
-        .chain(measured(opening, format!("{}-spinning", opening.name), &[]))
+    let opening = &PRESETS[DEFAULT - 1];
+    let presets = PRESETS.iter().filter_map(|preset| {
+        let mut scene = preset.plain_scene().clone();
+        if preset == opening {
+            scene.hole.spin = 0.0;
+        }
+        let is_measured = scene.method == Method::Auto && scene.effects.lensing;
+        is_measured.then(|| named(preset.name, &scene))
+    });
+    let spinning = format!("{}-spinning", opening.name);
+    presets
+        .chain([named(&spinning, opening.plain_scene())])
         .collect()
 }

@@ -2,7 +2,7 @@
 
 use glam::UVec2;
 use lightfall_gpu::GpuScene;
-use lightfall_model::scene::{AccuracySetting, ArticleQuality, Frame, Method, Quality, Scene};
+use lightfall_model::scene::{AccuracySetting, ArticleQuality, Frame, Method, Scene};
 
 /// Step scales of the article's methods, from the fastest to a scale at which 768 steps do not
 /// suffice. Those of the article's own qualities, 1.55, 0.85 and 0.45, come with their budgets of
@@ -56,19 +56,22 @@ pub fn methods_for(scene: &Scene) -> Vec<Method> {
     methods
 }
 
+/// Those of these methods that can trace a scene on the GPU.
+pub(crate) fn able_methods(scene: &Scene, methods: &[Method]) -> impl Iterator<Item = Method> {
+    let able = methods_for(scene).into_iter();
+    able.filter(|method| methods.contains(method))
+}
+
 /// The settings of a method for a scene, few or many. Settings that make no difference are left
 /// out.
 pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
-    let auto = Method::BEST;
     let subject = scene;
+    let kind = method.properties().setting;
     let set = |key: Option<&'static str>, value: f64, change: fn(&mut Scene, f64)| {
-        let mut scene = Scene {
-            method,
-            ..subject.clone()
-        };
+        let mut scene = subject.with_method(method);
         change(&mut scene, value);
         let own = scene.quality == subject.quality;
-        let steps = method.properties().setting == AccuracySetting::StepScale;
+        let steps = kind == AccuracySetting::StepScale;
         Setting {
             key,
             value,
@@ -78,38 +81,29 @@ pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
             auto: false,
         }
     };
-    let mut all: Vec<Setting> = match method.properties().setting {
+    let series = |key, own: f64, values: &[f64], change: fn(&mut Scene, f64)| {
+        let values = values.iter().map(|value| set(Some(key), *value, change));
+        let own = set(Some(key), own, |_, _| {});
+        [own].into_iter().chain(values).collect()
+    };
+    let mut all: Vec<Setting> = match kind {
         AccuracySetting::StepScale => {
             let values: &[f64] = if few { &FEW_STEP_SCALES } else { &STEP_SCALES };
-            let change: fn(&mut Scene, f64) = |scene, value| {
-                let named = ArticleQuality::ALL
-                    .into_iter()
-                    .find(|named| named.step_scale() == value);
-                scene.quality = match named {
-                    Some(named) => scene.quality.with_steps_of(named),
-                    None => Quality {
-                        step_scale: value,
-                        ..scene.quality
-                    },
-                };
-            };
-            let key = Some("quality.step_scale");
-            let own = set(key, scene.quality.step_scale, |_, _| {});
-            std::iter::once(own)
-                .chain(values.iter().map(|value| set(key, *value, change)))
-                .collect()
+            let own = scene.quality.step_scale;
+            series("quality.step_scale", own, values, |scene, value| {
+                let mut named = ArticleQuality::ALL.into_iter();
+                match named.find(|named| named.step_scale() == value) {
+                    Some(named) => scene.quality = scene.quality.with_steps_of(named),
+                    None => scene.quality.step_scale = value,
+                }
+            })
         }
         AccuracySetting::MaxError => {
             let values: &[f64] = if few { &FEW_ERRORS } else { &ERRORS };
-            let change: fn(&mut Scene, f64) = |scene, value| scene.quality.max_error_px = value;
             let own = scene.quality.max_error_px;
-            let own = std::iter::once(set(Some("quality.max_error_px"), own, change));
-            own.chain(
-                values
-                    .iter()
-                    .map(|value| set(Some("quality.max_error_px"), *value, change)),
-            )
-            .collect()
+            series("quality.max_error_px", own, values, |scene, value| {
+                scene.quality.max_error_px = value;
+            })
         }
         AccuracySetting::None => vec![set(None, f64::NAN, |_, _| {})],
     };
@@ -124,7 +118,7 @@ pub fn settings(scene: &Scene, method: Method, few: bool) -> Vec<Setting> {
         kept.push(numbers);
         new
     });
-    if let Some(first) = all.first_mut().filter(|_| method == auto) {
+    if let Some(first) = all.first_mut().filter(|_| method == Method::BEST) {
         first.auto = true;
     }
     all

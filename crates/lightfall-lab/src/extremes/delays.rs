@@ -3,7 +3,7 @@
 use super::cells::Cell;
 use super::kernels::Kernels;
 use super::matrix::work_of;
-use crate::bench::methods_for;
+use crate::bench::able_methods;
 use crate::import::or_nan;
 use crate::table::grouped_table;
 use lightfall_accuracy::{DelayError, TimedRay, greater};
@@ -97,12 +97,9 @@ pub fn delays_work(cells: &[Cell], methods: &[Method]) -> f64 {
 
 /// The scene with each of the methods that can trace it and that are held to their delays.
 fn variations(scene: &Scene, methods: &[Method]) -> impl Iterator<Item = Scene> {
-    let able = methods_for(scene).into_iter();
-    able.filter(|method| methods.contains(method) && method.properties().answers_every_ray)
-        .map(|method| Scene {
-            method,
-            ..scene.clone()
-        })
+    able_methods(scene, methods)
+        .filter(|method| method.properties().answers_every_ray)
+        .map(|method| scene.with_method(method))
 }
 
 impl CellDelays {

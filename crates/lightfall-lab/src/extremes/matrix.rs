@@ -3,7 +3,7 @@
 use super::cells::Cell;
 use super::kernels::Kernels;
 use super::verdict::{Verdict, tightest};
-use crate::bench::methods_for;
+use crate::bench::able_methods;
 use crate::work::ray_work;
 use lightfall_accuracy::Truth;
 use lightfall_gpu::{Gpu, GpuError};
@@ -37,18 +37,11 @@ pub fn measure_matrix(
 /// The scene with each of the methods that can trace it, with mino twice: at the scene's setting
 /// and at the tightest.
 fn variations(scene: &Scene, methods: &[Method]) -> Vec<Scene> {
-    let able = methods_for(scene)
-        .into_iter()
-        .filter(|method| methods.contains(method));
-    able.flat_map(|method| {
+    let scenes = able_methods(scene, methods).flat_map(|method| {
         let tightest = (method == Method::Mino).then(|| tightest(scene));
-        std::iter::once(Scene {
-            method,
-            ..scene.clone()
-        })
-        .chain(tightest)
-    })
-    .collect()
+        [scene.with_method(method)].into_iter().chain(tightest)
+    });
+    scenes.collect()
 }
 
 /// The work of measuring these methods in these cells, in any unit.

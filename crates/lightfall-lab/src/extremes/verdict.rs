@@ -7,7 +7,7 @@ use crate::import::{or_infinite, or_nan};
 use crate::table::grouped_table;
 use lightfall_accuracy::{ErrorSummary, RayError, Truth, tolerance};
 use lightfall_model::numbers::short_number;
-use lightfall_model::scene::{Method, Quality, Scene};
+use lightfall_model::scene::{Method, Scene};
 use lightfall_optics::trace::Trace;
 use serde::{Deserialize, Serialize};
 
@@ -15,15 +15,9 @@ const TIGHTEST: &str = "mino, tightest";
 
 /// The scene with method mino at its tightest setting.
 pub(super) fn tightest(scene: &Scene) -> Scene {
-    let quality = Quality {
-        max_error_px: 1e-4,
-        ..scene.quality
-    };
-    Scene {
-        method: Method::Mino,
-        quality,
-        ..scene.clone()
-    }
+    let mut scene = scene.with_method(Method::Mino);
+    scene.quality.max_error_px = 1e-4;
+    scene
 }
 
 /// The errors of a method in a cell.

@@ -1,14 +1,23 @@
 //! Reading and changing single fields by their keys, as the panel and the undo do.
 
-use super::Scene;
 use super::error::Refusal;
 use super::fields::{FIELDS, Field, field};
 use super::value::Value;
+use super::{Method, Scene};
 
 impl Scene {
     /// Every field with its value, in the order of the table.
     pub fn values(&self) -> impl Iterator<Item = (&'static Field, Value)> {
         FIELDS.iter().map(|field| (field, field.get(self)))
+    }
+
+    /// This scene, traced by another method.
+    #[must_use]
+    pub fn with_method(&self, method: Method) -> Self {
+        Self {
+            method,
+            ..self.clone()
+        }
     }
 
     /// This scene with some fields set to other values. Unknown keys are ignored.

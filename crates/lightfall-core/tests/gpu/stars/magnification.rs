@@ -1,7 +1,7 @@
 //! What the sum of all magnifications must be.
 
-use super::place_of;
 use super::run::StarRun;
+use super::{place_of, star_of};
 use crate::gpu;
 use crate::random::Random;
 use glam::{DMat3, DVec2, DVec3, IVec2, UVec2};
@@ -117,7 +117,7 @@ fn the_mean_magnification_of_random_stars_is_the_share_of_the_sky_in_the_picture
             })
             .collect();
         let part = Part::of(&scene);
-        let own = PackedStars::new(&stars[..1]).star(0).unwrap();
+        let own = star_of(&PackedStars::new(&stars[..1]), 0);
         let unit = own.luminous_flux / luminance(own.temperature);
         let mut magnifications = vec![];
         // No real catalogue has so many stars as bright as the brightest: all at once, they would not

@@ -2,7 +2,7 @@
 //! a finer mesh.
 
 use super::run::StarRun;
-use super::{DEPTH, bright_stars, limit_flux, place_of};
+use super::{DEPTH, bright_stars, limit_flux, place_of, star_of};
 use crate::random::Random;
 use crate::{gpu, quantile};
 use glam::{DMat2, DMat3, DVec2, DVec3};
@@ -130,7 +130,7 @@ fn images_are_where_tables_in_f64_have_them_and_as_magnified() {
                 .iter()
                 .min_by(|a, b| distance(a).total_cmp(&distance(b)))
                 .unwrap_or_else(|| panic!("no image at {direction}"));
-            let own = PackedStars::new(&[star]).star(0).unwrap();
+            let own = star_of(&PackedStars::new(&[star]), 0);
             let unmagnified = own.luminous_flux / luminance(own.temperature);
             let off = f64::from(nearest.flux) / unmagnified / magnification - 1.0;
             println!(
@@ -194,7 +194,7 @@ fn a_mesh_finds_the_images_that_the_inversion_finds() {
         let (mut places, mut fluxes) = (vec![], vec![]);
         let mut missed = vec![];
         for image in &truth {
-            let own = list.star(image.star).unwrap();
+            let own = star_of(&list, image.star);
             let gain = f64::from(image.flux) * luminance(own.temperature) / own.luminous_flux;
             match same_image(&scene, image, &found) {
                 Some((distance, other)) if distance < 0.5 => {
@@ -217,7 +217,7 @@ fn a_mesh_finds_the_images_that_the_inversion_finds() {
         assert!(places.len() > 300);
         // A star within the limit's rounding may be on either side of it.
         let faint = |image: &GpuStarImage| {
-            f64::from(image.flux) * luminance(list.star(image.star).unwrap().temperature)
+            f64::from(image.flux) * luminance(star_of(&list, image.star).temperature)
                 < 1.01 * limit_flux()
         };
         let faint = truth.iter().filter(|image| faint(image)).count();
@@ -227,8 +227,7 @@ fn a_mesh_finds_the_images_that_the_inversion_finds() {
         // No image that the inversion does not have.
         for image in &found {
             let (distance, _) = same_image(&scene, image, &truth).unwrap_or((1e9, image));
-            let bright =
-                f64::from(image.flux) * luminance(list.star(image.star).unwrap().temperature);
+            let bright = f64::from(image.flux) * luminance(star_of(&list, image.star).temperature);
             assert!(
                 distance < 0.5 || bright < 1.01 * limit_flux(),
                 "{name}: {image:?}"
@@ -342,7 +341,7 @@ fn images_of_random_stars_are_those_that_the_reference_polishes() {
     let size = scene.picture.size().as_dvec2();
     let (mut places, mut fluxes) = (vec![], vec![]);
     for image in &found {
-        let star = list.star(image.star).unwrap();
+        let star = star_of(&list, image.star);
         let direction = star.direction.as_dvec3().normalize();
         let tangents = Tangents::at(direction);
         let looking = image.direction.as_dvec3();
