@@ -1,6 +1,7 @@
 //! The variants that find the images of stars.
 
 use super::{Entry, Tracer, Variant};
+use crate::stars::StarKernel;
 use lightfall_model::scene::{Method, Scene};
 
 impl Variant {
@@ -58,19 +59,8 @@ impl Variant {
 
     /// The scene's shaders among those that find the images of stars, in their order.
     pub fn star_kernels(scene: &Scene) -> Vec<Self> {
-        let mut kernels = if Self::uses_star_mesh(scene) {
-            vec![
-                Self::star_mesh(scene),
-                Self::star_interpolation(scene),
-                Self::star_refinement(scene),
-            ]
-        } else {
-            vec![Self::stars(scene)]
-        };
-        if scene.disk.enabled {
-            kernels.push(Self::star_dimming(scene));
-        }
-        kernels
+        let kernels = StarKernel::of(scene);
+        kernels.filter_map(|kernel| kernel.variant(scene)).collect()
     }
 
     /// The shader that dims the images of stars behind the scene's disk.

@@ -113,16 +113,23 @@ impl StarKernel {
 
     /// Its WGSL text, by its parts.
     pub fn text(self, scene: &Scene) -> ShaderText {
+        let projection = scene.camera.projection();
+        match self.variant(scene) {
+            Some(variant) => variant.text(),
+            None if self == Self::Splat => splat_shader(projection),
+            None => candidate_shader(projection),
+        }
+    }
+
+    /// Its variant of the shaders of scenes, unless it has a shader of its own.
+    pub(crate) fn variant(self, scene: &Scene) -> Option<Variant> {
         match self {
-            Self::Solve => Variant::stars(scene).text(),
-            Self::TraceMesh => Variant::star_mesh(scene).text(),
-            Self::FindCandidates | Self::FindWideCandidates | Self::TestCandidates => {
-                candidate_shader(scene.camera.projection())
-            }
-            Self::Interpolate => Variant::star_interpolation(scene).text(),
-            Self::RefineImage => Variant::star_refinement(scene).text(),
-            Self::Dim => Variant::star_dimming(scene).text(),
-            Self::Splat => splat_shader(scene.camera.projection()),
+            Self::Solve => Some(Variant::stars(scene)),
+            Self::TraceMesh => Some(Variant::star_mesh(scene)),
+            Self::Interpolate => Some(Variant::star_interpolation(scene)),
+            Self::RefineImage => Some(Variant::star_refinement(scene)),
+            Self::Dim => Some(Variant::star_dimming(scene)),
+            _ => None,
         }
     }
 

@@ -55,12 +55,13 @@ impl Machine {
     }
 }
 
-/// A table with the same columns for each machine. Each row has a title and the numbers for a machine,
-/// as texts.
-pub fn by_machine<const N: usize>(
+/// A table with the same columns for each machine. A row has a title, and that from which `numbers`
+/// takes its cells for a machine.
+pub fn by_machine<R, const N: usize>(
     title: &str,
     columns: [&str; N],
-    rows: &[(&str, &dyn Fn(&Machine) -> [String; N])],
+    rows: &[(&str, R)],
+    numbers: impl Fn(&Machine, &R) -> [String; N],
 ) -> Result<String, String> {
     let machines = MACHINES.map(|(folder, name)| {
         let rows = measured(&format!("{folder}/timings"))?.rows;
@@ -71,8 +72,8 @@ pub fn by_machine<const N: usize>(
     for machine in &machines {
         head.extend(columns.map(|column| format!("{}: {column}", machine.name)));
     }
-    let rows = rows.iter().map(|(title, numbers)| {
-        let cells = machines.iter().flat_map(numbers);
+    let rows = rows.iter().map(|(title, row)| {
+        let cells = machines.iter().flat_map(|machine| numbers(machine, row));
         [(*title).to_owned()].into_iter().chain(cells).collect()
     });
     Ok(table(&head.join(" | "), rows))
@@ -80,10 +81,6 @@ pub fn by_machine<const N: usize>(
 
 /// Two times, and how many times as long the first takes.
 pub fn compared(with: f64, without: f64) -> [String; 3] {
-    let times = if without > 0.0 {
-        ratio(with / without)
-    } else {
-        String::new()
-    };
-    [short(with), short(without), times]
+    let times = (without > 0.0).then(|| ratio(with / without));
+    [short(with), short(without), times.unwrap_or_default()]
 }

@@ -6,8 +6,6 @@ use super::measurement::Measurement;
 /// one of its settings. The error is the 99th percentile of the backward error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AtEqualError {
-    /// The scene.
-    pub scene: String,
     /// Time of the slow method over the time of the fast one: minimum and maximum over these
     /// errors.
     pub ratio: [f64; 2],
@@ -58,7 +56,6 @@ pub fn at_equal_error(
     };
     let best = best(&fast).zip(best(&slow))?;
     (!pairs.is_empty()).then(|| AtEqualError {
-        scene: scene.into(),
         ratio: range(0.0),
         net_ratio: floor.map(range),
         best: best.into(),

@@ -34,17 +34,6 @@ pub enum Ranking {
     },
 }
 
-impl AutoMargin {
-    /// Whether no row of another method is as good as `auto` in both time and error.
-    pub fn holds(&self) -> bool {
-        leads([self.faster, self.more_exact])
-    }
-}
-
-fn leads([faster, more_exact]: [f64; 2]) -> bool {
-    faster > 1.0 && more_exact > 1.0
-}
-
 /// `auto`'s margin in a scene. `None` if `auto`'s method was not measured.
 pub fn auto_margin(rows: &[Measurement], scene: &str) -> Option<AutoMargin> {
     let rows: Vec<_> = rows.iter().filter(|row| row.scene == scene).collect();
@@ -53,22 +42,22 @@ pub fn auto_margin(rows: &[Measurement], scene: &str) -> Option<AutoMargin> {
         .iter()
         .filter(|row| row.method != auto.method)
         .collect();
+    let exact: Vec<_> = others
+        .iter()
+        .filter(|row| row.backward_p99 <= auto.backward_p99)
+        .collect();
     // Faster and more exact, with each time moved by a share of its spread.
     let margins = |of_auto: f64, of_others: f64| {
         let auto_ms = moved(auto, of_auto);
-        let exact = others
-            .iter()
-            .filter(|row| row.backward_p99 <= auto.backward_p99);
         let quick = others.iter().filter(|row| moved(row, of_others) <= auto_ms);
+        let faster = exact.iter().map(|row| moved(row, of_others) / auto_ms);
+        let more_exact = quick.map(|row| row.backward_p99 / auto.backward_p99);
         [
-            exact
-                .map(|row| moved(row, of_others) / auto_ms)
-                .fold(f64::INFINITY, f64::min),
-            quick
-                .map(|row| row.backward_p99 / auto.backward_p99)
-                .fold(f64::INFINITY, f64::min),
+            faster.fold(f64::INFINITY, f64::min),
+            more_exact.fold(f64::INFINITY, f64::min),
         ]
     };
+    let leads = |[faster, more_exact]: [f64; 2]| faster > 1.0 && more_exact > 1.0;
     let ranking = match (leads(margins(0.5, -0.5)), leads(margins(-0.5, 0.5))) {
         (true, _) => Ranking::OnFront,
         (false, false) => Ranking::NotOnFront,
@@ -80,9 +69,8 @@ pub fn auto_margin(rows: &[Measurement], scene: &str) -> Option<AutoMargin> {
         },
     };
     let [faster, more_exact] = margins(0.0, 0.0);
-    let next = others
+    let next = exact
         .iter()
-        .filter(|row| row.backward_p99 <= auto.backward_p99)
         .min_by(|a, b| a.trace_ms.total_cmp(&b.trace_ms))
         .map(|row| row.label());
     Some(AutoMargin {

@@ -26,33 +26,14 @@ fn colour(method: &str) -> RGBColor {
     }
 }
 
-/// A mark of the plot.
-struct Mark<'a> {
-    method: &'a str,
-    label: String,
-    time_ms: f64,
-    /// A mark whose error is infinite becomes a cross at the upper edge.
-    error_px: f64,
-    /// Whether it belongs to the Pareto front, which is drawn dashed.
-    on_front: bool,
-}
-
 /// The scene's rows as SVG. `None` if there is nothing to draw. Rows whose error is infinite,
 /// because of unfinished rays, are crosses at the upper edge.
 ///
 /// # Errors
 /// The message of the plotting library.
 pub fn plot(scene: &str, about: &str, rows: &[Measurement]) -> Result<Option<String>, String> {
-    let own = rows.iter().filter(|row| row.scene == scene);
-    let marks: Vec<Mark> = own
-        .map(|row| Mark {
-            method: &row.method,
-            label: row.setting_label(),
-            time_ms: row.trace_ms,
-            error_px: row.backward_p99_px,
-            on_front: is_on_front(rows, row),
-        })
-        .collect();
+    let own = rows.iter().filter(|row| row.scene == scene).cloned();
+    let marks: Vec<Measurement> = own.collect();
     let Some(ends) = ends(&marks) else {
         return Ok(None);
     };
@@ -67,14 +48,14 @@ pub fn plot(scene: &str, about: &str, rows: &[Measurement]) -> Result<Option<Str
 }
 
 /// The ends of the axes: left, right, bottom, top. `None` if no mark can be drawn.
-fn ends(marks: &[Mark]) -> Option<[f64; 4]> {
+fn ends(marks: &[Measurement]) -> Option<[f64; 4]> {
     let ends = |values: Vec<f64>| {
         let low = values.iter().copied().fold(f64::INFINITY, f64::min);
         let high = values.iter().copied().fold(0.0, f64::max);
         (low, high)
     };
-    let (cheapest, dearest) = ends(marks.iter().map(|mark| mark.time_ms).collect());
-    let errors = marks.iter().map(|mark| mark.error_px);
+    let (cheapest, dearest) = ends(marks.iter().map(|mark| mark.trace_ms).collect());
+    let errors = marks.iter().map(|mark| mark.backward_p99_px);
     let (least, most) = ends(
         errors
             .filter(|error| error.is_finite() && *error > 0.0)
@@ -93,7 +74,7 @@ type Drawn<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBacke
 fn draw<'a>(
     area: &DrawingArea<SVGBackend<'a>, plotters::coord::Shift>,
     caption: &str,
-    marks: &[Mark],
+    marks: &[Measurement],
     [left, right, bottom, top]: [f64; 4],
 ) -> Drawn<'a> {
     area.fill(&WHITE)?;
@@ -114,15 +95,15 @@ fn draw<'a>(
         .label_style(("sans-serif", 13))
         .draw()?;
     let ceiling = top / 1.6;
-    let place = |mark: &Mark| {
-        let height = if mark.error_px.is_finite() {
-            mark.error_px
+    let place = |mark: &Measurement| {
+        let height = if mark.backward_p99_px.is_finite() {
+            mark.backward_p99_px
         } else {
             ceiling
         };
-        (mark.time_ms, height)
+        (mark.trace_ms, height)
     };
-    let mut methods: Vec<&str> = marks.iter().map(|mark| mark.method).collect();
+    let mut methods: Vec<&str> = marks.iter().map(|mark| &*mark.method).collect();
     methods.dedup();
     let points: Vec<[i32; 2]> = marks
         .iter()
@@ -130,23 +111,24 @@ fn draw<'a>(
         .collect();
     let sizes: Vec<[i32; 2]> = marks
         .iter()
-        .map(|mark| [LETTER[0] * mark.label.len() as i32, LETTER[1]])
+        .map(|mark| [LETTER[0] * mark.setting_label().len() as i32, LETTER[1]])
         .collect();
     for (mark, corner) in marks.iter().zip(place_labels(&points, &sizes, LEGEND)) {
-        let colour = colour(mark.method);
+        let colour = colour(&mark.method);
         let style = ("sans-serif", 11)
             .into_font()
             .color(&colour)
             .pos(Pos::new(HPos::Left, VPos::Top));
         let label = corner.map(|[x, y]| {
-            EmptyElement::at(place(mark)) + Text::new(mark.label.clone(), (x, y), style)
+            EmptyElement::at(place(mark)) + Text::new(mark.setting_label(), (x, y), style)
         });
         chart.draw_series(label)?;
     }
     for method in methods {
         let colour = colour(method);
-        let mut points: Vec<&Mark> = marks.iter().filter(|mark| mark.method == method).collect();
-        points.sort_by(|a, b| a.time_ms.total_cmp(&b.time_ms));
+        let mut points: Vec<&Measurement> =
+            marks.iter().filter(|mark| mark.method == method).collect();
+        points.sort_by(|a, b| a.trace_ms.total_cmp(&b.trace_ms));
         let places = points.iter().map(|mark| place(mark));
         chart
             .draw_series(LineSeries::new(places, colour.stroke_width(1)))?
@@ -154,7 +136,7 @@ fn draw<'a>(
             .legend(move |(x, y)| Circle::new((x + 8, y), 5, colour.filled()));
         for mark in points {
             let place = place(mark);
-            if mark.error_px.is_finite() {
+            if mark.backward_p99_px.is_finite() {
                 chart.draw_series(std::iter::once(Circle::new(place, 5, colour.filled())))?;
             } else {
                 chart.draw_series(std::iter::once(Cross::new(
@@ -167,8 +149,8 @@ fn draw<'a>(
     }
     let mut front: Vec<(f64, f64)> = marks
         .iter()
-        .filter(|mark| mark.on_front)
-        .map(|mark| (mark.time_ms, mark.error_px))
+        .filter(|mark| is_on_front(marks, mark))
+        .map(|mark| (mark.trace_ms, mark.backward_p99_px))
         .collect();
     front.sort_by(|a, b| a.0.total_cmp(&b.0));
     if !front.is_empty() {

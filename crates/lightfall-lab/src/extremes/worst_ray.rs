@@ -66,22 +66,16 @@ impl WorstRay {
     /// The command line that traces this ray again, by the method and by the reference.
     pub fn command(&self) -> String {
         let DVec3 { x, y, z } = self.direction;
-        let Scene {
-            hole,
-            camera,
-            observer,
-            disk,
-            method,
-            ..
-        } = &self.scene;
-        let kind = observer.kind.word();
-        let [v_r, v_theta, v_phi] = observer.velocity;
+        let scene = &self.scene;
+        let (camera, disk) = (&scene.camera, &scene.disk);
+        let kind = scene.observer.kind.word();
+        let [v_r, v_theta, v_phi] = scene.observer.velocity;
         format!(
             "for device in gpu cpu; do echo {x:?},{y:?},{z:?} | lightfall trace --rays - --device $device --method {} \
              --spin {:?} --set camera.r={:?} --set camera.theta_deg={:?} --set camera.fov_deg={:?} --set observer.kind={kind} \
              --set 'observer.velocity=[{v_r:?},{v_theta:?},{v_phi:?}]' --set disk.follow_isco={} --set disk.inner={:?} --set disk.outer={:?}; done",
-            method.word(),
-            hole.spin,
+            scene.method.word(),
+            scene.hole.spin,
             camera.r,
             camera.theta_deg,
             camera.fov_deg,
@@ -93,21 +87,16 @@ impl WorstRay {
 
     /// The ray as a row of a report.
     pub fn row(&self) -> HuntRow {
-        let Scene {
-            hole,
-            camera,
-            observer,
-            ..
-        } = &self.scene;
-        let [v_r, v_theta, v_phi] = observer.velocity;
+        let scene = &self.scene;
+        let [v_r, v_theta, v_phi] = scene.observer.velocity;
         HuntRow {
             backward: self.backward,
             excess: self.excess,
             rays_beyond: self.beyond,
             rays_unexplained: self.unexplained,
-            spin: hole.spin,
-            r: camera.r,
-            fov_deg: camera.fov_deg,
+            spin: scene.hole.spin,
+            r: scene.camera.r,
+            fov_deg: scene.camera.fov_deg,
             speed: v_r.hypot(v_theta).hypot(v_phi),
             verdict: self.verdict(),
             command: self.command(),
