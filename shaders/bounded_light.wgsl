@@ -1,6 +1,5 @@
 // Light as the picture can hold it.
 //
-// Needs: nothing.
 // Gives: bounded_light.
 
 // Below the largest half float, with room for the sums that bloom makes.

@@ -1,6 +1,5 @@
 // The difference of two pictures of light, amplified. Both have the size of the HDR picture.
 //
-// Needs: BINDING_DIFFERENCE, BINDING_DIFFERENCE_LEFT, BINDING_DIFFERENCE_RIGHT.
 // Gives: difference.
 
 struct Difference {

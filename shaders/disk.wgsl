@@ -1,6 +1,5 @@
 // The thin disk: where a ray crosses it, and how the motion of its matter shifts the light.
 //
-// Needs: Hit, MASS, MAX_HITS, Segment, TINY, Trace, disk_shift, scene.
 // Gives: HAS_DISK, add_hit, angular_velocity, crosses_plane, in_annulus, near_annulus,
 //     plane_crossing, record_crossing, segment_delay, shift_hits, whole_redshift.
 

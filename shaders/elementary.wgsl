@@ -1,7 +1,6 @@
 // Elementary functions with a stated error, for places where the error of WGSL's built-in functions
 // would show: atan2 may be wrong by 4096 units in the last place, 2.4e-4 of the result.
 //
-// Needs: PI, TINY.
 // Gives: angle_between, atan2_precise, atanh_small, exp_precise, log_precise, sin_cos_precise.
 
 // Arctangent on [-1, 1]: x times a polynomial in x^2, interpolated at Chebyshev's points. The

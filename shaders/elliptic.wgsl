@@ -2,7 +2,6 @@
 // conjugate. A pair is given by its mean and the square of half its difference, which are always
 // real, so one function serves both cases.
 //
-// Needs: nothing.
 // Gives: LaurentSeries, carlson_rf_pair, laurent_series, weierstrass, weierstrass_of.
 
 // Maximum number of duplications: enough for a relative error of 5e-7 down to |D| = 1e-6. The

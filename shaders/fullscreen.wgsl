@@ -1,7 +1,6 @@
 // A triangle that covers the whole target, at the far plane (reverse depth: z = 0). With a depth
 // test, only pixels that nothing covers are drawn.
 //
-// Needs: nothing.
 // Gives: vertex.
 
 @vertex

@@ -1,7 +1,6 @@
 // The picture's fragment entry: the light of each pixel. view/traced.wgsl takes a pixel to a
 // photon, a ray and its light; view/error.wgsl reads a table instead.
 //
-// Needs: bounded_light, light_at, point_light, scene.
 // Gives: fragment.
 
 @fragment

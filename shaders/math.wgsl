@@ -1,6 +1,5 @@
 // Constants and small functions of general use.
 //
-// Needs: nothing.
 // Gives: LOG10_2, PI, TINY, rotate_z, safe_normalize, square.
 
 const PI: f32 = 3.14159265358979;

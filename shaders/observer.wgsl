@@ -1,7 +1,6 @@
 // The photon that arrives from a looking direction. The matrix in the uniform contains everything
 // about the observer.
 //
-// Needs: ABERRATION, Photon, scene.
 // Gives: photon_angular_momentum, photon_energy, photon_from.
 
 // For a fast observer almost all light comes from ahead, and the momentum of light from elsewhere

@@ -3,7 +3,6 @@
 // The CPU fills the uniform and decides where the picture lies on the output
 // (render/presentation.rs).
 //
-// Needs: BINDING_PRESENTATION, BINDING_PRESENTATION_SOURCE, MAX_PIXELS_TOUCHED.
 // Gives: expand, fit, pixelate.
 
 struct Presentation {

@@ -1,7 +1,6 @@
 // Traces an array of rays, for files of rays, tests and measurements, with the files that draw the
 // picture.
 //
-// Needs: BINDING_INPUT, BINDING_OUTPUT, Trace, WORKGROUP_SIZE, photon_from, trace.
 // Gives: rays.
 
 // Unit looking directions; the fourth component is padding.

@@ -5,7 +5,6 @@
 // normal. Photons are the physical, future-directed ones, per unit frequency at the camera:
 // E = -p_t, L = p_phi. Rays are followed backward from the camera.
 //
-// Needs: BINDING_SCENE.
 // Gives: MASS, scene.
 
 // The hole's mass.

@@ -3,8 +3,6 @@
 // gravity * motion, where at each end of the ray gravity is that of the observer with zero angular
 // momentum (ZAMO), who measures the frequency E (1 - omega lambda) / N.
 //
-// Needs: BEAMING, DOPPLER, GRAVITATIONAL_SHIFT, LENSING, MASS, Photon, TINY,
-//     photon_angular_momentum, photon_energy, scene, square.
 // Gives: beaming_factor, disk_lambda, disk_shift, lapse_and_dragging, sky_shift, straight_lambda.
 
 // The factor by which a shift multiplies bolometric intensity: g^4, since I_nu / nu^3 is the same

@@ -2,7 +2,6 @@
 // arrives shifted by g, the observed over the emitted frequency. Shifted thermal light has Planck's
 // spectrum at the temperature g T, and its intensity is beamed.
 //
-// Needs: Footprint, REFERENCE_STAR, TINY, beaming_factor, scene, sky_background, thermal_colour.
 // Gives: MAX_SPOT_RADIUS, shifted_spot_radius, sky_light, spot_profile.
 
 // The reference star: temperature in kelvin, brightness, and angular radius (a quarter of a

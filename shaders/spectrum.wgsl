@@ -2,8 +2,6 @@
 // observer (optics/spectrum.rs). Entries are equidistant in ln T; each
 // holds the colour divided by its brightest channel, and the logarithm of that channel.
 //
-// Needs: BINDING_SPECTRUM, SPECTRUM_LEN, SPECTRUM_LN_RANGE, SPECTRUM_MAX_TEMPERATURE,
-//     SPECTRUM_MIN_TEMPERATURE.
 // Gives: thermal_colour.
 
 @group(0) @binding(BINDING_SPECTRUM) var<uniform> spectrum: array<vec4<f32>, SPECTRUM_LEN>;

@@ -1,7 +1,6 @@
 // Tracing alone, for timing: every pixel gives one vector, from a compute or a fragment entry. The
 // vector depends on everything that a picture could use, so that no compiler omits any of it.
 //
-// Needs: BINDING_OUTPUT, WORKGROUP_SIZE, photon_from, pixel_direction, scene, trace.
 // Gives: fragment, timed.
 
 @group(0) @binding(BINDING_OUTPUT) var<storage, read_write> answers: array<vec4<f32>>;

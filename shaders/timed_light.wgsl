@@ -1,6 +1,5 @@
 // The light of a picture, for timing: every pixel gives the light of its ray, from a compute entry.
 //
-// Needs: BINDING_OUTPUT, WORKGROUP_SIZE, light_at, scene.
 // Gives: timed.
 
 @group(0) @binding(BINDING_OUTPUT) var<storage, read_write> answers: array<vec4<f32>>;

@@ -1,7 +1,6 @@
 // The input and the result of every tracing method: a photon at the camera, and the record of its
 // ray. Each method defines `fn trace(photon: Photon) -> Trace`.
 //
-// Needs: nothing.
 // Gives: Footprint, Footprints, Hit, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY,
 //     OUTCOME_UNFINISHED, Photon, Segment, Trace, empty_trace.
 

@@ -1,6 +1,5 @@
 // ACCUMULATE: adds a frame to the sum of earlier frames, and writes the mean.
 //
-// Needs: BINDING_ACCUMULATION, BINDING_ACCUMULATION_LIGHT, BINDING_ACCUMULATION_SUM.
 // Gives: accumulate.
 
 struct Accumulation {

@@ -1,7 +1,6 @@
 // The class of a ray: its outcome and its number of hits in one number, by which the search for
 // edges compares neighbouring pixels.
 //
-// Needs: OUTCOME_CAPTURED.
 // Gives: NO_CLASS, is_class_captured, ray_class.
 
 // A pixel without a ray: the foreground covers it.

@@ -2,8 +2,6 @@
 // or across which brightness has a large second difference. The list has no fixed order; each pixel
 // is refined alone, so the order does not show.
 //
-// Needs: BENT_PIXELS, BINDING_COLUMNS, BINDING_LIST, BINDING_TRAITS, BINDING_WORK, COARSE_PIXELS,
-//     NO_CLASS, SAMPLES, STRIP, Traits, WORKGROUP_SIZE, is_class_captured.
 // Gives: edges.
 
 // The work of one dispatch of REFINE. The first three numbers are the size of an indirect dispatch.

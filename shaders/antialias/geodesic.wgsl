@@ -1,7 +1,6 @@
 // The picture's fragment entry where edges are refined: the light of each pixel, and the traits
 // that the search for edges compares.
 //
-// Needs: bounded_light, photon_from, pixel_direction, point_light, ray_class, scene, seen_along.
 // Gives: fragment.
 
 struct Pixel {

@@ -1,9 +1,6 @@
 // REFINE: traces a regular grid of rays through each marked pixel and writes the mean of their
 // light. A workgroup refines sixteen pixels with 4 rays each, four with 16, or one with 64.
 //
-// Needs: BENT_PIXELS, BINDING_LIST, BINDING_PICTURE, BINDING_WORK, COARSE_PIXELS, WORKGROUP_SIZE,
-//     bounded_light, lane_below, lane_beside, light_along, own_lane, own_share, photon_from,
-//     pixel_direction, point_light, scene.
 // Gives: refine.
 
 // As in antialias/edges.wgsl.

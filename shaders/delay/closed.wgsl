@@ -8,8 +8,6 @@
 // where a leg ends at the turning point u2. The integrand lies between 1/2 and 1, so a few
 // Gauss-Legendre nodes suffice. Only b phi grows near the critical curve. Derived.
 //
-// Needs: DELAY_MORE_NODES, DELAY_NODES, DELAY_NODES_2, DELAY_WEIGHTS, DELAY_WEIGHTS_2, Nodes,
-//     Orbit, TINY, orbit_g3, orbit_root, scene, tortoise, weierstrass.
 // Gives: crossing_delay.
 
 // u of the photon sphere, where s of rays next to the critical curve has a kink.

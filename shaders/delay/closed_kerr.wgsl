@@ -7,8 +7,6 @@
 // closed_kerr_radial.wgsl or closed_kerr_throat.wgsl integrates the first two terms of the bracket;
 // method/closed_kerr_polar.wgsl gives the last one in closed form. Derived.
 //
-// Needs: PhotonConstants, Radial, RadialCourse, TINY, horizon_factors_at, radial_delay, scene,
-//     tortoise.
 // Gives: crossing_delay.
 
 // The delay of light from u, counted from the camera's outgoing time. The backward ray reaches u at

@@ -2,7 +2,6 @@
 // (delay/closed_kerr.wgsl): the integral of K' (1 + a^2 u^2)/(W + |u'|) - B. The value at the ray's
 // centre times the time, which grows next to the critical curve, is added exactly. Derived.
 //
-// Needs: PhotonConstants, Radial, RadialCourse, regular_at, regular_integral, scene, square.
 // Gives: radial_delay.
 
 // The integral from the camera to u, which the ray reaches at the time t, before or after its turn.

@@ -3,8 +3,6 @@
 // its path, so that its value at the centre times the time and the integral of the difference
 // almost cancel. There a divided path is summed relative to the value at its end. Derived.
 //
-// Needs: Centre, Leg, LegPlaces, PhotonConstants, Radial, RadialCourse, TINY, WEIGHTS, is_divided,
-//     parts_of_path, pass_at, path_to, regular_along, regular_at, regular_scale, scene, square.
 // Gives: radial_delay.
 
 // The value at the end replaces the value at the centre if it is smaller than this share of it.

@@ -12,8 +12,6 @@
 // In the step in which r turns, |u'| has a kink, so the plain form is integrated; u is not small
 // there. Derived.
 //
-// Needs: Curve, DELAY_MORE_NODES, DELAY_NODES, DELAY_NODES_2, DELAY_WEIGHTS, DELAY_WEIGHTS_2,
-//     Motion, Nodes, Step, TINY, curve, horizon_factors, scene, square, tortoise, tortoise_sum.
 // Gives: crossing_delay, first_delay, step_delay.
 
 // The rate at the shares t of a step of length h.

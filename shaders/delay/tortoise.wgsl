@@ -1,6 +1,5 @@
 // Kerr's tortoise coordinate, by which ingoing and outgoing time differ from Boyer-Lindquist's.
 //
-// Needs: atanh_small, scene.
 // Gives: tortoise, tortoise_sum.
 
 // The integral of (r^2 + a^2)/Delta dr at u = 1/r, with the factors 1 - r_+ u and 1 - r_- u of

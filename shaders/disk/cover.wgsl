@@ -1,6 +1,5 @@
 // The disk's coverage and transmission.
 //
-// Needs: scene.
 // Gives: disk_cover, disk_transmission.
 
 // The disk's coverage at radius r: one, except where it fades at both edges. Emission and opacity

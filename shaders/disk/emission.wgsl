@@ -1,7 +1,5 @@
 // The light of the disk.
 //
-// Needs: Footprint, Hit, Photon, beaming_factor, disk_cover, disk_flux, hot_spot_factor,
-//     limb_darkening, scene, structure_factor, thermal_colour.
 // Gives: disk_light.
 
 // Linear light of a crossing. The disk model gives the flux F in the matter's frame, and

@@ -1,7 +1,6 @@
 // The disk model `newtonian`: relative flux F = (r_in / r)^3 (1 - sqrt(r_in / r)), without torque
 // at the inner edge (Shakura & Sunyaev 1973). Zero inside the edge.
 //
-// Needs: TINY, scene.
 // Gives: disk_flux.
 
 fn disk_flux(r: f32) -> f32 {

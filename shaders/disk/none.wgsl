@@ -1,6 +1,5 @@
 // No disk: no ray has a hit.
 //
-// Needs: Footprint, Footprints, Hit, Photon, Segment, Trace.
 // Gives: HAS_DISK, add_hit, crosses_plane, disk_cover, disk_light, disk_transmission,
 //     hit_footprints, in_annulus, near_annulus, plane_crossing, record_crossing, segment_delay,
 //     shift_hits.

@@ -4,7 +4,6 @@
 // coefficients of cubics, equidistant in p = sqrt(1 - sqrt(r_in / r)), from the edge at 0 to
 // infinity at 1.
 //
-// Needs: BINDING_PAGE_THORNE, PAGE_THORNE_LEN, TINY, scene.
 // Gives: disk_flux.
 
 @group(0) @binding(BINDING_PAGE_THORNE) var<uniform> page_thorne: array<vec4<f32>, PAGE_THORNE_LEN>;

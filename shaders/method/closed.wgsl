@@ -2,10 +2,6 @@
 // radius that stands for infinity. schwarzschild.wgsl has the orbits; this file finds the hits and
 // the outcome. There are no constraints to violate: the record's steps and residuals are 0.
 //
-// Needs: AZIMUTH, FOLLOW_BEYOND_HITS, HAS_DISK, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN,
-//     OUTCOME_SKY, Orbit, PI, Photon, SKY_DIRECTION, TINY, Trace, add_hit, angle_to_infinity,
-//     atan2_precise, crossing_delay, empty_trace, orbit_g3, photon_angular_momentum, photon_energy,
-//     scene, sin_cos_precise, square, u_after.
 // Gives: trace.
 
 // Rays with a smaller |D| get this one; they are within 1e-7 of the shadow's radius of the critical

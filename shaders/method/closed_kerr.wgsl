@@ -4,12 +4,6 @@
 // the azimuth; this file finds the hits and the outcome. There are no constraints to violate: the
 // record's steps and residuals are 0.
 //
-// Needs: AZIMUTH, Anchor, Centre, DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, HAS_DISK, LaurentSeries,
-//     MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Photon, Radial, SKY_DIRECTION, TINY,
-//     TimeArguments, Trace, add_hit, anchor_at, anchor_at_centre, arc_after, camera_is_inside,
-//     crossing_delay, dragged_azimuth, empty_trace, is_slow_outgoing, kerr_ray, mino_time,
-//     place_after, polar_of, potential, radial_course, radial_of, radial_series, safe_normalize,
-//     scene, slow_outgoing_time, square, time_between, time_from_turn, u_after.
 // Gives: trace.
 
 // Maximum number of crossings of the plane that are examined: rays within f32's rounding of the

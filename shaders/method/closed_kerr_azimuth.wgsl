@@ -5,9 +5,6 @@
 // Light that falls in to a camera next to the horizon, or inside it, is followed in Kerr's ingoing
 // azimuth, whose rate a (E - K' u^2/(W + |u'|)) has no pole there. Derived.
 //
-// Needs: Centre, NEAR_HORIZON, Path, PhotonConstants, Radial, Regular, azimuth_lag, camera_centre,
-//     distance_from, dragging_along, horizon_factors_at, is_slow_outgoing, leg_between,
-//     passing_centre, regular_along, regular_at, regular_scale, scene, turning_point.
 // Gives: RadialCourse, dragged_azimuth, path_to, radial_course, regular_integral.
 
 // A ray's radial motion from the camera on.

@@ -16,7 +16,6 @@
 // parts, each at most twice as long as its distance from the centre, and from the horizon if the
 // leg leads toward it. Derived.
 //
-// Needs: Centre, PhotonConstants, TINY, scene, square.
 // Gives: Leg, LegPlaces, Path, Regular, WEIGHTS, dragging_along, is_divided, leg_between,
 //     parts_of_path, pass_at, regular_along, regular_at, regular_scale.
 

@@ -6,8 +6,6 @@
 //
 // psi and this integral are short series in the phase, because the modulus is small.
 //
-// Needs: DELAY, DIAGNOSTICS, PI, PhotonConstants, TINY, atan2_precise, carlson_rf_pair, rotate_z,
-//     sin_cos_precise, square.
 // Gives: arc_after, place_after, polar_of.
 
 // Rays with a larger a^2 E^2 m/K_+ pass next to the axis and are integrated by steps.

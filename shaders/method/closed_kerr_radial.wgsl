@@ -17,8 +17,6 @@
 // and the pair alpha/12 - offset/2 +- sqrt(h2), 4 h2 = gamma b_0 + offset (alpha - 3 offset). All
 // of them are accurate there. Derived.
 //
-// Needs: LaurentSeries, PhotonConstants, TINY, carlson_rf_pair, laurent_series, scene, square,
-//     weierstrass_of.
 // Gives: Anchor, Centre, Radial, TimeArguments, anchor_at, anchor_at_centre, distance_from,
 //     mino_time, passing_centre, potential, radial_of, radial_series, stiffness_at_horizon,
 //     stiffness_slope_at_horizon, time_between, time_from_turn, turning_point, u_after.

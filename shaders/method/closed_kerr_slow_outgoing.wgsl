@@ -3,8 +3,6 @@
 // its expansion about u = 0 cancels. So U is expanded about the camera, where the ray's own slope
 // gives it, with coefficients from the expansion about the horizon.
 //
-// Needs: Centre, PhotonConstants, Radial, TINY, begins_near_horizon, carlson_rf_pair, scene,
-//     square, stiffness_at_horizon, stiffness_slope_at_horizon.
 // Gives: camera_centre, is_slow_outgoing, slow_outgoing_time.
 
 // The largest u'^2 of a slow ray at the camera, as a share of u'^2 at infinity. At this share the

@@ -1,6 +1,5 @@
 // The horizons' factors of D, and the lag of Kerr's ingoing azimuth behind Boyer-Lindquist's.
 //
-// Needs: TINY, atanh_small, log_precise, scene.
 // Gives: azimuth_lag, horizon_factors, horizon_factors_at.
 
 // 1 - r_+ u and 1 - r_- u, the factors of D, at u = base + v. The base is 0 or 1/r_+.

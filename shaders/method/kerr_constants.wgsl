@@ -1,7 +1,6 @@
 // The constants of a photon's motion, which the methods mino and closed share; mino_motion.wgsl has
 // the equations.
 //
-// Needs: NEAR_HORIZON, Photon, TINY, scene, square.
 // Gives: KerrRay, PhotonConstants, begins_near_horizon, camera_is_inside, kerr_ray.
 
 // The weight of E^2 beside K in the scale. Radial rays, with K = 0, cover at most du = step/2 in

@@ -16,10 +16,6 @@
 // where these coordinates are singular: momenta grow without bound and steps shrink, so many such
 // rays around fast-spinning holes stay unfinished.
 //
-// Needs: DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, MAX_HITS, MAX_STEP_BUDGET, OUTCOME_CAPTURED,
-//     OUTCOME_HIDDEN, OUTCOME_SKY, Photon, Segment, TINY, Trace, add_hit, angle_between,
-//     crosses_plane, empty_trace, in_annulus, near_annulus, photon_angular_momentum, photon_energy,
-//     plane_crossing, rotate_z, safe_normalize, scene, sin_cos_precise, tortoise.
 // Gives: trace.
 
 // At this multiple of the horizon's radius an ingoing ray counts as captured.

@@ -2,13 +2,6 @@
 // sphere. mino_motion.wgsl has the equations and the step, mino_azimuth.wgsl the azimuth; this file
 // starts, follows and ends a ray.
 //
-// Needs: AZIMUTH, Angle, DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, HAS_DISK, KerrRay, MAX_HITS,
-//     Motion, NEAR_HORIZON, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, Photon, PhotonConstants,
-//     SKY_DIRECTION, SPINNING, Step, TINY, Trace, acceleration, add_angle, add_hit, angle_between,
-//     azimuth_gain, azimuth_lag_to_infinity, begins_near_horizon, camera_is_inside, cannot_turn,
-//     crosses_plane, crossing_delay, curve, curve_at, curve_slope, empty_trace, first_delay,
-//     in_annulus, kerr_ray, motion_about, nystroem_step, quadratic, rotate_z, safe_normalize,
-//     scene, sin_cos_precise, speed_squared, square, step_delay, wrap_angle.
 // Gives: trace.
 
 // More than a ray within f32's rounding of the critical curve takes at the shortest step.

@@ -1,7 +1,5 @@
 // The azimuth of the method mino: the growth of chi by frame dragging, chi' = a (E - W/D).
 //
-// Needs: Curve, Motion, NEAR_HORIZON, TINY, azimuth_lag, curve_at, curve_slope, horizon_factors,
-//     quadratic, scene, square.
 // Gives: Angle, add_angle, azimuth_gain, azimuth_lag_to_infinity, wrap_angle.
 
 // The four Gauss-Legendre nodes on [0, 1], 1/2 -+ sqrt(3/7 +- (2/7) sqrt(6/5))/2, and the weights

@@ -19,7 +19,6 @@
 // are scaled such that the step in Mino time is an angle; docs/physics/steps.md explains its
 // choice.
 //
-// Needs: PhotonConstants, scene, square.
 // Gives: Curve, Motion, Step, acceleration, cannot_turn, curve, curve_at, curve_slope,
 //     motion_about, nystroem_step, quadratic, speed_squared.
 

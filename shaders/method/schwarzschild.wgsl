@@ -14,7 +14,6 @@
 //
 // a conjugate pair where D > 0. Computed from D, v is accurate next to the critical curve. Derived.
 //
-// Needs: TINY, carlson_rf_pair, scene, square, weierstrass.
 // Gives: Orbit, angle_to_infinity, orbit_g3, orbit_root, u_after.
 
 struct Orbit {

@@ -2,8 +2,6 @@
 // optics/straight.rs does the same in f64. The photons are those of flat
 // space too (optics/camera_rays.rs).
 //
-// Needs: DELAY, OUTCOME_CAPTURED, OUTCOME_SKY, Photon, Trace, add_hit, angle_between, empty_trace,
-//     photon_energy, safe_normalize, scene, square, straight_lambda.
 // Gives: trace.
 
 fn trace(photon: Photon) -> Trace {

@@ -8,9 +8,6 @@
 // centrifugal term L^2 / r^3, and the relativistic term remains. The affine parameter lambda grows
 // backward along the ray.
 //
-// Needs: DELAY, DIAGNOSTICS, FOLLOW_BEYOND_HITS, MAX_HITS, MAX_STEP_BUDGET, OUTCOME_CAPTURED,
-//     OUTCOME_HIDDEN, OUTCOME_SKY, Photon, Segment, TINY, Trace, angle_between, empty_trace,
-//     photon_energy, record_crossing, safe_normalize, scene, segment_delay, shift_hits, square.
 // Gives: trace.
 
 // At this radius an ingoing ray counts as captured: no ray turns outward inside the photon sphere,

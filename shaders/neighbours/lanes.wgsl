@@ -1,7 +1,6 @@
 // Differences between a ray and its neighbours, in a workgroup whose lanes trace square grids of
 // rays. As with the derivatives of a fragment entry, each pair of neighbours has one difference.
 //
-// Needs: Footprint, WORKGROUP_SIZE, scene, square.
 // Gives: differences, lane_below, lane_beside, own_lane, own_share, ray_share.
 
 // This ray's lane, and those of its neighbours.

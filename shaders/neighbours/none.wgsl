@@ -1,6 +1,5 @@
 // No neighbours: a compute entry of single rays.
 //
-// Needs: Footprint.
 // Gives: differences, ray_share.
 
 fn differences(value: vec3<f32>) -> Footprint {

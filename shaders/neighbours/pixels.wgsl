@@ -1,6 +1,5 @@
 // Differences between a pixel and its neighbours, in a fragment entry.
 //
-// Needs: Footprint, scene, square.
 // Gives: differences, ray_share.
 
 // All pixels must call it before any branch.

@@ -4,7 +4,6 @@
 // scene.picture.projection holds the tangents of half the field of view, horizontal and vertical.
 // The twin in f64 is scene/projection.rs.
 //
-// Needs: scene.
 // Gives: is_in_view, pixel_direction, pixel_solid_angle, project, ray_solid_angle, shown_place.
 
 // The solid angle of a pixel about the last pixel_direction, in steradians.

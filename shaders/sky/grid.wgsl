@@ -1,7 +1,6 @@
 // The sky mode `grid`: circles of latitude and meridians every 15 degrees. The lines have no
 // temperature, so the shift changes their brightness only.
 //
-// Needs: Footprint, PI, TINY, atan2_precise, shifted_spot_radius, spot_profile, square.
 // Gives: sky_background.
 
 const GRID_SPACING: f32 = PI / 12.0;

@@ -1,6 +1,5 @@
 // The sky mode `off`: nothing shines at infinity.
 //
-// Needs: Footprint.
 // Gives: sky_light.
 
 fn sky_light(direction: vec3<f32>, g: f32, footprint: Footprint) -> vec3<f32> {

@@ -7,8 +7,6 @@
 // the cell's edges that the whole image lies inside. So a pixel looks up one cell per layer, no
 // image is cut off, and the edges of the charts and the poles do not show.
 //
-// Needs: Footprint, MAX_SPOT_RADIUS, scene, shifted_spot_radius, spot_profile, square,
-//     thermal_colour.
 // Gives: sky_background.
 
 const CELLS: f32 = 36.0;

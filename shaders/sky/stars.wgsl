@@ -2,8 +2,6 @@
 // their own (shaders/stars/). This file draws the light of all others, so that no light is drawn
 // twice or lost.
 //
-// Needs: BINDING_MILKY_WAY, BINDING_MILKY_WAY_SAMPLER, BINDING_STARLIGHT, FAINTER_SHARE, Footprint,
-//     LOG10_2, TINY, beaming_factor, ray_share, ray_solid_angle, thermal_colour.
 // Gives: sky_background, starlight.
 
 // Mirror of `GpuStarlight` in gpu/starlight.rs.

@@ -2,7 +2,6 @@
 // directions in the hole's frame. That file is linked with its `sky_background` renamed to
 // `background_in_hole_frame` (gpu/shader/choices.rs).
 //
-// Needs: BINDING_TILT, Footprint, background_in_hole_frame.
 // Gives: sky_background.
 
 // Mirror of `GpuTilt` in gpu/scene/tilt.rs.

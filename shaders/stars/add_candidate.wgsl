@@ -1,7 +1,5 @@
 // Adds candidates to their lists.
 //
-// Needs: BINDING_CANDIDATES, BINDING_CANDIDATE_COUNT, CANDIDATE_LISTS, RANKS, ROUGH, STAR_BITS,
-//     WORKGROUP_SIZE, mesh, rank_of.
 // Gives: add_candidate, add_rough, candidate_counts, candidates.
 
 // The size of an indirect dispatch of the kernel that finds the images of a list's candidates, and

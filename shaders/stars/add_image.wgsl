@@ -1,8 +1,5 @@
 // Computes the light of a star's image and adds the image to the list, which has no fixed order.
 //
-// Needs: BINDING_STAR_COUNT, BINDING_STAR_IMAGES, LUMINANCE, MAX_SHIFT, StarImage, WORKGROUP_SIZE,
-//     beaming_factor, is_in_view, photon_from, sky_shift, star_list, stars, thermal_colour,
-//     unpacked_flux, unpacked_temperature.
 // Gives: add_image.
 
 // The size of an indirect dispatch over the images in the list, and the number of images, including

@@ -1,6 +1,5 @@
 // The sky in a cell as the bicubic polynomial through the 16 points of the mesh about it.
 //
-// Needs: Tangents, components_across, limited, mesh, mesh_points, newton_step.
 // Gives: Row, cubic_slopes, cubic_weights, interpolated_image, jacobian_at, rows_about.
 
 // The misses of a star by the rays through a row of four points: both components perpendicular to

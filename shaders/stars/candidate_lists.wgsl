@@ -1,7 +1,5 @@
 // The lists of candidates, for the kernels that find their images.
 //
-// Needs: BINDING_CANDIDATES, BINDING_CANDIDATE_COUNT, CANDIDATE_LISTS, Candidate, RANKS, ROUGH,
-//     mesh, unpacked_candidate.
 // Gives: candidate_at, candidate_count, first_dropped_rank.
 
 @group(0) @binding(BINDING_CANDIDATES) var<storage, read> candidates: array<vec2<u32>>;

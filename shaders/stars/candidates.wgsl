@@ -1,6 +1,5 @@
 // Candidates: pairs of a cell of the mesh and a star that may have an image there.
 //
-// Needs: RANKS, cell_number.
 // Gives: BENT, Candidate, FROM_MESH, FROM_MIDDLE, INTERPOLATION_STEPS, MAX_STARTS, ROUGH, SMOOTH,
 //     STAR_BITS, WIDE, rank_of, unpacked_candidate.
 

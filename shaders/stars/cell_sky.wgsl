@@ -1,8 +1,6 @@
 // The sky of a cell of the mesh: its extent, whether the map from the picture to the sky folds or
 // is smooth there, and the flux of the faintest star that can be seen.
 //
-// Needs: Cell, MeshPoint, TINY, Triangle, mesh, mesh_place, mesh_points, pixel_solid_angle,
-//     safe_normalize, stars, triangles_of.
 // Gives: CellSky, MAX_INDEXED, depth_within, is_whole, sky_of.
 
 // Cells whose corners lie farther apart on the sky, or differ by more in the angle swept about the

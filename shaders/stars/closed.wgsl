@@ -2,8 +2,6 @@
 // optics/stars/images/table.rs, in the frame of the observer `rain`. The
 // twin in f64 is optics/stars/images/inversion.rs.
 //
-// Needs: BINDING_STAR_TABLE, MIN_SOURCE_RADIUS, PI, STAR_INTERVALS, atan2_precise, exp_precise,
-//     log_precise, sin_cos_precise, stars.
 // Gives: frame_image.
 
 // A star at a smaller angle from the outward direction has the magnification of one at zero.

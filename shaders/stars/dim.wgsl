@@ -2,8 +2,6 @@
 // because few stars have an image in the picture: in a kernel over all stars, most invocations
 // would wait for a neighbour's ray.
 //
-// Needs: BINDING_STAR_COUNT, BINDING_STAR_IMAGES, StarImage, WORKGROUP_SIZE, disk_transmission,
-//     photon_from, stars, trace.
 // Gives: dim.
 
 @group(0) @binding(BINDING_STAR_IMAGES) var<storage, read_write> star_images: array<StarImage>;

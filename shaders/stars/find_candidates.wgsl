@@ -6,10 +6,6 @@
 // into parts. There, cells that see much of the sky but only its bright stars search the list of
 // all stars instead, up to the first that is too faint.
 //
-// Needs: BENT, BINDING_STAR_INDEX, CellSky, FIRST_INDEX_SIDE, FROM_MIDDLE, INDEX_LAYERS,
-//     MAX_INDEXED, MESH_RIM, SMOOTH, WIDE, WIDE_GROUPS, WORKGROUP_SIZE, add_candidate, add_rough,
-//     candidate_counts, candidates, cell_at, cell_number, depth_within, is_whole, mesh, mesh_cells,
-//     sky_of, square, star_list, stars, unpacked_flux.
 // Gives: find_candidates, find_wide_candidates.
 
 // The largest reach, in radians, that one invocation searches.

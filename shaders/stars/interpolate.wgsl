@@ -5,9 +5,6 @@
 // the points along that side. An image next to a side belongs to the cell on its side of this
 // curve, so exactly one cell accepts it, however the cells round its place.
 //
-// Needs: PI, Row, SMOOTH, TINY, WORKGROUP_SIZE, add_image, candidate_at, candidate_count,
-//     cubic_slopes, cubic_weights, interpolated_image, jacobian_at, mesh, mesh_place, mesh_points,
-//     pixel_direction, pixel_solid_angle, rows_about, shown_place, star_list, tangents_at.
 // Gives: interpolate.
 
 // Newton's method doubles the digits in each step: from a quarter of a cell, three steps reach

@@ -1,7 +1,5 @@
 // The list of stars, brightest first.
 //
-// Needs: BINDING_STAR_LIST, SPECTRUM_LN_RANGE, SPECTRUM_MIN_TEMPERATURE, STAR_FLUX_BIAS,
-//     STAR_TEMPERATURE_STEPS.
 // Gives: star_list, unpacked_flux, unpacked_temperature.
 
 // A star of the list: its unit direction, and its luminous flux and temperature in one number.

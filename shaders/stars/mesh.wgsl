@@ -1,8 +1,6 @@
 // Traces the rays of the mesh. The disk is left out, because `turn` ends at a disk; stars behind it
 // are dimmed later.
 //
-// Needs: BINDING_MESH_POINTS, MAX_SHIFT, MeshPoint, OUTCOME_SKY, WORKGROUP_SIZE, beaming_factor,
-//     in_list, mesh, mesh_place, photon_from, pixel_direction, sky_shift, trace.
 // Gives: trace_mesh.
 
 @group(0) @binding(BINDING_MESH_POINTS) var<storage, read_write> mesh_points: array<MeshPoint>;

@@ -1,6 +1,5 @@
 // The cells of the mesh, each of which maps the picture to the sky by two flat triangles.
 //
-// Needs: BINDING_MESH_POINTS, MeshPoint, mesh.
 // Gives: Cell, Triangle, cell_at, mesh_points, triangles_of.
 
 // The rays through a cell's corners: at (0, 0), (1, 0), (0, 1) and (1, 1).

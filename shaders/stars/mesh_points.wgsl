@@ -1,7 +1,6 @@
 // The mesh of rays through the picture, by which the images of stars are found without an
 // inversion. gpu/stars/mesh.rs has the same structs.
 //
-// Needs: BINDING_STAR_MESH.
 // Gives: MeshPoint, cell_number, in_list, mesh, mesh_cells, mesh_place.
 
 struct StarMesh {

@@ -1,6 +1,5 @@
 // No point sources.
 //
-// Needs: nothing.
 // Gives: point_light.
 
 // Light of the point sources whose images fall on a pixel. It is added to the pixel once, after its

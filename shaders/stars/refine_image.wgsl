@@ -7,11 +7,6 @@
 // the nearest point of a grid, and its rays depend on nothing else. The grid includes the sides;
 // along a side its points are farther apart, so that rounding seldom decides which one is nearest.
 //
-// Needs: Cell, FROM_MESH, FROM_MIDDLE, INTERPOLATION_STEPS, MAX_STARTS, OUTCOME_SKY, PI, ROUGH,
-//     TINY, Tangents, WORKGROUP_SIZE, add_image, candidate_at, candidate_count, cell_at,
-//     components_across, first_dropped_rank, in_list, interpolated_image, jacobian_at, limited,
-//     mesh, mesh_place, newton_step, photon_from, pixel_direction, rank_of, rows_about,
-//     safe_normalize, shown_place, star_list, tangents_at, trace, triangles_of.
 // Gives: refine_image.
 
 // Maximum number of rays from one start, before the last five.

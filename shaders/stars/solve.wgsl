@@ -1,6 +1,5 @@
 // Finds the images of each star by inversion: a function gives the star's image of each order.
 //
-// Needs: STAR_ORDERS, WORKGROUP_SIZE, add_image, frame_image, safe_normalize, star_list, stars.
 // Gives: solve.
 
 // One invocation for each star.

@@ -2,8 +2,6 @@
 // pixels except in very large pictures. Sums are whole numbers, so the order of additions does not
 // matter.
 //
-// Needs: BINDING_STAR_COUNT, BINDING_STAR_IMAGES, BINDING_STAR_SUMS, StarImage, WORKGROUP_SIZE,
-//     pixel_solid_angle, project, scene, shown_place, stars, thermal_colour.
 // Gives: splat.
 
 // Maximum width of an image in squares, for pictures of up to 8192 lines.

@@ -1,7 +1,6 @@
 // The structs that the kernels which find and draw the images of stars share.
 // gpu/stars/ has the same structs and the order of the kernels.
 //
-// Needs: BINDING_STARS.
 // Gives: MAX_SHIFT, StarImage, stars.
 
 // The largest shift; the picture's sky has the same limit.

@@ -1,7 +1,6 @@
 // The images of stars along straight rays: one of each star, unless the hole, a black ball, hides
 // it. They are found in the frame of the observer with zero angular momentum.
 //
-// Needs: scene.
 // Gives: frame_image.
 
 // The direction in which the observer sees a star's image of this order, and its magnification;

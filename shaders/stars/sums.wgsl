@@ -1,6 +1,5 @@
 // The light of point sources on each pixel, as the star passes have summed it.
 //
-// Needs: BINDING_STAR_SUMS, starlight.
 // Gives: point_light.
 
 // Red, green and blue of each square in units of starlight.light_unit. A square is a pixel, except

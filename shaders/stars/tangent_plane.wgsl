@@ -1,6 +1,5 @@
 // The tangent plane of the sky at a star, and steps in the picture toward the star's image.
 //
-// Needs: TINY, safe_normalize.
 // Gives: Tangents, components_across, limited, newton_step, tangents_at.
 
 // Two unit vectors perpendicular to a star's direction.

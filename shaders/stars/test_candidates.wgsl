@@ -1,10 +1,6 @@
 // Tests the candidates in bent cells: interpolation gives the place and the brightness of their
 // images roughly, so that few rays are spent on images in another cell, or too faint.
 //
-// Needs: BENT, FROM_MESH, INTERPOLATION_STEPS, TEST_GROUPS, TINY, WORKGROUP_SIZE, add_rough,
-//     candidate_counts, candidates, interpolated_image, jacobian_at, mesh, mesh_place, mesh_points,
-//     pixel_solid_angle, rows_about, square, star_list, stars, tangents_at, unpacked_candidate,
-//     unpacked_flux.
 // Gives: test_candidates.
 
 // The distance outside the cell, in cells, at which an interpolated image is left to other cells;

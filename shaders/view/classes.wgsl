@@ -4,7 +4,6 @@
 //
 //   crossings          0                   1                   2
 //
-// Needs: OUTCOME_CAPTURED, OUTCOME_SKY, Photon, mark, trace.
 // Gives: light_along.
 
 const SKY_CLASSES = array<vec3<f32>, 3>(vec3(0.00, 0.02, 0.16), vec3(0.02, 0.20, 0.75), vec3(0.30, 0.75, 1.00));

@@ -1,8 +1,5 @@
 // The views `colour` and `unfinished`: the light itself.
 //
-// Needs: MAGENTA, MAX_HITS, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY, OUTCOME_UNFINISHED,
-//     Photon, SHOW_UNFINISHED, differences, disk_cover, disk_light, disk_transmission,
-//     hit_footprints, mark, scene, sky_light, sky_shift, trace.
 // Gives: light_along, seen_along.
 
 // A crossing counts for the class where the disk's coverage is larger than this: the middle of a

@@ -2,7 +2,6 @@
 // time_lead. From pale yellow for light of the near side through red to deep blue for light that
 // has gone around the hole. A new band begins every 2 r_s/c; its edge is a line of equal delay.
 //
-// Needs: MAGENTA, OUTCOME_UNFINISHED, Photon, from_oklab, mark, trace.
 // Gives: light_along.
 
 // The ends of the scale and the width of a band, in r_s/c.

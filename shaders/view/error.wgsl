@@ -4,8 +4,6 @@
 // yellow at 1 or more. Magenta: no turn of the ray explains the answer. Black: nothing is seen.
 // Grey: the error is not known yet.
 //
-// Needs: BINDING_ERROR_MAP, ERROR_COLUMNS, ERROR_ROWS, LOG10_2, MAGENTA, UNEXPLAINED, UNKNOWN,
-//     UNSEEN, from_oklab, mark, scene.
 // Gives: light_at.
 
 @group(0) @binding(BINDING_ERROR_MAP) var<uniform> errors: array<vec4<f32>, ERROR_COLUMNS * ERROR_ROWS / 4u>;

@@ -1,6 +1,5 @@
 // Marks: colours that stand for something and look the same at every exposure.
 //
-// Needs: scene.
 // Gives: MAGENTA, mark.
 
 // A ray without an answer, in every view but `colour`.

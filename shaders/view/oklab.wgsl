@@ -1,6 +1,5 @@
 // Colours of scales, in which equal steps look equal.
 //
-// Needs: nothing.
 // Gives: from_oklab.
 
 // Linear sRGB of a colour in Oklab (Ottosson 2020), in which equal distances look equal.

@@ -3,7 +3,6 @@
 // white, which colour-blind people can tell apart. The sky is darker than the disk. A ray that ends
 // at the horizon without a crossing is black.
 //
-// Needs: MAGENTA, OUTCOME_CAPTURED, OUTCOME_UNFINISHED, PI, Photon, mark, trace.
 // Gives: light_along.
 
 fn order_colour(order: f32) -> vec3<f32> {

@@ -3,7 +3,6 @@
 // = 1/2 and less, with equal steps in ln g. Colour-blind people can tell blue and orange apart. A
 // ray that ends at the horizon without a crossing is black.
 //
-// Needs: MAGENTA, OUTCOME_SKY, OUTCOME_UNFINISHED, Photon, TINY, mark, sky_shift, trace.
 // Gives: light_along.
 
 fn shift_colour(g: f32) -> vec3<f32> {

@@ -3,7 +3,6 @@
 // colour every two powers of ten. A method in closed form has no residual. The residual is not the
 // error of the ray.
 //
-// Needs: LOG10_2, Photon, mark, trace.
 // Gives: light_along.
 
 fn residual_colour(residual: f32) -> vec3<f32> {

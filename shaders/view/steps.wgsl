@@ -4,7 +4,6 @@
 // without a step is black, and one left unfinished magenta. Rays are followed to their end, behind
 // the disk as well.
 //
-// Needs: MAGENTA, OUTCOME_UNFINISHED, Photon, from_oklab, mark, trace.
 // Gives: light_along.
 
 // The ends of the scale, in powers of two.

@@ -1,7 +1,6 @@
 // The light at a place of the picture, given in pixels from its upper left corner: that of the ray
 // through it. Every view that traces rays uses this part.
 //
-// Needs: light_along, photon_from, pixel_direction.
 // Gives: light_at.
 
 fn light_at(place: vec2<f32>) -> vec4<f32> {

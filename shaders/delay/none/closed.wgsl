@@ -1,6 +1,5 @@
 // No delay for the method closed.
 //
-// Needs: Orbit.
 // Gives: crossing_delay.
 
 fn crossing_delay(orbit: Orbit, phi: f32, u: f32, on_way_out: bool) -> f32 {

@@ -1,6 +1,5 @@
 // No delay for the method closed around a spinning hole.
 //
-// Needs: PhotonConstants, Radial, RadialCourse.
 // Gives: crossing_delay.
 
 fn crossing_delay(

@@ -1,6 +1,5 @@
 // No delay for the method mino.
 //
-// Needs: Motion, Step.
 // Gives: crossing_delay, first_delay, step_delay.
 
 fn first_delay(inward: bool) -> f32 {

@@ -1,6 +1,5 @@
 // No hot spot.
 //
-// Needs: Hit.
 // Gives: hot_spot_factor.
 
 fn hot_spot_factor(hit: Hit) -> f32 {

@@ -1,8 +1,6 @@
 // A hot spot in the disk, which orbits with the matter.
 // optics/hot_spot.rs does the same in f64.
 //
-// Needs: BINDING_HOT_SPOT, Hit, PI, SHEARED_SPOT, angular_velocity, atan2_precise, log_precise,
-//     scene, sin_cos_precise, square.
 // Gives: hot_spot_factor.
 
 struct HotSpot {

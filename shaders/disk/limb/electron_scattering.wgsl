@@ -2,8 +2,6 @@
 // three times as bright from above as from the side. optics/limb.rs does
 // the same in f64.
 //
-// Needs: DOPPLER, GRAVITATIONAL_SHIFT, Hit, LENSING, Photon, disk_lambda, lapse_and_dragging,
-//     photon_energy, scene, square, whole_redshift.
 // Gives: limb_darkening.
 
 // The cosine of the angle between the light and the disk's normal in the matter's frame (Cunningham

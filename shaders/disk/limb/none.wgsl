@@ -1,6 +1,5 @@
 // A surface that is equally bright from everywhere.
 //
-// Needs: Hit, Photon.
 // Gives: limb_darkening.
 
 fn limb_darkening(photon: Photon, hit: Hit) -> f32 {

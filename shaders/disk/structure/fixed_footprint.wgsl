@@ -1,7 +1,6 @@
 // Footprints of a fixed size, a hundredth of the radius, for timing in a compute entry, where a
 // pixel has no neighbours.
 //
-// Needs: Footprint, Footprints, Trace.
 // Gives: hit_footprints.
 
 fn fixed_footprint(position: vec3<f32>) -> Footprint {

@@ -1,6 +1,5 @@
 // The footprints of a ray on the disk, from the hits of the neighbouring rays.
 //
-// Needs: Footprint, Footprints, Trace, differences.
 // Gives: hit_footprints.
 
 fn shorter(a: Footprint, b: Footprint) -> Footprint {

@@ -1,6 +1,5 @@
 // A smooth disk.
 //
-// Needs: Footprint, Footprints, Hit, Trace.
 // Gives: hit_footprints, structure_factor.
 
 fn hit_footprints(ray: Trace) -> Footprints {

@@ -1,8 +1,6 @@
 // Structure of the disk's light: shearing waves in rings that rotate with the matter.
 // optics/structure does the same in f64 and explains the model.
 //
-// Needs: BINDING_STRUCTURE, Footprint, Hit, MASS, MAX_DPHI, MAX_DX, MAX_GROUPS, MAX_RINGS, PI,
-//     REPEATS, atan2_precise, log_precise, scene.
 // Gives: structure_factor.
 
 // One wave of each of four octaves: their azimuthal wave numbers, and the radial ones in radians

@@ -1,5 +1,4 @@
-//! The header of every WGSL file: the names that it needs from other files or from the constants in
-//! front of them, and the names that it gives to others.
+//! The header of every WGSL file: the names that it gives to others.
 
 use crate::variants::every_variant;
 use lightfall_core::gpu::stars::{candidate_shader, splat_shader};
@@ -82,32 +81,27 @@ fn names_in(line: &str) -> impl Iterator<Item = String> {
     names.into_iter()
 }
 
-/// The names that a header lists after `Needs` or `Gives`.
-fn header(text: &str, word: &str) -> Option<Names> {
-    let start = format!("// {word}: ");
+const GIVES: &str = "// Gives:";
+
+/// The names that a header lists.
+fn header(text: &str) -> Option<Names> {
     let mut lines = text
         .lines()
         .take_while(|line| line.starts_with("//"))
-        .skip_while(|line| !line.starts_with(&start));
-    let mut list = lines.next()?.strip_prefix(&start)?.to_string();
+        .skip_while(|line| !line.starts_with(GIVES));
+    let mut list = lines.next()?.strip_prefix(GIVES)?.to_string();
     for line in lines.take_while(|line| line.starts_with("//     ")) {
         list += line.trim_start_matches('/');
     }
     let list = list.strip_suffix('.')?;
     let names = list.split(',').map(|name| name.trim().to_string());
-    Some(names.filter(|name| name != "nothing").collect())
+    Some(names.collect())
 }
 
-/// One line of a header, as it should be.
-fn expected(word: &str, names: &Names) -> String {
-    let mut text = format!("// {word}:");
+/// A header's list, as it should be.
+fn expected(names: &Names) -> String {
+    let mut text = GIVES.to_string();
     let mut width = text.len();
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let names = if names.is_empty() {
-        vec!["nothing"]
-    } else {
-        names
-    };
     for (i, name) in names.iter().enumerate() {
         let end = if i + 1 == names.len() { "." } else { "," };
         if width + name.len() + 2 > 100 {
@@ -139,47 +133,28 @@ fn joined_texts() -> Vec<ShaderText> {
 }
 
 #[test]
-fn every_part_states_what_it_needs_and_what_it_gives() {
+fn every_part_states_what_it_gives() {
     // A file that is joined under another name for one of its functions, its header included, is a
     // text of its own.
-    type File = (String, String);
-    let mut needs: BTreeMap<File, Names> = BTreeMap::new();
-    let mut gives: BTreeMap<File, Names> = BTreeMap::new();
+    let mut gives: BTreeMap<(String, String), Names> = BTreeMap::new();
     for text in joined_texts() {
-        let constants = Part::new(text.prelude());
-        let parts: Vec<(File, Part)> = text
+        let parts: Vec<_> = text
             .files()
             .map(|(file, text)| ((file.to_owned(), text.to_owned()), Part::new(text)))
             .collect();
         for (file, part) in &parts {
-            gives
-                .entry(file.clone())
-                .or_default()
-                .extend(part.entry_points.clone());
-            let needed = needs.entry(file.clone()).or_default();
-            needed.extend(part.mentioned.intersection(&constants.declared).cloned());
-            for (other, given) in parts.iter().filter(|(other, _)| other != file) {
-                let used = part.mentioned.intersection(&given.declared);
-                for name in used {
-                    needed.insert(name.clone());
-                    gives.entry(other.clone()).or_default().insert(name.clone());
-                }
+            let given = gives.entry(file.clone()).or_default();
+            given.extend(part.entry_points.clone());
+            for (_, other) in parts.iter().filter(|(other, _)| other != file) {
+                given.extend(part.declared.intersection(&other.mentioned).cloned());
             }
         }
     }
-    let mut wrong = Vec::new();
-    for (file, needed) in needs {
-        let (name, text) = &file;
-        let is_right = header(text, "Needs").as_ref() == Some(&needed)
-            && header(text, "Gives").as_ref() == Some(&gives[&file]);
-        if !is_right {
-            wrong.push(format!(
-                "{name}:\n{}\n{}",
-                expected("Needs", &needed),
-                expected("Gives", &gives[&file])
-            ));
-        }
-    }
+    let wrong: Vec<String> = gives
+        .into_iter()
+        .filter(|((_, text), given)| header(text).as_ref() != Some(given))
+        .map(|((name, _), given)| format!("{name}:\n{}", expected(&given)))
+        .collect();
     assert!(
         wrong.is_empty(),
         "the header of these files should be:\n{}",

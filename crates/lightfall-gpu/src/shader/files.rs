@@ -1,7 +1,7 @@
 //! The files that shaders are linked from, with their headers.
 
 use std::borrow::Cow;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -24,7 +24,8 @@ pub(super) struct ShaderFile {
     /// Its path below the folder of shaders, with `/` between the words.
     pub name: Cow<'static, str>,
     pub text: Cow<'static, str>,
-    /// The names that it needs from other files or from the constants before them.
+    /// The names in its code that it does not introduce itself, in alphabetical order: what it needs
+    /// from other files and from the constants before them, and the words of WGSL.
     pub needs: Vec<String>,
     /// The names that it gives to others.
     gives: Vec<String>,
@@ -75,39 +76,70 @@ impl ShaderFile {
         let text = text.into();
         Self {
             name: name.into(),
-            needs: header(&text, NEEDS),
-            gives: header(&text, GIVES),
+            needs: foreign_names(&text),
+            gives: given_names(&text),
             text,
         }
     }
 
-    /// The line of the header on which a needed name stands, counted from 1.
-    pub(super) fn line_of_need(&self, name: &str) -> usize {
+    /// The first line with this name in its code, counted from 1.
+    pub(super) fn line_of(&self, name: &str) -> usize {
         let mut lines = self.text.lines();
-        let first = lines.position(|line| line.starts_with(NEEDS)).unwrap_or(0);
-        let mut lines = self.text.lines().skip(first);
-        let further =
-            lines.position(|line| names(line.trim_start_matches(NEEDS)).any(|n| n == name));
-        first + further.unwrap_or(0) + 1
+        let line = lines.position(|line| words(code(line)).any(|(_, word, _)| word == name));
+        line.unwrap_or(0) + 1
     }
 }
 
-const NEEDS: &str = "// Needs: ";
-const GIVES: &str = "// Gives: ";
-
-/// The names that a header lists after its word: on that line, and on indented lines below it.
-fn header(text: &str, word: &str) -> Vec<String> {
-    let mut lines = text.lines().skip_while(|line| !line.starts_with(word));
-    let first = lines.next().map(|line| &line[word.len()..]);
+/// The names that a header lists after `Gives`: on that line, and on indented lines below it.
+fn given_names(text: &str) -> Vec<String> {
+    const GIVES: &str = "// Gives: ";
+    let mut lines = text.lines().skip_while(|line| !line.starts_with(GIVES));
+    let first = lines.next().map(|line| &line[GIVES.len()..]);
     let further = lines.take_while(|line| line.starts_with("//     "));
-    let listed = first.into_iter().chain(further).flat_map(names);
-    let listed = listed.filter(|name| *name != "nothing");
-    listed.map(str::to_owned).collect()
+    let listed = first.into_iter().chain(further).flat_map(words);
+    listed.map(|(_, name, _)| name.to_owned()).collect()
 }
 
-fn names(line: &str) -> impl Iterator<Item = &str> {
-    let between = |c: char| !c.is_ascii_alphanumeric() && c != '_';
-    line.split(between).filter(|name| !name.is_empty())
+/// The names in a text's code that it does not introduce as a declaration or a variable, nor, unless
+/// it calls them, as a parameter or a field.
+fn foreign_names(text: &str) -> Vec<String> {
+    let [mut used, mut called, mut declared, mut typed] = [const { BTreeSet::new() }; 4];
+    for line in text.lines() {
+        let mut last = "";
+        for (before, word, after) in words(code(line)) {
+            if matches!(last, "alias" | "const" | "fn" | "let" | "struct" | "var") {
+                declared.insert(word);
+            } else if after.starts_with(':') {
+                typed.insert(word);
+            } else if after.starts_with('(') {
+                called.insert(word);
+            } else if !before.ends_with(['.', '@']) {
+                used.insert(word);
+            }
+            last = word;
+        }
+    }
+    let used = used.difference(&typed).chain(&called);
+    let foreign: BTreeSet<_> = used.filter(|name| !declared.contains(*name)).collect();
+    foreign.into_iter().map(|name| (*name).into()).collect()
+}
+
+/// A line without its comment.
+fn code(line: &str) -> &str {
+    line.split("//").next().unwrap_or_default()
+}
+
+/// The words of a line, each with what is between the last one and it, and what follows it.
+fn words(line: &str) -> impl Iterator<Item = (&str, &str, &str)> {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let mut rest = line;
+    std::iter::from_fn(move || {
+        let (before, word) = rest.split_at(rest.find(is_part)?);
+        let length = word.find(|c| !is_part(c)).unwrap_or(word.len());
+        let (word, after) = word.split_at(length);
+        rest = after;
+        Some((before, word, after))
+    })
 }
 
 fn add_files(folder: &Path, prefix: &str, files: &mut Vec<ShaderFile>) -> io::Result<()> {

@@ -38,7 +38,8 @@ impl Choice {
 /// A constant before the files takes precedence over them. Of several files that give a name, the
 /// linker takes the one among the choices, or the one that is linked for another name.
 ///
-/// A name without such a file is a fault, and is skipped.
+/// An entry point without such a file, and a name for which there are several, are faults. A name
+/// that no file gives is WGSL's own, or the compiler says that nothing declares it.
 pub(super) fn link<'a>(
     files: &'a ShaderFiles,
     entries: &[&str],
@@ -81,10 +82,10 @@ struct Linker<'a, 'b, F> {
 impl<'a: 'b, 'b, F: Fn(&str) -> bool> Linker<'a, 'b, F> {
     /// Links the file that gives a name to `needing`, which is `None` for an entry point.
     fn add_giver_of(&mut self, name: &'b str, needing: Option<&'a ShaderFile>) {
-        if (self.is_constant)(name) {
+        let givers: Vec<_> = self.givers(name).collect();
+        if (self.is_constant)(name) || givers.is_empty() && needing.is_some() {
             return;
         }
-        let givers: Vec<_> = self.givers(name).collect();
         let chosen: Vec<_> = givers
             .iter()
             .copied()
@@ -141,7 +142,7 @@ impl<'a: 'b, 'b, F: Fn(&str) -> bool> Linker<'a, 'b, F> {
         };
         self.fault.get_or_insert_with(|| ShaderFault {
             file: needing.map_or("the entry point", |file| &file.name).into(),
-            line: needing.map_or(1, |file| file.line_of_need(name)),
+            line: needing.map_or(1, |file| file.line_of(name)),
             reason,
         });
     }
