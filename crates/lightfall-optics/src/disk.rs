@@ -11,17 +11,11 @@ use lightfall_model::geometry::kerr::CircularOrbit;
 use lightfall_model::scene::{Disk, DiskModel, Scene};
 use std::f64::consts::TAU;
 
-/// The disk's inner edge, in r_s: `disk.inner`, or the innermost stable circular orbit where that
-/// lies farther out or `disk.follow_isco` asks for it.
-pub fn inner_edge(scene: &Scene) -> f64 {
-    scene.inner_edge()
-}
-
 /// The period of an orbit at the disk's inner edge, in r_s/c of Boyer-Lindquist's time: that of a
 /// distant clock.
 pub fn inner_period(scene: &Scene) -> Option<f64> {
     let kerr = scene.kerr();
-    let orbit = kerr.circular_orbit(inner_edge(scene))?;
+    let orbit = kerr.circular_orbit(scene.inner_edge())?;
     Some(TAU / orbit.angular_velocity)
 }
 
@@ -37,7 +31,7 @@ pub enum Profile {
 impl Profile {
     /// The profile of the scene's model, spin and inner edge.
     pub fn new(scene: &Scene) -> Self {
-        let inner = inner_edge(scene);
+        let inner = scene.inner_edge();
         match scene.disk.model {
             DiskModel::Newtonian => Self::Newtonian(inner),
             DiskModel::PageThorne => Self::PageThorne(PageThorne::new(scene.hole.spin, inner)),
@@ -71,7 +65,7 @@ pub fn lit(scene: &Scene) -> Disk {
             Profile::Newtonian(_) => 1.0,
             Profile::PageThorne(profile) => 1.0 / profile.scale(),
         };
-        let gain = per_peak * (STANDARD_EDGE / inner_edge(scene)).powi(3);
+        let gain = per_peak * (STANDARD_EDGE / scene.inner_edge()).powi(3);
         disk.temperature_k *= gain.powf(0.25);
         disk.brightness *= gain;
     }
@@ -87,7 +81,7 @@ pub fn temperature(disk: &Disk, flux: f64) -> f64 {
 /// The disk's coverage at radius `r`, from 0 to 1: emission and opacity fade together at both
 /// edges. The twin in WGSL is `disk_cover` in shaders/disk/emission.wgsl.
 pub fn cover(scene: &Scene, r: f64) -> f64 {
-    let (inner, disk) = (inner_edge(scene), &scene.disk);
+    let (inner, disk) = (scene.inner_edge(), &scene.disk);
     let fade = |depth: f64, edge: f64| {
         let share = (depth / (disk.edge_taper * edge).max(1e-6)).clamp(0.0, 1.0);
         share * share * (3.0 - 2.0 * share)

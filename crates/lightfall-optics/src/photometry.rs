@@ -31,7 +31,7 @@ impl DiskRing {
     /// Ring `index` of `count`, counted from the inner edge. The area is zero where the disk's
     /// outer edge lies inside its inner one.
     pub fn new(scene: &Scene, index: usize, count: usize) -> Self {
-        let inner = disk::inner_edge(scene);
+        let inner = scene.inner_edge();
         let edge =
             |ring: usize| inner + (scene.disk.outer - inner).max(0.0) * ring as f64 / count as f64;
         let (low, high) = (edge(index), edge(index + 1));

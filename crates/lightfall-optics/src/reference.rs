@@ -64,7 +64,7 @@ impl Reference {
         let annulus = scene
             .disk
             .enabled
-            .then(|| [disk::inner_edge(scene), scene.disk.outer]);
+            .then(|| [scene.inner_edge(), scene.disk.outer]);
         let hole_and_disk = HoleAndDisk {
             kerr: scene.kerr(),
             annulus,

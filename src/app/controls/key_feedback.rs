@@ -7,7 +7,6 @@ use super::refusal::no_observer;
 use super::table::control_named;
 use lightfall_core::numbers::four_digits;
 use lightfall_core::optics::camera_rays::CameraRays;
-use lightfall_core::optics::disk::inner_edge;
 use lightfall_core::scene::{Content, ObserverKind, Scene, View};
 
 /// A remark on the change that a control has made. None where the picture shows the change. Keys
@@ -35,7 +34,7 @@ pub fn remark(
         "scene.isco" if !after.disk.enabled => {
             Some(format!("the disk is off; {} shows it", key("scene.disk")))
         }
-        "scene.isco" if inner_edge(before) == inner_edge(after) => {
+        "scene.isco" if before.inner_edge() == after.inner_edge() => {
             Some("the disk begins at the innermost stable orbit in either case".into())
         }
         "light.doppler" | "light.gravitational_shift" | "light.beaming"

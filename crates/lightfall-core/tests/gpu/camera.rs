@@ -103,7 +103,11 @@ fn photons(scene: &Scene, frame: &Frame, places: &[(f32, f32)]) -> Vec<[Vec4; 2]
 fn a_part_of_a_picture_has_the_rays_of_the_whole_picture_at_its_place() {
     let scene = turned_and_fast();
     let whole = Frame::of(&scene).with_whole(UVec2::new(640, 360));
-    let part = whole.with_part(UVec2::new(128, 200), UVec2::new(64, 48));
+    let part = Frame {
+        origin: UVec2::new(128, 200),
+        size: UVec2::new(64, 48),
+        ..whole
+    };
     let places = [(0.5, 0.5), (63.5, 0.5), (20.5, 47.5), (31.5, 12.5)];
     let in_whole = places.map(|(x, y)| (x + 128.0, y + 200.0));
     // The places are exact in f32, so that the same arithmetic follows.

@@ -1,12 +1,12 @@
 //! The hot spot in the shader, against the one in f64 with the reference's rays and delays.
 
+use crate::hot_spot_flux::HotSpotFlux;
 use crate::light::light_from;
 use crate::{gpu, pixel_directions};
 use glam::{DVec2, DVec3};
 use lightfall_core::gpu::kernel::uniform;
 use lightfall_core::gpu::{GpuHotSpot, GpuScene, Variant, bindings};
 use lightfall_core::optics::echo::echo;
-use lightfall_core::optics::hot_spot::HotSpot;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::scene::{HotSpotKind, Method, ObserverKind, Scene, presets};
 
@@ -48,7 +48,7 @@ fn found(scene: &Scene, directions: &[DVec3]) -> Vec<[f64; 2]> {
 fn largest_error(scene: &Scene) -> f64 {
     let directions = pixel_directions(scene, 64, 36);
     let reference = Reference::new(scene).unwrap();
-    let spot = HotSpot::new(scene).unwrap();
+    let spot = HotSpotFlux::new(scene);
     let (mut worst, mut compared) = (0.0_f64, 0);
     for (direction, factors) in directions.iter().zip(found(scene, &directions)) {
         let truth = reference.trace_with_lags(*direction);
@@ -134,7 +134,7 @@ fn hot_spot_of_the_flare_is_seen_three_times_where_the_echo_has_its_images() {
 fn hot_spot_that_is_rigid_looks_the_same_a_turn_later() {
     let mut scene = scene(Method::Closed, 0.0, HotSpotKind::Rigid);
     let directions = pixel_directions(&scene, 64, 36);
-    let period = HotSpot::new(&scene).unwrap().period();
+    let period = HotSpotFlux::new(&scene).period();
     scene.disk.time = 12.0;
     let now = found(&scene, &directions);
     for turns in [1.0, 1e5] {

@@ -24,10 +24,14 @@ mod error_map;
 mod extremes;
 mod finite_light;
 mod hot_spot;
+#[path = "../physics/hot_spot_flux.rs"]
+mod hot_spot_flux;
 mod inside;
 mod kerr_schild;
 mod layout;
 mod light;
+#[path = "../physics/light_without_spin.rs"]
+mod light_without_spin;
 mod limb;
 mod mino;
 #[path = "../physics/moved_camera.rs"]
@@ -53,6 +57,8 @@ mod sky;
 mod spectrum;
 mod stars;
 mod structure;
+#[path = "../physics/structure_field.rs"]
+mod structure_field;
 mod tilted_disk;
 mod uniforms;
 mod variants;

@@ -309,7 +309,7 @@ fn light_crosses_the_plane_where_published_codes_have_it() {
         // of a fast hole.
         let direction = looking_direction(&scene, alpha / 2.0, beta / 2.0);
         let hit = rays::trace(gpu, &scene, &[direction]).unwrap()[0].hits[0];
-        let inside = x.hypot(y) / 2.0 < lightfall_core::optics::disk::inner_edge(&scene);
+        let inside = x.hypot(y) / 2.0 < scene.inner_edge();
         assert_eq!(
             hit.is_none(),
             inside,

@@ -1,11 +1,12 @@
 //! The structure of the disk's light in WGSL against its twin in f64.
 
 use crate::gpu;
+use crate::structure_field::{Covariance, StructureField};
 use encase::ShaderType;
 use glam::{DVec2, Vec2};
 use lightfall_core::gpu::kernel::{ArrayKernel, uniform};
 use lightfall_core::gpu::{GpuScene, GpuStructure, Variant, bindings};
-use lightfall_core::optics::structure::{Covariance, Structure};
+use lightfall_core::optics::structure::Structure;
 use lightfall_core::scene::{DiskStructure, Scene};
 use std::f64::consts::{PI, TAU};
 

@@ -1,15 +1,16 @@
 //! How long light is under way: the reference against tabulated values, against the closed form
 //! without spin, and against Carter's equation as it stands.
 
+mod closed_form;
 mod tabulated;
 
 use crate::random::Random;
+use closed_form::{Way, lag};
 use glam::{DVec2, DVec3};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::mino::{PhotonConstants, PhotonState};
 use lightfall_core::geometry::quadrature::gauss_legendre;
 use lightfall_core::geometry::schwarzschild::CRITICAL_IMPACT;
-use lightfall_core::geometry::schwarzschild::delay::{Way, lag};
 use lightfall_core::optics::delay::Lag;
 use lightfall_core::optics::reference::{HoleAndDisk, Reference};
 use lightfall_core::optics::trace::{Hit, Outcome, Trace};

@@ -2,6 +2,7 @@
 //! counts and the statistics of chance.
 
 use crate::random::Random;
+use crate::sky_texel::texel;
 use lightfall_core::optics::cube_map;
 use lightfall_core::optics::stars::{
     Catalogue, FIRST_MAGNITUDE, MAX_MAGNITUDE, Star, StarList, galactic_from_celestial,
@@ -88,7 +89,7 @@ fn counts(stars: &[Star], from: f32, to: f32, size: usize) -> Vec<f64> {
         .iter()
         .filter(|star| (from..to).contains(&star.magnitude))
     {
-        counts[cube_map::texel(size, star.direction.as_dvec3())] += 1.0;
+        counts[texel(size, star.direction.as_dvec3())] += 1.0;
     }
     counts
 }

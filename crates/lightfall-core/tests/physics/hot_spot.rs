@@ -1,6 +1,7 @@
 //! The hot spot: where it is, how it is sheared, and that the light that it spreads is conserved.
 
 use crate::assert_close;
+use crate::hot_spot_flux::HotSpotFlux;
 use lightfall_core::optics::hot_spot::HotSpot;
 use lightfall_core::scene::{HotSpotKind, Scene};
 use std::f64::consts::{PI, TAU};
@@ -15,12 +16,12 @@ fn scene(kind: HotSpotKind) -> Scene {
     scene
 }
 
-fn spot(scene: &Scene) -> HotSpot {
-    HotSpot::new(scene).unwrap()
+fn spot(scene: &Scene) -> HotSpotFlux {
+    HotSpotFlux::new(scene)
 }
 
 /// The factor's mean along the orbit of radius r.
-fn mean(spot: &HotSpot, r: f64, t: f64) -> f64 {
+fn mean(spot: &HotSpotFlux, r: f64, t: f64) -> f64 {
     let sum: f64 = (0..4000)
         .map(|i| spot.factor(r, TAU * f64::from(i) / 4000.0, t))
         .sum();

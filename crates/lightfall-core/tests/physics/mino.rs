@@ -1,11 +1,11 @@
 //! Null geodesics from infinity against tables, elliptic integrals and other codes.
 
+use crate::light_without_spin::deflection;
 use crate::schwarzschild::{DEFLECTION, RINGS, rounding_of_b};
 use crate::{assert_close, bisect};
 use glam::DVec3;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::mino::{PhotonConstants, PhotonState};
-use lightfall_core::geometry::schwarzschild::deflection;
 use lightfall_core::geometry::sphere::{celestial_frame, polar_sin_cos};
 use lightfall_core::optics::reference::HoleAndDisk;
 use lightfall_core::optics::trace::{Outcome, Trace};

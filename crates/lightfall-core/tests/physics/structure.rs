@@ -3,10 +3,11 @@
 
 use crate::assert_close;
 use crate::random::Random;
+use crate::structure_field::{Covariance, StructureField, Term};
 use glam::DVec3;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::optics::reference::Reference;
-use lightfall_core::optics::structure::{Covariance, Structure, Term};
+use lightfall_core::optics::structure::Structure;
 use lightfall_core::scene::{DiskStructure, Scene};
 use std::array;
 use std::f64::consts::{PI, TAU};

@@ -1,8 +1,9 @@
 //! The structure of a disk that repeats: exactly after its period, not before, and with the statistics
 //! of one that never does.
 
+use crate::structure_field::{Covariance, StructureField};
 use lightfall_core::geometry::kerr::Kerr;
-use lightfall_core::optics::structure::{Covariance, Structure};
+use lightfall_core::optics::structure::Structure;
 use lightfall_core::scene::{DiskStructure, Scene};
 use std::f64::consts::TAU;
 

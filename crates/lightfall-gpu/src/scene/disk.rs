@@ -2,7 +2,7 @@
 
 use encase::ShaderType;
 use lightfall_model::scene::Scene;
-use lightfall_optics::disk::{inner_edge, lit};
+use lightfall_optics::disk::lit;
 use lightfall_optics::photometry::DISK_HDR_SCALE;
 
 /// Mirror of `Disk` in shaders/scene.wgsl.
@@ -20,7 +20,7 @@ pub struct GpuDisk {
 
 impl GpuDisk {
     pub(super) fn new(scene: &Scene) -> Self {
-        let (disk, inner) = (lit(scene), inner_edge(scene));
+        let (disk, inner) = (lit(scene), scene.inner_edge());
         Self {
             inner: inner as f32,
             outer: disk.outer as f32,

@@ -5,20 +5,12 @@
 //! depends on D = b_c^2/b^2 - 1, with b_c^2 = 27/4: an orbit with D > 0 plunges into the hole, and
 //! one with D < 0 has turning points.
 
-pub mod delay;
 pub mod rain_sky;
 
-use crate::geometry::elliptic::carlson_rf;
 use glam::DVec3;
-use std::f64::consts::{FRAC_PI_3, PI};
 
 /// b_c = 3 sqrt(3) / 2, the impact parameter of the photon sphere, in r_s.
 pub const CRITICAL_IMPACT: f64 = 2.598_076_211_353_316;
-
-/// D = (b_c - b)(b_c + b) / b^2 of a ray with impact parameter `b` (r_s).
-pub fn discriminant(b: f64) -> f64 {
-    (CRITICAL_IMPACT - b) * (CRITICAL_IMPACT + b) / (b * b)
-}
 
 /// The edge of the shadow on an observer's sky. The *margin* of a photon, `radial - c E`, is
 /// positive in the shadow, negative in the rest of the sky, and zero on the edge.
@@ -71,61 +63,6 @@ impl ShadowEdge {
             curvature: -side * steepness,
         }
     }
-}
-
-/// The roots u1 < 0 < u2 <= 2/3 <= u3 of the cubic 1/b^2 - u^2 + u^3, of which u2 is the turning
-/// point of light from afar; u32 = u3 - u2 and u21 = u2 - u1.
-///
-/// With eta = (2/3) arcsin(b_c/b) and eps = pi/3 - eta = (2/3) arcsin(sqrt(-D)), the cubic's
-/// trigonometric solution gives u3 - u2 = (2/sqrt 3) sin eps, u2 - u1 = (2/sqrt 3) sin eta, and
-/// u1,2 = (2/3) sin^2(eta/2) -+ sin(eta)/sqrt 3. The smaller of eta and eps is computed directly, so
-/// both limits are accurate.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Roots {
-    u1: f64,
-    u2: f64,
-    u32: f64,
-    u21: f64,
-}
-
-/// Deflection, in radians, of light that comes from infinity with impact parameter `b` (r_s) and
-/// returns there. `None` if it is captured.
-///
-/// It is 4 sqrt(u2) R_F(-u1 u32, u21 u32, u21 u3) - pi. Derived from Darwin 1959 and DLMF 19.29.4.
-pub fn deflection(b: f64) -> Option<f64> {
-    let Roots { u1, u2, u32, u21 } = Roots::of(b.abs())?;
-    Some(4.0 * u2.sqrt() * carlson_rf(-u1 * u32, u21 * u32, u21 * (u2 + u32)) - PI)
-}
-
-impl Roots {
-    /// The roots for the impact parameter `b` > 0; `None` for rays without a turning point.
-    fn of(b: f64) -> Option<Self> {
-        let d = discriminant(b);
-        if d.is_nan() || d >= 0.0 {
-            return None;
-        }
-        let (eta, eps) = if d < -0.5 {
-            let eta = 2.0 / 3.0 * (CRITICAL_IMPACT / b).asin();
-            (eta, FRAC_PI_3 - eta)
-        } else {
-            let eps = 2.0 / 3.0 * (-d).sqrt().asin();
-            (FRAC_PI_3 - eps, eps)
-        };
-        let third = 1.0 / 3.0_f64.sqrt();
-        let even = 2.0 / 3.0 * (eta / 2.0).sin().powi(2);
-        let (u1, u2) = (even - third * eta.sin(), even + third * eta.sin());
-        let (u32, u21) = (2.0 * third * eps.sin(), 2.0 * third * eta.sin());
-        Some(Self { u1, u2, u32, u21 })
-    }
-}
-
-/// Angular radius of the shadow, in radians from the inward direction, for an observer at rest at
-/// `r` > 1: sin^2 = (27/4)(1 - 1/r)/r^2 (Synge 1966), with cos = (1 - 3/(2r)) sqrt(1 + 3/r) for the
-/// quadrant.
-pub fn shadow_half_angle_static(r: f64) -> f64 {
-    let sine = CRITICAL_IMPACT / r * (1.0 - 1.0 / r).sqrt();
-    let cosine = (1.0 - 1.5 / r) * (1.0 + 3.0 / r).sqrt();
-    sine.atan2(cosine)
 }
 
 /// Angular radius of the shadow, in radians from the inward direction, for an observer in free fall

@@ -52,16 +52,6 @@ impl Frame {
         }
     }
 
-    /// The frame with a part of the picture only, in pixels of the whole.
-    #[must_use]
-    pub fn with_part(self, origin: UVec2, size: UVec2) -> Self {
-        Self {
-            origin,
-            size,
-            ..self
-        }
-    }
-
     /// The frame as one of several samples that are averaged.
     #[must_use]
     pub fn with_sample(self, sample: u32, samples: u32) -> Self {

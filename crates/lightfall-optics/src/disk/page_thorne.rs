@@ -73,11 +73,6 @@ impl PageThorne {
         self.scale
     }
 
-    /// 4 pi F / Mdot at radius `r`, in 1/r_s^2.
-    pub fn flux_per_accretion_rate(&self, r: f64) -> f64 {
-        1.5 / (MASS * self.x0.powi(3)).powi(2) * self.flux(r) / self.scale
-    }
-
     /// Radius of the largest flux, in r_s: the root of d ln F/dx = B'/B - 4/x - q'/q. B is the
     /// bracket, and the derivatives of its terms add up to x q B' = x^4 - 6 x^2 + 8 chi x - 3
     /// chi^2, which vanishes at the innermost stable orbit.
@@ -153,15 +148,5 @@ impl PageThorne {
             ]
             .map(|coefficient| coefficient as f32)
         })
-    }
-
-    /// The flux that the shader computes from `table`, in f64.
-    pub fn sample(&self, table: &[[f32; 4]; TABLE_LEN], r: f64) -> f64 {
-        let depth = (1.0 - (self.inner / r).sqrt()).max(0.0);
-        let position = depth.sqrt() * TABLE_LEN as f64;
-        let entry = (position as usize).min(TABLE_LEN - 1);
-        let t = position - entry as f64;
-        let [a, b, c, d] = table[entry].map(f64::from);
-        newtonian_flux(r, self.inner) * (a + t * (b + t * (c + t * d)))
     }
 }

@@ -1,9 +1,8 @@
 //! The diffuse light as a cube map, which is computed once and kept as an asset.
 
 use super::asset;
-use crate::cube_map::{FACES, face_and_place, face_column_row, solid_angle};
+use crate::cube_map::{FACES, face_column_row, solid_angle};
 use crate::stars::flux;
-use glam::DVec3;
 use half::f16;
 use std::sync::LazyLock;
 
@@ -68,33 +67,6 @@ impl MilkyWay {
             }
         }
         halves
-    }
-
-    /// The two radiances from a J2000 direction, linear between the four texels around it on its
-    /// face.
-    pub fn radiance(&self, direction: DVec3) -> [f64; 2] {
-        let (face, u, v) = face_and_place(direction);
-        let size = Self::SIZE as f64;
-        let split = |place: f64| {
-            let place = (place * size - 0.5).clamp(0.0, size - 1.0);
-            let low = (place as usize).min(Self::SIZE - 2);
-            (low, place - low as f64)
-        };
-        let ((column, right), (row, down)) = (split(u), split(v));
-        let texel = |column: usize, row: usize| -> [f64; 2] {
-            self.levels[0][(face * Self::SIZE + row) * Self::SIZE + column].map(f64::from)
-        };
-        std::array::from_fn(|i| {
-            let along =
-                |row| (1.0 - right) * texel(column, row)[i] + right * texel(column + 1, row)[i];
-            (1.0 - down) * along(row) + down * along(row + 1)
-        })
-    }
-
-    /// The brightness in V of two radiances, in stars of V = 0 per steradian.
-    pub fn brightness(radiance: [f64; 2]) -> f64 {
-        let [blue, red] = star_fluxes();
-        radiance[0] / blue + radiance[1] / red
     }
 
     /// For each cell its brightness to `power` times its solid angle.

@@ -1,8 +1,8 @@
 //! The draw of the waves.
 
 use super::model::{Model, OCTAVES, wave_number};
-use super::random::{GROUP_STRIDE, phase, random, spread};
 use lightfall_model::geometry::kerr::{Kerr, MASS};
+use lightfall_model::random::Random;
 use std::f64::consts::{PI, TAU};
 
 /// A shearing wave with the phase m phi + k (x - centre) in the middle of its life.
@@ -30,15 +30,6 @@ pub struct Ring {
     keys: [u32; OCTAVES],
     /// The waves, in groups of one wave of each octave.
     pub groups: Vec<[Wave; OCTAVES]>,
-}
-
-/// Where a wave is in its lives.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Age {
-    /// Age as a share of a life, from -1/2 to 1/2; 0 in the middle.
-    pub share: f64,
-    /// Random phase of this life, in turns.
-    pub phase: f64,
 }
 
 impl Ring {
@@ -74,7 +65,7 @@ impl Ring {
             sizes.into_iter().zip(directions).map(wave).collect()
         });
         let mut random = random(model.seed, ring, OCTAVES);
-        let orbit = TAU / angular_velocity(kerr, centre.exp()).0;
+        let orbit = TAU / angular_velocity(kerr, centre.exp());
         let life = model.lifetime * orbit;
         // A period consists of whole lives.
         let cycle = model.period.map(|period| (period / life).round().max(1.0));
@@ -109,28 +100,29 @@ impl Ring {
     pub fn phase_places(&self, life: i64) -> [u32; OCTAVES] {
         self.keys.map(|key| key.wrapping_add(life as u32))
     }
-
-    /// The age of a wave at a time. The births of an octave's waves are evenly spaced, so that the
-    /// sum of their windows' squares does not depend on time.
-    pub(super) fn age(&self, time: f64, group: usize, octave: usize) -> Age {
-        let (life, rest) = self.lives(time);
-        let later = (group as f64 + octave as f64 / OCTAVES as f64) / self.groups.len() as f64;
-        let lives = rest + later;
-        let number = self.number_in_cycle(life + lives.floor() as i64);
-        let place = self.phase_places(number)[octave];
-        Age {
-            share: lives - lives.floor() - 0.5,
-            phase: phase(place.wrapping_add(GROUP_STRIDE.wrapping_mul(group as u32))),
-        }
-    }
 }
 
 /// Omega = y^3/(M (1 + chi y^3)) of the circular orbit at the radius r, with y = sqrt(M/r)
-/// (Bardeen, Press & Teukolsky 1972 eq. 2.16), and the shear -dOmega/dln r = (3/2) Omega/(1 + chi
-/// y^3).
-pub(super) fn angular_velocity(kerr: Kerr, r: f64) -> (f64, f64) {
+/// (Bardeen, Press & Teukolsky 1972 eq. 2.16), inside the photon orbit too.
+fn angular_velocity(kerr: Kerr, r: f64) -> f64 {
     let y3 = (MASS / r).powf(1.5);
-    let stretch = 1.0 + kerr.spin * y3;
-    let omega = y3 / (MASS * stretch);
-    (omega, 1.5 * omega / stretch)
+    y3 / (MASS * (1.0 + kerr.spin * y3))
+}
+
+/// The random numbers of a seed for one octave of a ring.
+fn random(seed: u32, ring: usize, octave: usize) -> Random {
+    Random::of_purpose(u64::from(seed) << 16 | (ring * 16 + octave) as u64)
+}
+
+/// One number from each of `count` equal parts of [0, 1], in random order.
+fn spread(random: &mut Random, count: usize) -> Vec<f64> {
+    let mut parts: Vec<usize> = (0..count).collect();
+    for last in (1..count).rev() {
+        let other = (random.unit() * (last + 1) as f64) as usize;
+        parts.swap(last, other.min(last));
+    }
+    parts
+        .into_iter()
+        .map(|part| (part as f64 + random.unit()) / count as f64)
+        .collect()
 }

@@ -10,25 +10,25 @@
 //! With a period, the lives of each ring's waves divide it, and their phases repeat after it.
 
 mod draw;
-mod field;
 mod model;
-mod random;
 mod rings;
 
 pub use draw::{Ring, Wave};
-pub use field::{Covariance, Field, MAX_CHANGE, Term};
 pub use model::{MAX_WAVES, Model, OCTAVES};
-pub use random::{GROUP_STRIDE, phase};
 pub use rings::{MAX_RINGS, Rings};
 
-use crate::disk::inner_edge;
 use lightfall_model::geometry::kerr::Kerr;
 use lightfall_model::scene::Scene;
+
+/// Largest change in (ln r, phi) from a pixel to its neighbour in the same image of the disk:
+/// `MAX_DX` and `MAX_DPHI` in the shader.
+pub const MAX_CHANGE: [f64; 2] = [0.9, 0.75];
 
 /// The structure of a scene's disk: everything that does not depend on time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Structure {
-    kerr: Kerr,
+    /// The hole.
+    pub kerr: Kerr,
     /// The model's numbers.
     pub model: Model,
     /// Where the rings are.
@@ -43,7 +43,7 @@ impl Structure {
     pub fn new(scene: &Scene, limit: Option<u32>) -> Option<Self> {
         let model = Model::new(&scene.disk, limit)?;
         let kerr = scene.kerr();
-        let places = Rings::new(inner_edge(scene), scene.disk.outer);
+        let places = Rings::new(scene.inner_edge(), scene.disk.outer);
         let rings = (0..places.count)
             .map(|i| Ring::new(&model, i, places.centre(i), kerr))
             .collect();

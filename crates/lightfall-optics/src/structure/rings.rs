@@ -1,7 +1,5 @@
 //! The rings that the disk is divided into, and how they overlap.
 
-use std::f64::consts::FRAC_PI_2;
-
 /// Maximum number of rings: a wider disk has wider rings.
 pub const MAX_RINGS: usize = 16;
 
@@ -35,13 +33,5 @@ impl Rings {
     /// ln r of the centre of a ring.
     pub fn centre(&self, ring: usize) -> f64 {
         self.start + (ring as f64 + 0.5) * self.width
-    }
-
-    /// The weight of a ring at ln r = x. The squares of all weights add up to one everywhere, so
-    /// that independent rings of variance one give the variance one.
-    pub fn weight(&self, ring: usize, x: f64) -> f64 {
-        let place = ((x - self.start) / self.width - 0.5).clamp(0.0, (self.count - 1) as f64);
-        let share = (2.0 * (place - ring as f64).abs() - 0.5).clamp(0.0, 1.0);
-        (FRAC_PI_2 * share * share * (3.0 - 2.0 * share)).cos()
     }
 }

@@ -9,7 +9,6 @@ use bevy_egui::egui::{self, Color32, Rect, Stroke};
 use glam::{DMat3, DVec3};
 use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::optics::camera_rays::camera_in_disk_frame;
-use lightfall_core::optics::disk;
 use lightfall_core::scene::Scene;
 use std::f64::consts::{PI, TAU};
 
@@ -185,7 +184,7 @@ fn draw_hole(projection: &Projection, scene: &Scene) {
     let painter = &projection.painter;
     painter.circle(projection.centre, radius, fill, thin(HORIZON));
     if scene.disk.enabled {
-        let (inner, outer) = (disk::inner_edge(scene), scene.disk.outer);
+        let (inner, outer) = (scene.inner_edge(), scene.disk.outer);
         let rings = 14;
         for ring in 0..=rings {
             let is_edge = ring == 0 || ring == rings;

@@ -8,7 +8,6 @@ use glam::DVec2;
 use lightfall_core::accuracy::inspection::Inspected;
 use lightfall_core::geometry::schwarzschild::CRITICAL_IMPACT;
 use lightfall_core::numbers::four_digits;
-use lightfall_core::optics::disk;
 use lightfall_core::optics::ray_plane::{DiskSection, RayPlane};
 use lightfall_core::optics::trace::Outcome;
 use lightfall_core::scene::Scene;
@@ -132,7 +131,7 @@ impl Figure {
 
     fn draw_hole(&mut self, scene: &Scene, first: &Inspected) {
         let kerr = scene.kerr();
-        let (inner, outer) = (disk::inner_edge(scene), scene.disk.outer);
+        let (inner, outer) = (scene.inner_edge(), scene.disk.outer);
         match first.plane.disk.filter(|_| scene.disk.enabled) {
             Some(DiskSection::Plane) => {
                 let stroke = Stroke::new(self.length(outer - inner), DISK.gamma_multiply(0.22));

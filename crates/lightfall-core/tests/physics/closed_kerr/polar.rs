@@ -16,7 +16,7 @@
 //! modulus is small for all light that does not run next to the axis. Derived.
 
 use glam::{DMat3, DVec3};
-use lightfall_core::geometry::elliptic::carlson_rf;
+use lightfall_core::geometry::elliptic::carlson_rf_pair;
 use lightfall_core::geometry::mino::{PhotonConstants, PhotonState};
 use lightfall_core::geometry::quadrature::integral;
 
@@ -150,9 +150,11 @@ impl Polar {
             return Some([period - phase / circle.rate, period]);
         }
         let rho2 = self.k_plus + self.axial * z * z;
-        let quarter = carlson_rf(0.0, self.k_plus + self.axial * self.m, self.k_plus);
-        let to_plane = z / self.m.sqrt()
-            * carlson_rf((dz * dz / rho2) * self.k_plus / self.m, rho2, self.k_plus);
+        // R_F of x and two values that differ by `gap`, the smaller one of which is k_plus.
+        let rf = |x, gap: f64| carlson_rf_pair(x, self.k_plus + 0.5 * gap, (0.5 * gap).powi(2));
+        let quarter = rf(0.0, self.axial * self.m);
+        let climb = (dz * dz / rho2) * self.k_plus / self.m;
+        let to_plane = z / self.m.sqrt() * rf(climb, self.axial * z * z);
         let first = if toward {
             to_plane
         } else {

@@ -70,11 +70,6 @@ impl Geodesic {
         }
     }
 
-    /// See [`ParticleConstants::residual`].
-    pub fn residual(&self) -> f64 {
-        self.constants.residual(&self.state)
-    }
-
     /// Advances the particle by `proper_time` (r_s, not negative). If it reaches one of the radii
     /// `[inner, outer]` (r_s) earlier, it stays there.
     pub fn advance(&mut self, proper_time: f64, [inner, outer]: [f64; 2]) -> Option<Limit> {

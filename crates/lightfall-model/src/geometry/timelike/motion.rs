@@ -35,26 +35,6 @@ pub struct ParticleState {
 }
 
 impl ParticleConstants {
-    /// The largest relative violation of the constraints on u'^2, |n'|^2 and (n x n')_z.
-    pub fn residual(&self, state: &ParticleState) -> f64 {
-        let ParticleState { u, du, n, dn, .. } = *state;
-        let k_prime = self.k_prime();
-        let (w, d) = (
-            self.energy + self.b() * u * u,
-            1.0 - u + (self.a * u).powi(2),
-        );
-        let rest = d * (1.0 + k_prime * u * u);
-        let radial = (du * du - w * w + rest).abs() / (w * w + rest.abs());
-        let kappa = self.kappa();
-        let scale = self.k.abs() + kappa.abs();
-        if scale == 0.0 {
-            return radial;
-        }
-        let angular = (dn.length_squared() - self.k + kappa * n.z * n.z).abs() / scale;
-        let axial = (n.x * dn.y - n.y * dn.x - self.angular_momentum).abs() / scale.sqrt();
-        radial.max(angular).max(axial)
-    }
-
     /// K' = Q + (L - a E)^2.
     pub(super) fn k_prime(&self) -> f64 {
         let ae = self.a * self.energy;

@@ -9,16 +9,17 @@
 //!
 //! The integrand of J lies between 1/2 and 1. Derived.
 
-use super::{CRITICAL_IMPACT, Roots};
-use crate::geometry::kerr::Kerr;
-use crate::geometry::quadrature::integral;
+use crate::light_without_spin::Roots;
+use lightfall_core::geometry::kerr::Kerr;
+use lightfall_core::geometry::quadrature::integral;
+use lightfall_core::geometry::schwarzschild::CRITICAL_IMPACT;
 
 /// u of the photon sphere, where s(u) of rays next to the critical curve has a kink.
 const PHOTON_SPHERE: f64 = 2.0 / 3.0;
 
 /// The radial direction of a backward ray from the camera to a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
+pub(super) enum Way {
     /// Inward.
     In,
     /// Inward, and outward again after the turning point.
@@ -31,11 +32,7 @@ pub enum Way {
 /// parameter `b` (r_s) left the place `u` = 1/r. Its backward ray comes there from `camera_u` on
 /// this `way` and sweeps the angle `phi` (radians). The camera's time is Boyer-Lindquist's outside
 /// the horizon, and Kerr's ingoing one at and inside it. Rays with a turning point lie outside it.
-///
-/// # Panics
-/// If `way` is [`Way::InAndOut`] and `b` is not larger than the critical one: such a ray does not
-/// turn.
-pub fn lag(b: f64, phi: f64, camera_u: f64, u: f64, way: Way) -> f64 {
+pub(super) fn lag(b: f64, phi: f64, camera_u: f64, u: f64, way: Way) -> f64 {
     let tortoise = |u: f64| Kerr { spin: 0.0 }.ingoing_time_lead(1.0 / u);
     let lead = if camera_u < 1.0 {
         tortoise(camera_u)
