@@ -17,9 +17,7 @@ fn hermite(segment: Segment, t: f32) -> vec3<f32> {
 }
 
 // Whether a step from the height z0 to z1 crosses the plane. A crossing belongs to the step that
-// contains it or ends at it, never to the step that starts at it. So no crossing counts twice, a
-// camera in the plane does not see the disk at its own place, and a ray in the plane has no
-// crossing.
+// contains it or ends at it, as optics/reference.rs explains.
 fn crosses_plane(z0: f32, z1: f32) -> bool {
     return z0 != 0.0 && (z1 == 0.0 || (z0 > 0.0) != (z1 > 0.0));
 }
@@ -28,8 +26,8 @@ fn in_annulus(r: f32) -> bool {
     return r > scene.disk.inner && r < scene.disk.outer;
 }
 
-// Whether a crossing near this radius may be in the annulus. The cubic through a step of
-// kerr-schild is wrong by less than a thousandth of the radius; the margin is fifty times that.
+// Whether a crossing near this radius may be in the annulus: the cubic through a step of
+// kerr-schild is wrong by less than a thousandth of the radius.
 fn near_annulus(r: f32) -> bool {
     return r > 0.95 * scene.disk.inner && r < 1.05 * scene.disk.outer;
 }
@@ -40,8 +38,7 @@ fn plane_crossing(segment: Segment, crosses: bool) -> vec4<f32> {
     let above = segment.x0.z > 0.0;
     var low = 0.0;
     var high = 1.0;
-    // A loop of zero length without a crossing: drivers that execute both sides of a branch still
-    // skip a loop.
+    // Drivers that execute both sides of a branch still skip a loop of zero length.
     let bisections = select(0u, BISECTIONS, crosses);
     for (var i = 0u; i < bisections; i++) {
         let middle = 0.5 * (low + high);
@@ -59,8 +56,8 @@ fn segment_delay(segment: Segment, share: f32) -> f32 {
     return segment.delay + segment.h * share * (rates.x + 0.5 * share * (rates.y - rates.x));
 }
 
-// Records the segment's crossing of the annulus, if any, for methods whose positions are r n.
-// shift_hits computes its g later.
+// Records the segment's crossing of the annulus, if any, for methods whose positions are r n;
+// without g, which shift_hits computes later.
 fn record_crossing(result: ptr<function, Trace>, segment: Segment) {
     let crosses = crosses_plane(segment.x0.z, segment.x1.z) && (*result).hit_count < MAX_HITS;
     let crossing = plane_crossing(segment, crosses);
@@ -93,10 +90,8 @@ fn angular_velocity(r: f32) -> f32 {
 //
 //   g = 1 / (E u^t (1 - Omega lambda)),   u^t = (1 + chi y^3) / sqrt(1 - 3 y^2 + 2 chi y^3)
 //
-// E is per unit frequency at the camera. The article's 1 + Omega L_n is the same: its L_n belongs
-// to the backward ray and is -lambda. The root's argument is computed as (1 - y)^2 (1 + 2 y) - 2 (1
-// - chi) y^3, which keeps its digits for chi -> 1, r -> M
-// (geometry/kerr.rs does the same).
+// The article's 1 + Omega L_n is the same: its L_n belongs to the backward ray and is -lambda. The
+// root's argument keeps its digits for chi -> 1, r -> M as (1 - y)^2 (1 + 2 y) - 2 (1 - chi) y^3.
 fn whole_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
     let outside = max(r, MASS);
     let y = sqrt(MASS / outside);
@@ -112,8 +107,7 @@ fn disk_redshift(r: f32, energy: f32, lambda: f32) -> f32 {
     return disk_shift(whole_redshift(r, energy, lambda), r, lambda);
 }
 
-// Appends a crossing of the annulus; E is per unit frequency at the camera, lambda = L/E. Crossings
-// after MAX_HITS are dropped.
+// Appends a crossing of the annulus, except after MAX_HITS.
 fn add_hit(result: ptr<function, Trace>, position: vec3<f32>, energy: f32, lambda: f32, delay: f32) {
     let hit = Hit(position, disk_redshift(length(position), energy, lambda), delay);
     if (*result).hit_count == 0u {

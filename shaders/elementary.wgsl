@@ -1,10 +1,9 @@
-// Elementary functions with a stated error, for places where the error of WGSL's built-in functions
-// would show: atan2 may be wrong by 4096 units in the last place, 2.4e-4 of the result.
+// Elementary functions with a stated error, where that of WGSL's own would show: atan2 may be wrong
+// by 4096 units in the last place, 2.4e-4 of the result.
 //
 // Gives: angle_between, atan2_precise, atanh_small, exp_precise, log_precise, sin_cos_precise.
 
-// Arctangent on [-1, 1]: x times a polynomial in x^2, interpolated at Chebyshev's points. The
-// polynomial's error is 1e-8 rad.
+// Arctangent on [-1, 1]: a polynomial interpolated at Chebyshev's points, to 1e-8 rad.
 fn atan_unit(x: f32) -> f32 {
     let y = x * x;
     var sum = 0.00276628346;
@@ -33,10 +32,9 @@ fn angle_between(a: vec3<f32>, b: vec3<f32>) -> f32 {
     return atan2_precise(length(cross(a, b)), dot(a, b));
 }
 
-// (Sine, cosine) of an angle of up to some tens of radians. The error is at most 2e-7, in addition
-// to the angle's own rounding. The nearest multiple of pi/2 is subtracted in two parts, the first
-// with few digits (Cody & Waite 1980); minimax polynomials on [-pi/4, pi/4] follow, with errors
-// below 4e-9.
+// (Sine, cosine) of an angle of up to some tens of radians, with an error of at most 2e-7 besides
+// the angle's rounding. The nearest multiple of pi/2 is subtracted in two parts, the first with few
+// digits (Cody & Waite 1980); minimax polynomials on [-pi/4, pi/4] follow, with errors below 4e-9.
 fn sin_cos_precise(angle: f32) -> vec2<f32> {
     let turns = round(angle * 0.636619772);
     let x = (angle - turns * 1.5703125) - turns * 4.83826795e-4;
@@ -56,9 +54,9 @@ fn atanh_small(x: f32) -> f32 {
     return x + x * y * (0.333333333 + y * (0.2 + y * (0.142857143 + y * 0.111111111)));
 }
 
-// Natural logarithm of a normal positive number, with a relative error of at most 3e-7. The
-// exponent's share is added in two parts, the first with few digits; the logarithm of the mantissa
-// m, between sqrt(1/2) and sqrt(2), is 2 atanh((m - 1)/(m + 1)).
+// Natural logarithm of a normal positive number, with a relative error of at most 3e-7: the
+// exponent's share in two parts, and 2 atanh((m - 1)/(m + 1)) of the mantissa m, from sqrt(1/2) to
+// sqrt(2).
 fn log_precise(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let below_root = (bits & 0x7fffffu) < 0x3504f3u;
@@ -68,8 +66,8 @@ fn log_precise(x: f32) -> f32 {
     return exponent * 0.693145752 + (exponent * 1.42860677e-6 + 2.0 * atanh_small(ratio));
 }
 
-// e^x for |x| <= 80, with a relative error of at most 2e-7 in addition to that of x. The nearest
-// multiple of ln 2 is subtracted in two parts, the first with few digits; the series follows.
+// e^x for |x| <= 80, with a relative error of at most 2e-7 besides that of x: the nearest multiple
+// of ln 2 is subtracted in two parts; the series follows.
 fn exp_precise(x: f32) -> f32 {
     let doublings = round(x * 1.44269504);
     let y = (x - doublings * 0.693145752) - doublings * 1.42860677e-6;

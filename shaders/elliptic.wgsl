@@ -5,19 +5,18 @@
 // Gives: LaurentSeries, carlson_rf_pair, laurent_series, weierstrass, weierstrass_of.
 
 // Maximum number of duplications: enough for a relative error of 5e-7 down to |D| = 1e-6. The
-// series is accurate to f32's rounding once its arguments differ by less than an eighth of their
-// mean.
+// series is as accurate as f32 once its arguments differ by less than an eighth of their mean.
 const DUPLICATIONS: u32 = 3u;
 
-// Carlson's R_F(x, y, z) for x > 0, with y, z = mean +- sqrt(h2). If h2 < 0 they are conjugate, and
-// mean may be negative. Each duplication (DLMF 19.26.18), with lambda = sqrt(x) (sqrt(y) + sqrt(z))
-// + sqrt(y z) in terms of the pair's mean and product, takes two square roots:
+// Carlson's R_F(x, y, z) for x > 0, with y, z = mean +- sqrt(h2); the twin in f64 is
+// geometry/elliptic.rs. If h2 < 0 the pair is conjugate, and mean may be negative. Each duplication
+// (DLMF 19.26.18) takes two square roots:
 //
 //   p = sqrt(mean^2 - h2),   lambda = sqrt(2 x (mean + p)) + p,
 //   x, mean -> (. + lambda) / 4,   h2 -> h2 / 16.
 //
-// Then follows the series in the elementary symmetric functions of the spread (DLMF 19.36.1). After
-// the first duplication mean is positive, because p >= |mean| where h2 < 0.
+// Then follows the series of DLMF 19.36.1. After the first duplication mean is positive, because
+// p >= |mean| where h2 < 0.
 fn carlson_rf_pair(x0: f32, mean0: f32, h20: f32) -> f32 {
     let p0 = sqrt(max(mean0 * mean0 - h20, 0.0));
     let sum0 = select(mean0 + p0, -h20 / (p0 - mean0), mean0 < 0.0);
@@ -48,8 +47,7 @@ fn carlson_rf_pair(x0: f32, mean0: f32, h20: f32) -> f32 {
     return series * root;
 }
 
-// Weierstrass's function and its derivative relative to their poles: P(z) = (1 + even) / z^2 and
-// P'(z) = -2 (1 + odd) / z^3.
+// Weierstrass's function P(z) = (1 + even) / z^2, and its derivative -2 (1 + odd) / z^3.
 struct Weierstrass {
     even: f32,
     odd: f32,
@@ -57,7 +55,7 @@ struct Weierstrass {
 
 // P(z; g2, g3) with g2 = 1/12, the value of every null orbit, for 0 <= z <= pi and orbits that stay
 // finite there: Laurent's series (DLMF section 23.9) at z/2, then one duplication (section
-// 23.10(ii)). Both are written relative to the poles, so that nothing cancels.
+// 23.10(ii)), both relative to the poles, so that nothing cancels.
 fn weierstrass(z: f32, g3: f32) -> Weierstrass {
     const C2: f32 = 1.0 / 240.0;
     const C4: f32 = 1.0 / 172800.0;

@@ -1,12 +1,10 @@
-// The photon that arrives from a looking direction. The matrix in the uniform contains everything
-// about the observer.
+// The photon that arrives from a looking direction, by the observer's matrix in the uniform.
 //
 // Gives: photon_angular_momentum, photon_energy, photon_from.
 
-// For a fast observer almost all light comes from ahead, and the momentum of light from elsewhere
-// is a small difference of large numbers; so is that of light from the sky in the ergosphere.
-// Expanded about the direction of the smallest photons, with |d| = 1 used for the component along
-// it, every component is accurate.
+// For a fast observer, and in the ergosphere, the momentum of most light is a small difference of
+// large numbers. Expanded about the direction of the smallest photons, with |d| = 1 used for the
+// component along it, every component is accurate.
 fn photon_from(direction: vec3<f32>) -> Photon {
     let off = direction - scene.observer.expansion_centre;
     let one_off = vec4<f32>(1.0, off);

@@ -1,7 +1,6 @@
 // From the tone-mapped picture to the screen: as cells, by area reduction, quantization with an
 // ordered dither, and expansion; or without cells, by scaling and rounding to 8 bits with noise.
-// The CPU fills the uniform and decides where the picture lies on the output
-// (render/presentation.rs).
+// render/presentation.rs fills the uniform and decides where the picture lies on the output.
 //
 // Gives: expand, fit, pixelate.
 
@@ -25,16 +24,15 @@ struct Presentation {
 @group(0) @binding(BINDING_PRESENTATION) var<uniform> presentation: Presentation;
 @group(0) @binding(BINDING_PRESENTATION_SOURCE) var source: texture_2d<f32>;
 
-// Light, with black in place of NaN. NaN is recognised by its bits, because a compiler may assume
-// that it does not occur.
+// Light, with black in place of NaN, found by its bits: a compiler may assume that NaN does not
+// occur.
 fn number_or_black(light: vec3<f32>) -> vec3<f32> {
     let size = bitcast<vec3<u32>>(light) & vec3<u32>(0x7fffffffu);
     return select(light, vec3<f32>(0.0), size > vec3<u32>(0x7f800000u));
 }
 
-// Light of a pixel of the picture. Bevy's tone curve divides by the luminance: black becomes NaN,
-// which would blacken every cell that contains a black pixel. Alpha, zero in the shadow, removes
-// the light that bloom has added there.
+// Light of a pixel of the picture. Bevy's tone curve divides by the luminance, so that black
+// becomes NaN. Alpha, zero in the shadow, removes the light that bloom has added there.
 fn light_of(pixel: vec2<u32>) -> vec3<f32> {
     let texel = textureLoad(source, pixel, 0);
     return select(1.0, texel.a, presentation.bloom != 0u) * number_or_black(texel.rgb);
@@ -50,16 +48,15 @@ fn srgb_decode(encoded: vec3<f32>) -> vec3<f32> {
     return select(pow((encoded + 0.055) / 1.055, vec3<f32>(2.4)), encoded / 12.92, encoded <= vec3<f32>(0.04045));
 }
 
-// Rank, 0 to 15, of a cell in the 4x4 Bayer pattern: the bits of x xor y and of y, interleaved from
-// the lowest bit up.
+// Rank, 0 to 15, of a cell in the 4x4 Bayer pattern: the bits of x xor y and of y, interleaved.
 fn bayer(cell: vec2<u32>) -> f32 {
     let p = cell & vec2<u32>(3u);
     let q = vec2<u32>(p.x ^ p.y, p.y);
     return f32(((q.x & 1u) << 3u) | ((q.y & 1u) << 2u) | (q.x & 2u) | ((q.y & 2u) >> 1u));
 }
 
-// Mean of the linear light on a cell; pixels that the cell partly covers count by that part. The
-// scene's limits keep the pixels of a cell within the bound of the loops.
+// Mean of the linear light on a cell; pixels that it partly covers count by that part. The scene's
+// limits keep the pixels of a cell within the bound of the loops.
 fn cell_mean(cell: vec2<u32>) -> vec3<f32> {
     let pixels_per_cell = vec2<f32>(presentation.picture) / vec2<f32>(presentation.grid);
     let low = vec2<f32>(cell) * pixels_per_cell;
@@ -109,9 +106,9 @@ fn cell_light(cell: vec2<u32>) -> vec3<f32> {
     return cell_mean(cell);
 }
 
-// Rounds perceptual channel values to the levels. The dither is the same in every frame, so a still
-// picture does not flicker. It fades below the first level above black, where it would turn a faint
-// glow into a lattice of single cells.
+// Rounds perceptual channel values to the levels. The dither is the same in every frame. It fades
+// below the first level above black, where it would turn a faint glow into a lattice of single
+// cells.
 fn quantize(linear: vec3<f32>, cell: vec2<u32>) -> vec3<f32> {
     let top = max(presentation.levels - 1.0, 1.0);
     let level = srgb_encode(linear) * top;
@@ -147,14 +144,14 @@ fn expand(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     return vec4<f32>(textureLoad(source, cell, 0).rgb, 1.0);
 }
 
-// Noise strictly between 0 and 1, the same in every frame: interleaved gradient noise, whose mean
-// over a few neighbouring pixels is nearly 1/2 (Jimenez 2014, "Next Generation Post Processing in
-// Call of Duty: Advanced Warfare").
+// Interleaved gradient noise, strictly between 0 and 1, whose mean over a few neighbouring pixels
+// is nearly 1/2 (Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced
+// Warfare").
 fn noise(place: vec2<f32>) -> f32 {
     return mix(0.001, 0.999, fract(52.9829189 * fract(dot(place, vec2<f32>(0.06711056, 0.00583715)))));
 }
 
-// Rounds perceptual channel values to 8 bits with noise, which preserves their mean, so that smooth
+// Rounds perceptual channel values to 8 bits with noise, which preserves their mean, so that
 // gradients show no bands. Black and white do not change.
 fn to_eight_bits(encoded: vec3<f32>, place: vec2<f32>) -> vec3<f32> {
     return min(floor(encoded * 255.0 + noise(place)), vec3<f32>(255.0)) / 255.0;

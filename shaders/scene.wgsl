@@ -1,18 +1,18 @@
 // The uniform that describes the scene. The CPU computes every number in f64 and rounds it to f32
 // once (gpu/scene/).
 //
-// Units: G = c = 1 and r_s = 1, so M = 1/2. Frame: the hole's, right-handed, with z along the disk
-// normal. Photons are the physical, future-directed ones, per unit frequency at the camera:
-// E = -p_t, L = p_phi. Rays are followed backward from the camera.
+// Units are G = c = 1 and r_s = 1, so M = 1/2. The frame is right-handed, with z along the disk's
+// normal. Photons are the physical, future-directed ones, per unit frequency at the camera: E =
+// -p_t, L = p_phi. Rays are followed backward from the camera.
 //
 // Gives: MASS, scene.
 
 // The hole's mass.
 const MASS: f32 = 0.5;
 
-// The observer's matrix maps a unit looking direction d to the photon that arrives from d. Pixels
-// give d as (right, up, forward) of the camera; files of rays give it as (outward, theta, phi) of
-// the observer. Each component of the photon is
+// The observer's matrix maps a unit looking direction d to the photon that arrives from it; d is
+// (right, up, forward) of the camera or, for files of rays, (outward, theta, phi) of the observer.
+// Each component of the photon is
 //
 //   dot(row, (1, off)) + curvature |off|^2/2,   off = d - expansion_centre.
 struct Observer {
@@ -23,12 +23,10 @@ struct Observer {
     w_z: vec4<f32>,
     // The curvatures of radial, w_x, w_y and w_z.
     curvature: vec4<f32>,
-    // The direction from which light of the least energy arrives or, where energies can be
-    // negative, the smallest photon.
+    // The direction of the least energy or, where it can be negative, of the smallest photon.
     expansion_centre: vec3<f32>,
     energy_curvature: f32,
-    // Without ABERRATION: the photon's frequency at the camera is dot(row, (1, d)), and the photon
-    // is divided by it.
+    // Without ABERRATION the photon is divided by its frequency at the camera, dot(row, (1, d)).
     frequency: vec4<f32>,
     // Where the observer is: the unit vector from the hole, Boyer-Lindquist r, and u = 1/r.
     position_direction: vec3<f32>,
@@ -39,12 +37,11 @@ struct Observer {
     // The lead of Kerr's ingoing azimuth over the observer's, less whole turns. Zero at and inside
     // the horizon, where the observer's azimuth is the ingoing one.
     ingoing_azimuth_lead: f32,
-    // The lead of Kerr's ingoing time over the observer's, and the lag of the outgoing time: the
-    // tortoise coordinate; r without LENSING. Zero at and inside the horizon, where the observer's
-    // time is the ingoing one.
+    // The same of the time, and the lag of the outgoing time: the tortoise coordinate, or r without
+    // LENSING.
     time_lead: f32,
-    // The observer with zero angular momentum (ZAMO) at the same place: its lapse, and its angular
-    // velocity, which is zero without LENSING.
+    // Lapse and angular velocity of the observer with zero angular momentum (ZAMO) at the same
+    // place; the latter is zero without LENSING.
     zamo_lapse: f32,
     zamo_angular_velocity: f32,
 }
@@ -133,16 +130,16 @@ struct Picture {
     exposure: f32,
     // The place of the ray in its pixel, in pixels from the middle.
     offset: vec2<f32>,
-    // Width of the area that a ray represents, in pixels, or in cells of a refined pixel's grid:
-    // less than one where a picture is the mean of several frames.
+    // Width of the area of a ray, in pixels or cells of a refined pixel's grid: less than one where
+    // a picture is the mean of several frames.
     footprint: f32,
     // Solid angle of a pixel in the middle of the picture, in steradians.
     middle_solid_angle: f32,
 }
 
 // Structs within a uniform must begin at multiples of 16 bytes. Those with vectors of three or four
-// numbers do, and each other one precedes such a struct or is the first. Attributes would be lost
-// in a browser, where wgpu writes the shader anew.
+// numbers do, and each other one precedes such a struct or is the first. A browser would lose
+// attributes.
 struct Scene {
     hole: Hole,
     observer: Observer,

@@ -1,7 +1,7 @@
-// The shift of light by gravity and by motion, separately, for pictures with one of them switched
-// off. optics/shift.rs does the same in f64 and defines each part: g =
-// gravity * motion, where at each end of the ray gravity is that of the observer with zero angular
-// momentum (ZAMO), who measures the frequency E (1 - omega lambda) / N.
+// The shift of light by gravity and by motion, for pictures with one of them switched off. The twin
+// in f64, optics/shift.rs, defines each part: g = gravity * motion, where gravity is that of the
+// observers with zero angular momentum (ZAMO) at both ends, who measure the frequency E (1 - omega
+// lambda) / N.
 //
 // Gives: beaming_factor, disk_lambda, disk_shift, lapse_and_dragging, sky_shift, straight_lambda.
 

@@ -1,11 +1,9 @@
 // The light of the sky. Sources at infinity have fixed directions in the hole's frame; their light
-// arrives shifted by g, the observed over the emitted frequency. Shifted thermal light has Planck's
-// spectrum at the temperature g T, and its intensity is beamed.
+// arrives shifted by g.
 //
 // Gives: MAX_SPOT_RADIUS, shifted_spot_radius, sky_light, spot_profile.
 
-// The reference star: temperature in kelvin, brightness, and angular radius (a quarter of a
-// degree).
+// The reference star: temperature in kelvin, brightness, and angular radius, a quarter of a degree.
 const REFERENCE_TEMPERATURE: f32 = 8000.0;
 const REFERENCE_BRIGHTNESS: f32 = 4.0;
 const REFERENCE_RADIUS: f32 = 0.00436332;
@@ -13,14 +11,13 @@ const REFERENCE_RADIUS: f32 = 0.00436332;
 // around every star.
 const MAX_SPOT_RADIUS: f32 = 0.008;
 
-// Radius on the sky of the image of a point or line. In the picture it is one and a half pixels. A
-// moving or deep observer sees the sky shrunk by g, so the same pixels span more of it.
+// Radius on the sky of the image of a point or line, which is one and a half pixels in the picture.
+// A moving or deep observer sees the sky shrunk by g.
 fn shifted_spot_radius(g: f32) -> f32 {
     return clamp(scene.sky.spot_radius * g, TINY, MAX_SPOT_RADIUS);
 }
 
-// Share of the light at a squared distance from the center of an image, which ends smoothly at its
-// radius.
+// Share of the light at a squared distance from the center of an image of this radius.
 fn spot_profile(distance2: f32, radius: f32) -> f32 {
     let inside = max(1.0 - distance2 / (radius * radius), 0.0);
     return inside * inside * inside;

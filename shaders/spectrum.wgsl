@@ -1,6 +1,5 @@
-// The colour of thermal light, from a table of integrals over Planck's spectrum and the CIE 1931
-// observer (optics/spectrum.rs). Entries are equidistant in ln T; each
-// holds the colour divided by its brightest channel, and the logarithm of that channel.
+// The colour of thermal light, from the table of optics/spectrum.rs. Entries are equidistant in ln
+// T; each holds the colour divided by its brightest channel, and the logarithm of that channel.
 //
 // Gives: thermal_colour.
 

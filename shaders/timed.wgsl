@@ -1,5 +1,5 @@
-// Tracing alone, for timing: every pixel gives one vector, from a compute or a fragment entry. The
-// vector depends on everything that a picture could use, so that no compiler omits any of it.
+// Tracing alone, for timing: every pixel gives one vector, which depends on everything that a
+// picture could use, so that no compiler omits any of it.
 //
 // Gives: fragment, timed.
 

@@ -1,11 +1,9 @@
-// The input and the result of every tracing method: a photon at the camera, and the record of its
-// ray. Each method defines `fn trace(photon: Photon) -> Trace`.
+// A photon at the camera and the record of its ray: what every method's `trace` takes and gives.
 //
 // Gives: Footprint, Footprints, Hit, OUTCOME_CAPTURED, OUTCOME_HIDDEN, OUTCOME_SKY,
 //     OUTCOME_UNFINISHED, Photon, Segment, Trace, empty_trace.
 
-// A photon where it meets the camera, per unit frequency at the camera;
-// geometry/observer.rs has the same numbers.
+// A photon where it meets the camera, per unit frequency there, as geometry/observer.rs has it.
 struct Photon {
     // E = -p_t.
     energy: f32,
@@ -60,14 +58,14 @@ struct Trace {
     // momentum. Zero without DIAGNOSTICS.
     residual: f32,
     angular_momentum_drift: f32,
-    // Angle swept about the hole, in radians, without frame dragging: up to the first crossing or,
-    // if there is none, to infinity. The number of whole half-turns in it is the order of the
-    // image. Zero if nothing is seen. Stepping methods leave it zero without DIAGNOSTICS.
+    // Angle swept about the hole, in radians, without frame dragging, up to the first crossing or
+    // else to infinity; its whole half-turns are the order of the image. Zero if nothing is seen,
+    // and, for stepping methods, without DIAGNOSTICS.
     turn: f32,
 }
 
-// One step of a ray: positions and velocities at its two ends, and its affine length. With DELAY,
-// also the delay at its start and the delay per affine length at its two ends.
+// One step of a ray: positions and velocities at its ends, and its affine length. With DELAY, also
+// the delay at its start and its rates at the ends.
 struct Segment {
     x0: vec3<f32>,
     v0: vec3<f32>,

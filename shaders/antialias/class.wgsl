@@ -1,5 +1,5 @@
-// The class of a ray: its outcome and its number of hits in one number, by which the search for
-// edges compares neighbouring pixels.
+// The class of a ray, by which the search for edges compares pixels: its outcome and its number of
+// hits in one number.
 //
 // Gives: NO_CLASS, is_class_captured, ray_class.
 

@@ -1,6 +1,5 @@
-// EDGES: lists the pixels at edges: those whose neighbourhood of 3x3 pixels holds several classes,
-// or across which brightness has a large second difference. The list has no fixed order; each pixel
-// is refined alone, so the order does not show.
+// EDGES: lists the pixels whose neighbourhood of 3x3 pixels holds several classes, or across which
+// brightness has a large second difference. The list has no fixed order, and none shows.
 //
 // Gives: edges.
 
@@ -25,14 +24,14 @@ struct Work {
 @group(0) @binding(BINDING_WORK) var<storage, read_write> work: Work;
 @group(0) @binding(BINDING_LIST) var<storage, read_write> list: array<u32>;
 
-// The largest second difference of brightness across a pixel, in levels, that needs no refinement,
-// and the largest that needs only 4 rays. The error of a single ray is a 24th of the second
-// difference where brightness varies smoothly, and up to half of it at an edge.
+// The largest second differences of brightness across a pixel, in levels, that need no refinement,
+// and only 4 rays. The error of a single ray is a 24th of the second difference where brightness
+// varies smoothly, and up to half of it at an edge.
 const MAX_BEND: i32 = 40;
 const MAX_SOFT_BEND: i32 = 100;
 
-// The largest difference of brightness between classes, in levels, that needs no refinement. The
-// shadow's edge is always refined: images of the disk there may be too thin for a single ray.
+// The largest difference of brightness between classes, in levels, that needs no refinement, except
+// at the shadow's edge, where images of the disk may be too thin for a single ray.
 const MAX_STEP: i32 = 5;
 
 // A pixel and its neighbours to the left and right.

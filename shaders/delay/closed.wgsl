@@ -1,12 +1,10 @@
 // The delay of the method closed. The Hamilton-Jacobi action is constant along a null ray, so E dt
-// = L dphi + p_r dr. With s(u) = sqrt(1 - b^2 u^2 (1 - u)) = b |du/dphi| and the tortoise
-// coordinate r*(u),
+// = L dphi + p_r dr. With s(u) = sqrt(1 - b^2 u^2 (1 - u)) = b |du/dphi|, it is b phi plus, for
+// each leg between u_a < u_b, which ends at the turning point u2,
 //
-//   delay = b phi + sum over the legs of |r*(u_a) - r*(u_b)| - b^2 J(u_a, u_b),
-//   J(u_a, u_b) = integral of du/(1 + s(u)),   u_a < u_b,
+//   |r*(u_a) - r*(u_b)| - b^2 J(u_a, u_b),   J(u_a, u_b) = integral of du/(1 + s(u)).
 //
-// where a leg ends at the turning point u2. The integrand lies between 1/2 and 1, so a few
-// Gauss-Legendre nodes suffice. Only b phi grows near the critical curve. Derived.
+// The integrand lies between 1/2 and 1, so a few Gauss-Legendre nodes suffice. Derived.
 //
 // Gives: crossing_delay.
 
@@ -37,8 +35,7 @@ fn turning_terms(turn: Turn, b: f32, span: f32, x: Nodes) -> Nodes {
     return x / (1.0 + s);
 }
 
-// J from u_a to u_b, both on the same side of the turning point: u = u2 - (u2 - u_a) x^2 removes
-// the root of s.
+// J on one side of the turning point: u = u2 - (u2 - u_a) x^2 removes the root of s.
 fn turning_leg(turn: Turn, b: f32, u_a: f32, u_b: f32) -> f32 {
     let span = max(turn.u2 - u_a, TINY);
     let start = sqrt(clamp((turn.u2 - u_b) / span, 0.0, 1.0));
@@ -50,8 +47,8 @@ fn turning_leg(turn: Turn, b: f32, u_a: f32, u_b: f32) -> f32 {
     return 2.0 * span * width * sum;
 }
 
-// 1/(1 + s) of a ray that does not turn. q = (1 + D) 4/27 avoids the cancellation in q - u^2 (1 -
-// u) next to the critical curve.
+// 1/(1 + s) of a ray that does not turn, without the cancellation in q - u^2 (1 - u) next to the
+// critical curve.
 fn through_terms(orbit: Orbit, u: Nodes) -> Nodes {
     let off = u - PHOTON_SPHERE;
     let f = (4.0 / 27.0) * orbit.discriminant + off * off * (u + (1.0 / 3.0));
@@ -68,8 +65,7 @@ fn smooth_leg(orbit: Orbit, u_a: f32, u_b: f32) -> f32 {
     return width * sum;
 }
 
-// J over a part of the leg from the photon sphere to u = 2/3 + distance: from x_a to x_b, with u =
-// 2/3 + distance x^2.
+// J over the part from x_a to x_b of the leg from the photon sphere, u = 2/3 + distance x^2.
 fn kinked_part(orbit: Orbit, distance: f32, x_a: f32, x_b: f32) -> f32 {
     let x = x_a + (x_b - x_a) * DELAY_NODES;
     var sum = dot(DELAY_WEIGHTS, x * through_terms(orbit, PHOTON_SPHERE + distance * x * x));

@@ -1,17 +1,12 @@
-// The delay of the method closed around a spinning hole. As for the method mino (delay/mino.wgsl),
-// on every stretch on which r does not turn
-//
-//   delay = |r*(end) - r*(start)|
-//       + integral of [K' (1 + a^2 u^2)/(W + |u'|) - B + a^2 E n_z^2] dtau.
-//
-// closed_kerr_radial.wgsl or closed_kerr_throat.wgsl integrates the first two terms of the bracket;
-// method/closed_kerr_polar.wgsl gives the last one in closed form. Derived.
+// The delay of the method closed around a spinning hole, by the integral of delay/mino.wgsl.
+// closed_kerr_radial.wgsl or closed_kerr_throat.wgsl integrates the first two terms of its bracket;
+// method/closed_kerr_polar.wgsl gives the last one in closed form.
 //
 // Gives: crossing_delay.
 
-// The delay of light from u, counted from the camera's outgoing time. The backward ray reaches u at
-// the time t, after its turning point if it has `returned`. `height2` is the integral of a^2 E^2
-// n_z^2.
+// The delay of light from u, which the backward ray reaches at the time t, after its turning point
+// if it has `returned`; counted from the camera's outgoing time. `height2` is the integral of a^2
+// E^2 n_z^2.
 fn crossing_delay(
     m: Radial,
     c: PhotonConstants,

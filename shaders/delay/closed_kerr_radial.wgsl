@@ -1,6 +1,6 @@
-// The radial part of the delay of the method closed around a spinning hole
-// (delay/closed_kerr.wgsl): the integral of K' (1 + a^2 u^2)/(W + |u'|) - B. The value at the ray's
-// centre times the time, which grows next to the critical curve, is added exactly. Derived.
+// The radial part of the delay of the method closed around a spinning hole: the integral of K' (1 +
+// a^2 u^2)/(W + |u'|) - B. Its value at the ray's centre times the time, which grows next to the
+// critical curve, is exact.
 //
 // Gives: radial_delay.
 

@@ -1,7 +1,7 @@
 // The radial part of the delay, as in closed_kerr_radial.wgsl, around a nearly extremal hole. In
 // its throat the integrand may be a thousand times larger at the ray's centre than at the end of
-// its path, so that its value at the centre times the time and the integral of the difference
-// almost cancel. There a divided path is summed relative to the value at its end. Derived.
+// its path, and the two parts almost cancel. A divided path is summed relative to the value at its
+// end.
 //
 // Gives: radial_delay.
 

@@ -1,16 +1,11 @@
-// The delay of the method mino, in Mino time:
-//
-//   dt/dtau = (1/u^2 + a^2) W/D - B + a^2 E n_z^2.
-//
-// With W^2 - U = K' u^2 D, the first term is K' (1 + a^2 u^2)/(W + |u'|), which is finite at
-// infinity and at the horizon, plus the change of the tortoise coordinate r* per Mino time. On
-// every stretch on which r does not turn
+// The delay of the method mino: dt/dtau = (1/u^2 + a^2) W/D - B + a^2 E n_z^2. On every stretch on
+// which r does not turn (optics/delay.rs derives it)
 //
 //   delay = |r*(end) - r*(start)|
 //       + integral of [K' (1 + a^2 u^2)/(W + |u'|) - B + a^2 E n_z^2] dtau.
 //
 // In the step in which r turns, |u'| has a kink, so the plain form is integrated; u is not small
-// there. Derived.
+// there.
 //
 // Gives: crossing_delay, first_delay, step_delay.
 

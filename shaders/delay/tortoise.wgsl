@@ -8,8 +8,7 @@
 //   r + (r_+ ln(r - r_+) - r_- ln(r - r_-))/(r_+ - r_-)
 //     = r + ln(r - r_-) + r_+ ln((r - r_+)/(r - r_-))/(r_+ - r_-)
 //
-// The last logarithm is computed as an inverse hyperbolic tangent, which is accurate however close
-// the two horizons are.
+// The last logarithm is an inverse hyperbolic tangent, accurate however close the horizons are.
 fn tortoise(u: f32, factors: vec2<f32>) -> f32 {
     let separation = scene.hole.horizon_separation;
     let tangent = separation * u / (factors.x + factors.y);
@@ -21,8 +20,7 @@ fn tortoise(u: f32, factors: vec2<f32>) -> f32 {
     return r + log(r * factors.y) + scene.hole.horizon / separation * difference;
 }
 
-// The sum of r* at two places, with one logarithm for both: tanh(x + y) is (tanh x + tanh y)/(1 +
-// tanh x tanh y).
+// The sum of r* at two places, with one logarithm for both, by the addition theorem of tanh.
 fn tortoise_sum(u: vec2<f32>, factors_0: vec2<f32>, factors_1: vec2<f32>) -> f32 {
     let separation = scene.hole.horizon_separation;
     let tangents = separation * u / vec2<f32>(factors_0.x + factors_0.y, factors_1.x + factors_1.y);

@@ -2,8 +2,8 @@
 //
 // Gives: disk_cover, disk_transmission.
 
-// The disk's coverage at radius r: one, except where it fades at both edges. Emission and opacity
-// fade together, so that an edge is never darker than both the disk and what lies behind.
+// The disk's coverage at radius r. Emission and opacity fade together at both edges, so that an
+// edge is never darker than both the disk and what lies behind.
 fn disk_cover(r: f32) -> f32 {
     let inner = (r - scene.disk.inner) / max(scene.disk.inner_fade, 1e-6);
     let outer = (scene.disk.outer - r) / max(scene.disk.outer_fade, 1e-6);

@@ -2,9 +2,9 @@
 //
 // Gives: disk_light.
 
-// Linear light of a crossing. The disk model gives the flux F in the matter's frame, and
-// Stefan-Boltzmann's law the temperature T = T_scale F^(1/4). Shifted thermal light has Planck's
-// spectrum at the temperature g T, and its intensity is beamed.
+// Linear light of a crossing. The flux F in the matter's frame has the temperature T_scale F^(1/4)
+// (Stefan-Boltzmann). Shifted thermal light has Planck's spectrum at g T, and its intensity is
+// beamed.
 fn disk_light(photon: Photon, hit: Hit, footprint: Footprint) -> vec3<f32> {
     let r = length(hit.position);
     let flux = disk_flux(r) * structure_factor(hit, footprint) * hot_spot_factor(hit);

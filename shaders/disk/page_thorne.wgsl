@@ -1,8 +1,7 @@
 // The disk model `page-thorne`: relative flux of a disk around Kerr (Page & Thorne 1974), as the
-// Newtonian profile with the same edge times a correction. The CPU computes the correction in
-// closed form (optics/disk/page_thorne.rs); entries of its table are the
-// coefficients of cubics, equidistant in p = sqrt(1 - sqrt(r_in / r)), from the edge at 0 to
-// infinity at 1.
+// Newtonian profile with the same edge times a correction. The table of optics/disk/page_thorne.rs
+// has it as cubics, equidistant in p = sqrt(1 - sqrt(r_in / r)), from the edge at 0 to infinity at
+// 1.
 //
 // Gives: disk_flux.
 

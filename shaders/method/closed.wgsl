@@ -1,6 +1,5 @@
-// The method closed: Schwarzschild's null geodesics in closed form, without steps and without a
-// radius that stands for infinity. schwarzschild.wgsl has the orbits; this file finds the hits and
-// the outcome. There are no constraints to violate: the record's steps and residuals are 0.
+// The method closed: Schwarzschild's null geodesics in closed form, without steps and residuals.
+// schwarzschild.wgsl has the orbits; this file finds the hits and the outcome.
 //
 // Gives: trace.
 
@@ -34,7 +33,7 @@ fn add_crossing(result: ptr<function, Trace>, orbit: Orbit, crossing: Crossing, 
 }
 
 // Direction of the line in which the orbit's plane intersects the disk's, on the side of the first
-// crossing. Pictures do not need the azimuth of a hit.
+// crossing. Without AZIMUTH any direction serves.
 fn crossing_direction(n: vec3<f32>, tangent: vec3<f32>, side: f32) -> vec3<f32> {
     if !AZIMUTH {
         return vec3<f32>(1.0, 0.0, 0.0);
@@ -64,8 +63,7 @@ fn trace(photon: Photon) -> Trace {
     let discriminant = select(max(d, MIN_DISCRIMINANT), min(d, -MIN_DISCRIMINANT), turns);
     let orbit = Orbit(scene.observer.u, photon.radial * scale, inverse_b, inverse_b * inverse_b, discriminant);
 
-    // A ray that turns stays on its side of the photon sphere; one that does not keeps its radial
-    // direction.
+    // A ray that turns stays on its side of the photon sphere.
     let inward = orbit.slope > 0.0;
     let escapes = select(!inward, scene.observer.r > 1.5, turns);
     result.outcome = select(OUTCOME_CAPTURED, OUTCOME_SKY, escapes);
@@ -90,9 +88,8 @@ fn trace(photon: Photon) -> Trace {
         let across = crossing_direction(n, tangent, side);
         let lambda = photon_angular_momentum(photon) / energy;
         let g3 = orbit_g3(orbit);
-        // The ray sweeps at most 2.1 rad from u = 0 to 1/3, or to an earlier turning point, and
-        // crosses the plane every pi. So it crosses the annulus at most once on its way in and once
-        // on its way out: at the first and the last crossing of the plane.
+        // The ray sweeps at most 2.1 rad from u = 0 to 1/3, or to an earlier turning point. So it
+        // crosses the annulus at most at the first and at the last crossing of the plane.
         let last = floor((angle - crossing_angle) * (1.0 / PI));
         if last >= 0.0 && outside_inner_edge {
             let u = u_after(crossing_angle, orbit.u, orbit.slope, g3);

@@ -1,22 +1,19 @@
 // The method closed around a spinning hole: Kerr's null geodesics in closed form, with real
-// arithmetic, without steps and without a radius that stands for infinity. closed_kerr_radial.wgsl
-// has the motion in r, closed_kerr_polar.wgsl the motion in latitude and closed_kerr_azimuth.wgsl
-// the azimuth; this file finds the hits and the outcome. There are no constraints to violate: the
-// record's steps and residuals are 0.
+// arithmetic, without steps and residuals. closed_kerr_radial.wgsl has the motion in r,
+// closed_kerr_polar.wgsl the motion in latitude and closed_kerr_azimuth.wgsl the azimuth; this file
+// finds the hits and the outcome.
 //
 // Gives: trace.
 
-// Maximum number of crossings of the plane that are examined: rays within f32's rounding of the
-// critical curve go round ten times.
+// Maximum number of crossings of the plane: rays next to the critical curve go round ten times.
 const MAX_CROSSINGS: u32 = 24u;
 // Where |u'| is below this share of E, the ray lingers near the critical orbit, and a step of
 // Newton's method on the time improves u.
 const SLOW_SHARE: f32 = 0.2;
 
-// The Mino times at which a ray reaches its centre and its end, and the places from which u is
-// computed.
+// The Mino times at which a ray reaches its centre, which is the turning point or the place where
+// it is slowest, and its end; and the places from which u is computed.
 struct Schedule {
-    // The turning point, or the place where the ray is slowest.
     centre: f32,
     end: f32,
     at_centre: Anchor,
@@ -25,8 +22,7 @@ struct Schedule {
     at_end: vec2<f32>,
 }
 
-// u at the time t, computed from the nearest of camera, centre and end, because errors grow with
-// the time.
+// u at the time t, from the nearest of camera, centre and end, because errors grow with the time.
 fn u_at(m: Radial, series: LaurentSeries, s: Schedule, t: f32) -> f32 {
     let from_end = t + t > s.end;
     var since = select(t, s.end - t, from_end);
@@ -63,8 +59,7 @@ fn trace(photon: Photon) -> Trace {
     let orbit = kerr_ray(photon);
     let c = orbit.constants;
     if camera_is_inside() && c.horizon_w <= 0.0 {
-        // The light comes through the horizon's other branch, through which nothing arrives from
-        // outside.
+        // The light comes through the horizon's other branch, and nothing from outside does.
         return result;
     }
     let u_0 = scene.observer.u;

@@ -1,9 +1,8 @@
 // The azimuth of the method closed around a spinning hole: the angle by which frame dragging has
 // turned the ray at u. The dragging at the ray's centre times the time is exact;
-// closed_kerr_legs.wgsl integrates the difference.
-//
-// Light that falls in to a camera next to the horizon, or inside it, is followed in Kerr's ingoing
-// azimuth, whose rate a (E - K' u^2/(W + |u'|)) has no pole there. Derived.
+// closed_kerr_legs.wgsl integrates the difference. Light that falls in to a camera next to the
+// horizon, or inside it, is followed in Kerr's ingoing azimuth, whose rate a (E - K' u^2/(W +
+// |u'|)) has no pole there. Derived.
 //
 // Gives: RadialCourse, dragged_azimuth, path_to, radial_course, regular_integral.
 
@@ -34,8 +33,7 @@ fn path_to(m: Radial, course: RadialCourse, u: f32, returned: bool, scale: f32) 
     return Path(leg_between(centre, 0.0, course.distance, 1.0, scale), second);
 }
 
-// The integral of a regular quantity less its value at the centre, from the camera to u, before or
-// after the turn.
+// The integral of a regular quantity less its value at the centre, from the camera to u.
 fn regular_integral(m: Radial, c: PhotonConstants, course: RadialCourse, at: Regular, u: f32, returned: bool) -> f32 {
     return regular_along(c, path_to(m, course, u, returned, regular_scale(c, course.centre, at)), at);
 }

@@ -10,11 +10,11 @@
 //
 // with s = r_+ - r_-, vanishes at the centre, so its integral has no logarithm there.
 //
-// A leg is integrated by Gauss-Legendre quadrature over the distance y from the centre or, from a
-// turning point, over its root, which removes the root of U. Where the integrand changes on a scale
-// much smaller than the leg (next to the critical curve or the horizon), the leg is divided into
-// parts, each at most twice as long as its distance from the centre, and from the horizon if the
-// leg leads toward it. Derived.
+// Gauss-Legendre quadrature integrates over the distance y from the centre or, from a turning
+// point, over its root, which removes the root of U. Where the integrand changes on a scale much
+// smaller than the leg (next to the critical curve or the horizon), the leg is divided into parts,
+// each at most twice as long as its distance from the centre, and from a horizon that it leads
+// toward. Derived.
 //
 // Gives: Leg, LegPlaces, Path, Regular, WEIGHTS, dragging_along, is_divided, leg_between,
 //     parts_of_path, pass_at, regular_along, regular_at, regular_scale.
@@ -26,13 +26,12 @@ const WEIGHTS: vec4<f32> = vec4<f32>(0.0506142681, 0.111190517, 0.156853323, 0.1
 // Four nodes, and their weights.
 const FEW_NODES: vec4<f32> = vec4<f32>(0.0694318442, 0.330009478, 0.669990522, 0.930568156);
 const FEW_WEIGHTS: vec4<f32> = vec4<f32>(0.173927423, 0.326072577, 0.326072577, 0.173927423);
-// A smooth leg takes four nodes if its ends have at least this ratio: then the integrand's poles
-// are at least four times as far from its middle as its ends are, and the error of four nodes is
-// 1e-7 of the integral.
+// A smooth leg takes four nodes if its ends have at least this ratio: the integrand's poles are
+// then four times as far from its middle as its ends are, and the error is 1e-7 of the integral.
 const MIN_SHORT_RATIO: f32 = 0.36;
 
-// A leg is divided if it is more than this many times as long as the scale of its integrand: from a
-// turning point, and from a place that the ray passes.
+// A longer leg, relative to the scale of its integrand, is divided: one from a turning point, and
+// one from a place that the ray passes.
 const MAX_SMOOTH_TURN: f32 = 6.0;
 const MAX_SMOOTH_PASSAGE: f32 = 1.0;
 // f32 does not resolve more halvings of a leg.
@@ -109,13 +108,13 @@ fn is_leg_divided(leg: Leg) -> bool {
     return leg.count > 0.0 && (is_too_long(leg) || ends_near_horizon(leg));
 }
 
-// If one leg is divided, so is the other, because dragging_along sums divided paths in another path.
+// If one leg is divided, so is the other.
 fn is_divided(path: Path) -> bool {
     return is_leg_divided(path.first) || is_leg_divided(path.second);
 }
 
-// The numbers of a leg's parts: those that grow away from the centre, and those that shrink toward
-// the horizon in the far half of a leg that ends next to it.
+// The numbers of a leg's parts: those that grow away from the centre, and in the far half of a leg
+// that ends next to the horizon those that shrink toward it.
 struct Parts {
     near: u32,
     far: u32,
@@ -144,8 +143,8 @@ fn places_on(leg: Leg, part_low: f32, part_high: f32, nodes: vec4<f32>) -> LegPl
     return LegPlaces(y, dy, y * (c.x + y * (c.y + y * (c.z + y * c.w))));
 }
 
-// The parts of a divided path. One loop sums their integrals, half of a part's nodes in each pass:
-// the work is rare, and software renderers pay for every loop.
+// The parts of a divided path. One loop sums them, half of a part's nodes in each pass: the work is
+// rare, and software renderers pay for every loop.
 struct PathParts {
     first: Parts,
     second: Parts,
@@ -223,9 +222,9 @@ fn smooth_dragging(c: PhotonConstants, leg: Leg) -> f32 {
     return sum + smooth_dragging_sum(c, leg, HIGH_NODES, WEIGHTS);
 }
 
-// The integral of d(u) along a path that takes the time t and has an end at `end`. Next to the
-// horizon of a nearly extremal hole d(c) t may be much larger than the integral, so a divided path
-// is summed relative to the dragging at its end.
+// The integral of d(u) along a path that takes the time t and has an end at `end`. A divided path
+// is summed relative to the dragging at its end: next to the horizon of a nearly extremal hole d(c)
+// t may be much larger than the integral.
 fn dragging_along(c: PhotonConstants, path: Path, t: f32, end: f32) -> f32 {
     let centre = path.first.centre;
     let at_centre = dragging_at(c, vec4<f32>(centre.u), vec4<f32>(centre.beyond)).x;
@@ -249,9 +248,9 @@ fn dragging_along(c: PhotonConstants, path: Path, t: f32, end: f32) -> f32 {
     return sum;
 }
 
-// The quantity K' (p + q u^2)/(W + |u'|) at the centre. With p = 0 and q = 1 it is (a E - d)/a,
-// where d is Kerr's ingoing dragging; with p = 1 and q = a^2 it is a part of the delay. It has no
-// pole at the horizon for infalling light.
+// The quantity K' (p + q u^2)/(W + |u'|) at the centre, which has no pole at the horizon for
+// infalling light. With p = 0 and q = 1 it is (a E - d)/a, d being Kerr's ingoing dragging; with p
+// = 1 and q = a^2 it is a part of the delay.
 struct Regular {
     q: f32,
     // W + |u'|.

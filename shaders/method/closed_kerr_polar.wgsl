@@ -1,10 +1,7 @@
-// The motion in latitude of the method closed around a spinning hole. The twin in f64,
-// crates/lightfall-core/tests/physics/closed_kerr/polar.rs, gives the derivation: the ray moves along
-// a great circle by Jacobi's amplitude psi, and the circle turns about the axis by
-//
-//   -(L a^2 E^2/rho_1) integral of dtau/(rho + rho_1).
-//
-// psi and this integral are short series in the phase, because the modulus is small.
+// The motion in latitude of the method closed around a spinning hole: the ray moves along a great
+// circle by Jacobi's amplitude psi, and the circle turns about the axis by -(L a^2 E^2/rho_1)
+// integral of dtau/(rho + rho_1). Both are short series in the phase, because the modulus is small.
+// The twin in f64, crates/lightfall-core/tests/physics/closed_kerr/polar.rs, gives the derivation.
 //
 // Gives: arc_after, place_after, polar_of.
 
@@ -25,8 +22,8 @@ struct Polar {
     crosses: bool,
     first_crossing: f32,
     period: f32,
-    // Whether the ray moves along a great circle; then the circle's direction at the camera, rho_1,
-    // the rate of the phase, its lead over psi at the camera, and sin and cos of 2 psi there.
+    // Whether the ray moves along a great circle; then the circle's direction, rho_1, the rate of
+    // the phase, its lead over psi, and sin and cos of 2 psi, all at the camera.
     on_circle: bool,
     tangent: vec3<f32>,
     rho_axis: f32,
@@ -113,8 +110,8 @@ fn polar_of(n: vec3<f32>, dn: vec3<f32>, k: f32, angular_momentum: f32, c: Photo
     return polar;
 }
 
-// The turn of the great circle about the axis after the phase has grown by `grown`. The sines are
-// those of 2 and 4 times the phase at both ends.
+// The turn of the great circle about the axis after the phase has grown by `grown`, with the sines
+// of 2 and 4 times the phase at both ends.
 fn circle_turn(p: Polar, grown: f32, sines_0: vec2<f32>, sines_1: vec2<f32>) -> f32 {
     let share = p.rate / (p.rho_axis + p.rate);
     let y_1 = -4.0 * p.nome * share;
@@ -183,8 +180,7 @@ struct SpherePlace {
     height2: f32,
 }
 
-// The place on the celestial sphere after the time t, with the azimuth that the radial motion has
-// dragged.
+// The place after the time t, with the azimuth that the radial motion has dragged.
 fn place_after(p: Polar, t: f32, dragging: f32) -> SpherePlace {
     if !p.on_circle {
         let along_axis = step_along_axis(p, t);
@@ -209,8 +205,8 @@ fn place_after(p: Polar, t: f32, dragging: f32) -> SpherePlace {
     return SpherePlace(rotate_about_axis(swept.y * p.n + swept.x * p.tangent, dragging + circle), height2);
 }
 
-// The arc that the ray has swept about the hole after the time t, as in the method mino: the
-// integral of |dn/dtau| = sqrt(K + a^2 E^2 n_z^2), whose root is nearly constant.
+// The arc that the ray has swept about the hole after the time t: the integral of |dn/dtau| =
+// sqrt(K + a^2 E^2 n_z^2), which is nearly constant.
 fn arc_after(p: Polar, t: f32) -> f32 {
     return sqrt(max(t * (p.k * t + place_after(p, t, 0.0).height2), 0.0));
 }

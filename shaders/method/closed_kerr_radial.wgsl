@@ -9,20 +9,19 @@
 //
 //   U = b_0 + alpha v^2 + beta v^3 + gamma v^4
 //
-// has no linear term. Next to the critical curve b_0 alone is small, and Weierstrass's cubic
-// 4 t^3 - g2 t - g3 has the root -alpha/6 + offset, where
+// has no linear term. Weierstrass's cubic 4 t^3 - g2 t - g3 has the root -alpha/6 + offset, where
 //
 //   4 offset^3 - 2 alpha offset^2 + (alpha^2/4 - gamma b_0) offset + beta^2 b_0/16 = 0,
 //
 // and the pair alpha/12 - offset/2 +- sqrt(h2), 4 h2 = gamma b_0 + offset (alpha - 3 offset). All
-// of them are accurate there. Derived.
+// of them are accurate next to the critical curve, where b_0 alone is small. Derived.
 //
 // Gives: Anchor, Centre, Radial, TimeArguments, anchor_at, anchor_at_centre, distance_from,
 //     mino_time, passing_centre, potential, radial_of, radial_series, stiffness_at_horizon,
 //     stiffness_slope_at_horizon, time_between, time_from_turn, turning_point, u_after.
 
-// The cubic's root counts as small below this share of |alpha|, where the cubic term changes it by
-// less than a tenth.
+// The cubic's root is small below this share of |alpha|: the cubic term changes it by under a
+// tenth.
 const MAX_SMALL_ROOT: f32 = 0.05;
 // The largest pole term in the arguments of R_F next to a turning point: its square is finite in
 // f32.
@@ -63,14 +62,13 @@ struct Centre {
     pair: f32,
 }
 
-// The root of Weierstrass's cubic at -alpha/6 + x, 4 x^3 - 2 alpha x^2 + (alpha^2/4 - gamma b_0) x
-// + beta^2 b_0/16, whose sign is opposite to that of b_0; of three such roots, the one next to
+// `offset`: the root of its cubic with the sign opposite to that of b_0; of three, the one next to
 // zero.
 //
 // The start is the root without the cubic term where it is small, or else the root about the
 // inflection at alpha/6: Cardano's where the cubic has one real root, and where it has three, with
 // z = +-m (1 + x), an approximation of 3 x^2 + x^3 = t to two per cent. Two steps of Newton's
-// method from there leave a relative error of 1e-7.
+// method leave a relative error of 1e-7.
 fn isolated_offset(alpha: f32, beta: f32, gamma: f32, b_0: f32) -> f32 {
     let side = select(1.0, -1.0, b_0 > 0.0);
     let bend = side * alpha;
@@ -189,8 +187,7 @@ fn growth_from(m: Radial, v: f32, side: f32) -> vec4<f32> {
 fn turning_point(m: Radial, outer: bool) -> Centre {
     let mean = 0.25 * m.alpha - 0.5 * m.offset;
     let product = sqrt(max(mean * mean - m.h2, 0.0));
-    // About a barrier b_0 is negative, with a root on either side. About u = 0 it is positive, and
-    // the root at u > 0 is the outer turning point.
+    // About a barrier b_0 is negative, with a root on either side; about u = 0 it is positive.
     let share = 4.0 / max(abs(m.b_0), TINY);
     let sum = sqrt(2.0 * share * (abs(mean) + product));
     let third = sign(m.beta) * sqrt(max(-select(-share, share, m.b_0 > 0.0) * m.offset, 0.0));
@@ -240,11 +237,10 @@ fn time_from_turn(centre: Centre, y: f32) -> TimeArguments {
 // Between two places (u, |u'|) without a turn between them, from the quartic's polarised form F(x,
 // y): P = (F(x, y) + |x'| |y'|)/(2 (x - y)^2). With x and y relative to the critical point and C =
 // alpha + beta (x + y)/2 + gamma x y, F is b_0 + x y C plus a term that P's root takes away. On
-// opposite sides of the critical point, x y C and |x'| |y'| nearly cancel. There
+// opposite sides of the critical point x y C and |x'| |y'| nearly cancel, and their sum follows
+// from
 //
-//   (|x'| |y'|)^2 - (x y C)^2 = b_0 (x'^2 + y'^2 - b_0) + (x y (x - y))^2 (alpha gamma - beta^2/4)
-//
-// replaces their sum.
+//   (|x'| |y'|)^2 - (x y C)^2 = b_0 (x'^2 + y'^2 - b_0) + (x y (x - y))^2 (alpha gamma - beta^2/4).
 fn time_between(m: Radial, x: vec2<f32>, y: vec2<f32>) -> TimeArguments {
     let speeds = x.y * y.y;
     let width2 = max(square(x.x - y.x), TINY);

@@ -1,23 +1,21 @@
 // Slow outgoing rays of the method closed, which start next to the horizon of a nearly extremal
-// hole. U has no critical point then, and is as small as a thousandth of E^2 at the camera, where
-// its expansion about u = 0 cancels. So U is expanded about the camera, where the ray's own slope
-// gives it, with coefficients from the expansion about the horizon.
+// hole. U has no critical point then, and its expansion about u = 0 cancels at the camera. So U is
+// expanded about the camera, where the ray's own slope gives it, with coefficients of that about
+// the horizon.
 //
 // Gives: camera_centre, is_slow_outgoing, slow_outgoing_time.
 
-// The largest u'^2 of a slow ray at the camera, as a share of u'^2 at infinity. At this share the
-// expansion about u = 0 has lost two binary digits.
+// The largest u'^2 of a slow ray at the camera, as a share of u'^2 at infinity: there the expansion
+// about u = 0 has lost two binary digits.
 const MAX_SLOW_SHARE: f32 = 0.25;
 
-// Whether a ray without a critical point moves outward from a camera next to the horizon, much
-// slower than at infinity.
+// Whether a ray without a critical point moves slowly outward from a camera next to the horizon.
 fn is_slow_outgoing(m: Radial, slope: f32) -> bool {
     return begins_near_horizon() && m.base == 0.0 && !m.has_barrier
         && slope < 0.0 && square(slope) < MAX_SLOW_SHARE * square(m.energy);
 }
 
-// The camera as the centre of a leg on its outer side. U's coefficients are those about the
-// horizon.
+// The camera as the centre of a leg on its outer side.
 fn camera_centre(m: Radial, c: PhotonConstants, slope: f32) -> Centre {
     let u = scene.observer.u;
     let v = -scene.observer.u_to_horizon;

@@ -22,7 +22,7 @@ fn horizon_factors_at(u: f32) -> vec2<f32> {
 //
 //   a / (r_+ - r_-) |ln(p_1 q_2 / (p_2 q_1))|,   |p_1 q_2 - p_2 q_1| = (r_+ - r_-) distance,
 //
-// computed as an inverse hyperbolic tangent, which is accurate however close the two horizons are.
+// by an inverse hyperbolic tangent, which is accurate however close the two horizons are.
 fn azimuth_lag(p: vec2<f32>, q: vec2<f32>, distance: f32) -> f32 {
     let products = vec2<f32>(p.x * q.y, q.x * p.y);
     let tangent = scene.hole.horizon_separation * distance / (products.x + products.y);

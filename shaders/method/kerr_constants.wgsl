@@ -1,13 +1,12 @@
-// The constants of a photon's motion, which the methods mino and closed share; mino_motion.wgsl has
-// the equations.
+// The constants of a photon's motion for the methods mino and closed; mino_motion.wgsl has the
+// equations.
 //
 // Gives: KerrRay, PhotonConstants, begins_near_horizon, camera_is_inside, kerr_ray.
 
-// The weight of E^2 beside K in the scale. Radial rays, with K = 0, cover at most du = step/2 in
-// one step of mino.
+// The weight of E^2 beside K in the scale: radial rays cover at most du = step/2 in a step of mino.
 const ENERGY_WEIGHT: f32 = 4.0;
 
-// PhotonConstants of the motion, scaled.
+// Constants of the motion, scaled.
 struct PhotonConstants {
     energy: f32,
     // B and K'.
@@ -33,7 +32,7 @@ struct KerrRay {
     scale: f32,
 }
 
-// Whether the camera is so close to the horizon that rays start in the expansion about u = 1/r_+.
+// Whether rays start in the expansion about u = 1/r_+.
 fn begins_near_horizon() -> bool {
     return NEAR_HORIZON && scene.observer.u > 0.5 * scene.hole.horizon_u;
 }

@@ -12,8 +12,8 @@
 //
 //   x' = p - f S l,   p' = S^2 grad(f)/2 + f S grad(l.p).
 //
-// p_t and x p_y - y p_x are conserved. Rays that end at the horizon come from the past horizon,
-// where these coordinates are singular: momenta grow without bound and steps shrink, so many such
+// p_t and x p_y - y p_x are conserved. These coordinates are singular at the past horizon, from
+// which rays come that end in the hole: momenta grow without bound and steps shrink, so many such
 // rays around fast-spinning holes stay unfinished.
 //
 // Gives: trace.
@@ -98,8 +98,8 @@ fn runge_kutta_step(state: Canonical, h: f32) -> Canonical {
 }
 
 // The step rule: shorter where light bends and on the way to the horizon, and never a large share
-// of the radius. Below the balanced setting the limits shrink too, and the horizon's even more for
-// fast-spinning holes.
+// of the radius. Below the balanced setting the limits shrink, the horizon's more for fast-spinning
+// holes.
 fn step_length(metric: Metric, x: vec3<f32>, v: vec3<f32>) -> f32 {
     let r = metric.r;
     let impact = length(cross(x, v));
@@ -155,8 +155,7 @@ fn axial_angular_momentum(state: Canonical) -> f32 {
     return state.x.x * state.p.y - state.x.y * state.p.x;
 }
 
-// The place r n, with Boyer-Lindquist's azimuth, of a point in the plane. The frame is rotated so
-// that the azimuths agree at the camera.
+// The place r n of a point in the plane, with the Boyer-Lindquist azimuth of the camera's frame.
 fn boyer_lindquist(x: vec3<f32>) -> vec3<f32> {
     let a = scene.hole.a;
     let r = metric_at(x).r;
@@ -213,15 +212,13 @@ fn trace(photon: Photon) -> Trace {
             break;
         }
         let crosses = crosses_plane(state.x.z, next.x.z) && result.hit_count < MAX_HITS;
-        // A loop of one turn or none: drivers that execute both sides of a branch still skip a
-        // loop.
+        // Drivers that execute both sides of a branch still skip a loop without a turn.
         let events = select(0u, 1u, crosses);
         for (var j = 0u; j < events; j++) {
             let next_v = velocity(metric_at(next.x), next.p);
             let segment = Segment(state.x, v, next.x, next_v, h, 0.0, vec2<f32>(0.0));
             let crossing = plane_crossing(segment, crosses);
-            // The cubic gives the share of the step; as in the original, a shorter step from the
-            // same state gives the place and L_z.
+            // The cubic gives the share of the step, a shorter step the place and L_z.
             if !near_annulus(metric_at(crossing.xyz).r) {
                 break;
             }

@@ -1,13 +1,12 @@
-// The method mino: Kerr's null geodesics for any spin, stepped in Mino time on the celestial
-// sphere. mino_motion.wgsl has the equations and the step, mino_azimuth.wgsl the azimuth; this file
-// starts, follows and ends a ray.
+// The method mino: Kerr's null geodesics for any spin, by steps in Mino time on the celestial
+// sphere. mino_motion.wgsl has the equations and the step, mino_azimuth.wgsl the azimuth.
 //
 // Gives: trace.
 
 // More than a ray within f32's rounding of the critical curve takes at the shortest step.
 const MAX_STEPS: u32 = 1024u;
-// Rays with sqrt(K)/E below this may come near the critical curve, on which it is at most 3.5.
-// Their step is shorter, for the accuracy of the shadow's edge.
+// Rays with sqrt(K)/E below this may come near the critical curve, on which it is at most 3.5, and
+// take shorter steps.
 const FAR_IMPACT: f32 = 4.0;
 // Where U is below this share of W^2, a turning point is near and U is not a precise measure of u'.
 const TURNING_SHARE: f32 = 0.0625;
@@ -45,8 +44,8 @@ fn step_of(orbit: KerrRay) -> f32 {
     if !camera_is_inside() {
         return h;
     }
-    // Deep inside, u grows by its own value in less than a radian. The step is a share of that
-    // time, estimated from the growing terms of U.
+    // Deep inside, u grows by its own value in less than a radian, by the growing terms of U. The
+    // step is a share of that time.
     let u = scene.observer.u;
     return h * inverseSqrt(max(1.0, u * (6.0 * c.k_prime + 8.0 * u * (square(c.drag) + square(scene.hole.a) * c.k_prime))));
 }
@@ -64,8 +63,7 @@ fn ray_at_camera(photon: Photon, orbit: KerrRay, h: f32) -> Ray {
     return Ray(motion, y, dy, k, Angle(0.0, chi), ingoing, 0.0, first_delay(photon.radial > 0.0));
 }
 
-// Changes the base of the radial variable when the ray approaches the horizon or leaves it. 1/r_+
-// has two parts, so that the distance to the horizon is exact.
+// Changes the base of the radial variable when the ray approaches the horizon or leaves it.
 fn change_base(ray: ptr<function, Ray>, constants: PhotonConstants) {
     let u_horizon = scene.hole.horizon_u;
     let base = (*ray).motion.base;
@@ -117,7 +115,7 @@ fn restore_radial_speed(ray: ptr<function, Ray>, h: f32) {
     }
 }
 
-// The end of a step. An outgoing ray may reach u = 0 within it; u'' vanishes there, so Newton's
+// The end of a step. An outgoing ray may reach u = 0 within it, where u'' vanishes and Newton's
 // method converges at once.
 fn end_of(step: Step, motion: Motion) -> StepEnd {
     let escapes = step.dy0.x < 0.0 && motion.base + step.y1.x <= 0.0;
@@ -134,8 +132,8 @@ fn end_of(step: Step, motion: Motion) -> StepEnd {
     return end;
 }
 
-// Adds the step's crossing of the annulus to the record. `energy` is that of the photon, not
-// scaled. n_z'' vanishes in the plane, so Newton's method converges at once.
+// Adds the step's crossing of the annulus to the record, for a photon of this `energy`, not scaled.
+// n_z'' vanishes in the plane, so Newton's method converges at once.
 fn record_plane_crossing(
     result: ptr<function, Trace>,
     ray: Ray,
@@ -184,8 +182,7 @@ fn trace(photon: Photon) -> Trace {
     var result = empty_trace();
     let orbit = kerr_ray(photon);
     if camera_is_inside() && orbit.constants.horizon_w <= 0.0 {
-        // The light comes through the horizon's other branch, through which nothing arrives from
-        // outside.
+        // The light comes through the horizon's other branch, and nothing from outside does.
         result.outcome = OUTCOME_CAPTURED;
         return result;
     }

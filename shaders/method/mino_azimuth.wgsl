@@ -11,8 +11,7 @@ const NODE_4: f32 = 0.9305681558;
 const OUTER_WEIGHT: f32 = 0.1739274226;
 const INNER_WEIGHT: f32 = 0.3260725774;
 
-// An angle that can be many turns, as the sum of two parts: the first is a multiple of 1/16, the
-// second at most 1/32.
+// An angle of any number of turns: a multiple of 1/16, and the rest of at most 1/32.
 struct Angle {
     whole: f32,
     rest: f32,
@@ -31,8 +30,7 @@ fn azimuth_gain(m: Motion, c: Curve, h: f32, t: f32, v: f32, regular: bool, ingo
     return gain - azimuth_lag(horizon_factors(m.base, start), horizon_factors(m.base, v), abs(v - start));
 }
 
-// Away from the horizon and at a turning point the rate is smooth, and four Gauss-Legendre nodes
-// suffice.
+// Away from the horizon and at a turning point the rate is smooth.
 fn smooth_azimuth_gain(m: Motion, c: Curve, h: f32, t: f32) -> f32 {
     let outer = vec2<f32>(curve_at(c, NODE_1 * t).x, curve_at(c, NODE_4 * t).x);
     let inner = vec2<f32>(curve_at(c, NODE_2 * t).x, curve_at(c, NODE_3 * t).x);

@@ -1,23 +1,20 @@
-// The equations of motion of the method mino, and one step along them;
-// geometry/mino.rs is the f64 twin and gives the sources. With u = 1/r,
-// the unit vector n of azimuth psi, and phi = psi + chi, along the backward ray (2 M = 1):
+// The equations of motion of the method mino, and one step along them; geometry/mino.rs, the twin
+// in f64, gives the sources. With u = 1/r, the unit vector n of azimuth psi, and phi = psi + chi:
 //
 //   u'^2 = U(u) = W^2 - K' u^2 D,   W = E + B u^2,   D = 1 - u + a^2 u^2 = (1 - r_+ u)(1 - r_- u),
 //   u''  = u (2 B W - K' S),   S = D + u dD/du / 2,
 //   n''  = a^2 E^2 n_z e_z - (K + 2 a^2 E^2 n_z^2) n,   chi' = a (E - W/D),
 //   B = a (a E - L),   K' = Q + (L - a E)^2,   K = K' - 2 E B + a^2 E^2.
 //
-// U is Carter's (1968) R(r)/r^4 = ((E (r^2 + a^2) - a L)^2 - (r^2 - r + a^2) K')/r^4. In this form,
-// unlike in that of a polynomial, E, B and K' are the only constants: however they are rounded,
-// they are the constants of a nearby ray, and the radius of the critical orbit does not change.
-// Next to the horizon of a fast-spinning hole W and D cancel. There the radial variable is u -
-// 1/r_+, D's root is exact, and u' is recomputed from U at each step.
+// In this form of U, unlike in that of a polynomial, E, B and K' are the only constants: however
+// they are rounded, they are those of a nearby ray, and the radius of the critical orbit does not
+// change. Next to the horizon of a fast-spinning hole W and D cancel. There the radial variable is
+// u - 1/r_+, D's root is exact, and u' is recomputed from U at each step.
 //
 // The step is Nystroem's of fifth order (Nystroem 1925; Hairer, Norsett & Wanner 1993, section
-// II.14). It takes four accelerations, the first of which is the last one of the previous step. Its
-// dense output is the quintic with the values, slopes and accelerations of both ends. The constants
-// are scaled such that the step in Mino time is an angle; docs/physics/steps.md explains its
-// choice.
+// II.14). Its dense output is the quintic with the values, slopes and accelerations of both ends.
+// The constants are scaled such that the step in Mino time is an angle; docs/physics/steps.md
+// explains its choice.
 //
 // Gives: Curve, Motion, Step, acceleration, cannot_turn, curve, curve_at, curve_slope,
 //     motion_about, nystroem_step, quadratic, speed_squared.
@@ -111,9 +108,8 @@ fn speed_squared(m: Motion, v: f32, w2: f32) -> f32 {
     return w2 - m.constants.k_prime * square(m.base + v) * quadratic(m.d, v);
 }
 
-// Whether U is certainly positive from v to v + width, so that no ray turns there. The test is
-// sufficient, not necessary: a polynomial is nowhere below its smallest Bernstein coefficient
-// (Farouki & Rajan 1987).
+// Whether U is certainly positive from v to v + width, so that no ray turns there: a polynomial is
+// nowhere below its smallest Bernstein coefficient (Farouki & Rajan 1987).
 fn cannot_turn(m: Motion, v: f32, width: f32) -> bool {
     let u = m.base + v;
     let u2 = speed_squared(m, v, square(quadratic(m.w, v)));

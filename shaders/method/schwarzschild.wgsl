@@ -1,14 +1,11 @@
 // The orbits of the method closed: Schwarzschild's null geodesics in closed form. The twin in f64
-// is geometry/schwarzschild.rs.
+// is geometry/schwarzschild/rain_sky.rs. With u = 1/r and phi the angle from the camera (Darwin
+// 1959),
 //
-// In its plane an orbit obeys, with u = 1/r and phi the angle from the camera (Darwin 1959; r_s =
-// 1),
+//   (du/dphi)^2 = f(u) = q - u^2 + u^3,   q = 1/b^2.
 //
-//   (du/dphi)^2 = f(u) = q - u^2 + u^3,   q = 1/b^2,
-//
-// and everything depends on D = b_c^2 q - 1, b_c^2 = 27/4: rays with D < 0 turn, rays with D > 0 do
-// not. For every D the cubic has one root -k < 0, k^2 (1 + k) = q; the others are (1 + k)/2 +-
-// sqrt(v)/2 with
+// Rays with D = b_c^2 q - 1 < 0, b_c^2 = 27/4, turn; rays with D > 0 do not. For every D the cubic
+// has one root -k < 0, k^2 (1 + k) = q; the others are (1 + k)/2 +- sqrt(v)/2 with
 //
 //   v = (1 + k)(1 - 3 k) = -4 D (1 + k) / (2 + 3 k)^2,
 //
@@ -26,8 +23,7 @@ struct Orbit {
     discriminant: f32,
 }
 
-// k. A first guess within 4e-4 (minimax polynomials in 1/b and in its power -2/3), then one step of
-// Newton's method.
+// k: minimax polynomials in 1/b or its power -2/3, within 4e-4, then one step of Newton's method.
 fn orbit_root(inverse_b: f32, q: f32) -> f32 {
     let x = inverse_b;
     var k = x * (0.99991836 + x * (-0.49241213 + x * (0.50929576 - x * 0.34869361)));
@@ -89,8 +85,7 @@ fn orbit_g3(orbit: Orbit) -> f32 {
 //
 //   u = u0 + (-P' du/dphi + f'(u0) (P - x0)/2 + f(u0)/4) / (2 (P - x0)^2)
 //
-// It holds through turning points and for either sign of D, so a crossing costs no elliptic
-// integral.
+// It holds through turning points and for either sign of D.
 fn u_after(phi: f32, u0: f32, slope: f32, g3: f32) -> f32 {
     let p = weierstrass(phi, g3);
     let phi2 = phi * phi;

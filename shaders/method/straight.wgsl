@@ -1,6 +1,6 @@
-// Straight rays, for scenes without lensing: flat space, in which the hole is a black ball.
-// optics/straight.rs does the same in f64. The photons are those of flat
-// space too (optics/camera_rays.rs).
+// Straight rays, for scenes without lensing: flat space, in which the hole is a black ball. The
+// photons are those of flat space too (optics/camera_rays.rs). The twin in f64 is
+// optics/straight.rs.
 //
 // Gives: trace.
 

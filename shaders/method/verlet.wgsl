@@ -5,18 +5,15 @@
 //
 // The second equation is the null condition with |E| = 1 (Misner, Thorne & Wheeler 1973, section
 // 25.6). Its derivative gives the radial part of the first: Cartesian coordinates include the
-// centrifugal term L^2 / r^3, and the relativistic term remains. The affine parameter lambda grows
-// backward along the ray.
+// centrifugal term L^2 / r^3. The affine parameter lambda grows backward along the ray.
 //
 // Gives: trace.
 
-// At this radius an ingoing ray counts as captured: no ray turns outward inside the photon sphere,
-// at 1.5.
+// At this radius an ingoing ray counts as captured: none turns inside the photon sphere, at 1.5.
 const CAPTURE_RADIUS: f32 = 1.015;
 // A bound of the loop.
 const MAX_HALVINGS: u32 = 24u;
-// The step rule: shares of the radius, the largest step in r_s, and a term that prevents division
-// by zero for radial rays.
+// The step rule: shares of the radius, the largest step in r_s, and a term for radial rays.
 const RADIUS_SHARE: f32 = 0.16;
 const BENDING_SHARE: f32 = 0.12;
 const IMPACT_REGULARIZER: f32 = 0.01;
@@ -58,9 +55,8 @@ fn impact_of(photon: Photon, energy: f32) -> Impact {
     return Impact(vector, l2, sqrt(l2));
 }
 
-// For an observer at rest, this is the article's mu e_r + (d - mu e_r) / sqrt(1 - 1/r): there
-// radial = -mu sqrt(1 - 1/r), w = -(d - mu e_r), E = sqrt(1 - 1/r). Its length sets the scale of
-// the affine parameter, so it is not normalized.
+// For an observer at rest, this is the article's mu e_r + (d - mu e_r) / sqrt(1 - 1/r). Its length
+// sets the scale of the affine parameter, so it is not normalized.
 fn initial_velocity(photon: Photon, energy: f32) -> vec3<f32> {
     return (-photon.radial * scene.observer.position_direction - photon.w) / energy;
 }

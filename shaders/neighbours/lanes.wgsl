@@ -1,5 +1,5 @@
 // Differences between a ray and its neighbours, in a workgroup whose lanes trace square grids of
-// rays. As with the derivatives of a fragment entry, each pair of neighbours has one difference.
+// rays. Each pair of neighbours has one difference, as in a fragment entry.
 //
 // Gives: differences, lane_below, lane_beside, own_lane, own_share, ray_share.
 

@@ -1,8 +1,7 @@
-// The perspective projection: how a place in the picture becomes a direction and back, the solid
-// angle of a pixel, and what is in view. Places are in pixels from the upper left corner of the
-// part of the picture that is drawn, and directions are (right, up, forward) of the camera.
-// scene.picture.projection holds the tangents of half the field of view, horizontal and vertical.
-// The twin in f64 is scene/projection.rs.
+// The perspective projection; the twin in f64 is scene/projection.rs. Places are in pixels from the
+// upper left corner of the part of the picture that is drawn, and directions are (right, up,
+// forward) of the camera. scene.picture.projection holds the tangents of half the field of view,
+// horizontal and vertical.
 //
 // Gives: is_in_view, pixel_direction, pixel_solid_angle, project, ray_solid_angle, shown_place.
 

@@ -21,9 +21,9 @@ fn line_colour(index: i32, coloured: i32, colour: vec3<f32>) -> vec3<f32> {
     return select(GRID_LINE, GRID_STRONG_LINE, index % GRID_STRONG == 0);
 }
 
-// Light of a family of parallel lines, per unit of the nearest line's light, and the share of their
-// mean. Lines narrower than the distance between neighbouring rays are widened to it, with the same
-// total light. Where widened lines overlap, only their mean is drawn.
+// Light of a family of parallel lines, per unit of the nearest line's, and the share of their mean.
+// Lines narrower than the distance between rays are widened to it, with the same total light. Where
+// widened lines overlap, only their mean is drawn.
 fn lines(distance: f32, spacing: f32, radius: f32, footprint: f32) -> vec2<f32> {
     let width = max(radius, footprint);
     let widest = max(0.5 * spacing, TINY);

@@ -1,17 +1,16 @@
-// The sky mode `procedural`: stars at pseudo-random places that depend on the seed, and a faint
-// band of unresolved ones. Each pixel looks its stars up. The images of stars have the size of
-// pixels, so lensing stretches them; the mode `stars` draws points.
+// The sky mode `procedural`: stars at pseudo-random places, and a faint band of unresolved ones.
+// The images of stars have the size of pixels on the sky, so lensing stretches them.
 //
 // Three layers of stars overlap, each on the six gnomonic charts of a cube that is rotated against
-// the other two. A chart is divided into cells, and a cell holds at most one star, far enough from
-// the cell's edges that the whole image lies inside. So a pixel looks up one cell per layer, no
-// image is cut off, and the edges of the charts and the poles do not show.
+// the other two. A cell of a chart holds at most one star, far enough from the cell's edges that
+// the whole image lies inside. So a pixel looks up one cell per layer, and the edges of charts do
+// not show.
 //
 // Gives: sky_background.
 
 const CELLS: f32 = 36.0;
-// The bolometric fluxes of the faintest and the brightest star. Between them N(> F) is proportional
-// to F^(-3/2), as for stars evenly spread through space.
+// The bolometric fluxes of the faintest and the brightest star; N(> F) goes as F^(-3/2), as for
+// stars evenly spread through space.
 const MIN_STAR_FLUX: f32 = 0.15;
 const MAX_STAR_FLUX: f32 = 60.0;
 // Temperature of the coldest star in kelvin, and the ratio of the hottest to it.
@@ -25,8 +24,7 @@ const BAND_LIGHT: f32 = 0.03;
 const BAND_TEMPERATURE: f32 = 6500.0;
 const OFF_BAND: f32 = 0.55;
 
-// A hash of three numbers: a permuted congruential generator (Jarzynski & Olano 2020, "Hash
-// Functions for GPU Rendering").
+// A permuted congruential generator (Jarzynski & Olano 2020, "Hash Functions for GPU Rendering").
 fn hash(key: vec3<u32>) -> vec3<u32> {
     var v = key * 1664525u + 1013904223u;
     for (var turn = 0u; turn < 2u; turn++) {
@@ -75,8 +73,7 @@ fn star_layer(direction: vec3<f32>, g: f32, frame: mat3x3<f32>, layer: u32) -> v
     let cell = floor(place);
     let bits = hash(vec3<u32>(u32(cell.x + CELLS * cell.y), face + 6u * layer, scene.sky.seed));
 
-    // The star's distance from the cell's edges is at least the radius of its image; toward the
-    // corners of a face one radian spans up to three units of the chart.
+    // Toward the corners of a face one radian spans up to three units of the chart.
     let radius = shifted_spot_radius(g);
     let half_cell = 1.0 / CELLS;
     let middle = (cell + 0.5) * (2.0 * half_cell) - 1.0;

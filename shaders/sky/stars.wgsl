@@ -1,6 +1,5 @@
-// The sky mode `stars`: the light of the Milky Way. Bright stars are drawn as points by passes of
-// their own (shaders/stars/). This file draws the light of all others, so that no light is drawn
-// twice or lost.
+// The sky mode `stars`: the light of the Milky Way, which is that of all stars that the passes of
+// shaders/stars/ do not draw as points.
 //
 // Gives: sky_background, starlight.
 
@@ -39,8 +38,8 @@ struct Axes {
     lengths: vec2<f32>,
 }
 
-// The longer axis lies at the angle theta from `to_the_right`, where tan(2 theta) =
-// 2 right.down/(right.right - down.down).
+// The longer axis is at the angle theta from `to_the_right`, where tan(2 theta) = 2
+// right.down/(right.right - down.down).
 fn footprint_axes(footprint: Footprint) -> Axes {
     let right = dot(footprint.to_the_right, footprint.to_the_right);
     let down = dot(footprint.downward, footprint.downward);
@@ -57,8 +56,7 @@ fn footprint_axes(footprint: Footprint) -> Axes {
     return Axes(shrink * long, min(lengths, vec2<f32>(MAX_FOOTPRINT)));
 }
 
-// The share of all starlight that comes from stars fainter than a magnitude
-// (optics/stars/counts.rs).
+// The share of starlight from stars fainter than a magnitude (optics/stars/counts.rs).
 fn faint_share(magnitude: f32) -> f32 {
     let x = clamp(magnitude - 11.0, -13.0, 14.0);
     let cubic = FAINTER_SHARE.x + x * (FAINTER_SHARE.y + x * (FAINTER_SHARE.z + x * FAINTER_SHARE.w));
@@ -82,8 +80,8 @@ fn milky_way_light(direction: vec3<f32>, axes: Axes) -> vec2<f32> {
 
 fn sky_background(direction: vec3<f32>, g: f32, footprint: Footprint) -> vec3<f32> {
     let axes = footprint_axes(footprint);
-    // The magnification of an image: the solid angle of the ray in the picture over that on the
-    // sky.
+    // The gain of an image: the ray's solid angle in the picture over that on the sky, with
+    // beaming.
     let gain = ray_solid_angle * ray_share() / max(axes.lengths.x * axes.lengths.y, TINY) * beaming_factor(g);
     let faintest = starlight.magnitude_limit + 2.5 * LOG10_2 * log2(clamp(gain, 1e-12, 1e12));
     let share = faint_share(min(faintest, starlight.last_magnitude));

@@ -1,5 +1,5 @@
-// The sky behind a tilted disk. Rays are traced in the disk's frame; the file of the sky mode takes
-// directions in the hole's frame. That file is linked with its `sky_background` renamed to
+// The sky behind a tilted disk, in whose frame rays are traced. The file of the sky mode takes
+// directions in the hole's frame, and is linked with its `sky_background` renamed to
 // `background_in_hole_frame` (gpu/shader/choices.rs).
 //
 // Gives: sky_background.

@@ -18,8 +18,7 @@ fn candidate_count(list: u32) -> u32 {
     return min(candidate_counts.lists[list].w, min(mesh.capacity, arrayLength(&candidates) / CANDIDATE_LISTS));
 }
 
-// The rank from which on rough candidates are dropped because there are too many. It depends on
-// their number, not on their order.
+// The rank from which on rough candidates are dropped because there are too many.
 fn first_dropped_rank() -> u32 {
     if candidate_counts.lists[ROUGH].w <= candidate_counts.max_traced {
         return RANKS;

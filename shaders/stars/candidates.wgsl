@@ -3,9 +3,9 @@
 // Gives: BENT, Candidate, FROM_MESH, FROM_MIDDLE, INTERPOLATION_STEPS, MAX_STARTS, ROUGH, SMOOTH,
 //     STAR_BITS, WIDE, rank_of, unpacked_candidate.
 
-// The lists, each with room for `mesh.capacity` candidates: candidates in smooth cells, where the
-// mesh interpolates the map to the sky precisely; candidates whose images rays find; candidates in
-// bent cells, still to be tested; and parts of wide cells whose stars are still to be found.
+// The lists, each with room for `mesh.capacity` candidates: in smooth cells, where the mesh
+// interpolates the map to the sky precisely; those whose images rays find; in bent cells, still to
+// be tested; and parts of wide cells whose stars are still to be found.
 const SMOOTH: u32 = 0u;
 const ROUGH: u32 = 1u;
 const BENT: u32 = 2u;
@@ -31,8 +31,7 @@ fn unpacked_candidate(packed: vec2<u32>) -> Candidate {
     return Candidate(cell_number(packed.x), packed.y & ((1u << STAR_BITS) - 1u), packed.y >> STAR_BITS);
 }
 
-// Rough candidates are counted by the rank of their star: four ranks for each doubling of its
-// number, which counts from the brightest star.
+// The rank of a star: four for each doubling of its number, which counts from the brightest.
 fn rank_of(star: u32) -> u32 {
     // The exponent and two bits of the mantissa.
     return min((bitcast<u32>(f32(star + 1u)) >> 21u) - (127u << 2u), RANKS - 1u);

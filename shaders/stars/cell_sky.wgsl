@@ -7,8 +7,7 @@
 // hole, span the edge of the shadow or several orders of images.
 const MAX_SPAN: f32 = 1.2;
 // The margin about a triangle, as a share of it, for stars that the curved map brings into the
-// cell: for rounding, where the map is flat; the largest in smooth cells; and the largest in
-// others.
+// cell: the least, for rounding; the largest in smooth cells; and the largest in others.
 const MIN_MARGIN: f32 = 0.01;
 const MARGIN: f32 = 0.25;
 const MAX_MARGIN: f32 = 1.0;
@@ -19,28 +18,28 @@ const FOLD_REACH: f32 = 1.15;
 // Largest ratio between the areas of a cell's corner triangles where the map does not fold.
 const MAX_AREA_RATIO: f32 = 2.0;
 // The largest product of diagonal and difference of opposite sides, relative to the area, in a cell
-// that does not fold: next to the Einstein ring cells are slivers, thinner than they are bent.
+// that does not fold: next to the Einstein ring cells are thinner than they are bent.
 const MAX_BEND: f32 = 0.3;
 // The largest fourth difference of a smooth cell's sky, in cells of the picture. The error of the
-// bicubic polynomial's slopes is a 12th of it, that of its places 0.023 of it: 5e-4 of the
-// magnification and 6e-4 pixels of 960x540.
+// polynomial's slopes is a 12th of it, 5e-4, that of its places 0.023 of it, 6e-4 pixels of
+// 960x540.
 const MAX_FOURTH: f32 = 6e-3;
 // The same in a cell where the polynomial is accurate to a 40th of a cell.
 const MAX_ROUGH_FOURTH: f32 = 1.0;
 // Bounds of the magnification within a cell: relative to that of its smallest corner triangle in a
-// smooth cell, and in any cell that does not fold, where it is also bounded relative to the largest
-// triangle's; relative to the largest where the map folds, away from the fold itself. In random
-// scenes with 190 000 images, bounds eight times as large find no further image.
+// smooth cell, and in any cell that does not fold; there also relative to the largest triangle's;
+// relative to the largest where the map folds, away from the fold itself. In random scenes with 190
+// 000 images, bounds eight times as large find no further image.
 const SMOOTH_SAFETY: f32 = 1.5;
 const SAFETY: f32 = 2.0;
 const BENT_SAFETY: f32 = 8.0;
 const FOLD_SAFETY: f32 = 4.0;
-// The largest reach, in radians, for which the index is searched. Farther from a cell's middle, the
-// faces' flat maps do not bound its sky.
+// The largest reach, in radians, for which the index is searched: farther out, the faces' flat maps
+// do not bound a cell's sky.
 const MAX_INDEXED: f32 = 0.6;
 
-// Gives the place of a star in a triangle: x and y are dot(along, d), where d leads from the origin
-// to the point at which the star's direction meets the plane.
+// Gives the place of a star in a triangle: x and y are dot(along, d), where d leads from the origin to
+// the star in the triangle's plane.
 struct Solver {
     origin: vec3<f32>,
     normal: vec3<f32>,
@@ -132,8 +131,8 @@ fn belongs(point: MeshPoint, corner: MeshPoint) -> bool {
     return point.gain >= 0.0 && abs(point.turn - corner.turn) < MAX_SPAN;
 }
 
-// Computed from the rows and columns of the mesh through the cell's corners, with two points beyond
-// each corner: the cell must not be at the rim of the mesh.
+// From the rows and columns of the mesh through the cell's corners, with two points beyond each
+// corner: the cell must not be at the rim of the mesh.
 fn bending_of(cell: Cell, number: vec2<u32>, solver: Solver, across: vec3<f32>) -> Bending {
     let columns = mesh.points.x;
     let first = number.y * columns + number.x;
@@ -210,8 +209,8 @@ fn sky_of(cell: Cell, number: vec2<u32>) -> CellSky {
         width = max(width, abs(dot(corners[i] - middle, across)));
     }
     let bending = bending_of(cell, number, solvers[0], across);
-    // Between the corners the map differs from a triangle by up to an eighth of the second
-    // differences along both axes, and a quarter of the mixed one. The margin is twice that.
+    // The margin is twice the largest difference of the map from a triangle: an eighth of the
+    // second differences along both axes, and a quarter of the mixed one.
     let margin = MIN_MARGIN + 0.5 * bending.second + 0.5 * in_cells(solvers[0], right - left);
     let folds = largest > MAX_AREA_RATIO * smallest || bend > MAX_BEND * smallest;
     let is_smooth = !is_caustic && !folds && margin < MARGIN && bending.fourth < MAX_FOURTH;

@@ -1,6 +1,5 @@
-// The images of stars around a hole without spin, by the table of
-// optics/stars/images/table.rs, in the frame of the observer `rain`. The
-// twin in f64 is optics/stars/images/inversion.rs.
+// The images of stars around a hole without spin, by the table of optics/stars/images/table.rs, in
+// the frame of the observer `rain`. The twin in f64 is optics/stars/images/inversion.rs.
 //
 // Gives: frame_image.
 
@@ -29,8 +28,8 @@ fn inverse_sine(distance: f32, sine: f32) -> f32 {
     return (1.0 + share * (0.125 + 0.148 * share * share)) / sine;
 }
 
-// The direction in which `rain` sees a star's image of this order (outward, toward growing theta,
-// toward growing phi), and its magnification. A star is given by its unit vector on the same axes.
+// The direction in which `rain` sees a star's image of this order, and its magnification. Star and
+// image are unit vectors (outward, toward growing theta, toward growing phi).
 fn frame_image(star: vec3<f32>, order: u32) -> vec4<f32> {
     let sine = length(star.yz);
     let nearest = atan2_precise(sine, abs(star.x));

@@ -1,6 +1,5 @@
-// Dims the images of stars behind the disk, with a ray for each image. It is a kernel of its own
-// because few stars have an image in the picture: in a kernel over all stars, most invocations
-// would wait for a neighbour's ray.
+// Dims the images of stars behind the disk, with a ray for each image. In a kernel over all stars,
+// most invocations would wait for a neighbour's ray.
 //
 // Gives: dim.
 
@@ -8,8 +7,7 @@
 // As in add_image.wgsl; the last number counts the images.
 @group(0) @binding(BINDING_STAR_COUNT) var<storage, read> image_count: vec4<u32>;
 
-// One invocation for each image. The outcome of its ray is ignored: next to the shadow's edge,
-// rounding may end it elsewhere than at the star.
+// The outcome of the ray is ignored: next to the shadow's edge rounding may change it.
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn dim(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= min(image_count.w, min(stars.capacity, arrayLength(&star_images))) {

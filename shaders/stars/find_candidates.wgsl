@@ -1,10 +1,8 @@
-// Finds the candidates of each cell of the mesh.
-//
-// An index divides the sky into cells that list their stars, in layers by brightness. A cell of the
-// mesh searches the index cells that its own sky touches, down to the layer whose stars are too
-// faint. Cells whose sky is wider than MAX_NARROW are left to a second kernel, which divides each
-// into parts. There, cells that see much of the sky but only its bright stars search the list of
-// all stars instead, up to the first that is too faint.
+// Finds the candidates of each cell of the mesh. An index divides the sky into cells that list
+// their stars, in layers by brightness. A cell of the mesh searches the index cells that its own
+// sky touches, down to the layer whose stars are too faint. A second kernel divides cells whose sky
+// is wider than MAX_NARROW into parts. There, cells that see much of the sky but only its bright
+// stars search the list of all stars, up to the first that is too faint.
 //
 // Gives: find_candidates, find_wide_candidates.
 
@@ -14,8 +12,7 @@ const MAX_NARROW: f32 = 0.015;
 const PARTS: u32 = 8u;
 // The reach, in radians, from which on cells that show bright stars alone search the list.
 const MIN_LISTED: f32 = 0.14;
-// The smallest component, along a face's axis, of a direction on that face: 1/sqrt(3), rounded
-// down.
+// The smallest component along a face's axis of a direction on it: 1/sqrt(3), rounded down.
 const FACE_EDGE: f32 = 0.577;
 
 // For each cell of each layer, the start of its stars, and at last the end, counted in pairs of
@@ -51,8 +48,7 @@ fn star_count() -> u32 {
 }
 
 // The range of one coordinate of a face, from -1 to 1, that a cell's sky covers: `across` is its
-// middle's component along that coordinate, `nearest` and `farthest` bound the component along the
-// face's axis.
+// middle's component along it, `nearest` and `farthest` bound that along the face's axis.
 fn covered(across: f32, radius: f32, nearest: f32, farthest: f32) -> vec2<f32> {
     let low = across - radius;
     let high = across + radius;

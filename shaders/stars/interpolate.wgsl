@@ -1,14 +1,11 @@
-// Finds the images of candidates in smooth cells without rays, from the bicubic polynomial through
-// the 16 points of the mesh about the cell.
-//
-// Two neighbouring cells have the same curve along their common side, because it depends only on
-// the points along that side. An image next to a side belongs to the cell on its side of this
-// curve, so exactly one cell accepts it, however the cells round its place.
+// Finds the images of candidates in smooth cells without rays, by the bicubic polynomial through
+// the 16 points of the mesh about the cell. Two neighbouring cells have the same curve along their
+// common side, because it depends only on the points along that side. An image next to a side
+// belongs to the cell on its side of this curve, so exactly one cell accepts it.
 //
 // Gives: interpolate.
 
-// Newton's method doubles the digits in each step: from a quarter of a cell, three steps reach
-// f32's precision.
+// From a quarter of a cell, three steps of Newton's method reach f32's precision.
 const STEPS: u32 = 4u;
 // Distance from a side, in cells, within which the curve along it decides.
 const NEAR_SIDE: f32 = 1e-3;
@@ -28,8 +25,7 @@ fn column_of(rows: array<Row, 4>, is_right: bool) -> Row {
     return Row(select(left.first, right.first, is_right), select(left.second, right.second, is_right));
 }
 
-// The cross product of the curve's direction at a place on it and the star's miss there. Its sign
-// tells on which side of the curve the star lies.
+// The cross product of the curve's direction and the star's miss: its sign tells the star's side.
 fn side_of_star(curve: Row, place: f32) -> f32 {
     let anchor = round(place * SIDE_GRID) / SIDE_GRID;
     let weights = cubic_weights(anchor);
@@ -52,8 +48,7 @@ fn is_within(rows: array<Row, 4>, place: vec2<f32>, orientation: f32) -> bool {
     return x_within && y_within;
 }
 
-// The angle swept about the hole, interpolated linearly between the corners, which suffices to
-// count half-turns.
+// The angle swept about the hole, linear between the corners: enough to count half-turns.
 fn turn_at(number: vec2<u32>, place: vec2<f32>) -> f32 {
     let corner = number.y * mesh.points.x + number.x;
     let below = corner + mesh.points.x;

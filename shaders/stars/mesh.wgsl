@@ -1,5 +1,4 @@
-// Traces the rays of the mesh. The disk is left out, because `turn` ends at a disk; stars behind it
-// are dimmed later.
+// Traces the rays of the mesh, without the disk, at which `turn` would end.
 //
 // Gives: trace_mesh.
 

@@ -9,9 +9,8 @@ struct StarMesh {
     // Points in a row, and rows.
     points: vec2<u32>,
     // Rows of the rotation from the hole's frame to that of the list of stars; between them, in
-    // pixels of the picture, the distance between neighbouring points and the distance from an
-    // image of the rays that measure its magnification, and the capacity of each list of
-    // candidates.
+    // pixels, the distance between neighbouring points and that from an image of the rays that
+    // measure its magnification, and the capacity of each list of candidates.
     list_x: vec3<f32>,
     spacing: f32,
     list_y: vec3<f32>,

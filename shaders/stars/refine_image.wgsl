@@ -2,10 +2,10 @@
 // (Broyden 1965, "A class of methods for solving nonlinear simultaneous equations"), then five rays
 // for the last step and the magnification.
 //
-// Only the cell that contains an image accepts it, so no image is found twice. Two cells that find
-// the same image next to their common side must agree in spite of rounding: the last step begins at
-// the nearest point of a grid, and its rays depend on nothing else. The grid includes the sides;
-// along a side its points are farther apart, so that rounding seldom decides which one is nearest.
+// Only the cell that contains an image accepts it. Two cells that find the same image next to their
+// common side must agree in spite of rounding: the last step begins at the nearest point of a grid,
+// and its rays depend on nothing else. Along the sides of cells its points are farther apart, so
+// that rounding seldom decides which one is nearest.
 //
 // Gives: refine_image.
 
@@ -28,8 +28,8 @@ const SIDE_GRID: f32 = 16.0;
 const NEAR_SIDE: f32 = 1e-3;
 // A miss, in radians, at which a search has converged in any case.
 const ROUNDING: f32 = 3e-7;
-// The smallest width on the sky, in radians, of the area that the rays about an image enclose:
-// rounding hides a smaller one. It limits the magnification next to a caustic to some thousands.
+// The smallest width on the sky, in radians, of the area between the rays about an image: rounding
+// hides a smaller one. It limits the magnification next to a caustic to some thousands.
 const MIN_WIDTH: f32 = 4e-7;
 
 // A search for an image from one start. Places are in cells of the mesh.
@@ -66,8 +66,7 @@ fn search_from(start: u32, cell: Cell, number: vec2<u32>, star: vec3<f32>, tange
     let along_x = components_across(tangents, triangle.along_x);
     let along_y = components_across(tangents, triangle.along_y);
     let jacobian = mat2x2<f32>(along_x, along_y);
-    // The start is within the cell: where the map folds, a triangle does not tell how far outside a
-    // star is.
+    // Within the cell: where the map folds, a triangle does not tell how far outside a star is.
     let by_triangle = newton_step(jacobian, components_across(tangents, triangle.origin - star));
     let local = select(vec2<f32>(0.5), clamp(by_triangle, vec2<f32>(0.0), vec2<f32>(1.0)), start < 2u);
     let place = vec2<f32>(number) + local;
@@ -81,7 +80,7 @@ fn distance_outside(place: vec2<f32>, number: vec2<u32>) -> f32 {
 }
 
 // Takes the result of the ray through `place`, and chooses the next one. The search fails when the
-// image is farther outside the cell than twice the step and than `patience`, in cells.
+// image is farther outside the cell than twice the step and `patience`, in cells.
 fn continue_search(
     search: ptr<function, Search>,
     number: vec2<u32>,

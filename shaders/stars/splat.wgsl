@@ -1,6 +1,5 @@
-// Draws the images of stars: adds the light of each to the squares about it, which are single
-// pixels except in very large pictures. Sums are whole numbers, so the order of additions does not
-// matter.
+// Adds the light of each image of a star to the squares about it, which are single pixels except in
+// very large pictures. Sums are whole numbers, so the order of additions does not matter.
 //
 // Gives: splat.
 
@@ -38,8 +37,8 @@ fn splat(@builtin(global_invocation_id) id: vec3<u32>) {
     let side = f32(max(stars.sums_side, 1u));
     let place = project(image.direction) / side;
     let stretch = max(stars.stretch / side, 1.0);
-    // The squares whose middles are within the profile, on each axis, and the sum of their weights,
-    // by which they are normalised wherever the image lies.
+    // The squares within the profile on each axis, and the sum of their weights, which normalises
+    // them.
     let first = ceil(place - (2.0 * stretch + 0.5));
     let width = min(u32(ceil(4.0 * stretch)), MAX_WIDTH);
     var sums = vec2<f32>(0.0);

@@ -1,5 +1,5 @@
-// The structs that the kernels which find and draw the images of stars share.
-// gpu/stars/ has the same structs and the order of the kernels.
+// The structs of the kernels that find and draw the images of stars. gpu/stars/ has the same
+// structs and the order of the kernels.
 //
 // Gives: MAX_SHIFT, StarImage, stars.
 
@@ -7,17 +7,16 @@
 const MAX_SHIFT: f32 = 1e6;
 
 struct Stars {
-    // In the list's frame: the unit vector straight behind the hole, and rows for the components of
-    // a star toward growing theta and phi relative to it, dot(row, (star - behind, 1)), or to the
-    // opposite direction, dot(row, (star + behind, -1)). These components are accurate next to the
-    // line through the camera and the hole.
+    // In the list's frame: the unit vector straight behind the hole, and rows for a star's
+    // components toward growing theta and phi relative to it, dot(row, (star - behind, 1)), or to
+    // the opposite direction, dot(row, (star + behind, -1)): accurate next to the line through
+    // camera and hole.
     behind: vec3<f32>,
     shadow_half_angle: f32,
     along_theta: vec4<f32>,
     along_phi: vec4<f32>,
-    // Rows that take (1, d), where d is a direction (outward, toward growing theta, toward growing
-    // phi) of the observer in whose frame images are found, to the camera's frequency and to the
-    // frequency times the camera's direction.
+    // Rows that take (1, d) of the observer in whose frame images are found, on its axes (outward,
+    // theta, phi), to the camera's frequency and to the frequency times the camera's direction.
     frequency: vec4<f32>,
     right: vec4<f32>,
     up: vec4<f32>,

@@ -2,8 +2,7 @@
 //
 // Gives: light_along, seen_along.
 
-// A crossing counts for the class where the disk's coverage is larger than this: the middle of a
-// fade is one edge, its two ends would be two.
+// A crossing counts for the class where the disk's coverage is larger: a fade is one edge, not two.
 const MIN_COVER: f32 = 0.5;
 // The smallest share of light from behind the counted crossings that matters for the class.
 const MIN_VISIBLE: f32 = 0.02;
@@ -16,9 +15,8 @@ struct Seen {
     hit_count: u32,
 }
 
-// The disk shines at each of the first two crossings and lets a share of the light from behind
-// through. Alpha is the share of the ray that ends at a source, disk or sky: zero in the shadow,
-// where bloom must add nothing (presentation.wgsl).
+// Alpha is the share of the ray that ends at a source, disk or sky: zero in the shadow, where bloom
+// must add nothing (presentation.wgsl).
 fn seen_along(photon: Photon) -> Seen {
     let ray = trace(photon);
     // Before any branch, because neighbouring rays must call these together.
@@ -31,8 +29,7 @@ fn seen_along(photon: Photon) -> Seen {
     var visible = 1.0;
     var hit = ray.hits[0];
     var footprint = footprints.first;
-    // A loop, so that drivers which execute both sides of a branch compute the light of one hit
-    // only for most pixels.
+    // A loop, which ends early also in drivers that execute both sides of a branch.
     for (var i = 0u; i < min(ray.hit_count, MAX_HITS); i++) {
         let r = length(hit.position);
         let cover = disk_cover(r);

@@ -1,8 +1,7 @@
-// The view `error`: backward error against the f64 reference, in pixels of the picture, on a coarse
-// grid that the CPU computes (accuracy/picture.rs). This shader traces
-// nothing. The scale is logarithmic, from dark violet at 1e-4 pixel or less through green to bright
-// yellow at 1 or more. Magenta: no turn of the ray explains the answer. Black: nothing is seen.
-// Grey: the error is not known yet.
+// The view `error`: backward error against the f64 reference, in pixels, on a coarse grid that
+// accuracy/picture.rs computes. The scale is logarithmic, from dark violet at 1e-4 pixel or less
+// through green to bright yellow at 1 or more. Magenta: no turn of the ray explains the answer.
+// Black: nothing is seen. Grey: the error is not known yet.
 //
 // Gives: light_at.
 

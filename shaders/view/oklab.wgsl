@@ -1,4 +1,4 @@
-// Colours of scales, in which equal steps look equal.
+// Colours of scales.
 //
 // Gives: from_oklab.
 

@@ -21,7 +21,7 @@ fn light_along(photon: Photon) -> vec4<f32> {
     if ray.outcome == OUTCOME_CAPTURED && !seen {
         return mark(vec3<f32>(0.0));
     }
-    // A camera in the disk's plane sees the disk after exactly whole half-turns. The margin makes
-    // these count as the lower order, whatever the rounding.
+    // A camera in the disk's plane sees the disk after whole half-turns, which count as the lower
+    // order.
     return mark(select(0.25, 1.0, seen) * order_colour(floor((ray.turn - 1e-5) / PI)));
 }

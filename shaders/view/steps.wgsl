@@ -1,8 +1,7 @@
-// The view `steps`: the number of steps that the method takes along each ray, which is its cost.
-// The scale is logarithmic, from dark violet at 4 steps or fewer through red to pale yellow at 256
-// or more. It is the same for every method, so that pictures of two methods can be compared. A ray
-// without a step is black, and one left unfinished magenta. Rays are followed to their end, behind
-// the disk as well.
+// The view `steps`: the number of steps that the method takes along each ray, behind the disk as
+// well. The scale is logarithmic, from dark violet at 4 steps or fewer through red to pale yellow
+// at 256 or more, the same for every method. A ray without a step is black, and one left unfinished
+// magenta.
 //
 // Gives: light_along.
 

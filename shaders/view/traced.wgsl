@@ -1,5 +1,5 @@
-// The light at a place of the picture, given in pixels from its upper left corner: that of the ray
-// through it. Every view that traces rays uses this part.
+// The light at a place of the picture, in pixels from its upper left corner: that of the ray
+// through it.
 //
 // Gives: light_at.
 

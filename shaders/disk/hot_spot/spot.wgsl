@@ -1,5 +1,5 @@
-// A hot spot in the disk, which orbits with the matter.
-// optics/hot_spot.rs does the same in f64.
+// A hot spot in the disk, which orbits with the matter. The twin in f64 is
+// crates/lightfall-core/tests/physics/hot_spot_flux.rs.
 //
 // Gives: hot_spot_factor.
 
@@ -22,16 +22,14 @@ struct HotSpot {
 
 @group(0) @binding(BINDING_HOT_SPOT) var<uniform> hot_spot: HotSpot;
 
-// The angle less whole turns. 2 pi is subtracted in two parts, the first with few digits, so that
-// nothing is rounded (Cody & Waite 1980).
+// The angle less whole turns: 2 pi in two parts, the first with few digits (Cody & Waite 1980).
 fn less_whole_turns(angle: f32) -> f32 {
     let turns = round(angle / (2.0 * PI));
     return (angle - turns * 6.28125) - turns * 1.93530718e-3;
 }
 
-// The sum of exp(-psi^2 / (2 v)) over all turns of psi, which is in [-pi, pi]. The sum over turns
-// and the sum over waves (Poisson's formula) are equal; each needs few terms where the other needs
-// many. The omitted terms are below 3e-6 of the sum.
+// The sum of exp(-psi^2 / (2 v)) over all turns of psi, which is in [-pi, pi]: over turns, or over
+// waves (Poisson's formula), whichever needs few terms. Those omitted are below 3e-6 of the sum.
 fn gaussian_on_circle(psi: f32, v: f32) -> f32 {
     let turns = vec3<f32>(psi - 2.0 * PI, psi, psi + 2.0 * PI);
     let over_turns = dot(exp(-0.5 / v * turns * turns), vec3<f32>(1.0));
@@ -51,8 +49,7 @@ fn hot_spot_factor(hit: Hit) -> f32 {
         + hot_spot.angular_velocity * hit.delay;
     var v = square(hot_spot.size);
     if SHEARED_SPOT {
-        // Matter at each radius orbits at its own rate. The spot is blurred over the finest
-        // structure, across which the rates differ by `shear`.
+        // The spot is blurred over the finest structure, across which rates differ by `shear`.
         let omega = angular_velocity(r);
         let shear = 1.5 * omega * (1.0 - scene.hole.a * omega) * hot_spot.finest;
         psi -= (omega - hot_spot.angular_velocity) * since;

@@ -1,6 +1,5 @@
 // Limb darkening of an electron-scattering atmosphere (Chandrasekhar 1960, table XXIV), which is
-// three times as bright from above as from the side. optics/limb.rs does
-// the same in f64.
+// three times as bright from above as from the side. The twin in f64 is optics/limb.rs.
 //
 // Gives: limb_darkening.
 
@@ -9,10 +8,9 @@
 //
 //   mu = g sqrt(Q) / r,   Q = J_x^2 + J_y^2 - a^2 E^2 n_z^2,   J = r n x w,
 //
-// with everything per unit frequency at the camera, n and w at the camera, and g including the
-// effects that are switched off. In flat space sqrt(Q) is the light's momentum along the normal for
-// the observer with zero angular momentum at the camera; for the one at the disk it is larger by
-// the ratio of their lapses.
+// with n and w at the camera, and g including the effects that are switched off. In flat space
+// sqrt(Q) is the light's momentum along the normal for the observer with zero angular momentum at
+// the camera; for the one at the disk it is larger by the ratio of their lapses.
 fn emission_cosine(photon: Photon, hit: Hit) -> f32 {
     let r = length(hit.position);
     let n = scene.observer.position_direction;
@@ -29,8 +27,8 @@ fn emission_cosine(photon: Photon, hit: Hit) -> f32 {
     return clamp(g * normal / r, 0.0, 1.0);
 }
 
-// Intensity over its mean, which is flux/pi: a fit to the table, within 0.25 % of it. The integral
-// of 2 mu times this is one, so the flux that leaves the surface does not change.
+// Intensity over its mean, which is flux/pi: a fit to the table, within 0.25 % of it, with the same
+// flux.
 fn limb_darkening(photon: Photon, hit: Hit) -> f32 {
     let mu = emission_cosine(photon, hit);
     return 0.41344 + 0.1137 * sqrt(mu) + 0.7434 * mu;

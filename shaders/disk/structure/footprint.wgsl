@@ -9,9 +9,8 @@ fn shorter(a: Footprint, b: Footprint) -> Footprint {
 }
 
 // The footprints of both hits. All rays must call it before any branch. Where one image of the disk
-// ends in front of another, a neighbour's hit in the other image has a different index from the
-// front but the same one from the back. Where the neighbour has no hit in the same image, the
-// difference is huge, and structure_factor ignores it.
+// ends in front of another, a neighbour's hit in the same image has another index from the front,
+// but the same one from the back. A difference between images is huge; structure_factor ignores it.
 fn hit_footprints(ray: Trace) -> Footprints {
     let two = ray.hit_count > 1u;
     let last = differences(select(ray.hits[0].position, ray.hits[1].position, two));

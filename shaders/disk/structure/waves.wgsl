@@ -1,5 +1,6 @@
 // Structure of the disk's light: shearing waves in rings that rotate with the matter.
-// optics/structure does the same in f64 and explains the model.
+// optics/structure explains the model; the twin in f64 is
+// crates/lightfall-core/tests/physics/structure_field.rs.
 //
 // Gives: structure_factor.
 
@@ -59,8 +60,8 @@ fn cos_half_turns(s: vec4<f32>) -> vec4<f32> {
     return (0.25 - y) * (3.99996873 + y * (1.21780146 * y - 3.73545675));
 }
 
-// Random phases in turns, from -1/2 to 1/2: the hash `phase` of optics/structure/random.rs. Its
-// upper bits become the fraction of a number from 1 to 2, which graphics cards do faster than a
+// Random phases in turns, from -1/2 to 1/2: the integer hash that Wellons found by search
+// (lowbias32, 2018). Its upper bits become the fraction of a number from 1 to 2, faster than by a
 // conversion.
 fn phases_at(places: vec4<u32>) -> vec4<f32> {
     var z = places;
@@ -71,7 +72,7 @@ fn phases_at(places: vec4<u32>) -> vec4<f32> {
 }
 
 // The number of a life in the list of phases; `whole` counts lives from the ring's present one. The
-// half keeps the quotient away from whole numbers, where rounding would matter.
+// half keeps the quotient away from whole numbers.
 fn life_number(ring: Ring, whole: f32) -> u32 {
     var number = whole;
     if REPEATS {
@@ -83,10 +84,10 @@ fn life_number(ring: Ring, whole: f32) -> u32 {
 
 // The factor by which the structure multiplies the flux. The mean over all phases is one.
 //
-// The filter's exponents are in powers of two: covariance is P log2(e)/2, where P = J J^T/12 is the
-// covariance of the footprint in (ln r, phi). Differences are taken of positions, because those of
-// azimuths jump by a turn. A neighbour farther away than MAX_DX in ln r or MAX_DPHI in radians
-// belongs to another image of the disk or has no hit, and is ignored.
+// The filter's exponents are in powers of two: covariance is P log2(e)/2, where P = J J^T/12 is
+// that of the footprint in (ln r, phi), from differences of positions, because azimuths jump by a
+// turn. A neighbour farther away than MAX_DX or MAX_DPHI belongs to another image of the disk, and
+// is ignored.
 fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
     let p = hit.position.xy;
     let r2 = max(dot(p, p), MASS * MASS);
@@ -101,7 +102,7 @@ fn structure_factor(hit: Hit, footprint: Footprint) -> f32 {
 
     let x = 0.5 * log_precise(r2);
     let turns = atan2_precise(p.y, p.x) * (0.5 / PI);
-    // Omega and -dOmega/dln r; optics/structure/draw.rs has the formulas.
+    // Omega and -dOmega/dln r (Bardeen, Press & Teukolsky 1972 eq. 2.16).
     let y2 = MASS * inverseSqrt(r2);
     let y3 = y2 * sqrt(y2);
     let stretch = 1.0 + scene.hole.a / MASS * y3;
