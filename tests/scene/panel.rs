@@ -36,7 +36,7 @@ fn every_field_has_one_row_with_a_label_of_its_own() {
             );
         }
     }
-    for field in FIELDS {
+    for field in FIELDS.iter() {
         assert_ne!(
             listed.contains(field.key),
             FIXED.contains(&field.key),
@@ -48,7 +48,7 @@ fn every_field_has_one_row_with_a_label_of_its_own() {
 
 #[test]
 fn every_choice_has_a_name_and_a_meaning() {
-    for field in FIELDS {
+    for field in FIELDS.iter() {
         let Kind::Choice(choices) = field.kind else {
             continue;
         };

@@ -71,8 +71,8 @@ const FINEST_WISP: f64 = 0.006;
 const MAX_CLOUD_DISTANCE: f64 = 1.5;
 const MAX_CLOUD_HEIGHT: f64 = 0.3;
 
-/// Extinction of the layer in magnitudes V per kpc: at a point, `outward` of the Sun's circle and at
-/// a `height` above the plane, where the spiral arms have so many times the mean density.
+/// Extinction of the layer in magnitudes V per kpc: at a point, `outward` of the Sun's circle and
+/// at a `height` above the plane, where the spiral arms have so many times the mean density.
 pub(crate) fn layer(point: DVec3, outward: f64, height: f64, arms: f64, finest: f64) -> f64 {
     let bent = point + WIND_LENGTH * WINDS.vector_at(point, finest);
     let middle = WAVE_HEIGHT * WAVES.at(DVec3::new(bent.x, bent.y, 0.5), finest);

@@ -40,8 +40,8 @@ const BULGE_LIGHT: f64 = 2.1;
 const BULGE_AXES: DVec3 = DVec3::new(1.7, 1.0, 0.7);
 const BULGE_ANGLE: f64 = 0.4;
 
-/// Spiral arms: their number, their pitch in radians, and where one crosses the line from the Sun to
-/// the centre, as the Sagittarius arm does (after Reid et al. 2019, ApJ 885, 131).
+/// Spiral arms: their number, their pitch in radians, and where one crosses the line from the Sun
+/// to the centre, as the Sagittarius arm does (after Reid et al. 2019, ApJ 885, 131).
 const ARMS: f64 = 4.0;
 const ARM_PITCH: f64 = 0.225;
 const ARM_RADIUS: f64 = 6.7;

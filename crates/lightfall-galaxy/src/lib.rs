@@ -1,5 +1,5 @@
-//! Computes the map of the Milky Way, which the program reads as an asset: the light of the stars of
-//! a galaxy like ours, seen through its dust from the Sun's place in it.
+//! Computes the map of the Milky Way, which the program reads as an asset: the light of the stars
+//! of a galaxy like ours, seen through its dust from the Sun's place in it.
 //!
 //! The disk, its arms and the bulge have the measures of the real ones; the great clouds of dust
 //! near the Sun are in their places; all smaller structure is random. So the map has the

@@ -3,7 +3,8 @@
 use glam::{DVec3, FloatExt};
 use lightfall_model::random::bits;
 
-/// A random field of mean zero: a sum of octaves of gradient noise (Perlin 2002, "Improving Noise").
+/// A random field of mean zero: a sum of octaves of gradient noise (Perlin 2002, "Improving
+/// Noise").
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turbulence {
     /// Which field it is.

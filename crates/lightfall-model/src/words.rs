@@ -1,7 +1,7 @@
 //! Enumerations with a word for each variant, as presets, the command line and messages write it.
 //!
-//! [`words!`](macro@crate::words) declares the variants, their words and what the panel calls them in
-//! one table, so that no variant can be without a word or missing from `ALL`.
+//! [`words!`](macro@crate::words) declares the variants, their words and what the panel calls them
+//! in one table, so that no variant can be without a word or missing from `ALL`.
 
 /// How a variant is spelt and explained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,9 +29,9 @@ pub trait Words: Copy + 'static {
 /// Declares an enumeration whose variants have words, and names on the panel:
 /// `Variant = "word": "Name"`. A variant's documentation is also its help.
 ///
-/// The enumeration can be copied, compared and hashed; serde writes and reads the words; its default
-/// is the first variant. It gets the constants `ALL`, `WORDS` and `CHOICES`, in the order of
-/// declaration, and the functions `word`, `choice`, `from_word` and `next`.
+/// The enumeration can be copied, compared and hashed; serde writes and reads the words; its
+/// default is the first variant. It gets the constants `ALL`, `WORDS` and `CHOICES`, in the order
+/// of declaration, and the functions `word`, `choice`, `from_word` and `next`.
 #[macro_export]
 macro_rules! words {
     (

@@ -8,7 +8,7 @@ use crate::shift::RestFrame;
 use crate::trace::Outcome;
 use glam::{DMat3, DVec2, DVec3, DVec4, Vec4Swizzles};
 use lightfall_model::geometry::kerr::Kerr;
-use lightfall_model::geometry::observer::{ObserverError, observer_matrix};
+use lightfall_model::geometry::observer::ObserverError;
 use lightfall_model::geometry::tetrad::{four_velocity, rotation_between, velocity_in_rain};
 use lightfall_model::scene::{ObserverKind, Scene};
 
@@ -32,10 +32,8 @@ impl ApparentHole {
     /// # Errors
     /// If the scene's observer does not exist.
     pub fn new(scene: &Scene) -> Result<Self, ObserverError> {
-        let (r, spin) = (scene.camera.r, scene.hole.spin);
-        let kerr = Kerr { spin };
-        let theta = scene.camera.theta_deg.to_radians();
-        let phi = scene.camera.phi_deg.to_radians();
+        let (kerr, r) = (scene.kerr(), scene.camera.r);
+        let [theta, phi] = scene.camera.polar_angles();
         let rays = CameraRays::new(scene)?;
         if !scene.effects.lensing {
             return Ok(Self::without_lensing(kerr, &rays, r, theta));
@@ -48,8 +46,7 @@ impl ApparentHole {
             DMat3::IDENTITY
         } else {
             let velocity = velocity_in_rain(kerr, r, theta, phi, &four_velocity(&rays.matrix));
-            let kind = ObserverKind::Rain;
-            let boosted = observer_matrix(spin, kind, velocity.to_array(), r, theta, phi)?;
+            let boosted = scene.observer_at_camera(ObserverKind::Rain, velocity.to_array())?;
             rotation_between(&boosted, &rays.matrix, theta, phi)
         };
         let direction = (rotation * seen.middle).try_normalize();

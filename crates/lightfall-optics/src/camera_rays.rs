@@ -8,9 +8,7 @@
 
 use crate::shift::RestFrame;
 use glam::{DVec3, DVec4};
-use lightfall_model::geometry::observer::{
-    ExpandedMatrix, ObserverError, ObserverMatrix, Photon, observer_matrix,
-};
+use lightfall_model::geometry::observer::{ExpandedMatrix, ObserverError, ObserverMatrix, Photon};
 use lightfall_model::geometry::sphere::celestial_frame;
 use lightfall_model::scene::{ObserverKind, Scene};
 
@@ -39,10 +37,8 @@ impl CameraRays {
     pub fn new(scene: &Scene) -> Result<Self, ObserverError> {
         let (camera, observer, effects) = (&scene.camera, &scene.observer, scene.effects);
         let kerr = scene.kerr();
-        let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
-        let matrix_of =
-            |kind, velocity| observer_matrix(kerr.spin, kind, velocity, camera.r, theta, phi);
-        let matrix = matrix_of(observer.kind, observer.velocity)?;
+        let [theta, phi] = camera.polar_angles();
+        let matrix = scene.observer_at_camera(observer.kind, observer.velocity)?;
         let rays = |matrix, frequency| Self {
             matrix,
             expanded: ExpandedMatrix::new(&matrix, camera.r),
@@ -61,7 +57,7 @@ impl CameraRays {
         if effects.lensing && effects.aberration {
             return Ok(complete);
         }
-        let zamo = matrix_of(ObserverKind::Zamo, [0.0; 3])?;
+        let zamo = scene.observer_at_camera(ObserverKind::Zamo, [0.0; 3])?;
         let [_, theta_hat, phi_hat] = celestial_frame(theta, phi);
         let boost = boost_to_zamo(&matrix, &zamo, theta_hat, phi_hat);
         // The boost takes (1, d) of the camera to the ZAMO's; its inverse has the velocity -v.

@@ -1,6 +1,7 @@
 //! The edge of the hole's shadow: the directions of light that comes from the photon orbits.
 
 use glam::DVec3;
+use lightfall_model::geometry::bisection::bisection;
 use lightfall_model::geometry::kerr::{Kerr, MASS};
 use lightfall_model::geometry::observer::Photon;
 use lightfall_model::geometry::schwarzschild::shadow_half_angle_rain;
@@ -38,8 +39,10 @@ impl CriticalCurve {
         };
         if kerr.spin.abs() >= NEGLIGIBLE_SPIN {
             let polar = kerr.photon_orbit_polar() / MASS;
+            let is_seen = |p: f64| curve.orbit(p).polar_speed2 > 0.0;
+            // 64 halvings reach the last bit.
             curve.orbits = [kerr.photon_orbit_prograde(), kerr.photon_orbit_retrograde()]
-                .map(|end| last_where(polar, end / MASS, |p| curve.orbit(p).polar_speed2 > 0.0));
+                .map(|end| bisection([polar, end / MASS], 64, is_seen)[0]);
         }
         curve
     }
@@ -77,9 +80,8 @@ impl CriticalCurve {
 
     /// The light of the spherical photon orbit at radius p, for M = E = 1 (Teo 2003):
     ///
-    /// lambda = (p^2 (3 - p) - a^2 (p + 1)) / (a (p - 1)),   Q = p^3 (4 a^2 - p (p - 3)^2) / (a^2
-    /// (p
-    /// - 1)^2).
+    /// lambda = (p^2 (3 - p) - a^2 (p + 1)) / (a (p - 1)),
+    /// Q = p^3 (4 a^2 - p (p - 3)^2) / (a^2 (p - 1)^2).
     fn orbit(&self, p: f64) -> PhotonOrbit {
         let (a, below) = (self.kerr.spin, p - 1.0);
         let (sin, cos) = polar_sin_cos(self.place[1]);
@@ -100,19 +102,4 @@ struct PhotonOrbit {
     radial_rest: f64,
     /// Theta = p_theta^2 at the observer; negative where the light does not pass.
     polar_speed2: f64,
-}
-
-/// The point farthest from `inside` toward `end` where `holds` is true, given that it is true in
-/// one interval that begins at `inside`.
-fn last_where(mut inside: f64, mut end: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    // 64 bisections reach the last bit.
-    for _ in 0..64 {
-        let middle = 0.5 * (inside + end);
-        if holds(middle) {
-            inside = middle
-        } else {
-            end = middle
-        }
-    }
-    inside
 }

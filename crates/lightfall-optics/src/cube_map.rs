@@ -6,8 +6,8 @@ use glam::DVec3;
 /// Number of faces.
 pub const FACES: usize = 6;
 
-/// The vector from the centre of the cube [-1, 1]^3 to the place (`u`, `v`) on a face. Both run from
-/// 0 to 1 as texture coordinates do, v downward. The vector is not of unit length.
+/// The vector from the centre of the cube [-1, 1]^3 to the place (`u`, `v`) on a face. Both run
+/// from 0 to 1 as texture coordinates do, v downward. The vector is not of unit length.
 ///
 /// # Panics
 /// There is no such face.

@@ -1,11 +1,10 @@
 //! The light echo: the images of the hot spot that a scene's camera sees now, and the times of
 //! their emission.
 //!
-//! Light goes around the hole, so the camera sees a spot again and again: directly, then by light
-//! that has swept more than a half-turn about the hole, then more than a whole turn, and so on.
-//! Each image shows the spot at a time of its own. The image of order n is where a backward ray's
-//! crossing number n of the disk's plane, counted from 0, meets the spot at the time of that
-//! crossing.
+//! The camera sees a spot directly, then by light that has swept more than a half-turn about the
+//! hole, then more than a whole turn, and so on, each time as it was at a time of its own. The
+//! image of order n is where a backward ray's crossing number n of the disk's plane, counted from
+//! 0, meets the spot at the time of that crossing.
 //!
 //! Two numbers give a ray: its angle from the direction of the hole, and the azimuth of the line in
 //! which its plane would meet the disk's plane without frame dragging. A larger angle moves the
@@ -16,13 +15,11 @@ use crate::camera_rays::{CameraRays, camera_in_disk_frame};
 use crate::delay::Lag;
 use crate::hot_spot::HotSpot;
 use crate::reference::{HoleAndDisk, Reference, time_to_plane};
-use crate::shift::{RestFrame, Shift};
+use crate::shift::Shift;
 use crate::trace::{Hit, Outcome};
-use glam::{DMat3, DVec2, DVec3};
+use glam::{DVec2, DVec3};
 use lightfall_model::geometry::mino::PhotonConstants;
-use lightfall_model::geometry::observer::{
-    ObserverError, ObserverKind, ObserverMatrix, Photon, observer_matrix,
-};
+use lightfall_model::geometry::observer::{ObserverError, ObserverKind, ObserverMatrix, Photon};
 use lightfall_model::geometry::sphere::wrap_angle;
 use lightfall_model::scene::Scene;
 use std::f64::consts::PI;
@@ -56,11 +53,11 @@ pub struct Image {
     pub delay: f64,
 }
 
-/// The images of the scene's hot spot at its `disk.time`, in the order of their numbers. An image
-/// that does not exist is left out. There are none at all if the scene has no spot, if the camera
-/// is in the disk's plane and would see the spot from its edge, or if it is at or inside the
-/// horizon. An image may not be visible: something may lie in front of it, and pictures show only
-/// two crossings of the disk, while an image of order 2 around a spinning hole may be the third.
+/// The images of the scene's hot spot at its `disk.time` that exist, in the order of their numbers.
+/// There are none if the scene has no spot, if the camera is in the disk's plane and would see the
+/// spot from its edge, or if it is at or inside the horizon. A picture may not show an image:
+/// something may lie in front of it, and it may be the third crossing of the disk around a spinning
+/// hole.
 ///
 /// # Errors
 /// If the scene's observer cannot exist.
@@ -75,10 +72,8 @@ pub fn echo(scene: &Scene) -> Result<Vec<Image>, ObserverError> {
     if !scene.effects.lensing {
         return Ok(straight_image(scene, &rays, &spot)?.into_iter().collect());
     }
-    let (theta, phi) = (
-        scene.camera.theta_deg.to_radians(),
-        scene.camera.phi_deg.to_radians(),
-    );
+    let disk_from_hole = scene.disk.hole_from_disk().transpose();
+    let axes = disk_from_hole * scene.camera.tetrad();
     let search = Search {
         spot,
         hole: HoleAndDisk {
@@ -86,11 +81,12 @@ pub fn echo(scene: &Scene) -> Result<Vec<Image>, ObserverError> {
             // A ray matters as far in as the spot, and no crossing counts as a hit.
             annulus: Some([spot.r(); 2]),
         },
-        zamo: observer_matrix(kerr.spin, ObserverKind::Zamo, [0.0; 3], r, theta, phi)?
-            .turned(scene.disk.hole_from_disk().transpose()),
+        zamo: scene
+            .observer_at_camera(ObserverKind::Zamo, [0.0; 3])?
+            .turned(disk_from_hole),
         r,
         n,
-        tangents: tangents(scene),
+        tangents: [axes.y_axis, axes.z_axis],
         time: scene.disk.time,
     };
     let shift = Shift::new(scene);
@@ -112,6 +108,7 @@ struct Search {
     zamo: ObserverMatrix,
     r: f64,
     n: DVec3,
+    /// The unit vectors toward growing theta and growing phi there, in the disk's frame.
     tangents: [DVec3; 2],
     time: f64,
 }
@@ -243,14 +240,8 @@ fn straight_image(
         delay = way.length();
     }
     let toward = way / delay;
-    let lapse = RestFrame::at(
-        scene.kerr(),
-        scene.camera.r,
-        scene.camera.theta_deg.to_radians(),
-    )
-    .lapse;
     let photon = Photon {
-        energy: lapse,
+        energy: Shift::new(scene).camera().lapse,
         radial: -toward.dot(n),
         w: -toward.reject_from_normalized(n),
     };
@@ -273,13 +264,6 @@ fn image_of(scene: &Scene, order: u32, direction: DVec3, hit: Hit) -> Option<Ima
         hit,
         delay: hit.delay?,
     })
-}
-
-/// The unit vectors at the camera toward growing theta and growing phi, in the disk's frame.
-fn tangents(scene: &Scene) -> [DVec3; 2] {
-    let DMat3 { y_axis, z_axis, .. } =
-        scene.disk.hole_from_disk().transpose() * scene.camera.tetrad();
-    [y_axis, z_axis]
 }
 
 /// A root of a growing function between two places, by Ridders' method (1979), which keeps the root

@@ -1,9 +1,8 @@
 //! A light meter: chooses the exposure for the light that a scene's camera sees, with a few rays.
 //!
 //! The exposure makes the mean level of the screen over the disk a fixed one. Levels saturate at
-//! white, so a small part of the disk that is a thousand times brighter than the rest counts as
-//! white and leaves the rest visible. The sky counts a little, so that the exposure changes
-//! smoothly when the disk leaves the picture.
+//! white, so a small part of the disk that is a thousand times brighter leaves the rest visible.
+//! The sky counts a little, so that the exposure changes smoothly when the disk leaves the picture.
 
 use crate::limb::Limb;
 use crate::photometry::DISK_HDR_SCALE;
@@ -12,6 +11,7 @@ use crate::shift::Shift;
 use crate::trace::{Hit, Outcome};
 use crate::{disk, spectrum};
 use glam::{DVec2, DVec3};
+use lightfall_model::geometry::bisection::bisection;
 use lightfall_model::geometry::observer::{ObserverError, Photon};
 use lightfall_model::scene::{Effects, Scene, SkyMode};
 
@@ -57,10 +57,9 @@ pub fn exposed(scene: &Scene) -> Scene {
 }
 
 /// The exposure, in powers of two, for the light that the scene's camera sees, with the scene's
-/// bias. It does not depend on the scene's own exposure. Effects that are switched off count as on,
-/// so that a switch shows what it changes; this moves the exposure by no more than 1.5 powers of
-/// two. `None` if the meter sees no light, and in views whose colours do not depend on the
-/// exposure.
+/// bias. Effects that are switched off count as on, so that a switch shows what it changes; this
+/// moves the exposure by no more than 1.5 powers of two. `None` if the meter sees no light, and in
+/// views whose colours do not depend on the exposure.
 ///
 /// # Errors
 /// If the scene's observer cannot exist.
@@ -79,10 +78,8 @@ fn meter(scene: &Scene) -> Result<Option<f64>, ObserverError> {
         effects: Effects::default(),
         ..scene.clone()
     });
-    Ok(own
-        .zip(with_effects?)
-        .map(|(own, whole)| whole.clamp(own - MAX_SWITCHED, own + MAX_SWITCHED))
-        .or(own))
+    let switched = |(own, whole): (f64, f64)| whole.clamp(own - MAX_SWITCHED, own + MAX_SWITCHED);
+    Ok(own.zip(with_effects?).map(switched).or(own))
 }
 
 fn measure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
@@ -105,15 +102,8 @@ fn measure(scene: &Scene) -> Result<Option<f64>, ObserverError> {
             .map(|sample| sample.weight * srgb(curve.level(scale * sample.light)));
         levels.sum::<f64>() / weight
     };
-    let [mut low, mut high] = RANGE;
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if mean_level(middle) < TARGET_LEVEL {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
+    let is_dark = |exposure: f64| mean_level(exposure) < TARGET_LEVEL;
+    let [low, high] = bisection(RANGE, HALVINGS, is_dark);
     Ok(Some((0.5 * (low + high) * PARTS).round() / PARTS))
 }
 
@@ -126,19 +116,12 @@ fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
     let size = scene.picture.size().as_dvec2();
     // Light of an unshifted sky that alone would give SKY_EXPOSURE.
     let sky_light = linear(TARGET_LEVEL) / SKY_EXPOSURE.exp2() * scene.sky.brightness;
-    let beaming = |g: f64| {
-        if scene.effects.beaming {
-            g.powi(4)
-        } else {
-            1.0
-        }
-    };
     let limb = Limb::new(scene);
     let disk_light = |photon: &Photon, hit: Hit| {
         let flux = profile.flux(hit.r);
         let seen = spectrum::colour(hit.g * disk::temperature(&lit, flux));
         let limb = limb.factor(photon, hit.r);
-        let scale = flux * beaming(hit.g) * limb * lit.brightness * DISK_HDR_SCALE;
+        let scale = flux * shift.beaming_factor(hit.g) * limb * lit.brightness * DISK_HDR_SCALE;
         DVec3::from(seen) * scale * disk::cover(scene, hit.r)
     };
     let mut samples = Vec::new();
@@ -167,7 +150,8 @@ fn samples(scene: &Scene) -> Result<Vec<Sample>, ObserverError> {
             let lambda = r * n.cross(photon.w).z / photon.energy;
             let g = shift.of_sky(1.0 / photon.energy, lambda).abs();
             let seen = DVec3::from(spectrum::colour(g * SKY_TEMPERATURE)).max_element();
-            add(SKY_WEIGHT * uncovered, sky_light * seen * beaming(g));
+            let light = sky_light * seen * shift.beaming_factor(g);
+            add(SKY_WEIGHT * uncovered, light);
         }
     }
     Ok(samples)

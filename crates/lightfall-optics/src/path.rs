@@ -1,8 +1,7 @@
 //! The path of one ray, to be drawn and read: points along it, and the angle it sweeps.
 //!
-//! The path takes the same steps as the reference and uses the same series. The angle swept about
-//! the hole is the integral of dpsi = |n'| dtau with |n'|^2 = K + a^2 E^2 n_z^2 (without the
-//! azimuth due to frame dragging).
+//! The angle swept about the hole is the integral of dpsi = |n'| dtau with |n'|^2 = K + a^2 E^2
+//! n_z^2, without the azimuth due to frame dragging.
 
 use crate::reference::{HoleAndDisk, Reference, Step};
 use crate::trace::{Outcome, Trace};
@@ -108,7 +107,7 @@ fn lensed_path(
     path
 }
 
-/// Points along a ray to its end. The trace may end earlier, when its outcome is certain.
+/// Points along a ray to its end, which the trace need not reach.
 fn points(
     hole_and_disk: HoleAndDisk,
     constants: &PhotonConstants,
@@ -154,23 +153,15 @@ fn straight_path(kerr: Kerr, photon: &Photon, r: f64, n: DVec3, trace: &Trace, m
     let direction = (-photon.radial * n - photon.w).normalize();
     let nearest = (start - start.dot(direction) * direction).length();
     let captured = trace.outcome == Outcome::Captured;
-    let closest_r = match captured {
-        true => kerr.horizon(),
-        false if start.dot(direction) < 0.0 => nearest,
-        false => r,
-    };
+    let along = start.dot(direction);
     // The ray ends at the horizon, or at the requested radius.
-    let radius = if captured {
-        kerr.horizon()
-    } else {
-        max_r.max(r)
+    let (closest_r, radius) = match captured {
+        true => (kerr.horizon(), kerr.horizon()),
+        false if along < 0.0 => (nearest, max_r.max(r)),
+        false => (r, max_r.max(r)),
     };
     let half_chord = (radius * radius - nearest * nearest).max(0.0).sqrt();
-    let length = if captured {
-        -start.dot(direction) - half_chord
-    } else {
-        -start.dot(direction) + half_chord
-    };
+    let length = half_chord.copysign(if captured { -1.0 } else { 1.0 }) - along;
     let hit =
         trace.hits[0].map(|hit| DVec3::new(hit.r * hit.phi.cos(), hit.r * hit.phi.sin(), 0.0));
     let swept_angle = hit.map_or(n.angle_between(direction), |hit| n.angle_between(hit));

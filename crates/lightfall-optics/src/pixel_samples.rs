@@ -17,12 +17,8 @@ pub fn pixel_offset(frame: u32) -> DVec2 {
         let moved = scrambled(place(frame), axis) ^ scrambled(place(0), axis) ^ MIDDLE;
         f64::from(moved) / 2.0_f64.powi(32) - 0.5
     };
-    DVec2::new(along(0, van_der_corput), along(1, sobol))
-}
-
-/// The first axis: the number's binary digits in reverse order (van der Corput 1935).
-fn van_der_corput(number: u32) -> u32 {
-    number.reverse_bits()
+    // The first axis is the number's binary digits in reverse order (van der Corput 1935).
+    DVec2::new(along(0, u32::reverse_bits), along(1, sobol))
 }
 
 /// The second axis: Sobol's sequence of the polynomial x + 1, whose direction numbers are the rows

@@ -8,9 +8,9 @@
 use crate::path::Path;
 use crate::reference::Reference;
 use crate::trace::{Hit, Outcome, Trace};
-use glam::{DVec2, DVec3, DVec4};
-use lightfall_model::geometry::observer::{ObserverKind, Photon, observer_matrix};
-use lightfall_model::geometry::sphere::{angle_between, celestial_frame};
+use glam::{DVec2, DVec3};
+use lightfall_model::geometry::observer::{ObserverKind, Photon};
+use lightfall_model::geometry::sphere::angle_between;
 use lightfall_model::scene::Scene;
 use std::f64::consts::PI;
 
@@ -134,27 +134,14 @@ fn swept_angles(points: &[DVec3]) -> Vec<f64> {
 }
 
 /// The unit vector toward where the observer with zero angular momentum at the camera's place sees
-/// a photon come from, in the hole's frame: its matrix solved for (frequency, frequency times
-/// direction). `None` inside the horizon, where there is no such observer.
+/// a photon come from, in the hole's frame. `None` inside the horizon, where there is no such
+/// observer.
 fn received_direction(scene: &Scene, photon: &Photon) -> Option<DVec3> {
-    let camera = &scene.camera;
-    let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
-    let zamo = observer_matrix(
-        scene.hole.spin,
-        ObserverKind::Zamo,
-        [0.0; 3],
-        camera.r,
-        theta,
-        phi,
-    )
-    .ok()?;
-    let [n, theta_hat, phi_hat] = celestial_frame(theta, phi);
-    let row = |i: usize| DVec4::from_array(zamo.rows[i]);
-    let along = |hat: DVec3| hat.x * row(2) + hat.y * row(3) + hat.z * row(4);
-    let toward = photon.radial / row(1).y * n
-        + photon.w.dot(theta_hat) / along(theta_hat).z * theta_hat
-        + photon.w.dot(phi_hat) / along(phi_hat).w * phi_hat;
-    toward.try_normalize()
+    let zamo = scene
+        .observer_at_camera(ObserverKind::Zamo, [0.0; 3])
+        .ok()?;
+    let direction = zamo.direction_of(photon, scene.camera.direction())?;
+    Some(scene.camera.tetrad() * direction)
 }
 
 /// The place of the smallest radius, if the path turns there and its light is seen.

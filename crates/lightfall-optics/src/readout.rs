@@ -17,9 +17,9 @@ use crate::hot_spot::HotSpot;
 use crate::reference::Reference;
 use crate::shift::{RestFrame, Shift};
 use crate::trace::Outcome;
-use lightfall_model::geometry::observer::{ObserverError, observer_matrix};
+use lightfall_model::geometry::observer::ObserverError;
 use lightfall_model::geometry::tetrad::{four_velocity, relative_velocity};
-use lightfall_model::scene::{ObserverKind, Scene};
+use lightfall_model::scene::{Effects, ObserverKind, Scene};
 
 /// The read-outs of a scene's observer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,18 +79,14 @@ impl Readout {
     /// # Errors
     /// If the scene's observer does not exist.
     pub fn new(scene: &Scene) -> Result<Self, ObserverError> {
+        let mut scene = scene.clone();
+        scene.effects = Effects::default();
         let (camera, observer) = (&scene.camera, &scene.observer);
-        let kerr = scene.kerr();
-        let (r, theta, phi) = (
-            camera.r,
-            camera.theta_deg.to_radians(),
-            camera.phi_deg.to_radians(),
-        );
-        let matrix_of =
-            |kind, velocity| observer_matrix(scene.hole.spin, kind, velocity, r, theta, phi);
-        let matrix = matrix_of(observer.kind, observer.velocity)?;
+        let (kerr, r, [theta, phi]) = (scene.kerr(), camera.r, camera.polar_angles());
+        let matrix = scene.observer_at_camera(observer.kind, observer.velocity)?;
         let speed = |kind| {
-            matrix_of(kind, [0.0; 3])
+            scene
+                .observer_at_camera(kind, [0.0; 3])
                 .ok()
                 .map(|frame| relative_velocity(&matrix, &frame, theta, phi).length())
         };
@@ -110,7 +106,7 @@ impl Readout {
                 } = RestFrame::at(kerr, r, theta);
                 lapse * lapse / (u.energy - dragging * angular_momentum)
             }),
-            ahead: light_ahead(scene)?,
+            ahead: light_ahead(&scene)?,
             shadow_radius: shadow_radius(kerr, &matrix, r, theta, phi),
             acceleration: if in_free_fall {
                 0.0
@@ -118,19 +114,17 @@ impl Readout {
                 held_acceleration(kerr, observer.kind, r, theta)
             },
             tide: tide(kerr, r, camera.direction(), &u),
-            hot_spot: hot_spot(scene)?,
+            hot_spot: hot_spot(&scene)?,
         })
     }
 }
 
 fn hot_spot(scene: &Scene) -> Result<Option<HotSpotReadout>, ObserverError> {
-    let mut scene = scene.clone();
-    scene.effects = lightfall_model::scene::Effects::default();
-    let Some(spot) = HotSpot::new(&scene) else {
+    let Some(spot) = HotSpot::new(scene) else {
         return Ok(None);
     };
     let mut delays = [None; ORDERS as usize];
-    for image in echo(&scene)? {
+    for image in echo(scene)? {
         delays[image.order as usize] = Some(image.delay);
     }
     Ok(Some(HotSpotReadout {
@@ -140,14 +134,13 @@ fn hot_spot(scene: &Scene) -> Result<Option<HotSpotReadout>, ObserverError> {
 }
 
 fn light_ahead(scene: &Scene) -> Result<Option<LightAhead>, ObserverError> {
-    let mut scene = scene.clone();
-    scene.effects = lightfall_model::scene::Effects::default();
     let direction = scene.camera.tetrad_from_camera().z_axis;
-    let photon = CameraRays::new(&scene)?.photon(direction);
-    let trace = Reference::new(&scene)?.trace(direction);
+    let photon = CameraRays::new(scene)?.photon(direction);
+    let trace = Reference::new(scene)?.trace(direction);
     let lambda = scene.camera.r * scene.camera.direction().cross(photon.w).z / photon.energy;
-    scene.effects.doppler = false;
-    let gravity = Shift::new(&scene);
+    let mut without_motion = scene.clone();
+    without_motion.effects.doppler = false;
+    let gravity = Shift::new(&without_motion);
     let outside = scene.camera.r > scene.kerr().horizon();
     Ok(match (trace.hits[0], trace.outcome) {
         (Some(hit), _) => Some(LightAhead {

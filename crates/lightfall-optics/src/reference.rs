@@ -1,8 +1,7 @@
 //! The reference method: traces rays in f64, for any spin.
 //!
-//! A ray ends at u = 0, which is infinity itself, or as soon as its capture is certain. There is
-//! neither an escape radius nor a margin at the horizon. Infinity and the crossings of the disk's
-//! plane are roots of the step's own series.
+//! A ray ends at u = 0, which is infinity itself, or as soon as its capture is certain. Infinity
+//! and the crossings of the disk's plane are roots of the step's own series.
 //!
 //! A crossing within a step or at its end belongs to that step, never to the step that starts
 //! there. So no crossing counts twice, and a camera in the plane does not see the disk at its own
@@ -112,13 +111,7 @@ impl Reference {
         lensed: impl Fn(&HoleAndDisk, &PhotonConstants, PhotonState) -> Trace,
     ) -> Trace {
         let Some(direction) = (direction / direction.abs().max_element()).try_normalize() else {
-            return Trace {
-                outcome: Outcome::Unfinished,
-                sky: None,
-                hits: [None; 2],
-                steps: 0,
-                residual: f64::NAN,
-            };
+            return Trace::empty(f64::NAN);
         };
         self.trace_photon_by(&self.photon(direction), lensed)
     }
@@ -198,19 +191,10 @@ impl HoleAndDisk {
         let [u_outer, u_inner] = self
             .annulus
             .map_or([0.0, 0.0], |[inner, outer]| [1.0 / outer, 1.0 / inner]);
-        let mut trace = Trace {
-            outcome: Outcome::Unfinished,
-            sky: None,
-            hits: [None; 2],
-            steps: 0,
-            residual: constants.residual(&start),
-        };
+        let mut trace = Trace::empty(constants.residual(&start));
         let mut state = start;
         if constants.stays_inside(&state, u_horizon) {
-            return Trace {
-                outcome: Outcome::Captured,
-                ..trace
-            };
+            return trace.ending(Outcome::Captured);
         }
         while trace.steps < MAX_STEPS {
             let no_more_hits = state.u >= u_inner || trace.hits[1].is_some();
@@ -219,10 +203,7 @@ impl HoleAndDisk {
                 && (state.u >= u_horizon
                     || no_more_hits && constants.cannot_turn_within(state.u, u_horizon))
             {
-                return Trace {
-                    outcome: Outcome::Captured,
-                    ..trace
-                };
+                return trace.ending(Outcome::Captured);
             }
             let expansion = constants.expand(&state);
             let reach = constants.reach(&expansion);
@@ -254,17 +235,11 @@ impl HoleAndDisk {
             if to_infinity.is_some() {
                 // Light of negative energy cannot come from infinity.
                 if constants.energy <= 0.0 {
-                    return Trace {
-                        outcome: Outcome::Captured,
-                        ..trace
-                    };
+                    return trace.ending(Outcome::Captured);
                 }
                 let sky = DMat3::from_rotation_z(end.chi) * end.n;
-                return Trace {
-                    outcome: Outcome::Sky,
-                    sky: Some(sky.normalize()),
-                    ..trace
-                };
+                trace.sky = Some(sky.normalize());
+                return trace.ending(Outcome::Sky);
             }
             state = end;
         }

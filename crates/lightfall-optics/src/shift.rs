@@ -101,6 +101,11 @@ impl Shift {
         )
     }
 
+    /// The factor by which a shift multiplies bolometric intensity: g^4, or one without beaming.
+    pub fn beaming_factor(&self, g: f64) -> f64 {
+        if self.effects.beaming { g.powi(4) } else { 1.0 }
+    }
+
     /// `g` without the factors of the effects that are off.
     fn active_part(&self, g: f64, gravity: f64) -> f64 {
         match (self.effects.gravitational_shift, self.effects.doppler) {

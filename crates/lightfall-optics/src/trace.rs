@@ -68,3 +68,21 @@ pub struct Trace {
     /// Largest normalized residual of the null constraint along the ray.
     pub residual: f64,
 }
+
+impl Trace {
+    /// The record of a ray that has met nothing yet, with the residual at its start.
+    pub(crate) fn empty(residual: f64) -> Self {
+        Self {
+            outcome: Outcome::Unfinished,
+            sky: None,
+            hits: [None; 2],
+            steps: 0,
+            residual,
+        }
+    }
+
+    /// The record with this outcome.
+    pub(crate) fn ending(self, outcome: Outcome) -> Self {
+        Self { outcome, ..self }
+    }
+}

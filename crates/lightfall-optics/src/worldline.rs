@@ -1,18 +1,15 @@
 //! The worldline of an observer that falls freely or orbits, by its proper time.
 //!
-//! The camera's place and the observer's motion are written back to the scene, so that the picture
-//! is the moving observer's. A circular orbit stays `orbit`, and free fall from rest at infinity
-//! stays `rain`. Every other observer becomes `rain` with a velocity relative to it, since that
-//! frame is regular at the horizon.
-//!
-//! The camera's direction is carried along the great circle between two places, without a rotation
-//! about the radial direction. So the hole keeps its place in the picture, also over a pole.
+//! The camera's place and the observer's motion are written back to the scene. A circular orbit
+//! stays `orbit`, and free fall from rest at infinity stays `rain`. Every other observer becomes
+//! `rain` with a velocity relative to it, since that frame is regular at the horizon. The camera's
+//! direction is carried along the great circle between two places, so the hole keeps its place in
+//! the picture, also over a pole.
 
 use glam::{DMat3, DQuat};
 use lightfall_model::geometry::kerr::{CircularOrbit, Kerr};
-use lightfall_model::geometry::observer::min_infall_radius;
-use lightfall_model::geometry::observer::{ObserverError, observer_matrix};
-use lightfall_model::geometry::sphere::{celestial_frame, wrap_degrees};
+use lightfall_model::geometry::observer::{ObserverError, min_infall_radius};
+use lightfall_model::geometry::sphere::{celestial_axes, wrap_degrees};
 use lightfall_model::geometry::tetrad::{four_velocity, rotation_between, velocity_in_rain};
 use lightfall_model::geometry::timelike::{Geodesic, Limit, ParticleState};
 use lightfall_model::scene::{Camera, MAX_RADIUS, ObserverKind, Scene};
@@ -61,10 +58,8 @@ impl Worldline {
     pub fn start(scene: &Scene) -> Result<Self, ObserverError> {
         let (camera, observer) = (&scene.camera, &scene.observer);
         let kerr = scene.kerr();
-        let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
-        let matrix_of =
-            |kind, velocity| observer_matrix(scene.hole.spin, kind, velocity, camera.r, theta, phi);
-        let matrix = matrix_of(observer.kind, observer.velocity)?;
+        let [theta, phi] = camera.polar_angles();
+        let matrix = scene.observer_at_camera(observer.kind, observer.velocity)?;
         let has_no_velocity = observer.velocity == [0.0; 3];
         let motion = match kerr.circular_orbit(camera.r) {
             Some(orbit) if has_no_velocity && observer.kind == ObserverKind::Orbit => {
@@ -76,23 +71,14 @@ impl Worldline {
             }
             _ => {
                 let is_rain = has_no_velocity && observer.kind == ObserverKind::Rain;
-                let outside = camera.r > kerr.horizon();
-                let chi = if outside {
-                    kerr.ingoing_azimuth_lead(camera.r)
-                } else {
-                    0.0
-                };
+                let chi = kerr.camera_azimuth_lead(camera.r);
                 let velocity = four_velocity(&matrix);
                 let pending_rotation = if observer.kind == ObserverKind::Rain {
                     DMat3::IDENTITY
                 } else {
                     let rain = velocity_in_rain(kerr, camera.r, theta, phi, &velocity);
-                    rotation_between(
-                        &matrix,
-                        &matrix_of(ObserverKind::Rain, rain.to_array())?,
-                        theta,
-                        phi,
-                    )
+                    let rain = scene.observer_at_camera(ObserverKind::Rain, rain.to_array())?;
+                    rotation_between(&matrix, &rain, theta, phi)
                 };
                 let geodesic = Geodesic::new(kerr, &velocity, camera.r, camera.direction(), chi);
                 Motion::Free(Box::new(FreeFall {
@@ -156,20 +142,30 @@ impl Worldline {
         }
     }
 
-    /// Boyer-Lindquist time since the release, in r_s: the time on clocks far away. `None` unless
-    /// both the release and the present place are outside the horizon.
-    pub fn coordinate_time(&self) -> Option<f64> {
+    /// The present radius, in r_s.
+    fn r(&self) -> f64 {
+        match &self.motion {
+            Motion::Circular { .. } => self.start_r,
+            Motion::Free(fall) => 1.0 / fall.geodesic.state.u,
+        }
+    }
+
+    /// Kerr's ingoing time v since the release, in r_s.
+    fn advanced_time(&self) -> f64 {
         match &self.motion {
             Motion::Circular {
                 orbit, proper_time, ..
-            } => Some(orbit.u_t * proper_time),
-            Motion::Free(fall) => {
-                let (r, horizon) = (1.0 / fall.geodesic.state.u, self.kerr.horizon());
-                let lead = |r: f64| self.kerr.ingoing_time_lead(r);
-                (r > horizon && self.start_r > horizon)
-                    .then(|| fall.geodesic.state.ingoing_time - (lead(r) - lead(self.start_r)))
-            }
+            } => orbit.u_t * proper_time,
+            Motion::Free(fall) => fall.geodesic.state.ingoing_time,
         }
+    }
+
+    /// Boyer-Lindquist time since the release, in r_s: the time on clocks far away. `None` unless
+    /// both the release and the present place are outside the horizon.
+    pub fn coordinate_time(&self) -> Option<f64> {
+        let lead = |r: f64| self.kerr.ingoing_time_lead(r);
+        let outside = self.r().min(self.start_r) > self.kerr.horizon();
+        outside.then(|| self.advanced_time() - (lead(self.r()) - lead(self.start_r)))
     }
 
     /// The time of `disk.time` along the worldline, in r_s/c, from a start of its own: outside the
@@ -177,33 +173,13 @@ impl Worldline {
     /// There t is infinite, while v is regular all along the worldline. Light that falls in with
     /// the observer keeps v, so the picture continues without a break.
     pub fn clock(&self) -> f64 {
-        match &self.motion {
-            Motion::Circular {
-                orbit, proper_time, ..
-            } => orbit.u_t * proper_time,
-            Motion::Free(fall) => {
-                let r = 1.0 / fall.geodesic.state.u;
-                let lead = if r > self.kerr.horizon() {
-                    self.kerr.ingoing_time_lead(r)
-                } else {
-                    0.0
-                };
-                fall.geodesic.state.ingoing_time - lead
-            }
-        }
+        self.advanced_time() - self.kerr.camera_time_lead(self.r())
     }
 
     /// Ingoing time since the release, in r_s: Kerr's v minus r, which far away equals t and is
     /// regular at the horizon.
     pub fn ingoing_time(&self) -> f64 {
-        match &self.motion {
-            Motion::Circular {
-                orbit, proper_time, ..
-            } => orbit.u_t * proper_time,
-            Motion::Free(fall) => {
-                fall.geodesic.state.ingoing_time - (1.0 / fall.geodesic.state.u - self.start_r)
-            }
-        }
+        self.advanced_time() - (self.r() - self.start_r)
     }
 
     /// Whether the observer is on a circular orbit.
@@ -232,20 +208,13 @@ impl FreeFall {
         } else {
             n.y.atan2(n.x)
         };
-        let lead = if r > kerr.horizon() {
-            kerr.ingoing_azimuth_lead(r)
-        } else {
-            0.0
-        };
+        let lead = kerr.camera_azimuth_lead(r);
         let velocity = if self.is_rain {
             [0.0; 3]
         } else {
             velocity_in_rain(kerr, r, theta, psi, &self.geodesic.velocity()).to_array()
         };
-        let axes_at = |[theta, psi]: [f64; 2]| {
-            let [outward, theta_hat, psi_hat] = celestial_frame(theta, psi);
-            DMat3::from_cols(outward, theta_hat, psi_hat)
-        };
+        let axes_at = |[theta, psi]: [f64; 2]| celestial_axes(theta, psi);
         let (before, after) = (axes_at(self.axes), axes_at([theta, psi]));
         let carried =
             DMat3::from_quat(DQuat::from_rotation_arc(before.x_axis, after.x_axis)) * before;

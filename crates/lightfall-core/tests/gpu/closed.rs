@@ -1,12 +1,12 @@
 //! The method closed against the f64 reference, which takes steps, and against closed forms of the
 //! shadow.
 
-use crate::light_without_spin::{deflection, shadow_half_angle_static};
+use crate::light_without_spin::deflection;
 use crate::shadow::{outcomes, shadow_half_angle};
 use crate::{gpu, pixel_directions};
 use glam::DVec3;
 use lightfall_core::accuracy::{ErrorSummary, Ray, Truth, rays_near_edge, rays_over_sky};
-use lightfall_core::geometry::schwarzschild::shadow_half_angle_rain;
+use lightfall_core::geometry::schwarzschild::{shadow_half_angle_rain, shadow_half_angle_static};
 use lightfall_core::gpu::rays;
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::{Hit, Outcome, Trace};

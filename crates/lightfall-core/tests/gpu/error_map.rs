@@ -154,7 +154,7 @@ fn only_rays_that_rightly_end_at_the_horizon_without_a_crossing_have_no_error() 
         .iter()
         .filter(|error| error.is_none())
         .count();
-    let alpha = crate::light_without_spin::shadow_half_angle_static(scene.camera.r);
+    let alpha = lightfall_core::geometry::schwarzschild::shadow_half_angle_static(scene.camera.r);
     let radius = alpha.tan() / (scene.camera.fov_deg.to_radians() / 2.0).tan()
         * f64::from(ERROR_MAP_SIZE[1])
         / 2.0;

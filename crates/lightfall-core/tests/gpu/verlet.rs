@@ -2,11 +2,13 @@
 //! above f32's rounding, so the tolerances describe the method: the tests fail if it gets worse,
 //! and some if it gets better.
 
-use crate::light_without_spin::{deflection, shadow_half_angle_static};
+use crate::light_without_spin::deflection;
 use crate::shadow::{outcomes, shadow_half_angle};
 use crate::{bare_hole, direction_off_centre, edge_on, gpu, median, pixel_directions, quantile};
 use glam::DVec3;
-use lightfall_core::geometry::schwarzschild::{CRITICAL_IMPACT, shadow_half_angle_rain};
+use lightfall_core::geometry::schwarzschild::{
+    CRITICAL_IMPACT, shadow_half_angle_rain, shadow_half_angle_static,
+};
 use lightfall_core::gpu::{Gpu, rays};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::{Outcome, Trace};

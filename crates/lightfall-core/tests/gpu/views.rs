@@ -2,9 +2,9 @@
 
 use crate::ALONG;
 use crate::light::light_from;
-use crate::light_without_spin::shadow_half_angle_static;
 use crate::{edge_on, gpu, pixel_directions};
 use glam::DVec3;
+use lightfall_core::geometry::schwarzschild::shadow_half_angle_static;
 use lightfall_core::gpu::kernel::uniform;
 use lightfall_core::gpu::rays::{GpuTrace, records};
 use lightfall_core::gpu::{Gpu, GpuScene, Variant, bindings};

@@ -1,10 +1,10 @@
 //! Guides: curves on the camera's sky, against closed forms and against rays traced next to them.
 
 use crate::assert_close;
-use crate::light_without_spin::shadow_half_angle_static;
 use glam::DVec3;
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::mino::PhotonConstants;
+use lightfall_core::geometry::schwarzschild::shadow_half_angle_static;
 use lightfall_core::geometry::sphere::angle_between;
 use lightfall_core::optics::guides::{
     Guide, Landmark, bar_across_hole, quick_guides, traced_guides,

@@ -1,5 +1,5 @@
-//! Closed forms for light around a hole without spin, which no picture needs: the deflection of light
-//! from infinity, and the shadow for an observer at rest.
+//! The deflection of light from infinity around a hole without spin, and the turning points of its
+//! orbits, in closed form.
 
 use lightfall_core::geometry::elliptic::carlson_rf_pair;
 use lightfall_core::geometry::schwarzschild::CRITICAL_IMPACT;
@@ -53,13 +53,4 @@ impl Roots {
         let (u32, u21) = (2.0 * third * eps.sin(), 2.0 * third * eta.sin());
         Some(Self { u1, u2, u32, u21 })
     }
-}
-
-/// Angular radius of the shadow, in radians from the inward direction, for an observer at rest at
-/// `r` > 1: sin^2 = (27/4)(1 - 1/r)/r^2 (Synge 1966), with cos = (1 - 3/(2r)) sqrt(1 + 3/r) for the
-/// quadrant.
-pub(crate) fn shadow_half_angle_static(r: f64) -> f64 {
-    let sine = CRITICAL_IMPACT / r * (1.0 - 1.0 / r).sqrt();
-    let cosine = (1.0 - 1.5 / r) * (1.0 + 3.0 / r).sqrt();
-    sine.atan2(cosine)
 }

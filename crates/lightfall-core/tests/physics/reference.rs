@@ -1,12 +1,12 @@
 //! The reference method against closed forms, symmetries and limits.
 
-use crate::light_without_spin::{deflection, shadow_half_angle_static};
+use crate::light_without_spin::deflection;
 use crate::schwarzschild::SHADOW;
 use crate::{assert_close, bisect};
 use glam::{DMat3, DVec2, DVec3};
 use lightfall_core::geometry::kerr::Kerr;
 use lightfall_core::geometry::observer::observer_matrix;
-use lightfall_core::geometry::schwarzschild::shadow_half_angle_rain;
+use lightfall_core::geometry::schwarzschild::{shadow_half_angle_rain, shadow_half_angle_static};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::trace::{Outcome, Trace};
 use lightfall_core::scene::{ObserverKind, Scene};

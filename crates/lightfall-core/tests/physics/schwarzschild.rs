@@ -1,10 +1,10 @@
 //! Closed forms without spin against tables, series and the aberration of circles.
 
 use crate::assert_close;
-use crate::light_without_spin::{deflection, shadow_half_angle_static};
+use crate::light_without_spin::deflection;
 use lightfall_core::geometry::observer::observer_matrix;
 use lightfall_core::geometry::schwarzschild::{
-    CRITICAL_IMPACT, ShadowEdge, shadow_half_angle_rain,
+    CRITICAL_IMPACT, ShadowEdge, shadow_half_angle_rain, shadow_half_angle_static,
 };
 use lightfall_core::scene::ObserverKind;
 use std::f64::consts::PI;

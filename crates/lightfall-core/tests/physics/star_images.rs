@@ -2,11 +2,11 @@
 //! and the area of the sky.
 
 use crate::assert_close;
-use crate::light_without_spin::{deflection, shadow_half_angle_static};
+use crate::light_without_spin::deflection;
 use crate::random::Random;
 use glam::{DMat2, DVec2, DVec3};
-use lightfall_core::geometry::schwarzschild::CRITICAL_IMPACT;
 use lightfall_core::geometry::schwarzschild::rain_sky::RainSky;
+use lightfall_core::geometry::schwarzschild::{CRITICAL_IMPACT, shadow_half_angle_static};
 use lightfall_core::geometry::sphere::{angle_between, celestial_frame};
 use lightfall_core::optics::reference::Reference;
 use lightfall_core::optics::stars::Catalogue;

@@ -37,7 +37,7 @@ fn other_values(field: &Field) -> Vec<Value> {
 #[test]
 fn every_field_reads_back_what_was_set_by_its_key_and_leaves_the_others_alone() {
     let before = Scene::default();
-    for row in FIELDS {
+    for row in FIELDS.iter() {
         let others = other_values(row);
         assert!(!others.is_empty() || row.key == "schema", "{}", row.key);
         for value in others {
@@ -59,7 +59,7 @@ fn every_field_reads_back_what_was_set_by_its_key_and_leaves_the_others_alone() 
 
 #[test]
 fn the_value_of_every_field_is_the_one_that_serde_writes_and_reads() {
-    for row in FIELDS {
+    for row in FIELDS.iter() {
         for value in other_values(row) {
             let mut scene = Scene::default();
             row.set(&mut scene, value.clone()).unwrap();
@@ -77,7 +77,7 @@ fn the_value_of_every_field_is_the_one_that_serde_writes_and_reads() {
 
 #[test]
 fn a_value_of_another_kind_is_refused_by_every_field() {
-    for row in FIELDS {
+    for row in FIELDS.iter() {
         let own = row.get(&Scene::default());
         let values = [
             Value::Float(1.0),
@@ -119,7 +119,7 @@ fn the_table_has_exactly_the_fields_that_serde_writes() {
 #[test]
 fn the_table_lists_exactly_the_words_that_serde_knows() {
     let mut choices = 0;
-    for Field { key, kind, .. } in FIELDS {
+    for Field { key, kind, .. } in FIELDS.iter() {
         let Kind::Choice(listed) = kind else { continue };
         let words: Vec<&str> = listed.iter().map(|choice| choice.word).collect();
         let text = match key.split_once('.') {
@@ -168,7 +168,7 @@ fn a_scene_made_without_a_preset_is_checked_in_the_same_way() {
 #[test]
 fn every_closed_end_is_allowed_and_every_open_end_refused() {
     let mut ends = 0;
-    for field in FIELDS {
+    for field in FIELDS.iter() {
         let (Kind::Float(_) | Kind::Integer(_)) = field.kind else {
             continue;
         };
@@ -203,7 +203,7 @@ fn every_closed_end_is_allowed_and_every_open_end_refused() {
 #[test]
 fn every_number_beyond_its_range_is_refused_with_the_range() {
     let mut refused = 0;
-    for field in FIELDS {
+    for field in FIELDS.iter() {
         let (Kind::Float(range) | Kind::Integer(range)) = field.kind else {
             continue;
         };
@@ -231,7 +231,7 @@ fn every_number_beyond_its_range_is_refused_with_the_range() {
 
 #[test]
 fn no_number_may_be_nan_or_infinite() {
-    for Field { key, kind, .. } in FIELDS {
+    for Field { key, kind, .. } in FIELDS.iter() {
         if let Kind::Float(_) = kind {
             for text in [
                 "nan", "-nan", "inf", "-inf", "+inf", "NaN", "infinity", "1e999",
@@ -267,7 +267,7 @@ fn every_field_can_be_set_to_its_own_value_as_text() {
 
 #[test]
 fn every_word_of_every_choice_can_be_set() {
-    for field in FIELDS {
+    for field in FIELDS.iter() {
         let Kind::Choice(choices) = field.kind else {
             continue;
         };
@@ -300,7 +300,7 @@ fn the_text_of_a_preset_reads_back_as_the_same_scene() {
 #[test]
 fn the_text_of_a_preset_explains_every_field() {
     let text = Scene::default().to_preset();
-    for field in FIELDS {
+    for field in FIELDS.iter() {
         assert!(
             text.contains(&format!("# {}: ", field.about)),
             "{}",

@@ -2,13 +2,13 @@
 //! shaders/elliptic.wgsl.
 
 /// R_F(x, y, z) = (1/2) integral from 0 to infinity of dt / sqrt((t + x)(t + y)(t + z)) for x >= 0,
-/// with y, z = mean +- sqrt(h2): two real arguments where `h2` >= 0, and a conjugate pair, whose mean
-/// may be negative, where `h2` < 0. NaN where the integral does not exist.
+/// with y, z = mean +- sqrt(h2): two real arguments where `h2` >= 0, and a conjugate pair, whose
+/// mean may be negative, where `h2` < 0. NaN where the integral does not exist.
 ///
-/// Carlson's duplication theorem (DLMF 19.26.18) reduces the spread of the arguments, in terms of the
-/// pair's mean and product: h2 is divided by 16, and lambda = sqrt(2 x (mean + p)) + p, where p =
-/// sqrt(mean^2 - h2). Then the series of DLMF 19.36.1 gives the value. Its first omitted term is of
-/// eighth order in the spread, which sets the bound on the spread.
+/// Carlson's duplication theorem (DLMF 19.26.18) reduces the spread of the arguments, in terms of
+/// the pair's mean and product: h2 is divided by 16, and lambda = sqrt(2 x (mean + p)) + p, where p
+/// = sqrt(mean^2 - h2). Then the series of DLMF 19.36.1 gives the value. Its first omitted term is
+/// of eighth order in the spread, which sets the bound on the spread.
 pub fn carlson_rf_pair(x: f64, mean: f64, h2: f64) -> f64 {
     let (mut x, mut mean, mut h2) = (x, mean, h2);
     // Every duplication divides the spread by about four, and five hundred of them cover the whole

@@ -73,6 +73,25 @@ impl Kerr {
         r + (outer * (r - outer).abs().ln() - inner_term) / (outer - inner)
     }
 
+    /// The lead of Kerr's ingoing azimuth over that of a camera at `r`, which is Boyer-Lindquist's
+    /// outside the horizon, and the ingoing one itself at and inside it.
+    pub fn camera_azimuth_lead(self, r: f64) -> f64 {
+        if r > self.horizon() {
+            self.ingoing_azimuth_lead(r)
+        } else {
+            0.0
+        }
+    }
+
+    /// The same of the time: the lead of Kerr's ingoing time over that of a camera at `r`.
+    pub fn camera_time_lead(self, r: f64) -> f64 {
+        if r > self.horizon() {
+            self.ingoing_time_lead(r)
+        } else {
+            0.0
+        }
+    }
+
     /// The prograde equatorial photon orbit: r = 2M (1 + cos((2/3) arccos(-chi))), written as a
     /// square. Bardeen, Press & Teukolsky 1972 eq. 2.18.
     pub fn photon_orbit_prograde(self) -> f64 {

@@ -17,17 +17,16 @@
 //! vector, whose motion is Neumann's problem on the sphere. The constants are not divided by E,
 //! which may vanish or be negative in the ergosphere.
 //!
-//! At and inside the horizon there is no Boyer-Lindquist azimuth. A camera there uses Kerr's
-//! ingoing azimuth, phi + integral of a dr / Delta, for which chi' = a E - a K' u^2 / (E + (a^2 E -
-//! a L) u^2 - u'). It is regular for infalling light, and has the same value at infinity. Backward
-//! rays that start very close to the horizon use it too, because the pole of Boyer-Lindquist's chi'
-//! leaves the series almost no radius of convergence there.
+//! A camera at or inside the horizon uses Kerr's ingoing azimuth, phi + integral of a dr / Delta,
+//! for which chi' = a E - a K' u^2 / (E + (a^2 E - a L) u^2 - u'). It is regular for infalling
+//! light, and has the same value at infinity. Backward rays that start very close to the horizon
+//! use it too: the pole of Boyer-Lindquist's chi' leaves the series almost no radius of convergence
+//! there.
 //!
-//! The method expands the motion in a Taylor series of high order about the start of every step, by
-//! recurrences on these right-hand sides. The equations are short, so a step costs little. The
-//! steps are long (about one radian), the series itself is the dense output on which events are
-//! found to full precision, and there is no error estimate to tune. (The dense output of DOP853 is
-//! of seventh order, below that of its steps.)
+//! The motion is expanded in a Taylor series of high order about the start of every step, by
+//! recurrences on these right-hand sides. A step is long (about one radian) and costs little, the
+//! series itself is the dense output on which events are found to full precision, and there is no
+//! error estimate to tune.
 
 mod motion;
 mod series;

@@ -5,6 +5,7 @@
 //! a place on the celestial sphere is the unit vector n = (sin theta cos phi, sin theta sin phi,
 //! cos theta).
 
+pub mod bisection;
 pub mod elliptic;
 pub mod kerr;
 pub mod mino;

@@ -1,10 +1,9 @@
 //! Observers: the photon that arrives at an observer from a direction, and the places where an
 //! observer can be.
 //!
-//! For every observer the answer is linear in (1, d), where d is the unit looking direction on the
-//! observer's own axes (outward, toward growing theta, toward growing phi): the photon that arrives
-//! from d with unit frequency has the momentum p = e_t - d^i e_i, future-directed. So an observer
-//! is a matrix.
+//! With d the unit looking direction on the observer's own axes (outward, toward growing theta,
+//! toward growing phi), the photon that arrives from d with unit frequency has the future-directed
+//! momentum p = e_t - d^i e_i. It is linear in (1, d), so an observer is a matrix.
 
 mod error;
 pub mod expansion;

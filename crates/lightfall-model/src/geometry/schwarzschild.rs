@@ -65,6 +65,15 @@ impl ShadowEdge {
     }
 }
 
+/// Angular radius of the shadow, in radians from the inward direction, for an observer at rest at
+/// `r` > 1: sin^2 = (27/4)(1 - 1/r)/r^2 (Synge 1966), with cos = (1 - 3/(2r)) sqrt(1 + 3/r) for the
+/// quadrant.
+pub fn shadow_half_angle_static(r: f64) -> f64 {
+    let sine = CRITICAL_IMPACT / r * (1.0 - 1.0 / r).sqrt();
+    let cosine = (1.0 - 1.5 / r) * (1.0 + 3.0 / r).sqrt();
+    sine.atan2(cosine)
+}
+
 /// Angular radius of the shadow, in radians from the inward direction, for an observer in free fall
 /// from rest at infinity, at any `r` > 0.
 ///

@@ -1,6 +1,6 @@
 //! Angles and directions on the celestial sphere.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// sin and cos of a polar angle in radians. At the doubles nearest to 0, pi/2 and pi the zero is
@@ -26,6 +26,12 @@ pub fn celestial_frame(theta: f64, phi: f64) -> [DVec3; 3] {
         DVec3::new(cos * cos_phi, cos * sin_phi, -sin),
         DVec3::new(-sin_phi, cos_phi, 0.0),
     ]
+}
+
+/// The vectors of [`celestial_frame`] as columns.
+pub fn celestial_axes(theta: f64, phi: f64) -> DMat3 {
+    let [n, theta_hat, phi_hat] = celestial_frame(theta, phi);
+    DMat3::from_cols(n, theta_hat, phi_hat)
 }
 
 /// The same angle in (-pi, pi]; in radians.

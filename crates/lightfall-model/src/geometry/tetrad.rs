@@ -91,8 +91,9 @@ pub fn rotation_between(from: &ObserverMatrix, to: &ObserverMatrix, theta: f64, 
 }
 
 /// The Lorentz transformation from (1, d) of one observer to (frequency, frequency times d) of
-/// another at the same place. Not defined at the horizon. The first column of a matrix is the observer's four-velocity and the
-/// other columns are minus its axes, so a four-velocity has the components (gamma, -gamma v).
+/// another at the same place. Not defined at the horizon. The first column of a matrix is the
+/// observer's four-velocity and the other columns are minus its axes, so a four-velocity has the
+/// components (gamma, -gamma v).
 pub fn transformation(from: &ObserverMatrix, to: &ObserverMatrix, theta: f64, phi: f64) -> DMat4 {
     let [_, theta_hat, phi_hat] = celestial_frame(theta, phi);
     let square = |matrix: &ObserverMatrix| {

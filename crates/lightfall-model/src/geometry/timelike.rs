@@ -14,8 +14,7 @@
 //!
 //! where F = (W - u')/D. For infalling particles F = (1 + K' u^2)/(W + u'), which is regular at the
 //! horizon. Derived from Carter's separated equations (1968; Bardeen, Press & Teukolsky 1972 eqs.
-//! 2.9-2.10; Misner, Thorne & Wheeler 1973 box 33.2 for the ingoing coordinates). The method is the
-//! one used for light: Taylor series of high order, whose roots are the events.
+//! 2.9-2.10; Misner, Thorne & Wheeler 1973 box 33.2 for the ingoing coordinates).
 
 mod geodesic;
 mod motion;

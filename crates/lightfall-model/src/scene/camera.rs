@@ -1,7 +1,8 @@
 //! Where the camera looks: its axes, in f64.
 
-use super::Camera;
-use crate::geometry::sphere::celestial_frame;
+use super::{Camera, Scene};
+use crate::geometry::observer::{ObserverError, ObserverKind, ObserverMatrix, observer_matrix};
+use crate::geometry::sphere::celestial_axes;
 use glam::{DMat3, DVec3};
 
 impl Camera {
@@ -15,9 +16,13 @@ impl Camera {
     /// growing theta, toward growing phi. On the hole's axis the last one is the direction of
     /// azimuth `phi_deg` + 90 degrees.
     pub fn tetrad(&self) -> DMat3 {
-        let [outward, theta_hat, phi_hat] =
-            celestial_frame(self.theta_deg.to_radians(), self.phi_deg.to_radians());
-        DMat3::from_cols(outward, theta_hat, phi_hat)
+        let [theta, phi] = self.polar_angles();
+        celestial_axes(theta, phi)
+    }
+
+    /// The polar angle and the azimuth, in radians.
+    pub fn polar_angles(&self) -> [f64; 2] {
+        [self.theta_deg, self.phi_deg].map(f64::to_radians)
     }
 
     /// How far it is turned: yaw, pitch and roll, in degrees.
@@ -41,6 +46,22 @@ impl Camera {
         let (forward, up) = turn(pitch, forward, up);
         let (up, right) = turn(roll, up, right);
         DMat3::from_cols(right, up, forward)
+    }
+}
+
+impl Scene {
+    /// The matrix of an observer at the camera's place, of this kind and with this `velocity`, as
+    /// [`observer_matrix`] has it.
+    ///
+    /// # Errors
+    /// There is no such observer.
+    pub fn observer_at_camera(
+        &self,
+        kind: ObserverKind,
+        velocity: [f64; 3],
+    ) -> Result<ObserverMatrix, ObserverError> {
+        let [theta, phi] = self.camera.polar_angles();
+        observer_matrix(self.hole.spin, kind, velocity, self.camera.r, theta, phi)
     }
 }
 

@@ -42,11 +42,6 @@ impl Scene {
         if r >= turn {
             return kerr.ingoing_time_lead(r);
         }
-        let ingoing = 2.0 * kerr.ingoing_time_lead(turn);
-        if r > kerr.horizon() {
-            ingoing - kerr.ingoing_time_lead(r)
-        } else {
-            ingoing
-        }
+        2.0 * kerr.ingoing_time_lead(turn) - kerr.camera_time_lead(r)
     }
 }

@@ -1,7 +1,8 @@
 //! Reading and changing single fields by their keys, as the panel and the undo do.
 
 use super::error::Refusal;
-use super::fields::{FIELDS, Field, field};
+use super::field::Field;
+use super::fields::{FIELDS, field};
 use super::value::Value;
 use super::{Method, Scene};
 

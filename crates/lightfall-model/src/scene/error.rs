@@ -1,10 +1,10 @@
 //! What can be wrong with a scene, each in one sentence.
 
+use std::fmt;
 use thiserror::Error;
 
 /// A value that a scene cannot have.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("{}", sentence(.key, .given, .allowed, .because, .blamed))]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
     /// The field.
     pub key: &'static str,
@@ -28,29 +28,31 @@ pub struct Because {
     pub reason: String,
 }
 
-fn sentence(
-    key: &str,
-    given: &str,
-    allowed: &str,
-    because: &Option<Because>,
-    blamed: &Option<Box<(&'static str, String)>>,
-) -> String {
-    let why = because
-        .as_ref()
-        .map(|because| format!(" ({})", because.reason))
-        .unwrap_or_default();
-    match blamed.as_deref() {
-        None => format!("{key} = {given} is refused: it must be {allowed}{why}"),
-        Some((culprit, its)) => {
-            // The field that narrows the range has been named already, with its value.
-            let said = format!("{culprit} is {its}");
-            let why = match because {
-                Some(because) if because.reason == said => "",
-                _ => &why,
-            };
-            format!(
-                "{culprit} = {its} is refused together with {key} = {given}, which must then be {allowed}{why}"
-            )
+impl std::error::Error for Refusal {}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            key,
+            given,
+            allowed,
+            ..
+        } = self;
+        let blamed = self.blamed.as_deref();
+        match blamed {
+            None => write!(f, "{key} = {given} is refused: it must be {allowed}")?,
+            Some((culprit, its)) => write!(
+                f,
+                "{culprit} = {its} is refused together with {key} = {given}, which must then be {allowed}"
+            )?,
+        }
+        // The field that narrows the range has been named already, with its value.
+        let said = blamed.map(|(culprit, its)| format!("{culprit} is {its}"));
+        match &self.because {
+            Some(Because { reason, .. }) if Some(reason) != said.as_ref() => {
+                write!(f, " ({reason})")
+            }
+            _ => Ok(()),
         }
     }
 }

@@ -1,13 +1,14 @@
-//! One row of the field table: a field's key, kind, unit, meaning and accessors.
+//! One field of a scene: its key, kind, unit, meaning and accessors.
 
+use super::Scene;
 use super::error::Refusal;
 use super::range::{Kind, MAX_TEXT_CHARS, Range};
 use super::value::Value;
 use crate::words::without_full_stop;
 
-/// One leaf field of the structure `S`, which is a scene.
-#[derive(Debug)]
-pub struct Row<S> {
+/// One leaf field of a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Field {
     /// Dotted key, as in `--set KEY=VALUE`.
     pub key: &'static str,
     /// What kind of value it takes, and from which range.
@@ -17,26 +18,17 @@ pub struct Row<S> {
     /// What it means, in one line: the field's documentation.
     pub about: &'static str,
     /// Reads the field.
-    read: fn(&S) -> Value,
+    read: fn(&Scene) -> Value,
     /// Writes the field; false if the value does not fit its type.
-    write: fn(&mut S, Value) -> bool,
+    write: fn(&mut Scene, Value) -> bool,
 }
 
-// Derived, these would ask for an `S` that can be copied.
-impl<S> Clone for Row<S> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<S> Copy for Row<S> {}
-
-impl<S> Row<S> {
-    /// A row of the table; `doc` is the field's doc comment.
+impl Field {
+    /// A field whose doc comment is `doc`.
     pub(super) const fn new(
         (key, kind, unit, doc): (&'static str, Kind, &'static str, &'static str),
-        read: fn(&S) -> Value,
-        write: fn(&mut S, Value) -> bool,
+        read: fn(&Scene) -> Value,
+        write: fn(&mut Scene, Value) -> bool,
     ) -> Self {
         let about = without_full_stop(doc);
         Self {
@@ -50,7 +42,7 @@ impl<S> Row<S> {
     }
 
     /// The field's value in a scene.
-    pub fn get(&self, scene: &S) -> Value {
+    pub fn get(&self, scene: &Scene) -> Value {
         (self.read)(scene)
     }
 
@@ -59,7 +51,7 @@ impl<S> Row<S> {
     ///
     /// # Errors
     /// The value is of another kind than the field, or cannot be kept in it.
-    pub fn set(&self, scene: &mut S, value: Value) -> Result<(), Refusal> {
+    pub fn set(&self, scene: &mut Scene, value: Value) -> Result<(), Refusal> {
         self.check_kind(&value)?;
         let fits = (self.write)(scene, value);
         assert!(fits, "{} has another type than its row says", self.key);

@@ -1,7 +1,7 @@
 //! From TOML's values and faults to the scene's.
 
 use super::error::{Refusal, SceneError};
-use super::fields::Field;
+use super::field::Field;
 use super::range::{Kind, number};
 use super::value::{Value, quoted};
 

@@ -3,8 +3,8 @@
 //!
 //! Every quantity has a track of its own through the keyframes that name it. A track is a monotone
 //! cubic (Fritsch & Carlson 1980), so positions and speeds are continuous, nothing overshoots, and
-//! the flight begins and ends at rest. Radii are interpolated in their logarithm. A quantity that no
-//! keyframe names keeps its value in the scene.
+//! the flight begins and ends at rest. Radii are interpolated in their logarithm. A quantity that
+//! no keyframe names keeps its value in the scene.
 
 mod caption;
 mod check;
@@ -85,24 +85,20 @@ impl Journey {
         (time < caption.time + caption.seconds).then_some(caption)
     }
 
-    /// Writes the camera, the observer, the disk's tilt and the rate of its clock after `time` seconds
-    /// into `scene`. Times before the first keyframe count as the first, times after the last as the
-    /// last. The scene is not checked. [`drive_clock`](Self::drive_clock) writes the disk's time.
+    /// Writes the camera, the observer, the disk's tilt and the rate of its clock after `time`
+    /// seconds into `scene`. Times before the first keyframe count as the first, times after the
+    /// last as the last. The scene is not checked. [`drive_clock`](Self::drive_clock) writes the
+    /// disk's time.
     ///
-    /// A circular orbit cannot leave its plane: unless the journey itself names an observer, `orbit`
-    /// becomes `static`, as when flying by hand.
+    /// A circular orbit cannot leave its plane: unless the journey itself names an observer,
+    /// `orbit` becomes `static`, as when flying by hand.
     ///
     /// While the observer is `rain`, the keyframes give Kerr's ingoing azimuth, counted so that it
     /// equals Boyer-Lindquist's where the fall begins. Boyer-Lindquist's own azimuth would wind
     /// without end toward the horizon of a hole that spins.
     pub fn apply(&self, time: f64, scene: &mut Scene) {
-        let kind = self
-            .kinds
-            .iter()
-            .rev()
-            .find(|(from, _)| *from <= time)
-            .or(self.kinds.first());
-        match kind {
+        let last = self.kinds.iter().rev().find(|(from, _)| *from <= time);
+        match last.or(self.kinds.first()) {
             Some((_, kind)) => scene.observer.kind = *kind,
             None if scene.observer.kind == ObserverKind::Orbit => {
                 scene.observer.kind = ObserverKind::Static
@@ -130,43 +126,26 @@ impl Journey {
     /// `rain` up to `time`, in radians. Inside the horizon, where `camera.phi_deg` is the ingoing
     /// azimuth, the lead counts as zero.
     fn azimuth_lead(&self, time: f64, rain: bool, kerr: Kerr) -> f64 {
-        let Some(radius) = self
-            .tracks_in_rain
-            .radius
-            .as_ref()
-            .filter(|_| kerr.spin != 0.0)
-        else {
+        let Some(radius) = &self.tracks_in_rain.radius else {
             return 0.0;
         };
-        let lead = |time: f64| {
-            let r = radius.at(time).exp();
-            if r > kerr.horizon() {
-                kerr.ingoing_azimuth_lead(r)
-            } else {
-                0.0
-            }
-        };
+        if kerr.spin == 0.0 {
+            return 0.0;
+        }
+        let lead = |time: f64| kerr.camera_azimuth_lead(radius.at(time).exp());
+        let kinds = self.kinds.iter();
+        let mut periods: Vec<_> = kinds
+            .map(|(from, kind)| (*from, *kind == ObserverKind::Rain))
+            .collect();
         // The first named kind also holds before its keyframe.
-        let first = self
-            .kinds
-            .first()
-            .map_or(rain, |(_, kind)| *kind == ObserverKind::Rain);
-        let later = self
-            .kinds
-            .iter()
-            .skip(1)
-            .map(|(from, kind)| (*from, *kind == ObserverKind::Rain));
-        let starts: Vec<_> = std::iter::once((0.0, first)).chain(later).collect();
-        let ends = starts
-            .iter()
-            .skip(1)
-            .map(|(from, _)| *from)
-            .chain([f64::INFINITY]);
-        let times = starts
-            .iter()
-            .zip(ends)
-            .filter(|((from, rain), _)| *rain && *from <= time);
-        times
+        match periods.first_mut() {
+            Some(first) => first.0 = 0.0,
+            None => periods.push((0.0, rain)),
+        }
+        let ends = periods.iter().skip(1).map(|(from, _)| *from);
+        let falls = periods.iter().zip(ends.chain([f64::INFINITY]));
+        falls
+            .filter(|((from, rain), _)| *rain && *from <= time)
             .map(|((from, _), end)| lead(time.min(end)) - lead(*from))
             .sum()
     }

@@ -3,7 +3,8 @@
 use std::ops::Bound::{self, Excluded, Included};
 
 use super::error::{Because, Refusal};
-use super::fields::{FIELDS, Field};
+use super::field::Field;
+use super::fields::FIELDS;
 use super::range::{Kind, Range, number};
 use super::tables::{EDGE, POLAR};
 use super::{Effects, HotSpotKind, Scene};
@@ -20,7 +21,7 @@ impl Scene {
     /// # Errors
     /// The first field, in the order of the table, whose value is not allowed.
     pub fn check(&self) -> Result<(), Refusal> {
-        for field in FIELDS {
+        for field in FIELDS.iter() {
             let value = field.get(self);
             field.check_kind(&value)?;
             let (range, because) = self.range(field);
@@ -43,6 +44,11 @@ impl Scene {
         let (Kind::Float(range) | Kind::Integer(range)) = field.kind else {
             return (Range::FINITE, None);
         };
+        let because = |keys: &[&'static str], reason: String| {
+            let keys = keys.to_vec();
+            Some(Because { keys, reason })
+        };
+        let spin = number(self.hole.spin);
         match field.key {
             "camera.r" => {
                 let (low, because) = self.min_camera_radius();
@@ -50,56 +56,40 @@ impl Scene {
             }
             "disk.inner" if EDGE.contains(self.disk.outer) => {
                 let high = Excluded(self.disk.outer);
-                let because = Because {
-                    keys: vec!["disk.outer"],
-                    reason: format!("disk.outer is {}", number(self.disk.outer)),
-                };
-                (Range { high, ..range }, Some(because))
+                let reason = format!("disk.outer is {}", number(self.disk.outer));
+                (Range { high, ..range }, because(&["disk.outer"], reason))
             }
             "disk.outer" if self.disk.enabled => {
                 let low = Excluded(self.kerr().isco());
-                let reason = format!(
-                    "the innermost stable circular orbit at hole.spin = {}",
-                    number(self.hole.spin)
-                );
-                let because = Because {
-                    keys: vec!["hole.spin", "disk.enabled"],
-                    reason,
-                };
-                (Range { low, ..range }, Some(because))
+                let reason = format!("the innermost stable circular orbit at hole.spin = {spin}");
+                let keys = ["hole.spin", "disk.enabled"];
+                (Range { low, ..range }, because(&keys, reason))
             }
             "disk.tilt_deg" if self.hole.spin != 0.0 => {
-                let because = Because {
-                    keys: vec!["hole.spin"],
-                    reason: format!(
-                        "a thin disk around a hole that spins, here with hole.spin = {}, is steady in the equator only",
-                        number(self.hole.spin)
-                    ),
-                };
-                (Range::closed(0.0, 0.0), Some(because))
+                let reason = format!(
+                    "a thin disk around a hole that spins, here with hole.spin = {spin}, is steady in the equator only"
+                );
+                (Range::closed(0.0, 0.0), because(&["hole.spin"], reason))
             }
             "hot_spot.r" if self.disk.enabled && self.hot_spot.kind != HotSpotKind::None => {
-                let (low, high) = (Included(self.inner_edge()), Included(self.disk.outer));
-                let because = Because {
-                    keys: vec![
-                        "disk.inner",
-                        "disk.outer",
-                        "disk.follow_isco",
-                        "disk.enabled",
-                        "hole.spin",
-                        "hot_spot.kind",
-                    ],
-                    reason: "between the edges of the disk".into(),
-                };
-                (Range { low, high }, Some(because))
+                let keys = [
+                    "disk.inner",
+                    "disk.outer",
+                    "disk.follow_isco",
+                    "disk.enabled",
+                    "hole.spin",
+                    "hot_spot.kind",
+                ];
+                let range = Range::closed(self.inner_edge(), self.disk.outer);
+                (
+                    range,
+                    because(&keys, "between the edges of the disk".into()),
+                )
             }
             "disk.period" if self.disk.period > 0.0 => {
                 let low = Included(MIN_PERIOD);
-                let because = Because {
-                    keys: Vec::new(),
-                    reason: "0 for a structure that never repeats".into(),
-                };
-                (Range { low, ..range }, Some(because))
+                let reason = "0 for a structure that never repeats".into();
+                (Range { low, ..range }, because(&[], reason))
             }
             "picture.grid_width" => grid_range("picture.width", self.picture.width),
             "picture.grid_height" => grid_range("picture.height", self.picture.height),
@@ -135,32 +125,27 @@ impl Scene {
         let (low, reason) = match limit {
             Limit::StaticLimit => {
                 keys.push("camera.theta_deg");
+                let theta_deg = number(theta_deg);
                 let reason = format!(
-                    "nothing is at rest in the ergosphere, which reaches this far {at_spin} and camera.theta_deg = {}; \
-                     observers zamo and rain go deeper",
-                    number(theta_deg)
+                    "nothing is at rest in the ergosphere, which reaches this far {at_spin} and camera.theta_deg = {theta_deg}; \
+                     observers zamo and rain go deeper"
                 );
                 (low, reason)
             }
-            Limit::Horizon => {
-                let reason = format!("outside the horizon {at_spin}; observer rain goes on inside");
-                (low, reason)
-            }
-            Limit::PhotonOrbit => {
-                let reason = format!("outside the prograde photon orbit {at_spin}");
-                (low, reason)
-            }
+            Limit::Horizon => (
+                low,
+                format!("outside the horizon {at_spin}; observer rain goes on inside"),
+            ),
+            Limit::PhotonOrbit => (low, format!("outside the prograde photon orbit {at_spin}")),
             Limit::InnerHorizon => match self.effects.missing_inside() {
                 missing if missing.is_empty() => {
                     let reason = format!("nine tenths of the way between the horizons {at_spin}");
                     (Included(min_infall_radius(kerr)), reason)
                 }
                 missing => {
-                    let reason = format!(
-                        "outside the horizon {at_spin}, where {} is false",
-                        missing.join(", ")
-                    );
+                    let off = missing.join(", ");
                     keys.extend(missing);
+                    let reason = format!("outside the horizon {at_spin}, where {off} is false");
                     (Excluded(kerr.horizon()), reason)
                 }
             },
@@ -177,12 +162,12 @@ impl Scene {
     }
 }
 
-/// The shortest period of a disk's structure, in r_s/c. Without a period no filament lives for less:
-/// the shortest orbit takes 6.3 r_s/c, and the shortest life is a quarter of an orbit.
+/// The shortest period of a disk's structure, in r_s/c. Without a period no filament lives for
+/// less: the shortest orbit takes 6.3 r_s/c, and the shortest life is a quarter of an orbit.
 const MIN_PERIOD: f64 = 2.0;
 
-/// Largest number of pixels of the HDR picture that a presentation cell averages along each axis. It
-/// bounds the loops of presentation.wgsl.
+/// Largest number of pixels of the HDR picture that a presentation cell averages along each axis.
+/// It bounds the loops of presentation.wgsl.
 pub const MAX_PIXELS_PER_CELL: u32 = 64;
 
 /// The range of a side of the presentation grid. A cell is at least one pixel of the HDR picture,

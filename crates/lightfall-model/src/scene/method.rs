@@ -122,8 +122,8 @@ impl Method {
         methods
     }
 
-    /// The words of the methods with some property, for a sentence: "verlet, closed and mino", where
-    /// `last` is "and".
+    /// The words of the methods with some property, for a sentence: "verlet, closed and mino",
+    /// where `last` is "and".
     pub fn list(last: &str, has: impl Fn(&MethodProperties) -> bool) -> String {
         let methods = Self::ALL.into_iter();
         let words: Vec<_> = methods
@@ -137,8 +137,8 @@ impl Method {
         }
     }
 
-    /// The backward error that 99 of 100 rays around a hole of spin `chi` hold at the default setting, in
-    /// radians; none where nothing is promised.
+    /// The backward error that 99 of 100 rays around a hole of spin `chi` hold at the default
+    /// setting, in radians; none where nothing is promised.
     pub fn backward_p99(self, chi: f64) -> Option<f64> {
         let spins = self.resolved() == Self::Closed && chi != 0.0;
         self.properties().p99_without_spin.map(|p99| {
@@ -150,8 +150,8 @@ impl Method {
         })
     }
 
-    /// The largest backward error of any ray around a hole of spin `chi`, in radians, if the method's
-    /// own setting is not larger.
+    /// The largest backward error of any ray around a hole of spin `chi`, in radians, if the
+    /// method's own setting is not larger.
     pub fn backward_max(self, chi: f64) -> f64 {
         if self.resolved() == Self::Closed && chi != 0.0 {
             promises::CLOSED_SPINNING_MAX + promises::CLOSED_LINGERING / (1.0 - chi * chi).sqrt()

@@ -2,12 +2,11 @@
 //! controls, read by the passes. Plain data: no Bevy, no GPU types, no files.
 //!
 //! Lengths are in Schwarzschild radii, angles in degrees (suffix `_deg`), temperatures in kelvin.
-//! The hole's frame is right-handed with z along the spin axis, which is the normal of a disk that is
-//! not tilted; `r`, `theta_deg`, `phi_deg` are Boyer-Lindquist.
+//! The hole's frame is right-handed with z along the spin axis, which is the normal of a disk that
+//! is not tilted; `r`, `theta_deg`, `phi_deg` are Boyer-Lindquist.
 //!
-//! The fields are declared in `tables.rs`, each in one place: its meaning, type, default, range and
-//! unit. The enumerations declare their words with their variants, and their properties as rows of
-//! a table.
+//! `tables.rs` declares the fields, each with its meaning, type, default, range and unit.
+//! Enumerations declare their words with their variants, and their properties as rows of a table.
 
 mod camera;
 mod changes;
@@ -15,6 +14,7 @@ mod disk_frame;
 mod disk_motion;
 mod edit;
 mod error;
+mod field;
 mod fields;
 mod frame;
 mod from_toml;
@@ -30,7 +30,6 @@ mod projection;
 pub mod promises;
 mod range;
 mod relevant;
-mod row;
 mod save;
 mod step_policy;
 mod tables;
@@ -41,7 +40,8 @@ mod view;
 pub use crate::geometry::observer::ObserverKind;
 pub use changes::Changes;
 pub use error::{Because, Refusal, SceneError};
-pub use fields::{FIELDS, Field, field};
+pub use field::Field;
+pub use fields::{FIELDS, field};
 pub use frame::Frame;
 pub use hint::nearest_name;
 pub use light_sources::{DiskModel, DiskStructure, HotSpotKind, LimbDarkening, SkyMode};
@@ -50,7 +50,6 @@ pub use load::{Override, load};
 pub use method::{AccuracySetting, Method, MethodProperties};
 pub use projection::Projection;
 pub use range::{Kind, MAX_TEXT_CHARS, Range};
-pub use row::Row;
 pub use step_policy::ArticleQuality;
 pub use tables::{
     Camera, Disk, Effects, Hole, HotSpot, Observer, Picture, Probe, Quality, Scene, Sky,
@@ -72,7 +71,7 @@ pub const MAX_RADIUS: f64 = 1e7;
 /// The article's own bound of a ray's steps: its budget at high quality, and the default.
 pub const ARTICLE_MAX_STEPS: u32 = 768;
 
-/// Maximum of `quality.max_steps`. Rays of so many steps in f32 are no more exact than those of fewer
-/// (docs/ACCURACY.md), and one dispatch of single rays takes a third of the steps of a full HD
-/// picture with [`ARTICLE_MAX_STEPS`].
+/// Maximum of `quality.max_steps`. Rays of so many steps in f32 are no more exact than those of
+/// fewer (docs/ACCURACY.md), and one dispatch of single rays takes a third of the steps of a full
+/// HD picture with [`ARTICLE_MAX_STEPS`].
 pub const MAX_STEP_BUDGET: u32 = 16_384;

@@ -69,7 +69,8 @@ impl Preset {
     /// The preset's scene, with some fields set to other values.
     ///
     /// # Errors
-    /// An override is wrong, or the preset's other fields do not allow it; without overrides, never.
+    /// An override is wrong, or the preset's other fields do not allow it; without overrides,
+    /// never.
     pub fn scene(&self, overrides: &[Override]) -> Result<Scene, SceneError> {
         if overrides.is_empty() {
             return Ok(self.plain_scene().clone());

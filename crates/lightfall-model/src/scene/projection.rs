@@ -1,9 +1,9 @@
-//! How a picture shows directions: which direction is seen at a place and where a direction is seen,
-//! the solid angle of a pixel, and what is in view. No other Rust file has such a formula; the twins
-//! in WGSL are in shaders/projection/.
+//! How a picture shows directions: which direction is seen at a place and where a direction is
+//! seen, the solid angle of a pixel, and what is in view. No other Rust file has such a formula;
+//! the twins in WGSL are in shaders/projection/.
 //!
-//! Directions are unit vectors (right, up, forward) of the camera. Places are in pixels from the upper
-//! left corner of a picture, whose size is in pixels, too.
+//! Directions are unit vectors (right, up, forward) of the camera. Places are in pixels from the
+//! upper left corner of a picture, whose size is in pixels, too.
 
 use super::{Camera, Scene};
 use glam::{DVec2, DVec3};
@@ -12,7 +12,8 @@ crate::words! {
     /// How a camera's picture shows directions. The word is the name of the file in
     /// shaders/projection/.
     pub enum Projection {
-        /// As a pinhole camera does: a direction is seen where it crosses a plane in front of the camera.
+        /// As a pinhole camera does: a direction is seen where it crosses a plane in front of the
+        /// camera.
         Perspective = "perspective",
     }
 }
@@ -78,7 +79,8 @@ impl Camera {
         )
     }
 
-    /// The field of view, in degrees, in which a pixel in the middle covers `factor` times the angle.
+    /// The field of view, in degrees, in which a pixel in the middle covers `factor` times the
+    /// angle.
     pub fn widened_fov_deg(&self, factor: f64) -> f64 {
         match self.projection() {
             Projection::Perspective => 2.0 * (self.half_height() * factor).atan().to_degrees(),

@@ -1,5 +1,5 @@
-//! The steps of the article's methods, verlet and kerr-schild: the article's named qualities, and what
-//! the fields of `quality` mean where they leave the choice to the program.
+//! The steps of the article's methods, verlet and kerr-schild: the article's named qualities, and
+//! what the fields of `quality` mean where they leave the choice to the program.
 
 use super::{ARTICLE_MAX_STEPS, AccuracySetting, Quality, Scene};
 

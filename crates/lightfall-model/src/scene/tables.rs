@@ -8,8 +8,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::field::Field;
 use super::range::Range;
-use super::row::Row;
 use super::value::FieldValue;
 use super::{
     ARTICLE_MAX_STEPS, DiskModel, DiskStructure, HotSpotKind, LimbDarkening, MAX_PICTURE_SIDE,
@@ -68,8 +68,8 @@ macro_rules! table {
 
         impl $Table {
             /// The rows of this table's own fields.
-            pub(super) const FIELDS: &'static [Row<Scene>] = &[$(
-                Row::new(
+            pub(super) const FIELDS: &'static [Field] = &[$(
+                Field::new(
                     (
                         table!(@key $table $field),
                         <$type as FieldValue>::KIND$(.within($range))?,
@@ -212,8 +212,8 @@ table! {
         outer: f64 = 11.0, EDGE, "r_s";
         /// Angle between the disk's normal and the z axis; 0 around a hole that spins.
         tilt_deg: f64 = 0.0, POLAR, "degrees";
-        /// Azimuth of the ascending node, where the orbits of a tilted disk cross the equator upward;
-        /// azimuths in the disk are counted on from there.
+        /// Azimuth of the ascending node, where the orbits of a tilted disk cross the equator
+        /// upward; azimuths in the disk are counted on from there.
         node_deg: f64 = 0.0, TURN, "degrees";
         /// Radial profile of the flux.
         model: DiskModel = DiskModel::default();
@@ -301,8 +301,8 @@ table! {
         /// Turn of the sky about this place; at 0 the celestial north pole is on the side of the z
         /// axis.
         roll_deg: f64 = 0.0, TURN, "degrees";
-        /// Faintest stars that are drawn as points, if the picture can show them; the Milky Way holds
-        /// the light of all others.
+        /// Faintest stars that are drawn as points, if the picture can show them; the Milky Way
+        /// holds the light of all others.
         magnitude_limit: f64 = 12.0, Range::closed(-2.0, 12.0), "mag";
         /// Whether one bright star is added, in any mode but `off`.
         reference_star: bool = false;
@@ -340,7 +340,8 @@ table! {
         width: u32 = 960, SIDE, "pixels";
         /// Height of the picture.
         height: u32 = 540, SIDE, "pixels";
-        /// Columns of cells, not more than picture.width; a window shows as many as it has room for.
+        /// Columns of cells, not more than picture.width; a window shows as many as it has room
+        /// for.
         grid_width: u32 = 480, SIDE, "cells";
         /// Rows of cells, not more than picture.height; a window shows about as many.
         grid_height: u32 = 270, SIDE, "cells";
@@ -385,11 +386,11 @@ table! {
         max_affine: f64 = 2000.0, Range::above(0.0, 1e9), "r_s";
         /// Radius beyond which an outgoing ray of verlet and kerr-schild counts as escaped, never
         /// less than camera.r and disk.outer; 0 for 1.15 camera.r or three times disk.outer,
-        /// whichever is larger. A ray ends before it, without an answer, after quality.max_affine or
-        /// quality.max_steps.
+        /// whichever is larger. A ray ends before it, without an answer, after quality.max_affine
+        /// or quality.max_steps.
         escape_radius: f64 = 0.0, Range::closed(0.0, 1e9), "r_s";
-        /// Least step of the step rule of verlet and kerr-schild, unless another limit is smaller; 0
-        /// for the article's, 0.018 and 0.008.
+        /// Least step of the step rule of verlet and kerr-schild, unless another limit is smaller;
+        /// 0 for the article's, 0.018 and 0.008.
         min_step: f64 = 0.0, Range::closed(0.0, 1.0), "r_s";
     }
 }

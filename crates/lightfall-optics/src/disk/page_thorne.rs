@@ -2,6 +2,7 @@
 //! edge. The twin in WGSL is shaders/disk/page_thorne.wgsl, which samples the table made here.
 
 use super::newtonian::{NEWTONIAN_PEAK, newtonian_flux};
+use lightfall_model::geometry::bisection::bisection;
 use lightfall_model::geometry::kerr::MASS;
 
 /// Entries of the shader's table.
@@ -84,16 +85,8 @@ impl PageThorne {
         };
         // The Newtonian profile peaks at (7/6) x_0, the relativistic one at 1.28 x_0 or less
         // (spin -1).
-        let (mut low, mut high) = (self.x0, 2.0 * self.x0);
-        for _ in 0..f64::MANTISSA_DIGITS {
-            let middle = 0.5 * (low + high);
-            if rises(middle) {
-                low = middle
-            } else {
-                high = middle
-            }
-        }
-        MASS * low * low
+        let [x, _] = bisection([self.x0, 2.0 * self.x0], f64::MANTISSA_DIGITS, rises);
+        MASS * x * x
     }
 
     /// C at the depth y = 1 - sqrt(r_in/r), from 0 at the edge to 1 at infinity.

@@ -6,7 +6,7 @@ use glam::{DMat3, DMat4, DVec3, DVec4};
 use lightfall_model::geometry::observer::{
     ObserverError, ObserverKind, ObserverMatrix, observer_matrix,
 };
-use lightfall_model::geometry::sphere::celestial_frame;
+use lightfall_model::geometry::sphere::celestial_axes;
 use lightfall_model::geometry::tetrad::transformation;
 use lightfall_model::scene::Scene;
 
@@ -40,15 +40,13 @@ impl Place {
     pub(super) fn of(scene: &Scene) -> Self {
         let camera = &scene.camera;
         if !scene.disk.is_tilted() {
-            return Self {
-                theta: camera.theta_deg.to_radians(),
-                phi: camera.phi_deg.to_radians(),
-                turn: DMat3::IDENTITY,
-            };
+            let [theta, phi] = camera.polar_angles();
+            let turn = DMat3::IDENTITY;
+            return Self { theta, phi, turn };
         }
         let n = camera_in_disk_frame(scene);
         let (theta, phi) = (n.truncate().length().atan2(n.z), n.y.atan2(n.x));
-        let axes = scene.disk.hole_from_disk() * axes_at(theta, phi);
+        let axes = scene.disk.hole_from_disk() * celestial_axes(theta, phi);
         Self {
             theta,
             phi,
@@ -63,35 +61,20 @@ impl Sky {
     /// own.
     pub(super) fn bent(scene: &Scene, place: &Place) -> Result<Self, ObserverError> {
         let camera = &scene.camera;
-        let at = |theta, phi| {
-            observer_matrix(
-                scene.hole.spin,
-                ObserverKind::Rain,
-                [0.0; 3],
-                camera.r,
-                theta,
-                phi,
-            )
-        };
-        let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
-        let to_camera = transformation(
-            &at(theta, phi)?,
-            &CameraRays::new(scene)?.matrix,
-            theta,
-            phi,
-        );
+        let (spin, kind) = (scene.hole.spin, ObserverKind::Rain);
+        let [theta, phi] = camera.polar_angles();
+        let rain = scene.observer_at_camera(kind, [0.0; 3])?;
+        let to_camera = transformation(&rain, &CameraRays::new(scene)?.matrix, theta, phi);
         let Place { theta, phi, turn } = *place;
+        let frame = observer_matrix(spin, kind, [0.0; 3], camera.r, theta, phi)?;
         let to_camera = to_camera * with_time(turn);
-        Ok(Self::new(camera.r, theta, phi, at(theta, phi)?, to_camera))
+        Ok(Self::new(camera.r, theta, phi, frame, to_camera))
     }
 
     /// The sky without bending, where Boyer-Lindquist r, theta, phi are spherical coordinates of
     /// flat space. Curves are found in the frame of the zero-angular-momentum observer.
     pub(super) fn flat(scene: &Scene) -> Result<Self, ObserverError> {
-        let (theta, phi) = (
-            scene.camera.theta_deg.to_radians(),
-            scene.camera.phi_deg.to_radians(),
-        );
+        let [theta, phi] = scene.camera.polar_angles();
         let mut scene = scene.clone();
         scene.effects.lensing = false;
         let camera = CameraRays::new(&scene)?.matrix;
@@ -102,7 +85,7 @@ impl Sky {
     }
 
     fn new(r: f64, theta: f64, phi: f64, frame: ObserverMatrix, to_camera: DMat4) -> Self {
-        let axes = axes_at(theta, phi);
+        let axes = celestial_axes(theta, phi);
         Self {
             r,
             n: axes.x_axis,
@@ -127,12 +110,6 @@ impl Sky {
             .filter_map(|point| self.seen(point))
             .collect()
     }
-}
-
-/// An observer's axes (outward, theta, phi) at a place, as columns.
-fn axes_at(theta: f64, phi: f64) -> DMat3 {
-    let [outward, theta_hat, phi_hat] = celestial_frame(theta, phi);
-    DMat3::from_cols(outward, theta_hat, phi_hat)
 }
 
 /// A rotation of d as one of (1, d).

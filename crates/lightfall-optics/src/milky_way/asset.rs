@@ -3,7 +3,6 @@
 //! share of the bluer light.
 
 use crate::cube_map::FACES;
-use crate::stars::temperature_from_b_v;
 use png::{Decoder, DecodingError};
 use std::io::Cursor;
 
@@ -19,11 +18,6 @@ pub const STEP: f64 = 0.02;
 /// B-V of the two lights that a texel is mixed of. The share of the bluer one is that of the
 /// brightness in V, in 255ths.
 pub const B_V: [f64; 2] = [0.2, 1.6];
-
-/// The temperatures of the two lights in kelvin, the bluer one first.
-pub(super) fn temperatures() -> [f64; 2] {
-    B_V.map(temperature_from_b_v)
-}
 
 /// The brightness in V of the two lights of each texel, in stars of V = 0 per steradian.
 ///

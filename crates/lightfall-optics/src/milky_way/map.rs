@@ -2,7 +2,7 @@
 
 use super::asset;
 use crate::cube_map::{FACES, face_column_row, solid_angle};
-use crate::stars::flux;
+use crate::stars::{flux, temperature_from_b_v};
 use half::f16;
 use std::sync::LazyLock;
 
@@ -40,7 +40,7 @@ impl MilkyWay {
 
     /// The temperatures of the two lights in kelvin, the bluer one first.
     pub fn temperatures() -> [f64; 2] {
-        asset::temperatures()
+        asset::B_V.map(temperature_from_b_v)
     }
 
     /// The texels of a level, 0 the finest, in WebGPU's order of faces.

@@ -41,8 +41,8 @@ pub fn shadow(kerr: Kerr, matrix: &ObserverMatrix, r: f64, theta: f64, phi: f64)
     // The half steps avoid the two ends, where Theta vanishes.
     let angle = |i: usize| TAU * (i as f64 + 0.5) / POINTS as f64;
     let edge: Vec<DVec3> = (0..POINTS).map(|i| curve.at(angle(i))).collect();
-    // The edge's vector area does not depend on how its points are spread. For rain the shadow is
-    // smaller than a hemisphere, so the edge's mean direction is inside and gives the sign.
+    // The vector area does not depend on how the points are spread. For rain the shadow is smaller
+    // than a hemisphere, so the edge's mean direction is inside and gives the sign.
     let mean = edge.iter().sum::<DVec3>() / edge.len() as f64;
     let sides = edge.iter().zip(edge.iter().cycle().skip(1));
     let vector_area: DVec3 = sides

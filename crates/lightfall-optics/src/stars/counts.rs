@@ -11,7 +11,7 @@ pub fn number_brighter(magnitude: f64) -> f64 {
     10_f64.powf(0.795 + v * (0.484 + v * (0.0019 - 0.0003 * v)))
 }
 
-/// Coefficients, from the constant one, of the cubic p in the share of all starlight that comes from
-/// stars fainter than a magnitude V: 1 / (1 + exp(p(V - 11))). It differs by less than 0.01 from the
-/// share by the catalogue's stars to V = 6 and [`number_brighter`] beyond.
+/// Coefficients, from the constant one, of the cubic p in the share of all starlight that comes
+/// from stars fainter than a magnitude V: 1 / (1 + exp(p(V - 11))). It differs by less than 0.01
+/// from the share by the catalogue's stars to V = 6 and [`number_brighter`] beyond.
 pub const FAINTER_SHARE: [f64; 4] = [0.226_21, 0.330_94, 0.007_313, 0.001_000_7];

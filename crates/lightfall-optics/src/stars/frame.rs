@@ -8,8 +8,8 @@ use glam::{DMat3, DVec3};
 const GALACTIC_POLE: [f64; 2] = [192.859_48, 27.128_25];
 const LONGITUDE_OF_CELESTIAL_POLE: f64 = 122.931_92;
 
-/// The unit vector toward a right ascension and declination, or a galactic longitude and latitude on
-/// galactic axes; both in degrees.
+/// The unit vector toward a right ascension and declination, or a galactic longitude and latitude
+/// on galactic axes; both in degrees.
 pub fn celestial_direction(ra_deg: f64, dec_deg: f64) -> DVec3 {
     let ((sin_ra, cos_ra), (sin_dec, cos_dec)) = (
         ra_deg.to_radians().sin_cos(),

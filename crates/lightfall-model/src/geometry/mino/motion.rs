@@ -59,9 +59,8 @@ impl PhotonConstants {
             k: w.length_squared() - (a * energy * n.z).powi(2),
             ingoing,
         };
-        // Outside, the camera's own azimuth is Boyer-Lindquist's.
-        let chi = if ingoing && !inside {
-            kerr.ingoing_azimuth_lead(r)
+        let chi = if ingoing {
+            kerr.camera_azimuth_lead(r)
         } else {
             0.0
         };

@@ -1,9 +1,10 @@
 //! An observer's matrix, expanded about one direction.
 //!
-//! A photon that is small compared with the matrix is a difference of large numbers. It is accurate
-//! if the matrix is expanded about the direction from which the smallest photon arrives.
+//! A photon that is small compared with the matrix is a difference of large numbers, unless the
+//! matrix is expanded about the direction from which the smallest photon arrives.
 
 use super::{ObserverMatrix, Photon};
+use crate::geometry::bisection::bisection;
 use glam::{DMat3, DVec3, DVec4, Vec4Swizzles};
 
 /// Number of halvings that find the multiplier of [`least_on_sphere`] to its last digit.
@@ -74,17 +75,9 @@ fn least_on_sphere(a: DMat3, b: DVec3) -> DVec3 {
     let shifted = |m: f64| a + m * DMat3::IDENTITY;
     let solution = |m: f64| shifted(m).inverse() * -b;
     // |x| falls with m.
-    let is_beyond = |m: f64| is_positive_definite(shifted(m)) && solution(m).length() <= 1.0;
+    let is_below = |m: f64| !is_positive_definite(shifted(m)) || solution(m).length() > 1.0;
     let trace = a.x_axis.x + a.y_axis.y + a.z_axis.z;
-    let (mut low, mut high) = (-trace, b.length());
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        *if is_beyond(middle) {
-            &mut high
-        } else {
-            &mut low
-        } = middle;
-    }
+    let [_, high] = bisection([-trace, b.length()], HALVINGS, is_below);
     solution(high).try_normalize().unwrap_or(DVec3::NEG_X)
 }
 

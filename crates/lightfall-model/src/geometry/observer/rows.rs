@@ -29,8 +29,8 @@ impl Local {
     }
 }
 
-/// The rows of an observer of this kind at radius `r` (r_s) and polar angle `theta` (radians), where
-/// it exists ([`ObserverKind::check_place`]).
+/// The rows of an observer of this kind at radius `r` (r_s) and polar angle `theta` (radians),
+/// where it exists ([`ObserverKind::check_place`]).
 ///
 /// # Errors
 /// No timelike circular orbit has this radius.

@@ -13,9 +13,9 @@ const MAX_STEPS: u32 = 100_000;
 /// A freely falling particle of unit mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Geodesic {
-    /// ParticleConstants of the motion.
+    /// Its constants of the motion.
     pub constants: ParticleConstants,
-    /// Present position and velocity.
+    /// Its present position and velocity.
     pub state: ParticleState,
 }
 

@@ -3,7 +3,7 @@
 use super::error::JourneyError;
 use super::format::{CAPTION_SECONDS, MAX_CAPTION_CHARS, MAX_CAPTIONS};
 use crate::scene::from_toml::{float, given};
-use crate::scene::value::{FieldValue, shortened};
+use crate::scene::value::shortened;
 use toml::Table;
 
 /// A sentence about what is seen.
@@ -50,11 +50,7 @@ fn read(
             origin: origin.into(),
             number,
             key,
-            given: match (value.and_then(float), value) {
-                (Some(seconds), _) => seconds.to_value().quoted(),
-                (None, Some(value)) => given(value),
-                (None, None) => "nothing".into(),
-            },
+            given: value.map_or_else(|| "nothing".into(), given),
             allowed,
         };
     let [time, seconds, text] = ["time", "seconds", "text"].map(|key| table.remove(key));

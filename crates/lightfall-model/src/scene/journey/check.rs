@@ -24,9 +24,9 @@ pub struct Unflyable {
 }
 
 impl Journey {
-    /// Checks that the journey can be flown in this scene from the time `from`, in seconds after its
-    /// beginning: at each keyframe, then at moments in between. `possible` says whether a scene can
-    /// be drawn.
+    /// Checks that the journey can be flown in this scene from the time `from`, in seconds after
+    /// its beginning: at each keyframe, then at moments in between. `possible` says whether a scene
+    /// can be drawn.
     ///
     /// # Errors
     /// The first keyframe that is refused, or else the first such moment.

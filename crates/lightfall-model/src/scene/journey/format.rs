@@ -1,6 +1,7 @@
 //! The format of a journey's text: how long it may be, and what a keyframe may name.
 
-use crate::scene::fields::{Field, field};
+use crate::scene::field::Field;
+use crate::scene::fields::field;
 use crate::scene::range::{Kind, Range};
 use crate::scene::value::Value;
 

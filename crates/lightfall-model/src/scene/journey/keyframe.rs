@@ -3,7 +3,7 @@
 use super::error::JourneyError;
 use super::format::{MAX_SECONDS, NAMES, NOT_IN_RAIN, field_like};
 use crate::scene::from_toml::{float, given};
-use crate::scene::value::{FieldValue, Value, shortened};
+use crate::scene::value::{Value, shortened};
 use std::collections::BTreeMap;
 use toml::Table;
 
@@ -85,11 +85,7 @@ fn time(
     Err(JourneyError::Time {
         origin: origin.into(),
         number,
-        given: match (seconds, time) {
-            (Some(seconds), _) => seconds.to_value().quoted(),
-            (None, Some(time)) => given(time),
-            (None, None) => "nothing".into(),
-        },
+        given: time.map_or_else(|| "nothing".into(), given),
         allowed,
     })
 }

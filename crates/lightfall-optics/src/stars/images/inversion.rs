@@ -7,7 +7,7 @@ use super::table::{ImageTable, ORDERS};
 use crate::camera_rays::CameraRays;
 use crate::shift::Shift;
 use glam::{DMat3, DMat4, DVec3, DVec4};
-use lightfall_model::geometry::observer::{ObserverError, ObserverKind, boost, observer_matrix};
+use lightfall_model::geometry::observer::{ObserverError, ObserverKind, boost};
 use lightfall_model::geometry::sphere::angle_between;
 use lightfall_model::geometry::tetrad::transformation;
 use lightfall_model::scene::Scene;
@@ -52,7 +52,6 @@ pub struct Inversion {
     lens: Lens,
     r: f64,
     shift: Shift,
-    beaming: bool,
 }
 
 /// The rays from the sky to the observer in whose frame images are found.
@@ -92,7 +91,6 @@ impl Inversion {
             lens,
             r: camera.r,
             shift: Shift::new(scene),
-            beaming: scene.effects.beaming,
         })
     }
 
@@ -143,13 +141,12 @@ impl Inversion {
         let direction = DVec3::from_array(rest).try_normalize()?;
         let magnification = magnification / (frequency * frequency);
         let shift = self.sky_shift(direction);
-        let beaming = if self.beaming { shift.powi(4) } else { 1.0 };
         Some(StarImage {
             direction,
             order,
             magnification,
             shift,
-            gain: magnification * beaming,
+            gain: magnification * self.shift.beaming_factor(shift),
         })
     }
 
@@ -209,24 +206,18 @@ impl Inversion {
 /// From (1, d) of the observer in whose frame images are found to the camera's (frequency,
 /// frequency times d).
 fn to_camera(scene: &Scene, rays: &CameraRays) -> Result<DMat4, ObserverError> {
-    let (camera, observer) = (&scene.camera, &scene.observer);
-    let (theta, phi) = (camera.theta_deg.to_radians(), camera.phi_deg.to_radians());
-    let matrix_of = |kind| observer_matrix(scene.hole.spin, kind, [0.0; 3], camera.r, theta, phi);
+    let [theta, phi] = scene.camera.polar_angles();
     if !scene.effects.lensing {
         let mut at_rest = scene.clone();
         at_rest.effects.aberration = false;
         let frame = CameraRays::new(&at_rest)?.matrix;
         return Ok(transformation(&frame, &rays.matrix, theta, phi));
     }
-    if observer.kind == ObserverKind::Rain && scene.effects.aberration {
+    if scene.observer.kind == ObserverKind::Rain && scene.effects.aberration {
         // The general way fails on the horizon, where this observer alone exists.
-        let back = boost(observer.velocity.map(|v| -v))?;
+        let back = boost(scene.observer.velocity.map(|v| -v))?;
         return Ok(DMat4::from_cols_array_2d(&back).transpose());
     }
-    Ok(transformation(
-        &matrix_of(ObserverKind::Rain)?,
-        &rays.matrix,
-        theta,
-        phi,
-    ))
+    let rain = scene.observer_at_camera(ObserverKind::Rain, [0.0; 3])?;
+    Ok(transformation(&rain, &rays.matrix, theta, phi))
 }

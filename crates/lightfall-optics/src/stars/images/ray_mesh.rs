@@ -1,5 +1,5 @@
-//! The images of stars in a picture with spin, in f64: by a mesh of reference rays, from whose
-//! cells images are polished. The kernels in shaders/stars/ do the same with the picture's tracer.
+//! The images of stars in a picture with spin, in f64: polished from the cells of a mesh of
+//! reference rays, as the kernels in shaders/stars/ do with the picture's tracer.
 
 use super::StarImage;
 use super::mesh_layout::MeshLayout;
@@ -27,7 +27,6 @@ pub struct RayMesh {
     reference: Reference,
     camera: Camera,
     shift: Shift,
-    beaming: bool,
     layout: MeshLayout,
     size: DVec2,
     /// The directions of the sky that the rays come from, row by row; `None` for other outcomes.
@@ -48,7 +47,6 @@ impl RayMesh {
             reference: Reference::new(&scene)?,
             camera: scene.camera,
             shift: Shift::new(&scene),
-            beaming: scene.effects.beaming,
             layout,
             size: size.as_dvec2(),
             skies: Vec::new(),
@@ -139,13 +137,12 @@ impl RayMesh {
         let (r, n) = self.reference.camera();
         let lambda = r * n.cross(photon.w).z / photon.energy;
         let shift = self.shift.of_sky(1.0 / photon.energy, lambda);
-        let beaming = if self.beaming { shift.powi(4) } else { 1.0 };
         Some(StarImage {
             direction,
             order: path.order(&trace)?,
             magnification,
             shift,
-            gain: magnification * beaming,
+            gain: magnification * self.shift.beaming_factor(shift),
         })
     }
 }
@@ -160,14 +157,9 @@ fn starts(corners: &[DVec3; 4], star: DVec3) -> Vec<(DVec2, [DVec3; 2])> {
     if star.distance(middle) > 2.0 * radius {
         return Vec::new();
     }
-    let area = |side: DVec3, next: DVec3| middle.dot(side.cross(next));
     let (top, bottom, left, far) = (right - first, last - down, down - first, last - right);
-    let areas = [
-        area(top, left),
-        area(top, far),
-        area(bottom, left),
-        area(bottom, far),
-    ];
+    let areas = [(top, left), (top, far), (bottom, left), (bottom, far)]
+        .map(|(side, next)| middle.dot(side.cross(next)));
     let smallest = areas.into_iter().fold(f64::INFINITY, f64::min);
     let largest = areas.into_iter().fold(f64::NEG_INFINITY, f64::max);
     let ratio = (largest / smallest).max(smallest / largest);
