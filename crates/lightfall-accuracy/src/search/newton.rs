@@ -20,22 +20,22 @@ pub(super) const NO_DAMPING: f64 = -70.0;
 /// Gauss-Newton method.
 pub(super) fn along_first_axis(at: &impl Fn(DVec2) -> Option<DVec2>, start: f64) -> DVec2 {
     let mut place = DVec2::new(start, 0.0);
-    let Some(mut left) = at(place) else {
+    let Some(mut miss) = at(place) else {
         return place;
     };
     for _ in 0..8 {
         let Some(slope) = [DIFFERENCE, -DIFFERENCE]
             .into_iter()
-            .find_map(|h| Some((at(place + h * DVec2::X)? - left) / h))
+            .find_map(|h| Some((at(place + h * DVec2::X)? - miss) / h))
         else {
             break;
         };
-        let step = -(slope.dot(left) / slope.length_squared()).clamp(-1.0, 1.0);
+        let step = -(slope.dot(miss) / slope.length_squared()).clamp(-1.0, 1.0);
         match (step.abs() > DIFFERENCE)
             .then(|| advance(at, place, step * DVec2::X))
             .flatten()
         {
-            Some(next) => (place, left) = next,
+            Some(next) => (place, miss) = next,
             None => break,
         }
     }
@@ -51,7 +51,7 @@ fn advance(
 ) -> Option<(DVec2, DVec2)> {
     (0..MAX_HALVINGS)
         .map(|i| place + step * 0.5_f64.powi(i))
-        .find_map(|next| at(next).map(|left| (next, left)))
+        .find_map(|next| at(next).map(|miss| (next, miss)))
 }
 
 /// Newton's method for the nearest ray that explains an answer. Returns the smallest bound of the
@@ -62,14 +62,14 @@ pub(super) fn newton(
     start: DVec2,
     damping: f64,
 ) -> f64 {
-    let Some(left) = at(start) else {
+    let Some(miss) = at(start) else {
         return f64::INFINITY;
     };
-    let mut least = f64::max(chart.turn(start), left.length());
-    let (mut place, mut left) = (start, left);
+    let mut least = f64::max(chart.turn(start), miss.length());
+    let (mut place, mut miss) = (start, miss);
     for _ in 1..MAX_STEPS {
-        let Some(aim) = jacobian(chart, at, place, left)
-            .and_then(|jacobian| smallest(chart, place, left, jacobian, damping))
+        let Some(aim) = jacobian(chart, at, place, miss)
+            .and_then(|jacobian| smallest(chart, place, miss, jacobian, damping))
         else {
             break;
         };
@@ -82,8 +82,8 @@ pub(super) fn newton(
         ) else {
             break;
         };
-        (place, left) = next;
-        least = least.min(f64::max(chart.turn(place), left.length()));
+        (place, miss) = next;
+        least = least.min(f64::max(chart.turn(place), miss.length()));
         if (place - before).length() <= CONVERGED * place.length() {
             break;
         }
@@ -95,11 +95,11 @@ pub(super) fn newton(
 fn smallest(
     chart: &Chart,
     place: DVec2,
-    left: DVec2,
+    miss: DVec2,
     jacobian: DMat2,
     damping: f64,
 ) -> Option<DVec2> {
-    let aim = jacobian * place - left;
+    let aim = jacobian * place - miss;
     // The columns are scaled to length one first: near an edge, a turn across it changes the answer
     // so much more than a turn along it that the squared ratio exceeds f64's precision. A turn in
     // some direction may even change nothing.
@@ -128,11 +128,11 @@ fn jacobian(
     chart: &Chart,
     at: &impl Fn(DVec2) -> Option<DVec2>,
     place: DVec2,
-    left: DVec2,
+    miss: DVec2,
 ) -> Option<DMat2> {
     let differences = chart.differences();
     let derivative = |axis: DVec2| {
-        let sided = |h: f64| at(place + h * axis).map(|miss| (miss - left) / h);
+        let sided = |h: f64| at(place + h * axis).map(|there| (there - miss) / h);
         let difference = axis.dot(differences);
         match (sided(difference), sided(-difference)) {
             (Some(a), Some(b)) => Some(0.5 * (a + b)),
